@@ -1,0 +1,3 @@
+//! The `pompeiu` command.
+
+fn main() {}

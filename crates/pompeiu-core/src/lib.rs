@@ -1,0 +1,7 @@
+//! The vocabulary of pompeiu: meshes, geometry by pairs, outward arithmetic and spatial trees.
+//!
+//! This crate opens no files and solves no linear systems.
+
+pub mod mesh;
+
+pub use mesh::{FaceId, MeshError, TriMesh, VertexId};

@@ -1,0 +1,118 @@
+//! The one mesh type that algorithms accept.
+
+use super::{FaceId, MeshError, VertexId};
+use rayon::prelude::*;
+
+/// A triangle soup whose indices are in range and whose coordinates are finite.
+///
+/// Nothing else is promised: faces may be degenerate, duplicated, inconsistently oriented or non-manifold, and
+/// vertices may be unreferenced. There is at least one face.
+///
+/// # Shapes and units
+/// `positions`: n points in a length unit of the caller's; `faces`: m triples of indices below n.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TriMesh {
+    positions: Vec<[f64; 3]>,
+    faces: Vec<[u32; 3]>,
+}
+
+impl TriMesh {
+    /// Largest magnitude of a coordinate, 2^1000: beyond it a squared extent could not be scaled back into range.
+    pub const MAX_COORDINATE: f64 = f64::from_bits((1023 + 1000) << 52);
+
+    /// Checks the arrays and takes them over.
+    ///
+    /// # Errors
+    /// The first offending element in index order, vertices before faces; see [`MeshError`].
+    ///
+    /// # Cost
+    /// O(n + m), parallel.
+    pub fn new(positions: Vec<[f64; 3]>, faces: Vec<[u32; 3]>) -> Result<Self, MeshError> {
+        for (what, count) in [("vertices", positions.len()), ("faces", faces.len())] {
+            if count > u32::MAX as usize {
+                return Err(MeshError::TooMany { what, count });
+            }
+        }
+        if faces.is_empty() {
+            return Err(MeshError::NoFaces { vertices: positions.len() });
+        }
+        let in_range = |x: &f64| x.abs() <= Self::MAX_COORDINATE;
+        if let Some(v) = positions.par_iter().position_first(|p| !p.iter().all(in_range)) {
+            let axis = positions[v].iter().position(|x| !in_range(x)).unwrap_or(0);
+            let (vertex, value) = (VertexId(v as u32), positions[v][axis]);
+            return Err(if value.is_finite() {
+                MeshError::TooLarge { vertex, axis, value }
+            } else {
+                MeshError::NonFinite { vertex, axis, value }
+            });
+        }
+        let vertices = positions.len();
+        if let Some(f) = faces.par_iter().position_first(|f| f.iter().any(|&i| i as usize >= vertices)) {
+            let index = faces[f].into_iter().find(|&i| i as usize >= vertices).unwrap_or(0);
+            return Err(MeshError::IndexOutOfRange { face: FaceId(f as u32), index, vertices });
+        }
+        Ok(Self { positions, faces })
+    }
+
+    /// All vertex positions, unreferenced ones included.
+    pub fn positions(&self) -> &[[f64; 3]] {
+        &self.positions
+    }
+
+    /// All faces as vertex index triples.
+    pub fn faces(&self) -> &[[u32; 3]] {
+        &self.faces
+    }
+
+    /// The three corner positions of a face, in the order stored.
+    ///
+    /// # Panics
+    /// If `face` is not a face of this mesh.
+    pub fn corners(&self, face: FaceId) -> [[f64; 3]; 3] {
+        self.faces[face.index()].map(|v| self.positions[v as usize])
+    }
+
+    /// Gives the arrays back.
+    pub fn into_parts(self) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
+        (self.positions, self.faces)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn one_face(p: [f64; 3]) -> Result<TriMesh, MeshError> {
+        TriMesh::new(vec![[0.0; 3], [1.0, 0.0, 0.0], p], vec![[0, 1, 2]])
+    }
+
+    #[test]
+    fn accepts_a_degenerate_face_and_gives_its_corners() {
+        let mesh = one_face([0.5, 0.0, 0.0]).unwrap();
+        assert_eq!(mesh.corners(FaceId(0))[2], [0.5, 0.0, 0.0]);
+    }
+
+    #[test]
+    fn names_the_offending_element() {
+        let vertex = VertexId(2);
+        assert!(
+            matches!(one_face([0.0, f64::NAN, 0.0]), Err(MeshError::NonFinite { vertex: v, axis: 1, .. }) if v == vertex)
+        );
+        assert!(matches!(
+            one_face([0.0, 0.0, f64::NEG_INFINITY]),
+            Err(MeshError::NonFinite { axis: 2, value: f64::NEG_INFINITY, .. })
+        ));
+        assert!(matches!(one_face([1e305, 0.0, 0.0]), Err(MeshError::TooLarge { axis: 0, .. })));
+        assert_eq!(
+            TriMesh::new(vec![[0.0; 3]], vec![[0, 0, 0], [0, 7, 0]]),
+            Err(MeshError::IndexOutOfRange { face: FaceId(1), index: 7, vertices: 1 })
+        );
+        assert_eq!(TriMesh::new(vec![[0.0; 3]], vec![]), Err(MeshError::NoFaces { vertices: 1 }));
+    }
+
+    #[test]
+    fn errors_read_as_sentences() {
+        let error = one_face([f64::NAN, 0.0, 0.0]).unwrap_err();
+        assert_eq!(error.to_string(), "coordinate x of vertex 2 is NaN");
+    }
+}

@@ -1,0 +1,1 @@
+//! Certified Pompeiu–Hausdorff distance between triangle meshes.

@@ -1,0 +1,1 @@
+//! Oracles and reference cases for the tests.
