@@ -5,5 +5,9 @@
 
 mod error;
 mod raw;
+mod write;
 
 pub use error::{FormatError, Location, ReadError};
+pub use write::{
+    AttributeError, Attributes, EncodeError, OutputFormat, WriteError, encode, write, write_as, write_with,
+};

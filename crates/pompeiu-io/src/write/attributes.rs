@@ -1,0 +1,201 @@
+//! Values that travel with a mesh into a file.
+
+use pompeiu_core::TriMesh;
+
+/// Why values cannot be attributes of a mesh.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum AttributeError {
+    /// Not one value for each element.
+    #[error("{name}: {found} values for {expected} {elements}")]
+    Length {
+        /// The name of the attribute.
+        name: String,
+        /// `"vertices"` or `"faces"`.
+        elements: &'static str,
+        /// The number of elements.
+        expected: usize,
+        /// The number of values.
+        found: usize,
+    },
+    /// A name that some format could not write.
+    #[error(
+        "attribute name {name:?} is empty, has white space or control characters, or means something else in PLY"
+    )]
+    Name {
+        /// The name.
+        name: String,
+    },
+    /// The name is taken.
+    #[error("there are two attributes of the {elements} named {name:?}")]
+    Duplicate {
+        /// The name.
+        name: String,
+        /// `"vertices"` or `"faces"`.
+        elements: &'static str,
+    },
+}
+
+/// Named scalars and colours of the vertices and faces of one mesh.
+///
+/// # Shapes and units
+/// One double per element and scalar, in a unit of the caller's, NaN and infinities included; at most one colour
+/// per element, red, green and blue from 0 to 255. The counts are those of the mesh it was made for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Attributes {
+    vertices: OfElements,
+    faces: OfElements,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+struct OfElements {
+    elements: &'static str,
+    count: usize,
+    scalars: Vec<(String, Vec<f64>)>,
+    colors: Option<Vec<[u8; 3]>>,
+}
+
+impl Attributes {
+    /// No attributes yet.
+    pub fn for_mesh(mesh: &TriMesh) -> Self {
+        let of = |elements, count| OfElements { elements, count, scalars: Vec::new(), colors: None };
+        Self { vertices: of("vertices", mesh.positions().len()), faces: of("faces", mesh.faces().len()) }
+    }
+
+    /// Adds one number per vertex.
+    ///
+    /// # Errors
+    /// [`AttributeError`] unless there is one value per vertex and the name is new among the vertex scalars, made of
+    /// ASCII letters, digits, `_` and `-`, and not one that PLY gives a meaning (`x`, `red`, …).
+    pub fn with_vertex_scalar(
+        mut self,
+        name: impl Into<String>,
+        values: Vec<f64>,
+    ) -> Result<Self, AttributeError> {
+        self.vertices.push_scalar(name.into(), values)?;
+        Ok(self)
+    }
+
+    /// Adds one number per face.
+    ///
+    /// # Errors
+    /// As [`with_vertex_scalar`](Self::with_vertex_scalar), for faces.
+    pub fn with_face_scalar(
+        mut self,
+        name: impl Into<String>,
+        values: Vec<f64>,
+    ) -> Result<Self, AttributeError> {
+        self.faces.push_scalar(name.into(), values)?;
+        Ok(self)
+    }
+
+    /// Sets the colours of the vertices.
+    ///
+    /// # Errors
+    /// [`AttributeError::Length`] unless there is one per vertex.
+    pub fn with_vertex_colors(mut self, colors: Vec<[u8; 3]>) -> Result<Self, AttributeError> {
+        self.vertices.set_colors(colors)?;
+        Ok(self)
+    }
+
+    /// Sets the colours of the faces.
+    ///
+    /// # Errors
+    /// [`AttributeError::Length`] unless there is one per face.
+    pub fn with_face_colors(mut self, colors: Vec<[u8; 3]>) -> Result<Self, AttributeError> {
+        self.faces.set_colors(colors)?;
+        Ok(self)
+    }
+
+    /// Names and values of the vertex scalars, in the order added.
+    pub fn vertex_scalars(&self) -> impl Iterator<Item = (&str, &[f64])> {
+        self.vertices.scalars()
+    }
+
+    /// Names and values of the face scalars, in the order added.
+    pub fn face_scalars(&self) -> impl Iterator<Item = (&str, &[f64])> {
+        self.faces.scalars()
+    }
+
+    /// The colour of each vertex.
+    pub fn vertex_colors(&self) -> Option<&[[u8; 3]]> {
+        self.vertices.colors.as_deref()
+    }
+
+    /// The colour of each face.
+    pub fn face_colors(&self) -> Option<&[[u8; 3]]> {
+        self.faces.colors.as_deref()
+    }
+
+    pub(super) fn check_fits(&self, mesh: &TriMesh) -> Result<(), AttributeError> {
+        for (of, expected) in [(&self.vertices, mesh.positions().len()), (&self.faces, mesh.faces().len())] {
+            if of.count != expected {
+                let (name, elements, found) = ("attributes of another mesh".into(), of.elements, of.count);
+                return Err(AttributeError::Length { name, elements, expected, found });
+            }
+        }
+        Ok(())
+    }
+}
+
+impl OfElements {
+    fn push_scalar(&mut self, name: String, values: Vec<f64>) -> Result<(), AttributeError> {
+        const MEANINGFUL_IN_PLY: [&str; 11] =
+            ["x", "y", "z", "nx", "ny", "nz", "red", "green", "blue", "vertex_index", "vertex_indices"];
+        let unreadable = |c: char| !(c.is_ascii_alphanumeric() || c == '_' || c == '-');
+        if name.is_empty() || name.contains(unreadable) || MEANINGFUL_IN_PLY.contains(&name.as_str()) {
+            return Err(AttributeError::Name { name });
+        }
+        if self.scalars.iter().any(|(taken, _)| *taken == name) {
+            return Err(AttributeError::Duplicate { name, elements: self.elements });
+        }
+        self.check_length(&name, values.len())?;
+        self.scalars.push((name, values));
+        Ok(())
+    }
+
+    fn set_colors(&mut self, colors: Vec<[u8; 3]>) -> Result<(), AttributeError> {
+        self.check_length("colours", colors.len())?;
+        self.colors = Some(colors);
+        Ok(())
+    }
+
+    fn check_length(&self, name: &str, found: usize) -> Result<(), AttributeError> {
+        if found == self.count {
+            return Ok(());
+        }
+        let (name, elements, expected) = (name.to_owned(), self.elements, self.count);
+        Err(AttributeError::Length { name, elements, expected, found })
+    }
+
+    fn scalars(&self) -> impl Iterator<Item = (&str, &[f64])> {
+        self.scalars.iter().map(|(name, values)| (name.as_str(), values.as_slice()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_does_not_belong_is_refused() {
+        let mesh = TriMesh::new(vec![[0.0; 3]; 4], vec![[0, 1, 2], [2, 1, 3]]).unwrap();
+        let none = || Attributes::for_mesh(&mesh);
+        let length = |elements, expected, found| {
+            move |error: AttributeError| {
+                matches!(error, AttributeError::Length { elements: e, expected: x, found: f, .. }
+                    if e == elements && x == expected && f == found)
+            }
+        };
+        assert!(none().with_vertex_scalar("a", vec![0.0; 3]).is_err_and(length("vertices", 4, 3)));
+        assert!(none().with_face_scalar("a", vec![0.0; 4]).is_err_and(length("faces", 2, 4)));
+        assert!(none().with_vertex_colors(vec![[0; 3]; 2]).is_err_and(length("vertices", 4, 2)));
+        assert!(none().with_face_colors(vec![]).is_err_and(length("faces", 2, 0)));
+        for name in ["", "a b", "a\n", "é", "a<b", "x", "blue", "vertex_indices"] {
+            let error = none().with_vertex_scalar(name, vec![0.0; 4]).unwrap_err();
+            assert_eq!(error, AttributeError::Name { name: name.into() });
+        }
+        let twice = none().with_face_scalar("a", vec![0.0; 2]).unwrap().with_face_scalar("a", vec![1.0; 2]);
+        assert_eq!(twice, Err(AttributeError::Duplicate { name: "a".into(), elements: "faces" }));
+    }
+}

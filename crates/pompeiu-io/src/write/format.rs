@@ -1,0 +1,110 @@
+//! The formats that can be written, and what each has room for.
+
+use super::{Attributes, EncodeError};
+use std::path::Path;
+
+/// A format that can be written.
+///
+/// | | coordinates | vertex colours | face colours | vertex and face scalars |
+/// |---|---|---|---|---|
+/// | OBJ | every bit | yes | no | no |
+/// | PLY | every bit | yes | yes | yes |
+/// | STL | single precision | no | no | no |
+/// | OFF | every bit | yes | yes | no |
+///
+/// An attribute that the format has no room for is an error, never dropped in silence.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum OutputFormat {
+    /// Wavefront OBJ, text; each coordinate as the shortest decimal that reads back to the same double. Colours
+    /// follow the coordinates, from 0 to 1.
+    Obj,
+    /// Stanford PLY, binary little endian, `double` coordinates and scalars, `uchar` colours.
+    Ply,
+    /// Binary STL: each triangle repeats its corners in single precision; vertices that no face uses are lost.
+    Stl,
+    /// Object File Format, text; each coordinate as the shortest decimal that reads back to the same double.
+    Off,
+}
+
+impl OutputFormat {
+    /// All formats, in the order of the table above.
+    pub const ALL: [Self; 4] = [Self::Obj, Self::Ply, Self::Stl, Self::Off];
+
+    /// The format that a file name asks for by its suffix, in either case, a final `.gz` aside.
+    pub fn from_path(path: &Path) -> Option<Self> {
+        let inner = if is_gzip(path) { Path::new(path.file_stem()?) } else { path };
+        let suffix = inner.extension()?;
+        Self::ALL.into_iter().find(|format| suffix.eq_ignore_ascii_case(format.suffix()))
+    }
+
+    /// The suffix of file names, without the dot.
+    pub const fn suffix(self) -> &'static str {
+        match self {
+            Self::Obj => "obj",
+            Self::Ply => "ply",
+            Self::Stl => "stl",
+            Self::Off => "off",
+        }
+    }
+
+    /// The name for people.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Obj => "OBJ",
+            Self::Ply => "PLY",
+            Self::Stl => "STL",
+            Self::Off => "OFF",
+        }
+    }
+
+    const fn holds_vertex_colors(self) -> bool {
+        !matches!(self, Self::Stl)
+    }
+
+    const fn holds_face_colors(self) -> bool {
+        matches!(self, Self::Ply | Self::Off)
+    }
+
+    const fn holds_scalars(self) -> bool {
+        matches!(self, Self::Ply)
+    }
+
+    pub(super) fn check_holds(self, attributes: &Attributes) -> Result<(), EncodeError> {
+        let no_room = |attribute| Err(EncodeError::Unsupported { format: self, attribute });
+        if attributes.vertex_colors().is_some() && !self.holds_vertex_colors() {
+            return no_room("vertex colours");
+        }
+        if attributes.face_colors().is_some() && !self.holds_face_colors() {
+            return no_room("face colours");
+        }
+        if attributes.vertex_scalars().next().is_some() && !self.holds_scalars() {
+            return no_room("vertex scalars");
+        }
+        if attributes.face_scalars().next().is_some() && !self.holds_scalars() {
+            return no_room("face scalars");
+        }
+        Ok(())
+    }
+}
+
+pub(super) fn is_gzip(path: &Path) -> bool {
+    path.extension().is_some_and(|suffix| suffix.eq_ignore_ascii_case("gz"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn suffix_names_the_format() {
+        let format = |name: &str| OutputFormat::from_path(Path::new(name));
+        for known in OutputFormat::ALL {
+            assert_eq!(format(&format!("a/b.c.{}", known.suffix())), Some(known));
+            assert_eq!(format(&format!("b.{}.GZ", known.suffix().to_uppercase())), Some(known));
+        }
+        for unknown in ["", "obj", ".obj", "a.gz", ".gz", "a.txt", "a.obj.txt", "a.obj/b", "a.obj.gz.gz"] {
+            assert_eq!(format(unknown), None, "{unknown}");
+        }
+    }
+}

@@ -1,0 +1,99 @@
+//! Writing triangle meshes, with colours and scalars where the format has a place for them.
+
+mod attributes;
+mod error;
+mod format;
+mod obj;
+mod off;
+mod ply;
+mod replace;
+mod stl;
+mod text;
+
+use flate2::{Compression, write::GzEncoder};
+use pompeiu_core::TriMesh;
+use std::io::{self, Write};
+use std::path::Path;
+
+pub use attributes::{AttributeError, Attributes};
+pub use error::{EncodeError, WriteError};
+pub use format::OutputFormat;
+
+/// Bytes collected before the operating system is asked to write.
+const BLOCK: usize = 1 << 16;
+
+/// Writes a mesh, in the format that the suffix of `path` names; `.gz` after it compresses.
+///
+/// # Accuracy
+/// See [`OutputFormat`]: every bit of every coordinate is kept, except in the single-precision formats STL and GLB.
+///
+/// # Errors
+/// [`WriteError`]. The file appears, or is replaced, only once all of it is written; after an error whatever was
+/// there before is still there.
+pub fn write(path: impl AsRef<Path>, mesh: &TriMesh) -> Result<(), WriteError> {
+    write_with(path, mesh, &Attributes::for_mesh(mesh))
+}
+
+/// Writes a mesh with attributes, in the format that the suffix of `path` names; `.gz` after it compresses.
+///
+/// # Errors
+/// As [`write`]; also if the format cannot hold one of the attributes, see [`OutputFormat`].
+pub fn write_with(path: impl AsRef<Path>, mesh: &TriMesh, attributes: &Attributes) -> Result<(), WriteError> {
+    let path = path.as_ref();
+    match OutputFormat::from_path(path) {
+        Some(format) => write_as(path, format, mesh, attributes),
+        None => Err(WriteError::UnknownFormat { path: path.to_owned() }),
+    }
+}
+
+/// Writes a mesh with attributes in the given format, whatever the suffix of `path`, except that `.gz` compresses.
+///
+/// # Errors
+/// As [`write_with`].
+pub fn write_as(
+    path: impl AsRef<Path>,
+    format: OutputFormat,
+    mesh: &TriMesh,
+    attributes: &Attributes,
+) -> Result<(), WriteError> {
+    let path = path.as_ref();
+    let compressed = format::is_gzip(path);
+    let encoded = replace::replace_file(path, |out| {
+        if compressed {
+            let mut gzip = GzEncoder::new(out, Compression::default());
+            encode(&mut gzip, format, mesh, attributes)?;
+            gzip.finish()?;
+            Ok(())
+        } else {
+            encode(out, format, mesh, attributes)
+        }
+    });
+    encoded.map_err(|error| match error {
+        EncodeError::Io(source) => WriteError::Io { path: path.to_owned(), source },
+        source => WriteError::Encode { path: path.to_owned(), source },
+    })
+}
+
+/// Writes a mesh with attributes to anything that takes bytes, uncompressed; flushes at the end.
+///
+/// Writes come in blocks, so `out` needs no buffer of its own.
+///
+/// # Errors
+/// What `out` reports, or [`EncodeError`] before the first byte if the format cannot hold what it is given.
+pub fn encode(
+    out: impl Write,
+    format: OutputFormat,
+    mesh: &TriMesh,
+    attributes: &Attributes,
+) -> Result<(), EncodeError> {
+    attributes.check_fits(mesh)?;
+    format.check_holds(attributes)?;
+    let mut out = io::BufWriter::with_capacity(BLOCK, out);
+    match format {
+        OutputFormat::Obj => obj::write(&mut out, mesh, attributes),
+        OutputFormat::Ply => ply::write(&mut out, mesh, attributes),
+        OutputFormat::Stl => stl::write(&mut out, mesh),
+        OutputFormat::Off => off::write(&mut out, mesh, attributes),
+    }?;
+    Ok(out.flush()?)
+}

@@ -1,0 +1,33 @@
+//! Wavefront OBJ.
+
+use super::text::TextWriter;
+use super::{Attributes, EncodeError};
+use pompeiu_core::TriMesh;
+use std::io::Write;
+
+pub(super) fn write(out: impl Write, mesh: &TriMesh, attributes: &Attributes) -> Result<(), EncodeError> {
+    let mut text = TextWriter::new(out);
+    for (v, position) in mesh.positions().iter().enumerate() {
+        text.text("v");
+        for &coordinate in position {
+            text.text(" ");
+            text.real(coordinate);
+        }
+        if let Some(colors) = attributes.vertex_colors() {
+            for channel in colors[v] {
+                text.text(" ");
+                text.real(f64::from(channel) / 255.0);
+            }
+        }
+        text.end_line()?;
+    }
+    for face in mesh.faces() {
+        text.text("f");
+        for &v in face {
+            text.text(" ");
+            text.integer(u64::from(v) + 1);
+        }
+        text.end_line()?;
+    }
+    Ok(text.flush()?)
+}

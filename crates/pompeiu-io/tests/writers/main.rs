@@ -1,0 +1,19 @@
+//! Every writer against a reader that is not ours, and what happens to files when writing fails.
+
+#![allow(clippy::unwrap_used, reason = "a helper of a test fails by panicking, as the test does")]
+
+mod files;
+mod meshes;
+mod obj;
+mod off;
+mod ply;
+mod stl;
+
+use pompeiu_core::TriMesh;
+use pompeiu_io::{Attributes, OutputFormat, encode};
+
+fn encoded(format: OutputFormat, mesh: &TriMesh, attributes: &Attributes) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    encode(&mut bytes, format, mesh, attributes).unwrap();
+    bytes
+}
