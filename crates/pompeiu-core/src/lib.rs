@@ -2,6 +2,9 @@
 //!
 //! This crate opens no files and solves no linear systems.
 
+pub mod exact;
+pub mod geom;
 pub mod mesh;
+pub mod spatial;
 
 pub use mesh::{FaceId, MeshError, TriMesh, VertexId};

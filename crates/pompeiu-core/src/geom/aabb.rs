@@ -1,0 +1,100 @@
+//! Axis-aligned bounding boxes.
+
+use crate::mesh::TriMesh;
+use rayon::prelude::*;
+
+/// Smallest box with sides along the axes that holds some points; empty until a point is added.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Aabb {
+    /// Least coordinates.
+    pub lower: [f64; 3],
+    /// Greatest coordinates.
+    pub upper: [f64; 3],
+}
+
+impl Aabb {
+    /// The box of no points.
+    pub const EMPTY: Self = Self { lower: [f64::INFINITY; 3], upper: [f64::NEG_INFINITY; 3] };
+
+    /// The box of some points.
+    pub fn of_points<'p>(points: impl IntoIterator<Item = &'p [f64; 3]>) -> Self {
+        let mut aabb = Self::EMPTY;
+        for p in points {
+            aabb.add(*p);
+        }
+        aabb
+    }
+
+    /// The box of the faces of a mesh. Unreferenced vertices do not count.
+    pub fn of_faces(mesh: &TriMesh) -> Self {
+        let positions = mesh.positions();
+        mesh.faces()
+            .par_chunks(1 << 14)
+            .map(|faces| Self::of_points(faces.iter().flatten().map(|&v| &positions[v as usize])))
+            .reduce(|| Self::EMPTY, Self::union)
+    }
+
+    /// Grows to hold a point.
+    #[inline]
+    pub fn add(&mut self, p: [f64; 3]) {
+        for k in 0..3 {
+            self.lower[k] = if p[k] < self.lower[k] { p[k] } else { self.lower[k] };
+            self.upper[k] = if p[k] > self.upper[k] { p[k] } else { self.upper[k] };
+        }
+    }
+
+    /// The smallest box that holds both.
+    #[inline]
+    #[must_use]
+    pub fn union(mut self, other: Self) -> Self {
+        for k in 0..3 {
+            self.lower[k] = if other.lower[k] < self.lower[k] { other.lower[k] } else { self.lower[k] };
+            self.upper[k] = if other.upper[k] > self.upper[k] { other.upper[k] } else { self.upper[k] };
+        }
+        self
+    }
+
+    /// Whether no point was added.
+    pub fn is_empty(&self) -> bool {
+        (0..3).any(|k| self.lower[k] > self.upper[k])
+    }
+
+    /// Length of the diagonal, rounded; 0 for an empty box. Does not overflow before the result does.
+    pub fn diagonal(&self) -> f64 {
+        if self.is_empty() {
+            return 0.0;
+        }
+        let extent = [0, 1, 2].map(|k| self.upper[k] - self.lower[k]);
+        let longest = extent.into_iter().fold(0.0, |m: f64, x| if x > m { x } else { m });
+        if longest == 0.0 {
+            return 0.0;
+        }
+        longest * extent.iter().map(|x| (x / longest) * (x / longest)).sum::<f64>().sqrt()
+    }
+
+    /// Largest magnitude of a coordinate of the box.
+    pub fn max_coordinate(&self) -> f64 {
+        self.lower.iter().chain(&self.upper).fold(0.0, |m, x| if x.abs() > m { x.abs() } else { m })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn diagonal_survives_extreme_scales() {
+        for scale in [1e-300, 1e-150, 1.0, 1e150, 1e300] {
+            let aabb = Aabb::of_points(&[[0.0, 0.0, 0.0], [3.0 * scale, -4.0 * scale, 12.0 * scale]]);
+            assert!((aabb.diagonal() / (13.0 * scale) - 1.0).abs() < 1e-15);
+        }
+        assert_eq!(Aabb::EMPTY.diagonal(), 0.0);
+    }
+
+    #[test]
+    fn unreferenced_vertices_do_not_count() {
+        let positions = vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [99.0; 3]];
+        let mesh = TriMesh::new(positions, vec![[0, 1, 2]]).unwrap();
+        assert_eq!(Aabb::of_faces(&mesh), Aabb { lower: [0.0; 3], upper: [1.0, 1.0, 0.0] });
+    }
+}

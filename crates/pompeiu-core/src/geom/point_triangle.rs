@@ -1,0 +1,199 @@
+//! Distance between a point and a triangle.
+//!
+//! One branch-free formula in three shapes: one point and one triangle, one point and eight triangles, four points and
+//! one triangle. The last two are loops over lanes that compilers turn into SIMD code; without fused operations all of
+//! them give the same bits on every instruction set.
+
+use glam::DVec3;
+
+/// Triangles that are compared with a point at a time.
+pub const LANES: usize = 8;
+
+/// [`LANES`] triangles, corner by corner, coordinate by coordinate, lane last.
+pub type TriangleBlock = [[[f64; LANES]; 3]; 3];
+
+/// Squared distance from `p` to the nearest of up to four points of the triangle `abc`: the nearest point of each edge,
+/// and the foot of the perpendicular where it falls inside.
+///
+/// # Accuracy
+/// Each candidate is a convex combination of the corners, so the result never falls below the squared distance by more
+/// than the rounding of one subtraction chain (see the rounding model of the engine), whatever the shape of the
+/// triangle. It exceeds it by an amount of second order in the error of the foot, which grows with
+/// `longest edge / height`; a triangle without area is the union of its edges, for which the formula holds too.
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "must be inlined into the lane loops to be vectorised")]
+#[allow(
+    clippy::needless_bitwise_bool,
+    reason = "a branch here would keep the lane loops from being vectorised"
+)]
+pub fn distance_sq(p: [f64; 3], a: [f64; 3], b: [f64; 3], c: [f64; 3]) -> f64 {
+    let (ab, ac, bc) = (sub(b, a), sub(c, a), sub(c, b));
+    let (ap, bp) = (sub(p, a), sub(p, b));
+    let on_ab = edge_distance_sq(ap, ab);
+    let on_ac = edge_distance_sq(ap, ac);
+    let on_bc = edge_distance_sq(bp, bc);
+    let mut least = if on_ab < on_ac { on_ab } else { on_ac };
+    least = if on_bc < least { on_bc } else { least };
+
+    let n = cross(ab, ac);
+    let inverse = 1.0 / dot(n, n);
+    let v = dot(cross(ap, ac), n) * inverse;
+    let w = dot(cross(ab, ap), n) * inverse;
+    let r = [0, 1, 2].map(|k| (ap[k] - v * ab[k]) - w * ac[k]);
+    let foot = dot(r, r);
+    // Written so that a NaN from a triangle without area is "outside".
+    let inside = (v >= 0.0) & (w >= 0.0) & (v + w <= 1.0) & (foot < least);
+    if inside { foot } else { least }
+}
+
+/// Squared distance from the end of `ap` to the segment from the origin along `ab`.
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "must be inlined into the lane loops to be vectorised")]
+fn edge_distance_sq(ap: [f64; 3], ab: [f64; 3]) -> f64 {
+    let t = dot(ap, ab) / dot(ab, ab);
+    let t = if t > 0.0 { t } else { 0.0 };
+    let t = if t < 1.0 { t } else { 1.0 };
+    let r = [0, 1, 2].map(|k| ap[k] - t * ab[k]);
+    dot(r, r)
+}
+
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "part of the lane loops")]
+fn sub(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "part of the lane loops")]
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "part of the lane loops")]
+fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+/// [`distance_sq`] from one point to each triangle of a block.
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "compiled once per instruction set of its caller")]
+pub fn block_distances_sq(p: [f64; 3], block: &TriangleBlock) -> [f64; LANES] {
+    let mut out = [0.0; LANES];
+    let [a, b, c] = block;
+    for l in 0..LANES {
+        out[l] = distance_sq(
+            p,
+            [a[0][l], a[1][l], a[2][l]],
+            [b[0][l], b[1][l], b[2][l]],
+            [c[0][l], c[1][l], c[2][l]],
+        );
+    }
+    out
+}
+
+/// [`distance_sq`] from each of four points, coordinate by coordinate, to one triangle.
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "compiled once per instruction set of its caller")]
+pub fn four_points_distances_sq(points: &[[f64; 4]; 3], [a, b, c]: [[f64; 3]; 3]) -> [f64; 4] {
+    let mut out = [0.0; 4];
+    for l in 0..4 {
+        out[l] = distance_sq([points[0][l], points[1][l], points[2][l]], a, b, c);
+    }
+    out
+}
+
+/// Barycentric coordinates of a point of the triangle nearest to `p`: nonnegative, with sum 1 up to rounding.
+///
+/// The candidate points are those of [`distance_sq`].
+pub fn closest_barycentric(p: [f64; 3], [a, b, c]: [[f64; 3]; 3]) -> [f64; 3] {
+    let [p, a, b, c] = [p, a, b, c].map(DVec3::from_array);
+    let along = |from: DVec3, to: DVec3| {
+        let edge = to - from;
+        let t = (p - from).dot(edge) / edge.dot(edge);
+        if t > 0.0 { if t < 1.0 { t } else { 1.0 } } else { 0.0 }
+    };
+    let (t, s, r) = (along(a, b), along(a, c), along(b, c));
+    let n = (b - a).cross(c - a);
+    let v = (p - a).cross(c - a).dot(n) / n.dot(n);
+    let w = (b - a).cross(p - a).dot(n) / n.dot(n);
+    let inside = v >= 0.0 && w >= 0.0 && v + w <= 1.0;
+    let foot = if inside { [1.0 - (v + w), v, w] } else { [1.0, 0.0, 0.0] };
+    let distance_sq = |beta: &[f64; 3]| ((p - a) - beta[1] * (b - a) - beta[2] * (c - a)).length_squared();
+    let mut best = foot;
+    for beta in [[1.0 - t, t, 0.0], [1.0 - s, 0.0, s], [0.0, 1.0 - r, r]] {
+        if distance_sq(&beta) < distance_sq(&best) {
+            best = beta;
+        }
+    }
+    best
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    const T: [[f64; 3]; 3] = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 2.0, 0.0]];
+
+    #[test]
+    fn every_region_of_a_triangle() {
+        let cases = [
+            ([0.5, 0.5, 3.0], 9.0),
+            ([1.0, -2.0, 0.0], 4.0),
+            ([-3.0, 1.0, 0.0], 9.0),
+            ([2.0, 2.0, 1.0], 3.0),
+            ([-1.0, -1.0, 1.0], 3.0),
+            ([4.0, -1.0, 0.0], 5.0),
+            ([-1.0, 4.0, 0.0], 5.0),
+        ];
+        for (p, expected) in cases {
+            assert!((distance_sq(p, T[0], T[1], T[2]) - expected).abs() < 1e-14, "{p:?}");
+        }
+    }
+
+    #[test]
+    fn triangles_without_area_are_segments_and_points() {
+        let p = [1.0, 1.0, 0.0];
+        assert_eq!(distance_sq(p, [0.0; 3], [0.0; 3], [0.0; 3]), 2.0);
+        assert_eq!(distance_sq(p, [0.0; 3], [1.0, 0.0, 0.0], [3.0, 0.0, 0.0]), 1.0);
+        assert_eq!(distance_sq(p, [5.0, 0.0, 0.0], [5.0, 0.0, 0.0], [3.0, 0.0, 0.0]), 5.0);
+    }
+
+    fn coordinate() -> impl Strategy<Value = f64> {
+        prop_oneof![-1.0..1.0, (-3..4_i32).prop_map(|k| f64::from(k) * 0.25)]
+    }
+
+    fn point() -> impl Strategy<Value = [f64; 3]> {
+        [coordinate(), coordinate(), coordinate()]
+    }
+
+    proptest! {
+        #[test]
+        fn no_point_of_the_triangle_is_nearer(
+            p in point(), t in [point(), point(), point()], s in 0.0..1.0, r in 0.0..1.0_f64
+        ) {
+            let d = distance_sq(p, t[0], t[1], t[2]).sqrt();
+            let (v, w) = (s * (1.0 - r), s * r);
+            let q = [0, 1, 2].map(|k| t[0][k] + v * (t[1][k] - t[0][k]) + w * (t[2][k] - t[0][k]));
+            prop_assert!(d <= dot(sub(p, q), sub(p, q)).sqrt() + 1e-12);
+        }
+
+        #[test]
+        fn all_shapes_agree_bit_for_bit(p in point(), t in [point(), point(), point()]) {
+            let d = distance_sq(p, t[0], t[1], t[2]);
+            let block: TriangleBlock = t.map(|corner| corner.map(|x| [x; LANES]));
+            prop_assert_eq!(block_distances_sq(p, &block), [d; LANES]);
+            prop_assert_eq!(four_points_distances_sq(&p.map(|x| [x; 4]), t), [d; 4]);
+        }
+
+        #[test]
+        fn barycentric_coordinates_give_the_distance(p in point(), t in [point(), point(), point()]) {
+            let beta = closest_barycentric(p, t);
+            prop_assert!(beta.iter().all(|&x| x >= 0.0) && (beta.iter().sum::<f64>() - 1.0).abs() < 1e-15);
+            let q = [0, 1, 2].map(|k| (0..3).map(|j| beta[j] * t[j][k]).sum());
+            let d = distance_sq(p, t[0], t[1], t[2]).sqrt();
+            prop_assert!((dot(sub(p, q), sub(p, q)).sqrt() - d).abs() < 1e-14);
+        }
+    }
+}

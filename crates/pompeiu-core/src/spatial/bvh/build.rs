@@ -1,0 +1,354 @@
+//! Top-down building by the binned surface-area heuristic.
+//!
+//! Every split leaves a multiple of eight triangles on its left, so that all leaves but the last are full and the place
+//! of a leaf follows from the place of its triangles: subtrees can be built in parallel with nothing to agree on.
+
+use super::{Bvh, LEAF, Node};
+use crate::geom::point_triangle::{LANES, TriangleBlock};
+use crate::geom::{Aabb, Frame};
+use crate::mesh::TriMesh;
+use rayon::prelude::*;
+
+/// What the builder sorts: a face by the box around it, rounded to single precision. Only the quality of the tree
+/// depends on it; the boxes that searches use are taken from the triangles themselves.
+#[derive(Clone, Copy)]
+struct Item {
+    lower: [f32; 3],
+    upper: [f32; 3],
+    face: u32,
+}
+
+impl Item {
+    #[inline]
+    fn centre(&self, axis: usize) -> f32 {
+        self.lower[axis] + self.upper[axis]
+    }
+}
+
+const BINS: usize = 16;
+/// Ranges longer than this are built in parallel.
+const PARALLEL_ABOVE: usize = 1 << 13;
+/// Below this depth (in nodes) splits go through the middle, which bounds the depth of the tree for every input.
+const MEDIAN_BELOW_DEPTH: usize = 24;
+
+impl Bvh {
+    /// Builds the tree over the faces of a mesh, seen in a frame.
+    ///
+    /// # Cost
+    /// O(m log m) time on all threads of the current pool; the same tree for any number of threads.
+    pub fn build(mesh: &TriMesh, frame: &Frame) -> Self {
+        let corners =
+            |face: u32| mesh.faces()[face as usize].map(|v| frame.map(mesh.positions()[v as usize]));
+        let mut items: Vec<Item> = (0..mesh.faces().len() as u32)
+            .into_par_iter()
+            .map(|face| {
+                let aabb = Aabb::of_points(&corners(face));
+                Item { lower: aabb.lower.map(|x| x as f32), upper: aabb.upper.map(|x| x as f32), face }
+            })
+            .collect();
+        let mut nodes = Vec::new();
+        let builder = Builder { corners: &corners };
+        if items.len() <= LANES {
+            nodes.push(builder.node_over(&mut [(0, &mut items[..])], 0, &mut Vec::new()).0);
+        } else {
+            builder.subtree(&mut items, 0, 0, &mut nodes);
+        }
+        nodes.shrink_to_fit();
+        let blocks = items.par_chunks(LANES).map(|chunk| block(chunk, &corners)).collect();
+        let faces = items.iter().map(|item| item.face).collect();
+        Self { nodes, blocks, faces }
+    }
+}
+
+fn block(items: &[Item], corners: &impl Fn(u32) -> [[f64; 3]; 3]) -> TriangleBlock {
+    let mut block = [[[0.0; LANES]; 3]; 3];
+    for lane in 0..LANES {
+        let item = items[if lane < items.len() { lane } else { items.len() - 1 }];
+        for (into, from) in block.iter_mut().zip(corners(item.face)) {
+            for k in 0..3 {
+                into[k][lane] = from[k];
+            }
+        }
+    }
+    block
+}
+
+struct Builder<'c, C> {
+    corners: &'c C,
+}
+
+impl<C: Fn(u32) -> [[f64; 3]; 3] + Sync> Builder<'_, C> {
+    /// Appends the node over `items`, which start at a multiple of eight, and all below it; returns its box.
+    fn subtree(&self, items: &mut [Item], first: usize, depth: usize, nodes: &mut Vec<Node>) -> Aabb {
+        let place = nodes.len();
+        nodes.push(Node { lower: [[0.0; LANES]; 3], upper: [[0.0; LANES]; 3], child: [0; LANES] });
+        let mut parts = split_into_eight(items, first, depth);
+        let (node, aabb) = self.node_over(&mut parts, depth, nodes);
+        nodes[place] = node;
+        aabb
+    }
+
+    /// The node whose children are the given parts.
+    fn node_over(
+        &self,
+        parts: &mut [(usize, &mut [Item])],
+        depth: usize,
+        nodes: &mut Vec<Node>,
+    ) -> (Node, Aabb) {
+        let mut node = Node {
+            lower: [[f64::INFINITY; LANES]; 3],
+            upper: [[f64::NEG_INFINITY; LANES]; 3],
+            child: [0; LANES],
+        };
+        let total: usize = parts.iter().map(|(_, items)| items.len()).sum();
+        let mut boxes = [Aabb::EMPTY; LANES];
+        if total > PARALLEL_ABOVE {
+            let built: Vec<(Vec<Node>, Aabb)> = parts
+                .par_iter_mut()
+                .map(|(first, items)| {
+                    let mut below = Vec::new();
+                    let aabb = if items.len() <= LANES {
+                        self.leaf_box(items)
+                    } else {
+                        self.subtree(items, *first, depth + 1, &mut below)
+                    };
+                    (below, aabb)
+                })
+                .collect();
+            for (i, (mut below, aabb)) in built.into_iter().enumerate() {
+                boxes[i] = aabb;
+                node.child[i] =
+                    if below.is_empty() { LEAF | (parts[i].0 / LANES) as u32 } else { nodes.len() as u32 };
+                let offset = nodes.len() as u32;
+                for inner in &mut below {
+                    for (lane, child) in inner.child.iter_mut().enumerate() {
+                        if *child & LEAF == 0 && inner.lower[0][lane] < f64::INFINITY {
+                            *child += offset;
+                        }
+                    }
+                }
+                nodes.append(&mut below);
+            }
+        } else {
+            for (i, (first, items)) in parts.iter_mut().enumerate() {
+                if items.len() <= LANES {
+                    node.child[i] = LEAF | (*first / LANES) as u32;
+                    boxes[i] = self.leaf_box(items);
+                } else {
+                    node.child[i] = nodes.len() as u32;
+                    boxes[i] = self.subtree(items, *first, depth + 1, nodes);
+                }
+            }
+        }
+        let mut whole = Aabb::EMPTY;
+        for (lane, aabb) in boxes.iter().enumerate().take(parts.len()) {
+            for k in 0..3 {
+                node.lower[k][lane] = aabb.lower[k];
+                node.upper[k][lane] = aabb.upper[k];
+            }
+            whole = whole.union(*aabb);
+        }
+        (node, whole)
+    }
+
+    fn leaf_box(&self, items: &[Item]) -> Aabb {
+        let mut aabb = Aabb::EMPTY;
+        for item in items {
+            for corner in (self.corners)(item.face) {
+                aabb.add(corner);
+            }
+        }
+        aabb
+    }
+}
+
+/// Splits the largest of the parts until there are eight or all are leaves.
+fn split_into_eight(items: &mut [Item], first: usize, depth: usize) -> Vec<(usize, &mut [Item])> {
+    let mut parts = Vec::with_capacity(LANES);
+    parts.push((first, items));
+    while parts.len() < LANES {
+        let Some(largest) = (0..parts.len())
+            .filter(|&i| parts[i].1.len() > LANES)
+            .max_by_key(|&i| (parts[i].1.len(), LANES - i))
+        else {
+            break;
+        };
+        let (start, part) = parts.swap_remove(largest);
+        let left = split(part, depth);
+        let (low, high) = part.split_at_mut(left);
+        parts.push((start, low));
+        parts.push((start + left, high));
+    }
+    parts
+}
+
+/// Reorders items so that a multiple of eight of them form the left of a split; returns how many.
+fn split(items: &mut [Item], depth: usize) -> usize {
+    let mut low = [f32::INFINITY; 3];
+    let mut high = [f32::NEG_INFINITY; 3];
+    for item in items.iter() {
+        for k in 0..3 {
+            let c = item.centre(k);
+            low[k] = if c < low[k] { c } else { low[k] };
+            high[k] = if c > high[k] { c } else { high[k] };
+        }
+    }
+    let widest = (0..3).fold(0, |w, k| if high[k] - low[k] > high[w] - low[w] { k } else { w });
+    let half = (items.len() / 2).next_multiple_of(LANES).min((items.len() - 1) / LANES * LANES);
+    let spread = high[widest] - low[widest];
+    let (axis, left) = if depth >= MEDIAN_BELOW_DEPTH || items.len() <= 4 * LANES || !spread.is_normal() {
+        (widest, half)
+    } else {
+        best_binned_split(items, low, high).unwrap_or((widest, half))
+    };
+    items.select_nth_unstable_by(left, |a, b| {
+        a.centre(axis).total_cmp(&b.centre(axis)).then(a.face.cmp(&b.face))
+    });
+    left
+}
+
+#[derive(Clone, Copy)]
+struct Bin {
+    count: usize,
+    lower: [f32; 3],
+    upper: [f32; 3],
+}
+
+impl Bin {
+    const EMPTY: Self = Self { count: 0, lower: [f32::INFINITY; 3], upper: [f32::NEG_INFINITY; 3] };
+
+    #[inline]
+    fn add(&mut self, count: usize, lower: &[f32; 3], upper: &[f32; 3]) {
+        self.count += count;
+        for k in 0..3 {
+            self.lower[k] = if lower[k] < self.lower[k] { lower[k] } else { self.lower[k] };
+            self.upper[k] = if upper[k] > self.upper[k] { upper[k] } else { self.upper[k] };
+        }
+    }
+
+    fn half_area(&self) -> f32 {
+        let [x, y, z] = [0, 1, 2].map(|k| self.upper[k] - self.lower[k]);
+        x * y + y * z + z * x
+    }
+}
+
+/// The split between bins with the least expected cost, as an axis and a count on the left rounded to a multiple of
+/// eight; none if no boundary separates anything.
+fn best_binned_split(items: &[Item], low: [f32; 3], high: [f32; 3]) -> Option<(usize, usize)> {
+    let mut bins = [[Bin::EMPTY; BINS]; 3];
+    let scale = [0, 1, 2].map(|k| {
+        let extent = high[k] - low[k];
+        if extent.is_normal() { BINS as f32 * (1.0 - f32::EPSILON) / extent } else { 0.0 }
+    });
+    for item in items {
+        for k in 0..3 {
+            let bin = ((item.centre(k) - low[k]) * scale[k]) as usize;
+            bins[k][if bin < BINS { bin } else { BINS - 1 }].add(1, &item.lower, &item.upper);
+        }
+    }
+    let mut best: Option<(f32, usize, usize)> = None;
+    for (axis, bins) in bins.iter().enumerate() {
+        let mut right_cost = [0.0; BINS];
+        let mut right = Bin::EMPTY;
+        for i in (1..BINS).rev() {
+            right.add(bins[i].count, &bins[i].lower, &bins[i].upper);
+            right_cost[i] = if right.count > 0 { right.half_area() * right.count as f32 } else { 0.0 };
+        }
+        let mut left = Bin::EMPTY;
+        for i in 1..BINS {
+            left.add(bins[i - 1].count, &bins[i - 1].lower, &bins[i - 1].upper);
+            if left.count == 0 || left.count == items.len() {
+                continue;
+            }
+            let cost = left.half_area() * left.count as f32 + right_cost[i];
+            if best.is_none_or(|(least, ..)| cost < least) {
+                best = Some((cost, axis, left.count));
+            }
+        }
+    }
+    let (_, axis, count) = best?;
+    let most = (items.len() - 1) / LANES * LANES;
+    Some((axis, ((count + LANES / 2) / LANES * LANES).clamp(LANES, most)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::spatial::bvh::Slot;
+    use proptest::prelude::*;
+
+    fn tree_over(points: Vec<[f64; 3]>) -> (TriMesh, Bvh) {
+        let faces = (0..points.len() as u32 - 2).map(|i| [i, i + 1, i + 2]).collect();
+        let mesh = TriMesh::new(points, faces).unwrap();
+        let bvh = Bvh::build(&mesh, &Frame::of(&Aabb::of_faces(&mesh)));
+        (mesh, bvh)
+    }
+
+    /// Every slot is in exactly one leaf, and inside all boxes above it. Returns the depth.
+    fn check(bvh: &Bvh) -> usize {
+        fn visit(bvh: &Bvh, node: usize, inside: Aabb, seen: &mut [bool]) -> usize {
+            let node = &bvh.nodes[node];
+            let mut depth = 0;
+            for lane in 0..LANES {
+                if node.lower[0][lane] == f64::INFINITY {
+                    continue;
+                }
+                let aabb = Aabb {
+                    lower: [0, 1, 2].map(|k| node.lower[k][lane]),
+                    upper: [0, 1, 2].map(|k| node.upper[k][lane]),
+                };
+                assert_eq!(aabb.union(inside), inside);
+                if node.child[lane] & LEAF == 0 {
+                    depth = depth.max(visit(bvh, node.child[lane] as usize, aabb, seen));
+                    continue;
+                }
+                let first = (node.child[lane] & !LEAF) as usize * LANES;
+                for slot in first..bvh.len().min(first + LANES) {
+                    assert!(!std::mem::replace(&mut seen[slot], true));
+                    let corners = bvh.corners(Slot(slot as u32));
+                    assert_eq!(aabb.union(Aabb::of_points(&corners)), aabb);
+                }
+            }
+            depth + 1
+        }
+        let mut seen = vec![false; bvh.len()];
+        let everything = Aabb { lower: [f64::NEG_INFINITY; 3], upper: [f64::INFINITY; 3] };
+        let depth = visit(bvh, 0, everything, &mut seen);
+        assert!(seen.into_iter().all(|s| s));
+        depth
+    }
+
+    #[test]
+    fn holds_every_face_once_and_stays_shallow_on_hostile_input() {
+        let same = vec![[1.0; 3]; 5000];
+        let exponential = (0..6000).map(|i| [2.0_f64.powi(-(i % 1000)), 0.0, f64::from(i)]).collect();
+        let line: Vec<_> = (0..30_000).map(|i| [f64::from(i), 0.0, 0.0]).collect();
+        for points in [same, exponential, line] {
+            let (mesh, bvh) = tree_over(points);
+            let mut faces = bvh.faces.clone();
+            faces.sort_unstable();
+            assert!(faces.iter().copied().eq(0..mesh.faces().len() as u32));
+            assert!(check(&bvh) <= MEDIAN_BELOW_DEPTH + 12);
+        }
+    }
+
+    #[test]
+    fn the_tree_does_not_depend_on_the_number_of_threads() {
+        let points: Vec<_> =
+            (0..20_000).map(|i| [f64::from(i).sin(), f64::from(i * 7).cos(), f64::from(i % 97)]).collect();
+        let trees: Vec<_> = [1, 2, 8]
+            .map(|threads| {
+                let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+                pool.install(|| format!("{:?}", tree_over(points.clone()).1))
+            })
+            .into();
+        assert!(trees[0] == trees[1] && trees[0] == trees[2]);
+    }
+
+    proptest! {
+        #[test]
+        fn is_a_valid_tree(points in prop::collection::vec([-1.0..1.0, -1.0..1.0, -1.0..1.0], 3..400)) {
+            check(&tree_over(points).1);
+        }
+    }
+}

@@ -1,0 +1,87 @@
+//! One triangle that is near all corners of a piece of surface.
+
+use super::nearest::{improve, push_children};
+use super::{Bvh, LEAF, Nearest, Slot, Workspace};
+use crate::geom::point_triangle::{LANES, four_points_distances_sq};
+use multiversion::multiversion;
+
+/// What [`Bvh::cover`] found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Cover {
+    /// All corners are within the limit of this triangle, the farthest at this squared distance.
+    By {
+        /// The triangle.
+        slot: Slot,
+        /// The largest squared distance of a corner from it.
+        distance_sq: f64,
+    },
+    /// No triangle met on the way covers the corners; this is the one nearest to the centre.
+    Nearest(Nearest),
+}
+
+impl Bvh {
+    /// Squared distances from four points, coordinate by coordinate, to the triangle in a slot.
+    pub fn four_distances_sq(
+        &self,
+        points: &[[f64; 4]; 3],
+        slot: Slot,
+        workspace: &mut Workspace,
+    ) -> [f64; 4] {
+        workspace.distances += 4;
+        four(points, self.corners(slot))
+    }
+
+    /// Looks for a triangle near three corners on the way to the triangle nearest to a centre point.
+    ///
+    /// `points` are the three corners and the centre, coordinate by coordinate. The search goes nearest first and stops at
+    /// the first triangle within `limit_sq` of all three corners; if none that it meets is, it ends with the triangle
+    /// nearest to the centre. `start` must be a triangle with its distance from the centre; it is not tried as a cover.
+    pub fn cover(
+        &self,
+        points: &[[f64; 4]; 3],
+        limit_sq: f64,
+        start: Nearest,
+        workspace: &mut Workspace,
+    ) -> Cover {
+        traverse(self, points, limit_sq, start, workspace)
+    }
+}
+
+#[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2", "aarch64+neon"))]
+fn four(points: &[[f64; 4]; 3], triangle: [[f64; 3]; 3]) -> [f64; 4] {
+    four_points_distances_sq(points, triangle)
+}
+
+#[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2", "aarch64+neon"))]
+fn traverse(
+    bvh: &Bvh,
+    points: &[[f64; 4]; 3],
+    limit_sq: f64,
+    start: Nearest,
+    workspace: &mut Workspace,
+) -> Cover {
+    let centre = [points[0][3], points[1][3], points[2][3]];
+    let mut best = start;
+    workspace.stack.clear();
+    workspace.stack.push((0.0, 0));
+    while let Some((d, entry)) = workspace.stack.pop() {
+        if d >= best.distance_sq {
+            continue;
+        }
+        if entry & LEAF == 0 {
+            push_children(bvh, centre, entry, best.distance_sq, &mut workspace.stack);
+            continue;
+        }
+        workspace.distances += LANES as u64;
+        if improve(bvh, centre, entry & !LEAF, &mut best) && best.distance_sq <= limit_sq {
+            workspace.distances += 3;
+            let [x, y, z, _] = four_points_distances_sq(points, bvh.corners(best.slot));
+            let farthest = if x > y { x } else { y };
+            let farthest = if z > farthest { z } else { farthest };
+            if farthest <= limit_sq {
+                return Cover::By { slot: best.slot, distance_sq: farthest };
+            }
+        }
+    }
+    Cover::Nearest(best)
+}

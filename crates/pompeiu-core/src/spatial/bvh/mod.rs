@@ -1,0 +1,117 @@
+//! A bounding-volume hierarchy over triangles, eight children to a node and eight triangles to a leaf.
+//!
+//! The tree owns a copy of its triangles, laid out for SIMD, and knows nothing of what is asked of it: building is in
+//! `build`, questions are in `nearest` and `cover`, each with its own traversal.
+
+mod build;
+mod cover;
+mod nearest;
+
+use crate::FaceId;
+use crate::geom::point_triangle::{LANES, TriangleBlock};
+
+pub use cover::Cover;
+pub use nearest::{Nearest, Workspace};
+
+/// Place of a triangle in the leaves of a [`Bvh`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Slot(u32);
+
+/// Eight children of an inner node: boxes, and what they hold.
+#[derive(Clone, Debug)]
+struct Node {
+    /// Least coordinates, axis by axis, child last; infinite where there is no child.
+    lower: [[f64; LANES]; 3],
+    upper: [[f64; LANES]; 3],
+    /// A node, or with [`LEAF`] set a block of triangles.
+    child: [u32; LANES],
+}
+
+/// Marks a child that is a block.
+const LEAF: u32 = 1 << 31;
+
+/// A bounding-volume hierarchy over the faces of a mesh, for closest-point questions.
+///
+/// # Cost
+/// About 86 bytes per face: corner positions by value, the face's index, and an eighth of the nodes above.
+#[derive(Clone, Debug)]
+pub struct Bvh {
+    /// The root is the first.
+    nodes: Vec<Node>,
+    /// Triangles in groups of eight; the last group is filled up with copies of its last triangle.
+    blocks: Vec<TriangleBlock>,
+    /// Face of each slot.
+    faces: Vec<u32>,
+}
+
+impl Bvh {
+    /// Number of faces.
+    pub fn len(&self) -> usize {
+        self.faces.len()
+    }
+
+    /// Never true: a mesh has a face.
+    pub fn is_empty(&self) -> bool {
+        self.faces.is_empty()
+    }
+
+    /// The face of the mesh that a slot holds.
+    pub fn face(&self, slot: Slot) -> FaceId {
+        FaceId(self.faces[slot.0 as usize])
+    }
+
+    /// The corners of the triangle in a slot, as given to the builder.
+    #[inline]
+    pub fn corners(&self, slot: Slot) -> [[f64; 3]; 3] {
+        let (block, lane) = (slot.0 as usize / LANES, slot.0 as usize % LANES);
+        let block = &self.blocks[block];
+        [0, 1, 2].map(|corner| [0, 1, 2].map(|k| block[corner][k][lane]))
+    }
+
+    /// Some triangle: where a search starts that knows of none.
+    pub fn any_slot(&self) -> Slot {
+        Slot(0)
+    }
+
+    /// All slots, in the order of the leaves.
+    pub fn slots(&self) -> impl Iterator<Item = Slot> + use<> {
+        (0..self.faces.len() as u32).map(Slot)
+    }
+
+    /// Bytes of memory held.
+    pub fn bytes(&self) -> usize {
+        self.nodes.capacity() * size_of::<Node>()
+            + self.blocks.capacity() * size_of::<TriangleBlock>()
+            + self.faces.capacity() * size_of::<u32>()
+    }
+
+    /// Bytes that building over `faces` faces takes at its peak, within a tenth.
+    pub fn bytes_to_build(faces: usize) -> usize {
+        faces * 118 + (1 << 12)
+    }
+
+    /// The slots whose triangles may come nearer to `p` than `distance`, by their boxes and leaves alone.
+    ///
+    /// Every slot with a point within `distance` is reported, rounding included; others may be too.
+    pub fn slots_within(&self, p: [f64; 3], distance: f64, mut report: impl FnMut(Slot)) {
+        // Each term of a box distance carries a relative error below 2^-51, far inside this margin.
+        const MARGIN: f64 = 1.0 + 1.0 / (1_u64 << 40) as f64;
+        let limit = distance * distance * MARGIN;
+        let mut stack = vec![0_u32];
+        while let Some(entry) = stack.pop() {
+            if entry & LEAF != 0 {
+                let first = (entry & !LEAF) * LANES as u32;
+                for slot in first..self.faces.len().min(first as usize + LANES) as u32 {
+                    report(Slot(slot));
+                }
+                continue;
+            }
+            let node = &self.nodes[entry as usize];
+            for (child, d) in node.child.iter().zip(nearest::box_distances_sq(p, node)) {
+                if d <= limit && d.is_finite() {
+                    stack.push(*child);
+                }
+            }
+        }
+    }
+}
