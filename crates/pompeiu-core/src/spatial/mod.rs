@@ -3,5 +3,5 @@
 pub mod bvh;
 mod morton;
 
-pub use bvh::{Bvh, Nearest, Slot};
+pub use bvh::{Bvh, Cover, Nearest, Slot, Workspace};
 pub use morton::morton_order;
