@@ -1,9 +1,13 @@
 //! Triangle meshes: checked once, trusted afterwards.
 
+mod edges;
+pub mod edit;
 mod error;
 mod ids;
+pub mod shapes;
 mod trimesh;
 
+pub use edit::{Affine, displace_at_random, merge, shuffle, subdivide, transform, unweld};
 pub use error::MeshError;
 pub use ids::{FaceId, VertexId};
 pub use trimesh::TriMesh;

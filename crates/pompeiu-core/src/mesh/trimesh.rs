@@ -54,6 +54,12 @@ impl TriMesh {
         Ok(Self { positions, faces })
     }
 
+    /// Takes over arrays that are known to be those of a mesh, rearranged.
+    pub(super) fn from_valid(positions: Vec<[f64; 3]>, faces: Vec<[u32; 3]>) -> Self {
+        debug_assert!(Self::new(positions.clone(), faces.clone()).is_ok());
+        Self { positions, faces }
+    }
+
     /// All vertex positions, unreferenced ones included.
     pub fn positions(&self) -> &[[f64; 3]] {
         &self.positions
