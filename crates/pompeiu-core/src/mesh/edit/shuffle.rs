@@ -25,7 +25,10 @@ mod tests {
     fn the_faces_are_the_same_up_to_order_and_first_corner() {
         let mesh = icosphere(1.0, 2).unwrap();
         let shuffled = shuffle(&mesh, 3);
-        assert_ne!(shuffled.faces(), mesh.faces());
+        let vertices = |face: &[u32; 3]| face.iter().copied().collect::<std::collections::BTreeSet<_>>();
+        let stayed =
+            mesh.faces().iter().zip(shuffled.faces()).filter(|(a, b)| vertices(a) == vertices(b)).count();
+        assert!(stayed < 10, "{stayed} of 320 faces stayed");
         let sorted = |mesh: &TriMesh| {
             let mut faces = mesh.faces().to_vec();
             for face in &mut faces {

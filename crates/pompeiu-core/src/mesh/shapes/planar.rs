@@ -120,6 +120,9 @@ mod tests {
         assert_eq!(diagonals(Diagonal::Rising), [[0, 4], [1, 5]]);
         assert_eq!(diagonals(Diagonal::Falling), [[1, 3], [2, 4]]);
         assert_eq!(diagonals(Diagonal::Alternating), [[0, 4], [2, 4]]);
+        // All four diagonals of a 2 × 2 board meet in its centre.
+        let board = grid([2.0, 2.0], [2, 2], Diagonal::Alternating).unwrap();
+        assert_eq!(board.faces().iter().filter(|f| f.contains(&4)).count(), 8);
     }
 
     #[test]
@@ -130,6 +133,9 @@ mod tests {
             assert_eq!((mesh.positions().len(), mesh.faces().len()), (n * m + 1, n * (2 * m - 1)));
             assert_close(area(&mesh), 2.0 * n as f64 * (std::f64::consts::TAU / n as f64).sin());
             assert_eq!((edges(&mesh).1, edges(&mesh).2, euler_characteristic(&mesh)), (n, true, 1));
+            for (i, p) in mesh.positions()[1..].iter().enumerate() {
+                assert_close(p[0].hypot(p[1]), 2.0 * (i / n + 1) as f64 / m as f64);
+            }
         }
     }
 

@@ -74,6 +74,7 @@ pub fn uv_sphere(radius: f64, segments: u32, rings: u32) -> Result<TriMesh, Shap
 mod tests {
     use super::super::measure::{area, edges, euler_characteristic, volume};
     use super::*;
+    use crate::mesh::FaceId;
     use std::f64::consts::PI;
 
     fn assert_on_sphere(mesh: &TriMesh, radius: f64) {
@@ -81,6 +82,16 @@ mod tests {
             let norm = p.iter().map(|x| x * x).sum::<f64>().sqrt();
             assert!((norm / radius - 1.0).abs() < 1e-15, "{norm}");
         }
+    }
+
+    fn edge_ratio(mesh: &TriMesh) -> f64 {
+        let length = |[a, b]: [[f64; 3]; 2]| (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>().sqrt();
+        let lengths = (0..mesh.faces().len() as u32).flat_map(|f| {
+            let [a, b, c] = mesh.corners(FaceId(f));
+            [[a, b], [b, c], [c, a]].map(length)
+        });
+        let (least, most) = lengths.fold((f64::INFINITY, 0.0_f64), |(l, m), x| (l.min(x), m.max(x)));
+        most / least
     }
 
     #[test]
@@ -92,6 +103,8 @@ mod tests {
             assert_eq!((mesh.positions().len(), mesh.faces().len()), (10 * quadruples + 2, 20 * quadruples));
             assert_on_sphere(&mesh, 2.0);
             assert_eq!((euler_characteristic(&mesh), edges(&mesh).1, edges(&mesh).2), (2, 0, true));
+            let longest_to_shortest = edge_ratio(&mesh);
+            assert!(longest_to_shortest < 1.2, "{longest_to_shortest}");
             errors.push(1.0 - area(&mesh) / (16.0 * PI));
             assert!(volume(&mesh) > 0.0 && volume(&mesh) < 32.0 / 3.0 * PI);
         }
