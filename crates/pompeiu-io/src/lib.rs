@@ -1,13 +1,32 @@
 //! Reading and writing triangle meshes.
 //!
-//! Formats are recognised by content. Nothing is allocated on a header's word alone, and no input makes a reader
-//! panic: what cannot be read is a [`ReadError`] that names the file and the place.
+//! [`read`] takes a path and gives a validated [`TriMesh`](pompeiu_core::TriMesh):
+//!
+//! ```no_run
+//! let bunny = pompeiu_io::read("bunny.ply.gz")?;
+//! println!("{} faces, read as {}", bunny.mesh.faces().len(), bunny.format);
+//! # Ok::<(), pompeiu_io::ReadError>(())
+//! ```
+//!
+//! Formats are recognised by content; the file name decides only where content does not. Nothing is allocated on a
+//! header's word alone, and no input makes a reader panic: what cannot be read is a [`ReadError`] that names the file
+//! and the place.
 
 mod error;
+mod format;
+mod formats;
+mod polygon;
 mod raw;
+mod read;
+mod sniff;
+mod source;
+mod text;
+mod waves;
 mod write;
 
 pub use error::{FormatError, Location, ReadError};
+pub use format::Format;
+pub use read::{ReadMesh, read, read_bytes};
 pub use write::{
     AttributeError, Attributes, EncodeError, OutputFormat, WriteError, encode, write, write_as, write_with,
 };

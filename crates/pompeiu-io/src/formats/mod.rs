@@ -1,0 +1,25 @@
+//! One module per format, and the one place that knows them all.
+
+mod obj;
+
+use crate::error::{FormatError, Location};
+use crate::format::Format;
+use crate::raw::RawMesh;
+use std::path::Path;
+
+/// The content of a file, decompressed.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Input<'a> {
+    pub(crate) bytes: &'a [u8],
+    /// The folder of the file, for formats that refer to other files; `None` when there is no file.
+    #[expect(dead_code, reason = "the formats so far are self-contained")]
+    pub(crate) folder: Option<&'a Path>,
+}
+
+/// Reads `input` as `format`.
+pub(crate) fn read(format: Format, input: Input<'_>) -> Result<RawMesh, FormatError> {
+    match format {
+        Format::Obj => obj::read(input.bytes),
+        _ => Err(FormatError::new(Location::File, format!("reading {format} is not supported"))),
+    }
+}

@@ -1,0 +1,190 @@
+use super::*;
+use crate::raw::RawMesh;
+use std::collections::BTreeMap;
+
+/// Triangulates one polygon with corners 0, 1, 2, … at `positions`.
+fn triangles(positions: &[[f64; 3]]) -> Vec<[u32; 3]> {
+    let mut raw = RawMesh::default();
+    let corners: Vec<u32> = (0..positions.len() as u32).collect();
+    raw.push_polygon(&corners);
+    triangulate(positions, &mut raw.faces, &raw.polygons);
+    raw.faces
+}
+
+fn flat(points: &[[f64; 2]]) -> Vec<[f64; 3]> {
+    points.iter().map(|p| [p[0], p[1], 0.0]).collect()
+}
+
+fn area(triangle: [u32; 3], positions: &[[f64; 3]]) -> f64 {
+    let [a, b, c] = triangle.map(|i| positions[i as usize]);
+    cross(subtract(b, a), subtract(c, a))[2] / 2.0
+}
+
+/// The triangles turn like the polygon, sum up to its area and meet edge to edge, with its edges as boundary.
+fn check(points: &[[f64; 2]], expected_area: f64) {
+    let positions = flat(points);
+    let triangles = triangles(&positions);
+    let n = points.len() as u32;
+    assert_eq!(triangles.len(), points.len() - 2);
+    let areas: Vec<f64> = triangles.iter().map(|&t| area(t, &positions)).collect();
+    assert!(areas.iter().all(|a| a * expected_area >= 0.0), "{triangles:?} {areas:?}");
+    assert!((areas.iter().sum::<f64>() - expected_area).abs() < 1e-12, "{triangles:?} {areas:?}");
+    let mut edges = BTreeMap::new();
+    for &[a, b, c] in &triangles {
+        for (from, to) in [(a, b), (b, c), (c, a)] {
+            *edges.entry((from, to)).or_insert(0) += 1;
+            *edges.entry((to, from)).or_insert(0) -= 1;
+        }
+    }
+    for ((from, to), count) in edges {
+        let side = i32::from((from + 1) % n == to) - i32::from((to + 1) % n == from);
+        assert_eq!(count, side, "edge {from} {to} of {points:?}: {triangles:?}");
+    }
+}
+
+#[test]
+fn convex_and_concave_polygons_are_covered() {
+    check(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]], 1.0);
+    // An arrow head, with the dent at every place in the order, both ways around.
+    let arrow = [[0.0, 0.0], [2.0, 1.0], [0.0, 2.0], [0.5, 1.0]];
+    let ell = [[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [1.0, 1.0], [1.0, 2.0], [0.0, 2.0]];
+    let comb =
+        [[0.0, 0.0], [5.0, 0.0], [5.0, 3.0], [4.0, 1.0], [3.0, 3.0], [2.0, 1.0], [1.0, 3.0], [0.0, 1.0]];
+    for (polygon, area) in [(&arrow[..], 1.5), (&ell, 3.0), (&comb, 10.0)] {
+        for shift in 0..polygon.len() {
+            let mut rotated = polygon.to_vec();
+            rotated.rotate_left(shift);
+            check(&rotated, area);
+            rotated.reverse();
+            check(&rotated, -area);
+        }
+    }
+}
+
+#[test]
+fn corners_on_straight_stretches_stay_connected() {
+    let square =
+        [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [2.0, 1.0], [2.0, 2.0], [1.0, 2.0], [0.0, 2.0], [0.0, 1.0]];
+    let ell =
+        [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [2.0, 1.0], [1.0, 1.0], [1.0, 1.5], [1.0, 2.0], [0.0, 2.0]];
+    let tee = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [2.0, 2.0]];
+    for (polygon, area) in [(&square[..], 4.0), (&ell, 3.0), (&tee, 2.0)] {
+        for shift in 0..polygon.len() {
+            let mut rotated = polygon.to_vec();
+            rotated.rotate_left(shift);
+            check(&rotated, area);
+        }
+    }
+}
+
+#[test]
+fn a_spiral_with_many_corners_is_covered() {
+    let (turns, steps) = (5.0, 400);
+    let angle = |i: usize| f64::from(i as u32) / f64::from(steps as u32) * turns * std::f64::consts::TAU;
+    let outer = (0..=steps).map(|i| (angle(i), 1.0));
+    let inner = (0..=steps).rev().map(|i| (angle(i), 0.8));
+    let points: Vec<[f64; 2]> =
+        outer.chain(inner).map(|(t, r)| [r * (1.0 + t) * t.cos(), r * (1.0 + t) * t.sin()]).collect();
+    let doubled: f64 = (0..points.len())
+        .map(|i| (points[i], points[(i + 1) % points.len()]))
+        .map(|(p, q)| p[0] * q[1] - p[1] * q[0])
+        .sum();
+    let positions = flat(&points);
+    let areas: Vec<f64> = triangles(&positions).iter().map(|&t| area(t, &positions)).collect();
+    assert_eq!(areas.len(), points.len() - 2);
+    assert!(areas.iter().all(|&a| a >= 0.0));
+    assert!((2.0 * areas.iter().sum::<f64>() - doubled).abs() < 1e-9 * doubled);
+}
+
+#[test]
+fn scale_and_plane_do_not_matter() {
+    let arrow = [[0.0, 0.0], [2.0, 1.0], [0.0, 2.0], [0.5, 1.0]];
+    let ell = [[1.0, 1.0], [1.0, 2.0], [0.0, 2.0], [0.0, 0.0], [2.0, 0.0], [2.0, 1.0]];
+    for polygon in [&arrow[..], &ell] {
+        let expected = triangles(&flat(polygon));
+        for scale in [1e-300, 1e-150, 1.0, 1e150, 1e300] {
+            for axes in [[0, 1, 2], [1, 2, 0], [2, 0, 1]] {
+                let positions: Vec<[f64; 3]> = flat(polygon)
+                    .iter()
+                    .map(|p| axes.map(|axis| scale * (p[axis] + if axis == 2 { p[0] } else { 0.0 })))
+                    .collect();
+                assert_eq!(triangles(&positions), expected, "{scale} {axes:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn what_has_no_triangulation_stays_a_fan() {
+    let nan = f64::NAN;
+    let bow_tie = [[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]];
+    let pentagram = [[0.0, 3.0], [2.0, -2.0], [-3.0, 1.0], [3.0, 1.0], [-2.0, -2.0]];
+    for polygon in
+        [&bow_tie[..], &pentagram, &[[0.0; 2]; 4], &[[1.0; 2]; 6], &[[0.0, nan]; 4], &[[f64::INFINITY; 2]; 5]]
+    {
+        let fan: Vec<[u32; 3]> = (2..polygon.len() as u32).map(|i| [0, i - 1, i]).collect();
+        assert_eq!(triangles(&flat(polygon)), fan, "{polygon:?}");
+    }
+    let mut raw = RawMesh::default();
+    raw.push_polygon(&[0, 1, 2, 9]);
+    raw.push_polygon(&[0, 1, 2, 1, 9]);
+    let fans = raw.faces.clone();
+    triangulate(&[[0.0; 3]; 3], &mut raw.faces, &raw.polygons);
+    assert_eq!(raw.faces, fans);
+}
+
+#[test]
+fn many_polygons_between_triangles_each_get_their_own() {
+    let arrow = flat(&[[0.0, 0.0], [2.0, 1.0], [0.0, 2.0], [0.5, 1.0], [0.5, 0.9]]);
+    let mut raw = RawMesh::default();
+    for _ in 0..3 * POLYGONS_PER_TASK {
+        raw.push_polygon(&[0, 1, 2]);
+        raw.push_polygon(&[0, 1, 2, 3]);
+        raw.push_polygon(&[2, 3, 4, 0, 1]);
+    }
+    triangulate(&arrow, &mut raw.faces, &raw.polygons);
+    assert_eq!(raw.faces.len(), 3 * POLYGONS_PER_TASK * 6);
+    for group in raw.faces.chunks_exact(6) {
+        assert_eq!(group[..3], [[0, 1, 2], [1, 2, 3], [1, 3, 0]]);
+        assert_eq!(group[3..], raw.faces[3..6]);
+    }
+    assert_ne!(raw.faces[3..6], [[2, 3, 4], [2, 4, 0], [2, 0, 1]]);
+}
+
+/// Ear clipping skips corners that lie on another side.
+#[test]
+fn polygons_that_touch_themselves_are_covered() {
+    let first = [[2.0, 2.0], [2.0, 3.0], [0.0, 1.0], [-1.0, 3.0], [-3.0, 2.0], [-2.0, 1.0], [-2.0, 0.0]];
+    let second = [[-2.0, -1.0], [-3.0, -2.0], [-1.0, -1.0], [-2.0, -3.0], [-1.0, -3.0], [-1.0, 2.0]];
+    for (polygon, area) in [(&first[..], 5.5), (&second, 3.0)] {
+        let mut clipped: Vec<u32> = Vec::new();
+        Earcut::new().earcut(polygon.iter().copied(), &[], &mut clipped);
+        assert!(clipped.len() < 3 * (polygon.len() - 2), "nothing was skipped");
+        check(polygon, area);
+    }
+}
+
+/// Polygons around the origin on a small lattice, where corners often lie on a line with their neighbours.
+#[test]
+fn lattice_polygons_are_covered() {
+    let mut state: u64 = 1;
+    let mut random = |n: u64| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 33) % n
+    };
+    for _ in 0..50_000 {
+        let count = 5 + random(8);
+        let mut points: Vec<[f64; 2]> = (0..count)
+            .map(|_| [random(7) as f64 - 3.0, random(7) as f64 - 3.0])
+            .filter(|p| *p != [0.0; 2])
+            .collect();
+        points.sort_by(|p, q| f64::total_cmp(&p[1].atan2(p[0]), &q[1].atan2(q[0])));
+        let turn = |p: [f64; 2], q: [f64; 2]| p[0] * q[1] - p[1] * q[0];
+        let side = |i: usize| turn(points[i], points[(i + 1) % points.len()]);
+        // The origin sees every side, so the polygon does not cross itself.
+        if points.len() < 5 || (0..points.len()).any(|i| side(i) <= 0.0) {
+            continue;
+        }
+        check(&points, (0..points.len()).map(side).sum::<f64>() / 2.0);
+    }
+}

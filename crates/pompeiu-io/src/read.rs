@@ -1,0 +1,123 @@
+//! The doors: a path or bytes in, a validated mesh out.
+
+use crate::error::{FormatError, Location, ReadError};
+use crate::format::Format;
+use crate::formats::{self, Input};
+use crate::polygon;
+use crate::raw::RawMesh;
+use crate::{sniff, source};
+use pompeiu_core::{MeshError, TriMesh};
+use std::path::Path;
+
+/// A mesh as read from a file, and what was noticed on the way.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct ReadMesh {
+    /// The mesh.
+    pub mesh: TriMesh,
+    /// The format it was read as.
+    pub format: Format,
+    /// Whether the file was gzip data.
+    pub compressed: bool,
+    /// Faces of the file with more than three corners, which were cut into triangles.
+    pub polygons_triangulated: u64,
+    /// Faces of the file with fewer than three corners, which were left out.
+    pub faces_dropped: u64,
+}
+
+/// Reads a triangle mesh from a file.
+///
+/// The format is the one that the content shows; the suffix decides only where the content shows none. Files may
+/// be compressed with gzip. Coordinates in double precision or in text arrive as the nearest doubles. Faces with
+/// more than three corners are triangulated between their own corners, concave ones too; only for STL, which has no
+/// vertices of its own, equal positions become one vertex, in the order of their first use.
+///
+/// # Errors
+/// [`ReadError::Io`] when the file cannot be opened or read, [`ReadError::Format`] when it does not hold a mesh: each
+/// displays as one line that names the file, the line, byte, face or vertex, what was found and what was expected.
+///
+/// # Cost
+/// O(bytes). OBJ, binary PLY and binary STL files are mapped into memory and parsed in parallel on the current rayon
+/// thread pool; the result is the same for any number of threads. Beside the mesh and buffers of a few MiB per thread
+/// nothing is held in memory, but for the decompressed content of a gzip file.
+///
+/// # Limits
+/// Normals, texture coordinates, colours and materials are not read. A gzip file may grow to 64 MiB or to 256 times
+/// its size, whichever is more. A file must not be shortened by another process while it is read.
+pub fn read(path: impl AsRef<Path>) -> Result<ReadMesh, ReadError> {
+    let path = path.as_ref();
+    let bytes = source::open(path).map_err(|source| ReadError::Io { path: path.to_owned(), source })?;
+    let promised = Format::from_path(path);
+    read_content(&bytes, path.parent(), |content| sniff::format(content).or(promised))
+        .map_err(|source| ReadError::Format { path: path.to_owned(), source })
+}
+
+/// Reads a triangle mesh from bytes in memory, compressed or not.
+///
+/// Like [`read`]; with a `format` the bytes are read as that format, else as the one that the content shows. Formats
+/// that refer to other files cannot do so here.
+///
+/// # Errors
+/// When the bytes do not hold a mesh.
+pub fn read_bytes(bytes: &[u8], format: Option<Format>) -> Result<ReadMesh, FormatError> {
+    read_content(bytes, None, |content| format.or_else(|| sniff::format(content)))
+}
+
+fn read_content(
+    bytes: &[u8],
+    folder: Option<&Path>,
+    choose: impl FnOnce(&[u8]) -> Option<Format>,
+) -> Result<ReadMesh, FormatError> {
+    let (content, compressed) = source::decompressed(bytes)?;
+    if content.is_empty() {
+        return Err(FormatError::new(Location::File, "the file is empty, expected a mesh"));
+    }
+    let format = choose(&content).ok_or_else(|| unrecognised(&content))?;
+    let raw = formats::read(format, Input { bytes: &content, folder })?;
+    drop(content);
+    finish(raw, format, compressed)
+}
+
+/// Triangulates and validates what a format reader found.
+fn finish(mut raw: RawMesh, format: Format, compressed: bool) -> Result<ReadMesh, FormatError> {
+    // Places of polygons are 32-bit indices; with more faces than that they mean nothing.
+    if u32::try_from(raw.faces.len()).is_ok() {
+        polygon::triangulate(&raw.positions, &mut raw.faces, &raw.polygons);
+    }
+    let polygons_triangulated = raw.polygons.len() as u64;
+    drop(raw.polygons);
+    let faces_dropped = raw.faces_dropped;
+    let mesh = TriMesh::new(raw.positions, raw.faces).map_err(|error| invalid(&error, faces_dropped))?;
+    Ok(ReadMesh { mesh, format, compressed, polygons_triangulated, faces_dropped })
+}
+
+#[cold]
+fn unrecognised(content: &[u8]) -> FormatError {
+    let start = content[..content.len().min(16)].escape_ascii();
+    FormatError::new(
+        Location::File,
+        format!("begins with \"{start}\", expected OBJ, PLY, STL, OFF, glTF, GLB, VTK, VTP or VTU"),
+    )
+}
+
+/// The error for elements that a format reader let through: these have no place in the file but their number.
+#[cold]
+fn invalid(error: &MeshError, faces_dropped: u64) -> FormatError {
+    match error {
+        MeshError::NoFaces { vertices } => {
+            let dropped = match faces_dropped {
+                0 => String::new(),
+                n => format!(" and {n} faces with fewer than three corners"),
+            };
+            let problem = format!("found {vertices} vertices{dropped}, expected at least one face");
+            FormatError::new(Location::File, problem)
+        }
+        MeshError::NonFinite { vertex, .. } | MeshError::TooLarge { vertex, .. } => {
+            FormatError::new(Location::Vertex(u64::from(vertex.0)), error.to_string())
+        }
+        MeshError::IndexOutOfRange { face, .. } => {
+            FormatError::new(Location::Face(u64::from(face.0)), error.to_string())
+        }
+        _ => FormatError::new(Location::File, error.to_string()),
+    }
+}

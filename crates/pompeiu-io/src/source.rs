@@ -1,0 +1,157 @@
+//! The bytes of a file: mapped, read or decompressed.
+
+use crate::error::{FormatError, Location};
+use flate2::bufread::MultiGzDecoder;
+use memmap2::Mmap;
+use std::borrow::Cow;
+use std::fs::File;
+use std::io::{self, Read};
+use std::ops::Deref;
+use std::path::Path;
+
+/// A gzip file may grow to this many bytes whatever its size.
+const EXPANSION_FLOOR: u64 = 1 << 26;
+
+/// Beyond [`EXPANSION_FLOOR`] a gzip file may grow to this many times its size: far more than text or coordinates of
+/// a mesh shrink, a quarter of what a file made only to exhaust memory reaches.
+const EXPANSION_FACTOR: u64 = 256;
+
+/// Bytes decompressed or read at a time.
+const STEP: usize = 1 << 20;
+
+const GZIP_MAGIC: [u8; 2] = [0x1F, 0x8B];
+
+/// The content of a file, in memory or mapped.
+pub(crate) enum Source {
+    Mapped(Mmap),
+    Owned(Vec<u8>),
+}
+
+impl Deref for Source {
+    type Target = [u8];
+
+    fn deref(&self) -> &[u8] {
+        match self {
+            Self::Mapped(map) => map,
+            Self::Owned(bytes) => bytes,
+        }
+    }
+}
+
+/// Opens a file: maps it when it is a regular file, reads it to its end when it is a pipe.
+pub(crate) fn open(path: &Path) -> io::Result<Source> {
+    let mut file = File::open(path)?;
+    let metadata = file.metadata()?;
+    if metadata.is_dir() {
+        return Err(io::ErrorKind::IsADirectory.into());
+    }
+    if is_device(&metadata) {
+        return Err(io::Error::new(io::ErrorKind::InvalidInput, "a device, expected a file or a pipe"));
+    }
+    // Some files of the kernel say that they are empty and are not.
+    if metadata.is_file() && metadata.len() > 0 {
+        return Ok(Source::Mapped(map(&file)?));
+    }
+    let mut bytes = Vec::new();
+    while read_step(&mut file, &mut bytes)? {}
+    Ok(Source::Owned(bytes))
+}
+
+#[allow(
+    unsafe_code,
+    reason = "there is no safe way to map a file, and copying it costs as much as parsing it"
+)]
+fn map(file: &File) -> io::Result<Mmap> {
+    // SAFETY: The map is read-only and private to this process, which writes no file it reads. What remains is a file
+    // that another process changes during the read. If it writes, the bytes seen may be old or new; readers check
+    // every value they use and take none as proof of another, so they return an error or a mesh that was never whole.
+    // If it shortens the file, the system ends this process when a page behind the new end is touched. That is the
+    // accepted risk, which every program that maps its input shares.
+    unsafe { Mmap::map(file) }
+}
+
+#[cfg(unix)]
+fn is_device(metadata: &std::fs::Metadata) -> bool {
+    use std::os::unix::fs::FileTypeExt;
+    metadata.file_type().is_char_device() || metadata.file_type().is_block_device()
+}
+
+#[cfg(not(unix))]
+fn is_device(_: &std::fs::Metadata) -> bool {
+    false
+}
+
+/// Appends up to [`STEP`] bytes; false at the end. Lack of memory is an error.
+fn read_step(from: &mut impl Read, bytes: &mut Vec<u8>) -> io::Result<bool> {
+    bytes.try_reserve(STEP).map_err(|_| io::ErrorKind::OutOfMemory)?;
+    Ok(from.take(STEP as u64).read_to_end(bytes)? > 0)
+}
+
+/// The bytes themselves, or what they hold when they are gzip data; and whether they are.
+pub(crate) fn decompressed(bytes: &[u8]) -> Result<(Cow<'_, [u8]>, bool), FormatError> {
+    if !bytes.starts_with(&GZIP_MAGIC) {
+        return Ok((Cow::Borrowed(bytes), false));
+    }
+    let most = EXPANSION_FLOOR.max(EXPANSION_FACTOR.saturating_mul(bytes.len() as u64));
+    let mut decoder = MultiGzDecoder::new(bytes);
+    let mut content = Vec::new();
+    while read_step(&mut decoder, &mut content).map_err(|error| {
+        let reason = match error.kind() {
+            io::ErrorKind::UnexpectedEof => "they end early".to_owned(),
+            _ => error.to_string(),
+        };
+        let problem =
+            format!("the gzip data cannot be decompressed beyond {} bytes: {reason}", content.len());
+        FormatError::new(Location::File, problem)
+    })? {
+        if content.len() as u64 > most {
+            return Err(FormatError::new(
+                Location::File,
+                format!(
+                    "{} bytes of gzip data grow beyond {most} bytes, expected a mesh, which shrinks less",
+                    bytes.len()
+                ),
+            ));
+        }
+    }
+    if content.starts_with(&GZIP_MAGIC) {
+        return Err(FormatError::new(Location::File, "found gzip data in gzip data, expected a mesh"));
+    }
+    Ok((Cow::Owned(content), true))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use flate2::Compression;
+    use flate2::write::GzEncoder;
+    use std::io::Write;
+
+    fn gzip(bytes: &[u8]) -> Vec<u8> {
+        let mut encoder = GzEncoder::new(Vec::new(), Compression::best());
+        encoder.write_all(bytes).unwrap();
+        encoder.finish().unwrap()
+    }
+
+    #[test]
+    fn members_are_joined_and_damage_is_named() {
+        let mut joined = gzip(b"one ");
+        joined.extend(gzip(b"two"));
+        assert_eq!(decompressed(&joined).unwrap(), (Cow::Borrowed(&b"one two"[..]), true));
+        assert_eq!(decompressed(b"plain").unwrap(), (Cow::Borrowed(&b"plain"[..]), false));
+
+        let short = decompressed(&joined[..joined.len() - 9]).unwrap_err().to_string();
+        assert!(short.contains("end early"), "{short}");
+        joined[12] ^= 0x55;
+        assert!(decompressed(&joined).is_err());
+        let nested = decompressed(&gzip(&gzip(b"x"))).unwrap_err().to_string();
+        assert!(nested.contains("gzip data in gzip data"), "{nested}");
+    }
+
+    #[test]
+    fn a_bomb_is_refused() {
+        let bomb = gzip(&vec![b' '; 2 * EXPANSION_FLOOR as usize]);
+        let error = decompressed(&bomb).unwrap_err().to_string();
+        assert!(error.contains("grow beyond"), "{error}");
+    }
+}
