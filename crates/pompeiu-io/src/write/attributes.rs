@@ -1,5 +1,6 @@
 //! Values that travel with a mesh into a file.
 
+use super::vtp;
 use pompeiu_core::TriMesh;
 
 /// Why values cannot be attributes of a mesh.
@@ -66,7 +67,7 @@ impl Attributes {
     ///
     /// # Errors
     /// [`AttributeError`] unless there is one value per vertex and the name is new among the vertex scalars, made of
-    /// ASCII letters, digits, `_` and `-`, and not one that PLY gives a meaning (`x`, `red`, …).
+    /// ASCII letters, digits, `_` and `-`, and not one that PLY or VTP use (`x`, `red`, `Colors`, …).
     pub fn with_vertex_scalar(
         mut self,
         name: impl Into<String>,
@@ -140,10 +141,11 @@ impl Attributes {
 
 impl OfElements {
     fn push_scalar(&mut self, name: String, values: Vec<f64>) -> Result<(), AttributeError> {
-        const MEANINGFUL_IN_PLY: [&str; 11] =
+        const PLY_PROPERTIES: [&str; 11] =
             ["x", "y", "z", "nx", "ny", "nz", "red", "green", "blue", "vertex_index", "vertex_indices"];
+        let taken = PLY_PROPERTIES.contains(&name.as_str()) || name == vtp::COLORS;
         let unreadable = |c: char| !(c.is_ascii_alphanumeric() || c == '_' || c == '-');
-        if name.is_empty() || name.contains(unreadable) || MEANINGFUL_IN_PLY.contains(&name.as_str()) {
+        if name.is_empty() || name.contains(unreadable) || taken {
             return Err(AttributeError::Name { name });
         }
         if self.scalars.iter().any(|(taken, _)| *taken == name) {
@@ -191,7 +193,7 @@ mod tests {
         assert!(none().with_face_scalar("a", vec![0.0; 4]).is_err_and(length("faces", 2, 4)));
         assert!(none().with_vertex_colors(vec![[0; 3]; 2]).is_err_and(length("vertices", 4, 2)));
         assert!(none().with_face_colors(vec![]).is_err_and(length("faces", 2, 0)));
-        for name in ["", "a b", "a\n", "é", "a<b", "x", "blue", "vertex_indices"] {
+        for name in ["", "a b", "a\n", "é", "a<b", "x", "blue", "vertex_indices", "Colors"] {
             let error = none().with_vertex_scalar(name, vec![0.0; 4]).unwrap_err();
             assert_eq!(error, AttributeError::Name { name: name.into() });
         }

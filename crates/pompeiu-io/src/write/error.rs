@@ -70,4 +70,14 @@ pub enum EncodeError {
         /// The coordinate.
         value: f64,
     },
+    /// The file would be longer than the format can say.
+    #[error("{} files hold at most {limit} bytes; this mesh takes {bytes}", format.name())]
+    TooLong {
+        /// The format.
+        format: OutputFormat,
+        /// The bytes needed.
+        bytes: u64,
+        /// The most there can be.
+        limit: u64,
+    },
 }

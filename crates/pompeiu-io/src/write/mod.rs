@@ -3,12 +3,14 @@
 mod attributes;
 mod error;
 mod format;
+mod glb;
 mod obj;
 mod off;
 mod ply;
 mod replace;
 mod stl;
 mod text;
+mod vtp;
 
 use flate2::{Compression, write::GzEncoder};
 use pompeiu_core::TriMesh;
@@ -94,6 +96,8 @@ pub fn encode(
         OutputFormat::Ply => ply::write(&mut out, mesh, attributes),
         OutputFormat::Stl => stl::write(&mut out, mesh),
         OutputFormat::Off => off::write(&mut out, mesh, attributes),
+        OutputFormat::Vtp => vtp::write(&mut out, mesh, attributes),
+        OutputFormat::Glb => glb::write(&mut out, mesh, attributes),
     }?;
     Ok(out.flush()?)
 }

@@ -3,11 +3,13 @@
 #![allow(clippy::unwrap_used, reason = "a helper of a test fails by panicking, as the test does")]
 
 mod files;
+mod glb;
 mod meshes;
 mod obj;
 mod off;
 mod ply;
 mod stl;
+mod vtp;
 
 use pompeiu_core::TriMesh;
 use pompeiu_io::{Attributes, OutputFormat, encode};

@@ -1,0 +1,121 @@
+//! VTK XML polygonal data, with its arrays appended as they are.
+
+use super::{Attributes, EncodeError};
+use pompeiu_core::TriMesh;
+use std::io::{self, Write};
+
+/// The name of the arrays of colours; no scalar has it.
+pub(super) const COLORS: &str = "Colors";
+
+/// Length of the number of bytes that precedes each appended array, as `header_type="UInt64"` says.
+const LENGTH_BYTES: u64 = 8;
+
+pub(super) fn write(mut out: impl Write, mesh: &TriMesh, attributes: &Attributes) -> Result<(), EncodeError> {
+    let (vertices, faces) = (mesh.positions().len(), mesh.faces().len());
+    // The last offset, three per face, is the largest of all integers written except perhaps a vertex.
+    let wide = i32::try_from(vertices).is_err() || i32::try_from(3 * faces as u64).is_err();
+    let (integer, width) = if wide { ("Int64", 8) } else { ("Int32", 4) };
+    let (n, m) = (vertices as u64, faces as u64);
+
+    let mut xml = Declarations { xml: Vec::new(), end: 0 };
+    writeln!(
+        xml.xml,
+        "<?xml version=\"1.0\"?>\n\
+         <VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n\
+         <PolyData>\n\
+         <Piece NumberOfPoints=\"{vertices}\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" \
+         NumberOfPolys=\"{faces}\">"
+    )?;
+    xml.open("Points")?;
+    xml.array("Points", "Float64", 3, 24 * n)?;
+    xml.close("Points")?;
+    xml.open("Polys")?;
+    xml.array("connectivity", integer, 1, 3 * width * m)?;
+    xml.array("offsets", integer, 1, width * m)?;
+    xml.close("Polys")?;
+    let vertex_scalars: Vec<_> = attributes.vertex_scalars().collect();
+    let face_scalars: Vec<_> = attributes.face_scalars().collect();
+    for (tag, count, colors, scalars) in [
+        ("PointData", n, attributes.vertex_colors(), &vertex_scalars),
+        ("CellData", m, attributes.face_colors(), &face_scalars),
+    ] {
+        xml.open(tag)?;
+        if colors.is_some() {
+            xml.array(COLORS, "UInt8", 3, 3 * count)?;
+        }
+        for (name, _) in scalars {
+            xml.array(name, "Float64", 1, 8 * count)?;
+        }
+        xml.close(tag)?;
+    }
+    out.write_all(&xml.xml)?;
+    out.write_all(b"</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_")?;
+
+    append(&mut out, 24 * n, mesh.positions().as_flattened(), |x| x.to_le_bytes())?;
+    let corners = mesh.faces().as_flattened();
+    if wide {
+        append(&mut out, 24 * m, corners, |&v| u64::from(v).to_le_bytes())?;
+        append_iter(&mut out, 8 * m, (1..=m).map(|f| (3 * f).to_le_bytes()))?;
+    } else {
+        append(&mut out, 12 * m, corners, |v| v.to_le_bytes())?;
+        append_iter(&mut out, 4 * m, (1..=m as u32).map(|f| (3 * f).to_le_bytes()))?;
+    }
+    for (colors, scalars) in
+        [(attributes.vertex_colors(), &vertex_scalars), (attributes.face_colors(), &face_scalars)]
+    {
+        if let Some(colors) = colors {
+            append(&mut out, 3 * colors.len() as u64, colors, |&color| color)?;
+        }
+        for (_, values) in scalars {
+            append(&mut out, 8 * values.len() as u64, values, |x| x.to_le_bytes())?;
+        }
+    }
+    Ok(out.write_all(b"\n</AppendedData>\n</VTKFile>\n")?)
+}
+
+/// The arrays declared so far; each begins where the one before ends.
+struct Declarations {
+    xml: Vec<u8>,
+    end: u64,
+}
+
+impl Declarations {
+    fn open(&mut self, tag: &str) -> io::Result<()> {
+        writeln!(self.xml, "<{tag}>")
+    }
+
+    fn close(&mut self, tag: &str) -> io::Result<()> {
+        writeln!(self.xml, "</{tag}>")
+    }
+
+    fn array(&mut self, name: &str, kind: &str, components: u32, bytes: u64) -> io::Result<()> {
+        let offset = self.end;
+        self.end += LENGTH_BYTES + bytes;
+        writeln!(
+            self.xml,
+            "<DataArray type=\"{kind}\" Name=\"{name}\" NumberOfComponents=\"{components}\" \
+             format=\"appended\" offset=\"{offset}\"/>"
+        )
+    }
+}
+
+fn append<T, const N: usize>(
+    out: &mut impl Write,
+    bytes: u64,
+    values: &[T],
+    encode: impl Fn(&T) -> [u8; N],
+) -> io::Result<()> {
+    append_iter(out, bytes, values.iter().map(encode))
+}
+
+fn append_iter<const N: usize>(
+    out: &mut impl Write,
+    bytes: u64,
+    values: impl Iterator<Item = [u8; N]>,
+) -> io::Result<()> {
+    out.write_all(&bytes.to_le_bytes())?;
+    for value in values {
+        out.write_all(&value)?;
+    }
+    Ok(())
+}
