@@ -39,7 +39,12 @@ pub(super) fn write(mut out: impl Write, mesh: &TriMesh, attributes: &Attributes
         ("PointData", n, attributes.vertex_colors(), &vertex_scalars),
         ("CellData", m, attributes.face_colors(), &face_scalars),
     ] {
-        xml.open(tag)?;
+        // What programs show first.
+        match (scalars.first(), colors) {
+            (Some((name, _)), _) => xml.open(&format!("{tag} Scalars=\"{name}\""))?,
+            (None, Some(_)) => xml.open(&format!("{tag} Scalars=\"{COLORS}\""))?,
+            (None, None) => xml.open(tag)?,
+        }
         if colors.is_some() {
             xml.array(COLORS, "UInt8", 3, 3 * count)?;
         }
