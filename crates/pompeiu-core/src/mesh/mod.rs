@@ -5,9 +5,11 @@ pub mod edit;
 mod error;
 mod ids;
 pub mod shapes;
+pub mod topology;
 mod trimesh;
 
 pub use edit::{Affine, displace_at_random, merge, shuffle, subdivide, transform, unweld};
 pub use error::MeshError;
 pub use ids::{FaceId, VertexId};
+pub use topology::{Connectivity, MeshSummary};
 pub use trimesh::TriMesh;
