@@ -20,6 +20,11 @@ impl Interval {
         if x.is_nan() { Self::WHOLE } else { Self { lower: x, upper: x } }
     }
 
+    /// The numbers next to `x` and all between them: encloses what was rounded to `x`.
+    pub fn around(x: f64) -> Self {
+        Self::outward(x, x)
+    }
+
     /// The whole real line.
     pub const WHOLE: Self = Self { lower: f64::NEG_INFINITY, upper: f64::INFINITY };
 

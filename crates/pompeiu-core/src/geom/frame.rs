@@ -1,6 +1,7 @@
 //! A shift and a power-of-two scale that bring coordinates to the size of one.
 
 use super::Aabb;
+use crate::exact::Interval;
 
 /// The map `x -> x / 2^exponent - origin`, with `origin` in scaled units.
 ///
@@ -9,8 +10,9 @@ use super::Aabb;
 /// subtraction keeps the digits that matter.
 ///
 /// # Accuracy
-/// Each mapped coordinate `y` differs from the exact image by at most `2^-53 |y|` (the one subtraction; none with
-/// origin zero), plus `2^-1074` where scaling down meets the subnormal range.
+/// Each mapped coordinate `y` differs from the exact image by at most `2^-53 |y|` (the one subtraction), plus `2^-1074`
+/// where scaling down meets the subnormal range. Points of the box itself are mapped exactly, and back: with an origin
+/// other than zero they are multiples of `2^-51`, and so are their differences from it, which are below 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame {
     origin: [f64; 3],
@@ -46,6 +48,17 @@ impl Frame {
     pub fn map(&self, p: [f64; 3]) -> [f64; 3] {
         let (s, t) = factors(-self.exponent);
         [0, 1, 2].map(|k| p[k] * s * t - self.origin[k])
+    }
+
+    /// Encloses the exact image of a point.
+    pub fn enclosure(&self, p: [f64; 3]) -> [Interval; 3] {
+        let (s, t) = factors(-self.exponent);
+        [0, 1, 2].map(|k| {
+            let scaled = p[k] * s * t;
+            let exact = scaled == 0.0 && p[k] == 0.0 || scaled.abs() >= f64::MIN_POSITIVE;
+            let scaled = if exact { Interval::point(scaled) } else { Interval::around(scaled) };
+            if self.origin[k] == 0.0 { scaled } else { scaled - Interval::point(self.origin[k]) }
+        })
     }
 
     /// The point whose image is `p`, rounded.

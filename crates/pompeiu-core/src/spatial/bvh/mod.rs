@@ -90,6 +90,32 @@ impl Bvh {
         faces * 118 + (1 << 12)
     }
 
+    /// The same tree over mapped triangles.
+    ///
+    /// `map` must not decrease any coordinate when that coordinate grows, and must map each axis by itself, as scaling and
+    /// shifting do even after rounding: then boxes stay boxes.
+    #[must_use]
+    pub fn mapped(&self, map: impl Fn([f64; 3]) -> [f64; 3]) -> Self {
+        let each = |axes: &mut [[f64; LANES]; 3]| {
+            for lane in 0..LANES {
+                let p = [0, 1, 2].map(|k| axes[k][lane]);
+                if p[0].is_finite() {
+                    let q = map(p);
+                    for k in 0..3 {
+                        axes[k][lane] = q[k];
+                    }
+                }
+            }
+        };
+        let mut tree = self.clone();
+        for node in &mut tree.nodes {
+            each(&mut node.lower);
+            each(&mut node.upper);
+        }
+        tree.blocks.iter_mut().flatten().for_each(each);
+        tree
+    }
+
     /// The slots whose triangles may come nearer to `p` than `distance`, by their boxes and leaves alone.
     ///
     /// Every slot with a point within `distance` is reported, rounding included; others may be too.

@@ -1,0 +1,169 @@
+//! From a question to a report: the frame, the limits, the search, and the certificate of the lower bound.
+
+use crate::certify;
+use crate::observer::Observer;
+use crate::report::{DirectedReport, Direction, Enclosure, StopReason, SurfacePoint, Timing, Witness};
+use crate::rounding::Rounding;
+use crate::search::{Control, Halt, Limits, Scene, Search};
+use crate::target::Target;
+use crate::tolerance::Tolerance;
+use pompeiu_core::geom::point_triangle::closest_barycentric;
+use pompeiu_core::geom::{Aabb, Frame};
+use pompeiu_core::spatial::{Bvh, morton_order};
+use pompeiu_core::{FaceId, TriMesh};
+use std::time::Instant;
+
+/// The options of one directed search.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Question<'q> {
+    pub(crate) direction: Direction,
+    pub(crate) tolerance: Tolerance,
+    pub(crate) threshold: Option<f64>,
+    pub(crate) deadline: Option<Instant>,
+    pub(crate) memory_limit: Option<usize>,
+    /// Fractions of the joint diagonal, descending.
+    pub(crate) stages: &'q [f64],
+}
+
+impl Question<'_> {
+    /// The same in units of a frame.
+    pub(crate) fn limits(&self, joint: &Aabb, frame: &Frame, rounding: Rounding) -> Limits {
+        let (tolerance, tolerance_of_distance) = match self.tolerance {
+            Tolerance::RelativeToDiagonal(x) => (x * frame.length_in(joint.diagonal()), 0.0),
+            Tolerance::RelativeToDistance(x) => (0.0, x),
+            Tolerance::Absolute(x) => (frame.length_in(x), 0.0),
+        };
+        let threshold = self.threshold.map(|t| frame.length_in(t));
+        Limits { tolerance, tolerance_of_distance, threshold, rounding, least_size: 16.0 * rounding.unit() }
+    }
+
+    /// The tolerances of the stages that are coarser than what is asked, in units of a frame.
+    pub(crate) fn stages(&self, joint: &Aabb, frame: &Frame, limits: &Limits) -> Vec<f64> {
+        let diagonal = frame.length_in(joint.diagonal());
+        self.stages.iter().map(|s| s * diagonal).filter(|s| *s > limits.tolerance).collect()
+    }
+}
+
+/// Searches in the frame of the target.
+pub(crate) fn search(
+    question: &Question<'_>,
+    a: &TriMesh,
+    target: &Target,
+    observer: &mut dyn Observer,
+) -> DirectedReport {
+    let started = Instant::now();
+    let a_box = Aabb::of_faces(a);
+    let joint = a_box.union(target.aabb());
+    let reframed;
+    let target = if target.suits(&a_box) {
+        target
+    } else {
+        reframed = target.reframed(&joint);
+        &reframed
+    };
+    let rounding = Rounding::new(target.max_coordinate_with(&a_box));
+    let limits = question.limits(&joint, target.frame(), rounding);
+    let stages = question.stages(&joint, target.frame(), &limits);
+    let held = bytes_of(a) + target.bytes() + a.faces().len() * size_of::<u32>();
+    let control = Control::new(question.deadline, question.memory_limit.map(|m| m.saturating_sub(held)));
+    let order = morton_order(a);
+    let scene = Scene { a, order: &order, frame: target.frame(), bvh: target.bvh(), control: &control };
+    let result = Search::new(scene, limits, observer, question.direction).run(&stages);
+
+    let found = result.found;
+    let farthest = Farthest {
+        face: FaceId(found.face),
+        point: found.point,
+        distance: found.distance,
+        nearest_face: target.bvh().face(found.nearest),
+        nearest_corners: target.bvh().corners(found.nearest),
+    };
+    let (mut witness, x) = farthest.witness(a, target.frame());
+    let lower = certified_lower(&x, &farthest, target.bvh(), rounding);
+    witness.b.position = target.frame().unmap(witness.b.position);
+    let report = conclude(question, &limits, target.frame(), lower, result.upper, control.why());
+    DirectedReport {
+        distance: report.0,
+        witness,
+        stop: report.1,
+        tolerance: report.2,
+        work: result.work,
+        timing: Timing { search: started.elapsed(), ..Timing::default() },
+    }
+}
+
+/// The farthest point of A that a search found, and the face of B nearest to it, in its frame.
+pub(crate) struct Farthest {
+    pub(crate) face: FaceId,
+    pub(crate) point: [f64; 3],
+    pub(crate) distance: f64,
+    pub(crate) nearest_face: FaceId,
+    pub(crate) nearest_corners: [[f64; 3]; 3],
+}
+
+impl Farthest {
+    /// The witness, its point on B still in the frame, and an enclosure of its point on A in the frame.
+    pub(crate) fn witness(&self, a: &TriMesh, frame: &Frame) -> (Witness, certify::Box3) {
+        let corners = a.corners(self.face);
+        let weights = closest_barycentric(self.point, corners.map(|p| frame.map(p)));
+        let x = certify::point_in_frame(frame, corners, weights);
+        let barycentric = closest_barycentric(certify::middle(&x), self.nearest_corners);
+        let position = [0, 1, 2].map(|k| (0..3).map(|i| barycentric[i] * self.nearest_corners[i][k]).sum());
+        let b = SurfacePoint { face: self.nearest_face, barycentric, position };
+        (Witness { a: SurfacePoint::new(a, self.face, weights), b }, x)
+    }
+}
+
+/// A proven lower bound on the distance between the enclosed point and all triangles of a tree.
+fn certified_lower(x: &certify::Box3, farthest: &Farthest, bvh: &Bvh, rounding: Rounding) -> f64 {
+    let middle = certify::middle(x);
+    // Triangles not reported are farther than this from the middle, and so than what the search believes from x.
+    let reach = farthest.distance + 4.0 * rounding.lower();
+    let mut slots = Vec::new();
+    bvh.slots_within(middle, reach, |slot| slots.push(slot));
+    let near = certify::distance_lower_bound(*x, slots.into_iter().map(|slot| bvh.corners(slot)));
+    if near < farthest.distance { near } else { farthest.distance }
+}
+
+/// The enclosure in the unit of the meshes, why the search ended, and the tolerance in that unit.
+pub(crate) fn conclude(
+    question: &Question<'_>,
+    limits: &Limits,
+    frame: &Frame,
+    lower: f64,
+    upper: f64,
+    halt: Option<Halt>,
+) -> (Enclosure, StopReason, f64) {
+    // Scaling by a power of two rounds only among subnormal numbers; one step outwards covers that.
+    let lower = frame.length_out(lower);
+    let lower = if lower < f64::MIN_POSITIVE && lower > 0.0 { lower.next_down() } else { lower };
+    let upper = frame.length_out(upper);
+    let upper = if upper < f64::MIN_POSITIVE { upper.next_up() } else { upper };
+    debug_assert!(lower <= upper, "proven bounds cross: {lower} > {upper}");
+    let enclosure = Enclosure::new(if lower < upper { lower } else { upper }, upper)
+        .expect("coordinates are bounded, so distances are finite");
+    let tolerance = match question.tolerance {
+        Tolerance::Absolute(x) => x,
+        _ => frame.length_out(limits.requested(frame.length_in(lower))),
+    };
+    let decided = question.threshold.is_some_and(|t| enclosure.upper() <= t || enclosure.lower() > t);
+    let stop = match halt {
+        Some(Halt::Time) => StopReason::Time,
+        Some(Halt::Memory) => StopReason::Memory,
+        Some(Halt::Cancelled) => StopReason::Cancelled,
+        _ if enclosure.gap() <= tolerance => StopReason::Tolerance,
+        _ if decided => StopReason::Threshold,
+        _ => StopReason::Rounding,
+    };
+    (enclosure, stop, tolerance)
+}
+
+fn bytes_of(mesh: &TriMesh) -> usize {
+    size_of_val(mesh.positions()) + size_of_val(mesh.faces())
+}
+
+/// Bytes that a search holds before it has looked at a single face.
+pub(crate) fn bytes_to_start(a: &TriMesh, b: &TriMesh) -> usize {
+    const ORDERING: usize = 16;
+    bytes_of(a) + bytes_of(b) + Bvh::bytes_to_build(b.faces().len()) + ORDERING * a.faces().len()
+}

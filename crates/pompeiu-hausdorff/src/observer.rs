@@ -1,0 +1,100 @@
+//! What a running search tells, and how it is told to stop.
+
+use crate::report::Direction;
+use pompeiu_core::FaceId;
+use std::ops::ControlFlow;
+
+/// How far a search has come. Lengths are in the unit of the meshes; the bounds are not yet certified.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Progress {
+    /// The direction searched.
+    pub direction: Direction,
+    /// Largest distance met so far.
+    pub lower: f64,
+    /// Largest bound of a piece that is not yet discarded, or of one that was.
+    pub upper: f64,
+    /// Faces and pieces examined so far.
+    pub examined: u64,
+    /// Faces and pieces known to be left; cutting adds to them.
+    pub left: u64,
+}
+
+/// Why no point of a discarded piece is farther from B than its bound.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Proof {
+    /// All corners are that near to this one face, and the distance from a convex set is a convex function.
+    Face(FaceId),
+    /// At every corner the weighted mean of the distances from these faces is at most the bound; the mean is convex, and
+    /// nowhere below the distance from the nearest of them.
+    Mixture(Vec<(FaceId, f64)>),
+}
+
+/// A piece of a face of A that needs no further look.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Discard {
+    /// The face of A that the piece is a part of.
+    pub face: FaceId,
+    /// Corners of the piece, in the unit of the meshes.
+    pub corners: [[f64; 3]; 3],
+    /// The faces of B, and their weights.
+    pub proof: Proof,
+    /// Proven bound on the distance of the piece from B.
+    pub bound: f64,
+}
+
+/// The state of a search at one of the tolerances asked for by [`Query::stages`](crate::Query::stages).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stage {
+    /// The direction searched.
+    pub direction: Direction,
+    /// The tolerance reached, a length.
+    pub tolerance: f64,
+    /// Largest distance met so far, rounded.
+    pub lower: f64,
+    /// Proven upper bound.
+    pub upper: f64,
+    /// What is left of A: pieces that may still hold a point farther than `lower`.
+    pub remaining: Vec<RemainingPiece>,
+    /// Point–triangle distances evaluated since the start.
+    pub distances: u64,
+    /// Wall-clock time since the start.
+    pub elapsed: std::time::Duration,
+}
+
+/// A piece of A that may still hold the maximum.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RemainingPiece {
+    /// The face that it is a part of.
+    pub face: FaceId,
+    /// Its corners, in the unit of the meshes.
+    pub corners: [[f64; 3]; 3],
+    /// Proven bound on its distance from B.
+    pub bound: f64,
+}
+
+/// Watches a search. Calls come from one thread at a time, in an order that does not depend on the number of threads.
+pub trait Observer: Send {
+    /// Called a few times a second at least on long searches; [`ControlFlow::Break`] ends the search with what is proven.
+    fn progress(&mut self, progress: &Progress) -> ControlFlow<()> {
+        let _ = progress;
+        ControlFlow::Continue(())
+    }
+
+    /// Whether [`Observer::discard`] should be called; it costs time and memory.
+    fn wants_discards(&self) -> bool {
+        false
+    }
+
+    /// Called for every piece of A that is discarded. With a single stage the pieces partition A.
+    fn discard(&mut self, discard: &Discard) {
+        let _ = discard;
+    }
+
+    /// Called after each stage.
+    fn stage(&mut self, stage: &Stage) {
+        let _ = stage;
+    }
+}
+
+/// Watches nothing.
+impl Observer for () {}

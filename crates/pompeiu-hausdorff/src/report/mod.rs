@@ -1,0 +1,106 @@
+//! What a query answers.
+
+mod enclosure;
+mod witness;
+
+pub use enclosure::Enclosure;
+pub use witness::{SurfacePoint, Witness};
+
+use std::time::Duration;
+
+/// One of the two directed distances.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Direction {
+    /// How far points of A are from B.
+    AToB,
+    /// How far points of B are from A.
+    BToA,
+}
+
+/// Why a search ended. The enclosure is valid in every case.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum StopReason {
+    /// The enclosure is as narrow as asked.
+    Tolerance,
+    /// The question "at most this threshold?" was decided.
+    Threshold,
+    /// The time limit ran out.
+    Time,
+    /// The memory limit would have been exceeded.
+    Memory,
+    /// The observer asked to stop.
+    Cancelled,
+    /// The tolerance lies below what double precision can tell apart for these coordinates.
+    Rounding,
+}
+
+/// How much was done, in counts that do not depend on the machine or the number of threads.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct WorkCount {
+    /// Closest-point questions asked of the tree.
+    pub queries: u64,
+    /// Point–triangle distances evaluated.
+    pub distances: u64,
+    /// Pieces of A examined, whole faces included.
+    pub pieces: u64,
+    /// Matrix games solved for mixture bounds.
+    pub games: u64,
+    /// Pieces cut in two.
+    pub cuts: u64,
+    /// Deepest piece, in cuts.
+    pub depth: u32,
+}
+
+impl WorkCount {
+    pub(crate) fn add(&mut self, other: &Self) {
+        self.queries += other.queries;
+        self.distances += other.distances;
+        self.pieces += other.pieces;
+        self.games += other.games;
+        self.cuts += other.cuts;
+        self.depth = self.depth.max(other.depth);
+    }
+}
+
+/// Wall-clock time of the parts of a query.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Timing {
+    /// Building trees; zero where a prepared target was given.
+    pub build: Duration,
+    /// Everything else.
+    pub search: Duration,
+}
+
+/// The answer to a directed query.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DirectedReport {
+    /// Encloses h of the meshes as stored, in their unit.
+    pub distance: Enclosure,
+    /// A point of A at least `distance.lower()` away from all of B, and a point of B nearest to it.
+    pub witness: Witness,
+    /// Why the search ended.
+    pub stop: StopReason,
+    /// The width of the enclosure that was asked for, in the unit of the meshes.
+    pub tolerance: f64,
+    /// What it took.
+    pub work: WorkCount,
+    /// How long it took.
+    pub timing: Timing,
+}
+
+/// The answer to a symmetric query: both directed ones.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SymmetricReport {
+    /// From A to B.
+    pub a_to_b: DirectedReport,
+    /// From B to A. In its witness, `a` is the point on B.
+    pub b_to_a: DirectedReport,
+}
+
+impl SymmetricReport {
+    /// Encloses `H = max(h(A, B), h(B, A))`.
+    pub fn distance(&self) -> Enclosure {
+        self.a_to_b.distance.max(self.b_to_a.distance)
+    }
+}

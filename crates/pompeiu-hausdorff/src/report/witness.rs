@@ -1,0 +1,33 @@
+//! The pair of points that proves a lower bound.
+
+use pompeiu_core::{FaceId, TriMesh};
+
+/// A point on a face of a mesh.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SurfacePoint {
+    /// The face.
+    pub face: FaceId,
+    /// Nonnegative weights of the corners. The point meant is `sum(w_i v_i) / sum(w_i)` in exact arithmetic; the sum
+    /// differs from 1 by rounding at most.
+    pub barycentric: [f64; 3],
+    /// That point, rounded.
+    pub position: [f64; 3],
+}
+
+impl SurfacePoint {
+    pub(crate) fn new(mesh: &TriMesh, face: FaceId, barycentric: [f64; 3]) -> Self {
+        let corners = mesh.corners(face);
+        let position = [0, 1, 2].map(|k| (0..3).map(|i| barycentric[i] * corners[i][k]).sum());
+        Self { face, barycentric, position }
+    }
+}
+
+/// A point of A that is far from B, and a point of B that is nearest to it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Witness {
+    /// On the mesh that distances are measured from.
+    pub a: SurfacePoint,
+    /// On the mesh that distances are measured to. Its barycentric coordinates refer to the face as seen in the frame of
+    /// the search, so its position is rounded once more where that frame is shifted.
+    pub b: SurfacePoint,
+}

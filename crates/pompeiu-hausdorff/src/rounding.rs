@@ -1,0 +1,82 @@
+//! The rounding model: what separates computed numbers from proven ones.
+//!
+//! Everything is computed in a [`Frame`](pompeiu_core::geom::Frame) in which all coordinates of A and B are at most `M`
+//! in magnitude (about 1 where the meshes lie together). Let `u = 2^-53`, so that a rounded operation is off by at most
+//! `u` times its result; the bounds below are in units of `u M`, to first order in `u`, each rounded up generously, and
+//! the constants are rounded up again to cover the terms of second order and underflow (far below `u M`, since `M >= 1/4`).
+//!
+//! **Frame.** Mapping a coordinate rounds once, by at most `u M`: each vertex moves by at most `sqrt(3) < 2` units, and
+//! the distance between the meshes changes by at most the 4 units that A and B move together ([`FRAME`]). With origin zero
+//! it is exact.
+//!
+//! **A distance to a face** is computed as `|((p - a) - v (b - a)) - w (c - a)|` with `v, w >= 0` and `v + w <= 1` up to
+//! rounding, so it belongs to a point of the face, and where `v` and `w` came from does not matter. Per coordinate:
+//! `p - a` is off by 2, `v (b - a)` and `w (c - a)` together by 4 (each difference and each product, weighted), the two
+//! subtractions by 4 and 6; together 16, in three coordinates below 28. Squares, their sum and the square root are off by
+//! `3 u` relative to a distance of at most `2 sqrt(3) M`: below 11. `v + w` may exceed 1 by `u`: 4. Together below 43.
+//!
+//! **A mixture** of at most 8 such distances, with weights divided by their sum, is off by `11 u` relative: below 39.
+//! With the former, below 82, and below 96 with the frame's: [`EVALUATION`].
+//!
+//! **A cut** places its end points at `p + t (q - p)`: 2 for the difference, 2 for the product, 1 for the sum per
+//! coordinate; below 9 in space. The two parts of a piece therefore cover it up to 9 units, over which the distance from
+//! B changes by as much at most: [`CUT`] for every cut between a face and the piece.
+//!
+//! **The lower bound** is computed in interval arithmetic and needs no model. The search counts on it to lie no more than
+//! [`LOWER`] units below the plain computed distance; where it does not, the enclosure comes out wider, not wrong.
+
+/// Displacement of A and B by the change of frame, in units of `u M`.
+pub const FRAME: f64 = 4.0;
+/// Error of a bound at the corners of a piece, frame included, in units of `u M`.
+pub const EVALUATION: f64 = 96.0;
+/// Error that each cut adds, in units of `u M`.
+pub const CUT: f64 = 10.0;
+/// Room left for the certified lower bound below the computed one, in units of `u M`.
+pub const LOWER: f64 = 96.0;
+/// Cuts that the least tolerance leaves room for.
+const CUTS_IN_FLOOR: f64 = 40.0;
+
+/// The error bounds of one search, as lengths in its frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rounding {
+    unit: f64,
+}
+
+impl Rounding {
+    /// For coordinates of at most `max_coordinate` in magnitude.
+    pub fn new(max_coordinate: f64) -> Self {
+        let m = if max_coordinate > 0.25 { max_coordinate } else { 0.25 };
+        Self { unit: m * (0.5 * f64::EPSILON) }
+    }
+
+    /// See [`FRAME`].
+    pub fn frame(&self) -> f64 {
+        FRAME * self.unit
+    }
+
+    /// How far a computed bound of a piece after `depth` cuts may lie below a true one.
+    #[inline]
+    pub fn bound(&self, depth: u32) -> f64 {
+        (EVALUATION + CUT * f64::from(depth)) * self.unit
+    }
+
+    /// See [`CUT`].
+    pub fn cut(&self) -> f64 {
+        CUT * self.unit
+    }
+
+    /// The length `u M` that the constants count.
+    pub fn unit(&self) -> f64 {
+        self.unit
+    }
+
+    /// See [`LOWER`].
+    pub fn lower(&self) -> f64 {
+        LOWER * self.unit
+    }
+
+    /// The least tolerance that a search can reach: some 1e-13 of the size of the coordinates.
+    pub fn least_tolerance(&self) -> f64 {
+        2.0 * (LOWER + EVALUATION + CUT * CUTS_IN_FLOOR) * self.unit
+    }
+}

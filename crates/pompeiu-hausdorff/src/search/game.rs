@@ -1,0 +1,169 @@
+//! The best weights of a mixture bound: a matrix game with three columns.
+//!
+//! With rows `D_i` (distances of the three corners of a piece from face i), `min over w of max_j sum_i w_i D_ij` is the
+//! value of a zero-sum game. Any weights give a valid bound, so nothing here needs to be exact.
+
+/// Rows that one game takes.
+pub(crate) const MAX_ROWS: usize = 8;
+
+/// Distances of the three corners of a piece from one face.
+pub(crate) type Row = [f64; 3];
+
+/// Nearly optimal strategies of both players.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Game {
+    /// Weights of the rows: nonnegative, sum 1 up to rounding.
+    pub(crate) weights: [f64; MAX_ROWS],
+    /// Weights of the corners: the barycentric coordinates of the point where the bound is attained.
+    pub(crate) corners: [f64; 3],
+    /// `max_j sum_i w_i D_ij` for these very weights.
+    pub(crate) value: f64,
+}
+
+/// Solves the game by the simplex method on three constraints.
+pub(crate) fn solve(rows: &[Row]) -> Game {
+    let (mut low, mut high) = (f64::INFINITY, 0.0);
+    for &d in rows.iter().flatten() {
+        low = if d < low { d } else { low };
+        high = if d > high { d } else { high };
+    }
+    if rows.len() == 1 || high <= low {
+        return single(rows);
+    }
+    // Shifted and scaled entries in [1, 2]: the strategies stay the same, and the programme below is bounded. In
+    // terms of w' = w / value it reads: maximise sum w', subject to sum_i w'_i M_ij <= 1 for each corner j.
+    let scale = 1.0 / (high - low);
+    let k = rows.len();
+    let (slack, right) = (k, k + 3);
+    let mut t = [[0.0; MAX_ROWS + 4]; 4];
+    for (i, row) in rows.iter().enumerate() {
+        for j in 0..3 {
+            t[j][i] = 1.0 + (row[j] - low) * scale;
+        }
+        t[3][i] = -1.0;
+    }
+    let mut basis = [slack, slack + 1, slack + 2];
+    for j in 0..3 {
+        t[j][slack + j] = 1.0;
+        t[j][right] = 1.0;
+    }
+    for _ in 0..4 * MAX_ROWS {
+        let (mut enter, mut steepest) = (right, -1e-14);
+        for c in 0..right {
+            if t[3][c] < steepest {
+                (enter, steepest) = (c, t[3][c]);
+            }
+        }
+        if enter == right {
+            break;
+        }
+        let (mut leave, mut least) = (3, f64::INFINITY);
+        for j in 0..3 {
+            if t[j][enter] > 1e-12 {
+                let ratio = t[j][right] / t[j][enter];
+                if ratio < least {
+                    (leave, least) = (j, ratio);
+                }
+            }
+        }
+        if leave == 3 {
+            break;
+        }
+        basis[leave] = enter;
+        let inverse = 1.0 / t[leave][enter];
+        for c in 0..=right {
+            t[leave][c] *= inverse;
+        }
+        let pivot = t[leave];
+        for (j, row) in t.iter_mut().enumerate() {
+            if j != leave {
+                let factor = row[enter];
+                for c in 0..=right {
+                    row[c] -= factor * pivot[c];
+                }
+            }
+        }
+    }
+    let positive = |x: f64| if x > 0.0 { x } else { 0.0 };
+    let mut weights = [0.0; MAX_ROWS];
+    for j in 0..3 {
+        if basis[j] < k {
+            weights[basis[j]] = positive(t[j][right]);
+        }
+    }
+    let corners = [0, 1, 2].map(|j| positive(t[3][slack + j]));
+    let (total, corner_total) = (weights.iter().sum::<f64>(), corners.iter().sum::<f64>());
+    if !(total.is_normal() && corner_total.is_normal()) {
+        return single(rows);
+    }
+    let weights = weights.map(|w| w / total);
+    Game { weights, corners: corners.map(|c| c / corner_total), value: value(rows, &weights) }
+}
+
+/// The bound that weights give.
+pub(crate) fn value(rows: &[Row], weights: &[f64; MAX_ROWS]) -> f64 {
+    let mut worst = 0.0;
+    for j in 0..3 {
+        let mean: f64 = rows.iter().zip(weights).map(|(row, w)| w * row[j]).sum();
+        worst = if mean > worst { mean } else { worst };
+    }
+    worst
+}
+
+/// The best single row.
+fn single(rows: &[Row]) -> Game {
+    let mut best = Game { weights: [0.0; MAX_ROWS], corners: [0.0; 3], value: f64::INFINITY };
+    for (i, row) in rows.iter().enumerate() {
+        let worst = (0..3).fold(0, |w, j| if row[j] > row[w] { j } else { w });
+        if row[worst] < best.value {
+            best = Game { weights: [0.0; MAX_ROWS], corners: [0.0; 3], value: row[worst] };
+            best.weights[i] = 1.0;
+            best.corners[worst] = 1.0;
+        }
+    }
+    best
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn check(rows: &[Row]) {
+        let game = solve(rows);
+        let least = rows
+            .iter()
+            .map(|r| (0..3).map(|j| r[j] * game.corners[j]).sum::<f64>())
+            .fold(f64::INFINITY, f64::min);
+        assert!((game.weights.iter().sum::<f64>() - 1.0).abs() < 1e-14);
+        assert!(game.weights.iter().chain(&game.corners).all(|&x| x >= 0.0));
+        // Weak duality holds for any strategies; equality proves both optimal.
+        let spread = rows.iter().flatten().fold(0.0_f64, |m, &x| m.max(x))
+            - rows.iter().flatten().fold(f64::INFINITY, |m, &x| m.min(x));
+        assert!((game.value - least).abs() <= 1e-10 * spread + 1e-15, "{rows:?} {game:?} {least}");
+    }
+
+    #[test]
+    fn known_games() {
+        check(&[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+        let game = solve(&[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+        assert!((game.value - 1.0 / 3.0).abs() < 1e-15);
+        assert_eq!(solve(&[[0.5, 0.5, 0.5]]).value, 0.5);
+        assert_eq!(solve(&[[0.0, 0.0, 0.0], [0.0, 0.0, 0.0]]).value, 0.0);
+    }
+
+    proptest! {
+        #[test]
+        fn both_strategies_are_optimal(rows in prop::collection::vec([0.0..1.0, 0.0..1.0, 0.0..1.0], 1..=MAX_ROWS)) {
+            check(&rows);
+        }
+
+        #[test]
+        fn nearly_constant_and_degenerate_games(
+            rows in prop::collection::vec([0..3_i32, 0..3_i32, 0..3_i32], 1..=MAX_ROWS), scale in 0..10_i32
+        ) {
+            let step = 10_f64.powi(-scale);
+            check(&rows.iter().map(|r| r.map(|x| 1.0 + step * f64::from(x))).collect::<Vec<_>>());
+        }
+    }
+}

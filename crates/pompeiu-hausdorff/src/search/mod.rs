@@ -1,0 +1,353 @@
+//! The search: good lower bounds first, then a sweep over all faces, then cover, generate and cut on what is left.
+//!
+//! Work is dealt out in rounds of tasks whose sizes are counted, never timed. A task sees the lower bound as it was when the
+//! round began and what it found itself; results are merged in task order. So the answer does not depend on the number of
+//! threads, unless a limit ends the search.
+
+mod control;
+mod game;
+mod piece;
+mod worker;
+
+pub(crate) use control::{Control, Halt};
+
+use crate::observer::{Discard, Observer, Progress, Proof, RemainingPiece, Stage};
+use crate::report::{Direction, WorkCount};
+use crate::rounding::Rounding;
+use piece::Piece;
+use pompeiu_core::geom::Frame;
+use pompeiu_core::spatial::{Bvh, Slot, Workspace};
+use pompeiu_core::{FaceId, TriMesh};
+use rayon::prelude::*;
+use std::collections::HashSet;
+use std::ops::ControlFlow;
+use std::time::Instant;
+use worker::{Discarded, Keep, Outcome, SlotProof, Worker};
+
+pub(crate) use worker::Found;
+
+/// Points of A asked for before the sweep; a good lower bound makes the sweep discard more.
+const SAMPLES: usize = 1024;
+/// Faces of a sweep task.
+const SWEEP_TASK: usize = 256;
+/// Samples of a task.
+const SAMPLE_TASK: usize = 64;
+/// Tasks between two merges.
+const TASKS_PER_ROUND: usize = 64;
+/// Pieces that a task of the search examines at most.
+const REFINE_BUDGET: usize = 1024;
+
+/// What is measured, and against what.
+pub(crate) struct Scene<'s> {
+    pub(crate) a: &'s TriMesh,
+    /// Faces of A, neighbours close together.
+    pub(crate) order: &'s [u32],
+    pub(crate) frame: &'s Frame,
+    pub(crate) bvh: &'s Bvh,
+    pub(crate) control: &'s Control,
+}
+
+impl Scene<'_> {
+    pub(crate) fn bvh(&self) -> &Bvh {
+        self.bvh
+    }
+
+    /// Corners of a face of A in the frame of the search.
+    #[inline]
+    pub(crate) fn corners(&self, face: u32) -> [[f64; 3]; 3] {
+        self.a.corners(FaceId(face)).map(|p| self.frame.map(p))
+    }
+
+    fn stopped(&self) -> bool {
+        self.control.halted()
+    }
+}
+
+/// What is asked, in units of the frame.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Limits {
+    /// Width of the enclosure aimed for: the greater of a length and a part of the distance.
+    pub(crate) tolerance: f64,
+    pub(crate) tolerance_of_distance: f64,
+    /// Bounds up to this are good enough.
+    pub(crate) threshold: Option<f64>,
+    pub(crate) rounding: Rounding,
+    /// Pieces no larger are not cut.
+    pub(crate) least_size: f64,
+}
+
+impl Limits {
+    /// The width aimed for at a distance, whether or not rounding allows it.
+    pub(crate) fn requested(&self, distance: f64) -> f64 {
+        let part = self.tolerance_of_distance * distance;
+        if part > self.tolerance { part } else { self.tolerance }
+    }
+
+    /// A piece after `depth` cuts may be discarded when its computed bound is no greater.
+    pub(crate) fn at(&self, lower: f64, depth: u32) -> f64 {
+        let requested = self.requested(lower);
+        let least = self.rounding.least_tolerance();
+        let reach = lower - self.rounding.lower() + if requested > least { requested } else { least };
+        let reach = match self.threshold {
+            Some(threshold) if threshold > reach => threshold,
+            _ => reach,
+        };
+        reach - self.rounding.bound(depth)
+    }
+}
+
+/// What a search knows at its end, in units of the frame.
+pub(crate) struct Result {
+    /// The farthest point found.
+    pub(crate) found: Found,
+    /// Proven upper bound.
+    pub(crate) upper: f64,
+    pub(crate) work: WorkCount,
+}
+
+pub(crate) struct Search<'s, 'o> {
+    scene: Scene<'s>,
+    limits: Limits,
+    observer: &'o mut dyn Observer,
+    direction: Direction,
+    keep: Keep,
+    started: Instant,
+    found: Found,
+    upper: f64,
+    open: Vec<Piece>,
+    kept: Vec<Piece>,
+    work: WorkCount,
+}
+
+impl<'s, 'o> Search<'s, 'o> {
+    pub(crate) fn new(
+        scene: Scene<'s>,
+        limits: Limits,
+        observer: &'o mut dyn Observer,
+        direction: Direction,
+    ) -> Self {
+        let face = scene.order[0];
+        let point = scene.corners(face)[0];
+        let nearest = scene.bvh.nearest(point, scene.bvh.any_slot(), &mut Workspace::default());
+        let found = Found { distance: nearest.distance_sq.sqrt(), point, face, nearest: nearest.slot };
+        let keep = Keep { discards: observer.wants_discards(), pieces: false };
+        Self {
+            scene,
+            limits,
+            observer,
+            direction,
+            keep,
+            started: Instant::now(),
+            found,
+            upper: 0.0,
+            open: Vec::new(),
+            kept: Vec::new(),
+            work: WorkCount { queries: 1, ..WorkCount::default() },
+        }
+    }
+
+    /// Searches at each tolerance in turn, and last at that of the limits.
+    pub(crate) fn run(mut self, stages: &[f64]) -> Result {
+        let last = self.limits.tolerance;
+        self.sample();
+        for (i, tolerance) in stages.iter().copied().chain([last]).enumerate() {
+            self.limits.tolerance = tolerance;
+            self.keep.pieces = !stages.is_empty();
+            if i == 0 {
+                self.sweep();
+            } else {
+                let limits = self.limits;
+                let lower = self.found.distance;
+                self.open.extend(self.kept.extract_if(.., |piece| {
+                    piece.bound - limits.rounding.bound(piece.depth) > limits.at(lower, piece.depth)
+                }));
+            }
+            self.ask_corners();
+            self.refine();
+            if self.keep.pieces {
+                self.report_stage(tolerance);
+            }
+            if self.scene.stopped() {
+                break;
+            }
+        }
+        let mut upper = self.upper;
+        for piece in self.open.iter().chain(&self.kept) {
+            upper = if piece.bound > upper { piece.bound } else { upper };
+        }
+        Result { found: self.found, upper, work: self.work }
+    }
+
+    fn sample(&mut self) {
+        let order = self.scene.order;
+        let stride = order.len().div_ceil(SAMPLES);
+        let samples: Vec<u32> = order.iter().copied().step_by(stride).collect();
+        let outcomes = self.round(samples.chunks(SAMPLE_TASK), |worker, faces| {
+            let scene = worker.scene();
+            // One corner each, and not always the first: samples then also differ inside fans.
+            let points = faces.iter().map(|&f| (f, scene.corners(f)[f as usize % 3]));
+            worker.sample(points, scene.bvh.any_slot());
+        });
+        self.merge(outcomes);
+    }
+
+    fn sweep(&mut self) {
+        let order = self.scene.order;
+        for (i, faces) in order.chunks(SWEEP_TASK * TASKS_PER_ROUND).enumerate() {
+            #[allow(
+                clippy::redundant_closure_for_method_calls,
+                reason = "the method alone is not general enough"
+            )]
+            let outcomes = self.round(faces.chunks(SWEEP_TASK), |worker, faces| worker.sweep(faces));
+            self.merge(outcomes);
+            let done = i * SWEEP_TASK * TASKS_PER_ROUND + faces.len();
+            self.look_around((order.len() - done) as u64);
+        }
+    }
+
+    /// Exact distances at the corners of the faces that are left: cheap, and the maximum is often there.
+    fn ask_corners(&mut self) {
+        let lower = self.found.distance;
+        let mut seen = HashSet::new();
+        let mut corners = Vec::new();
+        for piece in &self.open {
+            for corner in piece.corners {
+                if seen.insert(corner.map(f64::to_bits))
+                    && self.scene.bvh.distance_sq(corner, piece.near[0]) > lower * lower
+                {
+                    corners.push((piece.face, corner, piece.near[0]));
+                }
+            }
+        }
+        drop(seen);
+        for corners in corners.chunks(SAMPLE_TASK * TASKS_PER_ROUND) {
+            let outcomes = self.round(corners.chunks(SAMPLE_TASK), |worker, corners| {
+                for &(face, corner, hint) in corners {
+                    worker.sample(std::iter::once((face, corner)), hint);
+                }
+            });
+            self.merge(outcomes);
+        }
+    }
+
+    fn refine(&mut self) {
+        // The most promising first: they raise the lower bound for the others. Equal bounds stay in order.
+        self.open.sort_by(|p, q| q.bound.total_cmp(&p.bound));
+        while !self.open.is_empty() && !self.scene.stopped() {
+            let open = std::mem::take(&mut self.open);
+            let task = open.len().div_ceil(TASKS_PER_ROUND);
+            let outcomes =
+                self.round(open.chunks(task), |worker, pieces| worker.refine(pieces, REFINE_BUDGET));
+            drop(open);
+            self.merge(outcomes);
+            self.look_around(0);
+        }
+    }
+
+    /// Runs one task per part on the threads of the current pool.
+    fn round<'p, T: Sync + 'p>(
+        &self,
+        parts: impl Iterator<Item = &'p [T]>,
+        task: impl Fn(&mut Worker<'_>, &'p [T]) + Sync,
+    ) -> Vec<Outcome> {
+        let parts: Vec<&[T]> = parts.collect();
+        let (scene, limits, keep, lower) = (&self.scene, self.limits, self.keep, self.found.distance);
+        parts
+            .into_par_iter()
+            .with_max_len(1)
+            .map(|part| {
+                let mut worker = Worker::new(scene, limits, keep, lower);
+                task(&mut worker, part);
+                worker.finish()
+            })
+            .collect()
+    }
+
+    fn merge(&mut self, outcomes: Vec<Outcome>) {
+        for mut outcome in outcomes {
+            if let Some(found) = outcome.found.filter(|f| f.distance > self.found.distance) {
+                self.found = found;
+            }
+            self.upper = if outcome.upper > self.upper { outcome.upper } else { self.upper };
+            self.open.append(&mut outcome.open);
+            self.kept.append(&mut outcome.kept);
+            self.work.add(&outcome.work);
+            for discarded in outcome.discarded {
+                let discard = self.describe(&discarded);
+                self.observer.discard(&discard);
+            }
+        }
+    }
+
+    /// Between rounds: tell, listen, and mind the limits.
+    fn look_around(&mut self, faces_left: u64) {
+        let pieces = self.open.len() + self.kept.len();
+        self.scene.control.mind_memory(pieces * size_of::<Piece>());
+        let out = |length| self.scene.frame.length_out(length);
+        let lower = self.found.distance;
+        let mut upper = if self.upper > lower { self.upper } else { lower };
+        for piece in &self.open {
+            upper = if piece.bound > upper { piece.bound } else { upper };
+        }
+        let progress = Progress {
+            direction: self.direction,
+            lower: out(lower),
+            upper: out(upper),
+            examined: self.work.pieces,
+            left: faces_left + self.open.len() as u64,
+        };
+        if self.observer.progress(&progress) == ControlFlow::Break(()) {
+            self.scene.control.halt(Halt::Cancelled);
+        }
+        let decided = self.limits.threshold.is_some_and(|t| lower - self.limits.rounding.lower() > t);
+        if decided {
+            self.scene.control.halt(Halt::Threshold);
+        }
+    }
+
+    fn report_stage(&mut self, tolerance: f64) {
+        let lower = self.found.distance;
+        let mut upper = self.upper;
+        // What can no longer hold the maximum need not be kept.
+        let settled = self.kept.extract_if(.., |piece| piece.bound <= lower);
+        for piece in settled {
+            upper = if piece.bound > upper { piece.bound } else { upper };
+        }
+        self.upper = upper;
+        let mut remaining = Vec::new();
+        for piece in self.kept.iter().chain(&self.open) {
+            upper = if piece.bound > upper { piece.bound } else { upper };
+            remaining.push(RemainingPiece {
+                face: FaceId(piece.face),
+                corners: piece.corners.map(|p| self.scene.frame.unmap(p)),
+                bound: self.scene.frame.length_out(piece.bound),
+            });
+        }
+        let out = |length| self.scene.frame.length_out(length);
+        let stage = Stage {
+            direction: self.direction,
+            tolerance: out(tolerance),
+            lower: out(lower),
+            upper: out(upper),
+            remaining,
+            distances: self.work.distances,
+            elapsed: self.started.elapsed(),
+        };
+        self.observer.stage(&stage);
+    }
+
+    fn describe(&self, discarded: &Discarded) -> Discard {
+        let face = |slot: Slot| self.scene.bvh.face(slot);
+        Discard {
+            face: FaceId(discarded.piece.face),
+            corners: discarded.piece.corners.map(|p| self.scene.frame.unmap(p)),
+            proof: match &discarded.proof {
+                SlotProof::Face(slot) => Proof::Face(face(*slot)),
+                SlotProof::Mixture(mixture) => {
+                    Proof::Mixture(mixture.iter().map(|(slot, weight)| (face(*slot), *weight)).collect())
+                }
+            },
+            bound: self.scene.frame.length_out(discarded.piece.bound),
+        }
+    }
+}

@@ -1,0 +1,194 @@
+//! A triangular piece of a face of A, and how it is cut.
+
+use glam::DVec3;
+use pompeiu_core::spatial::Slot;
+
+/// Faces of B that a piece inherits from the one it was cut from.
+pub(crate) const INHERITED: usize = 4;
+
+/// A piece that was not yet discarded.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Piece {
+    /// Corners in the frame of the search.
+    pub(crate) corners: [[f64; 3]; 3],
+    /// Proven bound on the distance from B, rounding included.
+    pub(crate) bound: f64,
+    /// Faces of B believed to be near: the nearest first.
+    pub(crate) near: [Slot; INHERITED],
+    pub(crate) near_count: u8,
+    /// Cuts between the face and this piece.
+    pub(crate) depth: u32,
+    /// The face of A.
+    pub(crate) face: u32,
+}
+
+impl Piece {
+    pub(crate) fn near(&self) -> &[Slot] {
+        &self.near[..self.near_count as usize]
+    }
+
+    /// Cuts where the nearest face of B ends, or else the longest edge in the middle; up to three parts.
+    pub(crate) fn cut(&self, nearest: [[f64; 3]; 3]) -> Parts {
+        let corners = self.corners.map(DVec3::from_array);
+        let plane = if self.depth < BISECT_BELOW_DEPTH { best_prism_plane(&corners, nearest) } else { None };
+        match plane {
+            Some(crossing) => crossing.parts(&corners),
+            None => bisect(&corners),
+        }
+    }
+
+    /// Length of the longest edge.
+    pub(crate) fn size(&self) -> f64 {
+        let [a, b, c] = self.corners.map(DVec3::from_array);
+        (b - a).length().max((c - b).length()).max((a - c).length())
+    }
+}
+
+/// Cuts by planes must leave this fraction of the piece on both sides; a smaller part is not worth a piece.
+const LEAST_PART: f64 = 1e-9;
+/// Deeper pieces are only bisected, which shrinks them for certain.
+const BISECT_BELOW_DEPTH: u32 = 64;
+
+/// Up to three triangles.
+pub(crate) struct Parts {
+    triangles: [[[f64; 3]; 3]; 3],
+    count: usize,
+}
+
+impl Parts {
+    fn push(&mut self, triangle: [DVec3; 3]) {
+        self.triangles[self.count] = triangle.map(|p| p.to_array());
+        self.count += 1;
+    }
+
+    pub(crate) fn as_slice(&self) -> &[[[f64; 3]; 3]] {
+        &self.triangles[..self.count]
+    }
+}
+
+/// A line across a triangle: corner `apex` lies alone on one side; the line meets the edges from it to the next and to the
+/// one after at these fractions.
+struct Crossing {
+    apex: usize,
+    next: f64,
+    after: f64,
+}
+
+impl Crossing {
+    /// Fraction of the area on the lesser side.
+    fn lesser_part(&self) -> f64 {
+        let part = self.next * self.after;
+        if part < 0.5 { part } else { 1.0 - part }
+    }
+
+    fn parts(&self, corners: &[DVec3; 3]) -> Parts {
+        let [p, q, r] = [0, 1, 2].map(|i| corners[(self.apex + i) % 3]);
+        let mut parts = Parts { triangles: [[[0.0; 3]; 3]; 3], count: 0 };
+        // A line through a corner, nearly: let it be exactly.
+        let (at_next, at_after) = (self.next > 1.0 - LEAST_PART, self.after > 1.0 - LEAST_PART);
+        let s = if at_next { q } else { p + self.next * (q - p) };
+        let t = if at_after { r } else { p + self.after * (r - p) };
+        parts.push([p, s, t]);
+        if at_next {
+            parts.push([q, r, t]);
+        } else if at_after {
+            parts.push([s, q, r]);
+        } else if s.distance_squared(r) < q.distance_squared(t) {
+            parts.push([s, q, r]);
+            parts.push([s, r, t]);
+        } else {
+            parts.push([q, r, t]);
+            parts.push([q, t, s]);
+        }
+        parts
+    }
+}
+
+/// Where the side plane of the prism over a triangle that leaves most on its lesser side crosses the piece.
+fn best_prism_plane(corners: &[DVec3; 3], triangle: [[f64; 3]; 3]) -> Option<Crossing> {
+    let t = triangle.map(DVec3::from_array);
+    let normal = (t[1] - t[0]).cross(t[2] - t[0]);
+    let mut best: Option<Crossing> = None;
+    for i in 0..3 {
+        let (from, to) = (t[i], t[(i + 1) % 3]);
+        let across = normal.cross(to - from);
+        let side = corners.map(|c| across.dot(c - from));
+        let Some(crossing) = crossing(side) else { continue };
+        let part = crossing.lesser_part();
+        if part > LEAST_PART && best.as_ref().is_none_or(|b| part > b.lesser_part()) {
+            best = Some(crossing);
+        }
+    }
+    best
+}
+
+/// The line on which a linear function with these values at the corners vanishes, if it crosses the triangle.
+fn crossing(side: [f64; 3]) -> Option<Crossing> {
+    for apex in 0..3 {
+        let [p, q, r] = [0, 1, 2].map(|i| side[(apex + i) % 3]);
+        if p > 0.0 && q <= 0.0 && r <= 0.0 || p < 0.0 && q >= 0.0 && r >= 0.0 {
+            return Some(Crossing { apex, next: p / (p - q), after: p / (p - r) });
+        }
+    }
+    None
+}
+
+fn bisect(corners: &[DVec3; 3]) -> Parts {
+    let length = |i: usize| corners[i].distance_squared(corners[(i + 1) % 3]);
+    let longest = (1..3).fold(0, |l, i| if length(i) > length(l) { i } else { l });
+    let [p, q, r] = [0, 1, 2].map(|i| corners[(longest + i) % 3]);
+    let middle = p + 0.5 * (q - p);
+    let mut parts = Parts { triangles: [[[0.0; 3]; 3]; 3], count: 0 };
+    parts.push([p, middle, r]);
+    parts.push([middle, q, r]);
+    parts
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn area(t: &[[f64; 3]; 3]) -> f64 {
+        let [a, b, c] = t.map(DVec3::from_array);
+        0.5 * (b - a).cross(c - a).length()
+    }
+
+    proptest! {
+        /// Inside a plane, parts lie in the piece and their areas add up: they partition it.
+        #[test]
+        fn parts_cover_the_piece(
+            corners in [[-1.0..1.0_f64, -1.0..1.0], [-1.0..1.0, -1.0..1.0], [-1.0..1.0, -1.0..1.0]],
+            nearest in [[-1.0..1.0, -1.0..1.0, -1.0..1.0], [-1.0..1.0, -1.0..1.0, -1.0..1.0], [-1.0..1.0, -1.0..1.0, -1.0..1.0]],
+            depth in 0..100_u32,
+        ) {
+            let corners = corners.map(|[x, y]| [x, y, 0.0]);
+            let piece = Piece { corners, bound: 1.0, near: [first_slot(); INHERITED], near_count: 1, depth, face: 0 };
+            let parts = piece.cut(nearest);
+            let total: f64 = parts.as_slice().iter().map(area).sum();
+            prop_assert!((total - area(&corners)).abs() < 1e-14);
+            for corner in parts.as_slice().iter().flatten() {
+                let beta = pompeiu_core::geom::point_triangle::closest_barycentric(*corner, corners);
+                let q: [f64; 3] = [0, 1, 2].map(|k| (0..3).map(|i| beta[i] * corners[i][k]).sum());
+                prop_assert!((DVec3::from_array(q) - DVec3::from_array(*corner)).length() < 1e-14);
+            }
+        }
+    }
+
+    fn first_slot() -> Slot {
+        let mesh = pompeiu_core::TriMesh::new(vec![[0.0; 3]], vec![[0, 0, 0]]).unwrap();
+        crate::Target::new(&mesh).bvh().any_slot()
+    }
+
+    #[test]
+    fn cuts_where_the_nearest_face_ends() {
+        let corners = [[-1.0, 0.0, 1.0], [1.0, 0.0, 1.0], [0.0, 1.0, 1.0]];
+        let piece =
+            Piece { corners, bound: 1.0, near: [first_slot(); INHERITED], near_count: 1, depth: 0, face: 0 };
+        let parts = piece.cut([[0.0, -5.0, 0.0], [0.0, 5.0, 0.0], [-9.0, 0.0, 0.0]]);
+        let mut xs: Vec<f64> = parts.as_slice().iter().flatten().map(|c| c[0]).collect();
+        xs.sort_by(f64::total_cmp);
+        assert_eq!(parts.as_slice().len(), 2);
+        assert_eq!(xs, [-1.0, 0.0, 0.0, 0.0, 0.0, 1.0]);
+    }
+}

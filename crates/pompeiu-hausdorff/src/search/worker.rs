@@ -1,0 +1,387 @@
+//! What one task does: discards faces and pieces, or hands them on, and finds points that are far away.
+
+use super::game::{self, MAX_ROWS, Row};
+use super::piece::{INHERITED, Piece};
+use super::{Limits, Scene};
+use crate::report::WorkCount;
+use pompeiu_core::spatial::{Cover, Nearest, Slot, Workspace};
+
+/// A point of A and its distance from B as computed.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Found {
+    pub(crate) distance: f64,
+    pub(crate) point: [f64; 3],
+    /// Face of A.
+    pub(crate) face: u32,
+    pub(crate) nearest: Slot,
+}
+
+/// The proof of a discard, in slots.
+#[derive(Clone, Debug)]
+pub(crate) enum SlotProof {
+    Face(Slot),
+    Mixture(Vec<(Slot, f64)>),
+}
+
+/// A piece that was discarded, for those who want to see it.
+#[derive(Clone, Debug)]
+pub(crate) struct Discarded {
+    pub(crate) piece: Piece,
+    pub(crate) proof: SlotProof,
+}
+
+/// What to keep of discarded pieces.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Keep {
+    /// All of them, with their proofs.
+    pub(crate) discards: bool,
+    /// Those that a finer tolerance may have to look at again.
+    pub(crate) pieces: bool,
+}
+
+/// Results of tasks, merged in task order.
+#[derive(Debug)]
+pub(crate) struct Outcome {
+    /// The farthest point found, if farther than the search knew.
+    pub(crate) found: Option<Found>,
+    /// The largest bound of a discarded piece, rounding included.
+    pub(crate) upper: f64,
+    /// Pieces that are left.
+    pub(crate) open: Vec<Piece>,
+    pub(crate) kept: Vec<Piece>,
+    pub(crate) discarded: Vec<Discarded>,
+    /// Pieces too small to cut further.
+    pub(crate) given_up: u64,
+    pub(crate) work: WorkCount,
+}
+
+/// One task's view of the search.
+pub(crate) struct Worker<'s> {
+    scene: &'s Scene<'s>,
+    limits: Limits,
+    keep: Keep,
+    /// The largest distance known: what the search knew when the task began, and what the task found.
+    lower: f64,
+    workspace: Workspace,
+    out: Outcome,
+}
+
+impl<'s> Worker<'s> {
+    pub(crate) fn new(scene: &'s Scene<'s>, limits: Limits, keep: Keep, lower: f64) -> Self {
+        let out = Outcome {
+            found: None,
+            upper: 0.0,
+            open: Vec::new(),
+            kept: Vec::new(),
+            discarded: Vec::new(),
+            given_up: 0,
+            work: WorkCount::default(),
+        };
+        Self { scene, limits, keep, lower, workspace: Workspace::default(), out }
+    }
+
+    pub(crate) fn scene(&self) -> &'s Scene<'s> {
+        self.scene
+    }
+
+    pub(crate) fn finish(mut self) -> Outcome {
+        self.out.work.distances = self.workspace.distances;
+        self.out
+    }
+
+    /// Exact distances of some points of A, given with their faces; `hint` is a triangle near the first.
+    pub(crate) fn sample(&mut self, points: impl Iterator<Item = (u32, [f64; 3])>, mut hint: Slot) {
+        for (face, point) in points {
+            let start = Nearest { slot: hint, distance_sq: self.scene.bvh().distance_sq(point, hint) };
+            hint = self.query(face, point, start).slot;
+        }
+    }
+
+    /// Exact distance of a point of A; raises the lower bound.
+    fn query(&mut self, face: u32, point: [f64; 3], start: Nearest) -> Nearest {
+        self.out.work.queries += 1;
+        let nearest = self.scene.bvh().nearest_below(point, start, &mut self.workspace);
+        self.raise(face, point, nearest);
+        nearest
+    }
+
+    fn raise(&mut self, face: u32, point: [f64; 3], nearest: Nearest) {
+        let distance = nearest.distance_sq.sqrt();
+        if distance > self.lower {
+            self.lower = distance;
+            self.out.found = Some(Found { distance, point, face, nearest: nearest.slot });
+        }
+    }
+
+    /// Looks at whole faces, in an order in which neighbours are near each other: most are covered by the triangle that
+    /// covered the one before.
+    pub(crate) fn sweep(&mut self, faces: &[u32]) {
+        let mut hint = self.scene.bvh().any_slot();
+        for (i, &face) in faces.iter().enumerate() {
+            if i % STOP_CHECK == 0 && self.scene.stopped() {
+                for &face in &faces[i..] {
+                    self.bound_without_search(face, hint);
+                }
+                return;
+            }
+            self.out.work.pieces += 1;
+            let corners = self.scene.corners(face);
+            let points = with_centre(&corners);
+            let d = self.scene.bvh().four_distances_sq(&points, hint, &mut self.workspace);
+            let mut piece = Piece {
+                corners,
+                bound: f64::INFINITY,
+                near: [hint; INHERITED],
+                near_count: 1,
+                depth: 0,
+                face,
+            };
+            let farthest = max3(d);
+            if farthest <= self.limit_sq(0) {
+                self.discard(piece, farthest.sqrt(), || SlotProof::Face(hint));
+                continue;
+            }
+            self.out.work.queries += 1;
+            let start = Nearest { slot: hint, distance_sq: d[3] };
+            match self.scene.bvh().cover(&points, self.limit_sq(0), start, &mut self.workspace) {
+                Cover::By { slot, distance_sq } => {
+                    hint = slot;
+                    self.discard(piece, distance_sq.sqrt(), || SlotProof::Face(slot));
+                }
+                Cover::Nearest(nearest) => {
+                    hint = nearest.slot;
+                    self.raise(face, centre(&points), nearest);
+                    let d = max3(self.scene.bvh().four_distances_sq(&points, hint, &mut self.workspace));
+                    if d <= self.limit_sq(0) {
+                        self.discard(piece, d.sqrt(), || SlotProof::Face(hint));
+                    } else {
+                        piece.near[0] = hint;
+                        piece.bound = d.sqrt() + self.limits.rounding.bound(0);
+                        self.out.open.push(piece);
+                    }
+                }
+            }
+        }
+    }
+
+    /// A valid bound on a face at the price of one triangle: what is left to do when time runs out.
+    fn bound_without_search(&mut self, face: u32, hint: Slot) {
+        let points = with_centre(&self.scene.corners(face));
+        let d = max3(self.scene.bvh().four_distances_sq(&points, hint, &mut self.workspace)).sqrt();
+        self.raise_upper(d + self.limits.rounding.bound(0));
+    }
+
+    /// Searches pieces depth first until they are gone or `budget` of them were examined; what is left stays open.
+    pub(crate) fn refine(&mut self, pieces: &[Piece], budget: usize) {
+        let mut stack: Vec<Piece> = pieces.iter().rev().copied().collect();
+        for i in 0..budget {
+            if i % STOP_CHECK == 0 && self.scene.stopped() {
+                break;
+            }
+            let Some(piece) = stack.pop() else { break };
+            self.examine(piece, &mut stack);
+        }
+        stack.reverse();
+        self.out.open.append(&mut stack);
+    }
+
+    /// Cover, generate, cut: discards one piece or pushes its parts.
+    fn examine(&mut self, piece: Piece, stack: &mut Vec<Piece>) {
+        self.out.work.pieces += 1;
+        self.out.work.depth = self.out.work.depth.max(piece.depth);
+        let points = with_centre(&piece.corners);
+        let bvh = self.scene.bvh();
+
+        // Cover: one face of B near all corners.
+        let mut rows = Rows::default();
+        let mut start = Nearest { slot: piece.near[0], distance_sq: f64::INFINITY };
+        for &slot in piece.near() {
+            let d = bvh.four_distances_sq(&points, slot, &mut self.workspace);
+            let farthest = max3(d);
+            if farthest <= self.limit_sq(piece.depth) {
+                return self.discard(piece, farthest.sqrt(), || SlotProof::Face(slot));
+            }
+            if d[3] < start.distance_sq {
+                start = Nearest { slot, distance_sq: d[3] };
+            }
+            rows.push(slot, [d[0].sqrt(), d[1].sqrt(), d[2].sqrt()]);
+        }
+        self.out.work.queries += 1;
+        let nearest = match bvh.cover(&points, self.limit_sq(piece.depth), start, &mut self.workspace) {
+            Cover::By { slot, distance_sq } => {
+                return self.discard(piece, distance_sq.sqrt(), || SlotProof::Face(slot));
+            }
+            Cover::Nearest(nearest) => nearest,
+        };
+        self.raise(piece.face, centre(&points), nearest);
+        self.add_row(&mut rows, nearest.slot, &points);
+
+        // Generate: mixtures of the faces nearest where the bound is attained.
+        let mut game = self.solve(&rows);
+        for _ in 0..GENERATED_ROWS {
+            if game.value <= self.limit(piece.depth) {
+                break;
+            }
+            let x = at(&piece.corners, game.corners);
+            let start = rows.nearest_to(x, |x, slot| bvh.distance_sq(x, slot));
+            self.workspace.distances += rows.len() as u64;
+            let farthest = self.query(piece.face, x, start);
+            if game.value <= self.limit(piece.depth) || !self.add_row(&mut rows, farthest.slot, &points) {
+                break;
+            }
+            let before = game.value;
+            game = self.solve(&rows);
+            if game.value > before - LEAST_GAIN * (before - self.lower) {
+                break;
+            }
+        }
+        if game.value <= self.limit(piece.depth) {
+            return self.discard(piece, game.value, || rows.mixture(&game.weights));
+        }
+
+        // Cut.
+        let rounding = self.limits.rounding.bound(piece.depth);
+        let bound = if game.value + rounding < piece.bound { game.value + rounding } else { piece.bound };
+        if piece.depth >= MAX_DEPTH || piece.size() <= self.limits.least_size {
+            self.out.given_up += 1;
+            self.raise_upper(bound);
+            return;
+        }
+        self.out.work.cuts += 1;
+        let (near, near_count) = rows.inherited(nearest.slot, &game.weights);
+        let parts = piece.cut(bvh.corners(nearest.slot));
+        for &corners in parts.as_slice() {
+            // The parts cover the piece up to the rounding of the cut.
+            stack.push(Piece {
+                corners,
+                bound: bound + self.limits.rounding.cut(),
+                near,
+                near_count,
+                depth: piece.depth + 1,
+                face: piece.face,
+            });
+        }
+    }
+
+    fn solve(&mut self, rows: &Rows) -> game::Game {
+        self.out.work.games += 1;
+        game::solve(&rows.distances[..rows.count])
+    }
+
+    /// Adds the distances of the corners from a face; false if it is there already or there is no room.
+    fn add_row(&mut self, rows: &mut Rows, slot: Slot, points: &[[f64; 4]; 3]) -> bool {
+        if rows.count == MAX_ROWS || rows.slots[..rows.count].contains(&Some(slot)) {
+            return false;
+        }
+        let d = self.scene.bvh().four_distances_sq(points, slot, &mut self.workspace);
+        rows.push(slot, [d[0].sqrt(), d[1].sqrt(), d[2].sqrt()]);
+        true
+    }
+
+    /// A piece of this depth may be discarded when its computed bound is no greater.
+    fn limit(&self, depth: u32) -> f64 {
+        self.limits.at(self.lower, depth)
+    }
+
+    fn limit_sq(&self, depth: u32) -> f64 {
+        let limit = self.limit(depth);
+        if limit > 0.0 { limit * limit } else { -1.0 }
+    }
+
+    fn discard(&mut self, mut piece: Piece, computed: f64, proof: impl FnOnce() -> SlotProof) {
+        let bound = computed + self.limits.rounding.bound(piece.depth);
+        piece.bound = if bound < piece.bound { bound } else { piece.bound };
+        if self.keep.discards {
+            self.out.discarded.push(Discarded { piece, proof: proof() });
+        }
+        if self.keep.pieces && piece.bound > self.lower {
+            self.out.kept.push(piece);
+        } else {
+            self.raise_upper(piece.bound);
+        }
+    }
+
+    fn raise_upper(&mut self, bound: f64) {
+        self.out.upper = if bound > self.out.upper { bound } else { self.out.upper };
+    }
+}
+
+/// Faces or pieces between two looks at the clock.
+const STOP_CHECK: usize = 64;
+/// Rows added to a game after its first solution.
+const GENERATED_ROWS: usize = 4;
+/// A new row must lower the bound by this part of its excess over the lower bound to be worth another.
+const LEAST_GAIN: f64 = 0.02;
+/// Pieces this deep are given up; halving edges 200 times reaches any size that doubles can hold here.
+const MAX_DEPTH: u32 = 240;
+
+/// The rows of a game and the faces they belong to.
+#[derive(Default)]
+struct Rows {
+    slots: [Option<Slot>; MAX_ROWS],
+    distances: [Row; MAX_ROWS],
+    count: usize,
+}
+
+impl Rows {
+    fn len(&self) -> usize {
+        self.count
+    }
+
+    fn push(&mut self, slot: Slot, row: Row) {
+        self.slots[self.count] = Some(slot);
+        self.distances[self.count] = row;
+        self.count += 1;
+    }
+
+    fn nearest_to(&self, x: [f64; 3], distance_sq: impl Fn([f64; 3], Slot) -> f64) -> Nearest {
+        let mut best: Option<Nearest> = None;
+        for slot in self.slots.iter().flatten() {
+            let d = distance_sq(x, *slot);
+            if best.is_none_or(|b| d < b.distance_sq) {
+                best = Some(Nearest { slot: *slot, distance_sq: d });
+            }
+        }
+        best.expect("a game has a row")
+    }
+
+    fn mixture(&self, weights: &[f64; MAX_ROWS]) -> SlotProof {
+        let used = self.slots.iter().zip(weights).filter(|(_, w)| **w > 0.0);
+        SlotProof::Mixture(used.filter_map(|(slot, w)| slot.map(|s| (s, *w))).collect())
+    }
+
+    /// What the parts of a piece start from: the nearest face, those of the best mixture, then the latest rows.
+    fn inherited(&self, nearest: Slot, weights: &[f64; MAX_ROWS]) -> ([Slot; INHERITED], u8) {
+        let mut near = [nearest; INHERITED];
+        let mut count = 1;
+        let rows = || self.slots.iter().zip(weights).rev().filter_map(|(slot, w)| slot.map(|s| (s, *w)));
+        for (slot, _) in rows().filter(|(_, w)| *w > 0.0).chain(rows().filter(|(_, w)| *w <= 0.0)) {
+            if count < INHERITED && !near[..count].contains(&slot) {
+                near[count] = slot;
+                count += 1;
+            }
+        }
+        (near, count as u8)
+    }
+}
+
+/// The corners of a triangle and its centroid, coordinate by coordinate.
+fn with_centre(corners: &[[f64; 3]; 3]) -> [[f64; 4]; 3] {
+    [0, 1, 2].map(|k| {
+        let [a, b, c] = [corners[0][k], corners[1][k], corners[2][k]];
+        [a, b, c, (a + b + c) * (1.0 / 3.0)]
+    })
+}
+
+fn centre(points: &[[f64; 4]; 3]) -> [f64; 3] {
+    [points[0][3], points[1][3], points[2][3]]
+}
+
+fn at(corners: &[[f64; 3]; 3], weights: [f64; 3]) -> [f64; 3] {
+    [0, 1, 2].map(|k| (0..3).map(|i| weights[i] * corners[i][k]).sum())
+}
+
+fn max3(d: [f64; 4]) -> f64 {
+    let m = if d[0] > d[1] { d[0] } else { d[1] };
+    if d[2] > m { d[2] } else { m }
+}

@@ -1,0 +1,72 @@
+//! The mesh that distances are measured to, prepared for many questions.
+
+use pompeiu_core::TriMesh;
+use pompeiu_core::geom::{Aabb, Frame};
+use pompeiu_core::spatial::Bvh;
+
+/// A mesh with its tree built: measure many meshes against it.
+///
+/// It holds a copy of the triangles and does not refer to the mesh.
+///
+/// # Cost
+/// Building takes O(m log m) time on the threads of the current pool; see [`Target::bytes`] for its memory.
+#[derive(Clone, Debug)]
+pub struct Target {
+    bvh: Bvh,
+    frame: Frame,
+    aabb: Aabb,
+}
+
+impl Target {
+    /// Prepares a mesh.
+    pub fn new(mesh: &TriMesh) -> Self {
+        let aabb = Aabb::of_faces(mesh);
+        let frame = Frame::of(&aabb);
+        Self { bvh: Bvh::build(mesh, &frame), frame, aabb }
+    }
+
+    /// Number of faces.
+    pub fn faces(&self) -> usize {
+        self.bvh.len()
+    }
+
+    /// Bounding box of the faces, in the unit of the mesh.
+    pub fn aabb(&self) -> Aabb {
+        self.aabb
+    }
+
+    /// Bytes of memory held: about 90 per face.
+    pub fn bytes(&self) -> usize {
+        self.bvh.bytes()
+    }
+
+    pub(crate) fn bvh(&self) -> &Bvh {
+        &self.bvh
+    }
+
+    pub(crate) fn frame(&self) -> &Frame {
+        &self.frame
+    }
+
+    /// Whether a mesh with this box can be measured in the frame of this target: neither so large that squares of
+    /// distances would lose B in rounding or overflow, nor so small.
+    pub(crate) fn suits(&self, a: &Aabb) -> bool {
+        const SMALLEST: f64 = 0.25;
+        const LARGEST: f64 = (1_u64 << 40) as f64;
+        let largest = self.max_coordinate_with(a);
+        (SMALLEST..=LARGEST).contains(&largest)
+    }
+
+    /// The largest coordinate of this mesh and of one with the given box, in the frame of this target.
+    pub(crate) fn max_coordinate_with(&self, a: &Aabb) -> f64 {
+        let joint = self.aabb.union(*a);
+        Aabb { lower: self.frame.map(joint.lower), upper: self.frame.map(joint.upper) }.max_coordinate()
+    }
+
+    /// The same target in the frame of a joint box, for the rare mesh that does not suit. Exact: see [`Frame`].
+    pub(crate) fn reframed(&self, joint: &Aabb) -> Self {
+        let frame = Frame::of(joint);
+        let bvh = self.bvh.mapped(|p| frame.map(self.frame.unmap(p)));
+        Self { bvh, frame, aabb: self.aabb }
+    }
+}

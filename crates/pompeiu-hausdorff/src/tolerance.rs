@@ -1,0 +1,58 @@
+//! How narrow an enclosure is asked for.
+
+/// The width of the enclosure to aim for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Tolerance {
+    /// A fraction of the diagonal of the joint bounding box of the faces of A and B.
+    RelativeToDiagonal(f64),
+    /// A fraction of the distance itself. For a distance of zero no width meets it, and the search ends where double
+    /// precision does.
+    RelativeToDistance(f64),
+    /// A length in the unit of the meshes.
+    Absolute(f64),
+}
+
+impl Default for Tolerance {
+    /// [`Tolerance::DEFAULT_FRACTION`] of the joint diagonal.
+    fn default() -> Self {
+        Self::RelativeToDiagonal(Self::DEFAULT_FRACTION)
+    }
+}
+
+impl Tolerance {
+    /// The default fraction of the joint diagonal. Some 9000 units in the last place: searching ends rather than
+    /// converges, so a coarser one saves little.
+    pub const DEFAULT_FRACTION: f64 = 1e-12;
+
+    /// The number, without its meaning.
+    pub const fn value(&self) -> f64 {
+        match *self {
+            Self::RelativeToDiagonal(x) | Self::RelativeToDistance(x) | Self::Absolute(x) => x,
+        }
+    }
+}
+
+/// An option of a query that cannot be used.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum OptionError {
+    /// The tolerance is negative or not a finite number.
+    #[error("the tolerance is {0}; it must be a finite number that is not negative")]
+    Tolerance(f64),
+    /// The threshold is negative or not a finite number.
+    #[error("the threshold is {0}; it must be a finite number that is not negative")]
+    Threshold(f64),
+    /// No thread is not enough.
+    #[error("the number of threads is 0; at least 1 is needed")]
+    Threads,
+    /// A list of stages must descend.
+    #[error(
+        "stage {index} has tolerance {tolerance}; each must be finite, positive and below the one before"
+    )]
+    Stage {
+        /// Position in the list.
+        index: usize,
+        /// Its tolerance.
+        tolerance: f64,
+    },
+}
