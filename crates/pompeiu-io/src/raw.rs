@@ -18,24 +18,19 @@ pub(crate) struct RawMesh {
 
 impl RawMesh {
     /// Adds one face of the file with any number of corners.
-    #[allow(dead_code, reason = "the readers to come use it")]
-    pub(crate) fn push_polygon(&mut self, corners: &[u32]) {
-        let &[first, second, ref rest @ ..] = corners else {
-            self.faces_dropped += 1;
-            return;
-        };
-        match rest.len() {
-            0 => self.faces_dropped += 1,
-            1 => {}
-            _ => {
-                let first = self.faces.len() as u32;
-                self.polygons.push(Polygon { first, corners: corners.len() as u32 });
+    pub(crate) fn push_polygon(&mut self, corners: impl IntoIterator<Item = u32>) {
+        let start = self.faces.len();
+        let mut corners = corners.into_iter();
+        if let Some((first, mut previous)) = corners.next().zip(corners.next()) {
+            for corner in corners {
+                self.faces.push([first, previous, corner]);
+                previous = corner;
             }
         }
-        let mut previous = second;
-        for &corner in rest {
-            self.faces.push([first, previous, corner]);
-            previous = corner;
+        match self.faces.len() - start {
+            0 => self.faces_dropped += 1,
+            1 => {}
+            triangles => self.polygons.push(Polygon { first: start as u32, corners: triangles as u32 + 2 }),
         }
     }
 }

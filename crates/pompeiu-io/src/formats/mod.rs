@@ -1,6 +1,7 @@
 //! One module per format, and the one place that knows them all.
 
 mod obj;
+mod ply;
 
 use crate::error::{FormatError, Location};
 use crate::format::Format;
@@ -20,6 +21,7 @@ pub(crate) struct Input<'a> {
 pub(crate) fn read(format: Format, input: Input<'_>) -> Result<RawMesh, FormatError> {
     match format {
         Format::Obj => obj::read(input.bytes),
+        Format::Ply => ply::read(input.bytes),
         _ => Err(FormatError::new(Location::File, format!("reading {format} is not supported"))),
     }
 }

@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 /// Triangulates one polygon with corners 0, 1, 2, … at `positions`.
 fn triangles(positions: &[[f64; 3]]) -> Vec<[u32; 3]> {
     let mut raw = RawMesh::default();
-    let corners: Vec<u32> = (0..positions.len() as u32).collect();
-    raw.push_polygon(&corners);
+    let corners = 0..positions.len() as u32;
+    raw.push_polygon(corners);
     triangulate(positions, &mut raw.faces, &raw.polygons);
     raw.faces
 }
@@ -126,8 +126,8 @@ fn what_has_no_triangulation_stays_a_fan() {
         assert_eq!(triangles(&flat(polygon)), fan, "{polygon:?}");
     }
     let mut raw = RawMesh::default();
-    raw.push_polygon(&[0, 1, 2, 9]);
-    raw.push_polygon(&[0, 1, 2, 1, 9]);
+    raw.push_polygon([0, 1, 2, 9]);
+    raw.push_polygon([0, 1, 2, 1, 9]);
     let fans = raw.faces.clone();
     triangulate(&[[0.0; 3]; 3], &mut raw.faces, &raw.polygons);
     assert_eq!(raw.faces, fans);
@@ -138,9 +138,9 @@ fn many_polygons_between_triangles_each_get_their_own() {
     let arrow = flat(&[[0.0, 0.0], [2.0, 1.0], [0.0, 2.0], [0.5, 1.0], [0.5, 0.9]]);
     let mut raw = RawMesh::default();
     for _ in 0..3 * POLYGONS_PER_TASK {
-        raw.push_polygon(&[0, 1, 2]);
-        raw.push_polygon(&[0, 1, 2, 3]);
-        raw.push_polygon(&[2, 3, 4, 0, 1]);
+        raw.push_polygon([0, 1, 2]);
+        raw.push_polygon([0, 1, 2, 3]);
+        raw.push_polygon([2, 3, 4, 0, 1]);
     }
     triangulate(&arrow, &mut raw.faces, &raw.polygons);
     assert_eq!(raw.faces.len(), 3 * POLYGONS_PER_TASK * 6);

@@ -1,0 +1,232 @@
+//! The header of a PLY file.
+
+use crate::text::{Problem, is_blank, is_line_end, quoted};
+
+/// How the body is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Encoding {
+    Ascii,
+    LittleEndian,
+    BigEndian,
+}
+
+/// A number type.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Scalar {
+    I8,
+    U8,
+    I16,
+    U16,
+    I32,
+    U32,
+    F32,
+    F64,
+}
+
+/// What a property holds in each row.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    Scalar(Scalar),
+    List { count: Scalar, item: Scalar },
+}
+
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Property {
+    pub(super) name: Vec<u8>,
+    pub(super) kind: Kind,
+}
+
+/// A table: rows of the same properties.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Element {
+    pub(super) name: Vec<u8>,
+    /// The number of rows that the header promises.
+    pub(super) count: u64,
+    pub(super) properties: Vec<Property>,
+    /// Where the header declares it.
+    pub(super) offset: usize,
+}
+
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Header {
+    pub(super) encoding: Encoding,
+    pub(super) elements: Vec<Element>,
+    /// Where the body begins.
+    pub(super) body: usize,
+}
+
+impl Scalar {
+    fn from_name(name: &[u8]) -> Option<Self> {
+        Some(match name {
+            b"char" | b"int8" => Self::I8,
+            b"uchar" | b"uint8" => Self::U8,
+            b"short" | b"int16" => Self::I16,
+            b"ushort" | b"uint16" => Self::U16,
+            b"int" | b"int32" => Self::I32,
+            b"uint" | b"uint32" => Self::U32,
+            b"float" | b"float32" => Self::F32,
+            b"double" | b"float64" => Self::F64,
+            _ => return None,
+        })
+    }
+
+    /// Bytes in a binary file.
+    pub(super) const fn size(self) -> usize {
+        match self {
+            Self::I8 | Self::U8 => 1,
+            Self::I16 | Self::U16 => 2,
+            Self::I32 | Self::U32 | Self::F32 => 4,
+            Self::F64 => 8,
+        }
+    }
+}
+
+impl Element {
+    pub(super) fn property(&self, names: &[&[u8]]) -> Option<usize> {
+        self.properties.iter().position(|property| names.contains(&property.name.as_slice()))
+    }
+
+    /// The columns of the coordinates.
+    pub(super) fn coordinates(&self) -> Result<[usize; 3], Problem> {
+        let mut columns = [0; 3];
+        for (column, name) in columns.iter_mut().zip(["x", "y", "z"]) {
+            *column = self
+                .property(&[name.as_bytes()])
+                .filter(|&column| matches!(self.properties[column].kind, Kind::Scalar(_)))
+                .ok_or_else(|| {
+                    Problem::new(
+                        self.offset,
+                        format!("found no number {name} in element vertex, expected x, y and z"),
+                    )
+                })?;
+        }
+        Ok(columns)
+    }
+
+    /// The column of the list of vertex indices.
+    pub(super) fn indices(&self) -> Result<usize, Problem> {
+        self.property(&[b"vertex_indices", b"vertex_index"])
+            .filter(|&column| matches!(self.properties[column].kind, Kind::List { .. }))
+            .ok_or_else(|| {
+                let name = quoted(&self.name);
+                Problem::new(
+                    self.offset,
+                    format!(
+                        "found no list of indices in element {name}, expected vertex_indices or vertex_index"
+                    ),
+                )
+            })
+    }
+}
+
+impl Header {
+    pub(super) fn parse(bytes: &[u8]) -> Result<Self, Problem> {
+        let mut lines = Lines::new(bytes);
+        let (offset, first) = lines.next_line()?;
+        if first != b"ply" {
+            return Err(Problem::new(offset, format!("found {}, expected \"ply\"", quoted(first))));
+        }
+        let mut encoding = None;
+        let mut elements: Vec<Element> = Vec::new();
+        loop {
+            let (offset, line) = lines.next_line()?;
+            let unexpected = |expected: &str| {
+                Err(Problem::new(
+                    offset,
+                    format!("found {} in the header, expected {expected}", quoted(line)),
+                ))
+            };
+            let words: Vec<&[u8]> = line.split(|&b| is_blank(b)).filter(|word| !word.is_empty()).collect();
+            match words.as_slice() {
+                [] | [b"comment" | b"obj_info", ..] => {}
+                [b"format", name, b"1.0"] => {
+                    encoding = Some(match *name {
+                        b"ascii" => Encoding::Ascii,
+                        b"binary_little_endian" => Encoding::LittleEndian,
+                        b"binary_big_endian" => Encoding::BigEndian,
+                        _ => return unexpected("format ascii, binary_little_endian or binary_big_endian"),
+                    });
+                }
+                [b"format", ..] => return unexpected("a format and version 1.0"),
+                [b"element", name, count] => {
+                    let Some(count) = std::str::from_utf8(count).ok().and_then(|count| count.parse().ok())
+                    else {
+                        return unexpected("element, a name and a count");
+                    };
+                    if elements.iter().any(|element| element.name == *name) {
+                        return unexpected("each element once");
+                    }
+                    elements.push(Element { name: name.to_vec(), count, properties: Vec::new(), offset });
+                }
+                [b"property", rest @ ..] => {
+                    let kind = match rest {
+                        [b"list", count, item, _] => {
+                            match (Scalar::from_name(count), Scalar::from_name(item)) {
+                                (Some(count), Some(item)) if !matches!(count, Scalar::F32 | Scalar::F64) => {
+                                    Kind::List { count, item }
+                                }
+                                _ => {
+                                    return unexpected(
+                                        "property list, a whole number type, a number type and a name",
+                                    );
+                                }
+                            }
+                        }
+                        [scalar, _] => match Scalar::from_name(scalar) {
+                            Some(scalar) => Kind::Scalar(scalar),
+                            None => return unexpected("property, a number type such as float and a name"),
+                        },
+                        _ => return unexpected("property, a type and a name"),
+                    };
+                    let Some(element) = elements.last_mut() else {
+                        return unexpected("element before property");
+                    };
+                    let name = rest[rest.len() - 1].to_vec();
+                    element.properties.push(Property { name, kind });
+                }
+                [b"end_header"] => break,
+                _ => return unexpected("format, comment, element, property or end_header"),
+            }
+        }
+        let Some(encoding) = encoding else {
+            return Err(Problem::new(offset, "found no format line in the header, expected one"));
+        };
+        Ok(Self { encoding, elements, body: lines.at })
+    }
+
+    pub(super) fn element(&self, name: &[u8]) -> Option<&Element> {
+        self.elements.iter().find(|element| element.name == name)
+    }
+}
+
+/// The lines of the header; all end as the first one does, so that a body whose first byte is a line feed is safe.
+struct Lines<'a> {
+    bytes: &'a [u8],
+    at: usize,
+    end: &'static [u8],
+}
+
+impl<'a> Lines<'a> {
+    fn new(bytes: &'a [u8]) -> Self {
+        let end: &[u8] = match bytes.iter().position(|&b| is_line_end(b)).map(|at| &bytes[at..]) {
+            Some([b'\r', b'\n', ..]) => b"\r\n",
+            Some([b'\r', ..]) => b"\r",
+            _ => b"\n",
+        };
+        Self { bytes, at: 0, end }
+    }
+
+    /// The offset and text of the next line, blanks around it removed.
+    fn next_line(&mut self) -> Result<(usize, &'a [u8]), Problem> {
+        let offset = self.at;
+        let rest = &self.bytes[offset..];
+        let Some(length) = memchr::memmem::find(rest, self.end) else {
+            return Err(Problem::new(
+                self.bytes.len(),
+                "found the end of the file in the header, expected end_header",
+            ));
+        };
+        self.at = offset + length + self.end.len();
+        Ok((offset, rest[..length].trim_ascii()))
+    }
+}

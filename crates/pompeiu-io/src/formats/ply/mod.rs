@@ -1,0 +1,39 @@
+//! Stanford PLY, ascii and binary in both byte orders.
+//!
+//! Read are the coordinates `x`, `y` and `z` of element `vertex`, of any number type; the lists `vertex_indices` or
+//! `vertex_index` of element `face`, of any whole number types; and the same lists of element `tristrips`, in which a
+//! negative index ends a strip and triangles with a repeated corner only join others and are left out. Everything
+//! else is skipped, in whatever order elements and properties come. In ascii files every row is a line of its own.
+
+mod ascii;
+mod binary;
+mod header;
+
+use crate::error::FormatError;
+use crate::raw::RawMesh;
+use header::{Encoding, Header};
+
+/// Reads a PLY file.
+pub(crate) fn read(bytes: &[u8]) -> Result<RawMesh, FormatError> {
+    let header = Header::parse(bytes).map_err(|problem| problem.in_text(bytes))?;
+    match header.encoding {
+        Encoding::Ascii => ascii::read(bytes, &header).map_err(|problem| problem.in_text(bytes)),
+        Encoding::LittleEndian => binary::read::<false>(bytes, &header),
+        Encoding::BigEndian => binary::read::<true>(bytes, &header),
+    }
+}
+
+/// Adds the triangles of a strip, or of several with an index below 0 between them.
+fn push_strips(mesh: &mut RawMesh, indices: &[i64]) {
+    for strip in indices.split(|&index| index < 0) {
+        for (at, corners) in strip.windows(3).enumerate() {
+            let [a, b, c] = [corners[0] as u32, corners[1] as u32, corners[2] as u32];
+            if a != b && b != c && c != a {
+                mesh.faces.push(if at % 2 == 0 { [a, b, c] } else { [b, a, c] });
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;
