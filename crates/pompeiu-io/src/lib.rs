@@ -22,6 +22,7 @@ mod sniff;
 mod source;
 mod text;
 mod waves;
+mod weld;
 mod write;
 
 pub use error::{FormatError, Location, ReadError};

@@ -1,6 +1,7 @@
 //! Recognising a format by content.
 
 use crate::format::Format;
+use crate::formats::{off, stl};
 use crate::text::{is_blank, is_line_end, next_line, word};
 
 /// How much text is looked at for statements that tell formats apart.
@@ -18,7 +19,7 @@ pub(crate) fn format(bytes: &[u8]) -> Option<Format> {
     if starts_with_ignoring_case(body, b"# vtk DataFile") {
         return Some(Format::VtkLegacy);
     }
-    if is_binary_stl(bytes) {
+    if stl::is_binary(bytes) {
         return Some(Format::Stl);
     }
     let head = &body[..body.len().min(LOOK_AHEAD)];
@@ -29,7 +30,7 @@ pub(crate) fn format(bytes: &[u8]) -> Option<Format> {
         Some(b'{') => return Some(Format::Gltf),
         _ => {}
     }
-    if starts_with_ignoring_case(head, b"solid") && memchr::memmem::find(head, b"facet").is_some() {
+    if stl::is_ascii(head) {
         return Some(Format::Stl);
     }
     text(head)
@@ -37,14 +38,6 @@ pub(crate) fn format(bytes: &[u8]) -> Option<Format> {
 
 fn starts_with_ignoring_case(bytes: &[u8], prefix: &[u8]) -> bool {
     bytes.get(..prefix.len()).is_some_and(|start| start.eq_ignore_ascii_case(prefix))
-}
-
-/// Whether the length is the one that the triangle count of a binary STL file asks for.
-fn is_binary_stl(bytes: &[u8]) -> bool {
-    bytes
-        .get(80..84)
-        .and_then(|count| count.try_into().ok())
-        .is_some_and(|count| 84 + 50 * u64::from(u32::from_le_bytes(count)) == bytes.len() as u64)
 }
 
 fn xml(head: &[u8]) -> Option<Format> {
@@ -69,7 +62,7 @@ fn text(head: &[u8]) -> Option<Format> {
             continue;
         }
         let keyword = word(head, at);
-        if is_off_keyword(keyword) {
+        if off::is_keyword(keyword) {
             return Some(Format::Off);
         }
         return match keyword {
@@ -80,15 +73,6 @@ fn text(head: &[u8]) -> Option<Format> {
         };
     }
     None
-}
-
-/// `OFF` behind any of the prefixes `ST`, `C`, `N`, `4` and `n`.
-fn is_off_keyword(keyword: &[u8]) -> bool {
-    let Some(mut prefix) = keyword.strip_suffix(b"OFF") else { return false };
-    for part in [&b"ST"[..], b"C", b"N", b"4", b"n"] {
-        prefix = prefix.strip_prefix(part).unwrap_or(prefix);
-    }
-    prefix.is_empty()
 }
 
 #[cfg(test)]

@@ -95,6 +95,15 @@ fn fortran_number(text: &[u8], at: usize) -> Option<(f64, usize)> {
     Some((fast_float2::parse(plain).ok()?, at + word.len()))
 }
 
+/// The whole number at `at` and the offset behind it; `1e3` and `3.0` are whole numbers too.
+pub(crate) fn whole_number(text: &[u8], at: usize) -> Option<(i64, usize)> {
+    /// Up to here every whole number is a double.
+    const LARGEST: f64 = (1_u64 << f64::MANTISSA_DIGITS) as f64;
+    number(text, at)
+        .filter(|(value, _)| value.fract() == 0.0 && value.abs() <= LARGEST)
+        .map(|(value, end)| (value as i64, end))
+}
+
 /// A number that may be a coordinate of a [`TriMesh`].
 #[inline]
 pub(crate) fn coordinate(text: &[u8], at: usize) -> Result<(f64, usize), Problem> {

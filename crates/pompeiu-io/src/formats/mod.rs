@@ -1,7 +1,9 @@
 //! One module per format, and the one place that knows them all.
 
 mod obj;
+pub(crate) mod off;
 mod ply;
+pub(crate) mod stl;
 
 use crate::error::{FormatError, Location};
 use crate::format::Format;
@@ -22,6 +24,8 @@ pub(crate) fn read(format: Format, input: Input<'_>) -> Result<RawMesh, FormatEr
     match format {
         Format::Obj => obj::read(input.bytes),
         Format::Ply => ply::read(input.bytes),
+        Format::Off => off::read(input.bytes),
+        Format::Stl => stl::read(input.bytes),
         _ => Err(FormatError::new(Location::File, format!("reading {format} is not supported"))),
     }
 }

@@ -3,7 +3,7 @@
 use super::header::{Element, Header, Kind};
 use super::push_strips;
 use crate::raw::RawMesh;
-use crate::text::{Problem, coordinate, is_blank, is_line_end, next_line, number, quoted, word};
+use crate::text::{Problem, coordinate, is_blank, is_line_end, next_line, quoted, whole_number, word};
 
 /// Bytes of the shortest row with three numbers: digits, blanks and a line end.
 const SHORTEST_ROW: usize = 6;
@@ -150,15 +150,11 @@ impl Rows<'_> {
     }
 
     fn whole_number(&mut self, lowest: i64, what: &str) -> Result<i64, Problem> {
-        /// Up to here every whole number is a double.
-        const LARGEST: f64 = (1_u64 << f64::MANTISSA_DIGITS) as f64;
         self.skip_blanks();
-        match number(self.text, self.at) {
-            Some((value, end))
-                if value.fract() == 0.0 && value.abs() <= LARGEST && value >= lowest as f64 =>
-            {
+        match whole_number(self.text, self.at) {
+            Some((value, end)) if value >= lowest => {
                 self.at = end;
-                Ok(value as i64)
+                Ok(value)
             }
             _ => {
                 let found = quoted(word(self.text, self.at));

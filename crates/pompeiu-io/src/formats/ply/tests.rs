@@ -219,7 +219,7 @@ fn errors_in_the_header_name_the_line() {
         ),
         ("ply\nelement a 1\nproperty list float int x\n", "line 3: found \"property list float int …\""),
         ("ply\n\u{1}\u{2}\n", "line 2: found \"\\x01\\x02\" in the header"),
-        ("ply\nend_header\n", "line 2: found no format line in the header"),
+        ("ply\nend_header\n", "line 1: found no format line in the header"),
         (
             "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n1\n",
             "line 3: found no number y in element vertex, expected x, y and z",
