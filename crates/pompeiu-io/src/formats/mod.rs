@@ -1,5 +1,6 @@
 //! One module per format, and the one place that knows them all.
 
+mod gltf;
 mod obj;
 pub(crate) mod off;
 mod ply;
@@ -15,7 +16,6 @@ use std::path::Path;
 pub(crate) struct Input<'a> {
     pub(crate) bytes: &'a [u8],
     /// The folder of the file, for formats that refer to other files; `None` when there is no file.
-    #[expect(dead_code, reason = "the formats so far are self-contained")]
     pub(crate) folder: Option<&'a Path>,
 }
 
@@ -26,6 +26,8 @@ pub(crate) fn read(format: Format, input: Input<'_>) -> Result<RawMesh, FormatEr
         Format::Ply => ply::read(input.bytes),
         Format::Off => off::read(input.bytes),
         Format::Stl => stl::read(input.bytes),
+        Format::Gltf => gltf::read_json(input),
+        Format::Glb => gltf::read_binary(input),
         _ => Err(FormatError::new(Location::File, format!("reading {format} is not supported"))),
     }
 }

@@ -1,0 +1,83 @@
+//! glTF 2.0, as JSON and as GLB.
+//!
+//! All triangles of the default scene, each mesh as often as nodes show it and where they put it. Skins, morph
+//! targets and animations are left aside: the mesh is as stored.
+
+mod accessor;
+mod buffers;
+mod container;
+mod document;
+mod scene;
+mod transform;
+
+use super::Input;
+use crate::error::{FormatError, Location};
+use crate::raw::RawMesh;
+use buffers::Buffers;
+use document::Document;
+
+/// Beginnings of the names of extensions that leave the triangles alone.
+const HARMLESS_EXTENSIONS: [&str; 8] = [
+    "KHR_materials_",
+    "KHR_texture_",
+    "KHR_lights_",
+    "KHR_xmp",
+    "EXT_texture_",
+    "MSFT_texture_",
+    "EXT_lights_",
+    // It only allows more types of numbers, all of which are read.
+    "KHR_mesh_quantization",
+];
+
+/// Reads the JSON form, with buffers in the document or in files next to it.
+pub(super) fn read_json(input: Input<'_>) -> Result<RawMesh, FormatError> {
+    let bytes = input.bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(input.bytes);
+    let document: Document = serde_json::from_slice(bytes)
+        .map_err(|error| FormatError::new(Location::Line(error.line() as u64), message(&error)))?;
+    read_document(&document, None, input)
+}
+
+/// Reads the binary form.
+pub(super) fn read_binary(input: Input<'_>) -> Result<RawMesh, FormatError> {
+    let container = container::open(input.bytes)?;
+    let document: Document = serde_json::from_slice(container.document).map_err(|error| {
+        let lines = container.document.split(|&byte| byte == b'\n');
+        let before: usize = lines.take(error.line().saturating_sub(1)).map(|line| line.len() + 1).sum();
+        let byte = container.start + before + error.column().saturating_sub(1);
+        FormatError::new(Location::Byte(byte as u64), message(&error))
+    })?;
+    read_document(&document, container.binary, input)
+}
+
+fn read_document(
+    document: &Document,
+    binary: Option<&[u8]>,
+    input: Input<'_>,
+) -> Result<RawMesh, FormatError> {
+    let version = &document.asset.version;
+    if !version.starts_with("2.") {
+        return Err(wrong(format!("glTF version {version:?}, expected 2.0")));
+    }
+    let harmless = |name: &&String| !HARMLESS_EXTENSIONS.iter().any(|start| name.starts_with(start));
+    if let Some(name) = document.extensions_required.iter().find(harmless) {
+        return Err(wrong(format!("the file requires the extension {name:?}, which is not supported")));
+    }
+    let buffers = Buffers::new(document, binary, input.folder);
+    scene::read(document, &buffers, input.bytes.len())
+}
+
+/// The item of that number, or what is missing.
+fn entry<'a, T>(list: &'a [T], what: &str, index: usize) -> Result<&'a T, FormatError> {
+    list.get(index).ok_or_else(|| wrong(format!("{what} {index} does not exist, there are {}", list.len())))
+}
+
+fn wrong(problem: String) -> FormatError {
+    FormatError::new(Location::File, problem)
+}
+
+/// What the JSON parser says, without the place.
+fn message(error: &serde_json::Error) -> String {
+    let text = error.to_string();
+    let end = text.rfind(" at line ").unwrap_or(text.len());
+    format!("not a glTF document: {}", &text[..end])
+}

@@ -1,0 +1,176 @@
+//! From the nodes of a scene to triangles.
+
+use super::accessor;
+use super::buffers::Buffers;
+use super::document::{Document, Mesh, Primitive};
+use super::transform::Transform;
+use super::{entry, wrong};
+use crate::error::{FormatError, Location};
+use crate::raw::RawMesh;
+use std::collections::HashMap;
+
+/// A file of any size may describe a mesh that takes this many bytes.
+const EXPANSION_FLOOR: u64 = 1 << 28;
+
+/// Beyond [`EXPANSION_FLOOR`] a mesh may take this many times the bytes of its file and buffers: many more instances
+/// than scenes show, far fewer than a file made only to exhaust memory has.
+const EXPANSION_FACTOR: u64 = 256;
+
+pub(super) fn read(
+    document: &Document,
+    buffers: &Buffers<'_>,
+    file_length: usize,
+) -> Result<RawMesh, FormatError> {
+    let mut scene = SceneReader { document, buffers, raw: RawMesh::default(), file_length, spent: 0 };
+    if document.nodes.is_empty() {
+        // A library of meshes that no scene shows.
+        for (index, mesh) in document.meshes.iter().enumerate() {
+            scene.add_mesh(index, mesh, &Transform::IDENTITY)?;
+        }
+        return Ok(scene.raw);
+    }
+    let mut visited = vec![false; document.nodes.len()];
+    let mut pending: Vec<(usize, Transform)> =
+        roots(document)?.into_iter().rev().map(|node| (node, Transform::IDENTITY)).collect();
+    while let Some((index, parent)) = pending.pop() {
+        let node = entry(&document.nodes, "node", index)?;
+        if std::mem::replace(&mut visited[index], true) {
+            return Err(wrong(format!("node {index} is a child twice, expected trees of nodes")));
+        }
+        let own = Transform::of_node(node)
+            .ok_or_else(|| wrong(format!("node {index} has a transform that is not affine")))?;
+        let transform = parent.after(&own);
+        if let Some(mesh) = node.mesh {
+            scene.add_mesh(mesh, entry(&document.meshes, "mesh", mesh)?, &transform)?;
+        }
+        pending.extend(node.children.iter().rev().map(|&child| (child, transform)));
+    }
+    Ok(scene.raw)
+}
+
+/// The roots of the default scene, else of the first, else all nodes that are no child.
+fn roots(document: &Document) -> Result<Vec<usize>, FormatError> {
+    if let Some(scene) = document.scene {
+        return Ok(entry(&document.scenes, "scene", scene)?.nodes.clone());
+    }
+    if let Some(scene) = document.scenes.first() {
+        return Ok(scene.nodes.clone());
+    }
+    let mut is_root = vec![true; document.nodes.len()];
+    for &child in document.nodes.iter().flat_map(|node| &node.children) {
+        if let Some(root) = is_root.get_mut(child) {
+            *root = false;
+        }
+    }
+    Ok((0..is_root.len()).filter(|&node| is_root[node]).collect())
+}
+
+struct SceneReader<'a> {
+    document: &'a Document,
+    buffers: &'a Buffers<'a>,
+    raw: RawMesh,
+    file_length: usize,
+    /// Bytes that the mesh takes so far.
+    spent: u64,
+}
+
+impl SceneReader<'_> {
+    fn add_mesh(&mut self, index: usize, mesh: &Mesh, transform: &Transform) -> Result<(), FormatError> {
+        // Primitives of one mesh often differ in material only and share their vertices.
+        let mut bases = HashMap::new();
+        for (number, primitive) in mesh.primitives.iter().enumerate() {
+            let Some(position) = primitive.attributes.position else { continue };
+            let known = bases.get(&position).copied();
+            let (base, count) = known.map_or_else(|| self.add_positions(position, transform), Ok)?;
+            bases.insert(position, (base, count));
+            self.add_triangles(primitive, base, count, transform.mirrors()).map_err(|error| FormatError {
+                problem: in_primitive(index, number, &error.problem),
+                ..error
+            })?;
+        }
+        Ok(())
+    }
+
+    /// The number of the first of the positions added, and how many there are.
+    fn add_positions(&mut self, index: usize, transform: &Transform) -> Result<(u32, u32), FormatError> {
+        let accessor = entry(&self.document.accessors, "accessor", index)?;
+        let base = self.raw.positions.len();
+        let positions = accessor::positions(self.buffers, accessor, index)?;
+        self.spend::<[f64; 3]>(positions.len())?;
+        if u32::try_from(base + positions.len()).is_err() {
+            return Err(wrong(format!("more than {} vertices", u32::MAX)));
+        }
+        self.raw.positions.extend(positions.iter().map(|&position| transform.apply(position)));
+        Ok((base as u32, positions.len() as u32))
+    }
+
+    fn add_triangles(
+        &mut self,
+        primitive: &Primitive,
+        base: u32,
+        vertices: u32,
+        mirrored: bool,
+    ) -> Result<(), FormatError> {
+        let indices = match primitive.indices {
+            Some(index) => {
+                let accessor = entry(&self.document.accessors, "accessor", index)?;
+                Some(accessor::indices(self.buffers, accessor, index)?)
+            }
+            None => None,
+        };
+        let count = indices.as_ref().map_or(vertices as usize, Vec::len);
+        self.spend::<u32>(count)?;
+        let triangles = match primitive.mode {
+            0..=3 => {
+                // Points, separate lines, and chains of lines.
+                let shapes = [count, count / 2, count.saturating_sub(1), count.saturating_sub(1)];
+                self.raw.faces_dropped += shapes[primitive.mode as usize] as u64;
+                return Ok(());
+            }
+            4 if !count.is_multiple_of(3) => {
+                return Err(wrong(format!("{count} corners, expected three for each triangle")));
+            }
+            4 => count / 3,
+            5 | 6 => count.saturating_sub(2),
+            mode => return Err(wrong(format!("unknown mode {mode}"))),
+        };
+        self.spend::<[u32; 3]>(triangles)?;
+        let indices = indices.as_deref();
+        let vertex = |corner: usize| indices.map_or(corner as u32, |indices| indices[corner]);
+        self.raw.faces.reserve(triangles);
+        for t in 0..triangles {
+            let [a, b, c] = match primitive.mode {
+                4 => [3 * t, 3 * t + 1, 3 * t + 2],
+                5 => [t, t + 1 + t % 2, t + 2 - t % 2],
+                _ => [t + 1, t + 2, 0],
+            }
+            .map(vertex);
+            if let Some(index) = [a, b, c].into_iter().find(|&v| v >= vertices) {
+                let face = Location::Face(self.raw.faces.len() as u64);
+                let problem = format!("vertex {index} does not exist, there are {vertices} (the first is 0)");
+                return Err(FormatError::new(face, problem));
+            }
+            // The direction in which corners run round the outside changes in a mirror.
+            let face = if mirrored { [a, c, b] } else { [a, b, c] };
+            self.raw.faces.push(face.map(|v| base + v));
+        }
+        Ok(())
+    }
+
+    /// Takes note of what is about to be added; what is read is bounded by the bytes there are, but nodes may show
+    /// the same mesh any number of times.
+    fn spend<T>(&mut self, count: usize) -> Result<(), FormatError> {
+        self.spent = self.spent.saturating_add((count * size_of::<T>()) as u64);
+        let described_by = (self.file_length as u64).saturating_add(self.buffers.loaded_bytes());
+        if self.spent <= EXPANSION_FLOOR.max(EXPANSION_FACTOR.saturating_mul(described_by)) {
+            return Ok(());
+        }
+        Err(wrong(format!(
+            "the nodes show meshes so often that they take more than {EXPANSION_FACTOR} times the bytes of the file"
+        )))
+    }
+}
+
+fn in_primitive(mesh: usize, primitive: usize, problem: &str) -> String {
+    format!("mesh {mesh}, primitive {primitive}: {problem}")
+}

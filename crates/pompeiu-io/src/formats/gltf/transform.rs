@@ -1,0 +1,80 @@
+//! Where nodes put their meshes.
+
+use super::document::Node;
+
+/// An affine map: the rows of its linear part and the translation behind each.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Transform([[f64; 4]; 3]);
+
+impl Transform {
+    pub(super) const IDENTITY: Self =
+        Self([[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]]);
+
+    /// The transform of a node alone; `None` for a projection or a rotation by the quaternion zero.
+    pub(super) fn of_node(node: &Node) -> Option<Self> {
+        if let Some(m) = node.matrix {
+            let affine = [m[3], m[7], m[11], m[15]] == [0.0, 0.0, 0.0, 1.0];
+            return affine.then(|| Self([0, 1, 2].map(|row| [m[row], m[row + 4], m[row + 8], m[row + 12]])));
+        }
+        let translation = node.translation.unwrap_or([0.0; 3]);
+        let scale = node.scale.unwrap_or([1.0; 3]);
+        let rotation = rotation(node.rotation.unwrap_or([0.0, 0.0, 0.0, 1.0]))?;
+        Some(Self([0, 1, 2].map(|row| {
+            let [a, b, c] = rotation[row];
+            [a * scale[0], b * scale[1], c * scale[2], translation[row]]
+        })))
+    }
+
+    /// This map after `inner`.
+    pub(super) fn after(&self, inner: &Self) -> Self {
+        Self(self.0.map(|row| {
+            [0, 1, 2, 3].map(|column| {
+                let own = if column == 3 { row[3] } else { 0.0 };
+                linear_combination([row[0], row[1], row[2]], [0, 1, 2].map(|k| inner.0[k][column]), own)
+            })
+        }))
+    }
+
+    pub(super) fn apply(&self, point: [f64; 3]) -> [f64; 3] {
+        self.0.map(|row| linear_combination([row[0], row[1], row[2]], point, row[3]))
+    }
+
+    /// Whether the map turns left hands into right ones.
+    pub(super) fn mirrors(&self) -> bool {
+        // Rows scaled to size one, so that no product of tiny or huge numbers loses the sign.
+        let [a, b, c] = self.0.map(|row| {
+            let largest =
+                row[..3].iter().fold(0.0, |most, x: &f64| if x.abs() > most { x.abs() } else { most });
+            row.map(|x| x / largest)
+        });
+        let determinant = a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0])
+            + a[2] * (b[0] * c[1] - b[1] * c[0]);
+        determinant < 0.0
+    }
+}
+
+/// The sum of products and `constant`, without the terms that are zero: the identity keeps every bit of a point,
+/// the sign of a negative zero included.
+fn linear_combination(factors: [f64; 3], values: [f64; 3], constant: f64) -> f64 {
+    let mut sum = -0.0;
+    for (factor, value) in factors.into_iter().zip(values) {
+        if factor != 0.0 {
+            sum += factor * value;
+        }
+    }
+    if constant == 0.0 { sum } else { sum + constant }
+}
+
+/// The rotation matrix of a quaternion of any length but zero.
+fn rotation(quaternion: [f64; 4]) -> Option<[[f64; 3]; 3]> {
+    let length = quaternion.iter().map(|c| c * c).sum::<f64>().sqrt();
+    if !(length > 0.0 && length.is_finite()) {
+        return None;
+    }
+    let [x, y, z, w] = quaternion.map(|c| c / length);
+    Some([
+        [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - z * w), 2.0 * (x * z + y * w)],
+        [2.0 * (x * y + z * w), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - x * w)],
+        [2.0 * (x * z - y * w), 2.0 * (y * z + x * w), 1.0 - 2.0 * (x * x + y * y)],
+    ])
+}

@@ -1,0 +1,111 @@
+//! Damaged files end in an error or a valid mesh, never in a panic.
+
+use pompeiu_core::TriMesh;
+use pompeiu_io::{Attributes, Format, OutputFormat, encode, read_bytes};
+use proptest::prelude::*;
+
+/// One place and what happens there.
+#[derive(Clone, Debug)]
+enum Damage {
+    Set(prop::sample::Index, u8),
+    Flip(prop::sample::Index, u8),
+    Cut(prop::sample::Index),
+    Remove(prop::sample::Index, usize),
+    Repeat(prop::sample::Index, usize),
+    Number(prop::sample::Index, u64),
+}
+
+fn damage() -> impl Strategy<Value = Damage> {
+    use prop::sample::Index;
+    prop_oneof![
+        (any::<Index>(), any::<u8>()).prop_map(|(at, byte)| Damage::Set(at, byte)),
+        (any::<Index>(), 0_u8..8).prop_map(|(at, bit)| Damage::Flip(at, bit)),
+        any::<Index>().prop_map(Damage::Cut),
+        (any::<Index>(), 1_usize..9).prop_map(|(at, n)| Damage::Remove(at, n)),
+        (any::<Index>(), 1_usize..40).prop_map(|(at, n)| Damage::Repeat(at, n)),
+        (any::<Index>(), any::<u64>()).prop_map(|(at, n)| Damage::Number(at, n)),
+    ]
+}
+
+fn apply(mut bytes: Vec<u8>, damages: &[Damage]) -> Vec<u8> {
+    for damage in damages {
+        if bytes.is_empty() {
+            break;
+        }
+        let length = bytes.len();
+        match damage {
+            Damage::Set(at, byte) => bytes[at.index(length)] = *byte,
+            Damage::Flip(at, bit) => bytes[at.index(length)] ^= 1 << bit,
+            Damage::Cut(at) => bytes.truncate(at.index(length)),
+            Damage::Remove(at, n) => {
+                let at = at.index(length);
+                bytes.drain(at..(at + n).min(length));
+            }
+            Damage::Repeat(at, n) => {
+                let at = at.index(length);
+                let part = bytes[at..(at + n).min(length)].to_vec();
+                bytes.splice(at..at, part);
+            }
+            // In text, the next number becomes another one.
+            Damage::Number(at, number) => {
+                let at = at.index(length);
+                if let Some(start) = bytes[at..].iter().position(u8::is_ascii_digit).map(|n| at + n) {
+                    let digits = bytes[start..].iter().take_while(|b| b.is_ascii_digit()).count();
+                    bytes.splice(start..start + digits, number.to_string().into_bytes());
+                }
+            }
+        }
+    }
+    bytes
+}
+
+fn samples() -> Vec<(Format, Vec<u8>)> {
+    let positions = vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let mesh = TriMesh::new(positions, vec![[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]).unwrap();
+    let attributes = Attributes::for_mesh(&mesh).with_vertex_colors(vec![[1, 2, 3]; 4]).unwrap();
+    let mut samples = Vec::new();
+    for (output, format) in [(OutputFormat::Glb, Format::Glb), (OutputFormat::Glb, Format::Glb)] {
+        let mut bytes = Vec::new();
+        encode(&mut bytes, output, &mesh, &attributes).unwrap();
+        samples.push((format, bytes));
+    }
+    samples
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(4096))]
+
+    #[test]
+    fn no_damage_makes_a_reader_panic(damages in prop::collection::vec(damage(), 1..5)) {
+        for (format, bytes) in samples() {
+            let bytes = apply(bytes, &damages);
+            match read_bytes(&bytes, Some(format)) {
+                Ok(read) => prop_assert!(!read.mesh.faces().is_empty()),
+                Err(error) => prop_assert!(!error.to_string().contains('\n'), "{}", error),
+            }
+        }
+    }
+
+    #[test]
+    fn no_bytes_make_a_reader_panic(bytes in prop::collection::vec(any::<u8>(), 0..200)) {
+        for (format, _) in samples() {
+            prop_assert!(read_bytes(&bytes, Some(format)).is_err());
+        }
+    }
+}
+
+/// Every beginning of a file that is not the whole is an error.
+#[test]
+fn truncated_files_are_errors() {
+    for (format, bytes) in samples() {
+        for length in 0..bytes.len() {
+            if let Ok(read) = read_bytes(&bytes[..length], Some(format)) {
+                panic!(
+                    "{format} cut after {length} of {} bytes: {} faces",
+                    bytes.len(),
+                    read.mesh.faces().len()
+                );
+            }
+        }
+    }
+}
