@@ -1,3 +1,30 @@
-//! The `pompeiu` command.
+//! The `pompeiu` command: two mesh files in, a certified distance out.
 
-fn main() {}
+mod args;
+mod commands;
+mod exit;
+mod files;
+mod numbers;
+mod printer;
+
+use args::{Args, Command};
+use clap::Parser;
+use exit::Exit;
+use printer::Printer;
+
+fn main() -> std::process::ExitCode {
+    let args = Args::parse();
+    let printer = Printer::new(args.quiet);
+    let done = match args.command {
+        Command::Distance(args) => commands::distance::run(&args, &printer),
+        Command::Info(args) => commands::info::run(&args, &printer),
+        Command::Convert(args) => commands::convert::run(&args, &printer),
+        Command::Generate(args) => commands::generate::run(args, &printer),
+        Command::Completions(args) => commands::completions::run(&args),
+    };
+    let exit = done.unwrap_or_else(|error| {
+        Printer::error(&error);
+        Exit::Unusable
+    });
+    exit.into()
+}

@@ -7,4 +7,4 @@ pub mod geom;
 pub mod mesh;
 pub mod spatial;
 
-pub use mesh::{FaceId, MeshError, TriMesh, VertexId};
+pub use mesh::{FaceId, MeshError, MeshSummary, TriMesh, VertexId};

@@ -11,5 +11,5 @@ mod trimesh;
 pub use edit::{Affine, displace_at_random, merge, shuffle, subdivide, transform, unweld};
 pub use error::MeshError;
 pub use ids::{FaceId, VertexId};
-pub use topology::{Connectivity, MeshSummary};
+pub use topology::{Connectivity, MeshSummary, unreferenced_vertices};
 pub use trimesh::TriMesh;

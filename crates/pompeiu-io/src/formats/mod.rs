@@ -5,9 +5,8 @@ mod obj;
 pub(crate) mod off;
 mod ply;
 pub(crate) mod stl;
-mod vtk;
 
-use crate::error::FormatError;
+use crate::error::{FormatError, Location};
 use crate::format::Format;
 use crate::raw::RawMesh;
 use std::path::Path;
@@ -29,8 +28,6 @@ pub(crate) fn read(format: Format, input: Input<'_>) -> Result<RawMesh, FormatEr
         Format::Stl => stl::read(input.bytes),
         Format::Gltf => gltf::read_json(input),
         Format::Glb => gltf::read_binary(input),
-        Format::VtkLegacy => vtk::read_legacy(input.bytes),
-        Format::Vtp => vtk::read_poly_data(input.bytes),
-        Format::Vtu => vtk::read_unstructured_grid(input.bytes),
+        _ => Err(FormatError::new(Location::File, format!("reading {format} is not supported"))),
     }
 }

@@ -45,12 +45,12 @@ impl MeshSummary {
     /// The summary of a mesh.
     pub fn of(mesh: &TriMesh) -> Self {
         let edges = EdgeTable::new(mesh);
-        let referenced = referenced_vertices(mesh);
-        let connectivity = Connectivity::of(mesh, &edges, referenced);
+        let unreferenced_vertices = unreferenced_vertices(mesh);
+        let connectivity = Connectivity::of(mesh, &edges, mesh.positions().len() - unreferenced_vertices);
         let bounding_box = Aabb::of_faces(mesh);
         Self {
             vertices: mesh.positions().len(),
-            unreferenced_vertices: mesh.positions().len() - referenced,
+            unreferenced_vertices,
             faces: mesh.faces().len(),
             degenerate_faces: mesh
                 .faces()
@@ -66,13 +66,13 @@ impl MeshSummary {
     }
 }
 
-/// Number of vertices that some face names.
-fn referenced_vertices(mesh: &TriMesh) -> usize {
+/// Number of vertices that no face names. They are not part of the surface.
+pub fn unreferenced_vertices(mesh: &TriMesh) -> usize {
     let mut referenced = vec![false; mesh.positions().len()];
     for &v in mesh.faces().iter().flatten() {
         referenced[v as usize] = true;
     }
-    referenced.into_iter().filter(|&r| r).count()
+    referenced.into_iter().filter(|&r| !r).count()
 }
 
 /// Number of faces with the vertices of an earlier one. Such faces share the edge of their two least vertices.

@@ -1,0 +1,92 @@
+//! Options of the distance command.
+
+use crate::numbers::{duration, magnitude, memory};
+use clap::{Args, ValueEnum};
+use std::path::PathBuf;
+use std::time::Duration;
+
+#[derive(Args)]
+#[command(after_help = "\
+The directed distance h(A, B) is the largest distance of a point of A from B; H(A, B) is the larger of
+h(A, B) and h(B, A). All points of all faces count, not only vertices. Faces are counted from 0.
+
+Exit codes:
+  0  done; with --assert-below: proven to be at most that
+  1  with --assert-below: proven to exceed it
+  2  a file or an argument cannot be used
+  3  undecided within the time or memory limit, or within double precision
+
+Examples:
+  pompeiu distance scan.ply model.obj
+  pompeiu distance scan.ply model.obj --direction a-to-b --json
+  pompeiu distance scan.ply model.obj --tolerance 1e-3 --tolerance-kind relative
+  pompeiu distance scan.ply model.obj --assert-below 0.05 --time-limit 10s")]
+pub(crate) struct Distance {
+    /// A mesh file
+    #[arg(value_name = "A")]
+    pub(crate) a: PathBuf,
+    /// Another mesh file, in the same unit
+    #[arg(value_name = "B")]
+    pub(crate) b: PathBuf,
+    /// Largest width of the proven interval
+    #[arg(long, value_parser = magnitude, allow_negative_numbers = true, default_value = "1e-12", value_name = "X")]
+    pub(crate) tolerance: f64,
+    /// What the tolerance is measured in
+    #[arg(long, value_enum, default_value_t)]
+    pub(crate) tolerance_kind: ToleranceKind,
+    /// Which of the two directed distances to compute
+    #[arg(long, value_enum, default_value_t)]
+    pub(crate) direction: Direction,
+    /// Ask only whether the distance is at most this length, and stop at the first proof
+    #[arg(long, value_parser = magnitude, allow_negative_numbers = true, value_name = "LENGTH")]
+    pub(crate) assert_below: Option<f64>,
+    /// Threads to use; all processors by default
+    #[arg(long, value_parser = clap::value_parser!(u16).range(1..=1024), value_name = "N")]
+    pub(crate) threads: Option<u16>,
+    /// Stop after this time, such as 10s, with a wider interval
+    #[arg(long, value_parser = duration, value_name = "TIME")]
+    pub(crate) time_limit: Option<Duration>,
+    /// Stop before using more memory than this, such as 2GiB, with a wider interval
+    #[arg(long, value_parser = memory, value_name = "SIZE")]
+    pub(crate) memory_limit: Option<usize>,
+    /// How to search
+    #[arg(long, value_enum, default_value_t)]
+    pub(crate) method: Method,
+    /// Show how the interval narrows: a row per tolerance 1e-1, 1e-2, ... of the diagonal
+    #[arg(long)]
+    pub(crate) trace: bool,
+    /// Print one JSON object
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum ToleranceKind {
+    /// The diagonal of the box around both meshes
+    #[default]
+    Diagonal,
+    /// The distance itself
+    Relative,
+    /// The unit of the files
+    Absolute,
+}
+
+#[derive(Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Direction {
+    /// From A to B and from B to A: the symmetric distance
+    #[default]
+    Both,
+    /// From A to B: how far points of A are from B
+    AToB,
+    /// From B to A: how far points of B are from A
+    BToA,
+}
+
+#[derive(Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Method {
+    /// Cover, generate and cut
+    #[default]
+    Fast,
+    /// The textbook branch and bound: a baseline, slow at small tolerances
+    Classic,
+}

@@ -1,0 +1,19 @@
+//! `pompeiu convert`.
+
+use crate::args::Convert;
+use crate::exit::Exit;
+use crate::files;
+use crate::printer::Printer;
+use anyhow::bail;
+
+pub(crate) fn run(args: &Convert, printer: &Printer) -> anyhow::Result<Exit> {
+    files::check_writable(&args.output)?;
+    files::check_readable(&args.input)?;
+    if files::are_same(&args.input, &args.output) {
+        bail!("{}: is both input and output; give the output another name", args.input.display());
+    }
+    let read = files::read(&args.input)?;
+    files::warn_of_changes(&args.input, &read, printer);
+    files::write(&args.output, &read.mesh, printer)?;
+    Ok(Exit::Done)
+}

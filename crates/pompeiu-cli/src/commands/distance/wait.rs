@@ -1,0 +1,74 @@
+//! A progress bar for those who wait longer than a second at a terminal.
+
+use crate::printer::Printer;
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::io::IsTerminal;
+use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
+use std::thread::JoinHandle;
+use std::time::Duration;
+
+/// How long nobody wants to see a progress bar.
+const PATIENCE: Duration = Duration::from_secs(1);
+
+/// How often the bar moves.
+const TICK: Duration = Duration::from_millis(100);
+
+/// A bar on stderr that appears after a second, and disappears with this value.
+pub(super) struct Wait {
+    bar: ProgressBar,
+    curtain: Option<(Sender<()>, JoinHandle<()>)>,
+}
+
+impl Wait {
+    /// A bar if stderr is a terminal and messages are wanted, else nothing.
+    pub(super) fn new(printer: &Printer) -> Self {
+        let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
+        let curtain = (std::io::stderr().is_terminal() && !printer.is_quiet()).then(|| {
+            let (sender, receiver) = channel::<()>();
+            let shown = bar.clone();
+            let thread = std::thread::spawn(move || {
+                if receiver.recv_timeout(PATIENCE) == Err(RecvTimeoutError::Timeout) {
+                    shown.set_draw_target(ProgressDrawTarget::stderr());
+                    shown.enable_steady_tick(TICK);
+                }
+            });
+            (sender, thread)
+        });
+        Self { bar, curtain }
+    }
+
+    /// Tells what is being done, without knowing how long it takes.
+    pub(super) fn show(&self, message: String) {
+        self.bar.set_style(style("{spinner} {msg} ({elapsed})"));
+        self.bar.set_message(message);
+    }
+
+    /// Tells how much of how much is done.
+    pub(super) fn advance(&self, message: String, [done, all]: [u64; 2]) {
+        if self.bar.length().is_none() {
+            self.bar.set_style(style("{spinner} [{bar:24}] {percent:>3}% ({elapsed}) {msg}"));
+        }
+        self.bar.set_length(all);
+        self.bar.set_position(done);
+        self.bar.set_message(message);
+    }
+
+    /// Lets something else be printed.
+    pub(super) fn suspend(&self, print: impl FnOnce()) {
+        self.bar.suspend(print);
+    }
+}
+
+impl Drop for Wait {
+    fn drop(&mut self) {
+        if let Some((sender, thread)) = self.curtain.take() {
+            drop(sender);
+            let _ = thread.join();
+        }
+        self.bar.finish_and_clear();
+    }
+}
+
+fn style(template: &str) -> ProgressStyle {
+    ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar())
+}

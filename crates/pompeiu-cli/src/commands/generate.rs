@@ -1,0 +1,81 @@
+//! `pompeiu generate`.
+
+use crate::args::{Finish, Generate, Shape};
+use crate::exit::Exit;
+use crate::files;
+use crate::printer::Printer;
+use anyhow::{Context, bail};
+use pompeiu::core::TriMesh;
+use pompeiu::core::mesh::shapes::{self, Ends};
+use pompeiu::core::mesh::{Affine, displace_at_random, shuffle, subdivide, transform, unweld};
+
+pub(crate) fn run(args: Generate, printer: &Printer) -> anyhow::Result<Exit> {
+    let (mesh, finish) = make(args.shape)?;
+    files::write(&finish.output, &finished(mesh, &finish)?, printer)?;
+    Ok(Exit::Done)
+}
+
+fn make(shape: Shape) -> anyhow::Result<(TriMesh, Finish)> {
+    let ends = |capped| if capped { Ends::Capped } else { Ends::Open };
+    let (mesh, finish) = match shape {
+        Shape::Icosphere { radius, subdivisions, finish } => {
+            (shapes::icosphere(radius, subdivisions), finish)
+        }
+        Shape::UvSphere { radius, segments, rings, finish } => {
+            (shapes::uv_sphere(radius, segments, rings), finish)
+        }
+        Shape::Torus { major_radius, minor_radius, major_segments, minor_segments, finish } => {
+            (shapes::torus(major_radius, minor_radius, major_segments, minor_segments), finish)
+        }
+        Shape::Cube { side, cells, finish } => (shapes::cube(side, cells), finish),
+        Shape::Box { size, cells, finish } => (shapes::cuboid(size, cells), finish),
+        Shape::Grid { size, cells, diagonal, finish } => (shapes::grid(size, cells, diagonal.into()), finish),
+        Shape::Disk { radius, segments, rings, finish } => (shapes::disk(radius, segments, rings), finish),
+        Shape::Cylinder { radius, height, segments, rows, capped, finish } => {
+            (shapes::cylinder(radius, height, segments, rows, ends(capped)), finish)
+        }
+        Shape::SchwarzLantern { radius, height, segments, bands, finish } => {
+            (shapes::schwarz_lantern(radius, height, segments, bands), finish)
+        }
+        Shape::Cone { radius, height, segments, capped, finish } => {
+            (shapes::cone(radius, height, segments, ends(capped)), finish)
+        }
+        Shape::Tent { side, height, finish } => (shapes::tent(side, height), finish),
+        Shape::Tetrahedron { edge, finish } => (shapes::tetrahedron(edge), finish),
+        Shape::Icosahedron { radius, finish } => (shapes::icosahedron(radius), finish),
+        Shape::MobiusStrip { radius, width, segments, strips, finish } => {
+            (shapes::mobius_strip(radius, width, segments, strips), finish)
+        }
+        Shape::PointLattice { side, cells, finish } => (shapes::point_lattice(side, cells), finish),
+    };
+    Ok((mesh?, finish))
+}
+
+/// Applies the edits in the order in which the help lists them.
+fn finished(mut mesh: TriMesh, finish: &Finish) -> anyhow::Result<TriMesh> {
+    for _ in 0..finish.subdivide {
+        mesh = subdivide(&mesh).context("--subdivide")?;
+    }
+    if let Some(amplitude) = finish.noise {
+        mesh = displace_at_random(&mesh, amplitude, finish.seed).context("--noise")?;
+    }
+    if let Some(factor) = finish.scale {
+        mesh = transform(&mesh, &Affine::scale([factor; 3])).context("--scale")?;
+    }
+    if let Some([x, y, z, degrees]) = finish.rotate {
+        let Some(rotation) = Affine::rotate([x, y, z], degrees) else {
+            bail!("--rotate: the axis {x},{y},{z} and the angle {degrees} must be finite, the axis not zero");
+        };
+        mesh = transform(&mesh, &rotation).context("--rotate")?;
+    }
+    if let Some(translation) = finish.translate {
+        mesh = transform(&mesh, &Affine::translate(translation)).context("--translate")?;
+    }
+    if let Some(seed) = finish.shuffle {
+        mesh = shuffle(&mesh, seed);
+    }
+    if finish.unweld {
+        mesh = unweld(&mesh).context("--unweld")?;
+    }
+    Ok(mesh)
+}

@@ -1,0 +1,7 @@
+//! One file per command.
+
+pub(crate) mod completions;
+pub(crate) mod convert;
+pub(crate) mod distance;
+pub(crate) mod generate;
+pub(crate) mod info;

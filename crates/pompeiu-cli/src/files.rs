@@ -1,0 +1,147 @@
+//! Mesh files: told apart, read, and looked at for what deserves a warning.
+
+use crate::numbers::grouped;
+use crate::printer::Printer;
+use anyhow::{Context, bail};
+use pompeiu::core::TriMesh;
+use pompeiu::core::mesh::unreferenced_vertices;
+use pompeiu::io::{OutputFormat, ReadMesh, WriteError};
+use std::io::ErrorKind;
+use std::path::Path;
+
+/// Refuses, before anything is read, what cannot be a mesh file.
+pub(crate) fn check_readable(path: &Path) -> anyhow::Result<()> {
+    let shown = path.display();
+    match path.metadata() {
+        Err(error) if error.kind() == ErrorKind::NotFound => {
+            bail!("{shown}: there is no such file; check the name and the folder")
+        }
+        Err(error) => Err(error).with_context(|| shown.to_string()),
+        Ok(metadata) if metadata.is_dir() => bail!("{shown}: is a folder; name a mesh file in it"),
+        Ok(metadata) if metadata.is_file() && metadata.len() == 0 => {
+            bail!("{shown}: the file is empty; give a file with a mesh in it")
+        }
+        Ok(_) => Ok(()),
+    }
+}
+
+/// Whether both paths lead to one existing file.
+pub(crate) fn are_same(a: &Path, b: &Path) -> bool {
+    match (a.canonicalize(), b.canonicalize()) {
+        (Ok(a), Ok(b)) => a == b,
+        _ => false,
+    }
+}
+
+/// Reads a mesh.
+pub(crate) fn read(path: &Path) -> anyhow::Result<ReadMesh> {
+    check_readable(path)?;
+    Ok(pompeiu::io::read(path)?)
+}
+
+/// Refuses, before any work is done, what cannot become a mesh file.
+pub(crate) fn check_writable(path: &Path) -> anyhow::Result<()> {
+    if path.is_dir() {
+        bail!("{}: is a folder; name a file in it", path.display());
+    }
+    if let Some(folder) = path.parent().filter(|f| !f.as_os_str().is_empty() && !f.is_dir()) {
+        bail!("{}: there is no folder {}; make it first", path.display(), folder.display());
+    }
+    match OutputFormat::from_path(path) {
+        Some(_) => Ok(()),
+        None => Err(WriteError::UnknownFormat { path: path.to_owned() }.into()),
+    }
+}
+
+/// Writes a mesh in the format that the suffix names, and says so.
+pub(crate) fn write(path: &Path, mesh: &TriMesh, printer: &Printer) -> anyhow::Result<()> {
+    check_writable(path)?;
+    pompeiu::io::write(path, mesh)?;
+    let shown = path.display();
+    let is_rounded = |x: &f64| f64::from(*x as f32) != *x;
+    if OutputFormat::from_path(path) == Some(OutputFormat::Stl)
+        && mesh.positions().iter().flatten().any(is_rounded)
+    {
+        printer.warning(format_args!(
+            "{shown}: STL holds single precision, so coordinates were rounded; PLY and OBJ keep every bit"
+        ));
+    }
+    let [vertices, faces] = [mesh.positions().len(), mesh.faces().len()].map(|n| grouped(n as u64));
+    printer.note(format_args!("{shown}: {vertices} vertices, {faces} faces"));
+    Ok(())
+}
+
+/// Warns of what was changed between the file and the mesh.
+pub(crate) fn warn_of_changes(path: &Path, read: &ReadMesh, printer: &Printer) {
+    warn_of(
+        path,
+        read.polygons_triangulated,
+        printer,
+        [
+            "face with more than three corners was cut into triangles",
+            "faces with more than three corners were cut into triangles",
+        ],
+    );
+    warn_of(
+        path,
+        read.faces_dropped,
+        printer,
+        [
+            "face with fewer than three corners was left out",
+            "faces with fewer than three corners were left out",
+        ],
+    );
+}
+
+/// Warns of vertices that do not count.
+pub(crate) fn warn_of_unreferenced(path: &Path, mesh: &TriMesh, printer: &Printer) {
+    warn_of(
+        path,
+        unreferenced_vertices(mesh) as u64,
+        printer,
+        ["vertex belongs to no face and does not count", "vertices belong to no face and do not count"],
+    );
+}
+
+fn warn_of(path: &Path, count: u64, printer: &Printer, [one, many]: [&str; 2]) {
+    let shown = path.display();
+    match count {
+        0 => (),
+        1 => printer.warning(format_args!("{shown}: 1 {one}")),
+        n => printer.warning(format_args!("{shown}: {} {many}", grouped(n))),
+    }
+}
+
+/// Factors between units of length that people mix up: centimetres, inches and metres against millimetres, and more.
+const UNIT_FACTORS: [f64; 4] = [10.0, 25.4, 100.0, 1000.0];
+
+/// How far the ratio of two diagonals may be from a unit factor, relative to it, to be taken for one.
+const UNIT_FACTOR_TOLERANCE: f64 = 0.02;
+
+/// The unit factor between the sizes of two meshes, if there seems to be one, and whether the first is the larger.
+pub(crate) fn unit_factor(a: &TriMesh, b: &TriMesh) -> Option<(f64, bool)> {
+    let [a, b] = [a, b].map(|mesh| pompeiu::core::geom::Aabb::of_faces(mesh).diagonal());
+    let (ratio, first_is_larger) = if a > b { (a / b, true) } else { (b / a, false) };
+    let near = |factor: &f64| (ratio / factor - 1.0).abs() <= UNIT_FACTOR_TOLERANCE;
+    UNIT_FACTORS.into_iter().find(near).map(|factor| (factor, first_is_larger))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pompeiu::core::mesh::shapes::{cube, point_lattice, tetrahedron};
+
+    #[test]
+    fn unit_factors_are_recognised_both_ways_and_nothing_else_is() {
+        let size = |side| cube(side, 1).unwrap();
+        assert_eq!(unit_factor(&size(2.0), &size(50.8)), Some((25.4, false)));
+        assert_eq!(unit_factor(&size(1010.0), &size(1.0)), Some((1000.0, true)));
+        assert_eq!(unit_factor(&size(1.0), &size(1.0)), None);
+        assert_eq!(unit_factor(&size(1.0), &size(10.5)), None);
+        let mut corner = tetrahedron(1.0).unwrap().into_parts();
+        corner.1 = vec![[0, 0, 0]];
+        let point = TriMesh::new(corner.0, corner.1).unwrap();
+        assert_eq!(unit_factor(&point, &point), None);
+        assert_eq!(unit_factor(&point, &point_lattice(1.0, 1).unwrap()), None);
+    }
+}

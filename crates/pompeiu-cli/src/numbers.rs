@@ -1,0 +1,185 @@
+//! Numbers on the command line and in answers for people.
+
+use std::time::Duration;
+
+/// Parses numbers separated by commas.
+pub(crate) fn tuple<const N: usize>(text: &str) -> Result<[f64; N], String> {
+    let numbers: Vec<f64> = text
+        .split(',')
+        .map(|part| part.trim().parse::<f64>().map_err(|_| format!("`{part}` is not a number")))
+        .collect::<Result<_, _>>()?;
+    let found = numbers.len();
+    numbers.try_into().map_err(|_| format!("expected {N} numbers separated by commas, found {found}"))
+}
+
+/// Parses counts separated by commas.
+pub(crate) fn counts(text: &str) -> Result<[u32; 2], String> {
+    let parse = |part: &str| part.trim().parse().map_err(|_| format!("`{part}` is not a count"));
+    match text.split(',').collect::<Vec<_>>()[..] {
+        [both] => parse(both).map(|n| [n, n]),
+        [n, m] => Ok([parse(n)?, parse(m)?]),
+        ref parts => Err(format!("expected one count, or two separated by a comma, found {}", parts.len())),
+    }
+}
+
+/// Parses a length or a fraction: a finite number that is not negative.
+pub(crate) fn magnitude(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(x) if x.is_finite() && x >= 0.0 => Ok(x),
+        _ => Err("expected a finite number that is not negative".to_owned()),
+    }
+}
+
+/// Parses an amount of memory, such as `512MiB` or `2GB`.
+pub(crate) fn memory(text: &str) -> Result<usize, String> {
+    let size = text.parse::<bytesize::ByteSize>();
+    let bytes =
+        size.map_err(|_| "expected a number of bytes with a unit, such as 512MiB or 2GB".to_owned())?;
+    Ok(usize::try_from(bytes.as_u64()).unwrap_or(usize::MAX))
+}
+
+/// Parses a span of time, such as `10s` or `2min`.
+pub(crate) fn duration(text: &str) -> Result<Duration, String> {
+    humantime::parse_duration(text)
+        .map_err(|_| "expected a span of time with a unit, such as 500ms, 10s or 2min".to_owned())
+}
+
+/// Most significant digits shown to people; doubles carry fifteen through any rounding.
+const DIGITS: usize = 15;
+
+/// A number for people: at most fifteen digits, as a power of ten where it is far from one.
+pub(crate) fn plain(x: f64) -> String {
+    let rounded = format!("{:.*e}", DIGITS - 1, x).parse().unwrap_or(x);
+    shortest(rounded)
+}
+
+/// Least number of digits worth showing instead of the bounds.
+const FEW_DIGITS: usize = 3;
+
+/// Two bounds with few digits, rounded away from each other.
+pub(crate) fn between(lower: f64, upper: f64) -> String {
+    let spread = |x: f64, up: bool| {
+        let text = format!("{x:.FEW_DIGITS$e}");
+        let (digits, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+        let digits: i64 = digits.replace('.', "").parse().unwrap_or(0);
+        let exponent = exponent.parse().unwrap_or(0) - FEW_DIGITS.cast_signed();
+        let value = |digits: i64| format!("{digits}e{exponent}").parse().unwrap_or(x);
+        let nearest: f64 = value(digits);
+        let outside = if up { nearest >= x } else { nearest <= x };
+        shortest(if outside { nearest } else { value(digits + if up { 1 } else { -1 }) })
+    };
+    if lower == 0.0 {
+        return format!("at most {}", spread(upper, true));
+    }
+    format!("{} to {}", spread(lower, false), spread(upper, true))
+}
+
+/// The shortest decimal that reads back to the same double, as a power of ten where it is far from one.
+pub(crate) fn shortest(x: f64) -> String {
+    if x == 0.0 {
+        "0".to_owned()
+    } else if (1e-4..1e15).contains(&x.abs()) {
+        format!("{x}")
+    } else {
+        format!("{x:e}")
+    }
+}
+
+/// What a value between two bounds is, in digits on which both agree when rounded; `None` if these are too few.
+pub(crate) fn agreed(lower: f64, upper: f64) -> Option<String> {
+    if lower == upper {
+        return Some(shortest(lower));
+    }
+    (FEW_DIGITS..=DIGITS).rev().find_map(|digits| {
+        let rounded = |x: f64| format!("{:.*e}", digits - 1, x);
+        let (below, above) = (rounded(lower), rounded(upper));
+        if below == above && lower > 0.0 { below.parse().ok().map(shortest) } else { None }
+    })
+}
+
+/// A span of time for people.
+pub(crate) fn time(span: Duration) -> String {
+    let seconds = span.as_secs_f64();
+    if seconds < 1e-3 {
+        format!("{:.0} µs", seconds * 1e6)
+    } else if seconds < 0.1 {
+        format!("{:.1} ms", seconds * 1e3)
+    } else if seconds < 1.0 {
+        format!("{:.0} ms", seconds * 1e3)
+    } else {
+        format!("{seconds:.2} s")
+    }
+}
+
+/// A count with its digits in groups of three.
+pub(crate) fn grouped(count: u64) -> String {
+    let digits = count.to_string();
+    let mut text = String::with_capacity(digits.len() * 4 / 3);
+    for (i, digit) in digits.char_indices() {
+        if i > 0 && (digits.len() - i).is_multiple_of(3) {
+            text.push(',');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+/// A point for people.
+pub(crate) fn point(p: [f64; 3]) -> String {
+    let [x, y, z] = p.map(plain);
+    format!("({x}, {y}, {z})")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lists_are_parsed_or_explained() {
+        assert_eq!(tuple::<3>("1, -2e3,0.5"), Ok([1.0, -2000.0, 0.5]));
+        assert_eq!(tuple::<3>("1,2").unwrap_err(), "expected 3 numbers separated by commas, found 2");
+        assert_eq!(tuple::<2>("1,x").unwrap_err(), "`x` is not a number");
+        assert_eq!((counts("3"), counts("3,4")), (Ok([3, 3]), Ok([3, 4])));
+        assert!(counts("1,2,3").is_err() && counts("-1").is_err() && counts("").is_err());
+    }
+
+    #[test]
+    fn magnitudes_memory_and_time_have_units_and_limits() {
+        assert_eq!(magnitude("1e-12"), Ok(1e-12));
+        assert!(["-1", "nan", "inf", "1m", ""].iter().all(|t| magnitude(t).is_err()));
+        assert_eq!((memory("2GiB"), memory("3 MB"), memory("17")), (Ok(2 << 30), Ok(3_000_000), Ok(17)));
+        assert!(memory("-1MB").is_err() && memory("lots").is_err());
+        assert_eq!(duration("10s"), Ok(Duration::from_secs(10)));
+        assert!(duration("10").is_err() && duration("-1s").is_err());
+    }
+
+    #[test]
+    fn only_certain_digits_are_shown() {
+        assert_eq!(agreed(0.5, 0.5).as_deref(), Some("0.5"));
+        assert_eq!(agreed(0.1 + 0.2, 0.1 + 0.2).as_deref(), Some("0.30000000000000004"));
+        assert_eq!(agreed(0.123_456_1, 0.123_456_2).as_deref(), Some("0.123456"));
+        assert_eq!(agreed(5.034_138_250_1e-9, 5.034_138_250_3e-9).as_deref(), Some("5.03413825e-9"));
+        assert_eq!(agreed(1.0, 2.0), None);
+        assert_eq!(agreed(0.018_3, 0.018_6), None);
+        assert_eq!(agreed(0.0, 1e-300), None);
+        assert_eq!(agreed(0.999_999_9, 1.000_000_1).as_deref(), Some("1"));
+    }
+
+    #[test]
+    fn bounds_are_rounded_away_from_each_other() {
+        assert_eq!(between(0.018_366_3, 0.018_571_9), "0.01836 to 0.01858");
+        assert_eq!(between(0.5, 2.0), "0.5 to 2");
+        assert_eq!(between(0.0, 3.731_1e-14), "at most 3.732e-14");
+        assert_eq!(between(1.0_f64.next_down(), 9.999_9), "0.999 to 10");
+        assert_eq!(between(1e-300, 1e300), "1e-300 to 1e300");
+    }
+
+    #[test]
+    fn numbers_are_short_and_grouped() {
+        assert_eq!([-0.0, 0.1 + 0.2, -1e20, 1e-5].map(plain), ["0", "0.3", "-1e20", "1e-5"]);
+        assert_eq!([0, 999, 1000, 1_234_567].map(grouped), ["0", "999", "1,000", "1,234,567"]);
+        assert_eq!(point([0.5, -1.0, 1e-9]), "(0.5, -1, 1e-9)");
+        let spans = [5, 5_300, 120_000, 2_000_000].map(|us| time(Duration::from_micros(us)));
+        assert_eq!(spans, ["5 µs", "5.3 ms", "120 ms", "2.00 s"]);
+    }
+}
