@@ -15,6 +15,7 @@
 mod error;
 mod format;
 mod formats;
+mod memory;
 mod polygon;
 mod raw;
 mod read;

@@ -1,6 +1,8 @@
 //! One vertex for equal positions.
 
+use crate::memory;
 use std::hash::{BuildHasher, RandomState};
+use std::hint::black_box;
 use std::sync::LazyLock;
 
 /// Gives equal positions the same index, in the order of first appearance. Zeros of either sign are equal.
@@ -11,14 +13,31 @@ pub(crate) struct Welder {
 }
 
 impl Welder {
+    /// With memory set aside for a number of different positions; it grows when there are more.
+    pub(crate) fn with_capacity(positions: usize) -> Self {
+        let mut welder = Self { positions: memory::with_capacity(positions), ..Self::default() };
+        welder.table.slots = memory::zeros((2 * positions).next_power_of_two().max(Table::SMALLEST));
+        welder
+    }
+
     /// The index of a position without NaN.
     pub(crate) fn index(&mut self, position: [f64; 3]) -> u32 {
         let position = without_negative_zeros(position);
-        self.index_with_hash(position, self.table.hash(position))
+        let [x, y, z] = position.map(f64::to_bits);
+        let hash = self.table.hash(fold(x ^ self.table.seed, y ^ ODD), z);
+        self.index_with_hash(position, hash)
     }
 
-    /// As [`index`](Self::index), for what a [`LocalWelder`] has found.
-    pub(crate) fn index_with_hash(&mut self, position: [f64; 3], hash: u32) -> u32 {
+    /// Adds to `indices` the indices of what a [`LocalWelder`] has found.
+    pub(crate) fn extend_indices(&mut self, found: &[([f32; 3], u32)], indices: &mut Vec<u32>) {
+        self.table.fetch(found.iter().map(|&(_, hash)| hash));
+        indices.extend(
+            found.iter().map(|&(position, hash)| self.index_with_hash(position.map(f64::from), hash)),
+        );
+    }
+
+    #[inline]
+    fn index_with_hash(&mut self, position: [f64; 3], hash: u32) -> u32 {
         let next = self.positions.len() as u32;
         let index = self.table.find_or_insert(hash, next, |index| self.positions[index as usize] == position);
         if index == next {
@@ -33,7 +52,7 @@ impl Welder {
     }
 }
 
-/// Welds the corners of a few triangles, to pass on only what is new among them.
+/// Welds the corners of a few triangles at a time, to pass on only what is new among them.
 #[derive(Default)]
 pub(crate) struct LocalWelder {
     table: Table,
@@ -43,14 +62,20 @@ pub(crate) struct LocalWelder {
 
 impl LocalWelder {
     pub(crate) fn clear(&mut self) {
-        self.table.clear();
+        self.forget();
         self.found.clear();
+    }
+
+    /// Gives new indices to the positions to come, even where they equal earlier ones.
+    pub(crate) fn forget(&mut self) {
+        self.table.clear();
     }
 
     #[inline]
     pub(crate) fn index(&mut self, position: [f32; 3]) -> u32 {
         let position = position.map(|x| x + 0.0);
-        let hash = self.table.hash(position.map(f64::from));
+        let [x, y, z] = position.map(|x| u64::from(x.to_bits()));
+        let hash = self.table.hash(x | y << 32, z);
         let next = self.found.len() as u32;
         let index = self.table.find_or_insert(hash, next, |index| self.found[index as usize].0 == position);
         if index == next {
@@ -85,7 +110,7 @@ impl Default for Table {
 }
 
 impl Table {
-    const SMALLEST: usize = 1 << 14;
+    const SMALLEST: usize = 1 << 11;
 
     fn clear(&mut self) {
         if self.used > 0 {
@@ -94,12 +119,10 @@ impl Table {
         }
     }
 
+    /// A hash of 128 bits.
     #[inline]
-    fn hash(&self, position: [f64; 3]) -> u32 {
-        const ODD: [u64; 3] = [0x9E37_79B9_7F4A_7C15, 0xD1B5_4A32_D192_ED03, 0x8CB9_2BA7_2F3D_8DD7];
-        let [x, y, z] = position.map(f64::to_bits);
-        let first = fold(x ^ self.seed ^ ODD[0], y ^ ODD[1]);
-        (fold(first ^ z, self.seed ^ ODD[2]) >> 32) as u32
+    fn hash(&self, low: u64, high: u64) -> u32 {
+        (fold(low ^ self.seed, high ^ self.seed.rotate_left(32) ^ ODD) >> 32) as u32
     }
 
     /// The index that `is_same` accepts among those with this hash, or `next`, which is then entered.
@@ -125,10 +148,20 @@ impl Table {
         }
     }
 
+    /// Makes room for new entries, and brings what looking for these hashes will touch into the cache, all at once
+    /// rather than one after the other.
+    fn fetch(&mut self, hashes: impl ExactSizeIterator<Item = u32>) {
+        while 2 * (self.used + hashes.len()) >= self.slots.len() {
+            self.grow();
+        }
+        let mask = self.slots.len() - 1;
+        black_box(hashes.map(|hash| self.slots[hash as usize & mask]).fold(0, |all, slot| all | slot));
+    }
+
     #[cold]
     fn grow(&mut self) {
-        let length = (4 * self.slots.len()).max(Self::SMALLEST);
-        let old = std::mem::replace(&mut self.slots, vec![0; length]);
+        let length = (2 * self.slots.len()).max(Self::SMALLEST);
+        let old = std::mem::replace(&mut self.slots, memory::zeros(length));
         for slot in old.into_iter().filter(|&slot| slot != 0) {
             let mut at = (slot >> 32) as usize & (length - 1);
             while self.slots[at] != 0 {
@@ -138,6 +171,9 @@ impl Table {
         }
     }
 }
+
+/// An odd number without pattern: 2⁶⁴ divided by the golden ratio.
+const ODD: u64 = 0x9E37_79B9_7F4A_7C15;
 
 /// Both halves of a product, mixed.
 #[inline]
@@ -174,6 +210,8 @@ mod tests {
             [[1.0, 2.0, 3.0], [-0.0; 3], [1.0, 2.0, 3.0], [0.0; 3]].map(|p| local.index(p)),
             [0, 1, 0, 1]
         );
+        local.forget();
+        assert_eq!(local.index([0.0; 3]), 2);
         local.clear();
         assert_eq!(local.index([0.0; 3]), 0);
         assert_eq!(local.found.len(), 1);

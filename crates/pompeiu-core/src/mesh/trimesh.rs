@@ -37,7 +37,7 @@ impl TriMesh {
             return Err(MeshError::NoFaces { vertices: positions.len() });
         }
         let in_range = |x: &f64| x.abs() <= Self::MAX_COORDINATE;
-        if let Some(v) = positions.par_iter().position_first(|p| !p.iter().all(in_range)) {
+        if let Some(v) = first_failing(&positions, |p| p.iter().all(in_range)) {
             let axis = positions[v].iter().position(|x| !in_range(x)).unwrap_or(0);
             let (vertex, value) = (VertexId(v as u32), positions[v][axis]);
             return Err(if value.is_finite() {
@@ -47,7 +47,7 @@ impl TriMesh {
             });
         }
         let vertices = positions.len();
-        if let Some(f) = faces.par_iter().position_first(|f| f.iter().any(|&i| i as usize >= vertices)) {
+        if let Some(f) = first_failing(&faces, |f| f.iter().all(|&i| (i as usize) < vertices)) {
             let index = faces[f].into_iter().find(|&i| i as usize >= vertices).unwrap_or(0);
             return Err(MeshError::IndexOutOfRange { face: FaceId(f as u32), index, vertices });
         }
@@ -84,6 +84,16 @@ impl TriMesh {
     }
 }
 
+/// The first item that fails a check.
+fn first_failing<T: Sync>(items: &[T], check: impl Fn(&T) -> bool + Sync) -> Option<usize> {
+    /// Items looked at without stopping, so that the check can be vectorised.
+    const CHUNK: usize = 4096;
+    let chunk =
+        items.par_chunks(CHUNK).position_first(|chunk| !chunk.iter().fold(true, |ok, x| ok & check(x)))?;
+    let start = chunk * CHUNK;
+    items[start..].iter().position(|item| !check(item)).map(|at| start + at)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -114,6 +124,30 @@ mod tests {
             Err(MeshError::IndexOutOfRange { face: FaceId(1), index: 7, vertices: 1 })
         );
         assert_eq!(TriMesh::new(vec![[0.0; 3]], vec![]), Err(MeshError::NoFaces { vertices: 1 }));
+    }
+
+    #[test]
+    fn names_the_first_of_many() {
+        let positions = vec![[0.0; 3]; 10_000];
+        let faces = vec![[0, 9_999, 1]; 10_000];
+        assert!(TriMesh::new(positions.clone(), faces.clone()).is_ok());
+        for wrong in [0, 4095, 4096, 9000] {
+            let (mut p, mut f) = (positions.clone(), faces.clone());
+            for later in [wrong, 9_998] {
+                p[later][1] = f64::NAN;
+                f[later][2] = 10_000;
+            }
+            let named = FaceId(wrong as u32);
+            assert!(matches!(
+                TriMesh::new(positions.clone(), f),
+                Err(MeshError::IndexOutOfRange { face, index: 10_000, .. }) if face == named
+            ));
+            let named = VertexId(wrong as u32);
+            assert!(matches!(
+                TriMesh::new(p, faces.clone()),
+                Err(MeshError::NonFinite { vertex, axis: 1, .. }) if vertex == named
+            ));
+        }
     }
 
     #[test]

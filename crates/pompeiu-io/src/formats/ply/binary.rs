@@ -3,6 +3,7 @@
 use super::header::{Element, Header, Kind, Scalar};
 use super::push_strips;
 use crate::error::{FormatError, Location};
+use crate::memory;
 use crate::polygon::Polygon;
 use crate::raw::RawMesh;
 use rayon::prelude::*;
@@ -134,6 +135,7 @@ impl<'a, const BIG: bool> Table<'a, BIG> {
             });
         };
         let offsets = columns.map(|column| offsets[column]);
+        *positions = memory::with_capacity(self.rows);
         match axes {
             [Scalar::F32, Scalar::F32, Scalar::F32] => {
                 self.collect(positions, |row| offsets.map(|at| Scalar::F32.value::<BIG>(row, at)));
@@ -201,30 +203,43 @@ impl<'a, const BIG: bool> Table<'a, BIG> {
         let (first, triangles) = (before + count.size(), corners - 2);
         let table = &body[..self.rows * row];
         let plain = AtomicBool::new(true);
-        // Fresh zeros cost nothing: the system hands them out as the pages are written.
-        let mut faces = vec![[0; 3]; self.rows * triangles];
+        let mut faces = memory::with_capacity(self.rows * triangles);
         let index = |row: &[u8], corner: usize| -> u32 {
             let at = first + corner * item.size();
             let index = match item {
-                Scalar::I32 | Scalar::U32 => i64::from(u32_at::<BIG>(row, at)),
+                Scalar::I32 | Scalar::U32 => return u32_at::<BIG>(row, at),
                 _ => item.whole_number::<BIG>(row, at),
             };
             u32::try_from(index).unwrap_or(u32::MAX)
         };
-        faces.par_chunks_exact_mut(triangles).zip(table.par_chunks_exact(row)).for_each(|(fan, row)| {
-            let (start, mut previous) = (index(row, 0), index(row, 1));
-            let mut largest = start.max(previous);
-            for (at, triangle) in fan.iter_mut().enumerate() {
-                let corner = index(row, at + 2);
-                *triangle = [start, previous, corner];
-                previous = corner;
-                largest = largest.max(corner);
-            }
+        let check = |row: &[u8], largest: u32| {
             let here = count.whole_number::<BIG>(row, before);
             if here != (corners as u64).cast_signed() || u64::from(largest) >= vertices {
                 plain.store(false, Ordering::Relaxed);
             }
-        });
+        };
+        let rows = table.par_chunks_exact(row);
+        if triangles == 1 {
+            rows.map(|row| {
+                let face = [index(row, 0), index(row, 1), index(row, 2)];
+                check(row, face[0].max(face[1]).max(face[2]));
+                face
+            })
+            .collect_into_vec(&mut faces);
+        } else {
+            faces.resize(self.rows * triangles, [0; 3]);
+            faces.par_chunks_exact_mut(triangles).zip(rows).for_each(|(fan, row)| {
+                let (start, mut previous) = (index(row, 0), index(row, 1));
+                let mut largest = start.max(previous);
+                for (at, triangle) in fan.iter_mut().enumerate() {
+                    let corner = index(row, at + 2);
+                    *triangle = [start, previous, corner];
+                    previous = corner;
+                    largest = largest.max(corner);
+                }
+                check(row, largest);
+            });
+        }
         if !plain.into_inner() {
             // Other sizes, or an index out of range, which the slower way finds and names.
             return Ok(None);

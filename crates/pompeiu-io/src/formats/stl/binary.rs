@@ -1,6 +1,7 @@
 //! Binary STL: a header of 80 bytes, a count, and 50 bytes per triangle.
 
 use crate::error::{FormatError, Location};
+use crate::memory;
 use crate::raw::RawMesh;
 use crate::waves;
 use crate::weld::{LocalWelder, Welder};
@@ -11,8 +12,12 @@ const HEADER: usize = 84;
 /// Bytes of a triangle: normal, three corners and an attribute.
 const TRIANGLE: usize = 50;
 
-/// Triangles per task: their vertices fit into a core's own cache.
-const PIECE_TRIANGLES: usize = 1 << 13;
+/// Triangles per task.
+const PIECE_TRIANGLES: usize = 8 * BLOCK_TRIANGLES;
+
+/// Triangles welded to each other before their vertices are welded to all others: in most files they are neighbours
+/// and share vertices, and what is known about these fits into a core's innermost cache.
+const BLOCK_TRIANGLES: usize = 1 << 10;
 
 fn promised_triangles(bytes: &[u8]) -> Option<u32> {
     bytes.get(HEADER - 4..HEADER)?.try_into().ok().map(u32::from_le_bytes)
@@ -51,21 +56,15 @@ pub(super) fn read(bytes: &[u8]) -> Result<RawMesh, FormatError> {
     }
     let table = &body[..count as usize * TRIANGLE];
     let pieces: Vec<(usize, &[u8])> = table.chunks(PIECE_TRIANGLES * TRIANGLE).enumerate().collect();
-    let mut welder = Welder::default();
-    let mut faces = Vec::with_capacity(count as usize);
+    let mut welder = Welder::with_capacity(count as usize / 32 * 17);
+    let mut faces = memory::with_capacity(count as usize);
     let mut indices = Vec::new();
     waves::in_order(
         &pieces,
         |&(number, table), piece: &mut Piece| parse(number * PIECE_TRIANGLES, table, piece),
         |_, piece| {
             indices.clear();
-            indices.extend(
-                piece
-                    .welder
-                    .found
-                    .iter()
-                    .map(|&(position, hash)| welder.index_with_hash(position.map(f64::from), hash)),
-            );
+            welder.extend_indices(&piece.welder.found, &mut indices);
             faces.extend(piece.faces.iter().map(|face| face.map(|corner| indices[corner as usize])));
             Ok(())
         },
@@ -77,6 +76,9 @@ fn parse(first: usize, table: &[u8], piece: &mut Piece) -> Result<(), FormatErro
     piece.welder.clear();
     piece.faces.clear();
     for (at, triangle) in table.chunks_exact(TRIANGLE).enumerate() {
+        if at % BLOCK_TRIANGLES == 0 {
+            piece.welder.forget();
+        }
         let mut corners = [[0.0_f32; 3]; 3];
         for (x, bytes) in corners.as_flattened_mut().iter_mut().zip(triangle[12..48].as_chunks().0) {
             *x = f32::from_le_bytes(*bytes);
