@@ -5,8 +5,9 @@ mod obj;
 pub(crate) mod off;
 mod ply;
 pub(crate) mod stl;
+mod vtk;
 
-use crate::error::{FormatError, Location};
+use crate::error::FormatError;
 use crate::format::Format;
 use crate::raw::RawMesh;
 use std::path::Path;
@@ -28,6 +29,8 @@ pub(crate) fn read(format: Format, input: Input<'_>) -> Result<RawMesh, FormatEr
         Format::Stl => stl::read(input.bytes),
         Format::Gltf => gltf::read_json(input),
         Format::Glb => gltf::read_binary(input),
-        _ => Err(FormatError::new(Location::File, format!("reading {format} is not supported"))),
+        Format::VtkLegacy => vtk::read_legacy(input.bytes),
+        Format::Vtp => vtk::read_poly_data(input.bytes),
+        Format::Vtu => vtk::read_unstructured_grid(input.bytes),
     }
 }

@@ -141,10 +141,10 @@ fn nodes_place_meshes() {
         assert!(a.len() == 1 && pairs.into_iter().all(|(p, q)| (p - q).abs() < 1e-14), "{a:?} {b:?}");
     };
     close(&corners(json!([node])), placed);
-    // The same as a matrix, column after column, below a parent that doubles.
+    // The same as a matrix, column after column, below a parent that doubles and lifts.
     let matrix = [0, 2, 0, 0, -3, 0, 0, 0, 0, 0, 4, 0, 10, 0, 0, 1];
-    let nodes = json!([{ "children": [1], "scale": [2, 2, 2] }, { "mesh": 0, "matrix": matrix }]);
-    assert_eq!(corners(nodes), [placed.map(|p| p.map(|x| 2.0 * x))]);
+    let nodes = json!([{ "children": [1], "scale": [2, 2, 2], "translation": [0, 0, 1] }, { "mesh": 0, "matrix": matrix }]);
+    assert_eq!(corners(nodes), [placed.map(|[x, y, z]| [2.0 * x, 2.0 * y, 2.0 * z + 1.0])]);
     // A mirror turns the corners round, so that the outside stays outside.
     let mirrored = corners(json!([{ "mesh": 0, "scale": [-1e-120, 1e-120, 1e-120] }]));
     assert_eq!(mirrored, [[[-1e-120, 0.0, 0.0], [0.0, 0.0, 1e-120], [0.0, 1e-120, 0.0]]]);

@@ -5,6 +5,7 @@
 mod damage;
 mod gltf;
 mod round_trip;
+mod vtk;
 
 use pompeiu_core::TriMesh;
 use pompeiu_io::{Format, ReadMesh, read_bytes};

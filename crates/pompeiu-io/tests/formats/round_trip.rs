@@ -5,6 +5,12 @@ use pompeiu_core::TriMesh;
 use pompeiu_io::{Attributes, Format, OutputFormat, encode, read, read_bytes, write};
 use proptest::prelude::*;
 
+/// The double of these bits, or of those without the top bit of the exponent where that one is too large.
+fn supported(bits: u64) -> f64 {
+    let value = f64::from_bits(bits);
+    if value.abs() <= TriMesh::MAX_COORDINATE { value } else { f64::from_bits(bits & !(1 << 62)) }
+}
+
 fn mesh_of(coordinate: impl Strategy<Value = f64> + Clone) -> impl Strategy<Value = TriMesh> {
     let position = [coordinate.clone(), coordinate.clone(), coordinate];
     prop::collection::vec(position, 1..40).prop_flat_map(|positions| {
@@ -12,6 +18,10 @@ fn mesh_of(coordinate: impl Strategy<Value = f64> + Clone) -> impl Strategy<Valu
         prop::collection::vec([0..n, 0..n, 0..n], 1..60)
             .prop_map(move |faces| TriMesh::new(positions.clone(), faces).unwrap())
     })
+}
+
+fn any_mesh() -> impl Strategy<Value = TriMesh> {
+    mesh_of(any::<u64>().prop_map(supported).boxed())
 }
 
 fn encoded(format: OutputFormat, mesh: &TriMesh) -> Vec<u8> {
@@ -36,10 +46,33 @@ fn same_bits(a: &TriMesh, b: &TriMesh) -> bool {
 
 proptest! {
     #[test]
+    fn doubles_keep_every_bit(mesh in any_mesh()) {
+        for (output, format) in [
+            (OutputFormat::Obj, Format::Obj),
+            (OutputFormat::Ply, Format::Ply),
+            (OutputFormat::Off, Format::Off),
+            (OutputFormat::Vtp, Format::Vtp),
+        ] {
+            let bytes = encoded(output, &mesh);
+            let read = read_bytes(&bytes, None).unwrap();
+            prop_assert_eq!(read.format, format);
+            prop_assert!(same_bits(&read.mesh, &mesh), "{}", format);
+        }
+    }
+
+    #[test]
     fn glb_keeps_single_precision_numbers(mesh in mesh_of(any::<f32>().prop_map(f64::from).boxed())) {
         let read = read_bytes(&encoded(OutputFormat::Glb, &mesh), None).unwrap();
         prop_assert_eq!(read.format, Format::Glb);
         prop_assert!(same_bits(&read.mesh, &mesh));
+    }
+
+    #[test]
+    fn stl_rounds_corners_to_single_precision(mesh in mesh_of((-1e6..1e6).boxed())) {
+        let read = read_bytes(&encoded(OutputFormat::Stl, &mesh), None).unwrap();
+        prop_assert_eq!(read.format, Format::Stl);
+        let rounded: Vec<_> = triangles(&mesh).iter().map(|t| t.map(|p| p.map(|x| f64::from(x as f32)))).collect();
+        prop_assert_eq!(triangles(&read.mesh), rounded);
     }
 
     #[test]
@@ -60,7 +93,7 @@ fn files_with_and_without_compression() {
     let folder = tempfile::tempdir().unwrap();
     let mesh =
         TriMesh::new(vec![[0.5, -1.0, 0.25], [3.0, 0.0, 0.0], [0.0, 2.0, 0.0]], vec![[0, 1, 2]]).unwrap();
-    for suffix in ["glb", "glb.gz"] {
+    for suffix in ["obj", "ply", "off", "vtp", "glb", "obj.gz", "vtp.gz", "glb.gz"] {
         let path = folder.path().join(format!("mesh.{suffix}"));
         write(&path, &mesh).unwrap();
         let read = read(&path).unwrap();

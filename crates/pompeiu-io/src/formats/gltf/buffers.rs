@@ -82,10 +82,10 @@ impl<'a> Buffers<'a> {
         // Opening a pipe would wait for somebody to write into it.
         match fs::metadata(&path) {
             Ok(metadata) if metadata.is_file() => {
-                source::open(&path).map_err(|error| format!("{}: {error}", path.display()))
+                source::open(&path).map_err(|error| format!("{uri:?}: {error}"))
             }
-            Ok(_) => Err(format!("{}: not a regular file", path.display())),
-            Err(error) => Err(format!("{}: {error}", path.display())),
+            Ok(_) => Err(format!("{uri:?} is not a regular file")),
+            Err(error) => Err(format!("{uri:?}: {error}")),
         }
     }
 }
@@ -93,7 +93,7 @@ impl<'a> Buffers<'a> {
 fn without_data(index: usize, buffer: &Buffer) -> String {
     match buffer.extensions.keys().next() {
         Some(extension) => {
-            format!("buffer {index} has its data in the extension {extension}, which is not supported")
+            format!("buffer {index} has its data in the extension {extension:?}, which is not supported")
         }
         None => format!("buffer {index} has no data"),
     }

@@ -1,0 +1,321 @@
+//! The legacy format: a few words of text before each array, which is text too or big-endian binary.
+
+use super::cells::{self, CellArray, CellKind};
+use super::numbers::{ByteOrder, NumberType};
+use crate::error::{FormatError, Location};
+use crate::raw::RawMesh;
+use crate::text::{self, Problem, quoted};
+
+pub(crate) fn read(bytes: &[u8]) -> Result<RawMesh, FormatError> {
+    let mut scanner = Scanner { bytes, at: 0, binary: false };
+    let parts = read_parts(&mut scanner).map_err(|problem| {
+        if scanner.binary {
+            FormatError::new(Location::Byte(problem.offset as u64), problem.text)
+        } else {
+            problem.in_text(bytes)
+        }
+    })?;
+    cells::check_point_count(parts.positions.len())?;
+    let mut raw = RawMesh { positions: parts.positions, ..RawMesh::default() };
+    match parts.types {
+        None => {
+            for (kind, array) in &parts.arrays {
+                cells::add(&mut raw, 0, array, |_| Some(*kind))?;
+            }
+        }
+        Some(types) => {
+            for (_, array) in &parts.arrays {
+                if types.len() != array.ends.len() {
+                    let problem = format!("{} cell types for {} cells", types.len(), array.ends.len());
+                    return Err(FormatError::new(Location::File, problem));
+                }
+                cells::add(&mut raw, 0, array, |cell| CellKind::from_number(types[cell]))?;
+            }
+        }
+    }
+    Ok(raw)
+}
+
+#[derive(Default)]
+struct Parts {
+    positions: Vec<[f64; 3]>,
+    arrays: Vec<(CellKind, CellArray)>,
+    /// One for each cell, in unstructured grids.
+    types: Option<Vec<u64>>,
+}
+
+fn read_parts(scanner: &mut Scanner<'_>) -> Result<Parts, Problem> {
+    let first = scanner.line();
+    if !first.to_ascii_lowercase().starts_with(b"# vtk datafile") {
+        return Err(Problem::new(0, format!("found {}, expected \"# vtk DataFile\"", quoted(first))));
+    }
+    scanner.line();
+    let at = scanner.at;
+    scanner.binary = match scanner.line().to_ascii_lowercase().trim_ascii() {
+        b"ascii" => false,
+        b"binary" => true,
+        other => return Err(Problem::new(at, format!("found {}, expected ASCII or BINARY", quoted(other)))),
+    };
+    scanner.expect("dataset")?;
+    let (at, dataset) = scanner.keyword();
+    let grid = match dataset.as_slice() {
+        b"polydata" => false,
+        b"unstructured_grid" => true,
+        other => {
+            let problem = format!("found {}, expected POLYDATA or UNSTRUCTURED_GRID", quoted(other));
+            return Err(Problem::new(at, problem));
+        }
+    };
+    let mut parts = Parts { types: grid.then(Vec::new), ..Parts::default() };
+    loop {
+        let (at, keyword) = scanner.keyword();
+        let kind = match keyword.as_slice() {
+            // What follows belongs to points and cells and makes none.
+            b"" | b"point_data" | b"cell_data" => return Ok(parts),
+            b"points" => {
+                parts.positions = read_points(scanner)?;
+                continue;
+            }
+            b"cell_types" if grid => {
+                let count = scanner.count()?;
+                scanner.end_header_line();
+                parts.types = Some(scanner.counts(count, NumberType::I32)?);
+                continue;
+            }
+            b"field" => {
+                skip_field(scanner)?;
+                continue;
+            }
+            b"metadata" => {
+                skip_metadata(scanner);
+                continue;
+            }
+            b"vertices" | b"lines" if !grid => CellKind::NoSurface,
+            b"polygons" if !grid => CellKind::Polygon,
+            b"triangle_strips" if !grid => CellKind::TriangleStrip,
+            // The kind of each follows as its type.
+            b"cells" if grid => CellKind::NoSurface,
+            other => {
+                let problem = format!("found {}, expected points, cells or their data", quoted(other));
+                return Err(Problem::new(at, problem));
+            }
+        };
+        parts.arrays.push((kind, read_cells(scanner)?));
+    }
+}
+
+fn read_points(scanner: &mut Scanner<'_>) -> Result<Vec<[f64; 3]>, Problem> {
+    let count = scanner.count()?;
+    let number_type = scanner.number_type()?;
+    scanner.end_header_line();
+    let values = scanner.reals(count.saturating_mul(3), number_type)?;
+    Ok(values.as_chunks().0.to_vec())
+}
+
+fn read_cells(scanner: &mut Scanner<'_>) -> Result<CellArray, Problem> {
+    let (at, first, second) = (scanner.at, scanner.count()?, scanner.count()?);
+    scanner.end_header_line();
+    let data = scanner.at;
+    if scanner.keyword().1 != b"offsets" {
+        scanner.at = data;
+        return cells_with_counts(scanner, first, second, at);
+    }
+    // Since version 5.1: one offset more than cells, then all corners.
+    let offset_type = scanner.number_type()?;
+    scanner.end_header_line();
+    let mut ends = scanner.counts(first, offset_type)?;
+    scanner.expect("connectivity")?;
+    let corner_type = scanner.number_type()?;
+    scanner.end_header_line();
+    let corners = scanner.counts(second, corner_type)?;
+    if !ends.is_empty() {
+        let start = ends.remove(0);
+        if start != 0 {
+            return Err(Problem::new(at, format!("the first cell begins at {start}, expected 0")));
+        }
+    }
+    Ok(CellArray { corners, ends })
+}
+
+/// The layout of old: each cell is the number of its corners and then these.
+fn cells_with_counts(
+    scanner: &mut Scanner<'_>,
+    cells: u64,
+    size: u64,
+    at: usize,
+) -> Result<CellArray, Problem> {
+    let values = scanner.counts(size, NumberType::I32)?;
+    let mut array = CellArray::default();
+    let mut rest = values.as_slice();
+    while let Some((&count, behind)) = rest.split_first() {
+        let Some((corners, next)) = usize::try_from(count).ok().and_then(|n| behind.split_at_checked(n))
+        else {
+            let (cell, left) = (array.ends.len(), behind.len());
+            return Err(Problem::new(
+                at,
+                format!("cell {cell} has {count} corners, but only {left} numbers follow"),
+            ));
+        };
+        array.corners.extend_from_slice(corners);
+        array.ends.push(array.corners.len() as u64);
+        rest = next;
+    }
+    if array.ends.len() as u64 != cells {
+        return Err(Problem::new(
+            at,
+            format!("{size} numbers make {} cells, expected {cells}", array.ends.len()),
+        ));
+    }
+    Ok(array)
+}
+
+fn skip_field(scanner: &mut Scanner<'_>) -> Result<(), Problem> {
+    scanner.keyword();
+    let arrays = scanner.count()?;
+    for _ in 0..arrays {
+        scanner.keyword();
+        let (components, tuples) = (scanner.count()?, scanner.count()?);
+        let at = scanner.at;
+        let number_type = scanner.number_type().map_err(|_| {
+            Problem::new(at, "a field before the points that is not of numbers, which is not supported")
+        })?;
+        scanner.end_header_line();
+        scanner.skip(components.saturating_mul(tuples), number_type)?;
+    }
+    Ok(())
+}
+
+/// Up to the next empty line.
+fn skip_metadata(scanner: &mut Scanner<'_>) {
+    scanner.line();
+    while !scanner.line().trim_ascii().is_empty() {}
+}
+
+struct Scanner<'a> {
+    bytes: &'a [u8],
+    at: usize,
+    binary: bool,
+}
+
+impl<'a> Scanner<'a> {
+    /// The rest of the line, without its end.
+    fn line(&mut self) -> &'a [u8] {
+        let (start, next) = (self.at, text::next_line(self.bytes, self.at));
+        self.at = next;
+        let line = &self.bytes[start..next];
+        let end = line.iter().rposition(|b| !text::is_line_end(*b)).map_or(0, |last| last + 1);
+        &line[..end]
+    }
+
+    /// The next word, wherever it is, and its place; empty at the end.
+    fn word(&mut self) -> (usize, &'a [u8]) {
+        let blanks = self.bytes[self.at..].iter().take_while(|b| b.is_ascii_whitespace()).count();
+        let at = self.at + blanks;
+        let length = self.bytes[at..].iter().take_while(|b| !b.is_ascii_whitespace()).count();
+        self.at = at + length;
+        (at, &self.bytes[at..at + length])
+    }
+
+    /// The next word in lower case.
+    fn keyword(&mut self) -> (usize, Vec<u8>) {
+        let (at, word) = self.word();
+        // Longer than any keyword: data where none should be.
+        (at, word[..word.len().min(64)].to_ascii_lowercase())
+    }
+
+    fn expect(&mut self, keyword: &str) -> Result<(), Problem> {
+        let (at, found) = self.keyword();
+        if found == keyword.as_bytes() {
+            return Ok(());
+        }
+        Err(Problem::new(at, format!("found {}, expected {}", quoted(&found), keyword.to_ascii_uppercase())))
+    }
+
+    fn count(&mut self) -> Result<u64, Problem> {
+        let (at, word) = self.word();
+        let count = str::from_utf8(word).ok().and_then(|word| word.parse().ok());
+        count.ok_or_else(|| Problem::new(at, format!("found {}, expected a number of things", quoted(word))))
+    }
+
+    fn number_type(&mut self) -> Result<NumberType, Problem> {
+        let (at, word) = self.keyword();
+        let number_type = str::from_utf8(&word).ok().and_then(NumberType::from_legacy_name);
+        number_type
+            .ok_or_else(|| Problem::new(at, format!("found {}, expected a type of numbers", quoted(&word))))
+    }
+
+    /// Binary data begin on the next line.
+    fn end_header_line(&mut self) {
+        if self.binary {
+            self.line();
+        }
+    }
+
+    fn reals(&mut self, count: u64, number_type: NumberType) -> Result<Vec<f64>, Problem> {
+        if self.binary {
+            let size = number_type.size();
+            let bytes = self.block(count, number_type)?;
+            return Ok(bytes.chunks_exact(size).map(|x| number_type.real(x, ByteOrder::Big)).collect());
+        }
+        let mut values = Vec::with_capacity(self.most_words(count)?);
+        for _ in 0..count {
+            let (at, _) = self.word();
+            let (value, end) = text::coordinate(self.bytes, at)?;
+            self.at = end;
+            values.push(value);
+        }
+        Ok(values)
+    }
+
+    fn counts(&mut self, count: u64, number_type: NumberType) -> Result<Vec<u64>, Problem> {
+        if !self.binary {
+            let capacity = self.most_words(count)?;
+            let mut values = Vec::with_capacity(capacity);
+            for _ in 0..count {
+                values.push(self.count()?);
+            }
+            return Ok(values);
+        }
+        let (at, size) = (self.at, number_type.size());
+        let bytes = self.block(count, number_type)?;
+        let read = |(i, x)| {
+            let value = number_type.count(x, ByteOrder::Big);
+            value.ok_or_else(|| Problem::new(at + i * size, "found a number that is no count or index"))
+        };
+        bytes.chunks_exact(size).enumerate().map(read).collect()
+    }
+
+    fn skip(&mut self, count: u64, number_type: NumberType) -> Result<(), Problem> {
+        if self.binary {
+            self.block(count, number_type)?;
+        } else {
+            self.most_words(count)?;
+            for _ in 0..count {
+                self.word();
+            }
+        }
+        Ok(())
+    }
+
+    /// `count`, if the file is long enough for that many words.
+    fn most_words(&self, count: u64) -> Result<usize, Problem> {
+        let left = self.bytes.len() - self.at;
+        match usize::try_from(count) {
+            Ok(count) if count <= left.div_ceil(2) => Ok(count),
+            _ => Err(self.too_short(count)),
+        }
+    }
+
+    fn block(&mut self, count: u64, number_type: NumberType) -> Result<&'a [u8], Problem> {
+        let length = usize::try_from(count).ok().and_then(|n| n.checked_mul(number_type.size()));
+        let block = length.and_then(|length| self.bytes[self.at..].get(..length));
+        let block = block.ok_or_else(|| self.too_short(count))?;
+        self.at += block.len();
+        Ok(block)
+    }
+
+    fn too_short(&self, count: u64) -> Problem {
+        let left = self.bytes.len() - self.at;
+        Problem::new(self.at, format!("expected {count} numbers, but the file ends after {left} bytes"))
+    }
+}

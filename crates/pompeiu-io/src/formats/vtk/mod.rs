@@ -1,0 +1,10 @@
+//! VTK files: the legacy format, and `PolyData` and `UnstructuredGrid` of the XML formats.
+
+mod cells;
+mod legacy;
+mod numbers;
+mod stream;
+mod xml;
+
+pub(super) use legacy::read as read_legacy;
+pub(super) use xml::{read_poly_data, read_unstructured_grid};

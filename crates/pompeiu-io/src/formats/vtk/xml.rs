@@ -1,0 +1,268 @@
+//! The XML formats `.vtp` and `.vtu`.
+
+use super::cells::{self, CellArray, CellKind};
+use super::numbers::{ByteOrder, NumberType};
+use super::stream::{Packing, Stream};
+use crate::error::{FormatError, Location};
+use crate::raw::RawMesh;
+use crate::text::line_of;
+use memchr::memmem;
+use roxmltree::{Document, Node};
+use std::borrow::Cow;
+
+/// Reads `PolyData`.
+pub(crate) fn read_poly_data(bytes: &[u8]) -> Result<RawMesh, FormatError> {
+    read(bytes, "PolyData", |file, piece, raw| {
+        let base = file.add_points(piece, raw)?;
+        for (tag, number, kind) in [
+            ("Verts", "NumberOfVerts", CellKind::NoSurface),
+            ("Lines", "NumberOfLines", CellKind::NoSurface),
+            ("Polys", "NumberOfPolys", CellKind::Polygon),
+            ("Strips", "NumberOfStrips", CellKind::TriangleStrip),
+        ] {
+            let count = file.count(piece, number)?;
+            if count > 0 {
+                let cells = file.cells(child(file, piece, tag)?, count)?;
+                cells::add(raw, base, &cells, |_| Some(kind))?;
+            }
+        }
+        Ok(())
+    })
+}
+
+/// Reads the surface cells that make an `UnstructuredGrid`.
+pub(crate) fn read_unstructured_grid(bytes: &[u8]) -> Result<RawMesh, FormatError> {
+    read(bytes, "UnstructuredGrid", |file, piece, raw| {
+        let base = file.add_points(piece, raw)?;
+        let count = file.count(piece, "NumberOfCells")?;
+        if count == 0 {
+            return Ok(());
+        }
+        let element = child(file, piece, "Cells")?;
+        let cells = file.cells(element, count)?;
+        let types = file.counts(array(file, element, "types")?, Some(count))?;
+        cells::add(raw, base, &cells, |cell| CellKind::from_number(types[cell]))
+    })
+}
+
+fn read(
+    bytes: &[u8],
+    kind: &str,
+    add_piece: impl Fn(&File<'_, '_>, Node<'_, '_>, &mut RawMesh) -> Result<(), FormatError>,
+) -> Result<RawMesh, FormatError> {
+    let parts = Parts::of(bytes)?;
+    let document = Document::parse(&parts.xml).map_err(|error| {
+        let row = u64::from(error.pos().row);
+        // It quotes what it found, line ends too.
+        let text = error.to_string().replace(char::is_control, " ");
+        let what = &text[..text.rfind(" at ").unwrap_or(text.len())];
+        FormatError::new(Location::Line(row), format!("not XML that can be read: {what}"))
+    })?;
+    let root = document.root_element();
+    let appended = root.children().find(|node| node.has_tag_name("AppendedData"));
+    let file = File {
+        bytes,
+        packing: packing(&document, root)?,
+        appended: parts.appended,
+        is_raw: appended.and_then(|node| node.attribute("encoding")) == Some("raw"),
+    };
+    if root.attribute("type") != Some(kind) || !root.has_tag_name("VTKFile") {
+        return Err(file.wrong(root, &format!("expected a VTKFile of the type {kind}")));
+    }
+    let mut raw = RawMesh::default();
+    let data = child(&file, root, kind)?;
+    for piece in data.children().filter(|node| node.has_tag_name("Piece")) {
+        add_piece(&file, piece, &mut raw)?;
+    }
+    Ok(raw)
+}
+
+/// The XML of a file and the appended data, which may be any bytes.
+struct Parts<'a> {
+    xml: Cow<'a, str>,
+    appended: Option<&'a [u8]>,
+}
+
+impl<'a> Parts<'a> {
+    fn of(bytes: &'a [u8]) -> Result<Self, FormatError> {
+        let text = |bytes: &'a [u8], from: usize| {
+            str::from_utf8(bytes).map_err(|error| {
+                let line = line_of(bytes, from + error.valid_up_to());
+                FormatError::new(Location::Line(line), "text that is not UTF-8")
+            })
+        };
+        let Some(tag) = memmem::find(bytes, b"<AppendedData") else {
+            return Ok(Self { xml: Cow::Borrowed(text(bytes, 0)?), appended: None });
+        };
+        let open = memchr::memchr(b'>', &bytes[tag..]).map(|length| tag + length + 1);
+        let close =
+            memmem::rfind(bytes, b"</AppendedData").filter(|&close| open.is_some_and(|open| open <= close));
+        let (Some(open), Some(close)) = (open, close) else {
+            let problem = "the appended data have no end: the file is truncated";
+            return Err(FormatError::new(Location::Line(line_of(bytes, tag)), problem));
+        };
+        let xml = [text(&bytes[..open], 0)?, text(&bytes[close..], close)?].concat();
+        let data = bytes[open..close].trim_ascii_start();
+        let Some(data) = data.strip_prefix(b"_") else {
+            let problem = "the appended data do not begin with \"_\"";
+            return Err(FormatError::new(Location::Line(line_of(bytes, open)), problem));
+        };
+        Ok(Self { xml: Cow::Owned(xml), appended: Some(data) })
+    }
+}
+
+fn packing<'a>(document: &'a Document<'_>, root: Node<'a, '_>) -> Result<Packing<'a>, FormatError> {
+    let wrong = |what: &str, found: &str| {
+        let row = document.text_pos_at(root.range().start).row;
+        FormatError::new(Location::Line(row.into()), format!("unknown {what} {found:?}"))
+    };
+    let order = match root.attribute("byte_order") {
+        None | Some("LittleEndian") => ByteOrder::Little,
+        Some("BigEndian") => ByteOrder::Big,
+        Some(other) => return Err(wrong("byte order", other)),
+    };
+    let header = match root.attribute("header_type") {
+        None | Some("UInt32") => NumberType::U32,
+        Some("UInt64") => NumberType::U64,
+        Some(other) => return Err(wrong("header type", other)),
+    };
+    let compressor = root.attribute("compressor").filter(|name| !name.is_empty());
+    Ok(Packing { header, order, compressor })
+}
+
+struct File<'a, 'x> {
+    bytes: &'a [u8],
+    packing: Packing<'x>,
+    appended: Option<&'a [u8]>,
+    is_raw: bool,
+}
+
+impl File<'_, '_> {
+    /// Adds the points of a piece; gives the number of the first.
+    fn add_points(&self, piece: Node<'_, '_>, raw: &mut RawMesh) -> Result<usize, FormatError> {
+        let base = raw.positions.len();
+        let count = self.count(piece, "NumberOfPoints")?;
+        if count > 0 {
+            let points = child(self, piece, "Points")?;
+            let Some(array) = points.children().find(|node| node.has_tag_name("DataArray")) else {
+                return Err(self.wrong(points, "no DataArray of points"));
+            };
+            let values = self.numbers(
+                array,
+                Some(count.saturating_mul(3)),
+                |word| fast_float2::parse(word).ok(),
+                |number_type, bytes| Some(number_type.real(bytes, self.packing.order)),
+            )?;
+            raw.positions.extend_from_slice(values.as_chunks().0);
+            cells::check_point_count(raw.positions.len())?;
+        }
+        Ok(base)
+    }
+
+    fn cells(&self, element: Node<'_, '_>, count: u64) -> Result<CellArray, FormatError> {
+        Ok(CellArray {
+            corners: self.counts(array(self, element, "connectivity")?, None)?,
+            ends: self.counts(array(self, element, "offsets")?, Some(count))?,
+        })
+    }
+
+    fn counts(&self, array: Node<'_, '_>, expected: Option<u64>) -> Result<Vec<u64>, FormatError> {
+        self.numbers(
+            array,
+            expected,
+            |word| word.parse().ok(),
+            |number_type, bytes| number_type.count(bytes, self.packing.order),
+        )
+    }
+
+    /// The numbers of a `DataArray`.
+    fn numbers<T>(
+        &self,
+        array: Node<'_, '_>,
+        expected: Option<u64>,
+        from_text: impl Fn(&str) -> Option<T>,
+        from_bytes: impl Fn(NumberType, &[u8]) -> Option<T>,
+    ) -> Result<Vec<T>, FormatError> {
+        let name = array.attribute("type").unwrap_or_default();
+        let Some(number_type) = NumberType::from_xml_name(name) else {
+            return Err(self.wrong(array, &format!("unknown type of numbers {name:?}")));
+        };
+        let unreadable = |i: usize, found: &str| self.wrong(array, &format!("number {i} is {found}"));
+        let mut values = Vec::new();
+        if array.attribute("format").is_none_or(|format| format == "ascii") {
+            for (i, word) in text_of(array).split_ascii_whitespace().enumerate() {
+                values.push(
+                    from_text(word).ok_or_else(|| unreadable(i, &crate::text::quoted(word.as_bytes())))?,
+                );
+            }
+        } else {
+            let bytes = self.data(array)?;
+            let numbers = bytes.chunks_exact(number_type.size());
+            if !numbers.remainder().is_empty() {
+                return Err(
+                    self.wrong(array, &format!("{} bytes do not make whole {name} numbers", bytes.len()))
+                );
+            }
+            values.reserve_exact(numbers.len());
+            for (i, number) in numbers.enumerate() {
+                values
+                    .push(from_bytes(number_type, number).ok_or_else(|| unreadable(i, "no count or index"))?);
+            }
+        }
+        match expected {
+            Some(expected) if expected != values.len() as u64 => {
+                Err(self.wrong(array, &format!("{} numbers, expected {expected}", values.len())))
+            }
+            _ => Ok(values),
+        }
+    }
+
+    /// The bytes of an array that is not text.
+    fn data(&self, array: Node<'_, '_>) -> Result<Vec<u8>, FormatError> {
+        let wrong = |problem: String| self.wrong(array, &problem);
+        if array.attribute("format") == Some("binary") {
+            let text = text_of(array);
+            return Stream::base64(text.as_bytes()).unpack(&self.packing).map_err(wrong);
+        }
+        let offset = array.attribute("offset").and_then(|offset| offset.trim().parse::<usize>().ok());
+        let Some((offset, appended)) = offset.zip(self.appended) else {
+            return Err(wrong("neither text, binary nor at an offset in appended data".into()));
+        };
+        let Some(data) = appended.get(offset..) else {
+            return Err(wrong(format!("offset {offset} in {} bytes of appended data", appended.len())));
+        };
+        let stream = if self.is_raw { Stream::Raw(data) } else { Stream::base64(data) };
+        stream.unpack(&self.packing).map_err(wrong)
+    }
+
+    /// An attribute that counts something; zero where it is missing.
+    fn count(&self, node: Node<'_, '_>, attribute: &str) -> Result<u64, FormatError> {
+        let Some(text) = node.attribute(attribute) else { return Ok(0) };
+        text.trim()
+            .parse()
+            .map_err(|_| self.wrong(node, &format!("{attribute} is {text:?}, expected a number")))
+    }
+
+    fn wrong(&self, node: Node<'_, '_>, problem: &str) -> FormatError {
+        let name = node.attribute("Name").map(|name| format!(" {name:?}")).unwrap_or_default();
+        let line = line_of(self.bytes, node.range().start);
+        FormatError::new(Location::Line(line), format!("{}{name}: {problem}", node.tag_name().name()))
+    }
+}
+
+fn child<'a, 'i>(file: &File<'_, '_>, node: Node<'a, 'i>, tag: &str) -> Result<Node<'a, 'i>, FormatError> {
+    let found = node.children().find(|child| child.has_tag_name(tag));
+    found.ok_or_else(|| file.wrong(node, &format!("no {tag}")))
+}
+
+fn array<'a, 'i>(file: &File<'_, '_>, node: Node<'a, 'i>, name: &str) -> Result<Node<'a, 'i>, FormatError> {
+    let found = node.children().find(|child| child.attribute("Name") == Some(name));
+    found.ok_or_else(|| file.wrong(node, &format!("no DataArray {name:?}")))
+}
+
+/// All text in an element, without comments.
+fn text_of<'a>(node: Node<'a, '_>) -> Cow<'a, str> {
+    let mut parts = node.children().filter(Node::is_text).filter_map(|child| child.text());
+    let first = parts.next().unwrap_or_default();
+    parts.fold(Cow::Borrowed(first), |text, part| text + part)
+}
