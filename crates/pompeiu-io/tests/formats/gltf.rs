@@ -364,6 +364,11 @@ fn json_errors_name_the_place() {
     let mut glb = b"glTF\x02\0\0\0\x21\0\0\0\x0D\0\0\0JSON{\"asset\":[}  ".to_vec();
     assert_eq!(glb.len(), 33);
     assert!(refusal(Format::Glb, &glb).starts_with("byte 30: "), "{}", refusal(Format::Glb, &glb));
+    glb[8] += 4;
+    assert_eq!(
+        refusal(Format::Glb, &glb),
+        "byte 33: the file ends here, expected 37 bytes as its header says"
+    );
     glb[4] = 1;
     assert_eq!(refusal(Format::Glb, &glb), "byte 4: GLB version 1, expected 2");
     assert_eq!(refusal(Format::Glb, &glb[..10]), "byte 4: GLB version 1, expected 2");

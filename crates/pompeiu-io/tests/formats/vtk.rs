@@ -63,7 +63,7 @@ fn files_by_vtk() {
             seen += 1;
         }
     }
-    assert_eq!(seen, 8 + 7 + 7);
+    assert_eq!(seen, 10 + 7 + 7);
 }
 
 #[test]

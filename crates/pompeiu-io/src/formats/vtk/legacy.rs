@@ -173,14 +173,27 @@ fn skip_field(scanner: &mut Scanner<'_>) -> Result<(), Problem> {
     scanner.keyword();
     let arrays = scanner.count()?;
     for _ in 0..arrays {
-        scanner.keyword();
+        // The name, or what is told about the array before.
+        while scanner.keyword().1 == b"metadata" {
+            skip_metadata(scanner);
+        }
         let (components, tuples) = (scanner.count()?, scanner.count()?);
-        let at = scanner.at;
-        let number_type = scanner.number_type().map_err(|_| {
-            Problem::new(at, "a field before the points that is not of numbers, which is not supported")
-        })?;
-        scanner.end_header_line();
-        scanner.skip(components.saturating_mul(tuples), number_type)?;
+        let values = components.saturating_mul(tuples);
+        let before = scanner.at;
+        match scanner.keyword().1.as_slice() {
+            b"string" | b"utf8_string" => scanner.skip_strings(values)?,
+            b"bit" if scanner.binary => {
+                scanner.end_header_line();
+                scanner.skip(values.div_ceil(8), NumberType::U8)?;
+            }
+            b"bit" => scanner.skip(values, NumberType::U8)?,
+            _ => {
+                scanner.at = before;
+                let number_type = scanner.number_type()?;
+                scanner.end_header_line();
+                scanner.skip(values, number_type)?;
+            }
+        }
     }
     Ok(())
 }
@@ -293,6 +306,27 @@ impl<'a> Scanner<'a> {
             for _ in 0..count {
                 self.word();
             }
+        }
+        Ok(())
+    }
+
+    /// Text has one string a line. In binary each follows its length, whose first two bits tell in how many bytes
+    /// the length is written.
+    fn skip_strings(&mut self, count: u64) -> Result<(), Problem> {
+        self.line();
+        for _ in 0..count {
+            if self.at == self.bytes.len() {
+                return Err(Problem::new(self.at, "expected a string, but the file ends here"));
+            }
+            if !self.binary {
+                self.line();
+                continue;
+            }
+            let width = [8, 4, 2, 1][usize::from(self.bytes[self.at] >> 6)];
+            let prefix = self.block(width, NumberType::U8)?;
+            let word = prefix.iter().fold(0_u64, |word, &byte| word << 8 | u64::from(byte));
+            let length = word & (u64::MAX >> (64 - 8 * width + 2));
+            self.block(length, NumberType::U8)?;
         }
         Ok(())
     }

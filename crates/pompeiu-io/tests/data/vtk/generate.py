@@ -92,6 +92,24 @@ for data, writer_class, suffix in [
         writer.SetFileName(f"{name}.{suffix}")
         writer.Write()
 
+notes = vtk.vtkStringArray()
+notes.SetName("notes")
+for note in ["short", "x" * 100, "", "two words\nand a line", "y" * 20000]:
+    notes.InsertNextValue(note)
+bits = vtk.vtkBitArray()
+bits.SetName("bits")
+for i in range(11):
+    bits.InsertNextValue(i % 2)
+poly.GetFieldData().AddArray(notes)
+poly.GetFieldData().AddArray(bits)
+for kind in ("ascii", "binary"):
+    writer = vtk.vtkPolyDataWriter()
+    writer.SetInputData(poly)
+    writer.SetFileType(2 if kind == "binary" else 1)
+    writer.SetFileName(f"poly-strings-{kind}.vtk")
+    writer.Write()
+poly.GetFieldData().Initialize()
+
 poly.SetPoints(single)
 writer = vtk.vtkXMLPolyDataWriter()
 writer.SetInputData(poly)
