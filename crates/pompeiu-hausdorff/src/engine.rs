@@ -66,7 +66,7 @@ pub(crate) fn search(
     let stages = question.stages(&joint, target.frame(), &limits);
     let held = bytes_of(a) + target.bytes() + a.faces().len() * size_of::<u32>();
     let control = Control::new(question.deadline, question.memory_limit.map(|m| m.saturating_sub(held)));
-    let order = morton_order(a);
+    let order = morton_order(a, &a_box);
     let scene = Scene { a, order: &order, frame: target.frame(), bvh: target.bvh(), control: &control };
     let result = Search::new(scene, limits, observer, question.direction).run(&stages);
 

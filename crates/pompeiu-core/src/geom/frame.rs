@@ -16,7 +16,10 @@ use crate::exact::Interval;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame {
     origin: [f64; 3],
-    exponent: i32,
+    /// Two powers of two whose product is the scale: it may exceed the range of one, and multiplying by one after the
+    /// other rounds at most once.
+    shrink: (f64, f64),
+    grow: (f64, f64),
 }
 
 impl Frame {
@@ -27,32 +30,36 @@ impl Frame {
     /// its coordinates.
     pub fn of(aabb: &Aabb) -> Self {
         if aabb.is_empty() {
-            return Self { origin: [0.0; 3], exponent: 0 };
+            return Self::scaling(0);
         }
         let extent =
             (0..3).map(|k| aabb.upper[k] - aabb.lower[k]).fold(0.0, |m: f64, x| if x > m { x } else { m });
         let size = if extent > 0.0 { extent } else { aabb.max_coordinate() };
         let exponent = if size > 0.0 { exponent_above(size) } else { 0 };
-        let scaled = Self { origin: [0.0; 3], exponent };
+        let scaled = Self::scaling(exponent);
         let (lower, upper) = (scaled.map(aabb.lower), scaled.map(aabb.upper));
         let origin = [0, 1, 2].map(|k| {
             let centre = lower[k] + 0.5 * (upper[k] - lower[k]);
             // Quarter units keep the last bits of the origin zero, so that the subtraction is exact more often.
             if centre.abs() > Self::SHIFT_BEYOND { (4.0 * centre).round() * 0.25 } else { 0.0 }
         });
-        Self { origin, exponent }
+        Self { origin, ..scaled }
+    }
+
+    fn scaling(exponent: i32) -> Self {
+        Self { origin: [0.0; 3], shrink: factors(-exponent), grow: factors(exponent) }
     }
 
     /// A point in this frame.
     #[inline]
     pub fn map(&self, p: [f64; 3]) -> [f64; 3] {
-        let (s, t) = factors(-self.exponent);
-        [0, 1, 2].map(|k| p[k] * s * t - self.origin[k])
+        let (s, t) = self.shrink;
+        [p[0] * s * t - self.origin[0], p[1] * s * t - self.origin[1], p[2] * s * t - self.origin[2]]
     }
 
     /// Encloses the exact image of a point.
     pub fn enclosure(&self, p: [f64; 3]) -> [Interval; 3] {
-        let (s, t) = factors(-self.exponent);
+        let (s, t) = self.shrink;
         [0, 1, 2].map(|k| {
             let scaled = p[k] * s * t;
             let exact = scaled == 0.0 && p[k] == 0.0 || scaled.abs() >= f64::MIN_POSITIVE;
@@ -64,32 +71,29 @@ impl Frame {
     /// The point whose image is `p`, rounded.
     #[inline]
     pub fn unmap(&self, p: [f64; 3]) -> [f64; 3] {
-        let (s, t) = factors(self.exponent);
+        let (s, t) = self.grow;
         [0, 1, 2].map(|k| (p[k] + self.origin[k]) * s * t)
     }
 
     /// A length in units of this frame. Exact outside the subnormal range.
     pub fn length_in(&self, length: f64) -> f64 {
-        let (s, t) = factors(-self.exponent);
+        let (s, t) = self.shrink;
         length * s * t
     }
 
     /// A length of this frame in units of the caller. Exact outside the subnormal range.
     pub fn length_out(&self, length: f64) -> f64 {
-        let (s, t) = factors(self.exponent);
+        let (s, t) = self.grow;
         length * s * t
     }
 }
 
-/// `2^exponent` as a product of two factors, since it may exceed the range of one; multiplying by one after the other
-/// rounds at most once.
-#[inline]
+/// `2^exponent` as a product of two factors.
 fn factors(exponent: i32) -> (f64, f64) {
     let half = exponent / 2;
     (power_of_two(half), power_of_two(exponent - half))
 }
 
-#[inline]
 fn power_of_two(exponent: i32) -> f64 {
     f64::from_bits(((1023 + exponent) as u64) << 52)
 }
@@ -137,7 +141,7 @@ mod tests {
     #[test]
     fn copes_with_a_single_point_and_with_none() {
         assert_eq!(frame_of(&[[0.0; 3]]).map([0.0; 3]), [0.0; 3]);
-        assert_eq!(frame_of(&[]), Frame { origin: [0.0; 3], exponent: 0 });
+        assert_eq!(frame_of(&[]), Frame::scaling(0));
         assert!(frame_of(&[[1e-310; 3]]).map([1e-310; 3])[0] <= 1.0);
     }
 }

@@ -39,7 +39,7 @@ pub fn distance_sq(p: [f64; 3], a: [f64; 3], b: [f64; 3], c: [f64; 3]) -> f64 {
     let inverse = 1.0 / dot(n, n);
     let v = dot(cross(ap, ac), n) * inverse;
     let w = dot(cross(ab, ap), n) * inverse;
-    let r = [0, 1, 2].map(|k| (ap[k] - v * ab[k]) - w * ac[k]);
+    let r = [ap[0] - v * ab[0] - w * ac[0], ap[1] - v * ab[1] - w * ac[1], ap[2] - v * ab[2] - w * ac[2]];
     let foot = dot(r, r);
     // Written so that a NaN from a triangle without area is "outside".
     let inside = (v >= 0.0) & (w >= 0.0) & (v + w <= 1.0) & (foot < least);
@@ -53,7 +53,7 @@ fn edge_distance_sq(ap: [f64; 3], ab: [f64; 3]) -> f64 {
     let t = dot(ap, ab) / dot(ab, ab);
     let t = if t > 0.0 { t } else { 0.0 };
     let t = if t < 1.0 { t } else { 1.0 };
-    let r = [0, 1, 2].map(|k| ap[k] - t * ab[k]);
+    let r = [ap[0] - t * ab[0], ap[1] - t * ab[1], ap[2] - t * ab[2]];
     dot(r, r)
 }
 

@@ -74,8 +74,10 @@ impl TriMesh {
     ///
     /// # Panics
     /// If `face` is not a face of this mesh.
+    #[inline]
     pub fn corners(&self, face: FaceId) -> [[f64; 3]; 3] {
-        self.faces[face.index()].map(|v| self.positions[v as usize])
+        let [a, b, c] = self.faces[face.index()];
+        [self.positions[a as usize], self.positions[b as usize], self.positions[c as usize]]
     }
 
     /// Gives the arrays back.

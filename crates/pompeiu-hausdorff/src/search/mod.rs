@@ -19,7 +19,6 @@ use pompeiu_core::geom::Frame;
 use pompeiu_core::spatial::{Bvh, Slot, Workspace};
 use pompeiu_core::{FaceId, TriMesh};
 use rayon::prelude::*;
-use std::collections::HashSet;
 use std::ops::ControlFlow;
 use std::time::Instant;
 use worker::{Discarded, Keep, Outcome, SlotProof, Worker};
@@ -55,7 +54,8 @@ impl Scene<'_> {
     /// Corners of a face of A in the frame of the search.
     #[inline]
     pub(crate) fn corners(&self, face: u32) -> [[f64; 3]; 3] {
-        self.a.corners(FaceId(face)).map(|p| self.frame.map(p))
+        let [a, b, c] = self.a.corners(FaceId(face));
+        [self.frame.map(a), self.frame.map(b), self.frame.map(c)]
     }
 
     fn stopped(&self) -> bool {
@@ -155,6 +155,7 @@ impl<'s, 'o> Search<'s, 'o> {
             self.keep.pieces = !stages.is_empty();
             if i == 0 {
                 self.sweep();
+                self.ask_corners();
             } else {
                 let limits = self.limits;
                 let lower = self.found.distance;
@@ -162,7 +163,6 @@ impl<'s, 'o> Search<'s, 'o> {
                     piece.bound - limits.rounding.bound(piece.depth) > limits.at(lower, piece.depth)
                 }));
             }
-            self.ask_corners();
             self.refine();
             if self.keep.pieces {
                 self.report_stage(tolerance);
@@ -208,14 +208,16 @@ impl<'s, 'o> Search<'s, 'o> {
     /// Exact distances at the corners of the faces that are left: cheap, and the maximum is often there.
     fn ask_corners(&mut self) {
         let lower = self.found.distance;
-        let mut seen = HashSet::new();
+        let mut seen = vec![0_u64; self.scene.a.positions().len().div_ceil(64)];
         let mut corners = Vec::new();
         for piece in &self.open {
-            for corner in piece.corners {
-                if seen.insert(corner.map(f64::to_bits))
-                    && self.scene.bvh.distance_sq(corner, piece.near[0]) > lower * lower
-                {
-                    corners.push((piece.face, corner, piece.near[0]));
+            for (vertex, corner) in self.scene.a.faces()[piece.face as usize].into_iter().zip(piece.corners) {
+                let (word, bit) = (&mut seen[vertex as usize / 64], 1 << (vertex % 64));
+                if *word & bit == 0 {
+                    *word |= bit;
+                    if self.scene.bvh.distance_sq(corner, piece.near[0]) > lower * lower {
+                        corners.push((piece.face, corner, piece.near[0]));
+                    }
                 }
             }
         }

@@ -16,6 +16,8 @@ pub(crate) struct Piece {
     /// Faces of B believed to be near: the nearest first.
     pub(crate) near: [Slot; INHERITED],
     pub(crate) near_count: u8,
+    /// Whether the first of those is known to be nearest to the centroid.
+    pub(crate) nearest_known: bool,
     /// Cuts between the face and this piece.
     pub(crate) depth: u32,
     /// The face of A.
@@ -163,7 +165,7 @@ mod tests {
             depth in 0..100_u32,
         ) {
             let corners = corners.map(|[x, y]| [x, y, 0.0]);
-            let piece = Piece { corners, bound: 1.0, near: [first_slot(); INHERITED], near_count: 1, depth, face: 0 };
+            let piece = Piece { corners, bound: 1.0, near: [first_slot(); INHERITED], near_count: 1, nearest_known: false, depth, face: 0 };
             let parts = piece.cut(nearest);
             let total: f64 = parts.as_slice().iter().map(area).sum();
             prop_assert!((total - area(&corners)).abs() < 1e-14);
@@ -183,8 +185,15 @@ mod tests {
     #[test]
     fn cuts_where_the_nearest_face_ends() {
         let corners = [[-1.0, 0.0, 1.0], [1.0, 0.0, 1.0], [0.0, 1.0, 1.0]];
-        let piece =
-            Piece { corners, bound: 1.0, near: [first_slot(); INHERITED], near_count: 1, depth: 0, face: 0 };
+        let piece = Piece {
+            corners,
+            bound: 1.0,
+            near: [first_slot(); INHERITED],
+            near_count: 1,
+            nearest_known: false,
+            depth: 0,
+            face: 0,
+        };
         let parts = piece.cut([[0.0, -5.0, 0.0], [0.0, 5.0, 0.0], [-9.0, 0.0, 0.0]]);
         let mut xs: Vec<f64> = parts.as_slice().iter().flatten().map(|c| c[0]).collect();
         xs.sort_by(f64::total_cmp);

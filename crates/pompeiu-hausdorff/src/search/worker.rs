@@ -133,6 +133,7 @@ impl<'s> Worker<'s> {
                 bound: f64::INFINITY,
                 near: [hint; INHERITED],
                 near_count: 1,
+                nearest_known: false,
                 depth: 0,
                 face,
             };
@@ -156,6 +157,7 @@ impl<'s> Worker<'s> {
                         self.discard(piece, d.sqrt(), || SlotProof::Face(hint));
                     } else {
                         piece.near[0] = hint;
+                        piece.nearest_known = true;
                         piece.bound = d.sqrt() + self.limits.rounding.bound(0);
                         self.out.open.push(piece);
                     }
@@ -206,12 +208,16 @@ impl<'s> Worker<'s> {
             }
             rows.push(slot, [d[0].sqrt(), d[1].sqrt(), d[2].sqrt()]);
         }
-        self.out.work.queries += 1;
-        let nearest = match bvh.cover(&points, self.limit_sq(piece.depth), start, &mut self.workspace) {
-            Cover::By { slot, distance_sq } => {
-                return self.discard(piece, distance_sq.sqrt(), || SlotProof::Face(slot));
+        let nearest = if piece.nearest_known {
+            start
+        } else {
+            self.out.work.queries += 1;
+            match bvh.cover(&points, self.limit_sq(piece.depth), start, &mut self.workspace) {
+                Cover::By { slot, distance_sq } => {
+                    return self.discard(piece, distance_sq.sqrt(), || SlotProof::Face(slot));
+                }
+                Cover::Nearest(nearest) => nearest,
             }
-            Cover::Nearest(nearest) => nearest,
         };
         self.raise(piece.face, centre(&points), nearest);
         self.add_row(&mut rows, nearest.slot, &points);
@@ -223,8 +229,12 @@ impl<'s> Worker<'s> {
                 break;
             }
             let x = at(&piece.corners, game.corners);
-            let start = rows.nearest_to(x, |x, slot| bvh.distance_sq(x, slot));
-            self.workspace.distances += rows.len() as u64;
+            let slot = rows.likely_nearest(game.corners);
+            let start = Nearest { slot, distance_sq: bvh.distance_sq(x, slot) };
+            self.workspace.distances += 1;
+            if start.distance_sq <= self.limit_sq(piece.depth) {
+                break;
+            }
             let farthest = self.query(piece.face, x, start);
             if game.value <= self.limit(piece.depth) || !self.add_row(&mut rows, farthest.slot, &points) {
                 break;
@@ -257,6 +267,7 @@ impl<'s> Worker<'s> {
                 bound: bound + self.limits.rounding.cut(),
                 near,
                 near_count,
+                nearest_known: false,
                 depth: piece.depth + 1,
                 face: piece.face,
             });
@@ -324,25 +335,22 @@ struct Rows {
 }
 
 impl Rows {
-    fn len(&self) -> usize {
-        self.count
-    }
-
     fn push(&mut self, slot: Slot, row: Row) {
         self.slots[self.count] = Some(slot);
         self.distances[self.count] = row;
         self.count += 1;
     }
 
-    fn nearest_to(&self, x: [f64; 3], distance_sq: impl Fn([f64; 3], Slot) -> f64) -> Nearest {
-        let mut best: Option<Nearest> = None;
-        for slot in self.slots.iter().flatten() {
-            let d = distance_sq(x, *slot);
-            if best.is_none_or(|b| d < b.distance_sq) {
-                best = Some(Nearest { slot: *slot, distance_sq: d });
+    /// The face that is nearest at the point with these weights, were distances linear in between.
+    fn likely_nearest(&self, corners: [f64; 3]) -> Slot {
+        let mut best = (f64::INFINITY, None);
+        for (slot, row) in self.slots.iter().zip(&self.distances).take(self.count) {
+            let mean = row[0] * corners[0] + row[1] * corners[1] + row[2] * corners[2];
+            if mean < best.0 || best.1.is_none() {
+                best = (mean, *slot);
             }
         }
-        best.expect("a game has a row")
+        best.1.expect("a game has a row")
     }
 
     fn mixture(&self, weights: &[f64; MAX_ROWS]) -> SlotProof {
@@ -366,19 +374,20 @@ impl Rows {
 }
 
 /// The corners of a triangle and its centroid, coordinate by coordinate.
-fn with_centre(corners: &[[f64; 3]; 3]) -> [[f64; 4]; 3] {
-    [0, 1, 2].map(|k| {
-        let [a, b, c] = [corners[0][k], corners[1][k], corners[2][k]];
-        [a, b, c, (a + b + c) * (1.0 / 3.0)]
-    })
+fn with_centre([a, b, c]: &[[f64; 3]; 3]) -> [[f64; 4]; 3] {
+    let mut points = [[0.0; 4]; 3];
+    for k in 0..3 {
+        points[k] = [a[k], b[k], c[k], (a[k] + b[k] + c[k]) * (1.0 / 3.0)];
+    }
+    points
 }
 
 fn centre(points: &[[f64; 4]; 3]) -> [f64; 3] {
     [points[0][3], points[1][3], points[2][3]]
 }
 
-fn at(corners: &[[f64; 3]; 3], weights: [f64; 3]) -> [f64; 3] {
-    [0, 1, 2].map(|k| (0..3).map(|i| weights[i] * corners[i][k]).sum())
+fn at([a, b, c]: &[[f64; 3]; 3], [u, v, w]: [f64; 3]) -> [f64; 3] {
+    [u * a[0] + v * b[0] + w * c[0], u * a[1] + v * b[1] + w * c[1], u * a[2] + v * b[2] + w * c[2]]
 }
 
 fn max3(d: [f64; 4]) -> f64 {

@@ -6,22 +6,57 @@
 use super::{Bvh, LEAF, Node};
 use crate::geom::point_triangle::{LANES, TriangleBlock};
 use crate::geom::{Aabb, Frame};
-use crate::mesh::TriMesh;
+use crate::mesh::{FaceId, TriMesh};
 use rayon::prelude::*;
 
 /// What the builder sorts: a face by the box around it, rounded to single precision. Only the quality of the tree
 /// depends on it; the boxes that searches use are taken from the triangles themselves.
 #[derive(Clone, Copy)]
 struct Item {
-    lower: [f32; 3],
-    upper: [f32; 3],
-    face: u32,
+    /// The unused fourth coordinates hold the low and the high half of the face's index.
+    bounds: Bounds,
+}
+
+/// A box in single precision. The fourth coordinate means nothing: loops over four become one instruction.
+#[derive(Clone, Copy)]
+struct Bounds {
+    lower: [f32; 4],
+    upper: [f32; 4],
+}
+
+impl Bounds {
+    const EMPTY: Self = Self { lower: [f32::INFINITY; 4], upper: [f32::NEG_INFINITY; 4] };
+
+    #[inline]
+    fn add(&mut self, other: &Self) {
+        for k in 0..4 {
+            self.lower[k] = if other.lower[k] < self.lower[k] { other.lower[k] } else { self.lower[k] };
+            self.upper[k] = if other.upper[k] > self.upper[k] { other.upper[k] } else { self.upper[k] };
+        }
+    }
+
+    fn half_area(&self) -> f32 {
+        let [x, y, z] = [0, 1, 2].map(|k| self.upper[k] - self.lower[k]);
+        x * y + y * z + z * x
+    }
 }
 
 impl Item {
+    fn new(aabb: &Aabb, face: u32) -> Self {
+        let [x, y, z] = aabb.lower.map(|x| x as f32);
+        let [u, v, w] = aabb.upper.map(|x| x as f32);
+        let (low, high) = ((face & 0xffff) as f32, (face >> 16) as f32);
+        Self { bounds: Bounds { lower: [x, y, z, low], upper: [u, v, w, high] } }
+    }
+
+    #[inline]
+    fn face(&self) -> u32 {
+        self.bounds.lower[3] as u32 | (self.bounds.upper[3] as u32) << 16
+    }
+
     #[inline]
     fn centre(&self, axis: usize) -> f32 {
-        self.lower[axis] + self.upper[axis]
+        self.bounds.lower[axis] + self.bounds.upper[axis]
     }
 }
 
@@ -37,14 +72,13 @@ impl Bvh {
     /// # Cost
     /// O(m log m) time on all threads of the current pool; the same tree for any number of threads.
     pub fn build(mesh: &TriMesh, frame: &Frame) -> Self {
-        let corners =
-            |face: u32| mesh.faces()[face as usize].map(|v| frame.map(mesh.positions()[v as usize]));
+        let corners = |face: u32| {
+            let [a, b, c] = mesh.corners(FaceId(face));
+            [frame.map(a), frame.map(b), frame.map(c)]
+        };
         let mut items: Vec<Item> = (0..mesh.faces().len() as u32)
             .into_par_iter()
-            .map(|face| {
-                let aabb = Aabb::of_points(&corners(face));
-                Item { lower: aabb.lower.map(|x| x as f32), upper: aabb.upper.map(|x| x as f32), face }
-            })
+            .map(|face| Item::new(&Aabb::of_points(&corners(face)), face))
             .collect();
         let mut nodes = Vec::new();
         let builder = Builder { corners: &corners };
@@ -55,7 +89,7 @@ impl Bvh {
         }
         nodes.shrink_to_fit();
         let blocks = items.par_chunks(LANES).map(|chunk| block(chunk, &corners)).collect();
-        let faces = items.iter().map(|item| item.face).collect();
+        let faces = items.iter().map(Item::face).collect();
         Self { nodes, blocks, faces }
     }
 }
@@ -64,7 +98,7 @@ fn block(items: &[Item], corners: &impl Fn(u32) -> [[f64; 3]; 3]) -> TriangleBlo
     let mut block = [[[0.0; LANES]; 3]; 3];
     for lane in 0..LANES {
         let item = items[if lane < items.len() { lane } else { items.len() - 1 }];
-        for (into, from) in block.iter_mut().zip(corners(item.face)) {
+        for (into, from) in block.iter_mut().zip(corners(item.face())) {
             for k in 0..3 {
                 into[k][lane] = from[k];
             }
@@ -154,7 +188,7 @@ impl<C: Fn(u32) -> [[f64; 3]; 3] + Sync> Builder<'_, C> {
     fn leaf_box(&self, items: &[Item]) -> Aabb {
         let mut aabb = Aabb::EMPTY;
         for item in items {
-            for corner in (self.corners)(item.face) {
+            for corner in (self.corners)(item.face()) {
                 aabb.add(corner);
             }
         }
@@ -184,91 +218,96 @@ fn split_into_eight(items: &mut [Item], first: usize, depth: usize) -> Vec<(usiz
 
 /// Reorders items so that a multiple of eight of them form the left of a split; returns how many.
 fn split(items: &mut [Item], depth: usize) -> usize {
-    let mut low = [f32::INFINITY; 3];
-    let mut high = [f32::NEG_INFINITY; 3];
-    for item in items.iter() {
-        for k in 0..3 {
-            let c = item.centre(k);
+    let mut low = [f32::INFINITY; 4];
+    let mut high = [f32::NEG_INFINITY; 4];
+    for Item { bounds, .. } in items.iter() {
+        for k in 0..4 {
+            let c = bounds.lower[k] + bounds.upper[k];
             low[k] = if c < low[k] { c } else { low[k] };
             high[k] = if c > high[k] { c } else { high[k] };
         }
     }
     let widest = (0..3).fold(0, |w, k| if high[k] - low[k] > high[w] - low[w] { k } else { w });
-    let half = (items.len() / 2).next_multiple_of(LANES).min((items.len() - 1) / LANES * LANES);
     let spread = high[widest] - low[widest];
-    let (axis, left) = if depth >= MEDIAN_BELOW_DEPTH || items.len() <= 4 * LANES || !spread.is_normal() {
-        (widest, half)
-    } else {
-        best_binned_split(items, low, high).unwrap_or((widest, half))
-    };
-    items.select_nth_unstable_by(left, |a, b| {
-        a.centre(axis).total_cmp(&b.centre(axis)).then(a.face.cmp(&b.face))
+    if depth < MEDIAN_BELOW_DEPTH && items.len() > 2 * LANES && spread.is_normal() {
+        let axis = widest;
+        let scale = BINS as f32 * (1.0 - f32::EPSILON) / spread;
+        if let Some(boundary) = best_boundary(items, axis, low[axis], scale) {
+            let left = partition(items, |item| bin_of(item, axis, low[axis], scale) < boundary);
+            return align(items, left, axis);
+        }
+    }
+    let half = (items.len() / 2).next_multiple_of(LANES).min((items.len() - 1) / LANES * LANES);
+    items.select_nth_unstable_by(half, |a, b| {
+        a.centre(widest).total_cmp(&b.centre(widest)).then(a.face().cmp(&b.face()))
     });
+    half
+}
+
+#[inline]
+fn bin_of(item: &Item, axis: usize, low: f32, scale: f32) -> usize {
+    let bin = ((item.centre(axis) - low) * scale) as usize;
+    if bin < BINS { bin } else { BINS - 1 }
+}
+
+/// Moves the items that satisfy a predicate to the front; returns how many.
+fn partition(items: &mut [Item], on_the_left: impl Fn(&Item) -> bool) -> usize {
+    let mut left = 0;
+    for i in 0..items.len() {
+        // Without a branch: the outcome is as good as random.
+        let goes_left = on_the_left(&items[i]);
+        items.swap(left, i);
+        left += usize::from(goes_left);
+    }
     left
 }
 
-#[derive(Clone, Copy)]
-struct Bin {
-    count: usize,
-    lower: [f32; 3],
-    upper: [f32; 3],
-}
-
-impl Bin {
-    const EMPTY: Self = Self { count: 0, lower: [f32::INFINITY; 3], upper: [f32::NEG_INFINITY; 3] };
-
-    #[inline]
-    fn add(&mut self, count: usize, lower: &[f32; 3], upper: &[f32; 3]) {
-        self.count += count;
-        for k in 0..3 {
-            self.lower[k] = if lower[k] < self.lower[k] { lower[k] } else { self.lower[k] };
-            self.upper[k] = if upper[k] > self.upper[k] { upper[k] } else { self.upper[k] };
-        }
-    }
-
-    fn half_area(&self) -> f32 {
-        let [x, y, z] = [0, 1, 2].map(|k| self.upper[k] - self.lower[k]);
-        x * y + y * z + z * x
-    }
-}
-
-/// The split between bins with the least expected cost, as an axis and a count on the left rounded to a multiple of
-/// eight; none if no boundary separates anything.
-fn best_binned_split(items: &[Item], low: [f32; 3], high: [f32; 3]) -> Option<(usize, usize)> {
-    let mut bins = [[Bin::EMPTY; BINS]; 3];
-    let scale = [0, 1, 2].map(|k| {
-        let extent = high[k] - low[k];
-        if extent.is_normal() { BINS as f32 * (1.0 - f32::EPSILON) / extent } else { 0.0 }
-    });
-    for item in items {
-        for k in 0..3 {
-            let bin = ((item.centre(k) - low[k]) * scale[k]) as usize;
-            bins[k][if bin < BINS { bin } else { BINS - 1 }].add(1, &item.lower, &item.upper);
-        }
-    }
-    let mut best: Option<(f32, usize, usize)> = None;
-    for (axis, bins) in bins.iter().enumerate() {
-        let mut right_cost = [0.0; BINS];
-        let mut right = Bin::EMPTY;
-        for i in (1..BINS).rev() {
-            right.add(bins[i].count, &bins[i].lower, &bins[i].upper);
-            right_cost[i] = if right.count > 0 { right.half_area() * right.count as f32 } else { 0.0 };
-        }
-        let mut left = Bin::EMPTY;
-        for i in 1..BINS {
-            left.add(bins[i - 1].count, &bins[i - 1].lower, &bins[i - 1].upper);
-            if left.count == 0 || left.count == items.len() {
-                continue;
-            }
-            let cost = left.half_area() * left.count as f32 + right_cost[i];
-            if best.is_none_or(|(least, ..)| cost < least) {
-                best = Some((cost, axis, left.count));
-            }
-        }
-    }
-    let (_, axis, count) = best?;
+/// Moves the few items next to a split that keep its left from being a multiple of eight; returns the new length.
+fn align(items: &mut [Item], left: usize, axis: usize) -> usize {
     let most = (items.len() - 1) / LANES * LANES;
-    Some((axis, ((count + LANES / 2) / LANES * LANES).clamp(LANES, most)))
+    let aligned = ((left + LANES / 2) / LANES * LANES).clamp(LANES, most);
+    for end in (aligned..left).rev() {
+        let last =
+            (0..=end).fold(0, |m, i| if items[i].centre(axis) > items[m].centre(axis) { i } else { m });
+        items.swap(last, end);
+    }
+    for start in left..aligned {
+        let first = (start..items.len())
+            .fold(start, |m, i| if items[i].centre(axis) < items[m].centre(axis) { i } else { m });
+        items.swap(first, start);
+    }
+    aligned
+}
+
+/// The bin with which the right side of the cheapest split begins, by area times count; none if all are in one bin.
+fn best_boundary(items: &[Item], axis: usize, low: f32, scale: f32) -> Option<usize> {
+    let mut bins = [(Bounds::EMPTY, 0); BINS];
+    for item in items {
+        let (bounds, count) = &mut bins[bin_of(item, axis, low, scale)];
+        bounds.add(&item.bounds);
+        *count += 1;
+    }
+    let mut right_cost = [0.0; BINS];
+    let (mut right, mut count) = (Bounds::EMPTY, 0);
+    for i in (1..BINS).rev() {
+        right.add(&bins[i].0);
+        count += bins[i].1;
+        right_cost[i] = if count > 0 { right.half_area() * count as f32 } else { 0.0 };
+    }
+    let mut best: Option<(f32, usize)> = None;
+    let (mut left, mut count) = (Bounds::EMPTY, 0);
+    for i in 1..BINS {
+        left.add(&bins[i - 1].0);
+        count += bins[i - 1].1;
+        if count == 0 || count == items.len() {
+            continue;
+        }
+        let cost = left.half_area() * count as f32 + right_cost[i];
+        if best.is_none_or(|(least, _)| cost < least) {
+            best = Some((cost, i));
+        }
+    }
+    best.map(|(_, boundary)| boundary)
 }
 
 #[cfg(test)]

@@ -62,26 +62,47 @@ fn traverse(
 ) -> Cover {
     let centre = [points[0][3], points[1][3], points[2][3]];
     let mut best = start;
+    // The neighbours in the leaf of the start are likely covers, and cheaper than the way down from the root.
+    let start_block = start.slot.0 / LANES as u32;
+    if let Some(cover) = visit_leaf(bvh, points, centre, limit_sq, start_block, &mut best, workspace) {
+        return cover;
+    }
     workspace.stack.clear();
     workspace.stack.push((0.0, 0));
     while let Some((d, entry)) = workspace.stack.pop() {
-        if d >= best.distance_sq {
+        if d >= best.distance_sq || entry == LEAF | start_block {
             continue;
         }
         if entry & LEAF == 0 {
             push_children(bvh, centre, entry, best.distance_sq, &mut workspace.stack);
-            continue;
-        }
-        workspace.distances += LANES as u64;
-        if improve(bvh, centre, entry & !LEAF, &mut best) && best.distance_sq <= limit_sq {
-            workspace.distances += 3;
-            let [x, y, z, _] = four_points_distances_sq(points, bvh.corners(best.slot));
-            let farthest = if x > y { x } else { y };
-            let farthest = if z > farthest { z } else { farthest };
-            if farthest <= limit_sq {
-                return Cover::By { slot: best.slot, distance_sq: farthest };
-            }
+        } else if let Some(cover) =
+            visit_leaf(bvh, points, centre, limit_sq, entry & !LEAF, &mut best, workspace)
+        {
+            return cover;
         }
     }
     Cover::Nearest(best)
+}
+
+/// Looks at the triangles of a leaf, and at the best of them as a cover if it is better than what was known.
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "compiled once per instruction set of its caller")]
+fn visit_leaf(
+    bvh: &Bvh,
+    points: &[[f64; 4]; 3],
+    centre: [f64; 3],
+    limit_sq: f64,
+    block: u32,
+    best: &mut Nearest,
+    workspace: &mut Workspace,
+) -> Option<Cover> {
+    workspace.distances += LANES as u64;
+    if !improve(bvh, centre, block, best) || best.distance_sq > limit_sq {
+        return None;
+    }
+    workspace.distances += 3;
+    let [x, y, z, _] = four_points_distances_sq(points, bvh.corners(best.slot));
+    let farthest = if x > y { x } else { y };
+    let farthest = if z > farthest { z } else { farthest };
+    (farthest <= limit_sq).then_some(Cover::By { slot: best.slot, distance_sq: farthest })
 }

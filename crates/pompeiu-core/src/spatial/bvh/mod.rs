@@ -65,7 +65,13 @@ impl Bvh {
     pub fn corners(&self, slot: Slot) -> [[f64; 3]; 3] {
         let (block, lane) = (slot.0 as usize / LANES, slot.0 as usize % LANES);
         let block = &self.blocks[block];
-        [0, 1, 2].map(|corner| [0, 1, 2].map(|k| block[corner][k][lane]))
+        let mut corners = [[0.0; 3]; 3];
+        for (corner, from) in corners.iter_mut().zip(block) {
+            for k in 0..3 {
+                corner[k] = from[k][lane];
+            }
+        }
+        corners
     }
 
     /// Some triangle: where a search starts that knows of none.
