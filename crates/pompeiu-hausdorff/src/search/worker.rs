@@ -300,8 +300,8 @@ impl<'s> Worker<'s> {
     }
 
     fn discard(&mut self, mut piece: Piece, computed: f64, proof: impl FnOnce() -> SlotProof) {
-        let bound = computed + self.limits.rounding.bound(piece.depth);
-        piece.bound = if bound < piece.bound { bound } else { piece.bound };
+        // Not the lesser of this and an inherited bound, which the proof at hand would not show.
+        piece.bound = computed + self.limits.rounding.bound(piece.depth);
         if self.keep.discards {
             self.out.discarded.push(Discarded { piece, proof: proof() });
         }
