@@ -49,12 +49,15 @@ impl Target {
     }
 
     /// Whether a mesh with this box can be measured in the frame of this target: neither so large that squares of
-    /// distances would lose B in rounding or overflow, nor so small.
+    /// distances would lose B in rounding or overflow, nor so small, nor so far from the origin for the size of both
+    /// together, as it may be when B is a single point and its frame knows of no size.
     pub(crate) fn suits(&self, a: &Aabb) -> bool {
         const SMALLEST: f64 = 0.25;
         const LARGEST: f64 = (1_u64 << 40) as f64;
+        const FARTHEST: f64 = 4.0 * Frame::SHIFT_BEYOND;
         let largest = self.max_coordinate_with(a);
-        (SMALLEST..=LARGEST).contains(&largest)
+        let size = self.frame.length_in(self.aabb.union(*a).diagonal());
+        (SMALLEST..=LARGEST).contains(&largest) && largest <= FARTHEST * size
     }
 
     /// The largest coordinate of this mesh and of one with the given box, in the frame of this target.
