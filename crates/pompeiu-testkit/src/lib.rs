@@ -1,1 +1,14 @@
 //! Oracles and reference cases for the tests.
+//!
+//! Nothing here shares code with the engine: [`exact`] numbers and an [`oracle`] that proves its enclosures in them,
+//! [`plain`] arithmetic, [`sampling`] with a covering radius, [`cases`] with closed forms, and [`strategies`] for random
+//! meshes.
+
+#![allow(clippy::missing_panics_doc, reason = "a test kit panics to fail a test")]
+
+pub mod cases;
+pub mod exact;
+pub mod oracle;
+pub mod plain;
+pub mod sampling;
+pub mod strategies;

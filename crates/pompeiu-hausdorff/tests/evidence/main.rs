@@ -1,0 +1,17 @@
+//! What the engine promises, held against evidence that does not come from it.
+
+#![allow(clippy::unwrap_used, clippy::print_stdout, reason = "helpers of tests, too, fail and report")]
+
+mod analytic;
+mod classic;
+mod determinism;
+mod discards;
+mod limits;
+mod observer;
+mod options;
+mod oracle;
+mod pairs;
+mod properties;
+mod sampling;
+mod scales;
+mod support;
