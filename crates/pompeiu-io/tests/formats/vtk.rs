@@ -1,8 +1,11 @@
 //! Files that VTK wrote, and files with one thing wrong.
 
 use crate::{read_as, refusal};
+use base64::{Engine, prelude::BASE64_STANDARD};
+use flate2::{Compression, write::ZlibEncoder};
 use pompeiu_io::{Format, ReadError, read};
 use std::fs;
+use std::io::Write;
 use std::path::{Path, PathBuf};
 
 pub(crate) fn folder() -> PathBuf {
@@ -150,6 +153,7 @@ fn what_is_wrong_in_legacy_files() {
         ),
         (MODERN, "CONNECTIVITY", "connect", "line 10: found \"connect\", expected CONNECTIVITY"),
         (MODERN, "CELL_TYPES 1\n5\n", "", "0 cell types for 1 cells"),
+        (MODERN, "CELL_TYPES 1\n5\n", "CELL_TYPES 2\n5 5\n", "2 cell types for 1 cells"),
         (MODERN, "\n5\n", "\n10\n", "face 0: the cell is not of a surface"),
         (MODERN, "\n5\n", "\n9\n", "face 0: 3 corners, expected 4"),
     ] {
@@ -189,6 +193,7 @@ fn what_is_wrong_in_xml_files() {
         ("LittleEndian", "Middle", "line 2: unknown byte order \"Middle\""),
         ("UInt32", "UInt16", "line 2: unknown header type \"UInt16\""),
         ("NumberOfPoints=\"3\"", "NumberOfPoints=\"4\"", "line 5: DataArray: 9 numbers, expected 12"),
+        ("NumberOfPoints=\"3\"", "NumberOfPoints=\"2\"", "line 5: DataArray: 9 numbers, expected 6"),
         (
             "NumberOfPoints=\"3\"",
             "NumberOfPoints=\"-3\"",
@@ -236,6 +241,12 @@ fn what_is_wrong_in_xml_files() {
         let found = refusal(Format::Vtp, POLY.replace(from, to).as_bytes());
         assert!(found.starts_with(message), "{to}: {found}");
     }
+    let appended = POLY
+        .replace("> 3 <", "><")
+        .replace("format=\"ascii\"><", "format=\"appended\" offset=\"7\"><")
+        .replace("</VTKFile>", "<AppendedData encoding=\"raw\">_abc</AppendedData></VTKFile>");
+    let found = refusal(Format::Vtp, appended.as_bytes());
+    assert_eq!(found, "line 8: DataArray \"offsets\": offset 7 in 3 bytes of appended data");
     // Lengths and data encoded together or each on its own.
     for data in ["BAAAAAMAAAA=", "BAAAAA==AwAAAA==", "\n BAAA AAMA AAA=\n"] {
         let text = POLY.replace(offsets, &format!("format=\"binary\">{data}<"));
@@ -255,6 +266,30 @@ fn damaged_compressed_blocks() {
     damaged[begin] ^= 0x0F;
     let message = refusal(Format::Vtp, &damaged);
     assert!(message.contains("a compressed block is damaged"), "{message}");
+}
+
+/// Three zero corners in one block that promises `length` bytes.
+fn zeros_in_a_block_of(length: u32) -> String {
+    let mut block = ZlibEncoder::new(Vec::new(), Compression::default());
+    block.write_all(&[0; 4 * 3]).unwrap();
+    let block = block.finish().unwrap();
+    let header: Vec<u8> = [1, length, 0, block.len() as u32].iter().flat_map(|x| x.to_le_bytes()).collect();
+    let data = format!("{}{}", BASE64_STANDARD.encode(header), BASE64_STANDARD.encode(block));
+    POLY.replace(">0 1 2<", &format!(" format=\"binary\">{data}<"))
+        .replace("header_type", "compressor=\"vtkZLibDataCompressor\" header_type")
+}
+
+#[test]
+fn compressed_blocks_hold_what_they_promise() {
+    let exact = read_as(Format::Vtp, zeros_in_a_block_of(12).as_bytes());
+    assert_eq!(exact.mesh.faces(), [[0, 0, 0]]);
+    for (length, message) in [
+        (11, "a compressed block holds more than its 11 bytes"),
+        (13, "a compressed block holds 12 bytes, expected 13"),
+    ] {
+        let found = refusal(Format::Vtp, zeros_in_a_block_of(length).as_bytes());
+        assert!(found.ends_with(message), "{found}");
+    }
 }
 
 #[test]
