@@ -93,6 +93,39 @@ fn legacy_spellings() {
     assert_eq!(read_as(Format::VtkLegacy, metadata.as_bytes()).mesh, read.mesh);
 }
 
+#[test]
+fn legacy_number_types_by_every_name() {
+    for (name, bytes) in [
+        ("char", 1),
+        ("signed_char", 1),
+        ("unsigned_char", 1),
+        ("short", 2),
+        ("unsigned_short", 2),
+        ("int", 4),
+        ("unsigned_int", 4),
+        ("vtkIdType", 4),
+        ("long", 8),
+        ("unsigned_long", 8),
+        ("vtktypeint64", 8),
+        ("vtktypeuint64", 8),
+    ] {
+        let mut file = b"# vtk DataFile Version 5.1\n\nBINARY\nDATASET POLYDATA\nPOINTS 3 ".to_vec();
+        let mut block = |header: &str, values: &[u8]| {
+            file.extend_from_slice(format!("{header}{name}\n").as_bytes());
+            for &value in values {
+                file.extend(std::iter::repeat_n(0, bytes - 1));
+                file.push(value);
+            }
+        };
+        block("", &[0, 0, 0, 1, 0, 0, 0, 2, 3]);
+        block("\nPOLYGONS 2 3\nOFFSETS ", &[0, 3]);
+        block("\nCONNECTIVITY ", &[2, 1, 0]);
+        let read = read_as(Format::VtkLegacy, &file);
+        assert_eq!(read.mesh.positions(), [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 2.0, 3.0]], "{name}");
+        assert_eq!(read.mesh.faces(), [[2, 1, 0]], "{name}");
+    }
+}
+
 const LEGACY: &str = "# vtk DataFile Version 3.0\ntitle\nASCII\nDATASET POLYDATA\nPOINTS 3 double\n0 0 0\n1 0 0\n0 1 0\n\
                       POLYGONS 1 4\n3 0 1 2\n";
 const MODERN: &str = "# vtk DataFile Version 5.1\ntitle\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 3 double\n\
