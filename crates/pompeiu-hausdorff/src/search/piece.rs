@@ -207,8 +207,15 @@ mod tests {
     #[test]
     fn every_part_of_a_cut_is_less_than_the_piece() {
         let corners = [[-1.0, 0.0, 1.0], [1.0, 0.0, 1.0], [0.0, 1.0, 1.0]];
-        let piece =
-            Piece { corners, bound: 1.0, near: [first_slot(); INHERITED], near_count: 1, depth: 0, face: 0 };
+        let piece = Piece {
+            corners,
+            bound: 1.0,
+            near: [first_slot(); INHERITED],
+            near_count: 1,
+            nearest_known: false,
+            depth: 0,
+            face: 0,
+        };
         for thickness in [0.1, 0.4, 0.6, 0.7, 0.9, 1.1, 10.0, 1e6].map(|x| x * LEAST_PART) {
             let parts = piece.cut([[-9.0, thickness, 0.0], [9.0, thickness, 0.0], [0.0, 9.0, 0.0]]);
             for part in parts.as_slice() {
