@@ -40,6 +40,16 @@ pub fn write(path: impl AsRef<Path>, mesh: &TriMesh) -> Result<(), WriteError> {
 ///
 /// # Errors
 /// As [`write`]; also if the format cannot hold one of the attributes, see [`OutputFormat`].
+///
+/// # Example
+/// ```no_run
+/// # fn write_heights(mesh: &pompeiu_core::TriMesh) -> Result<(), Box<dyn std::error::Error>> {
+/// let heights = mesh.positions().iter().map(|position| position[2]).collect();
+/// let attributes = pompeiu_io::Attributes::for_mesh(mesh).with_vertex_scalar("height", heights)?;
+/// pompeiu_io::write_with("heights.vtp", mesh, &attributes)?;
+/// # Ok(())
+/// # }
+/// ```
 pub fn write_with(path: impl AsRef<Path>, mesh: &TriMesh, attributes: &Attributes) -> Result<(), WriteError> {
     let path = path.as_ref();
     match OutputFormat::from_path(path) {
