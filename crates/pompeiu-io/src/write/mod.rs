@@ -39,7 +39,7 @@ pub fn write(path: impl AsRef<Path>, mesh: &TriMesh) -> Result<(), WriteError> {
 /// Writes a mesh with attributes, in the format that the suffix of `path` names; `.gz` after it compresses.
 ///
 /// # Errors
-/// As [`write`]; also if the format cannot hold one of the attributes, see [`OutputFormat`].
+/// As [`write()`]; also if the format cannot hold one of the attributes, see [`OutputFormat`].
 ///
 /// # Example
 /// ```no_run
