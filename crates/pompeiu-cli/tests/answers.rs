@@ -274,7 +274,7 @@ fn converted_meshes_are_the_same_mesh() {
         }
         info
     };
-    for suffix in ["ply", "off", "obj.gz", "ply.gz"] {
+    for suffix in ["ply", "off", "vtp", "obj.gz", "ply.gz"] {
         let name = format!("copy.{suffix}");
         folder.ok(&format!("convert torus.obj {name}"));
         assert_eq!(info(&name), info("torus.obj"), "{suffix}");

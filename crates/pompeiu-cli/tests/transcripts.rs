@@ -81,7 +81,7 @@ fn files_that_cannot_be_used() {
     }
     // The name of a file cannot break the line.
     let output = folder.pompeiu("info").arg("flat\nname.obj").output().unwrap();
-    assert_eq!(output.stderr.iter().filter(|&&b| b == b'\n').count(), 1);
+    assert_eq!(String::from_utf8_lossy(&output.stderr).lines().count(), 1);
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! A folder of small meshes, and the command run in it.
 
 #![allow(dead_code, reason = "each test file uses a part of this")]
-#![allow(clippy::unwrap_used, reason = "tests may panic")]
+#![allow(clippy::unwrap_used, clippy::print_stdout, reason = "tests may panic and say what they skip")]
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
