@@ -59,6 +59,9 @@ const FEW_DIGITS: usize = 3;
 /// Two bounds with few digits, rounded away from each other.
 pub(crate) fn between(lower: f64, upper: f64) -> String {
     let spread = |x: f64, up: bool| {
+        if !x.is_finite() {
+            return x.to_string();
+        }
         let text = format!("{x:.FEW_DIGITS$e}");
         let (digits, exponent) = text.split_once('e').unwrap_or((&text, "0"));
         let digits: i64 = digits.replace('.', "").parse().unwrap_or(0);
@@ -172,6 +175,7 @@ mod tests {
         assert_eq!(between(0.0, 3.731_1e-14), "at most 3.732e-14");
         assert_eq!(between(1.0_f64.next_down(), 9.999_9), "0.999 to 10");
         assert_eq!(between(1e-300, 1e300), "1e-300 to 1e300");
+        assert_eq!(between(1.0, f64::INFINITY), "1 to inf");
     }
 
     #[test]

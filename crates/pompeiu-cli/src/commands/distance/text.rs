@@ -17,7 +17,10 @@ struct Page(String);
 impl Page {
     fn row(&mut self, name: &str, line: &str) {
         let padding = NAMES.saturating_sub(name.chars().count());
-        let _ = writeln!(self.0, "{LABEL}{name}{LABEL:#}{:padding$}{line}", "");
+        let _ = match name {
+            "" => writeln!(self.0, "{:padding$}{line}", ""),
+            _ => writeln!(self.0, "{LABEL}{name}{LABEL:#}{:padding$}{line}", ""),
+        };
     }
 
     fn gap(&mut self) {

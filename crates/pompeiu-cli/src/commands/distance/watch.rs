@@ -2,7 +2,7 @@
 
 use super::wait::Wait;
 use crate::args;
-use crate::numbers::plain;
+use crate::numbers::between;
 use pompeiu::hausdorff::{DirectedReport, Direction, Observer, Progress, Stage, StopReason};
 use std::ops::ControlFlow;
 use std::time::Duration;
@@ -71,9 +71,8 @@ impl Observer for Watch<'_> {
             Direction::AToB => "A to B",
             Direction::BToA => "B to A",
         };
-        let [lower, upper] = [progress.lower, progress.upper].map(plain);
         self.wait.advance(
-            format!("{ends}: between {lower} and {upper}"),
+            format!("{ends}: {}", between(progress.lower, progress.upper)),
             [progress.examined, progress.examined.saturating_add(progress.left)],
         );
         ControlFlow::Continue(())
