@@ -184,6 +184,7 @@ fn both_methods_trace_their_way_to_the_same_answer() {
         let text = folder.ok(&args);
         assert_eq!(text.matches("pieces left").count(), 2, "{text}");
         let report = json(&folder, &(args + " --json"));
+        assert_eq!(report["b_to_a"]["work"]["games"].as_u64().unwrap() > 0, method == "fast");
         let rows = report["trace"].as_array().unwrap();
         let expected =
             ["direction", "tolerance", "absolute", "lower", "upper", "pieces", "distances", "time_ms"];
@@ -200,6 +201,17 @@ fn both_methods_trace_their_way_to_the_same_answer() {
                 assert!(upper - lower <= absolute * (1.0 + 1e-9), "{row}");
             }
         }
+    }
+}
+
+#[test]
+fn rows_of_a_trace_name_the_direction_asked_for() {
+    let folder = Folder::with_tent();
+    for (option, direction) in [("a-to-b", "a_to_b"), ("b-to-a", "b_to_a")] {
+        let report =
+            json(&folder, &format!("distance tent.obj square.obj --trace --json --direction {option}"));
+        let rows = report["trace"].as_array().unwrap();
+        assert!(rows.len() == 12 && rows.iter().all(|row| row["direction"] == direction), "{rows:?}");
     }
 }
 

@@ -88,6 +88,7 @@ fn files_that_cannot_be_used() {
 fn distance_for_people() {
     let folder = Folder::with_tent();
     check(&folder, "distance", "distance tent.obj square.obj");
+    check(&folder, "distance_swapped", "distance square.obj tent.obj");
     check(&folder, "distance_a_to_b", "distance tent.obj square.obj --direction a-to-b");
     check(&folder, "distance_b_to_a", "distance tent.obj square.obj --direction b-to-a");
     check(&folder, "distance_rounding", "distance tent.obj square.obj --tolerance 0 --direction a-to-b");

@@ -99,3 +99,62 @@ impl Outcome {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pompeiu::core::FaceId;
+    use pompeiu::hausdorff::{SurfacePoint, Timing, Witness, WorkCount};
+
+    fn report([lower, upper]: [f64; 2], stop: StopReason) -> DirectedReport {
+        let point = SurfacePoint { face: FaceId(0), barycentric: [1.0, 0.0, 0.0], position: [0.0; 3] };
+        DirectedReport {
+            distance: Enclosure::new(lower, upper).unwrap(),
+            witness: Witness { a: point, b: point },
+            stop,
+            tolerance: 0.0,
+            work: WorkCount::default(),
+            timing: Timing::default(),
+        }
+    }
+
+    fn outcome(
+        a_to_b: Option<DirectedReport>,
+        b_to_a: Option<DirectedReport>,
+        threshold: Option<f64>,
+    ) -> Outcome {
+        let file = || File { path: String::new(), vertices: 3, faces: 1 };
+        let times = Times { read: Duration::ZERO, total: Duration::ZERO };
+        let (a, b, trace, kind) = (file(), file(), None, ToleranceKind::Diagonal);
+        Outcome { a, b, requested: 0.0, kind, a_to_b, b_to_a, threshold, trace, times }
+    }
+
+    #[test]
+    fn below_takes_both_directions_and_above_only_one() {
+        let at = |enclosure| Some(report(enclosure, StopReason::Tolerance));
+        for (a_to_b, b_to_a, exit) in [
+            (at([0.1, 0.2]), at([0.3, 0.5]), Exit::Done),
+            (at([0.1, 0.2]), at([0.4, 0.6]), Exit::Undecided),
+            (at([0.4, 0.6]), at([0.1, 0.2]), Exit::Undecided),
+            (at([0.1, 0.2]), at([0.6, 0.7]), Exit::Above),
+            (at([0.4, 0.6]), at([0.6, 0.7]), Exit::Above),
+            (at([0.5, 0.5]), None, Exit::Done),
+            (None, at([0.6, 0.7]), Exit::Above),
+        ] {
+            assert!(outcome(a_to_b, b_to_a, Some(0.5)).exit() == exit);
+        }
+    }
+
+    #[test]
+    fn without_a_question_only_budgets_leave_it_undecided() {
+        for (stop, exit) in [
+            (StopReason::Tolerance, Exit::Done),
+            (StopReason::Rounding, Exit::Done),
+            (StopReason::Time, Exit::Undecided),
+            (StopReason::Memory, Exit::Undecided),
+        ] {
+            let done = report([1.0, 1.0], StopReason::Tolerance);
+            assert_eq!(outcome(Some(done), Some(report([0.0, 2.0], stop)), None).exit(), exit);
+        }
+    }
+}
