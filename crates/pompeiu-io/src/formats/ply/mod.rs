@@ -3,7 +3,9 @@
 //! Read are the coordinates `x`, `y` and `z` of element `vertex`, of any number type; the lists `vertex_indices` or
 //! `vertex_index` of element `face`, of any whole number types; and the same lists of element `tristrips`, in which a
 //! negative index ends a strip and triangles with a repeated corner only join others and are left out. Everything
-//! else is skipped, in whatever order elements and properties come. In ascii files every row is a line of its own.
+//! else is skipped, in whatever order elements and properties come. In ascii files every row is a line of its own, and
+//! a coordinate is the double nearest to what is written, also where the header says `float`: many programs say so and
+//! write more digits.
 
 mod ascii;
 mod binary;
