@@ -22,8 +22,8 @@ impl Polygon {
     }
 }
 
-/// Beyond this many corners a polygon stays a fan: ear clipping could take minutes.
-const MOST_CORNERS_TO_CLIP: usize = 1 << 20;
+/// Beyond this many corners a concave polygon is refused: ear clipping could take minutes.
+pub(crate) const MOST_CORNERS_TO_CLIP: usize = 1 << 16;
 
 /// Polygons handled by one task: small beside a mesh, large beside the cost of a task.
 const POLYGONS_PER_TASK: usize = 4096;
@@ -34,25 +34,36 @@ const POLYGONS_PER_TASK: usize = 4096;
 /// of a concave quadrilateral the other diagonal is taken; other polygons are cut by ear clipping. Polygons that
 /// cross themselves, are degenerate or have corners that are not finite stay fans.
 ///
+/// # Errors
+/// The first polygon that would have to be clipped and has more than [`MOST_CORNERS_TO_CLIP`] corners.
+///
 /// # Cost
-/// O(n) for convex polygons and quadrilaterals, parallel over polygons; ear clipping is usually O(k log k) for a k-gon.
-pub(crate) fn triangulate(positions: &[[f64; 3]], faces: &mut [[u32; 3]], polygons: &[Polygon]) {
-    let Some((first, last)) = polygons.first().zip(polygons.last()) else { return };
+/// O(n) for convex polygons and quadrilaterals, parallel over polygons; ear clipping is quadratic at worst.
+pub(crate) fn triangulate(
+    positions: &[[f64; 3]],
+    faces: &mut [[u32; 3]],
+    polygons: &[Polygon],
+) -> Result<(), Polygon> {
+    let Some((first, last)) = polygons.first().zip(polygons.last()) else { return Ok(()) };
     let span = first.first as usize..last.first as usize + last.triangles();
-    triangulate_part(positions, &mut faces[span], polygons);
+    triangulate_part(positions, &mut faces[span], polygons)
 }
 
 /// `faces` begins at the first triangle of the first polygon and ends with the last triangle of the last.
-fn triangulate_part(positions: &[[f64; 3]], faces: &mut [[u32; 3]], polygons: &[Polygon]) {
+fn triangulate_part(
+    positions: &[[f64; 3]],
+    faces: &mut [[u32; 3]],
+    polygons: &[Polygon],
+) -> Result<(), Polygon> {
     let base = polygons[0].first as usize;
     if polygons.len() > POLYGONS_PER_TASK {
         let (left, right) = polygons.split_at(polygons.len() / 2);
         let (left_faces, right_faces) = faces.split_at_mut(right[0].first as usize - base);
-        rayon::join(
+        let (left, right) = rayon::join(
             || triangulate_part(positions, left_faces, left),
             || triangulate_part(positions, right_faces, right),
         );
-        return;
+        return left.and(right);
     }
     let mut work = Workspace::default();
     for polygon in polygons {
@@ -62,10 +73,11 @@ fn triangulate_part(positions: &[[f64; 3]], faces: &mut [[u32; 3]], polygons: &[
             if diagonal_leaves_quadrilateral([a, b, c, d], positions) {
                 fan.copy_from_slice(&[[b, c, d], [b, d, a]]);
             }
-        } else {
-            work.refine(fan, positions);
+        } else if work.refine(fan, positions).is_none() {
+            return Err(*polygon);
         }
     }
+    Ok(())
 }
 
 fn subtract(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
@@ -135,17 +147,18 @@ struct Workspace {
 }
 
 impl Workspace {
-    /// Replaces the fan of a polygon with five or more corners where it leaves the polygon.
-    fn refine(&mut self, fan: &mut [[u32; 3]], positions: &[[f64; 3]]) {
+    /// Replaces the fan of a polygon with five or more corners where it leaves the polygon; `None` when there are too
+    /// many corners for that.
+    fn refine(&mut self, fan: &mut [[u32; 3]], positions: &[[f64; 3]]) -> Option<()> {
         self.ids.clear();
         self.ids.extend([fan[0][0], fan[0][1]]);
         self.ids.extend(fan.iter().map(|triangle| triangle[2]));
-        if self.ids.len() > MOST_CORNERS_TO_CLIP || self.ids.iter().any(|&id| id as usize >= positions.len())
-        {
-            return;
+        let known = self.ids.iter().all(|&id| (id as usize) < positions.len());
+        if !known || self.project(positions).is_none() || self.fan_fits() {
+            return Some(());
         }
-        if self.project(positions).is_none() || self.fan_fits() {
-            return;
+        if self.ids.len() > MOST_CORNERS_TO_CLIP {
+            return None;
         }
         let clipper = self.clipper.get_or_insert_with(Earcut::new);
         clipper.earcut(self.plane.iter().copied(), &[], &mut self.clipped);
@@ -154,6 +167,7 @@ impl Workspace {
                 *triangle = [corners[0], corners[1], corners[2]].map(|corner| self.ids[corner as usize]);
             }
         }
+        Some(())
     }
 
     /// Projects the polygon along the largest coordinate of its Newell normal, counterclockwise.

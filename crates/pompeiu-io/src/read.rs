@@ -3,7 +3,7 @@
 use crate::error::{FormatError, Location, ReadError};
 use crate::format::Format;
 use crate::formats::{self, Input};
-use crate::polygon;
+use crate::polygon::{self, Polygon};
 use crate::raw::RawMesh;
 use crate::{sniff, source};
 use pompeiu_core::{MeshError, TriMesh};
@@ -42,7 +42,7 @@ pub struct ReadMesh {
 /// nothing is held in memory, but for the decompressed content of a gzip file.
 ///
 /// # Limits
-/// Normals, texture coordinates, colours and materials are not read. A gzip file may grow to 64 MiB or to 256 times
+/// Normals, texture coordinates, colours and materials are not read. Concave faces have at most 65 536 corners. A gzip file may grow to 64 MiB or to 256 times
 /// its size, whichever is more. A file must not be shortened by another process while it is read.
 pub fn read(path: impl AsRef<Path>) -> Result<ReadMesh, ReadError> {
     let path = path.as_ref();
@@ -82,7 +82,8 @@ fn read_content(
 fn finish(mut raw: RawMesh, format: Format, compressed: bool) -> Result<ReadMesh, FormatError> {
     // Places of polygons are 32-bit indices; with more faces than that they mean nothing.
     if u32::try_from(raw.faces.len()).is_ok() {
-        polygon::triangulate(&raw.positions, &mut raw.faces, &raw.polygons);
+        polygon::triangulate(&raw.positions, &mut raw.faces, &raw.polygons)
+            .map_err(|polygon| too_many_corners(polygon, &raw.polygons))?;
     }
     let polygons_triangulated = raw.polygons.len() as u64;
     drop(raw.polygons);
@@ -97,6 +98,20 @@ fn unrecognised(content: &[u8]) -> FormatError {
     FormatError::new(
         Location::File,
         format!("begins with \"{start}\", expected OBJ, PLY, STL, OFF, glTF, GLB, VTK, VTP or VTU"),
+    )
+}
+
+#[cold]
+fn too_many_corners(polygon: Polygon, polygons: &[Polygon]) -> FormatError {
+    let triangles_more: u64 =
+        polygons.iter().take_while(|p| p.first < polygon.first).map(|p| u64::from(p.corners) - 3).sum();
+    FormatError::new(
+        Location::Face(u64::from(polygon.first) - triangles_more),
+        format!(
+            "found a concave face with {} corners, expected at most {}",
+            polygon.corners,
+            polygon::MOST_CORNERS_TO_CLIP
+        ),
     )
 }
 

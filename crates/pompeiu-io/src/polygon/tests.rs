@@ -7,7 +7,7 @@ fn triangles(positions: &[[f64; 3]]) -> Vec<[u32; 3]> {
     let mut raw = RawMesh::default();
     let corners = 0..positions.len() as u32;
     raw.push_polygon(corners);
-    triangulate(positions, &mut raw.faces, &raw.polygons);
+    triangulate(positions, &mut raw.faces, &raw.polygons).unwrap();
     raw.faces
 }
 
@@ -129,7 +129,7 @@ fn what_has_no_triangulation_stays_a_fan() {
     raw.push_polygon([0, 1, 2, 9]);
     raw.push_polygon([0, 1, 2, 1, 9]);
     let fans = raw.faces.clone();
-    triangulate(&[[0.0; 3]; 3], &mut raw.faces, &raw.polygons);
+    triangulate(&[[0.0; 3]; 3], &mut raw.faces, &raw.polygons).unwrap();
     assert_eq!(raw.faces, fans);
 }
 
@@ -142,7 +142,7 @@ fn many_polygons_between_triangles_each_get_their_own() {
         raw.push_polygon([0, 1, 2, 3]);
         raw.push_polygon([2, 3, 4, 0, 1]);
     }
-    triangulate(&arrow, &mut raw.faces, &raw.polygons);
+    triangulate(&arrow, &mut raw.faces, &raw.polygons).unwrap();
     assert_eq!(raw.faces.len(), 3 * POLYGONS_PER_TASK * 6);
     for group in raw.faces.chunks_exact(6) {
         assert_eq!(group[..3], [[0, 1, 2], [1, 2, 3], [1, 3, 0]]);
@@ -187,4 +187,23 @@ fn lattice_polygons_are_covered() {
         }
         check(&points, (0..points.len()).map(side).sum::<f64>() / 2.0);
     }
+}
+
+#[test]
+fn concave_polygons_with_too_many_corners_are_refused_and_convex_ones_are_not() {
+    let n = MOST_CORNERS_TO_CLIP as u32 + 4;
+    let circle = |radius: &dyn Fn(u32) -> f64| -> Vec<[f64; 3]> {
+        (0..n)
+            .map(|i| (i, std::f64::consts::TAU * f64::from(i) / f64::from(n)))
+            .map(|(i, angle)| [radius(i) * angle.cos(), radius(i) * angle.sin(), 0.0])
+            .collect()
+    };
+    let mut raw = RawMesh::default();
+    raw.push_polygon([0, 1, 2]);
+    raw.push_polygon(0..n);
+    let fan = raw.faces.clone();
+    assert_eq!(triangulate(&circle(&|_| 1.0), &mut raw.faces, &raw.polygons), Ok(()));
+    assert_eq!(raw.faces, fan);
+    let star = circle(&|i| f64::from(1 + i % 2));
+    assert_eq!(triangulate(&star, &mut raw.faces, &raw.polygons), Err(Polygon { first: 1, corners: n }));
 }

@@ -151,3 +151,21 @@ fn truncated_gzip_is_an_error() {
         assert!(found.starts_with("the gzip data cannot be decompressed beyond"), "{found}");
     }
 }
+
+/// Ear clipping of a face as large as this one could take minutes.
+#[test]
+fn a_concave_face_with_very_many_corners_is_refused() {
+    use std::fmt::Write;
+    let folder = tempfile::tempdir().unwrap();
+    let mut text = "v 0 0 0\nf 1 1 1 1\nf 1 1 1\nf".to_owned();
+    let corners = 70_000;
+    (1..=corners).for_each(|i| write!(text, " {i}").unwrap());
+    text.push('\n');
+    for i in 1..corners {
+        let angle = std::f64::consts::TAU * f64::from(i) / f64::from(corners);
+        writeln!(text, "v {} {} 0", f64::from(1 + i % 2) * angle.cos(), f64::from(1 + i % 2) * angle.sin())
+            .unwrap();
+    }
+    let found = message(folder.path(), "a.obj", text.as_bytes());
+    assert_eq!(found, "face 2: found a concave face with 70000 corners, expected at most 65536");
+}

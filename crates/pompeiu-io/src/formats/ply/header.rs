@@ -2,6 +2,9 @@
 
 use crate::text::{Problem, is_blank, is_line_end, quoted};
 
+/// Far more kinds of rows than any file has; looking through them has to stay quick.
+const MOST_ELEMENTS: usize = 100;
+
 /// How the body is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Encoding {
@@ -153,6 +156,9 @@ impl Header {
                     else {
                         return unexpected("element, a name and a count");
                     };
+                    if elements.len() == MOST_ELEMENTS {
+                        return unexpected("at most 100 elements");
+                    }
                     if elements.iter().any(|element| element.name == *name) {
                         return unexpected("each element once");
                     }

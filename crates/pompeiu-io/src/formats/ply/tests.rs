@@ -160,6 +160,18 @@ fn binary_quadrilaterals_are_read_as_one_size() {
 }
 
 #[test]
+fn a_polygon_behind_triangles_is_seen() {
+    use Field::{F64, I32, U8};
+    let header = "element vertex 4\nproperty double x\nproperty double y\nproperty double z\n\
+        element face 2\nproperty list uchar int vertex_indices\n";
+    let mut fields: Vec<Field> = SQUARE.as_flattened().iter().map(|&x| F64(x)).collect();
+    fields.extend([U8(3), I32(1), I32(2), I32(3), U8(4), I32(0), I32(1), I32(2), I32(3)]);
+    let mesh = read(&binary(header, &fields, false)).unwrap();
+    assert_eq!(mesh.faces, [[1, 2, 3], [0, 1, 2], [0, 2, 3]]);
+    assert_eq!(mesh.polygons, [Polygon { first: 1, corners: 4 }]);
+}
+
+#[test]
 fn strips_restart_and_alternate() {
     use Field::{F64, I32};
     let header = "element vertex 4\nproperty double x\nproperty double y\nproperty double z\n\
@@ -199,6 +211,7 @@ fn errors_in_text_name_the_line() {
 
 #[test]
 fn errors_in_the_header_name_the_line() {
+    let too_many = (0..200).fold("ply\n".to_owned(), |text, i| text + &format!("element e{i} 1\n"));
     for (text, expected) in [
         ("ply", "line 1: found the end of the file in the header"),
         ("ply\nformat ascii 1.0\nelement vertex 3\n", "line 4: found the end of the file in the header"),
@@ -213,6 +226,7 @@ fn errors_in_the_header_name_the_line() {
             "ply\nelement a 1\nelement a 1\n",
             "line 3: found \"element a 1\" in the header, expected each element once",
         ),
+        (&too_many, "line 102: found \"element e100 1\" in the header, expected at most 100 elements"),
         (
             "ply\nelement a 1\nproperty real x\n",
             "line 3: found \"property real x\" in the header, expected property",
