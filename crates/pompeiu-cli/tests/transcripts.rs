@@ -123,6 +123,8 @@ fn info_for_people_and_programs() {
     for shape in ["torus.obj", "tent.obj", "points.obj", "odd.obj"] {
         check(&folder, &format!("info_{}", &shape[..shape.len() - 4]), &format!("info {shape}"));
     }
+    folder.ok("generate cube --side 1e160 -o huge.obj");
+    check(&folder, "info_huge", "info huge.obj");
     check(&folder, "info_json", "info torus.obj --json");
     check(&folder, "info_json_open", "info tent.obj --json");
 }

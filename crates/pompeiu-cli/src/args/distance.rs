@@ -9,6 +9,7 @@ use std::time::Duration;
 #[command(after_help = "\
 The directed distance h(A, B) is the largest distance of a point of A from B; H(A, B) is the larger of
 h(A, B) and h(B, A). All points of all faces count, not only vertices. Faces are counted from 0.
+In JSON, witness.a lies on A and witness.b on B in both directions.
 
 Exit codes:
   0  done; with --assert-below: proven to be at most that
@@ -43,10 +44,10 @@ pub(crate) struct Distance {
     /// Threads to use; all processors by default
     #[arg(long, value_parser = clap::value_parser!(u16).range(1..=1024), value_name = "N")]
     pub(crate) threads: Option<u16>,
-    /// Stop after this time, such as 10s, with a wider interval
+    /// Stop searching this long after the start, such as 10s, with a wider interval
     #[arg(long, value_parser = duration, value_name = "TIME")]
     pub(crate) time_limit: Option<Duration>,
-    /// Stop before using more memory than this, such as 2GiB, with a wider interval
+    /// Stop searching before memory exceeds this, such as 2GiB, with a wider interval
     #[arg(long, value_parser = memory, value_name = "SIZE")]
     pub(crate) memory_limit: Option<usize>,
     /// How to search

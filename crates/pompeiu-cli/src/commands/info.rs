@@ -23,7 +23,7 @@ pub(crate) fn run(args: &Info, printer: &Printer) -> anyhow::Result<Exit> {
     Ok(Exit::Done)
 }
 
-/// The summary as JSON. Lengths are in the unit of the file; what does not apply is null.
+/// The summary as JSON. Lengths are in the unit of the file; what does not apply, or overflows, is null.
 #[derive(Serialize)]
 struct Report {
     path: String,
@@ -105,7 +105,7 @@ fn text(path: &str, read: &ReadMesh, summary: &MeshSummary) -> String {
         None => "none: the surface is not a manifold".to_owned(),
     };
     let volume = match summary.volume {
-        Some(volume) => plain(volume),
+        Some(volume) => measure(volume),
         None if topology.boundary_edges > 0 => "none: the surface has a boundary".to_owned(),
         None if topology.inconsistent_edges > 0 => "none: faces of opposite orientation meet".to_owned(),
         None => "none: the faces do not enclose one".to_owned(),
@@ -118,7 +118,7 @@ fn text(path: &str, read: &ReadMesh, summary: &MeshSummary) -> String {
         ("faces", number(summary.faces)),
         ("bounding box", format!("{} to {}", point(bounds.lower), point(bounds.upper))),
         ("size", format!("{}, diagonal {}", size.join(" × "), plain(bounds.diagonal()))),
-        ("area", plain(summary.area)),
+        ("area", measure(summary.area)),
         ("volume", volume),
         ("components", number(topology.components)),
         ("boundary loops", number(topology.boundary_loops)),
@@ -149,6 +149,11 @@ fn text(path: &str, read: &ReadMesh, summary: &MeshSummary) -> String {
         row(label, "none");
     }
     text
+}
+
+/// An area or a volume, which may overflow where lengths do not.
+fn measure(x: f64) -> String {
+    if x.is_finite() { plain(x) } else { "beyond the range of double precision".to_owned() }
 }
 
 /// A noun in the number that goes with a count.
