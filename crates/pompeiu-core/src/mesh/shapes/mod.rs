@@ -3,6 +3,16 @@
 //! Unless a shape says otherwise it is centred at the origin with its axis along z, closed shapes are oriented
 //! outwards, and vertices are shared. Sizes are in a length unit of the caller's. The same arguments give the same bits
 //! on every machine: angles go through [`libm`], not through the platform's mathematics library.
+//!
+//! ```
+//! use pompeiu_core::mesh::MeshSummary;
+//! use pompeiu_core::mesh::shapes::torus;
+//!
+//! let summary = MeshSummary::of(&torus(2.0, 0.5, 40, 20)?);
+//! assert_eq!(summary.faces, 1600);
+//! assert_eq!(summary.connectivity.genus, Some(1));
+//! # Ok::<(), pompeiu_core::mesh::shapes::ShapeError>(())
+//! ```
 
 mod arrays;
 mod cone;
