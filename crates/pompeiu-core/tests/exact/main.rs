@@ -1,0 +1,4 @@
+//! Rounded arithmetic against exact arithmetic.
+
+mod interval;
+mod point_triangle;
