@@ -121,7 +121,8 @@ pub fn closest_barycentric(p: [f64; 3], [a, b, c]: [[f64; 3]; 3]) -> [f64; 3] {
     let w = (p - a - along_p * ab).dot(height) / height.dot(height);
     let v = along_p - w * along_c;
     let inside = v >= 0.0 && w >= 0.0 && v + w <= 1.0;
-    let foot = if inside { [1.0 - (v + w), v, w] } else { [1.0, 0.0, 0.0] };
+    // Adding zero turns a negative zero into a positive one.
+    let foot = if inside { [1.0 - (v + w), v + 0.0, w + 0.0] } else { [1.0, 0.0, 0.0] };
     let distance_sq = |beta: &[f64; 3]| ((p - a) - beta[1] * (b - a) - beta[2] * (c - a)).length_squared();
     let mut best = foot;
     for beta in [[1.0 - t, t, 0.0], [1.0 - s, 0.0, s], [0.0, 1.0 - r, r]] {

@@ -33,34 +33,32 @@ pub(crate) fn solve(rows: &[Row]) -> Game {
     // Shifted and scaled entries in [1, 2]: the strategies stay the same, and the programme below is bounded. In
     // terms of w' = w / value it reads: maximise sum w', subject to sum_i w'_i M_ij <= 1 for each corner j.
     let scale = 1.0 / (high - low);
-    let k = rows.len();
-    let (slack, right) = (k, k + 3);
-    let mut t = [[0.0; MAX_ROWS + 4]; 4];
+    let mut t = [[0.0; WIDTH]; 4];
     for (i, row) in rows.iter().enumerate() {
         for j in 0..3 {
-            t[j][i] = 1.0 + (row[j] - low) * scale;
+            t[j][ROWS + i] = 1.0 + (row[j] - low) * scale;
         }
-        t[3][i] = -1.0;
+        t[3][ROWS + i] = -1.0;
     }
-    let mut basis = [slack, slack + 1, slack + 2];
     for j in 0..3 {
-        t[j][slack + j] = 1.0;
-        t[j][right] = 1.0;
+        t[j][j] = 1.0;
+        t[j][RIGHT] = 1.0;
     }
-    for _ in 0..4 * MAX_ROWS {
-        let (mut enter, mut steepest) = (right, -1e-14);
-        for c in 0..right {
-            if t[3][c] < steepest {
+    let mut basis = [0, 1, 2];
+    for _ in 0..MOST_PIVOTS {
+        let (mut enter, mut steepest) = (RIGHT, -1e-14);
+        for c in 0..ROWS + rows.len() {
+            if c != RIGHT && t[3][c] < steepest {
                 (enter, steepest) = (c, t[3][c]);
             }
         }
-        if enter == right {
+        if enter == RIGHT {
             break;
         }
         let (mut leave, mut least) = (3, f64::INFINITY);
         for j in 0..3 {
             if t[j][enter] > 1e-12 {
-                let ratio = t[j][right] / t[j][enter];
+                let ratio = t[j][RIGHT] / t[j][enter];
                 if ratio < least {
                     (leave, least) = (j, ratio);
                 }
@@ -71,27 +69,23 @@ pub(crate) fn solve(rows: &[Row]) -> Game {
         }
         basis[leave] = enter;
         let inverse = 1.0 / t[leave][enter];
-        for c in 0..=right {
-            t[leave][c] *= inverse;
-        }
-        let pivot = t[leave];
-        for (j, row) in t.iter_mut().enumerate() {
-            if j != leave {
-                let factor = row[enter];
-                for c in 0..=right {
-                    row[c] -= factor * pivot[c];
-                }
+        let pivot = t[leave].map(|x| x * inverse);
+        for row in &mut t {
+            let factor = row[enter];
+            for c in 0..WIDTH {
+                row[c] -= factor * pivot[c];
             }
         }
+        t[leave] = pivot;
     }
     let positive = |x: f64| if x > 0.0 { x } else { 0.0 };
     let mut weights = [0.0; MAX_ROWS];
     for j in 0..3 {
-        if basis[j] < k {
-            weights[basis[j]] = positive(t[j][right]);
+        if basis[j] >= ROWS {
+            weights[basis[j] - ROWS] = positive(t[j][RIGHT]);
         }
     }
-    let corners = [0, 1, 2].map(|j| positive(t[3][slack + j]));
+    let corners = [0, 1, 2].map(|j| positive(t[3][j]));
     let (total, corner_total) = (weights.iter().sum::<f64>(), corners.iter().sum::<f64>());
     if !(total.is_normal() && corner_total.is_normal()) {
         return single(rows);
@@ -99,6 +93,13 @@ pub(crate) fn solve(rows: &[Row]) -> Game {
     let weights = weights.map(|w| w / total);
     Game { weights, corners: corners.map(|c| c / corner_total), value: value(rows, &weights) }
 }
+
+/// Columns of the tableau: three slacks, the right-hand side, and the rows of the game.
+const RIGHT: usize = 3;
+const ROWS: usize = 4;
+const WIDTH: usize = ROWS + MAX_ROWS;
+/// Far more than a game of this size takes, unless rounding makes it cycle.
+const MOST_PIVOTS: usize = 4 * MAX_ROWS;
 
 /// The bound that weights give.
 pub(crate) fn value(rows: &[Row], weights: &[f64; MAX_ROWS]) -> f64 {

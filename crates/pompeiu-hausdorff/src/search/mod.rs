@@ -25,8 +25,10 @@ use worker::{Discarded, Keep, Outcome, SlotProof, Worker};
 
 pub(crate) use worker::Found;
 
-/// Points of A asked for before the sweep; a good lower bound makes the sweep discard more.
+/// Points of A asked for before the sweep, at most, and for how many faces one of them: a good lower bound makes the sweep
+/// discard more.
 const SAMPLES: usize = 1024;
+const FACES_PER_SAMPLE: usize = 16;
 /// Faces of a sweep task.
 const SWEEP_TASK: usize = 256;
 /// Samples of a task.
@@ -180,7 +182,7 @@ impl<'s, 'o> Search<'s, 'o> {
 
     fn sample(&mut self) {
         let order = self.scene.order;
-        let stride = order.len().div_ceil(SAMPLES);
+        let stride = order.len().div_ceil(SAMPLES).max(FACES_PER_SAMPLE);
         let samples: Vec<u32> = order.iter().copied().step_by(stride).collect();
         let outcomes = self.round(samples.chunks(SAMPLE_TASK), |worker, faces| {
             let scene = worker.scene();
