@@ -96,6 +96,19 @@ fn from_no_memory_to_plenty() {
     ));
 }
 
+/// With the target given, there is always room to start; what the limit leaves for pieces may be nothing.
+#[test]
+fn no_memory_for_pieces() {
+    let a = displace_at_random(&torus(1.0, 0.3, 40, 40).unwrap(), 0.01, 4).unwrap();
+    let b = torus(1.0, 0.3, 30, 30).unwrap();
+    let target = Target::new(&b);
+    let full = Query::new().directed_to(&a, &target);
+    let report = Query::new().memory_limit(0).directed_to(&a, &target);
+    assert_eq!(report.stop, StopReason::Memory);
+    assert!(report.distance.gap() > full.distance.gap());
+    check_stopped(&a, &b, &report, &full, StopReason::Memory);
+}
+
 #[test]
 fn no_memory_still_encloses_every_closed_form() {
     for case in all() {
