@@ -53,8 +53,11 @@ pub(crate) fn plain(x: f64) -> String {
     shortest(rounded)
 }
 
-/// Least number of digits worth showing instead of the bounds.
+/// Digits after the first of a bound shown to people.
 const FEW_DIGITS: usize = 3;
+
+/// Least number of digits on which two bounds must agree to be shown as one number.
+const AGREED_DIGITS: usize = 6;
 
 /// Two bounds with few digits, rounded away from each other.
 pub(crate) fn between(lower: f64, upper: f64) -> String {
@@ -93,7 +96,7 @@ pub(crate) fn agreed(lower: f64, upper: f64) -> Option<String> {
     if lower == upper {
         return Some(shortest(lower));
     }
-    (FEW_DIGITS..=DIGITS).rev().find_map(|digits| {
+    (AGREED_DIGITS..=DIGITS).rev().find_map(|digits| {
         let rounded = |x: f64| format!("{:.*e}", digits - 1, x);
         let (below, above) = (rounded(lower), rounded(upper));
         if below == above && lower > 0.0 { below.parse().ok().map(shortest) } else { None }
@@ -164,6 +167,7 @@ mod tests {
         assert_eq!(agreed(5.034_138_250_1e-9, 5.034_138_250_3e-9).as_deref(), Some("5.03413825e-9"));
         assert_eq!(agreed(1.0, 2.0), None);
         assert_eq!(agreed(0.018_3, 0.018_6), None);
+        assert_eq!(agreed(1.001_6, 1.003_6), None);
         assert_eq!(agreed(0.0, 1e-300), None);
         assert_eq!(agreed(0.999_999_9, 1.000_000_1).as_deref(), Some("1"));
     }

@@ -12,6 +12,7 @@ fn check(folder: &Folder, name: &str, args: &str) {
     for (pattern, replacement) in [
         (r"\d+(\.\d+)? (µs|ms|s)\b", "[time]"),
         (r"between [0-9.e-]+ and [0-9.e-]+ \(gap [0-9.e-]+\)", "between [lower] and [upper] (gap [gap])"),
+        (r"at most [0-9.]+e-\d+", "at most [rounding]"),
         (r"at \([^)]*\) on face \d+", "at [point] on face [face]"),
         (r"pompeiu \d+\.\d+\.\d+", "pompeiu [version]"),
     ] {

@@ -19,6 +19,7 @@ use pompeiu_core::geom::{Aabb, Frame};
 use pompeiu_core::{FaceId, TriMesh};
 use rayon::prelude::*;
 use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;
 
 /// Which corner a triangle's upper bound is taken from.
@@ -89,7 +90,12 @@ pub(crate) fn search(
     let corners = |mesh: &TriMesh, f: usize| mesh.corners(FaceId(f as u32)).map(|p| frame.map(p));
 
     let balls: Vec<Ball> = (0..b.faces().len()).map(|f| Ball::around(corners(b, f))).collect();
-    let distance = |p: [f64; 3]| distance_to_all(DVec3::from_array(p), &balls);
+    let evaluated = AtomicU64::new(0);
+    let distance = |p: [f64; 3]| {
+        let (distance, nearest, count) = distance_to_all(DVec3::from_array(p), &balls);
+        evaluated.fetch_add(count, Ordering::Relaxed);
+        (distance, nearest)
+    };
     let build = started.elapsed();
 
     let mut work = WorkCount::default();
@@ -123,6 +129,7 @@ pub(crate) fn search(
                 CornerBound::default().of(&piece.corners, &piece.distances) + rounding.bound(work.depth);
         }
         work.pieces += pieces.len() as u64;
+        work.distances = evaluated.load(Ordering::Relaxed);
         let lower = best.0;
         let largest = |pieces: &[Piece]| pieces.iter().map(|p| p.bound).fold(settled, greater);
         let upper = largest(&pieces);
@@ -170,7 +177,7 @@ pub(crate) fn search(
         }
         pieces = parts.into_iter().flatten().collect();
     }
-    work.distances = work.queries * balls.len() as u64;
+    work.distances = evaluated.load(Ordering::Relaxed);
 
     let (nearest_distance, nearest) = distance(best.1);
     let farthest = Farthest {
@@ -207,18 +214,19 @@ fn quarter(piece: &Piece, distance: impl Fn([f64; 3]) -> f64, control: &Control)
     ]
 }
 
-/// Distance from all faces, and the nearest.
-fn distance_to_all(p: DVec3, balls: &[Ball]) -> (f64, usize) {
-    let (mut best, mut nearest) = (f64::INFINITY, 0);
+/// Distance from all faces, the nearest, and how many were evaluated.
+fn distance_to_all(p: DVec3, balls: &[Ball]) -> (f64, usize, u64) {
+    let (mut best, mut nearest, mut evaluated) = (f64::INFINITY, 0, 0);
     for (i, ball) in balls.iter().enumerate() {
         if p.distance(ball.centre) - ball.radius < best {
+            evaluated += 1;
             let d = p.distance(closest_point(p, ball.corners));
             if d < best {
                 (best, nearest) = (d, i);
             }
         }
     }
-    (best, nearest)
+    (best, nearest, evaluated)
 }
 
 /// The point of a triangle closest to `p`, by the Voronoi region that `p` lies in.
@@ -272,7 +280,7 @@ fn report_stage(
         lower: frame.length_out(lower),
         upper: frame.length_out(upper),
         remaining: remaining.collect(),
-        distances: work.queries,
+        distances: work.distances,
         elapsed: started.elapsed(),
     });
 }
