@@ -89,8 +89,9 @@ fn directions(x: Point, triangle: [Point; 3]) -> impl Iterator<Item = Point> {
     let weights = closest_barycentric(x, triangle);
     let closest = [0, 1, 2].map(|k| a[k] + weights[1] * (b[k] - a[k]) + weights[2] * (c[k] - a[k]));
     let from_closest = sub(x, closest);
-    let normal = cross(sub(b, a), sub(c, a));
-    let normal = if dot(normal, sub(x, a)) < 0.0 { normal.map(|n| -n) } else { normal };
+    // The cross product of two edges of a needle is no normal; what is left of x - a without both directions is.
+    let height = across(sub(c, a), sub(b, a));
+    let normal = across(across(across(sub(x, a), sub(b, a)), height), sub(b, a));
     let edges = [(a, b), (a, c), (b, c)].into_iter().map(move |(p, q)| across(sub(x, p), sub(q, p)));
     [from_closest, normal].into_iter().chain(edges)
 }
@@ -113,14 +114,13 @@ fn dot(a: Point, b: Point) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-fn cross(a: Point, b: Point) -> Point {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use pompeiu_core::geom::point_triangle::distance_sq;
+    use pompeiu_core::{FaceId, TriMesh};
+    use pompeiu_testkit::exact::{Lattice, point_triangle_sq};
+    use pompeiu_testkit::strategies::degenerate;
     use proptest::prelude::*;
 
     fn coordinate() -> impl Strategy<Value = f64> {
@@ -144,6 +144,32 @@ mod tests {
             let d = distance_sq(x, t[0], t[1], t[2]).sqrt();
             prop_assert!(bound <= d + 1e-15, "{bound} {d}");
             prop_assert!(bound >= d - 2e-14, "{bound} {d} {}", d - bound);
+        }
+    }
+
+    /// Needles, caps, segments and points, seen from anywhere beside, above and far.
+    fn awkward() -> impl Strategy<Value = (Point, [Point; 3])> {
+        let weights = [0.0..1.0_f64, 0.0..1.0_f64, -0.25..1.0_f64];
+        (degenerate(1), weights, point(), 0..18_i32).prop_map(|(mesh, [r, s, t], away, digits)| {
+            let corners = mesh.corners(FaceId(0));
+            let on = |k: usize| (r * corners[0][k] + s * corners[1][k] + t * corners[2][k]) / (r + s + t);
+            let scale = 10_f64.powi(-digits);
+            let x = [0, 1, 2].map(|k| on(k) + scale * away[k]);
+            (if x.iter().all(|x| x.abs() <= 2.0) { x } else { away }, corners)
+        })
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(4000))]
+
+        #[test]
+        fn is_tight_for_triangles_of_any_shape((x, t) in awkward()) {
+            let lattice = Lattice::of(&[&TriMesh::new(t.to_vec(), vec![[0, 1, 2]]).unwrap()]);
+            let exact_sq = point_triangle_sq(&lattice.point(x), &lattice.triangle(t));
+            let exact = lattice.length(&exact_sq);
+            let bound = distance_lower_bound(x.map(Interval::point), std::iter::once(t));
+            prop_assert!(lattice.length_sq(bound) <= exact_sq, "{bound:e} {exact:e}");
+            prop_assert!(bound >= exact - 1e-14, "{bound:e} {exact:e}");
         }
     }
 
