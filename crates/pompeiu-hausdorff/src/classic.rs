@@ -7,6 +7,9 @@
 //! lower bound, but neither tree, kernel nor bound.
 //!
 //! It needs pieces as small as the tolerance wherever the two surfaces coincide: do not use it for those.
+//!
+//! # Source
+//! The frame is that of `guthe_fast_2005` and `tang_interactive_2009`, as described in `sacht_cascading_2024`.
 
 use crate::engine::{Farthest, Question, conclude};
 use crate::observer::{Observer, Progress, RemainingPiece, Stage};
@@ -229,7 +232,8 @@ fn distance_to_all(p: DVec3, balls: &[Ball]) -> (f64, usize, u64) {
     (best, nearest, evaluated)
 }
 
-/// The point of a triangle closest to `p`, by the Voronoi region that `p` lies in.
+/// The point of a triangle closest to `p`, by the Voronoi region that `p` lies in; see `ericson_collision_2005`,
+/// section 5.1.5. Edges are compared by distance instead of by region.
 fn closest_point(p: DVec3, [a, b, c]: [DVec3; 3]) -> DVec3 {
     let (ab, ac, ap) = (b - a, c - a, p - a);
     let normal = ab.cross(ac);

@@ -21,7 +21,7 @@ use std::time::{Duration, Instant};
 /// O(m log m) to build the tree of B. The search is near-linear in the faces of A on ordinary meshes; no bound of that
 /// kind holds for all.
 /// # Source
-/// Definition and the branch-and-bound frame: see `REFERENCES.bib`, `sacht_cascading_2024`; mixture bounds and cuts are ours.
+/// Definition and the branch-and-bound frame: `sacht_cascading_2024` in `REFERENCES.bib`; mixture bounds and cuts are ours.
 pub fn directed_hausdorff(a: &TriMesh, b: &TriMesh) -> DirectedReport {
     Query::new().directed(a, b)
 }

@@ -5,6 +5,8 @@
 //! `u` times its result; the bounds below are in units of `u M`, to first order in `u`, each rounded up generously, and
 //! the constants are rounded up again to cover the terms of second order and underflow (far below `u M`, since `M >= 1/4`).
 //!
+//! The model of a rounded operation, and how errors of several add up, are those of `higham_accuracy_2002`.
+//!
 //! **Frame.** Mapping a coordinate rounds once, by at most `u M`: each vertex moves by at most `sqrt(3) < 2` units, and
 //! the distance between the meshes changes by at most the 4 units that A and B move together ([`FRAME`]). With origin zero
 //! it is exact.

@@ -1,4 +1,7 @@
 //! Dense sampling: the distance from below, and from above by the covering radius of the samples.
+//!
+//! # Source
+//! Measuring samples of faces is what most tools do, see `aspert_mesh_2002`; the radius makes it an enclosure.
 
 use crate::plain::{point_point, point_triangles};
 use pompeiu_core::{FaceId, TriMesh};

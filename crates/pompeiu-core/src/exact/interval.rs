@@ -8,6 +8,9 @@ use std::ops::{Add, Mul, Neg, Sub};
 /// Every operation rounds to nearest and then moves both ends one step outwards, which encloses the exact result:
 /// rounding to nearest is off by at most half a step. Overflow gives infinite ends and `0 * inf` gives the whole line,
 /// so an interval never becomes NaN.
+/// # Source
+/// Interval arithmetic: `moore_interval_2009`. Stepping outwards instead of switching the rounding mode costs a unit in
+/// the last place of tightness.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Interval {
     lower: f64,

@@ -10,6 +10,8 @@ use rayon::prelude::*;
 ///
 /// # Cost
 /// O(m) time for a radix sort of 30-bit codes; 16 bytes per face while it runs, 4 afterwards.
+/// # Source
+/// The curve: `morton_geodetic_1966`.
 pub fn morton_order(mesh: &TriMesh, aabb: &Aabb) -> Vec<u32> {
     let positions = mesh.positions();
     let scale = [0, 1, 2].map(|k| {

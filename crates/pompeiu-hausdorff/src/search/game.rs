@@ -2,6 +2,9 @@
 //!
 //! With rows `D_i` (distances of the three corners of a piece from face i), `min over w of max_j sum_i w_i D_ij` is the
 //! value of a zero-sum game. Any weights give a valid bound, so nothing here needs to be exact.
+//!
+//! # Source
+//! That both players' best strategies meet in one value: `neumann_gesellschaftsspiele_1928`.
 
 /// Rows that one game takes.
 pub(crate) const MAX_ROWS: usize = 8;

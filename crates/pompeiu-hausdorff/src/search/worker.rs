@@ -188,6 +188,10 @@ impl<'s> Worker<'s> {
     }
 
     /// Cover, generate, cut: discards one piece or pushes its parts.
+    ///
+    /// # Source
+    /// Adding the face that is nearest where the bound is attained is the cutting-plane method, `kelley_cutting_1960`, on
+    /// the lower envelope of the distances from faces.
     fn examine(&mut self, piece: Piece, stack: &mut Vec<Piece>) {
         self.out.work.pieces += 1;
         self.out.work.depth = self.out.work.depth.max(piece.depth);

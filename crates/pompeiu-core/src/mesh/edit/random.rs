@@ -3,7 +3,7 @@
 /// `SplitMix64`.
 ///
 /// # Source
-/// Steele, Lea, Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014.
+/// `steele_splittable_2014`.
 pub(super) struct Random(u64);
 
 impl Random {

@@ -60,7 +60,7 @@ pub fn cylinder(
 /// # Errors
 /// [`ShapeError::Size`], [`ShapeError::TooFew`], [`ShapeError::TooMany`], [`ShapeError::NoMemory`].
 /// # Source
-/// H. A. Schwarz, "Sur une définition erronée de l'aire d'une surface courbe", 1883; the construction is common knowledge.
+/// `schwarz_aire_1890`; the construction is common knowledge.
 pub fn schwarz_lantern(radius: f64, height: f64, segments: u32, bands: u32) -> Result<TriMesh, ShapeError> {
     let (n, m) = (count("segments", segments, 3)?, count("bands", bands, 1)?);
     let mut arrays = Arrays::with_capacity(n * (m + 1), 2 * n * m)?;

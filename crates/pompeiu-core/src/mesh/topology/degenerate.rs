@@ -8,8 +8,7 @@ use robust::{Coord, orient2d};
 /// Exact, by the signs of its three projections along the axes, unless the coordinates of this one triangle that matter
 /// differ in magnitude by more than a factor 2^400.
 /// # Source
-/// Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric predicates", 1997, through the
-/// crate `robust`.
+/// `shewchuk_predicates_1997`, through the crate `robust`.
 pub fn is_degenerate(corners: [[f64; 3]; 3]) -> bool {
     let largest = corners.iter().flatten().fold(0.0, |m: f64, x| if x.abs() > m { x.abs() } else { m });
     if largest == 0.0 {

@@ -2,6 +2,9 @@
 //!
 //! Every split leaves a multiple of eight triangles on its left, so that all leaves but the last are full and the place
 //! of a leaf follows from the place of its triangles: subtrees can be built in parallel with nothing to agree on.
+//!
+//! # Source
+//! Binning centres along the widest axis: `wald_fast_2007`. Eight children to a node and full leaves are ours.
 
 use super::{Bvh, LEAF, Node};
 use crate::geom::point_triangle::{LANES, TriangleBlock};
