@@ -1,0 +1,28 @@
+//! Ranks meshes by how far they are from one reference, whose tree is built once:
+//!
+//! ```sh
+//! cargo run --release --example nearest_of_many examples/meshes/sphere.obj examples/meshes/*.obj
+//! ```
+
+#![allow(clippy::print_stdout, reason = "this program is there to print")]
+
+use pompeiu::io::{self, ReadError};
+use pompeiu::prelude::*;
+
+fn main() -> anyhow::Result<()> {
+    let files: Vec<String> = std::env::args().skip(1).collect();
+    let [reference, candidates @ ..] = files.as_slice() else {
+        anyhow::bail!("expected a reference mesh, and the meshes to rank");
+    };
+    let target = Target::new(&io::read(reference)?.mesh);
+    let query = Query::new().tolerance(Tolerance::RelativeToDistance(1e-3))?;
+
+    let measure = |file| Ok((query.directed_to(&io::read(file)?.mesh, &target).distance, file));
+    let mut ranking = candidates.iter().map(measure).collect::<Result<Vec<_>, ReadError>>()?;
+    ranking.sort_by(|(one, _), (other, _)| one.upper().total_cmp(&other.upper()));
+
+    for (distance, file) in ranking {
+        println!("{:.6} <= h <= {:.6}  {file}", distance.lower(), distance.upper());
+    }
+    Ok(())
+}
