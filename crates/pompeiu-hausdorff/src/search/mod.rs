@@ -85,11 +85,16 @@ impl Limits {
         if part > self.tolerance { part } else { self.tolerance }
     }
 
-    /// A piece after `depth` cuts may be discarded when its computed bound is no greater.
-    pub(crate) fn at(&self, lower: f64, depth: u32) -> f64 {
+    /// How far bounds may lie above the lower one: the width aimed for, or the least that rounding allows.
+    pub(crate) fn reach(&self, lower: f64) -> f64 {
         let requested = self.requested(lower);
         let least = self.rounding.least_tolerance();
-        let reach = lower - self.rounding.lower() + if requested > least { requested } else { least };
+        if requested > least { requested } else { least }
+    }
+
+    /// A piece after `depth` cuts may be discarded when its computed bound is no greater.
+    pub(crate) fn at(&self, lower: f64, depth: u32) -> f64 {
+        let reach = lower - self.rounding.lower() + self.reach(lower);
         let reach = match self.threshold {
             Some(threshold) if threshold > reach => threshold,
             _ => reach,

@@ -29,10 +29,15 @@ impl Piece {
         &self.near[..self.near_count as usize]
     }
 
-    /// Cuts where the nearest face of B ends, or else the longest edge in the middle; up to three parts.
-    pub(crate) fn cut(&self, nearest: [[f64; 3]; 3]) -> Parts {
+    /// Cuts where the nearest face of B ends, or else the longest edge in the middle; up to three parts. `reach` is how far
+    /// bounds may lie above the lower one.
+    pub(crate) fn cut(&self, nearest: [[f64; 3]; 3], reach: f64) -> Parts {
         let corners = self.corners.map(DVec3::from_array);
-        let plane = if self.depth < BISECT_BELOW_DEPTH { best_prism_plane(&corners, nearest) } else { None };
+        let plane = if self.depth < BISECT_BELOW_DEPTH {
+            best_prism_plane(&corners, nearest, LEAST_OVERHANG * reach)
+        } else {
+            None
+        };
         match plane {
             Some(crossing) => crossing.parts(&corners),
             None => bisect(&corners),
@@ -48,6 +53,8 @@ impl Piece {
 
 /// Cuts by planes must leave this fraction of the piece on both sides; a smaller part is not worth a piece.
 const LEAST_PART: f64 = 1e-12;
+/// Corners that hang over a plane by less than this part of the tolerance do not keep a face from covering the piece.
+const LEAST_OVERHANG: f64 = 0.125;
 /// Deeper pieces are only bisected, which shrinks them for certain.
 const BISECT_BELOW_DEPTH: u32 = 64;
 
@@ -108,7 +115,7 @@ impl Crossing {
 }
 
 /// Where the side plane of the prism over a triangle that leaves most on its lesser side crosses the piece.
-fn best_prism_plane(corners: &[DVec3; 3], triangle: [[f64; 3]; 3]) -> Option<Crossing> {
+fn best_prism_plane(corners: &[DVec3; 3], triangle: [[f64; 3]; 3], least: f64) -> Option<Crossing> {
     let t = triangle.map(DVec3::from_array);
     let normal = (t[1] - t[0]).cross(t[2] - t[0]);
     let mut best: Option<Crossing> = None;
@@ -116,6 +123,10 @@ fn best_prism_plane(corners: &[DVec3; 3], triangle: [[f64; 3]; 3]) -> Option<Cro
         let (from, to) = (t[i], t[(i + 1) % 3]);
         let across = normal.cross(to - from);
         let side = corners.map(|c| across.dot(c - from));
+        let least = least * across.length();
+        if !(side.iter().any(|s| *s > least) && side.iter().any(|s| *s < -least)) {
+            continue;
+        }
         let Some(crossing) = crossing(side) else { continue };
         let part = crossing.lesser_part();
         if part > LEAST_PART && best.as_ref().is_none_or(|b| part > b.lesser_part()) {
@@ -167,7 +178,7 @@ mod tests {
         ) {
             let corners = corners.map(|[x, y]| [x, y, 0.0]);
             let piece = Piece { corners, bound: 1.0, near: [first_slot(); INHERITED], near_count: 1, nearest_known: false, depth, face: 0 };
-            let parts = piece.cut(nearest);
+            let parts = piece.cut(nearest, 0.0);
             let total: f64 = parts.as_slice().iter().map(area).sum();
             prop_assert!((total - area(&corners)).abs() < 1e-14);
             for corner in parts.as_slice().iter().flatten() {
@@ -195,7 +206,7 @@ mod tests {
             depth: 0,
             face: 0,
         };
-        let parts = piece.cut([[0.0, -5.0, 0.0], [0.0, 5.0, 0.0], [-9.0, 0.0, 0.0]]);
+        let parts = piece.cut([[0.0, -5.0, 0.0], [0.0, 5.0, 0.0], [-9.0, 0.0, 0.0]], 0.0);
         let mut xs: Vec<f64> = parts.as_slice().iter().flatten().map(|c| c[0]).collect();
         xs.sort_by(f64::total_cmp);
         assert_eq!(parts.as_slice().len(), 2);
@@ -217,7 +228,7 @@ mod tests {
             face: 0,
         };
         for thickness in [0.1, 0.4, 0.6, 0.7, 0.9, 1.1, 10.0, 1e6].map(|x| x * LEAST_PART) {
-            let parts = piece.cut([[-9.0, thickness, 0.0], [9.0, thickness, 0.0], [0.0, 9.0, 0.0]]);
+            let parts = piece.cut([[-9.0, thickness, 0.0], [9.0, thickness, 0.0], [0.0, 9.0, 0.0]], 0.0);
             for part in parts.as_slice() {
                 assert!(area(part) < 1.0 - 0.5 * LEAST_PART, "{thickness:e} {part:?}");
             }

@@ -263,7 +263,7 @@ impl<'s> Worker<'s> {
         }
         self.out.work.cuts += 1;
         let (near, near_count) = rows.inherited(nearest.slot, &game.weights);
-        let parts = piece.cut(bvh.corners(nearest.slot));
+        let parts = piece.cut(bvh.corners(nearest.slot), self.limits.reach(self.lower));
         for &corners in parts.as_slice() {
             // The parts cover the piece up to the rounding of the cut.
             stack.push(Piece {

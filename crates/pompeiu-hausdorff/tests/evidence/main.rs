@@ -12,6 +12,7 @@ mod options;
 mod oracle;
 mod pairs;
 mod properties;
+mod regressions;
 mod sampling;
 mod scales;
 mod support;
