@@ -30,6 +30,16 @@ struct Bounds {
 impl Bounds {
     const EMPTY: Self = Self { lower: [f32::INFINITY; 4], upper: [f32::NEG_INFINITY; 4] };
 
+    fn of(items: &[Item]) -> Self {
+        items.iter().fold(Self::EMPTY, |bounds, item| bounds.union(item.bounds))
+    }
+
+    #[inline]
+    fn union(mut self, other: Self) -> Self {
+        self.add(&other);
+        self
+    }
+
     #[inline]
     fn add(&mut self, other: &Self) {
         for k in 0..4 {
@@ -66,6 +76,8 @@ impl Item {
 const BINS: usize = 16;
 /// Ranges longer than this are built in parallel.
 const PARALLEL_ABOVE: usize = 1 << 13;
+/// Longer ranges are binned over their box instead of their centres: a little coarser, and one pass less.
+const EXACT_CENTRES_UP_TO: usize = 512;
 /// Below this depth (in nodes) splits go through the middle, which bounds the depth of the tree for every input.
 const MEDIAN_BELOW_DEPTH: usize = 24;
 
@@ -83,13 +95,9 @@ impl Bvh {
             .into_par_iter()
             .map(|face| Item::new(&Aabb::of_points(&corners(face)), face))
             .collect();
+        let bounds = items.par_chunks(PARALLEL_ABOVE).map(Bounds::of).reduce(|| Bounds::EMPTY, Bounds::union);
         let mut nodes = Vec::new();
-        let builder = Builder { corners: &corners };
-        if items.len() <= LANES {
-            nodes.push(builder.node_over(&mut [(0, &mut items[..])], 0, &mut Vec::new()).0);
-        } else {
-            builder.subtree(&mut items, 0, 0, &mut nodes);
-        }
+        Builder { corners: &corners }.subtree(Part { items: &mut items, bounds, first: 0 }, 0, &mut nodes);
         nodes.shrink_to_fit();
         let blocks = items.par_chunks(LANES).map(|chunk| block(chunk, &corners)).collect();
         let faces = items.iter().map(Item::face).collect();
@@ -110,82 +118,109 @@ fn block(items: &[Item], corners: &impl Fn(u32) -> [[f64; 3]; 3]) -> TriangleBlo
     block
 }
 
+/// Items that will lie below one child.
+struct Part<'i> {
+    items: &'i mut [Item],
+    bounds: Bounds,
+    /// Place of the first item among all; a multiple of eight.
+    first: usize,
+}
+
+impl<'i> Part<'i> {
+    fn is_leaf(&self) -> bool {
+        self.items.len() <= LANES
+    }
+
+    fn split(self, depth: usize) -> [Self; 2] {
+        let Split { left, bounds } = split(self.items, &self.bounds, depth);
+        let (low, high) = self.items.split_at_mut(left);
+        [
+            Self { items: low, bounds: bounds[0], first: self.first },
+            Self { items: high, bounds: bounds[1], first: self.first + left },
+        ]
+    }
+
+    /// Splits the largest part until there are eight or all are leaves.
+    fn split_into_eight(self, depth: usize) -> Vec<Self> {
+        if self.items.len() > PARALLEL_ABOVE {
+            let halves = self.split(depth);
+            let quarters: Vec<_> = halves.into_par_iter().flat_map_iter(|p| p.split(depth)).collect();
+            return quarters.into_par_iter().flat_map_iter(|p| p.split_if_possible(depth)).collect();
+        }
+        let mut parts = Vec::with_capacity(LANES);
+        parts.push(self);
+        while parts.len() < LANES {
+            let largest = (0..parts.len()).max_by_key(|&i| (parts[i].items.len(), LANES - i)).unwrap_or(0);
+            if parts[largest].is_leaf() {
+                break;
+            }
+            let part = parts.swap_remove(largest);
+            parts.extend(part.split(depth));
+        }
+        parts
+    }
+
+    fn split_if_possible(self, depth: usize) -> impl Iterator<Item = Self> + use<'i> {
+        let (one, two) = if self.is_leaf() { (Some(self), None) } else { (None, Some(self.split(depth))) };
+        one.into_iter().chain(two.into_iter().flatten())
+    }
+}
+
 struct Builder<'c, C> {
     corners: &'c C,
 }
 
 impl<C: Fn(u32) -> [[f64; 3]; 3] + Sync> Builder<'_, C> {
-    /// Appends the node over `items`, which start at a multiple of eight, and all below it; returns its box.
-    fn subtree(&self, items: &mut [Item], first: usize, depth: usize, nodes: &mut Vec<Node>) -> Aabb {
+    /// Appends the node over a part and all below it; returns its box.
+    fn subtree(&self, part: Part<'_>, depth: usize, nodes: &mut Vec<Node>) -> Aabb {
         let place = nodes.len();
-        nodes.push(Node { lower: [[0.0; LANES]; 3], upper: [[0.0; LANES]; 3], child: [0; LANES] });
-        let mut parts = split_into_eight(items, first, depth);
-        let (node, aabb) = self.node_over(&mut parts, depth, nodes);
-        nodes[place] = node;
-        aabb
-    }
-
-    /// The node whose children are the given parts.
-    fn node_over(
-        &self,
-        parts: &mut [(usize, &mut [Item])],
-        depth: usize,
-        nodes: &mut Vec<Node>,
-    ) -> (Node, Aabb) {
-        let mut node = Node {
+        nodes.push(Node {
             lower: [[f64::INFINITY; LANES]; 3],
             upper: [[f64::NEG_INFINITY; LANES]; 3],
             child: [0; LANES],
-        };
-        let total: usize = parts.iter().map(|(_, items)| items.len()).sum();
-        let mut boxes = [Aabb::EMPTY; LANES];
-        if total > PARALLEL_ABOVE {
-            let built: Vec<(Vec<Node>, Aabb)> = parts
-                .par_iter_mut()
-                .map(|(first, items)| {
+        });
+        let parallel = part.items.len() > PARALLEL_ABOVE;
+        let parts = part.split_into_eight(depth);
+        let mut children = [(Aabb::EMPTY, 0); LANES];
+        let count = parts.len();
+        if parallel {
+            let built: Vec<_> = parts
+                .into_par_iter()
+                .map(|part| {
                     let mut below = Vec::new();
-                    let aabb = if items.len() <= LANES {
-                        self.leaf_box(items)
-                    } else {
-                        self.subtree(items, *first, depth + 1, &mut below)
-                    };
-                    (below, aabb)
+                    (self.child(part, depth, &mut below), below)
                 })
                 .collect();
-            for (i, (mut below, aabb)) in built.into_iter().enumerate() {
-                boxes[i] = aabb;
-                node.child[i] =
-                    if below.is_empty() { LEAF | (parts[i].0 / LANES) as u32 } else { nodes.len() as u32 };
+            for (child, ((aabb, index), below)) in children.iter_mut().zip(built) {
                 let offset = nodes.len() as u32;
-                for inner in &mut below {
-                    for (lane, child) in inner.child.iter_mut().enumerate() {
-                        if *child & LEAF == 0 && inner.lower[0][lane] < f64::INFINITY {
-                            *child += offset;
-                        }
-                    }
-                }
-                nodes.append(&mut below);
+                *child = (aabb, if index & LEAF == 0 { index + offset } else { index });
+                append(nodes, below);
             }
         } else {
-            for (i, (first, items)) in parts.iter_mut().enumerate() {
-                if items.len() <= LANES {
-                    node.child[i] = LEAF | (*first / LANES) as u32;
-                    boxes[i] = self.leaf_box(items);
-                } else {
-                    node.child[i] = nodes.len() as u32;
-                    boxes[i] = self.subtree(items, *first, depth + 1, nodes);
-                }
+            for (child, part) in children.iter_mut().zip(parts) {
+                *child = self.child(part, depth, nodes);
             }
         }
         let mut whole = Aabb::EMPTY;
-        for (lane, aabb) in boxes.iter().enumerate().take(parts.len()) {
+        let node = &mut nodes[place];
+        for (lane, (aabb, child)) in children.iter().enumerate().take(count) {
             for k in 0..3 {
                 node.lower[k][lane] = aabb.lower[k];
                 node.upper[k][lane] = aabb.upper[k];
             }
+            node.child[lane] = *child;
             whole = whole.union(*aabb);
         }
-        (node, whole)
+        whole
+    }
+
+    /// The box and the entry of a child, which is appended if it is a node.
+    fn child(&self, part: Part<'_>, depth: usize, nodes: &mut Vec<Node>) -> (Aabb, u32) {
+        if part.is_leaf() {
+            return (self.leaf_box(part.items), LEAF | (part.first / LANES) as u32);
+        }
+        let place = nodes.len() as u32;
+        (self.subtree(part, depth + 1, nodes), place)
     }
 
     fn leaf_box(&self, items: &[Item]) -> Aabb {
@@ -199,52 +234,62 @@ impl<C: Fn(u32) -> [[f64; 3]; 3] + Sync> Builder<'_, C> {
     }
 }
 
-/// Splits the largest of the parts until there are eight or all are leaves.
-fn split_into_eight(items: &mut [Item], first: usize, depth: usize) -> Vec<(usize, &mut [Item])> {
-    let mut parts = Vec::with_capacity(LANES);
-    parts.push((first, items));
-    while parts.len() < LANES {
-        let Some(largest) = (0..parts.len())
-            .filter(|&i| parts[i].1.len() > LANES)
-            .max_by_key(|&i| (parts[i].1.len(), LANES - i))
-        else {
-            break;
-        };
-        let (start, part) = parts.swap_remove(largest);
-        let left = split(part, depth);
-        let (low, high) = part.split_at_mut(left);
-        parts.push((start, low));
-        parts.push((start + left, high));
+/// Appends nodes that were numbered by themselves.
+fn append(nodes: &mut Vec<Node>, mut below: Vec<Node>) {
+    let offset = nodes.len() as u32;
+    for node in &mut below {
+        for (lane, child) in node.child.iter_mut().enumerate() {
+            if *child & LEAF == 0 && node.lower[0][lane] < f64::INFINITY {
+                *child += offset;
+            }
+        }
     }
-    parts
+    nodes.append(&mut below);
 }
 
-/// Reorders items so that a multiple of eight of them form the left of a split; returns how many.
-fn split(items: &mut [Item], depth: usize) -> usize {
+/// How a range was split.
+struct Split {
+    /// Items on the left: a multiple of eight.
+    left: usize,
+    /// About where the items of each side lie.
+    bounds: [Bounds; 2],
+}
+
+/// Reorders items into two sides.
+fn split(items: &mut [Item], bounds: &Bounds, depth: usize) -> Split {
+    let (low, high) = if items.len() > EXACT_CENTRES_UP_TO {
+        ([0, 1, 2].map(|k| 2.0 * bounds.lower[k]), [0, 1, 2].map(|k| 2.0 * bounds.upper[k]))
+    } else {
+        range_of_centres(items)
+    };
+    let axis = (0..3).fold(0, |w, k| if high[k] - low[k] > high[w] - low[w] { k } else { w });
+    let spread = high[axis] - low[axis];
+    if depth < MEDIAN_BELOW_DEPTH && items.len() > 2 * LANES && spread.is_normal() {
+        let scale = BINS as f32 * (1.0 - f32::EPSILON) / spread;
+        if let Some((boundary, bounds)) = best_boundary(items, axis, low[axis], scale) {
+            let left = partition(items, |item| bin_of(item, axis, low[axis], scale) < boundary);
+            return Split { left: align(items, left, axis), bounds };
+        }
+    }
+    let left = (items.len() / 2).next_multiple_of(LANES).min((items.len() - 1) / LANES * LANES);
+    items.select_nth_unstable_by(left, |a, b| {
+        a.centre(axis).total_cmp(&b.centre(axis)).then(a.face().cmp(&b.face()))
+    });
+    Split { left, bounds: [Bounds::of(&items[..left]), Bounds::of(&items[left..])] }
+}
+
+/// Range of the sums of opposite ends of the boxes.
+fn range_of_centres(items: &[Item]) -> ([f32; 3], [f32; 3]) {
     let mut low = [f32::INFINITY; 4];
     let mut high = [f32::NEG_INFINITY; 4];
-    for Item { bounds, .. } in items.iter() {
+    for Item { bounds, .. } in items {
         for k in 0..4 {
             let c = bounds.lower[k] + bounds.upper[k];
             low[k] = if c < low[k] { c } else { low[k] };
             high[k] = if c > high[k] { c } else { high[k] };
         }
     }
-    let widest = (0..3).fold(0, |w, k| if high[k] - low[k] > high[w] - low[w] { k } else { w });
-    let spread = high[widest] - low[widest];
-    if depth < MEDIAN_BELOW_DEPTH && items.len() > 2 * LANES && spread.is_normal() {
-        let axis = widest;
-        let scale = BINS as f32 * (1.0 - f32::EPSILON) / spread;
-        if let Some(boundary) = best_boundary(items, axis, low[axis], scale) {
-            let left = partition(items, |item| bin_of(item, axis, low[axis], scale) < boundary);
-            return align(items, left, axis);
-        }
-    }
-    let half = (items.len() / 2).next_multiple_of(LANES).min((items.len() - 1) / LANES * LANES);
-    items.select_nth_unstable_by(half, |a, b| {
-        a.centre(widest).total_cmp(&b.centre(widest)).then(a.face().cmp(&b.face()))
-    });
-    half
+    ([low[0], low[1], low[2]], [high[0], high[1], high[2]])
 }
 
 #[inline]
@@ -282,22 +327,24 @@ fn align(items: &mut [Item], left: usize, axis: usize) -> usize {
     aligned
 }
 
-/// The bin with which the right side of the cheapest split begins, by area times count; none if all are in one bin.
-fn best_boundary(items: &[Item], axis: usize, low: f32, scale: f32) -> Option<usize> {
+/// The bin with which the right side of the cheapest split begins, by area times count, and the boxes of both sides; none
+/// if all are in one bin.
+fn best_boundary(items: &[Item], axis: usize, low: f32, scale: f32) -> Option<(usize, [Bounds; 2])> {
     let mut bins = [(Bounds::EMPTY, 0); BINS];
     for item in items {
         let (bounds, count) = &mut bins[bin_of(item, axis, low, scale)];
         bounds.add(&item.bounds);
         *count += 1;
     }
-    let mut right_cost = [0.0; BINS];
+    let mut rights = [(Bounds::EMPTY, 0.0); BINS];
     let (mut right, mut count) = (Bounds::EMPTY, 0);
     for i in (1..BINS).rev() {
         right.add(&bins[i].0);
         count += bins[i].1;
-        right_cost[i] = if count > 0 { right.half_area() * count as f32 } else { 0.0 };
+        rights[i] = (right, if count > 0 { right.half_area() * count as f32 } else { 0.0 });
     }
-    let mut best: Option<(f32, usize)> = None;
+    let mut best = None;
+    let mut least = f32::INFINITY;
     let (mut left, mut count) = (Bounds::EMPTY, 0);
     for i in 1..BINS {
         left.add(&bins[i - 1].0);
@@ -305,12 +352,13 @@ fn best_boundary(items: &[Item], axis: usize, low: f32, scale: f32) -> Option<us
         if count == 0 || count == items.len() {
             continue;
         }
-        let cost = left.half_area() * count as f32 + right_cost[i];
-        if best.is_none_or(|(least, _)| cost < least) {
-            best = Some((cost, i));
+        let cost = left.half_area() * count as f32 + rights[i].1;
+        if best.is_none() || cost < least {
+            least = cost;
+            best = Some((i, [left, rights[i].0]));
         }
     }
-    best.map(|(_, boundary)| boundary)
+    best
 }
 
 #[cfg(test)]
