@@ -144,7 +144,7 @@ impl<'s> Worker<'s> {
             }
             self.out.work.queries += 1;
             let start = Nearest { slot: hint, distance_sq: d[3] };
-            match self.scene.bvh().cover(&points, self.limit_sq(0), start, &mut self.workspace) {
+            match self.scene.bvh().cover(&points, self.limit_sq(0), start, false, &mut self.workspace) {
                 Cover::By { slot, distance_sq } => {
                     hint = slot;
                     self.discard(piece, distance_sq.sqrt(), || SlotProof::Face(slot));
@@ -216,7 +216,8 @@ impl<'s> Worker<'s> {
             start
         } else {
             self.out.work.queries += 1;
-            match bvh.cover(&points, self.limit_sq(piece.depth), start, &mut self.workspace) {
+            // A point within the limit cannot raise the lower bound: any face near it will do to cut by.
+            match bvh.cover(&points, self.limit_sq(piece.depth), start, true, &mut self.workspace) {
                 Cover::By { slot, distance_sq } => {
                     return self.discard(piece, distance_sq.sqrt(), || SlotProof::Face(slot));
                 }

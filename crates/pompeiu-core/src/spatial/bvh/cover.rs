@@ -36,14 +36,17 @@ impl Bvh {
     /// `points` are the three corners and the centre, coordinate by coordinate. The search goes nearest first and stops at
     /// the first triangle within `limit_sq` of all three corners; if none that it meets is, it ends with the triangle
     /// nearest to the centre. `start` must be a triangle with its distance from the centre; it is not tried as a cover.
+    /// With `neighbours_suffice`, the best triangle in the leaf of the start also ends the search if it is within `limit_sq`
+    /// of the centre: good enough for those who only want a triangle nearby.
     pub fn cover(
         &self,
         points: &[[f64; 4]; 3],
         limit_sq: f64,
         start: Nearest,
+        neighbours_suffice: bool,
         workspace: &mut Workspace,
     ) -> Cover {
-        traverse(self, points, limit_sq, start, workspace)
+        traverse(self, points, limit_sq, start, neighbours_suffice, workspace)
     }
 }
 
@@ -58,6 +61,7 @@ fn traverse(
     points: &[[f64; 4]; 3],
     limit_sq: f64,
     start: Nearest,
+    neighbours_suffice: bool,
     workspace: &mut Workspace,
 ) -> Cover {
     let centre = [points[0][3], points[1][3], points[2][3]];
@@ -66,6 +70,9 @@ fn traverse(
     let start_block = start.slot.0 / LANES as u32;
     if let Some(cover) = visit_leaf(bvh, points, centre, limit_sq, start_block, &mut best, workspace) {
         return cover;
+    }
+    if neighbours_suffice && best.distance_sq <= limit_sq {
+        return Cover::Nearest(best);
     }
     workspace.stack.clear();
     workspace.stack.push((0.0, 0));
