@@ -149,7 +149,7 @@ impl<'s> Worker<'s> {
                     hint = slot;
                     self.discard(piece, distance_sq.sqrt(), || SlotProof::Face(slot));
                 }
-                Cover::Nearest(nearest) => {
+                Cover::Nearest(nearest) | Cover::Neighbour(nearest) => {
                     hint = nearest.slot;
                     self.raise(face, centre(&points), nearest);
                     let d = max3(self.scene.bvh().four_distances_sq(&points, hint, &mut self.workspace));
@@ -216,15 +216,18 @@ impl<'s> Worker<'s> {
             start
         } else {
             self.out.work.queries += 1;
-            // A point within the limit cannot raise the lower bound: any face near it will do to cut by.
+            // A point within the limit will not raise the lower bound by much: any face near it will do to cut by.
             match bvh.cover(&points, self.limit_sq(piece.depth), start, true, &mut self.workspace) {
                 Cover::By { slot, distance_sq } => {
                     return self.discard(piece, distance_sq.sqrt(), || SlotProof::Face(slot));
                 }
-                Cover::Nearest(nearest) => nearest,
+                Cover::Nearest(nearest) => {
+                    self.raise(piece.face, centre(&points), nearest);
+                    nearest
+                }
+                Cover::Neighbour(nearest) => nearest,
             }
         };
-        self.raise(piece.face, centre(&points), nearest);
         self.add_row(&mut rows, nearest.slot, &points);
 
         // Generate: mixtures of the faces nearest where the bound is attained.

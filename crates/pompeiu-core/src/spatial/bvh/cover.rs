@@ -17,6 +17,8 @@ pub enum Cover {
     },
     /// No triangle met on the way covers the corners; this is the one nearest to the centre.
     Nearest(Nearest),
+    /// No triangle of the leaf where the search began covers the corners, but this one is within the limit of the centre.
+    Neighbour(Nearest),
 }
 
 impl Bvh {
@@ -72,7 +74,7 @@ fn traverse(
         return cover;
     }
     if neighbours_suffice && best.distance_sq <= limit_sq {
-        return Cover::Nearest(best);
+        return Cover::Neighbour(best);
     }
     workspace.stack.clear();
     workspace.stack.push((0.0, 0));
