@@ -137,7 +137,18 @@ pub(crate) fn search(
         let largest = |pieces: &[Piece]| pieces.iter().map(|p| p.bound).fold(settled, greater);
         let upper = largest(&pieces);
         while stages.next_if(|stage| upper - lower <= *stage).is_some_and(|stage| {
-            report_stage(observer, question, &frame, stage, lower, upper, &pieces, &work, started);
+            report_stage(
+                observer,
+                question,
+                &frame,
+                stage,
+                limits.diagonal,
+                lower,
+                upper,
+                &pieces,
+                &work,
+                started,
+            );
             true
         }) {}
         let progress = Progress {
@@ -191,7 +202,7 @@ pub(crate) fn search(
         nearest_corners: corners(b, nearest),
     };
     let (mut witness, x) = farthest.witness(a, &frame);
-    witness.b.position = frame.unmap(witness.b.position);
+    witness.to.position = frame.unmap(witness.to.position);
     let lower =
         certify::distance_lower_bound(x, (0..b.faces().len()).map(|g| corners(b, g))) - rounding.frame();
     let lower = if lower > 0.0 { lower } else { 0.0 };
@@ -267,6 +278,7 @@ fn report_stage(
     question: &Question<'_>,
     frame: &Frame,
     tolerance: f64,
+    diagonal: f64,
     lower: f64,
     upper: f64,
     pieces: &[Piece],
@@ -281,6 +293,7 @@ fn report_stage(
     observer.stage(&Stage {
         direction: question.direction,
         tolerance: frame.length_out(tolerance),
+        fraction: tolerance / diagonal,
         lower: frame.length_out(lower),
         upper: frame.length_out(upper),
         remaining: remaining.collect(),

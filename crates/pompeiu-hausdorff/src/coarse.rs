@@ -58,7 +58,7 @@ pub(crate) fn bound(question: &Question<'_>, a: &TriMesh, b: &TriMesh) -> Direct
     }
     let best = best.expect("a mesh has a face");
     let (mut witness, x) = best.witness(a, &frame);
-    witness.b.position = frame.unmap(witness.b.position);
+    witness.to.position = frame.unmap(witness.to.position);
     let lower = certify::distance_lower_bound(x, (0..m_b).map(|g| corners(b, g))) - rounding.frame();
     let lower = if lower > 0.0 { lower } else { 0.0 };
     let (distance, stop, tolerance) =

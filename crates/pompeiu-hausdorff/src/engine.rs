@@ -34,7 +34,14 @@ impl Question<'_> {
             Tolerance::Absolute(x) => (frame.length_in(x), 0.0),
         };
         let threshold = self.threshold.map(|t| frame.length_in(t));
-        Limits { tolerance, tolerance_of_distance, threshold, rounding, least_size: 16.0 * rounding.unit() }
+        Limits {
+            diagonal: frame.length_in(joint.diagonal()),
+            tolerance,
+            tolerance_of_distance,
+            threshold,
+            rounding,
+            least_size: 16.0 * rounding.unit(),
+        }
     }
 
     /// The tolerances of the stages that are coarser than what is asked, in units of a frame.
@@ -80,7 +87,7 @@ pub(crate) fn search(
     };
     let (mut witness, x) = farthest.witness(a, target.frame());
     let lower = certified_lower(&x, &farthest, target.bvh(), rounding);
-    witness.b.position = target.frame().unmap(witness.b.position);
+    witness.to.position = target.frame().unmap(witness.to.position);
     let report = conclude(question, &limits, target.frame(), lower, result.upper, control.why());
     DirectedReport {
         distance: report.0,
@@ -109,8 +116,8 @@ impl Farthest {
         let x = certify::point_in_frame(frame, corners, weights);
         let barycentric = closest_barycentric(certify::middle(&x), self.nearest_corners);
         let position = [0, 1, 2].map(|k| (0..3).map(|i| barycentric[i] * self.nearest_corners[i][k]).sum());
-        let b = SurfacePoint { face: self.nearest_face, barycentric, position };
-        (Witness { a: SurfacePoint::new(a, self.face, weights), b }, x)
+        let to = SurfacePoint { face: self.nearest_face, barycentric, position };
+        (Witness { from: SurfacePoint::new(a, self.face, weights), to }, x)
     }
 }
 

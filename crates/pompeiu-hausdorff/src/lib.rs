@@ -23,7 +23,7 @@
 //! let corners = vec![[0.0, 0.0, 0.0], [1.0, 0.0, 1.0], [1.0, 1.0, 0.0], [0.0, 1.0, 1.0]];
 //! let a = TriMesh::new(corners.clone(), vec![[0, 1, 2], [0, 2, 3]])?;
 //! let b = TriMesh::new(corners, vec![[0, 1, 3], [1, 2, 3]])?;
-//! let distance = symmetric_hausdorff(&a, &b).distance();
+//! let distance = symmetric_hausdorff(&a, &b).distance;
 //! assert!(distance.contains(1.0 / 3.0_f64.sqrt()));
 //! assert!(distance.gap() < 2e-12);
 //! # Ok::<(), pompeiu_core::MeshError>(())

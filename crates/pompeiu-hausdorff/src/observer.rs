@@ -47,8 +47,10 @@ pub struct Discard {
 pub struct Stage {
     /// The direction searched.
     pub direction: Direction,
-    /// The tolerance reached, a length.
+    /// The tolerance of this stage, a length.
     pub tolerance: f64,
+    /// The same as a fraction of the joint diagonal.
+    pub fraction: f64,
     /// Largest distance met so far, rounded.
     pub lower: f64,
     /// Proven upper bound.
@@ -90,7 +92,7 @@ pub trait Observer: Send {
         let _ = discard;
     }
 
-    /// Called after each stage.
+    /// Called after each stage, and once more at the tolerance asked for. Not called where no stages were asked for.
     fn stage(&mut self, stage: &Stage) {
         let _ = stage;
     }

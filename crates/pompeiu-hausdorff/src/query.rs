@@ -126,7 +126,9 @@ impl Query {
     }
 
     /// Reaches these tolerances on the way, fractions of the joint diagonal in descending order, and shows the observer at
-    /// each what is left of A. Costs memory for every piece that may still hold the maximum.
+    /// each what is left of A. Those not coarser than the tolerance asked for are passed over; the search then goes on to
+    /// that tolerance, and shows that last stage too. Costs memory for every piece that may still hold the maximum, and a
+    /// query for each.
     ///
     /// # Errors
     /// [`OptionError::Stage`] unless positive, finite and descending.
@@ -191,7 +193,7 @@ impl Query {
             let half = self.time_limit.and_then(|limit| Instant::now().checked_add(limit / 2));
             let a_to_b = self.one_direction(a, b, Direction::AToB, half, observer);
             let b_to_a = self.one_direction(b, a, Direction::BToA, deadline, observer);
-            SymmetricReport { a_to_b, b_to_a }
+            SymmetricReport { distance: a_to_b.distance.max(b_to_a.distance), a_to_b, b_to_a }
         })
     }
 

@@ -52,19 +52,19 @@ impl FormatError {
 #[non_exhaustive]
 pub enum ReadError {
     /// The file could not be opened or read.
-    #[error("{}: {source}", path.display())]
+    #[error("{}: {cause}", path.display())]
     Io {
         /// The file.
         path: PathBuf,
-        /// What the operating system said.
-        source: std::io::Error,
+        /// What the operating system said; part of the message, so not repeated as its source.
+        cause: std::io::Error,
     },
     /// The content is not a usable mesh.
-    #[error("{}: {source}", path.display())]
+    #[error("{}: {cause}", path.display())]
     Format {
         /// The file.
         path: PathBuf,
-        /// What is wrong, and where.
-        source: FormatError,
+        /// What is wrong, and where; part of the message, so not repeated as its source.
+        cause: FormatError,
     },
 }

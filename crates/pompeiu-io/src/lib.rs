@@ -28,7 +28,7 @@ mod write;
 
 pub use error::{FormatError, Location, ReadError};
 pub use format::Format;
-pub use read::{ReadMesh, read, read_bytes};
+pub use read::{ReadMesh, read, read_bytes, read_mesh};
 pub use write::{
     AttributeError, Attributes, EncodeError, OutputFormat, WriteError, encode, write, write_as, write_with,
 };

@@ -46,10 +46,18 @@ pub struct ReadMesh {
 /// its size, whichever is more. A file must not be shortened by another process while it is read.
 pub fn read(path: impl AsRef<Path>) -> Result<ReadMesh, ReadError> {
     let path = path.as_ref();
-    let bytes = source::open(path).map_err(|source| ReadError::Io { path: path.to_owned(), source })?;
+    let bytes = source::open(path).map_err(|cause| ReadError::Io { path: path.to_owned(), cause })?;
     let promised = Format::from_path(path);
     read_content(&bytes, path.parent(), |content| sniff::format(content).or(promised))
-        .map_err(|source| ReadError::Format { path: path.to_owned(), source })
+        .map_err(|cause| ReadError::Format { path: path.to_owned(), cause })
+}
+
+/// [`read`] for those who only want the mesh.
+///
+/// # Errors
+/// Those of [`read`].
+pub fn read_mesh(path: impl AsRef<Path>) -> Result<TriMesh, ReadError> {
+    read(path).map(|read| read.mesh)
 }
 
 /// Reads a triangle mesh from bytes in memory, compressed or not.

@@ -13,14 +13,14 @@ fn main() -> anyhow::Result<()> {
     let [a, b] = arguments.as_slice() else {
         anyhow::bail!("expected two arguments: mesh A and mesh B");
     };
-    let report = symmetric_hausdorff(&pompeiu::io::read(a)?.mesh, &pompeiu::io::read(b)?.mesh);
+    let report = symmetric_hausdorff(&read_mesh(a)?, &read_mesh(b)?);
 
-    println!("{} <= H <= {}", report.distance().lower(), report.distance().upper());
+    println!("H in {}", report.distance);
     for (from, to, directed) in [(a, b, report.a_to_b), (b, a, report.b_to_a)] {
-        println!("{} <= h <= {} from {from} to {to}", directed.distance.lower(), directed.distance.upper());
-        let [far, near] = [directed.witness.a, directed.witness.b];
-        println!("  farthest point   {:?} on face {}", far.position, far.face.index());
-        println!("  nearest to that  {:?} on face {}", near.position, near.face.index());
+        println!("h in {} from {from} to {to}", directed.distance);
+        let Witness { from, to } = directed.witness;
+        println!("  farthest point   {:?} on face {}", from.position, from.face);
+        println!("  nearest to that  {:?} on face {}", to.position, to.face);
     }
     Ok(())
 }

@@ -6,7 +6,6 @@
 
 #![allow(clippy::print_stdout, reason = "this program is there to print")]
 
-use pompeiu::io::{self, ReadError};
 use pompeiu::prelude::*;
 
 fn main() -> anyhow::Result<()> {
@@ -14,15 +13,15 @@ fn main() -> anyhow::Result<()> {
     let [reference, candidates @ ..] = files.as_slice() else {
         anyhow::bail!("expected a reference mesh, and the meshes to rank");
     };
-    let target = Target::new(&io::read(reference)?.mesh);
+    let target = Target::new(&read_mesh(reference)?);
     let query = Query::new().tolerance(Tolerance::RelativeToDistance(1e-3))?;
 
-    let measure = |file| Ok((query.directed_to(&io::read(file)?.mesh, &target).distance, file));
+    let measure = |file| Ok((query.directed_to(&read_mesh(file)?, &target).distance, file));
     let mut ranking = candidates.iter().map(measure).collect::<Result<Vec<_>, ReadError>>()?;
     ranking.sort_by(|(one, _), (other, _)| one.upper().total_cmp(&other.upper()));
 
     for (distance, file) in ranking {
-        println!("{:.6} <= h <= {:.6}  {file}", distance.lower(), distance.upper());
+        println!("h in {distance:.4}  {file}");
     }
     Ok(())
 }

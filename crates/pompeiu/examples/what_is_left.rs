@@ -21,7 +21,7 @@ fn main() -> anyhow::Result<()> {
         anyhow::bail!("expected three arguments: mesh A, mesh B, and the SVG file to write");
     };
     let command = format!("cargo run --release --example what_is_left {a} {b} {picture}");
-    let svg = draw(&pompeiu::io::read(a)?.mesh, &pompeiu::io::read(b)?.mesh, &command)?;
+    let svg = draw(&read_mesh(a)?, &read_mesh(b)?, &command)?;
     // Under its own name only once it is complete.
     let unfinished = format!("{picture}.tmp");
     std::fs::write(&unfinished, svg)
@@ -30,7 +30,7 @@ fn main() -> anyhow::Result<()> {
 }
 
 /// Tolerances to stop at on the way, as fractions of the diagonal of the joint bounding box.
-const STAGES: [f64; 3] = [1e-1, 1e-2, 1e-3];
+const STAGES: [f64; 3] = [1e-2, 1e-3, 1e-4];
 
 #[derive(Default)]
 struct Stages(Vec<Stage>);
@@ -67,9 +67,9 @@ pub(crate) fn draw(a: &TriMesh, b: &TriMesh, command: &str) -> anyhow::Result<St
                 &bounds(stage.lower, stage.upper, 4),
             ])
         } else {
-            let Witness { a, b } = report.witness;
+            let Witness { from, to } = report.witness;
             let distance = bounds(report.distance.lower(), report.distance.upper(), 8);
-            segment(view.project(a.position), view.project(b.position))
+            segment(view.project(from.position), view.project(to.position))
                 + &caption(&["Default tolerance", "this pair proves the lower bound", &distance])
         };
         svg += "</g>\n";

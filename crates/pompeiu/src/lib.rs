@@ -6,12 +6,12 @@
 //! use pompeiu::prelude::*;
 //!
 //! let mesh = |z| TriMesh::new(vec![[0.0, 0.0, z], [2.0, 0.0, z], [1.0, 1.0, z]], vec![[0, 1, 2]]);
-//! let distance = symmetric_hausdorff(&mesh(0.0)?, &mesh(0.25)?).distance();
+//! let distance = symmetric_hausdorff(&mesh(0.0)?, &mesh(0.25)?).distance;
 //! assert!(distance.lower() <= 0.25 && 0.25 <= distance.upper());
 //! # Ok::<(), MeshError>(())
 //! ```
 //!
-//! Files are read with [`io::read`], options go through [`hausdorff::Query`], and one mesh is measured against by many
+//! Files are read with [`io::read_mesh`], options go through [`hausdorff::Query`], and one mesh is measured against by many
 //! with a [`hausdorff::Target`].
 
 pub use pompeiu_core as core;
@@ -20,9 +20,10 @@ pub use pompeiu_io as io;
 
 /// What most programs need.
 pub mod prelude {
-    pub use pompeiu_core::{FaceId, MeshError, TriMesh, VertexId};
+    pub use pompeiu_core::{FaceId, MeshError, MeshSummary, TriMesh, VertexId};
     pub use pompeiu_hausdorff::{
-        DirectedReport, Enclosure, Query, StopReason, SymmetricReport, Target, Tolerance, directed_hausdorff,
-        symmetric_hausdorff,
+        DirectedReport, Enclosure, Observer, OptionError, Progress, Query, Stage, StopReason, SurfacePoint,
+        SymmetricReport, Target, Tolerance, Witness, directed_hausdorff, symmetric_hausdorff,
     };
+    pub use pompeiu_io::{ReadError, WriteError, read_mesh};
 }

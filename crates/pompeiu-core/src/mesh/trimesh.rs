@@ -70,6 +70,11 @@ impl TriMesh {
         &self.faces
     }
 
+    /// The faces by name, in order.
+    pub fn face_ids(&self) -> impl ExactSizeIterator<Item = FaceId> + use<> {
+        (0..self.faces.len() as u32).map(FaceId)
+    }
+
     /// The three corner positions of a face, in the order stored.
     ///
     /// # Panics

@@ -1,5 +1,7 @@
 //! An interval that holds a distance.
 
+use std::fmt;
+
 /// `lower <= distance <= upper`, both finite and nonnegative: a crossed or NaN enclosure cannot exist.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Enclosure {
@@ -41,9 +43,50 @@ impl Enclosure {
     }
 }
 
+/// `[lower, upper]`, in digits that read back to the same bounds; with a precision (`{:.6}`), in that many digits after
+/// the first and with a power of ten, the lower end rounded down and the upper end up, so that what is shown still holds.
+impl fmt::Display for Enclosure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Some(precision) = f.precision() else {
+            return write!(f, "[{}, {}]", self.lower, self.upper);
+        };
+        // Formatting rounds to nearest: a step of one unit in the last digit shown is enough either way.
+        let shown = |x: f64| format!("{x:.precision$e}").parse::<f64>().unwrap_or(x);
+        let unit = |x: f64| if x > 0.0 { 10_f64.powf(x.log10().floor() - precision as f64) } else { 0.0 };
+        let (mut lower, mut upper) = (self.lower, self.upper);
+        if shown(lower) > self.lower {
+            lower -= unit(lower);
+        }
+        if shown(upper) < self.upper {
+            upper += unit(upper);
+        }
+        write!(f, "[{lower:.precision$e}, {upper:.precision$e}]")
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_is_shown_encloses_too() {
+        let e = |lower, upper| Enclosure::new(lower, upper).unwrap();
+        assert_eq!(e(0.25, 0.5).to_string(), "[0.25, 0.5]");
+        assert_eq!(format!("{:.2}", e(0.333_333, 0.666_666)), "[3.33e-1, 6.67e-1]");
+        assert_eq!(format!("{:.2}", e(0.666_666, 0.777_123)), "[6.66e-1, 7.78e-1]");
+        assert_eq!(format!("{:.2}", e(0.0, 0.999_999)), "[0.00e0, 1.00e0]");
+        for exponent in -300..300 {
+            for digit in [1.0, 1.000_000_1, 4.999_999_9, 9.999_999_9] {
+                let x = digit * 10_f64.powi(exponent);
+                for precision in 0..8 {
+                    let text = format!("{:.precision$}", e(x, x));
+                    let ends: Vec<f64> =
+                        text[1..text.len() - 1].split(", ").map(|t| t.parse().unwrap()).collect();
+                    assert!(ends[0] <= x && x <= ends[1], "{x} {text}");
+                }
+            }
+        }
+    }
 
     #[test]
     fn crossed_and_unbounded_enclosures_do_not_exist() {

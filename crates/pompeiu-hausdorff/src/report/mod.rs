@@ -92,15 +92,10 @@ pub struct DirectedReport {
 /// The answer to a symmetric query: both directed ones.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SymmetricReport {
+    /// Encloses `H = max(h(A, B), h(B, A))`.
+    pub distance: Enclosure,
     /// From A to B.
     pub a_to_b: DirectedReport,
-    /// From B to A. In its witness, `a` is the point on B.
+    /// From B to A: the witness leads from B to A.
     pub b_to_a: DirectedReport,
-}
-
-impl SymmetricReport {
-    /// Encloses `H = max(h(A, B), h(B, A))`.
-    pub fn distance(&self) -> Enclosure {
-        self.a_to_b.distance.max(self.b_to_a.distance)
-    }
 }

@@ -22,12 +22,12 @@ impl SurfacePoint {
     }
 }
 
-/// A point of A that is far from B, and a point of B that is nearest to it.
+/// A point that is far from the other mesh, and a point of that mesh nearest to it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Witness {
     /// On the mesh that distances are measured from.
-    pub a: SurfacePoint,
+    pub from: SurfacePoint,
     /// On the mesh that distances are measured to. Its barycentric coordinates refer to the face as seen in the frame of
     /// the search, so its position is rounded once more where that frame is shifted.
-    pub b: SurfacePoint,
+    pub to: SurfacePoint,
 }

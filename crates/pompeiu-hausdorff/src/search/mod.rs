@@ -68,6 +68,8 @@ impl Scene<'_> {
 /// What is asked, in units of the frame.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Limits {
+    /// Of the joint bounding box.
+    pub(crate) diagonal: f64,
     /// Width of the enclosure aimed for: the greater of a length and a part of the distance.
     pub(crate) tolerance: f64,
     pub(crate) tolerance_of_distance: f64,
@@ -172,6 +174,7 @@ impl<'s, 'o> Search<'s, 'o> {
             }
             self.refine();
             if self.keep.pieces {
+                self.tighten();
                 self.report_stage(tolerance);
             }
             if self.scene.stopped() {
@@ -253,6 +256,24 @@ impl<'s, 'o> Search<'s, 'o> {
         }
     }
 
+    /// Bounds what was kept as well as one query each allows, and lets go of what cannot hold the maximum any more: the
+    /// sweep was content with any bound within the tolerance.
+    fn tighten(&mut self) {
+        let kept = std::mem::take(&mut self.kept);
+        for kept in kept.chunks(SWEEP_TASK * TASKS_PER_ROUND) {
+            #[allow(
+                clippy::redundant_closure_for_method_calls,
+                reason = "the method alone is not general enough"
+            )]
+            let outcomes = self.round(kept.chunks(SWEEP_TASK), |worker, pieces| worker.tighten(pieces));
+            self.merge(outcomes);
+        }
+        let lower = self.found.distance;
+        for settled in self.kept.extract_if(.., |piece| piece.bound <= lower) {
+            self.upper = if settled.bound > self.upper { settled.bound } else { self.upper };
+        }
+    }
+
     /// Runs one task per part on the threads of the current pool.
     fn round<'p, T: Sync + 'p>(
         &self,
@@ -317,12 +338,6 @@ impl<'s, 'o> Search<'s, 'o> {
     fn report_stage(&mut self, tolerance: f64) {
         let lower = self.found.distance;
         let mut upper = self.upper;
-        // What can no longer hold the maximum need not be kept.
-        let settled = self.kept.extract_if(.., |piece| piece.bound <= lower);
-        for piece in settled {
-            upper = if piece.bound > upper { piece.bound } else { upper };
-        }
-        self.upper = upper;
         let mut remaining = Vec::new();
         for piece in self.kept.iter().chain(&self.open) {
             upper = if piece.bound > upper { piece.bound } else { upper };
@@ -336,6 +351,7 @@ impl<'s, 'o> Search<'s, 'o> {
         let stage = Stage {
             direction: self.direction,
             tolerance: out(tolerance),
+            fraction: tolerance / self.limits.diagonal,
             lower: out(lower),
             upper: out(upper),
             remaining,

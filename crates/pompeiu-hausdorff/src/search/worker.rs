@@ -166,6 +166,31 @@ impl<'s> Worker<'s> {
         }
     }
 
+    /// Keeps discarded pieces with the bound of the face nearest to their centroid, if that is better than their own.
+    pub(crate) fn tighten(&mut self, pieces: &[Piece]) {
+        let bvh = self.scene.bvh();
+        for piece in pieces {
+            let mut piece = *piece;
+            if piece.bound > self.lower {
+                let points = with_centre(&piece.corners);
+                let x = centre(&points);
+                let start = Nearest { slot: piece.near[0], distance_sq: bvh.distance_sq(x, piece.near[0]) };
+                let nearest = self.query(piece.face, x, start);
+                let farthest = max3(bvh.four_distances_sq(&points, nearest.slot, &mut self.workspace)).sqrt();
+                let bound = farthest + self.limits.rounding.bound(piece.depth);
+                if bound < piece.bound {
+                    piece.bound = bound;
+                    piece.near[0] = nearest.slot;
+                }
+            }
+            if piece.bound > self.lower {
+                self.out.kept.push(piece);
+            } else {
+                self.raise_upper(piece.bound);
+            }
+        }
+    }
+
     /// A valid bound on a face at the price of one triangle: what is left to do when time runs out.
     fn bound_without_search(&mut self, face: u32, hint: Slot) {
         let points = with_centre(&self.scene.corners(face));

@@ -22,14 +22,14 @@ fn check_case(case: &Case) {
     let report = symmetric_hausdorff(&case.a, &case.b);
     check_both(&case.a, &case.b, &report);
     if is_one_point(&case.a, &case.b) {
-        assert!(report.distance().contains(0.0));
+        assert!(report.distance.contains(0.0));
         return;
     }
     check(&case.name, &report.a_to_b, case.a_to_b, case.rounding);
     if let Some(h) = case.b_to_a {
         check(&case.name, &report.b_to_a, h, case.rounding);
         let greater = if h > case.a_to_b { h } else { case.a_to_b };
-        let both = report.distance();
+        let both = report.distance;
         assert!(both.lower() - case.rounding <= greater && greater <= both.upper() + case.rounding);
     }
 }
@@ -63,7 +63,7 @@ fn closed_forms_at_any_scale() {
 #[test]
 fn the_interior_maximum_is_found_where_it_is() {
     let case = all().into_iter().find(|c| c.name == "interior maximum").unwrap();
-    let witness = symmetric_hausdorff(&case.a, &case.b).a_to_b.witness.a;
+    let witness = symmetric_hausdorff(&case.a, &case.b).a_to_b.witness.from;
     // Published with six decimals.
     let expected = [0.0, 0.250_984, 1.0];
     for k in 0..3 {

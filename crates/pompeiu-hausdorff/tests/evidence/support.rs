@@ -30,10 +30,10 @@ pub(crate) fn largest_coordinate(meshes: &[&TriMesh]) -> f64 {
 #[track_caller]
 pub(crate) fn check_report(a: &TriMesh, b: &TriMesh, report: &DirectedReport) {
     let lattice = Lattice::of(&[a, b]);
-    let x = exact(lattice, a, &report.witness.a);
-    let y = exact(lattice, b, &report.witness.b);
+    let x = exact(lattice, a, &report.witness.from);
+    let y = exact(lattice, b, &report.witness.to);
     let size = largest_coordinate(&[a, b]);
-    for (mesh_point, exact) in [(&report.witness.a, &x), (&report.witness.b, &y)] {
+    for (mesh_point, exact) in [(&report.witness.from, &x), (&report.witness.to, &y)] {
         let off = lattice.length(&point_point_sq(&lattice.point(mesh_point.position), exact));
         assert!(off <= POSITION * size + f64::from_bits(4), "position off by {off:e}: {mesh_point:?}");
     }
@@ -76,7 +76,7 @@ pub(crate) fn same(x: &DirectedReport, y: &DirectedReport) -> bool {
     let without_time = |r: &DirectedReport| DirectedReport { timing: Timing::default(), ..r.clone() };
     let bits = |r: &DirectedReport| {
         let mut numbers = vec![r.distance.lower(), r.distance.upper(), r.tolerance];
-        for p in [&r.witness.a, &r.witness.b] {
+        for p in [&r.witness.from, &r.witness.to] {
             numbers.extend(p.barycentric.iter().chain(&p.position));
         }
         numbers.into_iter().map(f64::to_bits).collect::<Vec<_>>()

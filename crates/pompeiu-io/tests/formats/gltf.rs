@@ -230,7 +230,7 @@ fn buffers_in_other_files() {
         document["buffers"][0]["uri"] = json!(uri);
         fs::write(&gltf, document.to_string()).unwrap();
         read(&gltf).map_err(|error| match error {
-            ReadError::Format { source, .. } => source.problem,
+            ReadError::Format { cause, .. } => cause.problem,
             other => panic!("{other}"),
         })
     };

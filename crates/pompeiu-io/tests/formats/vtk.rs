@@ -78,7 +78,7 @@ fn single_precision_points() {
 #[test]
 fn an_unknown_compressor_is_named() {
     let error = read(folder().join("lz4.vtp")).unwrap_err();
-    let ReadError::Format { source, .. } = error else { panic!("{error}") };
+    let ReadError::Format { cause: source, .. } = error else { panic!("{error}") };
     assert!(source.to_string().contains("\"vtkLZ4DataCompressor\", which is not supported"), "{source}");
 }
 

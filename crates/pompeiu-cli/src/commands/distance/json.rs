@@ -129,7 +129,7 @@ impl From<WorkCount> for Work {
 
 impl Directed {
     fn new(report: &DirectedReport, direction: Direction) -> Self {
-        let (from, to) = (report.witness.a.into(), report.witness.b.into());
+        let (from, to) = (report.witness.from.into(), report.witness.to.into());
         Self {
             lower: report.distance.lower(),
             upper: report.distance.upper(),

@@ -110,7 +110,7 @@ mod tests {
         let point = SurfacePoint { face: FaceId(0), barycentric: [1.0, 0.0, 0.0], position: [0.0; 3] };
         DirectedReport {
             distance: Enclosure::new(lower, upper).unwrap(),
-            witness: Witness { a: point, b: point },
+            witness: Witness { from: point, to: point },
             stop,
             tolerance: 0.0,
             work: WorkCount::default(),

@@ -114,8 +114,8 @@ fn directed(page: &mut Page, report: &DirectedReport, direction: Direction, outc
     let witness = &report.witness;
     page.row(name, &format!("{}   how far {from} is from {to}", value(report.distance)));
     page.row("", &proven(report.distance));
-    page.row("", &format!("from {from} at {} on face {}", point(witness.a.position), witness.a.face.0));
-    page.row("", &format!("to   {to} at {} on face {}", point(witness.b.position), witness.b.face.0));
+    page.row("", &format!("from {from} at {} on face {}", point(witness.from.position), witness.from.face.0));
+    page.row("", &format!("to   {to} at {} on face {}", point(witness.to.position), witness.to.face.0));
     let asked = || match outcome.kind {
         ToleranceKind::Diagonal => format!("{} of the diagonal", shortest(outcome.requested)),
         ToleranceKind::Relative => format!("{} of the distance", shortest(outcome.requested)),
