@@ -11,14 +11,13 @@
 //! # Source
 //! The frame is that of `guthe_fast_2005` and `tang_interactive_2009`, as described in `sacht_cascading_2024`.
 
-use crate::engine::{Farthest, Question, conclude};
+use crate::engine::{Farthest, Question, conclude, joint_frame};
 use crate::observer::{Observer, Progress, RemainingPiece, Stage};
 use crate::report::{DirectedReport, Timing, WorkCount};
-use crate::rounding::Rounding;
 use crate::search::{Control, Halt};
 use crate::{certify, observer};
 use glam::DVec3;
-use pompeiu_core::geom::{Aabb, Frame};
+use pompeiu_core::geom::Frame;
 use pompeiu_core::{FaceId, TriMesh};
 use rayon::prelude::*;
 use std::ops::ControlFlow;
@@ -40,11 +39,14 @@ impl CornerBound {
     pub fn of(self, corners: &[[f64; 3]; 3], distances: &[f64; 3]) -> f64 {
         let [a, b, c] = corners.map(DVec3::from_array);
         let (ab, bc, ca) = (a.distance(b), b.distance(c), c.distance(a));
-        let each =
-            [greater(ab, ca) + distances[0], greater(ab, bc) + distances[1], greater(bc, ca) + distances[2]];
+        let each = [
+            f64::max(ab, ca) + distances[0],
+            f64::max(ab, bc) + distances[1],
+            f64::max(bc, ca) + distances[2],
+        ];
         match self {
-            Self::Greatest => each.into_iter().fold(0.0, greater),
-            Self::Least => each.into_iter().fold(f64::INFINITY, |x, y| if y < x { y } else { x }),
+            Self::Greatest => each.into_iter().fold(0.0, f64::max),
+            Self::Least => each.into_iter().fold(f64::INFINITY, f64::min),
         }
     }
 }
@@ -60,7 +62,7 @@ impl Ball {
     fn around(corners: [[f64; 3]; 3]) -> Self {
         let corners = corners.map(DVec3::from_array);
         let centre = (corners[0] + corners[1] + corners[2]) / 3.0;
-        let radius = corners.iter().map(|c| c.distance(centre)).fold(0.0, greater);
+        let radius = corners.iter().map(|c| c.distance(centre)).fold(0.0, f64::max);
         Self { corners, centre, radius }
     }
 }
@@ -83,10 +85,7 @@ pub(crate) fn search(
     observer: &mut dyn Observer,
 ) -> DirectedReport {
     let started = Instant::now();
-    let joint = Aabb::of_faces(a).union(Aabb::of_faces(b));
-    let frame = Frame::of(&joint);
-    let max = Aabb { lower: frame.map(joint.lower), upper: frame.map(joint.upper) }.max_coordinate();
-    let rounding = Rounding::new(max);
+    let (frame, joint, rounding) = joint_frame(a, b);
     let limits = question.limits(&joint, &frame, rounding);
     let mut stages = question.stages(&joint, &frame, &limits).into_iter().peekable();
     let control = Control::new(question.deadline, question.memory_limit);
@@ -134,7 +133,7 @@ pub(crate) fn search(
         work.pieces += pieces.len() as u64;
         work.distances = evaluated.load(Ordering::Relaxed);
         let lower = best.0;
-        let largest = |pieces: &[Piece]| pieces.iter().map(|p| p.bound).fold(settled, greater);
+        let largest = |pieces: &[Piece]| pieces.iter().map(|p| p.bound).fold(settled, f64::max);
         let upper = largest(&pieces);
         while stages.next_if(|stage| upper - lower <= *stage).is_some_and(|stage| {
             report_stage(
@@ -168,7 +167,7 @@ pub(crate) fn search(
         pieces.retain(|piece| {
             let keep = piece.bound > enough;
             if !keep {
-                settled = greater(settled, piece.bound);
+                settled = f64::max(settled, piece.bound);
             }
             keep
         });
@@ -203,10 +202,8 @@ pub(crate) fn search(
     };
     let (mut witness, x) = farthest.witness(a, &frame);
     witness.to.position = frame.unmap(witness.to.position);
-    let lower =
-        certify::distance_lower_bound(x, (0..b.faces().len()).map(|g| corners(b, g))) - rounding.frame();
-    let lower = if lower > 0.0 { lower } else { 0.0 };
-    let upper = pieces.iter().map(|p| p.bound).fold(settled, greater);
+    let lower = certify::distance_lower_bound(x, (0..b.faces().len()).map(|g| corners(b, g)));
+    let upper = pieces.iter().map(|p| p.bound).fold(settled, f64::max);
     let (distance, stop, tolerance) = conclude(question, &limits, &frame, lower, upper, control.why());
     let timing = Timing { build, search: started.elapsed().saturating_sub(build) };
     DirectedReport { distance, witness, stop, tolerance, work, timing }
@@ -255,7 +252,7 @@ fn closest_point(p: DVec3, [a, b, c]: [DVec3; 3]) -> DVec3 {
         let v = ap.cross(ac).dot(normal) / area_sq;
         let w = ab.cross(ap).dot(normal) / area_sq;
         let (v, w) = (v.clamp(0.0, 1.0), w.clamp(0.0, 1.0));
-        let total = greater(v + w, 1.0);
+        let total = f64::max(v + w, 1.0);
         return a + (v / total) * ab + (w / total) * ac;
     }
     let on = |from: DVec3, to: DVec3| {
@@ -300,8 +297,4 @@ fn report_stage(
         distances: work.distances,
         elapsed: started.elapsed(),
     });
-}
-
-fn greater(x: f64, y: f64) -> f64 {
-    if x > y { x } else { y }
 }

@@ -1,11 +1,9 @@
 //! A valid enclosure from almost no memory, for limits in which no tree fits.
 
 use crate::certify;
-use crate::engine::{Farthest, Question, conclude};
+use crate::engine::{Farthest, Question, conclude, joint_frame};
 use crate::report::{DirectedReport, StopReason, Timing, WorkCount};
-use crate::rounding::Rounding;
 use pompeiu_core::geom::point_triangle::distance_sq;
-use pompeiu_core::geom::{Aabb, Frame};
 use pompeiu_core::{FaceId, TriMesh};
 use std::time::Instant;
 
@@ -18,10 +16,7 @@ const POINTS: usize = 4;
 /// farthest of a few corners of A. Linear time, no allocation that grows with the meshes.
 pub(crate) fn bound(question: &Question<'_>, a: &TriMesh, b: &TriMesh) -> DirectedReport {
     let started = Instant::now();
-    let joint = Aabb::of_faces(a).union(Aabb::of_faces(b));
-    let frame = Frame::of(&joint);
-    let max = Aabb { lower: frame.map(joint.lower), upper: frame.map(joint.upper) }.max_coordinate();
-    let rounding = Rounding::new(max);
+    let (frame, joint, rounding) = joint_frame(a, b);
     let limits = question.limits(&joint, &frame, rounding);
     let corners = |mesh: &TriMesh, f: usize| mesh.corners(FaceId(f as u32)).map(|p| frame.map(p));
     let distance = |p, [x, y, z]: [[f64; 3]; 3]| distance_sq(p, x, y, z).sqrt();
@@ -31,9 +26,9 @@ pub(crate) fn bound(question: &Question<'_>, a: &TriMesh, b: &TriMesh) -> Direct
     let mut upper = 0.0;
     for f in 0..m_a {
         let piece = corners(a, f);
-        let farthest = |face: &[[f64; 3]; 3]| piece.iter().map(|p| distance(*p, *face)).fold(0.0, greater);
-        let least = few.iter().map(farthest).fold(f64::INFINITY, lesser);
-        upper = greater(upper, least);
+        let farthest = |face: &[[f64; 3]; 3]| piece.iter().map(|p| distance(*p, *face)).fold(0.0, f64::max);
+        let least = few.iter().map(farthest).fold(f64::INFINITY, f64::min);
+        upper = f64::max(upper, least);
     }
 
     let mut best: Option<Farthest> = None;
@@ -59,8 +54,7 @@ pub(crate) fn bound(question: &Question<'_>, a: &TriMesh, b: &TriMesh) -> Direct
     let best = best.expect("a mesh has a face");
     let (mut witness, x) = best.witness(a, &frame);
     witness.to.position = frame.unmap(witness.to.position);
-    let lower = certify::distance_lower_bound(x, (0..m_b).map(|g| corners(b, g))) - rounding.frame();
-    let lower = if lower > 0.0 { lower } else { 0.0 };
+    let lower = certify::distance_lower_bound(x, (0..m_b).map(|g| corners(b, g)));
     let (distance, stop, tolerance) =
         conclude(question, &limits, &frame, lower, upper + rounding.bound(0), None);
     // Only a bound that is as good as asked is no victim of the limit.
@@ -72,12 +66,4 @@ pub(crate) fn bound(question: &Question<'_>, a: &TriMesh, b: &TriMesh) -> Direct
     };
     let timing = Timing { search: started.elapsed(), ..Timing::default() };
     DirectedReport { distance, witness, stop, tolerance, work, timing }
-}
-
-fn greater(x: f64, y: f64) -> f64 {
-    if x > y { x } else { y }
-}
-
-fn lesser(x: f64, y: f64) -> f64 {
-    if x < y { x } else { y }
 }

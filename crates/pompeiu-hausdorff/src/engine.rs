@@ -51,6 +51,14 @@ impl Question<'_> {
     }
 }
 
+/// The frame of the joint bounding box of two meshes, that box, and the rounding model there.
+pub(crate) fn joint_frame(a: &TriMesh, b: &TriMesh) -> (Frame, Aabb, Rounding) {
+    let joint = Aabb::of_faces(a).union(Aabb::of_faces(b));
+    let frame = Frame::of(&joint);
+    let mapped = Aabb { lower: frame.map(joint.lower), upper: frame.map(joint.upper) };
+    (frame, joint, Rounding::new(mapped.max_coordinate()))
+}
+
 /// Searches in the frame of the target.
 pub(crate) fn search(
     question: &Question<'_>,

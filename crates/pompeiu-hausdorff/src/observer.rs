@@ -87,12 +87,15 @@ pub trait Observer: Send {
         false
     }
 
-    /// Called for every piece of A that is discarded. With a single stage the pieces partition A.
+    /// Called for every piece of A that is discarded by the fast method. Unless a limit, a threshold or this observer ends the
+    /// search early, the pieces partition A where no stages were asked for; with stages, pieces that a finer tolerance looks at
+    /// again come again.
     fn discard(&mut self, discard: &Discard) {
         let _ = discard;
     }
 
-    /// Called after each stage, and once more at the tolerance asked for. Not called where no stages were asked for.
+    /// Called after each stage that was reached, and once more at the tolerance asked for. Not called where no stages were asked
+    /// for.
     fn stage(&mut self, stage: &Stage) {
         let _ = stage;
     }

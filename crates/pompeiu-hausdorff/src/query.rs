@@ -161,7 +161,7 @@ impl Query {
         self.on_threads(|| self.one_direction(a, b, Direction::AToB, self.deadline(), observer))
     }
 
-    /// Encloses `h(A, B)` for a prepared B. [`Method::Classic`] and the memory for B do not apply.
+    /// Encloses `h(A, B)` for a prepared B, whose memory counts towards the limit. [`Method::Classic`] does not apply.
     pub fn directed_to(&self, a: &TriMesh, b: &Target) -> DirectedReport {
         self.directed_to_observed(a, b, &mut ())
     }

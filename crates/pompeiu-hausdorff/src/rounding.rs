@@ -7,9 +7,8 @@
 //!
 //! The model of a rounded operation, and how errors of several add up, are those of `higham_accuracy_2002`.
 //!
-//! **Frame.** Mapping a coordinate rounds once, by at most `u M`: each vertex moves by at most `sqrt(3) < 2` units, and
-//! the distance between the meshes changes by at most the 4 units that A and B move together ([`FRAME`]). With origin zero
-//! it is exact.
+//! **Frame.** Mapping a coordinate rounds once, by at most `u M`, so each vertex moves by less than `sqrt(3) u M`: 2. Only
+//! vertices outside the box that the frame was made for can move at all, so B and the certified lower bound are not touched.
 //!
 //! **A distance to a face** is computed as `|((p - a) - v (b - a)) - w (c - a)|` with `v, w >= 0` and `v + w <= 1` up to
 //! rounding, so it belongs to a point of the face, and where `v` and `w` came from does not matter. Per coordinate:
@@ -18,7 +17,7 @@
 //! `3 u` relative to a distance of at most `2 sqrt(3) M`: below 11. `v + w` may exceed 1 by `u`: 4. Together below 43.
 //!
 //! **A mixture** of at most 8 such distances, with weights divided by their sum, is off by `11 u` relative: below 39.
-//! With the former, below 82, and below 96 with the frame's: [`EVALUATION`].
+//! With the former, below 82, and below 84 with the frame's: [`EVALUATION`] leaves room.
 //!
 //! **A cut** places its end points at `p + t (q - p)`: 2 for the difference, 2 for the product, 1 for the sum per
 //! coordinate; below 9 in space. The two parts of a piece therefore cover it up to 9 units, over which the distance from
@@ -27,8 +26,6 @@
 //! **The lower bound** is computed in interval arithmetic and needs no model. The search counts on it to lie no more than
 //! [`LOWER`] units below the plain computed distance; where it does not, the enclosure comes out wider, not wrong.
 
-/// Displacement of A and B by the change of frame, in units of `u M`.
-pub const FRAME: f64 = 4.0;
 /// Error of a bound at the corners of a piece, frame included, in units of `u M`.
 pub const EVALUATION: f64 = 96.0;
 /// Error that each cut adds, in units of `u M`.
@@ -49,11 +46,6 @@ impl Rounding {
     pub fn new(max_coordinate: f64) -> Self {
         let m = if max_coordinate > 0.25 { max_coordinate } else { 0.25 };
         Self { unit: m * (0.5 * f64::EPSILON) }
-    }
-
-    /// See [`FRAME`].
-    pub fn frame(&self) -> f64 {
-        FRAME * self.unit
     }
 
     /// How far a computed bound of a piece after `depth` cuts may lie below a true one.

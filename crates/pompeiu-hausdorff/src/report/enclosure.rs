@@ -43,6 +43,9 @@ impl Enclosure {
     }
 }
 
+/// Numbers below this are shown in full: a unit in a digit of theirs may not be a number.
+const SHORTENED_FROM: f64 = 1e-290;
+
 /// `[lower, upper]`, in digits that read back to the same bounds; with a precision (`{:.6}`), in that many digits after
 /// the first and with a power of ten, the lower end rounded down and the upper end up, so that what is shown still holds.
 impl fmt::Display for Enclosure {
@@ -50,6 +53,9 @@ impl fmt::Display for Enclosure {
         let Some(precision) = f.precision() else {
             return write!(f, "[{}, {}]", self.lower, self.upper);
         };
+        if 0.0 < self.lower && self.lower < SHORTENED_FROM {
+            return write!(f, "[{:e}, {:e}]", self.lower, self.upper);
+        }
         // Formatting rounds to nearest: a step of one unit in the last digit shown is enough either way.
         let shown = |x: f64| format!("{x:.precision$e}").parse::<f64>().unwrap_or(x);
         let unit = |x: f64| if x > 0.0 { 10_f64.powf(x.log10().floor() - precision as f64) } else { 0.0 };
@@ -75,7 +81,7 @@ mod tests {
         assert_eq!(format!("{:.2}", e(0.333_333, 0.666_666)), "[3.33e-1, 6.67e-1]");
         assert_eq!(format!("{:.2}", e(0.666_666, 0.777_123)), "[6.66e-1, 7.78e-1]");
         assert_eq!(format!("{:.2}", e(0.0, 0.999_999)), "[0.00e0, 1.00e0]");
-        for exponent in -300..300 {
+        for exponent in -320..300 {
             for digit in [1.0, 1.000_000_1, 4.999_999_9, 9.999_999_9] {
                 let x = digit * 10_f64.powi(exponent);
                 for precision in 0..8 {

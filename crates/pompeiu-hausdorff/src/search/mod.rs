@@ -49,10 +49,6 @@ pub(crate) struct Scene<'s> {
 }
 
 impl Scene<'_> {
-    pub(crate) fn bvh(&self) -> &Bvh {
-        self.bvh
-    }
-
     /// Corners of a face of A in the frame of the search.
     #[inline]
     pub(crate) fn corners(&self, face: u32) -> [[f64; 3]; 3] {
@@ -106,7 +102,7 @@ impl Limits {
 }
 
 /// What a search knows at its end, in units of the frame.
-pub(crate) struct Result {
+pub(crate) struct Ended {
     /// The farthest point found.
     pub(crate) found: Found,
     /// Proven upper bound.
@@ -156,7 +152,7 @@ impl<'s, 'o> Search<'s, 'o> {
     }
 
     /// Searches at each tolerance in turn, and last at that of the limits.
-    pub(crate) fn run(mut self, stages: &[f64]) -> Result {
+    pub(crate) fn run(mut self, stages: &[f64]) -> Ended {
         let last = self.limits.tolerance;
         self.sample();
         for (i, tolerance) in stages.iter().copied().chain([last]).enumerate() {
@@ -173,19 +169,19 @@ impl<'s, 'o> Search<'s, 'o> {
                 }));
             }
             self.refine();
+            if self.scene.stopped() {
+                break;
+            }
             if self.keep.pieces {
                 self.tighten();
                 self.report_stage(tolerance);
-            }
-            if self.scene.stopped() {
-                break;
             }
         }
         let mut upper = self.upper;
         for piece in self.open.iter().chain(&self.kept) {
             upper = if piece.bound > upper { piece.bound } else { upper };
         }
-        Result { found: self.found, upper, work: self.work }
+        Ended { found: self.found, upper, work: self.work }
     }
 
     fn sample(&mut self) {

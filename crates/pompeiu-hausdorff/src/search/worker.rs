@@ -50,8 +50,6 @@ pub(crate) struct Outcome {
     pub(crate) open: Vec<Piece>,
     pub(crate) kept: Vec<Piece>,
     pub(crate) discarded: Vec<Discarded>,
-    /// Pieces too small to cut further.
-    pub(crate) given_up: u64,
     pub(crate) work: WorkCount,
 }
 
@@ -74,7 +72,6 @@ impl<'s> Worker<'s> {
             open: Vec::new(),
             kept: Vec::new(),
             discarded: Vec::new(),
-            given_up: 0,
             work: WorkCount::default(),
         };
         Self { scene, limits, keep, lower, workspace: Workspace::default(), out }
@@ -92,7 +89,7 @@ impl<'s> Worker<'s> {
     /// Exact distances of some points of A, given with their faces; `hint` is a triangle near the first.
     pub(crate) fn sample(&mut self, points: impl Iterator<Item = (u32, [f64; 3])>, mut hint: Slot) {
         for (face, point) in points {
-            let start = Nearest { slot: hint, distance_sq: self.scene.bvh().distance_sq(point, hint) };
+            let start = Nearest { slot: hint, distance_sq: self.scene.bvh.distance_sq(point, hint) };
             hint = self.query(face, point, start).slot;
         }
     }
@@ -100,7 +97,7 @@ impl<'s> Worker<'s> {
     /// Exact distance of a point of A; raises the lower bound.
     fn query(&mut self, face: u32, point: [f64; 3], start: Nearest) -> Nearest {
         self.out.work.queries += 1;
-        let nearest = self.scene.bvh().nearest_below(point, start, &mut self.workspace);
+        let nearest = self.scene.bvh.nearest_below(point, start, &mut self.workspace);
         self.raise(face, point, nearest);
         nearest
     }
@@ -116,7 +113,7 @@ impl<'s> Worker<'s> {
     /// Looks at whole faces, in an order in which neighbours are near each other: most are covered by the triangle that
     /// covered the one before.
     pub(crate) fn sweep(&mut self, faces: &[u32]) {
-        let mut hint = self.scene.bvh().any_slot();
+        let mut hint = self.scene.bvh.any_slot();
         for (i, &face) in faces.iter().enumerate() {
             if i % STOP_CHECK == 0 && self.scene.stopped() {
                 for &face in &faces[i..] {
@@ -127,7 +124,7 @@ impl<'s> Worker<'s> {
             self.out.work.pieces += 1;
             let corners = self.scene.corners(face);
             let points = with_centre(&corners);
-            let d = self.scene.bvh().four_distances_sq(&points, hint, &mut self.workspace);
+            let d = self.scene.bvh.four_distances_sq(&points, hint, &mut self.workspace);
             let mut piece = Piece {
                 corners,
                 bound: f64::INFINITY,
@@ -144,31 +141,34 @@ impl<'s> Worker<'s> {
             }
             self.out.work.queries += 1;
             let start = Nearest { slot: hint, distance_sq: d[3] };
-            match self.scene.bvh().cover(&points, self.limit_sq(0), start, false, &mut self.workspace) {
+            let nearest = match self.scene.bvh.cover(&points, self.limit_sq(0), start, &mut self.workspace) {
                 Cover::By { slot, distance_sq } => {
                     hint = slot;
                     self.discard(piece, distance_sq.sqrt(), || SlotProof::Face(slot));
+                    continue;
                 }
-                Cover::Nearest(nearest) | Cover::Neighbour(nearest) => {
-                    hint = nearest.slot;
+                Cover::Nearest(nearest) => {
                     self.raise(face, centre(&points), nearest);
-                    let d = max3(self.scene.bvh().four_distances_sq(&points, hint, &mut self.workspace));
-                    if d <= self.limit_sq(0) {
-                        self.discard(piece, d.sqrt(), || SlotProof::Face(hint));
-                    } else {
-                        piece.near[0] = hint;
-                        piece.nearest_known = true;
-                        piece.bound = d.sqrt() + self.limits.rounding.bound(0);
-                        self.out.open.push(piece);
-                    }
+                    nearest
                 }
+                Cover::Neighbour(near) => self.query(face, centre(&points), near),
+            };
+            hint = nearest.slot;
+            let d = max3(self.scene.bvh.four_distances_sq(&points, hint, &mut self.workspace));
+            if d <= self.limit_sq(0) {
+                self.discard(piece, d.sqrt(), || SlotProof::Face(hint));
+            } else {
+                piece.near[0] = hint;
+                piece.nearest_known = true;
+                piece.bound = d.sqrt() + self.limits.rounding.bound(0);
+                self.out.open.push(piece);
             }
         }
     }
 
     /// Keeps discarded pieces with the bound of the face nearest to their centroid, if that is better than their own.
     pub(crate) fn tighten(&mut self, pieces: &[Piece]) {
-        let bvh = self.scene.bvh();
+        let bvh = self.scene.bvh;
         for piece in pieces {
             let mut piece = *piece;
             if piece.bound > self.lower {
@@ -194,7 +194,7 @@ impl<'s> Worker<'s> {
     /// A valid bound on a face at the price of one triangle: what is left to do when time runs out.
     fn bound_without_search(&mut self, face: u32, hint: Slot) {
         let points = with_centre(&self.scene.corners(face));
-        let d = max3(self.scene.bvh().four_distances_sq(&points, hint, &mut self.workspace)).sqrt();
+        let d = max3(self.scene.bvh.four_distances_sq(&points, hint, &mut self.workspace)).sqrt();
         self.raise_upper(d + self.limits.rounding.bound(0));
     }
 
@@ -221,7 +221,7 @@ impl<'s> Worker<'s> {
         self.out.work.pieces += 1;
         self.out.work.depth = self.out.work.depth.max(piece.depth);
         let points = with_centre(&piece.corners);
-        let bvh = self.scene.bvh();
+        let bvh = self.scene.bvh;
 
         // Cover: one face of B near all corners.
         let mut rows = Rows::default();
@@ -242,7 +242,7 @@ impl<'s> Worker<'s> {
         } else {
             self.out.work.queries += 1;
             // A point within the limit will not raise the lower bound by much: any face near it will do to cut by.
-            match bvh.cover(&points, self.limit_sq(piece.depth), start, true, &mut self.workspace) {
+            match bvh.cover_or_neighbour(&points, self.limit_sq(piece.depth), start, &mut self.workspace) {
                 Cover::By { slot, distance_sq } => {
                     return self.discard(piece, distance_sq.sqrt(), || SlotProof::Face(slot));
                 }
@@ -283,13 +283,12 @@ impl<'s> Worker<'s> {
         }
 
         // Cut.
-        let rounding = self.limits.rounding.bound(piece.depth);
-        let bound = if game.value + rounding < piece.bound { game.value + rounding } else { piece.bound };
         if piece.depth >= MAX_DEPTH || piece.size() <= self.limits.least_size {
-            self.out.given_up += 1;
-            self.raise_upper(bound);
-            return;
+            // Too small to cut: discarded with a bound above the limit, and the enclosure comes out wider.
+            return self.discard(piece, game.value, || rows.mixture(&game.weights));
         }
+        let bound = game.value + self.limits.rounding.bound(piece.depth);
+        let bound = if bound < piece.bound { bound } else { piece.bound };
         self.out.work.cuts += 1;
         let (near, near_count) = rows.inherited(nearest.slot, &game.weights);
         let parts = piece.cut(bvh.corners(nearest.slot), self.limits.reach(self.lower));
@@ -317,7 +316,7 @@ impl<'s> Worker<'s> {
         if rows.count == MAX_ROWS || rows.slots[..rows.count].contains(&Some(slot)) {
             return false;
         }
-        let d = self.scene.bvh().four_distances_sq(points, slot, &mut self.workspace);
+        let d = self.scene.bvh.four_distances_sq(points, slot, &mut self.workspace);
         rows.push(slot, [d[0].sqrt(), d[1].sqrt(), d[2].sqrt()]);
         true
     }

@@ -17,7 +17,7 @@ pub enum Cover {
     },
     /// No triangle met on the way covers the corners; this is the one nearest to the centre.
     Nearest(Nearest),
-    /// No triangle of the leaf where the search began covers the corners, but this one is within the limit of the centre.
+    /// Only from [`Bvh::cover_or_neighbour`]: this one is within the limit of the centre, but another may be nearer.
     Neighbour(Nearest),
 }
 
@@ -38,17 +38,26 @@ impl Bvh {
     /// `points` are the three corners and the centre, coordinate by coordinate. The search goes nearest first and stops at
     /// the first triangle within `limit_sq` of all three corners; if none that it meets is, it ends with the triangle
     /// nearest to the centre. `start` must be a triangle with its distance from the centre; it is not tried as a cover.
-    /// With `neighbours_suffice`, the best triangle in the leaf of the start also ends the search if it is within `limit_sq`
-    /// of the centre: good enough for those who only want a triangle nearby.
     pub fn cover(
         &self,
         points: &[[f64; 4]; 3],
         limit_sq: f64,
         start: Nearest,
-        neighbours_suffice: bool,
         workspace: &mut Workspace,
     ) -> Cover {
-        traverse(self, points, limit_sq, start, neighbours_suffice, workspace)
+        traverse(self, points, limit_sq, start, false, workspace)
+    }
+
+    /// [`Bvh::cover`] for those who only want some triangle close by: the best in the leaf of the start also ends the search
+    /// if it is within `limit_sq` of the centre.
+    pub fn cover_or_neighbour(
+        &self,
+        points: &[[f64; 4]; 3],
+        limit_sq: f64,
+        start: Nearest,
+        workspace: &mut Workspace,
+    ) -> Cover {
+        traverse(self, points, limit_sq, start, true, workspace)
     }
 }
 
