@@ -256,28 +256,37 @@ impl<'s> Worker<'s> {
         self.add_row(&mut rows, nearest.slot, &points);
 
         // Generate: mixtures of the faces nearest where the bound is attained.
-        let mut game = self.solve(&rows);
-        for _ in 0..GENERATED_ROWS {
-            if game.value <= self.limit(piece.depth) {
-                break;
-            }
-            let x = at(&piece.corners, game.corners);
-            let slot = rows.likely_nearest(game.corners);
-            let start = Nearest { slot, distance_sq: bvh.distance_sq(x, slot) };
-            self.workspace.distances += 1;
+        let mut game = None;
+        let mut before = f64::INFINITY;
+        for _ in 0..=GENERATED_ROWS {
+            // A corner that no row is near to has the last word on any mixture: ask there first.
+            let (x, start) = if let Some((corner, start)) = rows.uncovered_corner(self.limit(piece.depth)) {
+                game = None;
+                (piece.corners[corner], start)
+            } else {
+                let solved = self.solve(&rows);
+                if solved.value <= self.limit(piece.depth) {
+                    return self.discard(piece, solved.value, || rows.mixture(&solved.weights));
+                }
+                game = Some(solved);
+                if solved.value > before - LEAST_GAIN * (before - self.lower) {
+                    break;
+                }
+                before = solved.value;
+                let x = at(&piece.corners, solved.corners);
+                let slot = rows.likely_nearest(solved.corners);
+                self.workspace.distances += 1;
+                (x, Nearest { slot, distance_sq: bvh.distance_sq(x, slot) })
+            };
             if start.distance_sq <= self.limit_sq(piece.depth) {
                 break;
             }
-            let farthest = self.query(piece.face, x, start);
-            if game.value <= self.limit(piece.depth) || !self.add_row(&mut rows, farthest.slot, &points) {
-                break;
-            }
-            let before = game.value;
-            game = self.solve(&rows);
-            if game.value > before - LEAST_GAIN * (before - self.lower) {
+            let nearest = self.query(piece.face, x, start);
+            if !self.add_row(&mut rows, nearest.slot, &points) {
                 break;
             }
         }
+        let game = game.unwrap_or_else(|| self.solve(&rows));
         if game.value <= self.limit(piece.depth) {
             return self.discard(piece, game.value, || rows.mixture(&game.weights));
         }
@@ -383,6 +392,27 @@ impl Rows {
             }
         }
         best.1.expect("a game has a row")
+    }
+
+    /// The corner farthest from all of the faces, with the nearest of them, if it is farther than a limit.
+    fn uncovered_corner(&self, limit: f64) -> Option<(usize, Nearest)> {
+        let mut farthest = limit;
+        let mut found = None;
+        for j in 0..3 {
+            let mut least = (f64::INFINITY, None);
+            for (slot, row) in self.slots.iter().zip(&self.distances).take(self.count) {
+                if row[j] < least.0 {
+                    least = (row[j], *slot);
+                }
+            }
+            if let (distance, Some(slot)) = least
+                && distance > farthest
+            {
+                farthest = distance;
+                found = Some((j, Nearest { slot, distance_sq: distance * distance }));
+            }
+        }
+        found
     }
 
     fn mixture(&self, weights: &[f64; MAX_ROWS]) -> SlotProof {
