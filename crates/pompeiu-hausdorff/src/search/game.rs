@@ -49,7 +49,7 @@ pub(crate) fn solve(rows: &[Row]) -> Game {
     }
     let mut basis = [0, 1, 2];
     for _ in 0..MOST_PIVOTS {
-        let (mut enter, mut steepest) = (RIGHT, -1e-14);
+        let (mut enter, mut steepest) = (RIGHT, -LEAST_DESCENT);
         for c in 0..ROWS + rows.len() {
             if c != RIGHT && t[3][c] < steepest {
                 (enter, steepest) = (c, t[3][c]);
@@ -60,7 +60,7 @@ pub(crate) fn solve(rows: &[Row]) -> Game {
         }
         let (mut leave, mut least) = (3, f64::INFINITY);
         for j in 0..3 {
-            if t[j][enter] > 1e-12 {
+            if t[j][enter] > LEAST_PIVOT {
                 let ratio = t[j][RIGHT] / t[j][enter];
                 if ratio < least {
                     (leave, least) = (j, ratio);
@@ -101,6 +101,10 @@ pub(crate) fn solve(rows: &[Row]) -> Game {
 const RIGHT: usize = 3;
 const ROWS: usize = 4;
 const WIDTH: usize = ROWS + MAX_ROWS;
+/// Entries of the tableau are about one; smaller ones than this may be rounding, and dividing by them would spread it.
+const LEAST_PIVOT: f64 = 1e-8;
+/// Reduced costs above this are rounding too.
+const LEAST_DESCENT: f64 = 1e-14;
 /// Far more than a game of this size takes, unless rounding makes it cycle.
 const MOST_PIVOTS: usize = 4 * MAX_ROWS;
 
@@ -145,6 +149,12 @@ mod tests {
         let spread = rows.iter().flatten().fold(0.0_f64, |m, &x| m.max(x))
             - rows.iter().flatten().fold(f64::INFINITY, |m, &x| m.min(x));
         assert!((game.value - least).abs() <= 1e-10 * spread + 1e-15, "{rows:?} {game:?} {least}");
+    }
+
+    /// Entries equal but for rounding once made a pivot of it.
+    #[test]
+    fn rounding_is_no_pivot() {
+        check(&[[1.000_002, 1.000_002, 1.000_002], [1.000_002, 1.000_001, 1.0], [1.0, 1.000_001, 1.000_002]]);
     }
 
     #[test]

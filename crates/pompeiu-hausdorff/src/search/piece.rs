@@ -32,16 +32,18 @@ impl Piece {
     /// Cuts where the nearest face of B ends, or else the longest edge in the middle; up to three parts. `reach` is how far
     /// bounds may lie above the lower one.
     pub(crate) fn cut(&self, nearest: [[f64; 3]; 3], reach: f64) -> Parts {
-        let corners = self.corners.map(DVec3::from_array);
-        let plane = if self.depth < BISECT_BELOW_DEPTH {
-            best_prism_plane(&corners, nearest, LEAST_OVERHANG * reach)
-        } else {
-            None
-        };
-        match plane {
-            Some(crossing) => crossing.parts(&corners),
-            None => bisect(&corners),
+        self.prism_cut(nearest, reach, LEAST_PART)
+            .unwrap_or_else(|| bisect(&self.corners.map(DVec3::from_array)))
+    }
+
+    /// Cuts where the nearest face of B ends, if that leaves a fraction of the piece on both sides.
+    pub(crate) fn prism_cut(&self, nearest: [[f64; 3]; 3], reach: f64, least_part: f64) -> Option<Parts> {
+        if self.depth >= BISECT_BELOW_DEPTH {
+            return None;
         }
+        let corners = self.corners.map(DVec3::from_array);
+        let crossing = best_prism_plane(&corners, nearest, LEAST_OVERHANG * reach)?;
+        (crossing.lesser_part() > least_part).then(|| crossing.parts(&corners))
     }
 
     /// Length of the longest edge.

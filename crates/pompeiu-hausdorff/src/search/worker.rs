@@ -1,7 +1,7 @@
 //! What one task does: discards faces and pieces, or hands them on, and finds points that are far away.
 
 use super::game::{self, MAX_ROWS, Row};
-use super::piece::{INHERITED, Piece};
+use super::piece::{INHERITED, Parts, Piece};
 use super::{Limits, Scene};
 use crate::report::WorkCount;
 use pompeiu_core::spatial::{Cover, Nearest, Slot, Workspace};
@@ -255,6 +255,21 @@ impl<'s> Worker<'s> {
         };
         self.add_row(&mut rows, nearest.slot, &points);
 
+        // Some corner is far from all known faces, and the nearest face ends well inside: cut there at once.
+        let reach = self.limits.reach(self.lower);
+        if rows.uncovered_corner(self.limit(piece.depth)).is_some()
+            && let Some(parts) = piece.prism_cut(bvh.corners(nearest.slot), reach, LARGE_PART)
+        {
+            let bound = rows.least_bound() + self.limits.rounding.bound(piece.depth);
+            return self.push_parts(
+                &piece,
+                &parts,
+                bound,
+                rows.inherited(nearest.slot, &[0.0; MAX_ROWS]),
+                stack,
+            );
+        }
+
         // Generate: mixtures of the faces nearest where the bound is attained.
         let mut game = None;
         let mut before = f64::INFINITY;
@@ -297,10 +312,21 @@ impl<'s> Worker<'s> {
             return self.discard(piece, game.value, || rows.mixture(&game.weights));
         }
         let bound = game.value + self.limits.rounding.bound(piece.depth);
-        let bound = if bound < piece.bound { bound } else { piece.bound };
+        let parts = piece.cut(bvh.corners(nearest.slot), reach);
+        self.push_parts(&piece, &parts, bound, rows.inherited(nearest.slot, &game.weights), stack);
+    }
+
+    /// Puts the parts of a piece with this bound on the stack.
+    fn push_parts(
+        &mut self,
+        piece: &Piece,
+        parts: &Parts,
+        bound: f64,
+        (near, near_count): ([Slot; INHERITED], u8),
+        stack: &mut Vec<Piece>,
+    ) {
         self.out.work.cuts += 1;
-        let (near, near_count) = rows.inherited(nearest.slot, &game.weights);
-        let parts = piece.cut(bvh.corners(nearest.slot), self.limits.reach(self.lower));
+        let bound = if bound < piece.bound { bound } else { piece.bound };
         for &corners in parts.as_slice() {
             // The parts cover the piece up to the rounding of the cut.
             stack.push(Piece {
@@ -360,6 +386,8 @@ impl<'s> Worker<'s> {
 
 /// Faces or pieces between two looks at the clock.
 const STOP_CHECK: usize = 64;
+/// A cut that leaves this fraction of a piece on both sides needs no second thought.
+const LARGE_PART: f64 = 0.05;
 /// Rows added to a game after its first solution.
 const GENERATED_ROWS: usize = 4;
 /// A new row must lower the bound by this part of its excess over the lower bound to be worth another.
@@ -392,6 +420,12 @@ impl Rows {
             }
         }
         best.1.expect("a game has a row")
+    }
+
+    /// The best bound that one face alone gives.
+    fn least_bound(&self) -> f64 {
+        let greatest = |row: &Row| row[0].max(row[1]).max(row[2]);
+        self.distances[..self.count].iter().map(greatest).fold(f64::INFINITY, f64::min)
     }
 
     /// The corner farthest from all of the faces, with the nearest of them, if it is farther than a limit.
