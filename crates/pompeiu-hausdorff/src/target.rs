@@ -35,7 +35,7 @@ impl Target {
         self.aabb
     }
 
-    /// Bytes of memory held: about 90 per face.
+    /// Bytes of memory held: about 95 per face.
     pub fn bytes(&self) -> usize {
         self.bvh.bytes()
     }

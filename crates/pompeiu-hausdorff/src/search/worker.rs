@@ -392,7 +392,7 @@ const LARGE_PART: f64 = 0.05;
 const GENERATED_ROWS: usize = 4;
 /// A new row must lower the bound by this part of its excess over the lower bound to be worth another.
 const LEAST_GAIN: f64 = 0.02;
-/// Pieces this deep are given up; halving edges 200 times reaches any size that doubles can hold here.
+/// Pieces this deep are not cut further; halving edges 200 times reaches any size that doubles can hold here.
 const MAX_DEPTH: u32 = 240;
 
 /// The rows of a game and the faces they belong to.
