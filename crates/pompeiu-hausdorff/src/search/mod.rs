@@ -7,6 +7,7 @@
 mod control;
 mod game;
 mod piece;
+mod rows;
 mod worker;
 
 pub(crate) use control::{Control, Halt};

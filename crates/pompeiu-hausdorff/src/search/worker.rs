@@ -1,7 +1,8 @@
 //! What one task does: discards faces and pieces, or hands them on, and finds points that are far away.
 
-use super::game::{self, MAX_ROWS, Row};
+use super::game::{self, MAX_ROWS};
 use super::piece::{INHERITED, Parts, Piece};
+use super::rows::Rows;
 use super::{Limits, Scene};
 use crate::report::WorkCount;
 use pompeiu_core::spatial::{Cover, Nearest, Slot, Workspace};
@@ -343,12 +344,12 @@ impl<'s> Worker<'s> {
 
     fn solve(&mut self, rows: &Rows) -> game::Game {
         self.out.work.games += 1;
-        game::solve(&rows.distances[..rows.count])
+        game::solve(rows.distances())
     }
 
     /// Adds the distances of the corners from a face; false if it is there already or there is no room.
     fn add_row(&mut self, rows: &mut Rows, slot: Slot, points: &[[f64; 4]; 3]) -> bool {
-        if rows.count == MAX_ROWS || rows.slots[..rows.count].contains(&Some(slot)) {
+        if !rows.has_room_for(slot) {
             return false;
         }
         let d = self.scene.bvh.four_distances_sq(points, slot, &mut self.workspace);
@@ -394,80 +395,6 @@ const GENERATED_ROWS: usize = 4;
 const LEAST_GAIN: f64 = 0.02;
 /// Pieces this deep are not cut further; halving edges 200 times reaches any size that doubles can hold here.
 const MAX_DEPTH: u32 = 240;
-
-/// The rows of a game and the faces they belong to.
-#[derive(Default)]
-struct Rows {
-    slots: [Option<Slot>; MAX_ROWS],
-    distances: [Row; MAX_ROWS],
-    count: usize,
-}
-
-impl Rows {
-    fn push(&mut self, slot: Slot, row: Row) {
-        self.slots[self.count] = Some(slot);
-        self.distances[self.count] = row;
-        self.count += 1;
-    }
-
-    /// The face that is nearest at the point with these weights, were distances linear in between.
-    fn likely_nearest(&self, corners: [f64; 3]) -> Slot {
-        let mut best = (f64::INFINITY, None);
-        for (slot, row) in self.slots.iter().zip(&self.distances).take(self.count) {
-            let mean = row[0] * corners[0] + row[1] * corners[1] + row[2] * corners[2];
-            if mean < best.0 || best.1.is_none() {
-                best = (mean, *slot);
-            }
-        }
-        best.1.expect("a game has a row")
-    }
-
-    /// The best bound that one face alone gives.
-    fn least_bound(&self) -> f64 {
-        let greatest = |row: &Row| row[0].max(row[1]).max(row[2]);
-        self.distances[..self.count].iter().map(greatest).fold(f64::INFINITY, f64::min)
-    }
-
-    /// The corner farthest from all of the faces, with the nearest of them, if it is farther than a limit.
-    fn uncovered_corner(&self, limit: f64) -> Option<(usize, Nearest)> {
-        let mut farthest = limit;
-        let mut found = None;
-        for j in 0..3 {
-            let mut least = (f64::INFINITY, None);
-            for (slot, row) in self.slots.iter().zip(&self.distances).take(self.count) {
-                if row[j] < least.0 {
-                    least = (row[j], *slot);
-                }
-            }
-            if let (distance, Some(slot)) = least
-                && distance > farthest
-            {
-                farthest = distance;
-                found = Some((j, Nearest { slot, distance_sq: distance * distance }));
-            }
-        }
-        found
-    }
-
-    fn mixture(&self, weights: &[f64; MAX_ROWS]) -> SlotProof {
-        let used = self.slots.iter().zip(weights).filter(|(_, w)| **w > 0.0);
-        SlotProof::Mixture(used.filter_map(|(slot, w)| slot.map(|s| (s, *w))).collect())
-    }
-
-    /// What the parts of a piece start from: the nearest face, those of the best mixture, then the latest rows.
-    fn inherited(&self, nearest: Slot, weights: &[f64; MAX_ROWS]) -> ([Slot; INHERITED], u8) {
-        let mut near = [nearest; INHERITED];
-        let mut count = 1;
-        let rows = || self.slots.iter().zip(weights).rev().filter_map(|(slot, w)| slot.map(|s| (s, *w)));
-        for (slot, _) in rows().filter(|(_, w)| *w > 0.0).chain(rows().filter(|(_, w)| *w <= 0.0)) {
-            if count < INHERITED && !near[..count].contains(&slot) {
-                near[count] = slot;
-                count += 1;
-            }
-        }
-        (near, count as u8)
-    }
-}
 
 /// The corners of a triangle and its centroid, coordinate by coordinate.
 fn with_centre([a, b, c]: &[[f64; 3]; 3]) -> [[f64; 4]; 3] {
