@@ -16,7 +16,7 @@ impl Welder {
     /// With memory set aside for a number of different positions; it grows when there are more.
     pub(crate) fn with_capacity(positions: usize) -> Self {
         let mut welder = Self { positions: memory::with_capacity(positions), ..Self::default() };
-        welder.table.slots = memory::zeros((2 * positions).next_power_of_two().max(Table::SMALLEST));
+        welder.table.slots = memory::zeros((positions + positions / 3).next_power_of_two().max(Table::SMALLEST));
         welder
     }
 
@@ -89,7 +89,7 @@ fn without_negative_zeros(position: [f64; 3]) -> [f64; 3] {
     position.map(|x| x + 0.0)
 }
 
-/// A hash table from positions, kept elsewhere, to indices: open addressing, at most half full.
+/// A hash table from positions, kept elsewhere, to indices: open addressing, at most three quarters full.
 ///
 /// The hash has a seed of its own in every process, so that no file can be made to collide; indices do not depend on
 /// it.
@@ -128,7 +128,7 @@ impl Table {
     /// The index that `is_same` accepts among those with this hash, or `next`, which is then entered.
     #[inline]
     fn find_or_insert(&mut self, hash: u32, next: u32, is_same: impl Fn(u32) -> bool) -> u32 {
-        if 2 * self.used >= self.slots.len() {
+        if 4 * self.used >= 3 * self.slots.len() {
             self.grow();
         }
         let mask = self.slots.len() - 1;
@@ -151,7 +151,7 @@ impl Table {
     /// Makes room for new entries, and brings what looking for these hashes will touch into the cache, all at once
     /// rather than one after the other.
     fn fetch(&mut self, hashes: impl ExactSizeIterator<Item = u32>) {
-        while 2 * (self.used + hashes.len()) >= self.slots.len() {
+        while 4 * (self.used + hashes.len()) >= 3 * self.slots.len() {
             self.grow();
         }
         let mask = self.slots.len() - 1;
