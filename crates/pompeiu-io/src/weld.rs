@@ -16,7 +16,8 @@ impl Welder {
     /// With memory set aside for a number of different positions; it grows when there are more.
     pub(crate) fn with_capacity(positions: usize) -> Self {
         let mut welder = Self { positions: memory::with_capacity(positions), ..Self::default() };
-        welder.table.slots = memory::zeros((positions + positions / 3).next_power_of_two().max(Table::SMALLEST));
+        welder.table.slots =
+            memory::zeros((positions + positions / 3).next_power_of_two().max(Table::SMALLEST));
         welder
     }
 
