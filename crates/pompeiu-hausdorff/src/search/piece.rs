@@ -4,7 +4,7 @@ use glam::DVec3;
 use pompeiu_core::spatial::Slot;
 
 /// Faces of B that a piece inherits from the one it was cut from.
-pub(crate) const INHERITED: usize = 4;
+pub(crate) const INHERITED: usize = 3;
 
 /// A piece that was not yet discarded.
 #[derive(Clone, Copy, Debug)]
