@@ -89,6 +89,15 @@ fn witnesses_lie_on_the_meshes_that_their_keys_name() {
 }
 
 #[test]
+fn a_mesh_is_at_no_distance_from_itself() {
+    let folder = Folder::with_tent();
+    let report = json(&folder, "distance tent.obj tent.obj --json");
+    for distance in ["a_to_b", "b_to_a", "hausdorff"] {
+        assert_encloses(&report[distance], 0.0);
+    }
+}
+
+#[test]
 fn numbers_read_back_to_the_same_double() {
     let folder = Folder::with_tent();
     let text = folder.ok("distance tent.obj square.obj --json --direction b-to-a --tolerance 1e-7");

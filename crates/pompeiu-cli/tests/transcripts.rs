@@ -66,7 +66,6 @@ fn files_that_cannot_be_used() {
     std::fs::create_dir(folder.path().join("folder")).unwrap();
     for (name, args) in [
         ("missing", "distance tent.obj missing.obj"),
-        ("same", "distance tent.obj ./tent.obj"),
         ("folder", "distance folder tent.obj"),
         ("empty", "info empty.obj"),
         ("unrecognised", "info letter.txt"),
@@ -107,6 +106,7 @@ fn distance_warns() {
     folder.write("quads.obj", "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 9 9 9\nf 1 2 3 4\nl 1 2\nf 1 2\n");
     check(&folder, "warning_unit", "distance inches.obj square.obj");
     check(&folder, "warning_unit_quiet", "distance inches.obj square.obj --quiet");
+    check(&folder, "warning_same", "distance tent.obj ./tent.obj");
     check(&folder, "warning_oddities", "distance quads.obj square.obj");
     check(&folder, "warning_info", "info quads.obj");
 }

@@ -30,7 +30,13 @@ pub(crate) fn run(args: &Distance, printer: &Printer) -> anyhow::Result<Exit> {
     files::check_readable(&args.a)?;
     files::check_readable(&args.b)?;
     if files::are_same(&args.a, &args.b) {
-        bail!("{}: is given twice; name two files to compare", args.a.display());
+        if !args.a.is_file() {
+            bail!(
+                "{}: is given twice, but a pipe can be read only once; save it to a file",
+                args.a.display()
+            );
+        }
+        printer.warning(format_args!("{} and {} are the same file", args.a.display(), args.b.display()));
     }
     if let Some(threads) = args.threads {
         rayon::ThreadPoolBuilder::new()
