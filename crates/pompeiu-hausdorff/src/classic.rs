@@ -87,7 +87,7 @@ pub(crate) fn search(
     let started = Instant::now();
     let (frame, joint, rounding) = joint_frame(a, b);
     let limits = question.limits(&joint, &frame, rounding);
-    let mut stages = question.stages(&joint, &frame, &limits).into_iter().peekable();
+    let mut stages = question.stages(&limits).into_iter().peekable();
     let control = Control::new(question.deadline, question.memory_limit);
     let corners = |mesh: &TriMesh, f: usize| mesh.corners(FaceId(f as u32)).map(|p| frame.map(p));
 

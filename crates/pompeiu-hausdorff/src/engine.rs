@@ -28,14 +28,15 @@ pub(crate) struct Question<'q> {
 impl Question<'_> {
     /// The same in units of a frame.
     pub(crate) fn limits(&self, joint: &Aabb, frame: &Frame, rounding: Rounding) -> Limits {
+        let diagonal = frame.length_in(joint.diagonal());
         let (tolerance, tolerance_of_distance) = match self.tolerance {
-            Tolerance::RelativeToDiagonal(x) => (x * frame.length_in(joint.diagonal()), 0.0),
+            Tolerance::RelativeToDiagonal(x) => (x * diagonal, 0.0),
             Tolerance::RelativeToDistance(x) => (0.0, x),
             Tolerance::Absolute(x) => (frame.length_in(x), 0.0),
         };
         let threshold = self.threshold.map(|t| frame.length_in(t));
         Limits {
-            diagonal: frame.length_in(joint.diagonal()),
+            diagonal,
             tolerance,
             tolerance_of_distance,
             threshold,
@@ -45,9 +46,8 @@ impl Question<'_> {
     }
 
     /// The tolerances of the stages that are coarser than what is asked, in units of a frame.
-    pub(crate) fn stages(&self, joint: &Aabb, frame: &Frame, limits: &Limits) -> Vec<f64> {
-        let diagonal = frame.length_in(joint.diagonal());
-        self.stages.iter().map(|s| s * diagonal).filter(|s| *s > limits.tolerance).collect()
+    pub(crate) fn stages(&self, limits: &Limits) -> Vec<f64> {
+        self.stages.iter().map(|s| s * limits.diagonal).filter(|s| *s > limits.tolerance).collect()
     }
 }
 
@@ -55,8 +55,7 @@ impl Question<'_> {
 pub(crate) fn joint_frame(a: &TriMesh, b: &TriMesh) -> (Frame, Aabb, Rounding) {
     let joint = Aabb::of_faces(a).union(Aabb::of_faces(b));
     let frame = Frame::of(&joint);
-    let mapped = Aabb { lower: frame.map(joint.lower), upper: frame.map(joint.upper) };
-    (frame, joint, Rounding::new(mapped.max_coordinate()))
+    (frame, joint, Rounding::new(frame.max_coordinate(&joint)))
 }
 
 /// Searches in the frame of the target.
@@ -78,7 +77,7 @@ pub(crate) fn search(
     };
     let rounding = Rounding::new(target.max_coordinate_with(&a_box));
     let limits = question.limits(&joint, target.frame(), rounding);
-    let stages = question.stages(&joint, target.frame(), &limits);
+    let stages = question.stages(&limits);
     let held = bytes_of(a) + target.bytes() + a.faces().len() * size_of::<u32>();
     let control = Control::new(question.deadline, question.memory_limit.map(|m| m.saturating_sub(held)));
     let order = morton_order(a, &a_box);

@@ -62,8 +62,7 @@ impl Target {
 
     /// The largest coordinate of this mesh and of one with the given box, in the frame of this target.
     pub(crate) fn max_coordinate_with(&self, a: &Aabb) -> f64 {
-        let joint = self.aabb.union(*a);
-        Aabb { lower: self.frame.map(joint.lower), upper: self.frame.map(joint.upper) }.max_coordinate()
+        self.frame.max_coordinate(&self.aabb.union(*a))
     }
 
     /// The same target in the frame of a joint box, for the rare mesh that does not suit. Exact: see [`Frame`].

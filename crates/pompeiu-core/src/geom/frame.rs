@@ -57,6 +57,11 @@ impl Frame {
         [p[0] * s * t - self.origin[0], p[1] * s * t - self.origin[1], p[2] * s * t - self.origin[2]]
     }
 
+    /// Largest magnitude of a coordinate of a box in this frame.
+    pub fn max_coordinate(&self, aabb: &Aabb) -> f64 {
+        Aabb { lower: self.map(aabb.lower), upper: self.map(aabb.upper) }.max_coordinate()
+    }
+
     /// Encloses the exact image of a point.
     pub fn enclosure(&self, p: [f64; 3]) -> [Interval; 3] {
         let (s, t) = self.shrink;

@@ -303,15 +303,13 @@ impl<'s> Worker<'s> {
             }
         }
         let game = game.unwrap_or_else(|| self.solve(&rows));
-        if game.value <= self.limit(piece.depth) {
+        // What is too small to cut is discarded with a bound above the limit, and the enclosure comes out wider.
+        let too_small = piece.depth >= MAX_DEPTH || piece.size() <= self.limits.least_size;
+        if game.value <= self.limit(piece.depth) || too_small {
             return self.discard(piece, game.value, || rows.mixture(&game.weights));
         }
 
         // Cut.
-        if piece.depth >= MAX_DEPTH || piece.size() <= self.limits.least_size {
-            // Too small to cut: discarded with a bound above the limit, and the enclosure comes out wider.
-            return self.discard(piece, game.value, || rows.mixture(&game.weights));
-        }
         let bound = game.value + self.limits.rounding.bound(piece.depth);
         let parts = piece.cut(bvh.corners(nearest.slot), reach);
         self.push_parts(&piece, &parts, bound, rows.inherited(nearest.slot, &game.weights), stack);

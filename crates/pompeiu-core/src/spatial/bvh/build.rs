@@ -144,7 +144,8 @@ impl<'i> Part<'i> {
     fn split_into_eight(self, depth: usize) -> Vec<Self> {
         if self.items.len() > PARALLEL_ABOVE {
             let halves = self.split(depth);
-            let quarters: Vec<_> = halves.into_par_iter().flat_map_iter(|p| p.split(depth)).collect();
+            let quarters: Vec<_> =
+                halves.into_par_iter().flat_map_iter(|p| p.split_if_possible(depth)).collect();
             return quarters.into_par_iter().flat_map_iter(|p| p.split_if_possible(depth)).collect();
         }
         let mut parts = Vec::with_capacity(LANES);
