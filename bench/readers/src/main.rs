@@ -2,9 +2,10 @@
 
 mod files;
 mod readers;
-mod shape;
 
 use cpu_time::ProcessTime;
+use pompeiu_core::mesh::shapes::icosphere;
+use pompeiu_core::mesh::{displace_at_random, shuffle};
 use std::fs::File;
 use std::io::{self, BufWriter};
 use std::path::{Path, PathBuf};
@@ -12,6 +13,9 @@ use std::time::Instant;
 
 /// Subdivisions of the sphere: 20 · 4⁸ = 1 310 720 faces.
 const LEVELS: u32 = 8;
+
+/// How far each vertex is moved, in radii: coordinates then need all their digits.
+const NOISE: f64 = 5e-4;
 
 /// Timed runs per reader and file.
 const RUNS: usize = 11;
@@ -37,10 +41,11 @@ fn main() -> io::Result<()> {
 
 fn compare(folder: &Path, keep: bool) -> io::Result<()> {
     std::fs::create_dir_all(folder)?;
-    let (positions, faces) = shape::noisy_sphere(LEVELS);
-    let mesh = (positions.as_slice(), faces.as_slice());
-    let mixed = shape::shuffled(&faces);
-    let mixed = (positions.as_slice(), mixed.as_slice());
+    let sphere = icosphere(1.0, LEVELS).map_err(io::Error::other)?;
+    let sphere = displace_at_random(&sphere, NOISE, 1).map_err(io::Error::other)?;
+    let mesh = (sphere.positions(), sphere.faces());
+    let mixed = shuffle(&sphere, 2);
+    let mixed = (mixed.positions(), mixed.faces());
     let make = |name: &str, write: &dyn Fn(&mut BufWriter<File>) -> io::Result<()>| -> io::Result<PathBuf> {
         let path = folder.join(name);
         let mut out = BufWriter::new(File::create(&path)?);
@@ -61,7 +66,7 @@ fn compare(folder: &Path, keep: bool) -> io::Result<()> {
         (make("shuffled.stl", &|out| files::stl(mixed, out))?, stl),
         (make("ascii.off", &|out| files::off(mesh, out))?, &[]),
     ];
-    println!("{} vertices, {} faces", positions.len(), faces.len());
+    println!("{} vertices, {} faces", mesh.0.len(), mesh.1.len());
     println!(
         "{:<16} {:>7}  {:<10} {:>12} {:>12} {:>12}",
         "file", "MB", "reader", "median MB/s", "best MB/s", "CPU ms"
@@ -69,7 +74,7 @@ fn compare(folder: &Path, keep: bool) -> io::Result<()> {
     for (path, others) in cases {
         let all: Vec<Reader> =
             [("pompeiu-io", readers::ours as fn(&Path) -> usize)].iter().chain(others).copied().collect();
-        measure(&path, &all, faces.len())?;
+        measure(&path, &all, mesh.1.len())?;
     }
     if !keep {
         std::fs::remove_dir_all(folder)?;
