@@ -4,6 +4,7 @@
 
 pub mod exact;
 pub mod geom;
+pub mod memory;
 pub mod mesh;
 pub mod spatial;
 

@@ -15,7 +15,6 @@
 mod error;
 mod format;
 mod formats;
-mod memory;
 mod polygon;
 mod raw;
 mod read;

@@ -1,7 +1,8 @@
 //! The bytes of a file: mapped, read or decompressed.
+//!
+//! The only unsafe code of the crate is here.
 
 use crate::error::{FormatError, Location};
-use crate::memory;
 use flate2::bufread::MultiGzDecoder;
 use memmap2::Mmap;
 use std::borrow::Cow;
@@ -51,11 +52,25 @@ pub(crate) fn open(path: &Path) -> io::Result<Source> {
     }
     // Some files of the kernel say that they are empty and are not.
     if metadata.is_file() && metadata.len() > 0 {
-        return Ok(Source::Mapped(memory::map(&file)?));
+        return Ok(Source::Mapped(map(&file)?));
     }
     let mut bytes = Vec::new();
     while read_step(&mut file, &mut bytes)? {}
     Ok(Source::Owned(bytes))
+}
+
+/// Maps a file that is not empty.
+#[allow(
+    unsafe_code,
+    reason = "there is no safe way to map a file, and copying it costs as much as parsing it"
+)]
+fn map(file: &File) -> io::Result<Mmap> {
+    // SAFETY: The map is read-only and private to this process, which writes no file it reads. What remains is a file
+    // that another process changes during the read. If it writes, the bytes seen may be old or new; readers check
+    // every value they use and take none as proof of another, so they return an error or a mesh that was never whole.
+    // If it shortens the file, the system ends this process when a page behind the new end is touched. That is the
+    // accepted risk, which every program that maps its input shares.
+    unsafe { Mmap::map(file) }
 }
 
 #[cfg(unix)]

@@ -1,6 +1,6 @@
 //! One vertex for equal positions.
 
-use crate::memory;
+use pompeiu_core::memory;
 use std::hash::{BuildHasher, RandomState};
 use std::hint::black_box;
 use std::sync::LazyLock;
@@ -17,7 +17,7 @@ impl Welder {
     pub(crate) fn with_capacity(positions: usize) -> Self {
         let mut welder = Self { positions: memory::with_capacity(positions), ..Self::default() };
         welder.table.slots =
-            memory::zeros((positions + positions / 3).next_power_of_two().max(Table::SMALLEST));
+            memory::filled(0, (positions + positions / 3).next_power_of_two().max(Table::SMALLEST));
         welder
     }
 
@@ -162,7 +162,7 @@ impl Table {
     #[cold]
     fn grow(&mut self) {
         let length = (2 * self.slots.len()).max(Self::SMALLEST);
-        let old = std::mem::replace(&mut self.slots, memory::zeros(length));
+        let old = std::mem::replace(&mut self.slots, memory::filled(0, length));
         for slot in old.into_iter().filter(|&slot| slot != 0) {
             let mut at = (slot >> 32) as usize & (length - 1);
             while self.slots[at] != 0 {

@@ -9,6 +9,7 @@
 use super::{Bvh, LEAF, Node};
 use crate::geom::point_triangle::{LANES, TriangleBlock};
 use crate::geom::{Aabb, Frame};
+use crate::memory;
 use crate::mesh::{FaceId, TriMesh};
 use rayon::prelude::*;
 
@@ -28,6 +29,7 @@ struct Bounds {
 }
 
 impl Bounds {
+    const ZERO: Self = Self { lower: [0.0; 4], upper: [0.0; 4] };
     const EMPTY: Self = Self { lower: [f32::INFINITY; 4], upper: [f32::NEG_INFINITY; 4] };
 
     fn of(items: &[Item]) -> Self {
@@ -91,36 +93,36 @@ impl Bvh {
             let [a, b, c] = mesh.corners(FaceId(face));
             [frame.map(a), frame.map(b), frame.map(c)]
         };
-        let mut items: Vec<Item> = (0..mesh.faces().len() as u32)
-            .into_par_iter()
-            .map(|face| Item::new(&Aabb::of_points(&corners(face)), face))
-            .collect();
-        let bounds = items.par_chunks(PARALLEL_ABOVE).map(Bounds::of).reduce(|| Bounds::EMPTY, Bounds::union);
+        let count = mesh.faces().len();
+        let mut items = memory::filled(Item { bounds: Bounds::ZERO }, count);
+        let bounds = items
+            .par_chunks_mut(PARALLEL_ABOVE)
+            .enumerate()
+            .map(|(i, chunk)| {
+                let mut bounds = Bounds::EMPTY;
+                for (item, face) in chunk.iter_mut().zip((i * PARALLEL_ABOVE) as u32..) {
+                    *item = Item::new(&Aabb::of_points(&corners(face)), face);
+                    bounds.add(&item.bounds);
+                }
+                bounds
+            })
+            .reduce(|| Bounds::EMPTY, Bounds::union);
+        let mut blocks = memory::filled([[[0.0; LANES]; 3]; 3], count.div_ceil(LANES));
+        let mut faces = memory::filled(0, count);
         let mut nodes = Vec::new();
-        Builder { corners: &corners }.subtree(Part { items: &mut items, bounds, first: 0 }, 0, &mut nodes);
+        let part = Part { items: &mut items, blocks: &mut blocks, faces: &mut faces, bounds, first: 0 };
+        Builder { corners: &corners }.subtree(part, 0, &mut nodes);
         nodes.shrink_to_fit();
-        let blocks = items.par_chunks(LANES).map(|chunk| block(chunk, &corners)).collect();
-        let faces = items.iter().map(Item::face).collect();
         Self { nodes, blocks, faces }
     }
-}
-
-fn block(items: &[Item], corners: &impl Fn(u32) -> [[f64; 3]; 3]) -> TriangleBlock {
-    let mut block = [[[0.0; LANES]; 3]; 3];
-    for lane in 0..LANES {
-        let item = items[if lane < items.len() { lane } else { items.len() - 1 }];
-        for (into, from) in block.iter_mut().zip(corners(item.face())) {
-            for k in 0..3 {
-                into[k][lane] = from[k];
-            }
-        }
-    }
-    block
 }
 
 /// Items that will lie below one child.
 struct Part<'i> {
     items: &'i mut [Item],
+    /// Where their triangles will be.
+    blocks: &'i mut [TriangleBlock],
+    faces: &'i mut [u32],
     bounds: Bounds,
     /// Place of the first item among all; a multiple of eight.
     first: usize,
@@ -133,10 +135,13 @@ impl<'i> Part<'i> {
 
     fn split(self, depth: usize) -> [Self; 2] {
         let Split { left, bounds } = split(self.items, &self.bounds, depth);
-        let (low, high) = self.items.split_at_mut(left);
+        let items = self.items.split_at_mut(left);
+        let blocks = self.blocks.split_at_mut(left / LANES);
+        let faces = self.faces.split_at_mut(left);
+        let first = [self.first, self.first + left];
         [
-            Self { items: low, bounds: bounds[0], first: self.first },
-            Self { items: high, bounds: bounds[1], first: self.first + left },
+            Self { items: items.0, blocks: blocks.0, faces: faces.0, bounds: bounds[0], first: first[0] },
+            Self { items: items.1, blocks: blocks.1, faces: faces.1, bounds: bounds[1], first: first[1] },
         ]
     }
 
@@ -218,17 +223,28 @@ impl<C: Fn(u32) -> [[f64; 3]; 3] + Sync> Builder<'_, C> {
     /// The box and the entry of a child, which is appended if it is a node.
     fn child(&self, part: Part<'_>, depth: usize, nodes: &mut Vec<Node>) -> (Aabb, u32) {
         if part.is_leaf() {
-            return (self.leaf_box(part.items), LEAF | (part.first / LANES) as u32);
+            return (
+                self.leaf(part.items, &mut part.blocks[0], part.faces),
+                LEAF | (part.first / LANES) as u32,
+            );
         }
         let place = nodes.len() as u32;
         (self.subtree(part, depth + 1, nodes), place)
     }
 
-    fn leaf_box(&self, items: &[Item]) -> Aabb {
+    /// Writes the triangles of a leaf, and returns their box.
+    fn leaf(&self, items: &[Item], block: &mut TriangleBlock, faces: &mut [u32]) -> Aabb {
         let mut aabb = Aabb::EMPTY;
-        for item in items {
-            for corner in (self.corners)(item.face()) {
-                aabb.add(corner);
+        for (face, item) in faces.iter_mut().zip(items) {
+            *face = item.face();
+        }
+        for lane in 0..LANES {
+            let face = faces[if lane < faces.len() { lane } else { faces.len() - 1 }];
+            for (into, from) in block.iter_mut().zip((self.corners)(face)) {
+                aabb.add(from);
+                for k in 0..3 {
+                    into[k][lane] = from[k];
+                }
             }
         }
         aabb

@@ -8,12 +8,12 @@
 mod piece;
 
 use crate::error::FormatError;
-use crate::memory;
 use crate::polygon::Polygon;
 use crate::raw::RawMesh;
 use crate::text::{Problem, is_line_end, past_line_end};
 use crate::waves;
 use piece::Piece;
+use pompeiu_core::memory;
 use std::ops::Range;
 
 /// Bytes of text per task: its vertices and faces stay in a core's own cache until they are taken.

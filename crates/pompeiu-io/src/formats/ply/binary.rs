@@ -3,9 +3,9 @@
 use super::header::{Element, Header, Kind, Scalar};
 use super::push_strips;
 use crate::error::{FormatError, Location};
-use crate::memory;
 use crate::polygon::Polygon;
 use crate::raw::RawMesh;
+use pompeiu_core::memory;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, Ordering};
 

@@ -1,10 +1,10 @@
 //! Binary STL: a header of 80 bytes, a count, and 50 bytes per triangle.
 
 use crate::error::{FormatError, Location};
-use crate::memory;
 use crate::raw::RawMesh;
 use crate::waves;
 use crate::weld::{LocalWelder, Welder};
+use pompeiu_core::memory;
 
 /// Bytes before the triangles: free text and the number of triangles.
 const HEADER: usize = 84;
