@@ -1,11 +1,11 @@
-//! Top-down building by the binned surface-area heuristic.
+//! Top-down building.
 //!
 //! Every split leaves a multiple of eight triangles on its left, so that all leaves but the last are full and the place
 //! of a leaf follows from the place of its triangles: subtrees can be built in parallel with nothing to agree on.
 //!
-//! # Source
-//! Binning centres along the widest axis: `wald_fast_2007`. Eight children to a node and full leaves are ours.
+//! How a range of faces is split is in `split`.
 
+use super::split::{Bounds, Item, Split, split};
 use super::{Bvh, LEAF, Node};
 use crate::geom::point_triangle::{LANES, TriangleBlock};
 use crate::geom::{Aabb, Frame};
@@ -13,75 +13,8 @@ use crate::memory;
 use crate::mesh::{FaceId, TriMesh};
 use rayon::prelude::*;
 
-/// What the builder sorts: a face by the box around it, rounded to single precision. Only the quality of the tree
-/// depends on it; the boxes that searches use are taken from the triangles themselves.
-#[derive(Clone, Copy)]
-struct Item {
-    /// The unused fourth coordinates hold the low and the high half of the face's index.
-    bounds: Bounds,
-}
-
-/// A box in single precision. The fourth coordinate means nothing: loops over four become one instruction.
-#[derive(Clone, Copy)]
-struct Bounds {
-    lower: [f32; 4],
-    upper: [f32; 4],
-}
-
-impl Bounds {
-    const ZERO: Self = Self { lower: [0.0; 4], upper: [0.0; 4] };
-    const EMPTY: Self = Self { lower: [f32::INFINITY; 4], upper: [f32::NEG_INFINITY; 4] };
-
-    fn of(items: &[Item]) -> Self {
-        items.iter().fold(Self::EMPTY, |bounds, item| bounds.union(item.bounds))
-    }
-
-    #[inline]
-    fn union(mut self, other: Self) -> Self {
-        self.add(&other);
-        self
-    }
-
-    #[inline]
-    fn add(&mut self, other: &Self) {
-        for k in 0..4 {
-            self.lower[k] = if other.lower[k] < self.lower[k] { other.lower[k] } else { self.lower[k] };
-            self.upper[k] = if other.upper[k] > self.upper[k] { other.upper[k] } else { self.upper[k] };
-        }
-    }
-
-    fn half_area(&self) -> f32 {
-        let [x, y, z] = [0, 1, 2].map(|k| self.upper[k] - self.lower[k]);
-        x * y + y * z + z * x
-    }
-}
-
-impl Item {
-    fn new(aabb: &Aabb, face: u32) -> Self {
-        let [x, y, z] = aabb.lower.map(|x| x as f32);
-        let [u, v, w] = aabb.upper.map(|x| x as f32);
-        let (low, high) = ((face & 0xffff) as f32, (face >> 16) as f32);
-        Self { bounds: Bounds { lower: [x, y, z, low], upper: [u, v, w, high] } }
-    }
-
-    #[inline]
-    fn face(&self) -> u32 {
-        self.bounds.lower[3] as u32 | (self.bounds.upper[3] as u32) << 16
-    }
-
-    #[inline]
-    fn centre(&self, axis: usize) -> f32 {
-        self.bounds.lower[axis] + self.bounds.upper[axis]
-    }
-}
-
-const BINS: usize = 16;
 /// Ranges longer than this are built in parallel.
 const PARALLEL_ABOVE: usize = 1 << 13;
-/// Longer ranges are binned over their box instead of their centres: a little coarser, and one pass less.
-const EXACT_CENTRES_UP_TO: usize = 512;
-/// Below this depth (in nodes) splits go through the middle, which bounds the depth of the tree for every input.
-const MEDIAN_BELOW_DEPTH: usize = 24;
 
 impl Bvh {
     /// Builds the tree over the faces of a mesh, seen in a frame.
@@ -264,124 +197,11 @@ fn append(nodes: &mut Vec<Node>, mut below: Vec<Node>) {
     nodes.append(&mut below);
 }
 
-/// How a range was split.
-struct Split {
-    /// Items on the left: a multiple of eight.
-    left: usize,
-    /// About where the items of each side lie.
-    bounds: [Bounds; 2],
-}
-
-/// Reorders items into two sides.
-fn split(items: &mut [Item], bounds: &Bounds, depth: usize) -> Split {
-    let (low, high) = if items.len() > EXACT_CENTRES_UP_TO {
-        ([0, 1, 2].map(|k| 2.0 * bounds.lower[k]), [0, 1, 2].map(|k| 2.0 * bounds.upper[k]))
-    } else {
-        range_of_centres(items)
-    };
-    let axis = (0..3).fold(0, |w, k| if high[k] - low[k] > high[w] - low[w] { k } else { w });
-    let spread = high[axis] - low[axis];
-    if depth < MEDIAN_BELOW_DEPTH && items.len() > 2 * LANES && spread.is_normal() {
-        let scale = BINS as f32 * (1.0 - f32::EPSILON) / spread;
-        if let Some((boundary, bounds)) = best_boundary(items, axis, low[axis], scale) {
-            let left = partition(items, |item| bin_of(item, axis, low[axis], scale) < boundary);
-            return Split { left: align(items, left, axis), bounds };
-        }
-    }
-    let left = (items.len() / 2).next_multiple_of(LANES).min((items.len() - 1) / LANES * LANES);
-    items.select_nth_unstable_by(left, |a, b| {
-        a.centre(axis).total_cmp(&b.centre(axis)).then(a.face().cmp(&b.face()))
-    });
-    Split { left, bounds: [Bounds::of(&items[..left]), Bounds::of(&items[left..])] }
-}
-
-/// Range of the sums of opposite ends of the boxes.
-fn range_of_centres(items: &[Item]) -> ([f32; 3], [f32; 3]) {
-    let mut low = [f32::INFINITY; 4];
-    let mut high = [f32::NEG_INFINITY; 4];
-    for Item { bounds, .. } in items {
-        for k in 0..4 {
-            let c = bounds.lower[k] + bounds.upper[k];
-            low[k] = if c < low[k] { c } else { low[k] };
-            high[k] = if c > high[k] { c } else { high[k] };
-        }
-    }
-    ([low[0], low[1], low[2]], [high[0], high[1], high[2]])
-}
-
-#[inline]
-fn bin_of(item: &Item, axis: usize, low: f32, scale: f32) -> usize {
-    let bin = ((item.centre(axis) - low) * scale) as usize;
-    if bin < BINS { bin } else { BINS - 1 }
-}
-
-/// Moves the items that satisfy a predicate to the front; returns how many.
-fn partition(items: &mut [Item], on_the_left: impl Fn(&Item) -> bool) -> usize {
-    let mut left = 0;
-    for i in 0..items.len() {
-        // Without a branch: the outcome is as good as random.
-        let goes_left = on_the_left(&items[i]);
-        items.swap(left, i);
-        left += usize::from(goes_left);
-    }
-    left
-}
-
-/// Moves the few items next to a split that keep its left from being a multiple of eight; returns the new length.
-fn align(items: &mut [Item], left: usize, axis: usize) -> usize {
-    let most = (items.len() - 1) / LANES * LANES;
-    let aligned = ((left + LANES / 2) / LANES * LANES).clamp(LANES, most);
-    for end in (aligned..left).rev() {
-        let last =
-            (0..=end).fold(0, |m, i| if items[i].centre(axis) > items[m].centre(axis) { i } else { m });
-        items.swap(last, end);
-    }
-    for start in left..aligned {
-        let first = (start..items.len())
-            .fold(start, |m, i| if items[i].centre(axis) < items[m].centre(axis) { i } else { m });
-        items.swap(first, start);
-    }
-    aligned
-}
-
-/// The bin with which the right side of the cheapest split begins, by area times count, and the boxes of both sides; none
-/// if all are in one bin.
-fn best_boundary(items: &[Item], axis: usize, low: f32, scale: f32) -> Option<(usize, [Bounds; 2])> {
-    let mut bins = [(Bounds::EMPTY, 0); BINS];
-    for item in items {
-        let (bounds, count) = &mut bins[bin_of(item, axis, low, scale)];
-        bounds.add(&item.bounds);
-        *count += 1;
-    }
-    let mut rights = [(Bounds::EMPTY, 0.0); BINS];
-    let (mut right, mut count) = (Bounds::EMPTY, 0);
-    for i in (1..BINS).rev() {
-        right.add(&bins[i].0);
-        count += bins[i].1;
-        rights[i] = (right, if count > 0 { right.half_area() * count as f32 } else { 0.0 });
-    }
-    let mut best = None;
-    let mut least = f32::INFINITY;
-    let (mut left, mut count) = (Bounds::EMPTY, 0);
-    for i in 1..BINS {
-        left.add(&bins[i - 1].0);
-        count += bins[i - 1].1;
-        if count == 0 || count == items.len() {
-            continue;
-        }
-        let cost = left.half_area() * count as f32 + rights[i].1;
-        if best.is_none() || cost < least {
-            least = cost;
-            best = Some((i, [left, rights[i].0]));
-        }
-    }
-    best
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::spatial::bvh::Slot;
+    use crate::spatial::bvh::split::MEDIAN_BELOW_DEPTH;
     use proptest::prelude::*;
 
     fn tree_over(points: Vec<[f64; 3]>) -> (TriMesh, Bvh) {

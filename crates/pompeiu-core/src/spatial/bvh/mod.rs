@@ -1,11 +1,12 @@
 //! A bounding-volume hierarchy over triangles, eight children to a node and eight triangles to a leaf.
 //!
 //! The tree owns a copy of its triangles, laid out for SIMD, and knows nothing of what is asked of it: building is in
-//! `build`, questions are in `nearest` and `cover`, each with its own traversal.
+//! `build` and `split`, questions are in `nearest` and `cover`, each with its own traversal.
 
 mod build;
 mod cover;
 mod nearest;
+mod split;
 
 use crate::FaceId;
 use crate::geom::point_triangle::{LANES, TriangleBlock};
