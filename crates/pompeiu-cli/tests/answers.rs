@@ -326,6 +326,20 @@ fn edits_are_made_in_the_order_of_the_help() {
 }
 
 #[test]
+fn a_mesh_of_a_file_is_edited_like_a_shape() {
+    let folder = Folder::new();
+    folder.ok("generate torus --noise 0.01 --seed 3 -o torus.ply");
+    folder.ok("generate mesh torus.ply --subdivide 1 --ripple 0.05,1 --shuffle 2 -o edited.obj");
+    folder.ok("generate torus --noise 0.01 --seed 3 --subdivide 1 -o fine.obj");
+    let edited = json(&folder, "info edited.obj --json");
+    assert_eq!(edited["faces"], json(&folder, "info fine.obj --json")["faces"]);
+    // Vertices moved by at most sqrt(3) x 0.05, and did move.
+    let report = json(&folder, "distance edited.obj torus.ply --json");
+    let upper = report["hausdorff"]["upper"].as_f64().unwrap();
+    assert!(upper > 0.02 && upper < 0.087, "{upper}");
+}
+
+#[test]
 fn every_shape_can_be_generated_and_described() {
     let folder = Folder::new();
     let help = folder.ok("generate --help");
@@ -334,7 +348,7 @@ fn every_shape_can_be_generated_and_described() {
         .skip_while(|line| *line != "Shapes:")
         .skip(1)
         .map_while(|line| line.split_whitespace().next())
-        .filter(|&name| name != "help")
+        .filter(|&name| name != "help" && name != "mesh")
         .collect();
     assert_eq!(shapes.len(), 15, "{help}");
     for shape in shapes {

@@ -139,6 +139,10 @@ fn generate_and_convert() {
     check(&folder, "generate_counts", "generate torus --minor-segments 2 -o torus.obj");
     check(&folder, "generate_too_many", "generate cube --cells 100000 -o cube.obj");
     check(&folder, "generate_axis", "generate cube --rotate 0,0,0,90 -o cube.obj");
+    check(&folder, "generate_ripple", "generate cube --ripple 0.1,0 -o cube.obj");
+    check(&folder, "generate_mesh", "generate mesh sphere.obj --subdivide 1 --ripple 0.1,1 -o fine.obj");
+    check(&folder, "generate_mesh_same", "generate mesh sphere.obj --subdivide 1 -o sphere.obj");
+    check(&folder, "generate_mesh_missing", "generate mesh nothing.obj -o fine.obj");
     check(&folder, "convert", "convert sphere.obj sphere.ply.gz");
     check(&folder, "convert_single_precision", "convert sphere.obj sphere.stl");
     assert!(!folder.path().join("torus.obj").exists());

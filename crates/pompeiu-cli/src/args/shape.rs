@@ -209,6 +209,14 @@ pub(crate) enum Shape {
         #[command(flatten)]
         finish: Finish,
     },
+    /// The mesh of a file, to be edited
+    Mesh {
+        /// The mesh file to read
+        #[arg(value_name = "IN")]
+        input: PathBuf,
+        #[command(flatten)]
+        finish: Finish,
+    },
 }
 
 #[derive(Clone, Copy, Default, ValueEnum)]
@@ -243,6 +251,9 @@ pub(crate) struct Finish {
     /// Split each face into four, N times
     #[arg(long, help_heading = EDITS, default_value_t = 0, value_name = "N", hide_default_value = true)]
     pub(crate) subdivide: u32,
+    /// Move along smooth waves of this height and length
+    #[arg(long, help_heading = EDITS, value_parser = tuple::<2>, value_name = "AMPLITUDE,WAVELENGTH", allow_hyphen_values = true)]
+    pub(crate) ripple: Option<[f64; 2]>,
     /// Move each vertex by this length in a random direction
     #[arg(long, help_heading = EDITS, value_name = "LENGTH", allow_negative_numbers = true)]
     pub(crate) noise: Option<f64>,

@@ -7,15 +7,15 @@ use crate::printer::Printer;
 use anyhow::{Context, bail};
 use pompeiu::core::TriMesh;
 use pompeiu::core::mesh::shapes::{self, Ends};
-use pompeiu::core::mesh::{Affine, displace_at_random, shuffle, subdivide, transform, unweld};
+use pompeiu::core::mesh::{Affine, displace_at_random, ripple, shuffle, subdivide, transform, unweld};
 
 pub(crate) fn run(args: Generate, printer: &Printer) -> anyhow::Result<Exit> {
-    let (mesh, finish) = make(args.shape)?;
+    let (mesh, finish) = make(args.shape, printer)?;
     files::write(&finish.output, &finished(mesh, &finish)?, printer)?;
     Ok(Exit::Done)
 }
 
-fn make(shape: Shape) -> anyhow::Result<(TriMesh, Finish)> {
+fn make(shape: Shape, printer: &Printer) -> anyhow::Result<(TriMesh, Finish)> {
     let ends = |capped| if capped { Ends::Capped } else { Ends::Open };
     let (mesh, finish) = match shape {
         Shape::Icosphere { radius, subdivisions, finish } => {
@@ -47,6 +47,15 @@ fn make(shape: Shape) -> anyhow::Result<(TriMesh, Finish)> {
             (shapes::mobius_strip(radius, width, segments, strips), finish)
         }
         Shape::PointLattice { side, cells, finish } => (shapes::point_lattice(side, cells), finish),
+        Shape::Mesh { input, finish } => {
+            files::check_writable(&finish.output)?;
+            if files::are_same(&input, &finish.output) {
+                bail!("{}: is both input and output; give the output another name", input.display());
+            }
+            let read = files::read(&input)?;
+            files::warn_of_changes(&input, &read, printer);
+            (Ok(read.mesh), finish)
+        }
     };
     Ok((mesh?, finish))
 }
@@ -55,6 +64,14 @@ fn make(shape: Shape) -> anyhow::Result<(TriMesh, Finish)> {
 fn finished(mut mesh: TriMesh, finish: &Finish) -> anyhow::Result<TriMesh> {
     for _ in 0..finish.subdivide {
         mesh = subdivide(&mesh).context("--subdivide")?;
+    }
+    if let Some([amplitude, wavelength]) = finish.ripple {
+        if !(amplitude.is_finite() && wavelength.is_finite() && wavelength != 0.0) {
+            bail!(
+                "--ripple: the amplitude {amplitude} and the wavelength {wavelength} must be finite, the wavelength not zero"
+            );
+        }
+        mesh = ripple(&mesh, amplitude, wavelength).context("--ripple")?;
     }
     if let Some(amplitude) = finish.noise {
         mesh = displace_at_random(&mesh, amplitude, finish.seed).context("--noise")?;

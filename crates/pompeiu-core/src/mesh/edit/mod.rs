@@ -3,12 +3,14 @@
 mod merge;
 mod noise;
 mod random;
+mod ripple;
 mod shuffle;
 mod subdivide;
 mod transform;
 
 pub use merge::{merge, unweld};
 pub use noise::displace_at_random;
+pub use ripple::ripple;
 pub use shuffle::shuffle;
 pub use subdivide::subdivide;
 pub use transform::{Affine, transform};
