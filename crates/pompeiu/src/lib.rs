@@ -17,6 +17,9 @@
 pub use pompeiu_core as core;
 pub use pompeiu_hausdorff as hausdorff;
 pub use pompeiu_io as io;
+pub use pompeiu_operators as operators;
+pub use pompeiu_solve as solve;
+pub use pompeiu_surface as surface;
 
 /// What most programs need.
 pub mod prelude {

@@ -1,0 +1,63 @@
+//! Stiffness matrices.
+
+use crate::OperatorError;
+use pompeiu_solve::SparseMatrix;
+use pompeiu_surface::{Surface, SurfaceMesh};
+
+/// The cotangent Laplacian `G_vᵀ M G_v`.
+///
+/// Positive semi-definite: its sign is that of `−Δ`, and `aᵀ L a` is the integral of `|∇a|²`. Constants on each component span
+/// the kernel. Integrated: divide by areas ([`Surface::vertex_areas`]) for values per area.
+///
+/// # Shapes and units
+/// V × V, symmetric, without unit.
+/// # Definition
+/// `L_ij = −½ (cot α + cot β)` with the angles opposite the edge, one of them at the boundary; rows add up to zero.
+/// # Limits
+/// Entries off the diagonal are above zero where the opposite angles add up to more than π, that is on edges that are not
+/// Delaunay: then there is no maximum principle.
+/// # Errors
+/// None for a valid surface; those of [`SparseMatrix::from_triplets`].
+/// # Cost
+/// O(F).
+/// # Source
+/// `pinkall_computing_1993`.
+pub fn cotan_laplacian(surface: &Surface) -> Result<SparseMatrix, OperatorError> {
+    let mesh = surface.mesh();
+    let mut entries = Vec::with_capacity(12 * mesh.faces());
+    for h in mesh.face_ids().flat_map(SurfaceMesh::face_halfedges) {
+        let weight = 0.5 * surface.cotangent(h.previous());
+        push_pair(&mut entries, mesh.tail(h).index(), mesh.head(h).index(), weight);
+    }
+    Ok(SparseMatrix::from_triplets(mesh.vertices(), mesh.vertices(), &entries)?)
+}
+
+/// The Laplacian `G_eᵀ M G_e` of functions that are linear on faces and agree at midpoints of edges.
+///
+/// Positive semi-definite, with constants on each component for kernel, like [`cotan_laplacian`]. It is also
+/// `(J G_e)ᵀ M (J G_e)`. At most five entries in a row.
+///
+/// # Shapes and units
+/// E × E, symmetric, without unit.
+/// # Definition
+/// `L_ij = −2 cot γ` for two edges that meet in the angle γ of a face; rows add up to zero.
+/// # Errors
+/// None for a valid surface; those of [`SparseMatrix::from_triplets`].
+/// # Cost
+/// O(F).
+/// # Source
+/// `crouzeix_conforming_1973`, `polthier_identifying_2003`.
+pub fn edge_laplacian(surface: &Surface) -> Result<SparseMatrix, OperatorError> {
+    let mesh = surface.mesh();
+    let mut entries = Vec::with_capacity(12 * mesh.faces());
+    for h in mesh.face_ids().flat_map(SurfaceMesh::face_halfedges) {
+        let weight = 2.0 * surface.cotangent(h);
+        push_pair(&mut entries, mesh.edge(h).index(), mesh.edge(h.previous()).index(), weight);
+    }
+    Ok(SparseMatrix::from_triplets(mesh.edges(), mesh.edges(), &entries)?)
+}
+
+/// `weight (x_i − x_j)²` as a quadratic form.
+fn push_pair(entries: &mut Vec<(usize, usize, f64)>, i: usize, j: usize, weight: f64) {
+    entries.extend([(i, j, -weight), (j, i, -weight), (i, i, weight), (j, j, weight)]);
+}

@@ -1,0 +1,42 @@
+//! Sparse matrices and direct solvers that can be used again and again.
+//!
+//! A matrix is factored once and solves many right-hand sides. All solvers answer through one small trait,
+//! [`LinearSolver`]; what stands behind it ([`faer`]) does not show.
+//!
+//! | matrix | solver |
+//! |---|---|
+//! | symmetric, positive definite | [`Cholesky`] |
+//! | symmetric, positive semi-definite, kernel of constants | [`SemidefiniteCholesky`] |
+//! | symmetric, indefinite, no pivoting needed | [`Ldlt`] |
+//! | square | [`Lu`] |
+//!
+//! ```
+//! use pompeiu_solve::{Cholesky, LinearSolver, SparseMatrix};
+//!
+//! let matrix = SparseMatrix::from_triplets(2, 2, &[(0, 0, 4.0), (0, 1, 1.0), (1, 0, 1.0), (1, 1, 3.0)])?;
+//! let solver = Cholesky::new(&matrix)?;
+//! let x = solver.solve(&[9.0, 5.0])?;
+//! assert!((x[0] - 2.0).abs() < 1e-15 && (x[1] - 1.0).abs() < 1e-15);
+//! # Ok::<(), pompeiu_solve::SolveError>(())
+//! ```
+//!
+//! This crate knows nothing of meshes. Factoring and solving use one thread and give the same bits every time;
+//! independent systems can be factored side by side.
+
+mod cholesky;
+mod error;
+mod ldlt;
+mod lu;
+mod ordering;
+mod semidefinite;
+mod solver;
+mod sparse;
+
+pub use cholesky::{Analysis, Cholesky};
+pub use error::SolveError;
+pub use ldlt::Ldlt;
+pub use lu::Lu;
+pub use ordering::Ordering;
+pub use semidefinite::SemidefiniteCholesky;
+pub use solver::LinearSolver;
+pub use sparse::SparseMatrix;

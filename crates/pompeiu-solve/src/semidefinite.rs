@@ -1,0 +1,169 @@
+//! Semi-definite systems whose kernel is made of constants.
+
+use crate::solver::{LinearSolver, columns};
+use crate::{Cholesky, SolveError, SparseMatrix};
+
+/// No group, or no place.
+const NONE: usize = usize::MAX;
+
+/// A symmetric positive semi-definite system whose kernel is known: the constants on each of some groups of unknowns.
+///
+/// Laplacians are of this kind: their groups are the connected components without a boundary condition. Nothing is added
+/// to the matrix. Right-hand sides are projected onto its range by taking the mean off each group; then one unknown of
+/// each group is held at zero, which leaves a positive definite system with the same solutions up to constants; of these
+/// the one with mean zero on every group is returned, the least in the Euclidean norm. Other unknowns may be fixed at
+/// zero from the start.
+///
+/// # Accuracy
+/// One step of iterative refinement follows each solution.
+#[derive(Debug)]
+pub struct SemidefiniteCholesky {
+    matrix: SparseMatrix,
+    /// For each unknown, the number of its group, or none.
+    group: Vec<usize>,
+    /// For each group, how many unknowns it has.
+    sizes: Vec<usize>,
+    /// The unknowns that are neither fixed nor held.
+    free: Vec<usize>,
+    fixed: Vec<usize>,
+    cholesky: Cholesky,
+}
+
+impl SemidefiniteCholesky {
+    /// Sets up and factors the system.
+    ///
+    /// # Shapes and units
+    /// `fixed` and `group` have one entry per unknown: whether it is zero whatever the right-hand side says, and to which
+    /// group with constants in the kernel it belongs. A fixed unknown belongs to no group.
+    ///
+    /// # Errors
+    /// [`SolveError::Length`], [`SolveError::NotSquare`]; [`SolveError::NotPositiveDefinite`] if the kernel is larger than
+    /// the groups say.
+    pub fn new(matrix: SparseMatrix, fixed: &[bool], group: &[Option<u32>]) -> Result<Self, SolveError> {
+        matrix.check_square()?;
+        let n = matrix.rows();
+        for (what, found) in [("marks of fixed unknowns", fixed.len()), ("groups of unknowns", group.len())] {
+            if found != n {
+                return Err(SolveError::Length { what, found, expected: n });
+            }
+        }
+        let groups = group.iter().flatten().max().map_or(0, |&last| last as usize + 1);
+        let group: Vec<usize> = group
+            .iter()
+            .zip(fixed)
+            .map(|(group, &fixed)| group.filter(|_| !fixed).map_or(NONE, |g| g as usize))
+            .collect();
+        let mut sizes = vec![0; groups];
+        let mut free = Vec::with_capacity(n);
+        for (i, &g) in group.iter().enumerate() {
+            if g == NONE {
+                if !fixed[i] {
+                    free.push(i);
+                }
+                continue;
+            }
+            // The first unknown of a group is the one that is held.
+            if sizes[g] > 0 {
+                free.push(i);
+            }
+            sizes[g] += 1;
+        }
+        let fixed = (0..n).filter(|&i| fixed[i]).collect();
+        let cholesky = Cholesky::new(&matrix.principal(&free)?).map_err(|error| match error {
+            SolveError::NotPositiveDefinite { index } => {
+                SolveError::NotPositiveDefinite { index: free[index] }
+            }
+            other => other,
+        })?;
+        Ok(Self { matrix, group, sizes, free, fixed, cholesky })
+    }
+
+    /// The matrix, whole.
+    pub fn matrix(&self) -> &SparseMatrix {
+        &self.matrix
+    }
+
+    /// Number of entries of the factor.
+    pub fn factor_nonzeros(&self) -> usize {
+        self.cholesky.analysis().factor_nonzeros()
+    }
+
+    /// The mean of the values of each group.
+    fn means(&self, values: &[f64]) -> Vec<f64> {
+        let mut sums = vec![0.0; self.sizes.len()];
+        for (&g, value) in self.group.iter().zip(values) {
+            if g != NONE {
+                sums[g] += value;
+            }
+        }
+        sums.iter().zip(&self.sizes).map(|(sum, &size)| sum / size as f64).collect()
+    }
+
+    /// Takes the mean off each group and makes fixed unknowns zero.
+    ///
+    /// This is the orthogonal projection onto the range of the system, and onto the complement of its kernel.
+    ///
+    /// # Panics
+    /// If there is not one value per unknown.
+    pub fn project(&self, values: &mut [f64]) {
+        assert_eq!(values.len(), self.group.len(), "one value per unknown");
+        let means = self.means(values);
+        for (&g, value) in self.group.iter().zip(values.iter_mut()) {
+            if g != NONE {
+                *value -= means[g];
+            }
+        }
+        for &i in &self.fixed {
+            values[i] = 0.0;
+        }
+    }
+
+    /// Solves the reduced systems for projected right-hand sides.
+    fn solve_reduced(&self, columns: &[f64]) -> Result<Vec<f64>, SolveError> {
+        let n = self.group.len();
+        let mut reduced: Vec<f64> =
+            columns.chunks_exact(n).flat_map(|b| self.free.iter().map(|&i| b[i])).collect();
+        self.cholesky.solve_in_place(&mut reduced)?;
+        let mut x = vec![0.0; columns.len()];
+        if !self.free.is_empty() {
+            for (part, whole) in reduced.chunks_exact(self.free.len()).zip(x.chunks_exact_mut(n)) {
+                for (&i, value) in self.free.iter().zip(part) {
+                    whole[i] = *value;
+                }
+            }
+        }
+        Ok(x)
+    }
+}
+
+impl LinearSolver for SemidefiniteCholesky {
+    fn unknowns(&self) -> usize {
+        self.group.len()
+    }
+
+    fn solve_in_place(&self, values: &mut [f64]) -> Result<(), SolveError> {
+        let n = self.unknowns();
+        if columns(n, values)? == 0 {
+            return Ok(());
+        }
+        for b in values.chunks_exact_mut(n) {
+            self.project(b);
+        }
+        let mut x = self.solve_reduced(values)?;
+        for (b, x) in values.chunks_exact_mut(n).zip(x.chunks_exact(n)) {
+            for (b, ax) in b.iter_mut().zip(self.matrix.multiply(x)) {
+                *b -= ax;
+            }
+            self.project(b);
+        }
+        let correction = self.solve_reduced(values)?;
+        for (x, d) in x.iter_mut().zip(correction) {
+            *x += d;
+        }
+        for (b, x) in values.chunks_exact_mut(n).zip(x.chunks_exact(n)) {
+            b.copy_from_slice(x);
+            self.project(b);
+        }
+        Ok(())
+    }
+}

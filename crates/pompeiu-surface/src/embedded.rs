@@ -1,0 +1,121 @@
+//! Surfaces in space: frames and normals.
+
+use crate::plane::Vec2;
+use crate::surface::FlatFace;
+use crate::{GeometryError, Surface, SurfaceMesh};
+use pompeiu_core::{FaceId, TriMesh};
+
+/// A vector in space.
+type Vec3 = [f64; 3];
+
+/// A [`Surface`] whose faces lie in space, each with a frame: two unit tangents and the normal.
+///
+/// The first tangent runs along the face's first edge, the second is a quarter turn from it, counter-clockwise seen from
+/// the side that the normal points to.
+///
+/// # Shapes and units
+/// 72 bytes per face beside the [`Surface`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct EmbeddedSurface {
+    surface: Surface,
+    frames: Vec<[Vec3; 3]>,
+}
+
+impl EmbeddedSurface {
+    /// The surface that a mesh describes.
+    ///
+    /// # Accuracy
+    /// Lengths and heights are computed from differences of corners and their vector product: relative errors of a few
+    /// units of rounding, divided by the sine of the angle for thin faces.
+    /// # Errors
+    /// [`GeometryError`]: the mesh is no oriented manifold, or a face is degenerate.
+    /// # Cost
+    /// O(F).
+    pub fn new(mesh: &TriMesh) -> Result<Self, GeometryError> {
+        let connectivity = SurfaceMesh::new(mesh)?;
+        let mut frames = Vec::with_capacity(mesh.faces().len());
+        let mut faces = Vec::with_capacity(mesh.faces().len());
+        for face in mesh.face_ids() {
+            let [a, b, c] = mesh.corners(face);
+            let (u, v) = (sub(b, a), sub(c, a));
+            let length = dot(u, u).sqrt();
+            let normal = cross(u, v);
+            let twice_area = dot(normal, normal).sqrt();
+            let first = u.map(|x| x / length);
+            let normal = normal.map(|x| x / twice_area);
+            frames.push([first, cross(normal, first), normal]);
+            let apex = [dot(first, v), twice_area / length];
+            faces.push(FlatFace { length, apex });
+        }
+        let surface = Surface::from_flat_faces(connectivity, faces.into_iter())?;
+        Ok(Self { surface, frames })
+    }
+
+    /// The intrinsic geometry.
+    pub fn surface(&self) -> &Surface {
+        &self.surface
+    }
+
+    /// The connectivity.
+    pub fn mesh(&self) -> &SurfaceMesh {
+        self.surface.mesh()
+    }
+
+    /// First tangent, second tangent and normal of a face, of length one.
+    pub fn frame(&self, face: FaceId) -> &[Vec3; 3] {
+        &self.frames[face.index()]
+    }
+
+    /// The unit normals of all faces.
+    pub fn face_normals(&self) -> Vec<Vec3> {
+        self.frames.iter().map(|frame| frame[2]).collect()
+    }
+
+    /// The normals of vertices: the mean of the faces around, weighted by angle; zero where they cancel.
+    pub fn vertex_normals(&self) -> Vec<Vec3> {
+        self.mesh()
+            .vertex_ids()
+            .map(|v| {
+                let mut sum = [0.0; 3];
+                for h in self.mesh().outgoing(v) {
+                    let angle = self.surface.angle(h);
+                    let normal = self.frames[h.face().index()][2];
+                    for i in 0..3 {
+                        sum[i] += angle * normal[i];
+                    }
+                }
+                let length = dot(sum, sum).sqrt();
+                if length > 0.0 { sum.map(|x| x / length) } else { [0.0; 3] }
+            })
+            .collect()
+    }
+
+    /// A tangent vector of a face as a vector in space.
+    #[inline]
+    pub fn to_space(&self, face: FaceId, tangent: Vec2) -> Vec3 {
+        let [first, second, _] = self.frame(face);
+        [0, 1, 2].map(|i| tangent[0] * first[i] + tangent[1] * second[i])
+    }
+
+    /// The part of a vector in space that is tangent to a face, in the frame of the face.
+    #[inline]
+    pub fn to_tangent(&self, face: FaceId, vector: Vec3) -> Vec2 {
+        let [first, second, _] = self.frame(face);
+        [dot(*first, vector), dot(*second, vector)]
+    }
+}
+
+fn sub(a: Vec3, b: Vec3) -> Vec3 {
+    [0, 1, 2].map(|i| a[i] - b[i])
+}
+
+fn dot(a: Vec3, b: Vec3) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn cross(a: Vec3, b: Vec3) -> Vec3 {
+    [0, 1, 2].map(|i| {
+        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        a[j] * b[k] - a[k] * b[j]
+    })
+}

@@ -1,0 +1,47 @@
+//! Oriented manifold triangle surfaces.
+//!
+//! What a surface *is* comes in three layers, each with what the one before lacks:
+//!
+//! | type | knows |
+//! |---|---|
+//! | [`SurfaceMesh`] | which face meets which: half-edges, boundary loops, components, genus |
+//! | [`Surface`] | also the shape of each face: lengths, angles, areas, and how directions pass from face to face |
+//! | [`EmbeddedSurface`] | also where it lies in space: normals, frames |
+//!
+//! All of them exist only for oriented manifolds, with or without boundary; anything else is an error that names the
+//! element. Most algorithms need a [`Surface`] only, so they also work where there is no embedding, on a flat torus
+//! for instance.
+//!
+//! ```
+//! use pompeiu_core::mesh::shapes::icosphere;
+//! use pompeiu_surface::EmbeddedSurface;
+//!
+//! let sphere = EmbeddedSurface::new(&icosphere(1.0, 3)?)?;
+//! let defect: f64 = sphere.surface().angle_defects().iter().sum();
+//! assert!((defect - 4.0 * std::f64::consts::PI).abs() < 1e-10);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! A tangent vector of a face is a pair of coordinates in the frame of the face: its first axis runs along the face's first
+//! edge, its second a quarter turn counter-clockwise from it.
+
+mod build;
+mod embedded;
+mod error;
+mod ids;
+mod mesh;
+mod periodic;
+pub mod plane;
+mod surface;
+#[cfg(test)]
+mod testing;
+mod topology;
+
+pub use build::orient;
+pub use embedded::EmbeddedSurface;
+pub use error::{GeometryError, SurfaceError};
+pub use ids::{EdgeId, HalfedgeId};
+pub use mesh::SurfaceMesh;
+pub use periodic::flat_torus;
+pub use surface::Surface;
+pub use topology::{Chain, Generators, Relative, tree_cotree};

@@ -1,0 +1,59 @@
+//! Surfaces that do not fit into space.
+
+use crate::{GeometryError, Surface, SurfaceError, SurfaceMesh};
+
+/// The flat torus: a rectangle whose opposite sides are glued, split into `cells[0] × cells[1]` rectangles with one diagonal
+/// each.
+///
+/// Every vertex is flat, so the surface is locally the plane; the frame of every even face is that of the rectangle.
+///
+/// # Shapes and units
+/// `size`: lengths of the two sides. With n × m cells, vertex `(i, j)` is number `j n + i`; faces `2 (j n + i)`, below the
+/// diagonal, and the next, above it, belong to its cell.
+/// # Errors
+/// [`GeometryError`]: fewer than three cells one way, or lengths that are not above zero.
+pub fn flat_torus(size: [f64; 2], cells: [u32; 2]) -> Result<Surface, GeometryError> {
+    let [n, m] = cells;
+    let count = u64::from(n) * u64::from(m);
+    if count > u64::from(u32::MAX / 6) {
+        return Err(SurfaceError::TooManyFaces { faces: 2 * count as usize }.into());
+    }
+    let vertex = |i: u32, j: u32| (j % m) * n + i % n;
+    let mut faces = Vec::with_capacity(2 * count as usize);
+    for j in 0..m {
+        for i in 0..n {
+            let [a, b, c, d] = [vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1)];
+            faces.extend([[a, b, c], [c, d, a]]);
+        }
+    }
+    let mesh = SurfaceMesh::from_faces(count as usize, &faces)?;
+    let [width, height] = [size[0] / f64::from(n), size[1] / f64::from(m)];
+    let sides = [width, height, width.hypot(height)];
+    let lengths: Vec<f64> = mesh.edge_ids().map(|edge| sides[mesh.edge_halfedge(edge).corner()]).collect();
+    Surface::from_edge_lengths(mesh, &lengths)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::HalfedgeId;
+    use pompeiu_core::FaceId;
+
+    #[test]
+    fn every_vertex_is_flat_and_frames_agree() {
+        let torus = flat_torus([3.0, 2.0], [5, 4]).unwrap();
+        assert!((torus.area() - 6.0).abs() < 1e-14);
+        assert_eq!(torus.mesh().genus(), 1);
+        assert!(torus.angle_defects().iter().all(|defect| defect.abs() < 1e-14));
+        // From an even face to the odd one across its diagonal: half a turn.
+        let turn = torus.transport(HalfedgeId::of(FaceId(0), 2)).unwrap();
+        assert!((turn[0] + 1.0).abs() < 1e-15 && turn[1].abs() < 1e-15, "{turn:?}");
+    }
+
+    #[test]
+    fn too_few_cells_and_no_size_are_refused() {
+        assert!(matches!(flat_torus([1.0, 1.0], [2, 3]), Err(GeometryError::Surface(_))));
+        assert!(matches!(flat_torus([0.0, 1.0], [3, 3]), Err(GeometryError::DegenerateFace { .. })));
+        assert!(matches!(flat_torus([1.0, 1.0], [1 << 20, 1 << 20]), Err(GeometryError::Surface(_))));
+    }
+}
