@@ -6,6 +6,7 @@ import pathlib
 import sys
 
 import environment
+import failures
 import growth
 import record
 import scaling_chart
@@ -52,6 +53,11 @@ def draw_peers(path):
 
 def draw_wrong(path):
     rows = record.read(path)
+    peers = record.latest("peers")
+    pairs = record.read(peers) if peers else []
+    put("COMPARE.md", "failures", [
+        *failures.by_tool(rows, pairs), "", source(path, rows), *([source(peers, pairs)] if peers else []),
+    ])
     put("COMPARE.md", "wrong", [*tables.cases(rows), "", source(path, rows)])
 
 

@@ -6,6 +6,7 @@ Each pair is a shape and a deformed copy of it, made by `pompeiu generate` in a 
 
 import argparse
 import json
+import math
 import os
 import pathlib
 import shutil
@@ -44,8 +45,8 @@ FAMILIES = {
     "sphere, rippled": [sphere(n) for n in range(3, 10)],
     "torus, noisy": [torus(half) for half in (16, 50, 159, 500, 1582)],
 }
-# Above this, both directions are left out, and there are fewer runs.
-LARGE = 2_000_000
+# Up to these numbers of faces: how often the command runs, and whether with fewer threads and in both directions too.
+EFFORTS = [(200_000, 5, True), (2_000_000, 3, True), (math.inf, 2, False)]
 
 
 def run(files, direction, threads, count):
@@ -81,12 +82,13 @@ def study(family, faces, recipes, options, folder):
     for path, recipe in zip(files, recipes):
         pairs.generate(recipe, path)
     cores = os.cpu_count()
-    large = faces > LARGE
-    asked = [("a-to-b", threads) for threads in thread_counts(cores)] + ([] if large else [("both", cores)])
+    runs, thoroughly = next(effort for most, *effort in EFFORTS if faces <= most)
+    threads = thread_counts(cores)
+    asked = [*(("a-to-b", n) for n in threads), ("both", cores)] if thoroughly else [("a-to-b", cores)]
     for direction, threads in asked:
         row = {"family": family, "faces_a": faces, "faces_b": faces,
                "obj_mib": round(sum(path.stat().st_size for path in files) / 2**20, 1)}
-        row |= run(files, direction, threads, 2 if large else options.runs)
+        row |= run(files, direction, threads, min(runs, options.runs))
         environment.say(
             f"{family:16} {faces:>11,} faces, {direction:6} {threads} threads: read {row['read_ms']:,.1f}, build "
             f"{row['build_ms']:,.1f}, search {row['search_ms']:,.1f}, process {row['process_ms']:,.1f} ms; "
@@ -103,7 +105,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--most", type=float, default=2e7, metavar="FACES", help="leave out meshes of more faces")
     parser.add_argument("--family", help="only the family whose name holds this")
-    parser.add_argument("--runs", type=int, default=5, help="of the command; 2 above 2 million faces")
+    parser.add_argument("--runs", type=int, default=5, help="of the command, at most; large meshes have fewer")
     parser.add_argument("--folder", type=pathlib.Path, help="where the files are made and removed; 1.2 GB of room")
     parser.add_argument("--record", type=pathlib.Path, help="the CSV file to write")
     options = parser.parse_args()

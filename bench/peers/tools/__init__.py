@@ -22,5 +22,8 @@ def adapters():
     """Every tool of this folder, name to module: ours, then the most that is claimed first."""
     kinds = ["enclosure", "bounded", "vertices", "samples"]
     modules = {m.name: importlib.import_module(f"{__name__}.{m.name}") for m in pkgutil.iter_modules(__path__)}
-    rank = lambda name: (name != "pompeiu", kinds.index(modules[name].KIND), name)
+
+    def rank(name):
+        return name != "pompeiu", kinds.index(modules[name].KIND), name
+
     return {name: modules[name] for name in sorted(modules, key=rank)}
