@@ -48,6 +48,7 @@ def draw_peers(path):
         *tables.speed(answered), "", source(path, rows),
         *([f"Not on this machine: {'; '.join(absent)}."] if absent else []),
     ])
+    put("COMPARE.md", "faster", [tables.faster(answered), source(path, rows)])
     put("COMPARE.md", "tools", [*tables.tools(answered), "", source(path, rows)])
 
 

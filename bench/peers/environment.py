@@ -6,6 +6,7 @@ Whatever cannot be had on this machine is said, once, and done without.
 import functools
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import venv
@@ -26,17 +27,22 @@ def say(text):
 @functools.cache
 def packages():
     """Makes the Python environment, or completes it; package -> why it cannot be used here, None when it can."""
+    wanted = dict(line.split("==") for line in (HERE / "requirements.txt").read_text().split())
     if not PYTHON.exists():
         say(f"making a Python environment in {VENV.relative_to(ROOT)} and filling it from PyPI (some 2 GB, a few minutes)")
-        venv.create(VENV, with_pip=True)
+        try:
+            venv.create(VENV, with_pip=True)
+        except (subprocess.CalledProcessError, OSError) as error:
+            # Such as Debian's Python without python3-venv; what was made has no pip and must not be taken for done.
+            shutil.rmtree(VENV, ignore_errors=True)
+            return dict.fromkeys(map(normal, wanted), f"no Python environment for it: {error}")
     listed = subprocess.run([PYTHON, "-m", "pip", "list", "--format=freeze"], capture_output=True, text=True, check=True)
     there = {normal(line.split("==")[0]): line.split("==")[-1] for line in listed.stdout.split()}
     reasons = {}
-    for line in (HERE / "requirements.txt").read_text().split():
-        name, wanted = line.split("==")
-        if there.get(normal(name)) != wanted:
+    for name, version in wanted.items():
+        if there.get(normal(name)) != version:
             # The version of the record, or else whichever there is for this Python and this machine.
-            reason = pip_install(line)
+            reason = pip_install(f"{name}=={version}")
             if reason and normal(name) not in there and (newest := pip_install(name)):
                 reasons[normal(name)] = f"cannot be installed: {newest}"
     return reasons

@@ -38,7 +38,7 @@ def cpu():
 def distribution():
     try:
         return platform.freedesktop_os_release()["PRETTY_NAME"]
-    except OSError:
+    except (AttributeError, OSError):  # Python before 3.10, or no such file
         return "unknown"
 
 

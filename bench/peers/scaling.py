@@ -46,7 +46,7 @@ FAMILIES = {
     "torus, noisy": [torus(half) for half in (16, 50, 159, 500, 1582)],
 }
 # Up to these numbers of faces: how often the command runs, and whether with fewer threads and in both directions too.
-EFFORTS = [(200_000, 5, True), (2_000_000, 3, True), (math.inf, 2, False)]
+EFFORTS = [(200_000, 5, True), (2_000_000, 3, True), (6_000_000, 2, False), (math.inf, 1, False)]
 
 
 def run(files, direction, threads, count):

@@ -29,7 +29,7 @@ def of(cells, tool):
 def fastest(cells, kind):
     """The fastest that answered, of a kind of tool: right ones before others."""
     rows = [row for row in cells.values() if row["kind"] == kind and row["status"] in JUDGED]
-    return min(rows, key=lambda row: (row["status"] != "right", float(row["wall_ms_median"])), default=None)
+    return min(rows, key=lambda row: (row["status"] != "right", time(row)), default=None)
 
 
 def milliseconds(row):
@@ -38,8 +38,8 @@ def milliseconds(row):
         return "–"
     if row["status"] not in JUDGED:
         return f"{row['status']} ({row['detail']})" if row["status"] in ("timeout", "memory") else row["status"]
-    time = number(float(row["wall_ms_median"]))
-    return time if row["status"] == "right" else f"{time}, {row['status']}"
+    taken = number(time(row))
+    return taken if row["status"] == "right" else f"{taken}, {row['status']}"
 
 
 def number(value):
@@ -86,13 +86,29 @@ def without_answer(pairs, tool):
     return f"It has no answer within the limits on {silent} of all {len(pairs)} pairs, which do not count here."
 
 
+def faster(rows):
+    """Pairs on which somebody else was right and faster, in a sentence."""
+    names = []
+    for pair, cells in by_pair(rows).items():
+        mine = ours(cells)
+        best = min((row for row in cells.values() if row["status"] == "right"), key=time, default=mine)
+        if best["tool"] != "pompeiu":
+            names.append(f"{pair} ({best['title']}, {number(time(best))} ms; pompeiu {number(time(mine))})")
+    return (f"Right, and faster than pompeiu with all threads, on {len(names)} of {len(by_pair(rows))} pairs: {'; '.join(names)}."
+            if names else "On no pair was anybody right and faster than pompeiu with all threads.")
+
+
+def time(row):
+    return float(row["wall_ms_median"])
+
+
 def ratios(pairs, tool, threads=None):
     """Pair -> how many times as long a peer takes as we do, where both are right and the distance is not zero."""
     found = {}
     for pair, cells in pairs.items():
         mine, peer = ours(cells, threads), of(cells, tool)
         if peer and peer["status"] == mine["status"] == "right" and not is_zero(mine):
-            found[pair] = float(peer["wall_ms_median"]) / float(mine["wall_ms_median"])
+            found[pair] = time(peer) / time(mine)
     return found
 
 
@@ -117,7 +133,7 @@ def summary(rows):
                 f"{single[least_single]:.1f}, {least_single}). {without_answer(pairs, tool)}")
     zero = {pair: ours(cells) for pair, cells in pairs.items() if is_zero(ours(cells))}
     if zero:
-        slowest = max(zero, key=lambda pair: float(zero[pair]["wall_ms_median"]))
+        slowest = max(zero, key=lambda pair: time(zero[pair]))
         lines.append(
             f"* The {len(zero)} pairs of distance zero, at 1e-12: at most {milliseconds(zero[slowest])} ms ({slowest}).")
     memory = {pair: bytes_per_face(ours(cells)) for pair, cells in pairs.items()}
@@ -140,7 +156,7 @@ def tools(rows):
         counts = {status: sum(row["status"] == status for row in theirs.values()) for status in JUDGED}
         missed = [share_missed(row) for row in theirs.values() if row["status"] == "misses"]
         over = [share_over(row) for row in theirs.values() if row["status"] == "wrong" and not is_zero(row)]
-        beside = [float(row["wall_ms_median"]) / float(ours(pairs[pair])["wall_ms_median"])
+        beside = [time(row) / time(ours(pairs[pair]))
                   for pair, row in theirs.items() if row["status"] in JUDGED]
         version = next((row["version"] for row in theirs.values() if row["version"]), "")
         claims = kind + (", single precision" if precision == "single" else "")
