@@ -30,6 +30,11 @@ def build_and_search(row):
     return float(row["build_ms"]) + float(row["search_ms"])
 
 
+def finished(row):
+    """Whether the search was not stopped by the limit on time."""
+    return row["stop"] != "time"
+
+
 def bytes_per_face(row):
     return float(row["memory_over_start_mib"]) * 2**20 / faces(row)
 
@@ -52,17 +57,19 @@ def verdicts(rows):
         large = [row for row in sized if int(row["faces_a"]) >= LARGE_FACES]
         if large:
             shares = [build_and_search(row) / float(row["read_ms"]) for row in large]
-            below = sum(share < 1 for share in shares)
+            below = sum(share < 1 and finished(row) for share, row in zip(shares, large))
             worst = shares.index(max(shares))
             lines.append(
                 f"* {family}: build and search stay below the time to read both files as OBJ, from {LARGE_FACES:,} faces each: "
                 f"{'**yes**' if below == len(large) else '**no**'}, at {below} of {len(large)} sizes; at most "
                 f"{shares[worst]:.2f} times that time ({int(large[worst]['faces_a']):,} faces each).")
         p = exponent([(faces(row), build_and_search(row)) for row in sized])
+        stopped = [row for row in sized if not finished(row)]
         lines.append(
             f"* {family}: time grows like (n log n) to the power {p:.2f}, so no faster than n log n: "
-            f"{'**yes**' if p <= 1 + FIT_ALLOWANCE else '**no**'} (fit over {len(sized)} sizes from "
-            f"{int(sized[0]['faces_a']):,} to {int(sized[-1]['faces_a']):,} faces each; up to {1 + FIT_ALLOWANCE} counts).")
+            f"{'**yes**' if p <= 1 + FIT_ALLOWANCE and not stopped else '**no**'} (fit over {len(sized)} sizes from "
+            f"{int(sized[0]['faces_a']):,} to {int(sized[-1]['faces_a']):,} faces each; up to {1 + FIT_ALLOWANCE} counts"
+            + "".join(f"; {int(row['faces_a']):,} faces were stopped by the limit on time" for row in stopped) + ").")
     largest = max(rows, key=lambda row: (faces(row), float(row["peak_mib"])))
     gib = float(largest["peak_mib"]) / 1024
     lines.append(
@@ -84,7 +91,7 @@ def table(rows):
             single = next((r for r in same if r["threads"] == "1" and r["direction"] == "a-to-b"), None)
             both = next((r for r in same if r["direction"] == "both"), None)
             lines.append(
-                f"| {family} | {int(row['faces_a']):,} | {ms(row['read_ms'])} | {ms(row['build_ms'])} | {ms(row['search_ms'])} "
+                f"| {family} | {int(row['faces_a']):,} | {ms(row['read_ms'])} | {ms(row['build_ms'])} | {ms(row['search_ms']) if finished(row) else '> ' + ms(row['search_ms'])} "
                 f"| {ms(build_and_search(single)) if single else '–'} | {ms(row['process_ms'])} | {ms(both['process_ms']) if both else '–'} "
                 f"| {bytes_per_face(row):.0f} |")
     return lines

@@ -25,6 +25,8 @@ FIELDS = [
 ]
 # OBJ files take some 55 bytes for a face, with its share of vertices; what a pair may need of the disk is this.
 DISK_BYTES_PER_FACE = 2 * 70
+# Of the diagonal of the box around both meshes; the pairs of compare.py have the same.
+TOLERANCE = "1e-8"
 # How far a vertex of the noisy torus moves, as a share of an edge around the axis.
 NOISE = 0.05
 
@@ -49,10 +51,10 @@ FAMILIES = {
 EFFORTS = [(200_000, 5, True), (2_000_000, 3, True), (6_000_000, 2, False), (math.inf, 1, False)]
 
 
-def run(files, direction, threads, count):
+def run(files, direction, threads, count, limit):
     """Medians of some runs of the whole command."""
-    command = [environment.pompeiu(), "distance", *files, "--direction", direction, "--json", "--quiet", "--threads",
-               str(threads)]
+    command = [environment.pompeiu(), "distance", *files, "--direction", direction, "--json", "--quiet", "--tolerance", TOLERANCE,
+               "--threads", str(threads), "--time-limit", f"{limit:g}s"]
     start_mib = session.measured([environment.pompeiu(), "--version"])[1]
     runs = []
     for _ in range(count):
@@ -66,13 +68,14 @@ def run(files, direction, threads, count):
         return round(statistics.median(r[key] for r in runs), 3)
 
     directed = answer["a_to_b"] if direction == "a-to-b" else answer["hausdorff"]
+    stops = [answer[key]["stop"] for key in ("a_to_b", "b_to_a") if key in answer]
     return {
         "direction": direction, "threads": threads, "runs": count, "read_ms": median("read"), "build_ms": median("build"),
         "search_ms": median("search"), "process_ms": median("process"),
         "process_ms_min": round(min(r["process"] for r in runs), 3),
         "process_ms_max": round(max(r["process"] for r in runs), 3), "cpu_ms": median("cpu"),
         "peak_mib": max(r["peak"] for r in runs), "memory_over_start_mib": max(r["peak"] for r in runs) - start_mib,
-        "lower": directed["lower"], "upper": directed["upper"], "stop": answer["a_to_b"]["stop"],
+        "lower": directed["lower"], "upper": directed["upper"], "stop": next((stop for stop in stops if stop != "tolerance"), "tolerance"),
     }
 
 
@@ -88,11 +91,12 @@ def study(family, faces, recipes, options, folder):
     for direction, threads in asked:
         row = {"family": family, "faces_a": faces, "faces_b": faces,
                "obj_mib": round(sum(path.stat().st_size for path in files) / 2**20, 1)}
-        row |= run(files, direction, threads, min(runs, options.runs))
+        row |= run(files, direction, threads, min(runs, options.runs), options.limit)
         environment.say(
             f"{family:16} {faces:>11,} faces, {direction:6} {threads} threads: read {row['read_ms']:,.1f}, build "
             f"{row['build_ms']:,.1f}, search {row['search_ms']:,.1f}, process {row['process_ms']:,.1f} ms; "
-            f"{row['memory_over_start_mib'] * 2**20 / (2 * faces):.0f} bytes per face")
+            f"{row['memory_over_start_mib'] * 2**20 / (2 * faces):.0f} bytes per face"
+            f"{', stopped by the limit on time' if row['stop'] == 'time' else ''}")
         yield row
 
 
@@ -106,6 +110,8 @@ def main():
     parser.add_argument("--most", type=float, default=2e7, metavar="FACES", help="leave out meshes of more faces")
     parser.add_argument("--family", help="only the family whose name holds this")
     parser.add_argument("--runs", type=int, default=5, help="of the command, at most; large meshes have fewer")
+    parser.add_argument("--limit", type=float, default=60, metavar="SECONDS",
+                        help="stop a search then; the record says so, and the study counts it as a no")
     parser.add_argument("--folder", type=pathlib.Path, help="where the files are made and removed; 1.2 GB of room")
     parser.add_argument("--record", type=pathlib.Path, help="the CSV file to write")
     options = parser.parse_args()

@@ -1,4 +1,4 @@
-"""docs/scaling.svg: time, memory and use of threads against the number of faces."""
+"""docs/scaling.svg: time and memory against the number of faces; crossed out is what a limit on time stopped."""
 
 import math
 
@@ -66,8 +66,8 @@ def times(picture, rows, families, left, width):
         picture.line([(x(growth.faces(row)), y(growth.build_and_search(row))) for row in single], colour, 1.6, "2 3")
         points = [(u, y(growth.build_and_search(row))) for u, row in zip(at, of_family)]
         picture.line(points, colour, 2)
-        for u, v in points:
-            picture.mark(u, v, shape, colour, r=4.5)
+        for (u, v), row in zip(points, of_family):
+            picture.mark(u, v, shape, colour, growth.finished(row), 4.5)
     slope(picture, x, y, rows, families)
 
 
