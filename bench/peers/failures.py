@@ -39,7 +39,7 @@ def of_pairs(rows):
         (tables.share_missed(row), f"{row['pair']} by {judge.digits(tables.share_missed(row))} %")
         for row in rows if row["status"] == "misses"]
     over = [
-        (tables.share_over(row), f"{row['pair']} ({judge.digits(tables.share_over(row))} % above)")
+        (tables.share_off(row), f"{row['pair']} ({judge.digits(tables.share_off(row))} % off)")
         for row in rows if row["status"] == "wrong"]
     silent = [(0, row["pair"]) for row in rows if row["status"] not in tables.JUDGED]
     return [f"of the pairs, {words} {listed(found)}" for words, found in (

@@ -147,22 +147,23 @@ def tools(rows):
     """A row for each tool: what it claims, and how its answers were judged."""
     pairs = by_pair(rows)
     lines = [
-        "| tool | version | answers with | right | misses | wrong | wide | no answer | most missed | most exceeded | time beside pompeiu |",
+        "| tool | version | answers with | right | misses | wrong | wide | no answer | most missed | most wrong | time beside pompeiu |",
         "|---|---|---|---:|---:|---:|---:|---:|---:|---:|---:|",
     ]
     seen = dict.fromkeys((row["tool"], row["title"], row["kind"], row["precision"]) for row in rows if row["pair"])
     for tool, title, kind, precision in seen:
         theirs = {pair: (ours(cells) if tool == "pompeiu" else of(cells, tool)) for pair, cells in pairs.items()}
+        theirs = {pair: row for pair, row in theirs.items() if row}
         counts = {status: sum(row["status"] == status for row in theirs.values()) for status in JUDGED}
         missed = [share_missed(row) for row in theirs.values() if row["status"] == "misses"]
-        over = [share_over(row) for row in theirs.values() if row["status"] == "wrong" and not is_zero(row)]
+        off = [share_off(row) for row in theirs.values() if row["status"] == "wrong" and not is_zero(row)]
         beside = [time(row) / time(ours(pairs[pair]))
                   for pair, row in theirs.items() if row["status"] in JUDGED]
         version = next((row["version"] for row in theirs.values() if row["version"]), "")
         claims = kind + (", single precision" if precision == "single" else "")
         lines.append(
             f"| {title} | {version} | {claims} | {counts['right']} | {counts['misses']} | {counts['wrong']} | {counts['wide']} "
-            f"| {len(theirs) - sum(counts.values())} | {share(missed)} | {share(over)} "
+            f"| {len(theirs) - sum(counts.values())} | {share(missed)} | {share(off)} "
             f"| {f'{geometric_mean(beside):.2g} ×' if beside else '–'} |")
     return lines
 
@@ -172,10 +173,13 @@ def share_missed(row):
     return 100 * (lower - float(row["upper"])) / lower
 
 
-def share_over(row):
-    """How far an answer is above the distance, in percent of it."""
-    upper = float(row["certified_upper"])
-    return 100 * (float(row["lower"]) - upper) / upper
+def share_off(row):
+    """How far an answer is from the distance, in percent of it; what is inverted or not a number is off by everything."""
+    low, high = float(row["lower"]), float(row["upper"])
+    if not low <= high < math.inf:
+        return math.inf
+    lower, upper = float(row["certified_lower"]), float(row["certified_upper"])
+    return 100 * max(low - upper, lower - high) / upper
 
 
 def share(percents):
