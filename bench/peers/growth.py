@@ -81,8 +81,8 @@ def verdicts(rows):
 def table(rows):
     """A row for each pair with all threads, with the time of one thread beside it."""
     lines = [
-        f"| pair | faces of each | read both | build | search | with 1 thread: build + search | whole process | both directions "
-        f"| bytes per face |",
+        "| pair | faces of each | read both | build | search | with 1 thread: build + search | whole process | both directions "
+        "| bytes per face |",
         "|---|---:|---:|---:|---:|---:|---:|---:|---:|",
     ]
     for family in families(rows):
@@ -90,10 +90,13 @@ def table(rows):
             same = [r for r in rows if r["family"] == family and r["faces_a"] == row["faces_a"]]
             single = next((r for r in same if r["threads"] == "1" and r["direction"] == "a-to-b"), None)
             both = next((r for r in same if r["direction"] == "both"), None)
-            lines.append(
-                f"| {family} | {int(row['faces_a']):,} | {ms(row['read_ms'])} | {ms(row['build_ms'])} | {ms(row['search_ms']) if finished(row) else '> ' + ms(row['search_ms'])} "
-                f"| {ms(build_and_search(single)) if single else '–'} | {ms(row['process_ms'])} | {ms(both['process_ms']) if both else '–'} "
-                f"| {bytes_per_face(row):.0f} |")
+            cells = [
+                family, f"{int(row['faces_a']):,}", ms(row["read_ms"]), ms(row["build_ms"]),
+                ms(row["search_ms"]) if finished(row) else f"> {ms(row['search_ms'])}",
+                ms(build_and_search(single)) if single else "–", ms(row["process_ms"]),
+                ms(both["process_ms"]) if both else "–", f"{bytes_per_face(row):.0f}",
+            ]
+            lines.append(f"| {' | '.join(cells)} |")
     return lines
 
 

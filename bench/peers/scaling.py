@@ -75,7 +75,8 @@ def run(files, direction, threads, count, limit):
         "process_ms_min": round(min(r["process"] for r in runs), 3),
         "process_ms_max": round(max(r["process"] for r in runs), 3), "cpu_ms": median("cpu"),
         "peak_mib": max(r["peak"] for r in runs), "memory_over_start_mib": max(r["peak"] for r in runs) - start_mib,
-        "lower": directed["lower"], "upper": directed["upper"], "stop": next((stop for stop in stops if stop != "tolerance"), "tolerance"),
+        "lower": directed["lower"], "upper": directed["upper"],
+        "stop": next((stop for stop in stops if stop != "tolerance"), "tolerance"),
     }
 
 

@@ -32,6 +32,8 @@ def legend(picture, families, cores):
         picture.line([(at - 6, 44), (at + 22, 44)], colour, width, dashes)
         picture.text(at + 30, 48.5, words)
         at += 56 + 7.4 * len(words)
+    picture.mark(at, 44, "square", svg.INK, False, 4.5)
+    picture.text(at + 12, 48.5, "stopped by a limit on time")
 
 
 def axes(picture, x, y, title, label):

@@ -147,7 +147,8 @@ def tools(rows):
     """A row for each tool: what it claims, and how its answers were judged."""
     pairs = by_pair(rows)
     lines = [
-        "| tool | version | answers with | right | misses | wrong | wide | no answer | most missed | most wrong | time beside pompeiu |",
+        "| tool | version | answers with | right | misses | wrong | wide | no answer | most missed | most wrong "
+        "| time beside pompeiu |",
         "|---|---|---|---:|---:|---:|---:|---:|---:|---:|---:|",
     ]
     seen = dict.fromkeys((row["tool"], row["title"], row["kind"], row["precision"]) for row in rows if row["pair"])
