@@ -81,7 +81,14 @@ pub(crate) fn search(
     let held = bytes_of(a) + target.bytes() + a.faces().len() * size_of::<u32>();
     let control = Control::new(question.deadline, question.memory_limit.map(|m| m.saturating_sub(held)));
     let order = morton_order(a, &a_box);
-    let scene = Scene { a, order: &order, frame: target.frame(), bvh: target.bvh(), control: &control };
+    let scene = Scene {
+        a,
+        order: &order,
+        frame: target.frame(),
+        bvh: target.bvh(),
+        neighbours: Some(target.neighbours()),
+        control: &control,
+    };
     let result = Search::new(scene, limits, observer, question.direction).run(&stages);
 
     let found = result.found;

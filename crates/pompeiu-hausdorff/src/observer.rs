@@ -88,8 +88,8 @@ pub trait Observer: Send {
     }
 
     /// Called for every piece of A that is discarded by the fast method. Unless a limit, a threshold or this observer ends the
-    /// search early, the pieces partition A where no stages were asked for; with stages, pieces that a finer tolerance looks at
-    /// again come again.
+    /// search early, the pieces cover A where no stages were asked for, and overlap little; with stages, pieces that a finer
+    /// tolerance looks at again come again.
     fn discard(&mut self, discard: &Discard) {
         let _ = discard;
     }

@@ -23,6 +23,10 @@
 //! coordinate; below 9 in space. The two parts of a piece therefore cover it up to 9 units, over which the distance from
 //! B changes by as much at most: [`CUT`] for every cut between a face and the piece.
 //!
+//! **An overlay** places its points at `t_0 + v (t_1 - t_0) + w (t_2 - t_0)` with `v, w >= 0` and `v + w <= 1` up to rounding, or on a
+//! side as a cut does. By the count for faces above they lie within 28 units of the triangle, and what covers its sides
+//! within 9 of them: together below 40, the same as four cuts.
+//!
 //! **The lower bound** is computed in interval arithmetic and needs no model. The search counts on it to lie no more than
 //! [`LOWER`] units below the plain computed distance; where it does not, the enclosure comes out wider, not wrong.
 

@@ -1,8 +1,10 @@
 //! Geometry of simple shapes, one pair to a file.
 
 mod aabb;
+mod foot;
 mod frame;
 pub mod point_triangle;
 
 pub use aabb::Aabb;
+pub use foot::Foot;
 pub use frame::Frame;

@@ -2,6 +2,8 @@
 
 pub mod bvh;
 mod morton;
+mod neighbours;
 
 pub use bvh::{Bvh, Cover, Nearest, Slot, Workspace};
 pub use morton::morton_order;
+pub use neighbours::{Neighbour, Neighbours};

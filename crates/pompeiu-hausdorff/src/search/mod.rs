@@ -1,4 +1,5 @@
-//! The search: good lower bounds first, then a sweep over all faces, then cover, generate and cut on what is left.
+//! The search: good lower bounds first, then a sweep over all faces by single faces of B and by overlays, then cover, generate
+//! and cut on what is left.
 //!
 //! Work is dealt out in rounds of tasks whose sizes are counted, never timed. A task sees the lower bound as it was when the
 //! round began and what it found itself; results are merged in task order. So the answer does not depend on the number of
@@ -6,8 +7,11 @@
 
 mod control;
 mod game;
+mod overlay;
 mod piece;
+mod refine;
 mod rows;
+mod sweep;
 mod worker;
 
 pub(crate) use control::{Control, Halt};
@@ -17,7 +21,7 @@ use crate::report::{Direction, WorkCount};
 use crate::rounding::Rounding;
 use piece::Piece;
 use pompeiu_core::geom::Frame;
-use pompeiu_core::spatial::{Bvh, Slot, Workspace};
+use pompeiu_core::spatial::{Bvh, Neighbours, Slot, Workspace};
 use pompeiu_core::{FaceId, TriMesh};
 use rayon::prelude::*;
 use std::ops::ControlFlow;
@@ -46,6 +50,8 @@ pub(crate) struct Scene<'s> {
     pub(crate) order: &'s [u32],
     pub(crate) frame: &'s Frame,
     pub(crate) bvh: &'s Bvh,
+    /// Of the triangles in the tree, if they are known.
+    pub(crate) neighbours: Option<&'s Neighbours>,
     pub(crate) control: &'s Control,
 }
 
@@ -196,6 +202,7 @@ impl<'s, 'o> Search<'s, 'o> {
             worker.sample(points, scene.bvh.any_slot());
         });
         self.merge(outcomes);
+        self.look_around(order.len() as u64);
     }
 
     fn sweep(&mut self) {
@@ -217,7 +224,7 @@ impl<'s, 'o> Search<'s, 'o> {
         let lower = self.found.distance;
         let mut seen = vec![0_u64; self.scene.a.positions().len().div_ceil(64)];
         let mut corners = Vec::new();
-        for piece in &self.open {
+        for piece in self.open.iter().filter(|p| p.depth == 0) {
             for (vertex, corner) in self.scene.a.faces()[piece.face as usize].into_iter().zip(piece.corners) {
                 let (word, bit) = (&mut seen[vertex as usize / 64], 1 << (vertex % 64));
                 if *word & bit == 0 {

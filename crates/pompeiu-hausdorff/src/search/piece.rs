@@ -18,6 +18,8 @@ pub(crate) struct Piece {
     pub(crate) near_count: u8,
     /// Whether the first of those is known to be nearest to the centroid.
     pub(crate) nearest_known: bool,
+    /// Whether an overlay may still settle it: it lies over too many faces, or is part of such a piece.
+    pub(crate) overlay: bool,
     /// Cuts between the face and this piece.
     pub(crate) depth: u32,
     /// The face of A.
@@ -25,6 +27,20 @@ pub(crate) struct Piece {
 }
 
 impl Piece {
+    /// A whole face of A, of which nothing is known but some face of B.
+    pub(crate) fn whole(face: u32, corners: [[f64; 3]; 3], hint: Slot) -> Self {
+        Self {
+            corners,
+            bound: f64::INFINITY,
+            near: [hint; INHERITED],
+            near_count: 1,
+            nearest_known: false,
+            overlay: false,
+            depth: 0,
+            face,
+        }
+    }
+
     pub(crate) fn near(&self) -> &[Slot] {
         &self.near[..self.near_count as usize]
     }
@@ -34,6 +50,11 @@ impl Piece {
     pub(crate) fn cut(&self, nearest: [[f64; 3]; 3], reach: f64) -> Parts {
         self.prism_cut(nearest, reach, LEAST_PART)
             .unwrap_or_else(|| bisect(&self.corners.map(DVec3::from_array)))
+    }
+
+    /// Cuts the longest edge in the middle.
+    pub(crate) fn bisect(&self) -> Parts {
+        bisect(&self.corners.map(DVec3::from_array))
     }
 
     /// Cuts where the nearest face of B ends, if that leaves a fraction of the piece on both sides.
@@ -179,7 +200,7 @@ mod tests {
             depth in 0..100_u32,
         ) {
             let corners = corners.map(|[x, y]| [x, y, 0.0]);
-            let piece = Piece { corners, bound: 1.0, near: [first_slot(); INHERITED], near_count: 1, nearest_known: false, depth, face: 0 };
+            let piece = Piece { depth, ..Piece::whole(0, corners, first_slot()) };
             let parts = piece.cut(nearest, 0.0);
             let total: f64 = parts.as_slice().iter().map(area).sum();
             prop_assert!((total - area(&corners)).abs() < 1e-14);
@@ -199,15 +220,7 @@ mod tests {
     #[test]
     fn cuts_where_the_nearest_face_ends() {
         let corners = [[-1.0, 0.0, 1.0], [1.0, 0.0, 1.0], [0.0, 1.0, 1.0]];
-        let piece = Piece {
-            corners,
-            bound: 1.0,
-            near: [first_slot(); INHERITED],
-            near_count: 1,
-            nearest_known: false,
-            depth: 0,
-            face: 0,
-        };
+        let piece = Piece::whole(0, corners, first_slot());
         let parts = piece.cut([[0.0, -5.0, 0.0], [0.0, 5.0, 0.0], [-9.0, 0.0, 0.0]], 0.0);
         let mut xs: Vec<f64> = parts.as_slice().iter().flatten().map(|c| c[0]).collect();
         xs.sort_by(f64::total_cmp);
@@ -220,15 +233,7 @@ mod tests {
     #[test]
     fn every_part_of_a_cut_is_less_than_the_piece() {
         let corners = [[-1.0, 0.0, 1.0], [1.0, 0.0, 1.0], [0.0, 1.0, 1.0]];
-        let piece = Piece {
-            corners,
-            bound: 1.0,
-            near: [first_slot(); INHERITED],
-            near_count: 1,
-            nearest_known: false,
-            depth: 0,
-            face: 0,
-        };
+        let piece = Piece::whole(0, corners, first_slot());
         for thickness in [0.1, 0.4, 0.6, 0.7, 0.9, 1.1, 10.0, 1e6].map(|x| x * LEAST_PART) {
             let parts = piece.cut([[-9.0, thickness, 0.0], [9.0, thickness, 0.0], [0.0, 9.0, 0.0]], 0.0);
             for part in parts.as_slice() {

@@ -42,6 +42,14 @@ fn shift(b: &TriMesh, size: f64) -> f64 {
     if aabb.max_coordinate() > NEAR * aabb.diagonal() / 3.0_f64.sqrt() { SHIFTED * size } else { 0.0 }
 }
 
+/// Barycentric coordinates of points all over a triangle, by a sequence of low discrepancy.
+fn spread_points() -> impl Iterator<Item = (f64, f64)> {
+    (1..25).map(|i| {
+        let (s, t) = ((f64::from(i) * 0.754_877_666).fract(), (f64::from(i) * 0.569_840_291).fract());
+        if s + t < 1.0 { (s, t) } else { (1.0 - s, 1.0 - t) }
+    })
+}
+
 fn check(a: &TriMesh, b: &TriMesh) -> usize {
     let mut seen = Discards::default();
     let report = Query::new().directed_observed(a, b, &mut seen);
@@ -88,9 +96,9 @@ fn check(a: &TriMesh, b: &TriMesh) -> usize {
         let corners = a.corners(FaceId(f as u32));
         assert!(!pieces[f].is_empty(), "face {f} was never discarded");
         let slack = AREA * size * size * (1.0 + pieces[f].len() as f64);
-        assert!((areas[f] - area(corners)).abs() <= slack, "face {f}: {} of {}", areas[f], area(corners));
-        // Equal areas alone could hide a gap beside an overlap: points of the face lie in its pieces.
-        for (s, t) in [(0.31, 0.17), (0.05, 0.9), (0.45, 0.44), (0.7, 0.02)] {
+        // Pieces may overlap, so areas alone could hide a gap: points of the face lie in its pieces.
+        assert!(areas[f] >= area(corners) - slack, "face {f}: {} of {}", areas[f], area(corners));
+        for (s, t) in spread_points() {
             let x = [0, 1, 2].map(|k| {
                 corners[0][k] + s * (corners[1][k] - corners[0][k]) + t * (corners[2][k] - corners[0][k])
             });
@@ -125,9 +133,9 @@ fn searches_with_cuts_and_mixtures() {
     check(&noisy, &ring);
     check(&ring, &noisy);
     let notch = all().into_iter().find(|c| c.name.contains("notch of half-width 2")).unwrap();
-    assert!(check(&notch.a, &notch.b) > 100);
+    check(&notch.a, &notch.b);
     let square = grid([1.0, 1.0], [3, 3], Diagonal::Alternating).unwrap();
-    check(&square, &point_lattice(1.0, 5).unwrap());
+    assert!(check(&square, &point_lattice(1.0, 5).unwrap()) > 100);
     let turn = Affine::rotate([1.0, 2.0, 3.0], 33.0).unwrap();
     let turned = |m: &TriMesh| transform(m, &turn).unwrap();
     let (coarse, fine) = (turned(&cube(1.0, 1).unwrap()), turned(&cube(1.0, 7).unwrap()));

@@ -18,6 +18,19 @@ pub use nearest::{Nearest, Workspace};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Slot(u32);
 
+impl Slot {
+    /// The slot at a place in the order of the leaves.
+    pub(super) fn new(index: u32) -> Self {
+        Self(index)
+    }
+
+    /// Its place in the order of the leaves.
+    #[inline]
+    pub(super) fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
 /// Eight children of an inner node: boxes, and what they hold.
 #[derive(Clone, Debug)]
 struct Node {

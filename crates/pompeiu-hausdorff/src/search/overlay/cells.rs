@@ -1,0 +1,210 @@
+//! The cells of an overlay: their corners, and how far these are from the face of the cell.
+
+use super::clip::{Clip, Side};
+use super::{Below, Face, Overlaid, Overlay, View};
+use glam::DVec3;
+use pompeiu_core::spatial::{Slot, Workspace};
+
+/// Two ends of each of three segments, and the corners of T.
+const MOST_CORNERS: usize = 9;
+
+/// A part of T over one face of B: the fan of triangles around its first corner.
+#[derive(Clone, Copy)]
+pub(crate) struct Cell {
+    pub(crate) slot: Slot,
+    polygon: Polygon,
+    /// Greatest squared distance of a corner from the face.
+    pub(crate) distance_sq: f64,
+}
+
+impl Cell {
+    /// The triangles of the fan, without those that repeat a corner.
+    pub(crate) fn triangles(&self) -> impl Iterator<Item = [[f64; 3]; 3]> {
+        let p = &self.polygon.corners[..self.polygon.count];
+        let fan = (2..p.len()).map(|i| [p[0], p[i - 1], p[i]]);
+        fan.filter(|[a, b, c]| a != b && b != c && c != a).map(|t| t.map(|c| c.to_array()))
+    }
+}
+
+/// A segment across which the view is not followed, with the face before it.
+#[derive(Clone, Copy)]
+pub(super) struct Strip {
+    pub(super) slot: Slot,
+    pub(super) from: u16,
+    pub(super) to: u16,
+}
+
+#[derive(Clone, Copy)]
+pub(super) struct Polygon {
+    corners: [DVec3; MOST_CORNERS],
+    /// Known upper bounds on their squared distances from the face of the cell.
+    bounds: [f64; MOST_CORNERS],
+    count: usize,
+}
+
+impl Default for Polygon {
+    fn default() -> Self {
+        Self { corners: [DVec3::ZERO; MOST_CORNERS], bounds: [f64::INFINITY; MOST_CORNERS], count: 0 }
+    }
+}
+
+impl Polygon {
+    /// Fails where there is no room, which no cell of a triangle needs.
+    fn push(&mut self, corner: DVec3, bound: f64) -> Result<(), Overlaid> {
+        if self.count == MOST_CORNERS {
+            return Err(Overlaid::None);
+        }
+        (self.corners[self.count], self.bounds[self.count]) = (corner, bound);
+        self.count += 1;
+        Ok(())
+    }
+
+    /// Goes along the boundary of T, in the order of its corners, from one side to another. Says how often it passes the
+    /// first corner.
+    fn go_along(&mut self, view: &View, from: Side, to: Side) -> Result<i32, Overlaid> {
+        match (from, to) {
+            (Side::Inside, Side::Inside) => Ok(0),
+            (Side::Opposite(mut side), Side::Opposite(to)) => {
+                let mut passes = 0;
+                while side != to {
+                    let corner = (side + 2) % 3;
+                    passes += i32::from(corner == 0);
+                    self.push(view.t[corner as usize], f64::INFINITY)?;
+                    side = (side + 1) % 3;
+                }
+                Ok(passes)
+            }
+            // A segment that ends at a vertex goes on in the next.
+            _ => Err(Overlaid::None),
+        }
+    }
+}
+
+impl Overlay {
+    /// The cell of a face whose edges are clipped.
+    pub(super) fn face_cell(
+        &mut self,
+        index: usize,
+        view: &View,
+        below: &Below<'_>,
+        workspace: &mut Workspace,
+    ) -> Result<(), Overlaid> {
+        let Face { clips, reversed } = self.faces[index];
+        self.polygon.count = 0;
+        let mut first = None;
+        let mut last = None;
+        for i in 0..3 {
+            let clip = if reversed { clips[2 - i].turned() } else { clips[i] };
+            let Clip::Segment { from, to } = clip else { continue };
+            if let Some(last) = last {
+                self.passes += self.polygon.go_along(view, last, self.points[from as usize].side)?;
+            } else {
+                first = Some(self.points[from as usize].side);
+            }
+            for end in [from, to] {
+                let point = &self.points[end as usize];
+                let known = &self.polygon;
+                // Segments that meet at a vertex share it.
+                if known.count == 0 || known.corners[known.count - 1] != point.position {
+                    self.polygon.push(point.position, point.distance_sq)?;
+                }
+            }
+            last = Some(self.points[to as usize].side);
+        }
+        if let (Some(first), Some(last)) = (first, last) {
+            self.passes += self.polygon.go_along(view, last, first)?;
+        } else if index == 0 {
+            // No edge crosses T: all of it is one cell.
+            for corner in view.t {
+                self.polygon.push(corner, f64::INFINITY)?;
+            }
+            self.passes += 1;
+        } else {
+            return Ok(());
+        }
+        self.measure(self.slots[index], below, workspace);
+        Ok(())
+    }
+
+    /// The cell between a segment and the boundary of T.
+    pub(super) fn strip_cell(
+        &mut self,
+        strip: Strip,
+        view: &View,
+        below: &Below<'_>,
+        workspace: &mut Workspace,
+    ) {
+        let [p, q] = [strip.from, strip.to].map(|end| self.points[end as usize]);
+        let [(p_end, p_side), (q_end, q_side)] = [p, q].map(|point| match point.side {
+            Side::Opposite(side) => (point.position, side),
+            Side::Inside => view.to_boundary(point.position),
+        });
+        let polygon = &mut self.polygon;
+        polygon.count = 0;
+        let mut push = |corner: DVec3, bound: f64| {
+            (polygon.corners[polygon.count], polygon.bounds[polygon.count]) = (corner, bound);
+            polygon.count += 1;
+        };
+        push(q.position, q.distance_sq);
+        push(p.position, p.distance_sq);
+        push(p_end, f64::INFINITY);
+        // One corner lies between two sides, on the way onwards or back.
+        if p_side != q_side {
+            let onwards = (p_side + 1) % 3 == q_side;
+            let corner = (p_side + if onwards { 2 } else { 1 }) % 3;
+            push(view.t[corner as usize], f64::INFINITY);
+            if corner == 0 {
+                self.passes += if onwards { 1 } else { -1 };
+            }
+        }
+        push(q_end, f64::INFINITY);
+        self.measure(strip.slot, below, workspace);
+    }
+
+    /// Bounds the cell at hand by its face and files it.
+    fn measure(&mut self, slot: Slot, below: &Below<'_>, workspace: &mut Workspace) {
+        let polygon = &mut self.polygon;
+        let count = polygon.count;
+        // Corners that the point of B over them does not cover are compared with the whole face.
+        let mut next = 0;
+        while next < count {
+            let mut points = [[0.0; 4]; 3];
+            let mut asked = [0; 4];
+            let mut lanes = 0;
+            while next < count && lanes < 4 {
+                if polygon.bounds[next] > below.limit_sq {
+                    for k in 0..3 {
+                        points[k][lanes] = polygon.corners[next][k];
+                    }
+                    asked[lanes] = next;
+                    lanes += 1;
+                }
+                next += 1;
+            }
+            if lanes > 0 {
+                let distances = below.bvh.four_distances_sq(&points, slot, workspace);
+                for lane in 0..lanes {
+                    let bound = &mut polygon.bounds[asked[lane]];
+                    *bound = if distances[lane] < *bound { distances[lane] } else { *bound };
+                }
+            }
+        }
+        let mut farthest = 0.0;
+        for (corner, &bound) in polygon.corners.iter().zip(&polygon.bounds[..count]) {
+            if bound > farthest {
+                farthest = bound;
+                if bound > below.limit_sq && self.worst.is_none_or(|(_, _, d)| bound > d) {
+                    self.worst = Some((corner.to_array(), slot, bound));
+                }
+            }
+        }
+        let beyond = farthest > below.limit_sq;
+        self.beyond += usize::from(beyond);
+        if !beyond && farthest > self.greatest {
+            self.greatest = farthest;
+        }
+        if beyond || self.keep_all {
+            self.cells.push(Cell { slot, polygon: *polygon, distance_sq: farthest });
+        }
+    }
+}
