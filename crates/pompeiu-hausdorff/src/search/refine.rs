@@ -41,21 +41,11 @@ impl Worker<'_> {
     fn examine(&mut self, piece: Piece, stack: &mut Vec<Piece>) {
         self.out.work.pieces += 1;
         self.out.work.depth = self.out.work.depth.max(piece.depth);
+        let mut retry = false;
         if piece.overlay {
-            match self.settle_by_overlay(&piece, piece.near[0]) {
-                Settled::Yes(_) => return,
-                Settled::TooMany(over_centre) if piece.depth < OVERLAY_BISECTIONS => {
-                    let bound = piece.bound;
-                    return self.push_parts(
-                        &piece,
-                        &piece.bisect(),
-                        bound,
-                        ([over_centre; INHERITED], 1),
-                        true,
-                        stack,
-                    );
-                }
-                Settled::TooMany(_) | Settled::No(_) => {}
+            match self.overlay_or_bisect(&piece, piece.near[0], stack) {
+                Settled::No(over_centre) => retry = over_centre.is_none(),
+                Settled::Yes(_) | Settled::TooMany(_) => return,
             }
         }
         let points = with_centre(&piece.corners);
@@ -91,6 +81,9 @@ impl Worker<'_> {
                 Cover::Neighbour(nearest) => nearest,
             }
         };
+        if retry && !matches!(self.overlay_or_bisect(&piece, nearest.slot, stack), Settled::No(_)) {
+            return;
+        }
         self.add_row(&mut rows, nearest.slot, &points);
 
         // Some corner is far from all known faces, and the nearest face ends well inside: cut there at once.
@@ -151,6 +144,25 @@ impl Worker<'_> {
         let bound = game.value + self.limits.rounding.bound(piece.depth);
         let parts = piece.cut(bvh.corners(nearest.slot), reach);
         self.push_parts(&piece, &parts, bound, rows.inherited(nearest.slot, &game.weights), false, stack);
+    }
+
+    /// Settles a piece by its overlay, or bisects it where it lies over too many faces.
+    fn overlay_or_bisect(&mut self, piece: &Piece, hint: Slot, stack: &mut Vec<Piece>) -> Settled {
+        match self.settle_by_overlay(piece, hint) {
+            Settled::TooMany(over_centre) if piece.depth < OVERLAY_BISECTIONS => {
+                self.push_parts(
+                    piece,
+                    &piece.bisect(),
+                    piece.bound,
+                    ([over_centre; INHERITED], 1),
+                    true,
+                    stack,
+                );
+                Settled::TooMany(over_centre)
+            }
+            Settled::TooMany(over_centre) => Settled::No(Some(over_centre)),
+            settled => settled,
+        }
     }
 
     /// Puts the parts of a piece with this bound on the stack.

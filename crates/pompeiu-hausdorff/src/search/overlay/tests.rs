@@ -36,6 +36,9 @@ fn run(t: &[[f64; 3]; 3], sheet: &TriMesh, limit_sq: f64, keep_all: bool) -> (Ov
     (overlaid, overlay, target)
 }
 
+/// Points to an edge of a triangle, less one.
+const STEPS: i32 = 12;
+
 /// Whether the cells cover a triangle, as far as a lattice of its points tells; and whether corners are as near to the
 /// face of their cell as is said.
 fn check(t: &[[f64; 3]; 3], overlay: &Overlay, target: &Target) {
@@ -49,7 +52,6 @@ fn check(t: &[[f64; 3]; 3], overlay: &Overlay, target: &Target) {
             assert!(distance_sq(*corner, t[0], t[1], t[2]) < 1e-28);
         }
     }
-    const STEPS: i32 = 12;
     for i in 0..=STEPS {
         for j in 0..=STEPS - i {
             let [v, w] = [i, j].map(|x| f64::from(x) / f64::from(STEPS));

@@ -16,7 +16,7 @@ const MOST_STRETCH: f64 = 1e100;
 /// Faces of B whose normals have a squared cosine with the view below this are too steep to be looked at.
 const STEEP: f64 = 0.1;
 /// Steps to the face of B over the centre.
-const MOST_STEPS: usize = 12;
+const MOST_STEPS: usize = 24;
 
 impl View {
     /// None for a triangle that has no normal to speak of.
