@@ -88,6 +88,14 @@ impl Bvh {
         corners
     }
 
+    /// One corner of the triangle in a slot.
+    #[inline]
+    pub fn corner(&self, slot: Slot, corner: usize) -> [f64; 3] {
+        let (block, lane) = (slot.0 as usize / LANES, slot.0 as usize % LANES);
+        let from = &self.blocks[block][corner];
+        [from[0][lane], from[1][lane], from[2][lane]]
+    }
+
     /// Some triangle: where a search starts that knows of none.
     pub fn any_slot(&self) -> Slot {
         Slot(0)

@@ -1,6 +1,7 @@
 //! The cells of an overlay: their corners, and how far these are from the face of the cell.
 
-use super::clip::{Clip, Side};
+use super::clip::{Clip, Seen, Side};
+use super::view::clamped;
 use super::{Below, Face, Overlaid, Overlay, View};
 use glam::DVec3;
 use pompeiu_core::spatial::{Slot, Workspace};
@@ -60,16 +61,22 @@ impl Polygon {
     }
 
     /// Goes along the boundary of T, in the order of its corners, from one side to another. Says how often it passes the
-    /// first corner.
-    fn go_along(&mut self, view: &View, from: Side, to: Side) -> Result<i32, Overlaid> {
+    /// first corner. `bound` says how far, squared, a corner of T may be from the face of the cell.
+    fn go_along(
+        &mut self,
+        view: &View,
+        from: Side,
+        to: Side,
+        bound: impl Fn(usize) -> f64,
+    ) -> Result<i32, Overlaid> {
         match (from, to) {
             (Side::Inside, Side::Inside) => Ok(0),
             (Side::Opposite(mut side), Side::Opposite(to)) => {
                 let mut passes = 0;
                 while side != to {
-                    let corner = (side + 2) % 3;
+                    let corner = (side as usize + 2) % 3;
                     passes += i32::from(corner == 0);
-                    self.push(view.t[corner as usize], f64::INFINITY)?;
+                    self.push(view.t[corner], bound(corner))?;
                     side = (side + 1) % 3;
                 }
                 Ok(passes)
@@ -85,11 +92,13 @@ impl Overlay {
     pub(super) fn face_cell(
         &mut self,
         index: usize,
+        seen: &Seen,
         view: &View,
         below: &Below<'_>,
         workspace: &mut Workspace,
     ) -> Result<(), Overlaid> {
         let Face { clips, reversed } = self.faces[index];
+        let bound = |corner| distance_sq_along_view(view, corner, seen);
         self.polygon.count = 0;
         let mut first = None;
         let mut last = None;
@@ -97,7 +106,7 @@ impl Overlay {
             let clip = if reversed { clips[2 - i].turned() } else { clips[i] };
             let Clip::Segment { from, to } = clip else { continue };
             if let Some(last) = last {
-                self.passes += self.polygon.go_along(view, last, self.points[from as usize].side)?;
+                self.passes += self.polygon.go_along(view, last, self.points[from as usize].side, bound)?;
             } else {
                 first = Some(self.points[from as usize].side);
             }
@@ -112,11 +121,11 @@ impl Overlay {
             last = Some(self.points[to as usize].side);
         }
         if let (Some(first), Some(last)) = (first, last) {
-            self.passes += self.polygon.go_along(view, last, first)?;
+            self.passes += self.polygon.go_along(view, last, first, bound)?;
         } else if index == 0 {
             // No edge crosses T: all of it is one cell.
-            for corner in view.t {
-                self.polygon.push(corner, f64::INFINITY)?;
+            for corner in 0..3 {
+                self.polygon.push(view.t[corner], bound(corner))?;
             }
             self.passes += 1;
         } else {
@@ -207,4 +216,20 @@ impl Overlay {
             self.cells.push(Cell { slot, polygon: *polygon, distance_sq: farthest });
         }
     }
+}
+
+/// Squared distance of a corner of T from the point of a face that is seen over it, or from one near that where it is seen
+/// beside the face.
+fn distance_sq_along_view(view: &View, corner: usize, seen: &Seen) -> f64 {
+    let at = [if corner == 1 { 1.0 } else { 0.0 }, if corner == 2 { 1.0 } else { 0.0 }];
+    let [p, q, r] = seen.over.map(|l| [l[1] - at[0], l[2] - at[1]]);
+    let turn = |p: [f64; 2], q: [f64; 2]| p[0] * q[1] - p[1] * q[0];
+    let [u, v, w] = [turn(q, r), turn(r, p), turn(p, q)];
+    let inverse = 1.0 / (u + v + w);
+    let v = clamped(v * inverse);
+    let w = clamped(w * inverse);
+    let w = if v + w > 1.0 { 1.0 - v } else { w };
+    let [a, b, c] = seen.corners;
+    let y = a + v * (b - a) + w * (c - a);
+    view.t[corner].distance_squared(y)
 }

@@ -166,7 +166,7 @@ impl Overlay {
             }
         }
         self.faces[index].clips = clips;
-        self.face_cell(index, view, below, workspace)
+        self.face_cell(index, &seen, view, below, workspace)
     }
 
     /// Hands the segment of an edge to the face across. False if there is none that is worth following.
