@@ -52,7 +52,9 @@ fn bounds_sq(foot: &Foot, points: &[[f64; 4]; 3]) -> [f64; 4] {
         let v = if v > 0.0 { v } else { 0.0 };
         let w = if w > 0.0 { w } else { 0.0 };
         let v = if v < 1.0 { v } else { 1.0 };
-        let w = if w < 1.0 { w } else { 1.0 };
+        // Also where both were so large that half of the excess is rounded by more than the triangle measures.
+        let rest = 1.0 - v;
+        let w = if w < rest { w } else { rest };
         let d = [r[0] - v * e[0] - w * f[0], r[1] - v * e[1] - w * f[1], r[2] - v * e[2] - w * f[2]];
         out[l] = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
     }
@@ -88,7 +90,8 @@ mod tests {
     #[test]
     fn triangles_without_area_have_bounds() {
         let x = [[0.5, 2.0, -1.0, 0.0], [1.0, 0.0, 0.0, 0.0], [0.0; 4]];
-        for corners in [[[0.0; 3], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0]], [[1.0, 0.0, 0.0]; 3]] {
+        let needle = [[0.0; 3], [1.0, 0.0, 0.0], [0.5, 1e-22, 0.0]];
+        for corners in [[[0.0; 3], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0]], [[1.0, 0.0, 0.0]; 3], needle] {
             let bounds = Foot::new(corners).bounds_sq(&x);
             for l in 0..4 {
                 let p = [x[0][l], x[1][l], x[2][l]];

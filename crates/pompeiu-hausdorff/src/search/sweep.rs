@@ -127,13 +127,17 @@ impl Worker<'_> {
                     return Settled::Yes(start);
                 }
             }
-            Overlaid::Beyond => {
+            Overlaid::Beyond(covered_sq) => {
                 if let Some((x, slot, distance_sq)) = self.overlay.worst {
                     let nearest = self.query(piece.face, x, Nearest { slot, distance_sq });
                     if nearest.distance_sq < WRONG_PART * distance_sq && self.overlay.is_mostly_beyond() {
                         return Settled::No(Some(start));
                     }
                     also_near = nearest.slot;
+                }
+                // Cells that are not listed are discarded with the rest of the overlay.
+                if !self.overlay.keep_all {
+                    self.raise_upper(covered_sq.sqrt() + self.limits.rounding.bound(depth));
                 }
             }
             Overlaid::Many => return Settled::TooMany(start),

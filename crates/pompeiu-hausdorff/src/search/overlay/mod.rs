@@ -45,8 +45,8 @@ const MOST_FACES: usize = 48;
 pub(crate) enum Overlaid {
     /// All cells are within the limit of the face they lie over. The greatest squared distance.
     Covered(f64),
-    /// Some cells are not.
-    Beyond,
+    /// Some cells are not. The greatest squared distance of the others.
+    Beyond(f64),
     /// Too many faces of B are seen over the triangle.
     Many,
     /// B is not seen as a surface over the triangle.
@@ -132,7 +132,7 @@ impl Overlay {
         } else if self.beyond == 0 {
             Overlaid::Covered(self.greatest)
         } else {
-            Overlaid::Beyond
+            Overlaid::Beyond(self.greatest)
         }
     }
 

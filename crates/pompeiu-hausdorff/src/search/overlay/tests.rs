@@ -76,7 +76,7 @@ proptest! {
         let round = |x: f64| if quarters { (4.0 * x).round() / 4.0 } else { x };
         let t = corners.map(|[x, y, z]| [round(x) - 0.5, round(y) - 0.5, z]);
         let (overlaid, overlay, target) = run(&t, &sheet(cells, roughness, seed, &missing), 0.0, true);
-        if matches!(overlaid, Overlaid::Beyond | Overlaid::Covered(_)) {
+        if matches!(overlaid, Overlaid::Beyond(_) | Overlaid::Covered(_)) {
             check(&t, &overlay, &target);
         }
     }
@@ -99,7 +99,7 @@ fn only_cells_beyond_the_limit_are_left() {
     let t = [[-0.4, -0.3, 0.0], [0.35, -0.2, 0.0], [0.1, 0.4, 0.08]];
     let limit = Target::new(&flat).frame().length_in(0.06);
     let (overlaid, all, _) = run(&t, &flat, limit * limit, true);
-    assert!(matches!(overlaid, Overlaid::Beyond) && !all.is_mostly_beyond());
+    assert!(matches!(overlaid, Overlaid::Beyond(_)) && !all.is_mostly_beyond());
     let (_, left, target) = run(&t, &flat, limit * limit, false);
     assert!(!left.cells.is_empty() && left.cells.len() < all.cells.len() / 2);
     let (worst, slot, distance_sq) = left.worst.unwrap();
