@@ -2,7 +2,7 @@
 
 use crate::OperatorError;
 use pompeiu_solve::SparseMatrix;
-use pompeiu_surface::{Surface, SurfaceMesh};
+use pompeiu_surface::{HalfedgeId, Surface, SurfaceMesh};
 
 /// The cotangent Laplacian `G_vᵀ M G_v`.
 ///
@@ -17,19 +17,23 @@ use pompeiu_surface::{Surface, SurfaceMesh};
 /// Entries off the diagonal are above zero where the opposite angles add up to more than π, that is on edges that are not
 /// Delaunay: then there is no maximum principle.
 /// # Errors
-/// None for a valid surface; those of [`SparseMatrix::from_triplets`].
+/// None for a valid surface; those of [`SparseMatrix::from_links`].
 /// # Cost
 /// O(F).
 /// # Source
 /// `pinkall_computing_1993`.
 pub fn cotan_laplacian(surface: &Surface) -> Result<SparseMatrix, OperatorError> {
     let mesh = surface.mesh();
-    let mut entries = Vec::with_capacity(12 * mesh.faces());
-    for h in mesh.face_ids().flat_map(SurfaceMesh::face_halfedges) {
-        let weight = 0.5 * surface.cotangent(h.previous());
-        push_pair(&mut entries, mesh.tail(h).index(), mesh.head(h).index(), weight);
-    }
-    Ok(SparseMatrix::from_triplets(mesh.vertices(), mesh.vertices(), &entries)?)
+    let links: Vec<_> = mesh
+        .edge_ids()
+        .map(|edge| {
+            let h = mesh.edge_halfedge(edge);
+            let opposite = |h: HalfedgeId| surface.cotangent(h.previous());
+            let weight = 0.5 * (opposite(h) + mesh.twin(h).map_or(0.0, opposite));
+            (mesh.tail(h).0, mesh.head(h).0, weight)
+        })
+        .collect();
+    Ok(SparseMatrix::from_links(mesh.vertices(), &links)?)
 }
 
 /// The Laplacian `G_eᵀ M G_e` of functions that are linear on faces and agree at midpoints of edges.
@@ -42,22 +46,17 @@ pub fn cotan_laplacian(surface: &Surface) -> Result<SparseMatrix, OperatorError>
 /// # Definition
 /// `L_ij = −2 cot γ` for two edges that meet in the angle γ of a face; rows add up to zero.
 /// # Errors
-/// None for a valid surface; those of [`SparseMatrix::from_triplets`].
+/// None for a valid surface; those of [`SparseMatrix::from_links`].
 /// # Cost
 /// O(F).
 /// # Source
 /// `crouzeix_conforming_1973`, `polthier_identifying_2003`.
 pub fn edge_laplacian(surface: &Surface) -> Result<SparseMatrix, OperatorError> {
     let mesh = surface.mesh();
-    let mut entries = Vec::with_capacity(12 * mesh.faces());
-    for h in mesh.face_ids().flat_map(SurfaceMesh::face_halfedges) {
-        let weight = 2.0 * surface.cotangent(h);
-        push_pair(&mut entries, mesh.edge(h).index(), mesh.edge(h.previous()).index(), weight);
-    }
-    Ok(SparseMatrix::from_triplets(mesh.edges(), mesh.edges(), &entries)?)
-}
-
-/// `weight (x_i − x_j)²` as a quadratic form.
-fn push_pair(entries: &mut Vec<(usize, usize, f64)>, i: usize, j: usize, weight: f64) {
-    entries.extend([(i, j, -weight), (j, i, -weight), (i, i, weight), (j, j, weight)]);
+    let links: Vec<_> = mesh
+        .face_ids()
+        .flat_map(SurfaceMesh::face_halfedges)
+        .map(|h| (mesh.edge(h).0, mesh.edge(h.previous()).0, 2.0 * surface.cotangent(h)))
+        .collect();
+    Ok(SparseMatrix::from_links(mesh.edges(), &links)?)
 }

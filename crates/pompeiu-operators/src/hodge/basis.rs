@@ -51,14 +51,7 @@ impl HarmonicBasis {
     ) -> Result<Self, OperatorError> {
         let forms = tree_cotree(surface.mesh(), fixed.relative()).forms;
         let mut fields: Vec<FaceField> = forms.iter().map(|form| field_of(surface, form)).collect();
-        for field in &mut fields {
-            take_off_gradient(surface, solver, field)?;
-        }
-        orthonormalize(surface, &mut fields);
-        // What orthonormalizing has left of gradients, in units of rounding, goes as well.
-        for field in &mut fields {
-            take_off_gradient(surface, solver, field)?;
-        }
+        take_off_gradients(surface, solver, &mut fields)?;
         orthonormalize(surface, &mut fields);
         Ok(Self { fields })
     }
@@ -117,14 +110,21 @@ fn field_of(surface: &Surface, form: &Chain) -> FaceField {
         .collect()
 }
 
-fn take_off_gradient(
+/// Leaves what is orthogonal to all gradients; all fields in one solve.
+fn take_off_gradients(
     surface: &Surface,
     solver: &SemidefiniteCholesky,
-    field: &mut FaceField,
+    fields: &mut [FaceField],
 ) -> Result<(), OperatorError> {
-    // The divergence is −G_vᵀ M u, so the potential comes out with the other sign and is added.
-    let potential = solver.solve(&divergence(surface, field)?)?;
-    add_scaled(field, 1.0, &gradient(surface, &potential)?);
+    let mut potentials = Vec::with_capacity(fields.len() * solver.unknowns());
+    for field in &*fields {
+        potentials.extend(divergence(surface, field)?);
+    }
+    solver.solve_in_place(&mut potentials)?;
+    for (field, potential) in fields.iter_mut().zip(potentials.chunks_exact(solver.unknowns())) {
+        // The divergence is −G_vᵀ M u, so the potential comes out with the other sign and is added.
+        add_scaled(field, 1.0, &gradient(surface, potential)?);
+    }
     Ok(())
 }
 

@@ -39,11 +39,16 @@ pub struct HodgeSolver<'s> {
     boundary: Boundary,
     vertices: SemidefiniteCholesky,
     edges: SemidefiniteCholesky,
-    /// For the primal splitting.
-    primal_basis: HarmonicBasis,
-    /// For the splitting asked for.
     basis: HarmonicBasis,
-    basis_defect: f64,
+}
+
+/// A divergence or curl.
+type Adjoint = fn(&Surface, &[Vec2]) -> Result<Vec<f64>, OperatorError>;
+
+struct Potentials {
+    vertices: Vec<f64>,
+    edges: Vec<f64>,
+    harmonic_defect: f64,
 }
 
 /// A field split into three parts.
@@ -79,10 +84,10 @@ pub struct Quality {
     pub norms: Norms,
     /// No part is farther from the true one than this, over `‖u‖`.
     ///
-    /// The residual is the sum of the errors of the parts. The first two parts are in their ranges, and the harmonic part is off
-    /// the harmonic fields by at most the measured defect of the basis; as the ranges are orthogonal, no error can be larger
-    /// than the residual and the defect together. This is proven for exact arithmetic; norms and defect are evaluated with
-    /// rounding, which adds a few units of `2^-53` times the square root of the number of faces.
+    /// It is the residual plus how far the harmonic part is from the harmonic fields, which is measured by projecting it onto
+    /// both other spaces. The residual is the sum of the errors of the parts; the first two lie in their spaces, the third does
+    /// up to that distance, and the spaces are orthogonal, so no error is longer than both together. This is proven for
+    /// exact arithmetic; evaluating it in doubles adds a few units of rounding.
     pub part_error: f64,
 }
 
@@ -131,13 +136,10 @@ impl<'s> HodgeSolver<'s> {
         );
         let (edges, (vertices, primal_basis)) = (edges?, vertices?);
         let basis = match splitting {
-            Splitting::Primal => primal_basis.clone(),
+            Splitting::Primal => primal_basis,
             Splitting::Dual => primal_basis.turned(),
         };
-        let mut solver =
-            Self { surface, splitting, boundary, vertices, edges, primal_basis, basis, basis_defect: 0.0 };
-        solver.basis_defect = solver.measured_basis_defect()?;
-        Ok(solver)
+        Ok(Self { surface, splitting, boundary, vertices, edges, basis })
     }
 
     /// The surface.
@@ -160,42 +162,31 @@ impl<'s> HodgeSolver<'s> {
         &self.basis
     }
 
-    /// How far a harmonic field of norm one, made from the basis, can be from the true harmonic fields: measured by
-    /// projecting the basis onto gradients and rotated gradients.
-    pub fn basis_defect(&self) -> f64 {
-        self.basis_defect
-    }
-
-    fn measured_basis_defect(&self) -> Result<f64, OperatorError> {
-        let defects = self
-            .primal_basis
-            .fields()
-            .iter()
-            .map(|field| {
-                let (_, gradient) = self.gradient_part(field)?;
-                let (_, rotated) = self.rotated_part(field)?;
-                Ok([gradient, rotated].map(|part| field_inner_product(self.surface, &part, &part)))
-            })
-            .collect::<Result<Vec<_>, OperatorError>>()?;
-        Ok(defects.as_flattened().iter().sum::<f64>().sqrt())
-    }
-
-    /// The potential at vertices and its gradient.
-    fn gradient_part(&self, field: &[Vec2]) -> Result<(Vec<f64>, FaceField), OperatorError> {
-        let mut right_hand_side = divergence(self.surface, field)?;
-        for value in &mut right_hand_side {
+    /// Both potentials of the primal splitting of a field, and how far another field, harmonic but for rounding, is from the
+    /// harmonic fields: the norms of its projections onto both ranges.
+    fn potentials(&self, field: &[Vec2], harmonic: &[Vec2]) -> Result<Potentials, OperatorError> {
+        let (mut of_vertices, mut of_edges) =
+            (divergence(self.surface, field)?, edge_curl(self.surface, field)?);
+        for value in &mut of_vertices {
             *value = -*value;
         }
-        let potential = self.vertices.solve(&right_hand_side)?;
-        let part = gradient(self.surface, &potential)?;
-        Ok((potential, part))
-    }
-
-    /// The potential at edges and its rotated gradient.
-    fn rotated_part(&self, field: &[Vec2]) -> Result<(Vec<f64>, FaceField), OperatorError> {
-        let potential = self.edges.solve(&edge_curl(self.surface, field)?)?;
-        let part = rotated(&edge_gradient(self.surface, &potential)?);
-        Ok((potential, part))
+        let mut defect_sq = 0.0;
+        for (solver, values, of_harmonic) in [
+            (&self.vertices, &mut of_vertices, divergence as Adjoint),
+            (&self.edges, &mut of_edges, edge_curl as Adjoint),
+        ] {
+            if self.basis.dimension() > 0 {
+                // ‖G x‖² is xᵀ L x, which is xᵀ b where L x = b.
+                let b = of_harmonic(self.surface, harmonic)?;
+                values.extend(&b);
+                solver.solve_in_place(values)?;
+                let x = values.split_off(b.len());
+                defect_sq += x.iter().zip(&b).map(|(x, b)| x * b).sum::<f64>().abs();
+            } else {
+                solver.solve_in_place(values)?;
+            }
+        }
+        Ok(Potentials { vertices: of_vertices, edges: of_edges, harmonic_defect: defect_sq.sqrt() })
     }
 
     /// Splits a field.
@@ -204,23 +195,36 @@ impl<'s> HodgeSolver<'s> {
     /// [`OperatorError::FieldLength`], [`OperatorError::NonFiniteField`]; [`OperatorError::Solve`] when values overflow.
     pub fn decompose(&self, field: &[Vec2]) -> Result<Decomposition, OperatorError> {
         check_field(self.surface.mesh(), field)?;
-        match self.splitting {
+        let harmonic_coefficients = self.basis.coefficients(self.surface, field)?;
+        let harmonic = self.basis.combination(field.len(), &harmonic_coefficients);
+        let turned_back = |u: &[Vec2]| -> FaceField { u.iter().map(|&[x, y]| [y, -x]).collect() };
+        let mut potentials = match self.splitting {
+            Splitting::Primal => self.potentials(field, &harmonic)?,
+            Splitting::Dual => self.potentials(&turned_back(field), &turned_back(&harmonic))?,
+        };
+        let conforming = gradient(self.surface, &potentials.vertices)?;
+        let (gradient, rotated) = match self.splitting {
             Splitting::Primal => {
-                let (vertex_potential, gradient) = self.gradient_part(field)?;
-                let (edge_potential, rotated) = self.rotated_part(field)?;
-                self.finish(field, gradient, rotated, vertex_potential, edge_potential)
+                (conforming, rotated(&edge_gradient(self.surface, &potentials.edges)?))
             }
             Splitting::Dual => {
-                // The field turned back: −J u = G_v a + J G_e b + h, so u = J G_v a − G_e b + J h.
-                let back: FaceField = field.iter().map(|&[x, y]| [y, -x]).collect();
-                let (vertex_potential, part) = self.gradient_part(&back)?;
-                let (mut edge_potential, second) = self.rotated_part(&back)?;
-                for value in &mut edge_potential {
+                // −J u = G_v a + J G_e b + h, so u = J G_v a − G_e b + J h.
+                for value in &mut potentials.edges {
                     *value = -*value;
                 }
-                self.finish(field, rotated(&second), rotated(&part), vertex_potential, edge_potential)
+                (edge_gradient(self.surface, &potentials.edges)?, rotated(&conforming))
             }
-        }
+        };
+        let quality = self.quality(field, [&gradient, &rotated, &harmonic], potentials.harmonic_defect);
+        Ok(Decomposition {
+            gradient,
+            rotated,
+            harmonic,
+            vertex_potential: potentials.vertices,
+            edge_potential: potentials.edges,
+            harmonic_coefficients,
+            quality,
+        })
     }
 
     /// Splits many fields, in parallel; each as [`decompose`](Self::decompose) would.
@@ -232,48 +236,32 @@ impl<'s> HodgeSolver<'s> {
         parts.into_iter().collect()
     }
 
-    fn finish(
-        &self,
-        field: &[Vec2],
-        gradient: FaceField,
-        rotated: FaceField,
-        vertex_potential: Vec<f64>,
-        edge_potential: Vec<f64>,
-    ) -> Result<Decomposition, OperatorError> {
+    fn quality(&self, field: &[Vec2], parts: [&FaceField; 3], harmonic_defect: f64) -> Quality {
         let surface = self.surface;
-        let harmonic_coefficients = self.basis.coefficients(surface, field)?;
-        let harmonic = self.basis.combination(field.len(), &harmonic_coefficients);
-        let mut rest = difference(field, &gradient);
-        add_scaled(&mut rest, -1.0, &rotated);
-        add_scaled(&mut rest, -1.0, &harmonic);
+        let [gradient, rotated, harmonic] = parts;
+        let mut rest = difference(field, gradient);
+        add_scaled(&mut rest, -1.0, rotated);
+        add_scaled(&mut rest, -1.0, harmonic);
         let norms = Norms {
             field: field_norm(surface, field),
-            gradient: field_norm(surface, &gradient),
-            rotated: field_norm(surface, &rotated),
-            harmonic: field_norm(surface, &harmonic),
+            gradient: field_norm(surface, gradient),
+            rotated: field_norm(surface, rotated),
+            harmonic: field_norm(surface, harmonic),
         };
         let over = |value: f64, by: f64| if by > 0.0 { value / by } else { 0.0 };
-        let inner =
-            |u: &[Vec2], w: &[Vec2]| over(over(field_inner_product(surface, u, w), norms.field), norms.field);
+        let inner = |u: &[Vec2], w: &[Vec2]| {
+            over(over(field_inner_product(surface, u, w), norms.field), norms.field)
+        };
         let residual = over(field_norm(surface, &rest), norms.field);
-        let quality = Quality {
+        Quality {
             residual,
             inner_products: InnerProducts {
-                gradient_rotated: inner(&gradient, &rotated),
-                gradient_harmonic: inner(&gradient, &harmonic),
-                rotated_harmonic: inner(&rotated, &harmonic),
+                gradient_rotated: inner(gradient, rotated),
+                gradient_harmonic: inner(gradient, harmonic),
+                rotated_harmonic: inner(rotated, harmonic),
             },
             norms,
-            part_error: residual + over(norms.harmonic * self.basis_defect, norms.field),
-        };
-        Ok(Decomposition {
-            gradient,
-            rotated,
-            harmonic,
-            vertex_potential,
-            edge_potential,
-            harmonic_coefficients,
-            quality,
-        })
+            part_error: residual + over(harmonic_defect, norms.field),
+        }
     }
 }

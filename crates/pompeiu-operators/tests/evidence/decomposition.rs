@@ -83,7 +83,7 @@ fn parts_are_orthogonal_and_add_up() {
             let norms = quality.norms;
             let squares = norms.gradient.powi(2) + norms.rotated.powi(2) + norms.harmonic.powi(2);
             assert!((squares / norms.field.powi(2) - 1.0).abs() <= 1e-12, "{name}: {norms:?}");
-            assert!(solver.basis_defect() <= 1e-11, "{name}: {}", solver.basis_defect());
+            assert!(quality.part_error <= 1e-12, "{name}: {}", quality.part_error);
             // The parts are made of their potentials.
             let turned: Field = rotated(&edge_gradient(&case.surface, &parts.edge_potential).unwrap());
             let straight = gradient(&case.surface, &parts.vertex_potential).unwrap();
