@@ -13,6 +13,7 @@
 //! and the place.
 
 mod error;
+mod face_vectors;
 mod format;
 mod formats;
 mod polygon;
@@ -26,6 +27,7 @@ mod weld;
 mod write;
 
 pub use error::{FormatError, Location, ReadError};
+pub use face_vectors::read_face_vectors;
 pub use format::Format;
 pub use read::{ReadMesh, read, read_bytes, read_mesh};
 pub use write::{

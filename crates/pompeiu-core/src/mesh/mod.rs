@@ -8,7 +8,10 @@ pub mod shapes;
 pub mod topology;
 mod trimesh;
 
-pub use edit::{Affine, displace_at_random, merge, ripple, shuffle, subdivide, transform, unweld};
+pub use edit::{
+    Affine, Random, displace_at_random, merge, ripple, shuffle, subdivide, transform, unweld,
+    without_unreferenced,
+};
 pub use error::MeshError;
 pub use ids::{FaceId, VertexId};
 pub use topology::{Connectivity, MeshSummary, unreferenced_vertices};

@@ -1,5 +1,6 @@
 //! One module per format, and the one place that knows them all.
 
+mod csv;
 mod gltf;
 mod obj;
 pub(crate) mod off;
@@ -33,4 +34,19 @@ pub(crate) fn read(format: Format, input: Input<'_>) -> Result<RawMesh, FormatEr
         Format::Vtp => vtk::read_poly_data(input.bytes),
         Format::Vtu => vtk::read_unstructured_grid(input.bytes),
     }
+}
+
+/// Reads the vectors of faces from `bytes`, as CSV when there is no `format`; `None` if the format has none.
+pub(crate) fn read_face_vectors(
+    format: Option<Format>,
+    bytes: &[u8],
+    name: Option<&str>,
+) -> Option<Result<Vec<[f64; 3]>, FormatError>> {
+    Some(match format {
+        None => csv::read_vectors(bytes),
+        Some(Format::Ply) => ply::read_face_vectors(bytes, name),
+        Some(Format::Vtp) => vtk::read_cell_vectors(bytes, "PolyData", name),
+        Some(Format::Vtu) => vtk::read_cell_vectors(bytes, "UnstructuredGrid", name),
+        Some(_) => return None,
+    })
 }

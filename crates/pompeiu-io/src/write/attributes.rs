@@ -37,7 +37,7 @@ pub enum AttributeError {
     },
 }
 
-/// Named scalars and colours of the vertices and faces of one mesh.
+/// Named scalars, vectors and colours of the vertices and faces of one mesh.
 ///
 /// # Shapes and units
 /// One double per element and scalar, in a unit of the caller's, NaN and infinities included; at most one colour
@@ -53,13 +53,20 @@ struct OfElements {
     elements: &'static str,
     count: usize,
     scalars: Vec<(String, Vec<f64>)>,
+    vectors: Vec<(String, Vec<[f64; 3]>)>,
     colors: Option<Vec<[u8; 3]>>,
 }
 
 impl Attributes {
     /// No attributes yet.
     pub fn for_mesh(mesh: &TriMesh) -> Self {
-        let of = |elements, count| OfElements { elements, count, scalars: Vec::new(), colors: None };
+        let of = |elements, count| OfElements {
+            elements,
+            count,
+            scalars: Vec::new(),
+            vectors: Vec::new(),
+            colors: None,
+        };
         Self { vertices: of("vertices", mesh.positions().len()), faces: of("faces", mesh.faces().len()) }
     }
 
@@ -87,6 +94,19 @@ impl Attributes {
         values: Vec<f64>,
     ) -> Result<Self, AttributeError> {
         self.faces.push_scalar(name.into(), values)?;
+        Ok(self)
+    }
+
+    /// Adds one vector per face. In PLY it becomes the properties `NAME_x`, `NAME_y` and `NAME_z`.
+    ///
+    /// # Errors
+    /// As [`with_vertex_scalar`](Self::with_vertex_scalar), for faces; the name must also differ from those of scalars.
+    pub fn with_face_vector(
+        mut self,
+        name: impl Into<String>,
+        values: Vec<[f64; 3]>,
+    ) -> Result<Self, AttributeError> {
+        self.faces.push_vector(name.into(), values)?;
         Ok(self)
     }
 
@@ -118,6 +138,11 @@ impl Attributes {
         self.faces.scalars()
     }
 
+    /// Names and values of the face vectors, in the order added.
+    pub fn face_vectors(&self) -> impl Iterator<Item = (&str, &[[f64; 3]])> {
+        self.faces.vectors.iter().map(|(name, values)| (name.as_str(), values.as_slice()))
+    }
+
     /// The colour of each vertex.
     pub fn vertex_colors(&self) -> Option<&[[u8; 3]]> {
         self.vertices.colors.as_deref()
@@ -141,6 +166,19 @@ impl Attributes {
 
 impl OfElements {
     fn push_scalar(&mut self, name: String, values: Vec<f64>) -> Result<(), AttributeError> {
+        let name = self.checked(name, values.len())?;
+        self.scalars.push((name, values));
+        Ok(())
+    }
+
+    fn push_vector(&mut self, name: String, values: Vec<[f64; 3]>) -> Result<(), AttributeError> {
+        let name = self.checked(name, values.len())?;
+        self.vectors.push((name, values));
+        Ok(())
+    }
+
+    /// The name, if it is usable and new, for so many values.
+    fn checked(&self, name: String, values: usize) -> Result<String, AttributeError> {
         const PLY_PROPERTIES: [&str; 11] =
             ["x", "y", "z", "nx", "ny", "nz", "red", "green", "blue", "vertex_index", "vertex_indices"];
         let taken = PLY_PROPERTIES.contains(&name.as_str()) || name == vtp::COLORS;
@@ -148,12 +186,19 @@ impl OfElements {
         if name.is_empty() || name.contains(unreadable) || taken {
             return Err(AttributeError::Name { name });
         }
-        if self.scalars.iter().any(|(taken, _)| *taken == name) {
+        // The components of a vector are properties of their own in PLY.
+        let is_component = |vector: &str, scalar: &str| {
+            scalar.strip_prefix(vector).is_some_and(|rest| matches!(rest, "_x" | "_y" | "_z"))
+        };
+        let mut scalars = self.scalars.iter().map(|(other, _)| other);
+        let mut vectors = self.vectors.iter().map(|(other, _)| other);
+        if scalars.any(|other| *other == name || is_component(&name, other))
+            || vectors.any(|other| *other == name || is_component(other, &name))
+        {
             return Err(AttributeError::Duplicate { name, elements: self.elements });
         }
-        self.check_length(&name, values.len())?;
-        self.scalars.push((name, values));
-        Ok(())
+        self.check_length(&name, values)?;
+        Ok(name)
     }
 
     fn set_colors(&mut self, colors: Vec<[u8; 3]>) -> Result<(), AttributeError> {

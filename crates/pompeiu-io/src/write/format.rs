@@ -5,7 +5,7 @@ use std::path::Path;
 
 /// A format that can be written.
 ///
-/// | | coordinates | vertex colours | face colours | vertex and face scalars |
+/// | | coordinates | vertex colours | face colours | vertex and face scalars, face vectors |
 /// |---|---|---|---|---|
 /// | OBJ | every bit | yes | no | no |
 /// | PLY | every bit | yes | yes | yes |
@@ -97,6 +97,9 @@ impl OutputFormat {
         }
         if attributes.face_scalars().next().is_some() && !self.holds_scalars() {
             return no_room("face scalars");
+        }
+        if attributes.face_vectors().next().is_some() && !self.holds_scalars() {
+            return no_room("face vectors");
         }
         Ok(())
     }

@@ -14,6 +14,9 @@ pub(super) fn write(mut out: impl Write, mesh: &TriMesh, attributes: &Attributes
     let index = if i32::try_from(vertices).is_ok() { "int" } else { "uint" };
     writeln!(out, "property list uchar {index} vertex_indices")?;
     declare(&mut out, attributes.face_colors(), attributes.face_scalars())?;
+    for (name, _) in attributes.face_vectors() {
+        writeln!(out, "property double {name}_x\nproperty double {name}_y\nproperty double {name}_z")?;
+    }
     writeln!(out, "end_header")?;
 
     let scalars: Vec<&[f64]> = attributes.vertex_scalars().map(|(_, values)| values).collect();
@@ -34,6 +37,9 @@ pub(super) fn write(mut out: impl Write, mesh: &TriMesh, attributes: &Attributes
             record.extend_from_slice(&vertex.to_le_bytes());
         }
         append(&mut record, f, attributes.face_colors(), &scalars);
+        for (_, values) in attributes.face_vectors() {
+            record.extend(values[f].iter().flat_map(|x| x.to_le_bytes()));
+        }
         out.write_all(&record)?;
     }
     Ok(())

@@ -51,6 +51,11 @@ pub(super) fn write(mut out: impl Write, mesh: &TriMesh, attributes: &Attributes
         for (name, _) in scalars {
             xml.array(name, "Float64", 1, 8 * count)?;
         }
+        if tag == "CellData" {
+            for (name, _) in attributes.face_vectors() {
+                xml.array(name, "Float64", 3, 24 * count)?;
+            }
+        }
         xml.close(tag)?;
     }
     out.write_all(&xml.xml)?;
@@ -74,6 +79,9 @@ pub(super) fn write(mut out: impl Write, mesh: &TriMesh, attributes: &Attributes
         for (_, values) in scalars {
             append(&mut out, 8 * values.len() as u64, values, |x| x.to_le_bytes())?;
         }
+    }
+    for (_, values) in attributes.face_vectors() {
+        append(&mut out, 24 * m, values.as_flattened(), |x| x.to_le_bytes())?;
     }
     Ok(out.write_all(b"\n</AppendedData>\n</VTKFile>\n")?)
 }

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a helper of a test fails by panicking, as the test does")]
 
 mod damage;
+mod face_vectors;
 mod gltf;
 mod round_trip;
 mod vtk;

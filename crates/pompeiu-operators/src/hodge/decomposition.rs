@@ -204,9 +204,7 @@ impl<'s> HodgeSolver<'s> {
         };
         let conforming = gradient(self.surface, &potentials.vertices)?;
         let (gradient, rotated) = match self.splitting {
-            Splitting::Primal => {
-                (conforming, rotated(&edge_gradient(self.surface, &potentials.edges)?))
-            }
+            Splitting::Primal => (conforming, rotated(&edge_gradient(self.surface, &potentials.edges)?)),
             Splitting::Dual => {
                 // −J u = G_v a + J G_e b + h, so u = J G_v a − G_e b + J h.
                 for value in &mut potentials.edges {
@@ -249,9 +247,8 @@ impl<'s> HodgeSolver<'s> {
             harmonic: field_norm(surface, harmonic),
         };
         let over = |value: f64, by: f64| if by > 0.0 { value / by } else { 0.0 };
-        let inner = |u: &[Vec2], w: &[Vec2]| {
-            over(over(field_inner_product(surface, u, w), norms.field), norms.field)
-        };
+        let inner =
+            |u: &[Vec2], w: &[Vec2]| over(over(field_inner_product(surface, u, w), norms.field), norms.field);
         let residual = over(field_norm(surface, &rest), norms.field);
         Quality {
             residual,

@@ -34,6 +34,24 @@ pub fn unweld(mesh: &TriMesh) -> Result<TriMesh, MeshError> {
     TriMesh::new(positions, (0..count as u32).step_by(3).map(|v| [v, v + 1, v + 2]).collect())
 }
 
+/// Leaves out the vertices that no face names; the others keep their order.
+pub fn without_unreferenced(mesh: &TriMesh) -> TriMesh {
+    const UNSEEN: u32 = u32::MAX;
+    let mut new_index = vec![UNSEEN; mesh.positions().len()];
+    for &v in mesh.faces().iter().flatten() {
+        new_index[v as usize] = 0;
+    }
+    let mut positions = Vec::with_capacity(mesh.positions().len());
+    for (index, &position) in new_index.iter_mut().zip(mesh.positions()) {
+        if *index != UNSEEN {
+            *index = positions.len() as u32;
+            positions.push(position);
+        }
+    }
+    let faces = mesh.faces().iter().map(|face| face.map(|v| new_index[v as usize])).collect();
+    TriMesh::from_valid(positions, faces)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -61,5 +79,15 @@ mod tests {
             assert_eq!(soup.corners(f), mesh.corners(f));
         }
         assert_eq!(volume(&soup), volume(&mesh));
+    }
+
+    #[test]
+    fn unreferenced_vertices_go_and_the_rest_stays() {
+        let positions = (0..6).map(|i| [f64::from(i), 0.0, 0.0]).collect();
+        let mesh = TriMesh::new(positions, vec![[5, 1, 3], [1, 5, 4]]).unwrap();
+        let compact = without_unreferenced(&mesh);
+        let kept: Vec<f64> = compact.positions().iter().map(|p| p[0]).collect();
+        assert_eq!(kept, [1.0, 3.0, 4.0, 5.0]);
+        assert_eq!(compact.faces(), [[3, 0, 1], [0, 3, 2]]);
     }
 }

@@ -8,8 +8,9 @@ mod shuffle;
 mod subdivide;
 mod transform;
 
-pub use merge::{merge, unweld};
+pub use merge::{merge, unweld, without_unreferenced};
 pub use noise::displace_at_random;
+pub use random::Random;
 pub use ripple::ripple;
 pub use shuffle::shuffle;
 pub use subdivide::subdivide;

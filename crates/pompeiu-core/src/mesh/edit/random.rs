@@ -1,17 +1,20 @@
-//! The random numbers of the edits: small, seeded, the same on every machine.
+//! Random numbers: small, seeded, the same on every machine.
 
-/// `SplitMix64`.
+/// The generator `SplitMix64`: the same numbers for the same seed on every machine.
 ///
 /// # Source
 /// `steele_splittable_2014`.
-pub(super) struct Random(u64);
+#[derive(Clone, Debug)]
+pub struct Random(u64);
 
 impl Random {
-    pub(super) fn new(seed: u64) -> Self {
+    /// The generator with this seed.
+    pub fn new(seed: u64) -> Self {
         Self(seed)
     }
 
-    pub(super) fn bits(&mut self) -> u64 {
+    /// The next 64 random bits.
+    pub fn bits(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;
         z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -20,17 +23,17 @@ impl Random {
     }
 
     /// Uniform among the integers below `bound` (up to a bias of `bound / 2^64`).
-    pub(super) fn below(&mut self, bound: u32) -> u32 {
+    pub fn below(&mut self, bound: u32) -> u32 {
         ((u128::from(self.bits()) * u128::from(bound)) >> 64) as u32
     }
 
     /// Uniform in `[-1, 1)`.
-    pub(super) fn signed_unit(&mut self) -> f64 {
+    pub fn signed_unit(&mut self) -> f64 {
         (self.bits() >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
     }
 
     /// A direction, uniform on the unit sphere.
-    pub(super) fn direction(&mut self) -> [f64; 3] {
+    pub fn direction(&mut self) -> [f64; 3] {
         loop {
             let p = [self.signed_unit(), self.signed_unit(), self.signed_unit()];
             let norm_sq = p[0] * p[0] + p[1] * p[1] + p[2] * p[2];

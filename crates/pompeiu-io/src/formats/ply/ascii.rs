@@ -3,7 +3,9 @@
 use super::header::{Element, Header, Kind};
 use super::push_strips;
 use crate::raw::RawMesh;
-use crate::text::{Problem, coordinate, is_blank, is_line_end, next_line, quoted, whole_number, word};
+use crate::text::{
+    Problem, coordinate, is_blank, is_line_end, next_line, number, quoted, whole_number, word,
+};
 
 /// Bytes of the shortest row with three numbers: digits, blanks and a line end.
 const SHORTEST_ROW: usize = 6;
@@ -60,6 +62,33 @@ pub(super) fn read(bytes: &[u8], header: &Header) -> Result<RawMesh, Problem> {
     Ok(mesh)
 }
 
+/// Reads three columns of element `face`.
+pub(super) fn read_face_vectors(
+    bytes: &[u8],
+    header: &Header,
+    columns: [usize; 3],
+) -> Result<Vec<[f64; 3]>, Problem> {
+    let mut rows = Rows { text: bytes, at: header.body };
+    let mut vectors = Vec::new();
+    for element in &header.elements {
+        let wanted = element.name == b"face";
+        rows.each(element, |row| {
+            let mut vector = [0.0; 3];
+            for (column, property) in element.properties.iter().enumerate() {
+                match columns.iter().position(|&c| wanted && c == column) {
+                    Some(axis) => vector[axis] = row.number()?,
+                    None => row.skip(property.kind)?,
+                }
+            }
+            if wanted {
+                vectors.push(vector);
+            }
+            Ok(())
+        })?;
+    }
+    Ok(vectors)
+}
+
 /// A place in the body.
 struct Rows<'a> {
     text: &'a [u8],
@@ -110,6 +139,17 @@ impl Rows<'_> {
     fn coordinate(&mut self) -> Result<f64, Problem> {
         self.skip_blanks();
         let (value, end) = coordinate(self.text, self.at)?;
+        self.at = end;
+        Ok(value)
+    }
+
+    /// Any number, NaN and infinities included.
+    fn number(&mut self) -> Result<f64, Problem> {
+        self.skip_blanks();
+        let Some((value, end)) = number(self.text, self.at) else {
+            let found = quoted(word(self.text, self.at));
+            return Err(Problem::new(self.at, format!("found {found}, expected a number")));
+        };
         self.at = end;
         Ok(value)
     }

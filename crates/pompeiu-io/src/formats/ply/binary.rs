@@ -30,6 +30,32 @@ pub(super) fn read<const BIG: bool>(bytes: &[u8], header: &Header) -> Result<Raw
     Ok(mesh)
 }
 
+/// Reads three columns of element `face`.
+pub(super) fn read_face_vectors<const BIG: bool>(
+    bytes: &[u8],
+    header: &Header,
+    columns: [usize; 3],
+) -> Result<Vec<[f64; 3]>, FormatError> {
+    let mut vectors = Vec::new();
+    let mut at = header.body;
+    for element in &header.elements {
+        let table = Table::<BIG>::new(element, bytes, at)?;
+        let wanted = element.name == b"face";
+        if wanted {
+            vectors.resize(table.rows, [0.0; 3]);
+        }
+        at = table.walk(|row, column, kind, at| {
+            if let (Some(axis), Kind::Scalar(scalar)) =
+                (columns.iter().position(|&c| wanted && c == column), kind)
+            {
+                vectors[row][axis] = scalar.value::<BIG>(bytes, at);
+            }
+            Ok(())
+        })?;
+    }
+    Ok(vectors)
+}
+
 fn array<const N: usize>(bytes: &[u8], at: usize) -> [u8; N] {
     let mut array = [0; N];
     array.copy_from_slice(&bytes[at..at + N]);

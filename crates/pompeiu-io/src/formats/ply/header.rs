@@ -200,6 +200,47 @@ impl Header {
         Ok(Self { encoding, elements, body: lines.at })
     }
 
+    /// The columns of a vector in element `face`.
+    pub(super) fn face_vector(&self, wanted: Option<&str>) -> Result<[usize; 3], Problem> {
+        let Some(element) = self.element(b"face") else {
+            return Err(Problem::new(self.body, "found no element face, expected one with vectors"));
+        };
+        let columns_of = |stem: &[u8]| -> Option<[usize; 3]> {
+            let column = |axis: &[u8]| {
+                element
+                    .property(&[&[stem, axis].concat()])
+                    .filter(|&column| matches!(element.properties[column].kind, Kind::Scalar(_)))
+            };
+            Some([column(b"x")?, column(b"y")?, column(b"z")?])
+        };
+        if let Some(name) = wanted {
+            let stems = [[name.as_bytes(), b"_"].concat(), name.as_bytes().to_vec()];
+            return stems.iter().find_map(|stem| columns_of(stem)).ok_or_else(|| {
+                let text = format!("found no properties {name}_x, {name}_y and {name}_z in element face");
+                Problem::new(element.offset, text)
+            });
+        }
+        // Normals are no field.
+        let stems =
+            element.properties.iter().filter_map(|p| p.name.strip_suffix(b"x")).filter(|s| *s != b"n");
+        let found: Vec<([usize; 3], &[u8])> =
+            stems.filter_map(|stem| Some((columns_of(stem)?, stem))).collect();
+        match found[..] {
+            [(columns, _)] => Ok(columns),
+            [] => Err(Problem::new(
+                element.offset,
+                "found no vectors in element face, such as u_x, u_y and u_z",
+            )),
+            _ => {
+                let name = |stem: &[u8]| String::from_utf8_lossy(stem).trim_end_matches('_').to_owned();
+                let names: Vec<_> = found.iter().map(|(_, stem)| name(stem)).collect();
+                let text =
+                    format!("found several vectors in element face ({}); name one of them", names.join(", "));
+                Err(Problem::new(element.offset, text))
+            }
+        }
+    }
+
     pub(super) fn element(&self, name: &[u8]) -> Option<&Element> {
         self.elements.iter().find(|element| element.name == name)
     }

@@ -25,6 +25,20 @@ pub(crate) fn read(bytes: &[u8]) -> Result<RawMesh, FormatError> {
     }
 }
 
+/// Reads three properties of element `face` as vectors: those named `NAME_x`, `NAME_y`, `NAME_z` (or without the line
+/// between), or the only ones there are.
+pub(crate) fn read_face_vectors(bytes: &[u8], wanted: Option<&str>) -> Result<Vec<[f64; 3]>, FormatError> {
+    let header = Header::parse(bytes).map_err(|problem| problem.in_text(bytes))?;
+    let columns = header.face_vector(wanted).map_err(|problem| problem.in_text(bytes))?;
+    match header.encoding {
+        Encoding::Ascii => {
+            ascii::read_face_vectors(bytes, &header, columns).map_err(|problem| problem.in_text(bytes))
+        }
+        Encoding::LittleEndian => binary::read_face_vectors::<false>(bytes, &header, columns),
+        Encoding::BigEndian => binary::read_face_vectors::<true>(bytes, &header, columns),
+    }
+}
+
 /// Adds the triangles of a strip, or of several with an index below 0 between them.
 fn push_strips(mesh: &mut RawMesh, indices: &[i64]) {
     for strip in indices.split(|&index| index < 0) {

@@ -7,4 +7,4 @@ mod stream;
 mod xml;
 
 pub(super) use legacy::read as read_legacy;
-pub(super) use xml::{read_poly_data, read_unstructured_grid};
+pub(super) use xml::{read_cell_vectors, read_poly_data, read_unstructured_grid};

@@ -12,7 +12,7 @@ use std::borrow::Cow;
 
 /// Reads `PolyData`.
 pub(crate) fn read_poly_data(bytes: &[u8]) -> Result<RawMesh, FormatError> {
-    read(bytes, "PolyData", |file, piece, raw| {
+    read(bytes, "PolyData", |file, piece, raw: &mut RawMesh| {
         let base = file.add_points(piece, raw)?;
         for (tag, number, kind) in [
             ("Verts", "NumberOfVerts", CellKind::NoSurface),
@@ -32,7 +32,7 @@ pub(crate) fn read_poly_data(bytes: &[u8]) -> Result<RawMesh, FormatError> {
 
 /// Reads the surface cells that make an `UnstructuredGrid`.
 pub(crate) fn read_unstructured_grid(bytes: &[u8]) -> Result<RawMesh, FormatError> {
-    read(bytes, "UnstructuredGrid", |file, piece, raw| {
+    read(bytes, "UnstructuredGrid", |file, piece, raw: &mut RawMesh| {
         let base = file.add_points(piece, raw)?;
         let count = file.count(piece, "NumberOfCells")?;
         if count == 0 {
@@ -45,11 +45,57 @@ pub(crate) fn read_unstructured_grid(bytes: &[u8]) -> Result<RawMesh, FormatErro
     })
 }
 
-fn read(
+/// Reads the vectors of cells named so, or the only ones there are.
+pub(crate) fn read_cell_vectors(
     bytes: &[u8],
     kind: &str,
-    add_piece: impl Fn(&File<'_, '_>, Node<'_, '_>, &mut RawMesh) -> Result<(), FormatError>,
-) -> Result<RawMesh, FormatError> {
+    wanted: Option<&str>,
+) -> Result<Vec<[f64; 3]>, FormatError> {
+    read(bytes, kind, |file, piece, vectors: &mut Vec<[f64; 3]>| {
+        for number in ["NumberOfVerts", "NumberOfLines", "NumberOfStrips"] {
+            if file.count(piece, number)? > 0 {
+                return Err(file
+                    .wrong(piece, "cells beside polygons: which faces the vectors belong to is not known"));
+            }
+        }
+        let cells = file.count(piece, if kind == "PolyData" { "NumberOfPolys" } else { "NumberOfCells" })?;
+        if cells == 0 {
+            return Ok(());
+        }
+        let data = child(file, piece, "CellData")?;
+        let is_vector = |node: &Node<'_, '_>| {
+            node.has_tag_name("DataArray") && node.attribute("NumberOfComponents").map(str::trim) == Some("3")
+        };
+        let floats =
+            |node: &Node<'_, '_>| node.attribute("type").is_some_and(|name| name.starts_with("Float"));
+        let array = match wanted {
+            Some(name) => data
+                .children()
+                .find(|node| is_vector(node) && node.attribute("Name") == Some(name))
+                .ok_or_else(|| file.wrong(data, &format!("no DataArray {name:?} with three components")))?,
+            None => {
+                let found: Vec<_> = data.children().filter(|node| is_vector(node) && floats(node)).collect();
+                match found[..] {
+                    [array] => array,
+                    [] => return Err(file.wrong(data, "no DataArray with three components")),
+                    _ => {
+                        let names: Vec<_> = found.iter().filter_map(|node| node.attribute("Name")).collect();
+                        let names = names.join(", ");
+                        return Err(file.wrong(data, &format!("several vectors ({names}); name one of them")));
+                    }
+                }
+            }
+        };
+        vectors.extend_from_slice(file.reals(array, cells.saturating_mul(3))?.as_chunks().0);
+        Ok(())
+    })
+}
+
+fn read<T: Default>(
+    bytes: &[u8],
+    kind: &str,
+    add_piece: impl Fn(&File<'_, '_>, Node<'_, '_>, &mut T) -> Result<(), FormatError>,
+) -> Result<T, FormatError> {
     let parts = Parts::of(bytes)?;
     let document = Document::parse(&parts.xml).map_err(|error| {
         let row = u64::from(error.pos().row);
@@ -69,7 +115,7 @@ fn read(
     if root.attribute("type") != Some(kind) || !root.has_tag_name("VTKFile") {
         return Err(file.wrong(root, &format!("expected a VTKFile of the type {kind}")));
     }
-    let mut raw = RawMesh::default();
+    let mut raw = T::default();
     let data = child(&file, root, kind)?;
     for piece in data.children().filter(|node| node.has_tag_name("Piece")) {
         add_piece(&file, piece, &mut raw)?;
@@ -147,12 +193,7 @@ impl File<'_, '_> {
             let Some(array) = points.children().find(|node| node.has_tag_name("DataArray")) else {
                 return Err(self.wrong(points, "no DataArray of points"));
             };
-            let values = self.numbers(
-                array,
-                Some(count.saturating_mul(3)),
-                |word| fast_float2::parse(word).ok(),
-                |number_type, bytes| Some(number_type.real(bytes, self.packing.order)),
-            )?;
+            let values = self.reals(array, count.saturating_mul(3))?;
             raw.positions.extend_from_slice(values.as_chunks().0);
             cells::check_point_count(raw.positions.len())?;
         }
@@ -164,6 +205,15 @@ impl File<'_, '_> {
             corners: self.counts(array(self, element, "connectivity")?, None)?,
             ends: self.counts(array(self, element, "offsets")?, Some(count))?,
         })
+    }
+
+    fn reals(&self, array: Node<'_, '_>, expected: u64) -> Result<Vec<f64>, FormatError> {
+        self.numbers(
+            array,
+            Some(expected),
+            |word| fast_float2::parse(word).ok(),
+            |number_type, bytes| Some(number_type.real(bytes, self.packing.order)),
+        )
     }
 
     fn counts(&self, array: Node<'_, '_>, expected: Option<u64>) -> Result<Vec<u64>, FormatError> {
