@@ -18,6 +18,7 @@ fn main() -> std::process::ExitCode {
     let done = match args.command {
         Command::Distance(args) => commands::distance::run(&args, &printer),
         Command::Info(args) => commands::info::run(&args, &printer),
+        Command::Decompose(args) => commands::decompose::run(&args, &printer),
         Command::Convert(args) => commands::convert::run(&args, &printer),
         Command::Generate(args) => commands::generate::run(args, &printer),
         Command::Completions(args) => commands::completions::run(&args),

@@ -26,6 +26,58 @@ fn assert_encloses(value: &Value, distance: f64) {
 }
 
 #[test]
+fn decompose_reports_and_writes_what_adds_up() {
+    let folder = Folder::new();
+    folder.ok("generate torus --major-segments 24 --minor-segments 16 -o torus.obj");
+    let report = json(&folder, "decompose torus.obj --field random:1 -o parts.vtp --json");
+    let of_mesh = [
+        "path",
+        "faces",
+        "genus",
+        "boundary_loops",
+        "components",
+        "harmonic_dimension",
+        "degrees_of_freedom",
+    ];
+    let of_field = ["residual", "part_error", "inner_products", "norms", "timing_ms"];
+    assert_eq!(keys(&report), sorted(&[&of_mesh[..], &of_field[..]].concat()));
+    let products = ["gradient_rotated", "gradient_harmonic", "rotated_harmonic"];
+    assert_eq!(keys(&report["inner_products"]), sorted(&products));
+    assert_eq!(keys(&report["norms"]), sorted(&["field", "gradient", "rotated", "harmonic"]));
+    assert_eq!(keys(&report["timing_ms"]), sorted(&["factor", "solve", "basis", "total"]));
+    assert_eq!((&report["genus"], &report["harmonic_dimension"]), (&1.into(), &2.into()));
+    assert_eq!(report["degrees_of_freedom"]["conforming"]["left_over"], 770);
+    assert!(report["residual"].as_f64().unwrap() <= 1e-12 && report["part_error"].as_f64().unwrap() <= 1e-12);
+    for product in products {
+        assert!(report["inner_products"][product].as_f64().unwrap().abs() <= 1e-12);
+    }
+    // The parts that were written are split into themselves, whatever the format they are read from.
+    folder.ok("decompose torus.obj --field parts.vtp --name field -o parts.ply");
+    let norm = |report: &Value, part: &str| report["norms"][part].as_f64().unwrap();
+    for file in ["parts.vtp", "parts.ply"] {
+        for part in ["field", "gradient", "rotated", "harmonic"] {
+            let again = json(&folder, &format!("decompose torus.obj --field {file} --name {part} --json"));
+            for other in ["gradient", "rotated", "harmonic"] {
+                let expected = if part == "field" || part == other { norm(&report, other) } else { 0.0 };
+                assert!((norm(&again, other) - expected).abs() < 1e-11, "{file}: {other} of {part}");
+            }
+        }
+    }
+    assert_eq!(keys(&json(&folder, "decompose torus.obj --json")), sorted(&of_mesh));
+}
+
+#[test]
+fn decompose_finds_the_handles_of_real_meshes() {
+    let folder = Folder::new();
+    for (name, genus) in [("3holes", 3), ("fertility", 4)] {
+        let Some(path) = shared(&format!("meshes/{name}.off")) else { continue };
+        let report = json(&folder, &format!("decompose {} --field rotation:1,2,3 --json", path.display()));
+        assert_eq!((&report["genus"], &report["harmonic_dimension"]), (&genus.into(), &(2 * genus).into()));
+        assert!(report["residual"].as_f64().unwrap() <= 1e-12);
+    }
+}
+
+#[test]
 fn json_has_exactly_the_documented_keys() {
     let folder = Folder::with_tent();
     let report = json(&folder, "distance tent.obj square.obj --json");
@@ -350,7 +402,7 @@ fn every_shape_can_be_generated_and_described() {
         .map_while(|line| line.split_whitespace().next())
         .filter(|&name| name != "help" && name != "mesh")
         .collect();
-    assert_eq!(shapes.len(), 15, "{help}");
+    assert_eq!(shapes.len(), 16, "{help}");
     for shape in shapes {
         folder.ok(&format!("generate {shape} -o {shape}.ply"));
         let info = json(&folder, &format!("info {shape}.ply --json"));

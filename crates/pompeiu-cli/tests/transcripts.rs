@@ -14,6 +14,8 @@ fn check(folder: &Folder, name: &str, args: &str) {
         (r"between [0-9.e-]+ and [0-9.e-]+ \(gap [0-9.e-]+\)", "between [lower] and [upper] (gap [gap])"),
         (r"at most [0-9.]+e-\d+", "at most [rounding]"),
         (r"at \([^)]*\) on face \d+", "at [point] on face [face]"),
+        (r"(at most )?\d\.\de-?\d+ of the", "[rounding] of the"),
+        (r"\d(\.\d+)?e-\d+ \(0\.000 %", "[rounding] (0.000 %"),
         (r"pompeiu \d+\.\d+\.\d+", "pompeiu [version]"),
     ] {
         settings.add_filter(pattern, replacement);
@@ -26,7 +28,7 @@ fn help_shows_examples() {
     let folder = Folder::new();
     check(&folder, "help", "--help");
     check(&folder, "help_short", "-h");
-    for command in ["distance", "info", "convert", "generate", "completions"] {
+    for command in ["distance", "info", "decompose", "convert", "generate", "completions"] {
         check(&folder, &format!("help_{command}"), &format!("{command} --help"));
     }
     check(&folder, "help_torus", "generate torus --help");
@@ -146,4 +148,48 @@ fn generate_and_convert() {
     check(&folder, "convert", "convert sphere.obj sphere.ply.gz");
     check(&folder, "convert_single_precision", "convert sphere.obj sphere.stl");
     assert!(!folder.path().join("torus.obj").exists());
+}
+
+#[test]
+fn decompose_for_people() {
+    let folder = Folder::new();
+    folder.ok("generate torus --major-segments 24 --minor-segments 16 -o torus.obj");
+    folder.ok("generate cylinder --segments 12 --rows 4 -o tube.obj");
+    folder.ok("generate perforated-plate --holes 2 -o plate.obj");
+    check(&folder, "decompose_freedom", "decompose torus.obj");
+    check(&folder, "decompose_rotation", "decompose torus.obj --field rotation:z -o parts.vtp");
+    check(&folder, "decompose_dual", "decompose torus.obj --field random:3 --splitting dual");
+    check(&folder, "decompose_gradient", "decompose tube.obj --field gradient:sin(x)*y^2 --boundary normal");
+    check(&folder, "decompose_harmonic", "decompose plate.obj --field harmonic:3 -q");
+}
+
+#[test]
+fn decompose_refuses() {
+    let folder = Folder::with_tent();
+    folder.ok("generate mobius-strip --segments 8 --strips 1 -o mobius.obj");
+    folder.write("three.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\nf 1 2 3\nf 2 1 4\nf 1 2 5\n");
+    folder.write("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 4\nf 2 1 3\n");
+    folder.write("short.csv", "1,0,0\n");
+    let nan = "0 0 1\n".repeat(3) + "0 nan 1\n";
+    folder.write("nan.csv", nan);
+    folder.write("normal.csv", "0 0 1\n".repeat(4));
+    folder.write("loose.obj", "v 0 0 0\nv 9 9 9\nv 1 0 0\nv 0 1 0\nf 1 3 4\n");
+    for (name, args) in [
+        ("non_orientable", "decompose mobius.obj"),
+        ("non_manifold", "decompose three.obj"),
+        ("degenerate", "decompose flat.obj"),
+        ("short_field", "decompose tent.obj --field short.csv"),
+        ("nan_field", "decompose tent.obj --field nan.csv"),
+        ("no_file", "decompose tent.obj --field missing.csv"),
+        ("axis", "decompose tent.obj --field rotation:w"),
+        ("variable", "decompose tent.obj --field gradient:w*x"),
+        ("pole", "decompose square.obj --field gradient:1/(x-1)"),
+        ("syntax", "decompose tent.obj --field gradient:x+*"),
+        ("no_harmonic", "decompose tent.obj --field harmonic:0"),
+        ("output", "decompose tent.obj --field rotation:z -o parts.obj"),
+        ("normal", "decompose tent.obj --field normal.csv"),
+        ("loose", "decompose loose.obj"),
+    ] {
+        check(&folder, &format!("decompose_{name}"), args);
+    }
 }

@@ -35,6 +35,7 @@ mod gradient;
 pub mod hodge;
 mod laplacian;
 mod mass;
+mod sources;
 
 pub use error::OperatorError;
 pub use field::{FaceField, check_field, field_inner_product, field_norm, rotated};
@@ -45,3 +46,4 @@ pub use gradient::{
 pub use hodge::{Audit, Boundary, Decomposition, HarmonicBasis, HodgeSolver, Splitting};
 pub use laplacian::{cotan_laplacian, edge_laplacian};
 pub use mass::{face_mass, mass_matrix};
+pub use sources::{random_field, rotation_field, tangent_field};

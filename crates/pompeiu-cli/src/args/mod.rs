@@ -1,8 +1,10 @@
 //! The command line as typed values.
 
+mod decompose;
 mod distance;
 mod shape;
 
+pub(crate) use decompose::{Boundary, Decompose, FieldSource, Splitting};
 pub(crate) use distance::{Direction, Distance, Method, ToleranceKind};
 pub(crate) use shape::{Finish, Shape};
 
@@ -26,6 +28,7 @@ Examples:
   pompeiu distance scan.ply model.obj
   pompeiu distance scan.ply model.obj --assert-below 0.05 && echo within 0.05
   pompeiu info model.obj
+  pompeiu decompose torus.obj --field rotation:z -o parts.vtp
   pompeiu convert model.stl.gz model.ply
   pompeiu generate icosphere --subdivisions 5 -o sphere.obj
 
@@ -45,6 +48,8 @@ pub(crate) enum Command {
     Distance(Distance),
     /// Describe a mesh: counts, size, area, volume, topology, oddities
     Info(Info),
+    /// Split a tangent field into a gradient, a rotated gradient and a harmonic part
+    Decompose(Decompose),
     /// Read a mesh in one format and write it in another
     Convert(Convert),
     /// Make a mesh of a shape that is known exactly, or edit one

@@ -198,6 +198,17 @@ pub(crate) enum Shape {
         #[command(flatten)]
         finish: Finish,
     },
+    /// Plate with a row of square holes: a closed surface with as many handles
+    PerforatedPlate {
+        /// Of the cubes that it is made of
+        #[arg(long, default_value_t = 1.0, value_name = "LENGTH", allow_negative_numbers = true)]
+        edge: f64,
+        /// The genus
+        #[arg(long, default_value_t = 2, value_name = "N")]
+        holes: u32,
+        #[command(flatten)]
+        finish: Finish,
+    },
     /// Corners of the cells of a square, as faces shrunk to points
     PointLattice {
         /// Of the square

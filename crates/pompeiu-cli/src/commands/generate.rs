@@ -46,6 +46,7 @@ fn make(shape: Shape, printer: &Printer) -> anyhow::Result<(TriMesh, Finish)> {
         Shape::MobiusStrip { radius, width, segments, strips, finish } => {
             (shapes::mobius_strip(radius, width, segments, strips), finish)
         }
+        Shape::PerforatedPlate { edge, holes, finish } => (shapes::perforated_plate(edge, holes), finish),
         Shape::PointLattice { side, cells, finish } => (shapes::point_lattice(side, cells), finish),
         Shape::Mesh { input, finish } => {
             files::check_writable(&finish.output)?;

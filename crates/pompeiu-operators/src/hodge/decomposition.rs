@@ -11,6 +11,7 @@ use pompeiu_solve::{LinearSolver, SemidefiniteCholesky};
 use pompeiu_surface::Surface;
 use pompeiu_surface::plane::Vec2;
 use rayon::prelude::*;
+use std::time::{Duration, Instant};
 
 /// A surface made ready to split fields.
 ///
@@ -40,6 +41,22 @@ pub struct HodgeSolver<'s> {
     vertices: SemidefiniteCholesky,
     edges: SemidefiniteCholesky,
     basis: HarmonicBasis,
+    times: SetupTimes,
+}
+
+/// How long setting up took.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SetupTimes {
+    /// Assembling and factoring both Laplacians, one after the other; with two threads they are done side by side.
+    pub factor: Duration,
+    /// Finding the harmonic fields.
+    pub basis: Duration,
+}
+
+/// What a step gives, and how long it took.
+fn timed<T>(step: impl FnOnce() -> Result<T, OperatorError>) -> Result<(T, Duration), OperatorError> {
+    let start = Instant::now();
+    Ok((step()?, start.elapsed()))
 }
 
 /// A divergence or curl.
@@ -127,19 +144,20 @@ impl<'s> HodgeSolver<'s> {
     ) -> Result<Self, OperatorError> {
         let fixed = Fixed::of(splitting, boundary);
         let (edges, vertices) = rayon::join(
-            || edge_system(surface, fixed == Fixed::Edges),
+            || timed(|| edge_system(surface, fixed == Fixed::Edges)),
             || {
-                let vertices = vertex_system(surface, fixed == Fixed::Vertices)?;
-                let basis = HarmonicBasis::primal(surface, fixed, &vertices)?;
-                Ok::<_, OperatorError>((vertices, basis))
+                let (vertices, factor) = timed(|| vertex_system(surface, fixed == Fixed::Vertices))?;
+                let (basis, time) = timed(|| HarmonicBasis::primal(surface, fixed, &vertices))?;
+                Ok::<_, OperatorError>((vertices, factor, basis, time))
             },
         );
-        let (edges, (vertices, primal_basis)) = (edges?, vertices?);
+        let ((edges, of_edges), (vertices, of_vertices, primal_basis, of_basis)) = (edges?, vertices?);
+        let times = SetupTimes { factor: of_edges + of_vertices, basis: of_basis };
         let basis = match splitting {
             Splitting::Primal => primal_basis,
             Splitting::Dual => primal_basis.turned(),
         };
-        Ok(Self { surface, splitting, boundary, vertices, edges, basis })
+        Ok(Self { surface, splitting, boundary, vertices, edges, basis, times })
     }
 
     /// The surface.
@@ -155,6 +173,11 @@ impl<'s> HodgeSolver<'s> {
     /// Which boundary condition it is.
     pub fn boundary(&self) -> Boundary {
         self.boundary
+    }
+
+    /// How long setting up took.
+    pub fn setup_times(&self) -> SetupTimes {
+        self.times
     }
 
     /// The harmonic fields.

@@ -7,5 +7,5 @@ mod spaces;
 
 pub use audit::{Audit, OneKind};
 pub use basis::HarmonicBasis;
-pub use decomposition::{Decomposition, HodgeSolver, InnerProducts, Norms, Quality};
+pub use decomposition::{Decomposition, HodgeSolver, InnerProducts, Norms, Quality, SetupTimes};
 pub use spaces::{Boundary, Splitting};

@@ -68,22 +68,24 @@ pub(crate) fn read_cell_vectors(
         };
         let floats =
             |node: &Node<'_, '_>| node.attribute("type").is_some_and(|name| name.starts_with("Float"));
-        let array = match wanted {
-            Some(name) => data
-                .children()
-                .find(|node| is_vector(node) && node.attribute("Name") == Some(name))
-                .ok_or_else(|| file.wrong(data, &format!("no DataArray {name:?} with three components")))?,
-            None => {
-                let found: Vec<_> = data.children().filter(|node| is_vector(node) && floats(node)).collect();
-                match found[..] {
-                    [array] => array,
-                    [] => return Err(file.wrong(data, "no DataArray with three components")),
-                    _ => {
-                        let names: Vec<_> = found.iter().filter_map(|node| node.attribute("Name")).collect();
-                        let names = names.join(", ");
-                        return Err(file.wrong(data, &format!("several vectors ({names}); name one of them")));
-                    }
-                }
+        let found: Vec<_> = data
+            .children()
+            .filter(is_vector)
+            .filter(|node| match wanted {
+                Some(name) => node.attribute("Name") == Some(name),
+                None => floats(node),
+            })
+            .collect();
+        let array = match (&found[..], wanted) {
+            (&[array], _) => array,
+            ([], Some(name)) => {
+                return Err(file.wrong(data, &format!("no DataArray {name:?} with three components")));
+            }
+            ([], None) => return Err(file.wrong(data, "no DataArray with three components")),
+            (several, _) => {
+                let names: Vec<_> = several.iter().filter_map(|node| node.attribute("Name")).collect();
+                let names = names.join(", ");
+                return Err(file.wrong(data, &format!("several vectors ({names}); name one of them")));
             }
         };
         vectors.extend_from_slice(file.reals(array, cells.saturating_mul(3))?.as_chunks().0);

@@ -1,0 +1,135 @@
+//! Options of the decompose command.
+
+use crate::numbers::tuple;
+use clap::{Args, ValueEnum};
+use std::path::PathBuf;
+
+#[derive(Args)]
+#[command(after_help = "\
+The mesh must be an oriented manifold, with or without boundary. The parts add up to the field and are orthogonal to each
+other; the report says how nearly. Without a field only the degrees of freedom are counted.
+
+Fields:
+  FILE             a vector for each face: VTP or VTU cell data, PLY properties NAME_x, NAME_y, NAME_z, or CSV
+  rotation:AXIS    rotation about an axis through the origin, x, y, z or three numbers: 0,1,1
+  gradient:WHAT    gradient of a coordinate, of a direction such as 0,1,1, or of an expression such as sin(x)*y^2
+  random:SEED      random vectors
+  harmonic:K       the harmonic field with number K, from 0
+
+OUT is VTP or PLY, or VTP.gz: vectors field, gradient, rotated and harmonic on faces, and both potentials, one on vertices
+and one on faces (its value at their centres).
+
+Examples:
+  pompeiu decompose torus.obj --field rotation:z -o parts.vtp
+  pompeiu decompose scan.ply --field wind.csv --json
+  pompeiu decompose open.obj --field gradient:x*y --boundary normal
+  pompeiu decompose fertility.off")]
+pub(crate) struct Decompose {
+    /// The mesh file
+    pub(crate) mesh: PathBuf,
+    /// The field to split
+    #[arg(long, value_name = "FIELD", allow_hyphen_values = true)]
+    pub(crate) field: Option<String>,
+    /// Which vectors of the file, if it has several
+    #[arg(long, value_name = "NAME", requires = "field")]
+    pub(crate) name: Option<String>,
+    /// Which kind of function makes gradients
+    #[arg(long, value_enum, default_value_t)]
+    pub(crate) splitting: Splitting,
+    /// How the harmonic part meets the boundary
+    #[arg(long, value_enum, default_value_t)]
+    pub(crate) boundary: Boundary,
+    /// Write the field, its parts and their potentials
+    #[arg(long, short, value_name = "OUT", requires = "field")]
+    pub(crate) output: Option<PathBuf>,
+    /// Print one JSON object
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Clone, Copy, Default, ValueEnum)]
+pub(crate) enum Splitting {
+    /// Gradients of continuous functions, rotated gradients of functions that agree at midpoints of edges
+    #[default]
+    Primal,
+    /// The other way round
+    Dual,
+}
+
+#[derive(Clone, Copy, Default, ValueEnum)]
+pub(crate) enum Boundary {
+    /// Along it: nothing flows through
+    #[default]
+    Tangential,
+    /// Straight through it
+    Normal,
+}
+
+/// A field as the command line names it.
+pub(crate) enum FieldSource {
+    File(PathBuf),
+    Rotation([f64; 3]),
+    LinearGradient([f64; 3]),
+    Gradient(String),
+    Random(u64),
+    Harmonic(usize),
+}
+
+impl FieldSource {
+    /// Tells the kinds apart by what comes before the colon; anything else is a file.
+    pub(crate) fn parse(text: &str) -> anyhow::Result<Self> {
+        let Some((kind, rest)) = text.split_once(':') else { return Ok(Self::File(text.into())) };
+        Ok(match kind {
+            "rotation" => Self::Rotation(axis(rest).ok_or_else(|| {
+                anyhow::anyhow!(
+                    "--field rotation:{rest}: expected x, y, z or three numbers separated by commas"
+                )
+            })?),
+            "gradient" => match axis(rest) {
+                Some(direction) => Self::LinearGradient(direction),
+                None => Self::Gradient(rest.to_owned()),
+            },
+            "random" => Self::Random(rest.parse().map_err(|_| {
+                anyhow::anyhow!("--field random:{rest}: expected a whole number that is not negative")
+            })?),
+            "harmonic" => Self::Harmonic(rest.parse().map_err(|_| {
+                anyhow::anyhow!("--field harmonic:{rest}: expected the number of a harmonic field, from 0")
+            })?),
+            _ => Self::File(text.into()),
+        })
+    }
+}
+
+/// A direction: a coordinate, or three finite numbers that are not all zero.
+fn axis(text: &str) -> Option<[f64; 3]> {
+    match text {
+        "x" => Some([1.0, 0.0, 0.0]),
+        "y" => Some([0.0, 1.0, 0.0]),
+        "z" => Some([0.0, 0.0, 1.0]),
+        _ => {
+            let direction = tuple::<3>(text).ok()?;
+            let usable = direction.iter().all(|x| x.is_finite()) && direction != [0.0; 3];
+            usable.then_some(direction)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn fields_are_told_apart() {
+        let parse = |text: &str| FieldSource::parse(text);
+        assert!(matches!(parse("rotation:z"), Ok(FieldSource::Rotation([0.0, 0.0, 1.0]))));
+        assert!(matches!(parse("gradient:0,-1,2"), Ok(FieldSource::LinearGradient([0.0, -1.0, 2.0]))));
+        assert!(matches!(parse("gradient:x*y"), Ok(FieldSource::Gradient(_))));
+        assert!(matches!(parse("random:7"), Ok(FieldSource::Random(7))));
+        assert!(matches!(parse("harmonic:1"), Ok(FieldSource::Harmonic(1))));
+        assert!(matches!(parse("wind.csv"), Ok(FieldSource::File(_))));
+        assert!(matches!(parse("C:wind.csv"), Ok(FieldSource::File(_))));
+        for wrong in ["rotation:w", "rotation:0,0,0", "rotation:1,inf,0", "random:-1", "harmonic:x"] {
+            assert!(parse(wrong).is_err(), "{wrong}");
+        }
+    }
+}
