@@ -28,8 +28,9 @@ def put(document, name, lines):
 def source(path, rows):
     """Where figures come from."""
     first = rows[0]
+    load = f", load {first['load_before']} before the start" if "load_before" in first else ""
     return (f"Record: `{path.relative_to(ROOT)}` ({first['date']}, commit {first['commit']}, {first['cpu']}, {first['cores']} "
-            "cores).")
+            f"cores{load}).")
 
 
 def draw_peers(path):

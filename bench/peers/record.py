@@ -9,6 +9,8 @@ import subprocess
 import environment
 
 FOLDER = environment.ROOT / "bench" / "record"
+# Processes that were running or waiting to, on average over a minute, before any of ours: times of a busy machine say little.
+LOAD_BEFORE = round(os.getloadavg()[0], 2)
 
 
 def machine():
@@ -21,6 +23,7 @@ def machine():
         "commit": commit + ("+changes" if changed else ""),
         "cpu": cpu(),
         "cores": os.cpu_count(),
+        "load_before": LOAD_BEFORE,
         "memory_gib": round(os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") / 2**30, 1),
         "system": f"{platform.system()} {platform.machine()}, {distribution()}",
     }
