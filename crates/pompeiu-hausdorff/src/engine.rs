@@ -58,11 +58,12 @@ pub(crate) fn joint_frame(a: &TriMesh, b: &TriMesh) -> (Frame, Aabb, Rounding) {
     (frame, joint, Rounding::new(frame.max_coordinate(&joint)))
 }
 
-/// Searches in the frame of the target.
+/// Searches in the frame of the target, which lacks its neighbours where the mesh `b` that it was made of is given.
 pub(crate) fn search(
     question: &Question<'_>,
     a: &TriMesh,
     target: &Target,
+    b: Option<&TriMesh>,
     observer: &mut dyn Observer,
 ) -> DirectedReport {
     let started = Instant::now();
@@ -78,7 +79,8 @@ pub(crate) fn search(
     let rounding = Rounding::new(target.max_coordinate_with(&a_box));
     let limits = question.limits(&joint, target.frame(), rounding);
     let stages = question.stages(&limits);
-    let held = bytes_of(a) + target.bytes() + a.faces().len() * size_of::<u32>();
+    let later = if b.is_some() { target.faces() * NEIGHBOURS } else { 0 };
+    let held = bytes_of(a) + target.bytes() + later + a.faces().len() * size_of::<u32>();
     let control = Control::new(question.deadline, question.memory_limit.map(|m| m.saturating_sub(held)));
     let order = morton_order(a, &a_box);
     let scene = Scene {
@@ -86,7 +88,8 @@ pub(crate) fn search(
         order: &order,
         frame: target.frame(),
         bvh: target.bvh(),
-        neighbours: Some(target.neighbours()),
+        b,
+        neighbours: target.neighbours(),
         control: &control,
     };
     let result = Search::new(scene, limits, observer, question.direction).run(&stages);
@@ -183,8 +186,15 @@ fn bytes_of(mesh: &TriMesh) -> usize {
     size_of_val(mesh.positions()) + size_of_val(mesh.faces())
 }
 
+/// Bytes per face of the neighbours of a tree.
+const NEIGHBOURS: usize = 12;
+
 /// Bytes that a search holds before it has looked at a single face.
 pub(crate) fn bytes_to_start(a: &TriMesh, b: &TriMesh) -> usize {
     const ORDERING: usize = 16;
-    bytes_of(a) + bytes_of(b) + Bvh::bytes_to_build(b.faces().len()) + ORDERING * a.faces().len()
+    bytes_of(a)
+        + bytes_of(b)
+        + Bvh::bytes_to_build(b.faces().len())
+        + NEIGHBOURS * b.faces().len()
+        + ORDERING * a.faces().len()
 }

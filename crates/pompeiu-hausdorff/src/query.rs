@@ -173,7 +173,9 @@ impl Query {
         b: &Target,
         observer: &mut dyn Observer,
     ) -> DirectedReport {
-        self.on_threads(|| engine::search(&self.question(Direction::AToB, self.deadline()), a, b, observer))
+        self.on_threads(|| {
+            engine::search(&self.question(Direction::AToB, self.deadline()), a, b, None, observer)
+        })
     }
 
     /// Encloses `H(A, B)`, with both directed distances.
@@ -226,9 +228,9 @@ impl Query {
         if self.memory_limit.is_some_and(|limit| limit < engine::bytes_to_start(a, b)) {
             return coarse::bound(&question, a, b);
         }
-        let target = Target::new(b);
+        let target = Target::without_neighbours(b);
         let build = started.elapsed();
-        let mut report = engine::search(&question, a, &target, observer);
+        let mut report = engine::search(&question, a, &target, Some(b), observer);
         report.timing.build += build;
         report
     }

@@ -3,6 +3,7 @@
 use pompeiu_core::TriMesh;
 use pompeiu_core::geom::{Aabb, Frame};
 use pompeiu_core::spatial::{Bvh, Neighbours};
+use std::sync::OnceLock;
 
 /// A mesh with its tree built: measure many meshes against it.
 ///
@@ -13,7 +14,8 @@ use pompeiu_core::spatial::{Bvh, Neighbours};
 #[derive(Clone, Debug)]
 pub struct Target {
     bvh: Bvh,
-    neighbours: Neighbours,
+    /// Set at the latest when a search wants them.
+    neighbours: OnceLock<Neighbours>,
     frame: Frame,
     aabb: Aabb,
 }
@@ -24,8 +26,15 @@ impl Target {
         let aabb = Aabb::of_faces(mesh);
         let frame = Frame::of(&aabb);
         let bvh = Bvh::build(mesh, &frame);
-        let neighbours = Neighbours::new(mesh, &bvh);
+        let neighbours = OnceLock::from(Neighbours::new(mesh, &bvh));
         Self { bvh, neighbours, frame, aabb }
+    }
+
+    /// The same for one question, in which it may turn out that neighbours are not wanted.
+    pub(crate) fn without_neighbours(mesh: &TriMesh) -> Self {
+        let aabb = Aabb::of_faces(mesh);
+        let frame = Frame::of(&aabb);
+        Self { bvh: Bvh::build(mesh, &frame), neighbours: OnceLock::new(), frame, aabb }
     }
 
     /// Number of faces.
@@ -40,14 +49,14 @@ impl Target {
 
     /// Bytes of memory held: about 107 per face.
     pub fn bytes(&self) -> usize {
-        self.bvh.bytes() + self.neighbours.bytes()
+        self.bvh.bytes() + self.neighbours.get().map_or(0, Neighbours::bytes)
     }
 
     pub(crate) fn bvh(&self) -> &Bvh {
         &self.bvh
     }
 
-    pub(crate) fn neighbours(&self) -> &Neighbours {
+    pub(crate) fn neighbours(&self) -> &OnceLock<Neighbours> {
         &self.neighbours
     }
 

@@ -32,7 +32,7 @@ const NONE: u32 = u32::MAX;
 /// Slots that fit beside the three bits for direction and edge.
 const MOST_FACES: usize = (1 << 29) - 1;
 /// Faces that are worth a part of their own.
-const PART: usize = 1 << 12;
+const PART: usize = 1 << 11;
 
 /// An edge of a triangle, kept with its lesser vertex.
 #[derive(Clone, Copy, Default)]

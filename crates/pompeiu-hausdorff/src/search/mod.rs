@@ -19,12 +19,14 @@ pub(crate) use control::{Control, Halt};
 use crate::observer::{Discard, Observer, Progress, Proof, RemainingPiece, Stage};
 use crate::report::{Direction, WorkCount};
 use crate::rounding::Rounding;
+use glam::DVec3;
 use piece::Piece;
 use pompeiu_core::geom::Frame;
 use pompeiu_core::spatial::{Bvh, Neighbours, Slot, Workspace};
 use pompeiu_core::{FaceId, TriMesh};
 use rayon::prelude::*;
 use std::ops::ControlFlow;
+use std::sync::OnceLock;
 use std::time::Instant;
 use worker::{Discarded, Keep, Outcome, SlotProof, Worker};
 
@@ -40,6 +42,10 @@ const SWEEP_TASK: usize = 256;
 const SAMPLE_TASK: usize = 64;
 /// Tasks between two merges.
 const TASKS_PER_ROUND: usize = 64;
+/// Faces whose sizes are looked at.
+const SIZES: usize = 64;
+/// Beyond this many edges of both meshes, a distance hides which face of B is over which of A.
+const LARGE_DISTANCE: f64 = 2.0;
 /// Pieces that a task of the search examines at most.
 const REFINE_BUDGET: usize = 1024;
 
@@ -50,8 +56,10 @@ pub(crate) struct Scene<'s> {
     pub(crate) order: &'s [u32],
     pub(crate) frame: &'s Frame,
     pub(crate) bvh: &'s Bvh,
-    /// Of the triangles in the tree, if they are known.
-    pub(crate) neighbours: Option<&'s Neighbours>,
+    /// The mesh of the tree, where neighbours are not known yet.
+    pub(crate) b: Option<&'s TriMesh>,
+    /// Of the triangles in the tree.
+    pub(crate) neighbours: &'s OnceLock<Neighbours>,
     pub(crate) control: &'s Control,
 }
 
@@ -162,6 +170,7 @@ impl<'s, 'o> Search<'s, 'o> {
     pub(crate) fn run(mut self, stages: &[f64]) -> Ended {
         let last = self.limits.tolerance;
         self.sample();
+        self.meet_neighbours();
         for (i, tolerance) in stages.iter().copied().chain([last]).enumerate() {
             self.limits.tolerance = tolerance;
             self.keep.pieces = !stages.is_empty();
@@ -203,6 +212,24 @@ impl<'s, 'o> Search<'s, 'o> {
         });
         self.merge(outcomes);
         self.look_around(order.len() as u64);
+    }
+
+    /// Finds the neighbours of B's triangles, unless faces are so small for the distance that one of B mostly covers one of A.
+    fn meet_neighbours(&mut self) {
+        let Some(b) = self.scene.b.filter(|_| self.scene.neighbours.get().is_none()) else { return };
+        let mean = |count: usize, corners: &dyn Fn(usize) -> [[f64; 3]; 3]| {
+            let stride = count.div_ceil(SIZES);
+            let sizes = (0..count).step_by(stride).map(|i| longest_edge(&corners(i)));
+            sizes.sum::<f64>() / count.div_ceil(stride) as f64
+        };
+        let order = self.scene.order;
+        let size_a = mean(order.len(), &|i| self.scene.corners(order[i]));
+        let size_b = mean(b.faces().len(), &|i| b.corners(FaceId(i as u32)).map(|p| self.scene.frame.map(p)));
+        if self.found.distance < LARGE_DISTANCE * (size_a + size_b) {
+            // Made outside of the lock: threads that wait for it must not meet themselves among the tasks of the pool.
+            let neighbours = Neighbours::new(b, self.scene.bvh);
+            drop(self.scene.neighbours.set(neighbours));
+        }
     }
 
     fn sweep(&mut self) {
@@ -379,4 +406,9 @@ impl<'s, 'o> Search<'s, 'o> {
             bound: self.scene.frame.length_out(discarded.piece.bound),
         }
     }
+}
+
+fn longest_edge(corners: &[[f64; 3]; 3]) -> f64 {
+    let [a, b, c] = corners.map(DVec3::from_array);
+    a.distance(b).max(b.distance(c)).max(c.distance(a))
 }

@@ -11,6 +11,9 @@ const FETCHED: usize = 16;
 /// An overlay is of the wrong part of B if B is nearer than it believes by this factor, squared, where it is worst.
 const WRONG_PART: f64 = 0.25;
 
+/// Feet moved into a triangle bound squared distances up to about this factor beside it.
+const LOOSE: f64 = 2.0;
+
 /// What came of an overlay.
 pub(super) enum Settled {
     /// The piece is discarded, or what is left of it is open; the face over its centre.
@@ -26,7 +29,6 @@ impl Worker<'_> {
     /// covered the one before, or by those around it.
     pub(super) fn sweep(&mut self, faces: &[u32]) {
         let mut hint = self.scene.bvh.any_slot();
-        let mut foot = Foot::new(self.scene.bvh.corners(hint));
         let mut fetched = [[[0.0; 3]; 3]; FETCHED];
         for (i, faces_fetched) in faces.chunks(FETCHED).enumerate() {
             if (i * FETCHED).is_multiple_of(STOP_CHECK) && self.scene.stopped() {
@@ -39,24 +41,17 @@ impl Worker<'_> {
                 *corners = self.scene.corners(*face);
             }
             for (corners, &face) in fetched.iter().zip(faces_fetched) {
-                let next = self.sweep_face(face, corners, hint, &foot);
-                if next != hint {
-                    hint = next;
-                    foot = Foot::new(self.scene.bvh.corners(hint));
-                }
+                hint = self.sweep_face(face, corners, hint);
             }
         }
     }
 
-    /// Discards a face or opens it. `hint` is a face of B that may be near, prepared as `foot`; returns one that is.
-    fn sweep_face(&mut self, face: u32, corners: &[[f64; 3]; 3], hint: Slot, foot: &Foot) -> Slot {
+    /// Discards a face or opens it. `hint` is a face of B that may be near; returns one that is.
+    fn sweep_face(&mut self, face: u32, corners: &[[f64; 3]; 3], hint: Slot) -> Slot {
         self.out.work.pieces += 1;
-        self.workspace.distances += 3;
         let points = with_centre(corners);
-        let bounds = foot.bounds_sq(&points);
         let mut piece = Piece::whole(face, *corners, hint);
-        let farthest = max3(bounds);
-        if farthest <= self.limit_sq(0) {
+        if let Some(farthest) = self.covered_by(&points, hint, self.limit_sq(0)) {
             self.discard(piece, farthest.sqrt(), || SlotProof::Face(hint));
             return hint;
         }
@@ -103,16 +98,29 @@ impl Worker<'_> {
         nearest
     }
 
+    /// The greatest squared distance of three corners from a face, if that is within a limit.
+    fn covered_by(&mut self, points: &[[f64; 4]; 3], slot: Slot, limit_sq: f64) -> Option<f64> {
+        let foot = match &self.foot {
+            Some((known, foot)) if *known == slot => foot,
+            _ => &self.foot.insert((slot, Foot::new(self.scene.bvh.corners(slot)))).1,
+        };
+        self.workspace.distances += 3;
+        let mut farthest = max3(foot.bounds_sq(points));
+        if farthest > limit_sq && farthest <= LOOSE * limit_sq {
+            farthest = max3(self.scene.bvh.four_distances_sq(points, slot, &mut self.workspace));
+        }
+        (farthest <= limit_sq).then_some(farthest)
+    }
+
     /// Discards a piece by the face of B that is seen over its centre or by its overlay, or opens what the overlay leaves.
     pub(super) fn settle_by_overlay(&mut self, piece: &Piece, hint: Slot) -> Settled {
         let bvh = self.scene.bvh;
-        let Some(neighbours) = self.scene.neighbours else { return Settled::No(None) };
+        let Some(neighbours) = self.scene.neighbours.get() else { return Settled::No(None) };
         let Some(view) = View::new(&piece.corners) else { return Settled::No(None) };
         let Some(start) = view.face_over_centre(bvh, neighbours, hint) else { return Settled::No(None) };
         if start != hint {
             let points = with_centre(&piece.corners);
-            let farthest = max3(bvh.four_distances_sq(&points, start, &mut self.workspace));
-            if farthest <= self.limit_sq(piece.depth) {
+            if let Some(farthest) = self.covered_by(&points, start, self.limit_sq(piece.depth)) {
                 self.discard(*piece, farthest.sqrt(), || SlotProof::Face(start));
                 return Settled::Yes(start);
             }

@@ -6,6 +6,7 @@ use super::overlay::Overlay;
 use super::piece::Piece;
 use super::{Limits, Scene};
 use crate::report::WorkCount;
+use pompeiu_core::geom::Foot;
 use pompeiu_core::spatial::{Nearest, Slot, Workspace};
 
 /// A point of A and its distance from B as computed.
@@ -64,6 +65,8 @@ pub(super) struct Worker<'s> {
     pub(super) lower: f64,
     pub(super) workspace: Workspace,
     pub(super) overlay: Overlay,
+    /// The face of B that was last compared with whole faces.
+    pub(super) foot: Option<(Slot, Foot)>,
     pub(super) out: Outcome,
 }
 
@@ -78,7 +81,7 @@ impl<'s> Worker<'s> {
             work: WorkCount::default(),
         };
         let overlay = Overlay::new(keep.discards || keep.pieces);
-        Self { scene, limits, keep, lower, workspace: Workspace::default(), overlay, out }
+        Self { scene, limits, keep, lower, workspace: Workspace::default(), overlay, foot: None, out }
     }
 
     pub(super) fn scene(&self) -> &'s Scene<'s> {

@@ -14,7 +14,7 @@ use crate::mesh::{FaceId, TriMesh};
 use rayon::prelude::*;
 
 /// Ranges longer than this are built in parallel.
-const PARALLEL_ABOVE: usize = 1 << 13;
+const PARALLEL_ABOVE: usize = 1 << 11;
 
 impl Bvh {
     /// Builds the tree over the faces of a mesh, seen in a frame.
