@@ -36,6 +36,7 @@ mod surface;
 #[cfg(test)]
 mod testing;
 mod topology;
+mod trace;
 
 pub use build::orient;
 pub use embedded::EmbeddedSurface;
@@ -45,3 +46,4 @@ pub use mesh::SurfaceMesh;
 pub use periodic::flat_torus;
 pub use surface::Surface;
 pub use topology::{Chain, Generators, Relative, tree_cotree};
+pub use trace::{Ray, Trace, TraceEnd, Tracer};
