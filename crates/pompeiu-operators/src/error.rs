@@ -1,6 +1,6 @@
 //! What can be wrong with values on a surface.
 
-use pompeiu_core::FaceId;
+use pompeiu_core::{FaceId, VertexId};
 use pompeiu_solve::SolveError;
 
 /// Why an operator cannot be applied or a system not be solved.
@@ -32,6 +32,14 @@ pub enum OperatorError {
         found: usize,
         /// How many elements there are.
         expected: usize,
+    },
+    /// A vertex does not exist.
+    #[error("vertex {vertex} does not exist, there are {vertices} (the first is 0)")]
+    NoSuchVertex {
+        /// The vertex.
+        vertex: VertexId,
+        /// How many there are.
+        vertices: usize,
     },
     /// A linear system could not be set up or solved.
     #[error(transparent)]

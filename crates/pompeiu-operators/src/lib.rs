@@ -32,6 +32,7 @@
 mod error;
 mod field;
 mod gradient;
+mod heat;
 pub mod hodge;
 mod laplacian;
 mod mass;
@@ -43,6 +44,7 @@ pub use gradient::{
     divergence, edge_curl, edge_divergence, edge_gradient, edge_gradient_matrix, gradient, gradient_matrix,
     vertex_curl,
 };
+pub use heat::HeatMethod;
 pub use hodge::{Audit, Boundary, Decomposition, HarmonicBasis, HodgeSolver, Splitting};
 pub use laplacian::{cotan_laplacian, edge_laplacian};
 pub use mass::{face_mass, mass_matrix};

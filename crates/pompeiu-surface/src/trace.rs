@@ -280,7 +280,7 @@ impl<'s> Tracer<'s> {
                     let ahead = dot(at.direction, corners[j]) > dot(at.direction, corners[i]);
                     sides[j] < sides[i] || sides[j] == sides[i] && ahead
                 };
-                let first = if nearer(0, 1) { 1 } else { 0 };
+                let first = usize::from(nearer(0, 1));
                 if nearer(first, 2) { 2 } else { first }
             });
             leave(side, corners[side], corners[(side + 1) % 3])

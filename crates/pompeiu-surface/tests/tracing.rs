@@ -52,7 +52,7 @@ fn forwards_and_back_again() {
 fn in_plane(face: FaceId, point: [f64; 2], direction: [f64; 2], cells: u32) -> ([f64; 2], [f64; 2]) {
     let cell = face.0 / 2;
     let corner = [f64::from(cell % cells), f64::from(cell / cells)];
-    if face.0 % 2 == 0 {
+    if face.0.is_multiple_of(2) {
         ([corner[0] + point[0], corner[1] + point[1]], direction)
     } else {
         ([corner[0] + 1.0 - point[0], corner[1] + 1.0 - point[1]], direction.map(|x| -x))

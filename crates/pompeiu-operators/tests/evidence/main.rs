@@ -5,5 +5,6 @@
 mod common;
 mod decomposition;
 mod dimensions;
+mod heat;
 mod identities;
 mod laplacian;

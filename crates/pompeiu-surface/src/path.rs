@@ -1,0 +1,124 @@
+//! Shortest paths along edges.
+
+use crate::{EdgeId, HalfedgeId, Surface};
+use pompeiu_core::VertexId;
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
+/// Distances along edges from some vertices to all others, and the ways back.
+#[derive(Clone, Debug, PartialEq)]
+pub struct EdgeDistances {
+    /// For each vertex, the length of the shortest path of edges from the nearest source; infinite where none leads.
+    pub distances: Vec<f64>,
+    /// For each vertex, the half-edge before it on its path, of either direction; none at sources.
+    last: Vec<Option<HalfedgeId>>,
+}
+
+impl EdgeDistances {
+    /// The distances from these vertices.
+    ///
+    /// # Accuracy
+    /// Never shorter than a way across faces, and up to about twice as long: a bound from above, which refining the mesh does
+    /// not bring down.
+    /// # Panics
+    /// If a vertex does not exist.
+    /// # Cost
+    /// O(E log E).
+    pub fn from(surface: &Surface, sources: &[VertexId]) -> Self {
+        let mesh = surface.mesh();
+        let mut distances = vec![f64::INFINITY; mesh.vertices()];
+        let mut last = vec![None; mesh.vertices()];
+        // Lengths are not negative, so their bits are in their order.
+        let mut open = BinaryHeap::new();
+        for &source in sources {
+            distances[source.index()] = 0.0;
+            open.push(Reverse((0_u64, source.0)));
+        }
+        while let Some(Reverse((bits, v))) = open.pop() {
+            let v = VertexId(v);
+            let distance = f64::from_bits(bits);
+            if distance > distances[v.index()] {
+                continue;
+            }
+            for out in mesh.outgoing(v) {
+                for (h, w) in [(out, mesh.head(out)), (out.previous(), mesh.tail(out.previous()))] {
+                    let through = distance + surface.edge_length(mesh.edge(h));
+                    if through < distances[w.index()] {
+                        distances[w.index()] = through;
+                        last[w.index()] = Some(h);
+                        open.push(Reverse((through.to_bits(), w.0)));
+                    }
+                }
+            }
+        }
+        Self { distances, last }
+    }
+
+    /// The edges of the shortest path from a source to a vertex, in order; none if it is a source or out of reach.
+    ///
+    /// # Panics
+    /// If the vertex does not exist.
+    pub fn path_to(&self, surface: &Surface, vertex: VertexId) -> Vec<EdgeId> {
+        let mesh = surface.mesh();
+        let mut path = Vec::new();
+        let mut at = vertex;
+        while let Some(h) = self.last[at.index()] {
+            path.push(mesh.edge(h));
+            at = if mesh.head(h) == at { mesh.tail(h) } else { mesh.head(h) };
+        }
+        path.reverse();
+        path
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests may panic")]
+mod tests {
+    use super::*;
+    use crate::{EmbeddedSurface, flat_torus};
+    use pompeiu_core::mesh::merge;
+    use pompeiu_core::mesh::shapes::icosphere;
+
+    #[test]
+    fn on_the_flat_torus_steps_are_counted() {
+        let torus = flat_torus([5.0, 4.0], [5, 4]).unwrap();
+        let from = EdgeDistances::from(&torus, &[VertexId(0)]);
+        // Two to the right; around the back; one diagonal; against it; two around both backs.
+        for (vertex, expected, edges) in
+            [(2, 2.0, 2), (4, 1.0, 1), (6, 2.0_f64.sqrt(), 1), (9, 2.0, 2), (13, 2.0 * 2.0_f64.sqrt(), 2)]
+        {
+            assert!(
+                (from.distances[vertex] - expected).abs() < 1e-14,
+                "{vertex}: {}",
+                from.distances[vertex]
+            );
+            assert_eq!(from.path_to(&torus, VertexId(vertex as u32)).len(), edges);
+        }
+    }
+
+    #[test]
+    fn paths_add_up_and_lead_from_the_nearest_source() {
+        let sphere = icosphere(1.0, 2).unwrap();
+        let two = merge(&[&sphere, &sphere]).unwrap();
+        let embedded = EmbeddedSurface::new(&two).unwrap();
+        let surface = embedded.surface();
+        let sources = [VertexId(0), VertexId(50)];
+        let from = EdgeDistances::from(surface, &sources);
+        for v in surface.mesh().vertex_ids() {
+            let path = from.path_to(surface, v);
+            if surface.mesh().component(v) == 1 {
+                assert!(from.distances[v.index()] == f64::INFINITY && path.is_empty());
+                continue;
+            }
+            let length: f64 = path.iter().map(|&edge| surface.edge_length(edge)).sum();
+            assert!((length - from.distances[v.index()]).abs() < 1e-14);
+            assert!(sources.contains(&v) == path.is_empty());
+            // No edge is a short cut.
+            for h in surface.mesh().outgoing(v) {
+                let length = surface.edge_length(surface.mesh().edge(h));
+                let there = from.distances[surface.mesh().head(h).index()];
+                assert!(there <= from.distances[v.index()] + length + 1e-14);
+            }
+        }
+    }
+}
