@@ -97,6 +97,17 @@ mod tests {
     }
 
     #[test]
+    fn the_boundary_is_walked_both_ways() {
+        let mesh = crate::SurfaceMesh::from_faces(3, &[[0, 1, 2]]).unwrap();
+        let triangle = Surface::from_edge_lengths(mesh, &[3.0, 4.0, 5.0]).unwrap();
+        for (source, expected) in [(0, [0.0, 3.0, 5.0]), (1, [3.0, 0.0, 4.0]), (2, [5.0, 4.0, 0.0])] {
+            let from = EdgeDistances::from(&triangle, &[VertexId(source)]);
+            assert!(from.distances.iter().zip(expected).all(|(d, e)| (d - e).abs() < 1e-14));
+            assert_eq!(from.path_to(&triangle, VertexId((source + 1) % 3)).len(), 1);
+        }
+    }
+
+    #[test]
     fn paths_add_up_and_lead_from_the_nearest_source() {
         let sphere = icosphere(1.0, 2).unwrap();
         let two = merge(&[&sphere, &sphere]).unwrap();
