@@ -4,7 +4,6 @@ use crate::numbers::grouped;
 use crate::printer::Printer;
 use anyhow::{Context, bail};
 use pompeiu::core::TriMesh;
-use pompeiu::core::mesh::unreferenced_vertices;
 use pompeiu::io::{OutputFormat, ReadMesh, WriteError};
 use std::io::ErrorKind;
 use std::path::Path;
@@ -94,10 +93,10 @@ pub(crate) fn warn_of_changes(path: &Path, read: &ReadMesh, printer: &Printer) {
 }
 
 /// Warns of vertices that do not count.
-pub(crate) fn warn_of_unreferenced(path: &Path, mesh: &TriMesh, printer: &Printer) {
+pub(crate) fn warn_of_unreferenced(path: &Path, count: usize, printer: &Printer) {
     warn_of(
         path,
-        unreferenced_vertices(mesh) as u64,
+        count as u64,
         printer,
         ["vertex belongs to no face and does not count", "vertices belong to no face and do not count"],
     );

@@ -28,7 +28,7 @@ pub(crate) fn run(args: &Decompose, printer: &Printer) -> anyhow::Result<Exit> {
     files::warn_of_changes(&args.mesh, &read, printer);
     let mut mesh = read.mesh;
     if unreferenced_vertices(&mesh) > 0 {
-        files::warn_of_unreferenced(&args.mesh, &mesh, printer);
+        files::warn_of_unreferenced(&args.mesh, unreferenced_vertices(&mesh), printer);
         mesh = without_unreferenced(&mesh);
     }
     let start = Instant::now();

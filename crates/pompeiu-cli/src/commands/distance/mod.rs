@@ -15,8 +15,10 @@ use anyhow::{Context, bail};
 use outcome::{File, Outcome, Times};
 use pompeiu::core::TriMesh;
 use pompeiu::core::geom::Aabb;
+use pompeiu::core::mesh::unreferenced_vertices;
 use pompeiu::hausdorff::{self, Query, StopReason, Tolerance};
 use pompeiu::io::ReadMesh;
+use std::path::Path;
 use std::time::{Duration, Instant};
 use wait::Wait;
 use watch::Watch;
@@ -46,10 +48,12 @@ pub(crate) fn run(args: &Distance, printer: &Printer) -> anyhow::Result<Exit> {
     }
     let wait = Wait::new(printer);
     wait.show(format!("reading {} and {}", args.a.display(), args.b.display()));
-    let (a, b) = rayon::join(|| files::read(&args.a), || files::read(&args.b));
-    let (a, b) = (a?, b?);
+    // Counting runs on one thread: beside the other file it costs the least.
+    let read = |path: &Path| files::read(path).map(|read| (unreferenced_vertices(&read.mesh), read));
+    let (a, b) = rayon::join(|| read(&args.a), || read(&args.b));
+    let ((unreferenced_a, a), (unreferenced_b, b)) = (a?, b?);
     let read = started.elapsed();
-    wait.suspend(|| warn(args, &a, &b, printer));
+    wait.suspend(|| warn(args, [&a, &b], [unreferenced_a, unreferenced_b], printer));
     let outcome = measure(args, (&a.mesh, &b.mesh), &wait, (started, read))?;
     drop(wait);
 
@@ -63,10 +67,10 @@ pub(crate) fn run(args: &Distance, printer: &Printer) -> anyhow::Result<Exit> {
     Ok(outcome.exit())
 }
 
-fn warn(args: &Distance, a: &ReadMesh, b: &ReadMesh, printer: &Printer) {
-    for (path, read) in [(&args.a, a), (&args.b, b)] {
+fn warn(args: &Distance, [a, b]: [&ReadMesh; 2], unreferenced: [usize; 2], printer: &Printer) {
+    for ((path, read), unreferenced) in [(&args.a, a), (&args.b, b)].into_iter().zip(unreferenced) {
         files::warn_of_changes(path, read, printer);
-        files::warn_of_unreferenced(path, &read.mesh, printer);
+        files::warn_of_unreferenced(path, unreferenced, printer);
     }
     if let Some((factor, a_is_larger)) = files::unit_factor(&a.mesh, &b.mesh) {
         let (large, small) = if a_is_larger { (&args.a, &args.b) } else { (&args.b, &args.a) };
