@@ -4,7 +4,6 @@
 
 pub mod exact;
 pub mod geom;
-pub mod memory;
 pub mod mesh;
 pub mod spatial;
 

@@ -1,6 +1,5 @@
 //! One vertex for equal positions.
 
-use pompeiu_core::memory;
 use std::hash::{BuildHasher, RandomState};
 use std::hint::black_box;
 use std::sync::LazyLock;
@@ -15,9 +14,8 @@ pub(crate) struct Welder {
 impl Welder {
     /// With memory set aside for a number of different positions; it grows when there are more.
     pub(crate) fn with_capacity(positions: usize) -> Self {
-        let mut welder = Self { positions: memory::with_capacity(positions), ..Self::default() };
-        welder.table.slots =
-            memory::filled(0, (positions + positions / 3).next_power_of_two().max(Table::SMALLEST));
+        let mut welder = Self { positions: Vec::with_capacity(positions), ..Self::default() };
+        welder.table.slots = vec![0; (positions + positions / 3).next_power_of_two().max(Table::SMALLEST)];
         welder
     }
 
@@ -162,7 +160,7 @@ impl Table {
     #[cold]
     fn grow(&mut self) {
         let length = (2 * self.slots.len()).max(Self::SMALLEST);
-        let old = std::mem::replace(&mut self.slots, memory::filled(0, length));
+        let old = std::mem::replace(&mut self.slots, vec![0; length]);
         for slot in old.into_iter().filter(|&slot| slot != 0) {
             let mut at = (slot >> 32) as usize & (length - 1);
             while self.slots[at] != 0 {

@@ -9,7 +9,6 @@ use super::split::{Bounds, Item, Split, split};
 use super::{Bvh, LEAF, Node};
 use crate::geom::point_triangle::{LANES, TriangleBlock};
 use crate::geom::{Aabb, Frame};
-use crate::memory;
 use crate::mesh::{FaceId, TriMesh};
 use rayon::prelude::*;
 
@@ -27,7 +26,7 @@ impl Bvh {
             [frame.map(a), frame.map(b), frame.map(c)]
         };
         let count = mesh.faces().len();
-        let mut items = memory::filled(Item { bounds: Bounds::ZERO }, count);
+        let mut items = vec![Item { bounds: Bounds::ZERO }; count];
         let bounds = items
             .par_chunks_mut(PARALLEL_ABOVE)
             .enumerate()
@@ -40,8 +39,8 @@ impl Bvh {
                 bounds
             })
             .reduce(|| Bounds::EMPTY, Bounds::union);
-        let mut blocks = memory::filled([[[0.0; LANES]; 3]; 3], count.div_ceil(LANES));
-        let mut faces = memory::filled(0, count);
+        let mut blocks = vec![[[[0.0; LANES]; 3]; 3]; count.div_ceil(LANES)];
+        let mut faces = vec![0; count];
         let mut nodes = Vec::new();
         let part = Part { items: &mut items, blocks: &mut blocks, faces: &mut faces, bounds, first: 0 };
         Builder { corners: &corners }.subtree(part, 0, &mut nodes);

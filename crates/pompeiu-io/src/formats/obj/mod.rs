@@ -13,7 +13,6 @@ use crate::raw::RawMesh;
 use crate::text::{Problem, is_line_end, past_line_end};
 use crate::waves;
 use piece::Piece;
-use pompeiu_core::memory;
 use std::ops::Range;
 
 /// Bytes of text per task: its vertices and faces stay in a core's own cache until they are taken.
@@ -34,8 +33,8 @@ fn read_in_pieces(bytes: &[u8], piece_bytes: usize) -> Result<RawMesh, Problem> 
     let pieces = split(bytes, piece_bytes);
     // Memory set aside and not written to costs nothing and is given back; more than these sizes is rare.
     let mut mesh = RawMesh {
-        positions: memory::with_capacity(bytes.len() / USUAL_VERTEX_BYTES),
-        faces: memory::with_capacity(bytes.len() / USUAL_FACE_BYTES),
+        positions: Vec::with_capacity(bytes.len() / USUAL_VERTEX_BYTES),
+        faces: Vec::with_capacity(bytes.len() / USUAL_FACE_BYTES),
         ..RawMesh::default()
     };
     let mut largest_index = 0;

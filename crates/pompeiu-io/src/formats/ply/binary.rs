@@ -5,7 +5,6 @@ use super::push_strips;
 use crate::error::{FormatError, Location};
 use crate::polygon::Polygon;
 use crate::raw::RawMesh;
-use pompeiu_core::memory;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -161,7 +160,7 @@ impl<'a, const BIG: bool> Table<'a, BIG> {
             });
         };
         let offsets = columns.map(|column| offsets[column]);
-        *positions = memory::with_capacity(self.rows);
+        *positions = Vec::with_capacity(self.rows);
         match axes {
             [Scalar::F32, Scalar::F32, Scalar::F32] => {
                 self.collect(positions, |row| offsets.map(|at| Scalar::F32.value::<BIG>(row, at)));
@@ -229,7 +228,7 @@ impl<'a, const BIG: bool> Table<'a, BIG> {
         let (first, triangles) = (before + count.size(), corners - 2);
         let table = &body[..self.rows * row];
         let plain = AtomicBool::new(true);
-        let mut faces = memory::with_capacity(self.rows * triangles);
+        let mut faces = Vec::with_capacity(self.rows * triangles);
         let index = |row: &[u8], corner: usize| -> u32 {
             let at = first + corner * item.size();
             let index = match item {

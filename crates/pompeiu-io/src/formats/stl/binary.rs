@@ -4,7 +4,6 @@ use crate::error::{FormatError, Location};
 use crate::raw::RawMesh;
 use crate::waves;
 use crate::weld::{LocalWelder, Welder};
-use pompeiu_core::memory;
 
 /// Bytes before the triangles: free text and the number of triangles.
 const HEADER: usize = 84;
@@ -57,7 +56,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<RawMesh, FormatError> {
     let table = &body[..count as usize * TRIANGLE];
     let pieces: Vec<(usize, &[u8])> = table.chunks(PIECE_TRIANGLES * TRIANGLE).enumerate().collect();
     let mut welder = Welder::with_capacity(count as usize / 32 * 17);
-    let mut faces = memory::with_capacity(count as usize);
+    let mut faces = Vec::with_capacity(count as usize);
     let mut indices = Vec::new();
     waves::in_order(
         &pieces,
