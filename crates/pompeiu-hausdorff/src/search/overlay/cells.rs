@@ -157,13 +157,20 @@ impl Overlay {
         push(q.position, q.distance_sq);
         push(p.position, p.distance_sq);
         push(p_end, f64::INFINITY);
-        // One corner lies between two sides, on the way onwards or back.
+        // From one side to another by the corner between them, or the other way round by the two others: what is shorter.
         if p_side != q_side {
             let onwards = (p_side + 1) % 3 == q_side;
-            let corner = (p_side + if onwards { 2 } else { 1 }) % 3;
-            push(view.t[corner as usize], f64::INFINITY);
-            if corner == 0 {
-                self.passes += if onwards { 1 } else { -1 };
+            let [between, first, second] = if onwards { [2, 1, 0] } else { [1, 2, 0] };
+            let [between, first, second] = [between, first, second].map(|i| (p_side as usize + i) % 3);
+            let t = &view.t;
+            let short = p_end.distance(t[between]) + t[between].distance(q_end);
+            let long = p_end.distance(t[first]) + t[first].distance(t[second]) + t[second].distance(q_end);
+            let around: &[usize] = if short <= long { &[between] } else { &[first, second] };
+            for &corner in around {
+                push(t[corner], f64::INFINITY);
+                if corner == 0 {
+                    self.passes += if onwards == (short <= long) { 1 } else { -1 };
+                }
             }
         }
         push(q_end, f64::INFINITY);
