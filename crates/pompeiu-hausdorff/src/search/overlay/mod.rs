@@ -39,7 +39,7 @@ use pompeiu_core::spatial::{Bvh, Neighbours, Slot, Workspace};
 /// [`rounding`](crate::rounding)), together less than the 40 units of four cuts.
 pub(crate) const OVERLAY_CUTS: u32 = 4;
 /// Faces of B that one overlay looks at.
-const MOST_FACES: usize = 48;
+const MOST_FACES: usize = 128;
 
 /// What an overlay has come to.
 pub(crate) enum Overlaid {
