@@ -85,8 +85,7 @@ fn traverse(
     if neighbours_suffice && best.distance_sq <= limit_sq {
         return Cover::Neighbour(best);
     }
-    workspace.stack.clear();
-    workspace.stack.push((0.0, 0));
+    workspace.stack.restart();
     while let Some((d, entry)) = workspace.stack.pop() {
         if d >= best.distance_sq || entry == LEAF | start_block {
             continue;
