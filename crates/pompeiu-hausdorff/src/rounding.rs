@@ -10,7 +10,7 @@
 //! **Frame.** Mapping a coordinate rounds once, by at most `u M`, so each vertex moves by less than `sqrt(3) u M`: 2. Only
 //! vertices outside the box that the frame was made for can move at all, so B and the certified lower bound are not touched.
 //!
-//! **A distance to a face** is computed as `|((p - a) - v (b - a)) - w (c - a)|` with `v, w >= 0` and `v + w <= 1` up to
+//! **A distance to a face** is computed as `|((p - a) - w (c - a)) - v (b - a)|` with `v, w >= 0` and `v + w <= 1` up to
 //! rounding, so it belongs to a point of the face, and where `v` and `w` came from does not matter. Per coordinate:
 //! `p - a` is off by 2, `v (b - a)` and `w (c - a)` together by 4 (each difference and each product, weighted), the two
 //! subtractions by 4 and 6; together 16, in three coordinates below 28. Squares, their sum and the square root are off by

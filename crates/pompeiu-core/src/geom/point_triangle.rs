@@ -31,36 +31,44 @@ pub type TriangleBlock = [[[f64; LANES]; 3]; 3];
 pub fn distance_sq(p: [f64; 3], a: [f64; 3], b: [f64; 3], c: [f64; 3]) -> f64 {
     let (ab, ac, bc) = (sub(b, a), sub(c, a), sub(c, b));
     let (ap, bp) = (sub(p, a), sub(p, b));
-    let on_ab = edge_distance_sq(ap, ab);
-    let on_ac = edge_distance_sq(ap, ac);
-    let on_bc = edge_distance_sq(bp, bc);
+    // Where the perpendiculars from p and from c meet ab, with a at 0 and b at 1.
+    let inverse = 1.0 / dot(ab, ab);
+    let (t, c) = (dot(ap, ab) * inverse, dot(ac, ab) * inverse);
+    let on_ab = edge_distance_sq(ap, ab, t);
+    let on_ac = edge_distance_sq(ap, ac, dot(ap, ac) / dot(ac, ac));
+    let on_bc = edge_distance_sq(bp, bc, dot(bp, bc) / dot(bc, bc));
     let mut least = if on_ab < on_ac { on_ab } else { on_ac };
     least = if on_bc < least { on_bc } else { least };
 
     // The foot by its offset along ab and then along the height of c, not by the normal: what rounding does to a height that
     // is small moves the foot by as little.
-    let inverse = 1.0 / dot(ab, ab);
-    let (t, c) = (dot(ap, ab) * inverse, dot(ac, ab) * inverse);
-    let height = [ac[0] - c * ab[0], ac[1] - c * ab[1], ac[2] - c * ab[2]];
-    let beside = [ap[0] - t * ab[0], ap[1] - t * ab[1], ap[2] - t * ab[2]];
+    let (height, beside) = (minus(ac, c, ab), minus(ap, t, ab));
     let w = dot(beside, height) / dot(height, height);
     let v = t - w * c;
-    let r = [ap[0] - v * ab[0] - w * ac[0], ap[1] - v * ab[1] - w * ac[1], ap[2] - v * ab[2] - w * ac[2]];
+    // What v waits for comes last.
+    let r = minus(minus(ap, w, ac), v, ab);
     let foot = dot(r, r);
     // Written so that a NaN from a triangle without area is "outside".
     let inside = (v >= 0.0) & (w >= 0.0) & (v + w <= 1.0) & (foot < least);
     if inside { foot } else { least }
 }
 
-/// Squared distance from the end of `ap` to the segment from the origin along `ab`.
+/// Squared distance from the end of `ap` to the segment from the origin along `ab`, at the point `t ab` or the end beyond
+/// which that lies.
 #[inline(always)]
 #[allow(clippy::inline_always, reason = "must be inlined into the lane loops to be vectorised")]
-fn edge_distance_sq(ap: [f64; 3], ab: [f64; 3]) -> f64 {
-    let t = dot(ap, ab) / dot(ab, ab);
+fn edge_distance_sq(ap: [f64; 3], ab: [f64; 3], t: f64) -> f64 {
     let t = if t > 0.0 { t } else { 0.0 };
     let t = if t < 1.0 { t } else { 1.0 };
-    let r = [ap[0] - t * ab[0], ap[1] - t * ab[1], ap[2] - t * ab[2]];
+    let r = minus(ap, t, ab);
     dot(r, r)
+}
+
+/// `a - s b`.
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "part of the lane loops")]
+fn minus(a: [f64; 3], s: f64, b: [f64; 3]) -> [f64; 3] {
+    [a[0] - s * b[0], a[1] - s * b[1], a[2] - s * b[2]]
 }
 
 #[inline(always)]
