@@ -240,12 +240,13 @@ fn tolerances_mean_what_they_say() {
 #[test]
 fn both_methods_trace_their_way_to_the_same_answer() {
     let folder = Folder::with_tent();
+    let mut examined = Vec::new();
     for method in ["fast", "classic"] {
         let args = format!("distance tent.obj square.obj --method {method} --tolerance 1e-4 --trace");
         let text = folder.ok(&args);
         assert_eq!(text.matches("pieces left").count(), 2, "{text}");
         let report = json(&folder, &(args + " --json"));
-        assert_eq!(report["b_to_a"]["work"]["games"].as_u64().unwrap() > 0, method == "fast");
+        examined.push(report["b_to_a"]["work"]["pieces"].as_u64().unwrap());
         let rows = report["trace"].as_array().unwrap();
         let expected =
             ["direction", "tolerance", "absolute", "lower", "upper", "pieces", "distances", "time_ms"];
@@ -263,6 +264,7 @@ fn both_methods_trace_their_way_to_the_same_answer() {
             }
         }
     }
+    assert!(10 * examined[0] < examined[1], "{examined:?}");
 }
 
 #[test]
