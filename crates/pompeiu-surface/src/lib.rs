@@ -26,6 +26,7 @@
 //! edge, its second a quarter turn counter-clockwise from it.
 
 mod build;
+mod delaunay;
 mod embedded;
 mod error;
 mod ids;
@@ -40,6 +41,7 @@ mod topology;
 mod trace;
 
 pub use build::orient;
+pub use delaunay::{IntrinsicDelaunay, intrinsic_delaunay};
 pub use embedded::EmbeddedSurface;
 pub use error::{GeometryError, SurfaceError};
 pub use ids::{EdgeId, HalfedgeId};
