@@ -274,8 +274,9 @@ impl<'s, 'o> Search<'s, 'o> {
     }
 
     fn refine(&mut self) {
-        // The most promising first: they raise the lower bound for the others. Equal bounds stay in order.
-        self.open.sort_by(|p, q| q.bound.total_cmp(&p.bound));
+        // The most promising first: they raise the lower bound for the others. The order of equal bounds follows from that
+        // before, which does not depend on threads; keeping it would take a copy of the pieces.
+        self.open.sort_unstable_by(|p, q| q.bound.total_cmp(&p.bound));
         while !self.open.is_empty() && !self.scene.stopped() {
             let open = std::mem::take(&mut self.open);
             let task = open.len().div_ceil(TASKS_PER_ROUND);
