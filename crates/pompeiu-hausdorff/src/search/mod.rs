@@ -19,8 +19,7 @@ pub(crate) use control::{Control, Halt};
 use crate::observer::{Discard, Observer, Progress, Proof, RemainingPiece, Stage};
 use crate::report::{Direction, WorkCount};
 use crate::rounding::Rounding;
-use glam::DVec3;
-use piece::Piece;
+use piece::{Piece, longest_edge};
 use pompeiu_core::geom::Frame;
 use pompeiu_core::spatial::{Bvh, Neighbours, Slot, Workspace};
 use pompeiu_core::{FaceId, TriMesh};
@@ -407,9 +406,4 @@ impl<'s, 'o> Search<'s, 'o> {
             bound: self.scene.frame.length_out(discarded.piece.bound),
         }
     }
-}
-
-fn longest_edge(corners: &[[f64; 3]; 3]) -> f64 {
-    let [a, b, c] = corners.map(DVec3::from_array);
-    a.distance(b).max(b.distance(c)).max(c.distance(a))
 }

@@ -69,9 +69,13 @@ impl Piece {
 
     /// Length of the longest edge.
     pub(crate) fn size(&self) -> f64 {
-        let [a, b, c] = self.corners.map(DVec3::from_array);
-        (b - a).length().max((c - b).length()).max((a - c).length())
+        longest_edge(&self.corners)
     }
+}
+
+pub(crate) fn longest_edge(corners: &[[f64; 3]; 3]) -> f64 {
+    let [a, b, c] = corners.map(DVec3::from_array);
+    a.distance(b).max(b.distance(c)).max(c.distance(a))
 }
 
 /// Cuts by planes must leave this fraction of the piece on both sides; a smaller part is not worth a piece.

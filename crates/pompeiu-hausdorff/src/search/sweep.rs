@@ -1,7 +1,7 @@
 //! The sweep: whole faces, most of which are discarded at once.
 
 use super::overlay::{Below, OVERLAY_CUTS, Overlaid, View};
-use super::piece::{INHERITED, Piece};
+use super::piece::{INHERITED, Piece, longest_edge};
 use super::worker::{STOP_CHECK, SlotProof, Worker, centre, max3, with_centre};
 use pompeiu_core::geom::Foot;
 use pompeiu_core::spatial::{Cover, Nearest, Slot};
@@ -147,6 +147,10 @@ impl Worker<'_> {
                 if !self.overlay.keep_all {
                     self.raise_upper(covered_sq.sqrt() + self.limits.rounding.bound(depth));
                 }
+            }
+            // Where B's faces are no smaller, they are many because they meet in one vertex: parts would see as many.
+            Overlaid::Many if piece.size() <= longest_edge(&bvh.corners(start)) => {
+                return Settled::No(Some(start));
             }
             Overlaid::Many => return Settled::TooMany(start),
             Overlaid::None => return Settled::No(Some(start)),
