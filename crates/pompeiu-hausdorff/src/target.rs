@@ -23,11 +23,9 @@ pub struct Target {
 impl Target {
     /// Prepares a mesh.
     pub fn new(mesh: &TriMesh) -> Self {
-        let aabb = Aabb::of_faces(mesh);
-        let frame = Frame::of(&aabb);
-        let bvh = Bvh::build(mesh, &frame);
-        let neighbours = OnceLock::from(Neighbours::new(mesh, &bvh));
-        Self { bvh, neighbours, frame, aabb }
+        let target = Self::without_neighbours(mesh);
+        let neighbours = Neighbours::new(mesh, &target.bvh);
+        Self { neighbours: OnceLock::from(neighbours), ..target }
     }
 
     /// The same for one question, in which it may turn out that neighbours are not wanted.

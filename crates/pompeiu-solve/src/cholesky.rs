@@ -69,6 +69,29 @@ impl Analysis {
         }
     }
 
+    /// Zeros for the entries of a factor.
+    pub(crate) fn empty_factor(&self, matrix: &SparseMatrix) -> Result<Vec<f64>, SolveError> {
+        let mut values = Vec::new();
+        values.try_reserve_exact(self.symbolic.len_val()).map_err(|_| no_memory(matrix))?;
+        values.resize(self.symbolic.len_val(), 0.0);
+        Ok(values)
+    }
+
+    /// Lets a factor solve for the columns of `values`, with the memory that it needs, and checks what comes out.
+    pub(crate) fn solve_columns(
+        &self,
+        values: &mut [f64],
+        solve: impl FnOnce(MatMut<'_, f64>, &mut MemStack),
+    ) -> Result<(), SolveError> {
+        let n = self.symbolic.nrows();
+        let count = columns(n, values)?;
+        let request = self.symbolic.solve_in_place_scratch::<f64>(count, Par::Seq);
+        let mut memory = MemBuffer::try_new(request)
+            .map_err(|_| SolveError::NoMemory { unknowns: n, nonzeros: self.factor_nonzeros() })?;
+        solve(MatMut::from_column_major_slice_mut(values, n, count), MemStack::new(&mut memory));
+        finite(n, values)
+    }
+
     /// The unknown that is eliminated at a step that failed.
     pub(crate) fn unknown_at(&self, reported: usize) -> usize {
         // The column-by-column method counts its steps from one.
@@ -140,9 +163,7 @@ impl Cholesky {
     pub fn with(analysis: &Analysis, matrix: &SparseMatrix) -> Result<Self, SolveError> {
         analysis.check(matrix)?;
         let symbolic = &analysis.symbolic;
-        let mut values = Vec::new();
-        values.try_reserve_exact(symbolic.len_val()).map_err(|_| no_memory(matrix))?;
-        values.resize(symbolic.len_val(), 0.0);
+        let mut values = analysis.empty_factor(matrix)?;
         let request = symbolic.factorize_numeric_llt_scratch::<f64>(Par::Seq, faer::Spec::default());
         let mut memory = buffer(request, matrix)?;
         symbolic
@@ -173,18 +194,9 @@ impl LinearSolver for Cholesky {
     }
 
     fn solve_in_place(&self, values: &mut [f64]) -> Result<(), SolveError> {
-        let n = self.unknowns();
-        let count = columns(n, values)?;
-        let symbolic = &self.analysis.symbolic;
-        let request = symbolic.solve_in_place_scratch::<f64>(count, Par::Seq);
-        let mut memory = MemBuffer::try_new(request)
-            .map_err(|_| SolveError::NoMemory { unknowns: n, nonzeros: self.values.len() })?;
-        LltRef::new(symbolic, &self.values).solve_in_place_with_conj(
-            Conj::No,
-            MatMut::from_column_major_slice_mut(values, n, count),
-            Par::Seq,
-            MemStack::new(&mut memory),
-        );
-        finite(n, values)
+        let factor = LltRef::new(&self.analysis.symbolic, &self.values);
+        self.analysis.solve_columns(values, |columns, memory| {
+            factor.solve_in_place_with_conj(Conj::No, columns, Par::Seq, memory);
+        })
     }
 }

@@ -1,13 +1,13 @@
 //! `LDLᵀ` factorization of symmetric matrices, without pivoting.
 
-use crate::cholesky::{Analysis, buffer, no_memory};
+use crate::cholesky::{Analysis, buffer};
 use crate::ordering::Ordering;
-use crate::solver::{LinearSolver, columns, finite};
+use crate::solver::LinearSolver;
 use crate::{SolveError, SparseMatrix};
-use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::dyn_stack::MemStack;
 use faer::linalg::cholesky::ldlt::factor::{LdltError, LdltRegularization};
 use faer::sparse::linalg::cholesky::LdltRef;
-use faer::{Conj, MatMut, Par, Side};
+use faer::{Conj, Par, Side};
 
 /// The factors `L D Lᵀ` of a symmetric matrix that may be indefinite, with `D` diagonal.
 ///
@@ -40,9 +40,7 @@ impl Ldlt {
     pub fn with(analysis: &Analysis, matrix: &SparseMatrix) -> Result<Self, SolveError> {
         analysis.check(matrix)?;
         let symbolic = &analysis.symbolic;
-        let mut values = Vec::new();
-        values.try_reserve_exact(symbolic.len_val()).map_err(|_| no_memory(matrix))?;
-        values.resize(symbolic.len_val(), 0.0);
+        let mut values = analysis.empty_factor(matrix)?;
         let request = symbolic.factorize_numeric_ldlt_scratch::<f64>(Par::Seq, faer::Spec::default());
         let mut memory = buffer(request, matrix)?;
         symbolic
@@ -68,18 +66,9 @@ impl LinearSolver for Ldlt {
     }
 
     fn solve_in_place(&self, values: &mut [f64]) -> Result<(), SolveError> {
-        let n = self.unknowns();
-        let count = columns(n, values)?;
-        let symbolic = &self.analysis.symbolic;
-        let request = symbolic.solve_in_place_scratch::<f64>(count, Par::Seq);
-        let mut memory = MemBuffer::try_new(request)
-            .map_err(|_| SolveError::NoMemory { unknowns: n, nonzeros: self.values.len() })?;
-        LdltRef::new(symbolic, &self.values).solve_in_place_with_conj(
-            Conj::No,
-            MatMut::from_column_major_slice_mut(values, n, count),
-            Par::Seq,
-            MemStack::new(&mut memory),
-        );
-        finite(n, values)
+        let factor = LdltRef::new(&self.analysis.symbolic, &self.values);
+        self.analysis.solve_columns(values, |columns, memory| {
+            factor.solve_in_place_with_conj(Conj::No, columns, Par::Seq, memory);
+        })
     }
 }

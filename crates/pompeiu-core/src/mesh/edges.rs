@@ -34,7 +34,7 @@ impl Edge<'_> {
 }
 
 /// Whether the three indices differ, so that the face has three edges.
-pub(super) fn has_three_vertices(face: [u32; 3]) -> bool {
+pub(crate) fn has_three_vertices(face: [u32; 3]) -> bool {
     face[0] != face[1] && face[1] != face[2] && face[2] != face[0]
 }
 

@@ -8,6 +8,7 @@ pub mod shapes;
 pub mod topology;
 mod trimesh;
 
+pub(crate) use edges::has_three_vertices;
 pub use edit::{
     Affine, Random, displace_at_random, merge, ripple, shuffle, subdivide, transform, unweld,
     without_unreferenced,

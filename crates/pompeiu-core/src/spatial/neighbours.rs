@@ -1,7 +1,7 @@
 //! Which triangles of a tree share an edge.
 
 use super::bvh::{Bvh, Slot};
-use crate::mesh::TriMesh;
+use crate::mesh::{TriMesh, has_three_vertices};
 use rayon::prelude::*;
 
 /// A triangle across an edge.
@@ -85,7 +85,7 @@ impl Neighbours {
 fn pairs(mesh: &TriMesh, bvh: &Bvh, first: usize, end: usize) -> Vec<[u32; 2]> {
     let uses_of = |slot: Slot| {
         let face = mesh.faces()[bvh.face(slot).index()];
-        let valid = face[0] != face[1] && face[1] != face[2] && face[2] != face[0];
+        let valid = has_three_vertices(face);
         (0..3).filter_map(move |k| {
             let (a, b) = (face[k], face[(k + 1) % 3]);
             let (lesser, greater, backward) = if a < b { (a, b, 0) } else { (b, a, 4) };

@@ -10,7 +10,6 @@ use pompeiu_core::spatial::{Cover, Nearest, Slot};
 const FETCHED: usize = 16;
 /// An overlay is of the wrong part of B if B is nearer than it believes by this factor, squared, where it is worst.
 const WRONG_PART: f64 = 0.25;
-
 /// Feet moved into a triangle bound squared distances up to about this factor beside it.
 const LOOSE: f64 = 2.0;
 

@@ -59,28 +59,24 @@ fn open_components(mesh: &SurfaceMesh) -> Vec<bool> {
     mesh.boundary_loops_of_components().into_iter().map(|loops| loops > 0).collect()
 }
 
+/// The component of each unknown, where constants solve there: everywhere but in an open component whose boundary is fixed.
+fn groups(mesh: &SurfaceMesh, fixed: bool, components: impl Iterator<Item = usize>) -> Vec<Option<u32>> {
+    let open = open_components(mesh);
+    components.map(|component| (!(fixed && open[component])).then_some(component as u32)).collect()
+}
+
 /// The cotangent Laplacian, factored; `fixed`: potentials are zero at boundary vertices.
 pub(super) fn vertex_system(surface: &Surface, fixed: bool) -> Result<SemidefiniteCholesky, OperatorError> {
     let mesh = surface.mesh();
-    let open = open_components(mesh);
     let at_boundary: Vec<bool> = mesh.vertex_ids().map(|v| fixed && mesh.is_boundary_vertex(v)).collect();
-    let group: Vec<Option<u32>> = mesh
-        .vertex_ids()
-        .map(|v| mesh.component(v))
-        .map(|component| (!(fixed && open[component])).then_some(component as u32))
-        .collect();
+    let group = groups(mesh, fixed, mesh.vertex_ids().map(|v| mesh.component(v)));
     Ok(SemidefiniteCholesky::new(cotan_laplacian(surface)?, &at_boundary, &group)?)
 }
 
 /// The Laplacian of edges, factored; `fixed`: potentials are zero at boundary edges.
 pub(super) fn edge_system(surface: &Surface, fixed: bool) -> Result<SemidefiniteCholesky, OperatorError> {
     let mesh = surface.mesh();
-    let open = open_components(mesh);
     let at_boundary: Vec<bool> = mesh.edge_ids().map(|e| fixed && mesh.is_boundary_edge(e)).collect();
-    let group: Vec<Option<u32>> = mesh
-        .edge_ids()
-        .map(|e| mesh.component(mesh.ends(e)[0]))
-        .map(|component| (!(fixed && open[component])).then_some(component as u32))
-        .collect();
+    let group = groups(mesh, fixed, mesh.edge_ids().map(|e| mesh.component(mesh.ends(e)[0])));
     Ok(SemidefiniteCholesky::new(edge_laplacian(surface)?, &at_boundary, &group)?)
 }
