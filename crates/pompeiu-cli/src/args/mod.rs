@@ -78,7 +78,7 @@ pub(crate) struct Info {
 
 #[derive(clap::Args)]
 #[command(after_help = "\
-The suffix of OUT names the format: obj, ply, stl, off, vtp or glb, and .gz after it compresses.
+The suffix of OUT names the format: obj, ply, stl, off, vtp, vtu or glb, and .gz after it compresses.
 OUT appears, or is replaced, only once all of it is written.
 
 Examples:

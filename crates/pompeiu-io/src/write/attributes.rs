@@ -1,6 +1,6 @@
 //! Values that travel with a mesh into a file.
 
-use super::vtp;
+use super::vtk_xml;
 use pompeiu_core::TriMesh;
 
 /// Why values cannot be attributes of a mesh.
@@ -181,7 +181,7 @@ impl OfElements {
     fn checked(&self, name: String, values: usize) -> Result<String, AttributeError> {
         const PLY_PROPERTIES: [&str; 11] =
             ["x", "y", "z", "nx", "ny", "nz", "red", "green", "blue", "vertex_index", "vertex_indices"];
-        let taken = PLY_PROPERTIES.contains(&name.as_str()) || name == vtp::COLORS;
+        let taken = PLY_PROPERTIES.contains(&name.as_str()) || name == vtk_xml::COLORS;
         let unreadable = |c: char| !(c.is_ascii_alphanumeric() || c == '_' || c == '-');
         if name.is_empty() || name.contains(unreadable) || taken {
             return Err(AttributeError::Name { name });

@@ -11,7 +11,7 @@ use std::path::Path;
 /// | PLY | every bit | yes | yes | yes |
 /// | STL | single precision | no | no | no |
 /// | OFF | every bit | yes | yes | no |
-/// | VTP | every bit | yes | yes | yes |
+/// | VTP, VTU | every bit | yes | yes | yes |
 /// | GLB | single precision | yes | no | no |
 ///
 /// An attribute that the format has no room for is an error, never dropped in silence.
@@ -30,6 +30,8 @@ pub enum OutputFormat {
     /// VTK XML polygonal data for ParaView and kin: `Float64` coordinates and scalars, `UInt8` colours in arrays named
     /// `Colors`, all appended in little endian.
     Vtp,
+    /// VTK XML unstructured grid of triangles: otherwise as [`OutputFormat::Vtp`], for programs that want cells.
+    Vtu,
     /// glTF 2.0 in one binary file, one mesh in one node. Coordinates are rounded to single precision relative to an
     /// origin in the node's translation, so that a model far from zero keeps its shape: the error per axis is at
     /// most 2⁻²⁴ of the model's size. A mesh whose coordinates are single-precision numbers keeps every bit.
@@ -39,7 +41,7 @@ pub enum OutputFormat {
 
 impl OutputFormat {
     /// All formats, in the order of the table above.
-    pub const ALL: [Self; 6] = [Self::Obj, Self::Ply, Self::Stl, Self::Off, Self::Vtp, Self::Glb];
+    pub const ALL: [Self; 7] = [Self::Obj, Self::Ply, Self::Stl, Self::Off, Self::Vtp, Self::Vtu, Self::Glb];
 
     /// The format that a file name asks for by its suffix, in either case, a final `.gz` aside.
     pub fn from_path(path: &Path) -> Option<Self> {
@@ -56,6 +58,7 @@ impl OutputFormat {
             Self::Stl => "stl",
             Self::Off => "off",
             Self::Vtp => "vtp",
+            Self::Vtu => "vtu",
             Self::Glb => "glb",
         }
     }
@@ -68,6 +71,7 @@ impl OutputFormat {
             Self::Stl => "STL",
             Self::Off => "OFF",
             Self::Vtp => "VTP",
+            Self::Vtu => "VTU",
             Self::Glb => "GLB",
         }
     }
@@ -77,11 +81,12 @@ impl OutputFormat {
     }
 
     const fn holds_face_colors(self) -> bool {
-        matches!(self, Self::Ply | Self::Off | Self::Vtp)
+        matches!(self, Self::Ply | Self::Off | Self::Vtp | Self::Vtu)
     }
 
-    const fn holds_scalars(self) -> bool {
-        matches!(self, Self::Ply | Self::Vtp)
+    /// Whether it has room for scalars of vertices and faces and for vectors of faces.
+    pub const fn holds_scalars(self) -> bool {
+        matches!(self, Self::Ply | Self::Vtp | Self::Vtu)
     }
 
     pub(super) fn check_holds(self, attributes: &Attributes) -> Result<(), EncodeError> {

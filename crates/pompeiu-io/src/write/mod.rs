@@ -10,12 +10,13 @@ mod ply;
 mod replace;
 mod stl;
 mod text;
-mod vtp;
+mod vtk_xml;
 
 use flate2::{Compression, write::GzEncoder};
 use pompeiu_core::TriMesh;
 use std::io::{self, Write};
 use std::path::Path;
+use vtk_xml::DataSet;
 
 pub use attributes::{AttributeError, Attributes};
 pub use error::{EncodeError, WriteError};
@@ -106,7 +107,8 @@ pub fn encode(
         OutputFormat::Ply => ply::write(&mut out, mesh, attributes),
         OutputFormat::Stl => stl::write(&mut out, mesh),
         OutputFormat::Off => off::write(&mut out, mesh, attributes),
-        OutputFormat::Vtp => vtp::write(&mut out, mesh, attributes),
+        OutputFormat::Vtp => vtk_xml::write(&mut out, DataSet::PolyData, mesh, attributes),
+        OutputFormat::Vtu => vtk_xml::write(&mut out, DataSet::UnstructuredGrid, mesh, attributes),
         OutputFormat::Glb => glb::write(&mut out, mesh, attributes),
     }?;
     Ok(out.flush()?)

@@ -66,7 +66,9 @@ fn samples() -> Vec<(Format, Vec<u8>)> {
     let mesh = TriMesh::new(positions, vec![[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]).unwrap();
     let attributes = Attributes::for_mesh(&mesh).with_vertex_colors(vec![[1, 2, 3]; 4]).unwrap();
     let mut samples = Vec::new();
-    for (output, format) in [(OutputFormat::Glb, Format::Glb), (OutputFormat::Vtp, Format::Vtp)] {
+    for (output, format) in
+        [(OutputFormat::Glb, Format::Glb), (OutputFormat::Vtp, Format::Vtp), (OutputFormat::Vtu, Format::Vtu)]
+    {
         let mut bytes = Vec::new();
         encode(&mut bytes, output, &mesh, &attributes).unwrap();
         samples.push((format, bytes));

@@ -30,7 +30,7 @@ fn encoded(format: OutputFormat, mesh: &TriMesh) -> Vec<u8> {
     if format != OutputFormat::Stl {
         attributes = attributes.with_vertex_colors(colors).unwrap();
     }
-    if matches!(format, OutputFormat::Ply | OutputFormat::Vtp) {
+    if format.holds_scalars() {
         let values = (0..mesh.faces().len()).map(|f| 1.0 / f as f64).collect();
         attributes = attributes.with_face_scalar("value", values).unwrap();
     }
@@ -52,6 +52,7 @@ proptest! {
             (OutputFormat::Ply, Format::Ply),
             (OutputFormat::Off, Format::Off),
             (OutputFormat::Vtp, Format::Vtp),
+            (OutputFormat::Vtu, Format::Vtu),
         ] {
             let bytes = encoded(output, &mesh);
             let read = read_bytes(&bytes, None).unwrap();
@@ -93,7 +94,7 @@ fn files_with_and_without_compression() {
     let folder = tempfile::tempdir().unwrap();
     let mesh =
         TriMesh::new(vec![[0.5, -1.0, 0.25], [3.0, 0.0, 0.0], [0.0, 2.0, 0.0]], vec![[0, 1, 2]]).unwrap();
-    for suffix in ["obj", "ply", "off", "vtp", "glb", "obj.gz", "vtp.gz", "glb.gz"] {
+    for suffix in ["obj", "ply", "off", "vtp", "vtu", "glb", "obj.gz", "vtp.gz", "glb.gz"] {
         let path = folder.path().join(format!("mesh.{suffix}"));
         write(&path, &mesh).unwrap();
         let read = read(&path).unwrap();

@@ -9,7 +9,7 @@ mod obj;
 mod off;
 mod ply;
 mod stl;
-mod vtp;
+mod vtk_xml;
 
 use pompeiu_core::TriMesh;
 use pompeiu_io::{Attributes, OutputFormat, encode};

@@ -14,9 +14,9 @@ use std::path::Path;
 pub(super) fn check(path: &Path) -> anyhow::Result<()> {
     files::check_writable(path)?;
     if let Some(format) = OutputFormat::from_path(path)
-        && !matches!(format, OutputFormat::Vtp | OutputFormat::Ply)
+        && !format.holds_scalars()
     {
-        bail!("{}: {} has no room for fields; write VTP or PLY", path.display(), format.name());
+        bail!("{}: {} has no room for fields; write VTP, VTU or PLY", path.display(), format.name());
     }
     Ok(())
 }

@@ -1,4 +1,4 @@
-//! VTP, read back by vtkio, which takes appended data as base64 only: the test re-encodes the raw bytes first.
+//! VTP and VTU, read back by vtkio, which takes appended data as base64 only: the test re-encodes the raw bytes first.
 
 use crate::encoded;
 use crate::meshes::{any_mesh, bits, fully_attributed};
@@ -6,7 +6,9 @@ use base64::{Engine, prelude::BASE64_STANDARD};
 use pompeiu_io::{Attributes, OutputFormat};
 use proptest::prelude::*;
 use vtkio::IOBuffer;
-use vtkio::model::{Attribute, DataSet, Piece, PolyDataPiece, VertexNumbers, Vtk};
+use vtkio::model::{
+    Attribute, CellType, DataSet, Piece, PolyDataPiece, UnstructuredGridPiece, VertexNumbers, Vtk,
+};
 
 const END: &[u8] = b"\n</AppendedData>\n</VTKFile>\n";
 
@@ -29,12 +31,28 @@ fn with_base64(bytes: &[u8]) -> Vec<u8> {
     [xml.as_bytes(), encoded.as_bytes(), rest].concat()
 }
 
-fn piece(bytes: &[u8]) -> PolyDataPiece {
-    let DataSet::PolyData { pieces, .. } = Vtk::parse_xml(&with_base64(bytes)[..]).unwrap().data else {
-        panic!("not PolyData")
-    };
-    let [Piece::Inline(piece)] = &pieces[..] else { panic!("not one piece") };
-    (**piece).clone()
+/// The parts of a piece that both data sets have.
+struct Read {
+    points: IOBuffer,
+    corners: VertexNumbers,
+    data: vtkio::model::Attributes,
+}
+
+fn read(format: OutputFormat, bytes: &[u8]) -> Read {
+    match Vtk::parse_xml(&with_base64(bytes)[..]).unwrap().data {
+        DataSet::PolyData { pieces, .. } if format == OutputFormat::Vtp => {
+            let [Piece::Inline(piece)] = &pieces[..] else { panic!("not one piece") };
+            let PolyDataPiece { points, polys, data, .. } = (**piece).clone();
+            Read { points, corners: polys.expect("polygons"), data }
+        }
+        DataSet::UnstructuredGrid { pieces, .. } if format == OutputFormat::Vtu => {
+            let [Piece::Inline(piece)] = &pieces[..] else { panic!("not one piece") };
+            let UnstructuredGridPiece { points, cells, data } = (**piece).clone();
+            assert!(cells.types.iter().all(|&kind| kind == CellType::Triangle));
+            Read { points, corners: cells.cell_verts, data }
+        }
+        other => panic!("{other:?}"),
+    }
 }
 
 fn doubles(buffer: &IOBuffer) -> &[f64] {
@@ -44,9 +62,9 @@ fn doubles(buffer: &IOBuffer) -> &[f64] {
     }
 }
 
-fn check_mesh(piece: &PolyDataPiece, mesh: &pompeiu_core::TriMesh) {
+fn check_mesh(piece: &Read, mesh: &pompeiu_core::TriMesh) {
     assert_eq!(bits(doubles(&piece.points).as_chunks().0), bits(mesh.positions()));
-    let Some(VertexNumbers::XML { connectivity, offsets }) = &piece.polys else { panic!("no polygons") };
+    let VertexNumbers::XML { connectivity, offsets } = &piece.corners else { panic!("not of XML") };
     let corners: Vec<u64> = mesh.faces().as_flattened().iter().map(|&v| v.into()).collect();
     assert_eq!(*connectivity, corners);
     assert_eq!(*offsets, (1..=mesh.faces().len() as u64).map(|f| 3 * f).collect::<Vec<_>>());
@@ -55,12 +73,17 @@ fn check_mesh(piece: &PolyDataPiece, mesh: &pompeiu_core::TriMesh) {
 proptest! {
     #[test]
     fn mesh_alone(mesh in any_mesh()) {
-        check_mesh(&piece(&encoded(OutputFormat::Vtp, &mesh, &Attributes::for_mesh(&mesh))), &mesh);
+        for format in [OutputFormat::Vtp, OutputFormat::Vtu] {
+            check_mesh(&read(format, &encoded(format, &mesh, &Attributes::for_mesh(&mesh))), &mesh);
+        }
     }
 
     #[test]
-    fn every_attribute((mesh, attributes) in fully_attributed()) {
-        let piece = piece(&encoded(OutputFormat::Vtp, &mesh, &attributes));
+    fn every_attribute(
+        (mesh, attributes) in fully_attributed(),
+        format in prop::sample::select(vec![OutputFormat::Vtp, OutputFormat::Vtu]),
+    ) {
+        let piece = read(format, &encoded(format, &mesh, &attributes));
         check_mesh(&piece, &mesh);
         let points = (attributes.vertex_colors().unwrap(), attributes.vertex_scalars().collect::<Vec<_>>());
         let cells = (attributes.face_colors().unwrap(), attributes.face_scalars().collect::<Vec<_>>());

@@ -1,4 +1,4 @@
-//! VTK XML polygonal data, with its arrays appended as they are.
+//! VTK XML, polygonal data and unstructured grids, with arrays appended as they are.
 
 use super::{Attributes, EncodeError};
 use pompeiu_core::TriMesh;
@@ -10,7 +10,30 @@ pub(super) const COLORS: &str = "Colors";
 /// Length of the number of bytes that precedes each appended array, as `header_type="UInt64"` says.
 const LENGTH_BYTES: u64 = 8;
 
-pub(super) fn write(mut out: impl Write, mesh: &TriMesh, attributes: &Attributes) -> Result<(), EncodeError> {
+/// Which of VTK's data sets holds the triangles.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum DataSet {
+    PolyData,
+    UnstructuredGrid,
+}
+
+/// The number of VTK's cell type "triangle".
+const TRIANGLE: u8 = 5;
+
+pub(super) fn write(
+    mut out: impl Write,
+    data_set: DataSet,
+    mesh: &TriMesh,
+    attributes: &Attributes,
+) -> Result<(), EncodeError> {
+    let (name, cells, counts) = match data_set {
+        DataSet::PolyData => (
+            "PolyData",
+            "Polys",
+            "NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys",
+        ),
+        DataSet::UnstructuredGrid => ("UnstructuredGrid", "Cells", "NumberOfCells"),
+    };
     let (vertices, faces) = (mesh.positions().len(), mesh.faces().len());
     // The last offset, three per face, is the largest of all integers written except perhaps a vertex.
     let wide = i32::try_from(vertices).is_err() || i32::try_from(3 * faces as u64).is_err();
@@ -21,18 +44,20 @@ pub(super) fn write(mut out: impl Write, mesh: &TriMesh, attributes: &Attributes
     writeln!(
         xml.xml,
         "<?xml version=\"1.0\"?>\n\
-         <VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n\
-         <PolyData>\n\
-         <Piece NumberOfPoints=\"{vertices}\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" \
-         NumberOfPolys=\"{faces}\">"
+         <VTKFile type=\"{name}\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n\
+         <{name}>\n\
+         <Piece NumberOfPoints=\"{vertices}\" {counts}=\"{faces}\">"
     )?;
     xml.open("Points")?;
     xml.array("Points", "Float64", 3, 24 * n)?;
     xml.close("Points")?;
-    xml.open("Polys")?;
+    xml.open(cells)?;
     xml.array("connectivity", integer, 1, 3 * width * m)?;
     xml.array("offsets", integer, 1, width * m)?;
-    xml.close("Polys")?;
+    if data_set == DataSet::UnstructuredGrid {
+        xml.array("types", "UInt8", 1, m)?;
+    }
+    xml.close(cells)?;
     let vertex_scalars: Vec<_> = attributes.vertex_scalars().collect();
     let face_scalars: Vec<_> = attributes.face_scalars().collect();
     for (tag, count, colors, scalars) in [
@@ -59,7 +84,8 @@ pub(super) fn write(mut out: impl Write, mesh: &TriMesh, attributes: &Attributes
         xml.close(tag)?;
     }
     out.write_all(&xml.xml)?;
-    out.write_all(b"</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_")?;
+    writeln!(out, "</Piece>\n</{name}>\n<AppendedData encoding=\"raw\">")?;
+    out.write_all(b"_")?;
 
     append(&mut out, 24 * n, mesh.positions().as_flattened(), |x| x.to_le_bytes())?;
     let corners = mesh.faces().as_flattened();
@@ -69,6 +95,9 @@ pub(super) fn write(mut out: impl Write, mesh: &TriMesh, attributes: &Attributes
     } else {
         append(&mut out, 12 * m, corners, |v| v.to_le_bytes())?;
         append_iter(&mut out, 4 * m, (1..=m as u32).map(|f| (3 * f).to_le_bytes()))?;
+    }
+    if data_set == DataSet::UnstructuredGrid {
+        append_iter(&mut out, m, (0..m).map(|_| [TRIANGLE]))?;
     }
     for (colors, scalars) in
         [(attributes.vertex_colors(), &vertex_scalars), (attributes.face_colors(), &face_scalars)]
