@@ -22,6 +22,7 @@ fn main() -> std::process::ExitCode {
         Command::Convert(args) => commands::convert::run(&args, &printer),
         Command::Generate(args) => commands::generate::run(args, &printer),
         Command::Completions(args) => commands::completions::run(&args),
+        Command::Man(args) => commands::man::run(&args, &printer),
     };
     let exit = done.unwrap_or_else(|error| {
         Printer::error(&error);

@@ -327,6 +327,24 @@ fn there_are_completions_for_every_shell() {
 }
 
 #[test]
+fn there_is_a_manual_page_for_every_command() {
+    let folder = Folder::new();
+    folder.ok("man -o made/man1");
+    let page = |name: &str| std::fs::read_to_string(folder.path().join("made/man1").join(name)).unwrap();
+    let help = folder.ok("--help");
+    let commands = help.split("Commands:\n").nth(1).unwrap().split("\n\n").next().unwrap();
+    let names: Vec<_> = commands.lines().filter_map(|line| line.split_whitespace().next()).collect();
+    assert!(names.contains(&"distance") && names.contains(&"man"), "{names:?}");
+    for name in names.into_iter().filter(|&name| name != "help") {
+        assert!(page(&format!("pompeiu-{name}.1")).contains(".SH SYNOPSIS"), "{name}");
+        assert!(page("pompeiu.1").contains(&format!("pompeiu\\-{name}(1)")), "{name}");
+    }
+    assert!(page("pompeiu-distance.1").contains("assert\\-below"));
+    folder.write("file", "");
+    assert_eq!(folder.run("man -o file").status.code(), Some(2));
+}
+
+#[test]
 fn colours_are_for_terminals() {
     let folder = Folder::with_tent();
     let (_, stdout, stderr) = folder.transcript("distance tent.obj square.obj --tolerance 0");

@@ -61,6 +61,11 @@ Examples:
   pompeiu completions zsh > ~/.zfunc/_pompeiu
   pompeiu completions fish > ~/.config/fish/completions/pompeiu.fish")]
     Completions(Completions),
+    /// Write the manual pages, one for each command
+    #[command(after_help = "\
+Examples:
+  pompeiu man -o ~/.local/share/man/man1 && man pompeiu-distance")]
+    Man(Man),
 }
 
 #[derive(clap::Args)]
@@ -112,6 +117,13 @@ pub(crate) struct Generate {
 pub(crate) struct Completions {
     /// The shell
     pub(crate) shell: clap_complete::Shell,
+}
+
+#[derive(clap::Args)]
+pub(crate) struct Man {
+    /// The folder to write to, made when it is missing
+    #[arg(long, short, value_name = "FOLDER")]
+    pub(crate) output: PathBuf,
 }
 
 #[cfg(test)]

@@ -6,3 +6,4 @@ pub(crate) mod decompose;
 pub(crate) mod distance;
 pub(crate) mod generate;
 pub(crate) mod info;
+pub(crate) mod man;
