@@ -15,6 +15,7 @@
 //! with a [`hausdorff::Target`].
 
 pub use pompeiu_core as core;
+pub use pompeiu_figures as figures;
 pub use pompeiu_hausdorff as hausdorff;
 pub use pompeiu_io as io;
 pub use pompeiu_operators as operators;
