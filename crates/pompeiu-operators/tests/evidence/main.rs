@@ -8,3 +8,4 @@ mod dimensions;
 mod heat;
 mod identities;
 mod laplacian;
+mod one_kind;
