@@ -1,6 +1,8 @@
 //! The user guide says what the program does: each `sh` block of its pages is run, and a `text` block after one holds what
 //! the last command of it printed, times aside. `GUIDE_UPDATE=1` writes those blocks anew.
 
+#![allow(clippy::unwrap_used, reason = "tests may panic")]
+
 mod common;
 
 use common::{Folder, repository};
