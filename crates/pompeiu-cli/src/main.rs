@@ -4,8 +4,13 @@ mod args;
 mod commands;
 mod exit;
 mod files;
+mod json;
 mod numbers;
+mod page;
+mod pair;
 mod printer;
+mod threads;
+mod wait;
 
 use args::{Args, Command};
 use clap::Parser;

@@ -1,17 +1,17 @@
 //! The outcome as one JSON object. Doubles are written as the shortest decimals that read back to them.
 
-use super::outcome::{Answer, File, Outcome};
+use super::outcome::{Answer, Outcome};
 use super::watch::TraceRow;
 use crate::args::ToleranceKind;
-use pompeiu::hausdorff::{DirectedReport, Direction, Enclosure, StopReason, SurfacePoint, WorkCount};
+use crate::json::{Bounds, MeshFile, WitnessPoints, milliseconds, stop_name};
+use pompeiu::hausdorff::{DirectedReport, Direction, WorkCount};
 use serde::Serialize;
-use std::time::Duration;
 
 /// The outcome on one line.
 pub(super) fn json(outcome: &Outcome) -> serde_json::Result<String> {
     let report = Report {
-        a: Mesh::from(&outcome.a),
-        b: Mesh::from(&outcome.b),
+        a: MeshFile::from(&outcome.a),
+        b: MeshFile::from(&outcome.b),
         tolerance: Tolerance {
             requested: outcome.requested,
             kind: match outcome.kind {
@@ -45,8 +45,8 @@ pub(super) fn json(outcome: &Outcome) -> serde_json::Result<String> {
 
 #[derive(Serialize)]
 struct Report<'o> {
-    a: Mesh<'o>,
-    b: Mesh<'o>,
+    a: MeshFile<'o>,
+    b: MeshFile<'o>,
     tolerance: Tolerance,
     #[serde(skip_serializing_if = "Option::is_none")]
     a_to_b: Option<Directed>,
@@ -62,19 +62,6 @@ struct Report<'o> {
 }
 
 #[derive(Serialize)]
-struct Mesh<'o> {
-    path: &'o str,
-    vertices: usize,
-    faces: usize,
-}
-
-impl<'o> From<&'o File> for Mesh<'o> {
-    fn from(file: &'o File) -> Self {
-        Self { path: &file.path, vertices: file.vertices, faces: file.faces }
-    }
-}
-
-#[derive(Serialize)]
 struct Tolerance {
     requested: f64,
     kind: &'static str,
@@ -86,28 +73,8 @@ struct Directed {
     lower: f64,
     upper: f64,
     stop: &'static str,
-    witness: Witness,
+    witness: WitnessPoints,
     work: Work,
-}
-
-/// `a` lies on mesh A and `b` on mesh B, whatever the direction.
-#[derive(Serialize)]
-struct Witness {
-    a: Point,
-    b: Point,
-}
-
-#[derive(Serialize)]
-struct Point {
-    face: u32,
-    barycentric: [f64; 3],
-    position: [f64; 3],
-}
-
-impl From<SurfacePoint> for Point {
-    fn from(point: SurfacePoint) -> Self {
-        Self { face: point.face.0, barycentric: point.barycentric, position: point.position }
-    }
 }
 
 #[derive(Serialize)]
@@ -129,36 +96,13 @@ impl From<WorkCount> for Work {
 
 impl Directed {
     fn new(report: &DirectedReport, direction: Direction) -> Self {
-        let (from, to) = (report.witness.from.into(), report.witness.to.into());
         Self {
             lower: report.distance.lower(),
             upper: report.distance.upper(),
-            stop: match report.stop {
-                StopReason::Tolerance => "tolerance",
-                StopReason::Threshold => "threshold",
-                StopReason::Time => "time",
-                StopReason::Memory => "memory",
-                StopReason::Rounding => "rounding",
-                _ => "cancelled",
-            },
-            witness: match direction {
-                Direction::AToB => Witness { a: from, b: to },
-                Direction::BToA => Witness { a: to, b: from },
-            },
+            stop: stop_name(report.stop),
+            witness: WitnessPoints::new(&report.witness, direction),
             work: report.work.into(),
         }
-    }
-}
-
-#[derive(Serialize)]
-struct Bounds {
-    lower: f64,
-    upper: f64,
-}
-
-impl From<Enclosure> for Bounds {
-    fn from(enclosure: Enclosure) -> Self {
-        Self { lower: enclosure.lower(), upper: enclosure.upper() }
     }
 }
 
@@ -207,8 +151,4 @@ struct Timing {
     build: f64,
     search: f64,
     total: f64,
-}
-
-fn milliseconds(span: Duration) -> f64 {
-    span.as_nanos() as f64 / 1e6
 }

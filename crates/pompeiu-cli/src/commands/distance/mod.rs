@@ -3,24 +3,20 @@
 mod json;
 mod outcome;
 mod text;
-mod wait;
 mod watch;
 
 use crate::args::{Direction, Distance, Method, ToleranceKind};
 use crate::exit::Exit;
-use crate::files;
 use crate::numbers::shortest;
+use crate::pair::{self, File};
 use crate::printer::Printer;
-use anyhow::{Context, bail};
-use outcome::{File, Outcome, Times};
+use crate::threads::use_threads;
+use crate::wait::Wait;
+use outcome::{Outcome, Times};
 use pompeiu::core::TriMesh;
 use pompeiu::core::geom::Aabb;
-use pompeiu::core::mesh::unreferenced_vertices;
 use pompeiu::hausdorff::{self, Query, StopReason, Tolerance};
-use pompeiu::io::ReadMesh;
-use std::path::Path;
 use std::time::{Duration, Instant};
-use wait::Wait;
 use watch::Watch;
 
 /// The tolerances of a trace, fractions of the joint diagonal.
@@ -29,32 +25,14 @@ const TRACE: [f64; 14] =
 
 pub(crate) fn run(args: &Distance, printer: &Printer) -> anyhow::Result<Exit> {
     let started = Instant::now();
-    files::check_readable(&args.a)?;
-    files::check_readable(&args.b)?;
-    if files::are_same(&args.a, &args.b) {
-        if !args.a.is_file() {
-            bail!(
-                "{}: is given twice, but a pipe can be read only once; save it to a file",
-                args.a.display()
-            );
-        }
-        printer.warning(format_args!("{} and {} are the same file", args.a.display(), args.b.display()));
-    }
+    pair::check(&args.a, &args.b, printer)?;
     if let Some(threads) = args.threads {
-        rayon::ThreadPoolBuilder::new()
-            .num_threads(threads.into())
-            .build_global()
-            .with_context(|| format!("--threads {threads}: the system refuses that many; ask for fewer"))?;
+        use_threads(threads)?;
     }
     let wait = Wait::new(printer);
-    wait.show(format!("reading {} and {}", args.a.display(), args.b.display()));
-    // Counting runs on one thread: beside the other file it costs the least.
-    let read = |path: &Path| files::read(path).map(|read| (unreferenced_vertices(&read.mesh), read));
-    let (a, b) = rayon::join(|| read(&args.a), || read(&args.b));
-    let ((unreferenced_a, a), (unreferenced_b, b)) = (a?, b?);
+    let (a, b) = pair::read(&args.a, &args.b, &wait, printer)?;
     let read = started.elapsed();
-    wait.suspend(|| warn(args, [&a, &b], [unreferenced_a, unreferenced_b], printer));
-    let outcome = measure(args, (&a.mesh, &b.mesh), &wait, (started, read))?;
+    let outcome = measure(args, (&a, &b), &wait, (started, read))?;
     drop(wait);
 
     if outcome.reports().any(|report| report.stop == StopReason::Rounding) {
@@ -65,21 +43,6 @@ pub(crate) fn run(args: &Distance, printer: &Printer) -> anyhow::Result<Exit> {
     }
     Printer::answer(&if args.json { json::json(&outcome)? } else { text::text(&outcome) })?;
     Ok(outcome.exit())
-}
-
-fn warn(args: &Distance, [a, b]: [&ReadMesh; 2], unreferenced: [usize; 2], printer: &Printer) {
-    for ((path, read), unreferenced) in [(&args.a, a), (&args.b, b)].into_iter().zip(unreferenced) {
-        files::warn_of_changes(path, read, printer);
-        files::warn_of_unreferenced(path, unreferenced, printer);
-    }
-    if let Some((factor, a_is_larger)) = files::unit_factor(&a.mesh, &b.mesh) {
-        let (large, small) = if a_is_larger { (&args.a, &args.b) } else { (&args.b, &args.a) };
-        printer.warning(format_args!(
-            "{} is about {factor} times the size of {}; are they in the same unit?",
-            large.display(),
-            small.display()
-        ));
-    }
 }
 
 fn measure(

@@ -3,23 +3,9 @@
 use super::watch::TraceRow;
 use crate::args::ToleranceKind;
 use crate::exit::Exit;
-use pompeiu::core::TriMesh;
+use crate::pair::File;
 use pompeiu::hausdorff::{DirectedReport, Enclosure, StopReason};
-use std::path::Path;
 use std::time::Duration;
-
-/// A mesh file that was measured.
-pub(super) struct File {
-    pub(super) path: String,
-    pub(super) vertices: usize,
-    pub(super) faces: usize,
-}
-
-impl File {
-    pub(super) fn new(path: &Path, mesh: &TriMesh) -> Self {
-        Self { path: path.display().to_string(), vertices: mesh.positions().len(), faces: mesh.faces().len() }
-    }
-}
 
 /// Wall-clock times that the engine does not know.
 pub(super) struct Times {

@@ -1,35 +1,15 @@
 //! The outcome for people. Digits are shown only as far as they are proven.
 
-use super::outcome::{Answer, File, Outcome};
+use super::outcome::{Answer, Outcome};
 use super::watch::TraceRow;
 use crate::args::ToleranceKind;
-use crate::numbers::{agreed, between, grouped, plain, point, shortest, time};
-use crate::printer::LABEL;
+use crate::numbers::{grouped, plain, point, shortest, time};
+use crate::page::{Page, value};
+use crate::pair::File;
 use pompeiu::hausdorff::{DirectedReport, Direction, Enclosure, StopReason};
-use std::fmt::Write;
-
-/// Width of the column of names.
-const NAMES: usize = 10;
-
-/// Rows of a name and a line each.
-struct Page(String);
-
-impl Page {
-    fn row(&mut self, name: &str, line: &str) {
-        let padding = NAMES.saturating_sub(name.chars().count());
-        let _ = match name {
-            "" => writeln!(self.0, "{:padding$}{line}", ""),
-            _ => writeln!(self.0, "{LABEL}{name}{LABEL:#}{:padding$}{line}", ""),
-        };
-    }
-
-    fn gap(&mut self) {
-        self.0.push('\n');
-    }
-}
 
 pub(super) fn text(outcome: &Outcome) -> String {
-    let mut page = Page(String::new());
+    let mut page = Page::new();
     for (name, File { path, vertices, faces }) in [("A", &outcome.a), ("B", &outcome.b)] {
         let [vertices, faces] = [*vertices, *faces].map(|n| grouped(n as u64));
         page.row(name, &format!("{path}: {vertices} vertices, {faces} faces"));
@@ -65,7 +45,7 @@ pub(super) fn text(outcome: &Outcome) -> String {
     let [read, build, search, total] =
         [outcome.times.read, outcome.build(), outcome.search(), outcome.times.total].map(time);
     page.row("time", &format!("read {read}, build {build}, search {search}, total {total}"));
-    page.0
+    page.into_text()
 }
 
 fn sentence(outcome: &Outcome, threshold: f64, answer: Answer) -> String {
@@ -80,11 +60,6 @@ fn sentence(outcome: &Outcome, threshold: f64, answer: Answer) -> String {
         Answer::Above => format!("{name} exceeds {threshold}: proven by the points below"),
         Answer::Undecided => format!("undecided whether {name} is at most {threshold}"),
     }
-}
-
-fn value(distance: Enclosure) -> String {
-    let (lower, upper) = (distance.lower(), distance.upper());
-    agreed(lower, upper).unwrap_or_else(|| between(lower, upper))
 }
 
 fn proven(distance: Enclosure) -> String {

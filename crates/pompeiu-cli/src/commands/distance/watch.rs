@@ -1,8 +1,8 @@
 //! Watches the engine: moves the progress bar and keeps the rows of a trace.
 
-use super::wait::Wait;
 use crate::args;
 use crate::numbers::between;
+use crate::wait::Wait;
 use pompeiu::hausdorff::{DirectedReport, Direction, Observer, Progress, Stage, StopReason};
 use std::ops::ControlFlow;
 use std::time::Duration;

@@ -14,14 +14,14 @@ const PATIENCE: Duration = Duration::from_secs(1);
 const TICK: Duration = Duration::from_millis(100);
 
 /// A bar on stderr that appears after a second, and disappears with this value.
-pub(super) struct Wait {
+pub(crate) struct Wait {
     bar: ProgressBar,
     curtain: Option<(Sender<()>, JoinHandle<()>)>,
 }
 
 impl Wait {
     /// A bar if stderr is a terminal and messages are wanted, else nothing.
-    pub(super) fn new(printer: &Printer) -> Self {
+    pub(crate) fn new(printer: &Printer) -> Self {
         let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
         let curtain = (std::io::stderr().is_terminal() && !printer.is_quiet()).then(|| {
             let (sender, receiver) = channel::<()>();
@@ -38,13 +38,13 @@ impl Wait {
     }
 
     /// Tells what is being done, without knowing how long it takes.
-    pub(super) fn show(&self, message: String) {
+    pub(crate) fn show(&self, message: String) {
         self.bar.set_style(style("{spinner} {msg} ({elapsed})"));
         self.bar.set_message(message);
     }
 
     /// Tells how much of how much is done.
-    pub(super) fn advance(&self, message: String, [done, all]: [u64; 2]) {
+    pub(crate) fn advance(&self, message: String, [done, all]: [u64; 2]) {
         if self.bar.length().is_none() {
             self.bar.set_style(style("{spinner} [{bar:24}] {percent:>3}% ({elapsed}) {msg}"));
         }
@@ -54,7 +54,7 @@ impl Wait {
     }
 
     /// Lets something else be printed.
-    pub(super) fn suspend(&self, print: impl FnOnce()) {
+    pub(crate) fn suspend(&self, print: impl FnOnce()) {
         self.bar.suspend(print);
     }
 }

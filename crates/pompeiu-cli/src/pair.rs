@@ -1,0 +1,62 @@
+//! The two files of a comparison.
+
+use crate::files;
+use crate::printer::Printer;
+use crate::wait::Wait;
+use anyhow::bail;
+use pompeiu::core::TriMesh;
+use pompeiu::core::mesh::unreferenced_vertices;
+use pompeiu::io::ReadMesh;
+use std::path::Path;
+
+/// A mesh file that was measured.
+pub(crate) struct File {
+    pub(crate) path: String,
+    pub(crate) vertices: usize,
+    pub(crate) faces: usize,
+}
+
+impl File {
+    pub(crate) fn new(path: &Path, mesh: &TriMesh) -> Self {
+        Self { path: path.display().to_string(), vertices: mesh.positions().len(), faces: mesh.faces().len() }
+    }
+}
+
+/// Refuses, before anything is read, what cannot be compared.
+pub(crate) fn check(a: &Path, b: &Path, printer: &Printer) -> anyhow::Result<()> {
+    files::check_readable(a)?;
+    files::check_readable(b)?;
+    if files::are_same(a, b) {
+        if !a.is_file() {
+            bail!("{}: is given twice, but a pipe can be read only once; save it to a file", a.display());
+        }
+        printer.warning(format_args!("{} and {} are the same file", a.display(), b.display()));
+    }
+    Ok(())
+}
+
+/// Reads both, and warns of what deserves it.
+pub(crate) fn read(a: &Path, b: &Path, wait: &Wait, printer: &Printer) -> anyhow::Result<(TriMesh, TriMesh)> {
+    wait.show(format!("reading {} and {}", a.display(), b.display()));
+    // Counting runs on one thread: beside the other file it costs the least.
+    let read = |path: &Path| files::read(path).map(|read| (unreferenced_vertices(&read.mesh), read));
+    let (first, second) = rayon::join(|| read(a), || read(b));
+    let (first, second) = (first?, second?);
+    wait.suspend(|| warn([a, b], [&first, &second], printer));
+    Ok((first.1.mesh, second.1.mesh))
+}
+
+fn warn(paths: [&Path; 2], files: [&(usize, ReadMesh); 2], printer: &Printer) {
+    for (path, (unreferenced, read)) in paths.into_iter().zip(files) {
+        files::warn_of_changes(path, read, printer);
+        files::warn_of_unreferenced(path, *unreferenced, printer);
+    }
+    if let Some((factor, a_is_larger)) = files::unit_factor(&files[0].1.mesh, &files[1].1.mesh) {
+        let [large, small] = if a_is_larger { paths } else { [paths[1], paths[0]] };
+        printer.warning(format_args!(
+            "{} is about {factor} times the size of {}; are they in the same unit?",
+            large.display(),
+            small.display()
+        ));
+    }
+}
