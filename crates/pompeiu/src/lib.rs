@@ -14,6 +14,10 @@
 //! Files are read with [`io::read_mesh`], options go through [`hausdorff::Query`], and one mesh is measured against by many
 //! with a [`hausdorff::Target`].
 
+pub mod align;
+pub mod matrix;
+pub mod rank;
+
 pub use pompeiu_core as core;
 pub use pompeiu_figures as figures;
 pub use pompeiu_hausdorff as hausdorff;

@@ -1,0 +1,16 @@
+//! What cannot be aligned.
+
+/// Why a mesh cannot be aligned.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum AlignError {
+    /// A mesh of points or segments has no centroid of its area.
+    #[error("none of the {faces} faces has an area, so there is nothing to align by")]
+    NoArea {
+        /// Faces of the mesh.
+        faces: usize,
+    },
+    /// The map leaves the range of double precision.
+    #[error("the sizes or places of the two meshes are too far apart to align them in double precision")]
+    Sizes,
+}

@@ -1,0 +1,190 @@
+//! Iterated closest points: the pose in which points lie nearest to a surface.
+
+use super::pose::{Pose, axis_rotations};
+use glam::{DMat3, DVec3};
+use pompeiu_core::TriMesh;
+use pompeiu_core::geom::Frame;
+use pompeiu_core::geom::point_triangle::closest_barycentric;
+use pompeiu_core::spatial::bvh::{Bvh, Slot, Workspace};
+use pompeiu_solve::{Cholesky, LinearSolver, SparseMatrix};
+
+/// Points with which starts are told apart.
+const FEW_POINTS: usize = 200;
+/// Steps after which they are compared.
+const FEW_STEPS: usize = 8;
+/// Starts that are followed to the end.
+const FOLLOWED: usize = 3;
+/// Points of the alignment that is kept.
+const POINTS: usize = 2000;
+/// Most steps of it.
+const STEPS: usize = 60;
+/// Damping to begin with, of the mean diagonal entry of the normal equations; a tenth after each step that helped.
+const DAMPING: f64 = 1e-3;
+/// Damping that is always there: keeps the equations of a sphere or a plane solvable.
+const LEAST_DAMPING: f64 = 1e-12;
+/// Damping beyond which no step helps any more.
+const MOST_DAMPING: f64 = 1e3;
+/// Relative decrease of the mean squared distance below which it is at rest.
+const REST: f64 = 1e-10;
+
+/// A surface for closest-point questions.
+#[derive(Debug)]
+pub(super) struct Surface {
+    bvh: Bvh,
+}
+
+impl Surface {
+    pub(super) fn new(mesh: &TriMesh, frame: &Frame) -> Self {
+        Self { bvh: Bvh::build(mesh, frame) }
+    }
+
+    /// The point nearest to `p`, and the unit normal of its face, or the direction to `p` where the face has none.
+    fn nearest(&self, p: DVec3, slot: &mut Slot, workspace: &mut Workspace) -> (DVec3, DVec3) {
+        *slot = self.bvh.nearest(p.to_array(), *slot, workspace).slot;
+        let corners = self.bvh.corners(*slot);
+        let weights = closest_barycentric(p.to_array(), corners);
+        let [a, b, c] = corners.map(DVec3::from_array);
+        let q = a + weights[1] * (b - a) + weights[2] * (c - a);
+        let normal = (b - a).cross(c - a);
+        let normal = normal.try_normalize().or_else(|| (p - q).try_normalize()).unwrap_or(DVec3::ZERO);
+        (q, normal)
+    }
+}
+
+/// The best pose found: axes and centroids are those of the surface and of the points.
+pub(super) fn registered(
+    surface: &Surface,
+    axes: [DMat3; 2],
+    centroids: [DVec3; 2],
+    in_place: DVec3,
+    points: impl Fn(usize) -> Vec<DVec3>,
+) -> Pose {
+    let centred = |rotation: DMat3| Pose { rotation, translation: centroids[0] - rotation * centroids[1] };
+    let turned = axis_rotations().map(|r| centred(axes[0] * r * axes[1].transpose()));
+    let starts = [Pose { rotation: DMat3::IDENTITY, translation: in_place }, centred(DMat3::IDENTITY)];
+    let few = points(FEW_POINTS);
+    let mut found: Vec<Descent<'_>> = starts
+        .into_iter()
+        .chain(turned)
+        .map(|start| Descent::new(surface, &few, start, centroids[1]).run(FEW_STEPS))
+        .collect();
+    // Stable, so that equals stay in the order of the starts.
+    found.sort_by(|a, b| a.mean_square.total_cmp(&b.mean_square));
+    let many = points(POINTS);
+    let mut best: Option<Descent<'_>> = None;
+    for start in &found[..FOLLOWED] {
+        let end = Descent::new(surface, &many, start.pose, centroids[1]).run(STEPS);
+        if best.as_ref().is_none_or(|best| end.mean_square < best.mean_square) {
+            best = Some(end);
+        }
+    }
+    best.map_or(centred(DMat3::IDENTITY), |best| best.pose)
+}
+
+/// A descent towards a local optimum.
+struct Descent<'s> {
+    surface: &'s Surface,
+    points: &'s [DVec3],
+    /// What turns are about, before the pose.
+    centre: DVec3,
+    pose: Pose,
+    /// Mean squared distance of the points from the surface, in this pose.
+    mean_square: f64,
+    equations: Equations,
+    /// Where each point found its nearest face last.
+    slots: Vec<Slot>,
+    workspace: Workspace,
+}
+
+/// The normal equations of distances from planes: six unknowns, a turn and a shift.
+#[derive(Clone, Copy, Debug, Default)]
+struct Equations {
+    matrix: [[f64; 6]; 6],
+    right: [f64; 6],
+}
+
+impl<'s> Descent<'s> {
+    fn new(surface: &'s Surface, points: &'s [DVec3], pose: Pose, centre: DVec3) -> Self {
+        let mut descent = Self {
+            surface,
+            points,
+            centre,
+            pose,
+            mean_square: f64::INFINITY,
+            equations: Equations::default(),
+            slots: vec![surface.bvh.any_slot(); points.len()],
+            workspace: Workspace::default(),
+        };
+        (descent.mean_square, descent.equations) = descent.look(&pose);
+        descent
+    }
+
+    /// Goes downhill for at most this many trials.
+    fn run(mut self, steps: usize) -> Self {
+        let mut damping = DAMPING;
+        for _ in 0..steps {
+            let about = self.pose.apply(self.centre);
+            let Some([turn, shift]) = self.equations.solved(damping + LEAST_DAMPING) else { break };
+            let pose = self.pose.then(turn, about, shift);
+            let (mean_square, equations) = self.look(&pose);
+            if mean_square < self.mean_square {
+                let rest = mean_square > (1.0 - REST) * self.mean_square;
+                (self.pose, self.mean_square, self.equations) = (pose, mean_square, equations);
+                damping *= 0.1;
+                if rest {
+                    break;
+                }
+            } else {
+                damping = if damping < LEAST_DAMPING { DAMPING } else { 10.0 * damping };
+                if damping > MOST_DAMPING {
+                    break;
+                }
+            }
+        }
+        self
+    }
+
+    /// The mean squared distance in a pose, and the equations for the next one.
+    fn look(&mut self, pose: &Pose) -> (f64, Equations) {
+        let about = pose.apply(self.centre);
+        let mut equations = Equations::default();
+        let mut sum = 0.0;
+        for (point, slot) in self.points.iter().zip(&mut self.slots) {
+            let p = pose.apply(*point);
+            let (q, normal) = self.surface.nearest(p, slot, &mut self.workspace);
+            sum += (p - q).length_squared();
+            let arm = (p - about).cross(normal);
+            equations.add([arm.x, arm.y, arm.z, normal.x, normal.y, normal.z], normal.dot(q - p));
+        }
+        (sum / self.points.len() as f64, equations)
+    }
+}
+
+impl Equations {
+    fn add(&mut self, row: [f64; 6], right: f64) {
+        for i in 0..6 {
+            for j in 0..=i {
+                self.matrix[i][j] += row[i] * row[j];
+            }
+            self.right[i] += row[i] * right;
+        }
+    }
+
+    /// The turn and the shift; none where numbers left their range.
+    fn solved(&self, damping: f64) -> Option<[DVec3; 2]> {
+        let mean = (0..6).map(|i| self.matrix[i][i]).sum::<f64>() / 6.0;
+        let mut entries = Vec::with_capacity(36);
+        for i in 0..6 {
+            for j in 0..=i {
+                let value = self.matrix[i][j] + if i == j { damping * mean } else { 0.0 };
+                entries.push((i, j, value));
+                if i != j {
+                    entries.push((j, i, value));
+                }
+            }
+        }
+        let matrix = SparseMatrix::from_triplets(6, 6, &entries).ok()?;
+        let x = Cholesky::new(&matrix).ok()?.solve(&self.right).ok()?;
+        Some([DVec3::from_slice(&x[..3]), DVec3::from_slice(&x[3..])])
+    }
+}

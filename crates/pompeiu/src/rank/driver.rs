@@ -1,0 +1,290 @@
+//! Which tasks come next: a state machine that sees results, never clocks or threads.
+
+use super::options::{Options, RankError};
+use super::report::{Bound, Report, Standing, Status, Work, ranks};
+use super::task::{Action, Outcome, Request, Sight, Task};
+
+/// Least number of targets in the first round of searches: their upper bounds discard many of the others. Each further
+/// round of the same tolerance has twice as many, so that there are few rounds and places for many hands.
+const FIRST_ROUND: usize = 8;
+
+/// A ranking under way.
+///
+/// [`Ranking::round`] names the tasks of a round, none when all is known; [`Ranking::merge`] takes their results, in the same
+/// order. What is asked next depends on the results of whole rounds, and on the names and not on the order of the
+/// targets.
+#[derive(Clone, Debug)]
+pub struct Ranking {
+    options: Options,
+    tolerances: Vec<f64>,
+    candidates: Vec<Candidate>,
+    /// Candidates by name: what breaks ties.
+    by_name: Vec<usize>,
+    round: Vec<Task>,
+    /// Rounds with the present tolerance so far.
+    rounds_of_tolerance: u32,
+    work: Work,
+}
+
+#[derive(Clone, Debug)]
+struct Candidate {
+    name: String,
+    state: State,
+}
+
+#[derive(Clone, Debug)]
+enum State {
+    Unseen,
+    Seen(Box<Seen>),
+    Failed(String),
+}
+
+#[derive(Clone, Debug)]
+struct Seen {
+    sight: Sight,
+    lower: f64,
+    upper: f64,
+    /// What proved the lower bound.
+    bound: Bound,
+    /// Tolerances that were reached.
+    reached: usize,
+    discarded: bool,
+}
+
+impl Ranking {
+    /// A ranking of targets with these names; equal names are told apart by their order.
+    ///
+    /// # Errors
+    /// Those of [`Options::check`], and [`RankError::NoTargets`].
+    pub fn new(names: Vec<String>, options: &Options) -> Result<Self, RankError> {
+        options.check()?;
+        if names.is_empty() {
+            return Err(RankError::NoTargets);
+        }
+        let mut by_name: Vec<usize> = (0..names.len()).collect();
+        by_name.sort_by(|&i, &j| names[i].cmp(&names[j]));
+        let tolerances = options.tolerances();
+        let searches = tolerances.iter().map(|t| (*t, 0)).collect();
+        let round = by_name.iter().map(|&target| Task { target, action: Action::Look }).collect();
+        Ok(Self {
+            options: options.clone(),
+            tolerances,
+            candidates: names.into_iter().map(|name| Candidate { name, state: State::Unseen }).collect(),
+            by_name,
+            round,
+            rounds_of_tolerance: 0,
+            work: Work { searches, ..Work::default() },
+        })
+    }
+
+    /// The tasks of this round; none when the ranking is done.
+    pub fn round(&self) -> &[Task] {
+        &self.round
+    }
+
+    /// Whether a target may still be asked for: its mesh can be forgotten when it is not.
+    pub fn wants(&self, target: usize) -> bool {
+        !self.round.is_empty()
+            && match self.candidates.get(target).map(|candidate| &candidate.state) {
+                Some(State::Unseen) => true,
+                Some(State::Seen(seen)) => !seen.discarded && seen.reached < self.tolerances.len(),
+                _ => false,
+            }
+    }
+
+    /// How many targets are settled: measured in full, discarded or failed.
+    pub fn settled(&self) -> usize {
+        (0..self.candidates.len()).filter(|&target| !self.wants(target)).count()
+    }
+
+    /// Takes the results of the round, in the order of its tasks, and decides on the next.
+    ///
+    /// # Errors
+    /// [`RankError::Results`] and [`RankError::Answer`]; the round then stays as it was.
+    pub fn merge(&mut self, outcomes: Vec<Outcome>) -> Result<(), RankError> {
+        if outcomes.len() != self.round.len() {
+            return Err(RankError::Results { expected: self.round.len(), found: outcomes.len() });
+        }
+        for (task, outcome) in self.round.iter().zip(&outcomes) {
+            let fits = match (&task.action, outcome) {
+                (_, Outcome::Failed(_)) => true,
+                (Action::Look, Outcome::Seen(sight)) => sight.is_sound(),
+                (Action::Refine(_), Outcome::Refined(refined)) => {
+                    refined.lower >= 0.0 && refined.upper.is_none_or(|upper| refined.lower <= upper)
+                }
+                _ => false,
+            };
+            if !fits {
+                return Err(RankError::Answer { target: task.target });
+            }
+        }
+        if outcomes.is_empty() {
+            return Ok(());
+        }
+        self.work.rounds += 1;
+        for (task, outcome) in std::mem::take(&mut self.round).into_iter().zip(outcomes) {
+            self.take(&task, outcome);
+        }
+        self.discard();
+        self.round = self.next_round();
+        Ok(())
+    }
+
+    fn take(&mut self, task: &Task, outcome: Outcome) {
+        let state = &mut self.candidates[task.target].state;
+        match (outcome, &mut *state) {
+            (Outcome::Seen(sight), _) => {
+                self.work.looks += 1;
+                self.work.distances += sight.distances;
+                *state = State::Seen(Box::new(Seen::new(sight)));
+            }
+            (Outcome::Refined(refined), State::Seen(seen)) => {
+                let Action::Refine(request) = &task.action else { return };
+                let tolerance = self.tolerances[seen.reached];
+                self.work.searches[seen.reached].1 += 1;
+                self.work.trees += refined.trees;
+                self.work.distances += refined.distances;
+                if refined.lower > seen.lower {
+                    (seen.lower, seen.bound) = (refined.lower, Bound::Search(tolerance));
+                }
+                if let Some(upper) = refined.upper.filter(|upper| *upper < seen.upper) {
+                    seen.upper = upper;
+                }
+                if request.threshold.is_some_and(|threshold| refined.lower > threshold) {
+                    // It ended early. What is beyond the threshold is discarded, or asked again where that has changed.
+                    return;
+                }
+                seen.reached += 1;
+                // A search ends rather than converges: often it is narrower than asked.
+                let last = self.tolerances.len();
+                let narrow = |t: f64| seen.upper - seen.lower <= t * seen.sight.diagonal;
+                while seen.reached < last && narrow(self.tolerances[seen.reached]) {
+                    seen.reached += 1;
+                }
+            }
+            (Outcome::Failed(message), _) => *state = State::Failed(message),
+            (Outcome::Refined(_), _) => (),
+        }
+    }
+
+    /// The k-th least upper bound: what is certainly farther is not among the k best.
+    fn threshold(&self) -> Option<f64> {
+        if self.options.all {
+            return None;
+        }
+        let mut uppers: Vec<f64> = self.seen().map(|(_, seen)| seen.upper).collect();
+        uppers.sort_by(f64::total_cmp);
+        uppers.get(self.options.top - 1).copied()
+    }
+
+    /// What is known of each target that could be used, by name.
+    fn seen(&self) -> impl Iterator<Item = (usize, &Seen)> {
+        self.by_name.iter().filter_map(|&target| match &self.candidates[target].state {
+            State::Seen(seen) => Some((target, seen.as_ref())),
+            _ => None,
+        })
+    }
+
+    fn discard(&mut self) {
+        let threshold = self.threshold().unwrap_or(f64::INFINITY);
+        for candidate in &mut self.candidates {
+            if let State::Seen(seen) = &mut candidate.state {
+                // Anew each time: where a target failed later than another was discarded, the other may count again.
+                seen.discarded = seen.lower > threshold;
+            }
+        }
+    }
+
+    /// The most promising of those that lag behind.
+    fn next_round(&mut self) -> Vec<Task> {
+        let open = |seen: &Seen| !seen.discarded && seen.reached < self.tolerances.len();
+        let mut behind: Vec<(usize, &Seen)> = self.seen().filter(|(_, seen)| open(seen)).collect();
+        let Some(least) = behind.iter().map(|(_, seen)| seen.reached).min() else { return Vec::new() };
+        behind.retain(|(_, seen)| seen.reached == least);
+        behind.sort_by(|(_, a), (_, b)| a.lower.total_cmp(&b.lower).then(a.upper.total_cmp(&b.upper)));
+        let begun = self.work.searches[least].1 > 0;
+        let rounds = if begun { self.rounds_of_tolerance + 1 } else { 0 };
+        let first = self.options.top.max(FIRST_ROUND);
+        let most = if self.options.all { usize::MAX } else { first.saturating_mul(1 << rounds.min(31)) };
+        let threshold = self.threshold();
+        let tolerance = self.tolerances[least];
+        let task = |(target, seen): &(usize, &Seen)| {
+            let request = Request { tolerance, threshold, transform: seen.sight.transform };
+            Task { target: *target, action: Action::Refine(request) }
+        };
+        let round = behind.iter().take(most).map(task).collect();
+        self.rounds_of_tolerance = rounds;
+        round
+    }
+
+    /// What is known so far; the answer once there are no tasks left.
+    pub fn report(&self) -> Report {
+        let enclosures: Vec<_> = self
+            .candidates
+            .iter()
+            .map(|candidate| match &candidate.state {
+                State::Seen(seen) => Some([seen.lower, seen.upper]),
+                _ => None,
+            })
+            .collect();
+        let ranks = ranks(&enclosures);
+        let mut standings: Vec<Standing> = self
+            .by_name
+            .iter()
+            .map(|&target| {
+                let candidate = &self.candidates[target];
+                let seen = match &candidate.state {
+                    State::Seen(seen) => Some(seen),
+                    _ => None,
+                };
+                Standing {
+                    target,
+                    name: candidate.name.clone(),
+                    status: match &candidate.state {
+                        State::Seen(seen) if seen.discarded => Status::Discarded(seen.bound),
+                        State::Seen(_) => Status::Ranked,
+                        State::Failed(message) => Status::Failed(message.clone()),
+                        State::Unseen => Status::Failed("it was not looked at yet".to_owned()),
+                    },
+                    ranks: ranks[target],
+                    lower: seen.map(|seen| seen.lower),
+                    upper: seen.map(|seen| seen.upper),
+                    size: seen.map(|seen| [seen.sight.vertices, seen.sight.faces]),
+                    transform: seen.and_then(|seen| seen.sight.transform),
+                }
+            })
+            .collect();
+        let kind = |standing: &Standing| match standing.status {
+            Status::Ranked => 0,
+            Status::Discarded(_) => 1,
+            Status::Failed(_) => 2,
+        };
+        let ends = |standing: &Standing| [standing.lower, standing.upper].map(|x| x.unwrap_or(f64::INFINITY));
+        // Stable, so that equals stay in the order of their names.
+        standings.sort_by(|a, b| {
+            let by_kind = kind(a).cmp(&kind(b));
+            let by_rank = if kind(a) == 0 { a.ranks.cmp(&b.ranks) } else { std::cmp::Ordering::Equal };
+            let ([l, u], [m, v]) = (ends(a), ends(b));
+            by_kind.then(by_rank).then(l.total_cmp(&m)).then(u.total_cmp(&v))
+        });
+        Report { standings, work: self.work.clone() }
+    }
+}
+
+impl Seen {
+    fn new(sight: Sight) -> Self {
+        let probed = sight.probe_lower > sight.support_lower;
+        let lower = if probed { sight.probe_lower } else { sight.support_lower };
+        // Both are proven, so they cannot cross; a result that was tampered with shall not make them.
+        let upper = if sight.upper > lower { sight.upper } else { lower };
+        let bound = if probed { Bound::Probes } else { Bound::Supports };
+        Self { lower, upper, bound, sight, reached: 0, discarded: false }
+    }
+}
+
+impl Sight {
+    fn is_sound(&self) -> bool {
+        let finite = |x: f64| (0.0..f64::INFINITY).contains(&x);
+        [self.support_lower, self.probe_lower, self.upper, self.diagonal].into_iter().all(finite)
+    }
+}
