@@ -31,5 +31,6 @@ pub use face_vectors::read_face_vectors;
 pub use format::Format;
 pub use read::{ReadMesh, read, read_bytes, read_mesh};
 pub use write::{
-    AttributeError, Attributes, EncodeError, OutputFormat, WriteError, encode, write, write_as, write_with,
+    AttributeError, Attributes, EncodeError, OutputFormat, WriteError, encode, write, write_as, write_whole,
+    write_with,
 };

@@ -81,10 +81,25 @@ pub fn write_as(
             encode(out, format, mesh, attributes)
         }
     });
-    encoded.map_err(|error| match error {
-        EncodeError::Io(source) => WriteError::Io { path: path.to_owned(), source },
-        source => WriteError::Encode { path: path.to_owned(), source },
-    })
+    encoded.map_err(|error| in_file(path, error))
+}
+
+fn in_file(path: &Path, error: EncodeError) -> WriteError {
+    let path = path.to_owned();
+    match error {
+        EncodeError::Io(source) => WriteError::Io { path, source },
+        source => WriteError::Encode { path, source },
+    }
+}
+
+/// Writes a file of any kind, such as a picture or a page, whole or not at all: it appears, or is replaced, only once all of it is
+/// written.
+///
+/// # Errors
+/// [`WriteError::Io`]; whatever was there before is still there.
+pub fn write_whole(path: impl AsRef<Path>, content: &[u8]) -> Result<(), WriteError> {
+    let path = path.as_ref();
+    replace::replace_file(path, |file| Ok(file.write_all(content)?)).map_err(|error| in_file(path, error))
 }
 
 /// Writes a mesh with attributes to anything that takes bytes, uncompressed; flushes at the end.

@@ -4,7 +4,9 @@ use crate::encoded;
 use crate::meshes::tetrahedron;
 use flate2::read::GzDecoder;
 use pompeiu_core::TriMesh;
-use pompeiu_io::{Attributes, EncodeError, OutputFormat, WriteError, encode, write, write_as, write_with};
+use pompeiu_io::{
+    Attributes, EncodeError, OutputFormat, WriteError, encode, write, write_as, write_whole, write_with,
+};
 use std::fs;
 use std::io::{self, Read};
 use std::path::Path;
@@ -147,4 +149,18 @@ fn a_full_disk_is_reported() {
         let error = encode(Full(length - 1), format, &mesh, &attributes).unwrap_err();
         assert!(matches!(&error, EncodeError::Io(e) if e.kind() == io::ErrorKind::StorageFull), "{error}");
     }
+}
+
+#[test]
+fn any_file_appears_whole() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("page.html");
+    for content in ["<p>one", "two"] {
+        write_whole(&path, content.as_bytes()).unwrap();
+        assert_eq!(fs::read_to_string(&path).unwrap(), content);
+    }
+    let error = write_whole(folder.path(), b"three").unwrap_err();
+    assert!(matches!(error, WriteError::Io { .. }), "{error}");
+    assert!(write_whole(folder.path().join("nowhere/page.html"), b"").is_err());
+    assert_eq!(names(folder.path()), ["page.html"]);
 }
