@@ -1,6 +1,10 @@
 //! Pictures of meshes and of what was found on them.
 //!
-//! This crate draws what it is given: it measures no distance and reads no file, and it returns bytes.
+//! This crate draws what it is given: it measures no distance and reads no file, and it returns pixels or bytes.
+//!
+//! A [`Figure`] has [panels](Panel) that share a camera and a colour [`Scale`]; a panel shows a mesh, coloured by
+//! [`Values`], and [marks](Mark) on it. No graphics card is needed, and the same figure has the same pixels on every
+//! machine.
 //!
 //! ```
 //! use pompeiu_figures::{ColorMap, Scale};
@@ -12,5 +16,21 @@
 //! ```
 
 pub mod colormap;
+mod figure;
+mod image;
+mod legend;
+mod normals;
+mod panel;
+mod raster;
+mod text;
+mod theme;
+mod ticks;
+mod view;
 
 pub use colormap::{ColorMap, Rgb, Scale, ScaleError};
+pub use figure::{Figure, FigureError};
+pub use image::Image;
+pub use normals::vertex_normals;
+pub use panel::{Mark, Panel, Values};
+pub use theme::Theme;
+pub use view::{Projection, View};

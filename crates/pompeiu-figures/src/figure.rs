@@ -1,0 +1,253 @@
+//! Panels, a legend and text, put together.
+
+use crate::image::Image;
+use crate::legend::Legend;
+use crate::raster::{Camera, render};
+use crate::text::{Run, Style, Weight};
+use crate::{Panel, Scale, ScaleError, Theme, View};
+use thiserror::Error;
+
+/// Why a figure cannot be drawn.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum FigureError {
+    /// A side of the picture is zero or too long.
+    #[error(
+        "a picture has 1 to {} pixels on a side, but {width} × {height} were asked for",
+        Figure::MAX_SIDE
+    )]
+    Size {
+        /// Pixels in a row.
+        width: u32,
+        /// Rows.
+        height: u32,
+    },
+    /// There is not one value, or normal, for everything that should have one.
+    #[error("a mesh with {expected} {of} needs as many {what}, but has {found}")]
+    Count {
+        /// What is counted.
+        what: &'static str,
+        /// How many there are.
+        found: usize,
+        /// How many there should be.
+        expected: usize,
+        /// What each of them belongs to.
+        of: &'static str,
+    },
+    /// A direction of the view is zero, or not finite.
+    #[error("the direction {what} is ({}, {}, {}), which is no direction", direction[0], direction[1], direction[2])]
+    Direction {
+        /// Which direction.
+        what: &'static str,
+        /// What was given.
+        direction: [f64; 3],
+    },
+    /// A panel has values, but the figure has no scale.
+    #[error("panel {panel} has values, but the figure has no colour scale for them")]
+    NoScale {
+        /// The panel, counted from 1.
+        panel: usize,
+    },
+    /// The scale is none.
+    #[error(transparent)]
+    Scale(#[from] ScaleError),
+}
+
+/// A picture of one or more panels that share a camera and a colour scale.
+///
+/// # Shapes and units
+/// Sizes are in pixels; values, and the ends of the scale, in the unit that the scale's label names.
+///
+/// # Accuracy
+/// Pictures have the same bits for any number of threads, and on every machine whose arithmetic is that of IEEE 754.
+/// A pixel is the mean of nine samples; the value of a sample is that of the face at that place, not a mean of
+/// colours.
+///
+/// # Limits
+/// Faces are opaque and seen from both sides. The camera stays outside of all meshes.
+///
+/// # Cost
+/// O(faces + pixels), parallel; about 150 bytes per vertex, and 8 per face and tile of 64 pixels that it touches.
+///
+/// # Example
+/// ```
+/// use pompeiu_core::mesh::shapes::torus;
+/// use pompeiu_figures::{ColorMap, Figure, Panel, Scale, Values};
+///
+/// let mesh = torus(1.0, 0.4, 48, 24)?;
+/// let heights: Vec<f64> = mesh.positions().iter().map(|position| position[2]).collect();
+/// let image = Figure::new(320, 240)
+///     .with_scale(Scale::symmetric(ColorMap::Vik, 0.4)?, "height (mm)")
+///     .with_panel(Panel::new(&mesh).with_values(Values::Vertices(&heights)).with_title("torus"))
+///     .draw()?;
+/// assert_eq!((image.width(), image.height()), (320, 240));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Figure<'a> {
+    width: u32,
+    height: u32,
+    title: String,
+    theme: Theme,
+    view: View,
+    scale: Option<(Scale, String)>,
+    panels: Vec<Panel<'a>>,
+}
+
+impl<'a> Figure<'a> {
+    /// Most pixels on a side.
+    pub const MAX_SIDE: u32 = 1 << 14;
+
+    /// An empty picture.
+    pub fn new(width: u32, height: u32) -> Self {
+        let (theme, view) = (Theme::default(), View::default());
+        Self { width, height, title: String::new(), theme, view, scale: None, panels: Vec::new() }
+    }
+
+    /// Writes a line of text at the top.
+    #[must_use]
+    pub fn with_title(mut self, title: impl Into<String>) -> Self {
+        self.title = title.into();
+        self
+    }
+
+    /// Chooses background and text colours.
+    #[must_use]
+    pub fn with_theme(mut self, theme: Theme) -> Self {
+        self.theme = theme;
+        self
+    }
+
+    /// Chooses from where meshes are seen.
+    #[must_use]
+    pub fn with_view(mut self, view: View) -> Self {
+        self.view = view;
+        self
+    }
+
+    /// Colours values by a scale, and explains it at the right with a label that should name the unit.
+    #[must_use]
+    pub fn with_scale(mut self, scale: Scale, label: impl Into<String>) -> Self {
+        self.scale = Some((scale, label.into()));
+        self
+    }
+
+    /// Adds a panel after those that are there: in rows, from the left.
+    #[must_use]
+    pub fn with_panel(mut self, panel: Panel<'a>) -> Self {
+        self.panels.push(panel);
+        self
+    }
+
+    /// Draws the picture.
+    ///
+    /// # Errors
+    /// [`FigureError`] names what does not fit together.
+    pub fn draw(&self) -> Result<Image, FigureError> {
+        let (width, height) = (self.width, self.height);
+        if ![width, height].iter().all(|side| (1..=Self::MAX_SIDE).contains(side)) {
+            return Err(FigureError::Size { width, height });
+        }
+        for (panel, number) in self.panels.iter().zip(1..) {
+            panel.check()?;
+            if panel.values.is_some() && self.scale.is_none() {
+                return Err(FigureError::NoScale { panel: number });
+            }
+        }
+        let camera = Camera::new(&self.view, &self.panels)?;
+        let colors = self.theme.colors();
+        let mut image = Image::filled(width, height, colors.background);
+        let sizes = Sizes::new(width, height);
+        let mut area = Area {
+            left: sizes.margin,
+            top: sizes.margin,
+            right: f64::from(width),
+            bottom: f64::from(height),
+        };
+        area.right -= sizes.margin;
+        area.bottom -= sizes.margin;
+        if !self.title.is_empty() {
+            let style = Style { weight: Weight::SemiBold, size: 1.3 * sizes.text, color: colors.text };
+            let title = style.fit(&self.title, area.width());
+            style.draw(&mut image, &title, [area.left, area.top + style.size], Run::Across);
+            area.top += 2.1 * style.size;
+        }
+        let style = Style { weight: Weight::Regular, size: sizes.text, color: colors.text };
+        if let Some((scale, label)) = &self.scale {
+            let legend = Legend::new(scale, label, style, area.height());
+            area.right -= legend.width();
+            legend.draw(&mut image, [area.right, area.top], area.height());
+        }
+        self.draw_panels(&mut image, &camera, &area, style);
+        Ok(image)
+    }
+
+    fn draw_panels(&self, image: &mut Image, camera: &Camera, area: &Area, style: Style) {
+        let count = self.panels.len();
+        let style = Style { weight: Weight::SemiBold, ..style };
+        let line =
+            if self.panels.iter().all(|panel| panel.title.is_empty()) { 0.0 } else { 1.9 * style.size };
+        let size = |columns: usize| {
+            let [columns, rows] = [columns, count.div_ceil(columns)].map(|n| n as f64);
+            [area.width() / columns, area.height() / rows - line]
+        };
+        // The most columns of those arrangements in which meshes are largest.
+        let columns = (1..=count).fold(1, |best, columns| {
+            if camera.scale_for(size(columns)) >= camera.scale_for(size(best)) { columns } else { best }
+        });
+        let [cell_width, cell_height] = size(columns);
+        let pixels = [cell_width, cell_height].map(|side| side.floor() as u32);
+        if count == 0 || pixels.contains(&0) {
+            return;
+        }
+        let camera = camera.fitted(pixels);
+        let colors = self.theme.colors();
+        for (index, panel) in self.panels.iter().enumerate() {
+            let [column, row] = [index % columns, index / columns].map(|n| n as f64);
+            let [left, top] = [area.left + column * cell_width, area.top + row * (cell_height + line)];
+            let title = style.fit(&panel.title, cell_width);
+            let indent = 0.5 * (cell_width - style.width(&title));
+            style.draw(image, &title, [left + indent, top + style.size], Run::Across);
+            let scale = self.scale.as_ref().map(|(scale, _)| scale);
+            image.paste(&render(panel, &camera, scale, &colors, pixels), [left, top + line]);
+        }
+    }
+}
+
+/// Sizes that follow from that of the picture.
+struct Sizes {
+    /// Pixels per em of most text.
+    text: f64,
+    /// Pixels left free around everything.
+    margin: f64,
+}
+
+/// Ems of text across a square picture, and the smallest em in pixels that can be read.
+const EMS: f64 = 62.0;
+const SMALLEST_EM: f64 = 10.0;
+
+impl Sizes {
+    fn new(width: u32, height: u32) -> Self {
+        let side = (f64::from(width) * f64::from(height)).sqrt();
+        let text = side / EMS;
+        let text = if text > SMALLEST_EM { text } else { SMALLEST_EM };
+        Self { text, margin: 0.9 * text }
+    }
+}
+
+/// A part of the picture, in pixels.
+struct Area {
+    left: f64,
+    top: f64,
+    right: f64,
+    bottom: f64,
+}
+
+impl Area {
+    fn width(&self) -> f64 {
+        (self.right - self.left).clamp(0.0, f64::INFINITY)
+    }
+
+    fn height(&self) -> f64 {
+        (self.bottom - self.top).clamp(0.0, f64::INFINITY)
+    }
+}

@@ -1,0 +1,153 @@
+//! What a picture shows: meshes, values on them, marks.
+
+use crate::{FigureError, Rgb};
+use pompeiu_core::TriMesh;
+
+/// Values that colour a mesh, by what they belong to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Values<'a> {
+    /// One per vertex, linear on faces.
+    Vertices(&'a [f64]),
+    /// One per face, constant on it.
+    Faces(&'a [f64]),
+    /// Three per face, in the order of its corners, linear on it.
+    Corners(&'a [[f64; 3]]),
+}
+
+/// One view of a mesh.
+///
+/// # Shapes and units
+/// Positions are in the unit of the mesh, widths in pixels.
+///
+/// # Limits
+/// Values that are not numbers get the scale's colour for what has no value; a mark at no place is not drawn.
+#[derive(Clone, Debug)]
+pub struct Panel<'a> {
+    pub(crate) mesh: &'a TriMesh,
+    pub(crate) values: Option<Values<'a>>,
+    pub(crate) normals: Option<&'a [[f64; 3]]>,
+    pub(crate) title: String,
+    pub(crate) edges: bool,
+    pub(crate) marks: Vec<Mark>,
+}
+
+impl<'a> Panel<'a> {
+    /// A mesh in one colour.
+    pub fn new(mesh: &'a TriMesh) -> Self {
+        Self { mesh, values: None, normals: None, title: String::new(), edges: false, marks: Vec::new() }
+    }
+
+    /// Colours the mesh by values, with the scale of the figure.
+    #[must_use]
+    pub fn with_values(mut self, values: Values<'a>) -> Self {
+        self.values = Some(values);
+        self
+    }
+
+    /// Shades the mesh as if it were smooth, with one normal for each vertex, of any length.
+    ///
+    /// Without them every face is shaded as the flat triangle it is. Where a normal is far from that of a face, as it
+    /// is at sharp edges, the face keeps its own. [`vertex_normals`](crate::vertex_normals) makes some.
+    #[must_use]
+    pub fn with_normals(mut self, normals: &'a [[f64; 3]]) -> Self {
+        self.normals = Some(normals);
+        self
+    }
+
+    /// Writes a line of text over the panel.
+    #[must_use]
+    pub fn with_title(mut self, title: impl Into<String>) -> Self {
+        self.title = title.into();
+        self
+    }
+
+    /// Draws the edges of faces, where faces are large enough in the picture for them to be told apart.
+    #[must_use]
+    pub fn with_edges(mut self) -> Self {
+        self.edges = true;
+        self
+    }
+
+    /// Draws a mark over the mesh; later ones lie over earlier ones.
+    #[must_use]
+    pub fn with_mark(mut self, mark: Mark) -> Self {
+        self.marks.push(mark);
+        self
+    }
+
+    /// Checks that there is a value and a normal for everything that should have one.
+    pub(crate) fn check(&self) -> Result<(), FigureError> {
+        let [vertices, faces] = [self.mesh.positions().len(), self.mesh.faces().len()];
+        let check = |what, found, expected, of| {
+            if found == expected { Ok(()) } else { Err(FigureError::Count { what, found, expected, of }) }
+        };
+        match self.values {
+            Some(Values::Vertices(values)) => check("values", values.len(), vertices, "vertices")?,
+            Some(Values::Faces(values)) => check("values", values.len(), faces, "faces")?,
+            Some(Values::Corners(values)) => check("triples of values", values.len(), faces, "faces")?,
+            None => {}
+        }
+        self.normals.map_or(Ok(()), |normals| check("normals", normals.len(), vertices, "vertices"))
+    }
+}
+
+/// The shape of a [`Mark`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum MarkShape {
+    /// A straight line between two points.
+    Segment([[f64; 3]; 2]),
+    /// A disc around a point.
+    Point([f64; 3]),
+    /// A straight line with a head at its second point.
+    Arrow([[f64; 3]; 2]),
+}
+
+/// A point, a segment or an arrow with a width in pixels, drawn over a mesh and hidden by it as far as wanted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mark {
+    pub(crate) shape: MarkShape,
+    pub(crate) width: f64,
+    pub(crate) color: Option<Rgb>,
+    pub(crate) behind: f64,
+}
+
+impl Mark {
+    /// Opacity of what is hidden by the mesh, unless another is chosen: enough to find it.
+    pub const BEHIND: f64 = 0.3;
+
+    /// A straight line, 2.5 pixels wide.
+    pub fn segment(from: [f64; 3], to: [f64; 3]) -> Self {
+        Self { shape: MarkShape::Segment([from, to]), width: 2.5, color: None, behind: Self::BEHIND }
+    }
+
+    /// A disc, 9 pixels wide.
+    pub fn point(at: [f64; 3]) -> Self {
+        Self { shape: MarkShape::Point(at), width: 9.0, color: None, behind: Self::BEHIND }
+    }
+
+    /// A straight line with a head at `to`, 1.5 pixels wide.
+    pub fn arrow(from: [f64; 3], to: [f64; 3]) -> Self {
+        Self { shape: MarkShape::Arrow([from, to]), width: 1.5, color: None, behind: Self::BEHIND }
+    }
+
+    /// Changes the width, in pixels.
+    #[must_use]
+    pub fn with_width(mut self, width: f64) -> Self {
+        self.width = width;
+        self
+    }
+
+    /// Changes the colour from that of the theme.
+    #[must_use]
+    pub fn with_color(mut self, color: Rgb) -> Self {
+        self.color = Some(color);
+        self
+    }
+
+    /// Changes how opaque the mark is where the mesh hides it: from 0, hidden, to 1, drawn over the mesh.
+    #[must_use]
+    pub fn with_opacity_behind(mut self, opacity: f64) -> Self {
+        self.behind = opacity;
+        self
+    }
+}

@@ -1,0 +1,188 @@
+//! From space to the picture.
+
+use crate::view::{Projection, View, dot, minus};
+use crate::{FigureError, Panel, panel::MarkShape};
+
+/// Distance of the eye from the middle, in units of the largest half extent. All there is lies within the square root
+/// of 3, so nothing comes near the eye and nothing needs clipping.
+const EYE: f64 = 6.0;
+
+/// Part of a panel that is left free on each side.
+const MARGIN: f64 = 0.035;
+
+/// A point as the camera sees it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Seen {
+    /// To the right, up and to the eye, in units of the largest half extent.
+    pub(crate) local: [f64; 3],
+    /// Pixels from the left and from the top.
+    pub(crate) at: [f64; 2],
+    /// Grows to the eye, and is linear over the picture on every plane.
+    pub(crate) near: f64,
+}
+
+/// Where the eye stands, and how large things are.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Camera {
+    frame: [[f64; 3]; 3],
+    projection: Projection,
+    centre: [f64; 3],
+    extent: f64,
+    /// Ends of what is seen on the plane of the picture.
+    bounds: [[f64; 2]; 2],
+    /// Pixels per unit of the plane.
+    pub(crate) scale: f64,
+    /// Where the middle of what is seen goes.
+    middle: [f64; 2],
+}
+
+/// The smallest and the largest of some numbers, without those that are none.
+fn widen<const N: usize>(bounds: &mut [[f64; N]; 2], point: [f64; N]) {
+    for i in 0..N {
+        if point[i] < bounds[0][i] {
+            bounds[0][i] = point[i];
+        }
+        if point[i] > bounds[1][i] {
+            bounds[1][i] = point[i];
+        }
+    }
+}
+
+/// Calls `visit` with every point that a panel shows.
+fn for_each_point(panel: &Panel, mut visit: impl FnMut([f64; 3])) {
+    let positions = panel.mesh.positions();
+    let mut used = vec![false; positions.len()];
+    for &vertex in panel.mesh.faces().as_flattened() {
+        used[vertex as usize] = true;
+    }
+    positions.iter().zip(&used).filter(|(_, used)| **used).for_each(|(&position, _)| visit(position));
+    for mark in &panel.marks {
+        match mark.shape {
+            MarkShape::Point(at) => visit_if_drawn(&[at], &mut visit),
+            MarkShape::Segment(ends) | MarkShape::Arrow(ends) => visit_if_drawn(&ends, &mut visit),
+        }
+    }
+}
+
+fn visit_if_drawn(points: &[[f64; 3]], visit: &mut impl FnMut([f64; 3])) {
+    if points.iter().all(|&point| is_drawn(point)) {
+        for &point in points {
+            visit(point);
+        }
+    }
+}
+
+/// Whether a mark can be drawn at a place: where a vertex could be.
+pub(crate) fn is_drawn(point: [f64; 3]) -> bool {
+    point.iter().all(|x| x.abs() <= pompeiu_core::TriMesh::MAX_COORDINATE)
+}
+
+impl Camera {
+    /// A camera that sees all panels' meshes and marks.
+    pub(crate) fn new(view: &View, panels: &[Panel]) -> Result<Self, FigureError> {
+        let mut space = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
+        for panel in panels {
+            for_each_point(panel, |point| widen(&mut space, point));
+        }
+        if panels.is_empty() {
+            space = [[0.0; 3]; 2];
+        }
+        let centre = std::array::from_fn(|i| 0.5 * space[0][i] + 0.5 * space[1][i]);
+        let half = space
+            .map(|end| minus(end, centre))
+            .into_iter()
+            .flatten()
+            .fold(0.0, |half: f64, x| if x.abs() > half { x.abs() } else { half });
+        let extent = if half > 0.0 { half } else { 1.0 };
+        let mut camera = Self {
+            frame: view.frame()?,
+            projection: view.projection,
+            centre,
+            extent,
+            bounds: [[0.0; 2]; 2],
+            scale: 1.0,
+            middle: [0.0; 2],
+        };
+        let mut bounds = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
+        for panel in panels {
+            for_each_point(panel, |point| widen(&mut bounds, camera.plane(camera.local(point)).0));
+        }
+        if !panels.is_empty() {
+            camera.bounds = bounds;
+        }
+        Ok(camera)
+    }
+
+    /// Pixels per unit of the plane if a panel had a size.
+    pub(crate) fn scale_for(&self, size: [f64; 2]) -> f64 {
+        let [width, height] = [0, 1].map(|i| {
+            let seen = self.bounds[1][i] - self.bounds[0][i];
+            if seen > 0.0 { size[i] * (1.0 - 2.0 * MARGIN) / seen } else { f64::INFINITY }
+        });
+        let scale = if width < height { width } else { height };
+        // A point has no size: any scale will do.
+        if scale.is_finite() { scale } else { 1.0 }
+    }
+
+    /// The camera for panels of a size in pixels.
+    pub(crate) fn fitted(mut self, size: [u32; 2]) -> Self {
+        let size = size.map(f64::from);
+        self.scale = self.scale_for(size);
+        self.middle = size.map(|side| 0.5 * side);
+        self
+    }
+
+    fn local(&self, position: [f64; 3]) -> [f64; 3] {
+        let offset = minus(position, self.centre).map(|x| x / self.extent);
+        self.frame.map(|axis| dot(axis, offset))
+    }
+
+    /// Place on the plane of the picture, and nearness.
+    fn plane(&self, [x, y, z]: [f64; 3]) -> ([f64; 2], f64) {
+        match self.projection {
+            Projection::Perspective => {
+                let near = EYE / (EYE - z);
+                ([x * near, y * near], near)
+            }
+            Projection::Orthographic => ([x, y], z),
+        }
+    }
+
+    /// A position as the camera sees it.
+    pub(crate) fn see(&self, position: [f64; 3]) -> Seen {
+        let local = self.local(position);
+        let ([x, y], near) = self.plane(local);
+        let [left, top] = [0, 1].map(|i| 0.5 * self.bounds[0][i] + 0.5 * self.bounds[1][i]);
+        let at = [self.middle[0] + self.scale * (x - left), self.middle[1] - self.scale * (y - top)];
+        Seen { local, at, near }
+    }
+
+    /// What a corner counts for when values are carried over from space to the picture.
+    pub(crate) fn weight(&self, near: f64) -> f64 {
+        match self.projection {
+            Projection::Perspective => near,
+            Projection::Orthographic => 1.0,
+        }
+    }
+
+    /// Change of nearness over a depth, about the middle.
+    pub(crate) fn nearness(&self, depth: f64) -> f64 {
+        match self.projection {
+            Projection::Perspective => depth / EYE,
+            Projection::Orthographic => depth,
+        }
+    }
+
+    /// A direction in space, in the camera's directions.
+    pub(crate) fn turn(&self, direction: [f64; 3]) -> [f64; 3] {
+        self.frame.map(|axis| dot(axis, direction))
+    }
+
+    /// From a point, in the camera's directions, to the eye.
+    pub(crate) fn eye_from(&self, local: [f64; 3]) -> [f64; 3] {
+        match self.projection {
+            Projection::Perspective => [-local[0], -local[1], EYE - local[2]],
+            Projection::Orthographic => [0.0, 0.0, 1.0],
+        }
+    }
+}

@@ -1,0 +1,195 @@
+//! Meshes to pixels.
+//!
+//! A panel is cut into square tiles. In each of them first the nearest face is found at every sample, several to a
+//! pixel; then each sample gets its colour, from the value at that very place; marks are laid over them; and a pixel is the
+//! mean of its samples. Tiles do not know of each other, so the picture is the same for any number of threads.
+
+#![allow(clippy::cast_possible_wrap, reason = "pixels are counted to 2^14, places of the fine grid to 2^24")]
+
+mod camera;
+mod shade;
+mod strokes;
+#[cfg(test)]
+mod tests;
+mod triangles;
+
+pub(crate) use camera::Camera;
+
+use crate::image::Image;
+use crate::theme::Colors;
+use crate::{Panel, Rgb, Scale};
+use camera::Seen;
+use rayon::prelude::*;
+use strokes::Stroke;
+use triangles::{Grid, NONE, PIXEL, Triangle, Visible};
+
+/// Pixels along a tile: samples of one fit into the second cache.
+const TILE: u32 = 64;
+
+/// Samples along a pixel.
+const SAMPLES: u32 = 3;
+
+/// A panel, and how it is seen.
+struct Scene<'a> {
+    panel: &'a Panel<'a>,
+    camera: &'a Camera,
+    scale: Option<&'a Scale>,
+    theme: &'a Colors,
+    /// Every vertex.
+    seen: Vec<Seen>,
+}
+
+impl Scene<'_> {
+    fn triangle(&self, face: u32) -> Option<Triangle> {
+        Triangle::new(self.panel.mesh.faces()[face as usize].map(|vertex| self.seen[vertex as usize]))
+    }
+}
+
+/// Draws a panel.
+pub(crate) fn render(
+    panel: &Panel,
+    camera: &Camera,
+    scale: Option<&Scale>,
+    theme: &Colors,
+    size: [u32; 2],
+) -> Image {
+    let seen = panel.mesh.positions().par_iter().map(|&position| camera.see(position)).collect();
+    let scene = Scene { panel, camera, scale, theme, seen };
+    let strokes: Vec<Stroke> =
+        panel.marks.iter().flat_map(|mark| strokes::strokes(mark, camera, theme)).collect();
+    let tiles = Tiles::new(size);
+    let faces = tiles.faces(&scene);
+    let drawn: Vec<Vec<Rgb>> = (0..tiles.count())
+        .into_par_iter()
+        .map(|tile| draw_tile(&scene, &strokes, &tiles.grid(tile, SAMPLES), &faces[tile]))
+        .collect();
+    let mut image = Image::filled(size[0], size[1], theme.background);
+    for (tile, pixels) in drawn.iter().enumerate() {
+        let grid = tiles.grid(tile, 1);
+        for (index, &color) in pixels.iter().enumerate() {
+            let [column, row] = [index % grid.size[0], index / grid.size[0]];
+            image.set(i64::from(grid.start[0]) + column as i64, i64::from(grid.start[1]) + row as i64, color);
+        }
+    }
+    image
+}
+
+/// A panel cut into squares.
+struct Tiles {
+    size: [u32; 2],
+    columns: u32,
+    rows: u32,
+}
+
+impl Tiles {
+    fn new(size: [u32; 2]) -> Self {
+        Self { size, columns: size[0].div_ceil(TILE), rows: size[1].div_ceil(TILE) }
+    }
+
+    fn count(&self) -> usize {
+        self.columns as usize * self.rows as usize
+    }
+
+    /// The samples of a tile.
+    fn grid(&self, tile: usize, per_pixel: u32) -> Grid {
+        let at = [tile as u32 % self.columns, tile as u32 / self.columns];
+        let start = at.map(|tile| tile * TILE);
+        let size = [0, 1].map(|axis| ((self.size[axis] - start[axis]).min(TILE) * per_pixel) as usize);
+        Grid { start, size, per_pixel }
+    }
+
+    /// The faces that may be seen in each tile, in order.
+    fn faces(&self, scene: &Scene) -> Vec<Vec<u32>> {
+        /// Faces that are sorted into tiles at a time.
+        const CHUNK: usize = 1 << 16;
+        let faces = scene.panel.mesh.faces().len();
+        let chunks: Vec<Vec<Vec<u32>>> = (0..faces.div_ceil(CHUNK))
+            .into_par_iter()
+            .map(|chunk| {
+                let mut tiles = vec![Vec::new(); self.count()];
+                for face in chunk * CHUNK..faces.min((chunk + 1) * CHUNK) {
+                    let Some(triangle) = scene.triangle(face as u32) else { continue };
+                    let [low, high] =
+                        triangle.bounds().map(|corner| corner.map(|c| c.div_euclid(PIXEL * TILE as i32)));
+                    for row in low[1].max(0)..=high[1].min(self.rows as i32 - 1) {
+                        for column in low[0].max(0)..=high[0].min(self.columns as i32 - 1) {
+                            tiles[row as usize * self.columns as usize + column as usize].push(face as u32);
+                        }
+                    }
+                }
+                tiles
+            })
+            .collect();
+        (0..self.count())
+            .map(|tile| chunks.iter().flat_map(|tiles| tiles[tile].iter().copied()).collect())
+            .collect()
+    }
+}
+
+/// The pixels of a tile.
+fn draw_tile(scene: &Scene, strokes: &[Stroke], grid: &Grid, faces: &[u32]) -> Vec<Rgb> {
+    let mut visible = Visible::nothing(grid);
+    for &face in faces {
+        if let Some(triangle) = scene.triangle(face) {
+            visible.draw(grid, face, &triangle);
+        }
+    }
+    let background = scene.theme.background.map(f64::from);
+    let mut colors = vec![background; visible.face.len()];
+    let mut last: Option<(u32, Triangle)> = None;
+    for (index, &face) in visible.face.iter().enumerate().filter(|(_, face)| **face != NONE) {
+        let known = last.filter(|(known, _)| *known == face).map(|(_, triangle)| triangle);
+        if let Some(triangle) = known.or_else(|| scene.triangle(face)) {
+            let place = grid.place(index % grid.size[0], index / grid.size[0]);
+            colors[index] = shade::color(scene, face, &triangle, place, 1.0);
+            last = Some((face, triangle));
+        }
+    }
+    for stroke in strokes {
+        lay_over(stroke, grid, &visible, &mut colors);
+    }
+    means(grid, &colors)
+}
+
+/// Draws a stroke over samples.
+fn lay_over(stroke: &Stroke, grid: &Grid, visible: &Visible, colors: &mut [[f64; 3]]) {
+    let [low, high] = stroke.bounds();
+    let pixels = |axis: usize| {
+        let first = f64::from(grid.start[axis]);
+        let last = grid.size[axis] / grid.per_pixel as usize;
+        let from = (low[axis] - first).floor().clamp(0.0, last as f64) as usize;
+        let to = (high[axis] - first).ceil().clamp(0.0, last as f64) as usize;
+        from * grid.per_pixel as usize..to * grid.per_pixel as usize
+    };
+    for row in pixels(1) {
+        for column in pixels(0) {
+            let index = row * grid.size[0] + column;
+            let place = grid.place(column, row).map(|c| f64::from(c) / f64::from(PIXEL));
+            if let Some((color, opacity)) = stroke.at(place, visible.near[index]) {
+                let below = colors[index];
+                colors[index] =
+                    std::array::from_fn(|i| below[i] + opacity * (f64::from(color[i]) - below[i]));
+            }
+        }
+    }
+}
+
+/// One pixel for the mean of its samples.
+fn means(grid: &Grid, colors: &[[f64; 3]]) -> Vec<Rgb> {
+    let side = grid.per_pixel as usize;
+    let [columns, rows] = grid.size.map(|size| size / side);
+    let share = 1.0 / (side * side) as f64;
+    let mut pixels = Vec::with_capacity(columns * rows);
+    for row in 0..rows {
+        for column in 0..columns {
+            let mut sum = [0.0; 3];
+            for sample in 0..side * side {
+                let [x, y] = [column * side + sample % side, row * side + sample / side];
+                let color = colors[y * grid.size[0] + x];
+                sum = std::array::from_fn(|i| sum[i] + color[i]);
+            }
+            pixels.push(sum.map(|channel| (channel * share + 0.5) as u8));
+        }
+    }
+    pixels
+}

@@ -1,0 +1,114 @@
+//! What colour a place of a face has.
+
+use super::Scene;
+use super::triangles::Triangle;
+use crate::Rgb;
+use crate::panel::Values;
+use crate::view::{cross, dot, minus, unit};
+
+/// Light from everywhere, from the eye, and from above to the left: parts of what a face is lit by.
+const AMBIENT: f64 = 0.30;
+const HEAD: f64 = 0.36;
+const KEY: f64 = 0.38;
+
+/// Direction to the light above to the left: right, up, to the eye; of length one.
+const KEY_DIRECTION: [f64; 3] = [-0.36, 0.48, 0.8];
+
+/// Strength and (power of two of the) sharpness of highlights.
+const HIGHLIGHT: f64 = 0.10;
+const SHARPNESS: u32 = 5;
+
+/// Cosine of the angle between normals from which on an edge is sharp.
+const SHARP: f64 = 0.5;
+
+/// Half the width of an edge in pixels, and how opaque it is.
+const EDGE_HALF_WIDTH: f64 = 0.5;
+const EDGE_OPACITY: f64 = 0.55;
+
+/// Heights of faces in pixels below which edges are not drawn, and above which they are drawn in full.
+const EDGE_FADE: [f64; 2] = [4.0, 10.0];
+
+/// The colour of a face at a place, each channel from 0 to 255.
+pub(super) fn color(scene: &Scene, face: u32, triangle: &Triangle, [x, y]: [i32; 2], light: f64) -> [f64; 3] {
+    let corners = scene.panel.mesh.faces()[face as usize].map(|vertex| vertex as usize);
+    let seen = corners.map(|vertex| scene.seen[vertex]);
+    let flat = triangle.weights(x, y);
+    let weights = in_space(flat, seen.map(|seen| scene.camera.weight(seen.near)));
+    let base = base(scene, face, corners, weights).map(f64::from);
+
+    let local = mix(weights, seen.map(|seen| seen.local));
+    let eye = unit(scene.camera.eye_from(local)).unwrap_or([0.0, 0.0, 1.0]);
+    let normal = normal(scene, corners, seen.map(|seen| seen.local), weights, eye);
+    let towards = |direction| if dot(normal, direction) > 0.0 { dot(normal, direction) } else { 0.0 };
+    let shade = AMBIENT + HEAD * towards(eye) + KEY * towards(KEY_DIRECTION);
+    let half = unit(std::array::from_fn(|i| eye[i] + KEY_DIRECTION[i])).unwrap_or(eye);
+    let mut highlight = towards(half);
+    for _ in 0..SHARPNESS {
+        highlight *= highlight;
+    }
+    let highlight = 255.0 * HIGHLIGHT * highlight;
+    let mut color = base.map(|channel| (channel * shade + highlight) * light);
+    if scene.panel.edges {
+        let opacity = edge_opacity(triangle, flat);
+        let edge = scene.theme.edge.map(f64::from);
+        color = std::array::from_fn(|i| color[i] + opacity * (edge[i] - color[i]));
+    }
+    color.map(|channel| channel.clamp(0.0, 255.0))
+}
+
+/// Weights on the face in space, from those in the picture.
+fn in_space(flat: [f64; 3], near: [f64; 3]) -> [f64; 3] {
+    let weights: [f64; 3] = std::array::from_fn(|i| flat[i] * near[i]);
+    let sum = weights[0] + weights[1] + weights[2];
+    weights.map(|weight| weight / sum)
+}
+
+fn mix(weights: [f64; 3], vectors: [[f64; 3]; 3]) -> [f64; 3] {
+    std::array::from_fn(|i| {
+        weights[0] * vectors[0][i] + weights[1] * vectors[1][i] + weights[2] * vectors[2][i]
+    })
+}
+
+/// The colour before light falls on it.
+fn base(scene: &Scene, face: u32, corners: [usize; 3], weights: [f64; 3]) -> Rgb {
+    let (Some(values), Some(scale)) = (scene.panel.values, scene.scale) else { return scene.theme.mesh };
+    let value = match values {
+        Values::Faces(values) => values[face as usize],
+        Values::Vertices(values) => dot(weights, corners.map(|vertex| values[vertex])),
+        Values::Corners(values) => dot(weights, values[face as usize]),
+    };
+    scale.color(value)
+}
+
+/// The unit normal on the side of the eye.
+fn normal(
+    scene: &Scene,
+    corners: [usize; 3],
+    local: [[f64; 3]; 3],
+    weights: [f64; 3],
+    eye: [f64; 3],
+) -> [f64; 3] {
+    let flat = unit(cross(minus(local[1], local[0]), minus(local[2], local[0]))).unwrap_or(eye);
+    let smooth = scene.panel.normals.and_then(|normals| {
+        let normals = corners.map(|vertex| {
+            let normal = unit(normals[vertex]).map(|normal| scene.camera.turn(normal));
+            normal.filter(|&normal| dot(normal, flat) > SHARP).unwrap_or(flat)
+        });
+        unit(mix(weights, normals))
+    });
+    let normal = smooth.unwrap_or(flat);
+    if dot(flat, eye) < 0.0 { normal.map(|x| -x) } else { normal }
+}
+
+/// How much of a place is edge.
+fn edge_opacity(triangle: &Triangle, weights: [f64; 3]) -> f64 {
+    let heights = triangle.heights();
+    let least = |values: [f64; 3]| {
+        values.into_iter().fold(f64::INFINITY, |least, x| if x < least { x } else { least })
+    };
+    let distance = least(std::array::from_fn(|i| weights[i] * heights[i]));
+    if distance > EDGE_HALF_WIDTH {
+        return 0.0;
+    }
+    EDGE_OPACITY * ((least(heights) - EDGE_FADE[0]) / (EDGE_FADE[1] - EDGE_FADE[0])).clamp(0.0, 1.0)
+}

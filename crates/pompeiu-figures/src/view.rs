@@ -1,0 +1,120 @@
+//! From where meshes are seen.
+
+use crate::FigureError;
+
+/// How depth shows in a picture.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Projection {
+    /// What is nearer is larger.
+    #[default]
+    Perspective,
+    /// Equal lengths stay equal, whatever their depth.
+    Orthographic,
+}
+
+/// From where meshes are seen; all panels of a figure share it.
+///
+/// Where the camera stands follows from the meshes: all of them, and all marks, fill the panel.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct View {
+    up: Option<[f64; 3]>,
+    towards_eye: Option<[f64; 3]>,
+    pub(crate) projection: Projection,
+}
+
+/// How far round from the front, and how far up, the eye is: tangents of half of 32 and of 22 degrees.
+const ROUND: f64 = 0.286_745_385_758_808;
+const ELEVATION: f64 = 0.194_380_309_137_718;
+
+impl View {
+    /// Chooses which direction is up in the picture, `[0, 1, 0]` unless chosen.
+    #[must_use]
+    pub fn with_up(mut self, up: [f64; 3]) -> Self {
+        self.up = Some(up);
+        self
+    }
+
+    /// Chooses the direction that leads from the meshes to the eye.
+    ///
+    /// Unless chosen it is from in front (where z grows if y is up, where y falls if z is up), a little to the right and
+    /// from above.
+    #[must_use]
+    pub fn with_direction_to_eye(mut self, direction: [f64; 3]) -> Self {
+        self.towards_eye = Some(direction);
+        self
+    }
+
+    /// Chooses the projection.
+    #[must_use]
+    pub fn with_projection(mut self, projection: Projection) -> Self {
+        self.projection = projection;
+        self
+    }
+
+    /// Unit vectors to the right, up, and to the eye.
+    pub(crate) fn frame(&self) -> Result<[[f64; 3]; 3], FigureError> {
+        let direction =
+            |given: [f64; 3], what| unit(given).ok_or(FigureError::Direction { what, direction: given });
+        let up = self.up.map_or(Ok([0.0, 1.0, 0.0]), |up| direction(up, "up"))?;
+        let eye = match self.towards_eye {
+            Some(towards_eye) => direction(towards_eye, "to the eye")?,
+            None => three_quarter(up),
+        };
+        // Seen from straight above, the default front is at the bottom.
+        let right =
+            unit(cross(up, eye)).or_else(|| unit(cross(front(up), up))).or_else(|| unit(perpendicular(eye)));
+        let right = match right {
+            Some(right) if dot(right, eye).abs() < 0.5 => right,
+            _ => unit(perpendicular(eye)).unwrap_or([1.0, 0.0, 0.0]),
+        };
+        Ok([right, cross(eye, right), eye])
+    }
+}
+
+/// The direction that things face, by which direction is up: y up as in animation, z up as in surveying.
+fn front(up: [f64; 3]) -> [f64; 3] {
+    let front = if up[2].abs() > up[1].abs() { [0.0, -1.0, 0.0] } else { [0.0, 0.0, 1.0] };
+    let along = dot(front, up);
+    unit(std::array::from_fn(|i| front[i] - along * up[i])).unwrap_or([1.0, 0.0, 0.0])
+}
+
+/// In front, a little to the right and above.
+fn three_quarter(up: [f64; 3]) -> [f64; 3] {
+    let front = front(up);
+    let right = cross(up, front);
+    let circle = |half: f64| [(1.0 - half * half) / (1.0 + half * half), 2.0 * half / (1.0 + half * half)];
+    let [ahead, aside] = circle(ROUND);
+    let [level, above] = circle(ELEVATION);
+    std::array::from_fn(|i| level * (ahead * front[i] + aside * right[i]) + above * up[i])
+}
+
+/// Some direction at a right angle to a unit vector.
+fn perpendicular(v: [f64; 3]) -> [f64; 3] {
+    let least = (0..3).fold(0, |least, i| if v[i].abs() < v[least].abs() { i } else { least });
+    let mut axis = [0.0; 3];
+    axis[least] = 1.0;
+    cross(v, axis)
+}
+
+pub(crate) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+pub(crate) fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+pub(crate) fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    std::array::from_fn(|i| a[i] - b[i])
+}
+
+/// A vector scaled to length one; none for zero, infinite and NaN.
+pub(crate) fn unit(v: [f64; 3]) -> Option<[f64; 3]> {
+    let largest = v.iter().fold(0.0, |largest: f64, x| if x.abs() <= largest { largest } else { x.abs() });
+    if !(largest > 0.0 && largest.is_finite()) {
+        return None;
+    }
+    let scaled = v.map(|x| x / largest);
+    let length = dot(scaled, scaled).sqrt();
+    length.is_finite().then(|| scaled.map(|x| x / length))
+}
