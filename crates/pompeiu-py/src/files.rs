@@ -1,0 +1,56 @@
+//! Reading and writing files.
+
+use crate::arrays::{colors, values, vectors};
+use crate::errors::Raise;
+use crate::mesh::Mesh;
+use pompeiu::io::{self, Attributes};
+use pyo3::prelude::*;
+use std::path::PathBuf;
+
+/// The mesh of a file, its format, and how many of its faces were cut into triangles and how many were left out.
+#[pyfunction]
+pub(crate) fn read_mesh(py: Python<'_>, path: PathBuf) -> PyResult<(Mesh, String, u64, u64)> {
+    let read = py.detach(|| io::read(path)).map_err(Raise::raise)?;
+    Ok((read.mesh.into(), read.format.to_string(), read.polygons_triangulated, read.faces_dropped))
+}
+
+/// A name and an array for each attribute.
+type Named<'py> = Vec<(String, Bound<'py, PyAny>)>;
+
+/// Writes a mesh with what travels with it.
+#[pyfunction]
+#[allow(clippy::too_many_arguments, reason = "one for each kind of attribute")]
+pub(crate) fn write_mesh(
+    py: Python<'_>,
+    path: PathBuf,
+    mesh: &Bound<'_, Mesh>,
+    vertex_scalars: Named<'_>,
+    face_scalars: Named<'_>,
+    face_vectors: Named<'_>,
+    vertex_colors: Option<&Bound<'_, PyAny>>,
+    face_colors: Option<&Bound<'_, PyAny>>,
+) -> PyResult<()> {
+    let mesh = mesh.get();
+    let mut attributes = Attributes::for_mesh(mesh.inner());
+    for (name, array) in vertex_scalars {
+        let values = values(&array, "vertex scalars")?;
+        attributes = attributes.with_vertex_scalar(name, values).map_err(Raise::raise)?;
+    }
+    for (name, array) in face_scalars {
+        let values = values(&array, "face scalars")?;
+        attributes = attributes.with_face_scalar(name, values).map_err(Raise::raise)?;
+    }
+    for (name, array) in face_vectors {
+        let values = vectors::<3>(&array, "face vectors", "(m, 3)")?;
+        attributes = attributes.with_face_vector(name, values).map_err(Raise::raise)?;
+    }
+    if let Some(array) = vertex_colors {
+        let colors = colors(array, "vertex colours")?;
+        attributes = attributes.with_vertex_colors(colors).map_err(Raise::raise)?;
+    }
+    if let Some(array) = face_colors {
+        let colors = colors(array, "face colours")?;
+        attributes = attributes.with_face_colors(colors).map_err(Raise::raise)?;
+    }
+    py.detach(|| io::write_with(path, mesh.inner(), &attributes)).map_err(Raise::raise)
+}

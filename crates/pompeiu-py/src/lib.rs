@@ -1,0 +1,35 @@
+//! The native half of the Python package `pompeiu`.
+//!
+//! Conversions only: arrays and options in, plain data out. What people call, and the classes of results, are in Python beside
+//! it (`python/pompeiu`); what is computed is in the library.
+
+mod arrays;
+mod errors;
+mod fields;
+mod files;
+mod mesh;
+mod query;
+mod report;
+mod shapes;
+mod wait;
+
+/// The module `pompeiu._native`.
+#[pyo3::pymodule]
+mod _native {
+    #[pymodule_export]
+    use crate::fields::{HodgeDecomposition, audit};
+    #[pymodule_export]
+    use crate::files::{read_mesh, write_mesh};
+    #[pymodule_export]
+    use crate::mesh::Mesh;
+    #[pymodule_export]
+    use crate::query::{Target, directed_hausdorff, hausdorff};
+    #[pymodule_export]
+    use crate::shapes::{cube, cylinder, grid, icosphere, schwarz_lantern, torus};
+    use pyo3::prelude::*;
+
+    #[pymodule_init]
+    fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        module.add("__version__", env!("CARGO_PKG_VERSION"))
+    }
+}

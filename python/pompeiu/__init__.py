@@ -1,0 +1,82 @@
+"""How far apart are two surfaces, where, and can the number be trusted?
+
+pompeiu computes the Pompeiu–Hausdorff distance between triangle meshes and answers with ``lower <= distance <= upper``, proven
+to hold for the meshes as stored, rounding included, and with the two points that prove the lower end.
+
+>>> import pompeiu
+>>> report = pompeiu.hausdorff(pompeiu.shapes.cube(1.0), pompeiu.shapes.cube(2.0))
+>>> 3 ** 0.5 / 2 in report
+True
+
+Meshes are paths, pairs of arrays, or objects of trimesh, meshio, Open3D or PyVista: see :func:`as_mesh`.
+"""
+
+from . import shapes
+from ._native import Mesh, __version__
+from .distance import DEFAULT_TOLERANCE, Target, directed_hausdorff, hausdorff
+from .errors import (
+    FieldError,
+    MeshError,
+    MeshWarning,
+    MissingFileError,
+    OptionError,
+    PompeiuError,
+    ReadError,
+    SurfaceError,
+    WriteError,
+)
+from .fields import HodgeDecomposition, field_audit
+from .files import mesh_summary, write_mesh
+from .results import (
+    Audit,
+    DirectedReport,
+    FieldParts,
+    FieldQuality,
+    MeshSummary,
+    Progress,
+    Ranks,
+    SurfacePoint,
+    SymmetricReport,
+    Timing,
+    Witness,
+    WorkCount,
+)
+from .sources import MeshLike, as_mesh, read_mesh
+
+__all__ = [
+    "DEFAULT_TOLERANCE",
+    "Audit",
+    "DirectedReport",
+    "FieldError",
+    "FieldParts",
+    "FieldQuality",
+    "HodgeDecomposition",
+    "Mesh",
+    "MeshError",
+    "MeshLike",
+    "MeshSummary",
+    "MeshWarning",
+    "MissingFileError",
+    "OptionError",
+    "PompeiuError",
+    "Progress",
+    "Ranks",
+    "ReadError",
+    "SurfaceError",
+    "SurfacePoint",
+    "SymmetricReport",
+    "Target",
+    "Timing",
+    "Witness",
+    "WorkCount",
+    "WriteError",
+    "__version__",
+    "as_mesh",
+    "directed_hausdorff",
+    "field_audit",
+    "hausdorff",
+    "mesh_summary",
+    "read_mesh",
+    "shapes",
+    "write_mesh",
+]

@@ -1,0 +1,69 @@
+"""Writing meshes, and saying what they are."""
+
+from __future__ import annotations
+
+import os
+from typing import Any, Mapping, Optional
+
+from . import _native
+from .results import MeshSummary
+from .sources import MeshLike, as_mesh
+
+__all__ = ["mesh_summary", "write_mesh"]
+
+
+def write_mesh(
+    path: "str | os.PathLike[str]",
+    mesh: MeshLike,
+    *,
+    vertex_scalars: Optional[Mapping[str, Any]] = None,
+    face_scalars: Optional[Mapping[str, Any]] = None,
+    face_vectors: Optional[Mapping[str, Any]] = None,
+    vertex_colors: Optional[Any] = None,
+    face_colors: Optional[Any] = None,
+) -> None:
+    """Writes a mesh in the format that the suffix names: OBJ, PLY, STL, OFF, VTP, VTU or GLB; ``.gz`` after it compresses.
+
+    Every bit of every coordinate is kept, except in STL and GLB, which hold single precision. The file appears whole or not
+    at all.
+
+    Parameters
+    ----------
+    path : str or path-like
+        The file.
+    mesh : MeshLike
+        See :func:`pompeiu.as_mesh`.
+    vertex_scalars, face_scalars : mapping of str to array_like of float, shape (n,) or (m,), optional
+        Numbers by name; PLY, VTP and VTU hold them.
+    face_vectors : mapping of str to array_like of float, shape (m, 3), optional
+        Vectors by name; PLY, VTP and VTU hold them.
+    vertex_colors, face_colors : array of uint8, shape (n, 3) or (m, 3), optional
+        Red, green and blue.
+
+    Raises
+    ------
+    WriteError
+        If the file cannot be written, the suffix names no format, or the format has no place for an attribute.
+    MeshError
+        If an array has the wrong shape.
+    """
+    _native.write_mesh(
+        os.fspath(path),
+        as_mesh(mesh),
+        list((vertex_scalars or {}).items()),
+        list((face_scalars or {}).items()),
+        list((face_vectors or {}).items()),
+        vertex_colors,
+        face_colors,
+    )
+
+
+def mesh_summary(mesh: MeshLike) -> MeshSummary:
+    """Counts, area, volume, boundaries, components, genus and oddities of a mesh.
+
+    Parameters
+    ----------
+    mesh : MeshLike
+        See :func:`pompeiu.as_mesh`.
+    """
+    return MeshSummary(**as_mesh(mesh)._summary())

@@ -1,0 +1,464 @@
+"""Answers: small, immutable, comparable, and able to be pickled.
+
+Times do not count when two answers are compared; everything else does, to the last bit.
+"""
+
+from __future__ import annotations
+
+import html
+from dataclasses import asdict, dataclass, field, fields
+from typing import Any, Literal, Mapping, Optional, Tuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+__all__ = [
+    "Audit",
+    "DirectedReport",
+    "FieldParts",
+    "FieldQuality",
+    "MeshSummary",
+    "Progress",
+    "Ranks",
+    "SurfacePoint",
+    "SymmetricReport",
+    "Timing",
+    "Witness",
+    "WorkCount",
+]
+
+Vec3 = Tuple[float, float, float]
+Direction = Literal["a_to_b", "b_to_a"]
+Stop = Literal["tolerance", "threshold", "time", "memory", "rounding", "cancelled"]
+
+
+def _table(title: str, rows: "list[tuple[str, str]]") -> str:
+    """A small HTML table for notebooks."""
+    body = "".join(
+        f'<tr><th style="text-align:left">{html.escape(name)}</th>'
+        f'<td style="text-align:left">{html.escape(value)}</td></tr>'
+        for name, value in rows
+    )
+    return f"<table><caption>{html.escape(title)}</caption><tbody>{body}</tbody></table>"
+
+
+def _point(position: Vec3) -> str:
+    return "({:.6g}, {:.6g}, {:.6g})".format(*position)
+
+
+class _Interval:
+    """What all answers with a lower and an upper bound can do."""
+
+    lower: float
+    upper: float
+
+    @property
+    def gap(self) -> float:
+        """Width of the enclosure, rounded up."""
+        return float(np.nextafter(self.upper - self.lower, np.inf)) if self.upper > self.lower else 0.0
+
+    def __contains__(self, value: float) -> bool:
+        return self.lower <= value <= self.upper
+
+    def is_below(self, threshold: float) -> Optional[bool]:
+        """Whether the distance is at most ``threshold``: ``True`` or ``False`` if proven, ``None`` if undecided."""
+        if self.upper <= threshold:
+            return True
+        return False if self.lower > threshold else None
+
+
+@dataclass(frozen=True)
+class SurfacePoint:
+    """A point on a face of a mesh.
+
+    Attributes
+    ----------
+    face : int
+        Index of the face.
+    barycentric : tuple of 3 floats
+        Nonnegative weights of its corners; they add up to 1 but for rounding.
+    position : tuple of 3 floats
+        The point in space, in the unit of the mesh, rounded.
+    """
+
+    face: int
+    barycentric: Vec3
+    position: Vec3
+
+    def to_dict(self) -> "dict[str, Any]":
+        """A dictionary of numbers and tuples."""
+        return asdict(self)
+
+    @classmethod
+    def _of(cls, data: Mapping[str, Any]) -> "SurfacePoint":
+        return cls(**data)
+
+
+@dataclass(frozen=True)
+class Witness:
+    """A point that is far from the other mesh, and a point of that mesh nearest to it.
+
+    Attributes
+    ----------
+    from_ : SurfacePoint
+        On the mesh that distances are measured from.
+    to : SurfacePoint
+        On the mesh that distances are measured to.
+    """
+
+    from_: SurfacePoint
+    to: SurfacePoint
+
+    def to_dict(self) -> "dict[str, Any]":
+        """A dictionary with the keys ``from`` and ``to``."""
+        return {"from": self.from_.to_dict(), "to": self.to.to_dict()}
+
+    @classmethod
+    def _of(cls, data: Mapping[str, Any]) -> "Witness":
+        return cls(SurfacePoint._of(data["from_"]), SurfacePoint._of(data["to"]))
+
+
+@dataclass(frozen=True)
+class WorkCount:
+    """How much was done, in counts that do not depend on the machine or the number of threads."""
+
+    queries: int
+    distances: int
+    pieces: int
+    games: int
+    cuts: int
+    depth: int
+
+
+@dataclass(frozen=True)
+class Timing:
+    """Wall-clock seconds: building trees, and everything else."""
+
+    build: float
+    search: float
+
+
+@dataclass(frozen=True)
+class DirectedReport(_Interval):
+    """How far the points of A are from B: ``lower <= h(A, B) <= upper``, proven.
+
+    Attributes
+    ----------
+    lower, upper : float
+        The enclosure, in the unit of the meshes; ``value in report`` asks whether it holds a value.
+    witness : Witness
+        A point of A at least ``lower`` away from all of B, and a point of B nearest to it.
+    stop : str
+        Why the search ended: ``"tolerance"``, ``"threshold"``, ``"time"``, ``"memory"``, ``"rounding"`` (the tolerance lies
+        below what double precision tells apart) or ``"cancelled"``. The enclosure holds in every case.
+    tolerance : float
+        The width that was asked for, in the unit of the meshes.
+    work : WorkCount
+        What it took.
+    timing : Timing
+        How long it took; does not count in comparisons.
+    """
+
+    lower: float
+    upper: float
+    witness: Witness
+    stop: Stop
+    tolerance: float
+    work: WorkCount = field(repr=False)
+    timing: Timing = field(repr=False, compare=False)
+
+    def to_dict(self) -> "dict[str, Any]":
+        """A dictionary of plain values, ready for ``json.dumps``."""
+        return {
+            "lower": self.lower,
+            "upper": self.upper,
+            "stop": self.stop,
+            "tolerance": self.tolerance,
+            "witness": self.witness.to_dict(),
+            "work": asdict(self.work),
+            "timing": asdict(self.timing),
+        }
+
+    def __repr__(self) -> str:
+        return (
+            f"DirectedReport({self.lower!r} <= h <= {self.upper!r}, stop={self.stop!r}, "
+            f"from face {self.witness.from_.face} to face {self.witness.to.face})"
+        )
+
+    def _repr_html_(self) -> str:
+        return _table("directed Pompeiu–Hausdorff distance", self._rows())
+
+    def _rows(self) -> "list[tuple[str, str]]":
+        return [
+            ("lower", repr(self.lower)),
+            ("upper", repr(self.upper)),
+            ("from", f"face {self.witness.from_.face} at {_point(self.witness.from_.position)}"),
+            ("to", f"face {self.witness.to.face} at {_point(self.witness.to.position)}"),
+            ("ended by", self.stop),
+        ]
+
+    @classmethod
+    def _of(cls, data: Mapping[str, Any]) -> "DirectedReport":
+        return cls(
+            lower=data["lower"],
+            upper=data["upper"],
+            witness=Witness._of(data["witness"]),
+            stop=data["stop"],
+            tolerance=data["tolerance"],
+            work=WorkCount(**data["work"]),
+            timing=Timing(**data["timing"]),
+        )
+
+
+@dataclass(frozen=True)
+class SymmetricReport(_Interval):
+    """The Pompeiu–Hausdorff distance, the greater of both directed ones: ``lower <= H(A, B) <= upper``, proven.
+
+    Attributes
+    ----------
+    lower, upper : float
+        The enclosure, in the unit of the meshes; ``value in report`` asks whether it holds a value.
+    a_to_b, b_to_a : DirectedReport
+        Both directions; the witness of the second leads from B to A.
+    """
+
+    lower: float
+    upper: float
+    a_to_b: DirectedReport
+    b_to_a: DirectedReport
+
+    @property
+    def direction(self) -> Direction:
+        """The direction with the greater lower bound: the one that proves ``lower``."""
+        return "b_to_a" if self.b_to_a.lower > self.a_to_b.lower else "a_to_b"
+
+    @property
+    def witness(self) -> Witness:
+        """The pair of points that proves ``lower``, from the mesh that :attr:`direction` begins with."""
+        return (self.b_to_a if self.direction == "b_to_a" else self.a_to_b).witness
+
+    def to_dict(self) -> "dict[str, Any]":
+        """A dictionary of plain values, ready for ``json.dumps``."""
+        return {
+            "lower": self.lower,
+            "upper": self.upper,
+            "direction": self.direction,
+            "a_to_b": self.a_to_b.to_dict(),
+            "b_to_a": self.b_to_a.to_dict(),
+        }
+
+    def __repr__(self) -> str:
+        return (
+            f"SymmetricReport({self.lower!r} <= H <= {self.upper!r}, {self.direction}, "
+            f"from face {self.witness.from_.face} to face {self.witness.to.face})"
+        )
+
+    def _repr_html_(self) -> str:
+        rows = [("lower", repr(self.lower)), ("upper", repr(self.upper))]
+        for name, report in (("A to B", self.a_to_b), ("B to A", self.b_to_a)):
+            rows.extend((f"{name}: {key}", value) for key, value in report._rows())
+        return _table("Pompeiu–Hausdorff distance", rows)
+
+    @classmethod
+    def _of(cls, data: Mapping[str, Any]) -> "SymmetricReport":
+        return cls(
+            lower=data["lower"],
+            upper=data["upper"],
+            a_to_b=DirectedReport._of(data["a_to_b"]),
+            b_to_a=DirectedReport._of(data["b_to_a"]),
+        )
+
+
+@dataclass(frozen=True)
+class Progress:
+    """How far a search has come; the bounds are not yet proven.
+
+    Attributes
+    ----------
+    direction : str
+        ``"a_to_b"`` or ``"b_to_a"``.
+    lower, upper : float
+        The largest distance met so far, and the largest bound still open.
+    examined, left : int
+        Faces and pieces looked at, and known to be left; cutting adds to them.
+    """
+
+    direction: Direction
+    lower: float
+    upper: float
+    examined: int
+    left: int
+
+
+@dataclass(frozen=True)
+class MeshSummary:
+    """Counts, measures and connectivity of a mesh.
+
+    ``area`` and ``volume`` are in squared and cubed units of the mesh; ``volume`` is ``None`` unless the faces enclose one,
+    ``genus`` unless the mesh is manifold and orientable. The corners are those of the bounding box of the faces.
+    """
+
+    vertices: int
+    unreferenced_vertices: int
+    faces: int
+    degenerate_faces: int
+    duplicate_faces: int
+    lower_corner: Vec3
+    upper_corner: Vec3
+    area: float
+    volume: Optional[float]
+    edges: int
+    boundary_edges: int
+    boundary_loops: int
+    non_manifold_edges: int
+    non_manifold_vertices: int
+    inconsistent_edges: int
+    components: int
+    euler_characteristic: int
+    orientable: bool
+    genus: Optional[int]
+
+    def to_dict(self) -> "dict[str, Any]":
+        """A dictionary of plain values."""
+        return asdict(self)
+
+    def _repr_html_(self) -> str:
+        return _table("mesh", [(f.name.replace("_", " "), str(getattr(self, f.name))) for f in fields(self)])
+
+
+@dataclass(frozen=True)
+class Ranks:
+    """Dimensions of the gradients and of the rotated gradients, and what they leave over."""
+
+    gradient: int
+    rotated: int
+    left_over: int
+
+
+@dataclass(frozen=True)
+class Audit:
+    """How the dimensions of the spaces of a splitting add up, and how they do not with one kind of function only.
+
+    Counted from the numbers of elements. ``mixed`` is what :class:`pompeiu.HodgeDecomposition` uses; ``conforming`` takes
+    continuous functions for both potentials, ``nonconforming`` functions that agree at midpoints of edges.
+    """
+
+    degrees_of_freedom: int
+    harmonic: int
+    mixed: Ranks
+    conforming: Ranks
+    nonconforming: Ranks
+    adds_up: bool
+
+    def to_dict(self) -> "dict[str, Any]":
+        """A dictionary of plain values."""
+        return asdict(self)
+
+    @classmethod
+    def _of(cls, data: Mapping[str, Any]) -> "Audit":
+        ranks = {name: Ranks(**data[name]) for name in ("mixed", "conforming", "nonconforming")}
+        return cls(**{**data, **ranks})
+
+
+@dataclass(frozen=True)
+class FieldQuality:
+    """What was measured of a splitting: how far it can be trusted.
+
+    Attributes
+    ----------
+    residual : float
+        Norm of the field less its three parts, over the norm of the field.
+    part_error : float
+        No part is farther from the true one than this, over the norm of the field.
+    gradient_rotated, gradient_harmonic, rotated_harmonic : float
+        Inner products of the parts over the squared norm of the field; zero in exact arithmetic.
+    field_norm, gradient_norm, rotated_norm, harmonic_norm : float
+        Norms: roots of integrals of squared lengths.
+    """
+
+    residual: float
+    part_error: float
+    gradient_rotated: float
+    gradient_harmonic: float
+    rotated_harmonic: float
+    field_norm: float
+    gradient_norm: float
+    rotated_norm: float
+    harmonic_norm: float
+
+    def to_dict(self) -> "dict[str, Any]":
+        """A dictionary of plain values."""
+        return asdict(self)
+
+    def _repr_html_(self) -> str:
+        return _table("splitting", [(f.name.replace("_", " "), f"{getattr(self, f.name):.6g}") for f in fields(self)])
+
+
+class _Arrays:
+    """Comparison, and a short repr, of answers that hold arrays."""
+
+    def __eq__(self, other: object) -> bool:
+        if type(other) is not type(self):
+            return NotImplemented
+        for f in fields(self):  # type: ignore[arg-type]
+            if not f.compare:
+                continue
+            mine, theirs = getattr(self, f.name), getattr(other, f.name)
+            if isinstance(mine, np.ndarray):
+                if not np.array_equal(mine, theirs, equal_nan=mine.dtype.kind == "f"):
+                    return False
+            elif mine != theirs:
+                return False
+        return True
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __repr__(self) -> str:
+        shown = []
+        for f in fields(self):  # type: ignore[arg-type]
+            value = getattr(self, f.name)
+            shown.append(f"{f.name}=<{value.dtype} {value.shape}>" if isinstance(value, np.ndarray) else f"{f.name}={value!r}")
+        return f"{type(self).__name__}({', '.join(shown)})"
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class FieldParts(_Arrays):
+    """A tangent field as the sum of three orthogonal parts.
+
+    Attributes
+    ----------
+    gradient, rotated, harmonic : ndarray, float64, shape (m, 3)
+        The gradient, the rotated gradient and the harmonic part: one vector in space for each face.
+    vertex_potential : ndarray, float64, shape (n,)
+        Potential at vertices: of the gradient in the primal splitting, of the rotated gradient in the dual.
+    edge_potential : ndarray, float64, shape (e,)
+        Potential at midpoints of edges, in the order of :attr:`pompeiu.HodgeDecomposition.edges`: of the other of the two.
+    harmonic_coefficients : ndarray, float64, shape (k,)
+        Coefficients of the harmonic part in the orthonormal basis of harmonic fields.
+    normal_part : float
+        Length of the longest part of the given vectors along the normal, which was left out.
+    quality : FieldQuality
+        How far the parts can be trusted.
+    """
+
+    gradient: NDArray[np.float64]
+    rotated: NDArray[np.float64]
+    harmonic: NDArray[np.float64]
+    vertex_potential: NDArray[np.float64]
+    edge_potential: NDArray[np.float64]
+    harmonic_coefficients: NDArray[np.float64]
+    normal_part: float
+    quality: FieldQuality
+
+    def to_dict(self) -> "dict[str, Any]":
+        """A dictionary of lists and numbers, ready for ``json.dumps``."""
+        arrays = {f.name: getattr(self, f.name) for f in fields(self)}
+        plain = {name: value.tolist() if isinstance(value, np.ndarray) else value for name, value in arrays.items()}
+        return {**plain, "quality": self.quality.to_dict()}
+
+    def _repr_html_(self) -> str:
+        return self.quality._repr_html_()
+
+    @classmethod
+    def _of(cls, data: Mapping[str, Any]) -> "FieldParts":
+        return cls(**{**data, "quality": FieldQuality(**data["quality"])})

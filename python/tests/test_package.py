@@ -1,0 +1,82 @@
+"""The package as a whole: documentation that runs, types that are true, notebooks that work."""
+
+import ast
+import doctest
+import importlib
+import inspect
+import pkgutil
+import re
+from pathlib import Path
+
+import nbclient
+import nbformat
+import pompeiu
+import pytest
+
+FOLDER = Path(pompeiu.__file__).parent
+MODULES = ["pompeiu", *(f"pompeiu.{m.name}" for m in pkgutil.iter_modules([str(FOLDER)]) if not m.name.startswith("_"))]
+
+
+@pytest.mark.parametrize("name", MODULES)
+def test_examples_in_the_documentation_run(name):
+    module = importlib.import_module(name)
+    assert module.__doc__
+    assert doctest.testmod(module).failed == 0
+
+
+def test_everything_public_is_documented():
+    assert "MeshLike" in pompeiu.__all__, "an alias, which cannot have a documentation of its own"
+    for name in pompeiu.__all__:
+        thing = getattr(pompeiu, name)
+        if inspect.isclass(thing) or inspect.isroutine(thing):
+            assert inspect.getdoc(thing), name
+        if inspect.isclass(thing):
+            for member, value in vars(thing).items():
+                if not member.startswith("_") and (callable(value) or isinstance(value, property)):
+                    assert inspect.getdoc(value), f"{name}.{member}"
+
+
+def test_types_are_there_and_name_what_is_there():
+    assert (FOLDER / "py.typed").exists()
+    stubs = ast.parse((FOLDER / "_native.pyi").read_text(encoding="utf-8"))
+    native = importlib.import_module("pompeiu._native")
+    stated = {}
+    for node in stubs.body:
+        if isinstance(node, ast.ClassDef):
+            stated[node.name] = {item.name for item in node.body if isinstance(item, ast.FunctionDef)}
+        elif isinstance(node, ast.FunctionDef):
+            stated[node.name] = [argument.arg for argument in node.args.args]
+    for name, thing in vars(native).items():
+        if name.startswith("_"):
+            continue
+        if inspect.isclass(thing):
+            members = {m for m in vars(thing) if not m.startswith("__") and m != "__doc__"}
+            assert members == {m for m in stated[name] if not m.startswith("__")}, name
+        else:
+            assert list(inspect.signature(thing).parameters) == stated[name], name
+        del stated[name]
+    assert not stated, "named in the stubs only"
+
+
+def test_the_version_is_that_of_the_crates(repository):
+    manifest = (repository / "Cargo.toml").read_text(encoding="utf-8")
+    assert f'version = "{pompeiu.__version__}"' in manifest
+
+
+def test_only_numpy_is_needed():
+    imports = re.compile(r"^(?:from|import) +([a-zA-Z_.]+)", re.MULTILINE)
+    for file in FOLDER.glob("*.py"):
+        for name in imports.findall(file.read_text(encoding="utf-8")):
+            known = {"numpy", "__future__", "collections", "contextlib", "dataclasses", "html", "os", "typing", "warnings"}
+            assert name.startswith(".") or name.split(".")[0] in known, f"{file.name} imports {name}"
+
+
+def notebooks():
+    return sorted((Path(__file__).parents[2] / "examples" / "python").glob("*.ipynb"))
+
+
+@pytest.mark.parametrize("path", notebooks(), ids=lambda path: path.name)
+def test_notebooks_run_from_a_folder_of_their_own(path, tmp_path):
+    notebook = nbformat.read(path, as_version=4)
+    assert not any(cell.get("outputs") for cell in notebook.cells), "outputs are not kept in the repository"
+    nbclient.NotebookClient(notebook, timeout=None, resources={"metadata": {"path": str(tmp_path)}}).execute()
