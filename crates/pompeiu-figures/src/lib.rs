@@ -4,7 +4,7 @@
 //!
 //! A [`Figure`] has [panels](Panel) that share a camera and a colour [`Scale`]; a panel shows a mesh, coloured by
 //! [`Values`], and [marks](Mark) on it. No graphics card is needed, and the same figure has the same pixels on every
-//! machine.
+//! machine. [`html`] writes interactive pages instead.
 //!
 //! ```
 //! use pompeiu_figures::{ColorMap, Scale};
@@ -17,6 +17,7 @@
 
 pub mod colormap;
 mod figure;
+pub mod html;
 mod image;
 mod legend;
 mod normals;
