@@ -32,6 +32,7 @@
 mod certify;
 pub mod classic;
 mod coarse;
+pub mod deviation;
 mod engine;
 mod observer;
 mod query;
@@ -41,6 +42,7 @@ mod search;
 mod target;
 mod tolerance;
 
+pub use deviation::{Deviation, DeviationQuery, DirectedDeviation};
 pub use observer::{Discard, Observer, Progress, Proof, RemainingPiece, Stage};
 pub use query::{Method, Query, directed_hausdorff, symmetric_hausdorff};
 pub use report::{

@@ -204,12 +204,7 @@ impl Query {
     }
 
     fn on_threads<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
-        let Some(threads) = self.threads else { return work() };
-        match rayon::ThreadPoolBuilder::new().num_threads(threads).build() {
-            Ok(pool) => pool.install(work),
-            // A system that refuses threads still has this one and those of the current pool.
-            Err(_) => work(),
-        }
+        on_threads(self.threads, work)
     }
 
     fn one_direction(
@@ -244,5 +239,15 @@ impl Query {
             memory_limit: self.memory_limit,
             stages: &self.stages,
         }
+    }
+}
+
+/// Runs on as many threads, or on those of the current pool.
+pub(crate) fn on_threads<R: Send>(threads: Option<usize>, work: impl FnOnce() -> R + Send) -> R {
+    let Some(threads) = threads else { return work() };
+    match rayon::ThreadPoolBuilder::new().num_threads(threads).build() {
+        Ok(pool) => pool.install(work),
+        // A system that refuses threads still has this one and those of the current pool.
+        Err(_) => work(),
     }
 }

@@ -30,8 +30,12 @@ impl Target {
 
     /// The same for one question, in which it may turn out that neighbours are not wanted.
     pub(crate) fn without_neighbours(mesh: &TriMesh) -> Self {
+        Self::in_frame(mesh, Frame::of(&Aabb::of_faces(mesh)))
+    }
+
+    /// The same in a given frame, for one question.
+    pub(crate) fn in_frame(mesh: &TriMesh, frame: Frame) -> Self {
         let aabb = Aabb::of_faces(mesh);
-        let frame = Frame::of(&aabb);
         Self { bvh: Bvh::build(mesh, &frame), neighbours: OnceLock::new(), frame, aabb }
     }
 

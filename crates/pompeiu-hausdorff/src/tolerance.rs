@@ -42,6 +42,9 @@ pub enum OptionError {
     /// The threshold is negative or not a finite number.
     #[error("the threshold is {0}; it must be a finite number that is not negative")]
     Threshold(f64),
+    /// A share of an area that has no percentile.
+    #[error("the share is {0}; it must lie between 0 and 1, both excluded")]
+    Share(f64),
     /// No thread is not enough.
     #[error("the number of threads is 0; at least 1 is needed")]
     Threads,

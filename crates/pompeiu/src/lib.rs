@@ -30,8 +30,9 @@ pub use pompeiu_surface as surface;
 pub mod prelude {
     pub use pompeiu_core::{FaceId, MeshError, MeshSummary, TriMesh, VertexId};
     pub use pompeiu_hausdorff::{
-        DirectedReport, Enclosure, Observer, OptionError, Progress, Query, Stage, StopReason, SurfacePoint,
-        SymmetricReport, Target, Tolerance, Witness, directed_hausdorff, symmetric_hausdorff,
+        Deviation, DeviationQuery, DirectedDeviation, DirectedReport, Enclosure, Observer, OptionError,
+        Progress, Query, Stage, StopReason, SurfacePoint, SymmetricReport, Target, Tolerance, Witness,
+        directed_hausdorff, symmetric_hausdorff,
     };
     pub use pompeiu_io::{ReadError, WriteError, read_mesh};
 }

@@ -28,6 +28,17 @@ impl Interval {
         Self::outward(x, x)
     }
 
+    /// The least interval that holds both of two numbers; the whole line if one of them is NaN.
+    pub const fn spanning(x: f64, y: f64) -> Self {
+        if x.is_nan() || y.is_nan() {
+            Self::WHOLE
+        } else if x < y {
+            Self { lower: x, upper: y }
+        } else {
+            Self { lower: y, upper: x }
+        }
+    }
+
     /// The whole real line.
     pub const WHOLE: Self = Self { lower: f64::NEG_INFINITY, upper: f64::INFINITY };
 

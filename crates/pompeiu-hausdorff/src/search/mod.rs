@@ -8,7 +8,7 @@
 mod control;
 mod game;
 mod overlay;
-mod piece;
+pub(crate) mod piece;
 mod refine;
 mod rows;
 mod sweep;

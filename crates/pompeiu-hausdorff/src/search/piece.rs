@@ -104,15 +104,15 @@ impl Parts {
 
 /// A line across a triangle: corner `apex` lies alone on one side; the line meets the edges from it to the next and to the
 /// one after at these fractions.
-struct Crossing {
-    apex: usize,
-    next: f64,
-    after: f64,
+pub(crate) struct Crossing {
+    pub(crate) apex: usize,
+    pub(crate) next: f64,
+    pub(crate) after: f64,
 }
 
 impl Crossing {
     /// Fraction of the area on the lesser side.
-    fn lesser_part(&self) -> f64 {
+    pub(crate) fn lesser_part(&self) -> f64 {
         let part = self.next * self.after;
         if part < 0.5 { part } else { 1.0 - part }
     }
@@ -142,7 +142,11 @@ impl Crossing {
 }
 
 /// Where the side plane of the prism over a triangle that leaves most on its lesser side crosses the piece.
-fn best_prism_plane(corners: &[DVec3; 3], triangle: [[f64; 3]; 3], least: f64) -> Option<Crossing> {
+pub(crate) fn best_prism_plane(
+    corners: &[DVec3; 3],
+    triangle: [[f64; 3]; 3],
+    least: f64,
+) -> Option<Crossing> {
     let t = triangle.map(DVec3::from_array);
     let normal = (t[1] - t[0]).cross(t[2] - t[0]);
     let mut best: Option<Crossing> = None;
@@ -164,7 +168,7 @@ fn best_prism_plane(corners: &[DVec3; 3], triangle: [[f64; 3]; 3], least: f64) -
 }
 
 /// The line on which a linear function with these values at the corners vanishes, if it crosses the triangle.
-fn crossing(side: [f64; 3]) -> Option<Crossing> {
+pub(crate) fn crossing(side: [f64; 3]) -> Option<Crossing> {
     for apex in 0..3 {
         let [p, q, r] = [0, 1, 2].map(|i| side[(apex + i) % 3]);
         if p > 0.0 && q <= 0.0 && r <= 0.0 || p < 0.0 && q >= 0.0 && r >= 0.0 {

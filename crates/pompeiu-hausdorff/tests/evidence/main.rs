@@ -5,6 +5,7 @@
 mod analytic;
 mod classic;
 mod determinism;
+mod deviation;
 mod discards;
 mod limits;
 mod observer;

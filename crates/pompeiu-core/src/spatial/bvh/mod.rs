@@ -9,7 +9,10 @@ mod nearest;
 mod split;
 
 use crate::FaceId;
+use crate::geom::Aabb;
 use crate::geom::point_triangle::{LANES, TriangleBlock};
+
+use std::ops::ControlFlow;
 
 pub use cover::Cover;
 pub use nearest::{Nearest, Workspace};
@@ -167,5 +170,39 @@ impl Bvh {
                 }
             }
         }
+    }
+
+    /// Walks down the tree: `enter` says of each box whether to look inside, and `visit` is given the slots of the leaves
+    /// that are reached, in no order that means anything but always the same; the walk ends when it breaks.
+    ///
+    /// The box of a leaf holds its triangles exactly.
+    pub fn walk(
+        &self,
+        stack: &mut Vec<u32>,
+        mut enter: impl FnMut(&Aabb) -> bool,
+        mut visit: impl FnMut(Slot) -> ControlFlow<()>,
+    ) -> ControlFlow<()> {
+        stack.clear();
+        stack.push(0);
+        while let Some(entry) = stack.pop() {
+            if entry & LEAF != 0 {
+                let first = (entry & !LEAF) * LANES as u32;
+                for slot in first..self.faces.len().min(first as usize + LANES) as u32 {
+                    visit(Slot(slot))?;
+                }
+                continue;
+            }
+            let node = &self.nodes[entry as usize];
+            for (lane, child) in node.child.iter().enumerate() {
+                let aabb = Aabb {
+                    lower: [0, 1, 2].map(|k| node.lower[k][lane]),
+                    upper: [0, 1, 2].map(|k| node.upper[k][lane]),
+                };
+                if aabb.lower[0] < f64::INFINITY && enter(&aabb) {
+                    stack.push(*child);
+                }
+            }
+        }
+        ControlFlow::Continue(())
     }
 }

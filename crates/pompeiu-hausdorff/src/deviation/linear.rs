@@ -1,0 +1,163 @@
+//! Linear functions on a triangle, by their values at the corners: means, squares and parts below a level, rounded outwards.
+//!
+//! None of this depends on the shape of the triangle: means are over its area, parts are fractions of it.
+
+use pompeiu_core::exact::Interval;
+
+/// Values at three corners, or the lengths of anything that has three.
+pub(super) type Corners = [f64; 3];
+
+/// More than the relative rounding of any of the few operations below added up.
+const FEW_OPERATIONS: f64 = 16.0 * f64::EPSILON;
+
+pub(super) fn lesser(x: f64, y: f64) -> f64 {
+    if y < x { y } else { x }
+}
+
+pub(super) fn greater(x: f64, y: f64) -> f64 {
+    if y > x { y } else { x }
+}
+
+pub(super) fn least(v: Corners) -> f64 {
+    lesser(lesser(v[0], v[1]), v[2])
+}
+
+pub(super) fn greatest(v: Corners) -> f64 {
+    greater(greater(v[0], v[1]), v[2])
+}
+
+/// The mean, rounded.
+pub(super) fn mean(v: Corners) -> f64 {
+    (v[0] + v[1] + v[2]) * (1.0 / 3.0)
+}
+
+/// Encloses the mean.
+pub(super) fn mean_enclosure(v: Corners) -> Interval {
+    let margin = (v[0].abs() + v[1].abs() + v[2].abs()) * FEW_OPERATIONS;
+    Interval::spanning(mean(v) - margin, mean(v) + margin)
+}
+
+/// A lower bound on the mean of the positive part.
+pub(super) fn mean_of_positive(v: Corners) -> f64 {
+    let [a, b, c] = ascending(v);
+    let positive = if a >= 0.0 {
+        (a + b + c) * (1.0 / 3.0)
+    } else if b >= 0.0 {
+        // Without the negative part, which lies on a triangle at that corner.
+        (a + b + c - cut_off(a, b, c) * a) * (1.0 / 3.0)
+    } else if c > 0.0 {
+        cut_off(c, a, b) * c * (1.0 / 3.0)
+    } else {
+        return 0.0;
+    };
+    greater(positive - greatest(v.map(f64::abs)) * FEW_OPERATIONS, 0.0)
+}
+
+/// The fraction of the triangle on the side of a corner where a linear function has the sign that it has there; `x` is its value at
+/// the corner, the others are of the other sign.
+fn cut_off(x: f64, y: f64, z: f64) -> f64 {
+    if x == 0.0 { 0.0 } else { (x / (x - y)) * (x / (x - z)) }
+}
+
+fn ascending([a, b, c]: Corners) -> Corners {
+    let (a, b) = if b < a { (b, a) } else { (a, b) };
+    let (b, c) = if c < b { (c, b) } else { (b, c) };
+    let (a, b) = if b < a { (b, a) } else { (a, b) };
+    [a, b, c]
+}
+
+/// Encloses the mean of the square of a function that is nowhere negative.
+pub(super) fn mean_square_enclosure([a, b, c]: Corners) -> Interval {
+    let square = (a * a + b * b + c * c + a * b + b * c + c * a) * (1.0 / 6.0);
+    let margin = square * FEW_OPERATIONS + f64::MIN_POSITIVE;
+    Interval::spanning(square - margin, square + margin)
+}
+
+/// A lower bound on the mean of the square of the positive part.
+pub(super) fn mean_square_of_positive(v: Corners) -> f64 {
+    let [a, b, c] = ascending(v);
+    let whole = (a * a + b * b + c * c + a * b + b * c + c * a) * (1.0 / 6.0);
+    let positive = if a >= 0.0 {
+        whole
+    } else if b >= 0.0 {
+        whole - cut_off(a, b, c) * a * a * (1.0 / 6.0)
+    } else if c > 0.0 {
+        cut_off(c, a, b) * c * c * (1.0 / 6.0)
+    } else {
+        return 0.0;
+    };
+    let largest = greatest(v.map(f64::abs));
+    greater(positive - largest * largest * FEW_OPERATIONS, 0.0)
+}
+
+/// Encloses the fraction of the triangle on which the function is at most `level`.
+pub(super) fn part_up_to(v: Corners, level: f64) -> Interval {
+    let [a, b, c] = ascending(v);
+    if level >= c {
+        return Interval::point(1.0);
+    }
+    if level < a {
+        return Interval::point(0.0);
+    }
+    // a <= level < c, so the divisors that are reached are not zero. Differences are rounded relative to themselves.
+    let part = if level < b {
+        ((level - a) / (b - a)) * ((level - a) / (c - a))
+    } else {
+        1.0 - ((c - level) / (c - b)) * ((c - level) / (c - a))
+    };
+    Interval::spanning(greater(part - FEW_OPERATIONS, 0.0), lesser(part + FEW_OPERATIONS, 1.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// Means over the centres of `n * n` similar triangles.
+    fn by_sampling(v: Corners, f: impl Fn(f64) -> f64) -> f64 {
+        let n = 300;
+        let mut sum = 0.0;
+        for i in 0..n {
+            for j in 0..n - i {
+                let at = |s: f64, t: f64| {
+                    let (s, t) = ((f64::from(i) + s) / f64::from(n), (f64::from(j) + t) / f64::from(n));
+                    f(v[0] + s * (v[1] - v[0]) + t * (v[2] - v[0]))
+                };
+                sum += at(1.0 / 3.0, 1.0 / 3.0) + if i + j + 1 < n { at(2.0 / 3.0, 2.0 / 3.0) } else { 0.0 };
+            }
+        }
+        sum / f64::from(n * n)
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(100))]
+
+        #[test]
+        fn formulas_agree_with_sampling(v in [-1.0..1.0_f64, -1.0..1.0, -1.0..1.0], level in -1.0..1.0_f64) {
+            let near = |x: Interval, y: f64, slack: f64| (x.lower() - slack..=x.upper() + slack).contains(&y);
+            prop_assert!(near(mean_enclosure(v), by_sampling(v, |x| x), 1e-9));
+            let positive = v.map(f64::abs);
+            prop_assert!(near(mean_square_enclosure(positive), by_sampling(positive, |x| x * x), 1e-4));
+            let part = by_sampling(v, |x| if x <= level { 1.0 } else { 0.0 });
+            prop_assert!(near(part_up_to(v, level), part, 1e-2), "{part} {:?}", part_up_to(v, level));
+            let positive = |x: f64| if x > 0.0 { x } else { 0.0 };
+            prop_assert!((mean_of_positive(v) - by_sampling(v, positive)).abs() < 1e-4);
+            prop_assert!((mean_square_of_positive(v) - by_sampling(v, |x| positive(x) * x)).abs() < 1e-4);
+        }
+    }
+
+    #[test]
+    fn parts_of_flat_and_half_flat_functions() {
+        let exactly = |v, level, part: f64| {
+            let found = part_up_to(v, level);
+            assert!(found.lower() <= part && part <= found.upper(), "{v:?} {level} {found:?}");
+            assert!(found.upper() - found.lower() < 1e-14);
+        };
+        exactly([2.0, 2.0, 2.0], 2.0, 1.0);
+        exactly([2.0, 2.0, 2.0], 1.999, 0.0);
+        exactly([0.0, 0.0, 1.0], 0.0, 0.0);
+        exactly([0.0, 0.0, 1.0], 0.5, 0.75);
+        exactly([1.0, 0.0, 1.0], 0.5, 0.25);
+        exactly([0.0, 1.0, 2.0], 1.0, 0.5);
+    }
+}

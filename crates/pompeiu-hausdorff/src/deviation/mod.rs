@@ -1,0 +1,26 @@
+//! How far two surfaces deviate from each other, where, and over how much of the area.
+//!
+//! The Pompeiu–Hausdorff distance is one number for the worst point. [`DeviationQuery`] asks for the rest: mean, percentiles and
+//! shares of the area beyond a threshold, each enclosed; distances by face and by vertex; the worst regions, told apart.
+//!
+//! Every number over an area is that of all its points, not of samples. Faces of A are cut into pieces, on each of which the
+//! distance from B lies between two linear functions (`envelope`); integrals of those are formulas (`linear`), and sums are
+//! rounded outwards. Pieces are cut until the numbers are as narrow as asked (`rounds`).
+mod cut;
+mod distribution;
+mod envelope;
+mod faces;
+mod linear;
+mod query;
+mod regions;
+mod report;
+mod rounds;
+mod run;
+mod statistics;
+mod tessellation;
+
+pub use query::DeviationQuery;
+pub use regions::Region;
+pub use report::{Deviation, DeviationWork, DirectedDeviation, FaceDeviation};
+pub use statistics::{Histogram, Percentile, ShareAbove, Statistics};
+pub use tessellation::DisplayTriangle;
