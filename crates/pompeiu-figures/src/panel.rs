@@ -25,6 +25,7 @@ pub enum Values<'a> {
 pub struct Panel<'a> {
     pub(crate) mesh: &'a TriMesh,
     pub(crate) values: Option<Values<'a>>,
+    pub(crate) vectors: Option<&'a [[f64; 3]]>,
     pub(crate) normals: Option<&'a [[f64; 3]]>,
     pub(crate) title: String,
     pub(crate) edges: bool,
@@ -34,13 +35,31 @@ pub struct Panel<'a> {
 impl<'a> Panel<'a> {
     /// A mesh in one colour.
     pub fn new(mesh: &'a TriMesh) -> Self {
-        Self { mesh, values: None, normals: None, title: String::new(), edges: false, marks: Vec::new() }
+        Self {
+            mesh,
+            values: None,
+            vectors: None,
+            normals: None,
+            title: String::new(),
+            edges: false,
+            marks: Vec::new(),
+        }
     }
 
     /// Colours the mesh by values, with the scale of the figure.
     #[must_use]
     pub fn with_values(mut self, values: Values<'a>) -> Self {
         self.values = Some(values);
+        self
+    }
+
+    /// Shows a tangent field, one vector per face: by streaks along it, and arrows for its sense.
+    ///
+    /// Unless there are values, the mesh is coloured by the field's magnitude. Streaks fade where the field is weak beside
+    /// the upper end of the figure's scale, so that a scale shared by panels shows which field is strong where.
+    #[must_use]
+    pub fn with_vectors(mut self, vectors: &'a [[f64; 3]]) -> Self {
+        self.vectors = Some(vectors);
         self
     }
 
@@ -87,6 +106,7 @@ impl<'a> Panel<'a> {
             Some(Values::Corners(values)) => check("triples of values", values.len(), faces, "faces")?,
             None => {}
         }
+        self.vectors.map_or(Ok(()), |vectors| check("vectors", vectors.len(), faces, "faces"))?;
         self.normals.map_or(Ok(()), |normals| check("normals", normals.len(), vertices, "vertices"))
     }
 }
@@ -113,7 +133,7 @@ pub struct Mark {
 
 impl Mark {
     /// Opacity of what is hidden by the mesh, unless another is chosen: enough to find it.
-    pub const BEHIND: f64 = 0.3;
+    pub const BEHIND: f64 = 0.45;
 
     /// A straight line, 2.5 pixels wide.
     pub fn segment(from: [f64; 3], to: [f64; 3]) -> Self {

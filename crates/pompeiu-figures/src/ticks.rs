@@ -27,10 +27,11 @@ impl Ticks {
         let width = (0.5 * high - 0.5 * low) / (0.5 * count.max(1) as f64);
         let decade = decade(width);
         let mantissa = width / power(decade);
+        // The step whose ratio to what was asked is nearest to 1: bounds are the roots of 2, 10 and 50.
         let (factor, decade) = match mantissa {
-            m if m < 1.5 => (1.0, decade),
-            m if m < 3.5 => (2.0, decade),
-            m if m < 7.5 => (5.0, decade),
+            m if m < 1.41 => (1.0, decade),
+            m if m < 3.16 => (2.0, decade),
+            m if m < 7.07 => (5.0, decade),
             _ => (1.0, decade + 1),
         };
         let step = factor * power(decade);

@@ -108,6 +108,17 @@ pub(crate) fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     std::array::from_fn(|i| a[i] - b[i])
 }
 
+/// The length of a vector; infinite or NaN if a coordinate is.
+pub(crate) fn length(v: [f64; 3]) -> f64 {
+    let largest = v.iter().fold(0.0, |largest: f64, x| if x.abs() <= largest { largest } else { x.abs() });
+    if largest > 0.0 && largest.is_finite() {
+        let scaled = v.map(|x| x / largest);
+        largest * dot(scaled, scaled).sqrt()
+    } else {
+        v[0].abs() + v[1].abs() + v[2].abs()
+    }
+}
+
 /// A vector scaled to length one; none for zero, infinite and NaN.
 pub(crate) fn unit(v: [f64; 3]) -> Option<[f64; 3]> {
     let largest = v.iter().fold(0.0, |largest: f64, x| if x.abs() <= largest { largest } else { x.abs() });

@@ -56,10 +56,29 @@ fn two_panels(torus: &TriMesh, sphere: &TriMesh, theme: Theme, projection: Proje
         .unwrap()
 }
 
+/// A field that turns around the axis of a torus, and one that goes up.
+fn fields(torus: &TriMesh, theme: Theme) -> Image {
+    let middle = |face: &[u32; 3]| -> [f64; 3] {
+        let [p, q, r] = face.map(|vertex| torus.positions()[vertex as usize]);
+        std::array::from_fn(|i| (p[i] + q[i] + r[i]) / 3.0)
+    };
+    let turning: Vec<[f64; 3]> = torus.faces().iter().map(middle).map(|[x, y, _]| [-y, x, 0.0]).collect();
+    let rising = vec![[0.0, 0.0, 0.3]; torus.faces().len()];
+    Figure::new(420, 200)
+        .with_theme(theme)
+        .with_view(View::default().with_up([0.0, 0.0, 1.0]))
+        .with_scale(Scale::new(ColorMap::Viridis, 0.0, 1.2).unwrap(), "magnitude")
+        .with_panel(Panel::new(torus).with_vectors(&turning).with_title("turning"))
+        .with_panel(Panel::new(torus).with_vectors(&rising).with_title("rising"))
+        .draw()
+        .unwrap()
+}
+
 #[test]
 fn pictures_are_those_that_were_looked_at() {
     let (torus, sphere) = (torus(0.8, 0.35, 40, 20).unwrap(), icosphere(0.9, 2).unwrap());
     check("light.png", &two_panels(&torus, &sphere, Theme::Light, Projection::Perspective));
+    check("fields.png", &fields(&torus, Theme::Light));
     check("dark.png", &two_panels(&torus, &sphere, Theme::Dark, Projection::Orthographic));
 }
 
@@ -71,6 +90,7 @@ fn pictures_are_the_same_for_any_number_of_threads() {
         pool.install(|| {
             let mut png = Vec::new();
             two_panels(&torus, &sphere, Theme::Light, Projection::Perspective).write_png(&mut png).unwrap();
+            fields(&torus, Theme::Dark).write_png(&mut png).unwrap();
             png
         })
     };
@@ -83,6 +103,8 @@ fn draw(mesh: &TriMesh, values: &[f64]) -> Image {
     let normals = vec![[f64::NAN; 3]; mesh.positions().len()];
     let panel = Panel::new(mesh).with_values(Values::Vertices(values)).with_normals(&normals).with_edges();
     let ends = [[f64::NAN; 3], [f64::INFINITY, 0.0, 0.0], [f64::MAX; 3], mesh.positions()[0]];
+    let vectors: Vec<[f64; 3]> = (0..mesh.faces().len()).map(|face| ends[face % ends.len()]).collect();
+    let panel = panel.with_vectors(&vectors);
     let marks = ends.iter().flat_map(|&from| ends.map(|to| [Mark::arrow(from, to), Mark::segment(from, to)]));
     let widths = [f64::NAN, -1.0, 0.0, 1e300, f64::INFINITY];
     let panel = marks.flatten().fold(panel, Panel::with_mark);
@@ -167,6 +189,10 @@ fn what_does_not_fit_together_is_an_error_with_its_numbers() {
     assert_eq!(
         error(Panel::new(&mesh).with_values(Values::Corners(&[[0.0; 3]; 60]))),
         "a mesh with 20 faces needs as many triples of values, but has 60"
+    );
+    assert_eq!(
+        error(Panel::new(&mesh).with_vectors(&[[0.0; 3]; 12])),
+        "a mesh with 20 faces needs as many vectors, but has 12"
     );
     assert_eq!(
         error(Panel::new(&mesh).with_normals(&[])),

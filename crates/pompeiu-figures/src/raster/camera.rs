@@ -1,6 +1,6 @@
 //! From space to the picture.
 
-use crate::view::{Projection, View, dot, minus};
+use crate::view::{Projection, View, dot, minus, unit};
 use crate::{FigureError, Panel, panel::MarkShape};
 
 /// Distance of the eye from the middle, in units of the largest half extent. All there is lies within the square root
@@ -176,6 +176,21 @@ impl Camera {
     /// A direction in space, in the camera's directions.
     pub(crate) fn turn(&self, direction: [f64; 3]) -> [f64; 3] {
         self.frame.map(|axis| dot(axis, direction))
+    }
+
+    /// How a unit vector along a direction at a point appears: to the right and down, foreshortened; zero if the direction
+    /// is none.
+    pub(crate) fn direction(&self, local: [f64; 3], direction: [f64; 3]) -> [f64; 2] {
+        let Some(direction) = unit(direction) else { return [0.0; 2] };
+        let [right, up, eye] = self.turn(direction);
+        match self.projection {
+            Projection::Perspective => {
+                let near = EYE / (EYE - local[2]);
+                let grows = near * near / EYE * eye;
+                [right * near + local[0] * grows, -(up * near + local[1] * grows)]
+            }
+            Projection::Orthographic => [right, -up],
+        }
     }
 
     /// From a point, in the camera's directions, to the eye.

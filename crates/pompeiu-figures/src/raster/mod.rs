@@ -7,6 +7,7 @@
 #![allow(clippy::cast_possible_wrap, reason = "pixels are counted to 2^14, places of the fine grid to 2^24")]
 
 mod camera;
+mod flow;
 mod shade;
 mod strokes;
 #[cfg(test)]
@@ -19,6 +20,7 @@ use crate::image::Image;
 use crate::theme::Colors;
 use crate::{Panel, Rgb, Scale};
 use camera::Seen;
+use flow::Flow;
 use rayon::prelude::*;
 use strokes::Stroke;
 use triangles::{Grid, NONE, PIXEL, Triangle, Visible};
@@ -55,20 +57,25 @@ pub(crate) fn render(
 ) -> Image {
     let seen = panel.mesh.positions().par_iter().map(|&position| camera.see(position)).collect();
     let scene = Scene { panel, camera, scale, theme, seen };
-    let strokes: Vec<Stroke> =
-        panel.marks.iter().flat_map(|mark| strokes::strokes(mark, camera, theme)).collect();
     let tiles = Tiles::new(size);
     let faces = tiles.faces(&scene);
+    let flow = panel.vectors.map(|vectors| {
+        let visible = tiles.visible(&scene, &faces);
+        Flow::new(&scene, vectors, &visible, size.map(|side| side as usize))
+    });
+    let arrows = flow.iter().flat_map(|flow| flow.arrows.iter().copied());
+    let marks = panel.marks.iter().flat_map(|mark| strokes::strokes(mark, camera, theme));
+    let strokes: Vec<Stroke> = arrows.chain(marks).collect();
     let drawn: Vec<Vec<Rgb>> = (0..tiles.count())
         .into_par_iter()
-        .map(|tile| draw_tile(&scene, &strokes, &tiles.grid(tile, SAMPLES), &faces[tile]))
+        .map(|tile| draw_tile(&scene, flow.as_ref(), &strokes, &tiles.grid(tile, SAMPLES), &faces[tile]))
         .collect();
     let mut image = Image::filled(size[0], size[1], theme.background);
     for (tile, pixels) in drawn.iter().enumerate() {
         let grid = tiles.grid(tile, 1);
         for (index, &color) in pixels.iter().enumerate() {
-            let [column, row] = [index % grid.size[0], index / grid.size[0]];
-            image.set(i64::from(grid.start[0]) + column as i64, i64::from(grid.start[1]) + row as i64, color);
+            let [x, y] = grid.pixel([index % grid.size[0], index / grid.size[0]]);
+            image.set(x as i64, y as i64, color);
         }
     }
     image
@@ -96,6 +103,31 @@ impl Tiles {
         let start = at.map(|tile| tile * TILE);
         let size = [0, 1].map(|axis| ((self.size[axis] - start[axis]).min(TILE) * per_pixel) as usize);
         Grid { start, size, per_pixel }
+    }
+
+    /// The face that is seen at the middle of each pixel of the panel.
+    fn visible(&self, scene: &Scene, faces: &[Vec<u32>]) -> Visible {
+        let tiles: Vec<(Grid, Visible)> = (0..self.count())
+            .into_par_iter()
+            .map(|tile| {
+                let grid = self.grid(tile, 1);
+                (grid, see(scene, &grid, &faces[tile]))
+            })
+            .collect();
+        let width = self.size[0] as usize;
+        let mut all = Visible::nothing(&Grid {
+            start: [0; 2],
+            size: self.size.map(|side| side as usize),
+            per_pixel: 1,
+        });
+        for (grid, part) in tiles {
+            for index in 0..part.face.len() {
+                let [x, y] = grid.pixel([index % grid.size[0], index / grid.size[0]]);
+                all.face[y * width + x] = part.face[index];
+                all.near[y * width + x] = part.near[index];
+            }
+        }
+        all
     }
 
     /// The faces that may be seen in each tile, in order.
@@ -126,22 +158,29 @@ impl Tiles {
     }
 }
 
-/// The pixels of a tile.
-fn draw_tile(scene: &Scene, strokes: &[Stroke], grid: &Grid, faces: &[u32]) -> Vec<Rgb> {
+/// Which of some faces is seen at each sample.
+fn see(scene: &Scene, grid: &Grid, faces: &[u32]) -> Visible {
     let mut visible = Visible::nothing(grid);
     for &face in faces {
         if let Some(triangle) = scene.triangle(face) {
             visible.draw(grid, face, &triangle);
         }
     }
+    visible
+}
+
+/// The pixels of a tile.
+fn draw_tile(scene: &Scene, flow: Option<&Flow>, strokes: &[Stroke], grid: &Grid, faces: &[u32]) -> Vec<Rgb> {
+    let visible = see(scene, grid, faces);
     let background = scene.theme.background.map(f64::from);
     let mut colors = vec![background; visible.face.len()];
     let mut last: Option<(u32, Triangle)> = None;
     for (index, &face) in visible.face.iter().enumerate().filter(|(_, face)| **face != NONE) {
         let known = last.filter(|(known, _)| *known == face).map(|(_, triangle)| triangle);
         if let Some(triangle) = known.or_else(|| scene.triangle(face)) {
-            let place = grid.place(index % grid.size[0], index / grid.size[0]);
-            colors[index] = shade::color(scene, face, &triangle, place, 1.0);
+            let sample = [index % grid.size[0], index / grid.size[0]];
+            let light = flow.map_or(1.0, |flow| flow.light(grid.pixel(sample)));
+            colors[index] = shade::color(scene, face, &triangle, grid.place(sample[0], sample[1]), light);
             last = Some((face, triangle));
         }
     }

@@ -4,7 +4,7 @@ use super::Scene;
 use super::triangles::Triangle;
 use crate::Rgb;
 use crate::panel::Values;
-use crate::view::{cross, dot, minus, unit};
+use crate::view::{cross, dot, length, minus, unit};
 
 /// Light from everywhere, from the eye, and from above to the left: parts of what a face is lit by.
 const AMBIENT: f64 = 0.30;
@@ -71,11 +71,13 @@ fn mix(weights: [f64; 3], vectors: [[f64; 3]; 3]) -> [f64; 3] {
 
 /// The colour before light falls on it.
 fn base(scene: &Scene, face: u32, corners: [usize; 3], weights: [f64; 3]) -> Rgb {
-    let (Some(values), Some(scale)) = (scene.panel.values, scene.scale) else { return scene.theme.mesh };
-    let value = match values {
-        Values::Faces(values) => values[face as usize],
-        Values::Vertices(values) => dot(weights, corners.map(|vertex| values[vertex])),
-        Values::Corners(values) => dot(weights, values[face as usize]),
+    let Some(scale) = scene.scale else { return scene.theme.mesh };
+    let value = match (scene.panel.values, scene.panel.vectors) {
+        (Some(Values::Faces(values)), _) => values[face as usize],
+        (Some(Values::Vertices(values)), _) => dot(weights, corners.map(|vertex| values[vertex])),
+        (Some(Values::Corners(values)), _) => dot(weights, values[face as usize]),
+        (None, Some(vectors)) => length(vectors[face as usize]),
+        (None, None) => return scene.theme.mesh,
     };
     scale.color(value)
 }

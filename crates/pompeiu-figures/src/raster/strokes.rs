@@ -8,6 +8,12 @@ use crate::theme::Colors;
 /// How far around a mark a rim in the colour of the background keeps it apart from the mesh, in pixels.
 const RIM: f64 = 1.25;
 
+/// How opaque the rim is behind the mesh, as part of what the mark is.
+const RIM_BEHIND: f64 = 0.6;
+
+/// How far the rim of an arrow's head reaches beyond its sharp corners, in widths of the rim.
+const RIM_TIP: f64 = 2.0;
+
 /// Length and half width of an arrow's head, in widths of its line.
 const HEAD: [f64; 2] = [4.5, 2.0];
 
@@ -48,25 +54,47 @@ pub(super) fn strokes(mark: &Mark, camera: &Camera, colors: &Colors) -> Vec<Stro
     let near = seen.map(|end| end.near + lift);
     let [from, to] = seen.map(|end| end.at);
     let behind = if mark.behind.is_nan() { 0.0 } else { mark.behind.clamp(0.0, 1.0) };
-    let stroke = |shape, color, behind| Stroke { shape, near, color, behind };
     let color = mark.color.unwrap_or(colors.mark);
-    let capsule = |ends, radius| Shape::Capsule { ends, radius };
-    if !matches!(mark.shape, MarkShape::Arrow(_)) {
-        let rim = stroke(capsule([from, to], radius + RIM), colors.background, 0.0);
-        return vec![rim, stroke(capsule([from, to], radius), color, behind)];
+    if matches!(mark.shape, MarkShape::Arrow(_)) {
+        return arrow([from, to], near, mark.width, [color, colors.background], behind);
     }
+    let capsule = |radius, color, behind| Stroke {
+        shape: Shape::Capsule { ends: [from, to], radius },
+        near,
+        color,
+        behind,
+    };
+    vec![capsule(radius + RIM, colors.background, RIM_BEHIND * behind), capsule(radius, color, behind)]
+}
+
+/// The strokes of an arrow between two places in the picture, in a colour and with a rim in another.
+pub(super) fn arrow(
+    [from, to]: [[f64; 2]; 2],
+    near: [f64; 2],
+    width: f64,
+    [color, rim]: [Rgb; 2],
+    behind: f64,
+) -> Vec<Stroke> {
     let along = [to[0] - from[0], to[1] - from[1]];
     let length = (along[0] * along[0] + along[1] * along[1]).sqrt();
     if length <= 0.0 {
-        return vec![stroke(capsule([from, to], radius), color, behind)];
+        return Vec::new();
     }
     let [x, y] = along.map(|c| c / length);
     // A short arrow is all head.
-    let head = if HEAD[0] * mark.width < length { HEAD[0] * mark.width } else { length };
-    let half = HEAD[1] * mark.width * head / (HEAD[0] * mark.width);
+    let full = HEAD[0] * width;
+    let head = if full < length { full } else { length };
+    let half = HEAD[1] * width * head / full;
     let neck = [to[0] - head * x, to[1] - head * y];
-    let corners = [to, [neck[0] - half * y, neck[1] + half * x], [neck[0] + half * y, neck[1] - half * x]];
-    vec![stroke(capsule([from, neck], radius), color, behind), stroke(Shape::Head(corners), color, behind)]
+    let head = |rim: f64| {
+        let (tip, back, side) = (RIM_TIP * rim, rim, half + RIM_TIP * rim);
+        let at = |ahead: f64, aside: f64| [neck[0] + ahead * x - aside * y, neck[1] + ahead * y + aside * x];
+        Shape::Head([[to[0] + tip * x, to[1] + tip * y], at(-back, side), at(-back, -side)])
+    };
+    let line = |rim: f64| Shape::Capsule { ends: [from, neck], radius: 0.5 * width + rim };
+    let stroke = |shape, color, behind| Stroke { shape, near, color, behind };
+    let rims = [line(RIM), head(RIM)].map(|shape| stroke(shape, rim, RIM_BEHIND * behind));
+    rims.into_iter().chain([line(0.0), head(0.0)].map(|shape| stroke(shape, color, behind))).collect()
 }
 
 impl Stroke {

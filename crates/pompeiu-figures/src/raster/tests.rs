@@ -133,6 +133,29 @@ fn values_are_linear_in_space_under_perspective() {
 }
 
 #[test]
+fn directions_are_those_in_which_points_move() {
+    let (mesh, _) = square();
+    let panels = [Panel::new(&mesh)];
+    for projection in [Projection::Orthographic, Projection::Perspective] {
+        let camera =
+            Camera::new(&View::default().with_projection(projection), &panels).unwrap().fitted([500; 2]);
+        for direction in [[1.0, 0.0, 0.0], [0.3, -0.8, 0.6], [0.1, 0.4, 0.9]] {
+            let from = [0.2, 0.7, 0.0];
+            let seen = [-1e-6, 1e-6]
+                .map(|step| camera.see(std::array::from_fn(|i| from[i] + step * direction[i])).at);
+            let moved = [seen[1][0] - seen[0][0], seen[1][1] - seen[0][1]];
+            let [x, y] = camera.direction(camera.see(from).local, direction);
+            // Half extents are 0.5, and steps are of lengths near 1.
+            let length = (moved[0] * moved[0] + moved[1] * moved[1]).sqrt();
+            assert!((x * moved[1] - y * moved[0]).abs() < 1e-6 * length, "{projection:?} {direction:?}");
+            let expected =
+                length / 2e-6 / (camera.scale / 0.5) / direction.iter().map(|c| c * c).sum::<f64>().sqrt();
+            assert!((x * moved[0] + y * moved[1] - expected * length).abs() < 1e-6 * length);
+        }
+    }
+}
+
+#[test]
 fn both_sides_of_a_face_look_the_same() {
     let (mesh, values) = square();
     let (positions, faces) = mesh.clone().into_parts();

@@ -92,6 +92,11 @@ impl Grid {
         [first[0] + column as i32 * spacing, first[1] + row as i32 * spacing]
     }
 
+    /// The pixel of the panel in which a sample lies.
+    pub(super) fn pixel(&self, sample: [usize; 2]) -> [usize; 2] {
+        [0, 1].map(|axis| self.start[axis] as usize + sample[axis] / self.per_pixel as usize)
+    }
+
     /// Samples at which coordinates lie in a closed range, as a half-open range.
     fn range(&self, axis: usize, low: i32, high: i32) -> std::ops::Range<usize> {
         let spacing = self.spacing();
