@@ -27,6 +27,7 @@ from .errors import (
 )
 from .fields import HodgeDecomposition, field_audit
 from .files import mesh_summary, write_mesh
+from .many import DistanceMatrix, RankReport, RankWork, Standing, distance_matrix, rank
 from .results import (
     Audit,
     DirectedReport,
@@ -47,6 +48,7 @@ __all__ = [
     "DEFAULT_TOLERANCE",
     "Audit",
     "DirectedReport",
+    "DistanceMatrix",
     "FieldError",
     "FieldParts",
     "FieldQuality",
@@ -60,8 +62,11 @@ __all__ = [
     "OptionError",
     "PompeiuError",
     "Progress",
+    "RankReport",
+    "RankWork",
     "Ranks",
     "ReadError",
+    "Standing",
     "SurfaceError",
     "SurfacePoint",
     "SymmetricReport",
@@ -73,9 +78,11 @@ __all__ = [
     "__version__",
     "as_mesh",
     "directed_hausdorff",
+    "distance_matrix",
     "field_audit",
     "hausdorff",
     "mesh_summary",
+    "rank",
     "read_mesh",
     "shapes",
     "write_mesh",

@@ -153,3 +153,12 @@ pub(crate) fn array_of_rows<T: Element, const N: usize>(
     let count = rows.len();
     rows.into_flattened().into_pyarray(py).reshape([count, N])
 }
+
+/// A square array that owns the vector's memory.
+pub(crate) fn array_of_square<T: Element>(
+    py: Python<'_>,
+    entries: Vec<T>,
+    count: usize,
+) -> PyResult<Bound<'_, PyArray2<T>>> {
+    entries.into_pyarray(py).reshape([count, count])
+}

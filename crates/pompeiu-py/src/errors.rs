@@ -5,6 +5,7 @@ use pompeiu::core::mesh::shapes::ShapeError;
 use pompeiu::hausdorff::OptionError;
 use pompeiu::io::{AttributeError, ReadError, WriteError};
 use pompeiu::operators::OperatorError;
+use pompeiu::rank::RankError;
 use pompeiu::surface::GeometryError;
 use pyo3::PyErr;
 use std::fmt::Display;
@@ -49,9 +50,11 @@ raise_as! {
     ArrayError => MeshError,
     AttributeError => WriteError,
     GeometryError => SurfaceError,
+    InternalError => OptionError,
     MeshError => MeshError,
     OperatorError => FieldError,
     OptionError => OptionError,
+    RankError => OptionError,
     ShapeError => OptionError,
     UnknownOption => OptionError,
     WriteError => WriteError,
@@ -119,4 +122,20 @@ pub(crate) enum UnknownOption {
     /// Not a span of time.
     #[error("the time limit is {0} seconds; it must be a finite number that is not negative")]
     Time(f64),
+}
+
+/// What only a mistake in the Python half, or a result that was tampered with, can cause.
+#[derive(Debug, thiserror::Error)]
+pub(crate) enum InternalError {
+    /// Not the JSON expected.
+    #[error("options, a task or a result cannot be read: {0}")]
+    Parse(serde_json::Error),
+    /// A mesh that is not there.
+    #[error("mesh {found} does not exist, there are {count} (the first is 0)")]
+    Mesh {
+        /// Its place.
+        found: usize,
+        /// How many there are.
+        count: usize,
+    },
 }

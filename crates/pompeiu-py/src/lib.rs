@@ -7,6 +7,7 @@ mod arrays;
 mod errors;
 mod fields;
 mod files;
+mod many;
 mod mesh;
 mod query;
 mod report;
@@ -20,6 +21,8 @@ mod _native {
     use crate::fields::{HodgeDecomposition, audit};
     #[pymodule_export]
     use crate::files::{read_mesh, write_mesh};
+    #[pymodule_export]
+    use crate::many::{Entries, Ranking, Template, distance_matrix, matrix_entries, rank_meshes};
     #[pymodule_export]
     use crate::mesh::Mesh;
     #[pymodule_export]

@@ -1,108 +1,113 @@
-//! Waiting for a search without holding up Python: other threads run, Ctrl-C stops it, and progress is told.
+//! Waiting for work without holding up Python: other threads run, Ctrl-C stops it, and progress is told.
 
 use pompeiu::hausdorff::{Direction, Observer, Progress};
 use pyo3::prelude::*;
+use pyo3::types::{PyBool, PyTuple};
 use std::ops::ControlFlow;
 use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
+use std::sync::{Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
 /// Time between two looks at signals, and between two calls that tell progress.
 const TICK: Duration = Duration::from_millis(50);
 
-/// Passes progress on to the thread that waits, and the wish to stop back.
-struct Watch<'w> {
+/// What work has in hand to tell how far it has come, and to see that it shall stop.
+pub(crate) struct Watch<'w, T> {
     stop: &'w AtomicBool,
-    sender: Sender<Progress>,
-    last: Option<Instant>,
+    sender: Sender<T>,
+    last: Mutex<Option<Instant>>,
 }
 
-impl Observer for Watch<'_> {
-    fn progress(&mut self, progress: &Progress) -> ControlFlow<()> {
-        if self.stop.load(Ordering::Relaxed) {
-            return ControlFlow::Break(());
+impl<T> Watch<'_, T> {
+    /// Whether to stop.
+    pub(crate) fn is_stopped(&self) -> bool {
+        self.stop.load(Ordering::Relaxed)
+    }
+
+    /// Tells how far the work has come, unless that was told a moment ago.
+    pub(crate) fn tell(&self, told: T) {
+        let mut last = self.last.lock().unwrap_or_else(PoisonError::into_inner);
+        if last.is_none_or(|last| last.elapsed() >= TICK) {
+            *last = Some(Instant::now());
+            // Nobody listens any more only when the work is about to be stopped.
+            let _ = self.sender.send(told);
         }
-        if self.last.is_none_or(|last| last.elapsed() >= TICK) {
-            self.last = Some(Instant::now());
-            // Nobody listens any more only when this search is about to be stopped.
-            let _ = self.sender.send(*progress);
-        }
-        ControlFlow::Continue(())
     }
 }
 
-/// Runs a search on a thread of its own while this one waits, without the interpreter's lock.
+impl Observer for Watch<'_, Progress> {
+    fn progress(&mut self, progress: &Progress) -> ControlFlow<()> {
+        self.tell(*progress);
+        if self.is_stopped() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+}
+
+/// What a callback in Python is called with.
+pub(crate) trait Told: Send {
+    /// The arguments.
+    fn arguments<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>>;
+}
+
+impl Told for Progress {
+    fn arguments<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
+        let Self { lower, upper, examined, left, .. } = *self;
+        (direction(self.direction), lower, upper, examined, left).into_pyobject(py)
+    }
+}
+
+/// Does work on a thread of its own while this one waits, without the interpreter's lock.
 ///
-/// Signals are only seen by the thread that Python runs on, and a callback expects to be called there too: so the search
-/// is what moves. A signal or an exception in the callback stops the search and is raised once it has ended; so is nothing
-/// when the callback returns `False`: the search then ends with what is proven.
-pub(crate) fn run<R: Send>(
+/// Signals are only seen by the thread that Python runs on, and a callback expects to be called there too: so the work is
+/// what moves. A signal, or an exception in the callback, stops the work and is raised once it has ended. When the callback
+/// returns `False`, the work is stopped and what it gives is the answer.
+pub(crate) fn run<T: Told, R: Send>(
     py: Python<'_>,
     callback: Option<&Bound<'_, PyAny>>,
-    search: impl FnOnce(&mut dyn Observer) -> R + Send,
+    work: impl FnOnce(&mut Watch<'_, T>) -> R + Send,
 ) -> PyResult<R> {
     let callback = callback.map(|callback| callback.clone().unbind());
     py.detach(|| {
         let stop = AtomicBool::new(false);
         let (sender, receiver) = channel();
         thread::scope(|scope| {
-            let searching = scope.spawn(|| {
-                let mut watch = Watch { stop: &stop, sender, last: None };
-                search(&mut watch)
-            });
+            let working = scope.spawn(|| work(&mut Watch { stop: &stop, sender, last: Mutex::new(None) }));
             let raised = listen(&receiver, callback.as_ref(), &stop);
-            let answer = searching.join().unwrap_or_else(|panic| resume_unwind(panic));
+            let answer = working.join().unwrap_or_else(|panic| resume_unwind(panic));
             raised.map(|()| answer)
         })
     })
 }
 
-/// Until the search has ended, or has been told to.
-fn listen(receiver: &Receiver<Progress>, callback: Option<&Py<PyAny>>, stop: &AtomicBool) -> PyResult<()> {
+/// Until the work has ended, or has been told to.
+fn listen<T: Told>(receiver: &Receiver<T>, callback: Option<&Py<PyAny>>, stop: &AtomicBool) -> PyResult<()> {
     loop {
         let told = match receiver.recv_timeout(TICK) {
-            Ok(progress) => Some(progress),
+            Ok(told) => Some(told),
             Err(RecvTimeoutError::Timeout) => None,
             Err(RecvTimeoutError::Disconnected) => return Ok(()),
         };
         let goes_on = Python::attach(|py| {
             py.check_signals()?;
             match (callback, told) {
-                (Some(callback), Some(progress)) => tell(py, callback, &progress),
+                (Some(callback), Some(told)) => {
+                    let answer = callback.bind(py).call1(told.arguments(py)?)?;
+                    Ok(!answer.is(PyBool::new(py, false)))
+                }
                 _ => Ok(true),
             }
         });
-        match goes_on {
-            Ok(true) => {}
-            Ok(false) => {
-                stop.store(true, Ordering::Relaxed);
-                return Ok(());
-            }
-            Err(error) => {
-                stop.store(true, Ordering::Relaxed);
-                return Err(error);
-            }
+        if !matches!(goes_on, Ok(true)) {
+            stop.store(true, Ordering::Relaxed);
+            return goes_on.map(|_| ());
         }
     }
 }
 
-/// Whether the search shall go on.
-fn tell(py: Python<'_>, callback: &Py<PyAny>, progress: &Progress) -> PyResult<bool> {
-    let direction = direction(progress.direction);
-    let answer = callback.bind(py).call1((
-        direction,
-        progress.lower,
-        progress.upper,
-        progress.examined,
-        progress.left,
-    ))?;
-    Ok(!answer.is(pyo3::types::PyBool::new(py, false)))
-}
-
 /// The name of a direction.
-pub(crate) fn direction(direction: Direction) -> &'static str {
+fn direction(direction: Direction) -> &'static str {
     match direction {
         Direction::AToB => "a_to_b",
         Direction::BToA => "b_to_a",

@@ -1,0 +1,237 @@
+"""The same ranking and the same matrix on a Ray cluster; needs ``pip install pompeiu[ray]``.
+
+Tasks are pure functions of meshes, and the driver takes the results of a round in the order of its tasks: so the same bits come out
+as on one machine, whichever worker did what, and however often.
+
+>>> import pompeiu, pompeiu.ray, ray            # doctest: +SKIP
+>>> ray.init("auto")                            # doctest: +SKIP
+>>> pompeiu.ray.rank("template.ply", paths)     # doctest: +SKIP
+
+Without ``ray.init`` a cluster of this machine alone is started. The package must be installed where the workers run.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from functools import lru_cache
+from typing import Any, Callable, Iterable, Iterator, List, Optional, Sequence
+
+import ray
+
+from . import _native
+from ._native import Mesh
+from .distance import DEFAULT_TOLERANCE
+from .errors import OptionError, ReadError
+from .many import Alignment, DistanceMatrix, Measure, RankReport, Targets, named, rank_options
+from .progress import StepsLike, watching_steps
+from .sources import MeshLike, as_mesh
+
+__all__ = ["distance_matrix", "rank"]
+
+#: How often a task is tried again when the worker that did it is lost.
+RETRIES = 5
+
+#: Tasks under way for each that can run at a time: the next is there when one ends, and few wait on a worker that is slow.
+TASKS_PER_PLACE = 2
+
+#: Meshes that are measured to another in one task, which builds the tree of the other once.
+MESHES_PER_TASK = 8
+
+
+@lru_cache(maxsize=2)
+def _template(mesh: "ray.ObjectRef", options: str) -> Any:
+    """The template, prepared once in each worker process."""
+    return _native.Template(ray.get(mesh), options)
+
+
+@ray.remote(max_retries=RETRIES)
+def _perform(template: "list[ray.ObjectRef]", options: str, mesh: Mesh, action: str, threads: int) -> str:
+    """A task of a ranking. The template comes in a list so that Ray does not unpack it for every task."""
+    return _template(template[0], options).perform(mesh, action, threads)
+
+
+@ray.remote(max_retries=RETRIES)
+def _measure(to: Mesh, sources: "list[ray.ObjectRef]", tolerance: float, threads: int) -> List[str]:
+    """A task of a matrix: how far some meshes are from another."""
+    return _native.matrix_entries(to, ray.get(sources), tolerance, threads)
+
+
+class _Stopped(Exception):
+    """The callback wants no more."""
+
+
+def _in_order(submissions: Iterable[Callable[[], Any]], places: int, done: Callable[[], None]) -> List[Any]:
+    """Results in the order of submissions, while at most so many tasks are under way.
+
+    Tasks are handed out as others end, so that a worker that is quick, or new, gets more of them.
+    """
+    results: List[Any] = []
+    waiting: "dict[ray.ObjectRef, int]" = {}
+    left: Iterator[Callable[[], Any]] = iter(submissions)
+    more = True
+    try:
+        while True:
+            while more and len(waiting) < places:
+                submit = next(left, None)
+                if submit is None:
+                    more = False
+                    break
+                results.append(None)
+                submitted = submit()
+                if isinstance(submitted, ray.ObjectRef):
+                    waiting[submitted] = len(results) - 1
+                else:
+                    results[-1] = submitted
+                    done()
+            if not waiting:
+                return results
+            ready, _ = ray.wait(list(waiting), num_returns=1)
+            for reference in ready:
+                results[waiting.pop(reference)] = ray.get(reference)
+                done()
+    finally:
+        for reference in waiting:
+            ray.cancel(reference, force=True)
+
+
+def _places(threads: int) -> int:
+    """How many tasks to have under way on this cluster."""
+    if not ray.is_initialized():
+        ray.init()
+    if threads < 1:
+        raise OptionError(f"the number of threads of a task is {threads}; at least 1 is needed")
+    return max(1, TASKS_PER_PLACE * int(ray.cluster_resources().get("CPU", 1)) // threads)
+
+
+def rank(
+    template: MeshLike,
+    targets: Targets,
+    *,
+    top: int = 10,
+    all: bool = False,
+    measure: Measure = "symmetric",
+    alignment: Alignment = "none",
+    tolerance: float = DEFAULT_TOLERANCE,
+    names: Optional[Sequence[str]] = None,
+    threads: int = 1,
+    progress: StepsLike = None,
+) -> RankReport:
+    """Ranks targets as :func:`pompeiu.rank` does, on a Ray cluster; the report is the same to the last bit.
+
+    Meshes are read where this is called, put into Ray's object store once, and shared by the workers of a node; one that cannot
+    come back, because it was discarded, is let go. Tasks of a worker that is lost are done by others.
+
+    Parameters
+    ----------
+    template, targets, top, all, measure, alignment, tolerance, names, progress
+        As for :func:`pompeiu.rank`.
+    threads : int
+        Processors that one task takes.
+
+    Returns
+    -------
+    RankReport
+
+    Raises
+    ------
+    MeshError, ReadError, OptionError
+        As for :func:`pompeiu.rank`.
+    ray.exceptions.RayError
+        If a task fails on more workers than it is tried on.
+    """
+    options = rank_options(top, all, measure, alignment, tolerance)
+    names, sources = named(targets, names)
+    sources = [s if isinstance(s, (str, os.PathLike)) else as_mesh(s) for s in sources]
+    ranking = _native.Ranking(names, options)
+    template = as_mesh(template)
+    _native.Template(template, options)  # What is wrong with it is an error here, not on a worker.
+    places = _places(threads)
+    shared = [ray.put(template)]
+    store: "dict[int, ray.ObjectRef]" = {}
+
+    def submission(target: int, action: str) -> Callable[[], Any]:
+        def submit() -> Any:
+            if target not in store:
+                try:
+                    store[target] = ray.put(as_mesh(sources[target]))
+                except ReadError as error:
+                    return json.dumps({"failed": str(error)})
+            return _perform.options(num_cpus=threads).remote(shared, options, store[target], action, threads)
+
+        return submit
+
+    with watching_steps(progress, "targets settled") as watch:
+        while tasks := ranking.round():
+            ended, settled = [0], ranking.settled()
+
+            def done() -> None:
+                ended[0] += 1
+                if watch is not None and watch(ended[0], len(tasks), settled, len(sources)) is False:
+                    raise _Stopped
+
+            try:
+                outcomes = _in_order((submission(*task) for task in tasks), places, done)
+            except _Stopped:
+                return RankReport._of(ranking.report(), finished=False)
+            ranking.merge(outcomes)
+            for target in [target for target in store if not ranking.wants(target)]:
+                del store[target]
+    return RankReport._of(ranking.report())
+
+
+def distance_matrix(
+    meshes: Iterable[MeshLike],
+    *,
+    tolerance: float = DEFAULT_TOLERANCE,
+    threads: int = 1,
+    progress: StepsLike = None,
+) -> DistanceMatrix:
+    """Encloses the distances of all pairs as :func:`pompeiu.distance_matrix` does, on a Ray cluster; the same to the last bit.
+
+    Parameters
+    ----------
+    meshes, tolerance, progress
+        As for :func:`pompeiu.distance_matrix`.
+    threads : int
+        Processors that one task takes.
+
+    Returns
+    -------
+    DistanceMatrix
+
+    Raises
+    ------
+    MeshError, ReadError, OptionError, ray.exceptions.RayError
+        As for :func:`rank`.
+    """
+    meshes = [as_mesh(mesh) for mesh in meshes]
+    rank_options(1, False, "symmetric", "none", tolerance)  # Checks the tolerance.
+    places = _places(threads)
+    store = [ray.put(mesh) for mesh in meshes]
+    count = len(store)
+    blocks = []
+    for to in range(count):
+        others = [place for place in range(count) if place != to]
+        blocks += [(to, others[at : at + MESHES_PER_TASK]) for at in range(0, len(others), MESHES_PER_TASK)]
+
+    def submission(to: int, sources: List[int]) -> Callable[[], Any]:
+        task = _measure.options(num_cpus=threads)
+        return lambda: task.remote(store[to], [store[place] for place in sources], tolerance, threads)
+
+    entries = _native.Entries(count)
+    with watching_steps(progress, "blocks") as watch:
+        ended = [0]
+
+        def done() -> None:
+            ended[0] += 1
+            if watch is not None and watch(ended[0], len(blocks), ended[0], len(blocks)) is False:
+                raise _Stopped
+
+        try:
+            results = _in_order((submission(*block) for block in blocks), places, done)
+        except _Stopped:
+            return DistanceMatrix(*entries.arrays())
+    for (to, sources), found in zip(blocks, results):
+        entries.set(to, list(zip(sources, found)))
+    return DistanceMatrix(*entries.arrays())
