@@ -38,14 +38,23 @@ pub(crate) fn read(path: &Path) -> anyhow::Result<ReadMesh> {
     Ok(pompeiu::io::read(path)?)
 }
 
-/// Refuses, before any work is done, what cannot become a mesh file.
-pub(crate) fn check_writable(path: &Path) -> anyhow::Result<()> {
+/// Refuses, before any work is done, what cannot become a file, or would replace one that is read.
+pub(crate) fn check_place(path: &Path, inputs: &[&Path]) -> anyhow::Result<()> {
     if path.is_dir() {
         bail!("{}: is a folder; name a file in it", path.display());
     }
     if let Some(folder) = path.parent().filter(|f| !f.as_os_str().is_empty() && !f.is_dir()) {
         bail!("{}: there is no folder {}; make it first", path.display(), folder.display());
     }
+    if inputs.iter().any(|input| are_same(path, input)) {
+        bail!("{}: is both input and output; give the output another name", path.display());
+    }
+    Ok(())
+}
+
+/// Refuses, before any work is done, what cannot become a mesh file.
+pub(crate) fn check_writable(path: &Path) -> anyhow::Result<()> {
+    check_place(path, &[])?;
     match OutputFormat::from_path(path) {
         Some(_) => Ok(()),
         None => Err(WriteError::UnknownFormat { path: path.to_owned() }.into()),
@@ -67,6 +76,13 @@ pub(crate) fn write(path: &Path, mesh: &TriMesh, printer: &Printer) -> anyhow::R
     }
     let [vertices, faces] = [mesh.positions().len(), mesh.faces().len()].map(|n| grouped(n as u64));
     printer.note(format_args!("{shown}: {vertices} vertices, {faces} faces"));
+    Ok(())
+}
+
+/// Writes a file, whole or not at all, and says so.
+pub(crate) fn write_whole(path: &Path, content: &[u8], printer: &Printer) -> anyhow::Result<()> {
+    pompeiu::io::write_whole(path, content)?;
+    printer.note(format_args!("{}: {}", path.display(), bytesize::ByteSize(content.len() as u64)));
     Ok(())
 }
 

@@ -22,6 +22,7 @@ fn main() -> std::process::ExitCode {
     let printer = Printer::new(args.quiet);
     let done = match args.command {
         Command::Distance(args) => commands::distance::run(&args, &printer),
+        Command::Deviation(args) => commands::deviation::run(&args, &printer),
         Command::Info(args) => commands::info::run(&args, &printer),
         Command::Decompose(args) => commands::decompose::run(&args, &printer),
         Command::Convert(args) => commands::convert::run(&args, &printer),

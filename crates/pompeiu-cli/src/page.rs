@@ -1,6 +1,7 @@
 //! Answers for people: rows of a name and a line each.
 
-use crate::numbers::{agreed, between};
+use crate::numbers::{agreed, between, grouped};
+use crate::pair::File;
 use crate::printer::LABEL;
 use pompeiu::hausdorff::Enclosure;
 use std::fmt::Write;
@@ -26,6 +27,14 @@ impl Page {
             "" => writeln!(self.0, "{:padding$}{line}", ""),
             _ => writeln!(self.0, "{LABEL}{name}{LABEL:#}{:padding$}{line}", ""),
         };
+    }
+
+    /// What was compared.
+    pub(crate) fn files(&mut self, a: &File, b: &File) {
+        for (name, File { path, vertices, faces }) in [("A", a), ("B", b)] {
+            let [vertices, faces] = [*vertices, *faces].map(|n| grouped(n as u64));
+            self.row(name, &format!("{path}: {vertices} vertices, {faces} faces"));
+        }
     }
 
     pub(crate) fn gap(&mut self) {

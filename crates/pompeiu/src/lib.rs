@@ -17,6 +17,7 @@
 pub mod align;
 pub mod matrix;
 pub mod rank;
+pub mod report;
 
 pub use pompeiu_core as core;
 pub use pompeiu_figures as figures;

@@ -1,10 +1,13 @@
 //! The command line as typed values.
 
 mod decompose;
+mod deviation;
 mod distance;
+mod picture;
 mod shape;
 
 pub(crate) use decompose::{Boundary, Decompose, FieldSource, Splitting};
+pub(crate) use deviation::Deviation;
 pub(crate) use distance::{Direction, Distance, Method, ToleranceKind};
 pub(crate) use shape::{Finish, Shape};
 
@@ -46,6 +49,8 @@ pub(crate) struct Args {
 pub(crate) enum Command {
     /// Enclose the distance between two meshes
     Distance(Distance),
+    /// Show how far two meshes deviate: where, on which side, over how much of the area
+    Deviation(Deviation),
     /// Describe a mesh: counts, size, area, volume, topology, oddities
     Info(Info),
     /// Split a tangent field into a gradient, a rotated gradient and a harmonic part

@@ -3,6 +3,7 @@
 pub(crate) mod completions;
 pub(crate) mod convert;
 pub(crate) mod decompose;
+pub(crate) mod deviation;
 pub(crate) mod distance;
 pub(crate) mod generate;
 pub(crate) mod info;

@@ -5,15 +5,11 @@ use super::watch::TraceRow;
 use crate::args::ToleranceKind;
 use crate::numbers::{grouped, plain, point, shortest, time};
 use crate::page::{Page, value};
-use crate::pair::File;
 use pompeiu::hausdorff::{DirectedReport, Direction, Enclosure, StopReason};
 
 pub(super) fn text(outcome: &Outcome) -> String {
     let mut page = Page::new();
-    for (name, File { path, vertices, faces }) in [("A", &outcome.a), ("B", &outcome.b)] {
-        let [vertices, faces] = [*vertices, *faces].map(|n| grouped(n as u64));
-        page.row(name, &format!("{path}: {vertices} vertices, {faces} faces"));
-    }
+    page.files(&outcome.a, &outcome.b);
     page.gap();
     if let Some((threshold, answer)) = outcome.answer() {
         page.row("answer", &sentence(outcome, threshold, answer));

@@ -1,0 +1,102 @@
+//! Options of the deviation command.
+
+use super::picture::Picture;
+use crate::numbers::{duration, magnitude, memory};
+use clap::Args;
+use std::path::PathBuf;
+use std::time::Duration;
+
+#[derive(Args)]
+#[command(after_help = "\
+With A as it should be and B as it is: what of A is far from B is missing in B (A to B), what of B is far from
+A was invented by it (B to A). Percentiles, mean and root mean square weigh by area; every number is an interval
+that is proven to hold the value for all points of all faces, not for samples of them.
+
+Meshes written with -a and -b carry the distance of each vertex, and for each face what is proven of its largest
+and its mean distance, where the format has a place for them: PLY, VTP and VTU. GLB, OBJ and OFF hold colours.
+
+Exit codes:
+  0  done
+  2  a file or an argument cannot be used
+  3  the time or memory limit ran out first; what is printed holds, but is wider than asked
+
+Examples:
+  pompeiu deviation model.obj scan.ply
+  pompeiu deviation model.obj scan.ply --threshold 0.05 --report scan.html
+  pompeiu deviation model.obj scan.ply -a model.vtp -b scan.vtp
+  pompeiu deviation model.obj scan.ply --json")]
+pub(crate) struct Deviation {
+    /// A mesh file: the surface as it should be
+    #[arg(value_name = "A")]
+    pub(crate) a: PathBuf,
+    /// Another mesh file in the same unit: the surface as it is
+    #[arg(value_name = "B")]
+    pub(crate) b: PathBuf,
+    /// Enclose the share of the area that is farther than this length, and list the regions beyond it
+    #[arg(long, value_parser = magnitude, allow_negative_numbers = true, value_name = "LENGTH")]
+    pub(crate) threshold: Option<f64>,
+    /// Largest width of the intervals of mean, root mean square and percentiles, relative to their values
+    #[arg(long, value_parser = magnitude, allow_negative_numbers = true, default_value = "0.01", value_name = "X")]
+    pub(crate) accuracy: f64,
+    /// Percentiles to enclose, in percent of the area
+    #[arg(long, value_parser = percentiles, default_value = "50,90,95,99", value_name = "LIST")]
+    pub(crate) percentiles: Percentiles,
+    /// How many of the worst regions to list
+    #[arg(long, default_value_t = 5, value_name = "K")]
+    pub(crate) regions: usize,
+    /// The name of the unit of length, to be shown with numbers in reports and pictures
+    #[arg(long, default_value = "", value_name = "NAME")]
+    pub(crate) unit: String,
+    /// Write a page to explore in a browser, one file that needs no network
+    #[arg(long, value_name = "FILE.html")]
+    pub(crate) report: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) picture: Picture,
+    /// Write A, coloured by its distance from B
+    #[arg(long, short = 'a', value_name = "FILE")]
+    pub(crate) output_a: Option<PathBuf>,
+    /// Write B, coloured by its distance from A
+    #[arg(long, short = 'b', value_name = "FILE")]
+    pub(crate) output_b: Option<PathBuf>,
+    /// Write the statistics as comma-separated values
+    #[arg(long, value_name = "FILE")]
+    pub(crate) csv: Option<PathBuf>,
+    /// Threads to use; all processors by default
+    #[arg(long, value_parser = clap::value_parser!(u16).range(1..=1024), value_name = "N")]
+    pub(crate) threads: Option<u16>,
+    /// Stop this long after the start, such as 10s, with wider intervals
+    #[arg(long, value_parser = duration, value_name = "TIME")]
+    pub(crate) time_limit: Option<Duration>,
+    /// Stop before memory exceeds this, such as 2GiB, with wider intervals
+    #[arg(long, value_parser = memory, value_name = "SIZE")]
+    pub(crate) memory_limit: Option<usize>,
+    /// Print one JSON object
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// Shares of the area, between 0 and 1.
+#[derive(Clone)]
+pub(crate) struct Percentiles(pub(crate) Vec<f64>);
+
+/// Parses percentages, separated by commas.
+fn percentiles(text: &str) -> Result<Percentiles, String> {
+    let share = |part: &str| match part.trim().parse::<f64>() {
+        Ok(percent) if percent > 0.0 && percent < 100.0 => Ok(percent / 100.0),
+        _ => Err(format!("`{part}` is not a percentage above 0 and below 100")),
+    };
+    text.split(',').map(share).collect::<Result<_, _>>().map(Percentiles)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn percentages_lie_between_0_and_100() {
+        assert_eq!(percentiles("50, 99.5").unwrap().0, [0.5, 0.995]);
+        for wrong in ["0", "100", "nan", "", "50,,90", "-1"] {
+            assert!(percentiles(wrong).is_err(), "{wrong}");
+        }
+    }
+}

@@ -1,0 +1,125 @@
+//! The outcome for people. Digits are shown only as far as they are proven.
+
+use super::{Outcome, percent};
+use crate::numbers::{grouped, plain, point, shortest, time};
+use crate::page::{Page, value};
+use pompeiu::hausdorff::deviation::{DirectedDeviation, Percentile, Region, Statistics};
+use pompeiu::hausdorff::{Enclosure, StopReason};
+
+pub(super) fn text(outcome: &Outcome) -> String {
+    let deviation = &outcome.deviation;
+    let mut page = Page::new();
+    page.files(&outcome.a, &outcome.b);
+    page.gap();
+    let origin = match (deviation.a_to_b.distance.distance, deviation.b_to_a.distance.distance) {
+        (there, back) if there.lower() >= back.upper() => "the largest distance, from A to B",
+        (there, back) if back.lower() >= there.upper() => "the largest distance, from B to A",
+        _ => "the largest distance",
+    };
+    page.row("H(A, B)", &format!("{}   {origin}", value(deviation.distance)));
+    page.gap();
+    directed(&mut page, outcome, &deviation.a_to_b, "A to B", "how far A is from B: what is missing in B");
+    directed(&mut page, outcome, &deviation.b_to_a, "B to A", "how far B is from A: what B has invented");
+    if let (Some(greater), Some(pooled)) = (&deviation.greater_percentiles, &deviation.pooled) {
+        page.row("both", "by area; the greater of the two directions | pooled over both surfaces");
+        page.row("  mean", &format!("| {}", value(pooled.mean)));
+        page.row("  rms", &format!("| {}", value(pooled.rms)));
+        for (greater, pooled) in greater.iter().zip(&pooled.percentiles) {
+            page.row(&label(greater), &format!("{} | {}", value(greater.distance), value(pooled.distance)));
+        }
+        page.gap();
+    }
+    let sum = |part: fn(&DirectedDeviation) -> std::time::Duration| {
+        time(part(&deviation.a_to_b) + part(&deviation.b_to_a))
+    };
+    page.row(
+        "time",
+        &format!(
+            "read {}, build {}, search {}, refine {}, total {}",
+            time(outcome.read),
+            sum(|d| d.work.build),
+            sum(|d| d.work.search),
+            sum(|d| d.work.refine),
+            time(outcome.total)
+        ),
+    );
+    page.into_text()
+}
+
+fn directed(page: &mut Page, outcome: &Outcome, directed: &DirectedDeviation, name: &str, meaning: &str) {
+    page.row(name, meaning);
+    let witness = &directed.distance.witness.from;
+    let at = format!("at {} on face {}", point(witness.position), witness.face.0);
+    page.row("  largest", &format!("{} {at}", value(directed.distance.distance)));
+    match &directed.statistics {
+        Some(found) => statistics(page, found),
+        None => page.row("", "no face has an area to take a mean over"),
+    }
+    regions(page, "  regions", &directed.regions);
+    if let Some(threshold) = outcome.threshold {
+        let name = format!("  > {}", shortest(threshold));
+        if directed.beyond_threshold.is_empty() {
+            page.row(&name, "no region");
+        }
+        regions(page, &name, &directed.beyond_threshold);
+    }
+    let stop = match directed.stop {
+        StopReason::Time => "the time limit",
+        StopReason::Memory => "the memory limit",
+        StopReason::Cancelled => "request",
+        _ => "",
+    };
+    if !stop.is_empty() {
+        page.row("", &format!("stopped by {stop}: intervals are wider than asked"));
+    }
+    page.gap();
+}
+
+fn statistics(page: &mut Page, statistics: &Statistics) {
+    page.row("  mean", &value(statistics.mean));
+    page.row("  rms", &value(statistics.rms));
+    for percentile in &statistics.percentiles {
+        page.row(&label(percentile), &value(percentile.distance));
+    }
+    if let Some(above) = &statistics.above {
+        let share = share(above.share);
+        page.row("  above", &format!("{share} of the area is farther than {}", shortest(above.threshold)));
+    }
+}
+
+fn label(percentile: &Percentile) -> String {
+    format!("  {} %", percent(percentile.share))
+}
+
+/// A share of the area in percent, rounded outwards to two decimals.
+fn share(share: Enclosure) -> String {
+    let (lower, upper) = ((share.lower() * 1e4).floor() / 1e2, (share.upper() * 1e4).ceil() / 1e2);
+    if lower == upper { format!("{lower} %") } else { format!("{lower} to {upper} %") }
+}
+
+fn regions(page: &mut Page, name: &str, regions: &[Region]) {
+    for (i, region) in regions.iter().enumerate() {
+        let [low, high] = [region.aabb.lower, region.aabb.upper];
+        let size = [0, 1, 2].map(|k| short(high[k] - low[k])).join(" × ");
+        page.row(
+            if i == 0 { name } else { "" },
+            &format!(
+                "{}. {} at {}; {size}, area {}, {} faces",
+                i + 1,
+                value(region.peak),
+                point(region.witness.from.position.map(rounded)),
+                short(region.area),
+                grouped(region.faces.len() as u64)
+            ),
+        );
+    }
+}
+
+/// Four digits, of what is not claimed to be exact.
+fn short(x: f64) -> String {
+    plain(rounded(x))
+}
+
+fn rounded(x: f64) -> f64 {
+    format!("{x:.3e}").parse().unwrap_or(x)
+}
