@@ -1,5 +1,7 @@
 //! The answers of `pompeiu deviation`, against closed forms and against its own files.
 
+#![allow(clippy::unwrap_used, reason = "tests may panic")]
+
 mod common;
 
 use common::Folder;
