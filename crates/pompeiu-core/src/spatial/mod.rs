@@ -3,7 +3,9 @@
 pub mod bvh;
 mod morton;
 mod neighbours;
+mod winding;
 
 pub use bvh::{Bvh, Cover, Nearest, Slot, Workspace};
 pub use morton::morton_order;
 pub use neighbours::{Neighbour, Neighbours};
+pub use winding::{Winding, WindingNumber};

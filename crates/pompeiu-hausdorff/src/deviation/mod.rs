@@ -21,6 +21,6 @@ mod tessellation;
 
 pub use query::DeviationQuery;
 pub use regions::Region;
-pub use report::{Deviation, DeviationWork, DirectedDeviation, FaceDeviation};
+pub use report::{Deviation, DeviationWork, DirectedDeviation, FaceDeviation, Sides};
 pub use statistics::{Histogram, Percentile, ShareAbove, Statistics};
 pub use tessellation::DisplayTriangle;

@@ -45,6 +45,7 @@ pub struct DeviationQuery {
     pub(super) percentiles: Vec<f64>,
     pub(super) bins: usize,
     pub(super) regions: usize,
+    pub(super) signed: bool,
     pub(super) most_pieces: usize,
     threads: Option<usize>,
     time_limit: Option<Duration>,
@@ -60,6 +61,7 @@ impl Default for DeviationQuery {
             percentiles: Self::DEFAULT_PERCENTILES.to_vec(),
             bins: Self::DEFAULT_BINS,
             regions: Self::DEFAULT_REGIONS,
+            signed: false,
             most_pieces: Self::DEFAULT_PIECES,
             threads: None,
             time_limit: None,
@@ -134,6 +136,13 @@ impl DeviationQuery {
     #[must_use]
     pub fn regions(mut self, regions: usize) -> Self {
         self.regions = regions;
+        self
+    }
+
+    /// Whether to find out on which side of the other mesh vertices and faces lie.
+    #[must_use]
+    pub fn signed(mut self, signed: bool) -> Self {
+        self.signed = signed;
         self
     }
 

@@ -4,7 +4,9 @@ use super::envelope::Piece;
 use super::regions::Region;
 use super::statistics::{Percentile, Statistics};
 use crate::report::{DirectedReport, Direction, Enclosure, StopReason};
+use pompeiu_core::TriMesh;
 use pompeiu_core::geom::Frame;
+use pompeiu_core::spatial::Winding;
 use std::time::Duration;
 
 /// How far two meshes deviate from each other, both ways.
@@ -42,6 +44,8 @@ pub struct DirectedDeviation {
     pub vertices: Vec<f64>,
     /// The exact distance of each vertex differs by at most this from the one given.
     pub vertex_error: f64,
+    /// On which side of the other mesh vertices and faces lie, if that was asked.
+    pub sides: Option<Sides>,
     /// The worst regions, the worst first.
     pub regions: Vec<Region>,
     /// The parts of the surface that are farther than the threshold, the worst first, if one was given.
@@ -66,11 +70,70 @@ pub struct FaceDeviation {
     pub mean: Enclosure,
 }
 
+/// On which side of the other mesh vertices and faces lie, by generalised winding numbers.
+///
+/// # Definition
+/// Inside is where the winding number of the other mesh has a magnitude above one half, so that turning all of its faces changes
+/// nothing. Signed distances are negative inside and positive outside.
+/// # Limits
+/// About a closed mesh winding numbers are whole, and the side is certain but for points so close to a face that rounding of
+/// coordinates decides. Beside holes and in soups they change gradually; then the side is on which side of one half
+/// the number lies, which is decided by a bound on its error ([`WindingNumber`](pompeiu_core::spatial::WindingNumber)), but
+/// what it means is a choice. Far from an open sheet everything is outside, and close to it both sides are nearly at one half.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sides {
+    /// Winding numbers of the other mesh about the vertices; NaN for those that belong to no face.
+    pub vertex_winding: Vec<f64>,
+    /// Winding numbers about the centroids of the faces.
+    pub face_winding: Vec<f64>,
+}
+
+impl Sides {
+    /// Whether a winding number is that of a point inside; NaN is not.
+    pub fn is_inside(winding: f64) -> bool {
+        winding.abs() > 0.5
+    }
+
+    pub(super) fn of(from: &TriMesh, to: &TriMesh) -> Self {
+        let winding = Winding::new(to);
+        let about = |points: &[[f64; 3]]| -> Vec<f64> {
+            winding.about_all(points).into_iter().map(|number| number.value).collect()
+        };
+        let mut vertex_winding = about(from.positions());
+        for v in unreferenced(from) {
+            vertex_winding[v] = f64::NAN;
+        }
+        // Halved first, so that the sum of coordinates cannot overflow.
+        let centroid = |f| {
+            let [p, q, r] = from.corners(f);
+            [0, 1, 2].map(|k| (0.5 * p[k] + 0.5 * q[k] + 0.5 * r[k]) * (2.0 / 3.0))
+        };
+        let centroids: Vec<_> = from.face_ids().map(centroid).collect();
+        Self { vertex_winding, face_winding: about(&centroids) }
+    }
+}
+
 impl DirectedDeviation {
+    /// Distances of the vertices, negative inside the other mesh; none unless sides were asked for.
+    pub fn signed_vertices(&self) -> Option<Vec<f64>> {
+        let sides = self.sides.as_ref()?;
+        let signed = |(d, w): (&f64, &f64)| if Sides::is_inside(*w) { -d } else { *d };
+        Some(self.vertices.iter().zip(&sides.vertex_winding).map(signed).collect())
+    }
+
     /// Number of pieces that the faces were cut into.
     pub fn pieces(&self) -> usize {
         self.field.pieces.len()
     }
+}
+
+/// Vertices that belong to no face.
+fn unreferenced(mesh: &TriMesh) -> impl Iterator<Item = usize> {
+    let mut used = vec![false; mesh.positions().len()];
+    for v in mesh.faces().iter().flatten() {
+        used[*v as usize] = true;
+    }
+    used.into_iter().enumerate().filter(|(_, used)| !used).map(|(v, _)| v)
 }
 
 /// How much was done, in counts that do not depend on the machine, and how long it took.

@@ -6,7 +6,7 @@ use super::faces;
 use super::linear::{greater, lesser};
 use super::query::DeviationQuery;
 use super::regions::Landscape;
-use super::report::{DeviationWork, DirectedDeviation, Field};
+use super::report::{DeviationWork, DirectedDeviation, Field, Sides};
 use super::rounds::{Goal, Made, Workshop};
 use super::statistics::{Summary, Wanted};
 use crate::engine::{self, Question};
@@ -155,6 +155,7 @@ pub(super) fn run(query: &DeviationQuery, pair: &Pair<'_>, observer: &mut dyn Ob
         _ => Vec::new(),
     };
     let vertices = faces::vertices(from, &frame, bvh, &order);
+    let sides = query.signed.then(|| Sides::of(from, to));
     work.refine = refining.elapsed();
     let report = DirectedDeviation {
         direction,
@@ -165,6 +166,7 @@ pub(super) fn run(query: &DeviationQuery, pair: &Pair<'_>, observer: &mut dyn Ob
         faces: faces::faces(&field),
         vertices,
         vertex_error: frame.length_out(rounding.lower()),
+        sides,
         regions,
         beyond_threshold,
         stop,

@@ -1,9 +1,14 @@
 //! Deviation analysis: closed forms, and invariants that hold for any pair.
 
-use pompeiu_core::TriMesh;
+use crate::support::largest_coordinate;
 use pompeiu_core::geom::Aabb;
-use pompeiu_core::mesh::shapes::{Diagonal, grid};
-use pompeiu_hausdorff::{DeviationQuery, Enclosure, StopReason};
+use pompeiu_core::mesh::shapes::{Diagonal, grid, icosphere};
+use pompeiu_core::{FaceId, TriMesh};
+use pompeiu_hausdorff::deviation::Sides;
+use pompeiu_hausdorff::{DeviationQuery, DirectedDeviation, Enclosure, StopReason, directed_hausdorff};
+use pompeiu_testkit::plain::{area, point_point, point_triangles};
+use pompeiu_testkit::strategies::pair;
+use proptest::prelude::*;
 
 /// Rounding of statistics of size one.
 const ROUNDING: f64 = 1e-12;
@@ -74,5 +79,127 @@ fn a_plate_that_leans() {
     for (k, bin) in statistics.histogram.bins.iter().enumerate() {
         is_near(*bin, 1.0 / 64.0, 1e-6);
         is_near(statistics.histogram.cumulative[k], k as f64 / 64.0, 1e-6);
+    }
+}
+
+/// Samples of a face with their distances, and of all faces with area weights.
+fn samples(a: &TriMesh, b: &TriMesh, n: u32) -> Vec<(FaceId, f64, f64)> {
+    let triangles: Vec<_> = b.face_ids().map(|f| b.corners(f)).collect();
+    let mut out = Vec::new();
+    for face in a.face_ids() {
+        let [p, q, r] = a.corners(face);
+        let weight = area([p, q, r]) / f64::from(n * n);
+        let mut add = |s: f64, t: f64| {
+            let x = [0, 1, 2].map(|k| p[k] + s * (q[k] - p[k]) + t * (r[k] - p[k]));
+            out.push((face, point_triangles(x, &triangles), weight));
+        };
+        for i in 0..n {
+            for j in 0..n - i {
+                let at =
+                    |s: f64, t: f64| ((f64::from(i) + s) / f64::from(n), (f64::from(j) + t) / f64::from(n));
+                let (s, t) = at(1.0 / 3.0, 1.0 / 3.0);
+                add(s, t);
+                if i + j + 1 < n {
+                    let (s, t) = at(2.0 / 3.0, 2.0 / 3.0);
+                    add(s, t);
+                }
+            }
+        }
+    }
+    out
+}
+
+/// The centre of a small triangle stands for all its points, which are no farther from it than two thirds of its longest edge.
+fn covering_radius(a: &TriMesh, n: u32) -> f64 {
+    let edges = a.face_ids().flat_map(|f| {
+        let [p, q, r] = a.corners(f);
+        [point_point(p, q), point_point(q, r), point_point(r, p)]
+    });
+    edges.fold(0.0, f64::max) * (2.0 / 3.0) / f64::from(n)
+}
+
+/// Everything that a directed report claims, against samples: exactly where a sample is a witness, within what lies between
+/// samples for numbers over the area.
+fn check(a: &TriMesh, b: &TriMesh, report: &DirectedDeviation, threshold: f64, n: u32) {
+    let slack = 1e-13 * largest_coordinate(&[a, b]);
+    let samples = samples(a, b, n);
+    for (face, distance, _) in &samples {
+        let of_face = &report.faces[face.index()];
+        assert!(*distance <= of_face.max.upper() + slack, "{distance} on {face}: {of_face:?}");
+        assert!(*distance >= of_face.min.lower() - slack, "{distance} on {face}: {of_face:?}");
+    }
+    let radius = covering_radius(a, n) + slack;
+    for face in a.face_ids() {
+        let of_face = &report.faces[face.index()];
+        let here = || samples.iter().filter(|s| s.0 == face).map(|s| s.1);
+        assert!(of_face.max.lower() <= here().fold(0.0, f64::max) + radius, "{of_face:?}");
+        assert!(of_face.min.upper() >= here().fold(f64::INFINITY, f64::min) - radius, "{of_face:?}");
+        let mean = here().sum::<f64>() / here().count() as f64;
+        assert!(
+            of_face.mean.lower() <= mean + radius && mean - radius <= of_face.mean.upper(),
+            "{mean} {of_face:?}"
+        );
+        assert!(of_face.max.upper() <= report.distance.distance.upper() + slack);
+    }
+    assert!(report.statistics.is_some() || samples.iter().all(|s| s.2 < 1e-12));
+    let Some(statistics) = &report.statistics else { return };
+    let total: f64 = samples.iter().map(|s| s.2).sum();
+    let near = |e: Enclosure, low: f64, high: f64| {
+        assert!(e.lower() <= high + slack && low - slack <= e.upper(), "[{low}, {high}] {e:?} {report:?}");
+    };
+    let mean = samples.iter().map(|s| s.1 * s.2).sum::<f64>() / total;
+    near(statistics.mean, mean - radius, mean + radius);
+    let rms = (samples.iter().map(|s| s.1 * s.1 * s.2).sum::<f64>() / total).sqrt();
+    near(statistics.rms, rms - radius, rms + radius);
+    let share_up_to = |t: f64| samples.iter().filter(|s| s.1 <= t).map(|s| s.2).sum::<f64>() / total;
+    let around = |t: f64| (share_up_to(t - radius) - 1e-9, share_up_to(t + radius) + 1e-9);
+    let (low, high) = around(threshold);
+    near(statistics.above.unwrap().share, 1.0 - high, 1.0 - low);
+    for percentile in &statistics.percentiles {
+        // Up to the upper end lies at least the share, below the lower end less.
+        assert!(around(percentile.distance.upper()).1 >= percentile.share, "{percentile:?}");
+        assert!(around(percentile.distance.lower()).0 <= percentile.share, "{percentile:?}");
+    }
+    let histogram = &statistics.histogram;
+    for (edge, share) in histogram.edges.iter().zip(&histogram.cumulative) {
+        let (low, high) = around(*edge);
+        near(*share, low, high);
+    }
+    for (v, distance) in report.vertices.iter().enumerate() {
+        let referenced = a.faces().iter().flatten().any(|w| *w as usize == v);
+        assert_eq!(distance.is_nan(), !referenced);
+        let triangles: Vec<_> = b.face_ids().map(|f| b.corners(f)).collect();
+        let plain = point_triangles(a.positions()[v], &triangles);
+        assert!(!referenced || (distance - plain).abs() <= report.vertex_error + slack);
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(96))]
+
+    #[test]
+    fn random_meshes_hold_their_samples((a, b) in pair(), part in 0.0..1.2_f64, accuracy in 1..5_i32) {
+        let threshold = part * directed_hausdorff(&a, &b).distance.upper();
+        let query = DeviationQuery::new().accuracy(10.0_f64.powi(-accuracy)).unwrap().most_pieces(20_000);
+        let report = query.threshold(threshold).unwrap().symmetric(&a, &b);
+        check(&a, &b, &report.a_to_b, threshold, 12);
+        check(&b, &a, &report.b_to_a, threshold, 12);
+    }
+}
+
+/// A small sphere inside a large one lies inside of it, however its faces are turned; the large one lies outside of the small one.
+#[test]
+fn sides_of_spheres() {
+    let (small, large) = (icosphere(0.5, 2).unwrap(), icosphere(1.0, 2).unwrap());
+    let turned = large.faces().iter().map(|[a, b, c]| [*a, *c, *b]).collect();
+    let turned = TriMesh::new(large.positions().to_vec(), turned).unwrap();
+    for outer in [large, turned] {
+        let report = DeviationQuery::new().signed(true).symmetric(&small, &outer);
+        let inside = report.a_to_b.signed_vertices().unwrap();
+        assert!(inside.iter().zip(&report.a_to_b.vertices).all(|(signed, d)| *signed == -d && *d > 0.3));
+        let outside = report.b_to_a.signed_vertices().unwrap();
+        assert!(outside.iter().zip(&report.b_to_a.vertices).all(|(signed, d)| signed == d && *d > 0.3));
+        let faces = &report.a_to_b.sides.unwrap().face_winding;
+        assert!(faces.iter().all(|w| Sides::is_inside(*w)));
     }
 }
