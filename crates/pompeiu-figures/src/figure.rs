@@ -1,7 +1,7 @@
 //! Panels, a legend and text, put together.
 
 use crate::image::Image;
-use crate::legend::Legend;
+use crate::legend::{Legend, LegendSide};
 use crate::raster::{Camera, render};
 use crate::text::{Run, Style, Weight};
 use crate::{Panel, Scale, ScaleError, Theme, View};
@@ -90,6 +90,7 @@ pub struct Figure<'a> {
     theme: Theme,
     view: View,
     scale: Option<(Scale, String)>,
+    legend: LegendSide,
     panels: Vec<Panel<'a>>,
 }
 
@@ -99,8 +100,16 @@ impl<'a> Figure<'a> {
 
     /// An empty picture.
     pub fn new(width: u32, height: u32) -> Self {
-        let (theme, view) = (Theme::default(), View::default());
-        Self { width, height, title: String::new(), theme, view, scale: None, panels: Vec::new() }
+        Self {
+            width,
+            height,
+            title: String::new(),
+            theme: Theme::default(),
+            view: View::default(),
+            scale: None,
+            legend: LegendSide::default(),
+            panels: Vec::new(),
+        }
     }
 
     /// Writes a line of text at the top.
@@ -124,10 +133,17 @@ impl<'a> Figure<'a> {
         self
     }
 
-    /// Colours values by a scale, and explains it at the right with a label that should name the unit.
+    /// Colours values by a scale, and explains it with a label that should name the unit.
     #[must_use]
     pub fn with_scale(mut self, scale: Scale, label: impl Into<String>) -> Self {
         self.scale = Some((scale, label.into()));
+        self
+    }
+
+    /// Chooses on which side the scale is explained.
+    #[must_use]
+    pub fn with_legend_at(mut self, side: LegendSide) -> Self {
+        self.legend = side;
         self
     }
 
@@ -173,9 +189,20 @@ impl<'a> Figure<'a> {
         }
         let style = Style { weight: Weight::Regular, size: sizes.text, color: colors.text };
         if let Some((scale, label)) = &self.scale {
-            let legend = Legend::new(scale, label, style, area.height());
-            area.right -= legend.width();
-            legend.draw(&mut image, [area.right, area.top], area.height());
+            let room = match self.legend {
+                LegendSide::Right => area.height(),
+                LegendSide::Bottom => area.width(),
+            };
+            let legend = Legend::new(scale, label, style, self.legend, room);
+            match self.legend {
+                LegendSide::Right => area.right -= legend.thickness(),
+                LegendSide::Bottom => area.bottom -= legend.thickness(),
+            }
+            let at = match self.legend {
+                LegendSide::Right => [area.right, area.top],
+                LegendSide::Bottom => [area.left, area.bottom],
+            };
+            legend.draw(&mut image, at);
         }
         self.draw_panels(&mut image, &camera, &area, style);
         Ok(image)

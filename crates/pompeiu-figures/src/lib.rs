@@ -31,6 +31,7 @@ mod view;
 pub use colormap::{ColorMap, Rgb, Scale, ScaleError};
 pub use figure::{Figure, FigureError};
 pub use image::Image;
+pub use legend::LegendSide;
 pub use normals::vertex_normals;
 pub use panel::{Mark, Panel, Values};
 pub use theme::Theme;

@@ -5,7 +5,8 @@
 use pompeiu_core::TriMesh;
 use pompeiu_core::mesh::shapes::{icosphere, torus};
 use pompeiu_figures::{
-    ColorMap, Figure, FigureError, Image, Mark, Panel, Projection, Scale, Theme, Values, View, vertex_normals,
+    ColorMap, Figure, FigureError, Image, LegendSide, Mark, Panel, Projection, Scale, Theme, Values, View,
+    vertex_normals,
 };
 use std::fs;
 use std::path::Path;
@@ -64,8 +65,9 @@ fn fields(torus: &TriMesh, theme: Theme) -> Image {
     };
     let turning: Vec<[f64; 3]> = torus.faces().iter().map(middle).map(|[x, y, _]| [-y, x, 0.0]).collect();
     let rising = vec![[0.0, 0.0, 0.3]; torus.faces().len()];
-    Figure::new(420, 200)
+    Figure::new(420, 240)
         .with_theme(theme)
+        .with_legend_at(LegendSide::Bottom)
         .with_view(View::default().with_up([0.0, 0.0, 1.0]))
         .with_scale(Scale::new(ColorMap::Viridis, 0.0, 1.2).unwrap(), "magnitude")
         .with_panel(Panel::new(torus).with_vectors(&turning).with_title("turning"))
@@ -152,6 +154,8 @@ fn no_size_is_too_odd() {
     for (width, height) in [(1, 1), (2, 500), (500, 2), (31, 17), (64, 64), (Figure::MAX_SIDE, 1)] {
         let figure =
             Figure::new(width, height).with_title("a title that is much too long for such a picture");
+        let side = if width < height { LegendSide::Right } else { LegendSide::Bottom };
+        let figure = figure.with_legend_at(side);
         let figure = (0..5)
             .fold(figure.with_scale(scale, "zero"), |f, _| f.with_panel(Panel::new(&mesh).with_title("p")));
         let image = figure.draw().unwrap();
