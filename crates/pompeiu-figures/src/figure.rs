@@ -66,7 +66,7 @@ pub enum FigureError {
 /// Faces are opaque and seen from both sides. The camera stays outside of all meshes.
 ///
 /// # Cost
-/// O(faces + pixels), parallel; about 150 bytes per vertex, and 8 per face and tile of 64 pixels that it touches.
+/// O(faces + pixels), parallel; 48 bytes per vertex, and 8 per face and tile of 64 pixels that it touches.
 ///
 /// # Example
 /// ```
@@ -231,7 +231,7 @@ impl<'a> Figure<'a> {
         for (index, panel) in self.panels.iter().enumerate() {
             let [column, row] = [index % columns, index / columns].map(|n| n as f64);
             let [left, top] = [area.left + column * cell_width, area.top + row * (cell_height + line)];
-            let title = style.fit(&panel.title, cell_width);
+            let title = style.fit(&panel.title, cell_width - GUTTER * style.size);
             let indent = 0.5 * (cell_width - style.width(&title));
             style.draw(image, &title, [left + indent, top + style.size], Run::Across);
             let scale = self.scale.as_ref().map(|(scale, _)| scale);
@@ -247,6 +247,9 @@ struct Sizes {
     /// Pixels left free around everything.
     margin: f64,
 }
+
+/// Ems between the titles of neighbouring panels.
+const GUTTER: f64 = 1.5;
 
 /// Ems of text across a square picture, and the smallest em in pixels that can be read.
 const EMS: f64 = 62.0;
