@@ -345,6 +345,26 @@ fn there_is_a_manual_page_for_every_command() {
 }
 
 #[test]
+fn a_field_and_its_parts_as_a_picture() {
+    let folder = Folder::new();
+    folder.ok("generate torus -o torus.obj");
+    let picture = |name: &str, field: &str| {
+        folder.ok(&format!("decompose torus.obj --field {field} --image {name} --image-size 400x300 --up z"));
+        std::fs::read(folder.path().join(name)).unwrap()
+    };
+    let rotation = picture("a.png", "rotation:z");
+    assert!(rotation.starts_with(b"\x89PNG"));
+    assert_eq!(rotation, picture("b.png", "rotation:z"));
+    assert_ne!(rotation, picture("c.png", "gradient:x"));
+    for args in
+        ["--image d.png", "--field rotation:z --image torus.obj", "--field rotation:z --image nowhere/d.png"]
+    {
+        let (code, stdout, _) = folder.transcript(&format!("decompose torus.obj {args}"));
+        assert_eq!((code, stdout.as_str()), (Some(2), ""), "{args}");
+    }
+}
+
+#[test]
 fn colours_are_for_terminals() {
     let folder = Folder::with_tent();
     let (_, stdout, stderr) = folder.transcript("distance tent.obj square.obj --tolerance 0");

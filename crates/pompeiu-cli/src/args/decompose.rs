@@ -1,5 +1,6 @@
 //! Options of the decompose command.
 
+use super::picture::Picture;
 use crate::numbers::tuple;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
@@ -16,11 +17,12 @@ Fields:
   random:SEED      random vectors
   harmonic:K       the harmonic field with number K, from 0
 
-OUT is VTP or PLY, or VTP.gz: vectors field, gradient, rotated and harmonic on faces, and both potentials, one on vertices
+OUT is VTP, VTU or PLY, or VTP.gz: vectors field, gradient, rotated and harmonic on faces, and both potentials, one on vertices
 and one on faces (its value at their centres).
 
 Examples:
   pompeiu decompose torus.obj --field rotation:z -o parts.vtp
+  pompeiu decompose torus.obj --field rotation:z --image parts.png --up z
   pompeiu decompose scan.ply --field wind.csv --json
   pompeiu decompose open.obj --field gradient:x*y --boundary normal
   pompeiu decompose fertility.off")]
@@ -42,6 +44,8 @@ pub(crate) struct Decompose {
     /// Write the field, its parts and their potentials
     #[arg(long, short, value_name = "OUT", requires = "field")]
     pub(crate) output: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) picture: Picture,
     /// Print one JSON object
     #[arg(long)]
     pub(crate) json: bool,

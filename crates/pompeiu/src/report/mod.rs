@@ -4,7 +4,9 @@
 //! tolerances, which is searched for again.
 
 mod deviation;
+mod fields;
 mod stages;
 
 pub use deviation::{DeviationReport, ReportedMesh};
+pub use fields::FieldsReport;
 pub use stages::search_stages;

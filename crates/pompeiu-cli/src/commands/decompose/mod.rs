@@ -11,6 +11,7 @@ use crate::printer::Printer;
 use anyhow::{Context, bail};
 use pompeiu::core::mesh::{unreferenced_vertices, without_unreferenced};
 use pompeiu::operators::{self, Audit, HodgeSolver};
+use pompeiu::report::FieldsReport;
 use pompeiu::surface::EmbeddedSurface;
 use report::{Report, Split};
 use std::time::Instant;
@@ -19,9 +20,12 @@ pub(crate) fn run(args: &Decompose, printer: &Printer) -> anyhow::Result<Exit> {
     let source = args.field.as_deref().map(FieldSource::parse).transpose()?;
     if let Some(output) = &args.output {
         output::check(output)?;
-        if files::are_same(&args.mesh, output) {
-            bail!("{}: is both input and output; give the output another name", output.display());
-        }
+    }
+    if source.is_none() && args.picture.image.is_some() {
+        bail!("--image shows a field and its parts; name one with --field");
+    }
+    for path in [&args.output, &args.picture.image].into_iter().flatten() {
+        files::check_place(path, &[&args.mesh])?;
     }
     let shown = || args.mesh.display().to_string();
     let read = files::read(&args.mesh)?;
@@ -52,6 +56,12 @@ pub(crate) fn run(args: &Decompose, printer: &Printer) -> anyhow::Result<Exit> {
             let (solve, times) = (before.elapsed(), solver.setup_times());
             if let Some(output) = &args.output {
                 output::write(output, &mesh, &surface, splitting, &field, &parts, printer)?;
+            }
+            if let Some(path) = &args.picture.image {
+                let report = FieldsReport { mesh: &mesh, surface: &surface, field: &field, parts: &parts };
+                let (width, height) = args.picture.image_size;
+                let image = report.image(width, height, args.picture.theme.into(), args.picture.view())?;
+                files::write_image(path, &image, printer)?;
             }
             Some(Split {
                 quality: parts.quality,

@@ -136,9 +136,7 @@ fn show(
     if let Some(path) = &args.picture.image {
         let (width, height) = args.picture.image_size;
         let image = report.image(width, height, args.picture.theme.into(), args.picture.view())?;
-        let mut png = Vec::new();
-        image.write_png(&mut png)?;
-        files::write_whole(path, &png, printer)?;
+        files::write_image(path, &image, printer)?;
     }
     Ok(())
 }
