@@ -3,8 +3,8 @@
 #![allow(clippy::unwrap_used, reason = "a helper of a test fails by panicking, as the test does")]
 
 use pompeiu_figures::html::{
-    Deviation, DeviationPage, DisplayTriangles, Exceedance, Histogram, PageError, PageSurface, PointPair,
-    Region, SearchStage, Statistic,
+    Deviation, DeviationPage, DisplayTriangles, Exceedance, FieldsPage, Histogram, PageError, PageField,
+    PageSurface, PointPair, Region, SearchStage, Statistic,
 };
 use sha2::{Digest, Sha256};
 use std::fmt::Write;
@@ -131,6 +131,37 @@ fn data_that_do_not_belong_together_are_refused() {
         PageError::NoTriangles { surface: 1 }
     );
     assert_eq!(refused(&|p| p.surfaces[0].deviation = None), PageError::NothingMeasured);
+}
+
+#[test]
+fn fields_that_do_not_belong_together_are_refused() {
+    let page = FieldsPage {
+        corners: vec![UPPER],
+        fields: vec![PageField { label: "</script>".into(), vectors: vec![[1.0, 0.0, 0.0]], norm: 1.0 }],
+        inner_products: vec![vec![1.0]],
+        ..FieldsPage::default()
+    };
+    let html = page.html().unwrap();
+    assert_eq!(html.matches("<script").count(), html.matches("</script>").count());
+    let refused = |spoil: fn(&mut FieldsPage)| {
+        let mut page = page.clone();
+        spoil(&mut page);
+        page.html().unwrap_err()
+    };
+    assert!(matches!(
+        refused(|p| p.fields[0].vectors[0][1] = f64::NAN),
+        PageError::NonFinite { index: 1, .. }
+    ));
+    assert!(matches!(refused(|p| p.fields[0].norm = f64::INFINITY), PageError::NonFinite { .. }));
+    assert!(matches!(refused(|p| p.residual = f64::NAN), PageError::NonFinite { .. }));
+    assert!(matches!(refused(|p| p.corners[0][0][0] = f64::NAN), PageError::NonFinite { .. }));
+    assert!(matches!(
+        refused(|p| p.fields[0].vectors.clear()),
+        PageError::Length { found: 0, expected: 1, .. }
+    ));
+    assert!(matches!(refused(|p| p.inner_products[0].push(0.0)), PageError::Length { .. }));
+    assert_eq!(refused(|p| p.corners.clear()), PageError::NoTriangles { surface: 0 });
+    assert_eq!(refused(|p| p.fields.clear()), PageError::NothingMeasured);
 }
 
 fn web() -> PathBuf {

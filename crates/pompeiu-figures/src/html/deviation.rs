@@ -85,6 +85,16 @@ pub enum Axis {
     Z,
 }
 
+impl Axis {
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Self::X => "x",
+            Self::Y => "y",
+            Self::Z => "z",
+        }
+    }
+}
+
 /// A mesh, and what was measured on it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct PageSurface {
@@ -222,7 +232,7 @@ impl DeviationPage {
             "kind": "deviation",
             "title": self.title,
             "unit": self.unit,
-            "up": match self.up { Axis::X => "x", Axis::Y => "y", Axis::Z => "z" },
+            "up": self.up.name(),
             "signed": self.signed,
             "threshold": self.threshold,
             "distance": self.distance,

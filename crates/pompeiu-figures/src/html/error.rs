@@ -68,8 +68,8 @@ pub enum PageError {
         /// 0 for the first.
         surface: usize,
     },
-    /// Neither direction was measured.
-    #[error("neither surface has a deviation to show")]
+    /// No direction was measured, or there is no field.
+    #[error("there is nothing to show: no deviation or field was given")]
     NothingMeasured,
 }
 

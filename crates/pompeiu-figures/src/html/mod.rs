@@ -1,6 +1,6 @@
 //! Interactive pages: one HTML file each, which holds all it needs and asks no network for anything.
 //!
-//! A page is plain data, given by the caller; [`DeviationPage::html`] checks them and returns the file. Arrays travel as
+//! A page is plain data, given by the caller; [`DeviationPage::html`] and [`FieldsPage::html`] check them and return the file. Arrays travel as
 //! compressed little-endian numbers, coordinates in single precision relative to the middle of the scene, values and
 //! bounds in double precision: what the page shows of them is what was given, to the last bit.
 //!
@@ -9,6 +9,7 @@
 mod deviation;
 mod encode;
 mod error;
+mod fields;
 mod scene;
 mod surface_data;
 
@@ -17,6 +18,7 @@ pub use deviation::{
     Region, SearchStage, Statistic,
 };
 pub use error::PageError;
+pub use fields::{FieldsPage, PageField, PageTable};
 
 use serde_json::Value;
 

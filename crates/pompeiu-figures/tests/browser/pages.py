@@ -1,8 +1,11 @@
 """Pages made by the crate, opened in a browser that must not talk to anyone."""
 
+import base64
 import json
 import os
 import subprocess
+import unittest
+from collections import Counter
 from pathlib import Path
 
 from playwright.sync_api import sync_playwright
@@ -80,7 +83,6 @@ def pixels(page):
         for (let i = 0; i < bytes.length; i += 32768) text += String.fromCharCode(...bytes.subarray(i, i + 32768));
         return [width, height, btoa(text)];
     }""")
-    import base64
     raw = base64.b64decode(text)
     return width, height, raw
 
@@ -88,10 +90,40 @@ def pixels(page):
 def count_of(raw, wanted):
     """How many pixels have a colour that the condition holds for; colours are looked at once each."""
     words = memoryview(raw).cast("I")
-    from collections import Counter
     return sum(n for word, n in Counter(words).items() if wanted(word & 255, word >> 8 & 255, word >> 16 & 255))
 
 
 def is_contrast(red, green, blue):
     """The colour of what is out of tolerance on the sequential map, in any light."""
     return red > 100 and green < 0.35 * red and blue < 0.35 * red
+
+
+class PageTest(unittest.TestCase):
+    """Opens pages, and sees at the end that they did not complain and asked for nothing."""
+
+    def visit(self, browser, path, **options):
+        self.page = browser.open(path, **options)
+        self.addCleanup(self.close, self.page, path)
+        return self.page
+
+    def close(self, page, path):
+        settle(page)
+        self.assertEqual(page.complaints, [])
+        outside = [url for url in page.requests if not url.startswith(("data:", "blob:")) and url != path.as_uri()]
+        self.assertEqual(outside, [], "the page asks for nothing")
+        page.context.close()
+
+    def camera(self):
+        settle(self.page)
+        return self.page.evaluate("""() => {
+            const { camera, controls } = pompeiu.app.view;
+            return { position: camera.position.toArray(), target: controls.target.toArray() };
+        }""")
+
+    def screen(self, point, pane=0):
+        """Where a point of the meshes is on the canvas."""
+        return self.page.evaluate("""([point, pane]) => {
+            const { app } = pompeiu;
+            const placed = app.view.camera.position.clone().set(...point.map((x, k) => (x - app.data.origin[k]) / app.data.scale));
+            return app.view.project(placed, pane);
+        }""", [point, pane])

@@ -6,7 +6,7 @@ import sys
 import time
 import unittest
 
-from pages import FOLDER, Browser, count_of, data, is_contrast, make, pixels, settle, shown
+from pages import FOLDER, Browser, PageTest, count_of, data, is_contrast, make, pixels, settle, shown
 
 HOSTILE = ["</script><img src=x onerror=alert(1)>\"'&.ply", "<!--<script>'\"&amp;\u2028.stl"]
 
@@ -54,34 +54,10 @@ def hits(origin, direction, triangles):
     return sorted(found)
 
 
-class DeviationPage(unittest.TestCase):
+class DeviationPage(PageTest):
     def open(self, name="plain", **options):
         path, self.truth = pages[name]
-        self.page = browser.open(path, **options)
-        self.addCleanup(self.close, self.page, path)
-        return self.page
-
-    def close(self, page, path):
-        settle(page)
-        self.assertEqual(page.complaints, [])
-        outside = [url for url in page.requests if not url.startswith(("data:", "blob:")) and url != path.as_uri()]
-        self.assertEqual(outside, [], "the page asks for nothing")
-        page.context.close()
-
-    def camera(self):
-        settle(self.page)
-        return self.page.evaluate("""() => {
-            const { camera, controls } = pompeiu.app.view;
-            return { position: camera.position.toArray(), target: controls.target.toArray() };
-        }""")
-
-    def screen(self, point, pane=0):
-        """Where a point of the meshes is on the canvas."""
-        return self.page.evaluate("""([point, pane]) => {
-            const { app } = pompeiu;
-            const placed = app.view.camera.position.clone().set(...point.map((x, k) => (x - app.data.origin[k]) / app.data.scale));
-            return app.view.project(placed, pane);
-        }""", [point, pane])
+        return self.visit(browser, path, **options)
 
     # ---- what is drawn
 

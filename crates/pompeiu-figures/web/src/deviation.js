@@ -9,7 +9,7 @@ import { acrossPair, PairMark, RingMark } from "./marks.js";
 import { answer, distribution, facts, regions, stages, statistics, threshold } from "./panels.js";
 import { Scale } from "./scale.js";
 import { failure, savePicture, shell, themeColor } from "./shell.js";
-import { colorTexture, raw, solidMaterial, sphereAround, Surface } from "./surface.js";
+import { colorTexture, raw, solidMaterial, extentOf, Surface } from "./surface.js";
 import { View } from "./view.js";
 
 const STAGE_MS = 900;
@@ -68,7 +68,7 @@ export class DeviationApp {
       mode: first === 0 ? "missing" : "invented", direction: first, painting: false, stage: -1, region: -1, range: "own",
       threshold: data.threshold ?? this.distanceCoveringArea(this.directions[0], 0.05),
     };
-    this.view = new View(sphereAround(surfaces), data.up);
+    this.view = new View(extentOf(surfaces), data.up);
     this.#buildScenes();
     this.#buildPage();
     this.#pointing();

@@ -2,9 +2,10 @@
 
 import "./style.css";
 import { openDeviation } from "./deviation.js";
+import { openFields } from "./fields.js";
 import * as format from "./format.js";
 
-const OPEN = { deviation: openDeviation };
+const OPEN = { deviation: openDeviation, fields: openFields };
 
 async function start() {
   const holder = document.getElementById("data");

@@ -127,13 +127,15 @@ export function regions(app) {
         type: "button", class: "region", "data-region": i, "aria-pressed": "false", onclick: () => app.chooseRegion(i),
       },
       h("b", {}, String(i + 1)),
-      h("span", { class: "swatch", style: `background:${app.colorOf(region.peak[1])}` }),
+      h("span", { class: "swatch" }),
       h("span", {}, h("span", { class: "number" }, enclosure(region.peak, 3)), h("small", {},
         `${short(region.extent, 3)} ${app.unit} across, area ${short(region.area, 3)}${app.unit && ` ${app.unit}\u00b2`}`))))));
       if (!direction.measured.regions.length) list.replaceChildren(h("li", { class: "note" }, "None were given in this direction."));
     }
     for (const button of list.querySelectorAll("button")) {
-      button.setAttribute("aria-pressed", String(Number(button.dataset.region) === app.state.region));
+      const i = Number(button.dataset.region);
+      button.setAttribute("aria-pressed", String(i === app.state.region));
+      button.querySelector(".swatch").style.background = app.colorOf(direction.measured.regions[i].peak[1]);
     }
   };
   return { element, update };

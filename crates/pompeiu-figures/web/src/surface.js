@@ -1,7 +1,7 @@
 // A surface on the graphics card: painted by its values, or as a ghost around the other one; and what a ray meets on it.
 
 import {
-  BufferAttribute, BufferGeometry, Color, DataTexture, DoubleSide, LinearFilter, Mesh, Ray, RGBAFormat, ShaderMaterial, Sphere, UnsignedByteType, Vector3,
+  Box3, BufferAttribute, BufferGeometry, Color, DataTexture, DoubleSide, LinearFilter, Mesh, Ray, RGBAFormat, ShaderMaterial, Sphere, UnsignedByteType, Vector3,
 } from "three";
 import { MeshBVH } from "three-mesh-bvh/src/core/MeshBVH.js";
 import { CENTER } from "three-mesh-bvh/src/core/Constants.js";
@@ -86,14 +86,15 @@ export function solidMaterial(color, inFront = 0) {
 export class Surface {
   /**
    * Positions are relative to the page's origin and in its scale; three indices for each triangle; the face of each triangle
-   * where they are not the same; a value for each vertex where some were measured.
+   * where they are not the same; a value for each vertex where some were measured. Surfaces that differ in values only share
+   * the rest with the first one.
    */
-  constructor({ positions, indices, faces, values }) {
-    Object.assign(this, { positions, indices, faces, values });
+  constructor({ positions, indices, faces, values, like }) {
+    Object.assign(this, { positions, indices, faces, values, like });
     this.triangles = indices.length / 3;
     this.geometry = new BufferGeometry();
-    this.geometry.setAttribute("position", new BufferAttribute(positions, 3));
-    this.geometry.setIndex(new BufferAttribute(indices, 1));
+    this.geometry.setAttribute("position", like?.geometry.getAttribute("position") ?? new BufferAttribute(positions, 3));
+    this.geometry.setIndex(like?.geometry.index ?? new BufferAttribute(indices, 1));
     this.largest = 0;
     if (values) {
       for (const value of values) if (Math.abs(value) > this.largest) this.largest = Math.abs(value);
@@ -101,7 +102,7 @@ export class Surface {
       const by = this.largest || 1;
       this.geometry.setAttribute("part", new BufferAttribute(Float32Array.from(values, (value) => value / by), 1));
     }
-    this.geometry.computeBoundingSphere();
+    this.geometry.computeBoundingBox();
   }
 
   faceOf(triangle) {
@@ -161,6 +162,7 @@ export class Surface {
 
   /** The tree that rays are traced with, built when the first one is. */
   get tree() {
+    if (this.like) return this.like.tree;
     this.built ??= new MeshBVH(this.geometry, { indirect: true, strategy: CENTER, targetLeafSize: 8 });
     return this.built;
   }
@@ -199,5 +201,24 @@ export class Surface {
   }
 }
 
-export const sphereAround = (surfaces) => surfaces.reduce(
-  (all, { geometry }) => all.union(geometry.boundingSphere), new Sphere().copy(surfaces[0].geometry.boundingSphere));
+/** Points enough to know how large surfaces look. */
+const OUTLINE = 3000;
+
+/** A ball around the middle of all surfaces, and some of their points. */
+export function extentOf(surfaces) {
+  const box = surfaces.reduce((all, { geometry }) => all.union(geometry.boundingBox), new Box3());
+  const sphere = new Sphere(box.getCenter(new Vector3()), 0);
+  const outline = [];
+  for (const { positions } of surfaces) {
+    const step = Math.ceil(positions.length / 3 / OUTLINE);
+    const point = new Vector3();
+    for (let i = 0; i < positions.length / 3; i++) {
+      point.fromArray(positions, 3 * i);
+      sphere.radius = Math.max(sphere.radius, point.distanceTo(sphere.center));
+      if (i % step === 0) outline.push(point.clone());
+    }
+  }
+  // A single point is looked at from somewhere, too.
+  sphere.radius ||= 1;
+  return { sphere, outline };
+}

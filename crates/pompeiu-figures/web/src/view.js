@@ -1,7 +1,7 @@
 // The canvas: panes side by side that share one camera, orbiting by pointer, touch and keyboard, flying to places, and marks
 // drawn over the panes. A frame is drawn only when something changed.
 
-import { LinearSRGBColorSpace, MathUtils, PerspectiveCamera, Ray, Spherical, Vector2, Vector3, WebGLRenderer } from "three";
+import { LinearSRGBColorSpace, MathUtils, Matrix4, PerspectiveCamera, Ray, Spherical, Vector2, Vector3, WebGLRenderer } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { h, s } from "./dom.js";
 
@@ -11,9 +11,9 @@ const STEP = MathUtils.degToRad(5);
 const KEYS = "Arrow keys orbit, with Shift they move; plus and minus zoom; Home shows all; Enter reads the value in the middle.";
 
 export class View {
-  /** `sphere` holds all there is to see. */
-  constructor(sphere, upward) {
-    this.sphere = sphere;
+  /** `sphere` holds all there is to see, `outline` some points of it. */
+  constructor({ sphere, outline }, upward) {
+    Object.assign(this, { sphere, outline });
     this.panes = [];
     this.canvas = h("canvas", {
       id: "view", tabindex: "0", role: "application", "aria-roledescription": "three-dimensional view",
@@ -43,11 +43,12 @@ export class View {
 
   /** Panes are shown from left to right, or in rows: each has a scene, a label, and what a ray meets in it. */
   show(panes, columns = panes.length) {
-    const before = this.placed && this.#fitting(1);
+    const direction = this.camera.position.clone().sub(this.controls.target).normalize();
+    const before = this.placed && this.#fittingAll(direction);
     this.panes = panes;
     this.columns = columns;
     // Narrower panes are looked at from farther away.
-    if (before) this.zoom(this.#fitting(1) / before);
+    if (before) this.zoom(this.#fittingAll(direction) / before);
     this.labels.replaceChildren(...panes.map((pane) => h("div", { class: "pane-label" }, pane.label)));
     this.labels.style.setProperty("--columns", columns);
     this.element.classList.toggle("several", panes.length > 1);
@@ -76,8 +77,8 @@ export class View {
 
   /** All of it, seen from a corner. */
   home() {
-    const direction = { x: [0.35, 0.6, 1], y: [0.6, 0.35, 1], z: [0.6, -1, 0.45] }[this.upward];
-    this.camera.position.set(...direction).normalize().multiplyScalar(this.#fitting(this.sphere.radius)).add(this.sphere.center);
+    const direction = new Vector3(...{ x: [0.35, 0.6, 1], y: [0.6, 0.35, 1], z: [0.6, -1, 0.45] }[this.upward]).normalize();
+    this.camera.position.copy(direction).multiplyScalar(this.#fittingAll(direction)).add(this.sphere.center);
     this.controls.target.copy(this.sphere.center);
     this.flight = null;
     this.controls.update();
@@ -85,7 +86,7 @@ export class View {
   }
 
   flyHome() {
-    this.flyTo(this.sphere.center, this.#fitting(this.sphere.radius));
+    this.flyTo(this.sphere.center, this.#fittingAll(this.camera.position.clone().sub(this.controls.target).normalize()));
   }
 
   /** How far from a ball of that radius the camera has to be to see it whole. */
@@ -94,6 +95,20 @@ export class View {
     const half = MathUtils.degToRad(FIELD_OF_VIEW / 2);
     const narrow = Math.min(half, Math.atan(Math.tan(half) * (width / height || 1)));
     return (radius * 1.04) / Math.sin(narrow);
+  }
+
+  /** How far away the camera has to be to see all of it from a direction, with some room for labels. */
+  #fittingAll(direction) {
+    const { width, height } = this.#size(0);
+    const up = Math.tan(MathUtils.degToRad(FIELD_OF_VIEW / 2)) * 0.86;
+    const right = up * (width / height || 1);
+    const turned = new Matrix4().lookAt(direction, new Vector3(), this.camera.up).transpose();
+    let distance = 0;
+    for (const point of this.outline) {
+      const seen = point.clone().sub(this.sphere.center).applyMatrix4(turned);
+      distance = Math.max(distance, seen.z + Math.max(Math.abs(seen.x) / right, Math.abs(seen.y) / up));
+    }
+    return distance || this.#fitting(this.sphere.radius);
   }
 
   /** Moves to look at `target` from `distance`, from where it is or from a given direction. */
