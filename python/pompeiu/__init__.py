@@ -13,6 +13,19 @@ Meshes are paths, pairs of arrays, or objects of trimesh, meshio, Open3D or PyVi
 
 from . import shapes
 from ._native import Mesh, __version__
+from .deviations import (
+    Deviation,
+    DeviationWork,
+    DirectedDeviation,
+    Enclosure,
+    Histogram,
+    Percentile,
+    Region,
+    ShareAbove,
+    Statistics,
+    deviation,
+    directed_deviation,
+)
 from .distance import DEFAULT_TOLERANCE, Target, directed_hausdorff, hausdorff
 from .errors import (
     FieldError,
@@ -47,11 +60,16 @@ from .sources import MeshLike, as_mesh, read_mesh
 __all__ = [
     "DEFAULT_TOLERANCE",
     "Audit",
+    "Deviation",
+    "DeviationWork",
+    "DirectedDeviation",
     "DirectedReport",
     "DistanceMatrix",
+    "Enclosure",
     "FieldError",
     "FieldParts",
     "FieldQuality",
+    "Histogram",
     "HodgeDecomposition",
     "Mesh",
     "MeshError",
@@ -60,13 +78,17 @@ __all__ = [
     "MeshWarning",
     "MissingFileError",
     "OptionError",
+    "Percentile",
     "PompeiuError",
     "Progress",
     "RankReport",
     "RankWork",
     "Ranks",
     "ReadError",
+    "Region",
+    "ShareAbove",
     "Standing",
+    "Statistics",
     "SurfaceError",
     "SurfacePoint",
     "SymmetricReport",
@@ -77,6 +99,8 @@ __all__ = [
     "WriteError",
     "__version__",
     "as_mesh",
+    "deviation",
+    "directed_deviation",
     "directed_hausdorff",
     "distance_matrix",
     "field_audit",

@@ -5,6 +5,7 @@ Times do not count when two answers are compared; everything else does, to the l
 
 from __future__ import annotations
 
+import decimal
 import html
 from dataclasses import asdict, dataclass, field, fields
 from typing import Any, Literal, Mapping, Optional, Tuple
@@ -40,6 +41,17 @@ def _table(title: str, rows: "list[tuple[str, str]]") -> str:
         for name, value in rows
     )
     return f"<table><caption>{html.escape(title)}</caption><tbody>{body}</tbody></table>"
+
+
+#: Digits of bounds that people are shown in tables.
+_DIGITS = 6
+_DOWN, _UP = (decimal.Context(prec=_DIGITS, rounding=r) for r in (decimal.ROUND_FLOOR, decimal.ROUND_CEILING))
+
+
+def shown_bounds(lower: float, upper: float) -> str:
+    """Both bounds in few digits, rounded outwards: what is shown still holds."""
+    ends = (context.create_decimal_from_float(x) for context, x in ((_DOWN, lower), (_UP, upper)))
+    return "[{:.6g}, {:.6g}]".format(*ends)
 
 
 def _point(position: Vec3) -> str:

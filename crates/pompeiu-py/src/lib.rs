@@ -4,6 +4,7 @@
 //! it (`python/pompeiu`); what is computed is in the library.
 
 mod arrays;
+mod deviation;
 mod errors;
 mod fields;
 mod files;
@@ -17,6 +18,8 @@ mod wait;
 /// The module `pompeiu._native`.
 #[pyo3::pymodule]
 mod _native {
+    #[pymodule_export]
+    use crate::deviation::{deviation, directed_deviation};
     #[pymodule_export]
     use crate::fields::{HodgeDecomposition, audit};
     #[pymodule_export]

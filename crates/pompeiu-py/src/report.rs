@@ -87,7 +87,7 @@ impl From<DirectedReport> for Directed {
 }
 
 /// The name of a reason to stop.
-fn stop(reason: StopReason) -> &'static str {
+pub(crate) fn stop(reason: StopReason) -> &'static str {
     match reason {
         StopReason::Tolerance => "tolerance",
         StopReason::Threshold => "threshold",

@@ -1,0 +1,144 @@
+"""Deviation: closed forms, sampling beside libigl, regions, options."""
+
+import json
+import math
+import pickle
+
+import igl
+import numpy as np
+import pompeiu
+import pytest
+from shapes_with_answers import grid, mesh
+
+#: A triangle, and one that leans away from it by up to 0.3: the distance is 0.3 times a linear function from 0 to 1.
+FLAT = mesh([[0, 0, 0], [2, 0, 0], [0, 2, 0]], [[0, 1, 2]])
+LEANING = mesh([[0, 0, 0], [1, 0, 0.3], [0, 1, 0]], [[0, 1, 2]])
+
+
+def test_statistics_of_a_linear_distance():
+    report = pompeiu.directed_deviation(LEANING, FLAT, threshold=0.15, percentiles=(0.5, 0.75))
+    statistics = report.statistics
+    # The share of a triangle where a linear function from 0 to 1 is at most t is 1 - (1 - t)².
+    assert 0.1 in statistics.mean and 0.3 / math.sqrt(6) in statistics.rms
+    assert 0.25 in statistics.above.share and statistics.above.threshold == 0.15
+    assert 0.3 * (1 - math.sqrt(0.5)) in statistics.percentiles[0].distance
+    assert [p.share for p in statistics.percentiles] == [0.5, 0.75] and 0.15 in statistics.percentiles[1].distance
+    assert statistics.area == pytest.approx(0.5 * math.hypot(1, 0.3))
+    assert report.lower <= 0.3 <= report.upper + 1e-15 and report.stop == "tolerance"
+    assert report.witness.from_.position == pytest.approx((1, 0, 0.3))
+    edges, cumulative = statistics.histogram.edges, statistics.histogram.cumulative
+    assert edges.shape == (65,) and statistics.histogram.bins.shape == (64, 2)
+    exact = 1 - (1 - np.minimum(edges / 0.3, 1)) ** 2
+    assert np.all(cumulative[:, 0] <= exact + 1e-12) and np.all(exact - 1e-12 <= cumulative[:, 1])
+
+
+def test_fields_by_face_and_by_vertex():
+    report = pompeiu.directed_deviation(LEANING, FLAT)
+    assert np.allclose(report.vertex_distances, [0, 0.3, 0], atol=report.vertex_error)
+    assert report.face_max.shape == report.face_min.shape == report.face_mean.shape == (1, 2)
+    for bounds, exact in ((report.face_max, 0.3), (report.face_min, 0.0), (report.face_mean, 0.1)):
+        assert bounds[0, 0] - 1e-15 <= exact <= bounds[0, 1] + 1e-15
+    spare = (np.vstack([LEANING[0], [[9, 9, 9]]]), LEANING[1])
+    assert np.array_equal(np.isnan(pompeiu.directed_deviation(spare, FLAT).vertex_distances), [False, False, False, True])
+
+
+def test_both_directions_stay_apart():
+    part, whole = grid(1.0, 2), grid(3.0, 2)
+    report = pompeiu.deviation(part, whole)
+    assert report.a_to_b.upper < 1e-12 and report.b_to_a.lower <= math.sqrt(2) <= report.b_to_a.upper
+    assert (report.lower, report.upper) == (report.b_to_a.lower, report.b_to_a.upper)
+    assert report.greater_percentiles == report.b_to_a.statistics.percentiles
+    assert report.pooled.area == pytest.approx(10.0)
+    mean = report.b_to_a.statistics.mean
+    assert report.pooled.mean.lower <= 0.9 * mean.upper and 0.9 * mean.lower <= report.pooled.mean.upper
+
+
+def test_samples_agree():
+    rng = np.random.default_rng(11)
+    vertices, faces = grid(2.0, 8)
+    a, b = (vertices + rng.normal(scale=0.05, size=vertices.shape), faces), (vertices, faces)
+    report = pompeiu.directed_deviation(a, b, threshold=0.05)
+    corners = a[0][faces]
+    areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
+    chosen = rng.choice(len(faces), size=200_000, p=areas / areas.sum())
+    weights = rng.dirichlet((1, 1, 1), size=len(chosen))
+    squared, _, _ = igl.point_mesh_squared_distance(np.einsum("ij,ijk->ik", weights, corners[chosen]), b[0], b[1])
+    samples = np.sqrt(np.maximum(squared, 0))
+    statistics = report.statistics
+    # Four standard errors either way.
+    slack = 4 / math.sqrt(len(samples))
+    assert statistics.mean.lower - slack * samples.std() <= samples.mean() <= statistics.mean.upper + slack * samples.std()
+    share = (samples > 0.05).mean()
+    assert statistics.above.share.lower - slack / 2 <= share <= statistics.above.share.upper + slack / 2
+    assert samples.max() <= report.upper
+    largest = np.zeros(len(faces))
+    np.maximum.at(largest, chosen, samples)
+    assert np.all(largest <= report.face_max[:, 1])
+
+
+def test_regions_are_told_apart():
+    vertices, faces = grid(10.0, 20)
+    for x, y, height in ((-3.0, -3.0, 0.5), (3.0, 3.0, 0.25)):
+        vertices[:, 2] += height * np.exp(-((vertices[:, 0] - x) ** 2 + (vertices[:, 1] - y) ** 2))
+    report = pompeiu.directed_deviation((vertices, faces), grid(10.0, 1), threshold=0.1, regions=2)
+    first, second = report.regions
+    assert 0.5 in first.peak and np.allclose(first.witness.from_.position, (-3, -3, 0.5))
+    assert 0.25 in second.peak and np.allclose(second.centre[:2], (3, 3), atol=0.2)
+    assert np.all(np.diff(first.faces.astype(int)) > 0) and not set(first.faces) & set(second.faces)
+    assert first.lower_corner <= (-3, -3, 0) and first.area > 0 and len(report.beyond_threshold) == 2
+    assert all(region.level == 0.1 for region in report.beyond_threshold)
+
+
+def test_the_same_bits_for_any_number_of_threads_and_through_a_pickle():
+    a, b = pompeiu.shapes.torus(2.0, 0.7, 30, 20), pompeiu.shapes.torus(2.0, 0.72, 24, 16)
+    one = pompeiu.deviation(a, b, threads=1, threshold=0.02)
+    assert one == pompeiu.deviation(a, b, threads=2, threshold=0.02) == pickle.loads(pickle.dumps(one))
+    assert one != pompeiu.deviation(a, b, threshold=0.03)
+    data = json.loads(json.dumps(one.to_dict()))
+    assert len(data["a_to_b"]["face_max"]) == 1200 and data["a_to_b"]["regions"][0]["witness"]["from"]["face"] >= 0
+    assert repr(one).startswith("Deviation(") and "1200 faces" in repr(one.a_to_b)
+    for shown in (one, one.a_to_b, one.pooled):
+        assert shown._repr_html_().count("<tr>") > 4
+
+
+def test_a_mesh_without_area_has_no_statistics():
+    points = mesh([[0, 0, 1], [1, 0, 2]], [[0, 0, 0], [1, 1, 1]])
+    report = pompeiu.deviation(points, grid(4.0, 1))
+    assert report.a_to_b.statistics is None and report.greater_percentiles is None and 2.0 in report.a_to_b.distance
+    assert np.allclose(report.a_to_b.vertex_distances, [1, 2])
+
+
+def test_limits_and_callbacks_end_it_with_wider_enclosures():
+    a, b = pompeiu.shapes.torus(2.0, 0.7, 30, 20), pompeiu.shapes.torus(2.0, 0.72, 24, 16)
+    exact = pompeiu.directed_deviation(a, b).statistics.mean
+    stopped = pompeiu.directed_deviation(a, b, accuracy=1e-6, progress=lambda progress: False)
+    few = pompeiu.directed_deviation(a, b, accuracy=1e-6, most_pieces=1300)
+    for report in (stopped, few):
+        mean = report.statistics.mean
+        assert mean.lower <= exact.upper and exact.lower <= mean.upper
+        assert mean.gap > 1e-6 * mean.lower
+    assert stopped.stop == "cancelled" and few.stop != "tolerance"
+
+
+@pytest.mark.parametrize(
+    ("options", "sentence"),
+    [
+        ({"accuracy": 0.0}, "the tolerance is 0; it must be"),
+        ({"percentiles": [1.0]}, "the share is 1; it must lie between 0 and 1, both excluded"),
+        ({"threshold": -1.0}, "the threshold is -1; it must be a finite number that is not negative"),
+        ({"threads": 0}, "the number of threads is 0; at least 1 is needed"),
+        ({"time_limit": math.inf}, "the time limit is inf seconds; it must be a finite number that is not negative"),
+    ],
+)
+def test_options_that_mean_nothing_are_named(options, sentence):
+    with pytest.raises(pompeiu.OptionError) as raised:
+        pompeiu.deviation(FLAT, LEANING, **options)
+    assert str(raised.value).startswith(sentence)
+
+
+def test_what_is_shown_encloses_too():
+    rng = np.random.default_rng(13)
+    for x in [0.0, 1.0, 1e-300, 5e-324, 1e300, 0.9999999, *10.0 ** rng.uniform(-20, 20, 200)]:
+        shown = str(pompeiu.Enclosure(x, x))
+        lower, upper = map(float, shown.strip("[]").split(", "))
+        assert lower <= x <= upper and len(shown) <= 34
