@@ -1,5 +1,6 @@
 //! The user guide says what the program does: each `sh` block of its pages is run, and a `text` block after one holds what
-//! the last command of it printed, times aside. `GUIDE_UPDATE=1` writes those blocks anew.
+//! the last command of it printed, times aside; what blocks write into `pictures` are the pictures of the guide, bit for bit.
+//! `GUIDE_UPDATE=1` writes those blocks and pictures anew.
 
 #![allow(clippy::unwrap_used, reason = "tests may panic")]
 
@@ -17,9 +18,10 @@ fn pages() -> Vec<PathBuf> {
     pages
 }
 
-/// A folder with the example meshes.
+/// A folder with the example meshes, and one for pictures.
 fn folder_with_examples() -> Folder {
     let folder = Folder::new();
+    std::fs::create_dir(folder.path().join("pictures")).unwrap();
     for entry in std::fs::read_dir(repository().join("examples/meshes")).unwrap() {
         let path = entry.unwrap().path();
         std::fs::copy(&path, folder.path().join(path.file_name().unwrap())).unwrap();
@@ -103,6 +105,15 @@ fn what_the_guide_shows_is_what_the_program_says() {
         }
         if update {
             std::fs::write(&path, updated).unwrap();
+        }
+        for entry in std::fs::read_dir(folder.path().join("pictures")).unwrap() {
+            let made = entry.unwrap().path();
+            let shown = path.with_file_name("pictures").join(made.file_name().unwrap());
+            if update {
+                std::fs::copy(&made, &shown).unwrap();
+            }
+            let same = std::fs::read(&made).unwrap() == std::fs::read(&shown).unwrap_or_default();
+            assert!(same, "{page}: {} is out of date", shown.display());
         }
     }
 }
