@@ -164,7 +164,7 @@ impl Field<'_> {
     /// The pixel at a place, if it is in the panel.
     fn pixel(&self, place: [f64; 2]) -> Option<usize> {
         let inside = (0..2).all(|axis| 0.0 <= place[axis] && place[axis] < self.size[axis] as f64);
-        inside.then(|| place[1] as usize * self.size[0] + place[0] as usize)
+        inside.then(|| place[1] as u32 as usize * self.size[0] + place[0] as u32 as usize)
     }
 
     fn face_at(&self, place: [f64; 2]) -> u32 {
@@ -210,7 +210,8 @@ impl Field<'_> {
 
 /// Numbers between 0 and 1, smooth over a grain.
 struct Noise {
-    grain: f64,
+    /// Grains along a pixel.
+    per_pixel: f64,
     columns: usize,
     values: Vec<f64>,
 }
@@ -219,15 +220,17 @@ impl Noise {
     fn new(size: [usize; 2], grain: f64) -> Self {
         let [columns, rows] = size.map(|side| (side as f64 / grain) as usize + 2);
         let values = (0..columns * rows).map(|i| hash((i % columns) as u32, (i / columns) as u32)).collect();
-        Self { grain, columns, values }
+        Self { per_pixel: 1.0 / grain, columns, values }
     }
 
     /// The number at a place in the panel.
     fn at(&self, place: [f64; 2]) -> f64 {
-        let [x, y] = place.map(|c| c / self.grain);
-        let upper = y as usize * self.columns + x as usize;
+        let [x, y] = place.map(|c| c * self.per_pixel);
+        // Places are not negative, so that this rounds down; asking for the floor is slower.
+        let [column, row] = [x, y].map(|c| c as u32);
+        let upper = row as usize * self.columns + column as usize;
         let lower = upper + self.columns;
-        let [right, down] = [x - x.floor(), y - y.floor()];
+        let [right, down] = [x - f64::from(column), y - f64::from(row)];
         let mix = |a: f64, b: f64, part: f64| a + part * (b - a);
         let upper = mix(self.values[upper], self.values[upper + 1], right);
         let lower = mix(self.values[lower], self.values[lower + 1], right);
