@@ -25,7 +25,9 @@ pub(super) struct Distribution {
 /// Entries summed at a time; fixed, so that sums do not depend on the number of threads.
 const CHUNK: usize = 1 << 12;
 /// Halvings of the range in which a percentile lies: to the last digit, nearly.
-const HALVINGS: usize = 56;
+const HALVINGS: usize = 50;
+/// Levels at which a range is looked up before it is halved.
+const COARSE: usize = 256;
 
 /// A sum of numbers that are not negative, from below and from above.
 #[derive(Clone, Copy, Debug, Default)]
@@ -112,30 +114,43 @@ impl Distribution {
         chunks.into_iter().fold(Sum::default(), Sum::plus).enclosure()
     }
 
-    /// Encloses the least distance that a share of the area does not exceed.
-    pub(super) fn percentile(&self, share: f64, area: Interval, largest: f64) -> (f64, f64) {
-        // At a level up to which less than the share lies for certain, and at one up to which it does for certain.
-        let low = self.crossing(|e| e.lower, |e| e.area.1, share * area.lower() * LESS, MORE, largest).0;
-        let high = self.crossing(|e| e.upper, |e| e.area.0, share * area.upper() * MORE, LESS, largest).1;
-        (low, high)
+    /// Encloses for each share the least distance that so much of the area does not exceed.
+    pub(super) fn percentiles(&self, shares: &[f64], area: Interval, largest: f64) -> Vec<(f64, f64)> {
+        let coarse = self.cumulative(largest, COARSE);
+        let of_share = |share: &f64| {
+            // Up to the first level less than the share lies for certain, up to the second not less.
+            let (less, enough) = (share * area.lower() * LESS, share * area.upper() * MORE);
+            let low = coarse.partition_point(|up_to| up_to.upper() < less).saturating_sub(1);
+            let high = coarse.partition_point(|up_to| up_to.lower() < enough).min(COARSE);
+            let range = |k: usize| (level(largest, k, COARSE), level(largest, (k + 1).min(COARSE), COARSE));
+            let low = self.crossing(|e| (e.lower, e.area.1), less, MORE, range(low)).0;
+            let high = self.crossing(|e| (e.upper, e.area.0), enough, LESS, range(high.saturating_sub(1))).1;
+            (low, high)
+        };
+        shares.par_iter().map(of_share).collect()
     }
 
-    /// Two neighbouring levels: up to the first, the parts of functions weighted with areas sum up to less than `wanted`, up to
-    /// the second not. The sums are rounded towards `direction`.
+    /// Two neighbouring levels in a range, or its ends: up to the first, the parts of functions weighted with areas sum up to less
+    /// than `wanted`, up to the second not. The sums are rounded towards `direction`. Of the ends of the range that must be known.
     fn crossing(
         &self,
-        function: impl Fn(&Entry) -> Corners,
-        area: impl Fn(&Entry) -> f64,
+        function: impl Fn(&Entry) -> (Corners, f64),
         wanted: f64,
         direction: f64,
-        largest: f64,
+        (mut low, mut high): (f64, f64),
     ) -> (f64, f64) {
-        let rounded = |sum: f64, terms: usize| sum * (1.0 + (direction - 1.0) * (terms + 16) as f64);
         let count = self.entries.len();
-        let mut active: Vec<(Corners, f64)> = self.entries.iter().map(|e| (function(e), area(e))).collect();
-        let (mut low, mut high) = (0.0, largest);
+        let rounded = |sum: f64| sum * (1.0 + (direction - 1.0) * (count + 16) as f64);
         // Of the entries that lie below the range wholly.
         let mut below = 0.0;
+        let mut active: Vec<(Corners, f64)> = Vec::new();
+        for (v, weight) in self.entries.iter().map(function) {
+            if greatest(v) <= low {
+                below += weight;
+            } else if least(v) <= high {
+                active.push((v, weight));
+            }
+        }
         for _ in 0..HALVINGS {
             let level = 0.5 * (low + high);
             let mut sum = below;
@@ -143,7 +158,7 @@ impl Distribution {
                 let part = part_up_to(*v, level);
                 sum += weight * if direction > 1.0 { part.upper() } else { part.lower() };
             }
-            if rounded(sum, count) < wanted {
+            if rounded(sum) < wanted {
                 low = level;
                 active.retain(|(v, weight)| {
                     let inside = greatest(*v) > level;

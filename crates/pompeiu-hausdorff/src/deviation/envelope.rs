@@ -261,7 +261,15 @@ impl<'b> Envelope<'b> {
                 continue;
             }
             let face = bvh.corners(slot).map(DVec3::from_array);
-            let (s, enough) = seen.plane_below(&face, common, upper.map(|u| u - slack), at_corners);
+            // The direction from the nearest point of the nearest face is the common one.
+            let attempts = if slot == near.slot { 2 } else { 3 };
+            let (s, enough) = seen.plane_below(
+                &face,
+                common,
+                upper.map(|u| u - slack),
+                at_corners.map(|d| d - slack),
+                attempts,
+            );
             let s = s.map(|s| s - seen.margin);
             lower = [0, 1, 2].map(|j| lesser(lower[j], s[j]));
             if enough && !pinned && slot != near.slot && slot != uppermost {
@@ -351,17 +359,18 @@ impl View {
     }
 
     /// Values at the corners of the best function below the distance from a face, of a few; and whether it nowhere lies below the
-    /// wanted one. Beyond the distances at the corners no function helps.
+    /// wanted one. Above the distances at the corners, which are given a little too low, no function helps.
     fn plane_below(
         &self,
         face: &[DVec3; 3],
         common: DVec3,
         wanted: Corners,
         at_corners: Corners,
+        attempts: usize,
     ) -> (Corners, bool) {
         let mut best = [f64::NEG_INFINITY; 3];
         let mut best_score = f64::NEG_INFINITY;
-        for attempt in 0..3 {
+        for attempt in 0..attempts {
             let g = match attempt {
                 0 => common,
                 1 => self.normal(face),
@@ -376,6 +385,9 @@ impl View {
             let score = mean([0, 1, 2].map(|j| lesser(s[j] - at_corners[j], 0.0)));
             if score > best_score {
                 (best, best_score) = (s, score);
+            }
+            if score == 0.0 {
+                break;
             }
         }
         (best, false)

@@ -103,8 +103,7 @@ impl Summary {
         let mean = (greater(mean.lower(), 0.0), lesser(mean.upper(), largest));
         // The root of a mean of squares is at least the mean.
         let rms = (greater(rms.lower(), mean.0), lesser(rms.upper(), largest));
-        let percentiles =
-            wanted.percentiles.iter().map(|q| distribution.percentile(*q, area, largest)).collect();
+        let percentiles = distribution.percentiles(wanted.percentiles, area, largest);
         let above = wanted.threshold.map(|t| share_above(distribution, t, area, largest));
         Some(Self { area, mean, rms, percentiles, above })
     }

@@ -56,6 +56,12 @@ impl DirectedDeviation {
     }
 }
 
+/// How far a linear function with this value at a corner of a piece may be off there: from the functions as they are, for those
+/// cut off at zero or at the largest distance are not linear.
+fn error_at(piece: &Piece, corner: usize, shown: f64) -> f64 {
+    greater(piece.upper[corner] - shown, shown - piece.lower[corner])
+}
+
 /// The ends between which the distance at a corner of a piece lies.
 fn ends(field: &Field, piece: &Piece, corner: usize) -> (f64, f64) {
     let high = lesser(piece.upper[corner], field.largest);
@@ -67,12 +73,12 @@ fn middle((low, high): (f64, f64)) -> f64 {
 }
 
 fn part(field: &Field, piece: &Piece) -> DisplayTriangle {
-    let ends = [0, 1, 2].map(|j| ends(field, piece, j));
-    let error = ends.iter().fold(0.0, |e, (low, high)| greater(e, 0.5 * (high - low)));
+    let shown = [0, 1, 2].map(|j| middle(ends(field, piece, j)));
+    let error = (0..3).fold(0.0, |error, j| greater(error, error_at(piece, j, shown[j])));
     DisplayTriangle {
         face: FaceId(piece.face),
         corners: piece.corners.map(|p| field.frame.unmap(p)),
-        distances: ends.map(|ends| field.frame.length_out(middle(ends))),
+        distances: shown.map(|d| field.frame.length_out(d)),
         error: field.frame.length_out(error),
     }
 }
@@ -100,8 +106,7 @@ fn whole(field: &Field, mesh: &TriMesh, f: usize) -> DisplayTriangle {
         for j in 0..3 {
             let beta = closest_barycentric(piece.corners[j], mapped);
             let shown = beta[0] * at_corner[0] + beta[1] * at_corner[1] + beta[2] * at_corner[2];
-            let (low, high) = ends(field, piece, j);
-            error = greater(error, greater(high - shown, shown - low));
+            error = greater(error, error_at(piece, j, shown));
         }
     }
     DisplayTriangle {

@@ -3,6 +3,7 @@
 use crate::support::largest_coordinate;
 use pompeiu_core::geom::Aabb;
 use pompeiu_core::mesh::shapes::{Diagonal, grid, icosphere};
+use pompeiu_core::mesh::{displace_at_random, unweld};
 use pompeiu_core::{FaceId, TriMesh};
 use pompeiu_hausdorff::deviation::Sides;
 use pompeiu_hausdorff::{DeviationQuery, DirectedDeviation, Enclosure, StopReason, directed_hausdorff};
@@ -201,5 +202,89 @@ fn sides_of_spheres() {
         assert!(outside.iter().zip(&report.b_to_a.vertices).all(|(signed, d)| signed == d && *d > 0.3));
         let faces = &report.a_to_b.sides.unwrap().face_winding;
         assert!(faces.iter().all(|w| Sides::is_inside(*w)));
+    }
+}
+
+/// Everything in a report but for the time it took.
+fn bits(report: &DirectedDeviation) -> String {
+    let DirectedDeviation { statistics, faces, vertices, regions, beyond_threshold, stop, .. } = report;
+    let counts = (report.pieces(), report.work.looks, report.work.distances, report.work.rounds);
+    format!("{statistics:?} {faces:?} {vertices:?} {regions:?} {beyond_threshold:?} {stop:?} {counts:?}")
+}
+
+#[test]
+fn one_two_and_eight_threads_give_the_same_bits() {
+    let a = displace_at_random(&icosphere(1.0, 3).unwrap(), 0.02, 3).unwrap();
+    let b = displace_at_random(&icosphere(1.0, 2).unwrap(), 0.05, 4).unwrap();
+    let query = DeviationQuery::new().threshold(0.02).unwrap();
+    let reports = [1, 2, 8].map(|threads| query.clone().threads(threads).unwrap().symmetric(&a, &b));
+    let bits = reports.map(|r| (bits(&r.a_to_b), bits(&r.b_to_a), format!("{:?}", r.pooled)));
+    assert!(bits[0] == bits[1] && bits[0] == bits[2]);
+}
+
+#[test]
+fn a_mesh_and_itself() {
+    let mesh = displace_at_random(&icosphere(1.0, 2).unwrap(), 0.05, 1).unwrap();
+    let report = DeviationQuery::new().directed(&mesh, &mesh);
+    let statistics = report.statistics.unwrap();
+    assert!(statistics.mean.upper() < ROUNDING && statistics.percentiles[3].distance.upper() < ROUNDING);
+    assert!(report.vertices.iter().all(|d| *d == 0.0));
+    assert!(report.regions.is_empty());
+}
+
+/// Points and segments have a largest distance, and no area to have a mean over.
+#[test]
+fn faces_without_area_count_in_the_maximum_alone() {
+    let flat =
+        TriMesh::new(vec![[0.0, 0.0, 1.0], [0.5, 0.0, 1.0], [0.25, 0.0, 1.0]], vec![[0, 1, 2], [0, 0, 0]])
+            .unwrap();
+    let report = DeviationQuery::new().symmetric(&flat, &plate(2));
+    assert!(report.a_to_b.statistics.is_none() && report.greater_percentiles.is_none());
+    is_near(report.a_to_b.faces[0].max, 1.0, ROUNDING);
+    assert!(report.b_to_a.statistics.is_some() && report.pooled.is_some());
+}
+
+/// Two hills of different heights on a plate are two regions, the higher first.
+#[test]
+fn hills_are_told_apart() {
+    let hill = |p: [f64; 3], x: f64, height: f64| {
+        let r = ((p[0] - x) * (p[0] - x) + p[1] * p[1]).sqrt();
+        if r < 0.15 { height * (1.0 - r / 0.15) } else { 0.0 }
+    };
+    let flat = plate(40);
+    let hills = lifted(&flat, |p| hill(p, -0.25, 0.2) + hill(p, 0.25, 0.1));
+    for mesh in [hills.clone(), unweld(&hills).unwrap()] {
+        let report = DeviationQuery::new().threshold(0.05).unwrap().directed(&mesh, &flat);
+        assert_eq!(report.regions.len(), 2, "{:?}", report.regions);
+        assert_eq!(report.beyond_threshold.len(), 2);
+        for (region, (x, height)) in report.regions.iter().zip([(-0.25, 0.2), (0.25, 0.1)]) {
+            is_near(region.peak, height, 0.01 * height);
+            assert!((region.centre[0] - x).abs() < 0.02 && region.centre[1].abs() < 0.02, "{region:?}");
+            assert!((region.witness.from.position[0] - x).abs() < 0.02);
+            assert!(region.level <= 0.501 * height);
+        }
+    }
+}
+
+/// The triangles to draw cover the surface, and show the distance as exactly as they say.
+#[test]
+fn drawn_triangles_show_the_distance() {
+    let a = displace_at_random(&icosphere(1.0, 1).unwrap(), 0.1, 3).unwrap();
+    let b = icosphere(1.0, 2).unwrap();
+    let report = DeviationQuery::new().directed(&a, &b);
+    let targets: Vec<_> = b.face_ids().map(|f| b.corners(f)).collect();
+    let whole: f64 = a.face_ids().map(|f| area(a.corners(f))).sum();
+    for (tolerance, most) in [(1e-3, 1_000_000), (1e-3, 200), (1.0, 1_000_000)] {
+        let drawn = report.tessellation(&a, tolerance, most);
+        let total: f64 = drawn.iter().map(|t| area(t.corners)).sum();
+        assert!((total - whole).abs() < 1e-9 * whole && drawn.len() <= most.max(a.faces().len()));
+        for triangle in drawn {
+            for weights in [[1.0, 0.0, 0.0], [0.2, 0.3, 0.5], [0.6, 0.1, 0.3]] {
+                let at = |k: usize| (0..3).map(|i| weights[i] * triangle.corners[i][k]).sum::<f64>();
+                let shown: f64 = (0..3).map(|i| weights[i] * triangle.distances[i]).sum();
+                let d = point_triangles([0, 1, 2].map(at), &targets);
+                assert!((d - shown).abs() <= triangle.error + ROUNDING, "{d} {shown} {triangle:?}");
+            }
+        }
     }
 }
