@@ -345,7 +345,7 @@ fn there_is_a_manual_page_for_every_command() {
 }
 
 #[test]
-fn a_field_and_its_parts_as_a_picture() {
+fn a_field_and_its_parts_as_a_picture_and_a_page() {
     let folder = Folder::new();
     folder.ok("generate torus -o torus.obj");
     let picture = |name: &str, field: &str| {
@@ -356,6 +356,9 @@ fn a_field_and_its_parts_as_a_picture() {
     assert!(rotation.starts_with(b"\x89PNG"));
     assert_eq!(rotation, picture("b.png", "rotation:z"));
     assert_ne!(rotation, picture("c.png", "gradient:x"));
+    folder.ok("decompose torus.obj --field rotation:z --report a.html");
+    let page = std::fs::read_to_string(folder.path().join("a.html")).unwrap();
+    assert!(page.contains("torus.obj") && page.contains("degrees of freedom"));
     for args in
         ["--image d.png", "--field rotation:z --image torus.obj", "--field rotation:z --image nowhere/d.png"]
     {

@@ -1,5 +1,6 @@
 //! A deviation analysis as a page and as a picture.
 
+use super::names::{axis, name};
 use pompeiu_core::{FaceId, MeshError, TriMesh};
 use pompeiu_figures::html::{
     DeviationPage, DisplayTriangles, Exceedance, Histogram, PageSurface, PointPair, SearchStage, Statistic,
@@ -187,27 +188,11 @@ impl<'r> DeviationReport<'r> {
     }
 }
 
-/// The axis nearest to a direction.
-fn axis(direction: [f64; 3]) -> html::Axis {
-    let [x, y, z] = direction.map(f64::abs);
-    if z >= x && z >= y {
-        html::Axis::Z
-    } else if y >= x {
-        html::Axis::Y
-    } else {
-        html::Axis::X
-    }
-}
-
 /// The triangles as a mesh of its own, unwelded.
 fn soup(triangles: &[DisplayTriangle]) -> Result<TriMesh, MeshError> {
     let positions = triangles.iter().flat_map(|triangle| triangle.corners).collect();
     let faces = (0..triangles.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
     TriMesh::new(positions, faces)
-}
-
-fn name(path: &str) -> &str {
-    path.rsplit(['/', '\\']).next().unwrap_or(path)
 }
 
 fn bounds(enclosure: Enclosure) -> html::Bounds {

@@ -1,8 +1,11 @@
-//! A tangent field and its parts as a picture.
+//! A tangent field and its parts as a page and as a picture.
 
+use super::names::{axis, name};
 use pompeiu_core::TriMesh;
+use pompeiu_figures::html::{FieldsPage, PageField, PageTable};
 use pompeiu_figures::{ColorMap, Figure, FigureError, Image, Panel, Scale, Theme, View, vertex_normals};
-use pompeiu_operators::{Decomposition, FaceField};
+use pompeiu_operators::hodge::OneKind;
+use pompeiu_operators::{Audit, Decomposition, FaceField, field_inner_product};
 use pompeiu_surface::EmbeddedSurface;
 
 /// A field that was split into a gradient, a rotated gradient and a harmonic part, to be shown.
@@ -10,7 +13,7 @@ use pompeiu_surface::EmbeddedSurface;
 /// # Example
 /// ```
 /// use pompeiu::core::mesh::shapes::torus;
-/// use pompeiu::operators::{Boundary, HodgeSolver, Splitting, rotation_field};
+/// use pompeiu::operators::{Audit, Boundary, HodgeSolver, Splitting, rotation_field};
 /// use pompeiu::report::FieldsReport;
 /// use pompeiu::surface::EmbeddedSurface;
 ///
@@ -19,12 +22,24 @@ use pompeiu_surface::EmbeddedSurface;
 /// let solver = HodgeSolver::new(surface.surface(), Splitting::Primal, Boundary::Tangential)?;
 /// let field = rotation_field(&surface, &mesh, [0.0, 0.0, 1.0]);
 /// let parts = solver.decompose(&field)?;
-/// let report = FieldsReport { mesh: &mesh, surface: &surface, field: &field, parts: &parts };
+/// let report = FieldsReport {
+///     path: "torus.obj",
+///     mesh: &mesh,
+///     surface: &surface,
+///     field: &field,
+///     parts: &parts,
+///     audit: Audit::of(surface.mesh(), Boundary::Tangential),
+///     up: [0.0, 0.0, 1.0],
+///     command: None,
+/// };
+/// assert!(report.page().html()?.contains("torus.obj"));
 /// assert_eq!(report.image(640, 480, Default::default(), Default::default())?.height(), 480);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct FieldsReport<'r> {
+    /// The file of the mesh, or whatever else it is called.
+    pub path: &'r str,
     /// The mesh.
     pub mesh: &'r TriMesh,
     /// The same as a surface.
@@ -33,6 +48,12 @@ pub struct FieldsReport<'r> {
     pub field: &'r FaceField,
     /// Its parts.
     pub parts: &'r Decomposition,
+    /// The degrees of freedom, counted.
+    pub audit: Audit,
+    /// Which way is up.
+    pub up: [f64; 3],
+    /// The command that makes the report again.
+    pub command: Option<&'r str>,
 }
 
 impl FieldsReport<'_> {
@@ -52,6 +73,65 @@ impl FieldsReport<'_> {
             titled("rotated gradient", norms.rotated, &self.parts.rotated),
             titled("harmonic", norms.harmonic, &self.parts.harmonic),
         ]
+    }
+
+    /// The page, to be written with [`FieldsPage::html`].
+    pub fn page(&self) -> FieldsPage {
+        let Decomposition { gradient, rotated, harmonic, quality, .. } = self.parts;
+        let norms = quality.norms;
+        let all = [self.field, gradient, rotated, harmonic];
+        let inner = |u: &FaceField, w: &FaceField| field_inner_product(self.surface.surface(), u, w);
+        let fields = self.fields().into_iter().zip([
+            ("field", norms.field),
+            ("gradient", norms.gradient),
+            ("rotated gradient", norms.rotated),
+            ("harmonic", norms.harmonic),
+        ]);
+        let surface = self.surface.mesh();
+        FieldsPage {
+            title: format!("A field on {} and its parts", name(self.path)),
+            up: axis(self.up),
+            name: name(self.path).to_owned(),
+            path: self.path.to_owned(),
+            vertices: surface.vertices(),
+            corners: self.mesh.face_ids().map(|face| self.mesh.corners(face)).collect(),
+            fields: fields
+                .map(|((_, vectors), (label, norm))| PageField { label: label.to_owned(), vectors, norm })
+                .collect(),
+            inner_products: all.iter().map(|u| all.iter().map(|w| inner(u, w)).collect()).collect(),
+            residual: quality.residual * norms.field,
+            tables: vec![self.freedom()],
+            notes: vec![format!(
+                "No part is farther from the true one than {:.1e} of the norm of the field: what the three parts leave over, and how \
+                 far the harmonic part is from the harmonic fields, measured by projecting it onto both other spaces.",
+                quality.part_error
+            )],
+            facts: vec![
+                ["components".to_owned(), surface.components().to_string()],
+                ["genus".to_owned(), surface.genus().to_string()],
+                ["boundary loops".to_owned(), surface.boundary_loops().len().to_string()],
+                ["dimension of the harmonic fields".to_owned(), self.audit.harmonic.to_string()],
+            ],
+            command: self.command.map(str::to_owned),
+            version: env!("CARGO_PKG_VERSION").to_owned(),
+            ..FieldsPage::default()
+        }
+    }
+
+    fn freedom(&self) -> PageTable {
+        let row = |label: &str, kind: OneKind| {
+            let counts = [kind.gradient.to_string(), kind.rotated.to_string(), kind.left_over.to_string()];
+            std::iter::once(label.to_owned()).chain(counts).collect()
+        };
+        PageTable {
+            title: format!("{} degrees of freedom", self.audit.degrees_of_freedom),
+            head: ["functions", "gradients", "rotated gradients", "left over"].map(str::to_owned).to_vec(),
+            rows: vec![
+                row("one of each kind", self.audit.mixed),
+                row("conforming only", self.audit.conforming),
+                row("nonconforming only", self.audit.nonconforming),
+            ],
+        }
     }
 
     /// A picture of the field and its parts with one scale, of the given size in pixels.

@@ -5,6 +5,7 @@
 
 mod deviation;
 mod fields;
+mod names;
 mod stages;
 
 pub use deviation::{DeviationReport, ReportedMesh};

@@ -5,6 +5,7 @@ mod output;
 mod report;
 
 use crate::args::{Boundary, Decompose, FieldSource, Splitting};
+use crate::called::called;
 use crate::exit::Exit;
 use crate::files;
 use crate::printer::Printer;
@@ -24,7 +25,7 @@ pub(crate) fn run(args: &Decompose, printer: &Printer) -> anyhow::Result<Exit> {
     if source.is_none() && args.picture.image.is_some() {
         bail!("--image shows a field and its parts; name one with --field");
     }
-    for path in [&args.output, &args.picture.image].into_iter().flatten() {
+    for path in [&args.output, &args.report, &args.picture.image].into_iter().flatten() {
         files::check_place(path, &[&args.mesh])?;
     }
     let shown = || args.mesh.display().to_string();
@@ -57,8 +58,20 @@ pub(crate) fn run(args: &Decompose, printer: &Printer) -> anyhow::Result<Exit> {
             if let Some(output) = &args.output {
                 output::write(output, &mesh, &surface, splitting, &field, &parts, printer)?;
             }
+            let report = FieldsReport {
+                path: &shown(),
+                mesh: &mesh,
+                surface: &surface,
+                field: &field,
+                parts: &parts,
+                audit,
+                up: args.picture.up.axis(),
+                command: Some(&called()),
+            };
+            if let Some(path) = &args.report {
+                files::write_whole(path, report.page().html()?.as_bytes(), printer)?;
+            }
             if let Some(path) = &args.picture.image {
-                let report = FieldsReport { mesh: &mesh, surface: &surface, field: &field, parts: &parts };
                 let (width, height) = args.picture.image_size;
                 let image = report.image(width, height, args.picture.theme.into(), args.picture.view())?;
                 files::write_image(path, &image, printer)?;

@@ -6,6 +6,7 @@ mod meshes;
 mod text;
 
 use crate::args::Deviation;
+use crate::called::called;
 use crate::exit::Exit;
 use crate::files;
 use crate::numbers::between;
@@ -128,7 +129,7 @@ fn show(
         unit: &outcome.unit,
         threshold: outcome.threshold,
         up: args.picture.up.axis(),
-        command: Some(&command()),
+        command: Some(&called()),
     };
     if let Some(path) = &args.report {
         files::write_whole(path, report.page().html()?.as_bytes(), printer)?;
@@ -139,20 +140,6 @@ fn show(
         files::write_image(path, &image, printer)?;
     }
     Ok(())
-}
-
-/// The command as it was called, quoted where a shell needs it.
-fn command() -> String {
-    let plain = |c: char| c.is_ascii_alphanumeric() || "-_./,:=+%@".contains(c);
-    let quoted = |word: String| {
-        if !word.is_empty() && word.chars().all(plain) {
-            word
-        } else {
-            format!("'{}'", word.replace('\'', "'\\''"))
-        }
-    };
-    let words = std::env::args().skip(1).map(quoted);
-    std::iter::once("pompeiu".to_owned()).chain(words).collect::<Vec<_>>().join(" ")
 }
 
 /// Moves the progress bar.
