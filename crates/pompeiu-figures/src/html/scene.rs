@@ -36,30 +36,36 @@ impl Placement {
     }
 }
 
-/// Triangles with shared corners.
+/// Triangles with shared corners, and corners with shared positions.
 pub(super) struct Indexed {
     pub(super) positions: Vec<[f32; 3]>,
-    /// One for each position; empty where there are no values.
+    /// The position of each corner; every one is used first in order.
+    pub(super) places: Vec<u32>,
+    /// One for each corner; empty where there are no values.
     pub(super) values: Vec<f64>,
-    /// Three for each triangle; every position is used first in order.
+    /// Three for each triangle; every corner is used first in order.
     pub(super) indices: Vec<u32>,
 }
 
 impl Indexed {
     /// Makes corners one where both their place on the screen and their value agree, bit for bit.
     pub(super) fn new(placement: Placement, corners: &[[[f64; 3]; 3]], values: Option<&[[f64; 3]]>) -> Self {
-        let mut known: HashMap<([u32; 3], u64), u32> = HashMap::with_capacity(corners.len());
-        let mut indexed =
-            Self { positions: vec![], values: vec![], indices: Vec::with_capacity(3 * corners.len()) };
+        let mut known: HashMap<(u32, u64), u32> = HashMap::with_capacity(corners.len());
+        let mut known_positions: HashMap<[u32; 3], u32> = HashMap::with_capacity(corners.len() / 2);
+        let indices = Vec::with_capacity(3 * corners.len());
+        let mut indexed = Self { positions: vec![], places: vec![], values: vec![], indices };
         for (triangle, points) in corners.iter().enumerate() {
             for (corner, &point) in points.iter().enumerate() {
                 let position = placement.place(point);
                 let value = values.map(|values| values[triangle][corner]);
-                let key = (position.map(f32::to_bits), value.map_or(0, f64::to_bits));
-                let index = *known.entry(key).or_insert_with(|| {
+                let place = *known_positions.entry(position.map(f32::to_bits)).or_insert_with(|| {
                     indexed.positions.push(position);
-                    indexed.values.extend(value);
                     indexed.positions.len() as u32 - 1
+                });
+                let index = *known.entry((place, value.map_or(0, f64::to_bits))).or_insert_with(|| {
+                    indexed.places.push(place);
+                    indexed.values.extend(value);
+                    indexed.places.len() as u32 - 1
                 });
                 indexed.indices.push(index);
             }
@@ -105,5 +111,6 @@ mod tests {
         let jump = Indexed::new(placement, &corners, Some(&[[0.0, 1.0, 2.0], [1.5, 3.0, 2.0]]));
         assert_eq!(jump.indices, [0, 1, 2, 3, 4, 2]);
         assert_eq!(jump.values, [0.0, 1.0, 2.0, 1.5, 3.0]);
+        assert_eq!((jump.positions.len(), jump.places), (4, vec![0, 1, 2, 1, 3]));
     }
 }

@@ -57,6 +57,7 @@ impl PageSurface {
             "faces": self.faces,
             "vertices": self.vertices,
             "positions": singles(indexed.positions.as_flattened().iter().copied()),
+            "places": first_use_indices(&indexed.places),
             "indices": first_use_indices(&indexed.indices),
             "triangleFaces": (!whole).then(|| integers(faces.iter().copied())),
             "measured": self.deviation.as_ref().map(|deviation| deviation.data(&indexed.values, placement)),

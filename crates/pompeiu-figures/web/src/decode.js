@@ -32,6 +32,15 @@ async function inflate(bytes) {
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
+/** The position of each corner, from positions that corners share. */
+export function spread(positions, places) {
+  const all = new Float32Array(3 * places.length);
+  for (let i = 0; i < places.length; i++) {
+    for (let k = 0; k < 3; k++) all[3 * i + k] = positions[3 * places[i] + k];
+  }
+  return all;
+}
+
 /** Indices in the order of first use: each says how far it is below the first that was not used yet. */
 function fromHighwater(codes) {
   let unused = 0;

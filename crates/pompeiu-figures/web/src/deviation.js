@@ -1,7 +1,7 @@
 // The page of two surfaces and their deviation.
 
 import { Box3, BufferAttribute, BufferGeometry, Mesh, Scene, Vector3 } from "three";
-import { decode } from "./decode.js";
+import { decode, spread } from "./decode.js";
 import { checkbox, choice, h, say, select } from "./dom.js";
 import { enclosure, plain, short } from "./format.js";
 import { Legend } from "./legend.js";
@@ -38,9 +38,9 @@ async function directionOf(data, from, to, surface) {
 export class DeviationApp {
   static async open(data) {
     const surfaces = [];
-    for (const { positions, indices, triangleFaces, measured } of data.surfaces) {
+    for (const { positions, places, indices, triangleFaces, measured } of data.surfaces) {
       surfaces.push(new Surface({
-        positions: await decode(positions), indices: await decode(indices),
+        positions: spread(await decode(positions), await decode(places)), indices: await decode(indices),
         faces: triangleFaces && (await decode(triangleFaces)), values: measured && (await decode(measured.values)),
       }));
     }
@@ -73,6 +73,11 @@ export class DeviationApp {
     this.#buildPage();
     this.#pointing();
     this.update();
+  }
+
+  /** A length with its unit, where that is known. */
+  lengthText(text) {
+    return this.unit ? `${text} ${this.unit}` : text;
   }
 
   get direction() {
@@ -117,7 +122,7 @@ export class DeviationApp {
         return mesh;
       });
       const [start, end] = [this.#point(measured.witness.from), this.#point(measured.witness.to)];
-      const label = `${short(measured.distance[0], 5)}${this.unit && ` ${this.unit}`}`;
+      const label = this.lengthText(short(measured.distance[0], 5));
       return { scene, painted, ghost, stages, pair: new PairMark(start, end, label), ends: [start, end], rings: [], ringsOf: this.#stageRings(measured), chosen: null,
         label: this.signed ? `${from.label}, signed distance from ${direction.to.label}` : `${from.label}, distance from ${direction.to.label}` };
     });
@@ -260,7 +265,7 @@ export class DeviationApp {
     // Surroundings are shown too, or nobody knows where the place is.
     const around = Math.max(radius, Math.min(this.view.sphere.radius * 0.06, radius * 6));
     this.view.fitTo(middle, around, acrossPair(from, to, present, isFree));
-    say(this.spoken, `Looking at the farthest pair, ${enclosure(this.direction.measured.distance)} ${this.unit}`);
+    say(this.spoken, `Looking at the farthest pair, ${this.lengthText(enclosure(this.direction.measured.distance))}`);
   }
 
   chooseRegion(i) {
@@ -277,7 +282,7 @@ export class DeviationApp {
     const isFree = (direction) => !this.direction.surface.blocked(center.clone().addScaledVector(direction, radius * 5 + this.view.sphere.radius * 0.2), from);
     this.view.fitTo(center, Math.max(radius * 1.7, this.view.sphere.radius * 0.03), acrossPair(from, to, present, isFree));
     this.update();
-    say(this.spoken, `Looking at region ${i + 1}, ${enclosure(region.peak)} ${this.unit}`);
+    say(this.spoken, `Looking at region ${i + 1}, ${this.lengthText(enclosure(region.peak))}`);
   }
 
   colorOf(value) {
@@ -381,7 +386,7 @@ export class DeviationApp {
 
   sentence({ value, face, bounds, direction }) {
     const { from } = this.byIndex[direction];
-    return `About ${short(value, 5)} ${this.unit} here; face ${face} of ${from.label} reaches ${enclosure(bounds)} ${this.unit}.`;
+    return `About ${this.lengthText(short(value, 5))} here; face ${face} of ${from.label} reaches ${this.lengthText(enclosure(bounds))}.`;
   }
 
   #read(hit, at) {

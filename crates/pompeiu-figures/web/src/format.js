@@ -42,25 +42,28 @@ const superscript = (n) => String(n).replace(/./g, (c) => ({ "-": "\u207b" })[c]
 /** A number in at most that many digits. */
 export const short = (x, digits = 4) => plain(Number(x.toPrecision(digits)));
 
-/** Digits that show the width of an enclosure in two digits, no fewer than `least`. */
-function digitsFor([lower, upper], least) {
+/** Digits that show the width of an enclosure in two digits, no fewer than `least` and no more than `most`. */
+function digitsFor([lower, upper], least, most) {
   const width = upper - lower;
-  if (!(width > 0)) return 17;
+  if (!(width > 0)) return most;
   const size = Math.max(Math.abs(lower), Math.abs(upper));
-  return Math.min(17, Math.max(least, Math.ceil(Math.log10(size / width)) + 2));
+  return Math.min(most, Math.max(least, Math.ceil(Math.log10(size / width)) + 2));
 }
 
 /** The ends of an enclosure, rounded outwards. */
-export function ends([lower, upper], least = 4) {
-  const digits = digitsFor([lower, upper], least);
+export function ends([lower, upper], least = 4, most = 9) {
+  const digits = digitsFor([lower, upper], least, most);
   return [down(lower, digits), up(upper, digits)];
 }
 
 /** `[lower, upper]`, rounded outwards. */
-export function enclosure(interval, least = 4) {
-  const [lower, upper] = ends(interval, least);
+export function enclosure(interval, least = 4, most = 9) {
+  const [lower, upper] = ends(interval, least, most);
   return `[${plain(lower)}, ${plain(upper)}]`;
 }
+
+/** All digits of the ends. */
+export const exactly = ([lower, upper]) => `[${lower}, ${upper}]`;
 
 /** An enclosure of a fraction as per cent, rounded outwards. */
 export function percent([lower, upper]) {

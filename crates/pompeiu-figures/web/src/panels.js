@@ -1,7 +1,7 @@
 // The side panel of the deviation page, part by part. Each gives an element, and what brings it up to date.
 
 import { card, checkbox, h, say } from "./dom.js";
-import { count, enclosure, percent, plural, short } from "./format.js";
+import { count, enclosure, exactly, percent, plural, short } from "./format.js";
 import { convergence, cumulative, histogram } from "./charts.js";
 
 /** The enclosures, and the way to the pair that proves them. */
@@ -10,14 +10,14 @@ export function answer(app) {
     const { measured, from, to } = direction;
     return h("div", { class: "row" },
       h("dt", {}, `${from.label} \u2192 ${to.label}`),
-      h("dd", {}, h("output", { class: "number" }, enclosure(measured.distance)), h("small", {}, measured.stop)));
+      h("dd", {}, h("output", { class: "number", title: exactly(measured.distance) }, enclosure(measured.distance)), h("small", {}, measured.stop)));
   };
   const { distance } = app.data;
   const fly = h("button", { type: "button", id: "fly-to-pair", class: "primary", onclick: () => app.flyToPair() }, "Fly to the farthest pair");
   const home = h("button", { type: "button", id: "show-all", onclick: () => app.showAll() }, "Show all");
   const element = card("Distance",
     distance && h("p", { class: "headline" },
-      h("span", {}, "H(A, B)"), h("output", { id: "distance", class: "number" }, enclosure(distance)), h("span", { class: "unit" }, app.unit)),
+      h("span", {}, "H(A, B)"), h("output", { id: "distance", class: "number", title: exactly(distance) }, enclosure(distance)), h("span", { class: "unit" }, app.unit)),
     h("dl", { class: "rows" }, app.directions.map(row)),
     h("div", { class: "buttons" }, fly, home));
   return { element };
@@ -103,7 +103,7 @@ export function stages(app) {
     slider.disabled = play.disabled = all.length === 0;
     const stage = all[app.state.stage];
     const said = stage
-      ? `At ${short(stage.tolerance, 3)} ${app.unit}: ${plural(stage.count, "part")} of ${from.label} left, distance in ${enclosure([stage.lower, stage.upper])}`
+      ? `At ${app.lengthText(short(stage.tolerance, 3))}: ${plural(stage.count, "part")} of ${from.label} left, distance in ${enclosure([stage.lower, stage.upper])}`
       : all.length ? `Off. Move the slider: ${plural(all.length, "stage")} were recorded.` : "No stages were recorded in this direction.";
     say(text, said);
     text.dataset.count = stage ? String(stage.count) : "";
@@ -128,8 +128,8 @@ export function regions(app) {
       },
       h("b", {}, String(i + 1)),
       h("span", { class: "swatch" }),
-      h("span", {}, h("span", { class: "number" }, enclosure(region.peak, 3)), h("small", {},
-        `${short(region.extent, 3)} ${app.unit} across, area ${short(region.area, 3)}${app.unit && ` ${app.unit}\u00b2`}`))))));
+      h("span", {}, h("span", { class: "number", title: exactly(region.peak) }, enclosure(region.peak, 3, 6)), h("small", {},
+        `${app.lengthText(short(region.extent, 3))} across, area ${short(region.area, 3)}${app.unit && ` ${app.unit}\u00b2`}`))))));
       if (!direction.measured.regions.length) list.replaceChildren(h("li", { class: "note" }, "None were given in this direction."));
     }
     for (const button of list.querySelectorAll("button")) {
