@@ -1,7 +1,7 @@
 """Types of the native half; `Mesh` and the shapes are public, the rest is wrapped."""
 
 import os
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any, Optional
 
 import numpy as np
@@ -71,7 +71,7 @@ class Entries:
 
 def rank_meshes(
     template: Mesh,
-    sources: list[Mesh | str | os.PathLike[str]],
+    sources: Sequence[Mesh | str | os.PathLike[str]],
     names: list[str],
     options: str,
     threads: Optional[int],

@@ -213,6 +213,11 @@ class DirectedDeviation(_Arrays):
         Distances of the vertices; NaN for those that belong to no face.
     vertex_error : float
         The exact distance of each vertex differs by at most this from the one given.
+    signed_vertex_distances : ndarray, float64, shape (n,), optional
+        Distances of the vertices, negative inside of the other mesh, if ``signed`` was asked for.
+    vertex_winding, face_winding : ndarray, float64, shape (n,) and (m,), optional
+        Winding numbers of the other mesh about the vertices and about the centroids of the faces, if ``signed`` was asked for. A
+        magnitude above one half means inside; about a closed mesh the numbers are whole but for the error of evaluating them.
     regions : tuple of Region
         The worst regions, the worst first.
     beyond_threshold : tuple of Region
@@ -233,6 +238,9 @@ class DirectedDeviation(_Arrays):
     face_mean: NDArray[np.float64]
     vertex_distances: NDArray[np.float64]
     vertex_error: float
+    signed_vertex_distances: Optional[NDArray[np.float64]]
+    vertex_winding: Optional[NDArray[np.float64]]
+    face_winding: Optional[NDArray[np.float64]]
     regions: Tuple[Region, ...]
     beyond_threshold: Tuple[Region, ...]
     stop: Stop
@@ -266,7 +274,7 @@ class DirectedDeviation(_Arrays):
         )
 
     def _rows(self) -> "list[tuple[str, str]]":
-        rows = [] if self.statistics is None else self.statistics._rows()
+        rows: "list[tuple[str, str]]" = [] if self.statistics is None else self.statistics._rows()
         rows.append(("largest", f"[{self.lower!r}, {self.upper!r}]"))
         for place, region in enumerate(self.regions, 1):
             at = "({:.4g}, {:.4g}, {:.4g})".format(*region.witness.from_.position)
@@ -323,7 +331,7 @@ class Deviation(_Arrays, _Interval):
         return f"Deviation(H in {shown_bounds(self.lower, self.upper)}, {self.a_to_b!r}, {self.b_to_a!r})"
 
     def _repr_html_(self) -> str:
-        rows = []
+        rows: "list[tuple[str, str]]" = []
         for name, one in (("A to B", self.a_to_b), ("B to A", self.b_to_a)):
             rows.extend((f"{name}: {key}", value) for key, value in one._rows())
         return _table("deviation", rows)
@@ -362,6 +370,7 @@ def deviation(
     percentiles: Sequence[float] = DEFAULT_PERCENTILES,
     bins: int = DEFAULT_BINS,
     regions: int = DEFAULT_REGIONS,
+    signed: bool = False,
     most_pieces: int = DEFAULT_PIECES,
     threads: Optional[int] = None,
     time_limit: Optional[float] = None,
@@ -386,6 +395,8 @@ def deviation(
         Bins of the histogram.
     regions : int
         How many regions are listed, of each kind.
+    signed : bool
+        Whether to find out on which side of the other mesh vertices and faces lie.
     most_pieces : int
         Refining stops at about so many pieces, with wider enclosures.
     threads, time_limit, memory_limit, progress
@@ -414,7 +425,9 @@ def deviation(
     >>> 0.25 in report.a_to_b.statistics.mean
     True
     """
-    options = _options(accuracy, threshold, percentiles, bins, regions, most_pieces, threads, time_limit, memory_limit)
+    options = _options(
+        accuracy, threshold, percentiles, bins, regions, signed, most_pieces, threads, time_limit, memory_limit
+    )
     a, b = as_mesh(a), as_mesh(b)
     with watching(progress) as watch:
         return Deviation._of(_native.deviation(a, b, options, watch))
@@ -429,6 +442,7 @@ def directed_deviation(
     percentiles: Sequence[float] = DEFAULT_PERCENTILES,
     bins: int = DEFAULT_BINS,
     regions: int = DEFAULT_REGIONS,
+    signed: bool = False,
     most_pieces: int = DEFAULT_PIECES,
     threads: Optional[int] = None,
     time_limit: Optional[float] = None,
@@ -446,7 +460,9 @@ def directed_deviation(
     MeshError, ReadError, OptionError, KeyboardInterrupt
         As for :func:`deviation`.
     """
-    options = _options(accuracy, threshold, percentiles, bins, regions, most_pieces, threads, time_limit, memory_limit)
+    options = _options(
+        accuracy, threshold, percentiles, bins, regions, signed, most_pieces, threads, time_limit, memory_limit
+    )
     a, b = as_mesh(a), as_mesh(b)
     with watching(progress) as watch:
         return DirectedDeviation._of(_native.directed_deviation(a, b, options, watch))
@@ -458,6 +474,7 @@ def _options(
     percentiles: Sequence[float],
     bins: int,
     regions: int,
+    signed: bool,
     most_pieces: int,
     threads: Optional[int],
     time_limit: Optional[float],
@@ -469,6 +486,7 @@ def _options(
         "percentiles": list(percentiles),
         "bins": bins,
         "regions": regions,
+        "signed": signed,
         "most_pieces": most_pieces,
         "threads": threads,
         "time_limit": time_limit,

@@ -150,7 +150,7 @@ class RankReport:
         rows = []
         for s in self.standings:
             place = "–".join(str(rank) for rank in dict.fromkeys(s.ranks or ()))
-            told = s.message if s.status == "failed" else f"{s.lower!r} to {s.upper!r}"
+            told = f"{s.lower!r} to {s.upper!r}" if s.message is None else s.message
             rows.append((f"{place} {s.name}".strip(), told if s.status != "discarded" else f"{told} (discarded)"))
         return _table("distance from the template", rows)
 
@@ -297,9 +297,9 @@ def rank(
     """
     options = rank_options(top, all, measure, alignment, tolerance)
     names, sources = named(targets, names)
-    sources = [s if isinstance(s, (str, os.PathLike)) else as_mesh(s) for s in sources]
+    meshes = [s if isinstance(s, (str, os.PathLike)) else as_mesh(s) for s in sources]
     with watching_steps(progress, "targets settled") as watch:
-        text, finished = _native.rank_meshes(as_mesh(template), sources, names, options, threads, watch)
+        text, finished = _native.rank_meshes(as_mesh(template), meshes, names, options, threads, watch)
     return RankReport._of(text, finished)
 
 
@@ -333,6 +333,6 @@ def distance_matrix(
     MeshError, ReadError, OptionError, KeyboardInterrupt
         As for :func:`rank`.
     """
-    meshes = [as_mesh(mesh) for mesh in meshes]
+    checked = [as_mesh(mesh) for mesh in meshes]
     with watching_steps(progress, "meshes") as watch:
-        return DistanceMatrix(*_native.distance_matrix(meshes, tolerance, threads, watch))
+        return DistanceMatrix(*_native.distance_matrix(checked, tolerance, threads, watch))

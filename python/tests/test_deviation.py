@@ -101,6 +101,17 @@ def test_the_same_bits_for_any_number_of_threads_and_through_a_pickle():
         assert shown._repr_html_().count("<tr>") > 4
 
 
+def test_sides_are_told_apart():
+    inner, outer = pompeiu.shapes.icosphere(1.0, 2), pompeiu.shapes.icosphere(1.5, 3)
+    report = pompeiu.deviation(inner, outer, signed=True)
+    # Winding numbers are evaluated only as well as the side needs.
+    assert np.all(np.abs(report.a_to_b.vertex_winding - 1) < 0.5) and np.all(np.abs(report.a_to_b.face_winding - 1) < 0.5)
+    assert np.all(np.abs(report.b_to_a.vertex_winding) < 0.5) and report.b_to_a.face_winding.shape == (1280,)
+    assert np.array_equal(report.a_to_b.signed_vertex_distances, -report.a_to_b.vertex_distances)
+    assert np.array_equal(report.b_to_a.signed_vertex_distances, report.b_to_a.vertex_distances)
+    assert pompeiu.directed_deviation(inner, outer).signed_vertex_distances is None
+
+
 def test_a_mesh_without_area_has_no_statistics():
     points = mesh([[0, 0, 1], [1, 0, 2]], [[0, 0, 0], [1, 1, 1]])
     report = pompeiu.deviation(points, grid(4.0, 1))

@@ -1,6 +1,7 @@
 """Meshes from arrays, files and objects of other libraries."""
 
 import math
+import tracemalloc
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -64,6 +65,28 @@ def test_arrays_are_given_back_as_they_were():
     mesh.vertices[:] = 0
     assert np.array_equal(mesh.vertices, VERTICES), "a copy, so that the mesh does not change"
     assert repr(mesh) == "Mesh(8 vertices, 12 faces)"
+
+
+def test_no_more_copies_than_one_each_way():
+    vertices, faces = (read_only(array) for array in cube(2.0))
+    vertices = read_only(np.tile(vertices, (50_000, 1)))
+    for indices in (faces.astype(np.uint32), faces.astype(np.int32), faces):
+        tracemalloc.start()
+        try:
+            mesh = pompeiu.Mesh(vertices, read_only(np.tile(indices, (50_000, 1)))[::2])
+            _, peak = tracemalloc.get_traced_memory()
+        finally:
+            tracemalloc.stop()
+        # numpy tells what it takes; the mesh's own memory is not Python's.
+        tiled = 50_000 * indices.nbytes
+        assert peak < 2 * tiled + vertices.nbytes // 10
+    tracemalloc.start()
+    try:
+        handed_out = mesh.vertices
+        _, peak = tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()
+    assert peak < vertices.nbytes // 10 and not handed_out.flags.owndata and handed_out.flags.c_contiguous
 
 
 @pytest.mark.parametrize(

@@ -20,6 +20,7 @@ pub(crate) struct Options {
     percentiles: Vec<f64>,
     bins: usize,
     regions: usize,
+    signed: bool,
     most_pieces: usize,
     threads: Option<usize>,
     /// In seconds.
@@ -36,6 +37,7 @@ impl Options {
             .map_err(Raise::raise)?
             .bins(self.bins)
             .regions(self.regions)
+            .signed(self.signed)
             .most_pieces(self.most_pieces);
         if let Some(threshold) = self.threshold {
             query = query.threshold(threshold).map_err(Raise::raise)?;
@@ -155,6 +157,9 @@ pub(crate) struct OneWay<'py> {
     face_mean: Bound<'py, PyArray2<f64>>,
     vertex_distances: Bound<'py, PyArray1<f64>>,
     vertex_error: f64,
+    signed_vertex_distances: Option<Bound<'py, PyArray1<f64>>>,
+    vertex_winding: Option<Bound<'py, PyArray1<f64>>>,
+    face_winding: Option<Bound<'py, PyArray1<f64>>>,
     regions: Vec<Region<'py>>,
     beyond_threshold: Vec<Region<'py>>,
     stop: &'static str,
@@ -167,6 +172,9 @@ impl<'py> OneWay<'py> {
         let of_faces = |end: fn(&FaceDeviation) -> &Enclosure| {
             array_of_rows(py, report.faces.iter().map(|face| row(end(face))).collect())
         };
+        let signed = report.signed_vertices();
+        let (vertex_winding, face_winding) =
+            report.sides.map(|sides| (sides.vertex_winding, sides.face_winding)).unzip();
         Ok(Self {
             direction: match report.direction {
                 Direction::AToB => "a_to_b",
@@ -179,6 +187,9 @@ impl<'py> OneWay<'py> {
             statistics: report.statistics.map(|statistics| Statistics::new(py, statistics)).transpose()?,
             vertex_distances: report.vertices.into_pyarray(py),
             vertex_error: report.vertex_error,
+            signed_vertex_distances: signed.map(|distances| distances.into_pyarray(py)),
+            vertex_winding: vertex_winding.map(|numbers| numbers.into_pyarray(py)),
+            face_winding: face_winding.map(|numbers| numbers.into_pyarray(py)),
             regions: regions(py, report.regions),
             beyond_threshold: regions(py, report.beyond_threshold),
             stop: stop(report.stop),
