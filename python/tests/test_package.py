@@ -6,6 +6,7 @@ import importlib
 import inspect
 import pkgutil
 import re
+import shutil
 from pathlib import Path
 
 import nbclient
@@ -22,6 +23,19 @@ def test_examples_in_the_documentation_run(name):
     module = importlib.import_module(name)
     assert module.__doc__
     assert doctest.testmod(module).failed == 0
+
+
+def test_the_page_of_the_guide_is_true(repository, tmp_path, monkeypatch):
+    for example in (repository / "examples" / "meshes").glob("*.obj"):
+        shutil.copy(example, tmp_path)
+    monkeypatch.chdir(tmp_path)
+    page = repository / "docs" / "guide" / "pages" / "python.md"
+    # The end of a block is no output.
+    text = page.read_text(encoding="utf-8").replace("\n```", "\n\n")
+    test = doctest.DocTestParser().get_doctest(text, {}, page.name, str(page), 0)
+    assert len(test.examples) > 15
+    flags = doctest.IGNORE_EXCEPTION_DETAIL
+    assert doctest.DocTestRunner(optionflags=flags).run(test).failed == 0
 
 
 def test_everything_public_is_documented():
