@@ -92,6 +92,21 @@ fn files_hold_what_the_answer_says() {
 }
 
 #[test]
+fn inside_is_negative() {
+    let folder = Folder::new();
+    folder.ok("generate icosphere --subdivisions 2 --radius 1 -o inner.ply");
+    folder.ok("generate icosphere --subdivisions 2 --radius 2 -o outer.ply");
+    let found = json(&folder, "deviation inner.ply outer.ply --signed --json -a a.vtp --report r.html");
+    let inside = |way: &str| found[way]["vertices_inside"].as_u64().unwrap();
+    assert_eq!((inside("a_to_b"), inside("b_to_a")), (162, 0));
+    let header = std::fs::read(folder.path().join("a.vtp")).unwrap();
+    let header = String::from_utf8_lossy(&header[..2000]);
+    assert!(header.contains("\"signed_distance\"") && header.contains("\"winding_number\""), "{header}");
+    let page = std::fs::read_to_string(folder.path().join("r.html")).unwrap();
+    assert!(page.contains("\"signed\":true"));
+}
+
+#[test]
 fn files_are_refused_before_any_work() {
     let folder = plates();
     for (args, reason) in [

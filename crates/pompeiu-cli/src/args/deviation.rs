@@ -23,7 +23,7 @@ Exit codes:
 Examples:
   pompeiu deviation model.obj scan.ply
   pompeiu deviation model.obj scan.ply --threshold 0.05 --report scan.html
-  pompeiu deviation model.obj scan.ply -a model.vtp -b scan.vtp
+  pompeiu deviation model.obj scan.ply --signed -a model.vtp -b scan.vtp
   pompeiu deviation model.obj scan.ply --json")]
 pub(crate) struct Deviation {
     /// A mesh file: the surface as it should be
@@ -35,6 +35,9 @@ pub(crate) struct Deviation {
     /// Enclose the share of the area that is farther than this length, and list the regions beyond it
     #[arg(long, value_parser = magnitude, allow_negative_numbers = true, value_name = "LENGTH")]
     pub(crate) threshold: Option<f64>,
+    /// Tell inside from outside, by generalised winding numbers: distances inside the other mesh are shown negative
+    #[arg(long)]
+    pub(crate) signed: bool,
     /// Largest width of the intervals of mean, root mean square and percentiles, relative to their values
     #[arg(long, value_parser = magnitude, allow_negative_numbers = true, default_value = "0.01", value_name = "X")]
     pub(crate) accuracy: f64,

@@ -1,12 +1,15 @@
 //! A deviation analysis as a page and as a picture.
 
 use super::names::{axis, name};
+use pompeiu_core::spatial::{Winding, WindingNumber};
 use pompeiu_core::{FaceId, MeshError, TriMesh};
 use pompeiu_figures::html::{
     DeviationPage, DisplayTriangles, Exceedance, Histogram, PageSurface, PointPair, SearchStage, Statistic,
 };
 use pompeiu_figures::{ColorMap, Figure, FigureError, Image, Mark, Panel, Scale, Theme, Values, View, html};
-use pompeiu_hausdorff::deviation::{Deviation, DirectedDeviation, DisplayTriangle, Region, Statistics};
+use pompeiu_hausdorff::deviation::{
+    Deviation, DirectedDeviation, DisplayTriangle, Region, Sides, Statistics,
+};
 use pompeiu_hausdorff::{Direction, Enclosure, Stage, StopReason, Witness};
 
 /// A mesh as a report names it.
@@ -77,11 +80,18 @@ struct Side<'r> {
 impl<'r> DeviationReport<'r> {
     fn sides(&self) -> [Side<'r>; 2] {
         let tolerance = COLOR_TOLERANCE * self.deviation.distance.upper();
-        [(self.a, &self.deviation.a_to_b), (self.b, &self.deviation.b_to_a)].map(|(measured, found)| Side {
-            measured,
-            found,
-            triangles: found.tessellation(measured.mesh, tolerance, MOST_TRIANGLES),
+        let ways = [(self.a, self.b, &self.deviation.a_to_b), (self.b, self.a, &self.deviation.b_to_a)];
+        ways.map(|(measured, other, found)| {
+            let mut triangles = found.tessellation(measured.mesh, tolerance, MOST_TRIANGLES);
+            if let Some(sides) = &found.sides {
+                give_signs(&mut triangles, measured.mesh, other.mesh, sides);
+            }
+            Side { measured, found, triangles }
         })
+    }
+
+    fn is_signed(&self) -> bool {
+        self.deviation.a_to_b.sides.is_some()
     }
 
     /// The page, to be written with [`DeviationPage::html`].
@@ -91,6 +101,7 @@ impl<'r> DeviationReport<'r> {
             title: format!("{} and {}", name(self.a.path), name(self.b.path)),
             unit: self.unit.to_owned(),
             up: axis(self.up),
+            signed: self.is_signed(),
             threshold: self.threshold,
             distance: Some(bounds(self.deviation.distance)),
             surfaces: sides.each_ref().map(|side| self.surface(side)),
@@ -98,7 +109,6 @@ impl<'r> DeviationReport<'r> {
             facts: self.facts(),
             command: self.command.map(str::to_owned),
             version: env!("CARGO_PKG_VERSION").to_owned(),
-            ..DeviationPage::default()
         }
     }
 
@@ -155,7 +165,11 @@ impl<'r> DeviationReport<'r> {
     pub fn image(&self, width: u32, height: u32, theme: Theme, view: View) -> Result<Image, FigureError> {
         let sides = self.sides();
         let extent = self.deviation.distance.upper();
-        let scale = Scale::new(ColorMap::Viridis, 0.0, extent)?;
+        let scale = if self.is_signed() {
+            Scale::symmetric(ColorMap::Vik, extent)?
+        } else {
+            Scale::new(ColorMap::Viridis, 0.0, extent)?
+        };
         let scale = self.threshold.map_or(scale, |threshold| scale.with_limit(threshold));
         let drawn = sides.each_ref().map(|side| (soup(&side.triangles), side));
         let label =
@@ -185,6 +199,27 @@ impl<'r> DeviationReport<'r> {
             );
         }
         figure.draw()
+    }
+}
+
+/// Makes distances inside the other mesh negative: at the vertices of a face drawn whole, elsewhere on a piece of a face as a whole.
+fn give_signs(triangles: &mut [DisplayTriangle], mesh: &TriMesh, other: &TriMesh, sides: &Sides) {
+    let is_part = |triangle: &DisplayTriangle| triangle.corners != mesh.corners(triangle.face);
+    let centre = |t: &DisplayTriangle| [0, 1, 2].map(|k| t.corners.iter().map(|p| p[k] / 3.0).sum());
+    let centres: Vec<[f64; 3]> = triangles.iter().filter(|t| is_part(t)).map(centre).collect();
+    let windings = Winding::new(other).about_all(&centres);
+    let mut of_parts = windings.iter().map(WindingNumber::is_inside);
+    for triangle in triangles {
+        let inside = if is_part(triangle) {
+            [of_parts.next().unwrap_or(false); 3]
+        } else {
+            mesh.faces()[triangle.face.index()].map(|v| Sides::is_inside(sides.vertex_winding[v as usize]))
+        };
+        for (distance, inside) in triangle.distances.iter_mut().zip(inside) {
+            if inside {
+                *distance = -*distance;
+            }
+        }
     }
 }
 

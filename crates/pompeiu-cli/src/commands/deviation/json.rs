@@ -74,7 +74,7 @@ impl Directed {
             distance: directed.distance.distance.into(),
             witness: WitnessPoints::new(&directed.distance.witness, directed.direction),
             statistics: directed.statistics.as_ref().map(Numbers::from),
-            vertices_inside: None,
+            vertices_inside: directed.sides.as_ref().map(super::inside),
             regions: places(&directed.regions),
             beyond_threshold: places(&directed.beyond_threshold),
             stop: stop_name(directed.stop),

@@ -27,12 +27,14 @@ pub(super) fn write(
     extent: f64,
     printer: &Printer,
 ) -> anyhow::Result<()> {
-    let scale = Scale::new(ColorMap::Viridis, 0.0, extent)?;
-    let values = deviation.vertices.clone();
+    let (name, values, scale) = match deviation.signed_vertices() {
+        Some(values) => ("signed_distance", values, Scale::symmetric(ColorMap::Vik, extent)?),
+        None => ("distance", deviation.vertices.clone(), Scale::new(ColorMap::Viridis, 0.0, extent)?),
+    };
     let colors = values.iter().map(|&value| scale.color(value)).collect();
     let mut attributes = Attributes::for_mesh(mesh).with_vertex_colors(colors)?;
     if OutputFormat::from_path(path).is_some_and(OutputFormat::holds_scalars) {
-        attributes = attributes.with_vertex_scalar("distance", values)?;
+        attributes = attributes.with_vertex_scalar(name, values)?;
         let of_faces =
             |value: fn(&FaceDeviation) -> f64| deviation.faces.iter().map(value).collect::<Vec<_>>();
         attributes = attributes
@@ -40,9 +42,15 @@ pub(super) fn write(
             .with_face_scalar("max_upper", of_faces(|face| face.max.upper()))?
             .with_face_scalar("mean_lower", of_faces(|face| face.mean.lower()))?
             .with_face_scalar("mean_upper", of_faces(|face| face.mean.upper()))?;
+        if let Some(sides) = &deviation.sides {
+            attributes = attributes
+                .with_vertex_scalar("winding_number", sides.vertex_winding.clone())?
+                .with_face_scalar("winding_number", sides.face_winding.clone())?;
+        }
     }
     write_with(path, mesh, &attributes)?;
     let faces = grouped(mesh.faces().len() as u64);
-    printer.note(format_args!("{}: {faces} faces, coloured from 0 to {extent:.4}", path.display()));
+    let from = scale.range().0;
+    printer.note(format_args!("{}: {faces} faces, coloured from {from:.4} to {extent:.4}", path.display()));
     Ok(())
 }

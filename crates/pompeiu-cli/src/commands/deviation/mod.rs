@@ -15,7 +15,7 @@ use crate::printer::Printer;
 use crate::threads::use_threads;
 use crate::wait::Wait;
 use pompeiu::core::TriMesh;
-use pompeiu::hausdorff::deviation::{self, DeviationQuery, DirectedDeviation};
+use pompeiu::hausdorff::deviation::{self, DeviationQuery, DirectedDeviation, Sides};
 use pompeiu::hausdorff::{Direction, Observer, Progress, StopReason};
 use pompeiu::report::{DeviationReport, ReportedMesh, search_stages};
 use std::ops::ControlFlow;
@@ -74,7 +74,8 @@ fn query(args: &Deviation, read: Duration) -> anyhow::Result<DeviationQuery> {
     let mut query = DeviationQuery::new()
         .accuracy(args.accuracy)?
         .percentiles(&args.percentiles.0)?
-        .regions(args.regions);
+        .regions(args.regions)
+        .signed(args.signed);
     if let Some(threshold) = args.threshold {
         query = query.threshold(threshold)?;
     }
@@ -162,6 +163,11 @@ impl Observer for Watch<'_> {
 /// Both directions, with what each is called.
 fn directions(deviation: &deviation::Deviation) -> [(&'static str, &DirectedDeviation); 2] {
     [("a_to_b", &deviation.a_to_b), ("b_to_a", &deviation.b_to_a)]
+}
+
+/// How many vertices lie inside the other mesh.
+fn inside(sides: &Sides) -> usize {
+    sides.vertex_winding.iter().filter(|winding| Sides::is_inside(**winding)).count()
 }
 
 /// A share of the area as a percentile is called.

@@ -55,6 +55,11 @@ fn directed(page: &mut Page, outcome: &Outcome, directed: &DirectedDeviation, na
         Some(found) => statistics(page, found),
         None => page.row("", "no face has an area to take a mean over"),
     }
+    if let Some(sides) = &directed.sides {
+        let inside = grouped(super::inside(sides) as u64);
+        let all = directed.vertices.iter().filter(|distance| !distance.is_nan()).count();
+        page.row("  inside", &format!("{inside} of {} vertices", grouped(all as u64)));
+    }
     regions(page, "  regions", &directed.regions);
     if let Some(threshold) = outcome.threshold {
         let name = format!("  > {}", shortest(threshold));
