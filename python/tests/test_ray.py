@@ -2,7 +2,7 @@
 
 import os
 import signal
-import time
+import uuid
 
 import numpy as np
 import pompeiu
@@ -28,30 +28,36 @@ def cluster():
     ray.shutdown()
 
 
-def working():
-    """The processes of this cluster that do a task just now."""
-    found = []
-    for process in psutil.Process().children(recursive=True):
-        try:
-            if " ".join(process.cmdline()).startswith(("ray::_perform", "ray::_measure")):
-                found.append(process)
-        except psutil.Error:
-            pass
-    return found
+def dying_once(task, folder, at):
+    """The same task, except that the worker kills itself in the midst of the one that is begun as number ``at``, once."""
+    perform = task._function
+
+    def performed(*args):
+        number = len(os.listdir(folder))
+        (folder / str(uuid.uuid4())).touch()
+        if number >= at:
+            try:
+                (folder.parent / "killed").open("x").write(str(os.getpid()))
+            except FileExistsError:
+                pass
+            else:
+                os.kill(os.getpid(), signal.SIGKILL)
+        return perform(*args)
+
+    return ray.remote(max_retries=distributed.RETRIES)(performed)
 
 
-class KillOneHalfWay:
-    """Kills a process that is at work when half of the tasks of a round are done, once."""
+@pytest.fixture
+def killed(monkeypatch, tmp_path):
+    """Makes a task of this name kill its worker half way; gives what tells which worker that was."""
 
-    def __init__(self):
-        self.killed = None
+    def kill(name, at):
+        folder = tmp_path / "begun"
+        folder.mkdir()
+        monkeypatch.setattr(distributed, name, dying_once(getattr(distributed, name), folder, at))
+        return lambda: int((tmp_path / "killed").read_text())
 
-    def __call__(self, done, all, settled, of):
-        if self.killed is None and done == all // 2:
-            while not (at_work := working()):
-                time.sleep(0.001)
-            self.killed = at_work[0].pid
-            os.kill(self.killed, signal.SIGKILL)
+    return kill
 
 
 def test_a_ranking_is_the_same_to_the_last_bit(cluster):
@@ -59,17 +65,17 @@ def test_a_ranking_is_the_same_to_the_last_bit(cluster):
         assert distributed.rank(TEMPLATE, TORI, **options) == pompeiu.rank(TEMPLATE, TORI, **options)
 
 
-def test_a_worker_that_is_killed_half_way_loses_nothing(cluster):
-    kill = KillOneHalfWay()
-    assert distributed.rank(TEMPLATE, TORI, top=4, all=True, progress=kill) == pompeiu.rank(TEMPLATE, TORI, top=4, all=True)
-    assert kill.killed is not None and not psutil.pid_exists(kill.killed)
+def test_a_worker_that_is_killed_half_way_loses_nothing(cluster, killed):
+    worker = killed("_perform", len(TORI) // 2)
+    assert distributed.rank(TEMPLATE, TORI, top=4, all=True) == pompeiu.rank(TEMPLATE, TORI, top=4, all=True)
+    assert not psutil.pid_exists(worker())
 
 
-def test_a_matrix_is_the_same_to_the_last_bit_though_a_worker_is_killed(cluster):
-    kill = KillOneHalfWay()
+def test_a_matrix_is_the_same_to_the_last_bit_though_a_worker_is_killed(cluster, killed):
     meshes = TORI[:5]
-    assert distributed.distance_matrix(meshes, progress=kill) == pompeiu.distance_matrix(meshes)
-    assert kill.killed is not None
+    worker = killed("_measure", len(meshes) // 2)
+    assert distributed.distance_matrix(meshes) == pompeiu.distance_matrix(meshes)
+    assert not psutil.pid_exists(worker())
 
 
 def test_a_file_that_cannot_be_read_has_failed_as_it_does_here(cluster, tmp_path):
