@@ -25,15 +25,16 @@ def test_examples_in_the_documentation_run(name):
     assert doctest.testmod(module).failed == 0
 
 
-def test_the_page_of_the_guide_is_true(repository, tmp_path, monkeypatch):
+@pytest.mark.parametrize("page, least", [("python.md", 15), ("ray.md", 8)])
+def test_pages_of_the_guide_are_true(page, least, repository, tmp_path, monkeypatch):
     for example in (repository / "examples" / "meshes").glob("*.obj"):
         shutil.copy(example, tmp_path)
     monkeypatch.chdir(tmp_path)
-    page = repository / "docs" / "guide" / "pages" / "python.md"
+    page = repository / "docs" / "guide" / "pages" / page
     # The end of a block is no output.
     text = page.read_text(encoding="utf-8").replace("\n```", "\n\n")
     test = doctest.DocTestParser().get_doctest(text, {}, page.name, str(page), 0)
-    assert len(test.examples) > 15
+    assert len(test.examples) > least
     flags = doctest.IGNORE_EXCEPTION_DETAIL
     assert doctest.DocTestRunner(optionflags=flags).run(test).failed == 0
 
