@@ -119,3 +119,21 @@ fn what_has_no_area_is_refused_and_thin_or_flat_meshes_are_not() {
         assert_eq!(align(&huge, &Fixed::new(&tiny).unwrap(), alignment), Err(AlignError::Sizes));
     }
 }
+
+/// The principal axes of a part are not those of the whole: only closest points can find its place.
+#[test]
+fn a_part_is_moved_to_its_place_in_the_whole() {
+    let mesh = asymmetric();
+    let fixed = Fixed::new(&mesh).unwrap();
+    let (positions, faces) = mesh.clone().into_parts();
+    let kept = |face: &&[u32; 3]| face.iter().all(|&v| positions[v as usize][0] > -1.5);
+    let faces: Vec<_> = faces.iter().filter(kept).copied().collect();
+    let part = TriMesh::new(positions.clone(), faces).unwrap();
+    assert!(part.faces().len() < mesh.faces().len());
+    for seed in 0..3 {
+        let motion = motion(&mut Random::new(seed), 3.0);
+        let moved = transform(&part, &motion).unwrap();
+        let found = align(&moved, &fixed, Alignment::Rigid).unwrap().unwrap();
+        assert_near(&found, &inverse(&motion), 1e-9);
+    }
+}
