@@ -6,6 +6,7 @@ mod commands;
 mod exit;
 mod files;
 mod json;
+mod many;
 mod numbers;
 mod page;
 mod pair;
@@ -25,6 +26,8 @@ fn main() -> std::process::ExitCode {
         Command::Distance(args) => commands::distance::run(&args, &printer),
         Command::Deviation(args) => commands::deviation::run(&args, &printer),
         Command::Info(args) => commands::info::run(&args, &printer),
+        Command::Rank(args) => commands::rank::run(&args, &printer),
+        Command::Matrix(args) => commands::matrix::run(&args, &printer),
         Command::Decompose(args) => commands::decompose::run(&args, &printer),
         Command::Convert(args) => commands::convert::run(&args, &printer),
         Command::Generate(args) => commands::generate::run(args, &printer),

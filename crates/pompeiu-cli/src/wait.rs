@@ -53,6 +53,22 @@ impl Wait {
         self.bar.set_message(message);
     }
 
+    /// Tells how many of how many are done, and guesses how long the others take.
+    pub(crate) fn count(&self, message: String, [done, all]: [u64; 2]) {
+        if self.bar.length().is_none() {
+            self.bar.set_style(style("{spinner} [{bar:24}] {pos} of {len} ({elapsed}, {eta} left) {msg}"));
+        }
+        self.bar.set_length(all);
+        self.bar.set_position(done);
+        self.bar.set_message(message);
+    }
+
+    /// Begins to count anew.
+    pub(crate) fn restart(&self) {
+        self.bar.set_position(0);
+        self.bar.reset_eta();
+    }
+
     /// Lets something else be printed.
     pub(crate) fn suspend(&self, print: impl FnOnce()) {
         self.bar.suspend(print);

@@ -3,12 +3,17 @@
 mod decompose;
 mod deviation;
 mod distance;
+mod many;
+mod matrix;
 mod picture;
+mod rank;
 mod shape;
 
 pub(crate) use decompose::{Boundary, Decompose, FieldSource, Splitting};
 pub(crate) use deviation::Deviation;
 pub(crate) use distance::{Direction, Distance, Method, ToleranceKind};
+pub(crate) use matrix::Matrix;
+pub(crate) use rank::{Align, Rank, RankDirection};
 pub(crate) use shape::{Finish, Shape};
 
 use clap::builder::styling::{AnsiColor, Styles};
@@ -30,6 +35,7 @@ const STYLES: Styles = Styles::styled()
 Examples:
   pompeiu distance scan.ply model.obj
   pompeiu distance scan.ply model.obj --assert-below 0.05 && echo within 0.05
+  pompeiu rank part.stl library/ --top 5
   pompeiu info model.obj
   pompeiu decompose torus.obj --field rotation:z -o parts.vtp
   pompeiu convert model.stl.gz model.ply
@@ -41,7 +47,7 @@ pub(crate) struct Args {
     #[command(subcommand)]
     pub(crate) command: Command,
     /// Print nothing but the answer and errors
-    #[arg(long, short, global = true)]
+    #[arg(long, short, global = true, display_order = 900)]
     pub(crate) quiet: bool,
 }
 
@@ -51,6 +57,10 @@ pub(crate) enum Command {
     Distance(Distance),
     /// Show how far two meshes deviate: where, on which side, over how much of the area
     Deviation(Deviation),
+    /// Rank meshes by their distance from a template
+    Rank(Rank),
+    /// Enclose the distances between all pairs of meshes
+    Matrix(Matrix),
     /// Describe a mesh: counts, size, area, volume, topology, oddities
     Info(Info),
     /// Split a tangent field into a gradient, a rotated gradient and a harmonic part

@@ -8,3 +8,5 @@ pub(crate) mod distance;
 pub(crate) mod generate;
 pub(crate) mod info;
 pub(crate) mod man;
+pub(crate) mod matrix;
+pub(crate) mod rank;

@@ -1,0 +1,34 @@
+//! What commands on many files have in common.
+
+mod inputs;
+mod journal;
+mod meshes;
+
+pub(crate) use inputs::expand;
+pub(crate) use journal::{Fingerprint, Journal, fingerprint};
+pub(crate) use meshes::Meshes;
+
+use crate::printer::Printer;
+
+/// An input that could not be used, and why.
+pub(crate) struct Problem {
+    /// The file, or the argument as given.
+    pub(crate) path: String,
+    /// One sentence.
+    pub(crate) message: String,
+}
+
+impl Problem {
+    /// Tells of all of them, one line each.
+    pub(crate) fn report(problems: &[Self]) {
+        for problem in problems {
+            // Most messages name their file themselves.
+            let text = if problem.message.starts_with(&problem.path) {
+                problem.message.clone()
+            } else {
+                format!("{}: {}", problem.path, problem.message)
+            };
+            Printer::error(&anyhow::anyhow!(text));
+        }
+    }
+}
