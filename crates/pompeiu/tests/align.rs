@@ -137,3 +137,27 @@ fn a_part_is_moved_to_its_place_in_the_whole() {
         assert_near(&found, &inverse(&motion), 1e-9);
     }
 }
+
+/// A part of a row of lookalikes, neither the middle nor an end of it: only from where it is does it find its place.
+#[test]
+fn a_part_that_lies_near_its_place_is_moved_to_it() {
+    /// Away from the origin, where every unit and origin of a frame counts.
+    const PLACE: [f64; 3] = [70.0, 20.0, -30.0];
+    let lookalike = |i: u64| {
+        let dented = displace_at_random(&asymmetric(), 0.05, 10 + i).unwrap();
+        transform(&dented, &Affine::translate([PLACE[0] + 6.0 * (i as f64 - 1.0), PLACE[1], PLACE[2]]))
+            .unwrap()
+    };
+    let row: Vec<_> = (0..5).map(lookalike).collect();
+    let fixed = Fixed::new(&merge(&row.iter().collect::<Vec<_>>()).unwrap()).unwrap();
+    for seed in 0..3 {
+        let mut random = Random::new(seed);
+        let turn = Affine::rotate(random.direction(), 8.0).unwrap();
+        let (shift, turned) = (random.direction(), turn.apply(PLACE));
+        let translation = [0, 1, 2].map(|k| PLACE[k] - turned[k] + 0.2 * shift[k]);
+        let motion = Affine { translation, ..turn };
+        let moved = transform(&row[1], &motion).unwrap();
+        let found = align(&moved, &fixed, Alignment::Rigid).unwrap().unwrap();
+        assert_near(&found, &inverse(&motion), 1e-9);
+    }
+}
