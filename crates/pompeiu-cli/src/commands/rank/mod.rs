@@ -41,6 +41,9 @@ pub(crate) fn run(args: &Rank, printer: &Printer) -> anyhow::Result<Exit> {
     }
     let inputs = expand(&args.targets, args.many.recursive);
     if let Some(path) = &args.csv {
+        if args.many.resume.as_ref() == Some(path) {
+            bail!("{}: is both table and journal; give one of them another name", path.display());
+        }
         let read = std::iter::once(&args.template).chain(&inputs.paths).chain(&args.many.resume);
         files::check_place(path, &read.map(PathBuf::as_path).collect::<Vec<_>>())?;
     }
