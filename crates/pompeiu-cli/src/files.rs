@@ -4,7 +4,6 @@ use crate::numbers::grouped;
 use crate::printer::Printer;
 use anyhow::{Context, bail};
 use pompeiu::core::TriMesh;
-use pompeiu::figures::Image;
 use pompeiu::io::{OutputFormat, ReadMesh, WriteError};
 use std::io::ErrorKind;
 use std::path::Path;
@@ -78,13 +77,6 @@ pub(crate) fn write(path: &Path, mesh: &TriMesh, printer: &Printer) -> anyhow::R
     let [vertices, faces] = [mesh.positions().len(), mesh.faces().len()].map(|n| grouped(n as u64));
     printer.note(format_args!("{shown}: {vertices} vertices, {faces} faces"));
     Ok(())
-}
-
-/// Writes a picture, and says so.
-pub(crate) fn write_image(path: &Path, image: &Image, printer: &Printer) -> anyhow::Result<()> {
-    let mut png = Vec::new();
-    image.write_png(&mut png)?;
-    write_whole(path, &png, printer)
 }
 
 /// Writes a file, whole or not at all, and says so.

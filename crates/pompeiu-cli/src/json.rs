@@ -1,7 +1,7 @@
 //! What JSON answers have in common. Doubles are written as the shortest decimals that read back to them.
 
 use crate::pair::File;
-use pompeiu::hausdorff::{Direction, Enclosure, StopReason, SurfacePoint, Witness};
+use pompeiu::hausdorff::{Direction, Enclosure, SurfacePoint, Witness};
 use serde::Serialize;
 use std::time::Duration;
 
@@ -57,17 +57,6 @@ pub(crate) struct Bounds {
 impl From<Enclosure> for Bounds {
     fn from(enclosure: Enclosure) -> Self {
         Self { lower: enclosure.lower(), upper: enclosure.upper() }
-    }
-}
-
-pub(crate) fn stop_name(stop: StopReason) -> &'static str {
-    match stop {
-        StopReason::Tolerance => "tolerance",
-        StopReason::Threshold => "threshold",
-        StopReason::Time => "time",
-        StopReason::Memory => "memory",
-        StopReason::Rounding => "rounding",
-        _ => "cancelled",
     }
 }
 

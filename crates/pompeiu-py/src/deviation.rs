@@ -3,7 +3,7 @@
 use crate::arrays::array_of_rows;
 use crate::errors::{Raise, UnknownOption};
 use crate::mesh::Mesh;
-use crate::report::{Directed, Pair, stop};
+use crate::report::{Directed, Pair};
 use crate::wait;
 use numpy::{IntoPyArray, PyArray1, PyArray2};
 use pompeiu::hausdorff::deviation::{self as library, DeviationQuery, DirectedDeviation, FaceDeviation};
@@ -192,7 +192,7 @@ impl<'py> OneWay<'py> {
             face_winding: face_winding.map(|numbers| numbers.into_pyarray(py)),
             regions: regions(py, report.regions),
             beyond_threshold: regions(py, report.beyond_threshold),
-            stop: stop(report.stop),
+            stop: report.stop.name(),
             work: Work {
                 pieces: report.work.pieces,
                 looks: report.work.looks,

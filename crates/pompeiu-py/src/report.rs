@@ -1,9 +1,7 @@
 //! Answers of the library as plain data: dictionaries, which the classes in Python are made of.
 
 use pompeiu::core::MeshSummary;
-use pompeiu::hausdorff::{
-    DirectedReport, StopReason, SurfacePoint, SymmetricReport, Timing, Witness, WorkCount,
-};
+use pompeiu::hausdorff::{DirectedReport, SurfacePoint, SymmetricReport, Timing, Witness, WorkCount};
 use pompeiu::operators::{Audit, hodge};
 use pyo3::prelude::*;
 
@@ -78,23 +76,11 @@ impl From<DirectedReport> for Directed {
             lower: report.distance.lower(),
             upper: report.distance.upper(),
             witness: report.witness.into(),
-            stop: stop(report.stop),
+            stop: report.stop.name(),
             tolerance: report.tolerance,
             work: report.work.into(),
             timing: report.timing.into(),
         }
-    }
-}
-
-/// The name of a reason to stop.
-pub(crate) fn stop(reason: StopReason) -> &'static str {
-    match reason {
-        StopReason::Tolerance => "tolerance",
-        StopReason::Threshold => "threshold",
-        StopReason::Time => "time",
-        StopReason::Memory => "memory",
-        StopReason::Rounding => "rounding",
-        _ => "cancelled",
     }
 }
 

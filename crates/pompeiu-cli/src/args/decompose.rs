@@ -44,9 +44,6 @@ pub(crate) struct Decompose {
     /// Write the field, its parts and their potentials
     #[arg(long, short, value_name = "OUT", requires = "field")]
     pub(crate) output: Option<PathBuf>,
-    /// Write a page to explore in a browser, one file that needs no network
-    #[arg(long, value_name = "FILE.html", requires = "field")]
-    pub(crate) report: Option<PathBuf>,
     #[command(flatten)]
     pub(crate) picture: Picture,
     /// Print one JSON object

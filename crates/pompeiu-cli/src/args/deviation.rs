@@ -1,10 +1,10 @@
 //! Options of the deviation command.
 
+use super::limits::Limits;
 use super::picture::Picture;
-use crate::numbers::{duration, magnitude, memory};
+use crate::numbers::magnitude;
 use clap::Args;
 use std::path::PathBuf;
-use std::time::Duration;
 
 #[derive(Args)]
 #[command(after_help = "\
@@ -50,9 +50,6 @@ pub(crate) struct Deviation {
     /// The name of the unit of length, to be shown with numbers in reports and pictures
     #[arg(long, default_value = "", value_name = "NAME")]
     pub(crate) unit: String,
-    /// Write a page to explore in a browser, one file that needs no network
-    #[arg(long, value_name = "FILE.html")]
-    pub(crate) report: Option<PathBuf>,
     #[command(flatten)]
     pub(crate) picture: Picture,
     /// Write A, coloured by its distance from B
@@ -64,15 +61,8 @@ pub(crate) struct Deviation {
     /// Write the statistics as comma-separated values
     #[arg(long, value_name = "FILE")]
     pub(crate) csv: Option<PathBuf>,
-    /// Threads to use; all processors by default
-    #[arg(long, value_parser = clap::value_parser!(u16).range(1..=1024), value_name = "N")]
-    pub(crate) threads: Option<u16>,
-    /// Stop this long after the start, such as 10s, with wider intervals
-    #[arg(long, value_parser = duration, value_name = "TIME")]
-    pub(crate) time_limit: Option<Duration>,
-    /// Stop before memory exceeds this, such as 2GiB, with wider intervals
-    #[arg(long, value_parser = memory, value_name = "SIZE")]
-    pub(crate) memory_limit: Option<usize>,
+    #[command(flatten)]
+    pub(crate) limits: Limits,
     /// Print one JSON object
     #[arg(long)]
     pub(crate) json: bool,

@@ -1,9 +1,9 @@
 //! Options of the distance command.
 
-use crate::numbers::{duration, magnitude, memory};
+use super::limits::Limits;
+use crate::numbers::magnitude;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
-use std::time::Duration;
 
 #[derive(Args)]
 #[command(after_help = "\
@@ -41,15 +41,8 @@ pub(crate) struct Distance {
     /// Ask only whether the distance is at most this length, and stop at the first proof
     #[arg(long, value_parser = magnitude, allow_negative_numbers = true, value_name = "LENGTH")]
     pub(crate) assert_below: Option<f64>,
-    /// Threads to use; all processors by default
-    #[arg(long, value_parser = clap::value_parser!(u16).range(1..=1024), value_name = "N")]
-    pub(crate) threads: Option<u16>,
-    /// Stop searching this long after the start, such as 10s, with a wider interval
-    #[arg(long, value_parser = duration, value_name = "TIME")]
-    pub(crate) time_limit: Option<Duration>,
-    /// Stop searching before memory exceeds this, such as 2GiB, with a wider interval
-    #[arg(long, value_parser = memory, value_name = "SIZE")]
-    pub(crate) memory_limit: Option<usize>,
+    #[command(flatten)]
+    pub(crate) limits: Limits,
     /// How to search
     #[arg(long, value_enum, default_value_t)]
     pub(crate) method: Method,

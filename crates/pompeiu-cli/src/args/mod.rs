@@ -3,6 +3,7 @@
 mod decompose;
 mod deviation;
 mod distance;
+mod limits;
 mod many;
 mod matrix;
 mod picture;

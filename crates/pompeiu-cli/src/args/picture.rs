@@ -1,12 +1,17 @@
-//! Options of pictures.
+//! Options of what people look at: pages and pictures.
 
+use crate::files;
 use crate::numbers::tuple;
+use crate::printer::Printer;
 use clap::{Args, ValueEnum};
 use pompeiu::figures;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 #[derive(Args)]
 pub(crate) struct Picture {
+    /// Write a page to explore in a browser, one file that needs no network
+    #[arg(long, value_name = "FILE.html")]
+    pub(crate) report: Option<PathBuf>,
     /// Write a picture, drawn without a graphics card: the same pixels on every machine
     #[arg(long, value_name = "FILE.png")]
     pub(crate) image: Option<PathBuf>,
@@ -25,7 +30,36 @@ pub(crate) struct Picture {
 }
 
 impl Picture {
-    pub(crate) fn view(&self) -> figures::View {
+    /// The files to write.
+    pub(crate) fn outputs(&self) -> impl Iterator<Item = &Path> {
+        [&self.report, &self.image].into_iter().flatten().map(PathBuf::as_path)
+    }
+
+    /// Writes what was asked for.
+    pub(crate) fn write(
+        &self,
+        page: impl FnOnce() -> Result<String, figures::html::PageError>,
+        image: impl FnOnce(
+            u32,
+            u32,
+            figures::Theme,
+            figures::View,
+        ) -> Result<figures::Image, figures::FigureError>,
+        printer: &Printer,
+    ) -> anyhow::Result<()> {
+        if let Some(path) = &self.report {
+            files::write_whole(path, page()?.as_bytes(), printer)?;
+        }
+        if let Some(path) = &self.image {
+            let (width, height) = self.image_size;
+            let mut png = Vec::new();
+            image(width, height, self.theme.into(), self.view())?.write_png(&mut png)?;
+            files::write_whole(path, &png, printer)?;
+        }
+        Ok(())
+    }
+
+    fn view(&self) -> figures::View {
         let view = figures::View::default().with_up(self.up.axis());
         self.from.map_or(view, |direction| view.with_direction_to_eye(direction))
     }

@@ -35,6 +35,20 @@ pub enum StopReason {
     Rounding,
 }
 
+impl StopReason {
+    /// The reason in a word, as programs want it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Tolerance => "tolerance",
+            Self::Threshold => "threshold",
+            Self::Time => "time",
+            Self::Memory => "memory",
+            Self::Cancelled => "cancelled",
+            Self::Rounding => "rounding",
+        }
+    }
+}
+
 /// How much was done, in counts that do not depend on the machine or the number of threads.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct WorkCount {

@@ -15,6 +15,7 @@ use pompeiu::operators::{self, Audit, HodgeSolver};
 use pompeiu::report::FieldsReport;
 use pompeiu::surface::EmbeddedSurface;
 use report::{Report, Split};
+use std::path::PathBuf;
 use std::time::Instant;
 
 pub(crate) fn run(args: &Decompose, printer: &Printer) -> anyhow::Result<Exit> {
@@ -22,10 +23,10 @@ pub(crate) fn run(args: &Decompose, printer: &Printer) -> anyhow::Result<Exit> {
     if let Some(output) = &args.output {
         output::check(output)?;
     }
-    if source.is_none() && args.picture.image.is_some() {
-        bail!("--image shows a field and its parts; name one with --field");
+    if source.is_none() && args.picture.outputs().next().is_some() {
+        bail!("--report and --image show a field and its parts; name one with --field");
     }
-    for path in [&args.output, &args.report, &args.picture.image].into_iter().flatten() {
+    for path in args.output.iter().map(PathBuf::as_path).chain(args.picture.outputs()) {
         files::check_place(path, &[&args.mesh])?;
     }
     let shown = || args.mesh.display().to_string();
@@ -68,14 +69,11 @@ pub(crate) fn run(args: &Decompose, printer: &Printer) -> anyhow::Result<Exit> {
                 up: args.picture.up.axis(),
                 command: Some(&called()),
             };
-            if let Some(path) = &args.report {
-                files::write_whole(path, report.page().html()?.as_bytes(), printer)?;
-            }
-            if let Some(path) = &args.picture.image {
-                let (width, height) = args.picture.image_size;
-                let image = report.image(width, height, args.picture.theme.into(), args.picture.view())?;
-                files::write_image(path, &image, printer)?;
-            }
+            args.picture.write(
+                || report.page().html(),
+                |width, height, theme, view| report.image(width, height, theme, view),
+                printer,
+            )?;
             Some(Split {
                 quality: parts.quality,
                 factor: times.factor,

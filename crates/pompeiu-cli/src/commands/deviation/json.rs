@@ -1,7 +1,7 @@
 //! The outcome as one JSON object.
 
 use super::{Outcome, directions};
-use crate::json::{Bounds, MeshFile, Point, WitnessPoints, milliseconds, stop_name};
+use crate::json::{Bounds, MeshFile, Point, WitnessPoints, milliseconds};
 use pompeiu::hausdorff::Enclosure;
 use pompeiu::hausdorff::deviation::{
     DeviationWork, DirectedDeviation, Histogram, Percentile, Region, Statistics,
@@ -77,7 +77,7 @@ impl Directed {
             vertices_inside: directed.sides.as_ref().map(super::inside),
             regions: places(&directed.regions),
             beyond_threshold: places(&directed.beyond_threshold),
-            stop: stop_name(directed.stop),
+            stop: directed.stop.name(),
             work: directed.work.into(),
         }
     }

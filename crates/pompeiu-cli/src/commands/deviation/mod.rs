@@ -12,13 +12,13 @@ use crate::files;
 use crate::numbers::between;
 use crate::pair::{self, File};
 use crate::printer::Printer;
-use crate::threads::use_threads;
 use crate::wait::Wait;
 use pompeiu::core::TriMesh;
 use pompeiu::hausdorff::deviation::{self, DeviationQuery, DirectedDeviation, Sides};
 use pompeiu::hausdorff::{Direction, Observer, Progress, StopReason};
 use pompeiu::report::{DeviationReport, ReportedMesh, search_stages};
 use std::ops::ControlFlow;
+use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 /// Everything there is to report.
@@ -40,12 +40,11 @@ pub(crate) fn run(args: &Deviation, printer: &Printer) -> anyhow::Result<Exit> {
     for path in outputs.into_iter().flatten() {
         meshes::check(path)?;
     }
-    for path in outputs.into_iter().chain([&args.csv, &args.report, &args.picture.image]).flatten() {
+    let written = outputs.into_iter().chain([&args.csv]).flatten().map(PathBuf::as_path);
+    for path in written.chain(args.picture.outputs()) {
         files::check_place(path, &[&args.a, &args.b])?;
     }
-    if let Some(threads) = args.threads {
-        use_threads(threads)?;
-    }
+    args.limits.apply_threads()?;
     let wait = Wait::new(printer);
     let (a, b) = pair::read(&args.a, &args.b, &wait, printer)?;
     let read = started.elapsed();
@@ -79,10 +78,10 @@ fn query(args: &Deviation, read: Duration) -> anyhow::Result<DeviationQuery> {
     if let Some(threshold) = args.threshold {
         query = query.threshold(threshold)?;
     }
-    if let Some(limit) = args.time_limit {
-        query = query.time_limit(limit.saturating_sub(read));
+    if let Some(limit) = args.limits.time_after(read) {
+        query = query.time_limit(limit);
     }
-    if let Some(limit) = args.memory_limit {
+    if let Some(limit) = args.limits.memory_limit {
         query = query.memory_limit(limit);
     }
     Ok(query)
@@ -104,7 +103,7 @@ fn write(
             meshes::write(path, mesh, directed, extent, printer)?;
         }
     }
-    if args.report.is_some() || args.picture.image.is_some() {
+    if args.picture.outputs().next().is_some() {
         show(args, outcome, a, b, printer)?;
     }
     if let Some(path) = &args.csv {
@@ -121,7 +120,7 @@ fn show(
     b: &TriMesh,
     printer: &Printer,
 ) -> anyhow::Result<()> {
-    let stages = if args.report.is_some() { search_stages(a, b) } else { Vec::new() };
+    let stages = if args.picture.report.is_some() { search_stages(a, b) } else { Vec::new() };
     let report = DeviationReport {
         a: ReportedMesh { path: &outcome.a.path, mesh: a },
         b: ReportedMesh { path: &outcome.b.path, mesh: b },
@@ -132,15 +131,11 @@ fn show(
         up: args.picture.up.axis(),
         command: Some(&called()),
     };
-    if let Some(path) = &args.report {
-        files::write_whole(path, report.page().html()?.as_bytes(), printer)?;
-    }
-    if let Some(path) = &args.picture.image {
-        let (width, height) = args.picture.image_size;
-        let image = report.image(width, height, args.picture.theme.into(), args.picture.view())?;
-        files::write_image(path, &image, printer)?;
-    }
-    Ok(())
+    args.picture.write(
+        || report.page().html(),
+        |width, height, theme, view| report.image(width, height, theme, view),
+        printer,
+    )
 }
 
 /// Moves the progress bar.

@@ -3,7 +3,7 @@
 use super::outcome::{Answer, Outcome};
 use super::watch::TraceRow;
 use crate::args::ToleranceKind;
-use crate::json::{Bounds, MeshFile, WitnessPoints, milliseconds, stop_name};
+use crate::json::{Bounds, MeshFile, WitnessPoints, milliseconds};
 use pompeiu::hausdorff::{DirectedReport, Direction, WorkCount};
 use serde::Serialize;
 
@@ -99,7 +99,7 @@ impl Directed {
         Self {
             lower: report.distance.lower(),
             upper: report.distance.upper(),
-            stop: stop_name(report.stop),
+            stop: report.stop.name(),
             witness: WitnessPoints::new(&report.witness, direction),
             work: report.work.into(),
         }

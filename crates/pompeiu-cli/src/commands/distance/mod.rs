@@ -10,7 +10,6 @@ use crate::exit::Exit;
 use crate::numbers::shortest;
 use crate::pair::{self, File};
 use crate::printer::Printer;
-use crate::threads::use_threads;
 use crate::wait::Wait;
 use outcome::{Outcome, Times};
 use pompeiu::core::TriMesh;
@@ -26,9 +25,7 @@ const TRACE: [f64; 14] =
 pub(crate) fn run(args: &Distance, printer: &Printer) -> anyhow::Result<Exit> {
     let started = Instant::now();
     pair::check(&args.a, &args.b, printer)?;
-    if let Some(threads) = args.threads {
-        use_threads(threads)?;
-    }
+    args.limits.apply_threads()?;
     let wait = Wait::new(printer);
     let (a, b) = pair::read(&args.a, &args.b, &wait, printer)?;
     let read = started.elapsed();
@@ -92,10 +89,10 @@ fn query(args: &Distance, read: Duration) -> anyhow::Result<Query> {
     if let Some(threshold) = args.assert_below {
         query = query.threshold(threshold)?;
     }
-    if let Some(limit) = args.time_limit {
-        query = query.time_limit(limit.saturating_sub(read));
+    if let Some(limit) = args.limits.time_after(read) {
+        query = query.time_limit(limit);
     }
-    if let Some(limit) = args.memory_limit {
+    if let Some(limit) = args.limits.memory_limit {
         query = query.memory_limit(limit);
     }
     Ok(query)
