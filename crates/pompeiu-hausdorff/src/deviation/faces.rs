@@ -1,7 +1,8 @@
 //! Distances face by face and vertex by vertex.
 
 use super::distribution::{Sum, mean_of};
-use super::linear::{greater, greatest, least, lesser};
+use super::linear::{greater, least, lesser};
+use super::maxima::Maximum;
 use super::report::{FaceDeviation, Field};
 use super::statistics::length_out;
 use pompeiu_core::exact::Interval;
@@ -25,23 +26,12 @@ pub(super) fn areas(mesh: &TriMesh, frame: &Frame) -> Vec<(f64, f64)> {
 }
 
 /// The enclosures of each face.
-pub(super) fn faces(field: &Field) -> Vec<FaceDeviation> {
-    (0..field.areas.len()).into_par_iter().map(|face| of_face(field, face)).collect()
+pub(super) fn faces(field: &Field, maxima: &[Maximum]) -> Vec<FaceDeviation> {
+    (0..field.areas.len()).into_par_iter().map(|face| of_face(field, face, &maxima[face])).collect()
 }
 
-/// The largest distance on a face, from below and from above, in the frame.
-pub(super) fn greatest_on(field: &Field, face: usize) -> (f64, f64) {
-    let (mut low, mut high) = (0.0, 0.0);
-    for piece in field.of_face(face) {
-        low = greater(low, greatest(piece.lower));
-        high = greater(high, greatest(piece.upper));
-    }
-    let high = lesser(high, field.largest);
-    (lesser(low, high), high)
-}
-
-fn of_face(field: &Field, face: usize) -> FaceDeviation {
-    let max = greatest_on(field, face);
+fn of_face(field: &Field, face: usize, maximum: &Maximum) -> FaceDeviation {
+    let max = (maximum.lower, maximum.upper);
     let mut min = (f64::INFINITY, f64::INFINITY);
     let (mut shares, mut means) = (Sum::default(), Sum::default());
     for piece in field.of_face(face) {

@@ -6,12 +6,15 @@
 //! Every number over an area is that of all its points, not of samples. Faces of A are cut into pieces, on each of which the
 //! distance from B lies between two linear functions (`envelope`); integrals of those are formulas (`linear`), and sums are
 //! rounded outwards. Pieces are cut until the numbers are as narrow as asked (`rounds`).
+mod connected;
 mod cut;
 mod distribution;
 mod envelope;
 mod faces;
 mod linear;
+mod maxima;
 mod query;
+mod refinery;
 mod regions;
 mod report;
 mod rounds;

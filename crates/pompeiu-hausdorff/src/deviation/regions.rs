@@ -1,24 +1,30 @@
 //! The worst regions, told apart.
 
-use super::faces::greatest_on;
+use super::connected::{Sets, Touching};
 use super::linear::greater;
+use super::maxima::{Care, Maxima, Maximum};
 use super::report::Field;
 use super::statistics::length_out;
 use crate::engine::Farthest;
 use crate::report::{Enclosure, Witness};
 use pompeiu_core::geom::{Aabb, Frame};
-use pompeiu_core::spatial::{Bvh, Workspace};
+use pompeiu_core::spatial::Workspace;
 use pompeiu_core::{FaceId, TriMesh};
 
 /// A part of a surface that is far from the other one.
 ///
 /// # Definition
-/// Faces are neighbours when they have a vertex position in common, welded or not. The value of a face is the upper end of its
-/// greatest distance. The region of a face are the faces that can be reached from it over faces whose value is at least
-/// [`Region::OF_PEAK`] of its own; the face is a peak, and its region is listed, when none of them has a greater value (of equal
+/// Faces are neighbours when they have a vertex position in common, welded or not. The value of a face is the greatest distance of
+/// its points. The region of a face are the faces that can be reached from it over faces whose value is at least
+/// [`Region::OF_PEAK`] of its value; the face is a peak, and its region is listed, when none of them has a greater value (of equal
 /// values the first face counts). So a region never holds a greater peak, while the wide surroundings of a great one may hold
 /// lesser ones that are listed by themselves. With a threshold instead, regions are the connected parts of the faces whose
-/// value exceeds it, which may be faces whose distance itself does not: the enclosure of the peak tells.
+/// value exceeds it.
+/// # Accuracy
+/// Values are enclosed, and their upper ends count. The values of the faces that may be peaks of listed regions are enclosed to one
+/// part in a thousand, and those of the faces that reach the level of such a region to one in 256, unless a limit ends the work or
+/// they are no greater than rounding. So peaks come in descending order of the upper ends of their enclosures, and those closer than
+/// that may be ties; a face whose value is within that of the level of a region may or may not belong to it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Region {
     /// Its faces, in ascending order.
@@ -46,123 +52,153 @@ impl Region {
 pub(super) struct Landscape<'l> {
     mesh: &'l TriMesh,
     field: &'l Field,
-    bvh: &'l Bvh,
-    /// Greatest distances of the faces.
-    values: Vec<(f64, f64)>,
+    touching: Touching<'l>,
+    maxima: Maxima<'l>,
     /// Faces in descending order of their values.
     order: Vec<u32>,
-    /// For each vertex the first vertex at its position.
-    place: Vec<u32>,
-    /// Faces at each place, as ranges of the list.
-    starts: Vec<u32>,
-    faces_at: Vec<u32>,
+}
+
+/// The faces of a region, in ascending order, and the distance that they reach.
+struct Part {
+    faces: Vec<u32>,
+    level: f64,
 }
 
 impl<'l> Landscape<'l> {
-    pub(super) fn new(mesh: &'l TriMesh, field: &'l Field, bvh: &'l Bvh) -> Self {
-        let count = mesh.faces().len();
-        let values: Vec<_> = (0..count).map(|face| greatest_on(field, face)).collect();
-        let mut order: Vec<u32> = (0..count as u32).collect();
-        order.sort_by(|a, b| values[*b as usize].1.total_cmp(&values[*a as usize].1).then(a.cmp(b)));
-        let place = places(mesh);
-        let mut starts = vec![0_u32; mesh.positions().len() + 1];
-        for v in mesh.faces().iter().flatten() {
-            starts[place[*v as usize] as usize + 1] += 1;
-        }
-        for v in 0..mesh.positions().len() {
-            starts[v + 1] += starts[v];
-        }
-        let mut next = starts.clone();
-        let mut faces_at = vec![0; 3 * count];
-        for (f, face) in mesh.faces().iter().enumerate() {
-            for v in face {
-                let at = &mut next[place[*v as usize] as usize];
-                faces_at[*at as usize] = f as u32;
-                *at += 1;
-            }
-        }
-        Self { mesh, field, bvh, values, order, place, starts, faces_at }
+    pub(super) fn new(mesh: &'l TriMesh, field: &'l Field, maxima: Maxima<'l>) -> Self {
+        let order = (0..mesh.faces().len() as u32).collect();
+        let mut landscape = Self { mesh, field, touching: Touching::new(mesh), maxima, order };
+        landscape.sort();
+        landscape
     }
 
-    /// The regions of the `count` greatest peaks.
-    pub(super) fn peaks(&self, count: usize) -> Vec<Region> {
-        let mut sets = Sets::new(self.values.len());
-        let mut regions = Vec::new();
-        let mut entering = self.order.iter().peekable();
-        for &peak in &self.order {
-            let (proven, value) = self.values[peak as usize];
-            if regions.len() == count || proven <= 0.0 {
+    fn sort(&mut self) {
+        let value = |face: &u32| self.maxima.of_faces[*face as usize].upper;
+        self.order.sort_by(|a, b| value(b).total_cmp(&value(a)).then(a.cmp(b)));
+    }
+
+    fn value(&self, face: u32) -> f64 {
+        self.maxima.of_faces[face as usize].upper
+    }
+
+    /// Makes maxima narrower until those that decide about the worst regions, of each kind, are narrow.
+    pub(super) fn settle(&mut self, count: usize, threshold: Option<f64>, tell: &mut dyn FnMut(u64, usize)) {
+        while !self.maxima.scene.control.halted() {
+            let mut parts = self.peaks(count);
+            // Faces below all levels join no region, and split none from a greater one.
+            let least = if parts.len() == count { parts[count - 1].level } else { 0.0 };
+            let matters = |face: &u32| {
+                let Maximum { lower, upper, .. } = self.maxima.of_faces[*face as usize];
+                upper >= least || threshold.is_some_and(|t| lower <= t && t < upper)
+            };
+            let mut care = Care::Level;
+            let wide = |face: &u32| matters(face) && self.maxima.is_wide(*face, Care::Level);
+            let mut wide: Vec<u32> = self.order.iter().copied().filter(wide).collect();
+            if wide.is_empty() {
+                care = Care::Peak;
+                if let Some(threshold) = threshold {
+                    parts.extend(self.above(threshold, count));
+                }
+                for part in &parts {
+                    let lower = |face: &u32| self.maxima.of_faces[*face as usize].lower;
+                    let peak = part.faces.iter().map(lower).fold(0.0, greater);
+                    let may_be_peak = |face: &&u32| self.value(**face) >= peak;
+                    let may_be_peak = part.faces.iter().filter(may_be_peak);
+                    wide.extend(may_be_peak.filter(|face| self.maxima.is_wide(**face, Care::Peak)));
+                }
+                wide.sort_unstable();
+                wide.dedup();
+            }
+            if wide.is_empty() {
                 break;
             }
+            self.maxima.narrow(&wide, care, tell);
+            self.sort();
+        }
+    }
+
+    /// The regions of the `count` greatest peaks, and those above a threshold.
+    pub(super) fn regions(&self, count: usize, threshold: Option<f64>) -> (Vec<Region>, Vec<Region>) {
+        let describe = |parts: Vec<Part>| parts.iter().map(|part| self.describe(part)).collect();
+        let above = threshold.map(|t| self.above(t, count)).unwrap_or_default();
+        (describe(self.peaks(count)), describe(above))
+    }
+
+    pub(super) fn into_maxima(self) -> Vec<Maximum> {
+        self.maxima.of_faces
+    }
+
+    fn peaks(&self, count: usize) -> Vec<Part> {
+        let mut sets = Sets::new(self.order.len());
+        let mut parts = Vec::new();
+        let mut entering = self.order.iter().peekable();
+        for &peak in &self.order {
+            if parts.len() == count {
+                break;
+            }
+            if self.maxima.of_faces[peak as usize].lower <= 0.0 {
+                continue;
+            }
             // Levels descend with the peaks, so faces only ever come in.
-            let level = Region::OF_PEAK * value;
-            while let Some(&face) = entering.next_if(|face| self.values[**face as usize].1 >= level) {
+            let level = Region::OF_PEAK * self.value(peak);
+            while let Some(&face) = entering.next_if(|face| self.value(**face) >= level) {
                 sets.enter(face);
-                self.for_neighbours(face, |other| sets.join(face, other));
+                self.touching.for_neighbours(face, |other| sets.join(face, other));
             }
             if sets.first(peak) == peak {
-                regions.push(self.region(peak, level, |value| value >= level));
+                parts.push(Part { faces: self.connected(peak, |value| value >= level), level });
             }
         }
-        regions
+        parts
     }
 
     /// The connected parts of the faces above a level, at most `count`.
-    pub(super) fn above(&self, level: f64, count: usize) -> Vec<Region> {
-        let mut taken = vec![false; self.values.len()];
-        let mut regions = Vec::new();
+    fn above(&self, level: f64, count: usize) -> Vec<Part> {
+        let mut taken = vec![false; self.order.len()];
+        let mut parts = Vec::new();
         for &peak in &self.order {
-            if regions.len() == count || self.values[peak as usize].1 <= level {
+            if parts.len() == count || self.value(peak) <= level {
                 break;
             }
             if !taken[peak as usize] {
-                let region = self.region(peak, level, |value| value > level);
-                for face in &region.faces {
-                    taken[face.index()] = true;
+                let faces = self.connected(peak, |value| value > level);
+                for face in &faces {
+                    taken[*face as usize] = true;
                 }
-                regions.push(region);
+                parts.push(Part { faces, level });
             }
         }
-        regions
-    }
-
-    fn for_neighbours(&self, face: u32, mut each: impl FnMut(u32)) {
-        for v in self.mesh.faces()[face as usize] {
-            let place = self.place[v as usize] as usize;
-            for &other in &self.faces_at[self.starts[place] as usize..self.starts[place + 1] as usize] {
-                if other != face {
-                    each(other);
-                }
-            }
-        }
+        parts
     }
 
     /// The faces with wanted values that are connected with a peak.
-    fn region(&self, peak: u32, level: f64, wanted: impl Fn(f64) -> bool) -> Region {
+    fn connected(&self, peak: u32, wanted: impl Fn(f64) -> bool) -> Vec<u32> {
         let mut faces = vec![peak];
         let mut known = std::collections::HashSet::from([peak]);
         let mut at = 0;
         while at < faces.len() {
-            self.for_neighbours(faces[at], |other| {
-                if wanted(self.values[other as usize].1) && known.insert(other) {
+            self.touching.for_neighbours(faces[at], |other| {
+                if wanted(self.value(other)) && known.insert(other) {
                     faces.push(other);
                 }
             });
             at += 1;
         }
         faces.sort_unstable();
-        self.describe(&faces, level)
+        faces
     }
 
-    fn describe(&self, faces: &[u32], level: f64) -> Region {
+    fn describe(&self, Part { faces, level }: &Part) -> Region {
         let Field { frame, areas, .. } = self.field;
-        let mut peak = (0.0, 0.0);
+        let (mut low, mut high, mut highest) = (0.0, 0.0, faces[0]);
         let mut aabb = Aabb::EMPTY;
         let (mut area, mut centre, mut plain) = (0.0, [0.0; 3], [0.0; 3]);
-        let mut farthest: Option<(f64, u32, [f64; 3])> = None;
         for &face in faces {
-            let (low, high) = self.values[face as usize];
-            peak = (greater(peak.0, low), greater(peak.1, high));
+            let maximum = &self.maxima.of_faces[face as usize];
+            high = greater(high, maximum.upper);
+            if maximum.lower > low {
+                (low, highest) = (maximum.lower, face);
+            }
             let corners = self.mesh.corners(FaceId(face));
             aabb = aabb.union(Aabb::of_points(&corners));
             let mapped = corners.map(|p| frame.map(p));
@@ -173,98 +209,33 @@ impl<'l> Landscape<'l> {
                 centre[k] += of_face * middle;
                 plain[k] += middle;
             }
-            for piece in self.field.of_face(face as usize) {
-                for (value, corner) in piece.lower.into_iter().zip(piece.corners) {
-                    if farthest.is_none_or(|(best, ..)| value > best) {
-                        farthest = Some((value, face, corner));
-                    }
-                }
-            }
         }
         let centre =
             if area > 0.0 { centre.map(|x| x / area) } else { plain.map(|x| x / faces.len() as f64) };
-        let (_, face, point) = farthest.expect("a region has a face, and a face a piece");
         Region {
             faces: faces.iter().map(|f| FaceId(*f)).collect(),
             area: frame.length_out(frame.length_out(area)),
             centre: frame.unmap(centre),
             aabb,
-            peak: length_out(frame, peak.0, peak.1),
-            witness: self.witness(frame, face, point),
-            level: frame.length_out(level),
+            peak: length_out(frame, low, high),
+            witness: self.witness(frame, highest),
+            level: frame.length_out(*level),
         }
     }
 
-    fn witness(&self, frame: &Frame, face: u32, point: [f64; 3]) -> Witness {
-        let nearest = self.bvh.nearest(point, self.bvh.any_slot(), &mut Workspace::default());
+    fn witness(&self, frame: &Frame, face: u32) -> Witness {
+        let bvh = self.maxima.scene.bvh;
+        let point = self.maxima.of_faces[face as usize].point;
+        let nearest = bvh.nearest(point, bvh.any_slot(), &mut Workspace::default());
         let farthest = Farthest {
             face: FaceId(face),
             point,
             distance: nearest.distance_sq.sqrt(),
-            nearest_face: self.bvh.face(nearest.slot),
-            nearest_corners: self.bvh.corners(nearest.slot),
+            nearest_face: bvh.face(nearest.slot),
+            nearest_corners: bvh.corners(nearest.slot),
         };
         let mut witness = farthest.witness(self.mesh, frame).0;
         witness.to.position = frame.unmap(witness.to.position);
         witness
-    }
-}
-
-/// For each vertex the least vertex at the same position.
-fn places(mesh: &TriMesh) -> Vec<u32> {
-    // Adding zero makes both zeros one.
-    let key = |v: u32| mesh.positions()[v as usize].map(|x| (x + 0.0).to_bits());
-    let mut sorted: Vec<u32> = (0..mesh.positions().len() as u32).collect();
-    sorted.sort_by(|a, b| key(*a).cmp(&key(*b)).then(a.cmp(b)));
-    let mut place = vec![0; sorted.len()];
-    let mut first = 0;
-    for (i, &v) in sorted.iter().enumerate() {
-        if i == 0 || key(sorted[i - 1]) != key(v) {
-            first = v;
-        }
-        place[v as usize] = first;
-    }
-    place
-}
-
-/// Disjoint sets of faces, each of which knows the one that entered first.
-struct Sets {
-    /// Itself for a root; `u32::MAX` before a face has entered.
-    parents: Vec<u32>,
-    /// When each face entered; roots have the least of their sets.
-    entered: Vec<u32>,
-    count: u32,
-}
-
-impl Sets {
-    fn new(faces: usize) -> Self {
-        Self { parents: vec![u32::MAX; faces], entered: vec![0; faces], count: 0 }
-    }
-
-    fn enter(&mut self, face: u32) {
-        self.parents[face as usize] = face;
-        self.entered[face as usize] = self.count;
-        self.count += 1;
-    }
-
-    /// The face of its set that entered first.
-    fn first(&mut self, mut face: u32) -> u32 {
-        while self.parents[face as usize] != face {
-            let up = self.parents[self.parents[face as usize] as usize];
-            self.parents[face as usize] = up;
-            face = up;
-        }
-        face
-    }
-
-    /// Makes one set of two, if both faces have entered.
-    fn join(&mut self, a: u32, b: u32) {
-        if self.parents[b as usize] == u32::MAX {
-            return;
-        }
-        let (a, b) = (self.first(a), self.first(b));
-        let (first, later) =
-            if self.entered[a as usize] < self.entered[b as usize] { (a, b) } else { (b, a) };
-        self.parents[later as usize] = first;
     }
 }

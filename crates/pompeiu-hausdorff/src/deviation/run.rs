@@ -1,19 +1,21 @@
 //! One direction, from meshes to report.
 
-use super::distribution::{Distribution, Entry, area_of};
+use super::distribution::{Distribution, Entry};
 use super::envelope::Piece;
 use super::faces;
 use super::linear::{greater, lesser};
+use super::maxima::{self, Care, Maxima, Maximum};
 use super::query::DeviationQuery;
+use super::refinery::Refinery;
 use super::regions::Landscape;
 use super::report::{DeviationWork, DirectedDeviation, Field, Sides};
-use super::rounds::{Goal, Made, Workshop};
+use super::rounds::{Made, Workshop};
 use super::statistics::{Summary, Wanted};
 use crate::engine::{self, Question};
 use crate::observer::{Observer, Progress};
-use crate::report::{Direction, StopReason};
+use crate::report::{DirectedReport, Direction, StopReason};
 use crate::rounding::Rounding;
-use crate::search::{Control, Halt};
+use crate::search::{Control, Halt, Scene};
 use crate::target::Target;
 use crate::tolerance::Tolerance;
 use pompeiu_core::geom::{Aabb, Frame};
@@ -40,20 +42,6 @@ pub(super) struct Outcome {
 
 /// Faces whose distance is looked at to know about how far all are.
 const SAMPLES: usize = 2048;
-/// Pieces of one root in the first round, and in later ones.
-const FIRST_PIECES: usize = 1024;
-const LATER_PIECES: usize = 256;
-/// The width of pieces at first, as a part of what the mean is allowed: most pieces come out much better.
-const FIRST_PART: f64 = 2.0;
-/// How much finer each round is.
-const FINER: f64 = 0.5;
-/// Part of the allowed width of the mean that pieces which are not cut for being negligible may use up, one for each face.
-const NEGLIGIBLE: f64 = 0.05;
-/// Rounds that make only statistics of parts of the distribution narrower.
-const FOCUSED_ROUNDS: u32 = 12;
-/// A focused round must narrow what is not yet narrow enough by this factor, or it was the last.
-const LEAST_PROGRESS: f64 = 0.95;
-
 pub(super) fn run(query: &DeviationQuery, pair: &Pair<'_>, observer: &mut dyn Observer) -> Outcome {
     let started = Instant::now();
     let Pair { from, to, target, direction, deadline } = *pair;
@@ -131,13 +119,6 @@ pub(super) fn run(query: &DeviationQuery, pair: &Pair<'_>, observer: &mut dyn Ob
     let (distribution, summary, tight) = refinery.run(roots, scale);
     let (made, rounds) = (refinery.made, refinery.rounds);
 
-    let stop = match control.why() {
-        Some(Halt::Time) => StopReason::Time,
-        Some(Halt::Memory) => StopReason::Memory,
-        Some(Halt::Cancelled) => StopReason::Cancelled,
-        _ if tight => StopReason::Tolerance,
-        _ => StopReason::Rounding,
-    };
     let mut work = DeviationWork {
         pieces: made.pieces.len() as u64,
         looks: made.looks,
@@ -148,11 +129,51 @@ pub(super) fn run(query: &DeviationQuery, pair: &Pair<'_>, observer: &mut dyn Ob
         refine: Duration::ZERO,
     };
     let field = Field::new(frame, &made.pieces, from.faces().len(), largest, areas);
-    let landscape = (query.regions > 0).then(|| Landscape::new(from, &field, bvh));
-    let regions = landscape.as_ref().map(|l| l.peaks(query.regions)).unwrap_or_default();
-    let beyond_threshold = match (&landscape, wanted.threshold) {
-        (Some(landscape), Some(t)) => landscape.above(t, query.regions),
-        _ => Vec::new(),
+    // A limit on pieces or memory does not keep maxima from being narrowed: that takes neither.
+    let control_of_maxima = Control::new(deadline, None);
+    if control.why() == Some(Halt::Cancelled) {
+        control_of_maxima.halt(Halt::Cancelled);
+    }
+    let scene = Scene {
+        a: from,
+        order: &order,
+        frame: &frame,
+        bvh,
+        b: Some(to),
+        neighbours: target.neighbours(),
+        control: &control_of_maxima,
+    };
+    let mut maxima =
+        Maxima { scene: &scene, rounding, floor, largest, of_faces: maxima::of_pieces(&field), searched: 0 };
+    know_farthest(&mut maxima, &distance);
+    let mut tell = |searched: u64, left: usize| {
+        let progress = Progress {
+            direction,
+            lower: distance.distance.lower(),
+            upper: distance.distance.upper(),
+            examined: made.looks + searched,
+            left: left as u64,
+        };
+        if watched.observer.progress(&progress) == ControlFlow::Break(()) {
+            control_of_maxima.halt(Halt::Cancelled);
+        }
+    };
+    let wide: Vec<u32> = order.iter().copied().filter(|face| maxima.is_wide(*face, Care::Map)).collect();
+    maxima.narrow(&wide, Care::Map, &mut tell);
+    let (regions, beyond_threshold, maxima) = if query.regions > 0 {
+        let mut landscape = Landscape::new(from, &field, maxima);
+        landscape.settle(query.regions, wanted.threshold, &mut tell);
+        let (regions, beyond_threshold) = landscape.regions(query.regions, wanted.threshold);
+        (regions, beyond_threshold, landscape.into_maxima())
+    } else {
+        (Vec::new(), Vec::new(), maxima.of_faces)
+    };
+    let stop = match control.why().or(control_of_maxima.why()) {
+        Some(Halt::Time) => StopReason::Time,
+        Some(Halt::Memory) => StopReason::Memory,
+        Some(Halt::Cancelled) => StopReason::Cancelled,
+        _ if tight => StopReason::Tolerance,
+        _ => StopReason::Rounding,
     };
     let vertices = faces::vertices(from, &frame, bvh, &order);
     let sides = query.signed.then(|| Sides::of(from, to));
@@ -163,7 +184,7 @@ pub(super) fn run(query: &DeviationQuery, pair: &Pair<'_>, observer: &mut dyn Ob
         statistics: summary
             .as_ref()
             .map(|s| s.publish(&distribution, &wanted, query.threshold, largest, &frame)),
-        faces: faces::faces(&field),
+        faces: faces::faces(&field, &maxima),
         vertices,
         vertex_error: frame.length_out(rounding.lower()),
         sides,
@@ -176,11 +197,23 @@ pub(super) fn run(query: &DeviationQuery, pair: &Pair<'_>, observer: &mut dyn Ob
     Outcome { report, distribution, summary }
 }
 
+/// The largest distance of all is that of a face, too, and its witness is on it.
+fn know_farthest(maxima: &mut Maxima<'_>, distance: &DirectedReport) {
+    let frame = maxima.scene.frame;
+    let witness = &distance.witness.from;
+    let lower = frame.length_in(distance.distance.lower());
+    let maximum: &mut Maximum = &mut maxima.of_faces[witness.face.index()];
+    if lower > maximum.lower {
+        maximum.lower = lesser(lower, maximum.upper);
+        maximum.point = frame.map(witness.position);
+    }
+}
+
 /// Bytes for each piece: itself and its copy in order, and what statistics make of it.
 const PIECE_BYTES: usize = 2 * size_of::<Piece>() + size_of::<Entry>();
 
 fn held(from: &TriMesh, target: &Target) -> usize {
-    const PER_FACE: usize = 64;
+    const PER_FACE: usize = 64 + size_of::<Maximum>();
     size_of_val(from.positions()) + size_of_val(from.faces()) + target.bytes() + from.faces().len() * PER_FACE
 }
 
@@ -211,121 +244,6 @@ impl Observer for Watched<'_> {
         let flow = self.observer.progress(progress);
         self.cancelled |= flow.is_break();
         flow
-    }
-}
-
-struct Refinery<'r, 'w> {
-    query: &'r DeviationQuery,
-    shop: &'r Workshop<'w>,
-    areas: &'r [(f64, f64)],
-    wanted: &'r Wanted<'r>,
-    floor: f64,
-    largest: f64,
-    total: f64,
-    made: Made,
-    rounds: u32,
-    watch: &'r mut dyn FnMut(&Made, usize),
-}
-
-impl Refinery<'_, '_> {
-    /// Returns the distribution, what it says, and whether that is as narrow as asked.
-    fn run(&mut self, roots: Vec<Piece>, scale: f64) -> (Distribution, Option<Summary>, bool) {
-        let accuracy = self.query.accuracy;
-        let mut goal = Goal {
-            relative: FIRST_PART * accuracy,
-            scale,
-            floor: self.floor,
-            negligible: 0.0,
-            focus: Vec::new(),
-            focus_relative: f64::INFINITY,
-        };
-        let faces = roots.len() as f64;
-        goal.negligible = NEGLIGIBLE * goal.allowed(goal.scale) * self.total / faces;
-        self.refine(&roots, &goal, FIRST_PIECES);
-        drop(roots);
-        let mut focused_rounds = 0;
-        let mut doubt_before = f64::INFINITY;
-        loop {
-            let distribution = self.distribution();
-            let Some(summary) = Summary::of(&distribution, self.wanted, self.largest) else {
-                return (distribution, None, true);
-            };
-            let within = |(low, high): (f64, f64)| high - low <= accuracy * low + self.floor;
-            let means_are_tight = within(summary.mean) && within(summary.rms);
-            let doubt = self.doubt(&summary);
-            let focus = self.focus(&summary);
-            if self.shop.control.halted() || means_are_tight && focus.is_empty() {
-                let tight = means_are_tight && focus.is_empty();
-                return (distribution, Some(summary), tight);
-            }
-            goal.scale = 0.5 * (summary.mean.0 + summary.mean.1);
-            if means_are_tight {
-                let stuck = doubt > LEAST_PROGRESS * doubt_before;
-                if focused_rounds == FOCUSED_ROUNDS || stuck {
-                    return (distribution, Some(summary), false);
-                }
-                doubt_before = doubt;
-                let before = if focused_rounds == 0 { accuracy } else { goal.focus_relative };
-                goal.focus_relative = FINER * before;
-                goal.focus = focus;
-                focused_rounds += 1;
-            } else {
-                goal.relative *= FINER;
-                goal.negligible = NEGLIGIBLE * goal.allowed(goal.scale) * self.total / faces;
-            }
-            drop(distribution);
-            let (open, good): (Vec<Piece>, Vec<Piece>) = std::mem::take(&mut self.made.pieces)
-                .into_iter()
-                .partition(|piece| goal.wanted(piece, self.shop.areas[piece.face as usize]).is_some());
-            self.made.pieces = good;
-            if open.is_empty() && goal.relative < f64::EPSILON {
-                let distribution = self.distribution();
-                let summary = Summary::of(&distribution, self.wanted, self.largest);
-                return (distribution, summary, false);
-            }
-            self.refine(&open, &goal, LATER_PIECES);
-        }
-    }
-
-    fn refine(&mut self, roots: &[Piece], goal: &Goal, most: usize) {
-        self.rounds += 1;
-        self.shop.refine(roots, goal, most, &mut self.made, &mut *self.watch);
-    }
-
-    fn distribution(&self) -> Distribution {
-        let entry = |piece: &Piece| Entry {
-            lower: piece.lower,
-            upper: piece.upper,
-            area: area_of(piece, self.areas[piece.face as usize]),
-        };
-        Distribution { entries: self.made.pieces.iter().map(entry).collect() }
-    }
-
-    /// Ranges of distances in which pieces keep a statistic from being as narrow as asked.
-    fn focus(&self, summary: &Summary) -> Vec<(f64, f64)> {
-        let accuracy = self.query.accuracy;
-        let mut focus: Vec<(f64, f64)> = summary
-            .percentiles
-            .iter()
-            .copied()
-            .filter(|(low, high)| high - low > accuracy * low + self.floor)
-            .collect();
-        if let Some(((low, high), threshold)) = summary.above.zip(self.wanted.threshold)
-            && high - low > accuracy
-        {
-            focus.push((threshold, threshold));
-        }
-        focus
-    }
-
-    /// Sum of the widths that are too great, each relative to what is allowed.
-    fn doubt(&self, summary: &Summary) -> f64 {
-        let accuracy = self.query.accuracy;
-        let excess = |width: f64, allowed: f64| greater(width / allowed - 1.0, 0.0);
-        let percentiles = summary.percentiles.iter();
-        let of_percentiles: f64 =
-            percentiles.map(|(low, high)| excess(high - low, accuracy * low + self.floor)).sum();
-        of_percentiles + summary.above.map_or(0.0, |(low, high)| excess(high - low, accuracy))
     }
 }
 

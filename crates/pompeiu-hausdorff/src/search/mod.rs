@@ -7,6 +7,7 @@
 
 mod control;
 mod game;
+mod local;
 mod overlay;
 pub(crate) mod piece;
 mod refine;
@@ -15,6 +16,7 @@ mod sweep;
 mod worker;
 
 pub(crate) use control::{Control, Halt};
+pub(crate) use local::{Local, Start, search_each};
 
 use crate::observer::{Discard, Observer, Progress, Proof, RemainingPiece, Stage};
 use crate::report::{Direction, WorkCount};

@@ -46,7 +46,7 @@ impl Worker<'_> {
     }
 
     /// Discards a face or opens it. `hint` is a face of B that may be near; returns one that is.
-    fn sweep_face(&mut self, face: u32, corners: &[[f64; 3]; 3], hint: Slot) -> Slot {
+    pub(super) fn sweep_face(&mut self, face: u32, corners: &[[f64; 3]; 3], hint: Slot) -> Slot {
         self.out.work.pieces += 1;
         let points = with_centre(corners);
         let mut piece = Piece::whole(face, *corners, hint);

@@ -43,7 +43,7 @@ pub(crate) struct Keep {
 }
 
 /// Results of tasks, merged in task order.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(crate) struct Outcome {
     /// The farthest point found, if farther than the search knew.
     pub(crate) found: Option<Found>,
@@ -72,16 +72,15 @@ pub(super) struct Worker<'s> {
 
 impl<'s> Worker<'s> {
     pub(super) fn new(scene: &'s Scene<'s>, limits: Limits, keep: Keep, lower: f64) -> Self {
-        let out = Outcome {
-            found: None,
-            upper: 0.0,
-            open: Vec::new(),
-            kept: Vec::new(),
-            discarded: Vec::new(),
-            work: WorkCount::default(),
-        };
         let overlay = Overlay::new(keep.discards || keep.pieces);
+        let out = Outcome::default();
         Self { scene, limits, keep, lower, workspace: Workspace::default(), overlay, foot: None, out }
+    }
+
+    /// Forgets what was found, but for memory and counts of distances.
+    pub(super) fn begin_again(&mut self) {
+        self.lower = 0.0;
+        self.out = Outcome::default();
     }
 
     pub(super) fn scene(&self) -> &'s Scene<'s> {

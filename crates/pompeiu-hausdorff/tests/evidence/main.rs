@@ -13,6 +13,7 @@ mod options;
 mod oracle;
 mod pairs;
 mod properties;
+mod regions;
 mod regressions;
 mod sampling;
 mod scales;

@@ -18,13 +18,18 @@ fn read(path: &str) -> Option<TriMesh> {
     path.is_file().then(|| pompeiu_io::read(path).expect("a readable mesh").mesh)
 }
 
+/// Both meshes of a pair, if they are there.
+pub(crate) fn load(name: &str) -> Option<(TriMesh, TriMesh)> {
+    let found = read(&format!("pairs/{name}/a.obj")).zip(read(&format!("pairs/{name}/b.obj")));
+    if found.is_none() {
+        println!("skipped: the pair {name} is not there");
+    }
+    found
+}
+
 /// The distance of a pair, checked against an interval that other programs enclosed it in.
 fn check(name: &str, lower: f64, upper: f64) {
-    let (Some(a), Some(b)) = (read(&format!("pairs/{name}/a.obj")), read(&format!("pairs/{name}/b.obj")))
-    else {
-        println!("skipped: the pair {name} is not there");
-        return;
-    };
+    let Some((a, b)) = load(name) else { return };
     let report = directed_hausdorff(&a, &b);
     println!("{name}: {:?} {:?} {:?}", report.distance, report.work, report.timing);
     assert!(overlap(report.distance, Enclosure::new(lower, upper).unwrap(), 0.0), "{name}: {report:?}");
