@@ -173,7 +173,8 @@ impl DeviationQuery {
         self
     }
 
-    /// Stops refining at about this many pieces, with wider enclosures; one for each face is needed in any case.
+    /// Stops refining at about this many pieces, with wider enclosures; one for each face is needed in any case. The report then
+    /// says [`StopReason::Memory`](crate::StopReason::Memory), for memory is what pieces take.
     #[must_use]
     pub fn most_pieces(mut self, pieces: usize) -> Self {
         self.most_pieces = pieces;

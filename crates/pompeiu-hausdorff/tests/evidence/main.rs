@@ -17,4 +17,5 @@ mod regions;
 mod regressions;
 mod sampling;
 mod scales;
+mod statistics;
 mod support;

@@ -1,0 +1,159 @@
+//! Statistics of deviation: more closed forms, motions, and ends that limits and observers put to the work.
+
+use crate::support::largest_coordinate;
+use pompeiu_core::TriMesh;
+use pompeiu_core::mesh::shapes::{Diagonal, grid, icosphere};
+use pompeiu_core::mesh::{Affine, displace_at_random, transform};
+use pompeiu_hausdorff::deviation::Statistics;
+use pompeiu_hausdorff::{DeviationQuery, DirectedDeviation, Enclosure, Observer, Progress, StopReason};
+use pompeiu_testkit::strategies::scaled;
+use std::ops::ControlFlow;
+use std::time::Duration;
+
+/// Rounding of statistics of size one.
+const ROUNDING: f64 = 1e-12;
+
+fn rough() -> (TriMesh, TriMesh) {
+    let a = displace_at_random(&icosphere(1.0, 3).unwrap(), 0.03, 3).unwrap();
+    (a, displace_at_random(&icosphere(1.0, 2).unwrap(), 0.05, 4).unwrap())
+}
+
+fn numbers(statistics: &Statistics) -> Vec<Enclosure> {
+    let mut numbers = vec![statistics.mean, statistics.rms];
+    numbers.extend(statistics.percentiles.iter().map(|p| p.distance));
+    numbers
+}
+
+fn all(report: &DirectedDeviation) -> Vec<Enclosure> {
+    let mut all = numbers(report.statistics.as_ref().unwrap());
+    all.extend(report.faces.iter().flat_map(|face| [face.max, face.min, face.mean]));
+    all
+}
+
+#[track_caller]
+fn check_overlap(here: &[Enclosure], there: &[Enclosure], slack: f64) {
+    assert_eq!(here.len(), there.len());
+    for (x, y) in here.iter().zip(there) {
+        assert!(x.lower() <= y.upper() + slack && y.lower() <= x.upper() + slack, "{x} {y}");
+    }
+}
+
+/// Between concentric spheres every distance lies between those of the spheres that bound their faces.
+#[test]
+fn a_sphere_inside_a_sphere() {
+    let (radius, outer) = (0.8, 1.0);
+    let (a, b) = (icosphere(radius, 3).unwrap(), icosphere(outer, 4).unwrap());
+    // Faces reach inside their sphere as far as their planes: of these, the nearest to the centre.
+    let inner = |mesh: &TriMesh| {
+        mesh.face_ids().fold(f64::INFINITY, |least: f64, f| {
+            let triangle = mesh.corners(f);
+            least.min(pompeiu_testkit::plain::point_triangle([0.0; 3], triangle))
+        })
+    };
+    let (least, most) = (inner(&b) - radius, outer - inner(&a));
+    assert!(least > 0.19 && most < 0.21);
+    let report = DeviationQuery::new().accuracy(1e-3).unwrap().directed(&a, &b);
+    for number in all(&report) {
+        assert!(number.upper() >= least - ROUNDING && number.lower() <= most + ROUNDING, "{number}");
+        assert!(number.upper() <= most * 1.005 && number.lower() >= least * 0.995, "{number}");
+    }
+}
+
+/// Half of a plate is raised: the median lies in the gap and says so, all other percentiles are narrow.
+#[test]
+fn a_plate_half_of_which_is_raised() {
+    let plate = grid([1.0, 1.0], [4, 4], Diagonal::Rising).unwrap();
+    let at = |height: f64, to: f64| transform(&plate, &Affine::translate([to, 0.0, height])).unwrap();
+    let a = pompeiu_core::mesh::merge(&[&at(1.0, 0.0), &at(2.0, 2.0)]).unwrap();
+    let b = transform(&grid([8.0, 8.0], [3, 3], Diagonal::Falling).unwrap(), &Affine::translate([0.0; 3]))
+        .unwrap();
+    let query = DeviationQuery::new().percentiles(&[0.1, 0.4, 0.5, 0.6, 0.9]).unwrap();
+    let report = query.directed(&a, &b);
+    let percentiles = report.statistics.unwrap().percentiles;
+    for (percentile, value) in percentiles.iter().zip([1.0, 1.0, 1.0, 2.0, 2.0]) {
+        let distance = percentile.distance;
+        assert!(
+            distance.lower() <= value + ROUNDING && value <= distance.upper() + ROUNDING,
+            "{percentile:?}"
+        );
+        assert!(distance.upper() <= 2.0 + ROUNDING);
+        assert!(percentile.share == 0.5 || distance.gap() <= ROUNDING, "{percentile:?}");
+    }
+}
+
+#[test]
+fn motions_and_scales_keep_what_is_enclosed() {
+    let (a, b) = rough();
+    let here = DeviationQuery::new().directed(&a, &b);
+    let rotation = Affine::rotate([1.0, 2.0, -0.5], 37.0).unwrap();
+    let moved =
+        |m| transform(&transform(m, &rotation).unwrap(), &Affine::translate([0.3, -4.0, 1.0])).unwrap();
+    let (moved_a, moved_b) = (moved(&a), moved(&b));
+    let slack = 32.0 * f64::EPSILON * largest_coordinate(&[&a, &b, &moved_a, &moved_b]);
+    check_overlap(&all(&here), &all(&DeviationQuery::new().directed(&moved_a, &moved_b)), slack);
+    for exponent in [-300, -3, 200] {
+        let (small_a, small_b) = (scaled(&a, exponent).unwrap(), scaled(&b, exponent).unwrap());
+        let there = DeviationQuery::new().directed(&small_a, &small_b);
+        let by = 2.0_f64.powi(exponent);
+        for (x, y) in all(&here).iter().zip(all(&there)) {
+            assert_eq!((x.lower() * by, x.upper() * by), (y.lower(), y.upper()));
+        }
+        assert_eq!(here.regions.len(), there.regions.len());
+        assert_eq!(here.work.looks, there.work.looks);
+    }
+}
+
+#[test]
+fn more_accuracy_is_narrower() {
+    let (a, b) = rough();
+    let mut before: Option<Vec<Enclosure>> = None;
+    for accuracy in [0.3, 0.03, 0.003] {
+        let report = DeviationQuery::new().accuracy(accuracy).unwrap().directed(&a, &b);
+        assert_eq!(report.stop, StopReason::Tolerance);
+        let now = numbers(&report.statistics.unwrap());
+        assert!(now.iter().all(|x| x.gap() <= accuracy * x.lower() + 1e-8), "{accuracy} {now:?}");
+        if let Some(before) = before {
+            check_overlap(&before, &now, 0.0);
+            assert!(now[0].gap() < before[0].gap() && now[1].gap() < before[1].gap());
+        }
+        before = Some(now);
+    }
+}
+
+/// Breaks off after some looks.
+struct Cancels(u32);
+
+impl Observer for Cancels {
+    fn progress(&mut self, _: &Progress) -> ControlFlow<()> {
+        self.0 = self.0.saturating_sub(1);
+        if self.0 == 0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+}
+
+#[test]
+fn limits_leave_true_numbers_and_say_why() {
+    let (a, b) = rough();
+    let fine = DeviationQuery::new().accuracy(1e-3).unwrap();
+    let truth = all(&fine.directed(&a, &b));
+    let check = |report: DirectedDeviation, stop: StopReason| {
+        assert_eq!(report.stop, stop);
+        check_overlap(&all(&report), &truth, 0.0);
+        let largest = report.distance.distance.upper();
+        assert!(report.regions.iter().all(|region| region.peak.lower() <= largest));
+    };
+    check(fine.clone().most_pieces(1500).directed(&a, &b), StopReason::Memory);
+    check(fine.clone().memory_limit(1).directed(&a, &b), StopReason::Memory);
+    check(fine.clone().time_limit(Duration::ZERO).directed(&a, &b), StopReason::Time);
+    // At each of its chances, until it has one more than there are.
+    let mut chances = 0;
+    loop {
+        let mut observer = Cancels(chances + 1);
+        let report = fine.directed_observed(&a, &b, &mut observer);
+        if observer.0 > 0 {
+            break;
+        }
+        check(report, StopReason::Cancelled);
+        chances += 1;
+    }
+    assert!(chances >= 4, "{chances}");
+}
