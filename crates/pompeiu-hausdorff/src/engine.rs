@@ -90,6 +90,7 @@ pub(crate) fn search(
         bvh: target.bvh(),
         b,
         neighbours: target.neighbours(),
+        overlays: true,
         control: &control,
     };
     let result = Search::new(scene, limits, observer, question.direction).run(&stages);

@@ -141,6 +141,7 @@ pub(super) fn run(query: &DeviationQuery, pair: &Pair<'_>, observer: &mut dyn Ob
         bvh,
         b: Some(to),
         neighbours: target.neighbours(),
+        overlays: true,
         control: &control_of_maxima,
     };
     let mut maxima =

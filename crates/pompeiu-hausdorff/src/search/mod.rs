@@ -61,6 +61,8 @@ pub(crate) struct Scene<'s> {
     pub(crate) b: Option<&'s TriMesh>,
     /// Of the triangles in the tree.
     pub(crate) neighbours: &'s OnceLock<Neighbours>,
+    /// Whether overlays are tried, where neighbours are known.
+    pub(crate) overlays: bool,
     pub(crate) control: &'s Control,
 }
 
@@ -215,18 +217,20 @@ impl<'s, 'o> Search<'s, 'o> {
         self.look_around(order.len() as u64);
     }
 
-    /// Finds the neighbours of B's triangles, unless faces are so small for the distance that one of B mostly covers one of A.
+    /// Finds the neighbours of B's triangles, unless faces are so small for the distance that one of B mostly covers one of A: then
+    /// overlays are not tried, not even where a prepared target knows the neighbours, so that it gives the same report.
     fn meet_neighbours(&mut self) {
-        let Some(b) = self.scene.b.filter(|_| self.scene.neighbours.get().is_none()) else { return };
-        let mean = |count: usize, corners: &dyn Fn(usize) -> [[f64; 3]; 3]| {
+        let mean = |count: usize, corners: &mut dyn Iterator<Item = [[f64; 3]; 3]>| {
             let stride = count.div_ceil(SIZES);
-            let sizes = (0..count).step_by(stride).map(|i| longest_edge(&corners(i)));
-            sizes.sum::<f64>() / count.div_ceil(stride) as f64
+            corners.step_by(stride).map(|corners| longest_edge(&corners)).sum::<f64>()
+                / count.div_ceil(stride) as f64
         };
-        let order = self.scene.order;
-        let size_a = mean(order.len(), &|i| self.scene.corners(order[i]));
-        let size_b = mean(b.faces().len(), &|i| b.corners(FaceId(i as u32)).map(|p| self.scene.frame.map(p)));
-        if self.found.distance < LARGE_DISTANCE * (size_a + size_b) {
+        let Scene { order, bvh, .. } = self.scene;
+        let size_a = mean(order.len(), &mut order.iter().map(|face| self.scene.corners(*face)));
+        let size_b = mean(bvh.len(), &mut bvh.slots().map(|slot| bvh.corners(slot)));
+        self.scene.overlays = self.found.distance < LARGE_DISTANCE * (size_a + size_b);
+        let Some(b) = self.scene.b.filter(|_| self.scene.neighbours.get().is_none()) else { return };
+        if self.scene.overlays {
             // Made outside of the lock: threads that wait for it must not meet themselves among the tasks of the pool.
             let neighbours = Neighbours::new(b, self.scene.bvh);
             drop(self.scene.neighbours.set(neighbours));

@@ -101,3 +101,22 @@ proptest! {
         prop_assert!(crate::support::same(&report, &query.directed(&a, &b)));
     }
 }
+
+/// Far away for the size of its faces, where a new target does without neighbours and a prepared one has them already.
+#[test]
+fn a_triangle_that_is_lost_beside_the_other_mesh() {
+    let positions =
+        (0..16).map(|i| [f64::from(i % 4) * (1.0 / 3.0), f64::from(i / 4) * (1.0 / 3.0), 0.0]).collect();
+    let quads = (0..3).flat_map(|j| (0..3).map(move |i| 4 * j + i));
+    let grid = TriMesh::new(positions, quads.flat_map(|v| [[v, v + 1, v + 5], [v, v + 5, v + 4]]).collect())
+        .unwrap();
+    let triangle = TriMesh::new(
+        vec![[0.828_338_754_305_03, 0.0, 0.0], [0.0; 3], [0.0, 0.220_627_172_252_232_83, 0.0]],
+        vec![[0, 1, 2]],
+    )
+    .unwrap();
+    let (a, b) = (scaled(&grid, -691).unwrap(), scaled(&triangle, -745).unwrap());
+    let query = Query::new();
+    let reused = query.directed_to(&a, &Target::new(&b));
+    assert!(crate::support::same(&reused, &query.directed(&a, &b)));
+}
