@@ -2,7 +2,7 @@
 
 use crate::vtk;
 use pompeiu_core::TriMesh;
-use pompeiu_io::{Attributes, Format, OutputFormat, encode, read_bytes};
+use pompeiu_io::{Attributes, Format, OutputFormat, encode, read_bytes, read_face_vectors};
 use proptest::prelude::*;
 use std::fs;
 
@@ -104,6 +104,55 @@ proptest! {
     fn no_bytes_make_a_reader_panic(bytes in prop::collection::vec(any::<u8>(), 0..200)) {
         for format in [Format::Gltf, Format::Glb, Format::VtkLegacy, Format::Vtp, Format::Vtu] {
             prop_assert!(read_bytes(&bytes, Some(format)).is_err());
+        }
+    }
+}
+
+/// Files with vectors on faces, by suffix.
+fn samples_with_vectors() -> Vec<(&'static str, Vec<u8>)> {
+    let positions = vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    let mesh = TriMesh::new(positions, vec![[0, 1, 2], [0, 2, 1]]).unwrap();
+    let vectors = vec![[1.0, -0.5, 0.25], [0.0, 1e-300, 3.0]];
+    let attributes = Attributes::for_mesh(&mesh).with_face_vector("wind", vectors).unwrap();
+    let mut samples = vec![("csv", b"x,y,z\n1,-0.5,.25 # calm\n0;1e-300;3\n".to_vec())];
+    for (output, suffix) in
+        [(OutputFormat::Ply, "ply"), (OutputFormat::Vtp, "vtp"), (OutputFormat::Vtu, "vtu")]
+    {
+        let mut bytes = Vec::new();
+        encode(&mut bytes, output, &mesh, &attributes).unwrap();
+        samples.push((suffix, bytes));
+    }
+    samples
+}
+
+#[test]
+fn vectors_of_undamaged_files_are_read() {
+    let folder = tempfile::tempdir().unwrap();
+    for (suffix, bytes) in samples_with_vectors() {
+        let path = folder.path().join(format!("field.{suffix}"));
+        fs::write(&path, bytes).unwrap();
+        assert_eq!(
+            read_face_vectors(&path, None).unwrap(),
+            [[1.0, -0.5, 0.25], [0.0, 1e-300, 3.0]],
+            "{suffix}"
+        );
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(4_000))]
+
+    #[test]
+    fn no_damage_makes_a_reader_of_vectors_panic(
+        (suffix, bytes) in prop::sample::select(samples_with_vectors()),
+        damages in prop::collection::vec(damage(), 1..5),
+        named in any::<bool>(),
+    ) {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join(format!("field.{suffix}"));
+        fs::write(&path, apply(bytes, &damages)).unwrap();
+        if let Err(error) = read_face_vectors(&path, named.then_some("wind")) {
+            prop_assert!(!error.to_string().contains('\n'), "{}", error);
         }
     }
 }
