@@ -4,7 +4,7 @@ use crate::engine::{self, Question};
 use crate::observer::Observer;
 use crate::report::{DirectedReport, Direction, SymmetricReport};
 use crate::target::Target;
-use crate::tolerance::{OptionError, Tolerance};
+use crate::tolerance::{OptionError, Tolerance, check_threads, check_threshold};
 use crate::{classic, coarse};
 use pompeiu_core::TriMesh;
 use std::time::{Duration, Instant};
@@ -92,10 +92,7 @@ impl Query {
     /// # Errors
     /// [`OptionError::Threshold`] unless it is finite and not negative.
     pub fn threshold(mut self, threshold: f64) -> Result<Self, OptionError> {
-        if !(0.0..f64::INFINITY).contains(&threshold) {
-            return Err(OptionError::Threshold(threshold));
-        }
-        self.threshold = Some(threshold);
+        self.threshold = Some(check_threshold(threshold)?);
         Ok(self)
     }
 
@@ -104,10 +101,7 @@ impl Query {
     /// # Errors
     /// [`OptionError::Threads`] for none.
     pub fn threads(mut self, threads: usize) -> Result<Self, OptionError> {
-        if threads == 0 {
-            return Err(OptionError::Threads);
-        }
-        self.threads = Some(threads);
+        self.threads = Some(check_threads(threads)?);
         Ok(self)
     }
 

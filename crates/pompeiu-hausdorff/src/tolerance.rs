@@ -59,3 +59,17 @@ pub enum OptionError {
         tolerance: f64,
     },
 }
+
+/// That a threshold is a length.
+pub(crate) fn check_threshold(threshold: f64) -> Result<f64, OptionError> {
+    if (0.0..f64::INFINITY).contains(&threshold) {
+        Ok(threshold)
+    } else {
+        Err(OptionError::Threshold(threshold))
+    }
+}
+
+/// That there is a thread to run on.
+pub(crate) fn check_threads(threads: usize) -> Result<usize, OptionError> {
+    if threads > 0 { Ok(threads) } else { Err(OptionError::Threads) }
+}

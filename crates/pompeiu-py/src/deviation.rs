@@ -1,15 +1,15 @@
 //! Deviation analysis.
 
 use crate::arrays::array_of_rows;
-use crate::errors::{Raise, UnknownOption};
+use crate::errors::Raise;
 use crate::mesh::Mesh;
+use crate::query::duration;
 use crate::report::{Directed, Pair};
 use crate::wait;
 use numpy::{IntoPyArray, PyArray1, PyArray2};
 use pompeiu::hausdorff::deviation::{self as library, DeviationQuery, DirectedDeviation, FaceDeviation};
 use pompeiu::hausdorff::{Direction, Enclosure};
 use pyo3::prelude::*;
-use std::time::Duration;
 
 /// The options of a question, from a dictionary.
 #[derive(FromPyObject)]
@@ -46,9 +46,7 @@ impl Options {
             query = query.threads(threads).map_err(Raise::raise)?;
         }
         if let Some(seconds) = self.time_limit {
-            let limit =
-                Duration::try_from_secs_f64(seconds).map_err(|_| UnknownOption::Time(seconds).raise())?;
-            query = query.time_limit(limit);
+            query = query.time_limit(duration(seconds)?);
         }
         if let Some(bytes) = self.memory_limit {
             query = query.memory_limit(bytes);

@@ -34,9 +34,7 @@ impl Options {
             query = query.threads(threads).map_err(Raise::raise)?;
         }
         if let Some(seconds) = self.time_limit {
-            let limit =
-                Duration::try_from_secs_f64(seconds).map_err(|_| UnknownOption::Time(seconds).raise())?;
-            query = query.time_limit(limit);
+            query = query.time_limit(duration(seconds)?);
         }
         if let Some(bytes) = self.memory_limit {
             query = query.memory_limit(bytes);
@@ -52,6 +50,11 @@ impl Options {
             }
         }))
     }
+}
+
+/// A span of time.
+pub(crate) fn duration(seconds: f64) -> PyResult<Duration> {
+    Duration::try_from_secs_f64(seconds).map_err(|_| UnknownOption::Time(seconds).raise())
 }
 
 fn tolerance(value: f64, kind: &str) -> PyResult<Tolerance> {

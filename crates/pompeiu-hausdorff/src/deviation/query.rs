@@ -1,12 +1,13 @@
 //! Asking for a deviation analysis.
 
 use super::report::{Deviation, DirectedDeviation};
-use super::run::{Outcome, Pair, joint_frame, run};
+use super::run::{Outcome, Pair, run};
 use super::statistics::{Percentile, Summary, Wanted};
+use crate::engine::joint_frame;
 use crate::observer::Observer;
 use crate::report::Direction;
 use crate::target::Target;
-use crate::tolerance::OptionError;
+use crate::tolerance::{OptionError, check_threads, check_threshold};
 use pompeiu_core::TriMesh;
 use std::time::{Duration, Instant};
 
@@ -106,10 +107,7 @@ impl DeviationQuery {
     /// # Errors
     /// [`OptionError::Threshold`] unless it is finite and not negative.
     pub fn threshold(mut self, threshold: f64) -> Result<Self, OptionError> {
-        if !(0.0..f64::INFINITY).contains(&threshold) {
-            return Err(OptionError::Threshold(threshold));
-        }
-        self.threshold = Some(threshold);
+        self.threshold = Some(check_threshold(threshold)?);
         Ok(self)
     }
 
@@ -151,10 +149,7 @@ impl DeviationQuery {
     /// # Errors
     /// [`OptionError::Threads`] for none.
     pub fn threads(mut self, threads: usize) -> Result<Self, OptionError> {
-        if threads == 0 {
-            return Err(OptionError::Threads);
-        }
-        self.threads = Some(threads);
+        self.threads = Some(check_threads(threads)?);
         Ok(self)
     }
 
@@ -213,7 +208,7 @@ impl DeviationQuery {
     }
 
     fn both(&self, a: &TriMesh, b: &TriMesh, there: Outcome, back: Outcome) -> Deviation {
-        let frame = joint_frame(a, b);
+        let (frame, ..) = joint_frame(a, b);
         let greater_percentiles = there.summary.as_ref().zip(back.summary.as_ref()).map(|(x, y)| {
             let both = x.percentiles.iter().zip(&y.percentiles);
             let greater = both.map(|(x, y)| super::run::greater_of(*x, *y));
@@ -252,7 +247,7 @@ impl DeviationQuery {
         observer: &mut dyn Observer,
     ) -> Outcome {
         let started = Instant::now();
-        let target = Target::in_frame(to, joint_frame(from, to));
+        let target = Target::in_frame(to, joint_frame(from, to).0);
         let build = started.elapsed();
         let pair = Pair { from, to, target: &target, direction, deadline };
         let mut outcome = run(self, &pair, observer);

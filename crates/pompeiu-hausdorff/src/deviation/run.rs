@@ -18,7 +18,7 @@ use crate::rounding::Rounding;
 use crate::search::{Control, Halt, Scene};
 use crate::target::Target;
 use crate::tolerance::Tolerance;
-use pompeiu_core::geom::{Aabb, Frame};
+use pompeiu_core::geom::Aabb;
 use pompeiu_core::spatial::{Bvh, Workspace, morton_order};
 use pompeiu_core::{FaceId, TriMesh};
 use std::ops::ControlFlow;
@@ -246,11 +246,6 @@ impl Observer for Watched<'_> {
         self.cancelled |= flow.is_break();
         flow
     }
-}
-
-/// The frame of both meshes.
-pub(super) fn joint_frame(a: &TriMesh, b: &TriMesh) -> Frame {
-    Frame::of(&Aabb::of_faces(a).union(Aabb::of_faces(b)))
 }
 
 /// The greater of two enclosed percentiles.
