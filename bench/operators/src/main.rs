@@ -4,9 +4,8 @@
 use anyhow::{Context, Result};
 use pompeiu::core::mesh::{Random, subdivide};
 use pompeiu::core::{FaceId, TriMesh, VertexId};
-use pompeiu::operators::{
-    Boundary, HarmonicBasis, HeatMethod, HodgeSolver, Splitting, cotan_laplacian, random_field,
-};
+use pompeiu::fields::HodgeSolver;
+use pompeiu::operators::{Boundary, HarmonicBasis, HeatMethod, Splitting, cotan_laplacian, random_field};
 use pompeiu::solve::{LinearSolver, SemidefiniteCholesky};
 use pompeiu::surface::{EmbeddedSurface, Ray, Tracer};
 use std::fmt::Write;

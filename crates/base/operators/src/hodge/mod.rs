@@ -1,0 +1,7 @@
+//! Spaces of potentials and of harmonic fields: what Helmholtz–Hodge decompositions are built of.
+
+mod basis;
+mod spaces;
+
+pub use basis::HarmonicBasis;
+pub use spaces::{Boundary, Fixed, Splitting, edge_system, vertex_system};

@@ -1,0 +1,90 @@
+//! Which functions potentials may be.
+
+use crate::OperatorError;
+use crate::laplacian::{cotan_laplacian, edge_laplacian};
+use pompeiu_solve::SemidefiniteCholesky;
+use pompeiu_surface::{Relative, Surface, SurfaceMesh};
+
+/// Which kind of function belongs to which part.
+///
+/// The two differ: the harmonic parts of one are the quarter turns of those of the other, which are other fields.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Splitting {
+    /// `u = G_v a + J G_e b + h`: gradients of continuous functions.
+    #[default]
+    Primal,
+    /// `u = G_e b + J G_v a + h`: rotated gradients of continuous functions.
+    Dual,
+}
+
+/// How the harmonic part meets the boundary. On closed components there is no difference.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Boundary {
+    /// Along it: the rotated potential is zero at the boundary, so that neither the rotated gradient nor the harmonic part
+    /// flows through it (Neumann fields).
+    #[default]
+    Tangential,
+    /// Straight through it: the potential of the gradient is zero at the boundary, so that neither the gradient nor the
+    /// harmonic part has a component along it (Dirichlet fields).
+    Normal,
+}
+
+/// Which of the two potentials of the primal splitting vanishes at the boundary.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fixed {
+    /// The nonconforming one.
+    Edges,
+    /// The conforming one.
+    Vertices,
+}
+
+impl Fixed {
+    /// The dual splitting is the primal one of the field turned back by a quarter, which also turns what is tangential at
+    /// the boundary into what is normal.
+    pub fn of(splitting: Splitting, boundary: Boundary) -> Self {
+        match (splitting, boundary) {
+            (Splitting::Primal, Boundary::Tangential) | (Splitting::Dual, Boundary::Normal) => Self::Edges,
+            (Splitting::Primal, Boundary::Normal) | (Splitting::Dual, Boundary::Tangential) => Self::Vertices,
+        }
+    }
+
+    pub(super) fn relative(self) -> Relative {
+        match self {
+            Self::Edges => Relative::ToNothing,
+            Self::Vertices => Relative::ToBoundary,
+        }
+    }
+}
+
+/// Which components have a boundary.
+fn open_components(mesh: &SurfaceMesh) -> Vec<bool> {
+    mesh.boundary_loops_of_components().into_iter().map(|loops| loops > 0).collect()
+}
+
+/// The component of each unknown, where constants solve there: everywhere but in an open component whose boundary is fixed.
+fn groups(mesh: &SurfaceMesh, fixed: bool, components: impl Iterator<Item = usize>) -> Vec<Option<u32>> {
+    let open = open_components(mesh);
+    components.map(|component| (!(fixed && open[component])).then_some(component as u32)).collect()
+}
+
+/// The cotangent Laplacian, factored; `fixed`: potentials are zero at boundary vertices.
+///
+/// # Errors
+/// [`OperatorError::Solve`] if it cannot be factored, which very thin faces can cause.
+pub fn vertex_system(surface: &Surface, fixed: bool) -> Result<SemidefiniteCholesky, OperatorError> {
+    let mesh = surface.mesh();
+    let at_boundary: Vec<bool> = mesh.vertex_ids().map(|v| fixed && mesh.is_boundary_vertex(v)).collect();
+    let group = groups(mesh, fixed, mesh.vertex_ids().map(|v| mesh.component(v)));
+    Ok(SemidefiniteCholesky::new(cotan_laplacian(surface)?, &at_boundary, &group)?)
+}
+
+/// The Crouzeix–Raviart Laplacian, factored; `fixed`: potentials are zero at boundary edges.
+///
+/// # Errors
+/// [`OperatorError::Solve`] if it cannot be factored, which very thin faces can cause.
+pub fn edge_system(surface: &Surface, fixed: bool) -> Result<SemidefiniteCholesky, OperatorError> {
+    let mesh = surface.mesh();
+    let at_boundary: Vec<bool> = mesh.edge_ids().map(|e| fixed && mesh.is_boundary_edge(e)).collect();
+    let group = groups(mesh, fixed, mesh.edge_ids().map(|e| mesh.component(mesh.ends(e)[0])));
+    Ok(SemidefiniteCholesky::new(edge_laplacian(surface)?, &at_boundary, &group)?)
+}

@@ -1,0 +1,33 @@
+//! Discrete differential operators on triangle surfaces.
+//!
+//! Functions are linear on each face and continuous at vertices (conforming, Lagrange), or at the midpoints of edges only
+//! (nonconforming, Crouzeix–Raviart); tangent fields are constant on each face.
+//!
+//! | module | what is in it |
+//! |---|---|
+//! | gradients | [`gradient`], [`edge_gradient`], and their adjoints [`divergence`], [`edge_divergence`], [`vertex_curl`], [`edge_curl`] |
+//! | Laplacians and masses | [`cotan_laplacian`], [`edge_laplacian`], [`mass_matrix`], [`face_mass`] |
+//! | fields | [`FaceField`], [`field_inner_product`], [`rotation_field`], [`tangent_field`], [`random_field`] |
+//! | [`hodge`] | potentials with boundary conditions, and harmonic fields |
+//! | [`HeatMethod`] | distances along the surface |
+
+mod error;
+mod field;
+mod gradient;
+mod heat;
+pub mod hodge;
+mod laplacian;
+mod mass;
+mod sources;
+
+pub use error::OperatorError;
+pub use field::{FaceField, add_scaled, check_field, difference, field_inner_product, field_norm, rotated};
+pub use gradient::{
+    divergence, edge_curl, edge_divergence, edge_gradient, edge_gradient_matrix, gradient, gradient_matrix,
+    vertex_curl,
+};
+pub use heat::HeatMethod;
+pub use hodge::{Boundary, HarmonicBasis, Splitting};
+pub use laplacian::{cotan_laplacian, edge_laplacian};
+pub use mass::{face_mass, mass_matrix};
+pub use sources::{random_field, rotation_field, tangent_field};

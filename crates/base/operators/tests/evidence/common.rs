@@ -1,0 +1,112 @@
+//! Surfaces, fields, and how far apart fields are.
+
+use pompeiu_core::TriMesh;
+use pompeiu_core::mesh::shapes::{self, Ends};
+use pompeiu_core::mesh::{displace_at_random, merge, shuffle, subdivide};
+use pompeiu_surface::{EmbeddedSurface, Surface, flat_torus};
+use std::path::Path;
+
+pub(crate) type Field = Vec<[f64; 2]>;
+
+pub(crate) fn surface(mesh: &TriMesh) -> Surface {
+    EmbeddedSurface::new(mesh).unwrap().surface().clone()
+}
+
+/// A name, a surface, and the dimension of its harmonic fields.
+pub(crate) struct Case {
+    pub(crate) name: &'static str,
+    pub(crate) surface: Surface,
+    pub(crate) harmonic: usize,
+}
+
+fn case(name: &'static str, mesh: &TriMesh, harmonic: usize) -> Case {
+    Case { name, surface: surface(mesh), harmonic }
+}
+
+/// Surfaces of every kind: closed, open, of several genera and components, with uneven faces, without an embedding.
+pub(crate) fn cases() -> Vec<Case> {
+    let sphere = shapes::icosphere(1.0, 2).unwrap();
+    let torus = shapes::torus(2.0, 0.7, 24, 16).unwrap();
+    let annulus = shapes::cylinder(1.0, 1.5, 17, 6, Ends::Open).unwrap();
+    let disk = shapes::disk(1.0, 20, 6).unwrap();
+    let rough = shuffle(&displace_at_random(&torus, 0.1, 4).unwrap(), 9);
+    let plate = shapes::perforated_plate(1.0, 3).unwrap();
+    let (positions, mut faces) = subdivide(&plate).unwrap().into_parts();
+    for f in [403, 283, 135, 3] {
+        faces.remove(f);
+    }
+    let open_plate = TriMesh::new(positions, faces).unwrap();
+    let parts = merge(&[&torus, &annulus, &sphere, &disk]).unwrap();
+    let mut all = vec![
+        case("sphere", &sphere, 0),
+        case("torus", &torus, 2),
+        case("rough torus", &rough, 2),
+        case("annulus", &annulus, 1),
+        case("disk", &disk, 0),
+        case("plate with three holes", &plate, 6),
+        case("plate with three holes and four openings", &open_plate, 9),
+        case("four components", &parts, 3),
+    ];
+    let flat = flat_torus([3.0, 2.0], [12, 9]).unwrap();
+    all.push(Case { name: "flat torus", surface: flat, harmonic: 2 });
+    all
+}
+
+/// The meshes of other people, where they are here.
+pub(crate) fn shared_cases() -> Vec<Case> {
+    let named = [("3holes", 6), ("fertility", 8)];
+    named
+        .into_iter()
+        .filter_map(|(name, harmonic)| Some(Case { name, surface: surface(&shared(name)?), harmonic }))
+        .collect()
+}
+
+/// A shared OFF file, if it is here.
+pub(crate) fn shared(name: &str) -> Option<TriMesh> {
+    let data = std::env::var_os("POMPEIU_DATA").map_or_else(
+        || Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../../shared/data"),
+        std::path::PathBuf::from,
+    );
+    let path = data.join("meshes").join(format!("{name}.off"));
+    if !path.exists() {
+        println!("skipped: {name} is not here");
+        return None;
+    }
+    Some(pompeiu_io::read_mesh(path).unwrap())
+}
+
+/// Numbers in [−1, 1), by a linear congruence.
+pub(crate) struct Random(pub(crate) u64);
+
+impl Random {
+    pub(crate) fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    }
+
+    pub(crate) fn values(&mut self, count: usize) -> Vec<f64> {
+        (0..count).map(|_| self.next()).collect()
+    }
+
+    pub(crate) fn field(&mut self, surface: &Surface) -> Field {
+        (0..surface.mesh().faces()).map(|_| [self.next(), self.next()]).collect()
+    }
+}
+
+pub(crate) fn norm(surface: &Surface, field: &[[f64; 2]]) -> f64 {
+    pompeiu_operators::field_norm(surface, field)
+}
+
+/// `‖u − w‖`.
+pub(crate) fn distance(surface: &Surface, u: &[[f64; 2]], w: &[[f64; 2]]) -> f64 {
+    let difference: Field = u.iter().zip(w).map(|(a, b)| [a[0] - b[0], a[1] - b[1]]).collect();
+    norm(surface, &difference)
+}
+
+pub(crate) fn sum(fields: &[&Field]) -> Field {
+    (0..fields[0].len()).map(|f| [0, 1].map(|i| fields.iter().map(|u| u[f][i]).sum())).collect()
+}
+
+pub(crate) fn largest(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |m, x| if x.abs() > m { x.abs() } else { m })
+}

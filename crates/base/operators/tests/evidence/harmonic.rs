@@ -1,0 +1,41 @@
+//! Harmonic fields have neither divergence nor curl.
+
+use crate::common::{cases, shared_cases};
+use pompeiu_operators::{Boundary, HarmonicBasis, Splitting, divergence, edge_curl};
+use pompeiu_surface::{EdgeId, SurfaceMesh};
+
+#[test]
+fn bases_are_orthonormal_without_divergence_or_curl() {
+    for case in cases().into_iter().chain(shared_cases()) {
+        let (surface, mesh, name) = (&case.surface, case.surface.mesh(), case.name);
+        for boundary in [Boundary::Tangential, Boundary::Normal] {
+            let basis = HarmonicBasis::new(surface, Splitting::Primal, boundary).unwrap();
+            assert_eq!(basis.dimension(), case.harmonic, "{name}");
+            for (i, u) in basis.fields().iter().enumerate() {
+                for (j, w) in basis.fields().iter().enumerate() {
+                    let expected = if i == j { 1.0 } else { 0.0 };
+                    let product = pompeiu_operators::field_inner_product(surface, u, w);
+                    assert!((product - expected).abs() <= 1e-12, "{name}: {i} {j} {product}");
+                }
+                let at_edges = boundary == Boundary::Tangential;
+                let divergences = divergence(surface, u).unwrap();
+                let curls = edge_curl(surface, u).unwrap();
+                // Against test functions whose gradients have norm one.
+                let div = largest_inner(&divergences, |v| {
+                    at_edges || !mesh.is_boundary_vertex(pompeiu_core::VertexId(v as u32))
+                });
+                let curl = largest_inner(&curls, |e| !at_edges || !is_boundary(mesh, e));
+                assert!(div <= 1e-11 && curl <= 1e-11, "{name}: div {div:e}, curl {curl:e}");
+            }
+        }
+    }
+}
+
+fn is_boundary(mesh: &SurfaceMesh, e: usize) -> bool {
+    mesh.is_boundary_edge(EdgeId(e as u32))
+}
+
+fn largest_inner(values: &[f64], keep: impl Fn(usize) -> bool) -> f64 {
+    let kept = values.iter().enumerate().filter(|(i, _)| keep(*i)).map(|(_, x)| x.abs());
+    kept.fold(0.0, |m, x| if x > m { x } else { m })
+}

@@ -1,0 +1,253 @@
+//! The ranking as text, as JSON and as a table.
+
+use super::Answer;
+use crate::json::{MeshFile, milliseconds};
+use crate::numbers::{grouped, shortest, time};
+use crate::page::{Page, value};
+use crate::printer::LABEL;
+use anyhow::Context;
+use pompeiu::hausdorff::Enclosure;
+use pompeiu::matching::align::{Alignment, Matrix};
+use pompeiu::matching::rank::{Bound, Measure, Report, Standing, Status, Work};
+use serde::Serialize;
+use std::fmt::Write;
+
+/// Ranks for people: one number, or the first and the last.
+fn ranks([first, last]: [usize; 2]) -> String {
+    if first == last {
+        grouped(first as u64)
+    } else {
+        format!("{}–{}", grouped(first as u64), grouped(last as u64))
+    }
+}
+
+fn enclosure(standing: &Standing) -> Option<Enclosure> {
+    Enclosure::new(standing.lower?, standing.upper?)
+}
+
+pub(super) fn text(answer: &Answer) -> String {
+    let mut page = Page::new();
+    let template = &answer.template;
+    let [vertices, faces] = [template.vertices, template.faces].map(|n| grouped(n as u64));
+    page.row("template", &format!("{}: {vertices} vertices, {faces} faces", template.path));
+    let aligned = match answer.options.alignment {
+        Alignment::None => None,
+        Alignment::Centroid => Some("by centroids"),
+        Alignment::Scale => Some("by centroids and radii"),
+        Alignment::Rigid => Some("rigidly, to the best of several local optima"),
+    };
+    if let Some(aligned) = aligned {
+        page.row("aligned", &format!("{aligned}; distances are those of the targets as moved"));
+    }
+    page.gap();
+    let mut text = page.into_text();
+    table(&mut text, answer);
+    let mut page = Page::new();
+    let discarded = discarded(&answer.report);
+    if discarded.iter().any(|(count, _)| *count > 0) {
+        let all: usize = discarded.iter().map(|(count, _)| count).sum();
+        let shown = discarded.iter().filter(|(count, _)| *count > 0);
+        let reasons: Vec<String> =
+            shown.map(|(count, reason)| format!("{} by {reason}", grouped(*count as u64))).collect();
+        let are = if all == 1 { "is" } else { "are" };
+        page.row("others", &format!("{} {are} proven farther: {}", grouped(all as u64), reasons.join(", ")));
+    }
+    let failed = failed(answer).count();
+    if failed > 0 {
+        let file = if failed == 1 { "input" } else { "inputs" };
+        page.row("failed", &format!("{} {file} could not be used", grouped(failed as u64)));
+    }
+    page.row("work", &work(&answer.report.work));
+    page.row("time", &format!("total {}", time(answer.total)));
+    text + &page.into_text()
+}
+
+/// The ranked ones, with columns as wide as they must be.
+fn table(text: &mut String, answer: &Answer) {
+    let name = match answer.options.measure {
+        Measure::Symmetric => "H(template, target)",
+        Measure::TemplateToTarget => "h(template, target)",
+        Measure::TargetToTemplate => "h(target, template)",
+    };
+    let rows: Vec<[String; 3]> = answer
+        .report
+        .ranked()
+        .map(|standing| {
+            let distance = enclosure(standing).map(value).unwrap_or_default();
+            [standing.ranks.map(ranks).unwrap_or_default(), distance, standing.name.clone()]
+        })
+        .collect();
+    let width = |column: usize, title: &str| {
+        let cells = rows.iter().map(|row| row[column].chars().count());
+        cells.fold(title.len(), usize::max)
+    };
+    let (rank_width, distance_width) = (width(0, "rank"), width(1, name));
+    let _ = writeln!(text, "{LABEL}{:>rank_width$}  {name:distance_width$}  target{LABEL:#}", "rank");
+    for [rank, distance, target] in &rows {
+        let _ = writeln!(text, "{rank:>rank_width$}  {distance:distance_width$}  {target}");
+    }
+    text.push('\n');
+}
+
+/// How many targets were discarded by which kind of bound.
+fn discarded(report: &Report) -> [(usize, &'static str); 3] {
+    let mut counts = [(0, "their extent"), (0, "a few of their points"), (0, "a search")];
+    for standing in &report.standings {
+        if let Status::Discarded(bound) = standing.status {
+            let kind = match bound {
+                Bound::Supports => 0,
+                Bound::Probes => 1,
+                Bound::Search(_) => 2,
+            };
+            counts[kind].0 += 1;
+        }
+    }
+    counts
+}
+
+/// What could not be used, and why.
+fn failed(answer: &Answer) -> impl Iterator<Item = (&str, &str)> {
+    let targets = answer.report.standings.iter().filter_map(|standing| match &standing.status {
+        Status::Failed(message) => Some((standing.name.as_str(), message.as_str())),
+        _ => None,
+    });
+    targets.chain(answer.problems.iter().map(|problem| (problem.path.as_str(), problem.message.as_str())))
+}
+
+fn work(work: &Work) -> String {
+    let mut parts = vec![format!("{} looked at", grouped(work.looks as u64))];
+    for (tolerance, count) in work.searches.iter().filter(|(_, count)| *count > 0) {
+        parts.push(format!("{} searched to {}", grouped(*count as u64), shortest(*tolerance)));
+    }
+    parts.push(format!("{} distances", grouped(work.distances)));
+    parts.join(", ")
+}
+
+#[derive(Serialize)]
+struct Json<'a> {
+    template: MeshFile<'a>,
+    options: &'a pompeiu::matching::rank::Options,
+    targets: Vec<Target<'a>>,
+    work: &'a Work,
+    timing_ms: f64,
+}
+
+/// A row of the table: the same in JSON and CSV.
+#[derive(Serialize)]
+struct Target<'a> {
+    path: &'a str,
+    /// `ranked`, `discarded` or `failed`.
+    status: &'static str,
+    rank_first: Option<usize>,
+    rank_last: Option<usize>,
+    lower: Option<f64>,
+    upper: Option<f64>,
+    vertices: Option<usize>,
+    faces: Option<usize>,
+    /// What proved that a target is not among the best: `supports`, `probes` or `search`.
+    discarded_by: Option<&'static str>,
+    message: Option<&'a str>,
+    /// In JSON four rows of four numbers.
+    transform: Option<Matrix>,
+}
+
+fn targets(answer: &Answer) -> Vec<Target<'_>> {
+    let row = |standing: &'_ Standing| -> (&'static str, Option<&'static str>) {
+        match standing.status {
+            Status::Ranked => ("ranked", None),
+            Status::Discarded(Bound::Supports) => ("discarded", Some("supports")),
+            Status::Discarded(Bound::Probes) => ("discarded", Some("probes")),
+            Status::Discarded(Bound::Search(_)) => ("discarded", Some("search")),
+            Status::Failed(_) => ("failed", None),
+        }
+    };
+    let standings = answer.report.standings.iter().map(|standing| {
+        let (status, discarded_by) = row(standing);
+        Target {
+            path: &standing.name,
+            status,
+            rank_first: standing.ranks.map(|ranks| ranks[0]),
+            rank_last: standing.ranks.map(|ranks| ranks[1]),
+            lower: standing.lower,
+            upper: standing.upper,
+            vertices: standing.size.map(|size| size[0]),
+            faces: standing.size.map(|size| size[1]),
+            discarded_by,
+            message: match &standing.status {
+                Status::Failed(message) => Some(message),
+                _ => None,
+            },
+            transform: standing.transform,
+        }
+    });
+    let problems = answer.problems.iter().map(|problem| Target {
+        path: &problem.path,
+        status: "failed",
+        rank_first: None,
+        rank_last: None,
+        lower: None,
+        upper: None,
+        vertices: None,
+        faces: None,
+        discarded_by: None,
+        message: Some(&problem.message),
+        transform: None,
+    });
+    standings.chain(problems).collect()
+}
+
+pub(super) fn json(answer: &Answer) -> serde_json::Result<String> {
+    let json = Json {
+        template: (&answer.template).into(),
+        options: &answer.options,
+        targets: targets(answer),
+        work: &answer.report.work,
+        timing_ms: milliseconds(answer.total),
+    };
+    Ok(serde_json::to_string(&json)? + "\n")
+}
+
+const COLUMNS: [&str; 10] = [
+    "path",
+    "status",
+    "rank_first",
+    "rank_last",
+    "lower",
+    "upper",
+    "vertices",
+    "faces",
+    "discarded_by",
+    "message",
+];
+
+/// Doubles as the shortest decimals that read back to them; the transform as twelve numbers, row by row.
+pub(super) fn csv(answer: &Answer) -> anyhow::Result<Vec<u8>> {
+    let moved = answer.options.alignment != Alignment::None;
+    let mut table = csv::Writer::from_writer(Vec::new());
+    let mut header: Vec<String> = COLUMNS.map(str::to_owned).to_vec();
+    if moved {
+        header.extend((1..=3).flat_map(|i| (1..=4).map(move |j| format!("transform_{i}{j}"))));
+    }
+    table.write_record(&header)?;
+    for target in targets(answer) {
+        let count = |n: Option<usize>| n.map(|n| n.to_string()).unwrap_or_default();
+        let number = |x: Option<f64>| x.map(shortest).unwrap_or_default();
+        let mut row = vec![
+            target.path.to_owned(),
+            target.status.to_owned(),
+            count(target.rank_first),
+            count(target.rank_last),
+            number(target.lower),
+            number(target.upper),
+            count(target.vertices),
+            count(target.faces),
+            target.discarded_by.unwrap_or_default().to_owned(),
+            target.message.unwrap_or_default().to_owned(),
+        ];
+        if moved {
+            row.extend((0..12).map(|at| number(target.transform.map(|m| m[at / 4][at % 4]))));
+        }
+        table.write_record(&row)?;
+    }
+    table.into_inner().context("the table could not be made")
+}

@@ -1,0 +1,41 @@
+//! Where and how much two meshes deviate, with a page to explore:
+//!
+//! ```sh
+//! cargo run --release --example deviation examples/meshes/sphere.obj examples/meshes/torus.obj deviation.html
+//! ```
+
+#![allow(clippy::print_stdout, reason = "this program is there to print")]
+
+use pompeiu::hausdorff::show::{DeviationReport, ReportedMesh, search_stages};
+use pompeiu::prelude::*;
+
+fn main() -> anyhow::Result<()> {
+    let files: Vec<String> = std::env::args().skip(1).collect();
+    let [a_path, b_path, page] = files.as_slice() else {
+        anyhow::bail!("expected two meshes, and the page to write");
+    };
+    let (a, b) = (read_mesh(a_path)?, read_mesh(b_path)?);
+    let deviation = DeviationQuery::new().regions(3).symmetric(&a, &b);
+
+    for (meaning, directed) in [("missing", &deviation.a_to_b), ("invented", &deviation.b_to_a)] {
+        println!("{meaning}: the largest distance lies in {:.4}", directed.distance.distance);
+        if let Some(statistics) = &directed.statistics {
+            println!("  mean {:.4}, root mean square {:.4}", statistics.mean, statistics.rms);
+        }
+        for region in &directed.regions {
+            println!("  {} faces around {:?} reach {:.4}", region.faces.len(), region.centre, region.peak);
+        }
+    }
+    let report = DeviationReport {
+        a: ReportedMesh { path: a_path, mesh: &a },
+        b: ReportedMesh { path: b_path, mesh: &b },
+        deviation: &deviation,
+        stages: &search_stages(&a, &b),
+        unit: "",
+        up: [0.0, 0.0, 1.0],
+        threshold: None,
+        command: None,
+    };
+    pompeiu::io::write_whole(page, report.page().html()?.as_bytes())?;
+    Ok(())
+}

@@ -1,0 +1,44 @@
+//! Geometry processing with guarantees.
+//!
+//! The main question: how far apart are two surfaces, where, and can the number be trusted?
+//!
+//! ```
+//! use pompeiu::prelude::*;
+//!
+//! let mesh = |z| TriMesh::new(vec![[0.0, 0.0, z], [2.0, 0.0, z], [1.0, 1.0, z]], vec![[0, 1, 2]]);
+//! let distance = symmetric_hausdorff(&mesh(0.0)?, &mesh(0.25)?).distance;
+//! assert!(distance.lower() <= 0.25 && 0.25 <= distance.upper());
+//! # Ok::<(), MeshError>(())
+//! ```
+//!
+//! Files are read with [`io::read_mesh`], options go through [`hausdorff::Query`], and one mesh is measured against by many
+//! with a [`hausdorff::Target`].
+
+pub use pompeiu_core as core;
+#[cfg(feature = "fields")]
+pub use pompeiu_fields as fields;
+#[cfg(feature = "figures")]
+pub use pompeiu_figures as figures;
+pub use pompeiu_hausdorff as hausdorff;
+#[cfg(feature = "io")]
+pub use pompeiu_io as io;
+#[cfg(feature = "matching")]
+pub use pompeiu_matching as matching;
+#[cfg(feature = "operators")]
+pub use pompeiu_operators as operators;
+#[cfg(feature = "operators")]
+pub use pompeiu_solve as solve;
+#[cfg(feature = "operators")]
+pub use pompeiu_surface as surface;
+
+/// What most programs need.
+pub mod prelude {
+    pub use pompeiu_core::{FaceId, MeshError, MeshSummary, TriMesh, VertexId};
+    pub use pompeiu_hausdorff::{
+        Deviation, DeviationQuery, DirectedDeviation, DirectedReport, Enclosure, Observer, OptionError,
+        Progress, Query, Stage, StopReason, SurfacePoint, SymmetricReport, Target, Tolerance, Witness,
+        directed_hausdorff, symmetric_hausdorff,
+    };
+    #[cfg(feature = "io")]
+    pub use pompeiu_io::{ReadError, WriteError, read_mesh};
+}

@@ -1,0 +1,141 @@
+//! Errors of the library as exceptions of the package, with the library's own sentences.
+
+use pompeiu::core::MeshError;
+use pompeiu::core::mesh::shapes::ShapeError;
+use pompeiu::hausdorff::OptionError;
+use pompeiu::io::{AttributeError, ReadError, WriteError};
+use pompeiu::matching::rank::RankError;
+use pompeiu::operators::OperatorError;
+use pompeiu::surface::GeometryError;
+use pyo3::PyErr;
+use std::fmt::Display;
+use std::io::ErrorKind;
+
+/// The classes, which are in Python so that they can have two bases.
+mod classes {
+    pyo3::import_exception!(pompeiu.errors, FieldError);
+    pyo3::import_exception!(pompeiu.errors, MeshError);
+    pyo3::import_exception!(pompeiu.errors, MissingFileError);
+    pyo3::import_exception!(pompeiu.errors, OptionError);
+    pyo3::import_exception!(pompeiu.errors, ReadError);
+    pyo3::import_exception!(pompeiu.errors, SurfaceError);
+    pyo3::import_exception!(pompeiu.errors, WriteError);
+}
+
+/// An error of the library that has a class in Python.
+pub(crate) trait Raise: Display {
+    /// The exception with this sentence.
+    fn exception(&self, sentence: String) -> PyErr;
+
+    /// The exception to raise.
+    fn raise(self) -> PyErr
+    where
+        Self: Sized,
+    {
+        self.exception(self.to_string())
+    }
+}
+
+macro_rules! raise_as {
+    ($($error:ty => $class:ident),* $(,)?) => {
+        $(impl Raise for $error {
+            fn exception(&self, sentence: String) -> PyErr {
+                classes::$class::new_err(sentence)
+            }
+        })*
+    };
+}
+
+raise_as! {
+    ArrayError => MeshError,
+    AttributeError => WriteError,
+    GeometryError => SurfaceError,
+    InternalError => OptionError,
+    MeshError => MeshError,
+    OperatorError => FieldError,
+    OptionError => OptionError,
+    RankError => OptionError,
+    ShapeError => OptionError,
+    UnknownOption => OptionError,
+    WriteError => WriteError,
+}
+
+impl Raise for ReadError {
+    fn exception(&self, sentence: String) -> PyErr {
+        match self {
+            Self::Io { cause, .. } if cause.kind() == ErrorKind::NotFound => {
+                classes::MissingFileError::new_err(sentence)
+            }
+            _ => classes::ReadError::new_err(sentence),
+        }
+    }
+}
+
+/// Why an array does not say what it should: the library has no words for what it cannot be handed.
+#[derive(Debug, thiserror::Error)]
+pub(crate) enum ArrayError {
+    /// Not the rows and columns expected.
+    #[error("{what} have shape {found}, expected {expected}")]
+    Shape {
+        /// What the array holds, in the plural.
+        what: &'static str,
+        /// Its shape.
+        found: String,
+        /// The shape it should have.
+        expected: &'static str,
+    },
+    /// Not numbers of the kind expected.
+    #[error("{what} are of type {found}, expected {expected}")]
+    Kind {
+        /// What the array holds, in the plural.
+        what: &'static str,
+        /// Its dtype.
+        found: String,
+        /// The kind it should have.
+        expected: &'static str,
+    },
+    /// An index that no vertex can have.
+    #[error("face {face} names vertex {index}, but there are {vertices} vertices (the first is 0)")]
+    Index {
+        /// The face.
+        face: usize,
+        /// The index it holds.
+        index: i128,
+        /// Number of vertices.
+        vertices: usize,
+    },
+}
+
+/// An option whose value means nothing.
+#[derive(Debug, thiserror::Error)]
+pub(crate) enum UnknownOption {
+    /// Not one of the names.
+    #[error("{option} is {found:?}, expected {expected}")]
+    Name {
+        /// The option.
+        option: &'static str,
+        /// Its value.
+        found: String,
+        /// The names there are.
+        expected: &'static str,
+    },
+    /// Not a span of time.
+    #[error("the time limit is {0} seconds; it must be a finite number that is not negative")]
+    Time(f64),
+}
+
+/// What only a mistake in the Python half, or a result that was tampered with, can cause.
+#[derive(Debug, thiserror::Error)]
+pub(crate) enum InternalError {
+    /// Not the JSON expected.
+    #[error("options, a task or a result cannot be read: {0}")]
+    Parse(serde_json::Error),
+    /// A mesh that is not there.
+    #[error("mesh {found} does not exist, there are {count} (the first is 0)")]
+    Mesh {
+        /// Its place.
+        found: usize,
+        /// How many there are.
+        count: usize,
+    },
+}

@@ -1,0 +1,161 @@
+//! Splitting tangent fields.
+
+use crate::arrays::{array_of_rows, vectors};
+use crate::errors::{Raise, UnknownOption};
+use crate::mesh::Mesh;
+use crate::report::{Dimensions, Quality};
+use numpy::{IntoPyArray, PyArray1, PyArray2};
+use pompeiu::fields::{Audit, Decomposition, HodgeSolver};
+use pompeiu::operators::{self, Boundary, FaceField, Splitting, tangent_field};
+use pompeiu::surface::{EmbeddedSurface, SurfaceMesh};
+use pyo3::prelude::*;
+use self_cell::self_cell;
+
+self_cell!(
+    /// A surface, and the solver that refers to it.
+    struct Prepared {
+        owner: EmbeddedSurface,
+        #[covariant]
+        dependent: HodgeSolver,
+    }
+);
+
+fn splitting(name: &str) -> PyResult<Splitting> {
+    match name {
+        "primal" => Ok(Splitting::Primal),
+        "dual" => Ok(Splitting::Dual),
+        found => {
+            let expected = "\"primal\" or \"dual\"";
+            Err(UnknownOption::Name { option: "splitting", found: found.to_owned(), expected }.raise())
+        }
+    }
+}
+
+fn boundary(name: &str) -> PyResult<Boundary> {
+    match name {
+        "tangential" => Ok(Boundary::Tangential),
+        "normal" => Ok(Boundary::Normal),
+        found => {
+            let expected = "\"tangential\" or \"normal\"";
+            Err(UnknownOption::Name { option: "boundary", found: found.to_owned(), expected }.raise())
+        }
+    }
+}
+
+/// The degrees of freedom of a surface, counted.
+#[pyfunction]
+pub(crate) fn audit(mesh: &Bound<'_, Mesh>, boundary: &str) -> PyResult<Dimensions> {
+    let surface = SurfaceMesh::new(mesh.get().inner()).map_err(|error| {
+        let error: pompeiu::surface::GeometryError = error.into();
+        error.raise()
+    })?;
+    Ok(Audit::of(&surface, self::boundary(boundary)?).into())
+}
+
+/// The three parts of a field, in space, with what they are made of.
+#[derive(IntoPyObject)]
+pub(crate) struct Parts<'py> {
+    gradient: Bound<'py, PyArray2<f64>>,
+    rotated: Bound<'py, PyArray2<f64>>,
+    harmonic: Bound<'py, PyArray2<f64>>,
+    vertex_potential: Bound<'py, PyArray1<f64>>,
+    edge_potential: Bound<'py, PyArray1<f64>>,
+    harmonic_coefficients: Bound<'py, PyArray1<f64>>,
+    normal_part: f64,
+    quality: Quality,
+}
+
+/// A surface made ready to split fields: factored once.
+#[pyclass(frozen, module = "pompeiu._native")]
+pub(crate) struct HodgeDecomposition(Prepared);
+
+impl HodgeDecomposition {
+    fn surface(&self) -> &EmbeddedSurface {
+        self.0.borrow_owner()
+    }
+
+    fn field(&self, field: &Bound<'_, PyAny>) -> PyResult<(FaceField, f64)> {
+        let vectors = vectors::<3>(field, "vectors of the field", "(m, 3)")?;
+        let (found, expected) = (vectors.len(), self.surface().mesh().faces());
+        if found != expected {
+            return Err(operators::OperatorError::FieldLength { found, expected }.raise());
+        }
+        Ok(tangent_field(self.surface(), &vectors))
+    }
+
+    fn in_space<'py>(&self, py: Python<'py>, field: &FaceField) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let surface = self.surface();
+        let faces = surface.mesh().face_ids();
+        array_of_rows(py, faces.zip(field).map(|(face, &vector)| surface.to_space(face, vector)).collect())
+    }
+
+    fn parts<'py>(&self, py: Python<'py>, parts: Decomposition, normal_part: f64) -> PyResult<Parts<'py>> {
+        Ok(Parts {
+            gradient: self.in_space(py, &parts.gradient)?,
+            rotated: self.in_space(py, &parts.rotated)?,
+            harmonic: self.in_space(py, &parts.harmonic)?,
+            vertex_potential: parts.vertex_potential.into_pyarray(py),
+            edge_potential: parts.edge_potential.into_pyarray(py),
+            harmonic_coefficients: parts.harmonic_coefficients.into_pyarray(py),
+            normal_part,
+            quality: parts.quality.into(),
+        })
+    }
+}
+
+#[pymethods]
+impl HodgeDecomposition {
+    #[new]
+    fn new(py: Python<'_>, mesh: &Bound<'_, Mesh>, splitting: &str, boundary: &str) -> PyResult<Self> {
+        let (splitting, boundary) = (self::splitting(splitting)?, self::boundary(boundary)?);
+        let mesh = mesh.get().inner();
+        py.detach(|| {
+            let surface = EmbeddedSurface::new(mesh).map_err(Raise::raise)?;
+            Prepared::try_new(surface, |surface| HodgeSolver::new(surface.surface(), splitting, boundary))
+                .map(Self)
+                .map_err(Raise::raise)
+        })
+    }
+
+    fn decompose<'py>(&self, py: Python<'py>, field: &Bound<'py, PyAny>) -> PyResult<Parts<'py>> {
+        let (field, normal_part) = self.field(field)?;
+        let solver = self.0.borrow_dependent();
+        let parts = py.detach(|| solver.decompose(&field)).map_err(Raise::raise)?;
+        self.parts(py, parts, normal_part)
+    }
+
+    fn decompose_many<'py>(&self, py: Python<'py>, fields: &Bound<'py, PyAny>) -> PyResult<Vec<Parts<'py>>> {
+        let fields: Vec<_> = fields.try_iter()?.map(|field| self.field(&field?)).collect::<PyResult<_>>()?;
+        let (fields, normal_parts): (Vec<_>, Vec<_>) = fields.into_iter().unzip();
+        let solver = self.0.borrow_dependent();
+        let parts = py.detach(|| solver.decompose_many(&fields)).map_err(Raise::raise)?;
+        parts.into_iter().zip(normal_parts).map(|(parts, normal)| self.parts(py, parts, normal)).collect()
+    }
+
+    /// The harmonic fields, orthonormal, in space.
+    fn harmonic_fields<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyArray2<f64>>>> {
+        let basis = self.0.borrow_dependent().basis();
+        basis.fields().iter().map(|field| self.in_space(py, field)).collect()
+    }
+
+    /// The ends of every edge, in the order of the potential at edges.
+    fn edges<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<u32>>> {
+        let mesh = self.surface().mesh();
+        array_of_rows(py, mesh.edge_ids().map(|edge| mesh.ends(edge).map(|vertex| vertex.0)).collect())
+    }
+
+    /// The areas of faces, the weights of the inner product of fields.
+    fn face_areas<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        self.surface().surface().face_areas().into_pyarray(py)
+    }
+
+    /// Dimension of the harmonic fields.
+    #[getter]
+    fn harmonic_dimension(&self) -> usize {
+        self.0.borrow_dependent().basis().dimension()
+    }
+
+    fn audit(&self) -> Dimensions {
+        Audit::of(self.surface().mesh(), self.0.borrow_dependent().boundary()).into()
+    }
+}

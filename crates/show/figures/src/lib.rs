@@ -1,0 +1,39 @@
+//! Pictures of meshes and of what was found on them.
+//!
+//! This crate draws what it is given: it measures no distance and reads no file, and it returns pixels or bytes.
+//!
+//! A [`Figure`] has [panels](Panel) that share a camera and a colour [`Scale`]; a panel shows a mesh, coloured by
+//! [`Values`], and [marks](Mark) on it. No graphics card is needed, and the same figure has the same pixels on every
+//! machine. [`html`] writes interactive pages instead.
+//!
+//! ```
+//! use pompeiu_figures::{ColorMap, Scale};
+//!
+//! let scale = Scale::new(ColorMap::Viridis, 0.0, 0.2)?.with_limit(0.15);
+//! assert_eq!(scale.color(0.0), ColorMap::Viridis.table()[0]);
+//! assert_eq!(scale.color(0.18), ColorMap::Viridis.contrast());
+//! # Ok::<(), pompeiu_figures::ScaleError>(())
+//! ```
+
+pub mod colormap;
+mod figure;
+pub mod html;
+mod image;
+mod legend;
+pub mod names;
+mod normals;
+mod panel;
+mod raster;
+mod text;
+mod theme;
+mod ticks;
+mod view;
+
+pub use colormap::{ColorMap, Rgb, Scale, ScaleError};
+pub use figure::{Figure, FigureError};
+pub use image::Image;
+pub use legend::LegendSide;
+pub use normals::vertex_normals;
+pub use panel::{Mark, Panel, Values};
+pub use theme::Theme;
+pub use view::{Projection, View};

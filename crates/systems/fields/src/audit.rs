@@ -1,0 +1,75 @@
+//! Degrees of freedom, counted.
+
+use pompeiu_operators::hodge::Fixed;
+use pompeiu_operators::{Boundary, Splitting};
+use pompeiu_surface::SurfaceMesh;
+
+/// How the dimensions of the spaces add up, and how they do not with one kind of function only.
+///
+/// Fields have two degrees of freedom on each face. Gradients of continuous functions, rotated gradients of functions that
+/// agree at midpoints, and harmonic fields fill them exactly. With continuous functions for both, too few are covered: what is
+/// left over is counted as harmonic though it has nothing to do with the topology, and grows with the number of faces. With
+/// functions that agree at midpoints for both there are more unknowns than degrees of freedom, the two ranges are not
+/// orthogonal, and the parts of a field are not determined.
+///
+/// Counted from the numbers of elements, not measured; the tests compare with ranks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Audit {
+    /// Two for each face.
+    pub degrees_of_freedom: usize,
+    /// Dimension of the harmonic fields: 2g for each closed component, 2g + b − 1 for one with b boundary loops.
+    pub harmonic: usize,
+    /// `G_v a + J G_e b`: the mixture that fills all but the harmonic fields.
+    pub mixed: OneKind,
+    /// `G_v a + J G_v c`.
+    pub conforming: OneKind,
+    /// `G_e c + J G_e b`.
+    pub nonconforming: OneKind,
+}
+
+/// Ranks of a gradient and of a rotated gradient.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct OneKind {
+    /// Dimension of the gradients.
+    pub gradient: usize,
+    /// Dimension of the rotated gradients.
+    pub rotated: usize,
+    /// Degrees of freedom less both ranks: equal to the harmonic dimension if the splitting is right, below zero if ranges
+    /// overlap.
+    pub left_over: isize,
+}
+
+impl Audit {
+    /// Counts the dimensions on a surface, for the primal splitting (the dual one has the same).
+    pub fn of(mesh: &SurfaceMesh, boundary: Boundary) -> Self {
+        let fixed = Fixed::of(Splitting::Primal, boundary);
+        let loops = mesh.boundary_loops_of_components();
+        let closed = loops.iter().filter(|&&b| b == 0).count();
+        let inner_vertices = mesh.vertex_ids().filter(|&v| !mesh.is_boundary_vertex(v)).count();
+        let inner_edges = mesh.edge_ids().filter(|&e| !mesh.is_boundary_edge(e)).count();
+        // Without a condition every component has its constant in the kernel, with one only closed components have.
+        let vertices = [mesh.vertices() - mesh.components(), inner_vertices - closed];
+        let edges = [mesh.edges() - mesh.components(), inner_edges - closed];
+        let degrees_of_freedom = 2 * mesh.faces();
+        let kind = |gradient: usize, rotated: usize| OneKind {
+            gradient,
+            rotated,
+            left_over: degrees_of_freedom.cast_signed() - (gradient + rotated).cast_signed(),
+        };
+        let [mixed, conforming, nonconforming] = match fixed {
+            Fixed::Edges => {
+                [kind(vertices[0], edges[1]), kind(vertices[0], vertices[1]), kind(edges[0], edges[1])]
+            }
+            Fixed::Vertices => {
+                [kind(vertices[1], edges[0]), kind(vertices[1], vertices[0]), kind(edges[1], edges[0])]
+            }
+        };
+        let holes: usize = loops.iter().map(|&b| b.saturating_sub(1)).sum();
+        Self { degrees_of_freedom, harmonic: 2 * mesh.genus() + holes, mixed, conforming, nonconforming }
+    }
+
+    /// Whether the mixed splitting adds up: it must, on every surface.
+    pub fn adds_up(&self) -> bool {
+        self.mixed.left_over == self.harmonic.cast_signed()
+    }
+}

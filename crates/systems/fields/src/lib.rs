@@ -1,0 +1,49 @@
+//! Helmholtz–Hodge decomposition of tangent fields that are constant on each face.
+//!
+//! # Definition
+//! With `M` the areas of faces, `J` the quarter turn in every face, `G_v` and `G_e` the gradients of conforming functions
+//! (linear on faces, continuous) and nonconforming ones (Crouzeix–Raviart: linear on faces, continuous at midpoints of edges),
+//! any field splits into three parts that are orthogonal to each other,
+//!
+//! ```text
+//! u = G_v a + J G_e b + h,
+//! ```
+//!
+//! a gradient, a rotated gradient, and a harmonic field.
+//!
+//! | item | what it is |
+//! |---|---|
+//! | [`HodgeSolver`] | a surface factored once, to decompose many fields |
+//! | [`Decomposition`], [`Quality`] | the three parts and potentials, and how far each part can be from the true one |
+//! | [`Audit`] | the dimensions of the spaces, counted: why one kind of function is not enough |
+//! | [`OneKindSolver`] | the decomposition with one kind of function, to show what goes wrong |
+#![cfg_attr(feature = "figures", doc = "| [`show`] | pages and pictures of a decomposition |")]
+//!
+//! ```
+//! use pompeiu_core::mesh::shapes::torus;
+//! use pompeiu_fields::HodgeSolver;
+//! use pompeiu_operators::{Boundary, Splitting};
+//! use pompeiu_surface::EmbeddedSurface;
+//!
+//! let torus = EmbeddedSurface::new(&torus(2.0, 0.7, 24, 16)?)?;
+//! let solver = HodgeSolver::new(torus.surface(), Splitting::Primal, Boundary::Tangential)?;
+//! assert_eq!(solver.basis().dimension(), 2);
+//!
+//! // Rotation about the axis of the torus: no divergence, but it winds around the hole.
+//! let mesh = torus.mesh();
+//! let field: Vec<_> = mesh.face_ids().map(|face| torus.to_tangent(face, [0.0, 0.0, 1.0])).collect();
+//! let parts = solver.decompose(&field)?;
+//! assert!(parts.quality.residual < 1e-12);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod audit;
+mod decomposition;
+mod one_kind;
+#[cfg(feature = "figures")]
+pub mod show;
+
+pub use audit::{Audit, OneKind};
+pub use decomposition::{Decomposition, HodgeSolver, InnerProducts, Norms, Quality, SetupTimes};
+pub use one_kind::{FunctionKind, OneKindParts, OneKindSolver};
+pub use pompeiu_operators::{Boundary, HarmonicBasis, OperatorError, Splitting};

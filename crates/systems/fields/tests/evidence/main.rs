@@ -1,0 +1,10 @@
+//! Evidence that does not come from the code: dimensions, planted parts.
+
+#![allow(clippy::unwrap_used, clippy::print_stdout, reason = "tests may panic and say what they skip")]
+
+#[path = "../../../../base/operators/tests/evidence/common.rs"]
+#[allow(dead_code, reason = "shared with the tests of operators, which need more of it")]
+mod common;
+mod decomposition;
+mod dimensions;
+mod one_kind;

@@ -1,0 +1,73 @@
+//! Splitting with one kind of function fails in the two ways that the audit counts.
+
+use crate::common::{Random, cases, distance, norm};
+use pompeiu_fields::{FunctionKind, HodgeSolver, OneKindParts, OneKindSolver};
+use pompeiu_operators::{Boundary, Splitting, edge_gradient, gradient, rotated};
+use pompeiu_surface::Surface;
+
+const BOTH: [Boundary; 2] = [Boundary::Tangential, Boundary::Normal];
+
+fn split(surface: &Surface, kind: FunctionKind, boundary: Boundary, field: &[[f64; 2]]) -> OneKindParts {
+    OneKindSolver::new(surface, kind, boundary).unwrap().split(field).unwrap()
+}
+
+#[test]
+fn each_part_is_that_of_the_mixed_splitting_with_this_kind() {
+    for case in cases() {
+        let (surface, name) = (&case.surface, case.name);
+        let field = Random(1).field(surface);
+        let size = norm(surface, &field);
+        for boundary in BOTH {
+            let [primal, dual] = [Splitting::Primal, Splitting::Dual]
+                .map(|which| HodgeSolver::new(surface, which, boundary).unwrap().decompose(&field).unwrap());
+            let conforming = split(surface, FunctionKind::Conforming, boundary, &field);
+            let nonconforming = split(surface, FunctionKind::Nonconforming, boundary, &field);
+            for (found, expected) in [
+                (&conforming.gradient, &primal.gradient),
+                (&conforming.rotated, &dual.rotated),
+                (&nonconforming.gradient, &dual.gradient),
+                (&nonconforming.rotated, &primal.rotated),
+            ] {
+                assert!(distance(surface, found, expected) <= 1e-10 * size, "{name}");
+            }
+        }
+    }
+}
+
+#[test]
+fn continuous_functions_are_too_few() {
+    for case in cases() {
+        let (surface, mesh, name) = (&case.surface, case.surface.mesh(), case.name);
+        // A rotated gradient, which has no harmonic part and no gradient, but is not one of a continuous function.
+        let mut values = Random(2).values(mesh.edges());
+        for edge in mesh.edge_ids().filter(|&e| mesh.is_boundary_edge(e)) {
+            values[edge.index()] = 0.0;
+        }
+        let field = rotated(&edge_gradient(surface, &values).unwrap());
+        let size = norm(surface, &field);
+        let parts = split(surface, FunctionKind::Conforming, Boundary::Tangential, &field);
+        assert!(norm(surface, &parts.gradient) <= 1e-10 * size, "{name}");
+        assert!(norm(surface, &parts.left_over) >= 0.3 * size, "{name}");
+        // Orthogonal all the same: nothing in the numbers warns of it.
+        let products = [parts.gradient_rotated, parts.left_over_products[0], parts.left_over_products[1]];
+        assert!(products.iter().all(|x| x.abs() <= 1e-10), "{name}: {products:?}");
+    }
+}
+
+#[test]
+fn functions_that_agree_at_midpoints_are_too_many() {
+    for case in cases() {
+        let (surface, mesh, name) = (&case.surface, case.surface.mesh(), case.name);
+        let field = edge_gradient(surface, &Random(3).values(mesh.edges())).unwrap();
+        let size = norm(surface, &field);
+        let parts = split(surface, FunctionKind::Nonconforming, Boundary::Tangential, &field);
+        // It is a gradient, and yet a good part of it counts as a rotated gradient too.
+        assert!(distance(surface, &parts.gradient, &field) <= 1e-10 * size, "{name}");
+        assert!(norm(surface, &parts.rotated) >= 0.1 * size, "{name}");
+        assert!(parts.gradient_rotated >= 0.01, "{name}: {}", parts.gradient_rotated);
+        // Of a continuous function nothing does.
+        let field = gradient(surface, &Random(4).values(mesh.vertices())).unwrap();
+        let parts = split(surface, FunctionKind::Nonconforming, Boundary::Tangential, &field);
+        assert!(norm(surface, &parts.rotated) <= 1e-10 * norm(surface, &field), "{name}");
+    }
+}

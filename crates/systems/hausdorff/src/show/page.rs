@@ -1,0 +1,338 @@
+//! A deviation analysis as a page and as a picture.
+
+use crate::deviation::{Deviation, DirectedDeviation, DisplayTriangle, Region, Sides, Statistics};
+use crate::{Direction, Enclosure, Stage, StopReason, Witness};
+use pompeiu_core::spatial::{Winding, WindingNumber};
+use pompeiu_core::{FaceId, MeshError, TriMesh};
+use pompeiu_figures::html::{
+    DeviationPage, DisplayTriangles, Exceedance, Histogram, PageSurface, PointPair, SearchStage, Statistic,
+};
+use pompeiu_figures::names::{axis, name};
+use pompeiu_figures::{ColorMap, Figure, FigureError, Image, Mark, Panel, Scale, Theme, Values, View, html};
+
+/// A mesh as a report names it.
+#[derive(Clone, Copy, Debug)]
+pub struct ReportedMesh<'m> {
+    /// The file, or whatever else tells it from the other one.
+    pub path: &'m str,
+    /// The mesh that was measured.
+    pub mesh: &'m TriMesh,
+}
+
+/// A deviation analysis to be shown.
+///
+/// # Example
+/// ```
+/// use pompeiu_core::mesh::shapes::{icosphere, torus};
+/// use pompeiu_hausdorff::DeviationQuery;
+/// use pompeiu_hausdorff::show::{DeviationReport, ReportedMesh, search_stages};
+///
+/// let (a, b) = (icosphere(1.0, 2)?, torus(0.75, 0.25, 32, 16)?);
+/// let report = DeviationReport {
+///     a: ReportedMesh { path: "sphere.obj", mesh: &a },
+///     b: ReportedMesh { path: "torus.obj", mesh: &b },
+///     deviation: &DeviationQuery::new().symmetric(&a, &b),
+///     stages: &search_stages(&a, &b),
+///     unit: "mm",
+///     up: [0.0, 0.0, 1.0],
+///     threshold: Some(0.25),
+///     command: None,
+/// };
+/// assert!(report.page().html()?.contains("torus.obj"));
+/// assert_eq!(report.image(640, 360, Default::default(), Default::default())?.width(), 640);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct DeviationReport<'r> {
+    /// The surface as it should be.
+    pub a: ReportedMesh<'r>,
+    /// The surface as it is.
+    pub b: ReportedMesh<'r>,
+    /// What was found, of these very meshes.
+    pub deviation: &'r Deviation,
+    /// What the search had left at coarser tolerances, both directions; may be empty.
+    pub stages: &'r [Stage],
+    /// The unit of length; empty where nobody knows.
+    pub unit: &'r str,
+    /// Which way is up.
+    pub up: [f64; 3],
+    /// What counts as out of tolerance.
+    pub threshold: Option<f64>,
+    /// The command that makes the report again.
+    pub command: Option<&'r str>,
+}
+
+/// The part of the colour scale that a drawn distance may be off by.
+const COLOR_TOLERANCE: f64 = 1.0 / 256.0;
+
+/// Triangles drawn of a mesh, unless it has more faces.
+const MOST_TRIANGLES: usize = 400_000;
+
+/// One direction: the surface that is measured, and what was found on it.
+struct Side<'r> {
+    measured: ReportedMesh<'r>,
+    found: &'r DirectedDeviation,
+    triangles: Vec<DisplayTriangle>,
+}
+
+impl<'r> DeviationReport<'r> {
+    fn sides(&self) -> [Side<'r>; 2] {
+        let tolerance = COLOR_TOLERANCE * self.deviation.distance.upper();
+        let ways = [(self.a, self.b, &self.deviation.a_to_b), (self.b, self.a, &self.deviation.b_to_a)];
+        ways.map(|(measured, other, found)| {
+            let mut triangles = found.tessellation(measured.mesh, tolerance, MOST_TRIANGLES);
+            if let Some(sides) = &found.sides {
+                give_signs(&mut triangles, measured.mesh, other.mesh, sides);
+            }
+            Side { measured, found, triangles }
+        })
+    }
+
+    fn is_signed(&self) -> bool {
+        self.deviation.a_to_b.sides.is_some()
+    }
+
+    /// The page, to be written with [`DeviationPage::html`].
+    pub fn page(&self) -> DeviationPage {
+        let sides = self.sides();
+        DeviationPage {
+            title: format!("{} and {}", name(self.a.path), name(self.b.path)),
+            unit: self.unit.to_owned(),
+            up: axis(self.up),
+            signed: self.is_signed(),
+            threshold: self.threshold,
+            distance: Some(bounds(self.deviation.distance)),
+            surfaces: sides.each_ref().map(|side| self.surface(side)),
+            proof: proof(),
+            facts: self.facts(),
+            command: self.command.map(str::to_owned),
+            version: env!("CARGO_PKG_VERSION").to_owned(),
+        }
+    }
+
+    fn surface(&self, side: &Side<'_>) -> PageSurface {
+        let Side { measured, found, triangles } = side;
+        let stages = self.stages.iter().filter(|stage| stage.direction == found.direction);
+        PageSurface {
+            name: name(measured.path).to_owned(),
+            path: measured.path.to_owned(),
+            vertices: measured.mesh.positions().len(),
+            faces: measured.mesh.faces().len(),
+            triangles: DisplayTriangles {
+                corners: triangles.iter().map(|triangle| triangle.corners).collect(),
+                faces: triangles.iter().map(|triangle| triangle.face.0).collect(),
+            },
+            deviation: Some(html::Deviation {
+                values: triangles.iter().map(|triangle| triangle.distances).collect(),
+                face_bounds: found.faces.iter().map(|face| bounds(face.max)).collect(),
+                distance: bounds(found.distance.distance),
+                stop: stop(found).to_owned(),
+                witness: pair(&found.distance.witness),
+                statistics: found.statistics.as_ref().map(statistics).unwrap_or_default(),
+                histogram: found.statistics.as_ref().map(histogram).unwrap_or_default(),
+                exceedance: found.statistics.as_ref().map(exceedance).unwrap_or_default(),
+                regions: found.regions.iter().map(region).collect(),
+                stages: stages.map(search_stage).collect(),
+            }),
+        }
+    }
+
+    fn facts(&self) -> Vec<[String; 2]> {
+        let mut facts = Vec::new();
+        if let Some(greater) = &self.deviation.greater_percentiles {
+            for percentile in greater {
+                facts.push([
+                    format!("{} %, greater of both directions", percent(percentile.share)),
+                    shown(percentile.distance),
+                ]);
+            }
+        }
+        if let Some(pooled) = &self.deviation.pooled {
+            facts.push(["mean, over both surfaces".to_owned(), shown(pooled.mean)]);
+            facts.push(["root mean square, over both surfaces".to_owned(), shown(pooled.rms)]);
+        }
+        let work = [&self.deviation.a_to_b.work, &self.deviation.b_to_a.work];
+        facts.push(["pieces".to_owned(), work.map(|w| w.pieces).iter().sum::<u64>().to_string()]);
+        facts
+    }
+
+    /// A picture with one panel for each direction, of the given size in pixels.
+    ///
+    /// # Errors
+    /// [`FigureError`] for a size that is none.
+    pub fn image(&self, width: u32, height: u32, theme: Theme, view: View) -> Result<Image, FigureError> {
+        let sides = self.sides();
+        let extent = self.deviation.distance.upper();
+        let scale = if self.is_signed() {
+            Scale::symmetric(ColorMap::Vik, extent)?
+        } else {
+            Scale::new(ColorMap::Viridis, 0.0, extent)?
+        };
+        let scale = self.threshold.map_or(scale, |threshold| scale.with_limit(threshold));
+        let drawn = sides.each_ref().map(|side| (soup(&side.triangles), side));
+        let label =
+            if self.unit.is_empty() { "distance".to_owned() } else { format!("distance ({})", self.unit) };
+        let mut figure =
+            Figure::new(width, height).with_theme(theme).with_view(view).with_scale(scale, label);
+        let values =
+            sides.each_ref().map(|side| side.triangles.iter().map(|t| t.distances).collect::<Vec<_>>());
+        for ((mesh, side), values) in drawn.iter().zip(&values) {
+            // Without anything to draw there is no panel.
+            let Ok(mesh) = mesh else { continue };
+            let (from, to) = match side.found.direction {
+                Direction::AToB => (self.a, self.b),
+                Direction::BToA => (self.b, self.a),
+            };
+            let meaning = if side.found.direction == Direction::AToB { "missing" } else { "invented" };
+            let distance = rounded(side.found.distance.distance);
+            let title =
+                format!("{meaning}: {} to {}, {distance} {}", name(from.path), name(to.path), self.unit);
+            let PointPair { from, to } = pair(&side.found.distance.witness);
+            figure = figure.with_panel(
+                Panel::new(mesh)
+                    .with_values(Values::Corners(values))
+                    .with_title(title)
+                    .with_mark(Mark::segment(from, to))
+                    .with_mark(Mark::point(from)),
+            );
+        }
+        figure.draw()
+    }
+}
+
+/// Makes distances inside the other mesh negative: at the vertices of a face drawn whole, elsewhere on a piece of a face as a whole.
+fn give_signs(triangles: &mut [DisplayTriangle], mesh: &TriMesh, other: &TriMesh, sides: &Sides) {
+    let is_part = |triangle: &DisplayTriangle| triangle.corners != mesh.corners(triangle.face);
+    let centre = |t: &DisplayTriangle| [0, 1, 2].map(|k| t.corners.iter().map(|p| p[k] / 3.0).sum());
+    let centres: Vec<[f64; 3]> = triangles.iter().filter(|t| is_part(t)).map(centre).collect();
+    let windings = Winding::new(other).about_all(&centres);
+    let mut of_parts = windings.iter().map(WindingNumber::is_inside);
+    for triangle in triangles {
+        let inside = if is_part(triangle) {
+            [of_parts.next().unwrap_or(false); 3]
+        } else {
+            mesh.faces()[triangle.face.index()].map(|v| Sides::is_inside(sides.vertex_winding[v as usize]))
+        };
+        for (distance, inside) in triangle.distances.iter_mut().zip(inside) {
+            if inside {
+                *distance = -*distance;
+            }
+        }
+    }
+}
+
+/// The triangles as a mesh of its own, unwelded.
+fn soup(triangles: &[DisplayTriangle]) -> Result<TriMesh, MeshError> {
+    let positions = triangles.iter().flat_map(|triangle| triangle.corners).collect();
+    let faces = (0..triangles.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+    TriMesh::new(positions, faces)
+}
+
+fn bounds(enclosure: Enclosure) -> html::Bounds {
+    [enclosure.lower(), enclosure.upper()]
+}
+
+fn shown(enclosure: Enclosure) -> String {
+    format!("{enclosure:.4}")
+}
+
+/// Five digits of the middle: for titles, beside which the legend stands.
+fn rounded(enclosure: Enclosure) -> String {
+    let middle: f64 = format!("{:.4e}", 0.5 * (enclosure.lower() + enclosure.upper())).parse().unwrap_or(0.0);
+    middle.to_string()
+}
+
+fn percent(share: f64) -> f64 {
+    (share * 1e12).round() / 1e10
+}
+
+fn pair(witness: &Witness) -> PointPair {
+    PointPair { from: witness.from.position, to: witness.to.position }
+}
+
+fn statistics(found: &Statistics) -> Vec<Statistic> {
+    let statistic = |label: String, value| Statistic { label, value: bounds(value) };
+    let mut all =
+        vec![statistic("mean".to_owned(), found.mean), statistic("root mean square".to_owned(), found.rms)];
+    all.extend(found.percentiles.iter().map(|p| {
+        let label =
+            if p.share == 0.5 { "median".to_owned() } else { format!("{} % of the area", percent(p.share)) };
+        statistic(label, p.distance)
+    }));
+    all
+}
+
+/// Whether the ends of bins can be told apart: not where all distances are zero.
+fn has_width(histogram: &crate::deviation::Histogram) -> bool {
+    histogram.edges.is_sorted_by(|a, b| a < b)
+}
+
+fn histogram(found: &Statistics) -> Histogram {
+    let histogram = &found.histogram;
+    if !has_width(histogram) {
+        return Histogram::default();
+    }
+    Histogram {
+        edges: histogram.edges.clone(),
+        fractions: histogram.bins.iter().map(|bin| bounds(*bin)).collect(),
+    }
+}
+
+/// The share beyond each end of a bin: what is not up to it.
+fn exceedance(found: &Statistics) -> Exceedance {
+    let histogram = &found.histogram;
+    let beyond = |up_to: &Enclosure| {
+        let ends = [(1.0 - up_to.upper()).next_down(), (1.0 - up_to.lower()).next_up()];
+        ends.map(|x| x.clamp(0.0, 1.0))
+    };
+    if !has_width(histogram) {
+        return Exceedance::default();
+    }
+    Exceedance {
+        distances: histogram.edges.clone(),
+        fractions: histogram.cumulative.iter().map(beyond).collect(),
+    }
+}
+
+fn region(found: &Region) -> html::Region {
+    html::Region {
+        center: found.centre,
+        extent: found.aabb.diagonal(),
+        area: found.area,
+        peak: bounds(found.peak),
+        pair: pair(&found.witness),
+        faces: found.faces.iter().map(|FaceId(face)| *face).collect(),
+    }
+}
+
+fn search_stage(stage: &Stage) -> SearchStage {
+    SearchStage {
+        tolerance: stage.tolerance,
+        distance: [stage.lower, stage.upper],
+        remaining: stage.remaining.iter().map(|piece| piece.corners).collect(),
+    }
+}
+
+fn stop(found: &DirectedDeviation) -> &'static str {
+    match found.distance.stop {
+        StopReason::Tolerance => "as narrow as asked",
+        StopReason::Threshold => "the threshold was decided",
+        StopReason::Time => "the time limit ran out",
+        StopReason::Memory => "the memory limit was reached",
+        StopReason::Rounding => "double precision ends here",
+        _ => "stopped on request",
+    }
+}
+
+fn proof() -> Vec<String> {
+    [
+        "Upper end: every part of the surface was discarded with a bound on its distance from the other one. The distance from one \
+         face, or a weighted mean of distances from several, is a convex function, so on a triangle it is greatest at a corner.",
+        "Lower end: the first of the two points lies on the surface, and planes were found that separate it from every \
+         face of the other one by at least this distance, evaluated in interval arithmetic.",
+        "Mean, percentiles and shares of the area: each face was cut into pieces on which the distance lies between two linear \
+         functions, whose integrals are known; sums are rounded outwards.",
+    ]
+    .map(str::to_owned)
+    .to_vec()
+}

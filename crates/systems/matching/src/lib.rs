@@ -1,0 +1,11 @@
+//! Comparing one mesh with many.
+//!
+//! | module | question |
+//! |---|---|
+//! | [`align`] | which rigid motion brings one mesh onto another? A local optimum, not proven. |
+//! | [`rank`] | which of many meshes is nearest to a template? Ranks follow from proven enclosures alone. |
+//! | [`matrix`] | how far apart is each pair of several meshes? Every entry is a proven enclosure. |
+
+pub mod align;
+pub mod matrix;
+pub mod rank;
