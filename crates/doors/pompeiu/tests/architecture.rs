@@ -60,22 +60,43 @@ fn crates_depend_on_each_other_as_drawn() {
 
 #[test]
 fn the_code_map_is_complete_and_true() {
-    let document = text("ARCHITECTURE.md");
-    let places: BTreeSet<&str> = document
-        .split('`')
-        .filter(|word| {
-            ["bench/", "crates/", "docs/", "examples/", "scripts/"].iter().any(|top| word.starts_with(top))
-        })
-        .collect();
-    for place in &places {
-        assert!(root().join(place).exists(), "ARCHITECTURE.md names {place}, which does not exist");
-    }
+    let tops = ["bench/", "crates/", "docs/", "examples/", "scripts/"];
+    named_places_exist("ARCHITECTURE.md", "", &tops);
+    let map = text("ARCHITECTURE.md");
     for of_crate in crate_folders() {
-        assert!(places.contains(of_crate.as_str()), "the code map lacks {of_crate}");
+        let document = format!("{of_crate}/README.md");
+        assert!(map.contains(&format!("({document})")), "ARCHITECTURE.md lacks {document}");
+        named_places_exist(&document, &of_crate, &["src/", "tests/", "web/"]);
+        let described = text(&document);
+        let mut files = BTreeSet::new();
+        sources(&root().join(&of_crate).join("src"), &mut files);
+        for file in described.split('`').filter(|word| word.ends_with(".rs") && !word.contains('/')) {
+            assert!(files.contains(file), "{document} names {file}, which does not exist");
+        }
         for room in fs::read_dir(root().join(&of_crate).join("src")).unwrap().map(Result::unwrap) {
-            let place = format!("{of_crate}/src/{}", room.file_name().into_string().unwrap());
+            let place = format!("src/{}", room.file_name().into_string().unwrap());
             let is_room = room.path().join("mod.rs").exists();
-            assert!(!is_room || places.contains(place.as_str()), "the code map lacks {place}");
+            assert!(!is_room || described.contains(&format!("`{place}`")), "{document} lacks {place}");
+        }
+    }
+}
+
+/// Asserts that what a document names between backquotes, below certain folders, exists below a folder.
+fn named_places_exist(document: &str, below: &str, tops: &[&str]) {
+    let written = text(document);
+    let places = written.split('`').filter(|word| tops.iter().any(|top| word.starts_with(top)));
+    for place in places {
+        assert!(root().join(below).join(place).exists(), "{document} names {place}, which does not exist");
+    }
+}
+
+/// Names of the source files below a folder.
+fn sources(folder: &Path, names: &mut BTreeSet<String>) {
+    for entry in fs::read_dir(folder).unwrap().map(Result::unwrap) {
+        if entry.path().is_dir() {
+            sources(&entry.path(), names);
+        } else {
+            names.insert(entry.file_name().into_string().unwrap());
         }
     }
 }

@@ -1,10 +1,10 @@
 //! Degrees of freedom, by elimination on dense matrices.
 
-use crate::common::{Case, cases, shared_cases};
+use crate::common::{Case, cases};
 use pompeiu_fields::Audit;
 use pompeiu_operators::{Boundary, edge_gradient_matrix, gradient_matrix};
 use pompeiu_solve::SparseMatrix;
-use pompeiu_surface::{EdgeId, SurfaceMesh};
+use pompeiu_surface::EdgeId;
 
 /// The rank, by elimination with full pivoting among rows; columns are scaled to length one first.
 fn rank(columns: Vec<Vec<f64>>) -> usize {
