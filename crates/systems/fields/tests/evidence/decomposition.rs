@@ -1,6 +1,7 @@
 //! Planted parts come back; parts are orthogonal and add up.
 
-use crate::common::{Field, Random, cases, distance, norm, shared_cases, sum, surface};
+use crate::common::{Field, Random, cases, shared_cases, surface};
+use crate::compare::{distance, norm, sum};
 use pompeiu_core::mesh::shapes;
 use pompeiu_fields::{Decomposition, HodgeSolver};
 use pompeiu_operators::{Boundary, OperatorError, Splitting, edge_gradient, gradient, rotated};

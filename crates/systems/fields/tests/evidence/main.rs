@@ -5,6 +5,7 @@
 #[path = "../../../../base/operators/tests/evidence/common.rs"]
 #[allow(dead_code, reason = "shared with the tests of operators, which need more of it")]
 mod common;
+mod compare;
 mod decomposition;
 mod dimensions;
 mod one_kind;

@@ -1,6 +1,7 @@
 //! Splitting with one kind of function fails in the two ways that the audit counts.
 
-use crate::common::{Random, cases, distance, norm};
+use crate::common::{Random, cases};
+use crate::compare::{distance, norm};
 use pompeiu_fields::{FunctionKind, HodgeSolver, OneKindParts, OneKindSolver};
 use pompeiu_operators::{Boundary, Splitting, edge_gradient, gradient, rotated};
 use pompeiu_surface::Surface;
