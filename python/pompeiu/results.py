@@ -30,7 +30,7 @@ __all__ = [
 
 Vec3 = Tuple[float, float, float]
 Direction = Literal["a_to_b", "b_to_a"]
-Stop = Literal["tolerance", "threshold", "time", "memory", "rounding", "cancelled"]
+Stop = Literal["tolerance", "threshold", "time", "memory", "pieces", "rounding", "cancelled"]
 
 
 def _table(title: str, rows: "list[tuple[str, str]]") -> str:
@@ -161,8 +161,8 @@ class DirectedReport(_Interval):
     witness : Witness
         A point of A at least ``lower`` away from all of B, and a point of B nearest to it.
     stop : str
-        Why the search ended: ``"tolerance"``, ``"threshold"``, ``"time"``, ``"memory"``, ``"rounding"`` (the tolerance lies
-        below what double precision tells apart) or ``"cancelled"``. The enclosure holds in every case.
+        Why the search ended: ``"tolerance"``, ``"threshold"``, ``"time"``, ``"memory"``, ``"pieces"``, ``"rounding"`` (the
+        tolerance lies below what double precision tells apart) or ``"cancelled"``. The enclosure holds in every case.
     tolerance : float
         The width that was asked for, in the unit of the meshes.
     work : WorkCount

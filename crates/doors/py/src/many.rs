@@ -240,7 +240,7 @@ fn matrix_here(
             break;
         }
         let tree = Tree::new(mesh);
-        let directed = |from: usize| {
+        let directed = |from: usize| -> Result<_, pompeiu::hausdorff::OptionError> {
             let entry = matrix::directed(meshes[from], &tree, tolerance)?;
             let done = done.fetch_add(1, Ordering::Relaxed) + 1;
             watch.tell(Steps { done, all, settled: to, of: count });

@@ -14,10 +14,10 @@
 use crate::engine::{Farthest, Question, conclude, joint_frame};
 use crate::observer::{Observer, Progress, RemainingPiece, Stage};
 use crate::report::{DirectedReport, Timing, WorkCount};
-use crate::search::{Control, Halt};
 use crate::{certify, observer};
 use glam::DVec3;
 use pompeiu_core::geom::Frame;
+use pompeiu_core::run::{Control, StopReason};
 use pompeiu_core::{FaceId, TriMesh};
 use rayon::prelude::*;
 use std::ops::ControlFlow;
@@ -88,7 +88,7 @@ pub(crate) fn search(
     let (frame, joint, rounding) = joint_frame(a, b);
     let limits = question.limits(&joint, &frame, rounding);
     let mut stages = question.stages(&limits).into_iter().peekable();
-    let control = Control::new(question.deadline, question.memory_limit);
+    let control = question.control();
     let corners = |mesh: &TriMesh, f: usize| mesh.corners(FaceId(f as u32)).map(|p| frame.map(p));
 
     let balls: Vec<Ball> = (0..b.faces().len()).map(|f| Ball::around(corners(b, f))).collect();
@@ -106,14 +106,14 @@ pub(crate) fn search(
         .map(|f| {
             let corners = corners(a, f);
             let distances =
-                if control.halted() { [f64::INFINITY; 3] } else { corners.map(|p| distance(p).0) };
+                if control.is_stopped() { [f64::INFINITY; 3] } else { corners.map(|p| distance(p).0) };
             Piece { corners, distances, face: f as u32, bound: 0.0 }
         })
         .collect();
     if pieces.iter().any(|p| p.distances[0] == f64::INFINITY) {
         // Out of time before the first level: coarse bounds take its place.
         let mut report = crate::coarse::bound(question, a, b);
-        report.stop = crate::StopReason::Time;
+        report.stop = StopReason::Time;
         return report;
     }
     work.queries += 3 * pieces.len() as u64;
@@ -158,10 +158,10 @@ pub(crate) fn search(
             left: pieces.len() as u64,
         };
         if observer.progress(&progress) == ControlFlow::Break(()) {
-            control.halt(Halt::Cancelled);
+            control.stop(StopReason::Cancelled);
         }
         if limits.threshold.is_some_and(|t| lower - rounding.lower() > t) {
-            control.halt(Halt::Threshold);
+            control.stop(StopReason::Threshold);
         }
         let enough = limits.at(lower, work.depth) + rounding.bound(work.depth);
         pieces.retain(|piece| {
@@ -172,10 +172,10 @@ pub(crate) fn search(
             keep
         });
         if 4 * pieces.len() > MOST_PIECES {
-            control.halt(Halt::Memory);
+            control.stop(StopReason::Memory);
         }
-        control.mind_memory(5 * pieces.len() * size_of::<Piece>());
-        if pieces.is_empty() || control.halted() {
+        control.check_memory(5 * pieces.len() * size_of::<Piece>());
+        if pieces.is_empty() || control.is_stopped() {
             break;
         }
         work.cuts += pieces.len() as u64;
@@ -183,7 +183,7 @@ pub(crate) fn search(
         work.depth += 1;
         let parts: Vec<[Piece; 4]> =
             pieces.par_iter().map(|p| quarter(p, |x| distance(x).0, &control)).collect();
-        if control.halted() {
+        if control.is_stopped() {
             // The parts may be unmeasured; the pieces are not.
             work.depth -= 1;
             break;
@@ -204,7 +204,7 @@ pub(crate) fn search(
     witness.to.position = frame.unmap(witness.to.position);
     let lower = certify::distance_lower_bound(x, (0..b.faces().len()).map(|g| corners(b, g)));
     let upper = pieces.iter().map(|p| p.bound).fold(settled, f64::max);
-    let (distance, stop, tolerance) = conclude(question, &limits, &frame, lower, upper, control.why());
+    let (distance, stop, tolerance) = conclude(question, &limits, &frame, lower, upper, control.reason());
     let timing = Timing { build, search: started.elapsed().saturating_sub(build) };
     DirectedReport { distance, witness, stop, tolerance, work, timing }
 }
@@ -213,7 +213,7 @@ pub(crate) fn search(
 fn quarter(piece: &Piece, distance: impl Fn([f64; 3]) -> f64, control: &Control) -> [Piece; 4] {
     let [a, b, c] = piece.corners.map(DVec3::from_array);
     let middles = [a + 0.5 * (b - a), b + 0.5 * (c - b), c + 0.5 * (a - c)].map(|p| p.to_array());
-    let far = if control.halted() { [f64::INFINITY; 3] } else { middles.map(distance) };
+    let far = if control.is_stopped() { [f64::INFINITY; 3] } else { middles.map(distance) };
     let [a, b, c] = piece.corners;
     let [da, db, dc] = piece.distances;
     let part = |corners, distances| Piece { corners, distances, ..*piece };

@@ -4,11 +4,12 @@ use crate::certify;
 use crate::observer::Observer;
 use crate::report::{DirectedReport, Direction, Enclosure, StopReason, SurfacePoint, Timing, Witness};
 use crate::rounding::Rounding;
-use crate::search::{Control, Halt, Limits, Scene, Search};
+use crate::search::{Limits, Scene, Search};
 use crate::target::Target;
 use crate::tolerance::Tolerance;
 use pompeiu_core::geom::point_triangle::closest_barycentric;
 use pompeiu_core::geom::{Aabb, Frame};
+use pompeiu_core::run::{self, Control};
 use pompeiu_core::spatial::{Bvh, morton_order};
 use pompeiu_core::{FaceId, TriMesh};
 use std::time::Instant;
@@ -26,6 +27,12 @@ pub(crate) struct Question<'q> {
 }
 
 impl Question<'_> {
+    /// The limits, watched from now on.
+    pub(crate) fn control(&self) -> Control {
+        let limits = run::Limits { memory: self.memory_limit, ..run::Limits::default() };
+        Control::start(&limits).until(self.deadline)
+    }
+
     /// The same in units of a frame.
     pub(crate) fn limits(&self, joint: &Aabb, frame: &Frame, rounding: Rounding) -> Limits {
         let diagonal = frame.length_in(joint.diagonal());
@@ -81,7 +88,7 @@ pub(crate) fn search(
     let stages = question.stages(&limits);
     let later = if b.is_some() { target.faces() * NEIGHBOURS } else { 0 };
     let held = bytes_of(a) + target.bytes() + later + a.faces().len() * size_of::<u32>();
-    let control = Control::new(question.deadline, question.memory_limit.map(|m| m.saturating_sub(held)));
+    let control = question.control().holding(held);
     let order = morton_order(a, &a_box);
     let scene = Scene {
         a,
@@ -106,7 +113,7 @@ pub(crate) fn search(
     let (mut witness, x) = farthest.witness(a, target.frame());
     let lower = certified_lower(&x, &farthest, target.bvh(), rounding);
     witness.to.position = target.frame().unmap(witness.to.position);
-    let report = conclude(question, &limits, target.frame(), lower, result.upper, control.why());
+    let report = conclude(question, &limits, target.frame(), lower, result.upper, control.reason());
     DirectedReport {
         distance: report.0,
         witness,
@@ -157,7 +164,7 @@ pub(crate) fn conclude(
     frame: &Frame,
     lower: f64,
     upper: f64,
-    halt: Option<Halt>,
+    stopped: Option<StopReason>,
 ) -> (Enclosure, StopReason, f64) {
     // Scaling by a power of two rounds only among subnormal numbers; one step outwards covers that.
     let lower = frame.length_out(lower);
@@ -172,10 +179,8 @@ pub(crate) fn conclude(
         _ => frame.length_out(limits.requested(frame.length_in(lower))),
     };
     let decided = question.threshold.is_some_and(|t| enclosure.upper() <= t || enclosure.lower() > t);
-    let stop = match halt {
-        Some(Halt::Time) => StopReason::Time,
-        Some(Halt::Memory) => StopReason::Memory,
-        Some(Halt::Cancelled) => StopReason::Cancelled,
+    let stop = match stopped {
+        Some(reason) if reason.is_early() => reason,
         _ if enclosure.gap() <= tolerance => StopReason::Tolerance,
         _ if decided => StopReason::Threshold,
         _ => StopReason::Rounding,

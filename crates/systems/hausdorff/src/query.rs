@@ -4,9 +4,11 @@ use crate::engine::{self, Question};
 use crate::observer::Observer;
 use crate::report::{DirectedReport, Direction, SymmetricReport};
 use crate::target::Target;
-use crate::tolerance::{OptionError, Tolerance, check_threads, check_threshold};
+use crate::tolerance::{OptionError, Tolerance, check_threshold};
 use crate::{classic, coarse};
 use pompeiu_core::TriMesh;
+use pompeiu_core::run::{Limits, on_threads};
+use std::num::NonZeroUsize;
 use std::time::{Duration, Instant};
 
 /// Encloses how far the points of A are from B: `h(A, B)`, not symmetric.
@@ -60,7 +62,7 @@ pub enum Method {
 pub struct Query {
     tolerance: Tolerance,
     threshold: Option<f64>,
-    threads: Option<usize>,
+    threads: Option<NonZeroUsize>,
     time_limit: Option<Duration>,
     memory_limit: Option<usize>,
     stages: Vec<f64>,
@@ -99,9 +101,9 @@ impl Query {
     /// Runs on this many threads instead of those of the current pool. The answer is the same.
     ///
     /// # Errors
-    /// [`OptionError::Threads`] for none.
+    /// [`OptionError::Limit`] for none.
     pub fn threads(mut self, threads: usize) -> Result<Self, OptionError> {
-        self.threads = Some(check_threads(threads)?);
+        self.threads = Some(Limits::threads(threads)?);
         Ok(self)
     }
 
@@ -233,15 +235,5 @@ impl Query {
             memory_limit: self.memory_limit,
             stages: &self.stages,
         }
-    }
-}
-
-/// Runs on as many threads, or on those of the current pool.
-pub(crate) fn on_threads<R: Send>(threads: Option<usize>, work: impl FnOnce() -> R + Send) -> R {
-    let Some(threads) = threads else { return work() };
-    match rayon::ThreadPoolBuilder::new().num_threads(threads).build() {
-        Ok(pool) => pool.install(work),
-        // A system that refuses threads still has this one and those of the current pool.
-        Err(_) => work(),
     }
 }

@@ -1,5 +1,7 @@
 //! How narrow an enclosure is asked for.
 
+use pompeiu_core::run::LimitError;
+
 /// The width of the enclosure to aim for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Tolerance {
@@ -45,9 +47,9 @@ pub enum OptionError {
     /// A share of an area that has no percentile.
     #[error("the share is {0}; it must lie between 0 and 1, both excluded")]
     Share(f64),
-    /// No thread is not enough.
-    #[error("the number of threads is 0; at least 1 is needed")]
-    Threads,
+    /// A limit that makes no sense.
+    #[error(transparent)]
+    Limit(#[from] LimitError),
     /// A list of stages must descend.
     #[error(
         "stage {index} has tolerance {tolerance}; each must be finite, positive and below the one before"
@@ -67,9 +69,4 @@ pub(crate) fn check_threshold(threshold: f64) -> Result<f64, OptionError> {
     } else {
         Err(OptionError::Threshold(threshold))
     }
-}
-
-/// That there is a thread to run on.
-pub(crate) fn check_threads(threads: usize) -> Result<usize, OptionError> {
-    if threads > 0 { Ok(threads) } else { Err(OptionError::Threads) }
 }

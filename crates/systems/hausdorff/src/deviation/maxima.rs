@@ -101,7 +101,7 @@ impl Maxima<'_> {
         };
         let mut left = faces.len();
         for round in faces.chunks(TASK * TASKS_PER_ROUND) {
-            if self.scene.control.halted() {
+            if self.scene.control.is_stopped() {
                 return;
             }
             let of_task = |faces: &[u32]| {

@@ -7,8 +7,10 @@ use crate::engine::joint_frame;
 use crate::observer::Observer;
 use crate::report::Direction;
 use crate::target::Target;
-use crate::tolerance::{OptionError, check_threads, check_threshold};
+use crate::tolerance::{OptionError, check_threshold};
 use pompeiu_core::TriMesh;
+use pompeiu_core::run::{Limits, on_threads};
+use std::num::NonZeroUsize;
 use std::time::{Duration, Instant};
 
 /// A question about how far two meshes deviate from each other, where, and over how much of the area.
@@ -48,7 +50,7 @@ pub struct DeviationQuery {
     pub(super) regions: usize,
     pub(super) signed: bool,
     pub(super) most_pieces: usize,
-    threads: Option<usize>,
+    threads: Option<NonZeroUsize>,
     time_limit: Option<Duration>,
     pub(super) memory_limit: Option<usize>,
 }
@@ -147,9 +149,9 @@ impl DeviationQuery {
     /// Runs on this many threads instead of those of the current pool. The answer is the same.
     ///
     /// # Errors
-    /// [`OptionError::Threads`] for none.
+    /// [`OptionError::Limit`] for none.
     pub fn threads(mut self, threads: usize) -> Result<Self, OptionError> {
-        self.threads = Some(check_threads(threads)?);
+        self.threads = Some(Limits::threads(threads)?);
         Ok(self)
     }
 
@@ -169,7 +171,7 @@ impl DeviationQuery {
     }
 
     /// Stops refining at about this many pieces, with wider enclosures; one for each face is needed in any case. The report then
-    /// says [`StopReason::Memory`](crate::StopReason::Memory), for memory is what pieces take.
+    /// says [`StopReason::Pieces`](crate::StopReason::Pieces).
     #[must_use]
     pub fn most_pieces(mut self, pieces: usize) -> Self {
         self.most_pieces = pieces;
@@ -261,6 +263,6 @@ impl DeviationQuery {
     }
 
     fn on_threads<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
-        crate::query::on_threads(self.threads, work)
+        on_threads(self.threads, work)
     }
 }

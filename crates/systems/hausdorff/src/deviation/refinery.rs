@@ -62,7 +62,7 @@ impl Refinery<'_, '_> {
             let means_are_tight = within(summary.mean) && within(summary.rms);
             let doubt = self.doubt(&summary);
             let focus = self.focus(&summary);
-            if self.shop.control.halted() || means_are_tight && focus.is_empty() {
+            if self.shop.control.is_stopped() || means_are_tight && focus.is_empty() {
                 let tight = means_are_tight && focus.is_empty();
                 return (distribution, Some(summary), tight);
             }

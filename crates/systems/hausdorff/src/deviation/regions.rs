@@ -83,7 +83,7 @@ impl<'l> Landscape<'l> {
 
     /// Makes maxima narrower until those that decide about the worst regions, of each kind, are narrow.
     pub(super) fn settle(&mut self, count: usize, threshold: Option<f64>, tell: &mut dyn FnMut(u64, usize)) {
-        while !self.maxima.scene.control.halted() {
+        while !self.maxima.scene.control.is_stopped() {
             let mut parts = self.peaks(count);
             // Faces below all levels join no region, and split none from a greater one.
             let least = if parts.len() == count { parts[count - 1].level } else { 0.0 };

@@ -6,7 +6,7 @@
 use super::envelope::{Envelope, Open, Piece};
 use super::linear::{greater, greatest, least, lesser};
 use crate::rounding::Rounding;
-use crate::search::Control;
+use pompeiu_core::run::Control;
 use pompeiu_core::spatial::Bvh;
 use rayon::prelude::*;
 
@@ -157,7 +157,7 @@ impl Task<'_, '_> {
         let start = self.made.pieces.len();
         let mut near = hint;
         while let Some((mut open, lists)) = self.stack.pop() {
-            if self.shop.control.halted() {
+            if self.shop.control.is_stopped() {
                 self.made.pieces.push(open.piece);
                 continue;
             }

@@ -15,10 +15,11 @@ use crate::engine::{self, Question};
 use crate::observer::{Observer, Progress};
 use crate::report::{DirectedReport, Direction, StopReason};
 use crate::rounding::Rounding;
-use crate::search::{Control, Halt, Scene};
+use crate::search::Scene;
 use crate::target::Target;
 use crate::tolerance::Tolerance;
 use pompeiu_core::geom::Aabb;
+use pompeiu_core::run::{Control, Limits};
 use pompeiu_core::spatial::{Bvh, Workspace, morton_order};
 use pompeiu_core::{FaceId, TriMesh};
 use std::ops::ControlFlow;
@@ -71,10 +72,10 @@ pub(super) fn run(query: &DeviationQuery, pair: &Pair<'_>, observer: &mut dyn Ob
     let areas = faces::areas(from, &frame);
     let rounded: Vec<f64> = areas.iter().map(|(low, high)| 0.5 * (low + high)).collect();
     let total: f64 = rounded.iter().sum();
-    let control =
-        Control::new(deadline, query.memory_limit.map(|most| most.saturating_sub(held(from, target))));
+    let limits = Limits { memory: query.memory_limit, ..Limits::default() };
+    let control = Control::start(&limits).until(deadline).holding(held(from, target));
     if watched.cancelled {
-        control.halt(Halt::Cancelled);
+        control.stop(StopReason::Cancelled);
     }
     let shop = Workshop { bvh, rounding, control: &control, areas: &rounded };
     let floor = query.floor * diagonal + 4.0 * rounding.bound(0);
@@ -95,9 +96,9 @@ pub(super) fn run(query: &DeviationQuery, pair: &Pair<'_>, observer: &mut dyn Ob
         made: Made::default(),
         rounds: 0,
         watch: &mut |made: &Made, left: usize| {
-            control.mind_memory(made.pieces.len() * PIECE_BYTES);
+            control.check_memory(made.pieces.len() * PIECE_BYTES);
             if made.pieces.len() + left >= query.most_pieces {
-                control.halt(Halt::Memory);
+                control.stop(StopReason::Pieces);
             }
             let progress = Progress {
                 direction,
@@ -107,7 +108,7 @@ pub(super) fn run(query: &DeviationQuery, pair: &Pair<'_>, observer: &mut dyn Ob
                 left: left as u64,
             };
             if watched.observer.progress(&progress) == ControlFlow::Break(()) {
-                control.halt(Halt::Cancelled);
+                control.stop(StopReason::Cancelled);
             }
         },
     };
@@ -130,9 +131,9 @@ pub(super) fn run(query: &DeviationQuery, pair: &Pair<'_>, observer: &mut dyn Ob
     };
     let field = Field::new(frame, &made.pieces, from.faces().len(), largest, areas);
     // A limit on pieces or memory does not keep maxima from being narrowed: that takes neither.
-    let control_of_maxima = Control::new(deadline, None);
-    if control.why() == Some(Halt::Cancelled) {
-        control_of_maxima.halt(Halt::Cancelled);
+    let control_of_maxima = Control::default().until(deadline);
+    if control.reason() == Some(StopReason::Cancelled) {
+        control_of_maxima.stop(StopReason::Cancelled);
     }
     let scene = Scene {
         a: from,
@@ -156,7 +157,7 @@ pub(super) fn run(query: &DeviationQuery, pair: &Pair<'_>, observer: &mut dyn Ob
             left: left as u64,
         };
         if watched.observer.progress(&progress) == ControlFlow::Break(()) {
-            control_of_maxima.halt(Halt::Cancelled);
+            control_of_maxima.stop(StopReason::Cancelled);
         }
     };
     let wide: Vec<u32> = order.iter().copied().filter(|face| maxima.is_wide(*face, Care::Map)).collect();
@@ -169,10 +170,8 @@ pub(super) fn run(query: &DeviationQuery, pair: &Pair<'_>, observer: &mut dyn Ob
     } else {
         (Vec::new(), Vec::new(), maxima.of_faces)
     };
-    let stop = match control.why().or(control_of_maxima.why()) {
-        Some(Halt::Time) => StopReason::Time,
-        Some(Halt::Memory) => StopReason::Memory,
-        Some(Halt::Cancelled) => StopReason::Cancelled,
+    let stop = match control.reason().or(control_of_maxima.reason()) {
+        Some(reason) => reason,
         _ if tight => StopReason::Tolerance,
         _ => StopReason::Rounding,
     };

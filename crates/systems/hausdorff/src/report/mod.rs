@@ -4,6 +4,7 @@ mod enclosure;
 mod witness;
 
 pub use enclosure::Enclosure;
+pub use pompeiu_core::run::StopReason;
 pub use witness::{SurfacePoint, Witness};
 
 use std::time::Duration;
@@ -15,38 +16,6 @@ pub enum Direction {
     AToB,
     /// How far points of B are from A.
     BToA,
-}
-
-/// Why a search ended. The enclosure is valid in every case.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum StopReason {
-    /// The enclosure is as narrow as asked.
-    Tolerance,
-    /// The question "at most this threshold?" was decided.
-    Threshold,
-    /// The time limit ran out.
-    Time,
-    /// The memory limit would have been exceeded.
-    Memory,
-    /// The observer asked to stop.
-    Cancelled,
-    /// The tolerance lies below what double precision can tell apart for these coordinates.
-    Rounding,
-}
-
-impl StopReason {
-    /// The reason in a word, as programs want it.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Tolerance => "tolerance",
-            Self::Threshold => "threshold",
-            Self::Time => "time",
-            Self::Memory => "memory",
-            Self::Cancelled => "cancelled",
-            Self::Rounding => "rounding",
-        }
-    }
 }
 
 /// How much was done, in counts that do not depend on the machine or the number of threads.

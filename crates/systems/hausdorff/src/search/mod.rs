@@ -5,7 +5,6 @@
 //! round began and what it found itself; results are merged in task order. So the answer does not depend on the number of
 //! threads, unless a limit ends the search.
 
-mod control;
 mod game;
 mod local;
 mod overlay;
@@ -15,7 +14,6 @@ mod rows;
 mod sweep;
 mod worker;
 
-pub(crate) use control::{Control, Halt};
 pub(crate) use local::{Local, Start, search_each};
 
 use crate::observer::{Discard, Observer, Progress, Proof, RemainingPiece, Stage};
@@ -23,6 +21,7 @@ use crate::report::{Direction, WorkCount};
 use crate::rounding::Rounding;
 use piece::{Piece, longest_edge};
 use pompeiu_core::geom::Frame;
+use pompeiu_core::run::{Control, StopReason};
 use pompeiu_core::spatial::{Bvh, Neighbours, Slot, Workspace};
 use pompeiu_core::{FaceId, TriMesh};
 use rayon::prelude::*;
@@ -75,7 +74,7 @@ impl Scene<'_> {
     }
 
     fn stopped(&self) -> bool {
-        self.control.halted()
+        self.control.is_stopped()
     }
 }
 
@@ -349,7 +348,7 @@ impl<'s, 'o> Search<'s, 'o> {
     /// Between rounds: tell, listen, and mind the limits.
     fn look_around(&mut self, faces_left: u64) {
         let pieces = self.open.len() + self.kept.len();
-        self.scene.control.mind_memory(pieces * size_of::<Piece>());
+        self.scene.control.check_memory(pieces * size_of::<Piece>());
         let out = |length| self.scene.frame.length_out(length);
         let lower = self.found.distance;
         let mut upper = if self.upper > lower { self.upper } else { lower };
@@ -364,11 +363,11 @@ impl<'s, 'o> Search<'s, 'o> {
             left: faces_left + self.open.len() as u64,
         };
         if self.observer.progress(&progress) == ControlFlow::Break(()) {
-            self.scene.control.halt(Halt::Cancelled);
+            self.scene.control.stop(StopReason::Cancelled);
         }
         let decided = self.limits.threshold.is_some_and(|t| lower - self.limits.rounding.lower() > t);
         if decided {
-            self.scene.control.halt(Halt::Threshold);
+            self.scene.control.stop(StopReason::Threshold);
         }
     }
 

@@ -5,6 +5,7 @@ use pompeiu_core::TriMesh;
 use pompeiu_core::geom::Aabb;
 use pompeiu_core::mesh::displace_at_random;
 use pompeiu_core::mesh::shapes::icosphere;
+use pompeiu_core::run::LimitError;
 use pompeiu_hausdorff::{OptionError, Query, StopReason, Tolerance, directed_hausdorff};
 use pompeiu_testkit::cases::all;
 use pompeiu_testkit::strategies::pair;
@@ -97,7 +98,7 @@ fn what_cannot_be_asked_is_refused() {
         assert!(matches!(Query::new().threshold(x), Err(OptionError::Threshold(_))));
         assert!(matches!(Query::new().stages(&[x]), Err(OptionError::Stage { index: 0, .. })));
     }
-    assert!(matches!(Query::new().threads(0), Err(OptionError::Threads)));
+    assert!(matches!(Query::new().threads(0), Err(OptionError::Limit(LimitError::Threads))));
     assert!(matches!(Query::new().stages(&[0.1, 0.1]), Err(OptionError::Stage { index: 1, .. })));
     assert!(matches!(Query::new().stages(&[0.1, 0.0]), Err(OptionError::Stage { index: 1, .. })));
 }

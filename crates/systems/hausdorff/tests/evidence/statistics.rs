@@ -141,7 +141,7 @@ fn limits_leave_true_numbers_and_say_why() {
         let largest = report.distance.distance.upper();
         assert!(report.regions.iter().all(|region| region.peak.lower() <= largest));
     };
-    check(fine.clone().most_pieces(1500).directed(&a, &b), StopReason::Memory);
+    check(fine.clone().most_pieces(1500).directed(&a, &b), StopReason::Pieces);
     check(fine.clone().memory_limit(1).directed(&a, &b), StopReason::Memory);
     check(fine.clone().time_limit(Duration::ZERO).directed(&a, &b), StopReason::Time);
     // At each of its chances, until it has one more than there are.

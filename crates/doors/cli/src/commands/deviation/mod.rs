@@ -16,7 +16,7 @@ use crate::wait::Wait;
 use pompeiu::core::TriMesh;
 use pompeiu::hausdorff::deviation::{self, DeviationQuery, DirectedDeviation, Sides};
 use pompeiu::hausdorff::show::{DeviationReport, ReportedMesh, search_stages};
-use pompeiu::hausdorff::{Direction, Observer, Progress, StopReason};
+use pompeiu::hausdorff::{Direction, Observer, Progress};
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
@@ -63,9 +63,8 @@ pub(crate) fn run(args: &Deviation, printer: &Printer) -> anyhow::Result<Exit> {
     };
     write(args, &outcome, &a, &b, printer)?;
     Printer::answer(&if args.json { json::json(&outcome)? } else { text::text(&outcome) })?;
-    let limited = |stop| matches!(stop, StopReason::Time | StopReason::Memory | StopReason::Cancelled);
     let stops = [&outcome.deviation.a_to_b, &outcome.deviation.b_to_a]
-        .map(|directed| limited(directed.stop) || limited(directed.distance.stop));
+        .map(|directed| directed.stop.is_early() || directed.distance.stop.is_early());
     Ok(if stops.contains(&true) { Exit::Undecided } else { Exit::Done })
 }
 

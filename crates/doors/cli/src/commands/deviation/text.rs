@@ -71,6 +71,7 @@ fn directed(page: &mut Page, outcome: &Outcome, directed: &DirectedDeviation, na
     let stop = match directed.stop {
         StopReason::Time => "the time limit",
         StopReason::Memory => "the memory limit",
+        StopReason::Pieces => "the limit on pieces",
         StopReason::Cancelled => "request",
         _ => "",
     };

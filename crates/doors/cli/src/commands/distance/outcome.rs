@@ -4,7 +4,7 @@ use super::watch::TraceRow;
 use crate::args::ToleranceKind;
 use crate::exit::Exit;
 use crate::pair::File;
-use pompeiu::hausdorff::{DirectedReport, Enclosure, StopReason};
+use pompeiu::hausdorff::{DirectedReport, Enclosure};
 use std::time::Duration;
 
 /// Wall-clock times that the engine does not know.
@@ -75,12 +75,10 @@ impl Outcome {
 
     /// What the exit code should say.
     pub(super) fn exit(&self) -> Exit {
-        let is_short_of =
-            |stop| matches!(stop, StopReason::Time | StopReason::Memory | StopReason::Cancelled);
         match self.answer() {
             Some((_, Answer::Above)) => Exit::Above,
             Some((_, Answer::Undecided)) => Exit::Undecided,
-            None if self.reports().any(|report| is_short_of(report.stop)) => Exit::Undecided,
+            None if self.reports().any(|report| report.stop.is_early()) => Exit::Undecided,
             Some((_, Answer::Below)) | None => Exit::Done,
         }
     }
@@ -90,7 +88,7 @@ impl Outcome {
 mod tests {
     use super::*;
     use pompeiu::core::FaceId;
-    use pompeiu::hausdorff::{SurfacePoint, Timing, Witness, WorkCount};
+    use pompeiu::hausdorff::{StopReason, SurfacePoint, Timing, Witness, WorkCount};
 
     fn report([lower, upper]: [f64; 2], stop: StopReason) -> DirectedReport {
         let point = SurfacePoint { face: FaceId(0), barycentric: [1.0, 0.0, 0.0], position: [0.0; 3] };

@@ -1,0 +1,31 @@
+//! How long computations run: limits, cancelling, progress, and why they stopped.
+//!
+//! A computation takes [`Limits`] among its options, makes a [`Control`] of them when it starts, and asks
+//! [`Control::is_stopped`] at regular intervals, from any of its threads. Its report carries a [`StopReason`]. What it
+//! returns is valid whatever the reason; it is only less narrow.
+//!
+//! # Example
+//! ```
+//! use pompeiu_core::run::{Control, Limits, StopReason};
+//!
+//! let limits = Limits { pieces: Some(1000), ..Limits::default() };
+//! let control = Control::start(&limits);
+//! let mut pieces = 1;
+//! while !control.is_stopped() {
+//!     pieces *= 2;
+//!     control.check_pieces(pieces);
+//! }
+//! assert_eq!((pieces, control.reason()), (1024, Some(StopReason::Pieces)));
+//! ```
+
+mod control;
+mod limits;
+mod progress;
+mod stop;
+mod threads;
+
+pub use control::Control;
+pub use limits::{LimitError, Limits};
+pub use progress::{Progress, ProgressObserver};
+pub use stop::StopReason;
+pub use threads::on_threads;
