@@ -1,12 +1,48 @@
-//! One file per command.
+//! One folder for each command: `args.rs` for its options, `run.rs` for what it does, `text.rs`, `json.rs` and `csv.rs` for how it
+//! answers.
 
-pub(crate) mod completions;
-pub(crate) mod convert;
-pub(crate) mod decompose;
-pub(crate) mod deviation;
-pub(crate) mod distance;
-pub(crate) mod generate;
-pub(crate) mod info;
-pub(crate) mod man;
-pub(crate) mod matrix;
-pub(crate) mod rank;
+mod completions;
+mod convert;
+mod decompose;
+mod deviation;
+mod distance;
+mod generate;
+mod info;
+mod man;
+mod matrix;
+mod rank;
+
+use crate::exit::Exit;
+use crate::printer::Printer;
+use clap::Subcommand;
+
+/// The commands in the order of the help; each is a folder with a struct of options and a function `run`.
+macro_rules! commands {
+    ($($folder:ident::$Name:ident,)*) => {
+        #[derive(Subcommand)]
+        pub(crate) enum Command {
+            $($Name($folder::$Name),)*
+        }
+
+        impl Command {
+            pub(crate) fn run(&self, printer: &Printer) -> anyhow::Result<Exit> {
+                match self {
+                    $(Self::$Name(args) => $folder::run(args, printer),)*
+                }
+            }
+        }
+    };
+}
+
+commands! {
+    distance::Distance,
+    deviation::Deviation,
+    rank::Rank,
+    matrix::Matrix,
+    info::Info,
+    decompose::Decompose,
+    convert::Convert,
+    generate::Generate,
+    completions::Completions,
+    man::Man,
+}

@@ -1,6 +1,6 @@
 //! The field that is to be split.
 
-use crate::args::FieldSource;
+use super::args::FieldSource;
 use crate::numbers::{grouped, plain};
 use crate::printer::Printer;
 use anyhow::{Context, anyhow, bail};

@@ -1,6 +1,6 @@
 //! The statistics as comma-separated values: one row for each number, with both ends of what is proven of it.
 
-use super::{Outcome, directions, percent};
+use super::run::{Outcome, directions, percent};
 use crate::numbers::shortest;
 use pompeiu::hausdorff::Enclosure;
 use pompeiu::hausdorff::deviation::Statistics;

@@ -1,6 +1,6 @@
 //! The outcome as one JSON object.
 
-use super::{Outcome, directions};
+use super::run::{Outcome, directions};
 use crate::json::{Bounds, MeshFile, Point, WitnessPoints, milliseconds};
 use pompeiu::hausdorff::Enclosure;
 use pompeiu::hausdorff::deviation::{
@@ -74,7 +74,7 @@ impl Directed {
             distance: directed.distance.distance.into(),
             witness: WitnessPoints::new(&directed.distance.witness, directed.direction),
             statistics: directed.statistics.as_ref().map(Numbers::from),
-            vertices_inside: directed.sides.as_ref().map(super::inside),
+            vertices_inside: directed.sides.as_ref().map(super::run::inside),
             regions: places(&directed.regions),
             beyond_threshold: places(&directed.beyond_threshold),
             stop: directed.stop.name(),

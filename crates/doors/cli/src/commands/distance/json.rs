@@ -1,8 +1,8 @@
 //! The outcome as one JSON object. Doubles are written as the shortest decimals that read back to them.
 
+use super::args::ToleranceKind;
 use super::outcome::{Answer, Outcome};
 use super::watch::TraceRow;
-use crate::args::ToleranceKind;
 use crate::json::{Bounds, MeshFile, WitnessPoints, milliseconds};
 use pompeiu::hausdorff::{DirectedReport, Direction, WorkCount};
 use serde::Serialize;

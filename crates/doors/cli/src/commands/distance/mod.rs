@@ -1,113 +1,11 @@
 //! `pompeiu distance`.
 
+mod args;
 mod json;
 mod outcome;
+mod run;
 mod text;
 mod watch;
 
-use crate::args::{Direction, Distance, Method, ToleranceKind};
-use crate::exit::Exit;
-use crate::numbers::shortest;
-use crate::pair::{self, File};
-use crate::printer::Printer;
-use crate::wait::Wait;
-use outcome::{Outcome, Times};
-use pompeiu::core::TriMesh;
-use pompeiu::core::geom::Aabb;
-use pompeiu::hausdorff::{self, Query, StopReason, Tolerance};
-use std::time::{Duration, Instant};
-use watch::Watch;
-
-/// The tolerances of a trace, fractions of the joint diagonal.
-const TRACE: [f64; 14] =
-    [1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14];
-
-pub(crate) fn run(args: &Distance, printer: &Printer) -> anyhow::Result<Exit> {
-    let started = Instant::now();
-    pair::check(&args.a, &args.b, printer)?;
-    args.limits.apply_threads()?;
-    let wait = Wait::new(printer);
-    let (a, b) = pair::read(&args.a, &args.b, &wait, printer)?;
-    let read = started.elapsed();
-    let outcome = measure(args, (&a, &b), &wait, (started, read))?;
-    drop(wait);
-
-    if outcome.reports().any(|report| report.stop == StopReason::Rounding) {
-        printer.warning(format_args!(
-            "the interval is wider than the tolerance {}: that is what double precision tells apart here",
-            shortest(outcome.tolerance())
-        ));
-    }
-    Printer::answer(&if args.json { json::json(&outcome)? } else { text::text(&outcome) })?;
-    Ok(outcome.exit())
-}
-
-fn measure(
-    args: &Distance,
-    (a, b): (&TriMesh, &TriMesh),
-    wait: &Wait,
-    (started, read): (Instant, Duration),
-) -> anyhow::Result<Outcome> {
-    let diagonal = Aabb::of_faces(a).union(Aabb::of_faces(b)).diagonal();
-    let stages = stages(args, diagonal);
-    let query = query(args, read)?.stages(stages)?;
-    let mut watch = Watch::new(wait, args.direction, stages.len());
-    wait.show("building trees".to_owned());
-    let (a_to_b, b_to_a) = match args.direction {
-        Direction::Both => {
-            let report = query.symmetric_observed(a, b, &mut watch);
-            (Some(report.a_to_b), Some(report.b_to_a))
-        }
-        Direction::AToB => (Some(query.directed_observed(a, b, &mut watch)), None),
-        Direction::BToA => (None, Some(query.directed_observed(b, a, &mut watch))),
-    };
-    let ends = [(hausdorff::Direction::AToB, a_to_b.as_ref()), (hausdorff::Direction::BToA, b_to_a.as_ref())];
-    Ok(Outcome {
-        trace: args.trace.then(|| watch.into_rows(ends, diagonal)),
-        a: File::new(&args.a, a),
-        b: File::new(&args.b, b),
-        requested: args.tolerance,
-        kind: args.tolerance_kind,
-        a_to_b,
-        b_to_a,
-        threshold: args.assert_below,
-        times: Times { read, total: started.elapsed() },
-    })
-}
-
-fn query(args: &Distance, read: Duration) -> anyhow::Result<Query> {
-    let mut query = Query::new()
-        .tolerance(match args.tolerance_kind {
-            ToleranceKind::Diagonal => Tolerance::RelativeToDiagonal(args.tolerance),
-            ToleranceKind::Relative => Tolerance::RelativeToDistance(args.tolerance),
-            ToleranceKind::Absolute => Tolerance::Absolute(args.tolerance),
-        })?
-        .method(match args.method {
-            Method::Fast => hausdorff::Method::Fast,
-            Method::Classic => hausdorff::Method::Classic,
-        });
-    if let Some(threshold) = args.assert_below {
-        query = query.threshold(threshold)?;
-    }
-    if let Some(limit) = args.limits.time_after(read) {
-        query = query.time_limit(limit);
-    }
-    if let Some(limit) = args.limits.memory_limit {
-        query = query.memory_limit(limit);
-    }
-    Ok(query)
-}
-
-/// The tolerances of the trace that are coarser than the one asked for; the last row is that of the answer.
-fn stages(args: &Distance, diagonal: f64) -> &'static [f64] {
-    if !args.trace {
-        return &[];
-    }
-    let finest = match args.tolerance_kind {
-        ToleranceKind::Diagonal => args.tolerance,
-        ToleranceKind::Absolute => args.tolerance / diagonal,
-        ToleranceKind::Relative => 0.0,
-    };
-    let is_coarser = |stage: &f64| *stage > 1.001 * finest;
-    &TRACE[..TRACE.partition_point(is_coarser)]
-}
+pub(crate) use args::Distance;
+pub(crate) use run::run;

@@ -1,8 +1,8 @@
 //! The outcome for people. Digits are shown only as far as they are proven.
 
+use super::args::ToleranceKind;
 use super::outcome::{Answer, Outcome};
 use super::watch::TraceRow;
-use crate::args::ToleranceKind;
 use crate::numbers::{grouped, plain, point, shortest, time};
 use crate::page::{Page, value};
 use pompeiu::hausdorff::{DirectedReport, Direction, Enclosure, StopReason};

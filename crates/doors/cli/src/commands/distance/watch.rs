@@ -1,6 +1,6 @@
 //! Watches the engine: moves the progress bar and keeps the rows of a trace.
 
-use crate::args;
+use super::args;
 use crate::numbers::between;
 use crate::wait::Wait;
 use pompeiu::hausdorff::{DirectedReport, Direction, Observer, Progress, Stage, StopReason};
@@ -86,7 +86,7 @@ impl Observer for Watch<'_> {
         }
         self.rows.push(TraceRow {
             direction,
-            fraction: super::TRACE[index],
+            fraction: super::run::TRACE[index],
             tolerance: stage.tolerance,
             lower: stage.lower,
             upper: stage.upper,

@@ -1,10 +1,11 @@
 //! Options of the distance command.
 
-use super::limits::Limits;
+use crate::args::Limits;
 use crate::numbers::magnitude;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
+/// Enclose the distance between two meshes
 #[derive(Args)]
 #[command(after_help = "\
 The directed distance h(A, B) is the largest distance of a point of A from B; H(A, B) is the larger of

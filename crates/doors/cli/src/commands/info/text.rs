@@ -1,100 +1,13 @@
-//! `pompeiu info`.
+//! The summary for people.
 
-use crate::args::Info;
-use crate::exit::Exit;
-use crate::files;
 use crate::numbers::{grouped, plain, point};
-use crate::printer::{LABEL, Printer};
+use crate::printer::LABEL;
 use pompeiu::core::MeshSummary;
 use pompeiu::io::ReadMesh;
-use serde::Serialize;
 use std::fmt::Write;
 
-pub(crate) fn run(args: &Info, printer: &Printer) -> anyhow::Result<Exit> {
-    let read = files::read(&args.file)?;
-    let summary = MeshSummary::of(&read.mesh);
-    files::warn_of_changes(&args.file, &read, printer);
-    let path = args.file.display().to_string();
-    Printer::answer(&if args.json {
-        serde_json::to_string(&Report::new(path, &read, &summary))? + "\n"
-    } else {
-        text(&path, &read, &summary)
-    })?;
-    Ok(Exit::Done)
-}
-
-/// The summary as JSON. Lengths are in the unit of the file; what does not apply, or overflows, is null.
-#[derive(Serialize)]
-struct Report {
-    path: String,
-    format: String,
-    compressed: bool,
-    vertices: usize,
-    faces: usize,
-    edges: usize,
-    bounding_box: BoundingBox,
-    area: f64,
-    volume: Option<f64>,
-    components: usize,
-    boundary_loops: usize,
-    euler_characteristic: isize,
-    genus: Option<usize>,
-    orientable: bool,
-    degenerate_faces: usize,
-    duplicate_faces: usize,
-    unreferenced_vertices: usize,
-    boundary_edges: usize,
-    non_manifold_edges: usize,
-    non_manifold_vertices: usize,
-    inconsistent_edges: usize,
-    polygons_triangulated: u64,
-    faces_dropped: u64,
-}
-
-#[derive(Serialize)]
-struct BoundingBox {
-    lower: [f64; 3],
-    upper: [f64; 3],
-    diagonal: f64,
-}
-
-impl Report {
-    fn new(path: String, read: &ReadMesh, summary: &MeshSummary) -> Self {
-        let (bounds, topology) = (summary.bounding_box, summary.connectivity);
-        Self {
-            path,
-            format: read.format.to_string(),
-            compressed: read.compressed,
-            vertices: summary.vertices,
-            faces: summary.faces,
-            edges: topology.edges,
-            bounding_box: BoundingBox {
-                lower: bounds.lower,
-                upper: bounds.upper,
-                diagonal: bounds.diagonal(),
-            },
-            area: summary.area,
-            volume: summary.volume,
-            components: topology.components,
-            boundary_loops: topology.boundary_loops,
-            euler_characteristic: topology.euler_characteristic,
-            genus: topology.genus,
-            orientable: topology.orientable,
-            degenerate_faces: summary.degenerate_faces,
-            duplicate_faces: summary.duplicate_faces,
-            unreferenced_vertices: summary.unreferenced_vertices,
-            boundary_edges: topology.boundary_edges,
-            non_manifold_edges: topology.non_manifold_edges,
-            non_manifold_vertices: topology.non_manifold_vertices,
-            inconsistent_edges: topology.inconsistent_edges,
-            polygons_triangulated: read.polygons_triangulated,
-            faces_dropped: read.faces_dropped,
-        }
-    }
-}
-
-/// The summary for people.
-fn text(path: &str, read: &ReadMesh, summary: &MeshSummary) -> String {
+/// A row for each quantity.
+pub(super) fn text(path: &str, read: &ReadMesh, summary: &MeshSummary) -> String {
     let (bounds, topology) = (summary.bounding_box, summary.connectivity);
     let number = |n: usize| grouped(n as u64);
     let size = [0, 1, 2].map(|k| plain(bounds.upper[k] - bounds.lower[k]));

@@ -1,10 +1,11 @@
 //! Options of the decompose command.
 
-use super::picture::Picture;
+use crate::args::Picture;
 use crate::numbers::tuple;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
+/// Split a tangent field into a gradient, a rotated gradient and a harmonic part
 #[derive(Args)]
 #[command(after_help = "\
 The mesh must be an oriented manifold, with or without boundary. The parts add up to the field and are orthogonal to each

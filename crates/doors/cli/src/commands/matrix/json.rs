@@ -1,17 +1,10 @@
-//! The matrix as a table and as JSON.
+//! The matrix as one JSON object.
 
-use super::Answer;
+use super::run::Answer;
 use crate::json::milliseconds;
-use crate::numbers::shortest;
-use anyhow::Context;
 use serde::Serialize;
 
 impl Answer {
-    /// The enclosure in the line of a pair.
-    fn bounds(&self, i: usize, j: usize) -> Option<[f64; 2]> {
-        if self.directed { self.matrix.directed(i, j) } else { self.matrix.symmetric(i, j) }
-    }
-
     /// Square arrays of one end of the enclosures.
     fn square(&self, end: usize) -> Vec<Vec<Option<f64>>> {
         let all = 0..self.names.len();
@@ -19,31 +12,6 @@ impl Answer {
         let entry = |i: usize, j: usize| self.bounds(i, j).filter(|_| !unusable(i)).map(|bounds| bounds[end]);
         all.clone().map(|i| all.clone().map(|j| entry(i, j)).collect()).collect()
     }
-}
-
-/// A line for each pair, empty bounds where one of the two cannot be used.
-pub(super) fn csv(answer: &Answer) -> anyhow::Result<String> {
-    let mut table = csv::Writer::from_writer(Vec::new());
-    table.write_record(if answer.directed {
-        ["from", "to", "lower", "upper"]
-    } else {
-        ["a", "b", "lower", "upper"]
-    })?;
-    let count = answer.names.len();
-    for i in 0..count {
-        for j in 0..count {
-            if i == j || (i > j && !answer.directed) {
-                continue;
-            }
-            let [lower, upper] = match answer.bounds(i, j) {
-                Some(bounds) => bounds.map(shortest),
-                None => [String::new(), String::new()],
-            };
-            table.write_record([answer.names[i].as_str(), answer.names[j].as_str(), &lower, &upper])?;
-        }
-    }
-    let bytes = table.into_inner().context("the table could not be made")?;
-    Ok(String::from_utf8(bytes)?)
 }
 
 #[derive(Serialize)]

@@ -1,15 +1,12 @@
-//! The ranking as text, as JSON and as a table.
+//! The ranking for people.
 
-use super::Answer;
-use crate::json::{MeshFile, milliseconds};
+use super::run::Answer;
 use crate::numbers::{grouped, shortest, time};
 use crate::page::{Page, value};
 use crate::printer::LABEL;
-use anyhow::Context;
 use pompeiu::hausdorff::Enclosure;
-use pompeiu::matching::align::{Alignment, Matrix};
+use pompeiu::matching::align::Alignment;
 use pompeiu::matching::rank::{Bound, Measure, Report, Standing, Status, Work};
-use serde::Serialize;
 use std::fmt::Write;
 
 /// Ranks for people: one number, or the first and the last.
@@ -121,133 +118,4 @@ fn work(work: &Work) -> String {
     }
     parts.push(format!("{} distances", grouped(work.distances)));
     parts.join(", ")
-}
-
-#[derive(Serialize)]
-struct Json<'a> {
-    template: MeshFile<'a>,
-    options: &'a pompeiu::matching::rank::Options,
-    targets: Vec<Target<'a>>,
-    work: &'a Work,
-    timing_ms: f64,
-}
-
-/// A row of the table: the same in JSON and CSV.
-#[derive(Serialize)]
-struct Target<'a> {
-    path: &'a str,
-    /// `ranked`, `discarded` or `failed`.
-    status: &'static str,
-    rank_first: Option<usize>,
-    rank_last: Option<usize>,
-    lower: Option<f64>,
-    upper: Option<f64>,
-    vertices: Option<usize>,
-    faces: Option<usize>,
-    /// What proved that a target is not among the best: `supports`, `probes` or `search`.
-    discarded_by: Option<&'static str>,
-    message: Option<&'a str>,
-    /// In JSON four rows of four numbers.
-    transform: Option<Matrix>,
-}
-
-fn targets(answer: &Answer) -> Vec<Target<'_>> {
-    let row = |standing: &'_ Standing| -> (&'static str, Option<&'static str>) {
-        match standing.status {
-            Status::Ranked => ("ranked", None),
-            Status::Discarded(Bound::Supports) => ("discarded", Some("supports")),
-            Status::Discarded(Bound::Probes) => ("discarded", Some("probes")),
-            Status::Discarded(Bound::Search(_)) => ("discarded", Some("search")),
-            Status::Failed(_) => ("failed", None),
-        }
-    };
-    let standings = answer.report.standings.iter().map(|standing| {
-        let (status, discarded_by) = row(standing);
-        Target {
-            path: &standing.name,
-            status,
-            rank_first: standing.ranks.map(|ranks| ranks[0]),
-            rank_last: standing.ranks.map(|ranks| ranks[1]),
-            lower: standing.lower,
-            upper: standing.upper,
-            vertices: standing.size.map(|size| size[0]),
-            faces: standing.size.map(|size| size[1]),
-            discarded_by,
-            message: match &standing.status {
-                Status::Failed(message) => Some(message),
-                _ => None,
-            },
-            transform: standing.transform,
-        }
-    });
-    let problems = answer.problems.iter().map(|problem| Target {
-        path: &problem.path,
-        status: "failed",
-        rank_first: None,
-        rank_last: None,
-        lower: None,
-        upper: None,
-        vertices: None,
-        faces: None,
-        discarded_by: None,
-        message: Some(&problem.message),
-        transform: None,
-    });
-    standings.chain(problems).collect()
-}
-
-pub(super) fn json(answer: &Answer) -> serde_json::Result<String> {
-    let json = Json {
-        template: (&answer.template).into(),
-        options: &answer.options,
-        targets: targets(answer),
-        work: &answer.report.work,
-        timing_ms: milliseconds(answer.total),
-    };
-    Ok(serde_json::to_string(&json)? + "\n")
-}
-
-const COLUMNS: [&str; 10] = [
-    "path",
-    "status",
-    "rank_first",
-    "rank_last",
-    "lower",
-    "upper",
-    "vertices",
-    "faces",
-    "discarded_by",
-    "message",
-];
-
-/// Doubles as the shortest decimals that read back to them; the transform as twelve numbers, row by row.
-pub(super) fn csv(answer: &Answer) -> anyhow::Result<Vec<u8>> {
-    let moved = answer.options.alignment != Alignment::None;
-    let mut table = csv::Writer::from_writer(Vec::new());
-    let mut header: Vec<String> = COLUMNS.map(str::to_owned).to_vec();
-    if moved {
-        header.extend((1..=3).flat_map(|i| (1..=4).map(move |j| format!("transform_{i}{j}"))));
-    }
-    table.write_record(&header)?;
-    for target in targets(answer) {
-        let count = |n: Option<usize>| n.map(|n| n.to_string()).unwrap_or_default();
-        let number = |x: Option<f64>| x.map(shortest).unwrap_or_default();
-        let mut row = vec![
-            target.path.to_owned(),
-            target.status.to_owned(),
-            count(target.rank_first),
-            count(target.rank_last),
-            number(target.lower),
-            number(target.upper),
-            count(target.vertices),
-            count(target.faces),
-            target.discarded_by.unwrap_or_default().to_owned(),
-            target.message.unwrap_or_default().to_owned(),
-        ];
-        if moved {
-            row.extend((0..12).map(|at| number(target.transform.map(|m| m[at / 4][at % 4]))));
-        }
-        table.write_record(&row)?;
-    }
-    table.into_inner().context("the table could not be made")
 }

@@ -1,6 +1,6 @@
-//! `pompeiu convert`.
+//! Runs the command.
 
-use crate::args::Convert;
+use super::args::Convert;
 use crate::exit::Exit;
 use crate::files;
 use crate::printer::Printer;

@@ -1,11 +1,12 @@
 //! Options of the deviation command.
 
-use super::limits::Limits;
-use super::picture::Picture;
+use crate::args::Limits;
+use crate::args::Picture;
 use crate::numbers::magnitude;
 use clap::Args;
 use std::path::PathBuf;
 
+/// Show how far two meshes deviate: where, on which side, over how much of the area
 #[derive(Args)]
 #[command(after_help = "\
 With A as it should be and B as it is: what of A is far from B is missing in B (A to B), what of B is far from

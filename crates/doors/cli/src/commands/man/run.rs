@@ -1,6 +1,7 @@
-//! `pompeiu man`.
+//! Runs the command.
 
-use crate::args::{Args, Man};
+use super::args::Man;
+use crate::args::Args;
 use crate::exit::Exit;
 use crate::printer::Printer;
 use anyhow::Context;

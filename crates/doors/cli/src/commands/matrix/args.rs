@@ -1,10 +1,11 @@
 //! Options of the matrix command.
 
-use super::many::Many;
+use crate::args::Many;
 use crate::numbers::magnitude;
 use clap::Args;
 use std::path::PathBuf;
 
+/// Enclose the distances between all pairs of meshes
 #[derive(Args)]
 #[command(after_help = "\
 Prints a line for each pair with the proven bounds on its symmetric distance, as comma-separated

@@ -1,10 +1,11 @@
 //! Options of the rank command.
 
-use super::many::Many;
+use crate::args::Many;
 use crate::numbers::magnitude;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
+/// Rank meshes by their distance from a template
 #[derive(Args)]
 #[command(after_help = "\
 The targets are ranked by their Pompeiu–Hausdorff distance from the template: all points of all

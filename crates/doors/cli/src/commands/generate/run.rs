@@ -1,6 +1,7 @@
-//! `pompeiu generate`.
+//! Runs the command.
 
-use crate::args::{Finish, Generate, Shape};
+use super::args::Generate;
+use super::shape::{Finish, Shape};
 use crate::exit::Exit;
 use crate::files;
 use crate::printer::Printer;
@@ -9,52 +10,54 @@ use pompeiu::core::TriMesh;
 use pompeiu::core::mesh::shapes::{self, Ends};
 use pompeiu::core::mesh::{Affine, displace_at_random, ripple, shuffle, subdivide, transform, unweld};
 
-pub(crate) fn run(args: Generate, printer: &Printer) -> anyhow::Result<Exit> {
-    let (mesh, finish) = make(args.shape, printer)?;
-    files::write(&finish.output, &finished(mesh, &finish)?, printer)?;
+pub(crate) fn run(args: &Generate, printer: &Printer) -> anyhow::Result<Exit> {
+    let (mesh, finish) = make(&args.shape, printer)?;
+    files::write(&finish.output, &finished(mesh, finish)?, printer)?;
     Ok(Exit::Done)
 }
 
-fn make(shape: Shape, printer: &Printer) -> anyhow::Result<(TriMesh, Finish)> {
+fn make<'s>(shape: &'s Shape, printer: &Printer) -> anyhow::Result<(TriMesh, &'s Finish)> {
     let ends = |capped| if capped { Ends::Capped } else { Ends::Open };
     let (mesh, finish) = match shape {
         Shape::Icosphere { radius, subdivisions, finish } => {
-            (shapes::icosphere(radius, subdivisions), finish)
+            (shapes::icosphere(*radius, *subdivisions), finish)
         }
         Shape::UvSphere { radius, segments, rings, finish } => {
-            (shapes::uv_sphere(radius, segments, rings), finish)
+            (shapes::uv_sphere(*radius, *segments, *rings), finish)
         }
         Shape::Torus { major_radius, minor_radius, major_segments, minor_segments, finish } => {
-            (shapes::torus(major_radius, minor_radius, major_segments, minor_segments), finish)
+            (shapes::torus(*major_radius, *minor_radius, *major_segments, *minor_segments), finish)
         }
-        Shape::Cube { side, cells, finish } => (shapes::cube(side, cells), finish),
-        Shape::Box { size, cells, finish } => (shapes::cuboid(size, cells), finish),
-        Shape::Grid { size, cells, diagonal, finish } => (shapes::grid(size, cells, diagonal.into()), finish),
-        Shape::Disk { radius, segments, rings, finish } => (shapes::disk(radius, segments, rings), finish),
+        Shape::Cube { side, cells, finish } => (shapes::cube(*side, *cells), finish),
+        Shape::Box { size, cells, finish } => (shapes::cuboid(*size, *cells), finish),
+        Shape::Grid { size, cells, diagonal, finish } => {
+            (shapes::grid(*size, *cells, (*diagonal).into()), finish)
+        }
+        Shape::Disk { radius, segments, rings, finish } => (shapes::disk(*radius, *segments, *rings), finish),
         Shape::Cylinder { radius, height, segments, rows, capped, finish } => {
-            (shapes::cylinder(radius, height, segments, rows, ends(capped)), finish)
+            (shapes::cylinder(*radius, *height, *segments, *rows, ends(*capped)), finish)
         }
         Shape::SchwarzLantern { radius, height, segments, bands, finish } => {
-            (shapes::schwarz_lantern(radius, height, segments, bands), finish)
+            (shapes::schwarz_lantern(*radius, *height, *segments, *bands), finish)
         }
         Shape::Cone { radius, height, segments, capped, finish } => {
-            (shapes::cone(radius, height, segments, ends(capped)), finish)
+            (shapes::cone(*radius, *height, *segments, ends(*capped)), finish)
         }
-        Shape::Tent { side, height, finish } => (shapes::tent(side, height), finish),
-        Shape::Tetrahedron { edge, finish } => (shapes::tetrahedron(edge), finish),
-        Shape::Icosahedron { radius, finish } => (shapes::icosahedron(radius), finish),
+        Shape::Tent { side, height, finish } => (shapes::tent(*side, *height), finish),
+        Shape::Tetrahedron { edge, finish } => (shapes::tetrahedron(*edge), finish),
+        Shape::Icosahedron { radius, finish } => (shapes::icosahedron(*radius), finish),
         Shape::MobiusStrip { radius, width, segments, strips, finish } => {
-            (shapes::mobius_strip(radius, width, segments, strips), finish)
+            (shapes::mobius_strip(*radius, *width, *segments, *strips), finish)
         }
-        Shape::PerforatedPlate { edge, holes, finish } => (shapes::perforated_plate(edge, holes), finish),
-        Shape::PointLattice { side, cells, finish } => (shapes::point_lattice(side, cells), finish),
+        Shape::PerforatedPlate { edge, holes, finish } => (shapes::perforated_plate(*edge, *holes), finish),
+        Shape::PointLattice { side, cells, finish } => (shapes::point_lattice(*side, *cells), finish),
         Shape::Mesh { input, finish } => {
             files::check_writable(&finish.output)?;
-            if files::are_same(&input, &finish.output) {
+            if files::are_same(input, &finish.output) {
                 bail!("{}: is both input and output; give the output another name", input.display());
             }
-            let read = files::read(&input)?;
-            files::warn_of_changes(&input, &read, printer);
+            let read = files::read(input)?;
+            files::warn_of_changes(input, &read, printer);
             (Ok(read.mesh), finish)
         }
     };

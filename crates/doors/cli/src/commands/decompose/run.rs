@@ -1,0 +1,87 @@
+//! Runs the command.
+
+use super::args::{Boundary, Decompose, FieldSource, Splitting};
+use super::text::{Report, Split};
+use crate::called::called;
+use crate::exit::Exit;
+use crate::files;
+use crate::printer::Printer;
+use anyhow::{Context, bail};
+use pompeiu::core::mesh::{unreferenced_vertices, without_unreferenced};
+use pompeiu::fields::show::FieldsReport;
+use pompeiu::fields::{Audit, HodgeSolver};
+use pompeiu::operators;
+use pompeiu::surface::EmbeddedSurface;
+use std::path::PathBuf;
+use std::time::Instant;
+
+pub(crate) fn run(args: &Decompose, printer: &Printer) -> anyhow::Result<Exit> {
+    let source = args.field.as_deref().map(FieldSource::parse).transpose()?;
+    if let Some(output) = &args.output {
+        super::output::check(output)?;
+    }
+    if source.is_none() && args.picture.outputs().next().is_some() {
+        bail!("--report and --image show a field and its parts; name one with --field");
+    }
+    for path in args.output.iter().map(PathBuf::as_path).chain(args.picture.outputs()) {
+        files::check_place(path, &[&args.mesh])?;
+    }
+    let shown = || args.mesh.display().to_string();
+    let read = files::read(&args.mesh)?;
+    files::warn_of_changes(&args.mesh, &read, printer);
+    let mut mesh = read.mesh;
+    if unreferenced_vertices(&mesh) > 0 {
+        files::warn_of_unreferenced(&args.mesh, unreferenced_vertices(&mesh), printer);
+        mesh = without_unreferenced(&mesh);
+    }
+    let start = Instant::now();
+    let surface = EmbeddedSurface::new(&mesh).with_context(shown)?;
+    let splitting = match args.splitting {
+        Splitting::Primal => operators::Splitting::Primal,
+        Splitting::Dual => operators::Splitting::Dual,
+    };
+    let boundary = match args.boundary {
+        Boundary::Tangential => operators::Boundary::Tangential,
+        Boundary::Normal => operators::Boundary::Normal,
+    };
+    let audit = Audit::of(surface.mesh(), boundary);
+    let split = match source {
+        None => None,
+        Some(source) => {
+            let solver = HodgeSolver::new(surface.surface(), splitting, boundary).with_context(shown)?;
+            let field =
+                super::field::field(&source, args.name.as_deref(), &mesh, &surface, &solver, printer)?;
+            let before = Instant::now();
+            let parts = solver.decompose(&field).context("--field")?;
+            let (solve, times) = (before.elapsed(), solver.setup_times());
+            if let Some(output) = &args.output {
+                super::output::write(output, &mesh, &surface, splitting, &field, &parts, printer)?;
+            }
+            let report = FieldsReport {
+                path: &shown(),
+                mesh: &mesh,
+                surface: &surface,
+                field: &field,
+                parts: &parts,
+                audit,
+                up: args.picture.up.axis(),
+                command: Some(&called()),
+            };
+            args.picture.write(
+                || report.page().html(),
+                |width, height, theme, view| report.image(width, height, theme, view),
+                printer,
+            )?;
+            Some(Split {
+                quality: parts.quality,
+                factor: times.factor,
+                basis: times.basis,
+                solve,
+                total: start.elapsed(),
+            })
+        }
+    };
+    let report = Report::new(shown(), surface.mesh(), audit, split);
+    Printer::answer(&if args.json { report.json()? } else { report.text() })?;
+    Ok(Exit::Done)
+}

@@ -1,0 +1,168 @@
+//! Runs the command.
+
+use super::args::Deviation;
+use super::{csv, json, meshes, text};
+use crate::called::called;
+use crate::exit::Exit;
+use crate::files;
+use crate::numbers::between;
+use crate::pair::{self, File};
+use crate::printer::Printer;
+use crate::wait::Wait;
+use pompeiu::core::TriMesh;
+use pompeiu::hausdorff::deviation::{self, DeviationQuery, DirectedDeviation, Sides};
+use pompeiu::hausdorff::show::{DeviationReport, ReportedMesh, search_stages};
+use pompeiu::hausdorff::{Direction, Observer, Progress};
+use std::ops::ControlFlow;
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+/// Everything there is to report.
+pub(super) struct Outcome {
+    pub(super) a: File,
+    pub(super) b: File,
+    pub(super) unit: String,
+    pub(super) accuracy: f64,
+    pub(super) threshold: Option<f64>,
+    pub(super) deviation: deviation::Deviation,
+    pub(super) read: Duration,
+    pub(super) total: Duration,
+}
+
+pub(crate) fn run(args: &Deviation, printer: &Printer) -> anyhow::Result<Exit> {
+    let started = Instant::now();
+    pair::check(&args.a, &args.b, printer)?;
+    let outputs = [&args.output_a, &args.output_b];
+    for path in outputs.into_iter().flatten() {
+        meshes::check(path)?;
+    }
+    let written = outputs.into_iter().chain([&args.csv]).flatten().map(PathBuf::as_path);
+    for path in written.chain(args.picture.outputs()) {
+        files::check_place(path, &[&args.a, &args.b])?;
+    }
+    args.limits.apply_threads()?;
+    let wait = Wait::new(printer);
+    let (a, b) = pair::read(&args.a, &args.b, &wait, printer)?;
+    let read = started.elapsed();
+    wait.show("building trees".to_owned());
+    let deviation = query(args, read)?.symmetric_observed(&a, &b, &mut Watch(&wait));
+    drop(wait);
+    let outcome = Outcome {
+        a: File::new(&args.a, &a),
+        b: File::new(&args.b, &b),
+        unit: args.unit.clone(),
+        accuracy: args.accuracy,
+        threshold: args.threshold,
+        deviation,
+        read,
+        total: started.elapsed(),
+    };
+    write(args, &outcome, &a, &b, printer)?;
+    Printer::answer(&if args.json { json::json(&outcome)? } else { text::text(&outcome) })?;
+    let stops = [&outcome.deviation.a_to_b, &outcome.deviation.b_to_a]
+        .map(|directed| directed.stop.is_early() || directed.distance.stop.is_early());
+    Ok(if stops.contains(&true) { Exit::Undecided } else { Exit::Done })
+}
+
+fn query(args: &Deviation, read: Duration) -> anyhow::Result<DeviationQuery> {
+    let mut query = DeviationQuery::new()
+        .accuracy(args.accuracy)?
+        .percentiles(&args.percentiles.0)?
+        .regions(args.regions)
+        .signed(args.signed);
+    if let Some(threshold) = args.threshold {
+        query = query.threshold(threshold)?;
+    }
+    if let Some(limit) = args.limits.time_after(read) {
+        query = query.time_limit(limit);
+    }
+    if let Some(limit) = args.limits.memory_limit {
+        query = query.memory_limit(limit);
+    }
+    Ok(query)
+}
+
+fn write(
+    args: &Deviation,
+    outcome: &Outcome,
+    a: &TriMesh,
+    b: &TriMesh,
+    printer: &Printer,
+) -> anyhow::Result<()> {
+    let Outcome { deviation, .. } = outcome;
+    let extent = deviation.distance.upper();
+    let sides: [(&Option<_>, _, _); 2] =
+        [(&args.output_a, a, &deviation.a_to_b), (&args.output_b, b, &deviation.b_to_a)];
+    for (path, mesh, directed) in sides {
+        if let Some(path) = path {
+            meshes::write(path, mesh, directed, extent, printer)?;
+        }
+    }
+    if args.picture.outputs().next().is_some() {
+        show(args, outcome, a, b, printer)?;
+    }
+    if let Some(path) = &args.csv {
+        files::write_whole(path, csv::csv(outcome).as_bytes(), printer)?;
+    }
+    Ok(())
+}
+
+/// Writes the page and the picture.
+fn show(
+    args: &Deviation,
+    outcome: &Outcome,
+    a: &TriMesh,
+    b: &TriMesh,
+    printer: &Printer,
+) -> anyhow::Result<()> {
+    let stages = if args.picture.report.is_some() { search_stages(a, b) } else { Vec::new() };
+    let report = DeviationReport {
+        a: ReportedMesh { path: &outcome.a.path, mesh: a },
+        b: ReportedMesh { path: &outcome.b.path, mesh: b },
+        deviation: &outcome.deviation,
+        stages: &stages,
+        unit: &outcome.unit,
+        threshold: outcome.threshold,
+        up: args.picture.up.axis(),
+        command: Some(&called()),
+    };
+    args.picture.write(
+        || report.page().html(),
+        |width, height, theme, view| report.image(width, height, theme, view),
+        printer,
+    )
+}
+
+/// Moves the progress bar.
+struct Watch<'w>(&'w Wait);
+
+impl Observer for Watch<'_> {
+    fn progress(&mut self, progress: &Progress) -> ControlFlow<()> {
+        let ends = match progress.direction {
+            Direction::AToB => "A to B",
+            Direction::BToA => "B to A",
+        };
+        self.0.advance(
+            format!("{ends}: {}", between(progress.lower, progress.upper)),
+            [progress.examined, progress.examined.saturating_add(progress.left)],
+        );
+        ControlFlow::Continue(())
+    }
+}
+
+/// Both directions, with what each is called.
+pub(super) fn directions(deviation: &deviation::Deviation) -> [(&'static str, &DirectedDeviation); 2] {
+    [("a_to_b", &deviation.a_to_b), ("b_to_a", &deviation.b_to_a)]
+}
+
+/// How many vertices lie inside the other mesh.
+pub(super) fn inside(sides: &Sides) -> usize {
+    sides.vertex_winding.iter().filter(|winding| Sides::is_inside(**winding)).count()
+}
+
+/// A share of the area as a percentile is called.
+pub(super) fn percent(share: f64) -> String {
+    // Shares come from percent: what rounding left over is not shown.
+    let percent = (share * 1e12).round() / 1e10;
+    format!("{percent}")
+}

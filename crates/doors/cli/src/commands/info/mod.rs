@@ -1,0 +1,9 @@
+//! `pompeiu info`.
+
+mod args;
+mod json;
+mod run;
+mod text;
+
+pub(crate) use args::Info;
+pub(crate) use run::run;

@@ -1,0 +1,52 @@
+//! The ranking as a table of comma-separated values.
+
+use super::json::targets;
+use super::run::Answer;
+use crate::numbers::shortest;
+use anyhow::Context;
+use pompeiu::matching::align::Alignment;
+
+const COLUMNS: [&str; 10] = [
+    "path",
+    "status",
+    "rank_first",
+    "rank_last",
+    "lower",
+    "upper",
+    "vertices",
+    "faces",
+    "discarded_by",
+    "message",
+];
+
+/// Doubles as the shortest decimals that read back to them; the transform as twelve numbers, row by row.
+pub(super) fn csv(answer: &Answer) -> anyhow::Result<Vec<u8>> {
+    let moved = answer.options.alignment != Alignment::None;
+    let mut table = csv::Writer::from_writer(Vec::new());
+    let mut header: Vec<String> = COLUMNS.map(str::to_owned).to_vec();
+    if moved {
+        header.extend((1..=3).flat_map(|i| (1..=4).map(move |j| format!("transform_{i}{j}"))));
+    }
+    table.write_record(&header)?;
+    for target in targets(answer) {
+        let count = |n: Option<usize>| n.map(|n| n.to_string()).unwrap_or_default();
+        let number = |x: Option<f64>| x.map(shortest).unwrap_or_default();
+        let mut row = vec![
+            target.path.to_owned(),
+            target.status.to_owned(),
+            count(target.rank_first),
+            count(target.rank_last),
+            number(target.lower),
+            number(target.upper),
+            count(target.vertices),
+            count(target.faces),
+            target.discarded_by.unwrap_or_default().to_owned(),
+            target.message.unwrap_or_default().to_owned(),
+        ];
+        if moved {
+            row.extend((0..12).map(|at| number(target.transform.map(|m| m[at / 4][at % 4]))));
+        }
+        table.write_record(&row)?;
+    }
+    table.into_inner().context("the table could not be made")
+}
