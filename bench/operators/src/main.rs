@@ -4,7 +4,7 @@
 use anyhow::{Context, Result};
 use pompeiu::core::mesh::{Random, subdivide};
 use pompeiu::core::{FaceId, TriMesh, VertexId};
-use pompeiu::fields::HodgeSolver;
+use pompeiu::fields::{DecompositionOptions, HodgeSolver};
 use pompeiu::operators::{Boundary, HarmonicBasis, HeatMethod, Splitting, cotan_laplacian, random_field};
 use pompeiu::solve::{LinearSolver, SemidefiniteCholesky};
 use pompeiu::surface::{EmbeddedSurface, Ray, Tracer};
@@ -52,7 +52,7 @@ fn main() -> Result<()> {
     record("cotan_solve", least(|| Ok(solver.solve(&heights)?))?.1);
     let basis = || Ok(HarmonicBasis::new(surface, Splitting::Primal, Boundary::Tangential)?);
     record("harmonic_basis", least(basis)?.1);
-    let (hodge, ms) = least(|| Ok(HodgeSolver::new(surface, Splitting::Primal, Boundary::Tangential)?))?;
+    let (hodge, ms) = least(|| Ok(HodgeSolver::new(surface, &DecompositionOptions::default())?))?;
     record("hodge_setup", ms);
     let field = random_field(surface.mesh(), 1);
     record("hodge_split", least(|| Ok(hodge.decompose(&field)?))?.1);

@@ -23,6 +23,15 @@ pub enum OperatorError {
         /// The vector, in the frame of the face.
         value: [f64; 2],
     },
+    /// A part, a potential or a norm of a field leaves the range of doubles.
+    #[error(
+        "a part, a potential or a norm of the field exceeds the range of doubles, the largest component of the field is \
+         {largest:e}; scale the field down"
+    )]
+    FieldTooLarge {
+        /// The largest component of the field.
+        largest: f64,
+    },
     /// There are too many or too few values.
     #[error("found {found} values, expected {expected}, one for each {element}")]
     ValueLength {

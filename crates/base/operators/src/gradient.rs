@@ -7,9 +7,10 @@
 use crate::OperatorError;
 use crate::field::{FaceField, check_field, check_values};
 use pompeiu_core::FaceId;
+use pompeiu_core::mesh::VertexData;
 use pompeiu_solve::SparseMatrix;
 use pompeiu_surface::plane::{Vec2, cross, dot, quarter_turn};
-use pompeiu_surface::{HalfedgeId, Surface, SurfaceMesh};
+use pompeiu_surface::{EdgeData, HalfedgeId, Surface, SurfaceMesh};
 
 /// `G_v a`: the gradient of the function with these values at vertices.
 ///
@@ -19,15 +20,15 @@ use pompeiu_surface::{HalfedgeId, Surface, SurfaceMesh};
 /// [`OperatorError::ValueLength`].
 /// # Cost
 /// O(F), without a matrix.
-pub fn gradient(surface: &Surface, values: &[f64]) -> Result<FaceField, OperatorError> {
-    check_values("vertex", values, surface.mesh().vertices())?;
-    Ok(surface.mesh().face_ids().map(|f| face_gradient(surface, f, values)).collect())
+pub fn gradient(surface: &Surface, values: &VertexData<f64>) -> Result<FaceField, OperatorError> {
+    check_values(values, surface.mesh().vertices())?;
+    Ok(FaceField::from_fn(surface.mesh().faces(), |face| face_gradient(surface, face, values)))
 }
 
 #[inline]
-fn face_gradient(surface: &Surface, face: FaceId, values: &[f64]) -> Vec2 {
+fn face_gradient(surface: &Surface, face: FaceId, values: &VertexData<f64>) -> Vec2 {
     let sides = surface.sides(face);
-    let [a, b, c] = surface.mesh().face(face).map(|v| values[v.index()]);
+    let [a, b, c] = surface.mesh().face(face).map(|v| values[v]);
     // The sides add up to zero, so differences do: no digits are lost to a large constant.
     let (p, q) = (b - a, c - a);
     let twice = 2.0 * surface.face_area(face);
@@ -46,20 +47,20 @@ fn face_gradient(surface: &Surface, face: FaceId, values: &[f64]) -> Vec2 {
 /// O(F), without a matrix.
 /// # Source
 /// `crouzeix_conforming_1973`, `polthier_identifying_2003`.
-pub fn edge_gradient(surface: &Surface, values: &[f64]) -> Result<FaceField, OperatorError> {
+pub fn crouzeix_raviart_gradient(
+    surface: &Surface,
+    values: &EdgeData<f64>,
+) -> Result<FaceField, OperatorError> {
     let mesh = surface.mesh();
-    check_values("edge", values, mesh.edges())?;
-    Ok(mesh
-        .face_ids()
-        .map(|face| {
-            let sides = surface.sides(face);
-            let [a, b, c] = SurfaceMesh::face_halfedges(face).map(|h| values[mesh.edge(h).index()]);
-            let (p, q) = (b - a, c - a);
-            let area = surface.face_area(face);
-            let (second, third) = (quarter_turn(sides[1]), quarter_turn(sides[2]));
-            [0, 1].map(|i| -(p * second[i] + q * third[i]) / area)
-        })
-        .collect())
+    check_values(values, mesh.edges())?;
+    Ok(FaceField::from_fn(mesh.faces(), |face| {
+        let sides = surface.sides(face);
+        let [a, b, c] = SurfaceMesh::face_halfedges(face).map(|h| values[mesh.edge(h)]);
+        let (p, q) = (b - a, c - a);
+        let area = surface.face_area(face);
+        let (second, third) = (quarter_turn(sides[1]), quarter_turn(sides[2]));
+        [0, 1].map(|i| -(p * second[i] + q * third[i]) / area)
+    }))
 }
 
 /// `−G_vᵀ M u`: the divergence of a field at vertices, integrated against their hat functions.
@@ -68,26 +69,26 @@ pub fn edge_gradient(surface: &Surface, values: &[f64]) -> Result<FaceField, Ope
 ///
 /// # Errors
 /// [`OperatorError::FieldLength`], [`OperatorError::NonFiniteField`].
-pub fn divergence(surface: &Surface, field: &[Vec2]) -> Result<Vec<f64>, OperatorError> {
+pub fn divergence(surface: &Surface, field: &FaceField) -> Result<VertexData<f64>, OperatorError> {
     check_field(surface.mesh(), field)?;
-    Ok(scatter_to_vertices(surface, |h| -0.5 * cross(surface.vector(h), field[h.face().index()])))
+    Ok(scatter_to_vertices(surface, |h| -0.5 * cross(surface.vector(h), field[h.face()])))
 }
 
 /// `(J G_v)ᵀ M u`: the curl of a field at vertices, integrated against their hat functions.
 ///
 /// # Errors
 /// [`OperatorError::FieldLength`], [`OperatorError::NonFiniteField`].
-pub fn vertex_curl(surface: &Surface, field: &[Vec2]) -> Result<Vec<f64>, OperatorError> {
+pub fn curl(surface: &Surface, field: &FaceField) -> Result<VertexData<f64>, OperatorError> {
     check_field(surface.mesh(), field)?;
-    Ok(scatter_to_vertices(surface, |h| -0.5 * dot(surface.vector(h), field[h.face().index()])))
+    Ok(scatter_to_vertices(surface, |h| -0.5 * dot(surface.vector(h), field[h.face()])))
 }
 
 /// Sums a term of each half-edge at the vertex opposite to it.
-fn scatter_to_vertices(surface: &Surface, term: impl Fn(HalfedgeId) -> f64) -> Vec<f64> {
+fn scatter_to_vertices(surface: &Surface, term: impl Fn(HalfedgeId) -> f64) -> VertexData<f64> {
     let mesh = surface.mesh();
-    let mut sums = vec![0.0; mesh.vertices()];
+    let mut sums = VertexData::filled(mesh.vertices(), 0.0);
     for h in mesh.face_ids().flat_map(SurfaceMesh::face_halfedges) {
-        sums[mesh.tail(h.previous()).index()] += term(h);
+        sums[mesh.tail(h.previous())] += term(h);
     }
     sums
 }
@@ -99,26 +100,29 @@ fn scatter_to_vertices(surface: &Surface, term: impl Fn(HalfedgeId) -> f64) -> V
 ///
 /// # Errors
 /// [`OperatorError::FieldLength`], [`OperatorError::NonFiniteField`].
-pub fn edge_curl(surface: &Surface, field: &[Vec2]) -> Result<Vec<f64>, OperatorError> {
+pub fn crouzeix_raviart_curl(surface: &Surface, field: &FaceField) -> Result<EdgeData<f64>, OperatorError> {
     check_field(surface.mesh(), field)?;
-    Ok(scatter_to_edges(surface, |h| dot(surface.vector(h), field[h.face().index()])))
+    Ok(scatter_to_edges(surface, |h| dot(surface.vector(h), field[h.face()])))
 }
 
 /// `−G_eᵀ M u`: the divergence of a field at edges, integrated against the functions of their midpoints.
 ///
 /// # Errors
 /// [`OperatorError::FieldLength`], [`OperatorError::NonFiniteField`].
-pub fn edge_divergence(surface: &Surface, field: &[Vec2]) -> Result<Vec<f64>, OperatorError> {
+pub fn crouzeix_raviart_divergence(
+    surface: &Surface,
+    field: &FaceField,
+) -> Result<EdgeData<f64>, OperatorError> {
     check_field(surface.mesh(), field)?;
-    Ok(scatter_to_edges(surface, |h| cross(surface.vector(h), field[h.face().index()])))
+    Ok(scatter_to_edges(surface, |h| cross(surface.vector(h), field[h.face()])))
 }
 
 /// Sums a term of each half-edge at its edge.
-fn scatter_to_edges(surface: &Surface, term: impl Fn(HalfedgeId) -> f64) -> Vec<f64> {
+fn scatter_to_edges(surface: &Surface, term: impl Fn(HalfedgeId) -> f64) -> EdgeData<f64> {
     let mesh = surface.mesh();
-    let mut sums = vec![0.0; mesh.edges()];
+    let mut sums = EdgeData::filled(mesh.edges(), 0.0);
     for h in mesh.face_ids().flat_map(SurfaceMesh::face_halfedges) {
-        sums[mesh.edge(h).index()] += term(h);
+        sums[mesh.edge(h)] += term(h);
     }
     sums
 }
@@ -136,7 +140,7 @@ pub fn gradient_matrix(surface: &Surface) -> Result<SparseMatrix, OperatorError>
 ///
 /// # Errors
 /// None for a valid surface; those of [`SparseMatrix::from_triplets`].
-pub fn edge_gradient_matrix(surface: &Surface) -> Result<SparseMatrix, OperatorError> {
+pub fn crouzeix_raviart_gradient_matrix(surface: &Surface) -> Result<SparseMatrix, OperatorError> {
     let mesh = surface.mesh();
     matrix(surface, mesh.edges(), -1.0, |h| mesh.edge(h).index())
 }

@@ -4,6 +4,7 @@ use crate::OperatorError;
 use crate::gradient::{divergence, gradient};
 use crate::laplacian::cotan_laplacian;
 use pompeiu_core::VertexId;
+use pompeiu_core::mesh::VertexData;
 use pompeiu_solve::{Cholesky, LinearSolver, SemidefiniteCholesky, SparseMatrix};
 use pompeiu_surface::Surface;
 use pompeiu_surface::plane::norm;
@@ -64,9 +65,9 @@ impl<'s> HeatMethod<'s> {
     ///
     /// # Errors
     /// [`OperatorError::NoSuchVertex`]; [`OperatorError::Solve`] when values leave the range of doubles.
-    pub fn distances(&self, sources: &[VertexId]) -> Result<Vec<f64>, OperatorError> {
+    pub fn distances(&self, sources: &[VertexId]) -> Result<VertexData<f64>, OperatorError> {
         let mesh = self.surface.mesh();
-        let mut heat = vec![0.0; mesh.vertices()];
+        let mut heat = VertexData::filled(mesh.vertices(), 0.0);
         for &vertex in sources {
             let vertices = mesh.vertices();
             *heat.get_mut(vertex.index()).ok_or(OperatorError::NoSuchVertex { vertex, vertices })? = 1.0;
@@ -91,7 +92,7 @@ impl<'s> HeatMethod<'s> {
         let mut sums = vec![(0.0, 0.0); mesh.components()];
         for &source in sources {
             let (sum, count) = &mut sums[mesh.component(source)];
-            *sum += distances[source.index()];
+            *sum += distances[source];
             *count += 1.0;
         }
         for (v, distance) in mesh.vertex_ids().zip(&mut distances) {

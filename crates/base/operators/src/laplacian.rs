@@ -51,7 +51,7 @@ pub fn cotan_laplacian(surface: &Surface) -> Result<SparseMatrix, OperatorError>
 /// O(F).
 /// # Source
 /// `crouzeix_conforming_1973`, `polthier_identifying_2003`.
-pub fn edge_laplacian(surface: &Surface) -> Result<SparseMatrix, OperatorError> {
+pub fn crouzeix_raviart_laplacian(surface: &Surface) -> Result<SparseMatrix, OperatorError> {
     let mesh = surface.mesh();
     let links: Vec<_> = mesh
         .face_ids()

@@ -5,8 +5,8 @@
 //!
 //! | module | what is in it |
 //! |---|---|
-//! | gradients | [`gradient`], [`edge_gradient`], and their adjoints [`divergence`], [`edge_divergence`], [`vertex_curl`], [`edge_curl`] |
-//! | Laplacians and masses | [`cotan_laplacian`], [`edge_laplacian`], [`mass_matrix`], [`face_mass`] |
+//! | gradients | [`gradient`], [`crouzeix_raviart_gradient`], and their adjoints [`divergence`], [`crouzeix_raviart_divergence`], [`curl`], [`crouzeix_raviart_curl`] |
+//! | Laplacians and masses | [`cotan_laplacian`], [`crouzeix_raviart_laplacian`], [`mass_matrix`], [`face_mass`] |
 //! | fields | [`FaceField`], [`field_inner_product`], [`rotation_field`], [`tangent_field`], [`random_field`] |
 //! | [`hodge`] | potentials with boundary conditions, and harmonic fields |
 //! | [`HeatMethod`] | distances along the surface |
@@ -23,11 +23,11 @@ mod sources;
 pub use error::OperatorError;
 pub use field::{FaceField, add_scaled, check_field, difference, field_inner_product, field_norm, rotated};
 pub use gradient::{
-    divergence, edge_curl, edge_divergence, edge_gradient, edge_gradient_matrix, gradient, gradient_matrix,
-    vertex_curl,
+    crouzeix_raviart_curl, crouzeix_raviart_divergence, crouzeix_raviart_gradient,
+    crouzeix_raviart_gradient_matrix, curl, divergence, gradient, gradient_matrix,
 };
 pub use heat::HeatMethod;
 pub use hodge::{Boundary, HarmonicBasis, Splitting};
-pub use laplacian::{cotan_laplacian, edge_laplacian};
+pub use laplacian::{cotan_laplacian, crouzeix_raviart_laplacian};
 pub use mass::{face_mass, mass_matrix};
 pub use sources::{random_field, rotation_field, tangent_field};

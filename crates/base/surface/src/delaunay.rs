@@ -2,7 +2,7 @@
 
 use crate::build::NONE;
 use crate::surface::FlatFace;
-use crate::{GeometryError, Surface, SurfaceMesh};
+use crate::{EdgeData, GeometryError, Surface, SurfaceMesh};
 
 /// An edge is left as it is unless the cotangents of its two opposite angles add up to less than minus this: what rounding
 /// makes of two angles that add up to half a turn.
@@ -144,8 +144,8 @@ impl Net {
 
     fn into_surface(self, vertices: usize) -> Result<Surface, GeometryError> {
         let mesh = SurfaceMesh::from_twins(vertices, self.tails, self.twins)?;
-        let lengths: Vec<f64> =
-            mesh.edge_ids().map(|edge| self.lengths[mesh.edge_halfedge(edge).index()]).collect();
+        let length = |edge| self.lengths[mesh.edge_halfedge(edge).index()];
+        let lengths = EdgeData::from_fn(mesh.edges(), length);
         Surface::from_edge_lengths(mesh, &lengths)
     }
 }
@@ -234,10 +234,8 @@ mod tests {
     fn an_edge_may_come_back_to_its_vertex() {
         // A triangle covered twice, with an obtuse angle at vertex 2.
         let mesh = SurfaceMesh::from_faces(3, &[[0, 1, 2], [1, 0, 2]]).unwrap();
-        let lengths: Vec<f64> = mesh
-            .edge_ids()
-            .map(|edge| if mesh.ends(edge).iter().all(|v| v.0 < 2) { 1.8 } else { 1.0 })
-            .collect();
+        let length = |edge| if mesh.ends(edge).iter().all(|v| v.0 < 2) { 1.8 } else { 1.0 };
+        let lengths = EdgeData::from_fn(mesh.edges(), length);
         let before = Surface::from_edge_lengths(mesh, &lengths).unwrap();
         let after = intrinsic_delaunay(&before).unwrap();
         assert_eq!((after.flips, after.left), (1, 0));

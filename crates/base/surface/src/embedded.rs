@@ -3,22 +3,24 @@
 use crate::plane::Vec2;
 use crate::surface::FlatFace;
 use crate::{GeometryError, Surface, SurfaceMesh};
+use pompeiu_core::mesh::{FaceData, VertexData};
 use pompeiu_core::{FaceId, TriMesh};
 
 /// A vector in space.
 type Vec3 = [f64; 3];
 
-/// A [`Surface`] whose faces lie in space, each with a frame: two unit tangents and the normal.
+/// A [`Surface`] whose vertices have positions in space, and each face a frame: two unit tangents and the normal.
 ///
 /// The first tangent runs along the face's first edge, the second is a quarter turn from it, counter-clockwise seen from
 /// the side that the normal points to.
 ///
 /// # Shapes and units
-/// 72 bytes per face beside the [`Surface`].
+/// 72 bytes per face and 24 per vertex beside the [`Surface`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct EmbeddedSurface {
     surface: Surface,
-    frames: Vec<[Vec3; 3]>,
+    positions: VertexData<Vec3>,
+    frames: FaceData<[Vec3; 3]>,
 }
 
 impl EmbeddedSurface {
@@ -33,9 +35,9 @@ impl EmbeddedSurface {
     /// O(F).
     pub fn new(mesh: &TriMesh) -> Result<Self, GeometryError> {
         let connectivity = SurfaceMesh::new(mesh)?;
-        let mut frames = Vec::with_capacity(mesh.faces().len());
-        let mut faces = Vec::with_capacity(mesh.faces().len());
-        for face in mesh.face_ids() {
+        let flat = FlatFace { length: 0.0, apex: [0.0; 2] };
+        let mut faces = FaceData::filled(mesh.faces().len(), flat);
+        let frames = FaceData::from_fn(mesh.faces().len(), |face| {
             let [a, b, c] = mesh.corners(face);
             let (u, v) = (sub(b, a), sub(c, a));
             let length = dot(u, u).sqrt();
@@ -43,12 +45,12 @@ impl EmbeddedSurface {
             let twice_area = dot(normal, normal).sqrt();
             let first = u.map(|x| x / length);
             let normal = normal.map(|x| x / twice_area);
-            frames.push([first, cross(normal, first), normal]);
-            let apex = [dot(first, v), twice_area / length];
-            faces.push(FlatFace { length, apex });
-        }
-        let surface = Surface::from_flat_faces(connectivity, faces.into_iter())?;
-        Ok(Self { surface, frames })
+            faces[face] = FlatFace { length, apex: [dot(first, v), twice_area / length] };
+            [first, cross(normal, first), normal]
+        });
+        let surface = Surface::from_flat_faces(connectivity, faces)?;
+        let positions = VertexData::from_fn(mesh.positions().len(), |v| mesh.positions()[v.index()]);
+        Ok(Self { surface, positions, frames })
     }
 
     /// The intrinsic geometry.
@@ -61,33 +63,47 @@ impl EmbeddedSurface {
         self.surface.mesh()
     }
 
+    /// The positions of all vertices.
+    pub fn positions(&self) -> &VertexData<Vec3> {
+        &self.positions
+    }
+
+    /// The positions of the corners of a face.
+    #[inline]
+    pub fn corner_positions(&self, face: FaceId) -> [Vec3; 3] {
+        self.mesh().face(face).map(|v| self.positions[v])
+    }
+
+    /// The mean of the corners of a face.
+    pub fn centroid(&self, face: FaceId) -> Vec3 {
+        let corners = self.corner_positions(face);
+        [0, 1, 2].map(|i| corners.iter().map(|p| p[i] / 3.0).sum())
+    }
+
     /// First tangent, second tangent and normal of a face, of length one.
     pub fn frame(&self, face: FaceId) -> &[Vec3; 3] {
-        &self.frames[face.index()]
+        &self.frames[face]
     }
 
     /// The unit normals of all faces.
-    pub fn face_normals(&self) -> Vec<Vec3> {
-        self.frames.iter().map(|frame| frame[2]).collect()
+    pub fn face_normals(&self) -> FaceData<Vec3> {
+        self.frames.map(|frame| frame[2])
     }
 
     /// The normals of vertices: the mean of the faces around, weighted by angle; zero where they cancel.
-    pub fn vertex_normals(&self) -> Vec<Vec3> {
-        self.mesh()
-            .vertex_ids()
-            .map(|v| {
-                let mut sum = [0.0; 3];
-                for h in self.mesh().outgoing(v) {
-                    let angle = self.surface.angle(h);
-                    let normal = self.frames[h.face().index()][2];
-                    for i in 0..3 {
-                        sum[i] += angle * normal[i];
-                    }
+    pub fn vertex_normals(&self) -> VertexData<Vec3> {
+        VertexData::from_fn(self.mesh().vertices(), |v| {
+            let mut sum = [0.0; 3];
+            for h in self.mesh().outgoing(v) {
+                let angle = self.surface.angle(h);
+                let normal = self.frames[h.face()][2];
+                for i in 0..3 {
+                    sum[i] += angle * normal[i];
                 }
-                let length = dot(sum, sum).sqrt();
-                if length > 0.0 { sum.map(|x| x / length) } else { [0.0; 3] }
-            })
-            .collect()
+            }
+            let length = dot(sum, sum).sqrt();
+            if length > 0.0 { sum.map(|x| x / length) } else { [0.0; 3] }
+        })
     }
 
     /// A tangent vector of a face as a vector in space.

@@ -1,6 +1,7 @@
 //! Typed indices of edges and half-edges.
 
 use pompeiu_core::FaceId;
+use pompeiu_core::mesh::{ElementData, ElementId};
 use std::fmt;
 
 /// One side of an edge, that of one face: half-edge `3 f + i` runs along face `f` from its corner `i` to the next.
@@ -63,3 +64,33 @@ impl fmt::Display for EdgeId {
         self.0.fmt(f)
     }
 }
+
+impl ElementId for HalfedgeId {
+    const NAME: &'static str = "corner";
+
+    fn from_index(index: usize) -> Self {
+        Self(index as u32)
+    }
+
+    fn as_index(self) -> usize {
+        self.index()
+    }
+}
+
+impl ElementId for EdgeId {
+    const NAME: &'static str = "edge";
+
+    fn from_index(index: usize) -> Self {
+        Self(index as u32)
+    }
+
+    fn as_index(self) -> usize {
+        self.index()
+    }
+}
+
+/// One value for each edge.
+pub type EdgeData<T> = ElementData<EdgeId, T>;
+
+/// One value for each corner of each face, three per face: that of a corner is the value of the half-edge that starts there.
+pub type CornerData<T> = ElementData<HalfedgeId, T>;

@@ -44,7 +44,7 @@ pub use build::orient;
 pub use delaunay::{IntrinsicDelaunay, intrinsic_delaunay};
 pub use embedded::EmbeddedSurface;
 pub use error::{GeometryError, SurfaceError};
-pub use ids::{EdgeId, HalfedgeId};
+pub use ids::{CornerData, EdgeData, EdgeId, HalfedgeId};
 pub use mesh::SurfaceMesh;
 pub use path::EdgeDistances;
 pub use periodic::flat_torus;

@@ -2,6 +2,7 @@
 
 use crate::{EdgeId, HalfedgeId, Surface};
 use pompeiu_core::VertexId;
+use pompeiu_core::mesh::VertexData;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
@@ -9,9 +10,9 @@ use std::collections::BinaryHeap;
 #[derive(Clone, Debug, PartialEq)]
 pub struct EdgeDistances {
     /// For each vertex, the length of the shortest path of edges from the nearest source; infinite where none leads.
-    pub distances: Vec<f64>,
+    pub distances: VertexData<f64>,
     /// For each vertex, the half-edge before it on its path, of either direction; none at sources.
-    last: Vec<Option<HalfedgeId>>,
+    last: VertexData<Option<HalfedgeId>>,
 }
 
 impl EdgeDistances {
@@ -26,26 +27,26 @@ impl EdgeDistances {
     /// O(E log E).
     pub fn from(surface: &Surface, sources: &[VertexId]) -> Self {
         let mesh = surface.mesh();
-        let mut distances = vec![f64::INFINITY; mesh.vertices()];
-        let mut last = vec![None; mesh.vertices()];
+        let mut distances = VertexData::filled(mesh.vertices(), f64::INFINITY);
+        let mut last = VertexData::filled(mesh.vertices(), None);
         // Lengths are not negative, so their bits are in their order.
         let mut open = BinaryHeap::new();
         for &source in sources {
-            distances[source.index()] = 0.0;
+            distances[source] = 0.0;
             open.push(Reverse((0_u64, source.0)));
         }
         while let Some(Reverse((bits, v))) = open.pop() {
             let v = VertexId(v);
             let distance = f64::from_bits(bits);
-            if distance > distances[v.index()] {
+            if distance > distances[v] {
                 continue;
             }
             for out in mesh.outgoing(v) {
                 for (h, w) in [(out, mesh.head(out)), (out.previous(), mesh.tail(out.previous()))] {
                     let through = distance + surface.edge_length(mesh.edge(h));
-                    if through < distances[w.index()] {
-                        distances[w.index()] = through;
-                        last[w.index()] = Some(h);
+                    if through < distances[w] {
+                        distances[w] = through;
+                        last[w] = Some(h);
                         open.push(Reverse((through.to_bits(), w.0)));
                     }
                 }
@@ -62,7 +63,7 @@ impl EdgeDistances {
         let mesh = surface.mesh();
         let mut path = Vec::new();
         let mut at = vertex;
-        while let Some(h) = self.last[at.index()] {
+        while let Some(h) = self.last[at] {
             path.push(mesh.edge(h));
             at = if mesh.head(h) == at { mesh.tail(h) } else { mesh.head(h) };
         }
@@ -75,7 +76,7 @@ impl EdgeDistances {
 #[allow(clippy::unwrap_used, reason = "tests may panic")]
 mod tests {
     use super::*;
-    use crate::{EmbeddedSurface, flat_torus};
+    use crate::{EdgeData, EmbeddedSurface, flat_torus};
     use pompeiu_core::mesh::merge;
     use pompeiu_core::mesh::shapes::icosphere;
 
@@ -88,18 +89,19 @@ mod tests {
             [(2, 2.0, 2), (4, 1.0, 1), (6, 2.0_f64.sqrt(), 1), (9, 2.0, 2), (13, 2.0 * 2.0_f64.sqrt(), 2)]
         {
             assert!(
-                (from.distances[vertex] - expected).abs() < 1e-14,
+                (from.distances[VertexId(vertex)] - expected).abs() < 1e-14,
                 "{vertex}: {}",
-                from.distances[vertex]
+                from.distances[VertexId(vertex)]
             );
-            assert_eq!(from.path_to(&torus, VertexId(vertex as u32)).len(), edges);
+            assert_eq!(from.path_to(&torus, VertexId(vertex)).len(), edges);
         }
     }
 
     #[test]
     fn the_boundary_is_walked_both_ways() {
         let mesh = crate::SurfaceMesh::from_faces(3, &[[0, 1, 2]]).unwrap();
-        let triangle = Surface::from_edge_lengths(mesh, &[3.0, 4.0, 5.0]).unwrap();
+        let triangle =
+            Surface::from_edge_lengths(mesh, &EdgeData::new(3, vec![3.0, 4.0, 5.0]).unwrap()).unwrap();
         for (source, expected) in [(0, [0.0, 3.0, 5.0]), (1, [3.0, 0.0, 4.0]), (2, [5.0, 4.0, 0.0])] {
             let from = EdgeDistances::from(&triangle, &[VertexId(source)]);
             assert!(from.distances.iter().zip(expected).all(|(d, e)| (d - e).abs() < 1e-14));
@@ -118,17 +120,17 @@ mod tests {
         for v in surface.mesh().vertex_ids() {
             let path = from.path_to(surface, v);
             if surface.mesh().component(v) == 1 {
-                assert!(from.distances[v.index()] == f64::INFINITY && path.is_empty());
+                assert!(from.distances[v] == f64::INFINITY && path.is_empty());
                 continue;
             }
             let length: f64 = path.iter().map(|&edge| surface.edge_length(edge)).sum();
-            assert!((length - from.distances[v.index()]).abs() < 1e-14);
+            assert!((length - from.distances[v]).abs() < 1e-14);
             assert!(sources.contains(&v) == path.is_empty());
             // No edge is a short cut.
             for h in surface.mesh().outgoing(v) {
                 let length = surface.edge_length(surface.mesh().edge(h));
-                let there = from.distances[surface.mesh().head(h).index()];
-                assert!(there <= from.distances[v.index()] + length + 1e-14);
+                let there = from.distances[surface.mesh().head(h)];
+                assert!(there <= from.distances[v] + length + 1e-14);
             }
         }
     }

@@ -1,6 +1,6 @@
 //! Surfaces that do not fit into space.
 
-use crate::{GeometryError, Surface, SurfaceError, SurfaceMesh};
+use crate::{EdgeData, GeometryError, Surface, SurfaceError, SurfaceMesh};
 
 /// The flat torus: a rectangle whose opposite sides are glued, split into `cells[0] × cells[1]` rectangles with one diagonal
 /// each.
@@ -29,7 +29,7 @@ pub fn flat_torus(size: [f64; 2], cells: [u32; 2]) -> Result<Surface, GeometryEr
     let mesh = SurfaceMesh::from_faces(count as usize, &faces)?;
     let [width, height] = [size[0] / f64::from(n), size[1] / f64::from(m)];
     let sides = [width, height, width.hypot(height)];
-    let lengths: Vec<f64> = mesh.edge_ids().map(|edge| sides[mesh.edge_halfedge(edge).corner()]).collect();
+    let lengths = EdgeData::from_fn(mesh.edges(), |edge| sides[mesh.edge_halfedge(edge).corner()]);
     Surface::from_edge_lengths(mesh, &lengths)
 }
 

@@ -1,7 +1,8 @@
 //! Intrinsic geometry: the shape of each face, laid flat.
 
 use crate::plane::{Rotation, Vec2, cross, dot, norm, sub};
-use crate::{EdgeId, GeometryError, HalfedgeId, SurfaceMesh};
+use crate::{CornerData, EdgeData, EdgeId, GeometryError, HalfedgeId, SurfaceMesh};
+use pompeiu_core::mesh::{FaceData, VertexData};
 use pompeiu_core::{FaceId, VertexId};
 
 /// Least height of a face over its longest edge. Below it, the rounding of the height that is computed from corners,
@@ -81,7 +82,7 @@ impl FlatFace {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Surface {
     mesh: SurfaceMesh,
-    faces: Vec<FlatFace>,
+    faces: FaceData<FlatFace>,
 }
 
 impl Surface {
@@ -93,33 +94,31 @@ impl Surface {
     ///
     /// # Source
     /// `kahan_miscalculating_2014` for heights from lengths.
-    pub fn from_edge_lengths(mesh: SurfaceMesh, lengths: &[f64]) -> Result<Self, GeometryError> {
+    pub fn from_edge_lengths(mesh: SurfaceMesh, lengths: &EdgeData<f64>) -> Result<Self, GeometryError> {
         if lengths.len() != mesh.edges() {
             return Err(GeometryError::LengthCount { found: lengths.len(), expected: mesh.edges() });
         }
-        let faces = mesh
-            .face_ids()
-            .map(|face| {
-                let lengths = SurfaceMesh::face_halfedges(face).map(|h| lengths[mesh.edge(h).index()]);
-                let proper = lengths.into_iter().all(|length| length > 0.0 && length.is_finite());
-                let flat = FlatFace::from_lengths(lengths);
-                if proper && flat.apex[1] > 0.0 {
-                    flat.check(face)
-                } else {
-                    let least = LEAST_HEIGHT;
-                    Err(GeometryError::DegenerateFace { face, lengths, height: 0.0, least })
-                }
-            })
-            .collect::<Result<_, _>>()?;
+        let faces = FaceData::try_from_fn(mesh.faces(), |face| {
+            let lengths = SurfaceMesh::face_halfedges(face).map(|h| lengths[mesh.edge(h)]);
+            let proper = lengths.into_iter().all(|length| length > 0.0 && length.is_finite());
+            let flat = FlatFace::from_lengths(lengths);
+            if proper && flat.apex[1] > 0.0 {
+                flat.check(face)
+            } else {
+                let least = LEAST_HEIGHT;
+                Err(GeometryError::DegenerateFace { face, lengths, height: 0.0, least })
+            }
+        })?;
         Ok(Self { mesh, faces })
     }
 
     pub(crate) fn from_flat_faces(
         mesh: SurfaceMesh,
-        faces: impl Iterator<Item = FlatFace>,
+        faces: FaceData<FlatFace>,
     ) -> Result<Self, GeometryError> {
-        let faces =
-            faces.zip(mesh.face_ids()).map(|(flat, face)| flat.check(face)).collect::<Result<_, _>>()?;
+        for (face, flat) in faces.entries() {
+            flat.check(face)?;
+        }
         Ok(Self { mesh, faces })
     }
 
@@ -130,7 +129,7 @@ impl Surface {
 
     #[inline]
     pub(crate) fn flat(&self, face: FaceId) -> &FlatFace {
-        &self.faces[face.index()]
+        &self.faces[face]
     }
 
     /// The corners of a face in its frame.
@@ -158,8 +157,8 @@ impl Surface {
     }
 
     /// The areas of all faces.
-    pub fn face_areas(&self) -> Vec<f64> {
-        self.mesh.face_ids().map(|face| self.face_area(face)).collect()
+    pub fn face_areas(&self) -> FaceData<f64> {
+        FaceData::from_fn(self.mesh.faces(), |face| self.face_area(face))
     }
 
     /// The area of the surface.
@@ -168,12 +167,12 @@ impl Surface {
     }
 
     /// A third of the area of the faces around each vertex: the lumped mass matrix of continuous linear functions.
-    pub fn vertex_areas(&self) -> Vec<f64> {
-        let mut areas = vec![0.0; self.mesh.vertices()];
+    pub fn vertex_areas(&self) -> VertexData<f64> {
+        let mut areas = VertexData::filled(self.mesh.vertices(), 0.0);
         for face in self.mesh.face_ids() {
             let third = self.face_area(face) / 3.0;
             for v in self.mesh.face(face) {
-                areas[v.index()] += third;
+                areas[v] += third;
             }
         }
         areas
@@ -181,12 +180,12 @@ impl Surface {
 
     /// A third of the area of the faces along each edge: the mass matrix of functions that are linear on faces and agree at
     /// the midpoints of edges. It is diagonal without any lumping.
-    pub fn edge_areas(&self) -> Vec<f64> {
-        let mut areas = vec![0.0; self.mesh.edges()];
+    pub fn edge_areas(&self) -> EdgeData<f64> {
+        let mut areas = EdgeData::filled(self.mesh.edges(), 0.0);
         for face in self.mesh.face_ids() {
             let third = self.face_area(face) / 3.0;
             for h in SurfaceMesh::face_halfedges(face) {
-                areas[self.mesh.edge(h).index()] += third;
+                areas[self.mesh.edge(h)] += third;
             }
         }
         areas
@@ -198,8 +197,8 @@ impl Surface {
     }
 
     /// The lengths of all edges.
-    pub fn edge_lengths(&self) -> Vec<f64> {
-        self.mesh.edge_ids().map(|edge| self.edge_length(edge)).collect()
+    pub fn edge_lengths(&self) -> EdgeData<f64> {
+        EdgeData::from_fn(self.mesh.edges(), |edge| self.edge_length(edge))
     }
 
     /// The cotangent of the angle at a corner, the one where the half-edge starts.
@@ -219,6 +218,11 @@ impl Surface {
         libm::atan2(flat.length * flat.apex[1], -dot(out, back))
     }
 
+    /// The angles at all corners, in radians.
+    pub fn angles(&self) -> CornerData<f64> {
+        CornerData::from_fn(self.mesh.halfedges(), |corner| self.angle(corner))
+    }
+
     /// The sum of the angles at a vertex, in radians.
     pub fn total_angle(&self, vertex: VertexId) -> f64 {
         self.mesh.outgoing(vertex).map(|h| self.angle(h)).sum()
@@ -227,10 +231,10 @@ impl Surface {
     /// What the angles at each vertex lack of a full turn, at the boundary of half a turn.
     ///
     /// They add up to 2π times the Euler characteristic (Gauss and Bonnet), whatever the shape.
-    pub fn angle_defects(&self) -> Vec<f64> {
+    pub fn angle_defects(&self) -> VertexData<f64> {
         use std::f64::consts::{PI, TAU};
         let flat = |v| if self.mesh.is_boundary_vertex(v) { PI } else { TAU };
-        self.mesh.vertex_ids().map(|v| flat(v) - self.total_angle(v)).collect()
+        VertexData::from_fn(self.mesh.vertices(), |v| flat(v) - self.total_angle(v))
     }
 
     /// The rotation that turns coordinates in the frame of a half-edge's face into those in the frame of its twin's: the two

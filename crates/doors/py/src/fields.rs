@@ -5,7 +5,8 @@ use crate::errors::{Raise, UnknownOption};
 use crate::mesh::Mesh;
 use crate::report::{Dimensions, Quality};
 use numpy::{IntoPyArray, PyArray1, PyArray2};
-use pompeiu::fields::{Audit, Decomposition, HodgeSolver};
+use pompeiu::core::mesh::FaceData;
+use pompeiu::fields::{Audit, Decomposition, DecompositionOptions, HodgeSolver};
 use pompeiu::operators::{self, Boundary, FaceField, Splitting, tangent_field};
 use pompeiu::surface::{EmbeddedSurface, SurfaceMesh};
 use pyo3::prelude::*;
@@ -76,17 +77,15 @@ impl HodgeDecomposition {
 
     fn field(&self, field: &Bound<'_, PyAny>) -> PyResult<(FaceField, f64)> {
         let vectors = vectors::<3>(field, "vectors of the field", "(m, 3)")?;
-        let (found, expected) = (vectors.len(), self.surface().mesh().faces());
-        if found != expected {
-            return Err(operators::OperatorError::FieldLength { found, expected }.raise());
-        }
+        let vectors = FaceData::new(self.surface().mesh().faces(), vectors).map_err(|error| {
+            operators::OperatorError::FieldLength { found: error.found, expected: error.expected }.raise()
+        })?;
         Ok(tangent_field(self.surface(), &vectors))
     }
 
     fn in_space<'py>(&self, py: Python<'py>, field: &FaceField) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let surface = self.surface();
-        let faces = surface.mesh().face_ids();
-        array_of_rows(py, faces.zip(field).map(|(face, &vector)| surface.to_space(face, vector)).collect())
+        array_of_rows(py, field.entries().map(|(face, &vector)| surface.to_space(face, vector)).collect())
     }
 
     fn parts<'py>(&self, py: Python<'py>, parts: Decomposition, normal_part: f64) -> PyResult<Parts<'py>> {
@@ -94,8 +93,8 @@ impl HodgeDecomposition {
             gradient: self.in_space(py, &parts.gradient)?,
             rotated: self.in_space(py, &parts.rotated)?,
             harmonic: self.in_space(py, &parts.harmonic)?,
-            vertex_potential: parts.vertex_potential.into_pyarray(py),
-            edge_potential: parts.edge_potential.into_pyarray(py),
+            vertex_potential: parts.vertex_potential.into_vec().into_pyarray(py),
+            edge_potential: parts.edge_potential.into_vec().into_pyarray(py),
             harmonic_coefficients: parts.harmonic_coefficients.into_pyarray(py),
             normal_part,
             quality: parts.quality.into(),
@@ -107,11 +106,14 @@ impl HodgeDecomposition {
 impl HodgeDecomposition {
     #[new]
     fn new(py: Python<'_>, mesh: &Bound<'_, Mesh>, splitting: &str, boundary: &str) -> PyResult<Self> {
-        let (splitting, boundary) = (self::splitting(splitting)?, self::boundary(boundary)?);
+        let options = DecompositionOptions {
+            splitting: self::splitting(splitting)?,
+            boundary: self::boundary(boundary)?,
+        };
         let mesh = mesh.get().inner();
         py.detach(|| {
             let surface = EmbeddedSurface::new(mesh).map_err(Raise::raise)?;
-            Prepared::try_new(surface, |surface| HodgeSolver::new(surface.surface(), splitting, boundary))
+            Prepared::try_new(surface, |surface| HodgeSolver::new(surface.surface(), &options))
                 .map(Self)
                 .map_err(Raise::raise)
         })
@@ -146,7 +148,7 @@ impl HodgeDecomposition {
 
     /// The areas of faces, the weights of the inner product of fields.
     fn face_areas<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        self.surface().surface().face_areas().into_pyarray(py)
+        self.surface().surface().face_areas().into_vec().into_pyarray(py)
     }
 
     /// Dimension of the harmonic fields.

@@ -1,6 +1,6 @@
 //! Degrees of freedom, counted.
 
-use pompeiu_operators::hodge::Fixed;
+use pompeiu_operators::hodge::DirichletPotential;
 use pompeiu_operators::{Boundary, Splitting};
 use pompeiu_surface::SurfaceMesh;
 
@@ -42,7 +42,7 @@ pub struct OneKind {
 impl Audit {
     /// Counts the dimensions on a surface, for the primal splitting (the dual one has the same).
     pub fn of(mesh: &SurfaceMesh, boundary: Boundary) -> Self {
-        let fixed = Fixed::of(Splitting::Primal, boundary);
+        let fixed = DirichletPotential::of(Splitting::Primal, boundary);
         let loops = mesh.boundary_loops_of_components();
         let closed = loops.iter().filter(|&&b| b == 0).count();
         let inner_vertices = mesh.vertex_ids().filter(|&v| !mesh.is_boundary_vertex(v)).count();
@@ -57,10 +57,10 @@ impl Audit {
             left_over: degrees_of_freedom.cast_signed() - (gradient + rotated).cast_signed(),
         };
         let [mixed, conforming, nonconforming] = match fixed {
-            Fixed::Edges => {
+            DirichletPotential::CrouzeixRaviart => {
                 [kind(vertices[0], edges[1]), kind(vertices[0], vertices[1]), kind(edges[0], edges[1])]
             }
-            Fixed::Vertices => {
+            DirichletPotential::Conforming => {
                 [kind(vertices[1], edges[0]), kind(vertices[1], vertices[0]), kind(edges[1], edges[0])]
             }
         };

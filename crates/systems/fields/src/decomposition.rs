@@ -1,13 +1,16 @@
 //! The splitting of fields, factored once for many.
 
-use pompeiu_operators::hodge::{Fixed, edge_system, vertex_system};
+use crate::DecompositionOptions;
+use crate::scale::{normalized, restore, times_power_of_two};
+use pompeiu_core::mesh::{ElementData, VertexData};
+use pompeiu_operators::hodge::{DirichletPotential, conforming_system, crouzeix_raviart_system};
 use pompeiu_operators::{
-    Boundary, FaceField, HarmonicBasis, OperatorError, Splitting, add_scaled, check_field, difference,
-    divergence, edge_curl, edge_gradient, field_inner_product, field_norm, gradient, rotated,
+    Boundary, FaceField, HarmonicBasis, OperatorError, Splitting, add_scaled, check_field,
+    crouzeix_raviart_curl, crouzeix_raviart_gradient, difference, divergence, field_inner_product,
+    field_norm, gradient, rotated,
 };
 use pompeiu_solve::{LinearSolver, SemidefiniteCholesky};
-use pompeiu_surface::Surface;
-use pompeiu_surface::plane::Vec2;
+use pompeiu_surface::{EdgeData, Surface};
 use rayon::prelude::*;
 use std::time::{Duration, Instant};
 
@@ -34,35 +37,25 @@ use std::time::{Duration, Instant};
 #[derive(Debug)]
 pub struct HodgeSolver<'s> {
     surface: &'s Surface,
-    splitting: Splitting,
-    boundary: Boundary,
+    options: DecompositionOptions,
     vertices: SemidefiniteCholesky,
     edges: SemidefiniteCholesky,
     basis: HarmonicBasis,
     times: SetupTimes,
 }
 
-/// How long setting up took.
+/// How long setting up took, by the clock: the two add up to the whole.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SetupTimes {
-    /// Assembling and factoring both Laplacians, one after the other; with two threads they are done side by side.
+    /// Until both Laplacians were assembled and factored, in parallel.
     pub factor: Duration,
-    /// Finding the harmonic fields.
+    /// From then until the harmonic fields were found; with two threads they are begun while the second Laplacian is factored.
     pub basis: Duration,
 }
 
-/// What a step gives, and how long it took.
-fn timed<T>(step: impl FnOnce() -> Result<T, OperatorError>) -> Result<(T, Duration), OperatorError> {
-    let start = Instant::now();
-    Ok((step()?, start.elapsed()))
-}
-
-/// A divergence or curl.
-type Adjoint = fn(&Surface, &[Vec2]) -> Result<Vec<f64>, OperatorError>;
-
 struct Potentials {
-    vertices: Vec<f64>,
-    edges: Vec<f64>,
+    vertices: VertexData<f64>,
+    edges: EdgeData<f64>,
     harmonic_defect: f64,
 }
 
@@ -77,9 +70,9 @@ pub struct Decomposition {
     pub harmonic: FaceField,
     /// The potential at vertices: of the gradient in the primal splitting, of the rotated gradient in the dual. Its mean is
     /// zero on each component where no boundary condition fixes it.
-    pub vertex_potential: Vec<f64>,
+    pub vertex_potential: VertexData<f64>,
     /// The potential at midpoints of edges: of the rotated gradient in the primal splitting, of the gradient in the dual.
-    pub edge_potential: Vec<f64>,
+    pub edge_potential: EdgeData<f64>,
     /// The coefficients of the harmonic part in the basis of the solver.
     pub harmonic_coefficients: Vec<f64>,
     /// How well it was done.
@@ -102,7 +95,8 @@ pub struct Quality {
     /// It is the residual plus how far the harmonic part is from the harmonic fields, which is measured by projecting it onto
     /// both other spaces. The residual is the sum of the errors of the parts; the first two lie in their spaces, the third does
     /// up to that distance, and the spaces are orthogonal, so no error is longer than both together. This is proven for
-    /// exact arithmetic; evaluating it in doubles adds a few units of rounding.
+    /// exact arithmetic; evaluating it in doubles adds a few units of rounding. Fields of any size are scaled by a power of
+    /// two first; what components below the range of normal doubles lose is included.
     pub part_error: f64,
 }
 
@@ -134,28 +128,31 @@ impl<'s> HodgeSolver<'s> {
     /// Assembles and factors both Laplacians and finds the harmonic fields.
     ///
     /// # Errors
-    /// [`OperatorError::Solve`] if a Laplacian cannot be factored, which very thin faces can cause.
-    pub fn new(
-        surface: &'s Surface,
-        splitting: Splitting,
-        boundary: Boundary,
-    ) -> Result<Self, OperatorError> {
-        let fixed = Fixed::of(splitting, boundary);
+    /// [`OperatorError::Solve`] if a Laplacian cannot be factored.
+    pub fn new(surface: &'s Surface, options: &DecompositionOptions) -> Result<Self, OperatorError> {
+        let start = Instant::now();
+        let dirichlet = DirichletPotential::of(options.splitting, options.boundary);
         let (edges, vertices) = rayon::join(
-            || timed(|| edge_system(surface, fixed == Fixed::Edges)),
             || {
-                let (vertices, factor) = timed(|| vertex_system(surface, fixed == Fixed::Vertices))?;
-                let (basis, time) = timed(|| HarmonicBasis::primal(surface, fixed, &vertices))?;
-                Ok::<_, OperatorError>((vertices, factor, basis, time))
+                let fixed = dirichlet == DirichletPotential::CrouzeixRaviart;
+                let edges = crouzeix_raviart_system(surface, fixed)?;
+                Ok::<_, OperatorError>((edges, start.elapsed()))
+            },
+            || {
+                let vertices = conforming_system(surface, dirichlet == DirichletPotential::Conforming)?;
+                let factored = start.elapsed();
+                let basis = HarmonicBasis::primal(surface, dirichlet, &vertices)?;
+                Ok::<_, OperatorError>((vertices, factored, basis))
             },
         );
-        let ((edges, of_edges), (vertices, of_vertices, primal_basis, of_basis)) = (edges?, vertices?);
-        let times = SetupTimes { factor: of_edges + of_vertices, basis: of_basis };
-        let basis = match splitting {
-            Splitting::Primal => primal_basis,
-            Splitting::Dual => primal_basis.turned(),
+        let ((edges, edges_factored), (vertices, vertices_factored, primal)) = (edges?, vertices?);
+        let factor = edges_factored.max(vertices_factored);
+        let basis = match options.splitting {
+            Splitting::Primal => primal,
+            Splitting::Dual => primal.turned(),
         };
-        Ok(Self { surface, splitting, boundary, vertices, edges, basis, times })
+        let times = SetupTimes { factor, basis: start.elapsed().saturating_sub(factor) };
+        Ok(Self { surface, options: *options, vertices, edges, basis, times })
     }
 
     /// The surface.
@@ -165,12 +162,12 @@ impl<'s> HodgeSolver<'s> {
 
     /// Which splitting it is.
     pub fn splitting(&self) -> Splitting {
-        self.splitting
+        self.options.splitting
     }
 
     /// Which boundary condition it is.
     pub fn boundary(&self) -> Boundary {
-        self.boundary
+        self.options.boundary
     }
 
     /// How long setting up took.
@@ -185,53 +182,76 @@ impl<'s> HodgeSolver<'s> {
 
     /// Both potentials of the primal splitting of a field, and how far another field, harmonic but for rounding, is from the
     /// harmonic fields: the norms of its projections onto both ranges.
-    fn potentials(&self, field: &[Vec2], harmonic: &[Vec2]) -> Result<Potentials, OperatorError> {
-        let (mut of_vertices, mut of_edges) =
-            (divergence(self.surface, field)?, edge_curl(self.surface, field)?);
-        for value in &mut of_vertices {
+    fn potentials(&self, field: &FaceField, harmonic: &FaceField) -> Result<Potentials, OperatorError> {
+        let surface = self.surface;
+        let (mut vertices, mut edges) = (divergence(surface, field)?, crouzeix_raviart_curl(surface, field)?);
+        for value in &mut vertices {
             *value = -*value;
         }
         let mut defect_sq = 0.0;
-        for (solver, values, of_harmonic) in [
-            (&self.vertices, &mut of_vertices, divergence as Adjoint),
-            (&self.edges, &mut of_edges, edge_curl as Adjoint),
-        ] {
-            if self.basis.dimension() > 0 {
-                // ‖G x‖² is xᵀ L x, which is xᵀ b where L x = b.
-                let b = of_harmonic(self.surface, harmonic)?;
-                values.extend(&b);
-                solver.solve_in_place(values)?;
-                let x = values.split_off(b.len());
-                defect_sq += x.iter().zip(&b).map(|(x, b)| x * b).sum::<f64>().abs();
-            } else {
-                solver.solve_in_place(values)?;
-            }
+        if self.basis.dimension() > 0 {
+            defect_sq += solve_with(&self.vertices, &mut vertices, &divergence(surface, harmonic)?)?;
+            defect_sq += solve_with(&self.edges, &mut edges, &crouzeix_raviart_curl(surface, harmonic)?)?;
+        } else {
+            self.vertices.solve_in_place(&mut vertices)?;
+            self.edges.solve_in_place(&mut edges)?;
         }
-        Ok(Potentials { vertices: of_vertices, edges: of_edges, harmonic_defect: defect_sq.sqrt() })
+        Ok(Potentials { vertices, edges, harmonic_defect: defect_sq.sqrt() })
     }
 
     /// Splits a field.
     ///
     /// # Errors
-    /// [`OperatorError::FieldLength`], [`OperatorError::NonFiniteField`]; [`OperatorError::Solve`] when values overflow.
-    pub fn decompose(&self, field: &[Vec2]) -> Result<Decomposition, OperatorError> {
+    /// [`OperatorError::FieldLength`], [`OperatorError::NonFiniteField`]; [`OperatorError::FieldTooLarge`] if a result
+    /// exceeds the range of doubles; [`OperatorError::Solve`].
+    pub fn decompose(&self, field: &FaceField) -> Result<Decomposition, OperatorError> {
         check_field(self.surface.mesh(), field)?;
+        let (near_one, exponent) = normalized(field);
+        let mut parts = self.decompose_near_one(&near_one)?;
+        let norms = parts.quality.norms;
+        if norms.field > 0.0 {
+            // Where numbers leave the range of normal ones each component is off by at most the least positive double.
+            const LEAST: f64 = f64::from_bits(1);
+            let absolute = LEAST + times_power_of_two(LEAST, -exponent);
+            parts.quality.part_error += (2.0 * self.surface.area()).sqrt() / norms.field * absolute;
+        }
+        let mut norms = [norms.field, norms.gradient, norms.rotated, norms.harmonic];
+        for values in [
+            parts.gradient.as_flattened_mut(),
+            parts.rotated.as_flattened_mut(),
+            parts.harmonic.as_flattened_mut(),
+            &mut parts.vertex_potential,
+            &mut parts.edge_potential,
+            &mut parts.harmonic_coefficients,
+            &mut norms,
+        ] {
+            restore(values, exponent, field)?;
+        }
+        let [field, gradient, rotated, harmonic] = norms;
+        parts.quality.norms = Norms { field, gradient, rotated, harmonic };
+        Ok(parts)
+    }
+
+    /// Splits a field whose components are of moderate size.
+    fn decompose_near_one(&self, field: &FaceField) -> Result<Decomposition, OperatorError> {
         let harmonic_coefficients = self.basis.coefficients(self.surface, field)?;
         let harmonic = self.basis.combination(field.len(), &harmonic_coefficients);
-        let turned_back = |u: &[Vec2]| -> FaceField { u.iter().map(|&[x, y]| [y, -x]).collect() };
-        let mut potentials = match self.splitting {
+        let turned_back = |u: &FaceField| u.map(|&[x, y]| [y, -x]);
+        let mut potentials = match self.options.splitting {
             Splitting::Primal => self.potentials(field, &harmonic)?,
             Splitting::Dual => self.potentials(&turned_back(field), &turned_back(&harmonic))?,
         };
         let conforming = gradient(self.surface, &potentials.vertices)?;
-        let (gradient, rotated) = match self.splitting {
-            Splitting::Primal => (conforming, rotated(&edge_gradient(self.surface, &potentials.edges)?)),
+        let (gradient, rotated) = match self.options.splitting {
+            Splitting::Primal => {
+                (conforming, rotated(&crouzeix_raviart_gradient(self.surface, &potentials.edges)?))
+            }
             Splitting::Dual => {
                 // −J u = G_v a + J G_e b + h, so u = J G_v a − G_e b + J h.
                 for value in &mut potentials.edges {
                     *value = -*value;
                 }
-                (edge_gradient(self.surface, &potentials.edges)?, rotated(&conforming))
+                (crouzeix_raviart_gradient(self.surface, &potentials.edges)?, rotated(&conforming))
             }
         };
         let quality = self.quality(field, [&gradient, &rotated, &harmonic], potentials.harmonic_defect);
@@ -255,7 +275,7 @@ impl<'s> HodgeSolver<'s> {
         parts.into_iter().collect()
     }
 
-    fn quality(&self, field: &[Vec2], parts: [&FaceField; 3], harmonic_defect: f64) -> Quality {
+    fn quality(&self, field: &FaceField, parts: [&FaceField; 3], harmonic_defect: f64) -> Quality {
         let surface = self.surface;
         let [gradient, rotated, harmonic] = parts;
         let mut rest = difference(field, gradient);
@@ -268,8 +288,9 @@ impl<'s> HodgeSolver<'s> {
             harmonic: field_norm(surface, harmonic),
         };
         let over = |value: f64, by: f64| if by > 0.0 { value / by } else { 0.0 };
-        let inner =
-            |u: &[Vec2], w: &[Vec2]| over(over(field_inner_product(surface, u, w), norms.field), norms.field);
+        let inner = |u: &FaceField, w: &FaceField| {
+            over(over(field_inner_product(surface, u, w), norms.field), norms.field)
+        };
         let residual = over(field_norm(surface, &rest), norms.field);
         Quality {
             residual,
@@ -282,4 +303,19 @@ impl<'s> HodgeSolver<'s> {
             part_error: residual + over(harmonic_defect, norms.field),
         }
     }
+}
+
+/// Solves for two right-hand sides at once, the first in place; gives `xᵀ b` of the second, where `L x = b`.
+///
+/// That is `xᵀ L x`, the squared norm of the gradient of x.
+fn solve_with<I>(
+    solver: &SemidefiniteCholesky,
+    first: &mut ElementData<I, f64>,
+    b: &ElementData<I, f64>,
+) -> Result<f64, OperatorError> {
+    let mut both = [first.as_slice(), b.as_slice()].concat();
+    solver.solve_in_place(&mut both)?;
+    let (solution, x) = both.split_at(b.len());
+    first.copy_from_slice(solution);
+    Ok(x.iter().zip(b).map(|(x, b)| x * b).sum::<f64>().abs())
 }

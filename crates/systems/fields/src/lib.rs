@@ -13,6 +13,7 @@
 //!
 //! | item | what it is |
 //! |---|---|
+//! | [`DecompositionOptions`] | which decomposition |
 //! | [`HodgeSolver`] | a surface factored once, to decompose many fields |
 //! | [`Decomposition`], [`Quality`] | the three parts and potentials, and how far each part can be from the true one |
 //! | [`Audit`] | the dimensions of the spaces, counted: why one kind of function is not enough |
@@ -21,17 +22,17 @@
 //!
 //! ```
 //! use pompeiu_core::mesh::shapes::torus;
-//! use pompeiu_fields::HodgeSolver;
-//! use pompeiu_operators::{Boundary, Splitting};
+//! use pompeiu_fields::{DecompositionOptions, HodgeSolver};
+//! use pompeiu_operators::FaceField;
 //! use pompeiu_surface::EmbeddedSurface;
 //!
 //! let torus = EmbeddedSurface::new(&torus(2.0, 0.7, 24, 16)?)?;
-//! let solver = HodgeSolver::new(torus.surface(), Splitting::Primal, Boundary::Tangential)?;
+//! let solver = HodgeSolver::new(torus.surface(), &DecompositionOptions::default())?;
 //! assert_eq!(solver.basis().dimension(), 2);
 //!
 //! // Rotation about the axis of the torus: no divergence, but it winds around the hole.
 //! let mesh = torus.mesh();
-//! let field: Vec<_> = mesh.face_ids().map(|face| torus.to_tangent(face, [0.0, 0.0, 1.0])).collect();
+//! let field = FaceField::from_fn(mesh.faces(), |face| torus.to_tangent(face, [0.0, 0.0, 1.0]));
 //! let parts = solver.decompose(&field)?;
 //! assert!(parts.quality.residual < 1e-12);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -40,10 +41,13 @@
 mod audit;
 mod decomposition;
 mod one_kind;
+mod options;
+mod scale;
 #[cfg(feature = "figures")]
 pub mod show;
 
 pub use audit::{Audit, OneKind};
 pub use decomposition::{Decomposition, HodgeSolver, InnerProducts, Norms, Quality, SetupTimes};
 pub use one_kind::{FunctionKind, OneKindParts, OneKindSolver};
+pub use options::DecompositionOptions;
 pub use pompeiu_operators::{Boundary, HarmonicBasis, OperatorError, Splitting};

@@ -1,13 +1,15 @@
 //! Splitting with one kind of function only: to see why it fails.
 
-use pompeiu_operators::hodge::{Fixed, edge_system, vertex_system};
+use crate::scale::{normalized, restore};
+use pompeiu_core::mesh::ElementData;
+use pompeiu_operators::hodge::{DirichletPotential, conforming_system, crouzeix_raviart_system};
 use pompeiu_operators::{
-    Boundary, FaceField, OperatorError, Splitting, check_field, difference, divergence, edge_curl,
-    edge_divergence, edge_gradient, field_inner_product, field_norm, gradient, rotated, vertex_curl,
+    Boundary, FaceField, OperatorError, Splitting, check_field, crouzeix_raviart_curl,
+    crouzeix_raviart_divergence, crouzeix_raviart_gradient, curl, difference, divergence,
+    field_inner_product, field_norm, gradient, rotated,
 };
 use pompeiu_solve::{LinearSolver, SemidefiniteCholesky};
 use pompeiu_surface::Surface;
-use pompeiu_surface::plane::Vec2;
 
 /// A kind of function that is linear on each face.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -60,10 +62,11 @@ impl<'s> OneKindSolver<'s> {
     /// # Errors
     /// [`OperatorError::Solve`] if it cannot be factored, which very thin faces can cause.
     pub fn new(surface: &'s Surface, kind: FunctionKind, boundary: Boundary) -> Result<Self, OperatorError> {
-        let rotated_is_fixed = Fixed::of(Splitting::Primal, boundary) == Fixed::Edges;
+        let rotated_is_fixed =
+            DirichletPotential::of(Splitting::Primal, boundary) == DirichletPotential::CrouzeixRaviart;
         let system = match kind {
-            FunctionKind::Conforming => vertex_system,
-            FunctionKind::Nonconforming => edge_system,
+            FunctionKind::Conforming => conforming_system,
+            FunctionKind::Nonconforming => crouzeix_raviart_system,
         };
         let (gradients, rotated) = (system(surface, !rotated_is_fixed)?, system(surface, rotated_is_fixed)?);
         Ok(Self { surface, kind, gradients, rotated })
@@ -72,34 +75,47 @@ impl<'s> OneKindSolver<'s> {
     /// Projects a field onto both ranges.
     ///
     /// # Errors
-    /// [`OperatorError::FieldLength`], [`OperatorError::NonFiniteField`]; [`OperatorError::Solve`] when values overflow.
-    pub fn split(&self, field: &[Vec2]) -> Result<OneKindParts, OperatorError> {
+    /// [`OperatorError::FieldLength`], [`OperatorError::NonFiniteField`], [`OperatorError::FieldTooLarge`],
+    /// [`OperatorError::Solve`].
+    pub fn split(&self, field: &FaceField) -> Result<OneKindParts, OperatorError> {
         let surface = self.surface;
         check_field(surface.mesh(), field)?;
-        let (mut potential, mut rotated_potential) = match self.kind {
-            FunctionKind::Conforming => (divergence(surface, field)?, vertex_curl(surface, field)?),
-            FunctionKind::Nonconforming => (edge_divergence(surface, field)?, edge_curl(surface, field)?),
+        let (near_one, exponent) = normalized(field);
+        let (given, field) = (field, &near_one);
+        let (mut gradient, mut rotated) = match self.kind {
+            FunctionKind::Conforming => {
+                let [a, b] = self.potentials(divergence(surface, field)?, curl(surface, field)?)?;
+                (gradient(surface, &a)?, rotated(&gradient(surface, &b)?))
+            }
+            FunctionKind::Nonconforming => {
+                let divergence = crouzeix_raviart_divergence(surface, field)?;
+                let [a, b] = self.potentials(divergence, crouzeix_raviart_curl(surface, field)?)?;
+                (crouzeix_raviart_gradient(surface, &a)?, rotated(&crouzeix_raviart_gradient(surface, &b)?))
+            }
         };
-        for value in &mut potential {
-            *value = -*value;
-        }
-        self.gradients.solve_in_place(&mut potential)?;
-        self.rotated.solve_in_place(&mut rotated_potential)?;
-        let of = match self.kind {
-            FunctionKind::Conforming => gradient,
-            FunctionKind::Nonconforming => edge_gradient,
-        };
-        let (gradient, rotated) = (of(surface, &potential)?, rotated(&of(surface, &rotated_potential)?));
-        let left_over = difference(&difference(field, &gradient), &rotated);
+        let mut left_over = difference(&difference(field, &gradient), &rotated);
         let norm = field_norm(surface, field);
         let over = |value: f64| if norm > 0.0 { value / norm / norm } else { 0.0 };
-        let product = |u: &[Vec2], w: &[Vec2]| over(field_inner_product(surface, u, w));
-        Ok(OneKindParts {
-            gradient_rotated: product(&gradient, &rotated),
-            left_over_products: [product(&left_over, &gradient), product(&left_over, &rotated)],
-            gradient,
-            rotated,
-            left_over,
-        })
+        let product = |u: &FaceField, w: &FaceField| over(field_inner_product(surface, u, w));
+        let gradient_rotated = product(&gradient, &rotated);
+        let left_over_products = [product(&left_over, &gradient), product(&left_over, &rotated)];
+        for part in [&mut gradient, &mut rotated, &mut left_over] {
+            restore(part.as_flattened_mut(), exponent, given)?;
+        }
+        Ok(OneKindParts { gradient, rotated, left_over, gradient_rotated, left_over_products })
+    }
+
+    /// The potentials of both projections, from the divergence and the curl.
+    fn potentials<I>(
+        &self,
+        mut divergence: ElementData<I, f64>,
+        mut curl: ElementData<I, f64>,
+    ) -> Result<[ElementData<I, f64>; 2], OperatorError> {
+        for value in &mut divergence {
+            *value = -*value;
+        }
+        self.gradients.solve_in_place(&mut divergence)?;
+        self.rotated.solve_in_place(&mut curl)?;
+        Ok([divergence, curl])
     }
 }

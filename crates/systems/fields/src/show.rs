@@ -14,14 +14,14 @@ use pompeiu_surface::EmbeddedSurface;
 /// ```
 /// use pompeiu_core::mesh::shapes::torus;
 /// use pompeiu_fields::show::FieldsReport;
-/// use pompeiu_fields::{Audit, Boundary, HodgeSolver, Splitting};
+/// use pompeiu_fields::{Audit, Boundary, DecompositionOptions, HodgeSolver};
 /// use pompeiu_operators::rotation_field;
 /// use pompeiu_surface::EmbeddedSurface;
 ///
 /// let mesh = torus(0.75, 0.25, 32, 16)?;
 /// let surface = EmbeddedSurface::new(&mesh)?;
-/// let solver = HodgeSolver::new(surface.surface(), Splitting::Primal, Boundary::Tangential)?;
-/// let field = rotation_field(&surface, &mesh, [0.0, 0.0, 1.0]);
+/// let solver = HodgeSolver::new(surface.surface(), &DecompositionOptions::default())?;
+/// let field = rotation_field(&surface, [0.0, 0.0, 1.0]);
 /// let parts = solver.decompose(&field)?;
 /// let report = FieldsReport {
 ///     path: "torus.obj",
@@ -62,7 +62,7 @@ impl FieldsReport<'_> {
     fn fields(&self) -> [(String, Vec<[f64; 3]>); 4] {
         let norms = self.parts.quality.norms;
         let in_space = |u: &FaceField| -> Vec<[f64; 3]> {
-            self.mesh.face_ids().map(|face| self.surface.to_space(face, u[face.index()])).collect()
+            self.mesh.face_ids().map(|face| self.surface.to_space(face, u[face])).collect()
         };
         let titled = |name: &str, norm: f64, u: &FaceField| {
             let part = if norms.field > 0.0 { norm / norms.field } else { 0.0 };

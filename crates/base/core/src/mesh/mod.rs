@@ -1,5 +1,6 @@
 //! Triangle meshes: checked once, trusted afterwards.
 
+mod data;
 mod edges;
 pub mod edit;
 mod error;
@@ -8,6 +9,7 @@ pub mod shapes;
 pub mod topology;
 mod trimesh;
 
+pub use data::{DataLengthError, ElementData, ElementId, FaceData, VertexData};
 pub(crate) use edges::has_three_vertices;
 pub use edit::{
     Affine, Random, displace_at_random, merge, ripple, shuffle, subdivide, transform, unweld,

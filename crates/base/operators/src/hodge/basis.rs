@@ -1,12 +1,14 @@
 //! Harmonic fields, from loops.
 
-use super::spaces::{Boundary, Fixed, Splitting, vertex_system};
+use super::spaces::{Boundary, DirichletPotential, Splitting, conforming_system};
 use crate::OperatorError;
 use crate::field::{FaceField, add_scaled, check_field, field_inner_product, field_norm, rotated};
 use crate::gradient::{divergence, gradient};
+use pompeiu_core::VertexId;
+use pompeiu_core::mesh::VertexData;
 use pompeiu_solve::{LinearSolver, SemidefiniteCholesky};
-use pompeiu_surface::plane::{Vec2, quarter_turn};
-use pompeiu_surface::{Chain, Surface, SurfaceMesh, tree_cotree};
+use pompeiu_surface::plane::quarter_turn;
+use pompeiu_surface::{Chain, EdgeData, Surface, SurfaceMesh, tree_cotree};
 
 /// An orthonormal basis of the harmonic fields of a surface: those orthogonal to all gradients and rotated gradients.
 ///
@@ -34,8 +36,8 @@ impl HarmonicBasis {
     /// # Errors
     /// [`OperatorError::Solve`] if the Laplacian cannot be factored, which very thin faces can cause.
     pub fn new(surface: &Surface, splitting: Splitting, boundary: Boundary) -> Result<Self, OperatorError> {
-        let fixed = Fixed::of(splitting, boundary);
-        let solver = vertex_system(surface, fixed == Fixed::Vertices)?;
+        let fixed = DirichletPotential::of(splitting, boundary);
+        let solver = conforming_system(surface, fixed == DirichletPotential::Conforming)?;
         let basis = Self::primal(surface, fixed, &solver)?;
         Ok(match splitting {
             Splitting::Primal => basis,
@@ -43,13 +45,13 @@ impl HarmonicBasis {
         })
     }
 
-    /// The basis for the primal splitting, with the Laplacian of [`vertex_system`] given.
+    /// The basis for the primal splitting, with the Laplacian of [`conforming_system`] given.
     ///
     /// # Errors
     /// [`OperatorError::Solve`] if a system cannot be solved.
     pub fn primal(
         surface: &Surface,
-        fixed: Fixed,
+        fixed: DirichletPotential,
         solver: &SemidefiniteCholesky,
     ) -> Result<Self, OperatorError> {
         let forms = tree_cotree(surface.mesh(), fixed.relative()).forms;
@@ -62,7 +64,7 @@ impl HarmonicBasis {
     /// Each field turned by a quarter: the basis of the other splitting.
     #[must_use]
     pub fn turned(&self) -> Self {
-        Self { fields: self.fields.iter().map(|field| rotated(field)).collect() }
+        Self { fields: self.fields.iter().map(rotated).collect() }
     }
 
     /// How many fields there are.
@@ -79,14 +81,14 @@ impl HarmonicBasis {
     ///
     /// # Errors
     /// [`OperatorError::FieldLength`], [`OperatorError::NonFiniteField`].
-    pub fn coefficients(&self, surface: &Surface, field: &[Vec2]) -> Result<Vec<f64>, OperatorError> {
+    pub fn coefficients(&self, surface: &Surface, field: &FaceField) -> Result<Vec<f64>, OperatorError> {
         check_field(surface.mesh(), field)?;
         Ok(self.fields.iter().map(|basis| field_inner_product(surface, field, basis)).collect())
     }
 
     /// The field with these coefficients; missing ones are zero.
     pub fn combination(&self, faces: usize, coefficients: &[f64]) -> FaceField {
-        let mut sum = vec![[0.0; 2]; faces];
+        let mut sum = FaceField::filled(faces, [0.0; 2]);
         for (field, &coefficient) in self.fields.iter().zip(coefficients) {
             add_scaled(&mut sum, coefficient, field);
         }
@@ -97,22 +99,20 @@ impl HarmonicBasis {
 /// The field with the circulations of a closed form along the sides of every face.
 fn field_of(surface: &Surface, form: &Chain) -> FaceField {
     let mesh = surface.mesh();
-    let mut values = vec![0.0; mesh.edges()];
+    let mut values = EdgeData::filled(mesh.edges(), 0.0);
     for &(edge, sign) in form {
-        values[edge.index()] += f64::from(sign);
+        values[edge] += f64::from(sign);
     }
-    mesh.face_ids()
-        .map(|face| {
-            let [p, q, _] = SurfaceMesh::face_halfedges(face).map(|h| {
-                let value = values[mesh.edge(h).index()];
-                if mesh.is_along(h) { value } else { -value }
-            });
-            let sides = surface.sides(face);
-            let (first, second) = (quarter_turn(sides[0]), quarter_turn(sides[1]));
-            let twice = 2.0 * surface.face_area(face);
-            [0, 1].map(|i| (q * first[i] - p * second[i]) / twice)
-        })
-        .collect()
+    FaceField::from_fn(mesh.faces(), |face| {
+        let [p, q, _] = SurfaceMesh::face_halfedges(face).map(|h| {
+            let value = values[mesh.edge(h)];
+            if mesh.is_along(h) { value } else { -value }
+        });
+        let sides = surface.sides(face);
+        let (first, second) = (quarter_turn(sides[0]), quarter_turn(sides[1]));
+        let twice = 2.0 * surface.face_area(face);
+        [0, 1].map(|i| (q * first[i] - p * second[i]) / twice)
+    })
 }
 
 /// Leaves what is orthogonal to all gradients; all fields in one solve.
@@ -127,8 +127,9 @@ fn take_off_gradients(
     }
     solver.solve_in_place(&mut potentials)?;
     for (field, potential) in fields.iter_mut().zip(potentials.chunks_exact(solver.unknowns())) {
+        let potential = VertexData::from_fn(potential.len(), |v: VertexId| potential[v.index()]);
         // The divergence is −G_vᵀ M u, so the potential comes out with the other sign and is added.
-        add_scaled(field, 1.0, &gradient(surface, potential)?);
+        add_scaled(field, 1.0, &gradient(surface, &potential)?);
     }
     Ok(())
 }

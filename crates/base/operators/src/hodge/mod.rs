@@ -4,4 +4,4 @@ mod basis;
 mod spaces;
 
 pub use basis::HarmonicBasis;
-pub use spaces::{Boundary, Fixed, Splitting, edge_system, vertex_system};
+pub use spaces::{Boundary, DirichletPotential, Splitting, conforming_system, crouzeix_raviart_system};

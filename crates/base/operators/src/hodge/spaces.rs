@@ -1,7 +1,7 @@
 //! Which functions potentials may be.
 
 use crate::OperatorError;
-use crate::laplacian::{cotan_laplacian, edge_laplacian};
+use crate::laplacian::{cotan_laplacian, crouzeix_raviart_laplacian};
 use pompeiu_solve::SemidefiniteCholesky;
 use pompeiu_surface::{Relative, Surface, SurfaceMesh};
 
@@ -29,29 +29,34 @@ pub enum Boundary {
     Normal,
 }
 
-/// Which of the two potentials of the primal splitting vanishes at the boundary.
+/// Which of the two potentials of the primal splitting has a homogeneous Dirichlet condition at the boundary; the other
+/// one has the natural, Neumann condition.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Fixed {
-    /// The nonconforming one.
-    Edges,
+pub enum DirichletPotential {
+    /// The nonconforming one (Crouzeix–Raviart).
+    CrouzeixRaviart,
     /// The conforming one.
-    Vertices,
+    Conforming,
 }
 
-impl Fixed {
+impl DirichletPotential {
     /// The dual splitting is the primal one of the field turned back by a quarter, which also turns what is tangential at
     /// the boundary into what is normal.
     pub fn of(splitting: Splitting, boundary: Boundary) -> Self {
         match (splitting, boundary) {
-            (Splitting::Primal, Boundary::Tangential) | (Splitting::Dual, Boundary::Normal) => Self::Edges,
-            (Splitting::Primal, Boundary::Normal) | (Splitting::Dual, Boundary::Tangential) => Self::Vertices,
+            (Splitting::Primal, Boundary::Tangential) | (Splitting::Dual, Boundary::Normal) => {
+                Self::CrouzeixRaviart
+            }
+            (Splitting::Primal, Boundary::Normal) | (Splitting::Dual, Boundary::Tangential) => {
+                Self::Conforming
+            }
         }
     }
 
     pub(super) fn relative(self) -> Relative {
         match self {
-            Self::Edges => Relative::ToNothing,
-            Self::Vertices => Relative::ToBoundary,
+            Self::CrouzeixRaviart => Relative::ToNothing,
+            Self::Conforming => Relative::ToBoundary,
         }
     }
 }
@@ -71,7 +76,7 @@ fn groups(mesh: &SurfaceMesh, fixed: bool, components: impl Iterator<Item = usiz
 ///
 /// # Errors
 /// [`OperatorError::Solve`] if it cannot be factored, which very thin faces can cause.
-pub fn vertex_system(surface: &Surface, fixed: bool) -> Result<SemidefiniteCholesky, OperatorError> {
+pub fn conforming_system(surface: &Surface, fixed: bool) -> Result<SemidefiniteCholesky, OperatorError> {
     let mesh = surface.mesh();
     let at_boundary: Vec<bool> = mesh.vertex_ids().map(|v| fixed && mesh.is_boundary_vertex(v)).collect();
     let group = groups(mesh, fixed, mesh.vertex_ids().map(|v| mesh.component(v)));
@@ -82,9 +87,12 @@ pub fn vertex_system(surface: &Surface, fixed: bool) -> Result<SemidefiniteChole
 ///
 /// # Errors
 /// [`OperatorError::Solve`] if it cannot be factored, which very thin faces can cause.
-pub fn edge_system(surface: &Surface, fixed: bool) -> Result<SemidefiniteCholesky, OperatorError> {
+pub fn crouzeix_raviart_system(
+    surface: &Surface,
+    fixed: bool,
+) -> Result<SemidefiniteCholesky, OperatorError> {
     let mesh = surface.mesh();
     let at_boundary: Vec<bool> = mesh.edge_ids().map(|e| fixed && mesh.is_boundary_edge(e)).collect();
     let group = groups(mesh, fixed, mesh.edge_ids().map(|e| mesh.component(mesh.ends(e)[0])));
-    Ok(SemidefiniteCholesky::new(edge_laplacian(surface)?, &at_boundary, &group)?)
+    Ok(SemidefiniteCholesky::new(crouzeix_raviart_laplacian(surface)?, &at_boundary, &group)?)
 }

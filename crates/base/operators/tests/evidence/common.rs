@@ -2,11 +2,11 @@
 
 use pompeiu_core::TriMesh;
 use pompeiu_core::mesh::shapes::{self, Ends};
-use pompeiu_core::mesh::{displace_at_random, merge, shuffle, subdivide};
+use pompeiu_core::mesh::{ElementData, ElementId, displace_at_random, merge, shuffle, subdivide};
 use pompeiu_surface::{EmbeddedSurface, Surface, flat_torus};
 use std::path::Path;
 
-pub(crate) type Field = Vec<[f64; 2]>;
+pub(crate) use pompeiu_operators::FaceField as Field;
 
 pub(crate) fn surface(mesh: &TriMesh) -> Surface {
     EmbeddedSurface::new(mesh).unwrap().surface().clone()
@@ -84,12 +84,12 @@ impl Random {
         (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
     }
 
-    pub(crate) fn values(&mut self, count: usize) -> Vec<f64> {
-        (0..count).map(|_| self.next()).collect()
+    pub(crate) fn values<I: ElementId>(&mut self, count: usize) -> ElementData<I, f64> {
+        ElementData::from_fn(count, |_| self.next())
     }
 
     pub(crate) fn field(&mut self, surface: &Surface) -> Field {
-        (0..surface.mesh().faces()).map(|_| [self.next(), self.next()]).collect()
+        Field::from_fn(surface.mesh().faces(), |_| [self.next(), self.next()])
     }
 }
 

@@ -1,7 +1,7 @@
 //! Harmonic fields have neither divergence nor curl.
 
 use crate::common::{cases, shared_cases};
-use pompeiu_operators::{Boundary, HarmonicBasis, Splitting, divergence, edge_curl};
+use pompeiu_operators::{Boundary, HarmonicBasis, Splitting, crouzeix_raviart_curl, divergence};
 use pompeiu_surface::{EdgeId, SurfaceMesh};
 
 #[test]
@@ -19,7 +19,7 @@ fn bases_are_orthonormal_without_divergence_or_curl() {
                 }
                 let at_edges = boundary == Boundary::Tangential;
                 let divergences = divergence(surface, u).unwrap();
-                let curls = edge_curl(surface, u).unwrap();
+                let curls = crouzeix_raviart_curl(surface, u).unwrap();
                 // Against test functions whose gradients have norm one.
                 let div = largest_inner(&divergences, |v| {
                     at_edges || !mesh.is_boundary_vertex(pompeiu_core::VertexId(v as u32))

@@ -1,10 +1,11 @@
 //! Identities that hold for any surface and any field.
 
 use crate::common::{Random, cases, largest, shared_cases};
+use pompeiu_core::VertexId;
 use pompeiu_operators::{
-    cotan_laplacian, divergence, edge_curl, edge_divergence, edge_gradient, edge_gradient_matrix,
-    edge_laplacian, face_mass, field_inner_product, gradient, gradient_matrix, mass_matrix, rotated,
-    vertex_curl,
+    cotan_laplacian, crouzeix_raviart_curl, crouzeix_raviart_divergence, crouzeix_raviart_gradient,
+    crouzeix_raviart_gradient_matrix, crouzeix_raviart_laplacian, curl, divergence, face_mass,
+    field_inner_product, gradient, gradient_matrix, mass_matrix, rotated,
 };
 use pompeiu_solve::SparseMatrix;
 
@@ -38,7 +39,7 @@ fn relative_overlap(a: &SparseMatrix, mass: &SparseMatrix, b: &SparseMatrix) -> 
 fn gradients_and_rotated_gradients_are_orthogonal() {
     for case in cases().into_iter().chain(shared_cases()) {
         let surface = &case.surface;
-        let (v, e) = (gradient_matrix(surface).unwrap(), edge_gradient_matrix(surface).unwrap());
+        let (v, e) = (gradient_matrix(surface).unwrap(), crouzeix_raviart_gradient_matrix(surface).unwrap());
         // At the boundary one of the two potentials is zero; inner columns only.
         let mesh = surface.mesh();
         let at_boundary = |e: usize| mesh.is_boundary_edge(pompeiu_surface::EdgeId(e as u32));
@@ -62,8 +63,8 @@ fn functions_and_matrices_are_the_same_operators() {
         for (x, y) in direct.as_flattened().iter().zip(&by_matrix) {
             assert!((x - y).abs() <= 1e-13 * scale, "{name}");
         }
-        let by_matrix = edge_gradient_matrix(surface).unwrap().multiply(&b);
-        let direct = edge_gradient(surface, &b).unwrap();
+        let by_matrix = crouzeix_raviart_gradient_matrix(surface).unwrap().multiply(&b);
+        let direct = crouzeix_raviart_gradient(surface, &b).unwrap();
         let scale = largest(&by_matrix);
         for (x, y) in direct.as_flattened().iter().zip(&by_matrix) {
             assert!((x - y).abs() <= 1e-13 * scale, "{name}");
@@ -80,12 +81,18 @@ fn divergence_and_curl_are_adjoint_to_gradients() {
         let a = random.values(surface.mesh().vertices());
         let b = random.values(surface.mesh().edges());
         let dot = |x: &[f64], y: &[f64]| x.iter().zip(y).map(|(x, y)| x * y).sum::<f64>();
-        let (ga, gb) = (gradient(surface, &a).unwrap(), edge_gradient(surface, &b).unwrap());
+        let (ga, gb) = (gradient(surface, &a).unwrap(), crouzeix_raviart_gradient(surface, &b).unwrap());
         let pairs = [
             (field_inner_product(surface, &ga, &u), -dot(&a, &divergence(surface, &u).unwrap())),
-            (field_inner_product(surface, &rotated(&ga), &u), dot(&a, &vertex_curl(surface, &u).unwrap())),
-            (field_inner_product(surface, &rotated(&gb), &u), dot(&b, &edge_curl(surface, &u).unwrap())),
-            (field_inner_product(surface, &gb, &u), -dot(&b, &edge_divergence(surface, &u).unwrap())),
+            (field_inner_product(surface, &rotated(&ga), &u), dot(&a, &curl(surface, &u).unwrap())),
+            (
+                field_inner_product(surface, &rotated(&gb), &u),
+                dot(&b, &crouzeix_raviart_curl(surface, &u).unwrap()),
+            ),
+            (
+                field_inner_product(surface, &gb, &u),
+                -dot(&b, &crouzeix_raviart_divergence(surface, &u).unwrap()),
+            ),
         ];
         for (i, (x, y)) in pairs.into_iter().enumerate() {
             assert!((x - y).abs() <= 1e-11 * (1.0 + x.abs()), "{name}, {i}: {x} {y}");
@@ -100,9 +107,12 @@ fn laplacians_are_products_of_gradients() {
         let mass = face_mass(surface).unwrap().diagonal_entries();
         for (gradient, laplacian) in [
             (gradient_matrix(surface).unwrap(), cotan_laplacian(surface).unwrap()),
-            (edge_gradient_matrix(surface).unwrap(), edge_laplacian(surface).unwrap()),
+            (
+                crouzeix_raviart_gradient_matrix(surface).unwrap(),
+                crouzeix_raviart_laplacian(surface).unwrap(),
+            ),
         ] {
-            let x = Random(5).values(gradient.columns());
+            let x = Random(5).values::<VertexId>(gradient.columns());
             let weighted: Vec<f64> = gradient.multiply(&x).iter().zip(&mass).map(|(y, m)| y * m).collect();
             let expected = gradient.multiply_transposed(&weighted);
             let found = laplacian.multiply(&x);
@@ -114,7 +124,7 @@ fn laplacians_are_products_of_gradients() {
             assert!(largest(&constant) <= 1e-12 * scale, "{name}: constants are in the kernel");
             assert_eq!(laplacian.transposed(), laplacian, "{name}: symmetric, bit by bit");
         }
-        let edge_rows = edge_laplacian(surface).unwrap();
+        let edge_rows = crouzeix_raviart_laplacian(surface).unwrap();
         assert!((0..edge_rows.columns()).all(|j| edge_rows.column(j).len() <= 5), "{name}");
     }
 }

@@ -3,16 +3,15 @@
 use crate::common::Field;
 use pompeiu_surface::Surface;
 
-pub(crate) fn norm(surface: &Surface, field: &[[f64; 2]]) -> f64 {
+pub(crate) fn norm(surface: &Surface, field: &Field) -> f64 {
     pompeiu_operators::field_norm(surface, field)
 }
 
 /// `‖u − w‖`.
-pub(crate) fn distance(surface: &Surface, u: &[[f64; 2]], w: &[[f64; 2]]) -> f64 {
-    let difference: Field = u.iter().zip(w).map(|(a, b)| [a[0] - b[0], a[1] - b[1]]).collect();
-    norm(surface, &difference)
+pub(crate) fn distance(surface: &Surface, u: &Field, w: &Field) -> f64 {
+    norm(surface, &Field::from_fn(u.len(), |f| [u[f][0] - w[f][0], u[f][1] - w[f][1]]))
 }
 
 pub(crate) fn sum(fields: &[&Field]) -> Field {
-    (0..fields[0].len()).map(|f| [0, 1].map(|i| fields.iter().map(|u| u[f][i]).sum())).collect()
+    Field::from_fn(fields[0].len(), |f| [0, 1].map(|i| fields.iter().map(|u| u[f][i]).sum()))
 }

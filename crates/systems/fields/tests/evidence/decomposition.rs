@@ -2,10 +2,15 @@
 
 use crate::common::{Field, Random, cases, shared_cases, surface};
 use crate::compare::{distance, norm, sum};
+use pompeiu_core::FaceId;
 use pompeiu_core::mesh::shapes;
-use pompeiu_fields::{Decomposition, HodgeSolver};
-use pompeiu_operators::{Boundary, OperatorError, Splitting, edge_gradient, gradient, rotated};
+use pompeiu_fields::{Decomposition, DecompositionOptions, HodgeSolver};
+use pompeiu_operators::{Boundary, OperatorError, Splitting, crouzeix_raviart_gradient, gradient, rotated};
 use pompeiu_surface::{EmbeddedSurface, Surface, flat_torus};
+
+fn solver(surface: &Surface, splitting: Splitting, boundary: Boundary) -> HodgeSolver<'_> {
+    HodgeSolver::new(surface, &DecompositionOptions { splitting, boundary }).unwrap()
+}
 
 const KINDS: [(Splitting, Boundary); 4] = [
     (Splitting::Primal, Boundary::Tangential),
@@ -23,20 +28,20 @@ fn planted(solver: &HodgeSolver, random: &mut Random) -> [Field; 3] {
     // In the dual splitting the vertex potential belongs to the rotated part.
     let vertices_fixed = (solver.boundary() == Boundary::Normal) == (solver.splitting() == Splitting::Primal);
     if vertices_fixed {
-        mesh.vertex_ids().filter(|&v| mesh.is_boundary_vertex(v)).for_each(|v| a[v.index()] = 0.0);
+        mesh.vertex_ids().filter(|&v| mesh.is_boundary_vertex(v)).for_each(|v| a[v] = 0.0);
     } else {
-        mesh.edge_ids().filter(|&e| mesh.is_boundary_edge(e)).for_each(|e| b[e.index()] = 0.0);
+        mesh.edge_ids().filter(|&e| mesh.is_boundary_edge(e)).for_each(|e| b[e] = 0.0);
     }
-    let (ga, gb) = (gradient(surface, &a).unwrap(), edge_gradient(surface, &b).unwrap());
+    let (ga, gb) = (gradient(surface, &a).unwrap(), crouzeix_raviart_gradient(surface, &b).unwrap());
     let [g, r] = match solver.splitting() {
         Splitting::Primal => [ga, rotated(&gb)],
         Splitting::Dual => [gb, rotated(&ga)],
     };
-    let coefficients = random.values(solver.basis().dimension());
+    let coefficients = random.values::<FaceId>(solver.basis().dimension());
     let h = solver.basis().combination(mesh.faces(), &coefficients);
     [g, r, h].map(|field| {
         let size = norm(surface, &field);
-        field.iter().map(|u| u.map(|x| if size > 0.0 { x / size } else { 0.0 })).collect()
+        field.map(|u| u.map(|x| if size > 0.0 { x / size } else { 0.0 }))
     })
 }
 
@@ -53,7 +58,7 @@ fn assert_parts(surface: &Surface, parts: &Decomposition, expected: &[Field; 3],
 fn planted_parts_come_back() {
     for case in cases().into_iter().chain(shared_cases()) {
         for (splitting, boundary) in KINDS {
-            let solver = HodgeSolver::new(&case.surface, splitting, boundary).unwrap();
+            let solver = solver(&case.surface, splitting, boundary);
             let name = format!("{}, {splitting:?}, {boundary:?}", case.name);
             let expected = planted(&solver, &mut Random(3));
             let field = sum(&[&expected[0], &expected[1], &expected[2]]);
@@ -67,7 +72,7 @@ fn planted_parts_come_back() {
 fn parts_are_orthogonal_and_add_up() {
     for case in cases().into_iter().chain(shared_cases()) {
         for (splitting, boundary) in KINDS {
-            let solver = HodgeSolver::new(&case.surface, splitting, boundary).unwrap();
+            let solver = solver(&case.surface, splitting, boundary);
             let name = format!("{}, {splitting:?}, {boundary:?}", case.name);
             let field = Random(17).field(&case.surface);
             let parts = solver.decompose(&field).unwrap();
@@ -85,15 +90,13 @@ fn parts_are_orthogonal_and_add_up() {
             assert!((squares / norms.field.powi(2) - 1.0).abs() <= 1e-12, "{name}: {norms:?}");
             assert!(quality.part_error <= 1e-12, "{name}: {}", quality.part_error);
             // The parts are made of their potentials.
-            let turned: Field = rotated(&edge_gradient(&case.surface, &parts.edge_potential).unwrap());
+            let turned: Field =
+                rotated(&crouzeix_raviart_gradient(&case.surface, &parts.edge_potential).unwrap());
             let straight = gradient(&case.surface, &parts.vertex_potential).unwrap();
             let (of_vertices, of_edges) = match splitting {
                 Splitting::Primal => (parts.gradient.clone(), parts.rotated.clone()),
                 // J applied to both sides.
-                Splitting::Dual => (
-                    rotated(&parts.rotated).iter().map(|u| u.map(|x| -x)).collect(),
-                    rotated(&parts.gradient),
-                ),
+                Splitting::Dual => (rotated(&parts.rotated).map(|u| u.map(|x| -x)), rotated(&parts.gradient)),
             };
             let scale = norm(&case.surface, &field);
             assert!(distance(&case.surface, &straight, &of_vertices) <= 1e-11 * scale, "{name}");
@@ -107,10 +110,10 @@ fn constants_are_harmonic_on_the_flat_torus() {
     let torus = flat_torus([3.0, 2.0], [12, 9]).unwrap();
     // Frames of odd faces are turned by half.
     let constant = |u: [f64; 2]| -> Field {
-        (0..torus.mesh().faces()).map(|f| if f % 2 == 0 { u } else { u.map(|x| -x) }).collect()
+        Field::from_fn(torus.mesh().faces(), |f| if f.0 % 2 == 0 { u } else { u.map(|x| -x) })
     };
     for (splitting, boundary) in KINDS {
-        let solver = HodgeSolver::new(&torus, splitting, boundary).unwrap();
+        let solver = solver(&torus, splitting, boundary);
         assert_eq!(solver.basis().dimension(), 2);
         for u in [[1.0, 0.0], [0.0, 1.0], [-0.3, 2.0]] {
             let field = constant(u);
@@ -132,16 +135,13 @@ fn angle_fields_of_the_torus_become_harmonic() {
             let torus = EmbeddedSurface::new(&shapes::torus(2.0, 0.7, 2 * n, n).unwrap()).unwrap();
             let mesh = shapes::torus(2.0, 0.7, 2 * n, n).unwrap();
             let surface = torus.surface();
-            let solver = HodgeSolver::new(surface, Splitting::Primal, Boundary::Tangential).unwrap();
-            let field: Field = mesh
-                .face_ids()
-                .map(|face| {
-                    let corners = mesh.corners(face);
-                    let [x, y] = [0, 1].map(|i| corners.iter().map(|p| p[i]).sum::<f64>() / 3.0);
-                    let square = x * x + y * y;
-                    torus.to_tangent(face, [-y / square, x / square, 0.0])
-                })
-                .collect();
+            let solver = solver(surface, Splitting::Primal, Boundary::Tangential);
+            let field = Field::from_fn(mesh.faces().len(), |face| {
+                let corners = mesh.corners(face);
+                let [x, y] = [0, 1].map(|i| corners.iter().map(|p| p[i]).sum::<f64>() / 3.0);
+                let square = x * x + y * y;
+                torus.to_tangent(face, [-y / square, x / square, 0.0])
+            });
             let both = [field.clone(), rotated(&field)];
             let share = both.map(|u| {
                 let parts = solver.decompose(&u).unwrap();
@@ -160,7 +160,7 @@ fn size_and_place_do_not_matter() {
         let positions = mesh.positions().iter().map(|p| p.map(|x| x * scale)).collect();
         let mesh = pompeiu_core::TriMesh::new(positions, mesh.faces().to_vec()).unwrap();
         let surface = surface(&mesh);
-        let solver = HodgeSolver::new(&surface, Splitting::Primal, Boundary::Tangential).unwrap();
+        let solver = solver(&surface, Splitting::Primal, Boundary::Tangential);
         solver.decompose(&Random(2).field(&surface)).unwrap().harmonic
     };
     let (one, small, large) = (split(1.0), split(2.0_f64.powi(-30)), split(2.0_f64.powi(40)));
@@ -169,12 +169,44 @@ fn size_and_place_do_not_matter() {
 }
 
 #[test]
+fn fields_of_any_size_are_split_alike() {
+    let surface = surface(&shapes::torus(2.0, 0.7, 12, 9).unwrap());
+    let field = Random(8).field(&surface);
+    let times = |u: &Field, scale: f64| u.map(|u| u.map(|x| x * scale));
+    for splitting in [Splitting::Primal, Splitting::Dual] {
+        let solver = solver(&surface, splitting, Boundary::Tangential);
+        let one = solver.decompose(&field).unwrap();
+        for exponent in [-1000, -512, -300, 300, 512, 1000] {
+            let scale = 2.0_f64.powi(exponent);
+            let other = solver.decompose(&times(&field, scale)).unwrap();
+            assert_eq!(other.gradient, times(&one.gradient, scale), "2^{exponent}");
+            assert_eq!(other.harmonic, times(&one.harmonic, scale), "2^{exponent}");
+            assert_eq!(other.vertex_potential, one.vertex_potential.map(|x| x * scale), "2^{exponent}");
+            assert_eq!(other.quality.norms.rotated, one.quality.norms.rotated * scale, "2^{exponent}");
+            assert_eq!(other.quality.residual, one.quality.residual, "2^{exponent}");
+            assert_eq!(other.quality.inner_products, one.quality.inner_products, "2^{exponent}");
+            // The bound includes what numbers near the least double lose.
+            let (error, expected) = (other.quality.part_error, one.quality.part_error);
+            assert!(error >= expected && error <= 1.0001 * expected && expected > 0.0, "2^{exponent}");
+        }
+        // Below the range of normal doubles components are rounded, and the bound says so.
+        let tiny = solver.decompose(&times(&field, 2.0_f64.powi(-1060))).unwrap();
+        let rest = sum(&[&tiny.gradient, &tiny.rotated, &tiny.harmonic]);
+        let error = distance(&surface, &rest, &times(&field, 2.0_f64.powi(-1060)));
+        assert!(tiny.quality.part_error > 1e-6, "{:e}", tiny.quality.part_error);
+        assert!(error <= 3.0 * tiny.quality.part_error * tiny.quality.norms.field, "{error:e}");
+        let error = solver.decompose(&times(&field, f64::MAX)).unwrap_err();
+        assert!(matches!(error, OperatorError::FieldTooLarge { .. }), "{error}");
+    }
+}
+
+#[test]
 fn the_same_bits_at_any_number_of_threads() {
     let surface = surface(&shapes::torus(2.0, 0.7, 24, 16).unwrap());
     let split = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         pool.install(|| {
-            let solver = HodgeSolver::new(&surface, Splitting::Primal, Boundary::Tangential).unwrap();
+            let solver = solver(&surface, Splitting::Primal, Boundary::Tangential);
             let fields: Vec<Field> = (0..5).map(|seed| Random(seed).field(&surface)).collect();
             solver.decompose_many(&fields).unwrap()
         })
@@ -187,14 +219,14 @@ fn the_same_bits_at_any_number_of_threads() {
 #[test]
 fn unusable_fields_are_named() {
     let surface = surface(&shapes::icosphere(1.0, 1).unwrap());
-    let solver = HodgeSolver::new(&surface, Splitting::Primal, Boundary::Tangential).unwrap();
-    let error = solver.decompose(&[[0.0; 2]; 79]).unwrap_err();
+    let solver = solver(&surface, Splitting::Primal, Boundary::Tangential);
+    let error = solver.decompose(&Field::filled(79, [0.0; 2])).unwrap_err();
     assert_eq!(error.to_string(), "the field has 79 vectors, expected 80, one for each face");
-    let mut field = vec![[1.0, 0.0]; 80];
-    field[41][1] = f64::NAN;
+    let mut field = Field::filled(80, [1.0, 0.0]);
+    field[FaceId(41)][1] = f64::NAN;
     assert!(
         matches!(solver.decompose(&field), Err(OperatorError::NonFiniteField { face, .. }) if face.0 == 41)
     );
-    let zero = solver.decompose(&vec![[0.0; 2]; 80]).unwrap();
+    let zero = solver.decompose(&Field::filled(80, [0.0; 2])).unwrap();
     assert_eq!((zero.quality.residual, zero.quality.part_error), (0.0, 0.0));
 }

@@ -2,7 +2,7 @@
 
 use crate::common::{Case, cases};
 use pompeiu_fields::Audit;
-use pompeiu_operators::{Boundary, edge_gradient_matrix, gradient_matrix};
+use pompeiu_operators::{Boundary, crouzeix_raviart_gradient_matrix, gradient_matrix};
 use pompeiu_solve::SparseMatrix;
 use pompeiu_surface::EdgeId;
 
@@ -55,7 +55,7 @@ fn counted_ranks_are_ranks() {
     for case in small_cases() {
         let (surface, mesh, name) = (&case.surface, case.surface.mesh(), case.name);
         let vertices = gradient_matrix(surface).unwrap();
-        let edges = edge_gradient_matrix(surface).unwrap();
+        let edges = crouzeix_raviart_gradient_matrix(surface).unwrap();
         for boundary in [Boundary::Tangential, Boundary::Normal] {
             let audit = Audit::of(mesh, boundary);
             let at_edges = boundary == Boundary::Tangential;
@@ -83,7 +83,7 @@ fn one_kind_of_function_is_not_enough_or_too_much() {
         let both = [dense(&vertices, false, |_| true), dense(&vertices, true, |_| true)].concat();
         let conforming = rank(both).cast_signed();
         assert_eq!(audit.degrees_of_freedom.cast_signed() - conforming, audit.conforming.left_over, "{name}");
-        let edges = edge_gradient_matrix(surface).unwrap();
+        let edges = crouzeix_raviart_gradient_matrix(surface).unwrap();
         let [first, second] = [false, true].map(|turn| dense(&edges, turn, |_| true));
         assert_eq!(rank(first), audit.nonconforming.gradient, "{name}");
         assert_eq!(rank(second), audit.nonconforming.rotated, "{name}");

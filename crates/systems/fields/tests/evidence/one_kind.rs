@@ -1,14 +1,14 @@
 //! Splitting with one kind of function fails in the two ways that the audit counts.
 
-use crate::common::{Random, cases};
+use crate::common::{Field, Random, cases};
 use crate::compare::{distance, norm};
-use pompeiu_fields::{FunctionKind, HodgeSolver, OneKindParts, OneKindSolver};
-use pompeiu_operators::{Boundary, Splitting, edge_gradient, gradient, rotated};
+use pompeiu_fields::{DecompositionOptions, FunctionKind, HodgeSolver, OneKindParts, OneKindSolver};
+use pompeiu_operators::{Boundary, Splitting, crouzeix_raviart_gradient, gradient, rotated};
 use pompeiu_surface::Surface;
 
 const BOTH: [Boundary; 2] = [Boundary::Tangential, Boundary::Normal];
 
-fn split(surface: &Surface, kind: FunctionKind, boundary: Boundary, field: &[[f64; 2]]) -> OneKindParts {
+fn split(surface: &Surface, kind: FunctionKind, boundary: Boundary, field: &Field) -> OneKindParts {
     OneKindSolver::new(surface, kind, boundary).unwrap().split(field).unwrap()
 }
 
@@ -20,7 +20,8 @@ fn each_part_is_that_of_the_mixed_splitting_with_this_kind() {
         let size = norm(surface, &field);
         for boundary in BOTH {
             let [primal, dual] = [Splitting::Primal, Splitting::Dual]
-                .map(|which| HodgeSolver::new(surface, which, boundary).unwrap().decompose(&field).unwrap());
+                .map(|splitting| DecompositionOptions { splitting, boundary })
+                .map(|options| HodgeSolver::new(surface, &options).unwrap().decompose(&field).unwrap());
             let conforming = split(surface, FunctionKind::Conforming, boundary, &field);
             let nonconforming = split(surface, FunctionKind::Nonconforming, boundary, &field);
             for (found, expected) in [
@@ -42,9 +43,9 @@ fn continuous_functions_are_too_few() {
         // A rotated gradient, which has no harmonic part and no gradient, but is not one of a continuous function.
         let mut values = Random(2).values(mesh.edges());
         for edge in mesh.edge_ids().filter(|&e| mesh.is_boundary_edge(e)) {
-            values[edge.index()] = 0.0;
+            values[edge] = 0.0;
         }
-        let field = rotated(&edge_gradient(surface, &values).unwrap());
+        let field = rotated(&crouzeix_raviart_gradient(surface, &values).unwrap());
         let size = norm(surface, &field);
         let parts = split(surface, FunctionKind::Conforming, Boundary::Tangential, &field);
         assert!(norm(surface, &parts.gradient) <= 1e-10 * size, "{name}");
@@ -59,7 +60,7 @@ fn continuous_functions_are_too_few() {
 fn functions_that_agree_at_midpoints_are_too_many() {
     for case in cases() {
         let (surface, mesh, name) = (&case.surface, case.surface.mesh(), case.name);
-        let field = edge_gradient(surface, &Random(3).values(mesh.edges())).unwrap();
+        let field = crouzeix_raviart_gradient(surface, &Random(3).values(mesh.edges())).unwrap();
         let size = norm(surface, &field);
         let parts = split(surface, FunctionKind::Nonconforming, Boundary::Tangential, &field);
         // It is a gradient, and yet a good part of it counts as a rotated gradient too.

@@ -6,6 +6,7 @@ use crate::printer::Printer;
 use anyhow::{Context, anyhow, bail};
 use exmex::Express;
 use pompeiu::core::TriMesh;
+use pompeiu::core::mesh::{FaceData, VertexData};
 use pompeiu::fields::HodgeSolver;
 use pompeiu::io::read_face_vectors;
 use pompeiu::operators::{FaceField, gradient, random_field, rotation_field, tangent_field};
@@ -23,9 +24,10 @@ pub(super) fn field(
     solver: &HodgeSolver,
     printer: &Printer,
 ) -> anyhow::Result<FaceField> {
-    let gradient_of = |values: Vec<f64>| Ok(gradient(surface.surface(), &values)?);
+    let gradient_of =
+        |values| Ok(gradient(surface.surface(), &VertexData::new(mesh.positions().len(), values)?)?);
     match source {
-        FieldSource::Rotation(axis) => Ok(rotation_field(surface, mesh, *axis)),
+        FieldSource::Rotation(axis) => Ok(rotation_field(surface, *axis)),
         FieldSource::LinearGradient([a, b, c]) => {
             gradient_of(mesh.positions().iter().map(|[x, y, z]| a * x + b * y + c * z).collect())
         }
@@ -52,6 +54,7 @@ pub(super) fn field(
                 let [x, y, z] = vectors[face];
                 bail!("{shown}: the vector of face {face} is ({x}, {y}, {z}), expected finite numbers");
             }
+            let vectors = FaceData::new(mesh.faces().len(), vectors)?;
             let (field, normal) = tangent_field(surface, &vectors);
             let longest = vectors.iter().map(|u| u.iter().map(|x| x * x).sum::<f64>().sqrt());
             let longest = longest.fold(0.0, |m, x| if x > m { x } else { m });

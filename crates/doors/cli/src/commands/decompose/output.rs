@@ -7,8 +7,8 @@ use anyhow::bail;
 use pompeiu::core::TriMesh;
 use pompeiu::fields::Decomposition;
 use pompeiu::io::{Attributes, OutputFormat, write_with};
-use pompeiu::operators::Splitting;
-use pompeiu::surface::{EmbeddedSurface, SurfaceMesh};
+use pompeiu::operators::{FaceField, Splitting};
+use pompeiu::surface::{EdgeData, EmbeddedSurface, SurfaceMesh};
 use std::path::Path;
 
 /// Refuses, before any work is done, what cannot hold fields.
@@ -27,18 +27,18 @@ pub(super) fn write(
     mesh: &TriMesh,
     surface: &EmbeddedSurface,
     splitting: Splitting,
-    field: &[[f64; 2]],
+    field: &FaceField,
     parts: &Decomposition,
     printer: &Printer,
 ) -> anyhow::Result<()> {
     let in_space =
-        |u: &[[f64; 2]]| mesh.face_ids().map(|face| surface.to_space(face, u[face.index()])).collect();
+        |u: &FaceField| u.entries().map(|(face, &vector)| surface.to_space(face, vector)).collect();
     let (of_vertices, of_faces) = match splitting {
         Splitting::Primal => ("gradient_potential", "rotated_potential"),
         Splitting::Dual => ("rotated_potential", "gradient_potential"),
     };
     let attributes = Attributes::for_mesh(mesh)
-        .with_vertex_scalar(of_vertices, parts.vertex_potential.clone())?
+        .with_vertex_scalar(of_vertices, parts.vertex_potential.to_vec())?
         .with_face_scalar(of_faces, at_centres(surface.mesh(), &parts.edge_potential))?
         .with_face_vector("field", in_space(field))?
         .with_face_vector("gradient", in_space(&parts.gradient))?
@@ -51,10 +51,8 @@ pub(super) fn write(
 }
 
 /// A function that is linear on faces, given at midpoints of edges, at the centres of faces.
-fn at_centres(mesh: &SurfaceMesh, values: &[f64]) -> Vec<f64> {
+fn at_centres(mesh: &SurfaceMesh, values: &EdgeData<f64>) -> Vec<f64> {
     mesh.face_ids()
-        .map(|face| {
-            SurfaceMesh::face_halfedges(face).map(|h| values[mesh.edge(h).index()] / 3.0).iter().sum()
-        })
+        .map(|face| SurfaceMesh::face_halfedges(face).map(|h| values[mesh.edge(h)] / 3.0).iter().sum())
         .collect()
 }

@@ -9,7 +9,7 @@ use crate::printer::Printer;
 use anyhow::{Context, bail};
 use pompeiu::core::mesh::{unreferenced_vertices, without_unreferenced};
 use pompeiu::fields::show::FieldsReport;
-use pompeiu::fields::{Audit, HodgeSolver};
+use pompeiu::fields::{Audit, DecompositionOptions, HodgeSolver};
 use pompeiu::operators;
 use pompeiu::surface::EmbeddedSurface;
 use std::path::PathBuf;
@@ -48,7 +48,8 @@ pub(crate) fn run(args: &Decompose, printer: &Printer) -> anyhow::Result<Exit> {
     let split = match source {
         None => None,
         Some(source) => {
-            let solver = HodgeSolver::new(surface.surface(), splitting, boundary).with_context(shown)?;
+            let options = DecompositionOptions { splitting, boundary };
+            let solver = HodgeSolver::new(surface.surface(), &options).with_context(shown)?;
             let field =
                 super::field::field(&source, args.name.as_deref(), &mesh, &surface, &solver, printer)?;
             let before = Instant::now();
