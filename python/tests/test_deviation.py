@@ -128,13 +128,13 @@ def test_limits_and_callbacks_end_it_with_wider_enclosures():
         mean = report.statistics.mean
         assert mean.lower <= exact.upper and exact.lower <= mean.upper
         assert mean.gap > 1e-6 * mean.lower
-    assert stopped.stop == "cancelled" and few.stop != "tolerance"
+    assert stopped.stop == "cancelled" and few.stop == "pieces"
 
 
 @pytest.mark.parametrize(
     ("options", "sentence"),
     [
-        ({"accuracy": 0.0}, "the tolerance is 0; it must be"),
+        ({"accuracy": 0.0}, "the accuracy is 0; it must be"),
         ({"percentiles": [1.0]}, "the share is 1; it must lie between 0 and 1, both excluded"),
         ({"threshold": -1.0}, "the threshold is -1; it must be a finite number that is not negative"),
         ({"threads": 0}, "the number of threads is 0; at least 1 is needed"),

@@ -15,7 +15,7 @@ fn main() -> anyhow::Result<()> {
         anyhow::bail!("expected two meshes, and the page to write");
     };
     let (a, b) = (read_mesh(a_path)?, read_mesh(b_path)?);
-    let deviation = DeviationQuery::new().regions(3).symmetric(&a, &b);
+    let deviation = DeviationOptions { regions: 3, ..DeviationOptions::default() }.symmetric(&a, &b)?;
 
     for (meaning, directed) in [("missing", &deviation.a_to_b), ("invented", &deviation.b_to_a)] {
         println!("{meaning}: the largest distance lies in {:.4}", directed.distance.distance);

@@ -5,7 +5,7 @@
 //! ```
 
 use pompeiu::figures::{ColorMap, Figure, Mark, Panel, Scale, Values};
-use pompeiu::hausdorff::{DeviationQuery, DirectedDeviation};
+use pompeiu::hausdorff::{DeviationOptions, DirectedDeviation};
 use pompeiu::prelude::*;
 use std::borrow::Cow;
 use std::path::Path;
@@ -39,7 +39,7 @@ fn main() -> anyhow::Result<()> {
         anyhow::bail!("expected three arguments: mesh A, mesh B, and the picture to write");
     };
     let (mesh_a, mesh_b) = (read_mesh(a)?, read_mesh(b)?);
-    let deviation = DeviationQuery::new().symmetric(&mesh_a, &mesh_b);
+    let deviation = DeviationOptions::default().symmetric(&mesh_a, &mesh_b)?;
     let upper = deviation.distance.upper();
     let scale = Scale::new(ColorMap::Viridis, 0.0, upper)?;
 

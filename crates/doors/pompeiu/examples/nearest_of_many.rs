@@ -14,10 +14,11 @@ fn main() -> anyhow::Result<()> {
         anyhow::bail!("expected a reference mesh, and the meshes to rank");
     };
     let target = Target::new(&read_mesh(reference)?);
-    let query = Query::new().tolerance(Tolerance::RelativeToDistance(1e-3))?;
+    let options =
+        HausdorffOptions { tolerance: Tolerance::RelativeToDistance(1e-3), ..HausdorffOptions::default() };
 
-    let measure = |file| Ok((query.directed_to(&read_mesh(file)?, &target).distance, file));
-    let mut ranking = candidates.iter().map(measure).collect::<Result<Vec<_>, ReadError>>()?;
+    let measure = |file| Ok((options.directed_to(&read_mesh(file)?, &target)?.distance, file));
+    let mut ranking = candidates.iter().map(measure).collect::<anyhow::Result<Vec<_>>>()?;
     ranking.sort_by(|(one, _), (other, _)| one.upper().total_cmp(&other.upper()));
 
     for (distance, file) in ranking {

@@ -14,6 +14,7 @@ use pompeiu::hausdorff::{Observer, Stage, Witness};
 use pompeiu::prelude::*;
 use std::collections::HashMap;
 use std::fmt::Write;
+use std::sync::Mutex;
 
 fn main() -> anyhow::Result<()> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -33,11 +34,11 @@ fn main() -> anyhow::Result<()> {
 const STAGES: [f64; 3] = [1e-2, 1e-3, 1e-4];
 
 #[derive(Default)]
-struct Stages(Vec<Stage>);
+struct Stages(Mutex<Vec<Stage>>);
 
 impl Observer for Stages {
-    fn stage(&mut self, stage: &Stage) {
-        self.0.push(stage.clone());
+    fn stage(&self, stage: &Stage) {
+        self.0.lock().expect("no thread panicked").push(stage.clone());
     }
 }
 
@@ -46,13 +47,16 @@ type Left = HashMap<FaceId, Vec<[[f64; 3]; 3]>>;
 
 /// The picture as an SVG document.
 pub(crate) fn draw(a: &TriMesh, b: &TriMesh, command: &str) -> anyhow::Result<String> {
-    let mut stages = Stages::default();
-    let report = Query::new().stages(&STAGES)?.directed_observed(a, b, &mut stages);
+    let stages = Stages::default();
+    let options =
+        HausdorffOptions { stages: STAGES.to_vec(), observer: Some(&stages), ..HausdorffOptions::default() };
+    let report = options.directed(a, b)?;
+    let stages = stages.0.into_inner().expect("no thread panicked");
     let view = View::of(&[a, b]);
 
     let mut svg = head(command);
     // The search itself ends with one more stage, at the tolerance of the query.
-    for (panel, stage) in stages.0.iter().enumerate() {
+    for (panel, stage) in stages.iter().enumerate() {
         let mut left = Left::new();
         for piece in &stage.remaining {
             left.entry(piece.face).or_default().push(piece.corners);

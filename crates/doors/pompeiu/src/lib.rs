@@ -11,7 +11,7 @@
 //! # Ok::<(), MeshError>(())
 //! ```
 //!
-//! Files are read with [`io::read_mesh`], options go through [`hausdorff::Query`], and one mesh is measured against by many
+//! Files are read with [`io::read_mesh`], options are plain structs such as [`hausdorff::HausdorffOptions`], and many meshes are measured against one
 //! with a [`hausdorff::Target`].
 
 pub use pompeiu_core as core;
@@ -35,9 +35,9 @@ pub use pompeiu_surface as surface;
 pub mod prelude {
     pub use pompeiu_core::{FaceId, MeshError, MeshSummary, TriMesh, VertexId};
     pub use pompeiu_hausdorff::{
-        Deviation, DeviationQuery, DirectedDeviation, DirectedReport, Enclosure, Observer, OptionError,
-        Progress, Query, Stage, StopReason, SurfacePoint, SymmetricReport, Target, Tolerance, Witness,
-        directed_hausdorff, symmetric_hausdorff,
+        Deviation, DeviationOptions, DirectedDeviation, DirectedReport, Enclosure, HausdorffOptions,
+        Observer, OptionError, Progress, Stage, StopReason, SurfacePoint, SymmetricReport, Target, Tolerance,
+        Witness, directed_hausdorff, symmetric_hausdorff,
     };
     #[cfg(feature = "io")]
     pub use pompeiu_io::{ReadError, WriteError, read_mesh};

@@ -3,11 +3,12 @@
 use crate::arrays::array_of_rows;
 use crate::errors::Raise;
 use crate::mesh::Mesh;
-use crate::query::duration;
+use crate::query::limits;
 use crate::report::{Directed, Pair};
 use crate::wait;
 use numpy::{IntoPyArray, PyArray1, PyArray2};
-use pompeiu::hausdorff::deviation::{self as library, DeviationQuery, DirectedDeviation, FaceDeviation};
+use pompeiu::core::run::Limits;
+use pompeiu::hausdorff::deviation::{self as library, DeviationOptions, DirectedDeviation, FaceDeviation};
 use pompeiu::hausdorff::{Direction, Enclosure};
 use pyo3::prelude::*;
 
@@ -30,28 +31,22 @@ pub(crate) struct Options {
 }
 
 impl Options {
-    fn query(self) -> PyResult<DeviationQuery> {
-        let mut query = DeviationQuery::new()
-            .accuracy(self.accuracy)
-            .and_then(|query| query.percentiles(&self.percentiles))
-            .map_err(Raise::raise)?
-            .bins(self.bins)
-            .regions(self.regions)
-            .signed(self.signed)
-            .most_pieces(self.most_pieces);
-        if let Some(threshold) = self.threshold {
-            query = query.threshold(threshold).map_err(Raise::raise)?;
-        }
-        if let Some(threads) = self.threads {
-            query = query.threads(threads).map_err(Raise::raise)?;
-        }
-        if let Some(seconds) = self.time_limit {
-            query = query.time_limit(duration(seconds)?);
-        }
-        if let Some(bytes) = self.memory_limit {
-            query = query.memory_limit(bytes);
-        }
-        Ok(query)
+    fn options(self) -> PyResult<DeviationOptions<'static>> {
+        let options = DeviationOptions {
+            accuracy: self.accuracy,
+            threshold: self.threshold,
+            percentiles: self.percentiles,
+            bins: self.bins,
+            regions: self.regions,
+            signed: self.signed,
+            limits: Limits {
+                pieces: Some(self.most_pieces),
+                ..limits(self.threads, self.time_limit, self.memory_limit)?
+            },
+            observer: None,
+        };
+        options.check().map_err(Raise::raise)?;
+        Ok(options)
     }
 }
 
@@ -225,9 +220,12 @@ pub(crate) fn directed_deviation<'py>(
     options: Options,
     progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<OneWay<'py>> {
-    let query = options.query()?;
+    let options = options.options()?;
     let (a, b) = (a.get(), b.get());
-    OneWay::new(py, wait::run(py, progress, |watch| query.directed_observed(a.inner(), b.inner(), watch))?)
+    let report = wait::run(py, progress, |watch| {
+        DeviationOptions { observer: Some(watch), ..options }.directed(a.inner(), b.inner())
+    })?;
+    OneWay::new(py, report.map_err(Raise::raise)?)
 }
 
 /// How far A and B deviate from each other.
@@ -239,9 +237,12 @@ pub(crate) fn deviation<'py>(
     options: Options,
     progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<BothWays<'py>> {
-    let query = options.query()?;
+    let options = options.options()?;
     let (a, b) = (a.get(), b.get());
-    let report = wait::run(py, progress, |watch| query.symmetric_observed(a.inner(), b.inner(), watch))?;
+    let report = wait::run(py, progress, |watch| {
+        DeviationOptions { observer: Some(watch), ..options }.symmetric(a.inner(), b.inner())
+    })?
+    .map_err(Raise::raise)?;
     Ok(BothWays {
         lower: report.distance.lower(),
         upper: report.distance.upper(),

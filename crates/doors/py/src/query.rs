@@ -4,9 +4,9 @@ use crate::errors::{Raise, UnknownOption};
 use crate::mesh::Mesh;
 use crate::report::{Directed, Symmetric};
 use crate::wait;
-use pompeiu::hausdorff::{self as library, Method, Query, Tolerance};
+use pompeiu::core::run::Limits;
+use pompeiu::hausdorff::{self as library, HausdorffOptions, Method, OptionError, Tolerance};
 use pyo3::prelude::*;
-use std::time::Duration;
 
 /// The options of a question, from a dictionary.
 #[derive(FromPyObject)]
@@ -24,37 +24,38 @@ pub(crate) struct Options {
 }
 
 impl Options {
-    fn query(self) -> PyResult<Query> {
-        let tolerance = tolerance(self.tolerance, &self.tolerance_kind)?;
-        let mut query = Query::new().tolerance(tolerance).map_err(Raise::raise)?;
-        if let Some(threshold) = self.threshold {
-            query = query.threshold(threshold).map_err(Raise::raise)?;
-        }
-        if let Some(threads) = self.threads {
-            query = query.threads(threads).map_err(Raise::raise)?;
-        }
-        if let Some(seconds) = self.time_limit {
-            query = query.time_limit(duration(seconds)?);
-        }
-        if let Some(bytes) = self.memory_limit {
-            query = query.memory_limit(bytes);
-        }
-        Ok(query.method(match self.method.as_str() {
-            "fast" => Method::Fast,
-            "classic" => Method::Classic,
-            found => {
-                let expected = "\"fast\" or \"classic\"";
-                return Err(
-                    UnknownOption::Name { option: "method", found: found.to_owned(), expected }.raise()
-                );
-            }
-        }))
+    fn options(self) -> PyResult<HausdorffOptions<'static>> {
+        let options = HausdorffOptions {
+            tolerance: tolerance(self.tolerance, &self.tolerance_kind)?,
+            threshold: self.threshold,
+            limits: limits(self.threads, self.time_limit, self.memory_limit)?,
+            method: match self.method.as_str() {
+                "fast" => Method::Fast,
+                "classic" => Method::Classic,
+                found => {
+                    let expected = "\"fast\" or \"classic\"";
+                    return Err(
+                        UnknownOption::Name { option: "method", found: found.to_owned(), expected }.raise()
+                    );
+                }
+            },
+            ..HausdorffOptions::default()
+        };
+        options.check().map_err(Raise::raise)?;
+        Ok(options)
     }
 }
 
-/// A span of time.
-pub(crate) fn duration(seconds: f64) -> PyResult<Duration> {
-    Duration::try_from_secs_f64(seconds).map_err(|_| UnknownOption::Time(seconds).raise())
+/// Limits on threads, seconds and bytes.
+pub(crate) fn limits(
+    threads: Option<usize>,
+    seconds: Option<f64>,
+    memory: Option<usize>,
+) -> PyResult<Limits> {
+    let time =
+        seconds.map(|seconds| Limits::seconds(seconds).map_err(|_| UnknownOption::Time(seconds).raise()));
+    let threads = threads.map(|count| Limits::threads(count).map_err(|e| OptionError::from(e).raise()));
+    Ok(Limits { time: time.transpose()?, memory, threads: threads.transpose()?, ..Limits::default() })
 }
 
 fn tolerance(value: f64, kind: &str) -> PyResult<Tolerance> {
@@ -108,10 +109,12 @@ impl Target {
         options: Options,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Directed> {
-        let query = options.query()?;
+        let options = options.options()?;
         let a = a.get();
-        let report = wait::run(py, progress, |watch| query.directed_to_observed(a.inner(), &self.0, watch))?;
-        Ok(report.into())
+        let report = wait::run(py, progress, |watch| {
+            HausdorffOptions { observer: Some(watch), ..options }.directed_to(a.inner(), &self.0)
+        })?;
+        Ok(report.map_err(Raise::raise)?.into())
     }
 }
 
@@ -124,10 +127,12 @@ pub(crate) fn directed_hausdorff(
     options: Options,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Directed> {
-    let query = options.query()?;
+    let options = options.options()?;
     let (a, b) = (a.get(), b.get());
-    let report = wait::run(py, progress, |watch| query.directed_observed(a.inner(), b.inner(), watch))?;
-    Ok(report.into())
+    let report = wait::run(py, progress, |watch| {
+        HausdorffOptions { observer: Some(watch), ..options }.directed(a.inner(), b.inner())
+    })?;
+    Ok(report.map_err(Raise::raise)?.into())
 }
 
 /// Encloses the greater of both directed distances.
@@ -139,8 +144,10 @@ pub(crate) fn hausdorff(
     options: Options,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Symmetric> {
-    let query = options.query()?;
+    let options = options.options()?;
     let (a, b) = (a.get(), b.get());
-    let report = wait::run(py, progress, |watch| query.symmetric_observed(a.inner(), b.inner(), watch))?;
-    Ok(report.into())
+    let report = wait::run(py, progress, |watch| {
+        HausdorffOptions { observer: Some(watch), ..options }.symmetric(a.inner(), b.inner())
+    })?;
+    Ok(report.map_err(Raise::raise)?.into())
 }

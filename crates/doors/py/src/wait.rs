@@ -39,7 +39,7 @@ impl<T> Watch<'_, T> {
 }
 
 impl Observer for Watch<'_, Progress> {
-    fn progress(&mut self, progress: &Progress) -> ControlFlow<()> {
+    fn progress(&self, progress: &Progress) -> ControlFlow<()> {
         self.tell(*progress);
         if self.is_stopped() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }

@@ -11,10 +11,10 @@
 //! # Source
 //! The frame is that of `guthe_fast_2005` and `tang_interactive_2009`, as described in `sacht_cascading_2024`.
 
+use crate::certify;
 use crate::engine::{Farthest, Question, conclude, joint_frame};
 use crate::observer::{Observer, Progress, RemainingPiece, Stage};
 use crate::report::{DirectedReport, Timing, WorkCount};
-use crate::{certify, observer};
 use glam::DVec3;
 use pompeiu_core::geom::Frame;
 use pompeiu_core::run::{Control, StopReason};
@@ -78,13 +78,9 @@ struct Piece {
 /// Pieces beyond which the search gives up, whatever the memory limit: some 2 GiB.
 const MOST_PIECES: usize = 1 << 24;
 
-pub(crate) fn search(
-    question: &Question<'_>,
-    a: &TriMesh,
-    b: &TriMesh,
-    observer: &mut dyn Observer,
-) -> DirectedReport {
+pub(crate) fn search(question: &Question<'_>, a: &TriMesh, b: &TriMesh) -> DirectedReport {
     let started = Instant::now();
+    let observer = question.options.observer();
     let (frame, joint, rounding) = joint_frame(a, b);
     let limits = question.limits(&joint, &frame, rounding);
     let mut stages = question.stages(&limits).into_iter().peekable();
@@ -175,6 +171,7 @@ pub(crate) fn search(
             control.stop(StopReason::Memory);
         }
         control.check_memory(5 * pieces.len() * size_of::<Piece>());
+        control.check_pieces(4 * pieces.len());
         if pieces.is_empty() || control.is_stopped() {
             break;
         }
@@ -271,7 +268,7 @@ fn closest_point(p: DVec3, [a, b, c]: [DVec3; 3]) -> DVec3 {
 
 #[allow(clippy::too_many_arguments, reason = "one call, nothing to group")]
 fn report_stage(
-    observer: &mut dyn observer::Observer,
+    observer: &dyn Observer,
     question: &Question<'_>,
     frame: &Frame,
     tolerance: f64,

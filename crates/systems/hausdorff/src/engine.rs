@@ -1,7 +1,7 @@
 //! From a question to a report: the frame, the limits, the search, and the certificate of the lower bound.
 
 use crate::certify;
-use crate::observer::Observer;
+use crate::options::HausdorffOptions;
 use crate::report::{DirectedReport, Direction, Enclosure, StopReason, SurfacePoint, Timing, Witness};
 use crate::rounding::Rounding;
 use crate::search::{Limits, Scene, Search};
@@ -9,7 +9,7 @@ use crate::target::Target;
 use crate::tolerance::Tolerance;
 use pompeiu_core::geom::point_triangle::closest_barycentric;
 use pompeiu_core::geom::{Aabb, Frame};
-use pompeiu_core::run::{self, Control};
+use pompeiu_core::run::Control;
 use pompeiu_core::spatial::{Bvh, morton_order};
 use pompeiu_core::{FaceId, TriMesh};
 use std::time::Instant;
@@ -17,31 +17,26 @@ use std::time::Instant;
 /// The options of one directed search.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Question<'q> {
+    pub(crate) options: &'q HausdorffOptions<'q>,
     pub(crate) direction: Direction,
-    pub(crate) tolerance: Tolerance,
-    pub(crate) threshold: Option<f64>,
     pub(crate) deadline: Option<Instant>,
-    pub(crate) memory_limit: Option<usize>,
-    /// Fractions of the joint diagonal, descending.
-    pub(crate) stages: &'q [f64],
 }
 
 impl Question<'_> {
     /// The limits, watched from now on.
     pub(crate) fn control(&self) -> Control {
-        let limits = run::Limits { memory: self.memory_limit, ..run::Limits::default() };
-        Control::start(&limits).until(self.deadline)
+        Control::start(&self.options.limits).until(self.deadline)
     }
 
     /// The same in units of a frame.
     pub(crate) fn limits(&self, joint: &Aabb, frame: &Frame, rounding: Rounding) -> Limits {
         let diagonal = frame.length_in(joint.diagonal());
-        let (tolerance, tolerance_of_distance) = match self.tolerance {
+        let (tolerance, tolerance_of_distance) = match self.options.tolerance {
             Tolerance::RelativeToDiagonal(x) => (x * diagonal, 0.0),
             Tolerance::RelativeToDistance(x) => (0.0, x),
             Tolerance::Absolute(x) => (frame.length_in(x), 0.0),
         };
-        let threshold = self.threshold.map(|t| frame.length_in(t));
+        let threshold = self.options.threshold.map(|t| frame.length_in(t));
         Limits {
             diagonal,
             tolerance,
@@ -54,7 +49,7 @@ impl Question<'_> {
 
     /// The tolerances of the stages that are coarser than what is asked, in units of a frame.
     pub(crate) fn stages(&self, limits: &Limits) -> Vec<f64> {
-        self.stages.iter().map(|s| s * limits.diagonal).filter(|s| *s > limits.tolerance).collect()
+        self.options.stages.iter().map(|s| s * limits.diagonal).filter(|s| *s > limits.tolerance).collect()
     }
 }
 
@@ -71,7 +66,6 @@ pub(crate) fn search(
     a: &TriMesh,
     target: &Target,
     b: Option<&TriMesh>,
-    observer: &mut dyn Observer,
 ) -> DirectedReport {
     let started = Instant::now();
     let a_box = Aabb::of_faces(a);
@@ -100,7 +94,7 @@ pub(crate) fn search(
         overlays: true,
         control: &control,
     };
-    let result = Search::new(scene, limits, observer, question.direction).run(&stages);
+    let result = Search::new(scene, limits, question.options.observer(), question.direction).run(&stages);
 
     let found = result.found;
     let farthest = Farthest {
@@ -174,11 +168,11 @@ pub(crate) fn conclude(
     debug_assert!(lower <= upper, "proven bounds cross: {lower} > {upper}");
     let enclosure = Enclosure::new(if lower < upper { lower } else { upper }, upper)
         .expect("coordinates are bounded, so distances are finite");
-    let tolerance = match question.tolerance {
+    let tolerance = match question.options.tolerance {
         Tolerance::Absolute(x) => x,
         _ => frame.length_out(limits.requested(frame.length_in(lower))),
     };
-    let decided = question.threshold.is_some_and(|t| enclosure.upper() <= t || enclosure.lower() > t);
+    let decided = question.options.threshold.is_some_and(|t| enclosure.upper() <= t || enclosure.lower() > t);
     let stop = match stopped {
         Some(reason) if reason.is_early() => reason,
         _ if enclosure.gap() <= tolerance => StopReason::Tolerance,

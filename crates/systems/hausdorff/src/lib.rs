@@ -35,6 +35,7 @@ mod coarse;
 pub mod deviation;
 mod engine;
 mod observer;
+mod options;
 mod query;
 mod report;
 pub mod rounding;
@@ -44,9 +45,10 @@ pub mod show;
 mod target;
 mod tolerance;
 
-pub use deviation::{Deviation, DeviationQuery, DirectedDeviation};
+pub use deviation::{Deviation, DeviationOptions, DirectedDeviation};
 pub use observer::{Discard, Observer, Progress, Proof, RemainingPiece, Stage};
-pub use query::{Method, Query, directed_hausdorff, symmetric_hausdorff};
+pub use options::{HausdorffOptions, Method};
+pub use query::{directed_hausdorff, symmetric_hausdorff};
 pub use report::{
     DirectedReport, Direction, Enclosure, StopReason, SurfacePoint, SymmetricReport, Timing, Witness,
     WorkCount,

@@ -2,6 +2,7 @@
 
 use crate::report::Direction;
 use pompeiu_core::FaceId;
+use std::fmt;
 use std::ops::ControlFlow;
 
 /// How far a search has come. Lengths are in the unit of the meshes; the bounds are not yet certified.
@@ -42,7 +43,7 @@ pub struct Discard {
     pub bound: f64,
 }
 
-/// The state of a search at one of the tolerances asked for by [`Query::stages`](crate::Query::stages).
+/// The state of a search at one of the tolerances asked for by [`HausdorffOptions::stages`](crate::HausdorffOptions::stages).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stage {
     /// The direction searched.
@@ -75,9 +76,12 @@ pub struct RemainingPiece {
 }
 
 /// Watches a search. Calls come from one thread at a time, in an order that does not depend on the number of threads.
-pub trait Observer: Send {
+///
+/// Methods take `&self`, so that one observer can be among the options of several searches; what it collects goes into a
+/// `Mutex` or an atomic.
+pub trait Observer: Send + Sync {
     /// Called a few times a second at least on long searches; [`ControlFlow::Break`] ends the search with what is proven.
-    fn progress(&mut self, progress: &Progress) -> ControlFlow<()> {
+    fn progress(&self, progress: &Progress) -> ControlFlow<()> {
         let _ = progress;
         ControlFlow::Continue(())
     }
@@ -90,16 +94,22 @@ pub trait Observer: Send {
     /// Called for every piece of A that is discarded by the fast method. Unless a limit, a threshold or this observer ends the
     /// search early, the pieces cover A where no stages were asked for, and overlap little; with stages, pieces that a finer
     /// tolerance looks at again come again.
-    fn discard(&mut self, discard: &Discard) {
+    fn discard(&self, discard: &Discard) {
         let _ = discard;
     }
 
     /// Called after each stage that was reached, and once more at the tolerance asked for. Not called where no stages were asked
     /// for.
-    fn stage(&mut self, stage: &Stage) {
+    fn stage(&self, stage: &Stage) {
         let _ = stage;
     }
 }
 
 /// Watches nothing.
 impl Observer for () {}
+
+impl fmt::Debug for dyn Observer + '_ {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Observer")
+    }
+}

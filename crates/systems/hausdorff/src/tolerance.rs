@@ -34,7 +34,7 @@ impl Tolerance {
     }
 }
 
-/// An option of a query that cannot be used.
+/// An option that cannot be used.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum OptionError {
@@ -44,6 +44,9 @@ pub enum OptionError {
     /// The threshold is negative or not a finite number.
     #[error("the threshold is {0}; it must be a finite number that is not negative")]
     Threshold(f64),
+    /// The accuracy is not a positive, finite number.
+    #[error("the accuracy is {0}; it must be a finite number greater than 0")]
+    Accuracy(f64),
     /// A share of an area that has no percentile.
     #[error("the share is {0}; it must lie between 0 and 1, both excluded")]
     Share(f64),
@@ -62,11 +65,7 @@ pub enum OptionError {
     },
 }
 
-/// That a threshold is a length.
-pub(crate) fn check_threshold(threshold: f64) -> Result<f64, OptionError> {
-    if (0.0..f64::INFINITY).contains(&threshold) {
-        Ok(threshold)
-    } else {
-        Err(OptionError::Threshold(threshold))
-    }
+/// Checks that a threshold is a length.
+pub(crate) fn check_threshold(threshold: f64) -> Result<(), OptionError> {
+    if (0.0..f64::INFINITY).contains(&threshold) { Ok(()) } else { Err(OptionError::Threshold(threshold)) }
 }

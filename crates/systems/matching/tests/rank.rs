@@ -5,7 +5,7 @@
 use pompeiu_core::TriMesh;
 use pompeiu_core::mesh::shapes::icosphere;
 use pompeiu_core::mesh::{Affine, Random, displace_at_random, transform};
-use pompeiu_hausdorff::{Query, symmetric_hausdorff};
+use pompeiu_hausdorff::{directed_hausdorff, symmetric_hausdorff};
 use pompeiu_matching::align::Alignment;
 use pompeiu_matching::matrix::matrix_of;
 use pompeiu_matching::rank::{
@@ -20,8 +20,8 @@ const MEASURES: [Measure; 3] = [Measure::Symmetric, Measure::TemplateToTarget, M
 fn full(template: &TriMesh, target: &TriMesh, measure: Measure) -> [f64; 2] {
     let distance = match measure {
         Measure::Symmetric => symmetric_hausdorff(template, target).distance,
-        Measure::TemplateToTarget => Query::new().directed(template, target).distance,
-        Measure::TargetToTemplate => Query::new().directed(target, template).distance,
+        Measure::TemplateToTarget => directed_hausdorff(template, target).distance,
+        Measure::TargetToTemplate => directed_hausdorff(target, template).distance,
     };
     [distance.lower(), distance.upper()]
 }

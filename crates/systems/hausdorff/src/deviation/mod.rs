@@ -1,6 +1,6 @@
 //! How far two surfaces deviate from each other, where, and over how much of the area.
 //!
-//! The Pompeiu–Hausdorff distance is one number for the worst point. [`DeviationQuery`] asks for the rest: mean, percentiles and
+//! The Pompeiu–Hausdorff distance is one number for the worst point. [`DeviationOptions`] asks for the rest: mean, percentiles and
 //! shares of the area beyond a threshold, each enclosed; distances by face and by vertex; the worst regions, told apart.
 //!
 //! Every number over an area is that of all its points, not of samples. Faces of A are cut into pieces, on each of which the
@@ -13,7 +13,7 @@ mod envelope;
 mod faces;
 mod linear;
 mod maxima;
-mod query;
+mod options;
 mod refinery;
 mod regions;
 mod report;
@@ -22,7 +22,7 @@ mod run;
 mod statistics;
 mod tessellation;
 
-pub use query::DeviationQuery;
+pub use options::DeviationOptions;
 pub use regions::Region;
 pub use report::{Deviation, DeviationWork, DirectedDeviation, FaceDeviation, Sides};
 pub use statistics::{Histogram, Percentile, ShareAbove, Statistics};

@@ -3,7 +3,7 @@
 use super::distribution::{Distribution, Entry, area_of};
 use super::envelope::Piece;
 use super::linear::greater;
-use super::query::DeviationQuery;
+use super::options::DeviationOptions;
 use super::rounds::{Goal, Made, Workshop};
 use super::statistics::{Summary, Wanted};
 
@@ -23,7 +23,7 @@ const LEAST_PROGRESS: f64 = 0.95;
 
 /// One direction's pieces, and what they are made for.
 pub(super) struct Refinery<'r, 'w> {
-    pub(super) query: &'r DeviationQuery,
+    pub(super) query: &'r DeviationOptions<'r>,
     pub(super) shop: &'r Workshop<'w>,
     pub(super) areas: &'r [(f64, f64)],
     pub(super) wanted: &'r Wanted<'r>,

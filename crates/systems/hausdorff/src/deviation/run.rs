@@ -5,7 +5,7 @@ use super::envelope::Piece;
 use super::faces;
 use super::linear::{greater, lesser};
 use super::maxima::{self, Care, Maxima, Maximum};
-use super::query::DeviationQuery;
+use super::options::DeviationOptions;
 use super::refinery::Refinery;
 use super::regions::Landscape;
 use super::report::{DeviationWork, DirectedDeviation, Field, Sides};
@@ -13,16 +13,17 @@ use super::rounds::{Made, Workshop};
 use super::statistics::{Summary, Wanted};
 use crate::engine::{self, Question};
 use crate::observer::{Observer, Progress};
+use crate::options::HausdorffOptions;
 use crate::report::{DirectedReport, Direction, StopReason};
 use crate::rounding::Rounding;
 use crate::search::Scene;
 use crate::target::Target;
-use crate::tolerance::Tolerance;
 use pompeiu_core::geom::Aabb;
 use pompeiu_core::run::{Control, Limits};
 use pompeiu_core::spatial::{Bvh, Workspace, morton_order};
 use pompeiu_core::{FaceId, TriMesh};
 use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 /// Two meshes, and the frame of both.
@@ -43,7 +44,7 @@ pub(super) struct Outcome {
 
 /// Faces whose distance is looked at to know about how far all are.
 const SAMPLES: usize = 2048;
-pub(super) fn run(query: &DeviationQuery, pair: &Pair<'_>, observer: &mut dyn Observer) -> Outcome {
+pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
     let started = Instant::now();
     let Pair { from, to, target, direction, deadline } = *pair;
     let a_box = Aabb::of_faces(from);
@@ -54,16 +55,15 @@ pub(super) fn run(query: &DeviationQuery, pair: &Pair<'_>, observer: &mut dyn Ob
 
     // At most half of the time for the largest distance.
     let half = deadline.map(|end| started + end.saturating_duration_since(started) / 2);
-    let question = Question {
-        direction,
-        tolerance: Tolerance::default(),
-        threshold: None,
-        deadline: half,
-        memory_limit: query.memory_limit,
-        stages: &[],
+    let observer: &dyn Observer = query.observer.unwrap_or(&());
+    let watched = Watched { observer, cancelled: AtomicBool::new(false) };
+    let options = HausdorffOptions {
+        limits: Limits { memory: query.limits.memory, ..Limits::default() },
+        observer: Some(&watched),
+        ..HausdorffOptions::default()
     };
-    let mut watched = Watched { observer, cancelled: false };
-    let distance = engine::search(&question, from, target, Some(to), &mut watched);
+    let question = Question { options: &options, direction, deadline: half };
+    let distance = engine::search(&question, from, target, Some(to));
     let search = started.elapsed();
     let largest = frame.length_in(distance.distance.upper()).next_up();
 
@@ -72,19 +72,19 @@ pub(super) fn run(query: &DeviationQuery, pair: &Pair<'_>, observer: &mut dyn Ob
     let areas = faces::areas(from, &frame);
     let rounded: Vec<f64> = areas.iter().map(|(low, high)| 0.5 * (low + high)).collect();
     let total: f64 = rounded.iter().sum();
-    let limits = Limits { memory: query.memory_limit, ..Limits::default() };
-    let control = Control::start(&limits).until(deadline).holding(held(from, target));
-    if watched.cancelled {
+    let control = Control::start(&query.limits).until(deadline).holding(held(from, target));
+    if watched.cancelled.into_inner() {
         control.stop(StopReason::Cancelled);
     }
     let shop = Workshop { bvh, rounding, control: &control, areas: &rounded };
-    let floor = query.floor * diagonal + 4.0 * rounding.bound(0);
+    let floor = DeviationOptions::FLOOR * diagonal + 4.0 * rounding.bound(0);
     let wanted = Wanted {
         percentiles: &query.percentiles,
         threshold: query.threshold.map(|t| frame.length_in(t)),
         bins: query.bins,
     };
 
+    let most_pieces = query.limits.pieces.unwrap_or(DeviationOptions::DEFAULT_PIECES);
     let mut refinery = Refinery {
         query,
         shop: &shop,
@@ -97,7 +97,7 @@ pub(super) fn run(query: &DeviationQuery, pair: &Pair<'_>, observer: &mut dyn Ob
         rounds: 0,
         watch: &mut |made: &Made, left: usize| {
             control.check_memory(made.pieces.len() * PIECE_BYTES);
-            if made.pieces.len() + left >= query.most_pieces {
+            if made.pieces.len() + left >= most_pieces {
                 control.stop(StopReason::Pieces);
             }
             let progress = Progress {
@@ -107,7 +107,7 @@ pub(super) fn run(query: &DeviationQuery, pair: &Pair<'_>, observer: &mut dyn Ob
                 examined: made.looks,
                 left: left as u64,
             };
-            if watched.observer.progress(&progress) == ControlFlow::Break(()) {
+            if observer.progress(&progress) == ControlFlow::Break(()) {
                 control.stop(StopReason::Cancelled);
             }
         },
@@ -156,7 +156,7 @@ pub(super) fn run(query: &DeviationQuery, pair: &Pair<'_>, observer: &mut dyn Ob
             examined: made.looks + searched,
             left: left as u64,
         };
-        if watched.observer.progress(&progress) == ControlFlow::Break(()) {
+        if observer.progress(&progress) == ControlFlow::Break(()) {
             control_of_maxima.stop(StopReason::Cancelled);
         }
     };
@@ -235,14 +235,16 @@ fn mean_of_samples(roots: &[Piece], areas: &[f64], bvh: &Bvh) -> f64 {
 
 /// Hears of a search being cancelled.
 struct Watched<'o> {
-    observer: &'o mut dyn Observer,
-    cancelled: bool,
+    observer: &'o dyn Observer,
+    cancelled: AtomicBool,
 }
 
 impl Observer for Watched<'_> {
-    fn progress(&mut self, progress: &Progress) -> ControlFlow<()> {
+    fn progress(&self, progress: &Progress) -> ControlFlow<()> {
         let flow = self.observer.progress(progress);
-        self.cancelled |= flow.is_break();
+        if flow.is_break() {
+            self.cancelled.store(true, Ordering::Relaxed);
+        }
         flow
     }
 }

@@ -130,7 +130,7 @@ pub(crate) struct Ended {
 pub(crate) struct Search<'s, 'o> {
     scene: Scene<'s>,
     limits: Limits,
-    observer: &'o mut dyn Observer,
+    observer: &'o dyn Observer,
     direction: Direction,
     keep: Keep,
     started: Instant,
@@ -145,7 +145,7 @@ impl<'s, 'o> Search<'s, 'o> {
     pub(crate) fn new(
         scene: Scene<'s>,
         limits: Limits,
-        observer: &'o mut dyn Observer,
+        observer: &'o dyn Observer,
         direction: Direction,
     ) -> Self {
         let face = scene.order[0];
@@ -349,6 +349,7 @@ impl<'s, 'o> Search<'s, 'o> {
     fn look_around(&mut self, faces_left: u64) {
         let pieces = self.open.len() + self.kept.len();
         self.scene.control.check_memory(pieces * size_of::<Piece>());
+        self.scene.control.check_pieces(pieces);
         let out = |length| self.scene.frame.length_out(length);
         let lower = self.found.distance;
         let mut upper = if self.upper > lower { self.upper } else { lower };

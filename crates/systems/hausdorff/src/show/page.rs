@@ -24,14 +24,14 @@ pub struct ReportedMesh<'m> {
 /// # Example
 /// ```
 /// use pompeiu_core::mesh::shapes::{icosphere, torus};
-/// use pompeiu_hausdorff::DeviationQuery;
+/// use pompeiu_hausdorff::DeviationOptions;
 /// use pompeiu_hausdorff::show::{DeviationReport, ReportedMesh, search_stages};
 ///
 /// let (a, b) = (icosphere(1.0, 2)?, torus(0.75, 0.25, 32, 16)?);
 /// let report = DeviationReport {
 ///     a: ReportedMesh { path: "sphere.obj", mesh: &a },
 ///     b: ReportedMesh { path: "torus.obj", mesh: &b },
-///     deviation: &DeviationQuery::new().symmetric(&a, &b),
+///     deviation: &DeviationOptions::default().symmetric(&a, &b)?,
 ///     stages: &search_stages(&a, &b),
 ///     unit: "mm",
 ///     up: [0.0, 0.0, 1.0],

@@ -3,15 +3,21 @@
 use crate::support::{check_report, is_one_point, overlap};
 use pompeiu_core::TriMesh;
 use pompeiu_hausdorff::classic::CornerBound;
-use pompeiu_hausdorff::{DirectedReport, Method, Query, StopReason, Tolerance, directed_hausdorff};
+use pompeiu_hausdorff::{
+    DirectedReport, HausdorffOptions, Method, StopReason, Tolerance, directed_hausdorff,
+};
 use pompeiu_testkit::cases::all;
 use pompeiu_testkit::plain::{point_point, point_triangles};
 use pompeiu_testkit::strategies::{pair, point};
 use proptest::prelude::*;
 
 fn classic(a: &TriMesh, b: &TriMesh, tolerance: f64) -> DirectedReport {
-    let query = Query::new().method(Method::Classic).tolerance(Tolerance::RelativeToDiagonal(tolerance));
-    query.unwrap().directed(a, b)
+    let options = HausdorffOptions {
+        method: Method::Classic,
+        tolerance: Tolerance::RelativeToDiagonal(tolerance),
+        ..HausdorffOptions::default()
+    };
+    options.directed(a, b).unwrap()
 }
 
 proptest! {

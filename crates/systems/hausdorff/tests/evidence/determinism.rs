@@ -4,8 +4,13 @@ use crate::support::same;
 use pompeiu_core::TriMesh;
 use pompeiu_core::mesh::displace_at_random;
 use pompeiu_core::mesh::shapes::{Diagonal, grid, icosphere, point_lattice, torus};
-use pompeiu_hausdorff::{DirectedReport, Discard, Method, Observer, Progress, Query, Stage, Tolerance};
+use pompeiu_core::run::Limits;
+use pompeiu_hausdorff::{
+    DirectedReport, Discard, HausdorffOptions, Method, Observer, Progress, Stage, Tolerance,
+};
+use std::num::NonZeroUsize;
 use std::ops::ControlFlow;
+use std::sync::Mutex;
 use std::time::Duration;
 
 /// Everything that an observer is told, but for the time.
@@ -14,12 +19,17 @@ struct Record {
     progress: Vec<Progress>,
     discards: Vec<Discard>,
     stages: Vec<Stage>,
+}
+
+#[derive(Default)]
+struct Recorder {
+    record: Mutex<Record>,
     wants_discards: bool,
 }
 
-impl Observer for Record {
-    fn progress(&mut self, progress: &Progress) -> ControlFlow<()> {
-        self.progress.push(*progress);
+impl Observer for Recorder {
+    fn progress(&self, progress: &Progress) -> ControlFlow<()> {
+        self.record.lock().unwrap().progress.push(*progress);
         ControlFlow::Continue(())
     }
 
@@ -27,12 +37,12 @@ impl Observer for Record {
         self.wants_discards
     }
 
-    fn discard(&mut self, discard: &Discard) {
-        self.discards.push(discard.clone());
+    fn discard(&self, discard: &Discard) {
+        self.record.lock().unwrap().discards.push(discard.clone());
     }
 
-    fn stage(&mut self, stage: &Stage) {
-        self.stages.push(Stage { elapsed: Duration::ZERO, ..stage.clone() });
+    fn stage(&self, stage: &Stage) {
+        self.record.lock().unwrap().stages.push(Stage { elapsed: Duration::ZERO, ..stage.clone() });
     }
 }
 
@@ -52,39 +62,41 @@ fn pairs() -> Vec<(TriMesh, TriMesh)> {
 }
 
 fn run(
-    query: &Query,
+    options: &HausdorffOptions<'_>,
     a: &TriMesh,
     b: &TriMesh,
     threads: usize,
     wants_discards: bool,
 ) -> (DirectedReport, Record) {
-    let mut record = Record { wants_discards, ..Record::default() };
-    let report = query.clone().threads(threads).unwrap().directed_observed(a, b, &mut record);
-    (report, record)
+    let recorder = Recorder { wants_discards, ..Recorder::default() };
+    let limits = Limits { threads: NonZeroUsize::new(threads), ..Limits::default() };
+    let options = HausdorffOptions { limits, observer: Some(&recorder), ..options.clone() };
+    let report = options.directed(a, b).unwrap();
+    (report, recorder.record.into_inner().unwrap())
 }
 
 #[test]
 fn one_two_and_eight_threads_give_the_same_bits() {
     for (a, b) in &pairs() {
-        let stages = [1e-1, 1e-2, 1e-3, 1e-6];
-        let plain = Query::new();
-        let h = plain.directed(a, b).distance.lower();
+        let stages = vec![1e-1, 1e-2, 1e-3, 1e-6];
+        let plain = HausdorffOptions::default();
+        let h = plain.directed(a, b).unwrap().distance.lower();
         let variants = [
             (plain.clone(), false),
             (plain.clone(), true),
-            (plain.clone().stages(&stages).unwrap(), false),
-            (plain.clone().stages(&stages).unwrap(), true),
-            (plain.clone().threshold(0.9 * h).unwrap(), false),
-            (plain.clone().threshold(1.1 * h).unwrap(), true),
-            (plain.clone().tolerance(Tolerance::RelativeToDistance(1e-3)).unwrap(), false),
+            (HausdorffOptions { stages: stages.clone(), ..plain.clone() }, false),
+            (HausdorffOptions { stages, ..plain.clone() }, true),
+            (HausdorffOptions { threshold: Some(0.9 * h), ..plain.clone() }, false),
+            (HausdorffOptions { threshold: Some(1.1 * h), ..plain.clone() }, true),
+            (HausdorffOptions { tolerance: Tolerance::RelativeToDistance(1e-3), ..plain.clone() }, false),
         ];
-        for (query, wants_discards) in &variants {
-            let (first, record) = run(query, a, b, 1, *wants_discards);
+        for (options, wants_discards) in &variants {
+            let (first, record) = run(options, a, b, 1, *wants_discards);
             assert_eq!(record.discards.is_empty(), !wants_discards);
             for threads in [2, 8, 2] {
-                let (report, other) = run(query, a, b, threads, *wants_discards);
-                assert!(same(&report, &first), "{threads} {query:?} {report:?} {first:?}");
-                assert!(other == record, "{threads} {query:?}");
+                let (report, other) = run(options, a, b, threads, *wants_discards);
+                assert!(same(&report, &first), "{threads} {options:?} {report:?} {first:?}");
+                assert!(other == record, "{threads} {options:?}");
             }
         }
     }
@@ -93,8 +105,8 @@ fn one_two_and_eight_threads_give_the_same_bits() {
 #[test]
 fn looking_on_changes_nothing() {
     for (a, b) in &pairs() {
-        let silent = Query::new().directed(a, b);
-        assert!(same(&silent, &run(&Query::new(), a, b, 2, true).0));
+        let silent = HausdorffOptions::default().directed(a, b).unwrap();
+        assert!(same(&silent, &run(&HausdorffOptions::default(), a, b, 2, true).0));
     }
 }
 
@@ -102,12 +114,16 @@ fn looking_on_changes_nothing() {
 fn the_textbook_method_is_as_steady() {
     let (a, b) =
         (icosphere(1.0, 2).unwrap(), displace_at_random(&icosphere(1.0, 1).unwrap(), 0.1, 6).unwrap());
-    let query = Query::new().method(Method::Classic).stages(&[1e-1, 1e-2]).unwrap();
-    let query = query.tolerance(Tolerance::RelativeToDiagonal(1e-3)).unwrap();
-    let (first, record) = run(&query, &a, &b, 1, false);
+    let options = HausdorffOptions {
+        method: Method::Classic,
+        stages: vec![1e-1, 1e-2],
+        tolerance: Tolerance::RelativeToDiagonal(1e-3),
+        ..HausdorffOptions::default()
+    };
+    let (first, record) = run(&options, &a, &b, 1, false);
     assert_eq!(record.stages.len(), 2);
     for threads in [2, 8] {
-        let (report, other) = run(&query, &a, &b, threads, false);
+        let (report, other) = run(&options, &a, &b, threads, false);
         assert!(same(&report, &first) && other == record, "{threads}");
     }
 }

@@ -4,12 +4,14 @@ use crate::support::largest_coordinate;
 use pompeiu_core::geom::Aabb;
 use pompeiu_core::mesh::shapes::{Diagonal, grid, icosphere};
 use pompeiu_core::mesh::{displace_at_random, unweld};
+use pompeiu_core::run::Limits;
 use pompeiu_core::{FaceId, TriMesh};
 use pompeiu_hausdorff::deviation::Sides;
-use pompeiu_hausdorff::{DeviationQuery, DirectedDeviation, Enclosure, StopReason, directed_hausdorff};
+use pompeiu_hausdorff::{DeviationOptions, DirectedDeviation, Enclosure, StopReason, directed_hausdorff};
 use pompeiu_testkit::plain::{area, point_point, point_triangles};
 use pompeiu_testkit::strategies::pair;
 use proptest::prelude::*;
+use std::num::NonZeroUsize;
 
 /// Rounding of statistics of size one.
 const ROUNDING: f64 = 1e-12;
@@ -36,10 +38,9 @@ fn is_near(enclosure: Enclosure, value: f64, slack: f64) {
 #[test]
 fn parallel_plates() {
     for cells in [1, 5] {
-        let report = DeviationQuery::new()
-            .threshold(0.1)
-            .unwrap()
-            .symmetric(&plate(3), &lifted(&plate(cells), |_| 0.25));
+        let report = DeviationOptions { threshold: Some(0.1), ..DeviationOptions::default() }
+            .symmetric(&plate(3), &lifted(&plate(cells), |_| 0.25))
+            .unwrap();
         for direction in [&report.a_to_b, &report.b_to_a] {
             let statistics = direction.statistics.as_ref().unwrap();
             assert!((statistics.area - 1.0).abs() < ROUNDING);
@@ -68,8 +69,8 @@ fn a_plate_that_leans() {
     let plate = plate(7);
     let left = Aabb::of_faces(&plate).lower[0];
     let leaning = lifted(&plate, |p| h * (p[0] - left));
-    let query = DeviationQuery::new().accuracy(1e-7).unwrap().threshold(0.4 * h).unwrap();
-    let report = query.directed(&leaning, &wide);
+    let query = DeviationOptions { accuracy: 1e-7, threshold: Some(0.4 * h), ..DeviationOptions::default() };
+    let report = query.directed(&leaning, &wide).unwrap();
     let statistics = report.statistics.unwrap();
     is_near(statistics.mean, h / 2.0, 1e-7);
     is_near(statistics.rms, h / 3.0_f64.sqrt(), 1e-7);
@@ -181,8 +182,8 @@ proptest! {
     #[test]
     fn random_meshes_hold_their_samples((a, b) in pair(), part in 0.0..1.2_f64, accuracy in 1..5_i32) {
         let threshold = part * directed_hausdorff(&a, &b).distance.upper();
-        let query = DeviationQuery::new().accuracy(10.0_f64.powi(-accuracy)).unwrap().most_pieces(20_000);
-        let report = query.threshold(threshold).unwrap().symmetric(&a, &b);
+        let query = DeviationOptions { accuracy: 10.0_f64.powi(-accuracy), threshold: Some(threshold), limits: Limits { pieces: Some(20_000), ..Limits::default() }, ..DeviationOptions::default() };
+        let report = query.symmetric(&a, &b).unwrap();
         check(&a, &b, &report.a_to_b, threshold, 12);
         check(&b, &a, &report.b_to_a, threshold, 12);
     }
@@ -195,7 +196,9 @@ fn sides_of_spheres() {
     let turned = large.faces().iter().map(|[a, b, c]| [*a, *c, *b]).collect();
     let turned = TriMesh::new(large.positions().to_vec(), turned).unwrap();
     for outer in [large, turned] {
-        let report = DeviationQuery::new().signed(true).symmetric(&small, &outer);
+        let report = DeviationOptions { signed: true, ..DeviationOptions::default() }
+            .symmetric(&small, &outer)
+            .unwrap();
         let inside = report.a_to_b.signed_vertices().unwrap();
         assert!(inside.iter().zip(&report.a_to_b.vertices).all(|(signed, d)| *signed == -d && *d > 0.3));
         let outside = report.b_to_a.signed_vertices().unwrap();
@@ -216,8 +219,11 @@ fn bits(report: &DirectedDeviation) -> String {
 fn one_two_and_eight_threads_give_the_same_bits() {
     let a = displace_at_random(&icosphere(1.0, 3).unwrap(), 0.02, 3).unwrap();
     let b = displace_at_random(&icosphere(1.0, 2).unwrap(), 0.05, 4).unwrap();
-    let query = DeviationQuery::new().threshold(0.02).unwrap();
-    let reports = [1, 2, 8].map(|threads| query.clone().threads(threads).unwrap().symmetric(&a, &b));
+    let query = DeviationOptions { threshold: Some(0.02), ..DeviationOptions::default() };
+    let reports = [1, 2, 8].map(|threads| {
+        let limits = Limits { threads: NonZeroUsize::new(threads), ..Limits::default() };
+        DeviationOptions { limits, ..query.clone() }.symmetric(&a, &b).unwrap()
+    });
     let bits = reports.map(|r| (bits(&r.a_to_b), bits(&r.b_to_a), format!("{:?}", r.pooled)));
     assert!(bits[0] == bits[1] && bits[0] == bits[2]);
 }
@@ -225,7 +231,7 @@ fn one_two_and_eight_threads_give_the_same_bits() {
 #[test]
 fn a_mesh_and_itself() {
     let mesh = displace_at_random(&icosphere(1.0, 2).unwrap(), 0.05, 1).unwrap();
-    let report = DeviationQuery::new().directed(&mesh, &mesh);
+    let report = DeviationOptions::default().directed(&mesh, &mesh).unwrap();
     let statistics = report.statistics.unwrap();
     assert!(statistics.mean.upper() < ROUNDING && statistics.percentiles[3].distance.upper() < ROUNDING);
     assert!(report.vertices.iter().all(|d| *d == 0.0));
@@ -238,7 +244,7 @@ fn faces_without_area_count_in_the_maximum_alone() {
     let flat =
         TriMesh::new(vec![[0.0, 0.0, 1.0], [0.5, 0.0, 1.0], [0.25, 0.0, 1.0]], vec![[0, 1, 2], [0, 0, 0]])
             .unwrap();
-    let report = DeviationQuery::new().symmetric(&flat, &plate(2));
+    let report = DeviationOptions::default().symmetric(&flat, &plate(2)).unwrap();
     assert!(report.a_to_b.statistics.is_none() && report.greater_percentiles.is_none());
     is_near(report.a_to_b.faces[0].max, 1.0, ROUNDING);
     assert!(report.b_to_a.statistics.is_some() && report.pooled.is_some());
@@ -254,7 +260,9 @@ fn hills_are_told_apart() {
     let flat = plate(40);
     let hills = lifted(&flat, |p| hill(p, -0.25, 0.2) + hill(p, 0.25, 0.1));
     for mesh in [hills.clone(), unweld(&hills).unwrap()] {
-        let report = DeviationQuery::new().threshold(0.05).unwrap().directed(&mesh, &flat);
+        let report = DeviationOptions { threshold: Some(0.05), ..DeviationOptions::default() }
+            .directed(&mesh, &flat)
+            .unwrap();
         assert_eq!(report.regions.len(), 2, "{:?}", report.regions);
         assert_eq!(report.beyond_threshold.len(), 2);
         for (region, (x, height)) in report.regions.iter().zip([(-0.25, 0.2), (0.25, 0.1)]) {
@@ -271,7 +279,7 @@ fn hills_are_told_apart() {
 fn drawn_triangles_show_the_distance() {
     let a = displace_at_random(&icosphere(1.0, 1).unwrap(), 0.1, 3).unwrap();
     let b = icosphere(1.0, 2).unwrap();
-    let report = DeviationQuery::new().directed(&a, &b);
+    let report = DeviationOptions::default().directed(&a, &b).unwrap();
     let targets: Vec<_> = b.face_ids().map(|f| b.corners(f)).collect();
     let whole: f64 = a.face_ids().map(|f| area(a.corners(f))).sum();
     for (tolerance, most) in [(1e-3, 1_000_000), (1e-3, 200), (1.0, 1_000_000)] {

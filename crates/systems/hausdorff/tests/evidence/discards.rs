@@ -5,23 +5,24 @@ use pompeiu_core::mesh::displace_at_random;
 use pompeiu_core::mesh::shapes::{Diagonal, cube, grid, point_lattice, torus};
 use pompeiu_core::mesh::{Affine, transform};
 use pompeiu_core::{FaceId, TriMesh};
-use pompeiu_hausdorff::{Discard, Observer, Proof, Query, StopReason};
+use pompeiu_hausdorff::{Discard, HausdorffOptions, Observer, Proof, StopReason};
 use pompeiu_testkit::cases::all;
 use pompeiu_testkit::exact::{Fraction, Lattice, point_triangle_sq};
 use pompeiu_testkit::plain::area;
 use pompeiu_testkit::strategies::pair;
 use proptest::prelude::*;
+use std::sync::Mutex;
 
 #[derive(Default)]
-struct Discards(Vec<Discard>);
+struct Discards(Mutex<Vec<Discard>>);
 
 impl Observer for Discards {
     fn wants_discards(&self) -> bool {
         true
     }
 
-    fn discard(&mut self, discard: &Discard) {
-        self.0.push(discard.clone());
+    fn discard(&self, discard: &Discard) {
+        self.0.lock().unwrap().push(discard.clone());
     }
 }
 
@@ -51,10 +52,12 @@ fn spread_points() -> impl Iterator<Item = (f64, f64)> {
 }
 
 fn check(a: &TriMesh, b: &TriMesh) -> usize {
-    let mut seen = Discards::default();
-    let report = Query::new().directed_observed(a, b, &mut seen);
+    let seen = Discards::default();
+    let options = HausdorffOptions { observer: Some(&seen), ..HausdorffOptions::default() };
+    let report = options.directed(a, b).unwrap();
+    let seen = seen.0.into_inner().unwrap();
     assert!(matches!(report.stop, StopReason::Tolerance | StopReason::Rounding), "{report:?}");
-    let corners: Vec<_> = seen.0.iter().flat_map(|d| d.corners).collect();
+    let corners: Vec<_> = seen.iter().flat_map(|d| d.corners).collect();
     let lattice = Lattice::of(&[a, b]).with(&corners);
     let exact_b: Vec<_> =
         (0..b.faces().len() as u32).map(|f| lattice.triangle(b.corners(FaceId(f)))).collect();
@@ -63,7 +66,7 @@ fn check(a: &TriMesh, b: &TriMesh) -> usize {
     let mut pieces = vec![Vec::new(); a.faces().len()];
     let mut mixtures = 0;
     let shift = shift(b, size);
-    for discard in &seen.0 {
+    for discard in &seen {
         assert!(discard.bound <= report.distance.upper(), "{discard:?} {report:?}");
         for corner in discard.corners {
             let x = lattice.point(corner);
@@ -110,7 +113,7 @@ fn check(a: &TriMesh, b: &TriMesh) -> usize {
         }
     }
     // The upper bound is that of a discard, or of a piece too small to cut.
-    let largest = seen.0.iter().fold(Fraction::from_f64(0.0), |m, d| m.max(Fraction::from_f64(d.bound)));
+    let largest = seen.iter().fold(Fraction::from_f64(0.0), |m, d| m.max(Fraction::from_f64(d.bound)));
     assert!(largest <= Fraction::from_f64(report.distance.upper()));
     mixtures
 }

@@ -4,12 +4,19 @@ use crate::support::{check_both, check_report, overlap, same};
 use pompeiu_core::TriMesh;
 use pompeiu_core::mesh::displace_at_random;
 use pompeiu_core::mesh::shapes::{icosphere, torus};
+use pompeiu_core::run::Limits;
 use pompeiu_hausdorff::{
-    DirectedReport, Method, Observer, Progress, Query, StopReason, Target, directed_hausdorff,
+    DirectedReport, HausdorffOptions, Method, Observer, Progress, StopReason, Target, Tolerance,
+    directed_hausdorff,
 };
 use pompeiu_testkit::cases::all;
 use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
+
+fn limited(limits: Limits) -> HausdorffOptions<'static> {
+    HausdorffOptions { limits, ..HausdorffOptions::default() }
+}
 
 /// More than one round of the sweep, and a search after it.
 fn large_pair() -> (TriMesh, TriMesh) {
@@ -39,8 +46,12 @@ fn check_stopped(
 fn no_time_at_all() {
     for case in all() {
         for method in [Method::Fast, Method::Classic] {
-            let query = Query::new().method(method).time_limit(Duration::ZERO);
-            let report = query.symmetric(&case.a, &case.b);
+            let query = HausdorffOptions {
+                method,
+                limits: Limits { time: Some(Duration::ZERO), ..Limits::default() },
+                ..HausdorffOptions::default()
+            };
+            let report = query.symmetric(&case.a, &case.b).unwrap();
             check_both(&case.a, &case.b, &report);
             assert_eq!(
                 (report.a_to_b.stop, report.b_to_a.stop),
@@ -64,11 +75,14 @@ fn little_time() {
     let full = directed_hausdorff(&a, &b);
     let target = Target::new(&b);
     for microseconds in [1, 100, 1000, 3000, 10_000, 30_000, 60_000_000] {
-        let query = Query::new().time_limit(Duration::from_micros(microseconds));
-        check_stopped(&a, &b, &query.directed(&a, &b), &full, StopReason::Time);
-        check_stopped(&a, &b, &query.directed_to(&a, &target), &full, StopReason::Time);
+        let query = limited(Limits { time: Some(Duration::from_micros(microseconds)), ..Limits::default() });
+        check_stopped(&a, &b, &query.directed(&a, &b).unwrap(), &full, StopReason::Time);
+        check_stopped(&a, &b, &query.directed_to(&a, &target).unwrap(), &full, StopReason::Time);
     }
-    assert!(same(&Query::new().time_limit(Duration::MAX).directed(&a, &b), &full));
+    assert!(same(
+        &limited(Limits { time: Some(Duration::MAX), ..Limits::default() }).directed(&a, &b).unwrap(),
+        &full
+    ));
 }
 
 #[test]
@@ -79,7 +93,7 @@ fn from_no_memory_to_plenty() {
     let mut stopped = 0;
     let mut widest = f64::INFINITY;
     for bytes in (0..10).map(|i| i * 40_000).chain((0..40).map(|i| 400_000 + i * 20_000)) {
-        let report = Query::new().memory_limit(bytes).directed(&a, &b);
+        let report = limited(Limits { memory: Some(bytes), ..Limits::default() }).directed(&a, &b).unwrap();
         check_stopped(&a, &b, &report, &full, StopReason::Memory);
         stopped += usize::from(report.stop == StopReason::Memory);
         if bytes == 0 {
@@ -89,10 +103,15 @@ fn from_no_memory_to_plenty() {
         assert!(report.distance.gap() <= widest, "{bytes} {report:?}");
     }
     assert!((2..50).contains(&stopped), "{stopped}");
-    assert!(same(&Query::new().memory_limit(1 << 30).directed(&a, &b), &full));
     assert!(same(
-        &Query::new().memory_limit(usize::MAX).directed_to(&a, &Target::new(&b)),
-        &Query::new().directed_to(&a, &Target::new(&b))
+        &limited(Limits { memory: Some(1 << 30), ..Limits::default() }).directed(&a, &b).unwrap(),
+        &full
+    ));
+    assert!(same(
+        &limited(Limits { memory: Some(usize::MAX), ..Limits::default() })
+            .directed_to(&a, &Target::new(&b))
+            .unwrap(),
+        &HausdorffOptions::default().directed_to(&a, &Target::new(&b)).unwrap()
     ));
 }
 
@@ -102,8 +121,8 @@ fn no_memory_for_pieces() {
     let a = displace_at_random(&torus(1.0, 0.3, 40, 40).unwrap(), 0.01, 4).unwrap();
     let b = torus(1.0, 0.3, 30, 30).unwrap();
     let target = Target::new(&b);
-    let full = Query::new().directed_to(&a, &target);
-    let report = Query::new().memory_limit(0).directed_to(&a, &target);
+    let full = HausdorffOptions::default().directed_to(&a, &target).unwrap();
+    let report = limited(Limits { memory: Some(0), ..Limits::default() }).directed_to(&a, &target).unwrap();
     assert_eq!(report.stop, StopReason::Memory);
     assert!(report.distance.gap() > full.distance.gap());
     check_stopped(&a, &b, &report, &full, StopReason::Memory);
@@ -112,7 +131,8 @@ fn no_memory_for_pieces() {
 #[test]
 fn no_memory_still_encloses_every_closed_form() {
     for case in all() {
-        let report = Query::new().memory_limit(0).symmetric(&case.a, &case.b);
+        let report =
+            limited(Limits { memory: Some(0), ..Limits::default() }).symmetric(&case.a, &case.b).unwrap();
         check_both(&case.a, &case.b, &report);
         for (report, h) in [(&report.a_to_b, Some(case.a_to_b)), (&report.b_to_a, case.b_to_a)] {
             let (Some(h), d) = (h, report.distance) else { continue };
@@ -128,14 +148,17 @@ fn no_memory_still_encloses_every_closed_form() {
 
 struct CancelAt {
     call: usize,
-    calls: usize,
+    calls: AtomicUsize,
 }
 
 impl Observer for CancelAt {
-    fn progress(&mut self, progress: &Progress) -> ControlFlow<()> {
+    fn progress(&self, progress: &Progress) -> ControlFlow<()> {
         assert!(progress.lower <= progress.upper && progress.upper.is_finite(), "{progress:?}");
-        self.calls += 1;
-        if self.calls > self.call { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        if self.calls.fetch_add(1, Ordering::Relaxed) >= self.call {
+            ControlFlow::Break(())
+        } else {
+            ControlFlow::Continue(())
+        }
     }
 }
 
@@ -151,20 +174,22 @@ fn cancelling_at_any_call() {
                 &displace_at_random(&icosphere(1.0, 1).unwrap(), 0.1, 1).unwrap(),
             ),
         };
-        let query = Query::new().method(method);
-        let query = if method == Method::Classic {
-            query.tolerance(pompeiu_hausdorff::Tolerance::RelativeToDiagonal(1e-3)).unwrap()
-        } else {
-            query
+        let tolerance = match method {
+            Method::Fast => Tolerance::default(),
+            Method::Classic => Tolerance::RelativeToDiagonal(1e-3),
         };
-        let mut counting = CancelAt { call: usize::MAX, calls: 0 };
-        let full = query.directed_observed(a, b, &mut counting);
-        let calls = counting.calls;
+        let cancelled_at = |observer: &CancelAt| {
+            let observer = Some(observer as &dyn Observer);
+            let options = HausdorffOptions { tolerance, method, observer, ..HausdorffOptions::default() };
+            options.directed(a, b).unwrap()
+        };
+        let counting = CancelAt { call: usize::MAX, calls: AtomicUsize::new(0) };
+        let full = cancelled_at(&counting);
+        let calls = counting.calls.into_inner();
         assert!(calls >= 3, "{method:?}: {calls} calls");
         let mut gap = f64::INFINITY;
         for call in 0..=calls {
-            let mut observer = CancelAt { call, calls: 0 };
-            let report = query.directed_observed(a, b, &mut observer);
+            let report = cancelled_at(&CancelAt { call, calls: AtomicUsize::new(0) });
             check_stopped(a, b, &report, &full, StopReason::Cancelled);
             assert_eq!(report.stop == StopReason::Cancelled, call < calls, "{call} of {calls} {report:?}");
             assert!(report.distance.gap() <= gap, "{call} {gap} {report:?}");

@@ -3,15 +3,18 @@
 use pompeiu_core::mesh::displace_at_random;
 use pompeiu_core::mesh::shapes::{icosphere, torus};
 use pompeiu_core::{FaceId, TriMesh};
-use pompeiu_hausdorff::{Direction, Method, Observer, Query, Stage, Tolerance, directed_hausdorff};
+use pompeiu_hausdorff::{
+    Direction, HausdorffOptions, Method, Observer, Stage, Tolerance, directed_hausdorff,
+};
 use pompeiu_testkit::plain::{area, point_triangle, point_triangles};
+use std::sync::Mutex;
 
 #[derive(Default)]
-struct Stages(Vec<Stage>);
+struct Stages(Mutex<Vec<Stage>>);
 
 impl Observer for Stages {
-    fn stage(&mut self, stage: &Stage) {
-        self.0.push(stage.clone());
+    fn stage(&self, stage: &Stage) {
+        self.0.lock().unwrap().push(stage.clone());
     }
 }
 
@@ -19,14 +22,19 @@ impl Observer for Stages {
 const ROUNDING: f64 = 1e-13;
 
 fn check(a: &TriMesh, b: &TriMesh, method: Method, stages: &[f64], last: f64) {
-    let query = Query::new().method(method).stages(stages).unwrap();
-    let query = query.tolerance(Tolerance::RelativeToDiagonal(last)).unwrap();
-    let mut seen = Stages::default();
-    let report = query.directed_observed(a, b, &mut seen);
+    let seen = Stages::default();
+    let options = HausdorffOptions {
+        tolerance: Tolerance::RelativeToDiagonal(last),
+        stages: stages.to_vec(),
+        method,
+        observer: Some(&seen),
+        ..HausdorffOptions::default()
+    };
+    let report = options.directed(a, b).unwrap();
     let full = directed_hausdorff(a, b).distance;
     assert!(crate::support::overlap(report.distance, full, 0.0));
     crate::support::check_report(a, b, &report);
-    let stages = seen.0;
+    let stages = seen.0.into_inner().unwrap();
 
     let whole: f64 = (0..a.faces().len() as u32).map(|f| area(a.corners(FaceId(f)))).sum();
     let triangles: Vec<_> = (0..b.faces().len() as u32).map(|f| b.corners(FaceId(f))).collect();

@@ -5,8 +5,7 @@ use pompeiu_core::TriMesh;
 use pompeiu_core::geom::Aabb;
 use pompeiu_core::mesh::displace_at_random;
 use pompeiu_core::mesh::shapes::icosphere;
-use pompeiu_core::run::LimitError;
-use pompeiu_hausdorff::{OptionError, Query, StopReason, Tolerance, directed_hausdorff};
+use pompeiu_hausdorff::{HausdorffOptions, OptionError, StopReason, Target, Tolerance, directed_hausdorff};
 use pompeiu_testkit::cases::all;
 use pompeiu_testkit::strategies::pair;
 use proptest::prelude::*;
@@ -35,7 +34,8 @@ fn each_kind_of_tolerance_is_kept_and_reported() {
             (Tolerance::RelativeToDiagonal(x), x * diagonal, x * diagonal),
             (Tolerance::RelativeToDistance(x), x * exact.lower() * (1.0 - x), x * exact.upper()),
         ] {
-            let report = Query::new().tolerance(tolerance).unwrap().directed(&a, &b);
+            let report =
+                HausdorffOptions { tolerance, ..HausdorffOptions::default() }.directed(&a, &b).unwrap();
             check_report(&a, &b, &report);
             let allowed = report.tolerance;
             assert!(
@@ -67,7 +67,8 @@ fn a_tolerance_of_zero_ends_where_doubles_do() {
             Tolerance::RelativeToDistance(0.0),
             Tolerance::Absolute(1e-300),
         ] {
-            let report = Query::new().tolerance(tolerance).unwrap().directed(a, b);
+            let report =
+                HausdorffOptions { tolerance, ..HausdorffOptions::default() }.directed(a, b).unwrap();
             check_report(a, b, &report);
             assert_eq!(report.stop, StopReason::Rounding, "{tolerance:?} {report:?}");
             assert!(report.distance.gap() <= FINEST * diagonal(a, b), "{tolerance:?} {report:?}");
@@ -79,8 +80,9 @@ fn a_tolerance_of_zero_ends_where_doubles_do() {
 fn coarser_tolerances_cost_less() {
     let (a, b) = sphere_and_noise();
     let work = |x| {
-        let query = Query::new().tolerance(Tolerance::RelativeToDiagonal(x)).unwrap();
-        query.directed(&a, &b).work.pieces
+        let query =
+            HausdorffOptions { tolerance: Tolerance::RelativeToDiagonal(x), ..HausdorffOptions::default() };
+        query.directed(&a, &b).unwrap().work.pieces
     };
     assert!(
         work(0.5) <= work(1e-2) && work(1e-2) < work(1e-12),
@@ -93,14 +95,28 @@ fn coarser_tolerances_cost_less() {
 
 #[test]
 fn what_cannot_be_asked_is_refused() {
+    let refused = |options: HausdorffOptions<'_>| {
+        let triangle = TriMesh::new(vec![[0.0; 3]], vec![[0, 0, 0]]).unwrap();
+        let refused = options.check().unwrap_err();
+        // What is NaN does not equal itself.
+        let same = |other: OptionError| format!("{other:?}") == format!("{refused:?}");
+        assert!(options.directed(&triangle, &triangle).is_err_and(same));
+        assert!(options.symmetric(&triangle, &triangle).is_err_and(same));
+        assert!(options.directed_to(&triangle, &Target::new(&triangle)).is_err_and(same));
+        refused
+    };
+    let staged =
+        |stages: &[f64]| refused(HausdorffOptions { stages: stages.to_vec(), ..HausdorffOptions::default() });
     for x in [-1.0, f64::NAN, f64::INFINITY] {
-        assert!(matches!(Query::new().tolerance(Tolerance::Absolute(x)), Err(OptionError::Tolerance(_))));
-        assert!(matches!(Query::new().threshold(x), Err(OptionError::Threshold(_))));
-        assert!(matches!(Query::new().stages(&[x]), Err(OptionError::Stage { index: 0, .. })));
+        let tolerance = Tolerance::Absolute(x);
+        let options = HausdorffOptions { tolerance, ..HausdorffOptions::default() };
+        assert!(matches!(refused(options), OptionError::Tolerance(_)));
+        let options = HausdorffOptions { threshold: Some(x), ..HausdorffOptions::default() };
+        assert!(matches!(refused(options), OptionError::Threshold(_)));
+        assert!(matches!(staged(&[x]), OptionError::Stage { index: 0, .. }));
     }
-    assert!(matches!(Query::new().threads(0), Err(OptionError::Limit(LimitError::Threads))));
-    assert!(matches!(Query::new().stages(&[0.1, 0.1]), Err(OptionError::Stage { index: 1, .. })));
-    assert!(matches!(Query::new().stages(&[0.1, 0.0]), Err(OptionError::Stage { index: 1, .. })));
+    assert!(matches!(staged(&[0.1, 0.1]), OptionError::Stage { index: 1, .. }));
+    assert!(matches!(staged(&[0.1, 0.0]), OptionError::Stage { index: 1, .. }));
 }
 
 /// The answer to "at most this?", as the enclosure gives it.
@@ -112,7 +128,9 @@ enum Answer {
 }
 
 fn ask(a: &TriMesh, b: &TriMesh, threshold: f64) -> Answer {
-    let report = Query::new().threshold(threshold).unwrap().directed(a, b);
+    let report = HausdorffOptions { threshold: Some(threshold), ..HausdorffOptions::default() }
+        .directed(a, b)
+        .unwrap();
     check_report(a, b, &report);
     let answer = if report.distance.upper() <= threshold {
         Answer::Yes
@@ -152,7 +170,12 @@ fn a_threshold_far_from_the_distance_is_decided_early() {
     let (a, b) = sphere_and_noise();
     let full = directed_hausdorff(&a, &b);
     let work = |factor: f64| {
-        let report = Query::new().threshold(factor * full.distance.upper()).unwrap().directed(&a, &b);
+        let report = HausdorffOptions {
+            threshold: Some(factor * full.distance.upper()),
+            ..HausdorffOptions::default()
+        }
+        .directed(&a, &b)
+        .unwrap();
         assert_eq!(report.stop, StopReason::Threshold, "{factor}");
         report.work.distances
     };

@@ -5,7 +5,7 @@ use pompeiu_core::mesh::displace_at_random;
 use pompeiu_core::mesh::shapes::icosphere;
 use pompeiu_core::{FaceId, TriMesh};
 use pompeiu_hausdorff::deviation::Region;
-use pompeiu_hausdorff::{DeviationQuery, DirectedDeviation, directed_hausdorff};
+use pompeiu_hausdorff::{DeviationOptions, DirectedDeviation, directed_hausdorff};
 
 /// Documented widths: of a peak, and of a face beside a level, as parts of themselves; of any face, as a part of the largest distance.
 const OF_PEAK: f64 = 1e-3;
@@ -83,8 +83,8 @@ fn the_worst_regions_are_those_of_the_definition() {
     }
     // The wide ones of a hasty refinement must be told apart all the same.
     for accuracy in [0.3, 0.01] {
-        let query = DeviationQuery::new().accuracy(accuracy).unwrap().regions(count);
-        let report = query.directed(&a, &b);
+        let query = DeviationOptions { accuracy, regions: count, ..DeviationOptions::default() };
+        let report = query.directed(&a, &b).unwrap();
         check_order(&report);
         for (face, value) in report.faces.iter().zip(&values) {
             assert!(face.max.lower() <= *value + 1e-11 && *value <= face.max.upper() + 1e-11);
@@ -108,8 +108,9 @@ fn the_worst_regions_are_those_of_the_definition() {
 #[test]
 fn peaks_of_a_real_pair_are_narrow_and_in_order() {
     let Some((a, b)) = load("armadillo_dec10") else { return };
-    let query = DeviationQuery::new().accuracy(0.1).unwrap().percentiles(&[0.9]).unwrap();
-    let report = query.symmetric(&a, &b);
+    let query =
+        DeviationOptions { accuracy: 0.1, percentiles: [0.9].to_vec(), ..DeviationOptions::default() };
+    let report = query.symmetric(&a, &b).unwrap();
     check_order(&report.a_to_b);
     check_order(&report.b_to_a);
     assert_eq!((report.a_to_b.regions.len(), report.b_to_a.regions.len()), (5, 5));

@@ -4,14 +4,14 @@ use crate::support::check_report;
 use pompeiu_core::TriMesh;
 use pompeiu_core::mesh::shapes::cube;
 use pompeiu_core::mesh::{Affine, transform};
-use pompeiu_hausdorff::{Observer, Progress, Query, StopReason};
+use pompeiu_hausdorff::{HausdorffOptions, Observer, Progress, StopReason};
 use std::ops::ControlFlow;
 
 /// Ends a search that takes far more than such small meshes should.
 struct Patience;
 
 impl Observer for Patience {
-    fn progress(&mut self, progress: &Progress) -> ControlFlow<()> {
+    fn progress(&self, progress: &Progress) -> ControlFlow<()> {
         const MOST: u64 = 400_000;
         if progress.examined > MOST { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
@@ -19,7 +19,8 @@ impl Observer for Patience {
 
 #[track_caller]
 fn check(a: &TriMesh, b: &TriMesh) {
-    let report = Query::new().directed_observed(a, b, &mut Patience);
+    let options = HausdorffOptions { observer: Some(&Patience), ..HausdorffOptions::default() };
+    let report = options.directed(a, b).unwrap();
     check_report(a, b, &report);
     assert_eq!(report.stop, StopReason::Tolerance, "{report:?}");
 }

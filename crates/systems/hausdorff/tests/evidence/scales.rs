@@ -4,7 +4,7 @@ use crate::support::check_report;
 use pompeiu_core::TriMesh;
 use pompeiu_core::mesh::shapes::cube;
 use pompeiu_core::mesh::{Affine, transform};
-use pompeiu_hausdorff::{Query, StopReason, Target, Tolerance, directed_hausdorff};
+use pompeiu_hausdorff::{HausdorffOptions, StopReason, Target, Tolerance, directed_hausdorff};
 use pompeiu_testkit::strategies::{any_mesh, scaled};
 use proptest::prelude::*;
 
@@ -22,7 +22,7 @@ fn one_target_serves_meshes_of_any_size() {
     let target = Target::new(&b);
     for side in [1e-300, 1e-160, 1e-30, 1e-6, 0.5, 1.0, 1.5, 1e4, 1e13, 1e30, 1e160, 1e300] {
         let a = scaled_cube(side);
-        let report = Query::new().directed_to(&a, &target);
+        let report = HausdorffOptions::default().directed_to(&a, &target).unwrap();
         check_report(&a, &b, &report);
         assert_eq!(report.stop, StopReason::Tolerance, "{side:e} {report:?}");
         let h = if side > 1.0 { 3.0_f64.sqrt() * (0.5 * side - 0.5) } else { 0.5 - 0.5 * side };
@@ -91,14 +91,14 @@ proptest! {
     fn any_two_scales((a, b) in (any_mesh(), any_mesh()), p in -1000..980_i32, q in -1000..980_i32, coarse in any::<bool>()) {
         let (Some(a), Some(b)) = (scaled(&a, p), scaled(&b, q)) else { return Ok(()) };
         let tolerance = if coarse { 1e-3 } else { 1e-12 };
-        let query = Query::new().tolerance(Tolerance::RelativeToDiagonal(tolerance)).unwrap();
+        let query = HausdorffOptions { tolerance: Tolerance::RelativeToDiagonal(tolerance), ..HausdorffOptions::default() };
         let target = Target::new(&b);
-        let report = query.directed_to(&a, &target);
+        let report = query.directed_to(&a, &target).unwrap();
         check_report(&a, &b, &report);
         let oracle = pompeiu_testkit::oracle::directed(&a, &b, 40);
         prop_assert!(oracle.allows_upper(report.distance.upper()), "{:?} {report:?}", oracle.rounded());
         prop_assert!(oracle.allows_lower(report.distance.lower()), "{:?} {report:?}", oracle.rounded());
-        prop_assert!(crate::support::same(&report, &query.directed(&a, &b)));
+        prop_assert!(crate::support::same(&report, &query.directed(&a, &b).unwrap()));
     }
 }
 
@@ -116,7 +116,7 @@ fn a_triangle_that_is_lost_beside_the_other_mesh() {
     )
     .unwrap();
     let (a, b) = (scaled(&grid, -691).unwrap(), scaled(&triangle, -745).unwrap());
-    let query = Query::new();
-    let reused = query.directed_to(&a, &Target::new(&b));
-    assert!(crate::support::same(&reused, &query.directed(&a, &b)));
+    let query = HausdorffOptions::default();
+    let reused = query.directed_to(&a, &Target::new(&b)).unwrap();
+    assert!(crate::support::same(&reused, &query.directed(&a, &b).unwrap()));
 }

@@ -4,10 +4,12 @@ use crate::support::largest_coordinate;
 use pompeiu_core::TriMesh;
 use pompeiu_core::mesh::shapes::{Diagonal, grid, icosphere};
 use pompeiu_core::mesh::{Affine, displace_at_random, transform};
+use pompeiu_core::run::Limits;
 use pompeiu_hausdorff::deviation::Statistics;
-use pompeiu_hausdorff::{DeviationQuery, DirectedDeviation, Enclosure, Observer, Progress, StopReason};
+use pompeiu_hausdorff::{DeviationOptions, DirectedDeviation, Enclosure, Observer, Progress, StopReason};
 use pompeiu_testkit::strategies::scaled;
 use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicU32, Ordering};
 use std::time::Duration;
 
 /// Rounding of statistics of size one.
@@ -52,7 +54,7 @@ fn a_sphere_inside_a_sphere() {
     };
     let (least, most) = (inner(&b) - radius, outer - inner(&a));
     assert!(least > 0.19 && most < 0.21);
-    let report = DeviationQuery::new().accuracy(1e-3).unwrap().directed(&a, &b);
+    let report = DeviationOptions { accuracy: 1e-3, ..DeviationOptions::default() }.directed(&a, &b).unwrap();
     for number in all(&report) {
         assert!(number.upper() >= least - ROUNDING && number.lower() <= most + ROUNDING, "{number}");
         assert!(number.upper() <= most * 1.005 && number.lower() >= least * 0.995, "{number}");
@@ -67,8 +69,9 @@ fn a_plate_half_of_which_is_raised() {
     let a = pompeiu_core::mesh::merge(&[&at(1.0, 0.0), &at(2.0, 2.0)]).unwrap();
     let b = transform(&grid([8.0, 8.0], [3, 3], Diagonal::Falling).unwrap(), &Affine::translate([0.0; 3]))
         .unwrap();
-    let query = DeviationQuery::new().percentiles(&[0.1, 0.4, 0.5, 0.6, 0.9]).unwrap();
-    let report = query.directed(&a, &b);
+    let query =
+        DeviationOptions { percentiles: [0.1, 0.4, 0.5, 0.6, 0.9].to_vec(), ..DeviationOptions::default() };
+    let report = query.directed(&a, &b).unwrap();
     let percentiles = report.statistics.unwrap().percentiles;
     for (percentile, value) in percentiles.iter().zip([1.0, 1.0, 1.0, 2.0, 2.0]) {
         let distance = percentile.distance;
@@ -84,16 +87,20 @@ fn a_plate_half_of_which_is_raised() {
 #[test]
 fn motions_and_scales_keep_what_is_enclosed() {
     let (a, b) = rough();
-    let here = DeviationQuery::new().directed(&a, &b);
+    let here = DeviationOptions::default().directed(&a, &b).unwrap();
     let rotation = Affine::rotate([1.0, 2.0, -0.5], 37.0).unwrap();
     let moved =
         |m| transform(&transform(m, &rotation).unwrap(), &Affine::translate([0.3, -4.0, 1.0])).unwrap();
     let (moved_a, moved_b) = (moved(&a), moved(&b));
     let slack = 32.0 * f64::EPSILON * largest_coordinate(&[&a, &b, &moved_a, &moved_b]);
-    check_overlap(&all(&here), &all(&DeviationQuery::new().directed(&moved_a, &moved_b)), slack);
+    check_overlap(
+        &all(&here),
+        &all(&DeviationOptions::default().directed(&moved_a, &moved_b).unwrap()),
+        slack,
+    );
     for exponent in [-300, -3, 200] {
         let (small_a, small_b) = (scaled(&a, exponent).unwrap(), scaled(&b, exponent).unwrap());
-        let there = DeviationQuery::new().directed(&small_a, &small_b);
+        let there = DeviationOptions::default().directed(&small_a, &small_b).unwrap();
         let by = 2.0_f64.powi(exponent);
         for (x, y) in all(&here).iter().zip(all(&there)) {
             assert_eq!((x.lower() * by, x.upper() * by), (y.lower(), y.upper()));
@@ -108,7 +115,7 @@ fn more_accuracy_is_narrower() {
     let (a, b) = rough();
     let mut before: Option<Vec<Enclosure>> = None;
     for accuracy in [0.3, 0.03, 0.003] {
-        let report = DeviationQuery::new().accuracy(accuracy).unwrap().directed(&a, &b);
+        let report = DeviationOptions { accuracy, ..DeviationOptions::default() }.directed(&a, &b).unwrap();
         assert_eq!(report.stop, StopReason::Tolerance);
         let now = numbers(&report.statistics.unwrap());
         assert!(now.iter().all(|x| x.gap() <= accuracy * x.lower() + 1e-8), "{accuracy} {now:?}");
@@ -121,35 +128,41 @@ fn more_accuracy_is_narrower() {
 }
 
 /// Breaks off after some looks.
-struct Cancels(u32);
+struct Cancels(AtomicU32);
 
 impl Observer for Cancels {
-    fn progress(&mut self, _: &Progress) -> ControlFlow<()> {
-        self.0 = self.0.saturating_sub(1);
-        if self.0 == 0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    fn progress(&self, _: &Progress) -> ControlFlow<()> {
+        let left = self.0.load(Ordering::Relaxed).saturating_sub(1);
+        self.0.store(left, Ordering::Relaxed);
+        if left == 0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 }
 
 #[test]
 fn limits_leave_true_numbers_and_say_why() {
     let (a, b) = rough();
-    let fine = DeviationQuery::new().accuracy(1e-3).unwrap();
-    let truth = all(&fine.directed(&a, &b));
+    let fine = DeviationOptions { accuracy: 1e-3, ..DeviationOptions::default() };
+    let truth = all(&fine.directed(&a, &b).unwrap());
     let check = |report: DirectedDeviation, stop: StopReason| {
         assert_eq!(report.stop, stop);
         check_overlap(&all(&report), &truth, 0.0);
         let largest = report.distance.distance.upper();
         assert!(report.regions.iter().all(|region| region.peak.lower() <= largest));
     };
-    check(fine.clone().most_pieces(1500).directed(&a, &b), StopReason::Pieces);
-    check(fine.clone().memory_limit(1).directed(&a, &b), StopReason::Memory);
-    check(fine.clone().time_limit(Duration::ZERO).directed(&a, &b), StopReason::Time);
+    for (limits, stop) in [
+        (Limits { pieces: Some(1500), ..Limits::default() }, StopReason::Pieces),
+        (Limits { memory: Some(1), ..Limits::default() }, StopReason::Memory),
+        (Limits { time: Some(Duration::ZERO), ..Limits::default() }, StopReason::Time),
+    ] {
+        check(DeviationOptions { limits, ..fine.clone() }.directed(&a, &b).unwrap(), stop);
+    }
     // At each of its chances, until it has one more than there are.
     let mut chances = 0;
     loop {
-        let mut observer = Cancels(chances + 1);
-        let report = fine.directed_observed(&a, &b, &mut observer);
-        if observer.0 > 0 {
+        let observer = Cancels(AtomicU32::new(chances + 1));
+        let observed = DeviationOptions { observer: Some(&observer), ..fine.clone() };
+        let report = observed.directed(&a, &b).unwrap();
+        if observer.0.load(Ordering::Relaxed) > 0 {
             break;
         }
         check(report, StopReason::Cancelled);

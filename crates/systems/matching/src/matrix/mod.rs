@@ -15,7 +15,7 @@
 //! ```
 
 use pompeiu_core::TriMesh;
-use pompeiu_hausdorff::{OptionError, Query, Target, Tolerance};
+use pompeiu_hausdorff::{HausdorffOptions, OptionError, Target, Tolerance};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
@@ -50,8 +50,8 @@ pub struct Entry {
 /// # Errors
 /// [`OptionError::Tolerance`] unless it is finite and not negative.
 pub fn directed(from: &TriMesh, to: &Target, tolerance: f64) -> Result<Entry, OptionError> {
-    let query = Query::new().tolerance(Tolerance::RelativeToDiagonal(tolerance))?;
-    let report = query.directed_to(from, to);
+    let tolerance = Tolerance::RelativeToDiagonal(tolerance);
+    let report = HausdorffOptions { tolerance, ..HausdorffOptions::default() }.directed_to(from, to)?;
     let [lower, upper] = [report.distance.lower(), report.distance.upper()];
     Ok(Entry { lower, upper, distances: report.work.distances })
 }

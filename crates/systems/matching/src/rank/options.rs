@@ -44,7 +44,7 @@ pub struct Options {
 }
 
 impl Default for Options {
-    /// The ten best by symmetric distance, as they lie, to the default tolerance of a [`Query`](pompeiu_hausdorff::Query).
+    /// The ten best by symmetric distance, as they lie, to the default tolerance of a search.
     fn default() -> Self {
         Self {
             measure: Measure::Symmetric,

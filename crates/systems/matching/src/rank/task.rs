@@ -6,7 +6,7 @@ use super::template::Template;
 use crate::align::{AlignError, Matrix, affine, align, matrix};
 use pompeiu_core::mesh::transform;
 use pompeiu_core::{FaceId, MeshError, TriMesh};
-use pompeiu_hausdorff::{DirectedReport, Enclosure, Query, StopReason, Target, Tolerance};
+use pompeiu_hausdorff::{DirectedReport, Enclosure, HausdorffOptions, StopReason, Target, Tolerance};
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 
@@ -149,12 +149,16 @@ fn probe(mesh: &TriMesh, target: &Target) -> DirectedReport {
     let points = (0..count).map(|i| mesh.corners(FaceId((i * faces / count) as u32))[i % 3]).collect();
     let points = TriMesh::new(points, (0..count as u32).map(|i| [i; 3]).collect())
         .expect("points of a mesh have valid coordinates");
-    query(PROBE_TOLERANCE).directed_to(&points, target)
+    directed_to(&points, target, PROBE_TOLERANCE, None)
 }
 
-/// A query with a tolerance that was checked with the options, or is one of ours.
-fn query(tolerance: f64) -> Query {
-    Query::new().tolerance(Tolerance::RelativeToDiagonal(tolerance)).unwrap_or_default()
+/// A directed distance with a tolerance and a threshold that were checked with the options; the defaults take the place of
+/// those of a request that were not.
+fn directed_to(from: &TriMesh, to: &Target, tolerance: f64, threshold: Option<f64>) -> DirectedReport {
+    let tolerance = Tolerance::RelativeToDiagonal(tolerance);
+    let options = HausdorffOptions { tolerance, threshold, ..HausdorffOptions::default() };
+    let options = if options.check().is_ok() { options } else { HausdorffOptions::default() };
+    options.directed_to(from, to).expect("the options were checked")
 }
 
 /// Encloses the distance of a target as moved, or shows that it exceeds the threshold.
@@ -197,17 +201,15 @@ impl Refined {
 /// A directed search. A threshold ends it on either side; where the distance turns out to be below, the enclosure is
 /// still to be narrowed.
 fn search(from: &TriMesh, to: &Target, request: &Request) -> (Enclosure, u64) {
-    let full = query(request.tolerance);
-    let Some(asked) = request.threshold.and_then(|t| full.clone().threshold(t).ok()) else {
-        let report = full.directed_to(from, to);
-        return (report.distance, report.work.distances);
-    };
-    let first = asked.directed_to(from, to);
+    let first = directed_to(from, to, request.tolerance, request.threshold);
+    if request.threshold.is_none() {
+        return (first.distance, first.work.distances);
+    }
     let below = request.threshold.is_some_and(|t| first.distance.lower() <= t);
     if first.stop != StopReason::Threshold || !below {
         return (first.distance, first.work.distances);
     }
-    let second = full.directed_to(from, to);
+    let second = directed_to(from, to, request.tolerance, None);
     let distances = first.work.distances + second.work.distances;
     let [one, other] = [first.distance, second.distance];
     let lower = if one.lower() > other.lower() { one.lower() } else { other.lower() };

@@ -10,7 +10,8 @@ use crate::pair::{self, File};
 use crate::printer::Printer;
 use crate::wait::Wait;
 use pompeiu::core::TriMesh;
-use pompeiu::hausdorff::deviation::{self, DeviationQuery, DirectedDeviation, Sides};
+use pompeiu::core::run::Limits;
+use pompeiu::hausdorff::deviation::{self, DeviationOptions, DirectedDeviation, Sides};
 use pompeiu::hausdorff::show::{DeviationReport, ReportedMesh, search_stages};
 use pompeiu::hausdorff::{Direction, Observer, Progress};
 use std::ops::ControlFlow;
@@ -45,7 +46,8 @@ pub(crate) fn run(args: &Deviation, printer: &Printer) -> anyhow::Result<Exit> {
     let (a, b) = pair::read(&args.a, &args.b, &wait, printer)?;
     let read = started.elapsed();
     wait.show("building trees".to_owned());
-    let deviation = query(args, read)?.symmetric_observed(&a, &b, &mut Watch(&wait));
+    let deviation =
+        DeviationOptions { observer: Some(&Watch(&wait)), ..options(args, read) }.symmetric(&a, &b)?;
     drop(wait);
     let outcome = Outcome {
         a: File::new(&args.a, &a),
@@ -64,22 +66,20 @@ pub(crate) fn run(args: &Deviation, printer: &Printer) -> anyhow::Result<Exit> {
     Ok(if stops.contains(&true) { Exit::Undecided } else { Exit::Done })
 }
 
-fn query(args: &Deviation, read: Duration) -> anyhow::Result<DeviationQuery> {
-    let mut query = DeviationQuery::new()
-        .accuracy(args.accuracy)?
-        .percentiles(&args.percentiles.0)?
-        .regions(args.regions)
-        .signed(args.signed);
-    if let Some(threshold) = args.threshold {
-        query = query.threshold(threshold)?;
+fn options(args: &Deviation, read: Duration) -> DeviationOptions<'static> {
+    DeviationOptions {
+        accuracy: args.accuracy,
+        threshold: args.threshold,
+        percentiles: args.percentiles.0.clone(),
+        regions: args.regions,
+        signed: args.signed,
+        limits: Limits {
+            time: args.limits.time_after(read),
+            memory: args.limits.memory_limit,
+            ..Limits::default()
+        },
+        ..DeviationOptions::default()
     }
-    if let Some(limit) = args.limits.time_after(read) {
-        query = query.time_limit(limit);
-    }
-    if let Some(limit) = args.limits.memory_limit {
-        query = query.memory_limit(limit);
-    }
-    Ok(query)
 }
 
 fn write(
@@ -137,7 +137,7 @@ fn show(
 struct Watch<'w>(&'w Wait);
 
 impl Observer for Watch<'_> {
-    fn progress(&mut self, progress: &Progress) -> ControlFlow<()> {
+    fn progress(&self, progress: &Progress) -> ControlFlow<()> {
         let ends = match progress.direction {
             Direction::AToB => "A to B",
             Direction::BToA => "B to A",

@@ -11,7 +11,8 @@ use crate::printer::Printer;
 use crate::wait::Wait;
 use pompeiu::core::TriMesh;
 use pompeiu::core::geom::Aabb;
-use pompeiu::hausdorff::{self, Query, StopReason, Tolerance};
+use pompeiu::core::run::Limits;
+use pompeiu::hausdorff::{self, HausdorffOptions, StopReason, Tolerance};
 use std::time::{Duration, Instant};
 
 /// The tolerances of a trace, fractions of the joint diagonal.
@@ -46,16 +47,16 @@ fn measure(
 ) -> anyhow::Result<Outcome> {
     let diagonal = Aabb::of_faces(a).union(Aabb::of_faces(b)).diagonal();
     let stages = stages(args, diagonal);
-    let query = query(args, read)?.stages(stages)?;
-    let mut watch = Watch::new(wait, args.direction, stages.len());
+    let watch = Watch::new(wait, args.direction, stages.len());
+    let options = HausdorffOptions { stages: stages.to_vec(), observer: Some(&watch), ..options(args, read) };
     wait.show("building trees".to_owned());
     let (a_to_b, b_to_a) = match args.direction {
         Direction::Both => {
-            let report = query.symmetric_observed(a, b, &mut watch);
+            let report = options.symmetric(a, b)?;
             (Some(report.a_to_b), Some(report.b_to_a))
         }
-        Direction::AToB => (Some(query.directed_observed(a, b, &mut watch)), None),
-        Direction::BToA => (None, Some(query.directed_observed(b, a, &mut watch))),
+        Direction::AToB => (Some(options.directed(a, b)?), None),
+        Direction::BToA => (None, Some(options.directed(b, a)?)),
     };
     let ends = [(hausdorff::Direction::AToB, a_to_b.as_ref()), (hausdorff::Direction::BToA, b_to_a.as_ref())];
     Ok(Outcome {
@@ -71,27 +72,25 @@ fn measure(
     })
 }
 
-fn query(args: &Distance, read: Duration) -> anyhow::Result<Query> {
-    let mut query = Query::new()
-        .tolerance(match args.tolerance_kind {
+fn options(args: &Distance, read: Duration) -> HausdorffOptions<'static> {
+    HausdorffOptions {
+        tolerance: match args.tolerance_kind {
             ToleranceKind::Diagonal => Tolerance::RelativeToDiagonal(args.tolerance),
             ToleranceKind::Relative => Tolerance::RelativeToDistance(args.tolerance),
             ToleranceKind::Absolute => Tolerance::Absolute(args.tolerance),
-        })?
-        .method(match args.method {
+        },
+        threshold: args.assert_below,
+        method: match args.method {
             Method::Fast => hausdorff::Method::Fast,
             Method::Classic => hausdorff::Method::Classic,
-        });
-    if let Some(threshold) = args.assert_below {
-        query = query.threshold(threshold)?;
+        },
+        limits: Limits {
+            time: args.limits.time_after(read),
+            memory: args.limits.memory_limit,
+            ..Limits::default()
+        },
+        ..HausdorffOptions::default()
     }
-    if let Some(limit) = args.limits.time_after(read) {
-        query = query.time_limit(limit);
-    }
-    if let Some(limit) = args.limits.memory_limit {
-        query = query.memory_limit(limit);
-    }
-    Ok(query)
 }
 
 /// The tolerances of the trace that are coarser than the one asked for; the last row is that of the answer.

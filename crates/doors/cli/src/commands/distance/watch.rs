@@ -5,6 +5,7 @@ use crate::numbers::between;
 use crate::wait::Wait;
 use pompeiu::hausdorff::{DirectedReport, Direction, Observer, Progress, Stage, StopReason};
 use std::ops::ControlFlow;
+use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
 /// How far a search had come at one tolerance.
@@ -28,23 +29,24 @@ pub(super) struct Watch<'w> {
     asked: args::Direction,
     /// Stages asked for; the engine may report the end as one more.
     stages: usize,
-    rows: Vec<TraceRow>,
+    rows: Mutex<Vec<TraceRow>>,
 }
 
 impl<'w> Watch<'w> {
     pub(super) fn new(wait: &'w Wait, asked: args::Direction, stages: usize) -> Self {
-        Self { wait, asked, stages, rows: Vec::new() }
+        Self { wait, asked, stages, rows: Mutex::default() }
     }
 
     /// The rows of the stages, and after those of each direction the one where the search ended.
     pub(super) fn into_rows(
-        mut self,
+        self,
         ends: [(Direction, Option<&DirectedReport>); 2],
         diagonal: f64,
     ) -> Vec<TraceRow> {
+        let mut told = self.rows.into_inner().unwrap_or_else(PoisonError::into_inner);
         let mut rows = Vec::new();
         for (direction, report) in ends {
-            rows.extend(self.rows.extract_if(.., |row| row.direction == direction));
+            rows.extend(told.extract_if(.., |row| row.direction == direction));
             rows.extend(report.map(|report| TraceRow {
                 direction,
                 fraction: if diagonal > 0.0 { report.tolerance / diagonal } else { 0.0 },
@@ -66,7 +68,7 @@ impl<'w> Watch<'w> {
 }
 
 impl Observer for Watch<'_> {
-    fn progress(&mut self, progress: &Progress) -> ControlFlow<()> {
+    fn progress(&self, progress: &Progress) -> ControlFlow<()> {
         let ends = match self.direction(progress.direction) {
             Direction::AToB => "A to B",
             Direction::BToA => "B to A",
@@ -78,13 +80,14 @@ impl Observer for Watch<'_> {
         ControlFlow::Continue(())
     }
 
-    fn stage(&mut self, stage: &Stage) {
+    fn stage(&self, stage: &Stage) {
         let direction = self.direction(stage.direction);
-        let index = self.rows.iter().filter(|row| row.direction == direction).count();
+        let mut rows = self.rows.lock().unwrap_or_else(PoisonError::into_inner);
+        let index = rows.iter().filter(|row| row.direction == direction).count();
         if index >= self.stages {
             return;
         }
-        self.rows.push(TraceRow {
+        rows.push(TraceRow {
             direction,
             fraction: super::run::TRACE[index],
             tolerance: stage.tolerance,

@@ -1,0 +1,187 @@
+//! The options of a deviation analysis.
+
+use super::report::{Deviation, DirectedDeviation};
+use super::run::{Outcome, Pair, run};
+use super::statistics::{Percentile, Summary, Wanted};
+use crate::engine::joint_frame;
+use crate::observer::Observer;
+use crate::report::Direction;
+use crate::target::Target;
+use crate::tolerance::{OptionError, check_threshold};
+use pompeiu_core::TriMesh;
+use pompeiu_core::run::{Limits, on_threads};
+use std::time::Instant;
+
+/// The options of a deviation analysis: how far two meshes deviate from each other, where, and over how much of the area.
+///
+/// # Definition
+/// See [`Statistics`](super::Statistics) for what is computed, and [`Deviation`] for the two directions.
+/// # Accuracy
+/// Every statistic is an enclosure of the exact value over all points of all faces, not of samples, rounding included. Faces are
+/// cut into pieces on which the distance lies between two linear functions, until the mean and the root of the mean square
+/// are as narrow as asked; then where percentiles and the share above the threshold ask for it.
+/// # Limits
+/// Percentiles where the distribution has a gap, and the share above a threshold at which much of the area lies, may stay wide: of
+/// a plate of which half lies at height 1 and half at 2, the median is 1, but any doubt about the area makes it 2.
+/// # Cost
+/// About linear in the faces of both meshes on ordinary pairs.
+/// # Example
+/// ```
+/// use pompeiu_core::TriMesh;
+/// use pompeiu_hausdorff::DeviationOptions;
+///
+/// // A triangle, and one that leans away from it by up to 0.3.
+/// let flat = TriMesh::new(vec![[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 2.0, 0.0]], vec![[0, 1, 2]])?;
+/// let leaning = TriMesh::new(vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.3], [0.0, 1.0, 0.0]], vec![[0, 1, 2]])?;
+/// let options = DeviationOptions { threshold: Some(0.15), ..DeviationOptions::default() };
+/// let report = options.directed(&leaning, &flat)?;
+/// let statistics = report.statistics.unwrap();
+/// assert!(statistics.mean.contains(0.1));
+/// assert!(statistics.above.unwrap().share.contains(0.25));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct DeviationOptions<'o> {
+    /// How narrow enclosures should be, relative to their lower ends; of the share above the threshold, absolutely. Positive.
+    pub accuracy: f64,
+    /// A distance: the share of the area beyond it is enclosed, and the regions beyond it are listed.
+    pub threshold: Option<f64>,
+    /// The shares of the area whose percentiles are wanted, each between 0 and 1, both excluded.
+    pub percentiles: Vec<f64>,
+    /// How many bins the histogram has.
+    pub bins: usize,
+    /// How many regions are listed, of each kind.
+    pub regions: usize,
+    /// Whether to find out on which side of the other mesh vertices and faces lie.
+    pub signed: bool,
+    /// Time, memory, pieces and threads. When a limit is reached, refining stops with wider enclosures. One piece for each face
+    /// is needed in any case; without a limit on pieces it is [`DeviationOptions::DEFAULT_PIECES`] in each direction. Building
+    /// a tree is not interrupted.
+    pub limits: Limits,
+    /// Watches the work: of its methods only [`Observer::progress`] is called, first by the search for the largest distance, then
+    /// by refining, with pieces looked at and left.
+    pub observer: Option<&'o dyn Observer>,
+}
+
+impl Default for DeviationOptions<'_> {
+    fn default() -> Self {
+        Self {
+            accuracy: Self::DEFAULT_ACCURACY,
+            threshold: None,
+            percentiles: Self::DEFAULT_PERCENTILES.to_vec(),
+            bins: Self::DEFAULT_BINS,
+            regions: Self::DEFAULT_REGIONS,
+            signed: false,
+            limits: Limits::default(),
+            observer: None,
+        }
+    }
+}
+
+impl DeviationOptions<'_> {
+    /// Width of each enclosure relative to its lower end, by default.
+    pub const DEFAULT_ACCURACY: f64 = 0.01;
+    /// Widths below this fraction of the joint diagonal always suffice.
+    pub const FLOOR: f64 = 1e-9;
+    /// Shares whose percentiles are computed by default.
+    pub const DEFAULT_PERCENTILES: [f64; 4] = [0.5, 0.9, 0.95, 0.99];
+    /// Bins of the histogram, by default.
+    pub const DEFAULT_BINS: usize = 64;
+    /// Regions listed, by default.
+    pub const DEFAULT_REGIONS: usize = 5;
+    /// Pieces at most, in each direction, by default.
+    pub const DEFAULT_PIECES: usize = 4_000_000;
+
+    /// Whether the options make sense.
+    ///
+    /// # Errors
+    /// [`OptionError::Accuracy`] unless finite and positive; [`OptionError::Threshold`] unless finite and not negative;
+    /// [`OptionError::Share`] for a percentile that does not lie between 0 and 1.
+    pub fn check(&self) -> Result<(), OptionError> {
+        if !(self.accuracy > 0.0 && self.accuracy < f64::INFINITY) {
+            return Err(OptionError::Accuracy(self.accuracy));
+        }
+        self.threshold.map_or(Ok(()), check_threshold)?;
+        match self.percentiles.iter().find(|q| !(**q > 0.0 && **q < 1.0)) {
+            Some(&share) => Err(OptionError::Share(share)),
+            None => Ok(()),
+        }
+    }
+
+    /// How far A is from B.
+    ///
+    /// # Errors
+    /// [`DeviationOptions::check`].
+    pub fn directed(&self, a: &TriMesh, b: &TriMesh) -> Result<DirectedDeviation, OptionError> {
+        self.check()?;
+        Ok(on_threads(self.limits.threads, || {
+            self.one_direction(a, b, Direction::AToB, self.deadline(1)).report
+        }))
+    }
+
+    /// How far A and B are from each other. The first direction takes at most half of the time limit.
+    ///
+    /// # Errors
+    /// [`DeviationOptions::check`].
+    pub fn symmetric(&self, a: &TriMesh, b: &TriMesh) -> Result<Deviation, OptionError> {
+        self.check()?;
+        Ok(on_threads(self.limits.threads, || {
+            let (half, whole) = (self.deadline(2), self.deadline(1));
+            let there = self.one_direction(a, b, Direction::AToB, half);
+            let back = self.one_direction(b, a, Direction::BToA, whole);
+            self.both(a, b, there, back)
+        }))
+    }
+
+    fn both(&self, a: &TriMesh, b: &TriMesh, there: Outcome, back: Outcome) -> Deviation {
+        let (frame, ..) = joint_frame(a, b);
+        let greater_percentiles = there.summary.as_ref().zip(back.summary.as_ref()).map(|(x, y)| {
+            let both = x.percentiles.iter().zip(&y.percentiles);
+            let greater = both.map(|(x, y)| super::run::greater_of(*x, *y));
+            let published = self.percentiles.iter().zip(greater);
+            published
+                .map(|(share, (low, high))| Percentile {
+                    share: *share,
+                    distance: super::statistics::length_out(&frame, low, high),
+                })
+                .collect()
+        });
+        let mut pooled = there.distribution;
+        pooled.entries.extend_from_slice(&back.distribution.entries);
+        let wanted = Wanted {
+            percentiles: &self.percentiles,
+            threshold: self.threshold.map(|t| frame.length_in(t)),
+            bins: self.bins,
+        };
+        let largest = super::linear::greater(there.report.field.largest, back.report.field.largest);
+        let summary = Summary::of(&pooled, &wanted, largest);
+        Deviation {
+            distance: there.report.distance.distance.max(back.report.distance.distance),
+            greater_percentiles,
+            pooled: summary.map(|s| s.publish(&pooled, &wanted, self.threshold, largest, &frame)),
+            a_to_b: there.report,
+            b_to_a: back.report,
+        }
+    }
+
+    fn one_direction(
+        &self,
+        from: &TriMesh,
+        to: &TriMesh,
+        direction: Direction,
+        deadline: Option<Instant>,
+    ) -> Outcome {
+        let started = Instant::now();
+        let target = Target::in_frame(to, joint_frame(from, to).0);
+        let build = started.elapsed();
+        let pair = Pair { from, to, target: &target, direction, deadline };
+        let mut outcome = run(self, &pair);
+        outcome.report.work.build = build;
+        outcome
+    }
+
+    /// When a part of the time limit has run out.
+    fn deadline(&self, part: u32) -> Option<Instant> {
+        self.limits.time.and_then(|limit| Instant::now().checked_add(limit / part))
+    }
+}
