@@ -119,6 +119,7 @@ mod tests {
     use super::*;
     use pompeiu_core::geom::point_triangle::distance_sq;
     use pompeiu_core::{FaceId, TriMesh};
+    use pompeiu_testkit::effort::cases;
     use pompeiu_testkit::exact::{Lattice, point_triangle_sq};
     use pompeiu_testkit::strategies::degenerate;
     use proptest::prelude::*;
@@ -160,7 +161,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(4000))]
+        #![proptest_config(ProptestConfig::with_cases(cases(4000)))]
 
         #[test]
         fn is_tight_for_triangles_of_any_shape((x, t) in awkward()) {

@@ -11,7 +11,7 @@ from pathlib import Path
 from playwright.sync_api import sync_playwright
 
 ROOT = Path(__file__).resolve().parents[5]
-FOLDER = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")) / "report"
+FOLDER = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")).resolve() / "report"
 # A machine without a graphics card draws with the processor; the rest keeps the browser from calling home.
 FLAGS = [
     "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-background-networking",
@@ -25,8 +25,10 @@ def make(name, example, *options):
     """Writes a page with one of the examples; gives its path and what it was made from."""
     FOLDER.mkdir(parents=True, exist_ok=True)
     path = FOLDER / name
-    command = ["cargo", "run", "--quiet", "--locked", "-p", "pompeiu-figures", "--example", example, "--", str(path)]
-    subprocess.run([*command, *options], cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
+    # Built with the whole workspace, so that what its tests have compiled serves here.
+    subprocess.run(["cargo", "build", "--quiet", "--locked", "--workspace", "--example", example], cwd=ROOT, check=True)
+    program = FOLDER.parent / "debug/examples" / example
+    subprocess.run([program, str(path), *options], cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
     return path, json.loads(Path(f"{path}.json").read_text())
 
 

@@ -111,6 +111,7 @@ pub(super) fn part_up_to(v: Corners, level: f64) -> Interval {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use pompeiu_testkit::effort::cases;
     use proptest::prelude::*;
 
     /// Means over the centres of `n * n` similar triangles.
@@ -130,7 +131,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(100))]
+        #![proptest_config(ProptestConfig::with_cases(cases(100)))]
 
         #[test]
         fn formulas_agree_with_sampling(v in [-1.0..1.0_f64, -1.0..1.0, -1.0..1.0], level in -1.0..1.0_f64) {

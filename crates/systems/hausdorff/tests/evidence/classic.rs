@@ -7,6 +7,7 @@ use pompeiu_hausdorff::{
     DirectedReport, HausdorffOptions, Method, StopReason, Tolerance, directed_hausdorff,
 };
 use pompeiu_testkit::cases::all;
+use pompeiu_testkit::effort::cases;
 use pompeiu_testkit::plain::{point_point, point_triangles};
 use pompeiu_testkit::strategies::{pair, point};
 use proptest::prelude::*;
@@ -21,7 +22,7 @@ fn classic(a: &TriMesh, b: &TriMesh, tolerance: f64) -> DirectedReport {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(ProptestConfig::with_cases(cases(64)))]
 
     #[test]
     fn both_methods_enclose_the_same_distance((a, b) in pair()) {

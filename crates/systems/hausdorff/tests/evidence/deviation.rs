@@ -8,6 +8,7 @@ use pompeiu_core::run::Limits;
 use pompeiu_core::{FaceId, TriMesh};
 use pompeiu_hausdorff::deviation::Sides;
 use pompeiu_hausdorff::{DeviationOptions, DirectedDeviation, Enclosure, StopReason, directed_hausdorff};
+use pompeiu_testkit::effort::cases;
 use pompeiu_testkit::plain::{area, point_point, point_triangles};
 use pompeiu_testkit::strategies::pair;
 use proptest::prelude::*;
@@ -177,7 +178,7 @@ fn check(a: &TriMesh, b: &TriMesh, report: &DirectedDeviation, threshold: f64, n
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(96))]
+    #![proptest_config(ProptestConfig::with_cases(cases(96)))]
 
     #[test]
     fn random_meshes_hold_their_samples((a, b) in pair(), part in 0.0..1.2_f64, accuracy in 1..5_i32) {

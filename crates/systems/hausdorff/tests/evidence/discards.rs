@@ -7,6 +7,7 @@ use pompeiu_core::mesh::{Affine, transform};
 use pompeiu_core::{FaceId, TriMesh};
 use pompeiu_hausdorff::{Discard, HausdorffOptions, Observer, Proof, StopReason};
 use pompeiu_testkit::cases::all;
+use pompeiu_testkit::effort::cases;
 use pompeiu_testkit::exact::{Fraction, Lattice, point_triangle_sq};
 use pompeiu_testkit::plain::area;
 use pompeiu_testkit::strategies::pair;
@@ -147,7 +148,7 @@ fn searches_with_cuts_and_mixtures() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(96))]
+    #![proptest_config(ProptestConfig::with_cases(cases(96)))]
 
     #[test]
     fn random_meshes((a, b) in pair()) {

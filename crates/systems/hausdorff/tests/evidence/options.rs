@@ -7,6 +7,7 @@ use pompeiu_core::mesh::displace_at_random;
 use pompeiu_core::mesh::shapes::icosphere;
 use pompeiu_hausdorff::{HausdorffOptions, OptionError, StopReason, Target, Tolerance, directed_hausdorff};
 use pompeiu_testkit::cases::all;
+use pompeiu_testkit::effort::cases;
 use pompeiu_testkit::strategies::pair;
 use proptest::prelude::*;
 
@@ -188,7 +189,7 @@ fn a_threshold_far_from_the_distance_is_decided_early() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(96))]
+    #![proptest_config(ProptestConfig::with_cases(cases(96)))]
 
     #[test]
     fn thresholds_agree_with_the_distance((a, b) in pair(), factor in prop_oneof![0.0..2.0_f64, Just(1.0), 1.0..1.000_001_f64]) {

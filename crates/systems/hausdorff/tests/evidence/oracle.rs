@@ -3,6 +3,7 @@
 use crate::support::{check_report, is_one_point};
 use pompeiu_core::TriMesh;
 use pompeiu_hausdorff::{DirectedReport, directed_hausdorff};
+use pompeiu_testkit::effort::cases;
 use pompeiu_testkit::oracle::directed;
 use pompeiu_testkit::strategies::{pair, scaled};
 use proptest::prelude::*;
@@ -20,7 +21,7 @@ fn check(a: &TriMesh, b: &TriMesh, report: &DirectedReport) -> Result<(), TestCa
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(192))]
+    #![proptest_config(ProptestConfig::with_cases(cases(192)))]
 
     #[test]
     fn the_enclosure_holds_the_distance_and_is_as_narrow_as_asked((a, b) in pair()) {

@@ -4,6 +4,7 @@ use crate::support::{is_one_point, largest_coordinate, overlap};
 use pompeiu_core::TriMesh;
 use pompeiu_core::mesh::{Affine, merge, shuffle, subdivide, transform, unweld};
 use pompeiu_hausdorff::{directed_hausdorff, symmetric_hausdorff};
+use pompeiu_testkit::effort::cases;
 use pompeiu_testkit::strategies::{any_mesh, pair, point, scaled};
 use proptest::prelude::*;
 
@@ -32,7 +33,7 @@ fn welded(mesh: &TriMesh) -> TriMesh {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(128))]
+    #![proptest_config(ProptestConfig::with_cases(cases(128)))]
 
     #[test]
     fn rigid_motions_keep_the_distance((a, b) in pair(), axis in point(), degrees in -180.0..180.0, by in point()) {

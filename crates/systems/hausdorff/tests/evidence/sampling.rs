@@ -4,6 +4,7 @@ use pompeiu_core::TriMesh;
 use pompeiu_core::mesh::shapes::{Diagonal, grid, icosphere, torus};
 use pompeiu_core::mesh::{Affine, displace_at_random, transform};
 use pompeiu_hausdorff::directed_hausdorff;
+use pompeiu_testkit::effort::cases;
 use pompeiu_testkit::sampling::sample;
 use pompeiu_testkit::strategies::pair;
 use proptest::prelude::*;
@@ -19,7 +20,7 @@ fn check(a: &TriMesh, b: &TriMesh, n: u32) {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(ProptestConfig::with_cases(cases(64)))]
 
     #[test]
     fn random_meshes((a, b) in pair()) {

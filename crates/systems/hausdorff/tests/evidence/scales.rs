@@ -5,6 +5,7 @@ use pompeiu_core::TriMesh;
 use pompeiu_core::mesh::shapes::cube;
 use pompeiu_core::mesh::{Affine, transform};
 use pompeiu_hausdorff::{HausdorffOptions, StopReason, Target, Tolerance, directed_hausdorff};
+use pompeiu_testkit::effort::cases;
 use pompeiu_testkit::strategies::{any_mesh, scaled};
 use proptest::prelude::*;
 
@@ -84,7 +85,7 @@ fn a_small_target_far_from_the_origin() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(96))]
+    #![proptest_config(ProptestConfig::with_cases(cases(96)))]
 
     /// Each mesh at its own scale: the enclosure is valid, and the reused target gives what a new one gives.
     #[test]

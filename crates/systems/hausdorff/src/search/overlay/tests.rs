@@ -4,6 +4,7 @@ use pompeiu_core::TriMesh;
 use pompeiu_core::geom::point_triangle::distance_sq;
 use pompeiu_core::mesh::displace_at_random;
 use pompeiu_core::mesh::shapes::{Diagonal, grid};
+use pompeiu_testkit::effort::cases;
 use proptest::prelude::*;
 
 /// A rough sheet over the unit square with some of its faces missing.
@@ -63,7 +64,7 @@ fn check(t: &[[f64; 3]; 3], overlay: &Overlay, target: &Target) {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(512))]
+    #![proptest_config(ProptestConfig::with_cases(cases(512)))]
 
     /// Over folds, ends and the corners of the sheet: whatever is called an overlay covers the triangle.
     #[test]

@@ -1,0 +1,5 @@
+//! Solvers against known solutions.
+
+#![allow(clippy::unwrap_used, reason = "tests may panic")]
+
+mod solvers;

@@ -1,0 +1,489 @@
+//! What the command finds: numbers, exit codes, JSON, files.
+
+use crate::common::{Folder, repository, shared};
+use serde_json::Value;
+use std::io::Read;
+use std::process::Stdio;
+
+fn json(folder: &Folder, args: &str) -> Value {
+    serde_json::from_slice(&folder.run(args).stdout).unwrap()
+}
+
+/// The keys of an object, in order.
+fn keys(value: &Value) -> Vec<&str> {
+    value.as_object().unwrap().keys().map(String::as_str).collect()
+}
+
+#[track_caller]
+fn assert_encloses(value: &Value, distance: f64) {
+    let [lower, upper] = ["lower", "upper"].map(|end| value[end].as_f64().unwrap());
+    assert!(lower <= distance && distance <= upper, "{distance} is not between {lower} and {upper}");
+    assert!(upper - lower < 1e-11, "[{lower}, {upper}] is wide");
+}
+
+#[test]
+fn decompose_reports_and_writes_what_adds_up() {
+    let folder = Folder::new();
+    folder.ok("generate torus --major-segments 24 --minor-segments 16 -o torus.obj");
+    let report = json(&folder, "decompose torus.obj --field random:1 -o parts.vtp --json");
+    let of_mesh = [
+        "path",
+        "faces",
+        "genus",
+        "boundary_loops",
+        "components",
+        "harmonic_dimension",
+        "degrees_of_freedom",
+    ];
+    let of_field = ["residual", "part_error", "inner_products", "norms", "timing_ms"];
+    assert_eq!(keys(&report), sorted(&[&of_mesh[..], &of_field[..]].concat()));
+    let products = ["gradient_rotated", "gradient_harmonic", "rotated_harmonic"];
+    assert_eq!(keys(&report["inner_products"]), sorted(&products));
+    assert_eq!(keys(&report["norms"]), sorted(&["field", "gradient", "rotated", "harmonic"]));
+    assert_eq!(keys(&report["timing_ms"]), sorted(&["factor", "solve", "basis", "total"]));
+    assert_eq!((&report["genus"], &report["harmonic_dimension"]), (&1.into(), &2.into()));
+    assert_eq!(report["degrees_of_freedom"]["conforming"]["left_over"], 770);
+    assert!(report["residual"].as_f64().unwrap() <= 1e-12 && report["part_error"].as_f64().unwrap() <= 1e-12);
+    for product in products {
+        assert!(report["inner_products"][product].as_f64().unwrap().abs() <= 1e-12);
+    }
+    // The parts that were written are split into themselves, whatever the format they are read from.
+    folder.ok("decompose torus.obj --field parts.vtp --name field -o parts.ply");
+    let norm = |report: &Value, part: &str| report["norms"][part].as_f64().unwrap();
+    for file in ["parts.vtp", "parts.ply"] {
+        for part in ["field", "gradient", "rotated", "harmonic"] {
+            let again = json(&folder, &format!("decompose torus.obj --field {file} --name {part} --json"));
+            for other in ["gradient", "rotated", "harmonic"] {
+                let expected = if part == "field" || part == other { norm(&report, other) } else { 0.0 };
+                assert!((norm(&again, other) - expected).abs() < 1e-11, "{file}: {other} of {part}");
+            }
+        }
+    }
+    assert_eq!(keys(&json(&folder, "decompose torus.obj --json")), sorted(&of_mesh));
+}
+
+#[test]
+fn decompose_finds_the_handles_of_real_meshes() {
+    let folder = Folder::new();
+    for (name, genus) in [("3holes", 3), ("fertility", 4)] {
+        let Some(path) = shared(&format!("meshes/{name}.off")) else { continue };
+        let report = json(&folder, &format!("decompose {} --field rotation:1,2,3 --json", path.display()));
+        assert_eq!((&report["genus"], &report["harmonic_dimension"]), (&genus.into(), &(2 * genus).into()));
+        assert!(report["residual"].as_f64().unwrap() <= 1e-12);
+    }
+}
+
+#[test]
+fn json_has_exactly_the_documented_keys() {
+    let folder = Folder::with_tent();
+    let report = json(&folder, "distance tent.obj square.obj --json");
+    let all = ["a", "b", "tolerance", "a_to_b", "b_to_a", "hausdorff", "timing_ms"];
+    assert_eq!(keys(&report), sorted(&all));
+    for mesh in ["a", "b"] {
+        assert_eq!(keys(&report[mesh]), sorted(&["path", "vertices", "faces"]));
+    }
+    assert_eq!(report["a"]["path"], "tent.obj");
+    assert_eq!((&report["a"]["vertices"], &report["b"]["faces"]), (&5.into(), &2.into()));
+    assert_eq!(keys(&report["tolerance"]), sorted(&["requested", "kind", "absolute"]));
+    assert_eq!(report["tolerance"]["kind"], "diagonal");
+    let directed = ["lower", "upper", "stop", "witness", "work"];
+    for direction in ["a_to_b", "b_to_a"] {
+        assert_eq!(keys(&report[direction]), sorted(&directed));
+        assert_eq!(report[direction]["stop"], "tolerance");
+        assert_eq!(keys(&report[direction]["witness"]), ["a", "b"]);
+        for end in ["a", "b"] {
+            let point = &report[direction]["witness"][end];
+            assert_eq!(keys(point), sorted(&["face", "barycentric", "position"]));
+            assert_eq!(point["barycentric"].as_array().map(Vec::len), Some(3));
+            assert_eq!(point["position"].as_array().map(Vec::len), Some(3));
+        }
+    }
+    assert_eq!(keys(&report["hausdorff"]), ["lower", "upper"]);
+    assert_eq!(keys(&report["timing_ms"]), sorted(&["read", "build", "search", "total"]));
+    assert_encloses(&report["a_to_b"], 0.75);
+    assert_encloses(&report["b_to_a"], 0.6);
+    assert_encloses(&report["hausdorff"], 0.75);
+
+    let report = json(&folder, "distance tent.obj square.obj --json --direction b-to-a");
+    assert_eq!(keys(&report), sorted(&["a", "b", "tolerance", "b_to_a", "timing_ms"]));
+    assert_encloses(&report["b_to_a"], 0.6);
+    let report = json(&folder, "distance tent.obj square.obj --json --direction a-to-b");
+    assert_eq!(keys(&report), sorted(&["a", "b", "tolerance", "a_to_b", "timing_ms"]));
+    assert_encloses(&report["a_to_b"], 0.75);
+}
+
+/// The parser of the tests keeps objects sorted by key.
+fn sorted<'k>(keys: &[&'k str]) -> Vec<&'k str> {
+    let mut keys = keys.to_vec();
+    keys.sort_unstable();
+    keys
+}
+
+#[test]
+fn witnesses_lie_on_the_meshes_that_their_keys_name() {
+    let folder = Folder::with_tent();
+    // The apex of the tent is the farthest point of it; nearest to it is the middle of the square.
+    let report = json(&folder, "distance tent.obj square.obj --json");
+    let position = |direction: &str, end: &str| -> Vec<f64> {
+        serde_json::from_value(report[direction]["witness"][end]["position"].clone()).unwrap()
+    };
+    let near = |p: Vec<f64>, q: [f64; 3]| p.iter().zip(q).all(|(x, y)| (x - y).abs() < 1e-6);
+    assert!(near(position("a_to_b", "a"), [0.0, 0.0, 0.75]));
+    assert!(near(position("a_to_b", "b"), [0.0, 0.0, 0.0]));
+    // From the middle of the square the nearest points of the tent are on its sides.
+    assert!(near(position("b_to_a", "b"), [0.0, 0.0, 0.0]));
+    assert!(position("b_to_a", "a")[2] > 0.4);
+    assert!(report["b_to_a"]["witness"]["b"]["face"].as_u64().unwrap() < 2);
+}
+
+#[test]
+fn a_mesh_is_at_no_distance_from_itself() {
+    let folder = Folder::with_tent();
+    let report = json(&folder, "distance tent.obj tent.obj --json");
+    for distance in ["a_to_b", "b_to_a", "hausdorff"] {
+        assert_encloses(&report[distance], 0.0);
+    }
+}
+
+#[test]
+fn numbers_read_back_to_the_same_double() {
+    let folder = Folder::with_tent();
+    let text = folder.ok("distance tent.obj square.obj --json --direction b-to-a --tolerance 1e-7");
+    let after = |key: &str| {
+        let start = text.find(key).unwrap() + key.len();
+        let number: String = text[start..].chars().take_while(|c| !",}".contains(*c)).collect();
+        number
+    };
+    for key in ["\"lower\":", "\"upper\":", "\"absolute\":", "\"requested\":"] {
+        let number = after(key);
+        let value: f64 = number.parse().unwrap();
+        assert!(number.len() <= format!("{value:e}").len().max(format!("{value}").len()) + 2, "{number}");
+    }
+    assert_eq!(after("\"requested\":"), "1e-7");
+    let tolerance: f64 = after("\"absolute\":").parse().unwrap();
+    assert_eq!(tolerance, 1e-7 * (4.0_f64 + 4.0 + 0.75 * 0.75).sqrt());
+}
+
+#[test]
+fn thresholds_decide_the_exit_code() {
+    let folder = Folder::with_tent();
+    for (threshold, direction, code, answer) in [
+        ("1", "both", 0, "below"),
+        ("0.75000001", "both", 0, "below"),
+        ("0.74999999", "both", 1, "above"),
+        ("0.7", "b-to-a", 0, "below"),
+        ("0.7", "a-to-b", 1, "above"),
+        ("0", "both", 1, "above"),
+    ] {
+        let args = format!("distance tent.obj square.obj --assert-below {threshold} --direction {direction}");
+        let (exit, stdout, stderr) = folder.transcript(&args);
+        assert_eq!((exit, stderr.as_str()), (Some(code), ""), "{args}");
+        let words = if answer == "below" { "is at most" } else { "exceeds" };
+        assert!(stdout.contains(&format!("{words} {threshold}: proven")), "{stdout}");
+        let report = json(&folder, &(args + " --json"));
+        assert_eq!(report["threshold"]["answer"], answer);
+        assert_eq!(report["threshold"]["value"], threshold.parse::<f64>().unwrap());
+    }
+}
+
+#[test]
+fn budgets_end_in_a_valid_interval_and_exit_code_3() {
+    let folder = Folder::new();
+    let (lantern, cylinder) = ("lantern.obj", "cylinder.obj");
+    folder.ok(&format!("generate schwarz-lantern -o {lantern}"));
+    folder.ok(&format!("generate cylinder --segments 64 --rows 8 -o {cylinder}"));
+    let exact = json(&folder, &format!("distance {lantern} {cylinder} --json"));
+    let [lower, upper] = ["lower", "upper"].map(|end| exact["hausdorff"][end].as_f64().unwrap());
+    for (limit, stop) in [("--time-limit 1ns", "time"), ("--memory-limit 10kB", "memory")] {
+        let args = format!("distance {lantern} {cylinder} --json {limit}");
+        let output = folder.run(&args);
+        assert_eq!(output.status.code(), Some(3), "{limit}");
+        let report = json(&folder, &args);
+        assert_eq!(report["a_to_b"]["stop"], stop);
+        assert!(report["hausdorff"]["lower"].as_f64().unwrap() <= upper);
+        assert!(report["hausdorff"]["upper"].as_f64().unwrap() >= lower);
+        let undecided = format!("distance {lantern} {cylinder} --json {limit} --assert-below {lower}");
+        assert_eq!(folder.run(&undecided).status.code(), Some(3));
+        assert_eq!(json(&folder, &undecided)["threshold"]["answer"], "undecided");
+    }
+}
+
+#[test]
+fn tolerances_mean_what_they_say() {
+    let folder = Folder::new();
+    folder.ok("generate icosphere -o sphere.obj");
+    folder.ok("generate torus --major-radius 7 --minor-radius 2 --major-segments 12 --minor-segments 9 -o torus.obj");
+    for (option, kind) in [
+        ("--tolerance 0.01", "diagonal"),
+        ("--tolerance 0.001 --tolerance-kind relative", "relative"),
+        ("--tolerance 0.1 --tolerance-kind absolute", "absolute"),
+    ] {
+        let report = json(&folder, &format!("distance sphere.obj torus.obj --json {option}"));
+        let [lower, upper, absolute] =
+            [&report["hausdorff"]["lower"], &report["hausdorff"]["upper"], &report["tolerance"]["absolute"]]
+                .map(|value| value.as_f64().unwrap());
+        assert_eq!(report["tolerance"]["kind"], kind);
+        assert!(upper - lower <= absolute * (1.0 + 1e-12), "{option}: {lower} {upper} {absolute}");
+        let expected = match kind {
+            "diagonal" => 0.01 * (18.0_f64.powi(2) + 18.0_f64.powi(2) + 4.0_f64.powi(2)).sqrt(),
+            "relative" => 0.001 * upper,
+            _ => 0.1,
+        };
+        assert!((absolute / expected - 1.0).abs() < 0.02, "{option}: {absolute} {expected}");
+    }
+}
+
+#[test]
+fn both_methods_trace_their_way_to_the_same_answer() {
+    let folder = Folder::with_tent();
+    let mut examined = Vec::new();
+    for method in ["fast", "classic"] {
+        let args = format!("distance tent.obj square.obj --method {method} --tolerance 1e-4 --trace");
+        let text = folder.ok(&args);
+        assert_eq!(text.matches("pieces left").count(), 2, "{text}");
+        let report = json(&folder, &(args + " --json"));
+        examined.push(report["b_to_a"]["work"]["pieces"].as_u64().unwrap());
+        let rows = report["trace"].as_array().unwrap();
+        let expected =
+            ["direction", "tolerance", "absolute", "lower", "upper", "pieces", "distances", "time_ms"];
+        for (direction, distance) in [("a_to_b", 0.75), ("b_to_a", 0.6)] {
+            let rows: Vec<_> = rows.iter().filter(|row| row["direction"] == direction).collect();
+            let fractions: Vec<_> = rows.iter().map(|row| row["tolerance"].as_f64().unwrap()).collect();
+            assert_eq!(fractions[..3], [1e-1, 1e-2, 1e-3], "{method}");
+            assert!(fractions.len() == 4 && (fractions[3] / 1e-4 - 1.0).abs() < 1e-3, "{fractions:?}");
+            for row in rows {
+                assert_eq!(keys(row), sorted(&expected));
+                let [lower, upper, absolute] =
+                    ["lower", "upper", "absolute"].map(|key| row[key].as_f64().unwrap());
+                assert!(lower <= distance * (1.0 + 1e-12) && distance <= upper * (1.0 + 1e-12), "{row}");
+                assert!(upper - lower <= absolute * (1.0 + 1e-9), "{row}");
+            }
+        }
+    }
+    assert!(10 * examined[0] < examined[1], "{examined:?}");
+}
+
+#[test]
+fn rows_of_a_trace_name_the_direction_asked_for() {
+    let folder = Folder::with_tent();
+    for (option, direction) in [("a-to-b", "a_to_b"), ("b-to-a", "b_to_a")] {
+        let report =
+            json(&folder, &format!("distance tent.obj square.obj --trace --json --direction {option}"));
+        let rows = report["trace"].as_array().unwrap();
+        assert!(rows.len() == 12 && rows.iter().all(|row| row["direction"] == direction), "{rows:?}");
+    }
+}
+
+#[test]
+fn threads_do_not_change_the_answer() {
+    let folder = Folder::new();
+    folder.ok("generate icosphere -o a.obj");
+    folder.ok("generate icosphere --noise 0.05 -o b.obj");
+    let answer = |threads: &str| {
+        let mut report = json(&folder, &format!("distance a.obj b.obj --json --threads {threads}"));
+        report.as_object_mut().unwrap().remove("timing_ms");
+        report
+    };
+    assert_eq!(answer("1"), answer("2"));
+    assert_eq!(answer("1"), answer("8"));
+}
+
+#[test]
+fn a_closed_pipe_is_not_an_error() {
+    let folder = Folder::with_tent();
+    for args in ["distance tent.obj square.obj", "info tent.obj --json", "completions bash", "--help"] {
+        let mut child = folder.pompeiu(args).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+        drop(child.stdout.take());
+        let mut stderr = String::new();
+        child.stderr.take().unwrap().read_to_string(&mut stderr).unwrap();
+        assert_eq!((child.wait().unwrap().code(), stderr.as_str()), (Some(0), ""), "{args}");
+    }
+}
+
+#[test]
+fn a_full_disk_is_an_error() {
+    if !std::path::Path::new("/dev/full").exists() {
+        println!("skipped: there is no /dev/full");
+        return;
+    }
+    let folder = Folder::with_tent();
+    let full = std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
+    let output = folder.pompeiu("info tent.obj").stdout(full).stderr(Stdio::piped()).output().unwrap();
+    assert_eq!(output.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&output.stderr).starts_with("error: stdout: "));
+}
+
+#[test]
+fn there_are_completions_for_every_shell() {
+    let folder = Folder::new();
+    for shell in ["bash", "elvish", "fish", "powershell", "zsh"] {
+        let script = folder.ok(&format!("completions {shell}"));
+        assert!(script.contains("assert-below") && script.contains("schwarz-lantern"), "{shell}");
+    }
+}
+
+#[test]
+fn there_is_a_manual_page_for_every_command() {
+    let folder = Folder::new();
+    folder.ok("man -o made/man1");
+    let page = |name: &str| std::fs::read_to_string(folder.path().join("made/man1").join(name)).unwrap();
+    let help = folder.ok("--help");
+    let commands = help.split("Commands:\n").nth(1).unwrap().split("\n\n").next().unwrap();
+    let names: Vec<_> = commands.lines().filter_map(|line| line.split_whitespace().next()).collect();
+    assert!(names.contains(&"distance") && names.contains(&"man"), "{names:?}");
+    for name in names.into_iter().filter(|&name| name != "help") {
+        assert!(page(&format!("pompeiu-{name}.1")).contains(".SH SYNOPSIS"), "{name}");
+        assert!(page("pompeiu.1").contains(&format!("pompeiu\\-{name}(1)")), "{name}");
+    }
+    assert!(page("pompeiu-distance.1").contains("assert\\-below"));
+    folder.write("file", "");
+    assert_eq!(folder.run("man -o file").status.code(), Some(2));
+}
+
+#[test]
+fn a_field_and_its_parts_as_a_picture_and_a_page() {
+    let folder = Folder::new();
+    folder.ok("generate torus -o torus.obj");
+    let picture = |name: &str, field: &str| {
+        folder.ok(&format!("decompose torus.obj --field {field} --image {name} --image-size 400x300 --up z"));
+        std::fs::read(folder.path().join(name)).unwrap()
+    };
+    let rotation = picture("a.png", "rotation:z");
+    assert!(rotation.starts_with(b"\x89PNG"));
+    assert_eq!(rotation, picture("b.png", "rotation:z"));
+    assert_ne!(rotation, picture("c.png", "gradient:x"));
+    folder.ok("decompose torus.obj --field rotation:z --report a.html");
+    let page = std::fs::read_to_string(folder.path().join("a.html")).unwrap();
+    assert!(page.contains("torus.obj") && page.contains("degrees of freedom"));
+    for args in
+        ["--image d.png", "--field rotation:z --image torus.obj", "--field rotation:z --image nowhere/d.png"]
+    {
+        let (code, stdout, _) = folder.transcript(&format!("decompose torus.obj {args}"));
+        assert_eq!((code, stdout.as_str()), (Some(2), ""), "{args}");
+    }
+}
+
+#[test]
+fn colours_are_for_terminals() {
+    let folder = Folder::with_tent();
+    let (_, stdout, stderr) = folder.transcript("distance tent.obj square.obj --tolerance 0");
+    assert!(!stdout.contains('\u{1b}') && !stderr.contains('\u{1b}'));
+    let forced = folder.pompeiu("info tent.obj").env("CLICOLOR_FORCE", "1").output().unwrap();
+    assert!(forced.stdout.contains(&0x1b));
+    let both =
+        folder.pompeiu("info tent.obj").env("CLICOLOR_FORCE", "1").env("NO_COLOR", "1").output().unwrap();
+    assert!(!both.stdout.contains(&0x1b));
+}
+
+#[test]
+fn converted_meshes_are_the_same_mesh() {
+    let folder = Folder::new();
+    folder.ok("generate torus --noise 0.01 -o torus.obj");
+    let info = |file: &str| {
+        let mut info = json(&folder, &format!("info {file} --json"));
+        for key in ["path", "format", "compressed"] {
+            info.as_object_mut().unwrap().remove(key);
+        }
+        info
+    };
+    for suffix in ["ply", "off", "vtp", "obj.gz", "ply.gz"] {
+        let name = format!("copy.{suffix}");
+        folder.ok(&format!("convert torus.obj {name}"));
+        assert_eq!(info(&name), info("torus.obj"), "{suffix}");
+    }
+    for suffix in ["stl", "glb"] {
+        folder.ok(&format!("convert torus.obj copy.{suffix}"));
+        let report = json(&folder, &format!("distance torus.obj copy.{suffix} --json"));
+        let upper = report["hausdorff"]["upper"].as_f64().unwrap();
+        assert!(upper > 0.0 && upper < 1e-6, "{suffix}: {upper}");
+    }
+}
+
+#[test]
+fn edits_are_made_in_the_order_of_the_help() {
+    let folder = Folder::new();
+    folder
+        .ok("generate cube --translate 1,0,0 --rotate 0,0,1,90 --scale 2 --unweld --subdivide 1 -o cube.obj");
+    let info = json(&folder, "info cube.obj --json");
+    // Scaled to side 2, turned, then moved by 1 along x; unwelding comes last.
+    assert_eq!(info["bounding_box"]["lower"], serde_json::json!([0.0, -1.0, -1.0]));
+    assert_eq!(info["bounding_box"]["upper"], serde_json::json!([2.0, 1.0, 1.0]));
+    assert_eq!((&info["faces"], &info["vertices"]), (&48.into(), &144.into()));
+    folder.ok("generate icosphere --noise 0.1 --seed 1 -o a.obj");
+    folder.ok("generate icosphere --noise 0.1 --seed 1 --shuffle 5 -o b.obj");
+    let report = json(&folder, "distance a.obj b.obj --json");
+    assert_eq!(report["hausdorff"]["lower"], 0.0);
+    assert!(report["hausdorff"]["upper"].as_f64().unwrap() < 1e-11);
+}
+
+#[test]
+fn a_mesh_of_a_file_is_edited_like_a_shape() {
+    let folder = Folder::new();
+    folder.ok("generate torus --noise 0.01 --seed 3 -o torus.ply");
+    folder.ok("generate mesh torus.ply --subdivide 1 --ripple 0.05,1 --shuffle 2 -o edited.obj");
+    folder.ok("generate torus --noise 0.01 --seed 3 --subdivide 1 -o fine.obj");
+    let edited = json(&folder, "info edited.obj --json");
+    assert_eq!(edited["faces"], json(&folder, "info fine.obj --json")["faces"]);
+    // Vertices moved by at most sqrt(3) x 0.05, and did move.
+    let report = json(&folder, "distance edited.obj torus.ply --json");
+    let upper = report["hausdorff"]["upper"].as_f64().unwrap();
+    assert!(upper > 0.02 && upper < 0.087, "{upper}");
+}
+
+#[test]
+fn every_shape_can_be_generated_and_described() {
+    let folder = Folder::new();
+    let help = folder.ok("generate --help");
+    let shapes: Vec<_> = help
+        .lines()
+        .skip_while(|line| *line != "Shapes:")
+        .skip(1)
+        .map_while(|line| line.split_whitespace().next())
+        .filter(|&name| name != "help" && name != "mesh")
+        .collect();
+    assert_eq!(shapes.len(), 16, "{help}");
+    for shape in shapes {
+        folder.ok(&format!("generate {shape} -o {shape}.ply"));
+        let info = json(&folder, &format!("info {shape}.ply --json"));
+        assert!(info["faces"].as_u64().unwrap() > 0);
+    }
+}
+
+#[test]
+fn example_meshes_are_made_by_the_commands_beside_them() {
+    let folder = Folder::new();
+    let examples = repository().join("examples/meshes");
+    let readme = std::fs::read_to_string(examples.join("README.md")).unwrap();
+    let mut made = 0;
+    for command in readme.lines().filter_map(|line| line.strip_prefix("pompeiu generate ")) {
+        folder.ok(&format!("generate {command}"));
+        let name = command.rsplit(' ').next().unwrap();
+        let [ours, theirs] =
+            [folder.path(), examples.as_path()].map(|place| std::fs::read(place.join(name)).unwrap());
+        assert!(ours == theirs, "{name} is not what `pompeiu generate {command}` makes");
+        made += 1;
+    }
+    let meshes = std::fs::read_dir(&examples).unwrap().filter(|entry| {
+        entry.as_ref().is_ok_and(|entry| entry.path().extension().is_some_and(|suffix| suffix == "obj"))
+    });
+    assert_eq!(meshes.count(), made);
+}
+
+#[test]
+fn topology_of_well_known_meshes() {
+    let folder = Folder::new();
+    for (name, genus, boundary_loops) in
+        [("fertility.off", 4, 0), ("3holes.off", 3, 0), ("camelhead.off", 0, 1), ("spot.obj", 0, 0)]
+    {
+        let Some(path) = shared(&format!("meshes/{name}")) else { continue };
+        let output = folder.pompeiu("info --json").arg(&path).output().unwrap();
+        let info: Value = serde_json::from_slice(&output.stdout).unwrap();
+        assert_eq!(
+            (&info["genus"], &info["boundary_loops"]),
+            (&genus.into(), &boundary_loops.into()),
+            "{name}"
+        );
+        assert_eq!((&info["components"], &info["non_manifold_edges"]), (&1.into(), &0.into()), "{name}");
+        println!("checked {name}");
+    }
+}

@@ -1,0 +1,133 @@
+//! The answers of `pompeiu deviation`, against closed forms and against its own files.
+
+use crate::common::Folder;
+use serde_json::Value;
+
+/// A plate of side 2 at height 0.5 over a larger one at height 0: every point is exactly half a unit away.
+fn plates() -> Folder {
+    let folder = Folder::new();
+    folder.ok("generate grid --size 2,2 --cells 3 --translate 0,0,0.5 -o above.obj");
+    folder.ok("generate grid --size 4,4 -o below.obj");
+    folder
+}
+
+fn json(folder: &Folder, args: &str) -> Value {
+    serde_json::from_str(&folder.ok(args)).unwrap()
+}
+
+#[track_caller]
+fn check_encloses(bounds: &Value, value: f64, width: f64) {
+    let [lower, upper] = ["lower", "upper"].map(|end| bounds[end].as_f64().unwrap());
+    assert!(lower <= value && value <= upper, "{value} is not in [{lower}, {upper}]");
+    assert!(upper - lower <= width, "[{lower}, {upper}] is wider than {width}");
+}
+
+#[test]
+fn a_plate_over_a_larger_one() {
+    let folder = plates();
+    let found = json(&folder, "deviation above.obj below.obj --threshold 0.25 --json");
+    let there = &found["a_to_b"];
+    check_encloses(&there["distance"], 0.5, 1e-11);
+    for name in ["mean", "rms"] {
+        check_encloses(&there["statistics"][name], 0.5, 1e-11);
+    }
+    for percentile in there["statistics"]["percentiles"].as_array().unwrap() {
+        check_encloses(percentile, 0.5, 1e-11);
+    }
+    check_encloses(&there["statistics"]["share_above_threshold"], 1.0, 1e-11);
+    assert!((there["statistics"]["area"].as_f64().unwrap() - 4.0).abs() < 1e-12);
+    assert_eq!(there["beyond_threshold"][0]["faces"].as_array().unwrap().len(), 18);
+    // Back: the corner of the larger plate is farthest.
+    check_encloses(&found["b_to_a"]["distance"], 1.5, 1e-11);
+    check_encloses(&found["distance"], 1.5, 1e-11);
+    let shares: Vec<_> = there["statistics"]["percentiles"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|p| p["share"].as_f64().unwrap())
+        .collect();
+    assert_eq!(shares, [0.5, 0.9, 0.95, 0.99]);
+}
+
+#[test]
+fn the_share_of_a_leaning_plate_above_a_threshold() {
+    let folder = Folder::new();
+    // Leans over the larger plate, from height 0 to height 1.
+    folder.write("leaning.obj", "v 0 0 0\nv 1 0 1\nv 1 1 1\nv 0 1 0\nf 1 2 3 4\n");
+    folder.write("below.obj", "v -9 -9 0\nv 9 -9 0\nv 9 9 0\nv -9 9 0\nf 1 2 3 4\n");
+    let found = json(&folder, "deviation leaning.obj below.obj --threshold 0.7 --percentiles 10,50 --json");
+    let statistics = &found["a_to_b"]["statistics"];
+    check_encloses(&statistics["mean"], 0.5, 0.005);
+    check_encloses(&statistics["rms"], (1.0_f64 / 3.0).sqrt(), 0.006);
+    check_encloses(&statistics["percentiles"][0], 0.1, 0.001);
+    check_encloses(&statistics["share_above_threshold"], 0.3, 0.01);
+}
+
+#[test]
+fn files_hold_what_the_answer_says() {
+    let folder = plates();
+    let files = "-a a.ply -b b.vtu --csv s.csv --report r.html --image p.png --image-size 320x200 --unit mm";
+    let found = json(&folder, &format!("deviation above.obj below.obj --json {files}"));
+    let read = |name: &str| std::fs::read(folder.path().join(name)).unwrap();
+    let csv = String::from_utf8(read("s.csv")).unwrap();
+    let upper = &found["a_to_b"]["statistics"]["mean"]["upper"];
+    let row = csv.lines().find(|row| row.starts_with("a_to_b,mean,")).unwrap();
+    assert_eq!(row.rsplit(',').next().unwrap().parse::<f64>().unwrap(), upper.as_f64().unwrap());
+    assert!(csv.lines().all(|row| row.split(',').count() == 4), "{csv}");
+    let header = read("a.ply");
+    let header =
+        String::from_utf8_lossy(&header[..header.windows(10).position(|w| w == b"end_header").unwrap()]);
+    for name in ["property double distance", "property uchar red", "property double max_upper"] {
+        assert!(header.contains(name), "{header}");
+    }
+    assert_eq!(json(&folder, "info b.vtu --json")["faces"], 2);
+    assert!(read("p.png").starts_with(b"\x89PNG"));
+    let page = String::from_utf8(read("r.html")).unwrap();
+    assert!(page.contains("above.obj") && page.contains("--unit mm"), "names and command");
+    assert!(!page.contains("<script src") && !page.contains("<link rel=\"stylesheet"), "one file");
+}
+
+#[test]
+fn inside_is_negative() {
+    let folder = Folder::new();
+    folder.ok("generate icosphere --subdivisions 2 --radius 1 -o inner.ply");
+    folder.ok("generate icosphere --subdivisions 2 --radius 2 -o outer.ply");
+    let found = json(&folder, "deviation inner.ply outer.ply --signed --json -a a.vtp --report r.html");
+    let inside = |way: &str| found[way]["vertices_inside"].as_u64().unwrap();
+    assert_eq!((inside("a_to_b"), inside("b_to_a")), (162, 0));
+    let header = std::fs::read(folder.path().join("a.vtp")).unwrap();
+    let header = String::from_utf8_lossy(&header[..2000]);
+    assert!(header.contains("\"signed_distance\"") && header.contains("\"winding_number\""), "{header}");
+    let page = std::fs::read_to_string(folder.path().join("r.html")).unwrap();
+    assert!(page.contains("\"signed\":true"));
+}
+
+#[test]
+fn files_are_refused_before_any_work() {
+    let folder = plates();
+    for (args, reason) in [
+        ("-a a.stl", "no room for colours"),
+        ("--csv above.obj", "both input and output"),
+        ("--report nowhere/r.html", "there is no folder"),
+        ("--image .", "is a folder"),
+    ] {
+        let (code, stdout, stderr) = folder.transcript(&format!("deviation above.obj below.obj {args}"));
+        assert_eq!((code, stdout.as_str()), (Some(2), ""), "{args}");
+        assert!(stderr.contains(reason), "{args}: {stderr}");
+    }
+}
+
+#[test]
+fn a_time_limit_leaves_true_and_wider_numbers() {
+    let folder = Folder::new();
+    folder.ok("generate icosphere --subdivisions 3 --noise 0.05 --seed 3 -o a.ply");
+    folder.ok("generate icosphere --subdivisions 3 -o b.ply");
+    let full = json(&folder, "deviation a.ply b.ply --json");
+    let output = folder.run("deviation a.ply b.ply --time-limit 1ns --json");
+    assert_eq!(output.status.code(), Some(3));
+    let short: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let ends =
+        |v: &Value| ["lower", "upper"].map(|end| v["a_to_b"]["statistics"]["mean"][end].as_f64().unwrap());
+    let ([low, high], [wide_low, wide_high]) = (ends(&full), ends(&short));
+    assert!(wide_low <= high && low <= wide_high && wide_high - wide_low >= high - low);
+}

@@ -1,0 +1,10 @@
+//! The command as people and scripts use it: what it says, what it finds, which files it writes.
+
+#![allow(clippy::unwrap_used, clippy::print_stdout, reason = "tests may panic and say what they skip")]
+
+mod answers;
+mod common;
+mod deviation;
+mod guide;
+mod many;
+mod transcripts;

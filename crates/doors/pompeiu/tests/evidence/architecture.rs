@@ -1,0 +1,226 @@
+//! What ARCHITECTURE.md and REFERENCES.bib say, held against the repository.
+
+use serde_json::Value;
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// Names of crates, by the crate that depends on them.
+type Arrows = BTreeMap<String, BTreeSet<String>>;
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../..")
+}
+
+fn text(name: &str) -> String {
+    fs::read_to_string(root().join(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
+}
+
+/// Dependencies among the crates of the workspace, of one kind.
+fn arrows(kind: &Value) -> Arrows {
+    let output = Command::new(env!("CARGO"))
+        .args(["metadata", "--format-version", "1", "--no-deps", "--offline"])
+        .current_dir(root())
+        .output()
+        .unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let metadata: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let packages = metadata["packages"].as_array().unwrap();
+    let name = |value: &Value| value["name"].as_str().unwrap().to_owned();
+    let ours: BTreeSet<String> = packages.iter().map(name).collect();
+    let to = |package: &Value| {
+        let dependencies = package["dependencies"].as_array().unwrap().iter();
+        dependencies.filter(|d| d["kind"] == *kind).map(name).filter(|d| ours.contains(d)).collect()
+    };
+    packages.iter().map(|package| (name(package), to(package))).collect()
+}
+
+#[test]
+fn crates_depend_on_each_other_as_drawn() {
+    let document = text("ARCHITECTURE.md");
+    let section = document.split("### Dependencies").nth(1).expect("a section on dependencies");
+    let drawing = section.split("```").nth(1).expect("a drawing").trim_start_matches("text");
+    let drawn: Arrows = drawing
+        .lines()
+        .filter(|line| !line.trim().is_empty())
+        .map(|line| {
+            let (from, to) = line.split_once("─►").unwrap_or((line, ""));
+            let to = to.split(',').map(str::trim).filter(|name| !name.is_empty());
+            (from.trim().to_owned(), to.map(str::to_owned).collect())
+        })
+        .collect();
+    assert_eq!(arrows(&Value::Null), drawn, "the manifests, and the drawing in ARCHITECTURE.md");
+
+    let command_is_used = arrows(&Value::from("dev")).values().any(|to| to.contains("pompeiu-cli"));
+    assert!(!command_is_used, "even in tests no crate depends on the command");
+}
+
+#[test]
+fn the_code_map_is_complete_and_true() {
+    let tops = ["bench/", "crates/", "docs/", "examples/", "scripts/"];
+    named_places_exist("ARCHITECTURE.md", "", &tops);
+    let map = text("ARCHITECTURE.md");
+    for of_crate in crate_folders() {
+        let document = format!("{of_crate}/README.md");
+        assert!(map.contains(&format!("({document})")), "ARCHITECTURE.md lacks {document}");
+        named_places_exist(&document, &of_crate, &["src/", "tests/", "web/"]);
+        let described = text(&document);
+        let mut files = BTreeSet::new();
+        sources(&root().join(&of_crate).join("src"), &mut files);
+        for file in described.split('`').filter(|word| word.ends_with(".rs") && !word.contains('/')) {
+            assert!(files.contains(file), "{document} names {file}, which does not exist");
+        }
+        for room in fs::read_dir(root().join(&of_crate).join("src")).unwrap().map(Result::unwrap) {
+            let place = format!("src/{}", room.file_name().into_string().unwrap());
+            let is_room = room.path().join("mod.rs").exists();
+            assert!(!is_room || described.contains(&format!("`{place}`")), "{document} lacks {place}");
+        }
+    }
+}
+
+/// Asserts that what a document names between backquotes, below certain folders, exists below a folder.
+fn named_places_exist(document: &str, below: &str, tops: &[&str]) {
+    let written = text(document);
+    let places = written.split('`').filter(|word| tops.iter().any(|top| word.starts_with(top)));
+    for place in places {
+        assert!(root().join(below).join(place).exists(), "{document} names {place}, which does not exist");
+    }
+}
+
+/// Names of the source files below a folder.
+fn sources(folder: &Path, names: &mut BTreeSet<String>) {
+    for entry in fs::read_dir(folder).unwrap().map(Result::unwrap) {
+        if entry.path().is_dir() {
+            sources(&entry.path(), names);
+        } else {
+            names.insert(entry.file_name().into_string().unwrap());
+        }
+    }
+}
+
+/// The folders of the crates of the workspace, from the root of the repository.
+fn crate_folders() -> Vec<String> {
+    let groups = ["base", "systems", "show", "doors"].map(|group| format!("crates/{group}"));
+    let inside = groups.iter().flat_map(|group| {
+        let folders = fs::read_dir(root().join(group)).unwrap().map(Result::unwrap);
+        folders.map(move |folder| format!("{group}/{}", folder.file_name().into_string().unwrap()))
+    });
+    inside.chain(["crates/testkit".to_owned()]).collect()
+}
+
+/// The packages of the crates in a folder of `crates`.
+fn packages_in(group: &str) -> BTreeSet<String> {
+    let start = format!("crates/{group}/");
+    let names =
+        crate_folders().into_iter().filter_map(|folder| folder.strip_prefix(&start).map(str::to_owned));
+    names.map(|name| if name == "pompeiu" { name } else { format!("pompeiu-{name}") }).collect()
+}
+
+/// The system that every other one may ask to prove how far its result is from what it should be.
+const JUDGE: &str = "pompeiu-hausdorff";
+
+#[test]
+fn a_system_depends_on_no_other() {
+    let allowed: BTreeSet<String> = [JUDGE, "pompeiu-figures"].map(str::to_owned).into();
+    let allowed: BTreeSet<String> = allowed.union(&packages_in("base")).cloned().collect();
+    let all = arrows(&Value::Null);
+    for system in packages_in("systems") {
+        let beyond: Vec<_> = all[&system].difference(&allowed).collect();
+        assert!(beyond.is_empty(), "{system} depends on {beyond:?}");
+    }
+    for base in packages_in("base") {
+        let beyond: Vec<_> = all[&base].difference(&packages_in("base")).cloned().collect();
+        assert!(beyond.is_empty(), "{base} depends on {beyond:?}");
+    }
+}
+
+/// What `cargo tree` lists, one line each.
+fn tree(arguments: &[&str]) -> BTreeSet<String> {
+    let output = Command::new(env!("CARGO"))
+        .args(["tree", "--offline", "--locked", "--prefix", "none"])
+        .args(arguments)
+        .current_dir(root())
+        .output()
+        .unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let listed = String::from_utf8(output.stdout).unwrap();
+    listed.lines().map(|line| line.trim_end_matches(" (*)").to_owned()).collect()
+}
+
+/// The packages of this workspace that are compiled for a package with some features.
+fn compiled(package: &str, features: &str) -> BTreeSet<String> {
+    let listed = tree(&[
+        "--no-default-features",
+        "--package",
+        package,
+        "--features",
+        features,
+        "--edges",
+        "normal,build",
+        "--format",
+        "{p}",
+    ]);
+    let names = listed.iter().filter_map(|line| line.split(' ').next());
+    names.filter(|name| name.starts_with("pompeiu")).map(str::to_owned).collect()
+}
+
+#[test]
+fn the_python_package_is_built_from_what_tests_compile() {
+    let format = ["--format", "{p} with {f}"];
+    let tests = tree(&[&format[..], &["--workspace"]].concat());
+    let package = ["--package", "pompeiu-py", "--features", "as-tested", "--edges", "normal,build"];
+    let package = tree(&[&format[..], &package].concat());
+    let other: Vec<_> = package.difference(&tests).filter(|line| !line.starts_with("pompeiu-py ")).collect();
+    assert!(other.is_empty(), "compiled twice; adapt the feature `as-tested` of pompeiu-py: {other:#?}");
+}
+
+#[test]
+fn a_user_of_one_system_compiles_no_other() {
+    let systems = packages_in("systems");
+    for system in &systems {
+        let feature = system.trim_start_matches("pompeiu-");
+        let features = if system == JUDGE { String::new() } else { feature.to_owned() };
+        for (package, features) in [(system.as_str(), ""), ("pompeiu", features.as_str())] {
+            let found = compiled(package, features);
+            let others = systems.iter().filter(|other| *other != system && *other != JUDGE);
+            let extra: Vec<_> = others.filter(|other| found.contains(*other)).collect();
+            assert!(found.contains(system) && extra.is_empty(), "{package} with {features:?}: {found:?}");
+        }
+    }
+}
+
+/// All `name_word_year` between backquotes in the sources below a folder.
+fn cited(folder: &Path, keys: &mut BTreeSet<String>) {
+    for entry in fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()) {
+        if entry.is_dir() {
+            cited(&entry, keys);
+        } else if entry.extension().is_some_and(|suffix| suffix == "rs") {
+            let source = fs::read_to_string(&entry).unwrap();
+            keys.extend(source.split('`').filter(|word| is_key(word)).map(str::to_owned));
+        }
+    }
+}
+
+fn is_key(word: &str) -> bool {
+    let parts: Vec<&str> = word.split('_').collect();
+    let is_year = |year: &str| year.len() == 4 && year.bytes().all(|b| b.is_ascii_digit());
+    let is_word = |part: &&str| !part.is_empty() && part.bytes().all(|b| b.is_ascii_lowercase());
+    parts.len() == 3 && parts[..2].iter().all(is_word) && is_year(parts[2])
+}
+
+#[test]
+fn citations_and_references_are_the_same() {
+    let references = text("REFERENCES.bib");
+    let entries = references.lines().filter(|line| line.starts_with('@'));
+    let listed: BTreeSet<String> = entries
+        .map(|line| {
+            let (_, key) = line.split_once('{').expect("an entry opens with a brace");
+            key.trim_end_matches(',').to_owned()
+        })
+        .collect();
+    assert!(listed.iter().all(|key| is_key(key)), "keys are name_word_year: {listed:?}");
+    let mut keys = BTreeSet::new();
+    cited(&root().join("crates"), &mut keys);
+    assert_eq!(keys, listed, "cited in the code, and listed in REFERENCES.bib");
+}

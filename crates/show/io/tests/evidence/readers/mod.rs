@@ -1,0 +1,12 @@
+//! Every reader against a second reader, at any number of threads, and on files that are not as they should be.
+
+mod arbitrary;
+mod bad_input;
+mod containers;
+mod data;
+mod meshes;
+mod obj;
+mod off;
+mod ply;
+mod stl;
+mod threads;

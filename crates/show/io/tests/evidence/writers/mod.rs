@@ -1,0 +1,19 @@
+//! Every writer against a reader that is not ours, and what happens to files when writing fails.
+
+mod files;
+mod glb;
+mod meshes;
+mod obj;
+mod off;
+mod ply;
+mod stl;
+mod vtk_xml;
+
+use pompeiu_core::TriMesh;
+use pompeiu_io::{Attributes, OutputFormat, encode};
+
+fn encoded(format: OutputFormat, mesh: &TriMesh, attributes: &Attributes) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    encode(&mut bytes, format, mesh, attributes).unwrap();
+    bytes
+}

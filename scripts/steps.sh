@@ -1,0 +1,40 @@
+# Steps of a check, timed; sourced by scripts/check and scripts/test, in bash, at the root of the repository.
+#
+#   step NAME COMMAND...   runs a command; the whole script ends when it fails
+#
+# When the script ends, however it ends, a table shows the seconds of each step: by the clock, and of processors.
+set -euo pipefail
+
+steps_table="$(mktemp)"
+steps_times="$(mktemp)"
+trap 'code=$?; print_steps "$code"; rm -f "$steps_table" "$steps_times"; exit "$code"' EXIT
+
+# Sets processor_seconds to what the commands of this shell have taken so far. (In a pipeline `times` would speak of another shell.)
+read_processor_time() {
+  times >"$steps_times"
+  processor_seconds="$(awk 'NR == 2 { for (i = 1; i <= 2; i++) { split($i, t, /[ms]/); sum += 60 * t[1] + t[2] } print sum }' "$steps_times")"
+}
+
+step() {
+  local name="$1" begin before code=0
+  shift
+  printf '\n== %s: %s\n' "$name" "$*"
+  begin="$EPOCHREALTIME"
+  read_processor_time
+  before="$processor_seconds"
+  "$@" || code=$?
+  read_processor_time
+  awk -v name="$name" -v begin="$begin" -v end="$EPOCHREALTIME" -v before="$before" -v after="$processor_seconds" -v code="$code" \
+    'BEGIN { printf "%s\t%.1f\t%.1f\t%s\n", name, end - begin, after - before, code == 0 ? "" : "failed" }' >>"$steps_table"
+  return "$code"
+}
+
+print_steps() { # EXIT_CODE
+  [ -s "$steps_table" ] || return 0
+  printf '\n'
+  awk -F '\t' '
+    BEGIN { printf "%-34s %10s %12s\n", "step", "seconds", "processor" }
+    { printf "%-34s %10.1f %12.1f %s\n", $1, $2, $3, $4; seconds += $2; processor += $3 }
+    END { printf "%-34s %10.1f %12.1f\n", "all", seconds, processor }' "$steps_table"
+  [ "$1" = 0 ] && echo "everything holds" || echo "failed (exit code $1)"
+}
