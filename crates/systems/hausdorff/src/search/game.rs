@@ -25,19 +25,28 @@ pub(crate) struct Game {
 
 /// Solves the game by the simplex method on three constraints.
 pub(crate) fn solve(rows: &[Row]) -> Game {
-    let (mut low, mut high) = (f64::INFINITY, 0.0);
-    for &d in rows.iter().flatten() {
-        low = if d < low { d } else { low };
-        high = if d > high { d } else { high };
+    let alone = single(rows);
+    let low = rows.iter().flatten().fold(f64::INFINITY, |low, &d| if d < low { d } else { low });
+    // A face much farther than the best one alone can have little weight, and would hide differences among the others.
+    let high = low + MOST_SPREAD * (alone.value - low);
+    let greatest = |row: &Row| row.iter().fold(0.0, |m, &d| if d > m { d } else { m });
+    let mut taken = [0; MAX_ROWS];
+    let mut count = 0;
+    for (i, _) in rows.iter().enumerate().filter(|(_, row)| greatest(row) <= high) {
+        taken[count] = i;
+        count += 1;
     }
-    if rows.len() == 1 || high <= low {
-        return single(rows);
+    let taken = &taken[..count];
+    let high = taken.iter().fold(low, |high, &i| f64::max(high, greatest(&rows[i])));
+    if count <= 1 || high <= low {
+        return alone;
     }
     // Shifted and scaled entries in [1, 2]: the strategies stay the same, and the programme below is bounded. In
     // terms of w' = w / value it reads: maximise sum w', subject to sum_i w'_i M_ij <= 1 for each corner j.
     let scale = 1.0 / (high - low);
     let mut t = [[0.0; WIDTH]; 4];
-    for (i, row) in rows.iter().enumerate() {
+    for (i, &from) in taken.iter().enumerate() {
+        let row = &rows[from];
         for j in 0..3 {
             t[j][ROWS + i] = 1.0 + (row[j] - low) * scale;
         }
@@ -50,7 +59,7 @@ pub(crate) fn solve(rows: &[Row]) -> Game {
     let mut basis = [0, 1, 2];
     for _ in 0..MOST_PIVOTS {
         let (mut enter, mut steepest) = (RIGHT, -LEAST_DESCENT);
-        for c in 0..ROWS + rows.len() {
+        for c in 0..ROWS + count {
             if c != RIGHT && t[3][c] < steepest {
                 (enter, steepest) = (c, t[3][c]);
             }
@@ -85,13 +94,13 @@ pub(crate) fn solve(rows: &[Row]) -> Game {
     let mut weights = [0.0; MAX_ROWS];
     for j in 0..3 {
         if basis[j] >= ROWS {
-            weights[basis[j] - ROWS] = positive(t[j][RIGHT]);
+            weights[taken[basis[j] - ROWS]] = positive(t[j][RIGHT]);
         }
     }
     let corners = [0, 1, 2].map(|j| positive(t[3][j]));
     let (total, corner_total) = (weights.iter().sum::<f64>(), corners.iter().sum::<f64>());
     if !(total.is_normal() && corner_total.is_normal()) {
-        return single(rows);
+        return alone;
     }
     let weights = weights.map(|w| w / total);
     Game { weights, corners: corners.map(|c| c / corner_total), value: value(rows, &weights) }
@@ -105,6 +114,8 @@ const WIDTH: usize = ROWS + MAX_ROWS;
 const LEAST_PIVOT: f64 = 1e-8;
 /// Reduced costs above this are rounding too.
 const LEAST_DESCENT: f64 = 1e-14;
+/// How many times farther than the best face alone another may be, both counted from the least distance, to have any weight.
+const MOST_SPREAD: f64 = 1e4;
 /// Far more than a game of this size takes, unless rounding makes it cycle.
 const MOST_PIVOTS: usize = 4 * MAX_ROWS;
 

@@ -1,6 +1,7 @@
 //! A triangular piece of a face of A, and how it is cut.
 
 use glam::DVec3;
+use pompeiu_core::geom::point_triangle::closest_barycentric;
 use pompeiu_core::spatial::Slot;
 
 /// Faces of B that a piece inherits from the one it was cut from.
@@ -45,11 +46,38 @@ impl Piece {
         &self.near[..self.near_count as usize]
     }
 
-    /// Cuts where the nearest face of B ends, or else the longest edge in the middle; up to three parts. `reach` is how far
-    /// bounds may lie above the lower one.
-    pub(crate) fn cut(&self, nearest: [[f64; 3]; 3], reach: f64) -> Parts {
-        self.prism_cut(nearest, reach, LEAST_PART)
-            .unwrap_or_else(|| bisect(&self.corners.map(DVec3::from_array)))
+    /// Cuts where two faces of B are equally far from the piece, as far as their distances are linear around a point of it.
+    ///
+    /// Where the maximum is attained along such a line, parts get long and thin beside it, and one face covers each; parts of equal
+    /// sides would be as many as the line is longer than they are. The line is off by the square of the distance from
+    /// the point, so that cutting the thin parts again doubles the digits.
+    ///
+    /// None where the faces differ by less than what matters at the `reach` of bounds, as two do whose common edge is nearest.
+    pub(crate) fn bisector_cut(
+        &self,
+        around: [f64; 3],
+        faces: [[[f64; 3]; 3]; 2],
+        reach: f64,
+    ) -> Option<Parts> {
+        if self.depth >= BISECT_BELOW_DEPTH {
+            return None;
+        }
+        let x = DVec3::from_array(around);
+        let [(d, toward), (e, toward_other)] = faces.map(|face| {
+            let weights = closest_barycentric(around, face);
+            let [a, b, c] = face.map(DVec3::from_array);
+            let away = x - (weights[0] * a + weights[1] * b + weights[2] * c);
+            (away.length(), away.normalize_or_zero())
+        });
+        let slope = toward - toward_other;
+        let corners = self.corners.map(DVec3::from_array);
+        let nearer = corners.map(|corner| d - e + slope.dot(corner - x));
+        let least = LEAST_OVERHANG * reach;
+        if !(nearer.iter().any(|s| *s > least) && nearer.iter().any(|s| *s < -least)) {
+            return None;
+        }
+        let crossing = crossing(nearer)?;
+        (crossing.lesser_part() > LEAST_PART).then(|| crossing.parts(&corners))
     }
 
     /// Cuts the longest edge in the middle.
@@ -79,7 +107,7 @@ pub(crate) fn longest_edge(corners: &[[f64; 3]; 3]) -> f64 {
 }
 
 /// Cuts by planes must leave this fraction of the piece on both sides; a smaller part is not worth a piece.
-const LEAST_PART: f64 = 1e-12;
+pub(crate) const LEAST_PART: f64 = 1e-12;
 /// Corners that hang over a plane by less than this part of the tolerance do not keep a face from covering the piece.
 const LEAST_OVERHANG: f64 = 0.125;
 /// Deeper pieces are only bisected, which shrinks them for certain.
@@ -209,7 +237,7 @@ mod tests {
         ) {
             let corners = corners.map(|[x, y]| [x, y, 0.0]);
             let piece = Piece { depth, ..Piece::whole(0, corners, first_slot()) };
-            let parts = piece.cut(nearest, 0.0);
+            let parts = cut(&piece, nearest);
             let total: f64 = parts.as_slice().iter().map(area).sum();
             prop_assert!((total - area(&corners)).abs() < 1e-14);
             for corner in parts.as_slice().iter().flatten() {
@@ -218,6 +246,11 @@ mod tests {
                 prop_assert!((DVec3::from_array(q) - DVec3::from_array(*corner)).length() < 1e-14);
             }
         }
+    }
+
+    /// Cuts where the face ends, or else in the middle.
+    fn cut(piece: &Piece, nearest: [[f64; 3]; 3]) -> Parts {
+        piece.prism_cut(nearest, 0.0, LEAST_PART).unwrap_or_else(|| piece.bisect())
     }
 
     fn first_slot() -> Slot {
@@ -229,7 +262,7 @@ mod tests {
     fn cuts_where_the_nearest_face_ends() {
         let corners = [[-1.0, 0.0, 1.0], [1.0, 0.0, 1.0], [0.0, 1.0, 1.0]];
         let piece = Piece::whole(0, corners, first_slot());
-        let parts = piece.cut([[0.0, -5.0, 0.0], [0.0, 5.0, 0.0], [-9.0, 0.0, 0.0]], 0.0);
+        let parts = cut(&piece, [[0.0, -5.0, 0.0], [0.0, 5.0, 0.0], [-9.0, 0.0, 0.0]]);
         let mut xs: Vec<f64> = parts.as_slice().iter().flatten().map(|c| c[0]).collect();
         xs.sort_by(f64::total_cmp);
         assert_eq!(parts.as_slice().len(), 2);
@@ -243,7 +276,7 @@ mod tests {
         let corners = [[-1.0, 0.0, 1.0], [1.0, 0.0, 1.0], [0.0, 1.0, 1.0]];
         let piece = Piece::whole(0, corners, first_slot());
         for thickness in [0.1, 0.4, 0.6, 0.7, 0.9, 1.1, 10.0, 1e6].map(|x| x * LEAST_PART) {
-            let parts = piece.cut([[-9.0, thickness, 0.0], [9.0, thickness, 0.0], [0.0, 9.0, 0.0]], 0.0);
+            let parts = cut(&piece, [[-9.0, thickness, 0.0], [9.0, thickness, 0.0], [0.0, 9.0, 0.0]]);
             for part in parts.as_slice() {
                 assert!(area(part) < 1.0 - 0.5 * LEAST_PART, "{thickness:e} {part:?}");
             }

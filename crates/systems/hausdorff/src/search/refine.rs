@@ -1,7 +1,7 @@
 //! Cover, generate, cut: the search on pieces that the sweep left.
 
-use super::game::{self, MAX_ROWS};
-use super::piece::{INHERITED, Parts, Piece};
+use super::game::{self, Game, MAX_ROWS};
+use super::piece::{INHERITED, LEAST_PART, Parts, Piece};
 use super::rows::Rows;
 use super::sweep::Settled;
 use super::worker::{STOP_CHECK, SlotProof, Worker, at, centre, max3, with_centre};
@@ -140,10 +140,23 @@ impl Worker<'_> {
             return self.discard(piece, game.value, || rows.mixture(&game.weights));
         }
 
-        // Cut.
+        // Cut: where the nearest face ends, where two faces are equally far, or in the middle.
         let bound = game.value + self.limits.rounding.bound(piece.depth);
-        let parts = piece.cut(bvh.corners(nearest.slot), reach);
+        let parts = piece
+            .prism_cut(bvh.corners(nearest.slot), reach, LEAST_PART)
+            .or_else(|| self.bisector_cut(&piece, &rows, &game, reach))
+            .unwrap_or_else(|| piece.bisect());
         self.push_parts(&piece, &parts, bound, rows.inherited(nearest.slot, &game.weights), false, stack);
+    }
+
+    /// Cuts where two faces of the best mixture are equally far, the heaviest two that differ.
+    fn bisector_cut(&self, piece: &Piece, rows: &Rows, game: &Game, reach: f64) -> Option<Parts> {
+        let [first, second, third] =
+            rows.heaviest(&game.weights).map(|slot| Some(self.scene.bvh.corners(slot?)));
+        let worst = at(&piece.corners, game.corners);
+        [[first, second], [first, third], [second, third]]
+            .into_iter()
+            .find_map(|[one, other]| piece.bisector_cut(worst, [one?, other?], reach))
     }
 
     /// Settles a piece by its overlay, or bisects it where it lies over too many faces.
@@ -192,7 +205,7 @@ impl Worker<'_> {
         }
     }
 
-    fn solve(&mut self, rows: &Rows) -> game::Game {
+    fn solve(&mut self, rows: &Rows) -> Game {
         self.out.work.games += 1;
         game::solve(rows.distances())
     }

@@ -7,6 +7,7 @@ mod classic;
 mod determinism;
 mod deviation;
 mod discards;
+mod hard;
 mod limits;
 mod observer;
 mod options;

@@ -20,9 +20,14 @@ fn read(path: &str) -> Option<TriMesh> {
 
 /// Both meshes of a pair, if they are there.
 pub(crate) fn load(name: &str) -> Option<(TriMesh, TriMesh)> {
-    let found = read(&format!("pairs/{name}/a.obj")).zip(read(&format!("pairs/{name}/b.obj")));
+    load_from(&format!("pairs/{name}/a.obj"), &format!("pairs/{name}/b.obj"))
+}
+
+/// Two meshes by their places among the data, if they are there.
+pub(crate) fn load_from(a: &str, b: &str) -> Option<(TriMesh, TriMesh)> {
+    let found = read(a).zip(read(b));
     if found.is_none() {
-        println!("skipped: the pair {name} is not there");
+        println!("skipped: {a} and {b} are not there");
     }
     found
 }
