@@ -108,7 +108,7 @@ pub(crate) fn search(question: &Question<'_>, a: &TriMesh, b: &TriMesh) -> Direc
         .collect();
     if pieces.iter().any(|p| p.distances[0] == f64::INFINITY) {
         // Out of time before the first level: coarse bounds take its place.
-        let mut report = crate::coarse::bound(question, a, b);
+        let mut report = crate::coarse::bound(question, a, b, StopReason::Time);
         report.stop = StopReason::Time;
         return report;
     }
@@ -197,8 +197,7 @@ pub(crate) fn search(question: &Question<'_>, a: &TriMesh, b: &TriMesh) -> Direc
         nearest_face: FaceId(nearest as u32),
         nearest_corners: corners(b, nearest),
     };
-    let (mut witness, x) = farthest.witness(a, &frame);
-    witness.to.position = frame.unmap(witness.to.position);
+    let (witness, x) = farthest.witness(a, &frame);
     let lower = certify::distance_lower_bound(x, (0..b.faces().len()).map(|g| corners(b, g)));
     let upper = pieces.iter().map(|p| p.bound).fold(settled, f64::max);
     let (distance, stop, tolerance) = conclude(question, &limits, &frame, lower, upper, control.reason());

@@ -1,4 +1,4 @@
-//! A valid enclosure from almost no memory, for limits in which no tree fits.
+//! A valid enclosure in linear time and almost no memory, where a search is not possible or not needed.
 
 use crate::certify;
 use crate::engine::{Farthest, Question, conclude, joint_frame};
@@ -14,7 +14,14 @@ const POINTS: usize = 4;
 
 /// Bounds `h(A, B)` without a tree: from above by the best of a few faces of B for each face of A, from below by the
 /// farthest of a few corners of A. Linear time, no allocation that grows with the meshes.
-pub(crate) fn bound(question: &Question<'_>, a: &TriMesh, b: &TriMesh) -> DirectedReport {
+///
+/// `instead` is why there is no search.
+pub(crate) fn bound(
+    question: &Question<'_>,
+    a: &TriMesh,
+    b: &TriMesh,
+    instead: StopReason,
+) -> DirectedReport {
     let started = Instant::now();
     let (frame, joint, rounding) = joint_frame(a, b);
     let limits = question.limits(&joint, &frame, rounding);
@@ -52,13 +59,12 @@ pub(crate) fn bound(question: &Question<'_>, a: &TriMesh, b: &TriMesh) -> Direct
         }
     }
     let best = best.expect("a mesh has a face");
-    let (mut witness, x) = best.witness(a, &frame);
-    witness.to.position = frame.unmap(witness.to.position);
+    let (witness, x) = best.witness(a, &frame);
     let lower = certify::distance_lower_bound(x, (0..m_b).map(|g| corners(b, g)));
     let (distance, stop, tolerance) =
         conclude(question, &limits, &frame, lower, upper + rounding.bound(0), None);
-    // Only a bound that is as good as asked is no victim of the limit.
-    let stop = if stop == StopReason::Rounding { StopReason::Memory } else { stop };
+    // A bound that is as good as asked needs no search.
+    let stop = if stop == StopReason::Rounding { instead } else { stop };
     let work = WorkCount {
         distances: (m_a * few.len() * 3 + POINTS * m_b) as u64,
         pieces: m_a as u64,

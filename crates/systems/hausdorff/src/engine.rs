@@ -104,9 +104,8 @@ pub(crate) fn search(
         nearest_face: target.bvh().face(found.nearest),
         nearest_corners: target.bvh().corners(found.nearest),
     };
-    let (mut witness, x) = farthest.witness(a, target.frame());
+    let (witness, x) = farthest.witness(a, target.frame());
     let lower = certified_lower(&x, &farthest, target.bvh(), rounding);
-    witness.to.position = target.frame().unmap(witness.to.position);
     let report = conclude(question, &limits, target.frame(), lower, result.upper, control.reason());
     DirectedReport {
         distance: report.0,
@@ -128,14 +127,14 @@ pub(crate) struct Farthest {
 }
 
 impl Farthest {
-    /// The witness, its point on B still in the frame, and an enclosure of its point on A in the frame.
+    /// The witness in the unit of the meshes, and an enclosure of its point on A in the frame.
     pub(crate) fn witness(&self, a: &TriMesh, frame: &Frame) -> (Witness, certify::Box3) {
         let corners = a.corners(self.face);
         let weights = closest_barycentric(self.point, corners.map(|p| frame.map(p)));
         let x = certify::point_in_frame(frame, corners, weights);
         let barycentric = closest_barycentric(certify::middle(&x), self.nearest_corners);
         let position = [0, 1, 2].map(|k| (0..3).map(|i| barycentric[i] * self.nearest_corners[i][k]).sum());
-        let to = SurfacePoint { face: self.nearest_face, barycentric, position };
+        let to = SurfacePoint { face: self.nearest_face, barycentric, position: frame.unmap(position) };
         (Witness { from: SurfacePoint::new(a, self.face, weights), to }, x)
     }
 }
@@ -166,8 +165,11 @@ pub(crate) fn conclude(
     let upper = frame.length_out(upper);
     let upper = if upper < f64::MIN_POSITIVE { upper.next_up() } else { upper };
     debug_assert!(lower <= upper, "proven bounds cross: {lower} > {upper}");
-    let enclosure = Enclosure::new(if lower < upper { lower } else { upper }, upper)
-        .expect("coordinates are bounded, so distances are finite");
+    // Bounds that cross would show an error of the rounding model. The distance is then at least one and at most the other of
+    // what they say, whichever is wrong, and the report says that rounding is why the interval is not what was asked.
+    let crossed = lower > upper;
+    let (lower, upper) = if crossed { (upper, lower) } else { (lower, upper) };
+    let enclosure = Enclosure::new(lower, upper).expect("coordinates are bounded, so distances are finite");
     let tolerance = match question.options.tolerance {
         Tolerance::Absolute(x) => x,
         _ => frame.length_out(limits.requested(frame.length_in(lower))),
@@ -175,6 +177,7 @@ pub(crate) fn conclude(
     let decided = question.options.threshold.is_some_and(|t| enclosure.upper() <= t || enclosure.lower() > t);
     let stop = match stopped {
         Some(reason) if reason.is_early() => reason,
+        _ if crossed => StopReason::Rounding,
         _ if enclosure.gap() <= tolerance => StopReason::Tolerance,
         _ if decided => StopReason::Threshold,
         _ => StopReason::Rounding,

@@ -2,7 +2,7 @@
 
 use crate::engine::{self, Question};
 use crate::options::{HausdorffOptions, Method};
-use crate::report::{DirectedReport, Direction, SymmetricReport};
+use crate::report::{DirectedReport, Direction, StopReason, SymmetricReport};
 use crate::target::Target;
 use crate::tolerance::OptionError;
 use crate::{classic, coarse};
@@ -55,7 +55,11 @@ impl HausdorffOptions<'_> {
         Ok(on_threads(self.limits.threads, || engine::search(&question, a, b, None)))
     }
 
-    /// Encloses `H(A, B)`, with both directed distances. The first direction takes at most half of the time limit.
+    /// Encloses `H(A, B)`, with both directed distances.
+    ///
+    /// Both directions share the time limit: the first is searched until half of it has passed, and again with what the second
+    /// leaves. When the first direction alone exceeds the threshold, the second is bounded in linear time, without a
+    /// search; its report says [`StopReason::Threshold`].
     ///
     /// # Errors
     /// [`HausdorffOptions::check`].
@@ -67,8 +71,20 @@ impl HausdorffOptions<'_> {
     fn both_directions(&self, a: &TriMesh, b: &TriMesh) -> SymmetricReport {
         let deadline = self.limits.deadline();
         let half = self.limits.time.and_then(|limit| Instant::now().checked_add(limit / 2));
-        let a_to_b = self.one_direction(a, b, Direction::AToB, half);
+        let mut a_to_b = self.one_direction(a, b, Direction::AToB, half);
+        if self.threshold.is_some_and(|threshold| a_to_b.distance.lower() > threshold) {
+            let question = Question { options: self, direction: Direction::BToA, deadline };
+            let mut b_to_a = coarse::bound(&question, b, a, StopReason::Threshold);
+            if b_to_a.stop != StopReason::Tolerance {
+                b_to_a.stop = StopReason::Threshold;
+            }
+            return SymmetricReport { distance: a_to_b.distance.max(b_to_a.distance), a_to_b, b_to_a };
+        }
         let b_to_a = self.one_direction(b, a, Direction::BToA, deadline);
+        if a_to_b.stop == StopReason::Time && deadline.is_some_and(|deadline| Instant::now() < deadline) {
+            let again = self.one_direction(a, b, Direction::AToB, deadline);
+            a_to_b = a_to_b.narrowed_by(&again);
+        }
         SymmetricReport { distance: a_to_b.distance.max(b_to_a.distance), a_to_b, b_to_a }
     }
 
@@ -85,7 +101,7 @@ impl HausdorffOptions<'_> {
             return classic::search(&question, a, b);
         }
         if self.limits.memory.is_some_and(|limit| limit < engine::bytes_to_start(a, b)) {
-            return coarse::bound(&question, a, b);
+            return coarse::bound(&question, a, b, StopReason::Memory);
         }
         let target = Target::without_neighbours(b);
         let build = started.elapsed();

@@ -72,6 +72,30 @@ pub struct DirectedReport {
     pub timing: Timing,
 }
 
+impl DirectedReport {
+    /// This report and a later one of the same distance in one: the better of both ends, and the work and time of both.
+    pub(crate) fn narrowed_by(&self, later: &Self) -> Self {
+        let (best, other) =
+            if later.distance.lower() < self.distance.lower() { (self, later) } else { (later, self) };
+        let (upper, other_upper) = (best.distance.upper(), other.distance.upper());
+        let upper = if other_upper < upper { other_upper } else { upper };
+        let mut work = best.work;
+        work.add(&other.work);
+        Self {
+            // Both intervals hold the distance, so that their ends do not cross.
+            distance: Enclosure::new(best.distance.lower(), upper).unwrap_or(best.distance),
+            witness: best.witness,
+            stop: later.stop,
+            tolerance: later.tolerance,
+            work,
+            timing: Timing {
+                build: self.timing.build + later.timing.build,
+                search: self.timing.search + later.timing.search,
+            },
+        }
+    }
+}
+
 /// The answer to a symmetric query: both directed ones.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SymmetricReport {
