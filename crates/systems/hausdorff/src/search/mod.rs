@@ -46,6 +46,12 @@ const TASKS_PER_ROUND: usize = 64;
 const SIZES: usize = 64;
 /// Beyond this many edges of both meshes, a distance hides which face of B is over which of A.
 const LARGE_DISTANCE: f64 = 2.0;
+/// Pieces that are searched at the tolerance asked for at once, and parts of each that was open, on average; what is still open
+/// then is searched level by level.
+const DIRECT_PIECES: u64 = 2048;
+const DIRECT_PARTS: u64 = 4;
+/// How much nearer the upper bound comes to the lower one from level to level.
+const LEVEL_STEP: f64 = 0.25;
 /// Pieces that a task of the search examines at most.
 const REFINE_BUDGET: usize = 1024;
 
@@ -138,6 +144,8 @@ pub(crate) struct Search<'s, 'o> {
     upper: f64,
     open: Vec<Piece>,
     kept: Vec<Piece>,
+    /// Discards that the observer is not told of before it is known that they are final.
+    pending: Option<Vec<Discarded>>,
     work: WorkCount,
 }
 
@@ -164,6 +172,7 @@ impl<'s, 'o> Search<'s, 'o> {
             upper: 0.0,
             open: Vec::new(),
             kept: Vec::new(),
+            pending: None,
             work: WorkCount { queries: 1, ..WorkCount::default() },
         }
     }
@@ -172,20 +181,14 @@ impl<'s, 'o> Search<'s, 'o> {
     pub(crate) fn run(mut self, stages: &[f64]) -> Ended {
         let last = self.limits.tolerance;
         self.sample();
-        self.meet_neighbours();
-        for (i, tolerance) in stages.iter().copied().chain([last]).enumerate() {
+        self.find_neighbours();
+        self.keep.pieces = !stages.is_empty();
+        self.limits.tolerance = stages.first().copied().unwrap_or(last);
+        self.sweep();
+        self.ask_corners();
+        for tolerance in stages.iter().copied().chain([last]) {
             self.limits.tolerance = tolerance;
-            self.keep.pieces = !stages.is_empty();
-            if i == 0 {
-                self.sweep();
-                self.ask_corners();
-            } else {
-                let limits = self.limits;
-                let lower = self.found.distance;
-                self.open.extend(self.kept.extract_if(.., |piece| {
-                    piece.bound - limits.rounding.bound(piece.depth) > limits.at(lower, piece.depth)
-                }));
-            }
+            self.reopen();
             self.refine();
             if self.scene.stopped() {
                 break;
@@ -195,11 +198,24 @@ impl<'s, 'o> Search<'s, 'o> {
                 self.report_stage(tolerance);
             }
         }
-        let mut upper = self.upper;
-        for piece in self.open.iter().chain(&self.kept) {
-            upper = if piece.bound > upper { piece.bound } else { upper };
+        Ended { found: self.found, upper: self.upper_of_all(), work: self.work }
+    }
+
+    /// Opens the pieces that were discarded at a coarser tolerance and cannot be at the present one.
+    fn reopen(&mut self) {
+        let (limits, lower) = (self.limits, self.found.distance);
+        let is_open =
+            |piece: &Piece| piece.bound - limits.rounding.bound(piece.depth) > limits.at(lower, piece.depth);
+        self.open.extend(self.kept.extract_if(.., |piece| is_open(piece)));
+        if let Some(pending) = &mut self.pending {
+            pending.retain(|discarded| !is_open(&discarded.piece));
         }
-        Ended { found: self.found, upper, work: self.work }
+    }
+
+    /// The largest bound of any piece, open or discarded.
+    fn upper_of_all(&self) -> f64 {
+        let bounds = self.open.iter().chain(&self.kept).map(|piece| piece.bound);
+        bounds.fold(self.upper, |upper, bound| if bound > upper { bound } else { upper })
     }
 
     fn sample(&mut self) {
@@ -213,12 +229,12 @@ impl<'s, 'o> Search<'s, 'o> {
             worker.sample(points, scene.bvh.any_slot());
         });
         self.merge(outcomes);
-        self.look_around(order.len() as u64);
+        self.report_progress(order.len() as u64);
     }
 
     /// Finds the neighbours of B's triangles, unless faces are so small for the distance that one of B mostly covers one of A: then
     /// overlays are not tried, not even where a prepared target knows the neighbours, so that it gives the same report.
-    fn meet_neighbours(&mut self) {
+    fn find_neighbours(&mut self) {
         let mean = |count: usize, corners: &mut dyn Iterator<Item = [[f64; 3]; 3]>| {
             let stride = count.div_ceil(SIZES);
             corners.step_by(stride).map(|corners| longest_edge(&corners)).sum::<f64>()
@@ -246,7 +262,7 @@ impl<'s, 'o> Search<'s, 'o> {
             let outcomes = self.round(faces.chunks(SWEEP_TASK), |worker, faces| worker.sweep(faces));
             self.merge(outcomes);
             let done = i * SWEEP_TASK * TASKS_PER_ROUND + faces.len();
-            self.look_around((order.len() - done) as u64);
+            self.report_progress((order.len() - done) as u64);
         }
     }
 
@@ -281,14 +297,55 @@ impl<'s, 'o> Search<'s, 'o> {
         // The most promising first: they raise the lower bound for the others. The order of equal bounds follows from that
         // before, which does not depend on threads; keeping it would take a copy of the pieces.
         self.open.sort_unstable_by(|p, q| q.bound.total_cmp(&p.bound));
-        while !self.open.is_empty() && !self.scene.stopped() {
+        let direct = DIRECT_PIECES + DIRECT_PARTS * self.open.len() as u64;
+        self.refine_open(self.work.pieces + direct);
+        if !self.open.is_empty() && !self.scene.stopped() {
+            self.refine_by_levels();
+        }
+    }
+
+    /// Works on the open pieces until there are none, or until so many pieces were examined since the start.
+    fn refine_open(&mut self, most: u64) {
+        while !self.open.is_empty() && !self.scene.stopped() && self.work.pieces < most {
             let open = std::mem::take(&mut self.open);
             let task = open.len().div_ceil(TASKS_PER_ROUND);
             let outcomes =
                 self.round(open.chunks(task), |worker, pieces| worker.refine(pieces, REFINE_BUDGET));
             drop(open);
             self.merge(outcomes);
-            self.look_around(0);
+            self.report_progress(0);
+        }
+    }
+
+    /// Lowers the bounds of all open pieces step by step: a search that takes this long may be ended by a limit, and what was left
+    /// aside while another piece was searched to the last digit would then decide the upper bound.
+    fn refine_by_levels(&mut self) {
+        let (asked, keep) = (self.limits.tolerance, self.keep.pieces);
+        self.keep.pieces = true;
+        self.pending = Some(Vec::new());
+        let mut level = f64::INFINITY;
+        loop {
+            let lower = self.found.distance;
+            // Pieces too small to cut keep bounds above any level: levels descend in any case.
+            let gap = self.upper_of_all() - lower;
+            level = LEVEL_STEP * if gap < level { gap } else { level };
+            let last = level <= self.limits.reach(lower);
+            self.limits.tolerance = if last { asked } else { level };
+            self.reopen();
+            self.refine_open(u64::MAX);
+            self.limits.tolerance = asked;
+            if last || self.scene.stopped() {
+                break;
+            }
+        }
+        for discarded in self.pending.take().into_iter().flatten() {
+            self.observer.discard(&self.describe(&discarded));
+        }
+        self.keep.pieces = keep;
+        if !keep {
+            for piece in self.kept.drain(..) {
+                self.upper = if piece.bound > self.upper { piece.bound } else { self.upper };
+            }
         }
     }
 
@@ -338,15 +395,19 @@ impl<'s, 'o> Search<'s, 'o> {
             self.open.append(&mut outcome.open);
             self.kept.append(&mut outcome.kept);
             self.work.add(&outcome.work);
-            for discarded in outcome.discarded {
-                let discard = self.describe(&discarded);
-                self.observer.discard(&discard);
+            match &mut self.pending {
+                Some(pending) => pending.append(&mut outcome.discarded),
+                None => {
+                    for discarded in &outcome.discarded {
+                        self.observer.discard(&self.describe(discarded));
+                    }
+                }
             }
         }
     }
 
-    /// Between rounds: tell, listen, and mind the limits.
-    fn look_around(&mut self, faces_left: u64) {
+    /// Between rounds: reports progress, and checks the limits.
+    fn report_progress(&mut self, faces_left: u64) {
         let pieces = self.open.len() + self.kept.len();
         self.scene.control.check_memory(pieces * size_of::<Piece>());
         self.scene.control.check_pieces(pieces);

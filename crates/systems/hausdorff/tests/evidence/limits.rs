@@ -3,14 +3,15 @@
 use crate::support::{check_both, check_report, overlap, same};
 use pompeiu_core::TriMesh;
 use pompeiu_core::mesh::displace_at_random;
-use pompeiu_core::mesh::shapes::{icosphere, torus};
+use pompeiu_core::mesh::shapes::{Diagonal, grid, icosphere, point_lattice, torus};
 use pompeiu_core::run::Limits;
 use pompeiu_hausdorff::{
-    DirectedReport, HausdorffOptions, Method, Observer, Progress, StopReason, Target, Tolerance,
-    directed_hausdorff,
+    DirectedReport, Direction, HausdorffOptions, Method, Observer, Progress, StopReason, Target, Tolerance,
+    directed_hausdorff, symmetric_hausdorff,
 };
 use pompeiu_testkit::cases::all;
 use std::ops::ControlFlow;
+use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
 
@@ -196,4 +197,90 @@ fn cancelling_at_any_call() {
             gap = report.distance.gap();
         }
     }
+}
+
+/// Ends a search after so many pieces.
+struct CancelAfter(u64);
+
+impl Observer for CancelAfter {
+    fn progress(&self, progress: &Progress) -> ControlFlow<()> {
+        if progress.examined >= self.0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+}
+
+/// A long search that is ended early has lowered the bounds of all pieces, not searched some of them to the last digit: what a
+/// coarse tolerance takes, and a while more, gives about what that tolerance would have given.
+#[test]
+fn bounds_of_a_search_that_is_ended_are_those_of_a_coarser_one() {
+    let plate = grid([1.0, 1.0], [1, 1], Diagonal::Rising).unwrap();
+    let points = displace_at_random(&point_lattice(1.0, 60).unwrap(), 0.004, 1).unwrap();
+    let full = directed_hausdorff(&plate, &points);
+    for tolerance in [0.1, 0.03, 0.01] {
+        let coarse = HausdorffOptions {
+            tolerance: Tolerance::RelativeToDiagonal(tolerance),
+            ..HausdorffOptions::default()
+        };
+        let coarse = coarse.directed(&plate, &points).unwrap();
+        let observer = CancelAfter(2 * coarse.work.pieces + 4096);
+        assert!(observer.0 < full.work.pieces, "{} {full:?}", observer.0);
+        let ended = HausdorffOptions { observer: Some(&observer), ..HausdorffOptions::default() };
+        let ended = ended.directed(&plate, &points).unwrap();
+        assert_eq!(ended.stop, StopReason::Cancelled);
+        check_stopped(&plate, &points, &ended, &full, StopReason::Cancelled);
+        assert!(ended.distance.gap() <= 8.0 * coarse.tolerance, "{tolerance} {ended:?}");
+    }
+}
+
+/// Spends half of the time in the first direction, the first time that it is searched.
+struct Dawdles {
+    half: Duration,
+    directions: Mutex<Vec<Direction>>,
+}
+
+impl Observer for Dawdles {
+    fn progress(&self, progress: &Progress) -> ControlFlow<()> {
+        let mut directions = self.directions.lock().unwrap();
+        if directions.is_empty() {
+            std::thread::sleep(self.half);
+        }
+        if directions.last() != Some(&progress.direction) {
+            directions.push(progress.direction);
+        }
+        ControlFlow::Continue(())
+    }
+}
+
+/// When the first direction needs more than half of the time, it gets what the second leaves.
+#[test]
+fn directions_share_the_time() {
+    let (a, b) =
+        (icosphere(1.0, 2).unwrap(), displace_at_random(&icosphere(1.0, 2).unwrap(), 0.1, 1).unwrap());
+    let full = symmetric_hausdorff(&a, &b);
+    let half = Duration::from_millis(800);
+    let observer = Dawdles { half, directions: Mutex::default() };
+    let limits = Limits { time: Some(2 * half), ..Limits::default() };
+    let report = HausdorffOptions { observer: Some(&observer), ..limited(limits) }.symmetric(&a, &b).unwrap();
+    check_both(&a, &b, &report);
+    assert_eq!(*observer.directions.lock().unwrap(), [Direction::AToB, Direction::BToA, Direction::AToB]);
+    assert_eq!(report.a_to_b.stop, StopReason::Tolerance, "{report:?}");
+    assert_eq!(report.a_to_b.distance, full.a_to_b.distance);
+    assert!(report.a_to_b.timing.search >= half && report.a_to_b.work.queries > full.a_to_b.work.queries);
+    assert!(same(&report.b_to_a, &full.b_to_a));
+}
+
+/// A distance that exceeds the threshold one way needs no search the other way.
+#[test]
+fn a_threshold_that_is_exceeded_ends_both_directions() {
+    let (a, b) = large_pair();
+    let full = symmetric_hausdorff(&a, &b);
+    let options = HausdorffOptions {
+        threshold: Some(0.5 * full.a_to_b.distance.lower()),
+        ..HausdorffOptions::default()
+    };
+    let report = options.symmetric(&a, &b).unwrap();
+    check_both(&a, &b, &report);
+    assert!(report.a_to_b.distance.lower() > options.threshold.unwrap());
+    assert_eq!(report.b_to_a.stop, StopReason::Threshold);
+    assert!(overlap(report.b_to_a.distance, full.b_to_a.distance, 0.0), "{report:?}");
+    assert_eq!((report.b_to_a.work.queries, report.b_to_a.work.games), (0, 0));
 }
