@@ -26,14 +26,15 @@ CHECKS = {
     "python/tests/test_ray": ["cluster"],
     "crates/doors/py/src/many": ["cluster"],
     "crates/show/figures/web/": ["browser"],
-    "crates/show/figures/src/html/": ["browser"],
+    "crates/show/figures/src/page/": ["browser"],
     "crates/show/figures/examples/": ["browser"],
-    "crates/show/figures/tests/browser/": ["browser"],
     "docs/guide/": ["guide"],
     "scripts/requirements.txt": ["guide", "python", "browser"],
     "bench/peers/": ["peers"],
     "scripts/": ["scripts"],
 }
+# The same by a folder of any crate.
+FOLDERS = {"/src/show/": ["browser"], "/src/show.rs": ["browser"], "/tests/browser/": ["browser"]}
 # Crates whose tests read files outside of all crates, by the beginning of the path of those.
 READERS = {
     "docs/guide/": "pompeiu-cli",
@@ -88,7 +89,9 @@ def packages(files, crates):
 
 def checks(files):
     """The checks beyond crates that a change of these files calls for, in order of their names."""
-    return sorted({check for file in files for start, names in CHECKS.items() if file.startswith(start) for check in names})
+    by_start = {check for file in files for start, names in CHECKS.items() if file.startswith(start) for check in names}
+    by_folder = {check for file in files for folder, names in FOLDERS.items() if folder in file for check in names}
+    return sorted(by_start | by_folder)
 
 
 if __name__ == "__main__":

@@ -34,6 +34,7 @@ class Affected(unittest.TestCase):
     def test_checks_by_path(self):
         self.assertEqual(checks(["python/pompeiu/ray.py"]), ["cluster", "python"])
         self.assertEqual(checks(["crates/show/figures/web/src/main.js", "docs/guide/pages/index.md"]), ["browser", "guide"])
+        self.assertEqual(checks(["crates/systems/fields/src/show/page.rs"]), ["browser"], "pages of any system")
 
     def test_this_workspace(self):
         crates = workspace()

@@ -6,7 +6,7 @@
 
 #![allow(clippy::print_stdout, reason = "this program is there to print")]
 
-use pompeiu::hausdorff::show::{DeviationReport, ReportedMesh, search_stages};
+use pompeiu::hausdorff::show::{DeviationPage, NamedMesh, search_stages};
 use pompeiu::prelude::*;
 
 fn main() -> anyhow::Result<()> {
@@ -26,9 +26,9 @@ fn main() -> anyhow::Result<()> {
             println!("  {} faces around {:?} reach {:.4}", region.faces.len(), region.centre, region.peak);
         }
     }
-    let report = DeviationReport {
-        a: ReportedMesh { path: a_path, mesh: &a },
-        b: ReportedMesh { path: b_path, mesh: &b },
+    let shown = DeviationPage {
+        a: NamedMesh { path: a_path, mesh: &a },
+        b: NamedMesh { path: b_path, mesh: &b },
         deviation: &deviation,
         stages: &search_stages(&a, &b),
         unit: "",
@@ -36,6 +36,6 @@ fn main() -> anyhow::Result<()> {
         threshold: None,
         command: None,
     };
-    pompeiu::io::write_whole(page, report.page().html()?.as_bytes())?;
+    pompeiu::io::write_whole(page, shown.html()?.as_bytes())?;
     Ok(())
 }

@@ -4,7 +4,7 @@
 //!
 //! A [`Figure`] has [panels](Panel) that share a camera and a colour [`Scale`]; a panel shows a mesh, coloured by
 //! [`Values`], and [marks](Mark) on it. No graphics card is needed, and the same figure has the same pixels on every
-//! machine. [`html`] writes interactive pages instead.
+//! machine. A [`page::Page`] is interactive instead: one HTML file, composed by each system from [shared parts](page).
 //!
 //! ```
 //! use pompeiu_figures::{ColorMap, Scale};
@@ -17,11 +17,11 @@
 
 pub mod colormap;
 mod figure;
-pub mod html;
 mod image;
 mod legend;
 pub mod names;
 mod normals;
+pub mod page;
 mod panel;
 mod raster;
 mod text;

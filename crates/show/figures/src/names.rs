@@ -1,6 +1,6 @@
 //! What files and directions are called on pages.
 
-use crate::html::Axis;
+use crate::page::Axis;
 
 /// The axis nearest to a direction.
 pub fn axis(direction: [f64; 3]) -> Axis {

@@ -38,7 +38,7 @@ impl Picture {
     /// Writes what was asked for.
     pub(crate) fn write(
         &self,
-        page: impl FnOnce() -> Result<String, figures::html::PageError>,
+        page: impl FnOnce() -> Result<String, figures::page::PageError>,
         image: impl FnOnce(
             u32,
             u32,

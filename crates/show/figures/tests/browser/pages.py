@@ -11,7 +11,7 @@ from pathlib import Path
 from playwright.sync_api import sync_playwright
 
 ROOT = Path(__file__).resolve().parents[5]
-FOLDER = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")).resolve() / "report"
+FOLDER = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")).resolve() / "pages"
 # A machine without a graphics card draws with the processor; the rest keeps the browser from calling home.
 FLAGS = [
     "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-background-networking",
@@ -118,14 +118,13 @@ class PageTest(unittest.TestCase):
     def camera(self):
         settle(self.page)
         return self.page.evaluate("""() => {
-            const { camera, controls } = pompeiu.app.view;
+            const { camera, controls } = pompeiu.app.cameras[0];
             return { position: camera.position.toArray(), target: controls.target.toArray() };
         }""")
 
     def screen(self, point, pane=0):
         """Where a point of the meshes is on the canvas."""
         return self.page.evaluate("""([point, pane]) => {
-            const { app } = pompeiu;
-            const placed = app.view.camera.position.clone().set(...point.map((x, k) => (x - app.data.origin[k]) / app.data.scale));
-            return app.view.project(placed, pane);
+            const { view } = pompeiu.app;
+            return view.project(view.panes[pane].scene.point(point), pane);
         }""", [point, pane])

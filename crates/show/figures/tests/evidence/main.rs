@@ -2,5 +2,5 @@
 
 #![allow(clippy::unwrap_used, reason = "a helper of a test fails by panicking, as the test does")]
 
-mod html;
+mod page;
 mod pictures;

@@ -27,24 +27,24 @@ export function card(title, ...children) {
 }
 
 /** Choices of which exactly one holds: radio buttons that look like one switch. */
-export function choice(label, options, chosen, onchange) {
+export function choice(control, label, options, chosen, onchange) {
   const name = fresh("choice");
   const inputs = new Map();
-  const element = h("fieldset", { class: "choice" }, h("legend", {}, label), options.map(({ value, text, hint, id }) => {
-    const input = h("input", { type: "radio", name, value, id, checked: value === chosen, onchange: () => onchange(value) });
+  const element = h("fieldset", { class: "choice" }, h("legend", {}, label), options.map(({ value, text, hint }) => {
+    const input = h("input", { type: "radio", name, value, "data-control": `${control}-${value}`, checked: value === chosen, onchange: () => onchange(value) });
     inputs.set(value, input);
     return h("label", { title: hint }, input, h("span", {}, text, hint && h("small", {}, hint)));
   }));
   return { element, choose: (value) => { inputs.get(value).checked = true; } };
 }
 
-export function checkbox(id, label, checked, onchange) {
-  const input = h("input", { type: "checkbox", id, checked, onchange: () => onchange(input.checked) });
+export function checkbox(control, label, checked, onchange) {
+  const input = h("input", { type: "checkbox", "data-control": control, checked, onchange: () => onchange(input.checked) });
   return { element: h("label", { class: "check" }, input, label), input };
 }
 
-export function select(id, label, options, chosen, onchange) {
-  const input = h("select", { id, onchange: () => onchange(input.value) },
+export function select(control, label, options, chosen, onchange) {
+  const input = h("select", { "data-control": control, onchange: () => onchange(input.value) },
     options.map(([value, text]) => h("option", { value, selected: value === chosen }, text)));
   return { element: h("label", { class: "select" }, h("span", {}, label), input), input };
 }

@@ -88,3 +88,11 @@ export function ticks(low, high, count) {
 
 export const count = (n) => plain(n);
 export const plural = (n, one, many = one + "s") => `${count(n)} ${n === 1 ? one : many}`;
+
+/** Text with numbers in it. */
+export const textOf = (parts) => parts.map((part) => {
+  if (typeof part === "string") return part;
+  if (part.enclosure) return enclosure(part.enclosure);
+  if (part.count !== undefined) return part.of ? plural(part.count, part.of) : count(part.count);
+  return short(part.number, part.digits);
+}).join("");

@@ -5,31 +5,32 @@ import { short } from "./format.js";
 import { gradientOf } from "./scale.js";
 
 export class Legend {
-  constructor(table, unit) {
-    this.unit = unit;
+  constructor(scale) {
+    this.scale = scale;
     this.bar = h("div", { class: "bar" });
-    this.bar.style.background = gradientOf(table);
+    this.bar.style.background = gradientOf(scale.table);
     this.marks = h("div", { class: "ticks" });
     this.limit = h("div", { class: "limit-mark" });
     this.pointer = h("div", { class: "pointer" });
     this.title = h("div", { class: "legend-title" });
-    this.element = h("div", { class: "legend", id: "legend", role: "img" }, this.title, h("div", { class: "bar-box" }, this.bar, this.limit, this.pointer), this.marks);
+    this.element = h("div", { class: "legend", role: "img" }, this.title, h("div", { class: "bar-box" }, this.bar, this.limit, this.pointer), this.marks);
   }
 
-  update(scale, title, largest, threshold, painting) {
-    const over = largest > scale.end * (1 + 1e-12);
-    this.title.textContent = this.unit ? `${title}, ${this.unit}` : title;
-    const marks = scale.marks();
-    this.marks.replaceChildren(...marks.map((value) => {
+  update() {
+    const { scale } = this;
+    const { title, unit } = scale.data;
+    const over = scale.low === null && scale.largest > scale.end * (1 + 1e-12);
+    this.title.textContent = unit ? `${title}, ${unit}` : title;
+    this.marks.replaceChildren(...scale.marks().map((value) => {
       const mark = h("span", {}, short(value, 3));
       mark.style.left = `${100 * scale.place(value)}%`;
       return mark;
     }), over ? h("span", { class: "over" }, "and more") : "");
-    this.limit.style.left = `${100 * scale.place(threshold)}%`;
-    this.limit.hidden = !painting;
-    this.element.setAttribute("aria-label",
-      `Legend: ${title} from ${short(scale.signed ? -scale.end : 0)} to ${short(scale.end)}${over ? " and more" : ""} ${this.unit}`);
-    this.element.classList.toggle("muted", painting);
+    this.limit.style.left = `${100 * scale.place(scale.threshold)}%`;
+    this.limit.hidden = !scale.painting;
+    const [low, high] = [scale.low ?? (scale.signed ? -scale.end : 0), (scale.low ?? 0) + scale.end];
+    this.element.setAttribute("aria-label", `Legend: ${title} from ${short(low)} to ${short(high)}${over ? " and more" : ""} ${unit}`);
+    this.element.classList.toggle("muted", scale.painting);
   }
 
   point(place) {

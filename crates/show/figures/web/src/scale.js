@@ -1,5 +1,6 @@
 // From values to places on the colour map: the one rule that shader, legend and charts follow.
 
+import { colorTexture, raw } from "./color.js";
 import { ticks } from "./format.js";
 
 /** Decades that the logarithmic scale shows below its end. */
@@ -8,10 +9,47 @@ export const KINDS = ["linear", "root", "logarithmic"];
 
 /** Places are from 0 to 1; signed values have theirs on both sides of the middle. */
 export class Scale {
-  constructor(signed) {
-    this.signed = signed;
+  constructor(data) {
+    this.data = data;
+    this.signed = data.signed;
+    /** The lowest value, where it is not zero by nature. */
+    this.low = data.low;
     this.kind = "linear";
-    this.end = 1;
+    /** All values are divided by it for the card, so that very small and very large units fit into single precision. */
+    this.whole = data.end || 1;
+    this.end = this.whole;
+    this.range = 0;
+    this.threshold = data.threshold ?? this.whole;
+    this.painting = false;
+    this.table = Uint8Array.from(data.colors.table);
+    this.contrast = `rgb(${data.colors.contrast.join(", ")})`;
+    this.uniforms = {
+      colors: { value: colorTexture(this.table) }, scaleKind: { value: 0 }, scaleSigned: { value: this.signed }, scaleGain: { value: 1 },
+      threshold: { value: 1 }, painting: { value: false }, contrast: { value: raw(this.contrast) },
+    };
+  }
+
+  /** A number of this scale with its unit, where that is known. */
+  withUnit(text) {
+    return this.data.unit ? `${text} ${this.data.unit}` : text;
+  }
+
+  /** Where the scale of these scenes ends by one of the choices. */
+  endOf(range, scenes) {
+    const choice = this.data.ranges[range];
+    if (!choice) return this.whole;
+    if (!choice.ends) return this.threshold;
+    return Math.max(0, ...choice.ends.filter(([scene]) => scenes.includes(scene)).map(([, end]) => end));
+  }
+
+  /** Brings the end and the card up to date for the scenes that are shown. */
+  update(scenes) {
+    this.largest = this.endOf(0, scenes);
+    this.end = this.endOf(this.range, scenes) || 1;
+    this.uniforms.scaleKind.value = KINDS.indexOf(this.kind);
+    this.uniforms.scaleGain.value = this.whole / this.end;
+    this.uniforms.threshold.value = (this.threshold - (this.low ?? 0)) / this.whole;
+    this.uniforms.painting.value = this.painting;
   }
 
   /** Where the size of a value belongs, from 0 at the low end to 1 at the high end, not limited. */
@@ -23,12 +61,19 @@ export class Scale {
   }
 
   place(value) {
+    if (this.low !== null) return Math.min(1, Math.max(0, (value - this.low) / this.end));
     const size = Math.min(1, Math.max(0, this.#size(Math.abs(value))));
     return this.signed ? 0.5 + 0.5 * Math.sign(value) * size : size;
   }
 
+  colorOf(value) {
+    const at = Math.round(this.place(value) * 255) * 3;
+    return `rgb(${this.table[at]} ${this.table[at + 1]} ${this.table[at + 2]})`;
+  }
+
   /** Values to write at the legend. */
   marks() {
+    if (this.low !== null) return ticks(this.low, this.low + this.end, 5);
     let sizes;
     if (this.kind === "logarithmic") {
       const top = Math.floor(Math.log10(this.end) + 1e-9);

@@ -4,9 +4,9 @@ import { h } from "./dom.js";
 
 const THEMES = [["auto", "Theme: as the system", "light dark"], ["light", "Theme: light", "light"], ["dark", "Theme: dark", "dark"]];
 
-export function shell({ title, subtitle, toolbar, view, panel, onTheme }) {
+export function shell({ title, subtitle, toolbar, view, below, panel, onTheme }) {
   let theme = 0;
-  const button = h("button", { type: "button", id: "theme", onclick: () => setTheme((theme + 1) % THEMES.length) });
+  const button = h("button", { type: "button", id: "theme", "data-control": "theme", onclick: () => setTheme((theme + 1) % THEMES.length) });
   const setTheme = (next) => {
     theme = next;
     const [name, text, scheme] = THEMES[theme];
@@ -21,8 +21,8 @@ export function shell({ title, subtitle, toolbar, view, panel, onTheme }) {
   document.body.replaceChildren(
     h("a", { class: "skip", href: "#panel" }, "Skip to the numbers"),
     h("header", {}, h("div", { class: "brand" }, h("h1", {}, title), h("p", {}, subtitle)), button),
-    h("main", {},
-      h("div", { class: "stage-area" }, h("div", { class: "toolbar", role: "toolbar", "aria-label": "View" }, toolbar), view),
+    h("main", { class: view ? undefined : "plain" },
+      view && h("div", { class: "stage-area" }, h("div", { class: "toolbar", role: "toolbar", "aria-label": "View" }, toolbar.filter((part) => part)), view, below ?? ""),
       h("aside", { id: "panel", "aria-label": "Numbers", tabindex: "-1" }, panel)));
   setTheme(0);
   return { setTheme: (name) => setTheme(THEMES.findIndex(([known]) => known === name)) };

@@ -9,3 +9,5 @@ mod compare;
 mod decomposition;
 mod dimensions;
 mod one_kind;
+#[cfg(feature = "figures")]
+mod page;

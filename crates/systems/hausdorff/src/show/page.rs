@@ -1,36 +1,38 @@
 //! A deviation analysis as a page and as a picture.
 
+use super::content::{
+    self, DeviationContent, DisplayTriangles, Exceedance, Histogram, MeasuredSurface, SearchStage,
+    SurfaceDeviation,
+};
 use crate::deviation::{Deviation, DirectedDeviation, DisplayTriangle, Region, Sides, Statistics};
 use crate::{Direction, Enclosure, Stage, StopReason, Witness};
 use pompeiu_core::spatial::{Winding, WindingNumber};
 use pompeiu_core::{FaceId, MeshError, TriMesh};
-use pompeiu_figures::html::{
-    DeviationPage, DisplayTriangles, Exceedance, Histogram, PageSurface, PointPair, SearchStage, Statistic,
-};
 use pompeiu_figures::names::{axis, name};
-use pompeiu_figures::{ColorMap, Figure, FigureError, Image, Mark, Panel, Scale, Theme, Values, View, html};
+use pompeiu_figures::page::{Bounds, PageError, PointPair};
+use pompeiu_figures::{ColorMap, Figure, FigureError, Image, Mark, Panel, Scale, Theme, Values, View};
 
-/// A mesh as a report names it.
+/// A mesh as a page or a picture names it.
 #[derive(Clone, Copy, Debug)]
-pub struct ReportedMesh<'m> {
+pub struct NamedMesh<'m> {
     /// The file, or whatever else tells it from the other one.
     pub path: &'m str,
     /// The mesh that was measured.
     pub mesh: &'m TriMesh,
 }
 
-/// A deviation analysis to be shown.
+/// A deviation analysis to be shown, as a page to explore or as a picture.
 ///
 /// # Example
 /// ```
 /// use pompeiu_core::mesh::shapes::{icosphere, torus};
 /// use pompeiu_hausdorff::DeviationOptions;
-/// use pompeiu_hausdorff::show::{DeviationReport, ReportedMesh, search_stages};
+/// use pompeiu_hausdorff::show::{DeviationPage, NamedMesh, search_stages};
 ///
 /// let (a, b) = (icosphere(1.0, 2)?, torus(0.75, 0.25, 32, 16)?);
-/// let report = DeviationReport {
-///     a: ReportedMesh { path: "sphere.obj", mesh: &a },
-///     b: ReportedMesh { path: "torus.obj", mesh: &b },
+/// let page = DeviationPage {
+///     a: NamedMesh { path: "sphere.obj", mesh: &a },
+///     b: NamedMesh { path: "torus.obj", mesh: &b },
 ///     deviation: &DeviationOptions::default().symmetric(&a, &b)?,
 ///     stages: &search_stages(&a, &b),
 ///     unit: "mm",
@@ -38,16 +40,16 @@ pub struct ReportedMesh<'m> {
 ///     threshold: Some(0.25),
 ///     command: None,
 /// };
-/// assert!(report.page().html()?.contains("torus.obj"));
-/// assert_eq!(report.image(640, 360, Default::default(), Default::default())?.width(), 640);
+/// assert!(page.html()?.contains("torus.obj"));
+/// assert_eq!(page.image(640, 360, Default::default(), Default::default())?.width(), 640);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct DeviationReport<'r> {
+pub struct DeviationPage<'r> {
     /// The surface as it should be.
-    pub a: ReportedMesh<'r>,
+    pub a: NamedMesh<'r>,
     /// The surface as it is.
-    pub b: ReportedMesh<'r>,
+    pub b: NamedMesh<'r>,
     /// What was found, of these very meshes.
     pub deviation: &'r Deviation,
     /// What the search had left at coarser tolerances, both directions; may be empty.
@@ -58,7 +60,7 @@ pub struct DeviationReport<'r> {
     pub up: [f64; 3],
     /// What counts as out of tolerance.
     pub threshold: Option<f64>,
-    /// The command that makes the report again.
+    /// The command that makes the page again.
     pub command: Option<&'r str>,
 }
 
@@ -70,12 +72,12 @@ const MOST_TRIANGLES: usize = 400_000;
 
 /// One direction: the surface that is measured, and what was found on it.
 struct Side<'r> {
-    measured: ReportedMesh<'r>,
+    measured: NamedMesh<'r>,
     found: &'r DirectedDeviation,
     triangles: Vec<DisplayTriangle>,
 }
 
-impl<'r> DeviationReport<'r> {
+impl<'r> DeviationPage<'r> {
     fn sides(&self) -> [Side<'r>; 2] {
         let tolerance = COLOR_TOLERANCE * self.deviation.distance.upper();
         let ways = [(self.a, self.b, &self.deviation.a_to_b), (self.b, self.a, &self.deviation.b_to_a)];
@@ -92,10 +94,18 @@ impl<'r> DeviationReport<'r> {
         self.deviation.a_to_b.sides.is_some()
     }
 
-    /// The page, to be written with [`DeviationPage::html`].
-    pub fn page(&self) -> DeviationPage {
+    /// The page as a file.
+    ///
+    /// # Errors
+    /// [`PageError`] where a threshold is not finite, or the analysis is of other meshes.
+    pub fn html(&self) -> Result<String, PageError> {
+        Ok(self.content().page()?.html())
+    }
+
+    /// What the page shows.
+    fn content(&self) -> DeviationContent {
         let sides = self.sides();
-        DeviationPage {
+        DeviationContent {
             title: format!("{} and {}", name(self.a.path), name(self.b.path)),
             unit: self.unit.to_owned(),
             up: axis(self.up),
@@ -110,10 +120,10 @@ impl<'r> DeviationReport<'r> {
         }
     }
 
-    fn surface(&self, side: &Side<'_>) -> PageSurface {
+    fn surface(&self, side: &Side<'_>) -> MeasuredSurface {
         let Side { measured, found, triangles } = side;
         let stages = self.stages.iter().filter(|stage| stage.direction == found.direction);
-        PageSurface {
+        MeasuredSurface {
             name: name(measured.path).to_owned(),
             path: measured.path.to_owned(),
             vertices: measured.mesh.positions().len(),
@@ -122,7 +132,7 @@ impl<'r> DeviationReport<'r> {
                 corners: triangles.iter().map(|triangle| triangle.corners).collect(),
                 faces: triangles.iter().map(|triangle| triangle.face.0).collect(),
             },
-            deviation: Some(html::Deviation {
+            deviation: Some(SurfaceDeviation {
                 values: triangles.iter().map(|triangle| triangle.distances).collect(),
                 face_bounds: found.faces.iter().map(|face| bounds(face.max)).collect(),
                 distance: bounds(found.distance.distance),
@@ -228,7 +238,7 @@ fn soup(triangles: &[DisplayTriangle]) -> Result<TriMesh, MeshError> {
     TriMesh::new(positions, faces)
 }
 
-fn bounds(enclosure: Enclosure) -> html::Bounds {
+fn bounds(enclosure: Enclosure) -> Bounds {
     [enclosure.lower(), enclosure.upper()]
 }
 
@@ -250,8 +260,8 @@ fn pair(witness: &Witness) -> PointPair {
     PointPair { from: witness.from.position, to: witness.to.position }
 }
 
-fn statistics(found: &Statistics) -> Vec<Statistic> {
-    let statistic = |label: String, value| Statistic { label, value: bounds(value) };
+fn statistics(found: &Statistics) -> Vec<(String, Bounds)> {
+    let statistic = |label: String, value| (label, bounds(value));
     let mut all =
         vec![statistic("mean".to_owned(), found.mean), statistic("root mean square".to_owned(), found.rms)];
     all.extend(found.percentiles.iter().map(|p| {
@@ -294,8 +304,8 @@ fn exceedance(found: &Statistics) -> Exceedance {
     }
 }
 
-fn region(found: &Region) -> html::Region {
-    html::Region {
+fn region(found: &Region) -> content::Region {
+    content::Region {
         center: found.centre,
         extent: found.aabb.diagonal(),
         area: found.area,

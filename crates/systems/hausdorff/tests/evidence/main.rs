@@ -12,6 +12,8 @@ mod limits;
 mod observer;
 mod options;
 mod oracle;
+#[cfg(feature = "figures")]
+mod page;
 mod pairs;
 mod properties;
 mod regions;

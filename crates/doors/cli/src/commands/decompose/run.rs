@@ -8,7 +8,7 @@ use crate::files;
 use crate::printer::Printer;
 use anyhow::{Context, bail};
 use pompeiu::core::mesh::{unreferenced_vertices, without_unreferenced};
-use pompeiu::fields::show::FieldsReport;
+use pompeiu::fields::show::DecompositionPage;
 use pompeiu::fields::{Audit, DecompositionOptions, HodgeSolver};
 use pompeiu::operators;
 use pompeiu::surface::EmbeddedSurface;
@@ -58,7 +58,7 @@ pub(crate) fn run(args: &Decompose, printer: &Printer) -> anyhow::Result<Exit> {
             if let Some(output) = &args.output {
                 super::output::write(output, &mesh, &surface, splitting, &field, &parts, printer)?;
             }
-            let report = FieldsReport {
+            let shown = DecompositionPage {
                 path: &shown(),
                 mesh: &mesh,
                 surface: &surface,
@@ -69,8 +69,8 @@ pub(crate) fn run(args: &Decompose, printer: &Printer) -> anyhow::Result<Exit> {
                 command: Some(&called()),
             };
             args.picture.write(
-                || report.page().html(),
-                |width, height, theme, view| report.image(width, height, theme, view),
+                || shown.html(),
+                |width, height, theme, view| shown.image(width, height, theme, view),
                 printer,
             )?;
             Some(Split {

@@ -12,7 +12,7 @@ use crate::wait::Wait;
 use pompeiu::core::TriMesh;
 use pompeiu::core::run::Limits;
 use pompeiu::hausdorff::deviation::{self, DeviationOptions, DirectedDeviation, Sides};
-use pompeiu::hausdorff::show::{DeviationReport, ReportedMesh, search_stages};
+use pompeiu::hausdorff::show::{DeviationPage, NamedMesh, search_stages};
 use pompeiu::hausdorff::{Direction, Observer, Progress};
 use std::ops::ControlFlow;
 use std::path::PathBuf;
@@ -116,9 +116,9 @@ fn show(
     printer: &Printer,
 ) -> anyhow::Result<()> {
     let stages = if args.picture.report.is_some() { search_stages(a, b) } else { Vec::new() };
-    let report = DeviationReport {
-        a: ReportedMesh { path: &outcome.a.path, mesh: a },
-        b: ReportedMesh { path: &outcome.b.path, mesh: b },
+    let shown = DeviationPage {
+        a: NamedMesh { path: &outcome.a.path, mesh: a },
+        b: NamedMesh { path: &outcome.b.path, mesh: b },
         deviation: &outcome.deviation,
         stages: &stages,
         unit: &outcome.unit,
@@ -127,8 +127,8 @@ fn show(
         command: Some(&called()),
     };
     args.picture.write(
-        || report.page().html(),
-        |width, height, theme, view| report.image(width, height, theme, view),
+        || shown.html(),
+        |width, height, theme, view| shown.image(width, height, theme, view),
         printer,
     )
 }

@@ -1,0 +1,292 @@
+//! Meshes of a page, and how their corners are shared.
+
+use super::encode::{first_use_indices, integers, singles};
+use super::error::{check_faces, check_finite, check_length};
+use super::space::Placement;
+use super::values::MeshValues;
+use super::{MeshId, PageError, SpaceId};
+use pompeiu_core::TriMesh;
+use serde_json::{Value, json};
+use std::collections::HashMap;
+
+/// Triangles to draw: the faces of a mesh, or parts of them where values bend inside a face.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Mesh {
+    name: String,
+    element: String,
+    positions: Vec<[f64; 3]>,
+    triangles: Vec<[u32; 3]>,
+    /// The face of each triangle; none where they are the same.
+    faces: Option<Vec<u32>>,
+    face_count: usize,
+}
+
+/// A part of the plane: inside of a closed curve and outside of others, the last point joined to the first.
+#[derive(Clone, Debug, Default, PartialEq, serde::Serialize)]
+pub struct Polygon {
+    /// The outer curve.
+    pub outer: Vec<[f64; 2]>,
+    /// The holes.
+    pub holes: Vec<Vec<[f64; 2]>>,
+}
+
+impl Mesh {
+    /// Triangles on shared vertices.
+    pub fn new(name: impl Into<String>, positions: Vec<[f64; 3]>, triangles: Vec<[u32; 3]>) -> Self {
+        let face_count = triangles.len();
+        Self { name: name.into(), element: "face".into(), positions, triangles, faces: None, face_count }
+    }
+
+    /// All faces of a mesh. The name stands where a face is named: "face 3 of A".
+    pub fn of(name: impl Into<String>, mesh: &TriMesh) -> Self {
+        Self::new(name, mesh.positions().to_vec(), mesh.faces().to_vec())
+    }
+
+    /// Triangles by their corners. Corners at one place are one vertex on the page.
+    pub fn from_corners(name: impl Into<String>, corners: &[[[f64; 3]; 3]]) -> Self {
+        let triangles = (0..corners.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+        Self::new(name, corners.as_flattened().to_vec(), triangles)
+    }
+
+    /// Says which face each triangle is a part of, and how many faces there are.
+    #[must_use]
+    pub fn with_faces(mut self, faces: Vec<u32>, face_count: usize) -> Self {
+        let are_triangles = face_count == self.triangles.len()
+            && faces.iter().enumerate().all(|(i, &face)| i == face as usize);
+        self.faces = (!are_triangles).then_some(faces);
+        self.face_count = face_count;
+        self
+    }
+
+    /// Calls a face something else, such as "piece".
+    #[must_use]
+    pub fn with_element(mut self, element: impl Into<String>) -> Self {
+        self.element = element.into();
+        self
+    }
+
+    fn check(&self, index: usize) -> Result<(), PageError> {
+        if self.triangles.is_empty() {
+            return Err(PageError::NoTriangles { mesh: index });
+        }
+        check_finite("the positions of a mesh", self.positions.as_flattened())?;
+        let corners = self.triangles.as_flattened();
+        if let Some(at) = corners.iter().position(|&v| v as usize >= self.positions.len()) {
+            let count = self.positions.len();
+            return Err(PageError::Unknown { what: "vertex", index: corners[at] as usize, count });
+        }
+        if let Some(faces) = &self.faces {
+            check_length("the list of faces of triangles", faces.len(), self.triangles.len())?;
+            check_faces("the list of faces of triangles", faces, self.face_count)?;
+        }
+        Ok(())
+    }
+}
+
+/// What a mesh of a page is made of.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Geometry {
+    Triangles(Mesh),
+    /// The triangles of another mesh, with its vertices elsewhere.
+    Moved {
+        of: MeshId,
+        positions: Vec<[f64; 3]>,
+    },
+    Polygons {
+        name: String,
+        element: String,
+        polygons: Vec<Polygon>,
+    },
+}
+
+/// A mesh in its space.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct PlacedMesh {
+    pub(super) space: SpaceId,
+    pub(super) geometry: Geometry,
+    /// Meshes whose triangles correspond one by one, moved ones included, have the same number.
+    pub(super) link: usize,
+}
+
+impl PlacedMesh {
+    /// Checks the mesh that would have the given index.
+    pub(super) fn check(&self, index: usize, meshes: &[Self]) -> Result<(), PageError> {
+        match &self.geometry {
+            Geometry::Triangles(mesh) => mesh.check(index),
+            Geometry::Moved { of, positions } => {
+                check_finite("the positions of a moved mesh", positions.as_flattened())?;
+                let expected = of.of(meshes)?.vertex_count();
+                check_length("the list of positions of a moved mesh", positions.len(), expected)
+            }
+            Geometry::Polygons { polygons, .. } => {
+                if polygons.is_empty() {
+                    return Err(PageError::NoTriangles { mesh: index });
+                }
+                for polygon in polygons {
+                    for ring in std::iter::once(&polygon.outer).chain(&polygon.holes) {
+                        check_finite("the points of a polygon", ring.as_flattened())?;
+                        if ring.len() < 3 {
+                            return Err(PageError::Length {
+                                what: "a closed curve of a polygon, of at least three points,",
+                                found: ring.len(),
+                                expected: 3,
+                            });
+                        }
+                    }
+                }
+                Ok(())
+            }
+        }
+    }
+
+    pub(super) fn face_count(&self, meshes: &[Self]) -> usize {
+        match &self.geometry {
+            Geometry::Triangles(mesh) => mesh.face_count,
+            Geometry::Moved { of, .. } => meshes[of.0].face_count(meshes),
+            Geometry::Polygons { polygons, .. } => polygons.len(),
+        }
+    }
+
+    /// Triangles, where their number is known here.
+    pub(super) fn triangle_count(&self, meshes: &[Self]) -> usize {
+        match &self.geometry {
+            Geometry::Triangles(mesh) => mesh.triangles.len(),
+            Geometry::Moved { of, .. } => meshes[of.0].triangle_count(meshes),
+            Geometry::Polygons { .. } => 0,
+        }
+    }
+
+    pub(super) fn vertex_count(&self) -> usize {
+        match &self.geometry {
+            Geometry::Triangles(mesh) => mesh.positions.len(),
+            Geometry::Moved { positions, .. } => positions.len(),
+            Geometry::Polygons { .. } => 0,
+        }
+    }
+
+    pub(super) fn points(&self) -> Vec<[f64; 3]> {
+        match &self.geometry {
+            Geometry::Triangles(mesh) => {
+                mesh.triangles.as_flattened().iter().map(|&v| mesh.positions[v as usize]).collect()
+            }
+            Geometry::Moved { positions, .. } => positions.clone(),
+            Geometry::Polygons { polygons, .. } => {
+                polygons.iter().flat_map(|polygon| &polygon.outer).map(|&[x, y]| [x, y, 0.0]).collect()
+            }
+        }
+    }
+}
+
+/// Which corners of triangles are one on the page.
+#[derive(Debug)]
+pub(super) struct SharedCorners {
+    /// The vertex whose position each place has, in the order of first use.
+    pub(super) vertices: Vec<u32>,
+    /// The place of each corner of the page; every one is used first in order.
+    pub(super) places: Vec<u32>,
+    /// Where each corner of the page occurs first among the corners of triangles.
+    pub(super) first: Vec<usize>,
+    /// Three for each triangle; every corner is used first in order.
+    pub(super) indices: Vec<u32>,
+}
+
+impl SharedCorners {
+    /// Makes corners one where their place on the screen agrees and all values at corners do, bit for bit. Vertices stay apart
+    /// where something is stated for each of them.
+    pub(super) fn new(mesh: &Mesh, placement: Placement, apart: bool, values: &[&MeshValues]) -> Self {
+        let of_corners = mesh.triangles.as_flattened();
+        let mut vertices = vec![];
+        let place_of = if apart {
+            numbered(of_corners.iter().copied(), |i| vertices.push(of_corners[i]))
+        } else {
+            let position = |&v: &u32| placement.place(mesh.positions[v as usize]).map(f32::to_bits);
+            numbered(of_corners.iter().map(position), |i| vertices.push(of_corners[i]))
+        };
+        let mut indices = place_of.clone();
+        for values in values {
+            for component in 0..values.width() {
+                let bits = |i: usize| values.at(i, component).to_bits();
+                let pairs: Vec<_> = indices.iter().enumerate().map(|(i, &index)| (index, bits(i))).collect();
+                indices = numbered(pairs.into_iter(), |_| ());
+            }
+        }
+        let (mut places, mut first) = (vec![], vec![]);
+        for (i, &index) in indices.iter().enumerate() {
+            if index as usize == places.len() {
+                places.push(place_of[i]);
+                first.push(i);
+            }
+        }
+        Self { vertices, places, first, indices }
+    }
+}
+
+/// Numbers for keys in the order of their first occurrence, each of which is reported.
+fn numbered<K: std::hash::Hash + Eq>(
+    keys: impl ExactSizeIterator<Item = K>,
+    mut first: impl FnMut(usize),
+) -> Vec<u32> {
+    let mut known = HashMap::with_capacity(keys.len() / 4);
+    let mut numbers = Vec::with_capacity(keys.len());
+    for (i, key) in keys.enumerate() {
+        let next = known.len() as u32;
+        numbers.push(*known.entry(key).or_insert_with(|| {
+            first(i);
+            next
+        }));
+    }
+    numbers
+}
+
+impl PlacedMesh {
+    /// As the page holds it; `shared` are the corners of this mesh, or of the one that it is moved from.
+    pub(super) fn data(&self, placement: Placement, shared: Option<&SharedCorners>) -> Value {
+        let at_places = |positions: &[[f64; 3]]| {
+            let vertices = shared.map_or(&[][..], |shared| &shared.vertices);
+            let placed: Vec<_> = vertices.iter().map(|&v| placement.place(positions[v as usize])).collect();
+            singles(placed.as_flattened().iter().copied())
+        };
+        match &self.geometry {
+            Geometry::Triangles(mesh) => json!({
+                "kind": "triangles", "name": mesh.name, "element": mesh.element, "space": self.space,
+                "link": self.link, "faces": mesh.face_count,
+                "positions": at_places(&mesh.positions),
+                "places": shared.map(|shared| first_use_indices(&shared.places)),
+                "indices": shared.map(|shared| first_use_indices(&shared.indices)),
+                "triangleFaces": mesh.faces.as_ref().map(|faces| integers(faces.iter().copied())),
+            }),
+            Geometry::Moved { of, positions } => json!({
+                "kind": "moved", "of": of, "space": self.space, "link": self.link,
+                "positions": at_places(positions),
+            }),
+            Geometry::Polygons { name, element, polygons } => json!({
+                "kind": "polygons", "name": name, "element": element, "space": self.space, "link": self.link,
+                "faces": polygons.len(), "polygons": polygons,
+            }),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn corners_are_shared_where_place_and_value_agree() {
+        let [a, b, c, d] = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]];
+        let corners = [[a, b, c], [b, d, c]];
+        let placement = Placement::around(corners.as_flattened().iter().copied());
+        let mesh = Mesh::from_corners("", &corners);
+        assert_eq!(SharedCorners::new(&mesh, placement, false, &[]).indices, [0, 1, 2, 1, 3, 2]);
+        let values = MeshValues::on_corners(vec![[0.0, 1.0, 2.0], [1.5, 3.0, 2.0]]);
+        let jump = SharedCorners::new(&mesh, placement, false, &[&values]);
+        assert_eq!(jump.indices, [0, 1, 2, 3, 4, 2]);
+        assert_eq!(
+            jump.first.iter().map(|&i| values.at(i, 0)).collect::<Vec<_>>(),
+            [0.0, 1.0, 2.0, 1.5, 3.0]
+        );
+        assert_eq!((jump.vertices, jump.places), (vec![0, 1, 2, 4], vec![0, 1, 2, 1, 3]));
+        let apart = SharedCorners::new(&mesh, placement, true, &[]);
+        assert_eq!(apart.indices, [0, 1, 2, 3, 4, 5]);
+    }
+}

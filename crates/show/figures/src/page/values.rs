@@ -1,0 +1,225 @@
+//! Numbers and vectors on meshes, and which number gets which colour.
+
+use super::encode::doubles;
+use super::error::{check_finite, check_length};
+use super::mesh::{PlacedMesh, SharedCorners};
+use super::{MeshId, PageError, ScaleId, SceneId};
+use crate::ColorMap;
+use serde::Serialize;
+use serde_json::{Value, json};
+
+/// Numbers or vectors on a mesh: for each corner of each triangle, each vertex or each face.
+///
+/// Between corners and between vertices, values are drawn linear. Vectors are drawn in the colour of their length.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MeshValues {
+    on: Element,
+    width: usize,
+    numbers: Vec<f64>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "camelCase")]
+enum Element {
+    Corner,
+    Vertex,
+    Face,
+}
+
+impl MeshValues {
+    /// A number for each corner of each triangle.
+    pub fn on_corners(values: Vec<[f64; 3]>) -> Self {
+        Self { on: Element::Corner, width: 1, numbers: values.into_flattened() }
+    }
+
+    /// A number for each vertex.
+    pub fn on_vertices(values: Vec<f64>) -> Self {
+        Self { on: Element::Vertex, width: 1, numbers: values }
+    }
+
+    /// A number for each face.
+    pub fn on_faces(values: Vec<f64>) -> Self {
+        Self { on: Element::Face, width: 1, numbers: values }
+    }
+
+    /// A vector for each corner of each triangle.
+    pub fn vectors_on_corners(vectors: Vec<[[f64; 3]; 3]>) -> Self {
+        let numbers = vectors.into_flattened().into_flattened();
+        Self { on: Element::Corner, width: 3, numbers }
+    }
+
+    /// A vector for each vertex.
+    pub fn vectors_on_vertices(vectors: Vec<[f64; 3]>) -> Self {
+        Self { on: Element::Vertex, width: 3, numbers: vectors.into_flattened() }
+    }
+
+    /// A vector for each face.
+    pub fn vectors_on_faces(vectors: Vec<[f64; 3]>) -> Self {
+        Self { on: Element::Face, width: 3, numbers: vectors.into_flattened() }
+    }
+
+    /// 1 for numbers, 3 for vectors.
+    pub(super) fn width(&self) -> usize {
+        self.width
+    }
+
+    /// One component of the value of an element.
+    pub(super) fn at(&self, element: usize, component: usize) -> f64 {
+        self.numbers[self.width * element + component]
+    }
+
+    /// The greatest absolute value or length.
+    pub(super) fn largest(&self) -> f64 {
+        let size = |value: &[f64]| match value {
+            [x] => x.abs(),
+            _ => value.iter().fold(0.0, |size: f64, x| size.hypot(*x)),
+        };
+        self.numbers.chunks_exact(self.width).map(size).fold(0.0, |a, b| if b > a { b } else { a })
+    }
+}
+
+/// Values of a page: on which mesh, by which scale.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct PlacedValues {
+    pub(super) mesh: MeshId,
+    pub(super) scale: ScaleId,
+    pub(super) values: MeshValues,
+}
+
+impl PlacedValues {
+    pub(super) fn check(&self, meshes: &[PlacedMesh]) -> Result<(), PageError> {
+        let mesh = self.mesh.of(meshes)?;
+        check_finite("the list of values", &self.values.numbers)?;
+        let elements = match self.values.on {
+            Element::Corner => 3 * mesh.triangle_count(meshes),
+            Element::Vertex => mesh.vertex_count(),
+            Element::Face => mesh.face_count(meshes),
+        };
+        check_length("the list of values", self.values.numbers.len(), self.values.width * elements)
+    }
+
+    pub(super) fn is_on_corners(&self) -> bool {
+        self.values.on == Element::Corner
+    }
+
+    pub(super) fn is_on_vertices(&self) -> bool {
+        self.values.on == Element::Vertex
+    }
+
+    pub(super) fn is_vector(&self) -> bool {
+        self.values.width == 3
+    }
+
+    pub(super) fn data(&self, shared: Option<&SharedCorners>) -> Value {
+        let of = |element: usize| (0..self.values.width).map(move |k| self.values.at(element, k));
+        let numbers: Vec<f64> = match (self.values.on, shared) {
+            (Element::Corner, Some(shared)) => shared.first.iter().flat_map(|&i| of(i)).collect(),
+            (Element::Vertex, Some(shared)) => shared.vertices.iter().flat_map(|&v| of(v as usize)).collect(),
+            _ => self.values.numbers.clone(),
+        };
+        json!({
+            "mesh": self.mesh, "scale": self.scale, "on": self.values.on, "width": self.values.width,
+            "data": doubles(numbers.into_iter()),
+        })
+    }
+}
+
+/// Which values a [`ValueScale`] has places for.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Span {
+    /// From zero on: sizes, distances.
+    #[default]
+    Size,
+    /// Both signs, symmetric about zero. A threshold holds for sizes.
+    Signed,
+    /// From a number to a greater one.
+    Between(f64, f64),
+}
+
+/// Values that are coloured alike: what they are, and which gets which colour.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ValueScale {
+    /// What the values are, such as "distance".
+    pub title: String,
+    /// Their unit as it is to be shown; empty where nobody knows.
+    pub unit: String,
+    /// The colours.
+    pub colors: ColorMap,
+    /// The values that have places on it.
+    pub span: Span,
+    /// Where a threshold stands at first.
+    pub threshold: Option<f64>,
+}
+
+impl Default for ValueScale {
+    fn default() -> Self {
+        Self {
+            title: String::new(),
+            unit: String::new(),
+            colors: ColorMap::Viridis,
+            span: Span::default(),
+            threshold: None,
+        }
+    }
+}
+
+/// A choice of where a scale ends.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Range {
+    /// What it is called, after "up to".
+    pub text: String,
+    /// Where the scale ends.
+    pub end: RangeEnd,
+}
+
+/// Where a scale ends.
+#[derive(Clone, Debug, PartialEq)]
+pub enum RangeEnd {
+    /// At the greatest of these values over the scenes that are shown.
+    Scenes(Vec<(SceneId, f64)>),
+    /// At the threshold.
+    Threshold,
+}
+
+/// A scale with its choices of ends.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct RangedScale {
+    pub(super) scale: ValueScale,
+    pub(super) ranges: Vec<Range>,
+}
+
+impl RangedScale {
+    pub(super) fn check(&self) -> Result<(), PageError> {
+        check_finite("the threshold", &self.scale.threshold)?;
+        if let Span::Between(low, high) = self.scale.span {
+            check_finite("the span of a scale", [&low, &high])?;
+            if low > high {
+                return Err(PageError::Crossed {
+                    what: "the span of a scale",
+                    index: 0,
+                    lower: low,
+                    upper: high,
+                });
+            }
+        }
+        Ok(())
+    }
+
+    /// `largest` is the greatest size of all values on this scale.
+    pub(super) fn data(&self, largest: f64) -> Value {
+        let ValueScale { title, unit, colors, span, threshold } = &self.scale;
+        let (low, end) = match span {
+            Span::Between(low, high) => (Some(low), high - low),
+            Span::Size | Span::Signed => (None, largest),
+        };
+        let range = |range: &Range| match &range.end {
+            RangeEnd::Scenes(ends) => json!({ "text": range.text, "ends": ends }),
+            RangeEnd::Threshold => json!({ "text": range.text, "ends": null }),
+        };
+        json!({
+            "title": title, "unit": unit, "signed": *span == Span::Signed, "low": low, "end": end,
+            "colors": { "name": colors.name(), "table": colors.table().as_flattened(), "contrast": colors.contrast() },
+            "threshold": threshold, "ranges": self.ranges.iter().map(range).collect::<Vec<_>>(),
+        })
+    }
+}

@@ -1,0 +1,215 @@
+// A page: scenes in a view, cards beside it, and what they have in common: the scenes that are shown, the chosen one, scales,
+// players, switches and the chosen place.
+
+import { panel } from "./blocks/blocks.js";
+import { playerControls } from "./blocks/player.js";
+import { SpaceCamera } from "./camera.js";
+import { raw } from "./color.js";
+import { h, say } from "./dom.js";
+import { textOf } from "./format.js";
+import { acrossPair } from "./layers/marks.js";
+import { Legend } from "./legend.js";
+import { Reading } from "./reading.js";
+import { SceneView } from "./scene.js";
+import { shell, themeColor } from "./shell.js";
+import { toolbar } from "./toolbar.js";
+import { View } from "./view.js";
+
+/** How far streaks travel in a second, in lengths from one to the next. */
+const STREAKS_PER_SECOND = 0.5;
+
+export class App {
+  constructor(data, { meshes, scales, values, bounds, players }) {
+    Object.assign(this, { data, meshes, scales, values, bounds, players });
+    this.toggles = data.toggles.map(({ text, on }) => ({ text, on }));
+    this.arrows = { density: 40, equal: false };
+    this.motion = !matchMedia("(prefers-reduced-motion: reduce)").matches;
+    this.phase = 0;
+    this.place = null;
+    this.scenes = [];
+    this.spoken = h("div", { class: "hidden", id: "spoken", role: "status", "aria-live": "polite" });
+    if (data.scenes.length) this.#buildView();
+    this.#buildPage();
+    for (const player of players) player.onchange = () => this.update();
+    this.update();
+  }
+
+  // ---- scenes
+
+  #buildView() {
+    this.view = new View();
+    this.cameras = this.data.spaces.map((space, i) => {
+      const shapes = this.data.scenes.filter((scene) => scene.space === i).flatMap(({ layers }) => layers).flatMap(({ frames }) => frames);
+      const arrays = [...this.meshes.filter((mesh) => mesh.space === i).map(({ positions }) => positions),
+        ...shapes.filter(({ kind }) => kind === "lines" || kind === "points").map(({ points }) => points)];
+      return new SpaceCamera(space, arrays, this.view.canvas, () => this.view.invalidate());
+    });
+    this.view.cameras = this.cameras;
+    this.scenes = this.data.scenes.map((scene) => new SceneView(this, scene, this.cameras[scene.space]));
+    this.arrangement = this.data.arrangements[0];
+    this.scene = this.arrangement.scenes[0];
+    this.legends = this.scales.map((scale) => new Legend(scale));
+    this.reading = new Reading(this);
+    this.view.element.append(h("div", { class: "legends" }, this.legends.map(({ element }) => element)), this.reading.element, this.spoken);
+    this.view.onframe = () => this.#move();
+  }
+
+  /** Moves streaks on; tells whether there are any. */
+  #move() {
+    const moving = this.motion ? this.shown.filter((scene) => scene.moves) : [];
+    if (!moving.length) {
+      this.moved = undefined;
+      return false;
+    }
+    const now = performance.now();
+    this.phase = (this.phase + ((now - (this.moved ?? now)) / 1000) * STREAKS_PER_SECOND) % 1;
+    this.moved = now;
+    for (const { layers } of moving) for (const { shown } of layers) if (shown?.moving) shown.uniforms.phase.value = this.phase;
+    return true;
+  }
+
+  get shown() {
+    return this.arrangement ? this.arrangement.scenes.map((i) => this.scenes[i]) : [];
+  }
+
+  // ---- the page
+
+  #buildPage() {
+    const { data } = this;
+    this.toolbar = this.view && toolbar(this);
+    this.panel = panel(this);
+    this.below = data.below && playerControls(this, data.below);
+    const below = this.below && h("div", { class: "below" }, this.below.element);
+    this.shell = shell({
+      title: data.title, subtitle: textOf(data.subtitle), toolbar: this.toolbar?.elements, view: this.view?.element,
+      below, panel: this.panel.element, onTheme: () => this.update(),
+    });
+    if (!this.view) document.body.append(this.spoken);
+  }
+
+  setArrangement(arrangement) {
+    this.arrangement = arrangement;
+    if (!arrangement.scenes.includes(this.scene)) this.#turnTo(arrangement.scenes[0]);
+    this.update();
+  }
+
+  /** Chooses a scene: its numbers are told. Where it is not shown, an arrangement that has it is. */
+  setScene(scene) {
+    this.#turnTo(scene);
+    const { arrangements } = this.data;
+    const alone = arrangements.find(({ scenes }) => scenes.length === 1 && scenes[0] === scene);
+    if (this.arrangement.scenes.length === 1 || !this.arrangement.scenes.includes(scene)) {
+      this.arrangement = alone ?? arrangements.find(({ scenes }) => scenes.includes(scene)) ?? this.arrangement;
+    }
+    this.update();
+  }
+
+  #turnTo(scene) {
+    if (scene === this.scene) return;
+    this.scene = scene;
+    this.place = null;
+  }
+
+  setThreshold(scale, at) {
+    scale.threshold = at;
+    scale.painting = true;
+    this.update();
+  }
+
+  showAll() {
+    this.place = null;
+    this.update();
+    this.view.flyHome();
+  }
+
+  lookAtPair() {
+    this.place = null;
+    this.update();
+    const scene = this.scenes[this.scene];
+    const { pair, camera } = scene;
+    if (!pair) return;
+    const [from, to] = [scene.point(pair.from), scene.point(pair.to)];
+    const middle = from.clone().add(to).multiplyScalar(0.5);
+    const radius = Math.max(from.distanceTo(to) * 0.9, camera.sphere.radius * 1e-7);
+    const isFree = (direction) => {
+      const eye = middle.clone().addScaledVector(direction, radius * 4.5);
+      return !scene.blocked(eye, from) && !scene.blocked(eye, to);
+    };
+    // Surroundings are shown too, or nobody knows where the place is.
+    const around = Math.max(radius, Math.min(camera.sphere.radius * 0.06, radius * 6));
+    camera.fitTo(middle, around, acrossPair(from, to, camera.direction, isFree));
+    say(this.spoken, `Looking at the pair ${textOf(pair.label)}`);
+  }
+
+  isChosen({ scene, place }) {
+    return this.place !== null && this.place.scene === scene && this.place.place === place;
+  }
+
+  /** Looks at a place, or at all again if it is the chosen one. */
+  choosePlace(id, name) {
+    if (this.isChosen(id)) {
+      this.showAll();
+      return;
+    }
+    if (id.scene !== this.scene) this.setScene(id.scene);
+    this.place = id;
+    const scene = this.scenes[id.scene];
+    const place = scene.places[id.place];
+    const { camera } = scene;
+    const whole = camera.sphere.radius;
+    const radius = Math.max(place.radius / camera.space.scale, whole * 1e-6);
+    const center = scene.point(place.center);
+    const [from, to] = place.pair ? [scene.point(place.pair.from), scene.point(place.pair.to)] : [center, center];
+    const readable = scene.surfaces.filter((surface) => surface.readable);
+    const isFree = (direction) => {
+      const eye = center.clone().addScaledVector(direction, radius * 5 + whole * 0.2);
+      return !readable.some(({ mesh }) => mesh.blocked(eye, from));
+    };
+    camera.fitTo(center, Math.max(radius * 1.7, whole * 0.03), acrossPair(from, to, camera.direction, isFree));
+    this.update();
+    say(this.spoken, `Looking at ${name}`);
+  }
+
+  // ---- bringing everything up to date
+
+  update() {
+    if (this.view) this.#updateView();
+    this.toolbar?.update();
+    if (this.below) {
+      this.below.update();
+      this.below.element.parentNode.hidden = !this.shown.some((scene) => scene.follows(this.data.below.player));
+    }
+    this.panel.update();
+    this.view?.invalidate();
+  }
+
+  #updateView() {
+    const { arrangement, shown } = this;
+    for (const scale of this.scales) scale.update(arrangement.scenes);
+    const theme = { background: raw(themeColor("--view")), neutral: raw(themeColor("--neutral")), ghost: raw(themeColor("--ghost")) };
+    const style = (name) => (name.startsWith("--") ? themeColor(name) : name);
+    const look = { theme, style, arrows: this.arrows, phase: this.phase, ratio: this.view.renderer.getPixelRatio() };
+    for (const i of arrangement.scenes) {
+      const scene = this.scenes[i];
+      scene.update(look, this.place?.scene === i ? scene.places[this.place.place] : null);
+    }
+    this.view.element.dataset.arrangement = arrangement.key;
+    if (this.panes !== arrangement) {
+      this.panes = arrangement;
+      this.reading.clear();
+      this.view.show(shown);
+    }
+    this.view.active = Math.max(0, arrangement.scenes.indexOf(this.scene));
+    this.scales.forEach((scale, i) => {
+      this.legends[i].element.hidden = !shown.some(({ scales }) => scales.includes(scale));
+      this.legends[i].update();
+    });
+  }
+
+  /** What is under a place of the canvas: the triangle, its face, the value there, and what is proven of the face. */
+  pick(x, y) {
+    const { pane, index, ray } = this.view.rayAt(x, y);
+    const hit = pane?.scene.trace(ray);
+    return hit ? { ...hit, pane: index, scene: this.scenes.indexOf(pane.scene), position: pane.scene.position(hit.point) } : null;
+  }
+}

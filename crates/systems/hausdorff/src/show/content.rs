@@ -1,0 +1,184 @@
+//! What a page of two surfaces shows, as plain data: from this engine, from closed forms, or from elsewhere.
+
+use pompeiu_figures::page::{Axis, Bounds, PointPair};
+
+/// Two surfaces, A and B, how far the points of each are from the other one, where it is farthest, and how sure that is.
+///
+/// The page shows what it is given and proves nothing. Where the text says "proven", it is the caller who says so.
+///
+/// # Shapes and units
+/// All lengths are in one unit, areas in its square; coordinates are those of the meshes. Fractions are between 0 and 1.
+///
+/// # Cost
+/// The page takes 0.7 MB and some 30 bytes for each face where values are the same on both sides of an edge.
+///
+/// # Example
+/// ```
+/// use pompeiu_figures::page::{PageError, PointPair};
+/// use pompeiu_hausdorff::show::{DeviationContent, DisplayTriangles, MeasuredSurface, SurfaceDeviation};
+///
+/// let corners = vec![[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]];
+/// let shifted = vec![corners[0].map(|[x, y, z]| [x, y, z + 0.5])];
+/// let surface = |name: &str, corners, deviation| MeasuredSurface {
+///     name: name.into(),
+///     path: format!("parts/{name}"),
+///     vertices: 3,
+///     faces: 1,
+///     triangles: DisplayTriangles { corners, faces: vec![0] },
+///     deviation,
+/// };
+/// let deviation = SurfaceDeviation {
+///     values: vec![[0.5; 3]],
+///     face_bounds: vec![[0.5, 0.5]],
+///     distance: [0.5, 0.5],
+///     witness: PointPair { from: [0.0; 3], to: [0.0, 0.0, 0.5] },
+///     ..SurfaceDeviation::default()
+/// };
+/// let content = DeviationContent {
+///     title: "A plate, and where it should be".into(),
+///     unit: "mm".into(),
+///     surfaces: [surface("a.stl", corners, Some(deviation)), surface("b.stl", shifted, None)],
+///     ..DeviationContent::default()
+/// };
+/// assert!(content.page()?.html().contains("A plate"));
+/// # Ok::<(), PageError>(())
+/// ```
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct DeviationContent {
+    /// What the page is about.
+    pub title: String,
+    /// The unit of lengths as it is to be shown; empty where nobody knows.
+    pub unit: String,
+    /// The axis that points up at first.
+    pub up: Axis,
+    /// Whether values carry signs, for sides: then colours diverge from zero, and thresholds hold for sizes.
+    pub signed: bool,
+    /// Where the threshold stands at first; without one, at what all but a twentieth of the area is within.
+    pub threshold: Option<f64>,
+    /// Encloses the greater of both directed distances, if both were measured.
+    pub distance: Option<Bounds>,
+    /// A and B.
+    pub surfaces: [MeasuredSurface; 2],
+    /// How the answer was proved, paragraph by paragraph.
+    pub proof: Vec<String>,
+    /// Anything else about the run, such as times: names and values.
+    pub facts: Vec<[String; 2]>,
+    /// The command that makes this page again.
+    pub command: Option<String>,
+    /// The version of the program.
+    pub version: String,
+}
+
+/// A mesh, and what was measured on it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct MeasuredSurface {
+    /// The name of the file.
+    pub name: String,
+    /// The file with its folder.
+    pub path: String,
+    /// Vertices of the mesh.
+    pub vertices: usize,
+    /// Faces of the mesh.
+    pub faces: usize,
+    /// What to draw of it.
+    pub triangles: DisplayTriangles,
+    /// How far its points are from the other surface, where that was measured.
+    pub deviation: Option<SurfaceDeviation>,
+}
+
+/// Triangles to draw: the faces, or parts of them where values bend inside a face.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct DisplayTriangles {
+    /// Corners of each.
+    pub corners: Vec<[[f64; 3]; 3]>,
+    /// The face of the mesh that each is a part of.
+    pub faces: Vec<u32>,
+}
+
+/// How far the points of a surface are from the other one.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SurfaceDeviation {
+    /// The distance at each corner of each display triangle; between them it is drawn linear.
+    pub values: Vec<[f64; 3]>,
+    /// For each face, an enclosure of the largest distance (without sign) that it reaches.
+    pub face_bounds: Vec<Bounds>,
+    /// Encloses the directed distance.
+    pub distance: Bounds,
+    /// Why the search ended.
+    pub stop: String,
+    /// The pair of points that proves the lower end.
+    pub witness: PointPair,
+    /// Numbers about the whole surface, with their names.
+    pub statistics: Vec<(String, Bounds)>,
+    /// How values are spread over the area.
+    pub histogram: Histogram,
+    /// How much of the area is farther than a distance.
+    pub exceedance: Exceedance,
+    /// The worst places, the worst first.
+    pub regions: Vec<Region>,
+    /// What the search had left, the coarsest tolerance first.
+    pub stages: Vec<SearchStage>,
+}
+
+/// Fractions of the area by value.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Histogram {
+    /// Ends of the bins, one more than there are bins.
+    pub edges: Vec<f64>,
+    /// For each bin, an enclosure of the fraction of the area in it.
+    pub fractions: Vec<Bounds>,
+}
+
+/// Fractions of the area that are farther away than some distances.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Exceedance {
+    /// The distances (sizes, where values are signed), increasing.
+    pub distances: Vec<f64>,
+    /// For each, an enclosure of the fraction of the area that is farther.
+    pub fractions: Vec<Bounds>,
+}
+
+/// A connected place where the distance is large.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Region {
+    /// Its middle.
+    pub center: [f64; 3],
+    /// Diameter of a ball around the middle that holds it.
+    pub extent: f64,
+    /// Its area.
+    pub area: f64,
+    /// Encloses the largest distance in it.
+    pub peak: Bounds,
+    /// Where that is, and the nearest point of the other surface.
+    pub pair: PointPair,
+    /// Its faces, to be outlined; may be empty.
+    pub faces: Vec<u32>,
+}
+
+/// What a search knew at one tolerance.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SearchStage {
+    /// The tolerance, a length.
+    pub tolerance: f64,
+    /// What enclosed the directed distance then.
+    pub distance: Bounds,
+    /// Pieces that could still hold the maximum.
+    pub remaining: Vec<[[f64; 3]; 3]>,
+}
+
+impl SurfaceDeviation {
+    /// The largest distance that is known of: proven or drawn.
+    pub(super) fn largest(&self) -> f64 {
+        let drawn = self.values.as_flattened().iter().map(|value| value.abs());
+        drawn.fold(self.distance[1], |a, b| if b > a { b } else { a })
+    }
+
+    /// The least recorded distance that all but such a part of the area is within.
+    pub(super) fn distance_covering(&self, all_but: f64) -> f64 {
+        let Exceedance { distances, fractions } = &self.exceedance;
+        match fractions.iter().position(|fraction| fraction[1] <= all_but) {
+            Some(i) if distances.get(i).is_some_and(|at| *at != 0.0) => distances[i],
+            _ => self.largest(),
+        }
+    }
+}

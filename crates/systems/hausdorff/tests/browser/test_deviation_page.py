@@ -1,0 +1,470 @@
+"""The deviation page, used as people use it, against what it was made from."""
+
+import math
+import random
+import re
+import sys
+import time
+import unittest
+
+from pages import FOLDER, Browser, PageTest, count_of, data, is_contrast, make, pixels, settle, shown
+
+HOSTILE = ["</script><img src=x onerror=alert(1)>\"'&.ply", "<!--<script>'\"&amp;\u2028.stl"]
+
+
+def setUpModule():
+    global browser, pages
+    browser = Browser().__enter__()
+    unittest.addModuleCleanup(browser.__exit__)
+    pages = {
+        "plain": make("plain.html", "deviation_page", "--faces", "4000"),
+        "signed": make("signed.html", "deviation_page", "--faces", "4000", "--signed"),
+        "hostile": make("hostile.html", "deviation_page", "--faces", "600", "--offset", "1e7", "--names", *HOSTILE),
+    }
+
+
+def subtract(p, q):
+    return [p[k] - q[k] for k in range(3)]
+
+
+def dot(p, q):
+    return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]
+
+
+def cross(p, q):
+    return [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]]
+
+
+def hits(origin, direction, triangles):
+    """All crossings of a ray with triangles, the nearest first: distance, triangle, weights of its corners."""
+    found = []
+    for i, (a, b, c) in enumerate(triangles):
+        u, v = subtract(b, a), subtract(c, a)
+        across = cross(direction, v)
+        determinant = dot(u, across)
+        if determinant == 0:
+            continue
+        s = subtract(origin, a)
+        second = dot(s, across) / determinant
+        turned = cross(s, u)
+        third = dot(direction, turned) / determinant
+        distance = dot(v, turned) / determinant
+        weights = [1 - second - third, second, third]
+        if min(weights) > -1e-6 and distance > 0:
+            found.append((distance, i, weights))
+    return sorted(found)
+
+
+class DeviationPage(PageTest):
+    def open(self, name="plain", **options):
+        path, self.truth = pages[name]
+        return self.visit(browser, path, **options)
+
+    # ---- what is drawn
+
+    def test_both_surfaces_are_drawn(self):
+        page = self.open()
+        width, height, raw = pixels(page)
+        background = raw[:3]
+        covered = count_of(raw, lambda *color: bytes(color) != background) / (width * height)
+        self.assertGreater(covered, 0.2)
+        page.uncheck("[data-control=toggle-0]")
+        alone = count_of(pixels(page)[2], lambda *color: bytes(color) != background) / (width * height)
+        self.assertLess(alone, covered, "without the other surface there is less to see")
+        self.assertGreater(alone, 0.1)
+
+    def test_colours_are_those_of_the_map(self):
+        page = self.open()
+        page.uncheck("[data-control=toggle-0]")
+        width, height, raw = pixels(page)
+        table = page.evaluate("pompeiu.app.data.scales[0].colors.table")
+        end = page.evaluate("pompeiu.app.scales[0].end")
+        ratio = page.evaluate("pompeiu.app.view.renderer.getPixelRatio()")
+        compared = 0
+        for x in range(20, int(width / ratio), 37):
+            for y in range(20, int(height / ratio), 31):
+                hit = page.evaluate("([x, y]) => pompeiu.app.pick(x, y)", [x + 0.5, y + 0.5])
+                if not hit or min(hit["weights"]) < 0.1:
+                    continue
+                entry = round(min(1, hit["value"] / end) * 255)
+                at = 4 * (int((height / ratio - y - 0.5) * ratio) * width + int((x + 0.5) * ratio))
+                seen, wanted = raw[at:at + 3], table[3 * entry:3 * entry + 3]
+                # Light scales all channels alike.
+                light = sum(seen) / max(1, sum(wanted))
+                self.assertTrue(0.6 < light < 1.1, (x, y, tuple(seen), wanted))
+                for channel in range(3):
+                    self.assertLess(abs(seen[channel] - light * wanted[channel]), 9, (x, y, tuple(seen), wanted, light))
+                compared += 1
+        self.assertGreater(compared, 60)
+
+    def test_screenshots(self):
+        for name, options in {
+            "light": {}, "dark": {"scheme": "dark"}, "narrow": {"width": 400, "height": 860}, "wide": {"width": 1800, "height": 1000},
+        }.items():
+            with self.subTest(name):
+                page = self.open("plain" if name != "wide" else "signed", **options)
+                page.screenshot(path=FOLDER / f"{name}.png", full_page=name == "narrow")
+                overflow = page.evaluate("document.documentElement.scrollWidth - document.documentElement.clientWidth")
+                self.assertLessEqual(overflow, 0, "nothing is cut off at the side")
+
+    # ---- values
+
+    def test_values_under_the_cursor_are_those_given(self):
+        for name in ["plain", "signed", "hostile"]:
+            page = self.open(name)
+            page.click("label:has([data-control=arrangement-both])")
+            page.uncheck("[data-control=toggle-0]")
+            settle(page)
+            corners = [[[[(x - o) / s for x, o in zip(p, origin)] for p in t] for t in surface["corners"]]
+                       for origin, s in [page.evaluate("[pompeiu.app.data.spaces[0].origin, pompeiu.app.data.spaces[0].scale]")]
+                       for surface in self.truth["surfaces"]]
+            boxes = page.evaluate("pompeiu.app.view.panes.map((_, i) => pompeiu.app.view.middle(i)).map(({ x, y }) => [x, y])")
+            chance = random.Random(7)
+            compared = 0
+            for i, (x, y) in enumerate(boxes):
+                for _ in range(40):
+                    at = [x + chance.uniform(-200, 200), y + chance.uniform(-150, 150)]
+                    hit = page.evaluate("([x, y]) => pompeiu.app.pick(x, y)", at)
+                    origin, direction = page.evaluate(
+                        "([x, y]) => { const { ray } = pompeiu.app.view.rayAt(x, y); return [ray.origin.toArray(), ray.direction.toArray()] }", at)
+                    expected = hits(origin, direction, corners[i])
+                    clear = not expected or (min(expected[0][2]) > 1e-3 and (len(expected) == 1 or expected[1][0] - expected[0][0] > 1e-4))
+                    if not clear:
+                        continue
+                    self.assertEqual(hit is None, not expected, at)
+                    if hit is None:
+                        continue
+                    surface = self.truth["surfaces"][i]
+                    self.assertEqual(hit["scene"], i)
+                    self.assertEqual(hit["face"], expected[0][1])
+                    self.assertEqual(hit["values"], surface["values"][hit["face"]], "to the last bit")
+                    self.assertEqual(hit["bounds"], surface["bounds"][hit["face"]], "to the last bit")
+                    for weight, wanted in zip(hit["weights"], expected[0][2]):
+                        self.assertAlmostEqual(weight, wanted, delta=1e-3)
+                    (u, v, w), (a, b, c) = hit["weights"], hit["values"]
+                    self.assertEqual(hit["value"], u * a + v * b + w * c)
+                    compared += 1
+            self.assertGreater(compared, 25, name)
+
+    def test_hovering_shows_the_value(self):
+        page = self.open()
+        x, y = (lambda at: (at["x"], at["y"]))(self.screen(self.truth["surfaces"][0]["witness"][0]))
+        box = page.locator("#view").bounding_box()
+        page.mouse.move(box["x"] + x + 60, box["y"] + y + 10)
+        page.wait_for_selector("#reading:not([hidden])")
+        face = int(data(page, "#reading", "face"))
+        bounds = [float(data(page, "#reading", end)) for end in ("lower", "upper")]
+        self.assertEqual(bounds, self.truth["surfaces"][0]["bounds"][face])
+        self.assertIn(f"face {face} of A", shown(page, "#reading"))
+        page.mouse.move(2, 2)
+        page.wait_for_selector("#reading", state="hidden")
+
+    def test_numbers_shown_enclose_those_given(self):
+        page = self.open()
+        rows = page.eval_on_selector_all("[data-key=statistics] tbody tr", "rows => rows.map((row) => [row.cells[0].textContent, "
+                                         "Number(row.cells[1].dataset.exact), Number(row.cells[2].dataset.exact)])")
+        self.assertEqual(rows, [[name, *value] for name, value in self.truth["surfaces"][0]["statistics"]])
+        chance = random.Random(3)
+        cases = [(0.0, 0.0), (0.0, 1.0), (0.1, 0.1), (1 / 3, 2 / 3), (5e-324, 1e308), (-2.5, -1e-9), (9.9999999, 10.0000001)]
+        for _ in range(3000):
+            low = chance.uniform(0.1, 1) * 10.0 ** chance.randint(-300, 300) * chance.choice([1, 1, -1])
+            cases.append((low, low + abs(low) * 10.0 ** chance.uniform(-17, 2)))
+        ends = page.evaluate("(cases) => cases.map((ends) => [pompeiu.format.ends(ends), pompeiu.format.enclosure(ends)])", cases)
+        digits = str.maketrans("\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079\u207b\u2212", "0123456789--")
+        for (low, high), ((low_end, high_end), text) in zip(cases, ends):
+            read = [float(part.replace("\u202f", "").replace("\u00b710", "e").translate(digits)) for part in text[1:-1].split(", ")]
+            self.assertEqual(read, [float(low_end), float(high_end)], text)
+            self.assertLessEqual(read[0], low, text)
+            self.assertGreaterEqual(read[1], high, text)
+            widest = max(abs(low), abs(high)) * 2e-3 + (high - low) * 0.2
+            self.assertLessEqual(read[1] - read[0], (high - low) + widest, text)
+
+    # ---- controls
+
+    def test_views_are_switched(self):
+        page = self.open()
+        for mode, panes, label in [("invented", 1, "B, distance from A"), ("both", 2, None), ("missing", 1, "A, distance from B")]:
+            page.click(f"label:has([data-control=arrangement-{mode}])")
+            settle(page)
+            labels = page.locator(".pane-label").all_text_contents()
+            self.assertEqual(len(labels), panes)
+            if label:
+                self.assertEqual(labels, [label])
+        page.click("label:has([data-control=scene-1])")
+        settle(page)
+        self.assertEqual(data(page, ".view", "arrangement"), "invented")
+        self.assertTrue(page.is_checked("[data-control=arrangement-invented]"))
+
+    def test_cameras_are_linked(self):
+        page = self.open()
+        page.click("label:has([data-control=arrangement-both])")
+        point = self.truth["surfaces"][0]["witness"][0]
+        box = page.locator("#view").bounding_box()
+        width = page.evaluate("pompeiu.app.view.canvas.clientWidth")
+        for _ in range(2):
+            settle(page)
+            left, right = self.screen(point, 0), self.screen(point, 1)
+            self.assertAlmostEqual(right["x"] - left["x"], width / 2, places=6)
+            self.assertAlmostEqual(right["y"], left["y"], places=6)
+            page.mouse.move(box["x"] + 100, box["y"] + 200)
+            page.mouse.down()
+            page.mouse.move(box["x"] + 190, box["y"] + 240, steps=3)
+            page.mouse.up()
+
+    def test_the_camera_flies_to_the_farthest_pair(self):
+        for motion in ["reduce", "no-preference"]:
+            page = self.open(motion=motion)
+            before = self.camera()
+            page.click("[data-control=look-at-pair]")
+            after = self.camera()
+            self.assertNotEqual(before, after)
+            a, b = self.truth["surfaces"][0]["witness"]
+            placed = page.evaluate("(p) => p.map((x, k) => (x - pompeiu.app.data.spaces[0].origin[k]) / pompeiu.app.data.spaces[0].scale)",
+                                   [(x + y) / 2 for x, y in zip(a, b)])
+            self.assertLess(math.dist(after["target"], placed), 1e-9)
+            ends = [self.screen(p) for p in (a, b)]
+            box = page.locator("#view").bounding_box()
+            for end in ends:
+                self.assertTrue(0 < end["x"] < box["width"] and 0 < end["y"] < box["height"], end)
+            self.assertGreater(math.dist(*[(end["x"], end["y"]) for end in ends]), 150, "seen from the side")
+            page.click("[data-control=show-all]")
+            back = self.camera()
+            self.assertLess(math.dist(back["target"], before["target"]), 1e-9)
+
+    def test_stages_shrink(self):
+        page = self.open()
+        stages = self.truth["surfaces"][0]["stages"]
+        painted = []
+        for i, stage in enumerate(stages):
+            page.fill("[data-control=step]", str(i + 1))
+            settle(page)
+            told = re.search(r": ([\d\u202f]+) parts? of A left", shown(page, "[data-key=step-text]")).group(1)
+            self.assertEqual(int(told.replace("\u202f", "")), stage["count"])
+            drawn = page.evaluate("""() => {
+                const pieces = pompeiu.app.data.scenes[0].layers.findIndex(({ frames }) => frames[0].kind === "pieces");
+                const { shown } = pompeiu.app.scenes[0].layers[pieces];
+                return pompeiu.app.scenes[0].scene.children.filter((child) => child === shown.object).map(({ geometry }) => geometry.index.count / 3);
+            }""")
+            self.assertEqual(drawn, [stage["count"]])
+            painted.append(count_of(pixels(page)[2], is_contrast))
+        self.assertTrue(all(later <= earlier for earlier, later in zip(painted, painted[1:])), painted)
+        self.assertGreater(painted[0], 1000)
+        self.assertLess(painted[-1], painted[0] / 20)
+        page.fill("[data-control=step]", "0")
+        self.assertEqual(count_of(pixels(page)[2], is_contrast), 0)
+
+    def test_stages_play(self):
+        page = self.open()
+        page.click("[data-control=play]")
+        last = str(len(self.truth["surfaces"][0]["stages"]))
+        page.wait_for_function("(last) => document.querySelector('[data-control=step]').value === last", arg=last)
+
+    def test_regions_are_flown_to_and_highlighted(self):
+        page = self.open()
+        self.assertEqual(page.locator("[data-place]").count(), len(self.truth["surfaces"][0]["regions"]))
+        for i in [2, 0]:
+            region = self.truth["surfaces"][0]["regions"][i]
+            page.click(f"[data-place='{i}']")
+            camera = self.camera()
+            self.assertEqual(page.locator("[aria-pressed=true]").count(), 1)
+            self.assertEqual(page.get_attribute(f"[data-place='{i}']", "aria-pressed"), "true")
+            placed = page.evaluate("(p) => p.map((x, k) => (x - pompeiu.app.data.spaces[0].origin[k]) / pompeiu.app.data.spaces[0].scale)", region["center"])
+            self.assertLess(math.dist(camera["target"], placed), 1e-9)
+            self.assertEqual(page.evaluate("pompeiu.app.scenes[0].layers[0].shown.part.geometry.index.count / 3"), len(region["faces"]))
+        page.click("[data-control=show-all]")
+        self.assertEqual(page.locator("[aria-pressed=true]").count(), 0)
+
+    def test_the_threshold_paints_and_counts(self):
+        page = self.open()
+        surface = self.truth["surfaces"][0]
+        self.assertEqual(count_of(pixels(page)[2], is_contrast), 0)
+        top = surface["distance"][1]
+        painted = []
+        for at in [0.0, 0.1, surface["exceedance"]["at"][77], 0.3, 2 * top]:
+            page.fill("[data-control=threshold-value]", repr(at))
+            page.press("[data-control=threshold-value]", "Enter")
+            settle(page)
+            self.assertTrue(page.is_checked("[data-control=paint-threshold]"))
+            counts = [int(data(page, "[data-key=faces-above]", name)) for name in ("above", "open", "within")]
+            above = sum(low > at for low, _ in surface["bounds"])
+            within = sum(high <= at for _, high in surface["bounds"])
+            self.assertEqual(counts, [above, surface["faces"] - above - within, within])
+            places, fractions = surface["exceedance"]["at"], surface["exceedance"]["fractions"]
+            before = [fraction[1] for place, fraction in zip(places, fractions) if place <= at]
+            after = [fraction[0] for place, fraction in zip(places, fractions) if place >= at]
+            enclosure = [float(data(page, "[data-key=area-above]", end)) for end in ("lower", "upper")]
+            self.assertEqual(enclosure, [after[0] if after else 0, before[-1] if before else 1])
+            painted.append(count_of(pixels(page)[2], is_contrast))
+        self.assertTrue(all(later < earlier for earlier, later in zip(painted, painted[1:])), painted)
+        self.assertEqual(painted[-1], 0)
+        page.fill("[data-control=threshold]", "500")
+        largest = max(max(surface["distance"][1], *(abs(value) for values in surface["values"] for value in values)) for surface in self.truth["surfaces"])
+        self.assertLess(abs(float(data(page, "[data-control=threshold-value]", "exact")) * 2 / largest - 1), 1e-12)
+        page.uncheck("[data-control=paint-threshold]")
+        self.assertEqual(count_of(pixels(page)[2], is_contrast), 0)
+
+    def test_scales_change_colours_and_legend(self):
+        page = self.open()
+        seen, legends = set(), set()
+        for kind in ["linear", "root", "logarithmic"]:
+            for end in ["0", "1", "2", "3"]:
+                page.select_option("[data-control=scale]", kind)
+                page.select_option("[data-control=range]", end)
+                seen.add(pixels(page)[2])
+                legends.add(shown(page, ".legend .ticks"))
+        self.assertEqual(len(seen), 12)
+        self.assertGreaterEqual(len(legends), 6)
+
+    def test_signed_values_diverge(self):
+        page = self.open("signed")
+        self.assertEqual(page.evaluate("pompeiu.app.data.scales[0].colors.name"), "vik")
+        self.assertIn("\u2212", shown(page, ".legend .ticks"))
+        values = [value for corner in self.truth["surfaces"][0]["values"] for value in corner]
+        self.assertTrue(min(values) < 0 < max(values))
+        self.assertIn("signed", shown(page, ".pane-label"))
+
+    def test_the_upward_axis_and_the_picture(self):
+        page = self.open()
+        cameras = []
+        for axis in "xyz":
+            page.select_option("[data-control=upward]", axis)
+            settle(page)
+            cameras.append(tuple(self.camera()["position"]))
+            top = max((self.screen(p) for t in self.truth["surfaces"][0]["corners"][::50] for p in t), key=lambda at: -at["y"])
+            self.assertLess(top["y"], page.locator("#view").bounding_box()["height"] / 2)
+        self.assertEqual(len(set(cameras)), 3)
+        with page.expect_download() as download:
+            page.click("[data-control=save]")
+        saved = FOLDER / "saved.png"
+        download.value.save_as(saved)
+        self.assertEqual(saved.read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
+        self.assertGreater(saved.stat().st_size, 10_000)
+
+    # ---- access
+
+    def test_everything_works_by_keyboard(self):
+        page = self.open()
+        reached = []
+        for _ in range(60):
+            page.keyboard.press("Tab")
+            name = page.evaluate("document.activeElement.dataset.control || document.activeElement.dataset.place || document.activeElement.id")
+            if name in reached:
+                break
+            reached.append(name)
+        for control in ["theme", "arrangement-missing", "scale", "range", "toggle-0", "toggle-1", "upward", "save", "view", "look-at-pair",
+                        "show-all", "threshold", "threshold-value", "paint-threshold", "0", "step", "play"]:
+            self.assertIn(control, reached)
+        for axis in "xyz":
+            page.select_option("[data-control=upward]", axis)
+            page.focus("#view")
+            for key in ["ArrowLeft", "ArrowRight", "ArrowUp", "ArrowDown"]:
+                before = self.camera()
+                page.keyboard.press(key)
+                after = self.camera()
+                turned = math.dist(before["position"], after["position"]) / math.dist(before["position"], before["target"])
+                self.assertTrue(0.01 < turned < 0.1, (axis, key, turned))
+                self.assertEqual(before["target"], after["target"])
+            closer = self.camera()
+            page.keyboard.press("+")
+            self.assertLess(math.dist(*self.camera().values()), math.dist(*closer.values()))
+            page.keyboard.press("-")
+            self.assertAlmostEqual(math.dist(*self.camera().values()), math.dist(*closer.values()))
+            page.keyboard.press("Shift+ArrowRight")
+            self.assertNotEqual(self.camera()["target"], closer["target"])
+            page.keyboard.press("Home")
+            self.assertLess(math.dist(self.camera()["target"], page.evaluate("pompeiu.app.cameras[0].sphere.center.toArray()")), 1e-9)
+        page.focus("[data-control=look-at-pair]")
+        page.keyboard.press("Enter")
+        page.focus("#view")
+        page.keyboard.press("Enter")
+        self.assertRegex(shown(page, "#spoken"), r"About .* mm here; face \d+ of A|No surface in the middle")
+        outline = page.evaluate("getComputedStyle(document.activeElement).outlineStyle")
+        self.assertEqual(outline, "solid", "focus is visible")
+
+    def test_every_control_has_a_name(self):
+        page = self.open()
+        nameless = page.evaluate("""() => [...document.querySelectorAll("button, input, select, [tabindex='0'], svg[role=img], table")]
+            .filter((e) => !(e.getAttribute("aria-label") || e.textContent.trim() || e.labels?.[0]?.textContent.trim() || e.caption))
+            .map((e) => e.outerHTML)""")
+        self.assertEqual(nameless, [])
+
+    def test_light_and_dark(self):
+        def brightness(page):
+            return sum(pixels(page)[2][:3])
+        page = self.open(scheme="dark")
+        self.assertLess(brightness(page), 150)
+        page.click("#theme")
+        self.assertGreater(brightness(page), 600, "light by choice")
+        page.click("#theme")
+        self.assertLess(brightness(page), 150, "dark by choice")
+        page.click("#theme")
+        page.emulate_media(color_scheme="light")
+        page.wait_for_function("getComputedStyle(document.body).color === getComputedStyle(document.documentElement).color")
+        page.wait_for_function("pompeiu.app.scenes[0].scene.background.r > 0.8")
+        self.assertGreater(brightness(page), 600, "as the system")
+
+    def test_text_has_contrast(self):
+        for scheme in ["light", "dark"]:
+            page = self.open(scheme=scheme)
+            ratios = page.evaluate("""() => {
+                const light = (color) => {
+                    const canvas = new OffscreenCanvas(1, 1).getContext("2d");
+                    canvas.fillStyle = color;
+                    canvas.fillRect(0, 0, 1, 1);
+                    const [r, g, b] = [...canvas.getImageData(0, 0, 1, 1).data].slice(0, 3).map((v) => v / 255)
+                        .map((v) => (v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4));
+                    return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+                };
+                const opaque = (e) => { while (e && /, 0\\)$|^transparent/.test(getComputedStyle(e).backgroundColor)) e = e.parentElement; return e; };
+                return [...document.querySelectorAll("h1, h2, p, small, dt, dd, th, td, button, label")].filter((e) => e.offsetParent && e.textContent.trim())
+                    .map((e) => {
+                        const [a, b] = [light(getComputedStyle(e).color), light(getComputedStyle(opaque(e) ?? document.body).backgroundColor)];
+                        return [(Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05), e.outerHTML.slice(0, 80)];
+                    });
+            }""")
+            self.assertEqual([r for r in ratios if r[0] < 4.5], [], scheme)
+
+    # ---- hostile and large input
+
+    def test_names_stay_text(self):
+        page = self.open("hostile")
+        self.assertIn(HOSTILE[0], shown(page, "header"))
+        self.assertIn(HOSTILE[1], shown(page, "#panel"))
+        self.assertEqual(page.locator("img").count(), 0)
+        self.assertIn(HOSTILE[0], page.title())
+
+    def test_half_a_million_faces(self):
+        path, truth = make("large.html", "deviation_page", "--faces", "500000")
+        pages["large"] = path, truth
+        began = time.monotonic()
+        page = self.open("large")
+        ready = time.monotonic() - began
+        frame = page.evaluate("""async () => {
+            const times = [];
+            for (let i = 0; i < 5; i++) {
+                const began = performance.now();
+                pompeiu.app.cameras[0].orbit(0.05, 0);
+                pompeiu.app.view.drawNow();
+                const gl = pompeiu.app.view.renderer.getContext();
+                gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+                times.push(performance.now() - began);
+            }
+            return times.sort((a, b) => a - b)[2];
+        }""")
+        pick = page.evaluate("""() => {
+            pompeiu.app.pick(300, 300);
+            const began = performance.now();
+            for (let i = 0; i < 100; i++) pompeiu.app.pick(200 + 3 * i, 350);
+            return (performance.now() - began) / 100;
+        }""")
+        width, height, raw = pixels(page)
+        self.assertGreater(count_of(raw, lambda *color: bytes(color) != raw[:3]) / (width * height), 0.2)
+        faces = sum(surface["faces"] for surface in truth["surfaces"])
+        self.assertGreater(faces, 490_000)
+        size = path.stat().st_size
+        print(f"\n{faces} faces: {size / 1e6:.1f} MB ({size / faces:.0f} bytes per face), ready in {ready * 1e3:.0f} ms, "
+              f"a frame {frame:.0f} ms, a value under the cursor {pick:.2f} ms", file=sys.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
