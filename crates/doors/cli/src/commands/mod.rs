@@ -11,6 +11,7 @@ mod info;
 mod man;
 mod matrix;
 mod rank;
+mod simplify;
 
 use crate::exit::Exit;
 use crate::printer::Printer;
@@ -41,6 +42,7 @@ commands! {
     matrix::Matrix,
     info::Info,
     decompose::Decompose,
+    simplify::Simplify,
     convert::Convert,
     generate::Generate,
     completions::Completions,

@@ -1,0 +1,39 @@
+//! Options of the simplify command.
+
+use crate::args::Limits;
+use crate::numbers::magnitude;
+use clap::{ArgGroup, Args};
+use std::path::PathBuf;
+
+/// Reduce the number of faces within a distance that is proven
+#[derive(Args)]
+#[command(group = ArgGroup::new("target").required(true).args(["within", "relative", "faces"]), after_help = "\
+Edges are collapsed in order of their quadric error. With --within or --relative each collapse is tested on both sides, and the
+Pompeiu–Hausdorff distance of the result is proven to be at most that length; otherwise nothing is written. With --faces the
+distance follows, and is proven too. The mesh must be an oriented manifold, with or without boundary.
+
+Examples:
+  pompeiu simplify scan.ply --within 0.05 -o light.ply
+  pompeiu simplify scan.ply --relative 0.001 -o light.ply --json
+  pompeiu simplify scan.ply --faces 5000 -o light.glb")]
+pub(crate) struct Simplify {
+    /// The mesh file
+    pub(crate) mesh: PathBuf,
+    /// Largest distance from the input, in its unit
+    #[arg(long, value_parser = magnitude, value_name = "LENGTH")]
+    pub(crate) within: Option<f64>,
+    /// Largest distance as a fraction of the diagonal of the bounding box
+    #[arg(long, value_parser = magnitude, value_name = "FRACTION")]
+    pub(crate) relative: Option<f64>,
+    /// Number of faces to reach
+    #[arg(long, value_name = "N")]
+    pub(crate) faces: Option<usize>,
+    /// The mesh file to write
+    #[arg(long, short, value_name = "OUT")]
+    pub(crate) output: PathBuf,
+    /// Print one JSON object
+    #[arg(long)]
+    pub(crate) json: bool,
+    #[command(flatten)]
+    pub(crate) limits: Limits,
+}

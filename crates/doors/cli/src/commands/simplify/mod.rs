@@ -1,0 +1,9 @@
+//! `pompeiu simplify`.
+
+mod args;
+mod json;
+mod run;
+mod text;
+
+pub(crate) use args::Simplify;
+pub(crate) use run::run;

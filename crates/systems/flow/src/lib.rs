@@ -1,0 +1,8 @@
+//! Remeshing of triangle surfaces, with a proven distance from the input.
+//!
+//! | item | what it is |
+//! |---|---|
+//! | [`remesh::simplify`] | few faces within a distance that is proven |
+//! | [`remesh::DynamicMesh`] | halfedge connectivity that can be edited |
+
+pub mod remesh;
