@@ -5,9 +5,9 @@ use anyhow::{Context, Result};
 use pompeiu::core::mesh::{Random, subdivide};
 use pompeiu::core::{FaceId, TriMesh, VertexId};
 use pompeiu::fields::{DecompositionOptions, HodgeSolver};
-use pompeiu::operators::{Boundary, HarmonicBasis, HeatMethod, Splitting, cotan_laplacian, random_field};
+use pompeiu::operators::{Boundary, HarmonicBasis, HeatMethod, HeatOptions, Splitting, cotan_laplacian, random_field};
 use pompeiu::solve::{LinearSolver, SemidefiniteCholesky};
-use pompeiu::surface::{EmbeddedSurface, Ray, Tracer};
+use pompeiu::surface::{EmbeddedSurface, Ray, TraceOptions, Tracer};
 use std::fmt::Write;
 use std::hint::black_box;
 use std::path::Path;
@@ -56,7 +56,7 @@ fn main() -> Result<()> {
     record("hodge_setup", ms);
     let field = random_field(surface.mesh(), 1);
     record("hodge_split", least(|| Ok(hodge.decompose(&field)?))?.1);
-    let (heat, ms) = least(|| Ok(HeatMethod::new(surface)?))?;
+    let (heat, ms) = least(|| Ok(HeatMethod::new(surface, &HeatOptions::default())?))?;
     record("heat_setup", ms);
     let (distances, ms) = least(|| Ok(heat.distances(&[VertexId(0)])?))?;
     record("heat_distances", ms);
@@ -87,7 +87,7 @@ fn trace(
     record: &mut impl FnMut(&str, f64),
 ) -> Result<()> {
     let surface = embedded.surface();
-    let (tracer, ms) = least(|| Ok(Tracer::new(surface)))?;
+    let (tracer, ms) = least(|| Ok(Tracer::new(surface, &TraceOptions::default())))?;
     record("tracer_setup", ms);
     let lengths = surface.edge_lengths();
     let edge = lengths.iter().sum::<f64>() / lengths.len() as f64;

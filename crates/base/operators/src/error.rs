@@ -2,6 +2,11 @@
 
 use pompeiu_core::{FaceId, VertexId};
 use pompeiu_solve::SolveError;
+use pompeiu_surface::{GeometryError, Surface};
+
+/// A face is called thin when its least height is less than this share of its longest edge: Laplacians that fail to be
+/// positive definite in doubles have faces that are a good deal thinner.
+const THIN: f64 = 1e-4;
 
 /// Why an operator cannot be applied or a system not be solved.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -50,7 +55,55 @@ pub enum OperatorError {
         /// How many there are.
         vertices: usize,
     },
+    /// The time of the heat method is no time.
+    #[error("the time of the heat method is {time}, expected a finite number above zero")]
+    HeatTime {
+        /// The time.
+        time: f64,
+    },
+    /// The heat of the sources could not be followed to all vertices.
+    #[error(
+        "the heat of the sources falls below the range of doubles before it reaches {count} vertices, vertex {vertex} among \
+         them; choose a longer time"
+    )]
+    HeatUnderflow {
+        /// One of the vertices.
+        vertex: VertexId,
+        /// How many there are.
+        count: usize,
+    },
+    /// A Laplacian is not positive definite in double precision, because faces are too thin.
+    #[error(
+        "the Laplacian cannot be factored in double precision: {count} faces have a height of less than {THIN:e} of their \
+         longest edge; that of face {face} is the least, {height:e}; improve the shape of these faces"
+    )]
+    ThinFaces {
+        /// The thinnest face.
+        face: FaceId,
+        /// Its least height over its longest edge.
+        height: f64,
+        /// How many faces are thin.
+        count: usize,
+    },
+    /// A surface could not be triangulated in another way.
+    #[error(transparent)]
+    Geometry(#[from] GeometryError),
     /// A linear system could not be set up or solved.
     #[error(transparent)]
     Solve(#[from] SolveError),
+}
+
+/// Names thin faces where a pivot of a Laplacian failed.
+pub(crate) fn name_thin_faces(surface: &Surface, error: SolveError) -> OperatorError {
+    let heights = surface.mesh().face_ids().map(|face| (face, surface.relative_height(face)));
+    let thin = heights.filter(|&(_, height)| height < THIN);
+    let (count, least) = thin.fold((0, None), |(count, least): (usize, Option<(FaceId, f64)>), one| {
+        (count + 1, Some(least.filter(|least| least.1 <= one.1).unwrap_or(one)))
+    });
+    match (error, least) {
+        (SolveError::NotPositiveDefinite { .. }, Some((face, height))) => {
+            OperatorError::ThinFaces { face, height, count }
+        }
+        (error, _) => error.into(),
+    }
 }

@@ -26,7 +26,7 @@ pub fn gradient(surface: &Surface, values: &VertexData<f64>) -> Result<FaceField
 }
 
 #[inline]
-fn face_gradient(surface: &Surface, face: FaceId, values: &VertexData<f64>) -> Vec2 {
+pub(crate) fn face_gradient(surface: &Surface, face: FaceId, values: &VertexData<f64>) -> Vec2 {
     let sides = surface.sides(face);
     let [a, b, c] = surface.mesh().face(face).map(|v| values[v]);
     // The sides add up to zero, so differences do: no digits are lost to a large constant.

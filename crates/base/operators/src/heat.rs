@@ -1,90 +1,120 @@
 //! Distances along a surface, from the way heat spreads.
 
-use crate::OperatorError;
-use crate::gradient::{divergence, gradient};
+use crate::error::name_thin_faces;
+use crate::gradient::{divergence, face_gradient};
 use crate::laplacian::cotan_laplacian;
-use pompeiu_core::VertexId;
+use crate::{FaceField, OperatorError};
 use pompeiu_core::mesh::VertexData;
+use pompeiu_core::{FaceId, VertexId};
 use pompeiu_solve::{Cholesky, LinearSolver, SemidefiniteCholesky, SparseMatrix};
-use pompeiu_surface::Surface;
-use pompeiu_surface::plane::norm;
+use pompeiu_surface::plane::{Vec2, norm};
+use pompeiu_surface::{Surface, intrinsic_delaunay};
+use std::borrow::Cow;
+
+/// How distances are computed.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct HeatOptions {
+    /// How long heat spreads, in squared length; by default the square of the mean length of edges.
+    pub time: Option<f64>,
+    /// Whether to compute on the intrinsic Delaunay triangulation of the same vertices, which gives better distances where
+    /// faces are obtuse; distances are still those of the surface.
+    pub intrinsic_delaunay: bool,
+}
 
 /// A surface made ready for distances from any vertices: the heat method.
 ///
 /// # Definition
-/// Heat spreads from the sources for a short time t, `(M + t L) u = δ`; its gradient points along shortest ways, so the
-/// distance is the function whose gradient is nearest to `−∇u / |∇u|`, zero on average at the sources. Nothing flows through
-/// the boundary.
+/// Heat spreads from the sources for a short time t, `(M + t L) u = δ`; its gradient points along shortest paths, so the
+/// distance is the function whose gradient is nearest to `−∇u / |∇u|`, zero on average at the sources. The boundary has
+/// Neumann conditions. M is lumped, L the cotangent Laplacian; nothing is added to either.
+///
+/// Heat decays exponentially. Where it falls below the range of doubles it is continued: the heat of all vertices reached so
+/// far is taken for known, and what it gives to the others is computed at a scale that is larger by a power of two, by
+/// one more solve with the same factor.
 ///
 /// # Accuracy
 /// First order in the length of edges, in practice about a percent of the distance on evenly triangulated surfaces. Not a
-/// bound on either side. Where edges are not Delaunay the Laplacian has no maximum principle, and distances get worse.
-///
-/// # Limits
-/// Heat that has fallen below the range of doubles has no direction: at more than some seven hundred edges from the sources
-/// distances are those of the smoothest continuation. A longer time helps.
+/// bound on either side. Where edges are not Delaunay the Laplacian has no maximum principle, and distances get worse;
+/// [`HeatOptions::intrinsic_delaunay`] helps.
 ///
 /// # Cost
-/// Two sparse factorizations to prepare, two solves for each question.
+/// Two sparse factorizations to prepare, two solves for each question, and one more for each 670 edges or so of distance.
 ///
 /// # Source
-/// `crane_geodesics_2013`.
+/// `crane_geodesics_2013`; the continuation of heat is ours.
+///
+/// # Example
+/// ```
+/// use pompeiu_core::VertexId;
+/// use pompeiu_core::mesh::shapes::icosphere;
+/// use pompeiu_operators::{HeatMethod, HeatOptions};
+/// use pompeiu_surface::EmbeddedSurface;
+///
+/// let sphere = EmbeddedSurface::new(&icosphere(1.0, 4)?)?;
+/// let heat = HeatMethod::new(sphere.surface(), &HeatOptions::default())?;
+/// let distances = heat.distances(&[VertexId(0)])?;
+/// let farthest = distances.iter().fold(0.0, |m: f64, &d| m.max(d));
+/// assert!((farthest - std::f64::consts::PI).abs() < 0.05);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug)]
 pub struct HeatMethod<'s> {
-    surface: &'s Surface,
+    surface: Cow<'s, Surface>,
+    time: f64,
     heat: Cholesky,
     poisson: SemidefiniteCholesky,
 }
 
-impl<'s> HeatMethod<'s> {
-    /// Prepares a surface, with the square of the mean length of edges for time.
-    ///
-    /// # Errors
-    /// [`OperatorError::Solve`] if a matrix cannot be factored, which very thin faces can cause.
-    pub fn new(surface: &'s Surface) -> Result<Self, OperatorError> {
-        let lengths = surface.edge_lengths();
-        let mean = lengths.iter().sum::<f64>() / lengths.len() as f64;
-        Self::with_time(surface, mean * mean)
-    }
+/// 2^-930: heat that is fainter than this share of that at the sources is continued at a larger scale. Small enough that
+/// few surfaces need it, large enough that one edge farther heat is still a normal number.
+const FAINT: f64 = f64::from_bits((1023 - 930) << 52);
 
-    /// Prepares a surface with heat that spreads for this time, in squared length.
+impl<'s> HeatMethod<'s> {
+    /// Prepares a surface.
     ///
     /// # Errors
-    /// [`OperatorError::Solve`]; also for a time that is not a finite number above zero.
-    pub fn with_time(surface: &'s Surface, time: f64) -> Result<Self, OperatorError> {
-        let laplacian = cotan_laplacian(surface)?;
+    /// [`OperatorError::HeatTime`]; [`OperatorError::ThinFaces`] if a matrix cannot be factored because of thin faces;
+    /// [`OperatorError::Geometry`] if a face of the intrinsic Delaunay triangulation is degenerate;
+    /// [`OperatorError::Solve`].
+    pub fn new(surface: &'s Surface, options: &HeatOptions) -> Result<Self, OperatorError> {
+        let surface = if options.intrinsic_delaunay {
+            Cow::Owned(intrinsic_delaunay(surface)?.surface)
+        } else {
+            Cow::Borrowed(surface)
+        };
+        let time = options.time.unwrap_or_else(|| {
+            let lengths = surface.edge_lengths();
+            let mean = lengths.iter().sum::<f64>() / lengths.len() as f64;
+            mean * mean
+        });
+        if !(time > 0.0 && time.is_finite()) {
+            return Err(OperatorError::HeatTime { time });
+        }
+        let laplacian = cotan_laplacian(&surface)?;
         let mass = SparseMatrix::diagonal(&surface.vertex_areas())?;
-        let heat = Cholesky::new(&mass.combined(1.0, &laplacian, time)?)?;
+        let named = |error| name_thin_faces(&surface, error);
+        let heat = Cholesky::new(&mass.combined(1.0, &laplacian, time)?).map_err(named)?;
         let mesh = surface.mesh();
         let group: Vec<Option<u32>> = mesh.vertex_ids().map(|v| Some(mesh.component(v) as u32)).collect();
-        let poisson = SemidefiniteCholesky::new(laplacian, &vec![false; mesh.vertices()], &group)?;
-        Ok(Self { surface, heat, poisson })
+        let poisson =
+            SemidefiniteCholesky::new(laplacian, &vec![false; mesh.vertices()], &group).map_err(named)?;
+        Ok(Self { surface, time, heat, poisson })
     }
 
     /// The distance of every vertex from the nearest source; infinite on components without one.
     ///
     /// # Errors
-    /// [`OperatorError::NoSuchVertex`]; [`OperatorError::Solve`] when values leave the range of doubles.
+    /// [`OperatorError::NoSuchVertex`]; [`OperatorError::HeatUnderflow`]; [`OperatorError::Solve`] when values leave the
+    /// range of doubles.
     pub fn distances(&self, sources: &[VertexId]) -> Result<VertexData<f64>, OperatorError> {
         let mesh = self.surface.mesh();
-        let mut heat = VertexData::filled(mesh.vertices(), 0.0);
-        for &vertex in sources {
-            let vertices = mesh.vertices();
-            *heat.get_mut(vertex.index()).ok_or(OperatorError::NoSuchVertex { vertex, vertices })? = 1.0;
+        let vertices = mesh.vertices();
+        if let Some(&vertex) = sources.iter().find(|v| v.index() >= vertices) {
+            return Err(OperatorError::NoSuchVertex { vertex, vertices });
         }
-        self.heat.solve_in_place(&mut heat)?;
-        let mut field = gradient(self.surface, &heat)?;
-        for u in &mut field {
-            let largest = if u[0].abs() > u[1].abs() { u[0].abs() } else { u[1].abs() };
-            if largest > 0.0 {
-                // Scaled first: squares of faint heat would be zero.
-                let scaled = u.map(|x| x / largest);
-                let length = norm(scaled);
-                *u = scaled.map(|x| -x / length);
-            }
-        }
+        let field = self.descent(sources, FAINT)?;
         // G_vᵀ M u is minus the divergence.
-        let mut distances = divergence(self.surface, &field)?;
+        let mut distances = divergence(&self.surface, &field)?;
         for value in &mut distances {
             *value = -*value;
         }
@@ -100,5 +130,123 @@ impl<'s> HeatMethod<'s> {
             *distance = if count > 0.0 { *distance - sum / count } else { f64::INFINITY };
         }
         Ok(distances)
+    }
+
+    /// `−∇u / |∇u|` on each face, zero on components without sources; `faint` is a power of two.
+    fn descent(&self, sources: &[VertexId], faint: f64) -> Result<FaceField, OperatorError> {
+        let mesh = self.surface.mesh();
+        let mut warm = vec![false; mesh.components()];
+        let mut heat = VertexData::filled(mesh.vertices(), 0.0);
+        for &source in sources {
+            warm[mesh.component(source)] = true;
+            // Entries of the matrix are about as large as the time: heat at the sources is about one.
+            heat[source] = f64::from_bits(self.time.to_bits() & EXPONENT);
+        }
+        let mut field = FaceField::filled(mesh.faces(), [0.0; 2]);
+        let mut open: Vec<FaceId> =
+            mesh.face_ids().filter(|&face| warm[mesh.component(mesh.face(face)[0])]).collect();
+        let mut reached = VertexData::filled(mesh.vertices(), false);
+        let mut inflow = VertexData::filled(mesh.vertices(), 0.0);
+        while !open.is_empty() {
+            self.heat.solve_in_place(&mut heat)?;
+            let is_new = VertexData::from_fn(mesh.vertices(), |v| !reached[v] && heat[v].abs() >= faint);
+            if !is_new.contains(&true) {
+                let cold = |v: &VertexId| warm[mesh.component(*v)] && !reached[*v];
+                let vertex = mesh.vertex_ids().find(cold).unwrap_or(VertexId(0));
+                return Err(OperatorError::HeatUnderflow {
+                    vertex,
+                    count: mesh.vertex_ids().filter(cold).count(),
+                });
+            }
+            // Faces with a vertex reached before are done.
+            open.retain(|&face| {
+                let known = mesh.face(face).into_iter().any(|v| is_new[v]);
+                if known {
+                    field[face] = downhill(face_gradient(&self.surface, face, &heat));
+                }
+                !known
+            });
+            if !open.is_empty() {
+                self.pass_on(&mut heat, &mut inflow, &mut reached, &is_new, 1.0 / faint);
+            }
+        }
+        Ok(field)
+    }
+
+    /// Takes the heat of new vertices for known, and puts the right-hand side for what it gives to the others in its place.
+    ///
+    /// With A the matrix of the system, `A v = r`, and w the part of v at new vertices, `v − w` solves `A (v − w) = r − A w`,
+    /// which is zero but at both ends of edges between vertices reached and others. Only entries of
+    /// A off the diagonal are needed, and there it is `t L`.
+    fn pass_on(
+        &self,
+        heat: &mut VertexData<f64>,
+        inflow: &mut VertexData<f64>,
+        reached: &mut VertexData<bool>,
+        is_new: &VertexData<bool>,
+        larger: f64,
+    ) {
+        let mesh = self.surface.mesh();
+        for v in mesh.vertex_ids() {
+            reached[v] |= is_new[v];
+        }
+        let next = VertexData::from_fn(mesh.vertices(), |v: VertexId| {
+            let others = self.poisson.matrix().column(v.index());
+            let others =
+                others.map(|(w, entry)| (VertexId(w as u32), self.time * entry)).filter(|other| other.0 != v);
+            if reached[v] {
+                others.filter(|&(w, _)| !reached[w]).map(|(w, entry)| entry * (larger * heat[w])).sum()
+            } else {
+                let given: f64 =
+                    others.filter(|&(w, _)| is_new[w]).map(|(w, entry)| entry * (larger * heat[w])).sum();
+                larger * inflow[v] - given
+            }
+        });
+        inflow.copy_from_slice(&next);
+        heat.copy_from_slice(&next);
+    }
+}
+
+/// The exponent bits of a double.
+const EXPONENT: u64 = 0x7ff << 52;
+
+/// A vector of length one against a gradient; zero for zero.
+fn downhill(gradient: Vec2) -> Vec2 {
+    let largest = if gradient[0].abs() > gradient[1].abs() { gradient[0].abs() } else { gradient[1].abs() };
+    if largest > 0.0 {
+        // Scaled first: squares of faint heat would be zero.
+        let scaled = gradient.map(|x| x / largest);
+        let length = norm(scaled);
+        scaled.map(|x| -x / length)
+    } else {
+        gradient
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests may panic")]
+mod tests {
+    use super::*;
+    use pompeiu_core::mesh::{merge, shapes};
+    use pompeiu_surface::EmbeddedSurface;
+
+    #[test]
+    fn heat_that_is_continued_often_has_the_same_directions() {
+        let torus = shapes::torus(2.0, 0.7, 60, 40).unwrap();
+        let both = merge(&[&torus, &shapes::cube(1.0, 9).unwrap()]).unwrap();
+        let embedded = EmbeddedSurface::new(&both).unwrap();
+        let heat = HeatMethod::new(embedded.surface(), &HeatOptions::default()).unwrap();
+        for sources in [vec![VertexId(0)], vec![VertexId(5), VertexId(1203), VertexId(2500)]] {
+            let whole = heat.descent(&sources, FAINT).unwrap();
+            // A few edges at a time, and a dozen.
+            for exponent in [6, 20] {
+                let often = heat.descent(&sources, 0.5_f64.powi(exponent)).unwrap();
+                for (face, u) in whole.entries() {
+                    let w = often[face];
+                    let difference = norm([u[0] - w[0], u[1] - w[1]]);
+                    assert!(difference <= 1e-6, "2^-{exponent}, face {face}: {u:?} {w:?}");
+                }
+            }
+        }
     }
 }

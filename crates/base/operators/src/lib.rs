@@ -26,7 +26,7 @@ pub use gradient::{
     crouzeix_raviart_curl, crouzeix_raviart_divergence, crouzeix_raviart_gradient,
     crouzeix_raviart_gradient_matrix, curl, divergence, gradient, gradient_matrix,
 };
-pub use heat::HeatMethod;
+pub use heat::{HeatMethod, HeatOptions};
 pub use hodge::{Boundary, HarmonicBasis, Splitting};
 pub use laplacian::{cotan_laplacian, crouzeix_raviart_laplacian};
 pub use mass::{face_mass, mass_matrix};

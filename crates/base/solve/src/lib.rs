@@ -20,10 +20,13 @@
 //! # Ok::<(), pompeiu_solve::SolveError>(())
 //! ```
 //!
-//! This crate knows nothing of meshes. Factoring and solving use one thread and give the same bits every time;
-//! independent systems can be factored side by side.
+//! [`DenseCholesky`] is for small dense matrices, Gram matrices for instance.
+//!
+//! This crate knows nothing of meshes. Sparse matrices are factored on one thread, and independent ones can be factored in
+//! parallel; results have the same bits at any number of threads.
 
 mod cholesky;
+mod dense;
 mod error;
 mod ldlt;
 mod lu;
@@ -33,6 +36,7 @@ mod solver;
 mod sparse;
 
 pub use cholesky::{Analysis, Cholesky};
+pub use dense::DenseCholesky;
 pub use error::SolveError;
 pub use ldlt::Ldlt;
 pub use lu::Lu;

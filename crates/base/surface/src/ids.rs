@@ -68,10 +68,12 @@ impl fmt::Display for EdgeId {
 impl ElementId for HalfedgeId {
     const NAME: &'static str = "corner";
 
+    #[inline]
     fn from_index(index: usize) -> Self {
         Self(index as u32)
     }
 
+    #[inline]
     fn as_index(self) -> usize {
         self.index()
     }
@@ -80,10 +82,12 @@ impl ElementId for HalfedgeId {
 impl ElementId for EdgeId {
     const NAME: &'static str = "edge";
 
+    #[inline]
     fn from_index(index: usize) -> Self {
         Self(index as u32)
     }
 
+    #[inline]
     fn as_index(self) -> usize {
         self.index()
     }

@@ -50,4 +50,4 @@ pub use path::EdgeDistances;
 pub use periodic::flat_torus;
 pub use surface::Surface;
 pub use topology::{Chain, Generators, Relative, tree_cotree};
-pub use trace::{Ray, Trace, TraceEnd, Tracer};
+pub use trace::{Ray, Trace, TraceEnd, TraceOptions, Tracer};

@@ -156,6 +156,14 @@ impl Surface {
         0.5 * flat.length * flat.apex[1]
     }
 
+    /// The least height of a face over its longest edge: √3/2 for an equilateral one, near zero for a thin one.
+    pub fn relative_height(&self, face: FaceId) -> f64 {
+        let flat = self.flat(face);
+        let longest =
+            [0, 1, 2].map(|i| norm(flat.side(i))).into_iter().fold(0.0, |m, x| if x > m { x } else { m });
+        flat.length / longest * (flat.apex[1] / longest)
+    }
+
     /// The areas of all faces.
     pub fn face_areas(&self) -> FaceData<f64> {
         FaceData::from_fn(self.mesh.faces(), |face| self.face_area(face))

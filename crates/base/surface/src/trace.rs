@@ -75,6 +75,23 @@ impl Trace {
     }
 }
 
+/// How rays are followed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TraceOptions {
+    /// A walk ends after this many crossings; 10 million by default, far more than any of sensible length.
+    pub max_crossings: usize,
+    /// A walk that crosses an edge at less than this from one of its ends, relative to the length of the edge, passes through
+    /// the vertex there; 1e-12 by default, what rounding adds up to over some thousand crossings. A ray that is aimed at a
+    /// vertex meets it.
+    pub vertex_tolerance: f64,
+}
+
+impl Default for TraceOptions {
+    fn default() -> Self {
+        Self { max_crossings: 10_000_000, vertex_tolerance: 1e-12 }
+    }
+}
+
 /// A surface made ready for walks: what lies across each edge, and by how much directions turn there.
 ///
 /// # Definition
@@ -83,9 +100,9 @@ impl Trace {
 /// ends.
 ///
 /// # Accuracy
-/// Each crossing adds a few units of rounding to position and direction. A walk that passes a vertex at less than
-/// rounding may be seen to pass on either side of it; both are walks of the surface, but they part behind the vertex as
-/// the angles there demand.
+/// Each crossing adds a few units of rounding to position and direction. Geodesics that pass a vertex on either side of it
+/// part behind it, by its angle defect: a walk that comes within [`TraceOptions::vertex_tolerance`] passes through the
+/// vertex. Beyond that tolerance, rounding may still decide on which side a walk passes.
 ///
 /// # Cost
 /// O(1) for each crossing. 120 bytes per face to prepare.
@@ -96,7 +113,7 @@ impl Trace {
 pub struct Tracer<'s> {
     surface: &'s Surface,
     across: Vec<Across>,
-    most_crossings: usize,
+    options: TraceOptions,
 }
 
 /// What lies across a half-edge.
@@ -109,14 +126,11 @@ struct Across {
     twin: u32,
 }
 
-/// The most edges that a walk crosses unless told otherwise: far more than any of sensible length.
-const MOST_CROSSINGS: usize = 10_000_000;
-
 const BOUNDARY: u32 = u32::MAX;
 
 impl<'s> Tracer<'s> {
     /// Prepares a surface.
-    pub fn new(surface: &'s Surface) -> Self {
+    pub fn new(surface: &'s Surface, options: &TraceOptions) -> Self {
         let across = (0..surface.mesh().halfedges() as u32)
             .into_par_iter()
             .map(|h| {
@@ -131,14 +145,7 @@ impl<'s> Tracer<'s> {
                 }
             })
             .collect();
-        Self { surface, across, most_crossings: MOST_CROSSINGS }
-    }
-
-    /// Ends walks after this many crossings.
-    #[must_use]
-    pub fn with_most_crossings(mut self, crossings: usize) -> Self {
-        self.most_crossings = crossings;
-        self
+        Self { surface, across, options: *options }
     }
 
     /// Walks one ray.
@@ -195,14 +202,18 @@ impl<'s> Tracer<'s> {
                 left = 0.0;
                 break TraceEnd::Length;
             }
-            if crossings >= self.most_crossings {
+            if crossings >= self.options.max_crossings {
                 break TraceEnd::Crossings;
             }
             crossings += 1;
             left -= exit.distance;
             let halfedge = HalfedgeId::of(at.face, exit.side);
-            // At a vertex only if the walk has got there: at its start it is let go in its direction.
-            if let Some(corner) = exit.corner.filter(|_| exit.distance > 0.0) {
+            // At a vertex only if the walk has got there: from there it is let go in its direction.
+            let there = || {
+                let side = norm(self.surface.flat(at.face).side(exit.side));
+                exit.distance > self.options.vertex_tolerance * side
+            };
+            if let Some(corner) = exit.corner.filter(|_| there()) {
                 let vertex = self.surface.mesh().face(at.face)[corner];
                 if self.surface.mesh().is_boundary_vertex(vertex) {
                     at.point = self.surface.flat(at.face).corner(corner);
@@ -248,9 +259,10 @@ impl<'s> Tracer<'s> {
             } else {
                 from / (from - to)
             };
-            let corner = if fraction == 0.0 {
+            let tolerance = self.options.vertex_tolerance;
+            let corner = if fraction <= tolerance {
                 Some(side)
-            } else if fraction == 1.0 {
+            } else if fraction >= 1.0 - tolerance {
                 Some((side + 1) % 3)
             } else {
                 None

@@ -20,10 +20,12 @@ pub trait ElementId: Copy {
 impl ElementId for FaceId {
     const NAME: &'static str = "face";
 
+    #[inline]
     fn from_index(index: usize) -> Self {
         Self(index as u32)
     }
 
+    #[inline]
     fn as_index(self) -> usize {
         self.index()
     }
@@ -32,10 +34,12 @@ impl ElementId for FaceId {
 impl ElementId for VertexId {
     const NAME: &'static str = "vertex";
 
+    #[inline]
     fn from_index(index: usize) -> Self {
         Self(index as u32)
     }
 
+    #[inline]
     fn as_index(self) -> usize {
         self.index()
     }

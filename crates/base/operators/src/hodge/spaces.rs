@@ -1,6 +1,7 @@
 //! Which functions potentials may be.
 
 use crate::OperatorError;
+use crate::error::name_thin_faces;
 use crate::laplacian::{cotan_laplacian, crouzeix_raviart_laplacian};
 use pompeiu_solve::SemidefiniteCholesky;
 use pompeiu_surface::{Relative, Surface, SurfaceMesh};
@@ -75,18 +76,19 @@ fn groups(mesh: &SurfaceMesh, fixed: bool, components: impl Iterator<Item = usiz
 /// The cotangent Laplacian, factored; `fixed`: potentials are zero at boundary vertices.
 ///
 /// # Errors
-/// [`OperatorError::Solve`] if it cannot be factored, which very thin faces can cause.
+/// [`OperatorError::ThinFaces`] if it cannot be factored because of thin faces; [`OperatorError::Solve`].
 pub fn conforming_system(surface: &Surface, fixed: bool) -> Result<SemidefiniteCholesky, OperatorError> {
     let mesh = surface.mesh();
     let at_boundary: Vec<bool> = mesh.vertex_ids().map(|v| fixed && mesh.is_boundary_vertex(v)).collect();
     let group = groups(mesh, fixed, mesh.vertex_ids().map(|v| mesh.component(v)));
-    Ok(SemidefiniteCholesky::new(cotan_laplacian(surface)?, &at_boundary, &group)?)
+    SemidefiniteCholesky::new(cotan_laplacian(surface)?, &at_boundary, &group)
+        .map_err(|error| name_thin_faces(surface, error))
 }
 
 /// The Crouzeix–Raviart Laplacian, factored; `fixed`: potentials are zero at boundary edges.
 ///
 /// # Errors
-/// [`OperatorError::Solve`] if it cannot be factored, which very thin faces can cause.
+/// [`OperatorError::ThinFaces`] if it cannot be factored because of thin faces; [`OperatorError::Solve`].
 pub fn crouzeix_raviart_system(
     surface: &Surface,
     fixed: bool,
@@ -94,5 +96,6 @@ pub fn crouzeix_raviart_system(
     let mesh = surface.mesh();
     let at_boundary: Vec<bool> = mesh.edge_ids().map(|e| fixed && mesh.is_boundary_edge(e)).collect();
     let group = groups(mesh, fixed, mesh.edge_ids().map(|e| mesh.component(mesh.ends(e)[0])));
-    Ok(SemidefiniteCholesky::new(crouzeix_raviart_laplacian(surface)?, &at_boundary, &group)?)
+    SemidefiniteCholesky::new(crouzeix_raviart_laplacian(surface)?, &at_boundary, &group)
+        .map_err(|error| name_thin_faces(surface, error))
 }

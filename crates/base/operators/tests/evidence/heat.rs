@@ -1,9 +1,11 @@
 //! Distances against great circles and straight lines.
 
 use crate::common::surface;
-use pompeiu_core::VertexId;
+use pompeiu_core::mesh::shapes::Diagonal;
 use pompeiu_core::mesh::{merge, shapes};
-use pompeiu_operators::{HeatMethod, OperatorError};
+use pompeiu_core::{TriMesh, VertexId};
+use pompeiu_operators::hodge::{conforming_system, crouzeix_raviart_system};
+use pompeiu_operators::{HeatMethod, HeatOptions, OperatorError};
 use pompeiu_surface::EdgeDistances;
 
 fn root_mean_square(values: impl Iterator<Item = f64>) -> f64 {
@@ -17,7 +19,10 @@ fn great_circles_on_the_sphere() {
         .map(|subdivisions| {
             let mesh = shapes::icosphere(1.0, subdivisions).unwrap();
             let surface = surface(&mesh);
-            let distances = HeatMethod::new(&surface).unwrap().distances(&[VertexId(0)]).unwrap();
+            let distances = HeatMethod::new(&surface, &HeatOptions::default())
+                .unwrap()
+                .distances(&[VertexId(0)])
+                .unwrap();
             let pole = mesh.positions()[0];
             let exact =
                 |p: &[f64; 3]| (p[0] * pole[0] + p[1] * pole[1] + p[2] * pole[2]).clamp(-1.0, 1.0).acos();
@@ -34,7 +39,7 @@ fn the_nearest_of_several_sources_on_each_component() {
         let disk = shapes::disk(1.0, 3 * rings, rings).unwrap();
         let sphere = shapes::icosphere(1.0, 1).unwrap();
         let both = surface(&merge(&[&disk, &sphere]).unwrap());
-        let heat = HeatMethod::new(&both).unwrap();
+        let heat = HeatMethod::new(&both, &HeatOptions::default()).unwrap();
         let n = disk.positions().len();
         let rim = 1 + 3 * rings * (rings - 1);
         let sources = [VertexId(0), VertexId(rim)];
@@ -56,11 +61,76 @@ fn the_nearest_of_several_sources_on_each_component() {
 #[test]
 fn unusable_questions_are_named() {
     let sphere = surface(&shapes::icosphere(1.0, 1).unwrap());
-    let heat = HeatMethod::new(&sphere).unwrap();
+    let heat = HeatMethod::new(&sphere, &HeatOptions::default()).unwrap();
     let error = heat.distances(&[VertexId(42)]).unwrap_err();
     assert_eq!(error.to_string(), "vertex 42 does not exist, there are 42 (the first is 0)");
     assert!(heat.distances(&[]).unwrap().iter().all(|d| *d == f64::INFINITY));
-    for time in [-1.0, f64::NAN, f64::INFINITY] {
-        assert!(matches!(HeatMethod::with_time(&sphere, time), Err(OperatorError::Solve(_))), "{time}");
+    for time in [-1.0, 0.0, f64::NAN, f64::INFINITY] {
+        let options = HeatOptions { time: Some(time), ..Default::default() };
+        let error = HeatMethod::new(&sphere, &options).unwrap_err();
+        assert!(matches!(error, OperatorError::HeatTime { .. }), "{error}");
     }
+    // Heat that spreads for so short a time never gets anywhere.
+    let options = HeatOptions { time: Some(1e-310), ..Default::default() };
+    let error = HeatMethod::new(&sphere, &options).unwrap().distances(&[VertexId(3)]).unwrap_err();
+    assert!(matches!(error, OperatorError::HeatUnderflow { .. }), "{error}");
+}
+
+#[test]
+fn heat_below_the_range_of_doubles_is_continued() {
+    let strip = |length: u32| shapes::grid([f64::from(length), 1.0], [length, 1], Diagonal::Rising).unwrap();
+    for (length, from_end) in [(1500, true), (1500, false), (4000, true)] {
+        let mesh = merge(&[&strip(length), &shapes::icosphere(1.0, 1).unwrap()]).unwrap();
+        let surface = surface(&mesh);
+        let start = if from_end { -0.5 * f64::from(length) } else { 0.0 };
+        let strip_vertices = 2 * (length as usize + 1);
+        let places = mesh.positions().iter().take(strip_vertices);
+        let sources: Vec<VertexId> =
+            places.enumerate().filter(|(_, p)| p[0] == start).map(|(v, _)| VertexId(v as u32)).collect();
+        assert_eq!(sources.len(), 2);
+        let distances =
+            HeatMethod::new(&surface, &HeatOptions::default()).unwrap().distances(&sources).unwrap();
+        for (v, p) in mesh.positions().iter().enumerate().take(strip_vertices) {
+            let (found, exact) = (distances[VertexId(v as u32)], (p[0] - start).abs());
+            // Half an edge, from the sources on: the distance is zero on average there.
+            assert!((found - exact).abs() <= 0.5, "{length}, {p:?}: {found}");
+        }
+        assert!(distances.iter().rev().take(42).all(|d| *d == f64::INFINITY));
+    }
+}
+
+#[test]
+fn delaunay_triangulations_give_better_distances_on_obtuse_faces() {
+    // A sheared grid: its long diagonals are no Delaunay edges.
+    let grid = shapes::grid([4.0, 4.0], [40, 40], Diagonal::Rising).unwrap();
+    let sheared = grid.positions().iter().map(|&[x, y, z]| [x + 1.5 * y, y, z]).collect();
+    let mesh = TriMesh::new(sheared, grid.faces().to_vec()).unwrap();
+    let surface = surface(&mesh);
+    let centre = mesh.positions().iter().position(|p| p[0].hypot(p[1]) < 1e-9).unwrap();
+    let errors = [false, true].map(|intrinsic_delaunay| {
+        let options = HeatOptions { intrinsic_delaunay, ..Default::default() };
+        let distances =
+            HeatMethod::new(&surface, &options).unwrap().distances(&[VertexId(centre as u32)]).unwrap();
+        let exact = |p: &[f64; 3]| p[0].hypot(p[1]);
+        root_mean_square(mesh.positions().iter().zip(&distances).map(|(p, d)| d - exact(p)))
+    });
+    assert!(errors[1] < 0.5 * errors[0], "{errors:?}");
+}
+
+#[test]
+fn thin_faces_are_named() {
+    let torus = shapes::torus(2.0, 0.7, 48, 24).unwrap();
+    let mut refused = 0;
+    for height in [1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10] {
+        let flat = torus.positions().iter().map(|&[x, y, z]| [x, height * y, height * z]).collect();
+        let flat = surface(&TriMesh::new(flat, torus.faces().to_vec()).unwrap());
+        let heat = HeatMethod::new(&flat, &HeatOptions::default()).err();
+        let systems = [conforming_system(&flat, false).err(), crouzeix_raviart_system(&flat, false).err()];
+        for error in systems.into_iter().chain([heat]).flatten() {
+            refused += 1;
+            let OperatorError::ThinFaces { face, height: found, count } = error else { panic!("{error}") };
+            assert!(count > 0 && found < 10.0 * height && found == flat.relative_height(face), "{error}");
+        }
+    }
+    assert!(refused > 0);
 }

@@ -3,7 +3,7 @@
 use crate::common::{shared, surface};
 use pompeiu_core::mesh::{displace_at_random, shapes};
 use pompeiu_core::{TriMesh, VertexId};
-use pompeiu_operators::{HeatMethod, cotan_laplacian, mass_matrix};
+use pompeiu_operators::{HeatMethod, HeatOptions, cotan_laplacian, mass_matrix};
 use pompeiu_solve::{LinearSolver, SemidefiniteCholesky};
 use pompeiu_surface::{Surface, intrinsic_delaunay};
 
@@ -63,7 +63,8 @@ fn delaunay_edges_give_a_maximum_principle() {
         let (old, new) = (largest(&before), largest(&after));
         assert!(old > 1e-3 && new <= 1e-9, "{old} {new}");
         // Edges from a vertex to itself and several between two vertices do no harm.
-        let heat = HeatMethod::new(&after).unwrap().distances(&[VertexId(0)]).unwrap();
+        let heat =
+            HeatMethod::new(&after, &HeatOptions::default()).unwrap().distances(&[VertexId(0)]).unwrap();
         assert!(heat.iter().all(|d| d.is_finite()));
     }
 }

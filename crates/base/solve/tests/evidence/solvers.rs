@@ -1,7 +1,8 @@
 //! Solvers against known solutions, and what they say when there is none.
 
 use pompeiu_solve::{
-    Analysis, Cholesky, Ldlt, LinearSolver, Lu, Ordering, SemidefiniteCholesky, SolveError, SparseMatrix,
+    Analysis, Cholesky, DenseCholesky, Ldlt, LinearSolver, Lu, Ordering, SemidefiniteCholesky, SolveError,
+    SparseMatrix,
 };
 
 /// The Laplacian of a grid of points, n by n by layers, plus `shift` on the diagonal.
@@ -92,6 +93,78 @@ fn an_analysis_serves_all_matrices_of_its_pattern() {
     assert!(largest_difference(&solver.solve(&second.multiply(&x)).unwrap(), &x) < 1e-13);
     let other = Cholesky::with(&analysis, &grid_laplacian(9, 1, 1.0));
     assert_eq!(other.unwrap_err(), SolveError::OtherPattern);
+}
+
+#[test]
+fn singular_matrices_are_refused_by_lu_and_badly_scaled_ones_are_not() {
+    let dense = |rows: &[&[f64]]| {
+        let entries = rows.iter().enumerate();
+        let entries: Vec<_> =
+            entries.flat_map(|(i, row)| row.iter().enumerate().map(move |(j, &x)| (i, j, x))).collect();
+        SparseMatrix::from_triplets(rows.len(), rows.len(), &entries).unwrap()
+    };
+    let singular = [
+        dense(&[&[1.0, 2.0], &[2.0, 4.0]]),
+        dense(&[&[0.1, 0.3], &[0.2, 0.6]]),
+        dense(&[&[1.0, 2.0, 3.0], &[4.0, 5.0, 6.0], &[7.0, 8.0, 9.0]]),
+        dense(&[&[1.0, 2e150, 3e-150], &[4.0, 5e150, 6e-150], &[7.0, 8e150, 9e-150]]),
+        dense(&[&[0.0, 0.0], &[0.0, 0.0]]),
+        grid_laplacian(6, 1, 0.0),
+        grid_laplacian(14, 14, 0.0),
+    ];
+    for matrix in singular {
+        let error = Lu::new(&matrix).unwrap_err();
+        assert!(matches!(error, SolveError::Singular { .. }), "{error}");
+    }
+    let scaled = [
+        dense(&[&[1.0, 0.0], &[0.0, 1e-200]]),
+        dense(&[&[1.0, 1e20], &[1.0, -1e20]]),
+        dense(&[&[1.0, 1.0], &[0.0, 1e-20]]),
+        dense(&[&[1e-9, 2e-9, 3e-9], &[4e9, 5e9, 6e9], &[7.0, 8.0, 10.0]]),
+    ];
+    for matrix in scaled {
+        let x = [3.0, -2.0, 5.0];
+        let x = &x[..matrix.rows()];
+        let found = Lu::new(&matrix).unwrap().solve(&matrix.multiply(x)).unwrap();
+        // What is left is what rounding does to the smaller unknowns.
+        let residual = largest_difference(&matrix.multiply(&found), &matrix.multiply(x));
+        assert!(residual <= 1e-14 * matrix.multiply(x).iter().fold(0.0, |m, b| f64::max(m, b.abs())));
+    }
+}
+
+#[test]
+fn dense_factors_solve_for_any_number_of_columns_alike() {
+    let n = 37;
+    let root: Vec<f64> = waves(n * n).iter().map(|x| x * 0.3).collect();
+    // Lower triangular, with a large diagonal.
+    let lower = |i: usize, j: usize| match i.cmp(&j) {
+        std::cmp::Ordering::Less => 0.0,
+        std::cmp::Ordering::Equal => 3.0 + root[i],
+        std::cmp::Ordering::Greater => root[j * n + i],
+    };
+    let product = |i: usize, j: usize| (0..n).map(|k| lower(i, k) * lower(j, k)).sum::<f64>();
+    let entries: Vec<f64> = (0..n * n).map(|at| product(at % n, at / n)).collect();
+    let factor = DenseCholesky::new(n, entries.clone()).unwrap();
+    let x = waves(700 * n);
+    let image = |column: &[f64]| {
+        (0..n).map(|i| (0..n).map(|j| lower(i, j) * column[j]).sum::<f64>()).collect::<Vec<_>>()
+    };
+    let images: Vec<f64> = x.chunks_exact(n).flat_map(image).collect();
+    let solved = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        let mut columns = images.clone();
+        pool.install(|| factor.solve_lower_in_place(&mut columns)).unwrap();
+        columns
+    };
+    let one = solved(1);
+    assert!(largest_difference(&one, &x) < 1e-12);
+    assert_eq!(one, solved(2));
+    let mut indefinite = entries;
+    indefinite[5 * n + 5] = -1.0;
+    let error = DenseCholesky::new(n, indefinite).unwrap_err();
+    assert_eq!(error, SolveError::NotPositiveDefinite { index: 5 });
+    assert!(matches!(DenseCholesky::new(3, vec![0.0; 8]), Err(SolveError::Length { expected: 9, .. })));
+    assert!(matches!(factor.solve_lower_in_place(&mut [0.0; 36]), Err(SolveError::Length { .. })));
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use pompeiu_core::FaceId;
 use pompeiu_core::mesh::shapes::{self, Diagonal};
 use pompeiu_core::mesh::{Random, displace_at_random};
-use pompeiu_surface::{EmbeddedSurface, Ray, Surface, Trace, TraceEnd, Tracer, flat_torus};
+use pompeiu_surface::{EmbeddedSurface, Ray, Surface, Trace, TraceEnd, TraceOptions, Tracer, flat_torus};
 use std::f64::consts::TAU;
 
 /// A ray from inside a face.
@@ -30,7 +30,7 @@ fn forwards_and_back_again() {
         shapes::perforated_plate(1.0, 2).unwrap(),
     ] {
         let embedded = EmbeddedSurface::new(&mesh).unwrap();
-        let tracer = Tracer::new(embedded.surface());
+        let tracer = Tracer::new(embedded.surface(), &TraceOptions::default());
         let mut random = Random::new(8);
         for _ in 0..300 {
             let ray = ray(embedded.surface(), &mut random, 3.0);
@@ -73,7 +73,7 @@ fn assert_straight(ray: &Ray, trace: &Trace, cells: [u32; 2]) {
 #[test]
 fn the_flat_torus_is_the_plane() {
     let torus = flat_torus([5.0, 4.0], [5, 4]).unwrap();
-    let tracer = Tracer::new(&torus);
+    let tracer = Tracer::new(&torus, &TraceOptions::default());
     let mut random = Random::new(1);
     for _ in 0..1000 {
         let ray = ray(&torus, &mut random, 40.0);
@@ -84,7 +84,7 @@ fn the_flat_torus_is_the_plane() {
 #[test]
 fn through_vertices_and_along_edges() {
     let torus = flat_torus([5.0, 4.0], [5, 4]).unwrap();
-    let tracer = Tracer::new(&torus);
+    let tracer = Tracer::new(&torus, &TraceOptions::default());
     // Through corners of cells, along sides and along diagonals; from corners, from sides, from inside.
     for point in [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.5, 0.0], [0.75, 0.5], [0.5, 0.5]] {
         for direction in
@@ -106,7 +106,7 @@ fn at_a_corner_of_the_cube_both_sides_have_equal_angles() {
     let mesh = shapes::cube(2.0, 1).unwrap();
     let embedded = EmbeddedSurface::new(&mesh).unwrap();
     let (surface, connectivity) = (embedded.surface(), embedded.mesh());
-    let tracer = Tracer::new(surface);
+    let tracer = Tracer::new(surface, &TraceOptions::default());
     let mut met = 0;
     for face in connectivity.face_ids() {
         for corner in 0..3 {
@@ -138,12 +138,63 @@ fn at_a_corner_of_the_cube_both_sides_have_equal_angles() {
 }
 
 #[test]
+fn rays_aimed_at_a_vertex_pass_through_it() {
+    let embedded =
+        EmbeddedSurface::new(&displace_at_random(&shapes::icosphere(1.0, 2).unwrap(), 0.02, 5).unwrap());
+    let embedded = embedded.unwrap();
+    let (surface, mesh) = (embedded.surface(), embedded.mesh());
+    // How far from straight on a ray leaves that came from a vertex, was turned back, and passed the vertex.
+    let deviations = |tolerance: f64| {
+        let options = TraceOptions { vertex_tolerance: tolerance, ..Default::default() };
+        let tracer = Tracer::new(surface, &options);
+        let mut random = Random::new(12);
+        let mut deviations = Vec::new();
+        for vertex in mesh.vertex_ids() {
+            let total = surface.total_angle(vertex);
+            // Angles around the vertex, counter-clockwise from its first half-edge.
+            let angle_of = |face: FaceId, point: [f64; 2]| {
+                let mut before = 0.0;
+                for h in mesh.outgoing(vertex) {
+                    if h.face() == face {
+                        let (from, along) = (surface.corners(face)[h.corner()], surface.vector(h));
+                        let to = [point[0] - from[0], point[1] - from[1]];
+                        let cross = along[0] * to[1] - along[1] * to[0];
+                        return before + cross.atan2(along[0] * to[0] + along[1] * to[1]);
+                    }
+                    before += surface.angle(h);
+                }
+                panic!("face {face} is not at vertex {vertex}");
+            };
+            for h in mesh.outgoing(vertex) {
+                let (along, share) = (surface.vector(h), 0.5 + 0.4 * random.signed_unit());
+                let (sin, cos) = (share * surface.angle(h)).sin_cos();
+                let direction = [cos * along[0] - sin * along[1], sin * along[0] + cos * along[1]];
+                let point = surface.corners(h.face())[h.corner()];
+                let out = Ray { face: h.face(), point, direction, length: 2.0 };
+                let back = Ray { length: 2.05, ..tracer.trace(&out).reversed() };
+                let end = tracer.trace(&back);
+                assert_eq!(end.end, TraceEnd::Length);
+                let start = angle_of(h.face(), [point[0] + direction[0], point[1] + direction[1]]);
+                let turned = (angle_of(end.face, end.point) - start).rem_euclid(total);
+                deviations.push((turned - 0.5 * total).abs());
+            }
+        }
+        deviations
+    };
+    let worst = deviations(TraceOptions::default().vertex_tolerance).into_iter().fold(0.0, f64::max);
+    assert!(worst < 1e-9, "{worst:e}");
+    // Without a tolerance most pass on one side or the other.
+    let missed = deviations(0.0).into_iter().filter(|deviation| *deviation > 1e-3).count();
+    assert!(missed > 100, "{missed}");
+}
+
+#[test]
 fn great_circles_close_better_on_finer_spheres() {
     let median = |subdivisions: u32| {
         let mesh = shapes::icosphere(1.0, subdivisions).unwrap();
         let embedded = EmbeddedSurface::new(&mesh).unwrap();
         let surface = embedded.surface();
-        let tracer = Tracer::new(surface);
+        let tracer = Tracer::new(surface, &TraceOptions::default());
         let mut random = Random::new(3);
         let place = |face: FaceId, point: [f64; 2]| {
             let (weights, corners) = (surface.barycentric(face, point), mesh.corners(face));
@@ -171,7 +222,7 @@ fn great_circles_close_better_on_finer_spheres() {
 fn the_boundary_ends_a_walk() {
     let mesh = shapes::grid([2.0, 2.0], [4, 4], Diagonal::Alternating).unwrap();
     let embedded = EmbeddedSurface::new(&mesh).unwrap();
-    let tracer = Tracer::new(embedded.surface());
+    let tracer = Tracer::new(embedded.surface(), &TraceOptions::default());
     let mut random = Random::new(4);
     for _ in 0..100 {
         let ray = ray(embedded.surface(), &mut random, 100.0);
@@ -202,7 +253,7 @@ fn the_boundary_ends_a_walk() {
 #[test]
 fn many_rays_are_single_rays_at_any_number_of_threads() {
     let embedded = EmbeddedSurface::new(&shapes::torus(2.0, 0.7, 24, 16).unwrap()).unwrap();
-    let tracer = Tracer::new(embedded.surface());
+    let tracer = Tracer::new(embedded.surface(), &TraceOptions::default());
     let mut random = Random::new(6);
     let rays: Vec<Ray> = (0..2000).map(|_| ray(embedded.surface(), &mut random, 1.5)).collect();
     let single: Vec<Trace> = rays.iter().map(|ray| tracer.trace(ray)).collect();
@@ -219,7 +270,7 @@ fn many_rays_are_single_rays_at_any_number_of_threads() {
 #[test]
 fn transport_turns_all_vectors_alike() {
     let embedded = EmbeddedSurface::new(&shapes::icosphere(1.0, 2).unwrap()).unwrap();
-    let tracer = Tracer::new(embedded.surface());
+    let tracer = Tracer::new(embedded.surface(), &TraceOptions::default());
     let ray = ray(embedded.surface(), &mut Random::new(2), 1.0);
     let trace = tracer.trace(&ray);
     let turned = pompeiu_surface::plane::rotate(trace.transport(&ray), ray.direction);
@@ -229,7 +280,7 @@ fn transport_turns_all_vectors_alike() {
 #[test]
 fn rays_that_cannot_be_followed_stay() {
     let embedded = EmbeddedSurface::new(&shapes::icosphere(1.0, 1).unwrap()).unwrap();
-    let tracer = Tracer::new(embedded.surface());
+    let tracer = Tracer::new(embedded.surface(), &TraceOptions::default());
     let good = ray(embedded.surface(), &mut Random::new(2), 1.0);
     for wrong in [
         Ray { direction: [0.0; 2], ..good },
@@ -241,6 +292,7 @@ fn rays_that_cannot_be_followed_stay() {
         let trace = tracer.trace(&wrong);
         assert_eq!((trace.end, trace.length, trace.crossings), (TraceEnd::Unusable, 0.0, 0));
     }
-    let few = tracer.clone().with_most_crossings(2).trace(&Ray { length: 50.0, ..good });
+    let options = TraceOptions { max_crossings: 2, ..Default::default() };
+    let few = Tracer::new(embedded.surface(), &options).trace(&Ray { length: 50.0, ..good });
     assert_eq!((few.end, few.crossings), (TraceEnd::Crossings, 2));
 }
