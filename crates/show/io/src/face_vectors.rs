@@ -2,7 +2,8 @@
 
 use crate::error::{FormatError, Location, ReadError};
 use crate::format::Format;
-use crate::{formats, sniff, source};
+use crate::formats::{self, Input};
+use crate::{sniff, source};
 use std::path::Path;
 
 /// Reads one vector per face: the cell data of a VTP or VTU file, properties of the faces of a PLY file, or a CSV file with
@@ -32,7 +33,8 @@ fn from_bytes(
     let (content, _) = source::decompressed(bytes)?;
     // OBJ is recognised by a first word, which the heading of a table may look like.
     let format = sniff::format(&content).filter(|&format| format != Format::Obj).or(promised);
-    formats::read_face_vectors(format, &content, name).unwrap_or_else(|| {
+    let input = Input { bytes: &content, folder: None, stored_bytes: bytes.len() as u64 };
+    formats::read_face_vectors(format, input, name).unwrap_or_else(|| {
         let name = format.map_or("?", Format::suffix).to_uppercase();
         let problem = format!("found a {name} file, expected vectors in VTP, VTU, PLY or CSV");
         Err(FormatError::new(Location::File, problem))

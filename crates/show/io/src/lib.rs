@@ -13,6 +13,7 @@
 //! and the place.
 
 mod error;
+mod expansion;
 mod face_vectors;
 mod format;
 mod formats;

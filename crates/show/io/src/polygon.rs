@@ -4,6 +4,8 @@
 //! first corner at once and note where it lies; [`triangulate`] replaces the fans that leave their polygon, in place
 //! and in parallel, when all positions are known. No polygon is stored twice.
 
+mod monotone;
+
 use earcut::Earcut;
 use std::collections::BTreeSet;
 
@@ -22,8 +24,12 @@ impl Polygon {
     }
 }
 
-/// Beyond this many corners a concave polygon is refused: ear clipping could take minutes.
-pub(crate) const MOST_CORNERS_TO_CLIP: usize = 1 << 16;
+/// Polygons with more corners than this are cut into monotone parts, which takes O(n log n), before ears are clipped.
+const MOST_CORNERS_TO_CLIP_FIRST: usize = 1 << 10;
+
+/// Beyond this many corners a polygon that touches or crosses itself is refused: ear clipping, which is quadratic, could take
+/// minutes.
+pub(crate) const MOST_CORNERS_TO_CLIP: usize = 1 << 14;
 
 /// Polygons handled by one task: small beside a mesh, large beside the cost of a task.
 const POLYGONS_PER_TASK: usize = 4096;
@@ -31,14 +37,16 @@ const POLYGONS_PER_TASK: usize = 4096;
 /// Replaces the fans of polygons by triangles that cover the polygon, where the fan does not.
 ///
 /// A polygon is looked at along its Newell normal. A fan whose triangles all turn the same way as the polygon stays;
-/// of a concave quadrilateral the other diagonal is taken; other polygons are cut by ear clipping. Polygons that
-/// cross themselves, are degenerate or have corners that are not finite stay fans.
+/// of a concave quadrilateral the other diagonal is taken; other polygons are cut by ear clipping, or into monotone
+/// parts when they have many corners. Polygons that cross themselves, are degenerate or have corners that are not finite
+/// stay fans.
 ///
 /// # Errors
-/// The first polygon that would have to be clipped and has more than [`MOST_CORNERS_TO_CLIP`] corners.
+/// The first polygon that touches or crosses itself and has more than [`MOST_CORNERS_TO_CLIP`] corners.
 ///
 /// # Cost
-/// O(n) for convex polygons and quadrilaterals, parallel over polygons; ear clipping is quadratic at worst.
+/// O(n) for convex polygons and quadrilaterals, O(n log n) for simple ones with many corners, parallel over polygons; ear
+/// clipping of the others is quadratic at worst.
 pub(crate) fn triangulate(
     positions: &[[f64; 3]],
     faces: &mut [[u32; 3]],
@@ -157,17 +165,29 @@ impl Workspace {
         if !known || self.project(positions).is_none() || self.fan_fits() {
             return Some(());
         }
+        if self.ids.len() > MOST_CORNERS_TO_CLIP_FIRST {
+            self.clipped.clear();
+            monotone::triangulate(&self.plane, &mut self.clipped);
+            if self.clipped.len() == 3 * fan.len() && self.clipping_covers() {
+                self.take_clipped(fan);
+                return Some(());
+            }
+        }
         if self.ids.len() > MOST_CORNERS_TO_CLIP {
             return None;
         }
         let clipper = self.clipper.get_or_insert_with(Earcut::new);
         clipper.earcut(self.plane.iter().copied(), &[], &mut self.clipped);
         if self.clipping_covers() && self.close_gaps(fan.len()) {
-            for (triangle, corners) in fan.iter_mut().zip(self.clipped.chunks_exact(3)) {
-                *triangle = [corners[0], corners[1], corners[2]].map(|corner| self.ids[corner as usize]);
-            }
+            self.take_clipped(fan);
         }
         Some(())
+    }
+
+    fn take_clipped(&self, fan: &mut [[u32; 3]]) {
+        for (triangle, corners) in fan.iter_mut().zip(self.clipped.chunks_exact(3)) {
+            *triangle = [corners[0], corners[1], corners[2]].map(|corner| self.ids[corner as usize]);
+        }
     }
 
     /// Projects the polygon along the largest coordinate of its Newell normal, counterclockwise.

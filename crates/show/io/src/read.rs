@@ -42,8 +42,10 @@ pub struct ReadMesh {
 /// nothing is held in memory, but for the decompressed content of a gzip file.
 ///
 /// # Limits
-/// Normals, texture coordinates, colours and materials are not read. Concave faces have at most 65 536 corners. A gzip file may grow to 64 MiB or to 256 times
-/// its size, whichever is more. A file must not be shortened by another process while it is read.
+/// Normals, texture coordinates, colours and materials are not read. Faces that touch or cross themselves have at most 16 384 corners. What is
+/// compressed, or shared by pieces or nodes, may grow to 64 MiB (instances in glTF: 256 MiB), to 256 times the size of the file
+/// as long as that is at most 1 GiB, or to 32 times its size, whichever is more. An element of XML has at most 256 attributes,
+/// a document at most 64 namespaces. A file must not be shortened by another process while it is read.
 pub fn read(path: impl AsRef<Path>) -> Result<ReadMesh, ReadError> {
     let path = path.as_ref();
     let bytes = source::open(path).map_err(|cause| ReadError::Io { path: path.to_owned(), cause })?;
@@ -81,7 +83,7 @@ fn read_content(
         return Err(FormatError::new(Location::File, "the file is empty, expected a mesh"));
     }
     let format = choose(&content).ok_or_else(|| unrecognised(&content))?;
-    let raw = formats::read(format, Input { bytes: &content, folder })?;
+    let raw = formats::read(format, Input { bytes: &content, folder, stored_bytes: bytes.len() as u64 })?;
     drop(content);
     finish(raw, format, compressed)
 }
@@ -116,7 +118,7 @@ fn too_many_corners(polygon: Polygon, polygons: &[Polygon]) -> FormatError {
     FormatError::new(
         Location::Face(u64::from(polygon.first) - triangles_more),
         format!(
-            "found a concave face with {} corners, expected at most {}",
+            "found a face with {} corners that touches or crosses itself, expected at most {}",
             polygon.corners,
             polygon::MOST_CORNERS_TO_CLIP
         ),

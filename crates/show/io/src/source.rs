@@ -3,6 +3,7 @@
 //! The only unsafe code of the crate is here.
 
 use crate::error::{FormatError, Location};
+use crate::expansion::most_bytes;
 use flate2::bufread::MultiGzDecoder;
 use memmap2::Mmap;
 use std::borrow::Cow;
@@ -10,13 +11,6 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::ops::Deref;
 use std::path::Path;
-
-/// A gzip file may grow to this many bytes whatever its size.
-const EXPANSION_FLOOR: u64 = 1 << 26;
-
-/// Beyond [`EXPANSION_FLOOR`] a gzip file may grow to this many times its size: far more than text or coordinates of
-/// a mesh shrink, a quarter of what a file made only to exhaust memory reaches.
-const EXPANSION_FACTOR: u64 = 256;
 
 /// Bytes decompressed or read at a time.
 const STEP: usize = 1 << 20;
@@ -42,7 +36,7 @@ impl Deref for Source {
 
 /// Opens a file: maps it when it is a regular file, reads it to its end when it is a pipe.
 pub(crate) fn open(path: &Path) -> io::Result<Source> {
-    let mut file = File::open(path)?;
+    let mut file = open_file(path)?;
     let metadata = file.metadata()?;
     if metadata.is_dir() {
         return Err(io::ErrorKind::IsADirectory.into());
@@ -57,6 +51,43 @@ pub(crate) fn open(path: &Path) -> io::Result<Source> {
     let mut bytes = Vec::new();
     while read_step(&mut file, &mut bytes)? {}
     Ok(Source::Owned(bytes))
+}
+
+/// Opens a file; a named pipe that nobody writes into is refused, where the system would wait without end.
+#[cfg(unix)]
+fn open_file(path: &Path) -> io::Result<File> {
+    use rustix::fs::{OFlags, fcntl_getfl, fcntl_setfl};
+    use std::os::unix::fs::{FileTypeExt, OpenOptionsExt};
+    if !std::fs::metadata(path)?.file_type().is_fifo() {
+        return File::open(path);
+    }
+    let flags = OFlags::NONBLOCK.bits().cast_signed();
+    let file = File::options().read(true).custom_flags(flags).open(path)?;
+    wait_for_writer(&file)?;
+    fcntl_setfl(&file, fcntl_getfl(&file)? - OFlags::NONBLOCK)?;
+    Ok(file)
+}
+
+#[cfg(not(unix))]
+fn open_file(path: &Path) -> io::Result<File> {
+    File::open(path)
+}
+
+/// Waits until a pipe can be read or its writers are gone again.
+#[cfg(unix)]
+fn wait_for_writer(pipe: &File) -> io::Result<()> {
+    use rustix::event::{PollFd, PollFlags, Timespec, poll};
+    /// How long a program that was started together with this one may take to open its end.
+    const PATIENCE: Timespec = Timespec { tv_sec: 5, tv_nsec: 0 };
+    // A pipe without a writer is not ready before the first one has come, whether it writes or goes again.
+    match poll(&mut [PollFd::new(pipe, PollFlags::IN)], Some(&PATIENCE)) {
+        Ok(0) => {
+            let problem = "a pipe into which nobody writes, expected a writer within 5 s";
+            Err(io::Error::new(io::ErrorKind::TimedOut, problem))
+        }
+        Ok(_) => Ok(()),
+        Err(error) => Err(error.into()),
+    }
 }
 
 /// Maps a file that is not empty.
@@ -95,7 +126,7 @@ pub(crate) fn decompressed(bytes: &[u8]) -> Result<(Cow<'_, [u8]>, bool), Format
     if !bytes.starts_with(&GZIP_MAGIC) {
         return Ok((Cow::Borrowed(bytes), false));
     }
-    let most = EXPANSION_FLOOR.max(EXPANSION_FACTOR.saturating_mul(bytes.len() as u64));
+    let most = most_bytes(bytes.len() as u64);
     let mut decoder = MultiGzDecoder::new(bytes);
     let mut content = Vec::new();
     while read_step(&mut decoder, &mut content).map_err(|error| {
@@ -153,7 +184,7 @@ mod tests {
 
     #[test]
     fn a_bomb_is_refused() {
-        let bomb = gzip(&vec![b' '; 2 * EXPANSION_FLOOR as usize]);
+        let bomb = gzip(&vec![b' '; 2 * most_bytes(0) as usize]);
         let error = decompressed(&bomb).unwrap_err().to_string();
         assert!(error.contains("grow beyond"), "{error}");
     }

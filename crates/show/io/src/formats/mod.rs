@@ -19,6 +19,8 @@ pub(crate) struct Input<'a> {
     pub(crate) bytes: &'a [u8],
     /// The folder of the file, for formats that refer to other files; `None` when there is no file.
     pub(crate) folder: Option<&'a Path>,
+    /// The number of bytes of the file as stored, fewer than those above when it was compressed.
+    pub(crate) stored_bytes: u64,
 }
 
 /// Reads `input` as `format`.
@@ -31,22 +33,22 @@ pub(crate) fn read(format: Format, input: Input<'_>) -> Result<RawMesh, FormatEr
         Format::Gltf => gltf::read_json(input),
         Format::Glb => gltf::read_binary(input),
         Format::VtkLegacy => vtk::read_legacy(input.bytes),
-        Format::Vtp => vtk::read_poly_data(input.bytes),
-        Format::Vtu => vtk::read_unstructured_grid(input.bytes),
+        Format::Vtp => vtk::read_poly_data(input),
+        Format::Vtu => vtk::read_unstructured_grid(input),
     }
 }
 
-/// Reads the vectors of faces from `bytes`, as CSV when there is no `format`; `None` if the format has none.
+/// Reads the vectors of faces from `input`, as CSV when there is no `format`; `None` if the format has none.
 pub(crate) fn read_face_vectors(
     format: Option<Format>,
-    bytes: &[u8],
+    input: Input<'_>,
     name: Option<&str>,
 ) -> Option<Result<Vec<[f64; 3]>, FormatError>> {
     Some(match format {
-        None => csv::read_vectors(bytes),
-        Some(Format::Ply) => ply::read_face_vectors(bytes, name),
-        Some(Format::Vtp) => vtk::read_cell_vectors(bytes, "PolyData", name),
-        Some(Format::Vtu) => vtk::read_cell_vectors(bytes, "UnstructuredGrid", name),
+        None => csv::read_vectors(input.bytes),
+        Some(Format::Ply) => ply::read_face_vectors(input.bytes, name),
+        Some(Format::Vtp) => vtk::read_cell_vectors(input, "PolyData", name),
+        Some(Format::Vtu) => vtk::read_cell_vectors(input, "UnstructuredGrid", name),
         Some(_) => return None,
     })
 }

@@ -145,6 +145,12 @@ fn read<T: Copy>(
     size: u64,
     decode: impl Fn(&[u8]) -> T,
 ) -> Result<Vec<T>, String> {
+    // The format wants as many places as values at most; more would take time on a count's word.
+    if let Some(sparse) = &accessor.sparse
+        && sparse.count > accessor.count
+    {
+        return Err(format!("{} sparse values for {}", sparse.count, accessor.count));
+    }
     let mut values: Vec<T> = match (accessor.buffer_view, &accessor.sparse) {
         (Some(view), _) => {
             let elements = Elements::of_view(buffers, view, accessor.byte_offset, accessor.count, size)?;
@@ -152,7 +158,10 @@ fn read<T: Copy>(
         }
         (None, None) => return Err("no buffer view".into()),
         // All zeros but for the sparse values. Beyond one value each, the count would be an empty promise.
-        (None, Some(sparse)) if accessor.count <= sparse.count => {
+        (None, Some(sparse)) if accessor.count == sparse.count => {
+            // Seen to be there before memory is taken for so many.
+            let values = &sparse.values;
+            Elements::of_view(buffers, values.buffer_view, values.byte_offset, sparse.count, size)?;
             vec![decode(&vec![0; size as usize]); accessor.count as usize]
         }
         (None, Some(sparse)) => {

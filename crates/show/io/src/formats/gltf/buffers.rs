@@ -6,7 +6,7 @@ use crate::error::FormatError;
 use crate::source::{self, Source};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use std::cell::OnceCell;
+use std::cell::{Cell, OnceCell};
 use std::fs;
 use std::path::{Component, Path};
 
@@ -16,17 +16,19 @@ pub(super) struct Buffers<'a> {
     folder: Option<&'a Path>,
     /// Those looked at so far: images may lie in others.
     loaded: Vec<OnceCell<Source>>,
+    /// The bytes of those, all together.
+    loaded_bytes: Cell<u64>,
 }
 
 impl<'a> Buffers<'a> {
     pub(super) fn new(document: &'a Document, binary: Option<&'a [u8]>, folder: Option<&'a Path>) -> Self {
         let loaded = document.buffers.iter().map(|_| OnceCell::new()).collect();
-        Self { document, binary, folder, loaded }
+        Self { document, binary, folder, loaded, loaded_bytes: Cell::new(0) }
     }
 
     /// The number of bytes looked at beside those of the file itself.
     pub(super) fn loaded_bytes(&self) -> u64 {
-        self.loaded.iter().filter_map(OnceCell::get).map(|bytes| bytes.len() as u64).sum()
+        self.loaded_bytes.get()
     }
 
     /// The bytes of a buffer view, with the view.
@@ -52,6 +54,7 @@ impl<'a> Buffers<'a> {
             (_, _, Some(bytes)) => bytes,
             (Some(uri), _, None) => {
                 let bytes = self.load(uri).map_err(|problem| wrong(format!("buffer {index}: {problem}")))?;
+                self.loaded_bytes.set(self.loaded_bytes.get().saturating_add(bytes.len() as u64));
                 self.loaded[index].get_or_init(|| bytes)
             }
             (None, _, None) => return Err(wrong(without_data(index, buffer))),

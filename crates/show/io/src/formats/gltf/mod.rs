@@ -63,7 +63,7 @@ fn read_document(
         return Err(wrong(format!("the file requires the extension {name:?}, which is not supported")));
     }
     let buffers = Buffers::new(document, binary, input.folder);
-    scene::read(document, &buffers, input.bytes.len())
+    scene::read(document, &buffers, input.stored_bytes)
 }
 
 /// The item of that number, or what is missing.

@@ -6,20 +6,20 @@ use super::document::{Document, Mesh, Primitive};
 use super::transform::Transform;
 use super::{entry, wrong};
 use crate::error::{FormatError, Location};
+use crate::expansion::most_bytes;
 use crate::raw::RawMesh;
 use std::collections::HashMap;
 
-/// A file of any size may describe a mesh that takes this many bytes.
-const EXPANSION_FLOOR: u64 = 1 << 28;
+/// A file of any size may describe a mesh that takes this many bytes, as instances of few triangles.
+const INSTANCES_FLOOR: u64 = 1 << 28;
 
-/// Beyond [`EXPANSION_FLOOR`] a mesh may take this many times the bytes of its file and buffers: many more instances
-/// than scenes show, far fewer than a file made only to exhaust memory has.
-const EXPANSION_FACTOR: u64 = 256;
+/// What showing a primitive counts beside its content, in bytes: about as many as are handled in that time.
+const PRIMITIVE_BYTES: u64 = 256;
 
 pub(super) fn read(
     document: &Document,
     buffers: &Buffers<'_>,
-    file_length: usize,
+    file_length: u64,
 ) -> Result<RawMesh, FormatError> {
     let mut scene = SceneReader { document, buffers, raw: RawMesh::default(), file_length, spent: 0 };
     if document.nodes.is_empty() {
@@ -69,7 +69,7 @@ struct SceneReader<'a> {
     document: &'a Document,
     buffers: &'a Buffers<'a>,
     raw: RawMesh,
-    file_length: usize,
+    file_length: u64,
     /// Bytes that the mesh takes so far.
     spent: u64,
 }
@@ -79,6 +79,7 @@ impl SceneReader<'_> {
         // Primitives of one mesh often differ in material only and share their vertices.
         let mut bases = HashMap::new();
         for (number, primitive) in mesh.primitives.iter().enumerate() {
+            self.spend(PRIMITIVE_BYTES)?;
             let Some(position) = primitive.attributes.position else { continue };
             let known = bases.get(&position).copied();
             let (base, count) = known.map_or_else(|| self.add_positions(position, transform), Ok)?;
@@ -96,7 +97,7 @@ impl SceneReader<'_> {
         let accessor = entry(&self.document.accessors, "accessor", index)?;
         let base = self.raw.positions.len();
         let positions = accessor::positions(self.buffers, accessor, index)?;
-        self.spend::<[f64; 3]>(positions.len())?;
+        self.spend(size_of_val(&positions[..]) as u64)?;
         if u32::try_from(base + positions.len()).is_err() {
             return Err(wrong(format!("more than {} vertices", u32::MAX)));
         }
@@ -119,7 +120,7 @@ impl SceneReader<'_> {
             None => None,
         };
         let count = indices.as_ref().map_or(vertices as usize, Vec::len);
-        self.spend::<u32>(count)?;
+        self.spend((count * size_of::<u32>()) as u64)?;
         let triangles = match primitive.mode {
             0..=3 => {
                 // Points, separate lines, and chains of lines.
@@ -134,7 +135,7 @@ impl SceneReader<'_> {
             5 | 6 => count.saturating_sub(2),
             mode => return Err(wrong(format!("unknown mode {mode}"))),
         };
-        self.spend::<[u32; 3]>(triangles)?;
+        self.spend((triangles * size_of::<[u32; 3]>()) as u64)?;
         let indices = indices.as_deref();
         let vertex = |corner: usize| indices.map_or(corner as u32, |indices| indices[corner]);
         self.raw.faces.reserve(triangles);
@@ -159,14 +160,15 @@ impl SceneReader<'_> {
 
     /// Takes note of what is about to be added; what is read is bounded by the bytes there are, but nodes may show
     /// the same mesh any number of times.
-    fn spend<T>(&mut self, count: usize) -> Result<(), FormatError> {
-        self.spent = self.spent.saturating_add((count * size_of::<T>()) as u64);
-        let described_by = (self.file_length as u64).saturating_add(self.buffers.loaded_bytes());
-        if self.spent <= EXPANSION_FLOOR.max(EXPANSION_FACTOR.saturating_mul(described_by)) {
+    fn spend(&mut self, bytes: u64) -> Result<(), FormatError> {
+        self.spent = self.spent.saturating_add(bytes);
+        let described_by = self.file_length.saturating_add(self.buffers.loaded_bytes());
+        let most = most_bytes(described_by).max(INSTANCES_FLOOR);
+        if self.spent <= most {
             return Ok(());
         }
         Err(wrong(format!(
-            "the nodes show meshes so often that they take more than {EXPANSION_FACTOR} times the bytes of the file"
+            "the nodes show meshes so often that they take more than {most} bytes, the most that a file of this size may hold"
         )))
     }
 }

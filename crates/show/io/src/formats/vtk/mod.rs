@@ -2,6 +2,7 @@
 
 mod cells;
 mod legacy;
+mod markup;
 mod numbers;
 mod stream;
 mod xml;

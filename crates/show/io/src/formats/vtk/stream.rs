@@ -1,6 +1,7 @@
 //! The bytes of an array in an XML file: raw or base64, whole or in compressed blocks.
 
 use super::numbers::{ByteOrder, NumberType};
+use crate::expansion::Allowance;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use flate2::read::ZlibDecoder;
@@ -45,12 +46,21 @@ impl<'a> Stream<'a> {
     }
 
     /// The data of one array.
-    pub(super) fn unpack(mut self, packing: &Packing<'_>) -> Result<Vec<u8>, String> {
+    ///
+    /// # Errors
+    /// The data are damaged, or have more bytes than are left of the allowance, from which they are taken.
+    pub(super) fn unpack(
+        mut self,
+        packing: &Packing<'_>,
+        allowance: &mut Allowance,
+    ) -> Result<Vec<u8>, String> {
         let mut length = || self.words(1, packing).map(|words| words[0]);
         match packing.compressor {
             None => {
                 let length = length()?;
-                self.take(length)
+                let bytes = self.take(length)?;
+                allowance.take(length).map_err(too_large)?;
+                Ok(bytes)
             }
             Some("vtkZLibDataCompressor") => {
                 let (blocks, full, last) = (length()?, length()?, length()?);
@@ -59,7 +69,9 @@ impl<'a> Stream<'a> {
                 for (i, &size) in compressed.iter().enumerate() {
                     let is_partial = i + 1 == compressed.len() && last != 0;
                     let block = self.take(size)?;
-                    inflate(&block, if is_partial { last } else { full }, &mut bytes)?;
+                    let length = if is_partial { last } else { full };
+                    allowance.take(length).map_err(too_large)?;
+                    inflate(&block, length, &mut bytes)?;
                 }
                 Ok(bytes)
             }
@@ -118,6 +130,12 @@ fn inflate(block: &[u8], length: u64, bytes: &mut Vec<u8>) -> Result<(), String>
         found if found > length => Err(format!("a compressed block holds more than its {length} bytes")),
         found => Err(format!("a compressed block holds {found} bytes, expected {length}")),
     }
+}
+
+fn too_large(most: u64) -> String {
+    format!(
+        "the arrays of all pieces together unpack to more than {most} bytes, the most that a file of this size may hold"
+    )
 }
 
 fn ends_early() -> String {

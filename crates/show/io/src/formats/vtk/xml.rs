@@ -1,18 +1,22 @@
 //! The XML formats `.vtp` and `.vtu`.
 
 use super::cells::{self, CellArray, CellKind};
+use super::markup;
 use super::numbers::{ByteOrder, NumberType};
 use super::stream::{Packing, Stream};
 use crate::error::{FormatError, Location};
+use crate::expansion::Allowance;
+use crate::formats::Input;
 use crate::raw::RawMesh;
 use crate::text::line_of;
 use memchr::memmem;
 use roxmltree::{Document, Node};
 use std::borrow::Cow;
+use std::cell::Cell;
 
 /// Reads `PolyData`.
-pub(crate) fn read_poly_data(bytes: &[u8]) -> Result<RawMesh, FormatError> {
-    read(bytes, "PolyData", |file, piece, raw: &mut RawMesh| {
+pub(crate) fn read_poly_data(input: Input<'_>) -> Result<RawMesh, FormatError> {
+    read(input, "PolyData", |file, piece, raw: &mut RawMesh| {
         let base = file.add_points(piece, raw)?;
         for (tag, number, kind) in [
             ("Verts", "NumberOfVerts", CellKind::NoSurface),
@@ -31,8 +35,8 @@ pub(crate) fn read_poly_data(bytes: &[u8]) -> Result<RawMesh, FormatError> {
 }
 
 /// Reads the surface cells that make an `UnstructuredGrid`.
-pub(crate) fn read_unstructured_grid(bytes: &[u8]) -> Result<RawMesh, FormatError> {
-    read(bytes, "UnstructuredGrid", |file, piece, raw: &mut RawMesh| {
+pub(crate) fn read_unstructured_grid(input: Input<'_>) -> Result<RawMesh, FormatError> {
+    read(input, "UnstructuredGrid", |file, piece, raw: &mut RawMesh| {
         let base = file.add_points(piece, raw)?;
         let count = file.count(piece, "NumberOfCells")?;
         if count == 0 {
@@ -47,11 +51,11 @@ pub(crate) fn read_unstructured_grid(bytes: &[u8]) -> Result<RawMesh, FormatErro
 
 /// Reads the vectors of cells named so, or the only ones there are.
 pub(crate) fn read_cell_vectors(
-    bytes: &[u8],
+    input: Input<'_>,
     kind: &str,
     wanted: Option<&str>,
 ) -> Result<Vec<[f64; 3]>, FormatError> {
-    read(bytes, kind, |file, piece, vectors: &mut Vec<[f64; 3]>| {
+    read(input, kind, |file, piece, vectors: &mut Vec<[f64; 3]>| {
         for number in ["NumberOfVerts", "NumberOfLines", "NumberOfStrips"] {
             if file.count(piece, number)? > 0 {
                 return Err(file
@@ -94,11 +98,13 @@ pub(crate) fn read_cell_vectors(
 }
 
 fn read<T: Default>(
-    bytes: &[u8],
+    input: Input<'_>,
     kind: &str,
     add_piece: impl Fn(&File<'_, '_>, Node<'_, '_>, &mut T) -> Result<(), FormatError>,
 ) -> Result<T, FormatError> {
+    let bytes = input.bytes;
     let parts = Parts::of(bytes)?;
+    markup::check(&parts.xml)?;
     let document = Document::parse(&parts.xml).map_err(|error| {
         let row = u64::from(error.pos().row);
         // It quotes what it found, line ends too.
@@ -108,10 +114,16 @@ fn read<T: Default>(
     })?;
     let root = document.root_element();
     let appended = root.children().find(|node| node.has_tag_name("AppendedData"));
+    let packing = packing(&document, root)?;
+    let allowance = match packing.compressor {
+        Some(_) => Allowance::of_file(input.stored_bytes),
+        None => Allowance::of_content(bytes.len() as u64),
+    };
     let file = File {
         bytes,
-        packing: packing(&document, root)?,
+        packing,
         appended: parts.appended,
+        allowance: Cell::new(allowance),
         is_raw: appended.and_then(|node| node.attribute("encoding")) == Some("raw"),
     };
     if root.attribute("type") != Some(kind) || !root.has_tag_name("VTKFile") {
@@ -183,6 +195,8 @@ struct File<'a, 'x> {
     packing: Packing<'x>,
     appended: Option<&'a [u8]>,
     is_raw: bool,
+    /// Bytes of arrays that may still be unpacked: pieces may share one.
+    allowance: Cell<Allowance>,
 }
 
 impl File<'_, '_> {
@@ -274,7 +288,7 @@ impl File<'_, '_> {
         let wrong = |problem: String| self.wrong(array, &problem);
         if array.attribute("format") == Some("binary") {
             let text = text_of(array);
-            return Stream::base64(text.as_bytes()).unpack(&self.packing).map_err(wrong);
+            return self.unpack(Stream::base64(text.as_bytes())).map_err(wrong);
         }
         let offset = array.attribute("offset").and_then(|offset| offset.trim().parse::<usize>().ok());
         let Some((offset, appended)) = offset.zip(self.appended) else {
@@ -284,7 +298,14 @@ impl File<'_, '_> {
             return Err(wrong(format!("offset {offset} in {} bytes of appended data", appended.len())));
         };
         let stream = if self.is_raw { Stream::Raw(data) } else { Stream::base64(data) };
-        stream.unpack(&self.packing).map_err(wrong)
+        self.unpack(stream).map_err(wrong)
+    }
+
+    fn unpack(&self, stream: Stream<'_>) -> Result<Vec<u8>, String> {
+        let mut allowance = self.allowance.get();
+        let bytes = stream.unpack(&self.packing, &mut allowance);
+        self.allowance.set(allowance);
+        bytes
     }
 
     /// An attribute that counts something; zero where it is missing.

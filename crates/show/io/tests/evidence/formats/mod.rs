@@ -3,6 +3,7 @@
 mod damage;
 mod face_vectors;
 mod gltf;
+mod hostile;
 mod round_trip;
 mod vtk;
 

@@ -39,6 +39,41 @@ fn missing_empty_and_unreadable() {
     assert_eq!(complaint(Path::new("/dev/null")), "a device, expected a file or a pipe");
 }
 
+#[cfg(unix)]
+#[test]
+fn pipes_are_read_when_somebody_writes_into_them() {
+    let folder = tempfile::tempdir().unwrap();
+    let pipe = folder.path().join("pipe.obj");
+    let made = std::process::Command::new("mkfifo").arg(&pipe).status().unwrap();
+    assert!(made.success());
+    assert!(complaint(&pipe).contains("a pipe into which nobody writes"), "{}", complaint(&pipe));
+    // More than a pipe holds at a time, from somebody who comes late and takes breaks.
+    let (mesh, bytes) = wavy_sphere_as_obj();
+    let writer = {
+        let pipe = pipe.clone();
+        std::thread::spawn(move || {
+            use std::io::Write;
+            let pause = || std::thread::sleep(std::time::Duration::from_millis(50));
+            pause();
+            let mut pipe = std::fs::File::options().write(true).open(pipe).unwrap();
+            let (first, rest) = bytes.split_at(1000);
+            pipe.write_all(first).unwrap();
+            pause();
+            pipe.write_all(rest).unwrap();
+        })
+    };
+    assert_eq!(read(&pipe).unwrap().mesh.faces(), mesh.faces());
+    writer.join().unwrap();
+}
+
+#[cfg(unix)]
+fn wavy_sphere_as_obj() -> (pompeiu_core::TriMesh, Vec<u8>) {
+    let mesh = wavy_sphere(60);
+    let bytes = file(OutputFormat::Obj, &mesh);
+    assert!(bytes.len() > 1 << 17);
+    (mesh, bytes)
+}
+
 #[test]
 fn wrong_formats_and_garbage() {
     let folder = tempfile::tempdir().unwrap();
@@ -154,7 +189,7 @@ fn truncated_gzip_is_an_error() {
 
 /// Ear clipping of a face as large as this one could take minutes.
 #[test]
-fn a_concave_face_with_very_many_corners_is_refused() {
+fn a_face_with_very_many_corners_is_refused_when_it_crosses_itself() {
     use std::fmt::Write;
     let folder = tempfile::tempdir().unwrap();
     let mut text = "v 0 0 0\nf 1 1 1 1\nf 1 1 1\nf".to_owned();
@@ -166,6 +201,15 @@ fn a_concave_face_with_very_many_corners_is_refused() {
         writeln!(text, "v {} {} 0", f64::from(1 + i % 2) * angle.cos(), f64::from(1 + i % 2) * angle.sin())
             .unwrap();
     }
-    let found = message(folder.path(), "a.obj", text.as_bytes());
-    assert_eq!(found, "face 2: found a concave face with 70000 corners, expected at most 65536");
+    std::fs::write(folder.path().join("star.obj"), &text).unwrap();
+    let star = read(folder.path().join("star.obj")).unwrap();
+    assert_eq!((star.mesh.faces().len(), star.polygons_triangulated), (2 + 1 + 69_998, 2));
+    // One vertex of the star at the other side.
+    let crossing = text.replacen("v 1.9", "v -1.9", 1);
+    assert_ne!(crossing, text);
+    let found = message(folder.path(), "a.obj", crossing.as_bytes());
+    assert_eq!(
+        found,
+        "face 2: found a face with 70000 corners that touches or crosses itself, expected at most 16384"
+    );
 }
