@@ -19,10 +19,10 @@ const MOST: usize = 1_000_000;
 /// Triangles to draw, and the distances at their corners.
 fn tessellation(
     deviation: &DirectedDeviation,
-    mesh: &TriMesh,
+    [mesh, other]: [&TriMesh; 2],
     tolerance: f64,
 ) -> anyhow::Result<(TriMesh, Vec<[f64; 3]>)> {
-    let triangles = deviation.tessellation(mesh, tolerance, MOST);
+    let triangles = deviation.tessellation(mesh, other, tolerance, MOST);
     let positions = triangles.iter().flat_map(|triangle| triangle.corners).collect();
     let faces = (0..triangles.len() as u32).map(|t| [3 * t, 3 * t + 1, 3 * t + 2]).collect();
     Ok((TriMesh::new(positions, faces)?, triangles.iter().map(|triangle| triangle.distances).collect()))
@@ -43,10 +43,11 @@ fn main() -> anyhow::Result<()> {
     let upper = deviation.distance.upper();
     let scale = Scale::new(ColorMap::Viridis, 0.0, upper)?;
 
-    let directions = [(&mesh_a, &deviation.a_to_b, a, b), (&mesh_b, &deviation.b_to_a, b, a)];
+    let directions =
+        [([&mesh_a, &mesh_b], &deviation.a_to_b, a, b), ([&mesh_b, &mesh_a], &deviation.b_to_a, b, a)];
     let drawn: Vec<_> = directions
         .iter()
-        .map(|(mesh, directed, ..)| tessellation(directed, mesh, ACCURACY * upper))
+        .map(|(meshes, directed, ..)| tessellation(directed, *meshes, ACCURACY * upper))
         .collect::<Result<_, _>>()?;
     let mut figure = Figure::new(1600, 900)
         .with_title(format!("Pompeiu–Hausdorff distance in {}", deviation.distance))

@@ -30,7 +30,9 @@
 //! **A separating plane** of a deviation analysis is computed as `g . (p - c) - max_j g . (t_j - c)` with g of length one. Differences
 //! are off by 2 per coordinate, both together by `4 sqrt(3)` along g; products by as much, sums and the last difference by at
 //! most `12 sqrt(3)`: below 35. The length of g is off by `4 u` relative, of a result of at most `4 sqrt(3) M`: below 28.
-//! Together below 63, and below 65 with the frame's: [`EVALUATION`] leaves room. The corners of pieces are cut as above.
+//! Together below 63, and below 65 with the frame's: [`EVALUATION`] leaves room. A deviation analysis computes this at the corners
+//! of a face of A and interpolates; that interpolation, and corners of pieces that are placed by weights and not by cuts, are
+//! accounted for in `deviation/candidates.rs`.
 //!
 //! **The lower bound** is computed in interval arithmetic and needs no model. The search counts on it to lie no more than
 //! [`LOWER`] units below the plain computed distance; where it does not, the enclosure comes out wider, not wrong.

@@ -90,22 +90,75 @@ pub(super) fn mean_square_of_positive(v: Corners) -> f64 {
     greater(positive - largest * largest * FEW_OPERATIONS, 0.0)
 }
 
-/// Encloses the fraction of the triangle on which the function is at most `level`.
-pub(super) fn part_up_to(v: Corners, level: f64) -> Interval {
-    let [a, b, c] = ascending(v);
-    if level >= c {
-        return Interval::point(1.0);
+/// The fraction of a triangle on which a linear function is at most some level, for many levels.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct PartUpTo {
+    least: f64,
+    middle: f64,
+    greatest: f64,
+    /// Curvatures of the fraction below and above the middle value.
+    rising: f64,
+    falling: f64,
+}
+
+impl PartUpTo {
+    #[inline]
+    pub(super) fn new(v: Corners) -> Self {
+        let [a, b, c] = ascending(v);
+        let curvature = |d: f64| if d > 0.0 { (1.0 / d) * (1.0 / (c - a)) } else { 0.0 };
+        Self { least: a, middle: b, greatest: c, rising: curvature(b - a), falling: curvature(c - b) }
     }
-    if level < a {
-        return Interval::point(0.0);
+
+    /// The fraction, off by at most [`FEW_OPERATIONS`].
+    #[inline]
+    fn rounded(&self, level: f64) -> f64 {
+        if level >= self.greatest {
+            1.0
+        } else if level < self.least {
+            0.0
+        } else if level < self.middle {
+            let x = level - self.least;
+            (x * self.rising) * x
+        } else {
+            let x = self.greatest - level;
+            1.0 - (x * self.falling) * x
+        }
     }
-    // a <= level < c, so the divisors that are reached are not zero. Differences are rounded relative to themselves.
-    let part = if level < b {
-        ((level - a) / (b - a)) * ((level - a) / (c - a))
-    } else {
-        1.0 - ((c - level) / (c - b)) * ((c - level) / (c - a))
-    };
-    Interval::spanning(greater(part - FEW_OPERATIONS, 0.0), lesser(part + FEW_OPERATIONS, 1.0))
+
+    /// The fraction, rounded down; zero and one are exact.
+    #[inline]
+    pub(super) fn below(&self, level: f64) -> f64 {
+        let part = self.rounded(level);
+        if level >= self.greatest {
+            1.0
+        } else if part > FEW_OPERATIONS && part <= 1.0 + FEW_OPERATIONS {
+            part - FEW_OPERATIONS
+        } else {
+            // Also where values are so close to each other that a curvature overflows.
+            0.0
+        }
+    }
+
+    /// The fraction, rounded up; zero and one are exact.
+    #[inline]
+    pub(super) fn above(&self, level: f64) -> f64 {
+        let part = self.rounded(level);
+        if level < self.least {
+            0.0
+        } else if part + FEW_OPERATIONS < 1.0 {
+            part + FEW_OPERATIONS
+        } else {
+            1.0
+        }
+    }
+
+    pub(super) fn least(&self) -> f64 {
+        self.least
+    }
+
+    pub(super) fn greatest(&self) -> f64 {
+        self.greatest
+    }
 }
 
 #[cfg(test)]
@@ -113,6 +166,11 @@ mod tests {
     use super::*;
     use pompeiu_testkit::effort::cases;
     use proptest::prelude::*;
+
+    fn part_up_to(v: Corners, level: f64) -> Interval {
+        let part = PartUpTo::new(v);
+        Interval::spanning(part.below(level), part.above(level))
+    }
 
     /// Means over the centres of `n * n` similar triangles.
     fn by_sampling(v: Corners, f: impl Fn(f64) -> f64) -> f64 {

@@ -3,8 +3,8 @@
 //! Pieces are cut for statistics, which a few wide ones do not widen; but the maximum of a face is that of its worst piece. The
 //! search for the largest distance of all is asked again, for one face at a time.
 
-use super::linear::{greater, greatest, lesser};
-use super::report::Field;
+use super::linear::{greater, lesser};
+use super::refine::FaceBounds;
 use crate::rounding::Rounding;
 use crate::search::{Limits, Local, Scene, Start, search_each};
 use pompeiu_core::spatial::Slot;
@@ -22,14 +22,14 @@ pub(super) struct Maximum {
     /// A face of the other mesh near it.
     near: Slot,
     /// How narrow it was asked to be.
-    asked: Care,
+    asked: Precision,
 }
 
 /// How narrow a maximum should be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Care {
+pub(super) enum Precision {
     /// As the pieces have it.
-    None,
+    Pieces,
     /// [`OF_LARGEST`] of the largest distance of all: a step of a colour map.
     Map,
     /// [`OF_ITSELF`] of itself: to tell whether the face belongs to a region.
@@ -46,6 +46,8 @@ const OF_ITSELF: f64 = 1.0 / 256.0;
 const OF_PEAK: f64 = 1e-3;
 /// What is asked of a search, as a part of what is wanted: rounding takes its part.
 const ASKED: f64 = 0.9;
+/// Points placed by weights lie on the face up to 28 units of rounding (see [`rounding`](crate::rounding)): less than three cuts.
+const CUTS_OF_POINT: u32 = 3;
 /// Faces of a task.
 const TASK: usize = 32;
 /// Tasks between two looks at the limits.
@@ -67,30 +69,30 @@ pub(super) struct Maxima<'m> {
 
 impl Maxima<'_> {
     /// Whether the maximum of a face is wider than it should be, and was not already asked to be so narrow.
-    pub(super) fn is_wide(&self, face: u32, care: Care) -> bool {
+    pub(super) fn is_wide(&self, face: u32, precision: Precision) -> bool {
         let maximum = &self.of_faces[face as usize];
-        let allowed = greater(self.allowed(care, maximum.upper), self.floor);
-        maximum.asked < care && maximum.upper - maximum.lower > allowed
+        let allowed = greater(self.allowed(precision, maximum.upper), self.floor);
+        maximum.asked < precision && maximum.upper - maximum.lower > allowed
     }
 
-    fn allowed(&self, care: Care, upper: f64) -> f64 {
-        match care {
-            Care::None => f64::INFINITY,
-            Care::Map => OF_LARGEST * self.largest,
-            Care::Level => OF_ITSELF * upper,
-            Care::Peak => OF_PEAK * upper,
+    fn allowed(&self, precision: Precision, upper: f64) -> f64 {
+        match precision {
+            Precision::Pieces => f64::INFINITY,
+            Precision::Map => OF_LARGEST * self.largest,
+            Precision::Level => OF_ITSELF * upper,
+            Precision::Peak => OF_PEAK * upper,
         }
     }
 
     /// Makes the maxima of some faces narrower. `tell` is called between rounds with the number of faces left.
-    pub(super) fn narrow(&mut self, faces: &[u32], care: Care, tell: &mut dyn FnMut(u64, usize)) {
-        let part = match care {
-            Care::None => return,
-            Care::Map => 0.0,
-            Care::Level => OF_ITSELF,
-            Care::Peak => OF_PEAK,
+    pub(super) fn narrow(&mut self, faces: &[u32], precision: Precision, tell: &mut dyn FnMut(u64, usize)) {
+        let part = match precision {
+            Precision::Pieces => return,
+            Precision::Map => 0.0,
+            Precision::Level => OF_ITSELF,
+            Precision::Peak => OF_PEAK,
         };
-        let length = if care == Care::Map { OF_LARGEST * self.largest } else { self.floor };
+        let length = if precision == Precision::Map { OF_LARGEST * self.largest } else { self.floor };
         let limits = Limits {
             diagonal: 1.0,
             tolerance: ASKED * length,
@@ -115,7 +117,7 @@ impl Maxima<'_> {
             let found: Vec<Vec<Local>> = round.par_chunks(TASK).with_max_len(1).map(of_task).collect();
             for (face, local) in round.iter().zip(found.into_iter().flatten()) {
                 let maximum = &mut self.of_faces[*face as usize];
-                maximum.asked = care;
+                maximum.asked = precision;
                 maximum.upper = lesser(maximum.upper, local.upper);
                 if local.lower > maximum.lower {
                     maximum.lower = lesser(local.lower, maximum.upper);
@@ -129,33 +131,9 @@ impl Maxima<'_> {
     }
 }
 
-/// What the pieces of each face say.
-pub(super) fn of_pieces(field: &Field) -> Vec<Maximum> {
-    (0..field.areas.len()).into_par_iter().map(|face| of_face(field, face)).collect()
-}
-
-fn of_face(field: &Field, face: usize) -> Maximum {
-    let pieces = field.of_face(face);
-    let first = pieces.first().expect("every face has a piece");
-    let mut maximum = Maximum {
-        lower: 0.0,
-        upper: 0.0,
-        point: first.corners[0],
-        depth: first.depth,
-        near: first.near,
-        asked: Care::None,
-    };
-    let mut highest = f64::NEG_INFINITY;
-    for piece in pieces {
-        maximum.upper = greater(maximum.upper, greatest(piece.upper));
-        for (value, corner) in piece.lower.into_iter().zip(piece.corners) {
-            if value > highest {
-                highest = value;
-                (maximum.point, maximum.depth, maximum.near) = (corner, piece.depth, piece.near);
-            }
-        }
+impl From<&FaceBounds> for Maximum {
+    fn from(bounds: &FaceBounds) -> Self {
+        let FaceBounds { max: (lower, upper), farthest, near, .. } = *bounds;
+        Self { lower, upper, point: farthest, depth: CUTS_OF_POINT, near, asked: Precision::Pieces }
     }
-    maximum.upper = lesser(maximum.upper, field.largest);
-    maximum.lower = lesser(greater(highest, 0.0), maximum.upper);
-    maximum
 }

@@ -5,19 +5,25 @@
 //!
 //! Every number over an area is that of all its points, not of samples. Faces of A are cut into pieces, on each of which the
 //! distance from B lies between two linear functions (`envelope`); integrals of those are formulas (`linear`), and sums are
-//! rounded outwards. Pieces are cut until the numbers are as narrow as asked (`rounds`).
+//! rounded outwards. Pieces are cut until the numbers are as narrow as asked (`refine`).
+//!
+//! A report holds no pieces: whoever draws the surface cuts its faces again (`tessellation`).
+
+mod analysis;
+mod candidates;
 mod connected;
-mod cut;
 mod distribution;
 mod envelope;
+mod face;
 mod faces;
+mod goal;
 mod linear;
 mod maxima;
 mod options;
-mod refinery;
+mod polygon;
+mod refine;
 mod regions;
 mod report;
-mod rounds;
 mod run;
 mod statistics;
 mod tessellation;

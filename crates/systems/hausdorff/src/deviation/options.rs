@@ -1,21 +1,13 @@
 //! The options of a deviation analysis.
 
-use super::report::{Deviation, DirectedDeviation};
-use super::run::{Outcome, Pair, run};
-use super::statistics::{Percentile, Summary, Wanted};
-use crate::engine::joint_frame;
 use crate::observer::Observer;
-use crate::report::Direction;
-use crate::target::Target;
 use crate::tolerance::{OptionError, check_threshold};
-use pompeiu_core::TriMesh;
-use pompeiu_core::run::{Limits, on_threads};
-use std::time::Instant;
+use pompeiu_core::run::Limits;
 
 /// The options of a deviation analysis: how far two meshes deviate from each other, where, and over how much of the area.
 ///
 /// # Definition
-/// See [`Statistics`](super::Statistics) for what is computed, and [`Deviation`] for the two directions.
+/// See [`Statistics`](super::Statistics) for what is computed, and [`Deviation`](super::Deviation) for the two directions.
 /// # Accuracy
 /// Every statistic is an enclosure of the exact value over all points of all faces, not of samples, rounding included. Faces are
 /// cut into pieces on which the distance lies between two linear functions, until the mean and the root of the mean square
@@ -106,82 +98,5 @@ impl DeviationOptions<'_> {
             Some(&share) => Err(OptionError::Share(share)),
             None => Ok(()),
         }
-    }
-
-    /// How far A is from B.
-    ///
-    /// # Errors
-    /// [`DeviationOptions::check`].
-    pub fn directed(&self, a: &TriMesh, b: &TriMesh) -> Result<DirectedDeviation, OptionError> {
-        self.check()?;
-        Ok(on_threads(self.limits.threads, || {
-            self.one_direction(a, b, Direction::AToB, self.deadline(1)).report
-        }))
-    }
-
-    /// How far A and B are from each other. The first direction takes at most half of the time limit.
-    ///
-    /// # Errors
-    /// [`DeviationOptions::check`].
-    pub fn symmetric(&self, a: &TriMesh, b: &TriMesh) -> Result<Deviation, OptionError> {
-        self.check()?;
-        Ok(on_threads(self.limits.threads, || {
-            let (half, whole) = (self.deadline(2), self.deadline(1));
-            let there = self.one_direction(a, b, Direction::AToB, half);
-            let back = self.one_direction(b, a, Direction::BToA, whole);
-            self.both(a, b, there, back)
-        }))
-    }
-
-    fn both(&self, a: &TriMesh, b: &TriMesh, there: Outcome, back: Outcome) -> Deviation {
-        let (frame, ..) = joint_frame(a, b);
-        let greater_percentiles = there.summary.as_ref().zip(back.summary.as_ref()).map(|(x, y)| {
-            let both = x.percentiles.iter().zip(&y.percentiles);
-            let greater = both.map(|(x, y)| super::run::greater_of(*x, *y));
-            let published = self.percentiles.iter().zip(greater);
-            published
-                .map(|(share, (low, high))| Percentile {
-                    share: *share,
-                    distance: super::statistics::length_out(&frame, low, high),
-                })
-                .collect()
-        });
-        let mut pooled = there.distribution;
-        pooled.entries.extend_from_slice(&back.distribution.entries);
-        let wanted = Wanted {
-            percentiles: &self.percentiles,
-            threshold: self.threshold.map(|t| frame.length_in(t)),
-            bins: self.bins,
-        };
-        let largest = super::linear::greater(there.report.field.largest, back.report.field.largest);
-        let summary = Summary::of(&pooled, &wanted, largest);
-        Deviation {
-            distance: there.report.distance.distance.max(back.report.distance.distance),
-            greater_percentiles,
-            pooled: summary.map(|s| s.publish(&pooled, &wanted, self.threshold, largest, &frame)),
-            a_to_b: there.report,
-            b_to_a: back.report,
-        }
-    }
-
-    fn one_direction(
-        &self,
-        from: &TriMesh,
-        to: &TriMesh,
-        direction: Direction,
-        deadline: Option<Instant>,
-    ) -> Outcome {
-        let started = Instant::now();
-        let target = Target::in_frame(to, joint_frame(from, to).0);
-        let build = started.elapsed();
-        let pair = Pair { from, to, target: &target, direction, deadline };
-        let mut outcome = run(self, &pair);
-        outcome.report.work.build = build;
-        outcome
-    }
-
-    /// When a part of the time limit has run out.
-    fn deadline(&self, part: u32) -> Option<Instant> {
-        self.limits.time.and_then(|limit| Instant::now().checked_add(limit / part))
     }
 }

@@ -1,9 +1,9 @@
 //! The worst regions, told apart.
 
 use super::connected::{Sets, Touching};
+use super::faces;
 use super::linear::greater;
-use super::maxima::{Care, Maxima, Maximum};
-use super::report::Field;
+use super::maxima::{Maxima, Maximum, Precision};
 use super::statistics::length_out;
 use crate::engine::Farthest;
 use crate::report::{Enclosure, Witness};
@@ -49,9 +49,8 @@ impl Region {
 }
 
 /// What regions are made of.
-pub(super) struct Landscape<'l> {
+pub(super) struct Peaks<'l> {
     mesh: &'l TriMesh,
-    field: &'l Field,
     touching: Touching<'l>,
     maxima: Maxima<'l>,
     /// Faces in descending order of their values.
@@ -64,12 +63,12 @@ struct Part {
     level: f64,
 }
 
-impl<'l> Landscape<'l> {
-    pub(super) fn new(mesh: &'l TriMesh, field: &'l Field, maxima: Maxima<'l>) -> Self {
+impl<'l> Peaks<'l> {
+    pub(super) fn new(mesh: &'l TriMesh, maxima: Maxima<'l>) -> Self {
         let order = (0..mesh.faces().len() as u32).collect();
-        let mut landscape = Self { mesh, field, touching: Touching::new(mesh), maxima, order };
-        landscape.sort();
-        landscape
+        let mut peaks = Self { mesh, touching: Touching::new(mesh), maxima, order };
+        peaks.sort();
+        peaks
     }
 
     fn sort(&mut self) {
@@ -91,11 +90,11 @@ impl<'l> Landscape<'l> {
                 let Maximum { lower, upper, .. } = self.maxima.of_faces[*face as usize];
                 upper >= least || threshold.is_some_and(|t| lower <= t && t < upper)
             };
-            let mut care = Care::Level;
-            let wide = |face: &u32| matters(face) && self.maxima.is_wide(*face, Care::Level);
+            let mut precision = Precision::Level;
+            let wide = |face: &u32| matters(face) && self.maxima.is_wide(*face, Precision::Level);
             let mut wide: Vec<u32> = self.order.iter().copied().filter(wide).collect();
             if wide.is_empty() {
-                care = Care::Peak;
+                precision = Precision::Peak;
                 if let Some(threshold) = threshold {
                     parts.extend(self.above(threshold, count));
                 }
@@ -104,7 +103,7 @@ impl<'l> Landscape<'l> {
                     let peak = part.faces.iter().map(lower).fold(0.0, greater);
                     let may_be_peak = |face: &&u32| self.value(**face) >= peak;
                     let may_be_peak = part.faces.iter().filter(may_be_peak);
-                    wide.extend(may_be_peak.filter(|face| self.maxima.is_wide(**face, Care::Peak)));
+                    wide.extend(may_be_peak.filter(|face| self.maxima.is_wide(**face, Precision::Peak)));
                 }
                 wide.sort_unstable();
                 wide.dedup();
@@ -112,7 +111,7 @@ impl<'l> Landscape<'l> {
             if wide.is_empty() {
                 break;
             }
-            self.maxima.narrow(&wide, care, tell);
+            self.maxima.narrow(&wide, precision, tell);
             self.sort();
         }
     }
@@ -189,7 +188,7 @@ impl<'l> Landscape<'l> {
     }
 
     fn describe(&self, Part { faces, level }: &Part) -> Region {
-        let Field { frame, areas, .. } = self.field;
+        let frame = self.maxima.scene.frame;
         let (mut low, mut high, mut highest) = (0.0, 0.0, faces[0]);
         let mut aabb = Aabb::EMPTY;
         let (mut area, mut centre, mut plain) = (0.0, [0.0; 3], [0.0; 3]);
@@ -202,7 +201,8 @@ impl<'l> Landscape<'l> {
             let corners = self.mesh.corners(FaceId(face));
             aabb = aabb.union(Aabb::of_points(&corners));
             let mapped = corners.map(|p| frame.map(p));
-            let of_face = 0.5 * (areas[face as usize].0 + areas[face as usize].1);
+            let (least, most) = faces::area(self.mesh, frame, face);
+            let of_face = 0.5 * (least + most);
             area += of_face;
             for k in 0..3 {
                 let middle = (mapped[0][k] + mapped[1][k] + mapped[2][k]) * (1.0 / 3.0);

@@ -1,11 +1,9 @@
 //! What a deviation analysis answers.
 
-use super::envelope::Piece;
 use super::regions::Region;
 use super::statistics::{Percentile, Statistics};
 use crate::report::{DirectedReport, Direction, Enclosure, StopReason};
 use pompeiu_core::TriMesh;
-use pompeiu_core::geom::Frame;
 use pompeiu_core::spatial::Winding;
 use std::time::Duration;
 
@@ -50,13 +48,15 @@ pub struct DirectedDeviation {
     pub regions: Vec<Region>,
     /// The parts of the surface that are farther than the threshold, the worst first, if one was given.
     pub beyond_threshold: Vec<Region>,
+    /// Widths of statistics below this length always suffice: [`DeviationOptions::FLOOR`](super::DeviationOptions::FLOOR) of the diagonal
+    /// of both meshes, and what rounding adds.
+    pub floor: f64,
     /// Why refining ended. [`StopReason::Tolerance`]: all statistics are as narrow as asked. [`StopReason::Rounding`]: what is
     /// wider cannot be made narrower, as a percentile where the distribution has a gap, or a share above a threshold at which much
     /// of the area lies. The enclosures are valid in every case.
     pub stop: StopReason,
     /// What it took.
     pub work: DeviationWork,
-    pub(super) field: Field,
 }
 
 /// How far one face is from the other mesh.
@@ -123,7 +123,7 @@ impl DirectedDeviation {
 
     /// Number of pieces that the faces were cut into.
     pub fn pieces(&self) -> usize {
-        self.field.pieces.len()
+        self.work.pieces as usize
     }
 }
 
@@ -153,50 +153,4 @@ pub struct DeviationWork {
     pub search: Duration,
     /// Time for everything else.
     pub refine: Duration,
-}
-
-/// The pieces behind a report, ordered by face.
-#[derive(Clone, Debug)]
-pub(super) struct Field {
-    pub(super) frame: Frame,
-    pub(super) pieces: Vec<Piece>,
-    /// Where those of each face start, and one end more.
-    pub(super) starts: Vec<u32>,
-    /// Distances are at most this, in the frame.
-    pub(super) largest: f64,
-    /// Areas of the faces in the frame, from below and from above.
-    pub(super) areas: Vec<(f64, f64)>,
-}
-
-impl Field {
-    /// Orders pieces by face; those of a face stay in the order they came in.
-    pub(super) fn new(
-        frame: Frame,
-        pieces: &[Piece],
-        faces: usize,
-        largest: f64,
-        areas: Vec<(f64, f64)>,
-    ) -> Self {
-        let mut starts = vec![0_u32; faces + 1];
-        for piece in pieces {
-            starts[piece.face as usize + 1] += 1;
-        }
-        for f in 0..faces {
-            starts[f + 1] += starts[f];
-        }
-        let mut next = starts.clone();
-        let mut order = vec![0_u32; pieces.len()];
-        for (i, piece) in pieces.iter().enumerate() {
-            let place = &mut next[piece.face as usize];
-            order[*place as usize] = i as u32;
-            *place += 1;
-        }
-        let pieces = order.into_iter().map(|i| pieces[i as usize]).collect();
-        Self { frame, pieces, starts, largest, areas }
-    }
-
-    /// The pieces of a face.
-    pub(super) fn of_face(&self, face: usize) -> &[Piece] {
-        &self.pieces[self.starts[face] as usize..self.starts[face + 1] as usize]
-    }
 }

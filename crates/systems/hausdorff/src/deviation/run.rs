@@ -1,15 +1,13 @@
 //! One direction, from meshes to report.
 
 use super::distribution::{Distribution, Entry};
-use super::envelope::Piece;
-use super::faces;
+use super::faces::{self, VertexDistances};
 use super::linear::{greater, lesser};
-use super::maxima::{self, Care, Maxima, Maximum};
+use super::maxima::{Maxima, Maximum, Precision};
 use super::options::DeviationOptions;
-use super::refinery::Refinery;
-use super::regions::Landscape;
-use super::report::{DeviationWork, DirectedDeviation, Field, Sides};
-use super::rounds::{Made, Workshop};
+use super::refine::{Aim, FaceBounds, Faces, Refined, Refinement};
+use super::regions::Peaks;
+use super::report::{DeviationWork, DirectedDeviation, FaceDeviation, Sides};
 use super::statistics::{Summary, Wanted};
 use crate::engine::{self, Question};
 use crate::observer::{Observer, Progress};
@@ -18,10 +16,10 @@ use crate::report::{DirectedReport, Direction, StopReason};
 use crate::rounding::Rounding;
 use crate::search::Scene;
 use crate::target::Target;
+use pompeiu_core::TriMesh;
 use pompeiu_core::geom::Aabb;
 use pompeiu_core::run::{Control, Limits};
-use pompeiu_core::spatial::{Bvh, Workspace, morton_order};
-use pompeiu_core::{FaceId, TriMesh};
+use pompeiu_core::spatial::morton_order;
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
@@ -33,6 +31,8 @@ pub(super) struct Pair<'p> {
     pub(super) target: &'p Target,
     pub(super) direction: Direction,
     pub(super) deadline: Option<Instant>,
+    /// Bytes taken by what was found before.
+    pub(super) held: usize,
 }
 
 /// A report, and what it takes to put two together.
@@ -40,13 +40,13 @@ pub(super) struct Outcome {
     pub(super) report: DirectedDeviation,
     pub(super) distribution: Distribution,
     pub(super) summary: Option<Summary>,
+    /// No distance is greater, in the frame.
+    pub(super) largest: f64,
 }
 
-/// Faces whose distance is looked at to know about how far all are.
-const SAMPLES: usize = 2048;
 pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
     let started = Instant::now();
-    let Pair { from, to, target, direction, deadline } = *pair;
+    let Pair { from, to, target, direction, deadline, held } = *pair;
     let a_box = Aabb::of_faces(from);
     let frame = *target.frame();
     let bvh = target.bvh();
@@ -57,8 +57,9 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
     let half = deadline.map(|end| started + end.saturating_duration_since(started) / 2);
     let observer: &dyn Observer = query.observer.unwrap_or(&());
     let watched = Watched { observer, cancelled: AtomicBool::new(false) };
+    let memory = query.limits.memory.map(|most| most.saturating_sub(held));
     let options = HausdorffOptions {
-        limits: Limits { memory: query.limits.memory, ..Limits::default() },
+        limits: Limits { memory, ..Limits::default() },
         observer: Some(&watched),
         ..HausdorffOptions::default()
     };
@@ -69,67 +70,60 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
 
     let refining = Instant::now();
     let order = morton_order(from, &a_box);
-    let areas = faces::areas(from, &frame);
-    let rounded: Vec<f64> = areas.iter().map(|(low, high)| 0.5 * (low + high)).collect();
-    let total: f64 = rounded.iter().sum();
-    let control = Control::start(&query.limits).until(deadline).holding(held(from, target));
-    if watched.cancelled.into_inner() {
-        control.stop(StopReason::Cancelled);
-    }
-    let shop = Workshop { bvh, rounding, control: &control, areas: &rounded };
+    let vertices = VertexDistances::new(from, &frame, bvh, &order);
+    let (total, moment) = faces::area_and_moment(from, &frame, &vertices);
     let floor = DeviationOptions::FLOOR * diagonal + 4.0 * rounding.bound(0);
     let wanted = Wanted {
         percentiles: &query.percentiles,
         threshold: query.threshold.map(|t| frame.length_in(t)),
         bins: query.bins,
+        fine: Wanted::FINE * query.accuracy,
     };
-
     let most_pieces = query.limits.pieces.unwrap_or(DeviationOptions::DEFAULT_PIECES);
-    let mut refinery = Refinery {
-        query,
-        shop: &shop,
-        areas: &areas,
-        wanted: &wanted,
-        floor,
+    let control = Control::start(&query.limits).until(deadline).holding(held + bytes_held(from, to, target));
+    if watched.cancelled.into_inner() {
+        control.stop(StopReason::Cancelled);
+    }
+    let progress = |examined: u64, left: usize| {
+        let progress = Progress {
+            direction,
+            lower: distance.distance.lower(),
+            upper: distance.distance.upper(),
+            examined,
+            left: left as u64,
+        };
+        observer.progress(&progress)
+    };
+    let scene = Faces {
+        mesh: from,
+        frame: &frame,
+        vertices: &vertices,
+        bvh,
+        rounding,
+        control: &control,
         largest,
+        scale: if total > 0.0 { moment / total } else { 0.0 },
+    };
+    let aim = Aim {
+        wanted: &wanted,
+        accuracy: query.accuracy,
+        floor,
         total,
-        made: Made::default(),
-        rounds: 0,
-        watch: &mut |made: &Made, left: usize| {
-            control.check_memory(made.pieces.len() * PIECE_BYTES);
-            if made.pieces.len() + left >= most_pieces {
-                control.stop(StopReason::Pieces);
-            }
-            let progress = Progress {
-                direction,
-                lower: distance.distance.lower(),
-                upper: distance.distance.upper(),
-                examined: made.looks,
-                left: left as u64,
-            };
-            if observer.progress(&progress) == ControlFlow::Break(()) {
-                control.stop(StopReason::Cancelled);
-            }
-        },
+        cells: from.faces().len() + to.faces().len(),
+        most_pieces,
     };
-    let roots: Vec<Piece> = order
-        .iter()
-        .map(|f| Piece::whole(*f, from.corners(FaceId(*f)).map(|p| frame.map(p)), bvh.any_slot(), largest))
-        .collect();
-    let scale = mean_of_samples(&roots, &rounded, bvh);
-    let (distribution, summary, tight) = refinery.run(roots, scale);
-    let (made, rounds) = (refinery.made, refinery.rounds);
+    let mut watch = |looks: u64, pieces: usize, left: usize| {
+        control.check_memory(pieces * size_of::<Entry>());
+        if pieces + left >= most_pieces {
+            control.stop(StopReason::Pieces);
+        }
+        if progress(looks, left) == ControlFlow::Break(()) {
+            control.stop(StopReason::Cancelled);
+        }
+    };
+    let refined = Refinement { faces: &scene, order: &order, aim: &aim, watch: &mut watch }.run();
+    let Refined { distribution, bounds, summary, tight, looks, distances, rounds } = refined;
 
-    let mut work = DeviationWork {
-        pieces: made.pieces.len() as u64,
-        looks: made.looks,
-        distances: made.distances,
-        rounds,
-        build: Duration::ZERO,
-        search,
-        refine: Duration::ZERO,
-    };
-    let field = Field::new(frame, &made.pieces, from.faces().len(), largest, areas);
     // A limit on pieces or memory does not keep maxima from being narrowed: that takes neither.
     let control_of_maxima = Control::default().until(deadline);
     if control.reason() == Some(StopReason::Cancelled) {
@@ -145,28 +139,24 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
         overlays: true,
         control: &control_of_maxima,
     };
-    let mut maxima =
-        Maxima { scene: &scene, rounding, floor, largest, of_faces: maxima::of_pieces(&field), searched: 0 };
+    let mut of_faces = vec![Maximum::from(&bounds[0]); order.len()];
+    for (face, bounds) in order.iter().zip(&bounds) {
+        of_faces[*face as usize] = Maximum::from(bounds);
+    }
+    let mut maxima = Maxima { scene: &scene, rounding, floor, largest, of_faces, searched: 0 };
     know_farthest(&mut maxima, &distance);
-    let mut tell = |searched: u64, left: usize| {
-        let progress = Progress {
-            direction,
-            lower: distance.distance.lower(),
-            upper: distance.distance.upper(),
-            examined: made.looks + searched,
-            left: left as u64,
-        };
-        if observer.progress(&progress) == ControlFlow::Break(()) {
+    let mut report_progress = |searched: u64, left: usize| {
+        if progress(looks + searched, left) == ControlFlow::Break(()) {
             control_of_maxima.stop(StopReason::Cancelled);
         }
     };
-    let wide: Vec<u32> = order.iter().copied().filter(|face| maxima.is_wide(*face, Care::Map)).collect();
-    maxima.narrow(&wide, Care::Map, &mut tell);
+    let wide: Vec<u32> = order.iter().copied().filter(|face| maxima.is_wide(*face, Precision::Map)).collect();
+    maxima.narrow(&wide, Precision::Map, &mut report_progress);
     let (regions, beyond_threshold, maxima) = if query.regions > 0 {
-        let mut landscape = Landscape::new(from, &field, maxima);
-        landscape.settle(query.regions, wanted.threshold, &mut tell);
-        let (regions, beyond_threshold) = landscape.regions(query.regions, wanted.threshold);
-        (regions, beyond_threshold, landscape.into_maxima())
+        let mut peaks = Peaks::new(from, maxima);
+        peaks.settle(query.regions, wanted.threshold, &mut report_progress);
+        let (regions, beyond_threshold) = peaks.regions(query.regions, wanted.threshold);
+        (regions, beyond_threshold, peaks.into_maxima())
     } else {
         (Vec::new(), Vec::new(), maxima.of_faces)
     };
@@ -175,26 +165,42 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
         _ if tight => StopReason::Tolerance,
         _ => StopReason::Rounding,
     };
-    let vertices = faces::vertices(from, &frame, bvh, &order);
     let sides = query.signed.then(|| Sides::of(from, to));
-    work.refine = refining.elapsed();
+    let of_vertices = vertices.distances.iter().map(|distance| frame.length_out(*distance)).collect();
     let report = DirectedDeviation {
         direction,
         distance,
         statistics: summary
             .as_ref()
             .map(|s| s.publish(&distribution, &wanted, query.threshold, largest, &frame)),
-        faces: faces::faces(&field, &maxima),
-        vertices,
+        faces: faces::faces(&frame, &bounds, &order, &maxima),
+        vertices: of_vertices,
         vertex_error: frame.length_out(rounding.lower()),
         sides,
         regions,
         beyond_threshold,
+        floor: frame.length_out(floor),
         stop,
-        work,
-        field,
+        work: DeviationWork {
+            pieces: distribution.len() as u64,
+            looks,
+            distances,
+            rounds,
+            build: Duration::ZERO,
+            search,
+            refine: refining.elapsed(),
+        },
     };
-    Outcome { report, distribution, summary }
+    Outcome { report, distribution, summary, largest }
+}
+
+impl Outcome {
+    /// Bytes that it takes.
+    pub(super) fn bytes(&self) -> usize {
+        self.distribution.len() * size_of::<Entry>()
+            + self.report.faces.len() * size_of::<FaceDeviation>()
+            + size_of_val(&self.report.vertices[..])
+    }
 }
 
 /// The largest distance of all is that of a face, too, and its witness is on it.
@@ -209,28 +215,17 @@ fn know_farthest(maxima: &mut Maxima<'_>, distance: &DirectedReport) {
     }
 }
 
-/// Bytes for each piece: itself and its copy in order, and what statistics make of it.
-const PIECE_BYTES: usize = 2 * size_of::<Piece>() + size_of::<Entry>();
-
-fn held(from: &TriMesh, target: &Target) -> usize {
-    const PER_FACE: usize = 64 + size_of::<Maximum>();
-    size_of_val(from.positions()) + size_of_val(from.faces()) + target.bytes() + from.faces().len() * PER_FACE
-}
-
-/// The mean distance of the centres of some faces, by area.
-fn mean_of_samples(roots: &[Piece], areas: &[f64], bvh: &Bvh) -> f64 {
-    let mut workspace = Workspace::default();
-    let mut hint = bvh.any_slot();
-    let (mut area, mut sum) = (0.0, 0.0);
-    for root in roots.iter().step_by(roots.len().div_ceil(SAMPLES)) {
-        let [p, q, r] = root.corners;
-        let centre = [0, 1, 2].map(|k| (p[k] + q[k] + r[k]) * (1.0 / 3.0));
-        let nearest = bvh.nearest(centre, hint, &mut workspace);
-        hint = nearest.slot;
-        area += areas[root.face as usize];
-        sum += areas[root.face as usize] * nearest.distance_sq.sqrt();
-    }
-    if area > 0.0 { sum / area } else { 0.0 }
+/// Bytes held beside entries: meshes, the tree with neighbours, and for each face and vertex what is known about it.
+fn bytes_held(from: &TriMesh, to: &TriMesh, target: &Target) -> usize {
+    const PER_FACE: usize =
+        size_of::<FaceBounds>() + size_of::<Maximum>() + size_of::<FaceDeviation>() + 2 * size_of::<u32>();
+    const PER_VERTEX: usize = size_of::<f64>() + size_of::<u32>();
+    let of_mesh = |mesh: &TriMesh| size_of_val(mesh.positions()) + size_of_val(mesh.faces());
+    of_mesh(from)
+        + of_mesh(to)
+        + target.bytes()
+        + from.faces().len() * PER_FACE
+        + from.positions().len() * PER_VERTEX
 }
 
 /// Hears of a search being cancelled.

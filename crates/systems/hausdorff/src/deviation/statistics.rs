@@ -77,6 +77,13 @@ pub(super) struct Wanted<'w> {
     /// In the frame.
     pub(super) threshold: Option<f64>,
     pub(super) bins: usize,
+    /// Part of a percentile up to which it is looked for: far less than its enclosure is wide.
+    pub(super) fine: f64,
+}
+
+impl Wanted<'_> {
+    /// See [`Wanted::fine`], as a part of the accuracy.
+    pub(super) const FINE: f64 = 1e-3;
 }
 
 /// The same in the frame, for deciding what to refine.
@@ -103,7 +110,7 @@ impl Summary {
         let mean = (greater(mean.lower(), 0.0), lesser(mean.upper(), largest));
         // The root of a mean of squares is at least the mean.
         let rms = (greater(rms.lower(), mean.0), lesser(rms.upper(), largest));
-        let percentiles = distribution.percentiles(wanted.percentiles, area, largest);
+        let percentiles = distribution.percentiles(wanted.percentiles, area, largest, wanted.fine);
         let above = wanted.threshold.map(|t| share_above(distribution, t, area, largest));
         Some(Self { area, mean, rms, percentiles, above })
     }

@@ -1,9 +1,16 @@
 //! Triangles to draw: faces where linear interpolation shows the deviation well enough, their pieces elsewhere.
 
-use super::envelope::Piece;
+use super::face::{Cutter, Piece};
+use super::faces::VertexDistances;
+use super::goal::Goal;
 use super::linear::{greater, lesser};
-use super::report::{DirectedDeviation, Field};
-use pompeiu_core::geom::point_triangle::closest_barycentric;
+use super::refine::Faces;
+use super::report::DirectedDeviation;
+use crate::engine::joint_frame;
+use crate::target::Target;
+use pompeiu_core::geom::Aabb;
+use pompeiu_core::run::Control;
+use pompeiu_core::spatial::morton_order;
 use pompeiu_core::{FaceId, TriMesh};
 use rayon::prelude::*;
 
@@ -20,99 +27,174 @@ pub struct DisplayTriangle {
     pub error: f64,
 }
 
+/// Pieces of one face at most.
+const MOST_PIECES: usize = 1024;
+/// Faces of a task.
+const TASK: usize = 64;
+
 impl DirectedDeviation {
     /// Triangles that show the deviation within a tolerance, in the order of the faces: a face is itself where linear interpolation
-    /// of the distances at its corners does, else its pieces. `mesh` must be the one that was measured.
+    /// of the distances at its corners does, else it is cut. `mesh` must be the one that was measured, `other` the one it was
+    /// measured to.
     ///
-    /// At most `most` triangles, or as many as the mesh has faces if that is more: the faces that need their pieces most come
-    /// first, and the others stay whole, with a greater error. Pieces of neighbouring faces do not share corners.
-    pub fn tessellation(&self, mesh: &TriMesh, tolerance: f64, most: usize) -> Vec<DisplayTriangle> {
-        let field = &self.field;
-        let tolerance = field.frame.length_in(tolerance);
-        let faces = mesh.faces().len().min(field.areas.len());
-        let whole: Vec<DisplayTriangle> = (0..faces).into_par_iter().map(|f| whole(field, mesh, f)).collect();
-        let mut needy: Vec<usize> = (0..faces)
-            .filter(|f| field.frame.length_in(whole[*f].error) > tolerance && field.of_face(*f).len() > 1)
+    /// At most `most` triangles, or as many as the mesh has faces if that is more: the faces that need to be cut most come
+    /// first, and the others stay whole, with a greater error. Parts of neighbouring faces do not share corners.
+    ///
+    /// # Cost
+    /// Faces are cut again, as for a report: no pieces are kept with it.
+    pub fn tessellation(
+        &self,
+        mesh: &TriMesh,
+        other: &TriMesh,
+        tolerance: f64,
+        most: usize,
+    ) -> Vec<DisplayTriangle> {
+        let (frame, _, rounding) = joint_frame(mesh, other);
+        let target = Target::in_frame(other, frame);
+        let order = morton_order(mesh, &Aabb::of_faces(mesh));
+        let vertices = VertexDistances::new(mesh, &frame, target.bvh(), &order);
+        let largest = frame.length_in(self.distance.distance.upper()).next_up();
+        let control = Control::default();
+        let tolerance = frame.length_in(tolerance);
+        let faces = Faces {
+            mesh,
+            frame: &frame,
+            vertices: &vertices,
+            bvh: target.bvh(),
+            rounding,
+            control: &control,
+            largest,
+            scale: tolerance,
+        };
+        let goal = Goal::of_width(WIDTH * tolerance + 4.0 * rounding.bound(0));
+        // First all faces whole, and into how many triangles they would be cut; then those that are.
+        let mut whole: Vec<(DisplayTriangle, u32)> = Vec::with_capacity(order.len());
+        let tasks: Vec<Vec<(DisplayTriangle, u32)>> = order
+            .par_chunks(TASK)
+            .map(|task| {
+                let mut cutter = faces.cutter();
+                let of_face = |face: &u32| {
+                    cutter.cut(&faces.start(*face).0, &goal, MOST_PIECES);
+                    let triangles =
+                        cutter.pieces.iter().map(|piece| piece.polygon.fan().count() as u32).sum();
+                    (display_whole(&faces, &cutter, *face), triangles)
+                };
+                task.iter().map(of_face).collect()
+            })
             .collect();
-        needy.sort_by(|a, b| whole[*b].error.total_cmp(&whole[*a].error).then(a.cmp(b)));
-        let mut cut = vec![false; faces];
-        let mut room = most.saturating_sub(faces);
-        for f in needy {
-            let more = field.of_face(f).len() - 1;
-            if more <= room {
-                room -= more;
-                cut[f] = true;
-            }
+        whole.extend(tasks.into_iter().flatten());
+        let mut to_cut: Vec<usize> = (0..whole.len())
+            .filter(|place| frame.length_in(whole[*place].0.error) > tolerance && whole[*place].1 > 1)
+            .collect();
+        let by_error = |a: &usize, b: &usize| {
+            whole[*b].0.error.total_cmp(&whole[*a].0.error).then(whole[*a].0.face.cmp(&whole[*b].0.face))
+        };
+        to_cut.sort_by(by_error);
+        let mut room = most.saturating_sub(whole.len());
+        to_cut.retain(|place| {
+            let more = whole[*place].1 as usize - 1;
+            let fits = more <= room;
+            room -= if fits { more } else { 0 };
+            fits
+        });
+        to_cut.sort_unstable();
+        let mut is_cut = vec![false; whole.len()];
+        for place in &to_cut {
+            is_cut[*place] = true;
         }
-        let mut triangles = Vec::with_capacity(faces);
-        for f in 0..faces {
-            if cut[f] {
-                triangles.extend(field.of_face(f).iter().map(|piece| part(field, piece)));
-            } else {
-                triangles.push(whole[f]);
-            }
-        }
+        let parts: Vec<Vec<DisplayTriangle>> = to_cut
+            .par_chunks(TASK)
+            .map(|task| {
+                let mut cutter = faces.cutter();
+                let of_face = |place: &usize| {
+                    let face = order[*place];
+                    cutter.cut(&faces.start(face).0, &goal, MOST_PIECES);
+                    display_parts(&faces, &cutter, face)
+                };
+                task.iter().flat_map(of_face).collect()
+            })
+            .collect();
+        let stay = whole.into_iter().zip(is_cut).filter(|(_, cut)| !cut).map(|((triangle, _), _)| triangle);
+        let mut triangles: Vec<DisplayTriangle> = stay.chain(parts.into_iter().flatten()).collect();
+        triangles.sort_by_key(|triangle| triangle.face);
         triangles
     }
 }
 
+/// Width of pieces, as a part of the tolerance: what is shown is in the middle.
+const WIDTH: f64 = 1.0;
+
 /// How far a linear function with this value at a corner of a piece may be off there: from the functions as they are, for those
 /// cut off at zero or at the largest distance are not linear.
 fn error_at(piece: &Piece, corner: usize, shown: f64) -> f64 {
-    greater(piece.upper[corner] - shown, shown - piece.lower[corner])
+    greater(piece.polygon.upper[corner] - shown, shown - piece.polygon.lower[corner])
 }
 
 /// The ends between which the distance at a corner of a piece lies.
-fn ends(field: &Field, piece: &Piece, corner: usize) -> (f64, f64) {
-    let high = lesser(piece.upper[corner], field.largest);
-    (lesser(greater(piece.lower[corner], 0.0), high), high)
+fn ends(largest: f64, piece: &Piece, corner: usize) -> (f64, f64) {
+    let high = lesser(piece.polygon.upper[corner], largest);
+    (lesser(greater(piece.polygon.lower[corner], 0.0), high), high)
 }
 
 fn middle((low, high): (f64, f64)) -> f64 {
     0.5 * (low + high)
 }
 
-fn part(field: &Field, piece: &Piece) -> DisplayTriangle {
-    let shown = [0, 1, 2].map(|j| middle(ends(field, piece, j)));
-    let error = (0..3).fold(0.0, |error, j| greater(error, error_at(piece, j, shown[j])));
-    DisplayTriangle {
-        face: FaceId(piece.face),
-        corners: piece.corners.map(|p| field.frame.unmap(p)),
-        distances: shown.map(|d| field.frame.length_out(d)),
-        error: field.frame.length_out(error),
+fn display_parts(faces: &Faces<'_>, cutter: &Cutter<'_>, face: u32) -> Vec<DisplayTriangle> {
+    let frame = faces.frame;
+    let mut triangles = Vec::new();
+    for piece in &cutter.pieces {
+        let Piece { polygon, .. } = piece;
+        let place = |j: usize| {
+            if polygon.depth == 0 {
+                faces.mesh.corners(FaceId(face))[j]
+            } else {
+                frame.unmap(cutter.point([polygon.v[j], polygon.w[j]]))
+            }
+        };
+        for triangle in polygon.fan() {
+            let shown = triangle.map(|j| middle(ends(faces.largest, piece, j)));
+            let error = (0..3).fold(0.0, |error, k| greater(error, error_at(piece, triangle[k], shown[k])));
+            triangles.push(DisplayTriangle {
+                face: FaceId(face),
+                corners: triangle.map(place),
+                distances: shown.map(|d| frame.length_out(d)),
+                error: frame.length_out(error),
+            });
+        }
     }
+    triangles
 }
 
-fn whole(field: &Field, mesh: &TriMesh, f: usize) -> DisplayTriangle {
-    let face = FaceId(f as u32);
-    let corners = mesh.corners(face);
-    let mapped = corners.map(|p| field.frame.map(p));
-    let pieces = field.of_face(f);
-    // Corners of the face are corners of pieces, bit for bit.
-    let at_corner = mapped.map(|p| {
-        let mut ends_here = (0.0, f64::INFINITY);
-        for piece in pieces {
-            for j in 0..3 {
-                if piece.corners[j] == p {
-                    let (low, high) = ends(field, piece, j);
-                    ends_here = (greater(ends_here.0, low), lesser(ends_here.1, high));
-                }
-            }
+fn display_whole(faces: &Faces<'_>, cutter: &Cutter<'_>, face: u32) -> DisplayTriangle {
+    let mut at_corner = [(0.0, f64::INFINITY); 3];
+    for piece in &cutter.pieces {
+        for j in 0..piece.polygon.count {
+            // Corners of the face are corners of pieces, digit for digit.
+            let corner = match [piece.polygon.v[j], piece.polygon.w[j]] {
+                [0.0, 0.0] => 0,
+                [1.0, 0.0] => 1,
+                [0.0, 1.0] => 2,
+                _ => continue,
+            };
+            let (low, high) = ends(faces.largest, piece, j);
+            let known: &mut (f64, f64) = &mut at_corner[corner];
+            *known = (greater(known.0, low), lesser(known.1, high));
         }
-        middle((ends_here.0, lesser(ends_here.1, field.largest)))
-    });
+    }
+    let shown = at_corner.map(|(low, high)| middle((low, lesser(high, faces.largest))));
     let mut error = 0.0;
-    for piece in pieces {
-        for j in 0..3 {
-            let beta = closest_barycentric(piece.corners[j], mapped);
-            let shown = beta[0] * at_corner[0] + beta[1] * at_corner[1] + beta[2] * at_corner[2];
-            error = greater(error, error_at(piece, j, shown));
+    for piece in &cutter.pieces {
+        for j in 0..piece.polygon.count {
+            let [v, w] = [piece.polygon.v[j], piece.polygon.w[j]];
+            let here = shown[0] + v * (shown[1] - shown[0]) + w * (shown[2] - shown[0]);
+            error = greater(error, error_at(piece, j, here));
         }
     }
     DisplayTriangle {
-        face,
-        corners,
-        distances: at_corner.map(|d| field.frame.length_out(d)),
-        error: field.frame.length_out(error),
+        face: FaceId(face),
+        corners: faces.mesh.corners(FaceId(face)),
+        distances: shown.map(|d| faces.frame.length_out(d)),
+        error: faces.frame.length_out(error),
     }
 }

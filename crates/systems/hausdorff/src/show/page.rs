@@ -82,7 +82,7 @@ impl<'r> DeviationPage<'r> {
         let tolerance = COLOR_TOLERANCE * self.deviation.distance.upper();
         let ways = [(self.a, self.b, &self.deviation.a_to_b), (self.b, self.a, &self.deviation.b_to_a)];
         ways.map(|(measured, other, found)| {
-            let mut triangles = found.tessellation(measured.mesh, tolerance, MOST_TRIANGLES);
+            let mut triangles = found.tessellation(measured.mesh, other.mesh, tolerance, MOST_TRIANGLES);
             if let Some(sides) = &found.sides {
                 give_signs(&mut triangles, measured.mesh, other.mesh, sides);
             }

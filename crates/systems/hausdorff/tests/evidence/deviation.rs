@@ -284,7 +284,7 @@ fn drawn_triangles_show_the_distance() {
     let targets: Vec<_> = b.face_ids().map(|f| b.corners(f)).collect();
     let whole: f64 = a.face_ids().map(|f| area(a.corners(f))).sum();
     for (tolerance, most) in [(1e-3, 1_000_000), (1e-3, 200), (1.0, 1_000_000)] {
-        let drawn = report.tessellation(&a, tolerance, most);
+        let drawn = report.tessellation(&a, &b, tolerance, most);
         let total: f64 = drawn.iter().map(|t| area(t.corners)).sum();
         assert!((total - whole).abs() < 1e-9 * whole && drawn.len() <= most.max(a.faces().len()));
         for triangle in drawn {

@@ -1,0 +1,94 @@
+//! Both directions, and what they say together.
+
+use super::options::DeviationOptions;
+use super::report::{Deviation, DirectedDeviation};
+use super::run::{Outcome, Pair, run};
+use super::statistics::{Percentile, Summary, Wanted};
+use crate::engine::joint_frame;
+use crate::report::Direction;
+use crate::target::Target;
+use crate::tolerance::OptionError;
+use pompeiu_core::TriMesh;
+use pompeiu_core::run::on_threads;
+use std::time::Instant;
+
+impl DeviationOptions<'_> {
+    /// How far A is from B.
+    ///
+    /// # Errors
+    /// [`DeviationOptions::check`].
+    pub fn directed(&self, a: &TriMesh, b: &TriMesh) -> Result<DirectedDeviation, OptionError> {
+        self.check()?;
+        Ok(on_threads(self.limits.threads, || {
+            self.one_direction(a, b, Direction::AToB, self.deadline(1), 0).report
+        }))
+    }
+
+    /// How far A and B are from each other. The first direction takes at most half of the time limit.
+    ///
+    /// # Errors
+    /// [`DeviationOptions::check`].
+    pub fn symmetric(&self, a: &TriMesh, b: &TriMesh) -> Result<Deviation, OptionError> {
+        self.check()?;
+        Ok(on_threads(self.limits.threads, || {
+            let (half, whole) = (self.deadline(2), self.deadline(1));
+            let there = self.one_direction(a, b, Direction::AToB, half, 0);
+            let back = self.one_direction(b, a, Direction::BToA, whole, there.bytes());
+            self.both(a, b, there, back)
+        }))
+    }
+
+    fn both(&self, a: &TriMesh, b: &TriMesh, there: Outcome, back: Outcome) -> Deviation {
+        let (frame, ..) = joint_frame(a, b);
+        let greater_percentiles = there.summary.as_ref().zip(back.summary.as_ref()).map(|(x, y)| {
+            let both = x.percentiles.iter().zip(&y.percentiles);
+            let greater = both.map(|(x, y)| super::run::greater_of(*x, *y));
+            let published = self.percentiles.iter().zip(greater);
+            published
+                .map(|(share, (low, high))| Percentile {
+                    share: *share,
+                    distance: super::statistics::length_out(&frame, low, high),
+                })
+                .collect()
+        });
+        let mut pooled = there.distribution;
+        pooled.portions.extend(back.distribution.portions);
+        let wanted = Wanted {
+            percentiles: &self.percentiles,
+            threshold: self.threshold.map(|t| frame.length_in(t)),
+            bins: self.bins,
+            fine: Wanted::FINE * self.accuracy,
+        };
+        let largest = super::linear::greater(there.largest, back.largest);
+        let summary = Summary::of(&pooled, &wanted, largest);
+        Deviation {
+            distance: there.report.distance.distance.max(back.report.distance.distance),
+            greater_percentiles,
+            pooled: summary.map(|s| s.publish(&pooled, &wanted, self.threshold, largest, &frame)),
+            a_to_b: there.report,
+            b_to_a: back.report,
+        }
+    }
+
+    fn one_direction(
+        &self,
+        from: &TriMesh,
+        to: &TriMesh,
+        direction: Direction,
+        deadline: Option<Instant>,
+        held: usize,
+    ) -> Outcome {
+        let started = Instant::now();
+        let target = Target::in_frame(to, joint_frame(from, to).0);
+        let build = started.elapsed();
+        let pair = Pair { from, to, target: &target, direction, deadline, held };
+        let mut outcome = run(self, &pair);
+        outcome.report.work.build = build;
+        outcome
+    }
+
+    /// When a part of the time limit has run out.
+    fn deadline(&self, part: u32) -> Option<Instant> {
+        self.limits.time.and_then(|limit| Instant::now().checked_add(limit / part))
+    }
+}

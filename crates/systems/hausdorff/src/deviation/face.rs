@@ -1,0 +1,132 @@
+//! One face of A, cut into pieces until they are as narrow as asked.
+
+use super::envelope::{Envelope, Open, Wish};
+use super::goal::Goal;
+use super::polygon::Polygon;
+use crate::rounding::Rounding;
+use pompeiu_core::run::Control;
+use pompeiu_core::spatial::{Bvh, Slot};
+
+/// A face of A, and what is known about it before it is looked at. Lengths are in the frame.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Start {
+    pub(super) corners: [[f64; 3]; 3],
+    /// Its area, rounded.
+    pub(super) area: f64,
+    /// Distances of the corners from B, rounded.
+    pub(super) distances: [f64; 3],
+    /// The face of B nearest to the first corner.
+    pub(super) near: Slot,
+}
+
+/// A part of a face, and a face of B near its centre.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Piece {
+    pub(super) polygon: Polygon,
+    pub(super) near: Slot,
+}
+
+/// Pieces whose longest edge is no longer than this many units of rounding are not cut.
+const LEAST_SIZE: f64 = 64.0;
+/// Nor are pieces after so many cuts.
+const MOST_CUTS: u32 = 160;
+/// Looks between two questions to the clock.
+const LOOKS_PER_CHECK: u64 = 64;
+/// Faces of B that are farther than this many times the distance of the farthest corner are not listed at first.
+const REACH: f64 = 1.25;
+
+/// Cuts faces, one after the other.
+pub(super) struct Cutter<'c> {
+    envelope: Envelope<'c>,
+    control: &'c Control,
+    rounding: Rounding,
+    /// No distance is greater.
+    largest: f64,
+    /// About the mean distance.
+    scale: f64,
+    stack: Vec<Open>,
+    /// Those of the last face.
+    pub(super) pieces: Vec<Piece>,
+    pub(super) looks: u64,
+}
+
+impl<'c> Cutter<'c> {
+    pub(super) fn new(
+        bvh: &'c Bvh,
+        rounding: Rounding,
+        control: &'c Control,
+        largest: f64,
+        scale: f64,
+    ) -> Self {
+        Self {
+            envelope: Envelope::new(bvh, rounding),
+            control,
+            rounding,
+            largest,
+            scale,
+            stack: Vec::new(),
+            pieces: Vec::new(),
+            looks: 0,
+        }
+    }
+
+    /// Point–triangle distances evaluated so far.
+    pub(super) fn distances(&self) -> u64 {
+        self.envelope.workspace.distances
+    }
+
+    /// The point of the last face with these weights of its second and third corner.
+    pub(super) fn point(&self, at: [f64; 2]) -> [f64; 3] {
+        self.envelope.scale.point(at).to_array()
+    }
+
+    /// Cuts a face until its pieces satisfy the goal or are `most`. What the limits leave no time for stays as it is.
+    pub(super) fn cut(&mut self, start: &Start, goal: &Goal, most: usize) {
+        self.pieces.clear();
+        self.stack.clear();
+        self.envelope.begin(start.corners);
+        let farthest = start.distances.iter().fold(self.scale, |d, x| if *x > d { *x } else { d });
+        let whole = Polygon::whole(self.largest);
+        let mut stopped = self.control.is_stopped();
+        if stopped {
+            let polygon = self.envelope.without_looking(whole, start.near, start.distances);
+            self.pieces.push(Piece { polygon, near: start.near });
+            return;
+        }
+        self.stack.push(self.envelope.open(&whole, start.near));
+        while let Some(mut open) = self.stack.pop() {
+            if stopped {
+                self.keep(&open);
+                continue;
+            }
+            self.looks += 1;
+            let weights = open.polygon.weights();
+            let wish =
+                Wish { weights, negligible: goal.negligible(&weights, start.area), reach: REACH * farthest };
+            let look = self.envelope.look(&mut open, &wish);
+            stopped = self.looks.is_multiple_of(LOOKS_PER_CHECK) && self.control.is_stopped();
+            let full = self.pieces.len() + self.stack.len() + 1 >= most;
+            let width = goal.wanted(&open.polygon, &weights, start.area);
+            let Some(width) = width.filter(|_| !full && self.can_be_cut(&open.polygon)) else {
+                self.keep(&open);
+                continue;
+            };
+            match self.envelope.cut(&open.polygon, &look, width) {
+                Some(parts) => {
+                    for part in &parts {
+                        self.stack.push(self.envelope.part(&open, part));
+                    }
+                }
+                None => self.keep(&open),
+            }
+        }
+    }
+
+    fn keep(&mut self, open: &Open) {
+        self.pieces.push(Piece { polygon: open.polygon, near: open.near });
+    }
+
+    fn can_be_cut(&self, polygon: &Polygon) -> bool {
+        polygon.depth < MOST_CUTS && self.envelope.size(polygon) > LEAST_SIZE * self.rounding.unit()
+    }
+}

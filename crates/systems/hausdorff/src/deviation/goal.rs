@@ -1,0 +1,70 @@
+//! What pieces must satisfy to be left as they are.
+
+use super::polygon::{Polygon, Row, integral};
+
+/// How narrow pieces should be. Lengths and areas are in the frame.
+#[derive(Clone, Debug)]
+pub(super) struct Goal {
+    /// Area times mean width that a piece may leave undecided.
+    pub(super) mass: f64,
+    /// Ranges of distances in which a piece may leave only [`Goal::focus_mass`] undecided.
+    pub(super) focus: Vec<(f64, f64)>,
+    pub(super) focus_mass: f64,
+    /// Widths that never matter.
+    pub(super) floor: f64,
+}
+
+impl Goal {
+    /// A goal for the greatest width alone.
+    pub(super) fn of_width(width: f64) -> Self {
+        Self { mass: 0.0, focus: Vec::new(), focus_mass: 0.0, floor: width }
+    }
+
+    /// Area times width that is allowed of a piece with distances in this range.
+    fn allowed(&self, low: f64, high: f64) -> f64 {
+        let in_focus = self.focus.iter().any(|(from, to)| low <= *to && *from <= high);
+        if in_focus && self.focus_mass < self.mass { self.focus_mass } else { self.mass }
+    }
+
+    /// Whether a piece with this mass and distances in this range is good enough as far as statistics go.
+    pub(super) fn is_met(&self, mass: f64, low: f64, high: f64) -> bool {
+        mass <= self.allowed(low, high)
+    }
+
+    /// The mean width that a piece of a face of this area should be cut to, if it is not good enough. `weights` are those of the
+    /// piece.
+    pub(super) fn wanted(&self, piece: &Polygon, weights: &Row, area: f64) -> Option<f64> {
+        let widths = piece.widths();
+        let mass = integral(weights, &widths) * area;
+        if mass <= self.least() {
+            return None;
+        }
+        let greater = |x: f64, y: &f64| if *y > x { *y } else { x };
+        if widths[..piece.count].iter().fold(0.0, greater) <= self.floor {
+            return None;
+        }
+        let lesser = |x: f64, y: &f64| if *y < x { *y } else { x };
+        let low = piece.lower[..piece.count].iter().fold(f64::INFINITY, lesser);
+        let high = piece.upper[..piece.count].iter().fold(0.0, greater);
+        let allowed = self.allowed(low, high);
+        (mass > allowed).then(|| self.width(allowed, weights, area))
+    }
+
+    /// The width that may be lost to make a list shorter.
+    pub(super) fn negligible(&self, weights: &Row, area: f64) -> f64 {
+        NEGLIGIBLE * self.width(self.least(), weights, area)
+    }
+
+    fn least(&self) -> f64 {
+        if self.focus.is_empty() || self.mass < self.focus_mass { self.mass } else { self.focus_mass }
+    }
+
+    fn width(&self, mass: f64, weights: &Row, area: f64) -> f64 {
+        let width = mass / (weights.iter().sum::<f64>() * area);
+        // Not where there is no area.
+        if width > self.floor { width } else { self.floor }
+    }
+}
+
+/// Part of the allowed width.
+const NEGLIGIBLE: f64 = 1e-2;

@@ -1,0 +1,415 @@
+//! Rounds of refinement, until statistics are as narrow as asked.
+//!
+//! Faces are cut anew for each goal, from nothing: so nothing is kept of them but what statistics need. Work is dealt out in tasks of
+//! fixed sizes, whose outcomes are put together in task order, so that the pieces are the same at any number of threads.
+
+use super::distribution::{Distribution, Entry, Portion, Sum, mean_of};
+use super::face::{Cutter, Piece, Start};
+use super::faces::{self, VertexDistances};
+use super::goal::Goal;
+use super::linear::{Corners, greater, greatest, least, lesser};
+use super::statistics::{Summary, Wanted};
+use crate::rounding::Rounding;
+use pompeiu_core::geom::Frame;
+use pompeiu_core::run::Control;
+use pompeiu_core::spatial::{Bvh, Slot};
+use pompeiu_core::{FaceId, TriMesh};
+use rayon::prelude::*;
+
+/// The area times width that a piece may leave undecided at first: this part of what the mean may, shared out among all faces.
+const FIRST_PART: f64 = 0.3;
+/// How much finer each round is.
+const FINER: f64 = 0.25;
+/// Rounds that make only statistics of parts of the distribution narrower.
+const FOCUSED_ROUNDS: u32 = 8;
+/// A focused round must narrow what is not yet narrow enough by this factor, or it was the last.
+const LEAST_PROGRESS: f64 = 0.95;
+/// What cutting a face again removes of its areas times widths, at least as a rule; and how far below the allowed width a mean should
+/// come to lie.
+const LEAST_GAIN: f64 = 0.5;
+const SPARE: f64 = 0.9;
+/// Goals are not made finer than this part of the first one.
+const FINEST: f64 = 1e-15;
+/// Faces of a task at most, and tasks that there should be.
+const TASK: usize = 64;
+const TASKS: usize = 256;
+/// Tasks between two looks at the limits.
+const TASKS_PER_ROUND: usize = 64;
+/// Pieces of a face, at least and at most, whatever the limit on pieces leaves.
+const PIECES_OF_FACE: (usize, usize) = (16, 1 << 17);
+
+/// Faces of A, and B.
+pub(super) struct Faces<'f> {
+    pub(super) mesh: &'f TriMesh,
+    pub(super) frame: &'f Frame,
+    pub(super) vertices: &'f VertexDistances,
+    pub(super) bvh: &'f Bvh,
+    pub(super) rounding: Rounding,
+    pub(super) control: &'f Control,
+    /// No distance is greater.
+    pub(super) largest: f64,
+    /// About the mean distance.
+    pub(super) scale: f64,
+}
+
+impl<'f> Faces<'f> {
+    pub(super) fn cutter(&self) -> Cutter<'f> {
+        Cutter::new(self.bvh, self.rounding, self.control, self.largest, self.scale)
+    }
+
+    pub(super) fn start(&self, face: u32) -> (Start, (f64, f64)) {
+        let corners = self.mesh.corners(FaceId(face)).map(|p| self.frame.map(p));
+        let area = faces::area(self.mesh, self.frame, face);
+        let vertices = self.mesh.faces()[face as usize].map(|v| v as usize);
+        let start = Start {
+            corners,
+            area: 0.5 * (area.0 + area.1),
+            distances: vertices.map(|v| self.vertices.distances[v]),
+            near: self.vertices.near[vertices[0]],
+        };
+        (start, area)
+    }
+
+    /// Cuts the wanted ones of some faces; of the others, and of those that come out no narrower, what was before stays.
+    fn cut_task(
+        &self,
+        faces: &[u32],
+        goal: &Goal,
+        most: usize,
+        wanted: impl Fn(usize) -> bool,
+        before: Option<(&Portion, &[FaceBounds])>,
+    ) -> Made {
+        let mut cutter = self.cutter();
+        let mut portion = Portion { entries: Vec::with_capacity(4 * faces.len()), starts: vec![0] };
+        let mut bounds = Vec::with_capacity(faces.len());
+        for (i, &face) in faces.iter().enumerate() {
+            let start = portion.entries.len();
+            let kept = before.filter(|_| !wanted(i));
+            if kept.is_none() {
+                let (from, area) = self.start(face);
+                cutter.cut(&from, goal, most);
+                for Piece { polygon, .. } in &cutter.pieces {
+                    portion.entries.extend(polygon.fan().map(|t| Entry::new(polygon, t, area)));
+                }
+                bounds.push(FaceBounds::new(&cutter, &portion.entries[start..], self.largest));
+            }
+            // What limits have cut short may be wider than what was known.
+            let mass = |entries: &[Entry]| entries.iter().map(Entry::mass).sum::<f64>();
+            if let Some((before, bounds_before)) = before {
+                let known = before.of_face(i);
+                if kept.is_some() {
+                    portion.entries.extend_from_slice(known);
+                    bounds.push(bounds_before[i]);
+                } else if mass(known) < mass(&portion.entries[start..]) {
+                    portion.entries.truncate(start);
+                    portion.entries.extend_from_slice(known);
+                    bounds[i] = bounds_before[i];
+                }
+            }
+            portion.starts.push(portion.entries.len() as u32);
+        }
+        portion.entries.shrink_to_fit();
+        Made { portion, bounds, looks: cutter.looks, distances: cutter.distances() }
+    }
+}
+
+/// What the pieces of a face say about it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct FaceBounds {
+    pub(super) max: (f64, f64),
+    pub(super) min: (f64, f64),
+    pub(super) mean: (f64, f64),
+    /// Where the distance is at least the lower end of the greatest, but for rounding.
+    pub(super) farthest: [f64; 3],
+    /// A face of the other mesh near that point.
+    pub(super) near: Slot,
+}
+
+impl FaceBounds {
+    fn new(cutter: &Cutter<'_>, entries: &[Entry], largest: f64) -> Self {
+        let (mut highest, mut at) = (f64::NEG_INFINITY, (&cutter.pieces[0], 0));
+        let mut upper = 0.0;
+        let mut min = (f64::INFINITY, f64::INFINITY);
+        for piece in &cutter.pieces {
+            let Piece { polygon, .. } = piece;
+            for j in 0..polygon.count {
+                if polygon.lower[j] > highest {
+                    (highest, at) = (polygon.lower[j], (piece, j));
+                }
+                upper = greater(upper, polygon.upper[j]);
+                min = (lesser(min.0, polygon.lower[j]), lesser(min.1, polygon.upper[j]));
+            }
+        }
+        let (mut areas, mut means) = (Sum::default(), Sum::default());
+        for entry in entries {
+            let (low, high) = entry.area();
+            let (below, above) = mean_of(entry.lower(), entry.upper());
+            areas.add(low, high);
+            means.add(low * below, high * above);
+        }
+        let area = areas.enclosure();
+        let upper = lesser(upper, largest);
+        // The mean over a face that may have no area is one of its distances.
+        let mean = if area.lower() > 0.0 {
+            let mean = means.enclosure().divide_by_positive(area);
+            (greater(mean.lower(), 0.0), lesser(mean.upper(), upper))
+        } else {
+            (greater(min.0, 0.0), upper)
+        };
+        let (piece, j) = at;
+        Self {
+            max: (lesser(greater(highest, 0.0), upper), upper),
+            min: (lesser(greater(min.0, 0.0), upper), lesser(min.1, upper)),
+            mean: (lesser(mean.0, mean.1), mean.1),
+            farthest: cutter.point([piece.polygon.v[j], piece.polygon.w[j]]),
+            near: piece.near,
+        }
+    }
+}
+
+/// What statistics are wanted, and what pieces may take.
+pub(super) struct Aim<'a> {
+    pub(super) wanted: &'a Wanted<'a>,
+    pub(super) accuracy: f64,
+    /// Widths that never matter.
+    pub(super) floor: f64,
+    /// Area of all faces.
+    pub(super) total: f64,
+    /// Cells that the overlay of both meshes has, about.
+    pub(super) cells: usize,
+    pub(super) most_pieces: usize,
+}
+
+/// What refining came to.
+#[derive(Default)]
+pub(super) struct Refined {
+    pub(super) distribution: Distribution,
+    /// In the order in which faces were looked at.
+    pub(super) bounds: Vec<FaceBounds>,
+    /// None where the area may be zero.
+    pub(super) summary: Option<Summary>,
+    /// Whether statistics are as narrow as asked.
+    pub(super) tight: bool,
+    pub(super) looks: u64,
+    pub(super) distances: u64,
+    pub(super) rounds: u32,
+}
+
+/// Pieces of some faces.
+struct Made {
+    portion: Portion,
+    bounds: Vec<FaceBounds>,
+    looks: u64,
+    distances: u64,
+}
+
+/// The rounds of one direction.
+pub(super) struct Refinement<'r> {
+    pub(super) faces: &'r Faces<'r>,
+    /// The faces, neighbours close together.
+    pub(super) order: &'r [u32],
+    pub(super) aim: &'r Aim<'r>,
+    /// Told between tasks how many looks were made, how many pieces there are, and how many faces are left.
+    pub(super) watch: &'r mut dyn FnMut(u64, usize, usize),
+}
+
+impl Refinement<'_> {
+    pub(super) fn run(mut self) -> Refined {
+        let Aim { accuracy, floor, total, wanted, .. } = *self.aim;
+        let width = accuracy * self.faces.scale + floor;
+        let first = FIRST_PART * width * total / self.aim.cells as f64;
+        let mut goal = Goal { mass: first, focus: Vec::new(), focus_mass: f64::INFINITY, floor };
+        let mut refined = Refined::default();
+        self.cut_all(&goal, &mut refined);
+        let mut focused_rounds = 0;
+        let mut doubt_before = f64::INFINITY;
+        loop {
+            refined.summary = Summary::of(&refined.distribution, wanted, self.faces.largest);
+            let Some(summary) = &refined.summary else {
+                refined.tight = true;
+                return refined;
+            };
+            let within = |(low, high): (f64, f64)| high - low <= accuracy * low + floor;
+            let means_are_tight = within(summary.mean) && within(summary.rms);
+            let excess = greater(self.excess(summary.mean), self.excess(summary.rms));
+            let doubt = self.doubt(summary);
+            let focus = self.focus(summary);
+            refined.tight = means_are_tight && focus.is_empty();
+            if refined.tight || self.faces.control.is_stopped() {
+                return refined;
+            }
+            if means_are_tight {
+                let stuck = doubt > LEAST_PROGRESS * doubt_before;
+                if focused_rounds == FOCUSED_ROUNDS || stuck {
+                    return refined;
+                }
+                doubt_before = doubt;
+                goal.focus_mass = lesser(goal.focus_mass, goal.mass);
+                goal.focus = focus;
+                focused_rounds += 1;
+            }
+            // Until there is a face to be cut anew.
+            loop {
+                let mass = if means_are_tight { &mut goal.focus_mass } else { &mut goal.mass };
+                *mass *= FINER;
+                if *mass < FINEST * first {
+                    return refined;
+                }
+                let mut flagged = flag(&goal, &refined.distribution);
+                if !means_are_tight {
+                    keep_the_worst(&mut flagged, excess, &refined.distribution);
+                }
+                if flagged.iter().any(|flag| *flag) {
+                    self.cut_again(&flagged, &goal, &mut refined);
+                    break;
+                }
+            }
+        }
+    }
+
+    /// Faces of one task.
+    fn task(&self) -> usize {
+        self.order.len().div_ceil(TASKS).clamp(1, TASK)
+    }
+
+    /// Pieces that each of some faces may be cut into.
+    fn most(&self, pieces: usize, faces: usize) -> usize {
+        let (least, most) = PIECES_OF_FACE;
+        (self.aim.most_pieces.saturating_sub(pieces) / faces).clamp(least, most)
+    }
+
+    fn cut_all(&mut self, goal: &Goal, refined: &mut Refined) {
+        refined.rounds += 1;
+        let faces = self.faces;
+        let task = self.task();
+        refined.bounds.reserve_exact(self.order.len());
+        let mut left = self.order.len();
+        let mut pieces = 0;
+        for round in self.order.chunks(task * TASKS_PER_ROUND) {
+            let most = self.most(pieces, round.len());
+            let made: Vec<Made> = round
+                .par_chunks(task)
+                .with_max_len(1)
+                .map(|task| faces.cut_task(task, goal, most, |_| true, None))
+                .collect();
+            for made in made {
+                refined.looks += made.looks;
+                refined.distances += made.distances;
+                pieces += made.portion.entries.len();
+                refined.distribution.portions.push(made.portion);
+                refined.bounds.extend(made.bounds);
+            }
+            left -= round.len();
+            (self.watch)(refined.looks, pieces, left);
+        }
+    }
+
+    /// Cuts the flagged faces again.
+    fn cut_again(&mut self, flagged: &[bool], goal: &Goal, refined: &mut Refined) {
+        refined.rounds += 1;
+        let (faces, order) = (self.faces, self.order);
+        let task = self.task();
+        let mut left = flagged.iter().filter(|flag| **flag).count();
+        let mut pieces = refined.distribution.len();
+        let tasks: Vec<usize> =
+            flagged.chunks(task).enumerate().filter(|(_, f)| f.contains(&true)).map(|(i, _)| i).collect();
+        for round in tasks.chunks(TASKS_PER_ROUND) {
+            let flags = |i: usize| &flagged[i * task..flagged.len().min((i + 1) * task)];
+            let count = round.iter().map(|i| flags(*i).iter().filter(|flag| **flag).count()).sum();
+            let most = self.most(pieces, count);
+            let made: Vec<Made> = round
+                .par_iter()
+                .with_max_len(1)
+                .map(|&i| {
+                    let some = &order[i * task..order.len().min((i + 1) * task)];
+                    let before = (&refined.distribution.portions[i], &refined.bounds[i * task..]);
+                    faces.cut_task(some, goal, most, |face| flags(i)[face], Some(before))
+                })
+                .collect();
+            for (i, made) in round.iter().zip(made) {
+                refined.looks += made.looks;
+                refined.distances += made.distances;
+                let before = &mut refined.distribution.portions[*i];
+                pieces = pieces + made.portion.entries.len() - before.entries.len();
+                *before = made.portion;
+                refined.bounds[i * task..][..made.bounds.len()].copy_from_slice(&made.bounds);
+            }
+            left -= count;
+            (self.watch)(refined.looks, pieces, left);
+            if self.faces.control.is_stopped() {
+                return;
+            }
+        }
+    }
+
+    /// How many times wider than allowed an enclosure is.
+    fn excess(&self, (low, high): (f64, f64)) -> f64 {
+        (high - low) / (self.aim.accuracy * low + self.aim.floor)
+    }
+
+    /// Ranges of distances in which pieces keep a statistic from being as narrow as asked.
+    fn focus(&self, summary: &Summary) -> Vec<(f64, f64)> {
+        let Aim { accuracy, floor, wanted, .. } = *self.aim;
+        let mut focus: Vec<(f64, f64)> = summary
+            .percentiles
+            .iter()
+            .copied()
+            .filter(|(low, high)| high - low > accuracy * low + floor)
+            .collect();
+        if let Some(((low, high), threshold)) = summary.above.zip(wanted.threshold)
+            && high - low > accuracy
+        {
+            focus.push((threshold, threshold));
+        }
+        focus
+    }
+
+    /// Sum of the widths that are too great, each relative to what is allowed.
+    fn doubt(&self, summary: &Summary) -> f64 {
+        let Aim { accuracy, floor, .. } = *self.aim;
+        let excess = |width: f64, allowed: f64| greater(width / allowed - 1.0, 0.0);
+        let percentiles = summary.percentiles.iter();
+        let of_percentiles: f64 =
+            percentiles.map(|(low, high)| excess(high - low, accuracy * low + floor)).sum();
+        of_percentiles + summary.above.map_or(0.0, |(low, high)| excess(high - low, accuracy))
+    }
+}
+
+/// Which faces have a piece that does not satisfy a goal, in their order.
+fn flag(goal: &Goal, distribution: &Distribution) -> Vec<bool> {
+    let of_face = |entries: &[Entry]| {
+        entries.iter().any(|entry| {
+            let mass = entry.mass();
+            let wide = || {
+                let (lower, upper): (Corners, Corners) = (entry.lower(), entry.upper());
+                let width = greatest([0, 1, 2].map(|j| upper[j] - greater(lower[j], 0.0)));
+                width > goal.floor && !goal.is_met(mass, least(lower), greatest(upper))
+            };
+            mass > 0.0 && wide()
+        })
+    };
+    let of_portion = |portion: &Portion| -> Vec<bool> {
+        (0..portion.starts.len() - 1).map(|face| of_face(portion.of_face(face))).collect()
+    };
+    let flags: Vec<Vec<bool>> = distribution.portions.par_iter().map(of_portion).collect();
+    flags.into_iter().flatten().collect()
+}
+
+/// Of the flagged faces leaves those with the greatest areas times widths flagged, so many that cutting them should be enough:
+/// `excess` is how many times too wide a mean is.
+fn keep_the_worst(flagged: &mut [bool], excess: f64, distribution: &Distribution) {
+    let of_portion = |portion: &Portion| -> Vec<f64> {
+        let mass = |face: usize| portion.of_face(face).iter().map(Entry::mass).sum();
+        (0..portion.starts.len() - 1).map(mass).collect()
+    };
+    let masses: Vec<Vec<f64>> = distribution.portions.par_iter().map(of_portion).collect();
+    let masses: Vec<f64> = masses.into_iter().flatten().collect();
+    let total: f64 = masses.iter().sum();
+    let mut left = total * (1.0 - SPARE / excess) / LEAST_GAIN;
+    let mut worst: Vec<usize> = (0..flagged.len()).filter(|face| flagged[*face]).collect();
+    worst.sort_by(|a, b| masses[*b].total_cmp(&masses[*a]).then(a.cmp(b)));
+    for face in worst {
+        flagged[face] = left > 0.0;
+        left -= masses[face];
+    }
+}
