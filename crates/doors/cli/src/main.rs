@@ -5,6 +5,7 @@ mod called;
 mod commands;
 mod exit;
 mod files;
+mod interrupt;
 mod json;
 mod many;
 mod numbers;

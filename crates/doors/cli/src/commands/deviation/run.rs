@@ -5,6 +5,7 @@ use super::{csv, json, meshes, text};
 use crate::called::called;
 use crate::exit::Exit;
 use crate::files;
+use crate::interrupt;
 use crate::numbers::between;
 use crate::pair::{self, File};
 use crate::printer::Printer;
@@ -45,6 +46,7 @@ pub(crate) fn run(args: &Deviation, printer: &Printer) -> anyhow::Result<Exit> {
     let wait = Wait::new(printer);
     let (a, b) = pair::read(&args.a, &args.b, &wait, printer)?;
     let read = started.elapsed();
+    interrupt::listen();
     wait.show("building trees".to_owned());
     let deviation =
         DeviationOptions { observer: Some(&Watch(&wait)), ..options(args, read) }.symmetric(&a, &b)?;
@@ -146,7 +148,7 @@ impl Observer for Watch<'_> {
             format!("{ends}: {}", between(progress.lower, progress.upper)),
             [progress.examined, progress.examined.saturating_add(progress.left)],
         );
-        ControlFlow::Continue(())
+        interrupt::flow()
     }
 }
 

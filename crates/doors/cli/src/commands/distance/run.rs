@@ -5,6 +5,7 @@ use super::outcome::{Outcome, Times};
 use super::watch::Watch;
 use super::{json, text};
 use crate::exit::Exit;
+use crate::interrupt;
 use crate::numbers::shortest;
 use crate::pair::{self, File};
 use crate::printer::Printer;
@@ -49,6 +50,7 @@ fn measure(
     let stages = stages(args, diagonal);
     let watch = Watch::new(wait, args.direction, stages.len());
     let options = HausdorffOptions { stages: stages.to_vec(), observer: Some(&watch), ..options(args, read) };
+    interrupt::listen();
     wait.show("building trees".to_owned());
     let (a_to_b, b_to_a) = match args.direction {
         Direction::Both => {

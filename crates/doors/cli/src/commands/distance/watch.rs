@@ -1,6 +1,7 @@
 //! Watches the engine: moves the progress bar and keeps the rows of a trace.
 
 use super::args;
+use crate::interrupt;
 use crate::numbers::between;
 use crate::wait::Wait;
 use pompeiu::hausdorff::{DirectedReport, Direction, Observer, Progress, Stage, StopReason};
@@ -77,7 +78,7 @@ impl Observer for Watch<'_> {
             format!("{ends}: {}", between(progress.lower, progress.upper)),
             [progress.examined, progress.examined.saturating_add(progress.left)],
         );
-        ControlFlow::Continue(())
+        interrupt::flow()
     }
 
     fn stage(&self, stage: &Stage) {
