@@ -1,4 +1,4 @@
-//! What can be wrong with values on a surface.
+//! Errors of operators.
 
 use pompeiu_core::{FaceId, VertexId};
 use pompeiu_solve::SolveError;
@@ -55,7 +55,7 @@ pub enum OperatorError {
         /// How many there are.
         vertices: usize,
     },
-    /// The time of the heat method is no time.
+    /// The time of the heat method is not a finite number above zero.
     #[error("the time of the heat method is {time}, expected a finite number above zero")]
     HeatTime {
         /// The time.

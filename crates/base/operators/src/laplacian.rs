@@ -36,7 +36,7 @@ pub fn cotan_laplacian(surface: &Surface) -> Result<SparseMatrix, OperatorError>
     Ok(SparseMatrix::from_links(mesh.vertices(), &links)?)
 }
 
-/// The Laplacian `G_eᵀ M G_e` of functions that are linear on faces and agree at midpoints of edges.
+/// The Laplacian `G_eᵀ M G_e` of Crouzeix–Raviart functions: linear on faces, continuous at midpoints of edges.
 ///
 /// Positive semi-definite, with constants on each component for kernel, like [`cotan_laplacian`]. It is also
 /// `(J G_e)ᵀ M (J G_e)`. At most five entries in a row.

@@ -1,4 +1,4 @@
-//! Fields to start from.
+//! Given fields: rotations, tangent parts of vectors in space, random vectors.
 
 use crate::field::FaceField;
 use pompeiu_core::mesh::{FaceData, Random};

@@ -138,7 +138,7 @@ pub(crate) fn buffer(
 /// Backward stable: the solution is that of a matrix that differs from the given one by a few units of rounding times its
 /// size. How far it is from the true solution depends on the condition of the matrix.
 /// # Limits
-/// Only the lower triangle is read: that the matrix is symmetric is taken on trust.
+/// Only the lower triangle is read; symmetry is not checked.
 /// # Source
 /// The crate `faer`; orderings by approximate minimum degree.
 #[derive(Clone, Debug)]

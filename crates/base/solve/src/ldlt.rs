@@ -15,7 +15,7 @@ use faer::{Conj, Par, Side};
 /// Without pivoting: stable for definite and quasi-definite matrices, `[A, Bᵀ; B, −C]` with `A` and `C` definite. For
 /// others pivots may be small and digits lost; compare `A x` with the right-hand side, or use [`Lu`](crate::Lu).
 /// # Limits
-/// Only the lower triangle is read: that the matrix is symmetric is taken on trust.
+/// Only the lower triangle is read; symmetry is not checked.
 /// # Source
 /// The crate `faer`; orderings by approximate minimum degree.
 #[derive(Clone, Debug)]

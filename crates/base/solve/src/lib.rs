@@ -1,7 +1,7 @@
-//! Sparse matrices and direct solvers that can be used again and again.
+//! Sparse matrices and direct solvers whose factors are used for many right-hand sides.
 //!
 //! A matrix is factored once and solves many right-hand sides. All solvers answer through one small trait,
-//! [`LinearSolver`]; what stands behind it ([`faer`]) does not show.
+//! [`LinearSolver`]; the library behind it, [`faer`], is not part of the interface.
 //!
 //! | matrix | solver |
 //! |---|---|

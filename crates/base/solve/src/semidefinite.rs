@@ -6,7 +6,7 @@ use crate::{Cholesky, SolveError, SparseMatrix};
 /// No group, or no place.
 const NONE: usize = usize::MAX;
 
-/// A symmetric positive semi-definite system whose kernel is known: the constants on each of some groups of unknowns.
+/// A symmetric positive semi-definite system whose kernel is spanned by the constants on some groups of unknowns.
 ///
 /// Laplacians are of this kind: their groups are the connected components without a boundary condition. Nothing is added
 /// to the matrix. Right-hand sides are projected onto its range by taking the mean off each group; then one unknown of
@@ -15,7 +15,7 @@ const NONE: usize = usize::MAX;
 /// zero from the start.
 ///
 /// # Accuracy
-/// That of [`Cholesky`]; [`solve_refined_in_place`](Self::solve_refined_in_place) adds a step of iterative refinement.
+/// As [`Cholesky`]; [`solve_refined_in_place`](Self::solve_refined_in_place) adds a step of iterative refinement.
 #[derive(Debug)]
 pub struct SemidefiniteCholesky {
     matrix: SparseMatrix,

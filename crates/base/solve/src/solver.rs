@@ -1,4 +1,4 @@
-//! The one door to all solvers.
+//! The trait that all solvers implement.
 
 use crate::SolveError;
 
@@ -29,7 +29,7 @@ pub trait LinearSolver: Send + Sync {
     }
 }
 
-/// How many right-hand sides a slice holds, all finite.
+/// The number of right-hand sides in a slice; checks that all are finite.
 pub(crate) fn columns(unknowns: usize, values: &[f64]) -> Result<usize, SolveError> {
     let count = values.len().checked_div(unknowns).unwrap_or(0);
     if count * unknowns != values.len() {
@@ -42,7 +42,7 @@ pub(crate) fn columns(unknowns: usize, values: &[f64]) -> Result<usize, SolveErr
     }
 }
 
-/// That a solution is finite.
+/// Checks that a solution is finite.
 pub(crate) fn finite(unknowns: usize, solution: &[f64]) -> Result<(), SolveError> {
     match solution.iter().position(|x| !x.is_finite()) {
         Some(at) => Err(SolveError::Singular { index: at % unknowns }),

@@ -277,7 +277,7 @@ impl SparseMatrix {
     /// The rows and columns with these indices, in this order; an index may occur once.
     ///
     /// # Errors
-    /// [`SolveError::OutOfRange`] for an index that is no row or no column.
+    /// [`SolveError::OutOfRange`] for an index outside the matrix.
     pub fn principal(&self, indices: &[usize]) -> Result<Self, SolveError> {
         const LEFT_OUT: usize = usize::MAX;
         let mut place = vec![LEFT_OUT; self.rows];
@@ -316,7 +316,7 @@ impl SparseMatrix {
         Self::from_triplets(indices.len(), indices.len(), &entries)
     }
 
-    /// That there are as many rows as columns.
+    /// Checks that the matrix is square.
     pub(crate) fn check_square(&self) -> Result<(), SolveError> {
         let (rows, columns) = (self.rows, self.columns());
         if rows == columns { Ok(()) } else { Err(SolveError::NotSquare { rows, columns }) }

@@ -61,7 +61,7 @@ impl Pairs {
         self.uses.chunk_by(|a, b| a.0 == b.0)
     }
 
-    /// That no edge has more than two faces.
+    /// Checks that no edge has more than two faces.
     pub(crate) fn check_two_faces(&self) -> Result<(), SurfaceError> {
         match self.iter().find(|edge| edge.len() > 2) {
             Some(edge) => Err(SurfaceError::NonManifoldEdge {
@@ -82,7 +82,7 @@ pub(crate) fn sides([a, b, c]: [u32; 3]) -> [[u32; 2]; 3] {
 /// Turns faces so that neighbours agree; the first face of each component keeps its orientation.
 ///
 /// # Errors
-/// [`SurfaceError::NonOrientable`], and what is wrong with edges or faces; vertices are not looked at.
+/// [`SurfaceError::NonOrientable`], and the errors of edges and faces; vertices are not checked.
 ///
 /// # Cost
 /// O(F log F) at worst, O(F) at bounded valence.

@@ -30,7 +30,7 @@ impl EmbeddedSurface {
     /// Lengths and heights are computed from differences of corners and their vector product: relative errors of a few
     /// units of rounding, divided by the sine of the angle for thin faces.
     /// # Errors
-    /// [`GeometryError`]: the mesh is no oriented manifold, or a face is degenerate.
+    /// [`GeometryError`]: the mesh is not an oriented manifold, or a face is degenerate.
     /// # Cost
     /// O(F).
     pub fn new(mesh: &TriMesh) -> Result<Self, GeometryError> {

@@ -6,7 +6,7 @@ use pompeiu_core::{FaceId, VertexId};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SurfaceError {
-    /// There is no face.
+    /// There are no faces.
     #[error("there are no faces, expected at least one")]
     NoFaces,
     /// More half-edges than 32-bit indices can name.
@@ -94,7 +94,7 @@ pub enum GeometryError {
     /// The mesh is not a surface.
     #[error(transparent)]
     Surface(#[from] SurfaceError),
-    /// A face is so thin that its height is not known from its corners, or it is no triangle at all.
+    /// A face is so thin that its corners do not determine its height, or its edge lengths violate the triangle inequality.
     #[error(
         "face {face} is degenerate: its edges are {:e}, {:e} and {:e} long and its height is {height:e} of the longest, \
          expected at least {least:e}",

@@ -6,7 +6,7 @@ use pompeiu_core::mesh::VertexData;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// Distances along edges from some vertices to all others, and the ways back.
+/// Distances along edges from some vertices to all others, and the shortest paths.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EdgeDistances {
     /// For each vertex, the length of the shortest path of edges from the nearest source; infinite where none leads.
@@ -19,8 +19,7 @@ impl EdgeDistances {
     /// The distances from these vertices.
     ///
     /// # Accuracy
-    /// Never shorter than a way across faces, and up to about twice as long: a bound from above, which refining the mesh does
-    /// not bring down.
+    /// An upper bound of the geodesic distance, up to about twice as long; it does not converge under refinement.
     /// # Panics
     /// If a vertex does not exist.
     /// # Cost

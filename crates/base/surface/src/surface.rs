@@ -30,7 +30,7 @@ impl FlatFace {
         sorted.sort_unstable_by(|x, y| y.total_cmp(x));
         let [p, q, r] = sorted;
         let squared = (p + (q + r)) * (r - (p - q)) * (r + (p - q)) * (p + (q - r));
-        // Below zero or NaN where there is no such triangle; the check of the face says so.
+        // Negative or NaN where the lengths violate the triangle inequality; the check of the face reports it.
         let height = squared.sqrt() / (2.0 * c);
         Self { length: c, apex: [((b - a) * (b + a) + c * c) / (2.0 * c), height] }
     }
@@ -186,8 +186,8 @@ impl Surface {
         areas
     }
 
-    /// A third of the area of the faces along each edge: the mass matrix of functions that are linear on faces and agree at
-    /// the midpoints of edges. It is diagonal without any lumping.
+    /// A third of the area of the faces along each edge: the mass matrix of Crouzeix–Raviart functions, which is diagonal
+    /// without lumping.
     pub fn edge_areas(&self) -> EdgeData<f64> {
         let mut areas = EdgeData::filled(self.mesh.edges(), 0.0);
         for face in self.mesh.face_ids() {
@@ -236,7 +236,7 @@ impl Surface {
         self.mesh.outgoing(vertex).map(|h| self.angle(h)).sum()
     }
 
-    /// What the angles at each vertex lack of a full turn, at the boundary of half a turn.
+    /// The angle defect of each vertex: 2π less the sum of its angles, π less the sum at the boundary.
     ///
     /// They add up to 2π times the Euler characteristic (Gauss and Bonnet), whatever the shape.
     pub fn angle_defects(&self) -> VertexData<f64> {

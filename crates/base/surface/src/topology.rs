@@ -1,16 +1,16 @@
-//! Loops that cannot be shrunk, and the closed forms that tell them apart.
+//! Generators of the first homology, and the dual closed forms.
 
 use crate::build::NONE;
 use crate::{EdgeId, HalfedgeId, SurfaceMesh};
 use pompeiu_core::{FaceId, VertexId};
 use std::collections::VecDeque;
 
-/// What counts as a loop on a surface with boundary. Without boundary there is no difference.
+/// Absolute or relative homology of a surface with boundary. On a closed surface the two are the same.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Relative {
-    /// Closed loops; forms may be anything on the boundary.
+    /// Absolute homology: closed loops; forms are arbitrary on the boundary.
     ToNothing,
-    /// Closed loops, and paths from boundary to boundary; forms vanish along the boundary.
+    /// Homology relative to the boundary: closed loops and paths from boundary to boundary; forms vanish on the boundary.
     ToBoundary,
 }
 

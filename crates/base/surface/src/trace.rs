@@ -30,7 +30,7 @@ pub struct Trace {
     pub direction: Vec2,
     /// How far it went.
     pub length: f64,
-    /// How many edges were crossed, and vertices passed.
+    /// Number of edges crossed and vertices passed.
     pub crossings: usize,
     /// Why it ended.
     pub end: TraceEnd,
@@ -47,8 +47,7 @@ pub enum TraceEnd {
     BoundaryVertex(VertexId),
     /// It crossed as many edges as were allowed.
     Crossings,
-    /// The ray cannot be followed: its point, direction or length is not finite, its direction is zero, or its length is
-    /// below zero.
+    /// The ray is invalid: its point, direction or length is not finite, its direction is zero, or its length is negative.
     Unusable,
 }
 
@@ -208,7 +207,7 @@ impl<'s> Tracer<'s> {
             crossings += 1;
             left -= exit.distance;
             let halfedge = HalfedgeId::of(at.face, exit.side);
-            // At a vertex only if the walk has got there: from there it is let go in its direction.
+            // A walk that starts at a vertex leaves it in its own direction.
             let there = || {
                 let side = norm(self.surface.flat(at.face).side(exit.side));
                 exit.distance > self.options.vertex_tolerance * side

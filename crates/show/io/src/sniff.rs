@@ -4,7 +4,7 @@ use crate::format::Format;
 use crate::formats::{off, stl};
 use crate::text::{is_blank, is_line_end, next_line, word};
 
-/// How much text is looked at for statements that tell formats apart.
+/// How much text is searched for statements that distinguish formats.
 const LOOK_AHEAD: usize = 1 << 16;
 
 /// The format that the content shows; `None` when it shows none.

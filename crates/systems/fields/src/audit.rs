@@ -1,10 +1,10 @@
-//! Degrees of freedom, counted.
+//! Dimensions of the spaces.
 
 use pompeiu_operators::hodge::DirichletPotential;
 use pompeiu_operators::{Boundary, Splitting};
 use pompeiu_surface::SurfaceMesh;
 
-/// How the dimensions of the spaces add up, and how they do not with one kind of function only.
+/// The dimensions of the spaces, with functions of both kinds and with functions of one kind only.
 ///
 /// Fields have two degrees of freedom on each face. Gradients of continuous functions, rotated gradients of functions that
 /// agree at midpoints, and harmonic fields fill them exactly. With continuous functions for both, too few are covered: what is

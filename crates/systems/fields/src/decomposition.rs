@@ -1,4 +1,4 @@
-//! The splitting of fields, factored once for many.
+//! Helmholtz–Hodge decomposition of many fields with one factorization.
 
 use crate::DecompositionOptions;
 use crate::scale::{normalized, restore, times_power_of_two};
@@ -14,7 +14,7 @@ use pompeiu_surface::{EdgeData, Surface};
 use rayon::prelude::*;
 use std::time::{Duration, Instant};
 
-/// A surface made ready to split fields.
+/// The Helmholtz–Hodge decomposition of fields on one surface, factored once.
 ///
 /// # Definition
 /// In the primal splitting `u = G_v a + J G_e b + h`, with a continuous and b agreeing at midpoints of edges. The first two
@@ -75,13 +75,11 @@ pub struct Decomposition {
     pub edge_potential: EdgeData<f64>,
     /// The coefficients of the harmonic part in the basis of the solver.
     pub harmonic_coefficients: Vec<f64>,
-    /// How well it was done.
+    /// Measured errors.
     pub quality: Quality,
 }
 
-/// What was measured of a splitting: how far it can be trusted.
-///
-/// All zero for the zero field.
+/// Measured errors of a decomposition. All are zero for the zero field.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quality {
     /// `‖u − sum of parts‖ / ‖u‖`.

@@ -1,4 +1,4 @@
-//! Splitting with one kind of function only: to see why it fails.
+//! The decomposition with one kind of function for both potentials, which fails.
 
 use crate::scale::{normalized, restore};
 use pompeiu_core::mesh::ElementData;
@@ -20,9 +20,9 @@ pub enum FunctionKind {
     Nonconforming,
 }
 
-/// Both projections of a field, onto gradients and onto rotated gradients of functions of one kind.
+/// The orthogonal projections of a field onto gradients and onto rotated gradients of one kind of function.
 ///
-/// Kept to show what goes wrong; [`HodgeSolver`](crate::HodgeSolver) is the one to use.
+/// For comparison only; use [`HodgeSolver`](crate::HodgeSolver) to decompose fields.
 ///
 /// # Limits
 /// *Conforming:* the two ranges are orthogonal but too small. What is left over is not harmonic: on a torus of 768
@@ -41,7 +41,7 @@ pub struct OneKindSolver<'s> {
     rotated: SemidefiniteCholesky,
 }
 
-/// What the two projections of a field are, and what they miss.
+/// The two projections of a field, and the remainder.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OneKindParts {
     /// The nearest gradient.

@@ -1,4 +1,4 @@
-//! What a decomposition may be asked to be.
+//! Options of a decomposition.
 
 use pompeiu_operators::{Boundary, Splitting};
 

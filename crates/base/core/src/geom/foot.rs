@@ -52,7 +52,7 @@ fn bounds_sq(foot: &Foot, points: &[[f64; 4]; 3]) -> [f64; 4] {
         let v = if v > 0.0 { v } else { 0.0 };
         let w = if w > 0.0 { w } else { 0.0 };
         let v = if v < 1.0 { v } else { 1.0 };
-        // Also where both were so large that half of the excess is rounded by more than the triangle measures.
+        // This also holds where both are so large that rounding half of the excess exceeds the size of the triangle.
         let rest = 1.0 - v;
         let w = if w < rest { w } else { rest };
         let d = [r[0] - v * e[0] - w * f[0], r[1] - v * e[1] - w * f[1], r[2] - v * e[2] - w * f[2]];

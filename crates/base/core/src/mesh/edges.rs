@@ -12,7 +12,7 @@ pub(super) struct EdgeTable {
     uses: Vec<EdgeUse>,
 }
 
-/// That a face has an edge from the vertex at hand to this greater one.
+/// One face of the edge from the lesser end at hand to this greater end.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 struct EdgeUse {
     greater_end: u32,

@@ -6,7 +6,7 @@ use super::{FaceId, TriMesh, VertexId};
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum MeshError {
-    /// There is no face, so there is no surface to measure.
+    /// The mesh has no faces.
     #[error("the mesh has no faces ({vertices} vertices)")]
     NoFaces {
         /// Number of vertices.

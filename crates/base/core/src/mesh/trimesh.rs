@@ -93,7 +93,7 @@ impl TriMesh {
 
 /// The first item that fails a check.
 fn first_failing<T: Sync>(items: &[T], check: impl Fn(&T) -> bool + Sync) -> Option<usize> {
-    /// Items looked at without stopping, so that the check can be vectorised.
+    /// Items checked without stopping, so that the check can be vectorised.
     const CHUNK: usize = 4096;
     let chunk =
         items.par_chunks(CHUNK).position_first(|chunk| !chunk.iter().fold(true, |ok, x| ok & check(x)))?;

@@ -1,4 +1,4 @@
-//! Spaces of potentials and of harmonic fields: what Helmholtz–Hodge decompositions are built of.
+//! Spaces of potentials and harmonic fields of the Helmholtz–Hodge decomposition.
 
 mod basis;
 mod spaces;

@@ -1,4 +1,4 @@
-//! Which functions potentials may be.
+//! Spaces of potentials.
 
 use crate::OperatorError;
 use crate::error::name_thin_faces;
@@ -6,9 +6,9 @@ use crate::laplacian::{cotan_laplacian, crouzeix_raviart_laplacian};
 use pompeiu_solve::SemidefiniteCholesky;
 use pompeiu_surface::{Relative, Surface, SurfaceMesh};
 
-/// Which kind of function belongs to which part.
+/// Which of the two potentials is conforming, and which is nonconforming (Crouzeix–Raviart).
 ///
-/// The two differ: the harmonic parts of one are the quarter turns of those of the other, which are other fields.
+/// The harmonic fields of one splitting are those of the other, rotated by a quarter turn; they are different fields.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Splitting {
     /// `u = G_v a + J G_e b + h`: gradients of continuous functions.
@@ -18,15 +18,15 @@ pub enum Splitting {
     Dual,
 }
 
-/// How the harmonic part meets the boundary. On closed components there is no difference.
+/// The boundary condition. It has no effect on closed components.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Boundary {
-    /// Along it: the rotated potential is zero at the boundary, so that neither the rotated gradient nor the harmonic part
-    /// flows through it (Neumann fields).
+    /// Harmonic Neumann fields, tangential to the boundary: the potential of the rotated gradient is zero at the boundary, so
+    /// that neither the rotated gradient nor the harmonic part has a normal component there.
     #[default]
     Tangential,
-    /// Straight through it: the potential of the gradient is zero at the boundary, so that neither the gradient nor the
-    /// harmonic part has a component along it (Dirichlet fields).
+    /// Harmonic Dirichlet fields, normal to the boundary: the potential of the gradient is zero at the boundary, so that
+    /// neither the gradient nor the harmonic part has a tangential component there.
     Normal,
 }
 

@@ -5,7 +5,7 @@ use crate::text::{Problem, number, quoted};
 
 /// Reads one vector from each line: three numbers with commas, semicolons or blanks between them.
 ///
-/// Empty lines and what follows a `#` are left out, and so is a first line whose words are no numbers.
+/// Empty lines, text after a `#`, and a first line whose words are not numbers are skipped.
 pub(crate) fn read_vectors(bytes: &[u8]) -> Result<Vec<[f64; 3]>, FormatError> {
     let mut vectors = Vec::new();
     let mut first = true;

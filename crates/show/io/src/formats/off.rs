@@ -16,7 +16,7 @@ pub(crate) fn is_keyword(word: &[u8]) -> bool {
     prefix(word).is_some()
 }
 
-/// The prefixes `4` and `n`, which change the number of coordinates; `None` when `word` is no keyword.
+/// The prefixes `4` and `n`, which change the number of coordinates; `None` when `word` is not a keyword.
 fn prefix(word: &[u8]) -> Option<&[u8]> {
     let mut rest = word.strip_suffix(b"OFF")?;
     for part in [&b"ST"[..], b"C", b"N"] {

@@ -14,7 +14,7 @@ pub(super) struct Buffers<'a> {
     document: &'a Document,
     binary: Option<&'a [u8]>,
     folder: Option<&'a Path>,
-    /// Those looked at so far: images may lie in others.
+    /// The buffers read so far; others may hold images only.
     loaded: Vec<OnceCell<Source>>,
     /// The bytes of those, all together.
     loaded_bytes: Cell<u64>,
@@ -26,7 +26,7 @@ impl<'a> Buffers<'a> {
         Self { document, binary, folder, loaded, loaded_bytes: Cell::new(0) }
     }
 
-    /// The number of bytes looked at beside those of the file itself.
+    /// The number of bytes read in addition to those of the file itself.
     pub(super) fn loaded_bytes(&self) -> u64 {
         self.loaded_bytes.get()
     }

@@ -48,7 +48,7 @@ pub(super) fn read(
     Ok(scene.raw)
 }
 
-/// The roots of the default scene, else of the first, else all nodes that are no child.
+/// The roots of the default scene, else of the first, else all nodes without a parent.
 fn roots(document: &Document) -> Result<Vec<usize>, FormatError> {
     if let Some(scene) = document.scene {
         return Ok(entry(&document.scenes, "scene", scene)?.nodes.clone());

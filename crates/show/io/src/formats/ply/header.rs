@@ -220,7 +220,7 @@ impl Header {
                 Problem::new(element.offset, text)
             });
         }
-        // Normals are no field.
+        // Normals are not taken for a vector field.
         let stems =
             element.properties.iter().filter_map(|p| p.name.strip_suffix(b"x")).filter(|s| *s != b"n");
         let found: Vec<([usize; 3], &[u8])> =
