@@ -38,17 +38,13 @@ from .errors import (
     SurfaceError,
     WriteError,
 )
-from .fields import HodgeDecomposition, field_audit
+from .fields import Audit, FieldParts, FieldQuality, HodgeDecomposition, Ranks, field_audit
 from .files import mesh_summary, write_mesh
 from .many import DistanceMatrix, RankReport, RankWork, Standing, distance_matrix, rank
 from .results import (
-    Audit,
     DirectedReport,
-    FieldParts,
-    FieldQuality,
     MeshSummary,
     Progress,
-    Ranks,
     SurfacePoint,
     SymmetricReport,
     Timing,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from dataclasses import dataclass, field, fields
 from typing import Any, Iterable, Mapping, Optional, Sequence, Tuple
 
@@ -10,7 +11,19 @@ from numpy.typing import NDArray
 
 from . import _native
 from .progress import ProgressLike, watching
-from .results import Direction, DirectedReport, Stop, Vec3, Witness, _Arrays, _Interval, _table, shown_bounds
+from .results import (
+    Direction,
+    DirectedReport,
+    Stop,
+    SurfacePoint,
+    Vec3,
+    Witness,
+    _Arrays,
+    _Interval,
+    _table,
+    number,
+    shown_bounds,
+)
 from .sources import MeshLike, as_mesh
 
 __all__ = [
@@ -86,6 +99,11 @@ class Histogram(_Arrays):
     bins: NDArray[np.float64]
     cumulative: NDArray[np.float64]
 
+    @classmethod
+    def _of(cls, data: Mapping[str, Any]) -> "Histogram":
+        rows = (np.array([(one["lower"], one["upper"]) for one in data[name]], float) for name in ("bins", "cumulative"))
+        return cls(np.array(data["edges"], float), *(row.reshape(-1, 2) for row in rows))
+
 
 @dataclass(frozen=True)
 class Statistics:
@@ -127,22 +145,22 @@ class Statistics:
         return _table("deviation", self._rows())
 
     @classmethod
-    def _of(cls, data: Optional[Mapping[str, Any]]) -> "Optional[Statistics]":
+    def _of(cls, data: Optional[Mapping[str, Any]], threshold: Optional[float]) -> "Optional[Statistics]":
         if data is None:
             return None
-        above = data["above"]
+        share = data.get("share_above_threshold")
         return cls(
-            area=data["area"],
-            mean=Enclosure(*data["mean"]),
-            rms=Enclosure(*data["rms"]),
+            area=number(data["area"]),
+            mean=Enclosure(**data["mean"]),
+            rms=Enclosure(**data["rms"]),
             percentiles=_percentiles(data["percentiles"]),
-            above=above and ShareAbove(above[0], Enclosure(*above[1])),
-            histogram=Histogram(**data["histogram"]),
+            above=None if share is None or threshold is None else ShareAbove(threshold, Enclosure(**share)),
+            histogram=Histogram._of(data["histogram"]),
         )
 
 
-def _percentiles(data: Iterable[Any]) -> Tuple[Percentile, ...]:
-    return tuple(Percentile(share, Enclosure(*ends)) for share, ends in data)
+def _percentiles(data: Iterable[Mapping[str, float]]) -> Tuple[Percentile, ...]:
+    return tuple(Percentile(one["share"], Enclosure(one["lower"], one["upper"])) for one in data)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -181,8 +199,17 @@ class Region(_Arrays):
         return {f.name: _plain(getattr(self, f.name)) for f in fields(self)}
 
     @classmethod
-    def _of(cls, data: Mapping[str, Any]) -> "Region":
-        return cls(**{**data, "peak": Enclosure(*data["peak"]), "witness": Witness._of(data["witness"])})
+    def _of(cls, data: Mapping[str, Any], faces: NDArray[np.uint32]) -> "Region":
+        return cls(
+            faces=faces,
+            area=number(data["area"]),
+            centre=tuple(data["centre"]),
+            lower_corner=tuple(data["lowest"]),
+            upper_corner=tuple(data["highest"]),
+            peak=Enclosure(**data["peak"]),
+            witness=Witness(SurfacePoint._of(data["at"]), SurfacePoint._of(data["nearest"])),
+            level=data["level"],
+        )
 
 
 @dataclass(frozen=True)
@@ -285,16 +312,22 @@ class DirectedDeviation(_Arrays):
         return _table("deviation", self._rows())
 
     @classmethod
-    def _of(cls, data: Mapping[str, Any]) -> "DirectedDeviation":
+    def _of(cls, data: Mapping[str, Any], beside: Mapping[str, Any], threshold: Optional[float]) -> "DirectedDeviation":
+        """From what is serialised, and the arrays beside it."""
+        regions = (
+            tuple(map(Region._of, data.get(name, ()), beside[faces]))
+            for name, faces in (("regions", "region_faces"), ("beyond_threshold", "beyond_threshold_faces"))
+        )
+        named = {f.name for f in fields(cls)}
         return cls(
-            **{
-                **data,
-                "distance": DirectedReport._of(data["distance"]),
-                "statistics": Statistics._of(data["statistics"]),
-                "regions": tuple(map(Region._of, data["regions"])),
-                "beyond_threshold": tuple(map(Region._of, data["beyond_threshold"])),
-                "work": DeviationWork(**data["work"]),
-            }
+            **{name: value for name, value in beside.items() if name in named and name != "timing"},
+            distance=DirectedReport._of(json.loads(beside["largest"])),
+            statistics=Statistics._of(data["statistics"], threshold),
+            regions=next(regions),
+            beyond_threshold=next(regions),
+            stop=data["stop"],
+            work=DeviationWork(**data["work"]),
+            timing=dict(zip(("build", "search", "refine"), beside["timing"])),
         )
 
 
@@ -337,15 +370,16 @@ class Deviation(_Arrays, _Interval):
         return _table("deviation", rows)
 
     @classmethod
-    def _of(cls, data: Mapping[str, Any]) -> "Deviation":
+    def _of(
+        cls, data: Mapping[str, Any], there: Mapping[str, Any], back: Mapping[str, Any], threshold: Optional[float]
+    ) -> "Deviation":
         greater = data["greater_percentiles"]
         return cls(
-            lower=data["lower"],
-            upper=data["upper"],
-            a_to_b=DirectedDeviation._of(data["a_to_b"]),
-            b_to_a=DirectedDeviation._of(data["b_to_a"]),
+            **data["distance"],
+            a_to_b=DirectedDeviation._of(data["a_to_b"], there, threshold),
+            b_to_a=DirectedDeviation._of(data["b_to_a"], back, threshold),
             greater_percentiles=None if greater is None else _percentiles(greater),
-            pooled=Statistics._of(data["pooled"]),
+            pooled=Statistics._of(data["pooled"], threshold),
         )
 
 
@@ -430,7 +464,8 @@ def deviation(
     )
     a, b = as_mesh(a), as_mesh(b)
     with watching(progress) as watch:
-        return Deviation._of(_native.deviation(a, b, options, watch))
+        text, there, back = _native.deviation(a, b, options, watch)
+    return Deviation._of(json.loads(text), there, back, threshold)
 
 
 def directed_deviation(
@@ -465,7 +500,8 @@ def directed_deviation(
     )
     a, b = as_mesh(a), as_mesh(b)
     with watching(progress) as watch:
-        return DirectedDeviation._of(_native.directed_deviation(a, b, options, watch))
+        text, beside = _native.directed_deviation(a, b, options, watch)
+    return DirectedDeviation._of(json.loads(text), beside, threshold)
 
 
 def _options(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from typing import Any, Literal, Optional, Tuple, Union
 
 from . import _native
@@ -147,7 +148,7 @@ def hausdorff(
             raise TypeError("a Target answers for one direction; use directed_hausdorff, or hand in the mesh")
     a, b = as_mesh(a), as_mesh(b)
     with watching(progress) as watch:
-        return SymmetricReport._of(_native.hausdorff(a, b, options, watch))
+        return SymmetricReport._of(json.loads(_native.hausdorff(a, b, options, watch)))
 
 
 def directed_hausdorff(
@@ -190,5 +191,5 @@ def directed_hausdorff(
         b = as_mesh(b)
     with watching(progress) as watch:
         if isinstance(b, Target):
-            return DirectedReport._of(b._native.directed_from(a, options, watch))
-        return DirectedReport._of(_native.directed_hausdorff(a, b, options, watch))
+            return DirectedReport._of(json.loads(b._native.directed_from(a, options, watch)))
+        return DirectedReport._of(json.loads(_native.directed_hausdorff(a, b, options, watch)))

@@ -2,19 +2,139 @@
 
 from __future__ import annotations
 
-from typing import Any, Iterable, List, Literal
+import json
+from dataclasses import asdict, dataclass, fields
+from typing import Any, Iterable, List, Literal, Mapping
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native
-from .results import Audit, FieldParts
+from .results import _Arrays, _table
 from .sources import MeshLike, as_mesh
 
-__all__ = ["HodgeDecomposition", "field_audit"]
+__all__ = ["Audit", "FieldParts", "FieldQuality", "HodgeDecomposition", "Ranks", "field_audit"]
 
 Splitting = Literal["primal", "dual"]
 Boundary = Literal["tangential", "normal"]
+
+
+@dataclass(frozen=True)
+class Ranks:
+    """Dimensions of the gradients and of the rotated gradients, and what they leave over."""
+
+    gradient: int
+    rotated: int
+    left_over: int
+
+
+@dataclass(frozen=True)
+class Audit:
+    """How the dimensions of the spaces of a splitting add up, and how they do not with one kind of function only.
+
+    Counted from the numbers of elements. ``mixed`` is what :class:`pompeiu.HodgeDecomposition` uses; ``conforming`` takes
+    continuous functions for both potentials, ``nonconforming`` functions that agree at midpoints of edges.
+    """
+
+    degrees_of_freedom: int
+    harmonic: int
+    mixed: Ranks
+    conforming: Ranks
+    nonconforming: Ranks
+    adds_up: bool
+
+    def to_dict(self) -> "dict[str, Any]":
+        """A dictionary of plain values."""
+        return asdict(self)
+
+    @classmethod
+    def _of(cls, data: Mapping[str, Any]) -> "Audit":
+        counted = data["degrees_of_freedom"]
+        ranks = {name: Ranks(**counted[name]) for name in ("mixed", "conforming", "nonconforming")}
+        harmonic = data["harmonic_dimension"]
+        return cls(counted["total"], harmonic, **ranks, adds_up=ranks["mixed"].left_over == harmonic)
+
+
+@dataclass(frozen=True)
+class FieldQuality:
+    """What was measured of a splitting: how far it can be trusted.
+
+    Attributes
+    ----------
+    residual : float
+        Norm of the field less its three parts, over the norm of the field.
+    part_error : float
+        No part is farther from the true one than this, over the norm of the field.
+    gradient_rotated, gradient_harmonic, rotated_harmonic : float
+        Inner products of the parts over the squared norm of the field; zero in exact arithmetic.
+    field_norm, gradient_norm, rotated_norm, harmonic_norm : float
+        Norms: roots of integrals of squared lengths.
+    """
+
+    residual: float
+    part_error: float
+    gradient_rotated: float
+    gradient_harmonic: float
+    rotated_harmonic: float
+    field_norm: float
+    gradient_norm: float
+    rotated_norm: float
+    harmonic_norm: float
+
+    def to_dict(self) -> "dict[str, Any]":
+        """A dictionary of plain values."""
+        return asdict(self)
+
+    @classmethod
+    def _of(cls, data: Mapping[str, Any]) -> "FieldQuality":
+        norms = {f"{part}_norm": norm for part, norm in data["norms"].items()}
+        return cls(data["residual"], data["part_error"], **data["inner_products"], **norms)
+
+    def _repr_html_(self) -> str:
+        return _table("splitting", [(f.name.replace("_", " "), f"{getattr(self, f.name):.6g}") for f in fields(self)])
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class FieldParts(_Arrays):
+    """A tangent field as the sum of three orthogonal parts.
+
+    Attributes
+    ----------
+    gradient, rotated, harmonic : ndarray, float64, shape (m, 3)
+        The gradient, the rotated gradient and the harmonic part: one vector in space for each face.
+    vertex_potential : ndarray, float64, shape (n,)
+        Potential at vertices: of the gradient in the primal splitting, of the rotated gradient in the dual.
+    edge_potential : ndarray, float64, shape (e,)
+        Potential at midpoints of edges, in the order of :attr:`pompeiu.HodgeDecomposition.edges`: of the other of the two.
+    harmonic_coefficients : ndarray, float64, shape (k,)
+        Coefficients of the harmonic part in the orthonormal basis of harmonic fields.
+    normal_part : float
+        Length of the longest part of the given vectors along the normal, which was left out.
+    quality : FieldQuality
+        How far the parts can be trusted.
+    """
+
+    gradient: NDArray[np.float64]
+    rotated: NDArray[np.float64]
+    harmonic: NDArray[np.float64]
+    vertex_potential: NDArray[np.float64]
+    edge_potential: NDArray[np.float64]
+    harmonic_coefficients: NDArray[np.float64]
+    normal_part: float
+    quality: FieldQuality
+
+    def to_dict(self) -> "dict[str, Any]":
+        """A dictionary of lists and numbers, ready for ``json.dumps``."""
+        arrays = {f.name: getattr(self, f.name) for f in fields(self)}
+        plain = {name: value.tolist() if isinstance(value, np.ndarray) else value for name, value in arrays.items()}
+        return {**plain, "quality": self.quality.to_dict()}
+
+    def _repr_html_(self) -> str:
+        return self.quality._repr_html_()
+
+    @classmethod
+    def _of(cls, data: Mapping[str, Any]) -> "FieldParts":
+        return cls(**{**data, "quality": FieldQuality._of(json.loads(data["quality"]))})
 
 
 class HodgeDecomposition:
@@ -101,7 +221,7 @@ class HodgeDecomposition:
     @property
     def audit(self) -> Audit:
         """The degrees of freedom, counted; see :func:`field_audit`."""
-        return Audit._of(self._native.audit())
+        return Audit._of(json.loads(self._native.audit()))
 
     def __repr__(self) -> str:
         faces, splitting, boundary = self._shape
@@ -119,4 +239,4 @@ def field_audit(mesh: MeshLike, boundary: Boundary = "tangential") -> Audit:
     SurfaceError
         If the mesh is no oriented manifold.
     """
-    return Audit._of(_native.audit(as_mesh(mesh), boundary))
+    return Audit._of(json.loads(_native.audit(as_mesh(mesh), boundary)))

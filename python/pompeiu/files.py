@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 from typing import Any, Mapping, Optional
 
@@ -66,4 +67,4 @@ def mesh_summary(mesh: MeshLike) -> MeshSummary:
     mesh : MeshLike
         See :func:`pompeiu.as_mesh`.
     """
-    return MeshSummary(**as_mesh(mesh)._summary())
+    return MeshSummary._of(json.loads(as_mesh(mesh)._summary()))

@@ -68,25 +68,19 @@ class Standing:
         return dict(vars(self))
 
     @classmethod
-    def _of(cls, data: Mapping[str, Any]) -> "Standing":
-        status, bound, message = data["status"], None, None
-        if isinstance(status, dict):
-            ((status, why),) = status.items()
-            if status == "failed":
-                message = why
-            else:
-                bound = why if isinstance(why, str) else next(iter(why))
-        tuples = {name: data[name] and tuple(data[name]) for name in ("ranks", "size")}
+    def _of(cls, data: Mapping[str, Any], target: int) -> "Standing":
+        both = lambda *names: None if data[names[0]] is None else tuple(data[name] for name in names)  # noqa: E731
         return cls(
-            target=data["target"],
-            name=data["name"],
-            status=status,
+            target=target,
+            name=data["path"],
+            status=data["status"],
+            ranks=both("rank_first", "rank_last"),
             lower=data["lower"],
             upper=data["upper"],
-            bound=bound,
-            message=message,
+            bound=data["discarded_by"],
+            message=data["message"],
+            size=both("vertices", "faces"),
             transform=data["transform"] and tuple(map(tuple, data["transform"])),
-            **tuples,
         )
 
 
@@ -155,10 +149,11 @@ class RankReport:
         return _table("distance from the template", rows)
 
     @classmethod
-    def _of(cls, text: str, finished: bool = True) -> "RankReport":
+    def _of(cls, text: str, places: Iterable[int], finished: bool = True) -> "RankReport":
+        """From what is serialised, and the place of each target in it."""
         data = json.loads(text)
         work = {**data["work"], "searches": tuple(map(tuple, data["work"]["searches"]))}
-        return cls(tuple(map(Standing._of, data["standings"])), RankWork(**work), finished)
+        return cls(tuple(map(Standing._of, data["standings"], places)), RankWork(**work), finished)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -299,8 +294,8 @@ def rank(
     names, sources = named(targets, names)
     meshes = [s if isinstance(s, (str, os.PathLike)) else as_mesh(s) for s in sources]
     with watching_steps(progress, "targets settled") as watch:
-        text, finished = _native.rank_meshes(as_mesh(template), meshes, names, options, threads, watch)
-    return RankReport._of(text, finished)
+        told = _native.rank_meshes(as_mesh(template), meshes, names, options, threads, watch)
+    return RankReport._of(*told)
 
 
 def distance_matrix(

@@ -173,11 +173,11 @@ def rank(
             try:
                 outcomes = _in_order((submission(*task) for task in tasks), places, done)
             except _Stopped:
-                return RankReport._of(ranking.report(), finished=False)
+                return RankReport._of(*ranking.report(), finished=False)
             ranking.merge(outcomes)
             for target in [target for target in store if not ranking.wants(target)]:
                 del store[target]
-    return RankReport._of(ranking.report())
+    return RankReport._of(*ranking.report())
 
 
 def distance_matrix(

@@ -1,4 +1,4 @@
-"""Answers: small, immutable, comparable, and able to be pickled.
+"""Answers that several modules share: small, immutable, comparable, and able to be pickled.
 
 Times do not count when two answers are compared; everything else does, to the last bit.
 """
@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import decimal
 import html
+import math
 from dataclasses import asdict, dataclass, field, fields
 from typing import Any, Literal, Mapping, Optional, Tuple
 
@@ -14,13 +15,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 __all__ = [
-    "Audit",
     "DirectedReport",
-    "FieldParts",
-    "FieldQuality",
     "MeshSummary",
     "Progress",
-    "Ranks",
     "SurfacePoint",
     "SymmetricReport",
     "Timing",
@@ -56,6 +53,11 @@ def shown_bounds(lower: float, upper: float) -> str:
 
 def _point(position: Vec3) -> str:
     return "({:.6g}, {:.6g}, {:.6g})".format(*position)
+
+
+def number(value: Optional[float]) -> float:
+    """A size, for which JSON has null where it exceeds the range of double precision."""
+    return math.inf if value is None else value
 
 
 class _Interval:
@@ -103,7 +105,7 @@ class SurfacePoint:
 
     @classmethod
     def _of(cls, data: Mapping[str, Any]) -> "SurfacePoint":
-        return cls(**data)
+        return cls(data["face"], tuple(data["barycentric"]), tuple(data["position"]))
 
 
 @dataclass(frozen=True)
@@ -127,7 +129,7 @@ class Witness:
 
     @classmethod
     def _of(cls, data: Mapping[str, Any]) -> "Witness":
-        return cls(SurfacePoint._of(data["from_"]), SurfacePoint._of(data["to"]))
+        return cls(SurfacePoint._of(data["from"]), SurfacePoint._of(data["to"]))
 
 
 @dataclass(frozen=True)
@@ -218,7 +220,7 @@ class DirectedReport(_Interval):
             stop=data["stop"],
             tolerance=data["tolerance"],
             work=WorkCount(**data["work"]),
-            timing=Timing(**data["timing"]),
+            timing=Timing(**{part: span / 1000 for part, span in data["timing_ms"].items()}),
         )
 
 
@@ -334,76 +336,18 @@ class MeshSummary:
         """A dictionary of plain values."""
         return asdict(self)
 
+    @classmethod
+    def _of(cls, data: Mapping[str, Any]) -> "MeshSummary":
+        box = data["bounding_box"]
+        others = {name: value for name, value in data.items() if name != "bounding_box"}
+        return cls(
+            **{**others, "area": number(data["area"])},
+            lower_corner=tuple(box["lower"]),
+            upper_corner=tuple(box["upper"]),
+        )
+
     def _repr_html_(self) -> str:
         return _table("mesh", [(f.name.replace("_", " "), str(getattr(self, f.name))) for f in fields(self)])
-
-
-@dataclass(frozen=True)
-class Ranks:
-    """Dimensions of the gradients and of the rotated gradients, and what they leave over."""
-
-    gradient: int
-    rotated: int
-    left_over: int
-
-
-@dataclass(frozen=True)
-class Audit:
-    """How the dimensions of the spaces of a splitting add up, and how they do not with one kind of function only.
-
-    Counted from the numbers of elements. ``mixed`` is what :class:`pompeiu.HodgeDecomposition` uses; ``conforming`` takes
-    continuous functions for both potentials, ``nonconforming`` functions that agree at midpoints of edges.
-    """
-
-    degrees_of_freedom: int
-    harmonic: int
-    mixed: Ranks
-    conforming: Ranks
-    nonconforming: Ranks
-    adds_up: bool
-
-    def to_dict(self) -> "dict[str, Any]":
-        """A dictionary of plain values."""
-        return asdict(self)
-
-    @classmethod
-    def _of(cls, data: Mapping[str, Any]) -> "Audit":
-        ranks = {name: Ranks(**data[name]) for name in ("mixed", "conforming", "nonconforming")}
-        return cls(**{**data, **ranks})
-
-
-@dataclass(frozen=True)
-class FieldQuality:
-    """What was measured of a splitting: how far it can be trusted.
-
-    Attributes
-    ----------
-    residual : float
-        Norm of the field less its three parts, over the norm of the field.
-    part_error : float
-        No part is farther from the true one than this, over the norm of the field.
-    gradient_rotated, gradient_harmonic, rotated_harmonic : float
-        Inner products of the parts over the squared norm of the field; zero in exact arithmetic.
-    field_norm, gradient_norm, rotated_norm, harmonic_norm : float
-        Norms: roots of integrals of squared lengths.
-    """
-
-    residual: float
-    part_error: float
-    gradient_rotated: float
-    gradient_harmonic: float
-    rotated_harmonic: float
-    field_norm: float
-    gradient_norm: float
-    rotated_norm: float
-    harmonic_norm: float
-
-    def to_dict(self) -> "dict[str, Any]":
-        """A dictionary of plain values."""
-        return asdict(self)
-
-    def _repr_html_(self) -> str:
-        return _table("splitting", [(f.name.replace("_", " "), f"{getattr(self, f.name):.6g}") for f in fields(self)])
 
 
 class _Arrays:
@@ -431,46 +375,3 @@ class _Arrays:
             value = getattr(self, f.name)
             shown.append(f"{f.name}=<{value.dtype} {value.shape}>" if isinstance(value, np.ndarray) else f"{f.name}={value!r}")
         return f"{type(self).__name__}({', '.join(shown)})"
-
-
-@dataclass(frozen=True, eq=False, repr=False)
-class FieldParts(_Arrays):
-    """A tangent field as the sum of three orthogonal parts.
-
-    Attributes
-    ----------
-    gradient, rotated, harmonic : ndarray, float64, shape (m, 3)
-        The gradient, the rotated gradient and the harmonic part: one vector in space for each face.
-    vertex_potential : ndarray, float64, shape (n,)
-        Potential at vertices: of the gradient in the primal splitting, of the rotated gradient in the dual.
-    edge_potential : ndarray, float64, shape (e,)
-        Potential at midpoints of edges, in the order of :attr:`pompeiu.HodgeDecomposition.edges`: of the other of the two.
-    harmonic_coefficients : ndarray, float64, shape (k,)
-        Coefficients of the harmonic part in the orthonormal basis of harmonic fields.
-    normal_part : float
-        Length of the longest part of the given vectors along the normal, which was left out.
-    quality : FieldQuality
-        How far the parts can be trusted.
-    """
-
-    gradient: NDArray[np.float64]
-    rotated: NDArray[np.float64]
-    harmonic: NDArray[np.float64]
-    vertex_potential: NDArray[np.float64]
-    edge_potential: NDArray[np.float64]
-    harmonic_coefficients: NDArray[np.float64]
-    normal_part: float
-    quality: FieldQuality
-
-    def to_dict(self) -> "dict[str, Any]":
-        """A dictionary of lists and numbers, ready for ``json.dumps``."""
-        arrays = {f.name: getattr(self, f.name) for f in fields(self)}
-        plain = {name: value.tolist() if isinstance(value, np.ndarray) else value for name, value in arrays.items()}
-        return {**plain, "quality": self.quality.to_dict()}
-
-    def _repr_html_(self) -> str:
-        return self.quality._repr_html_()
-
-    @classmethod
-    def _of(cls, data: Mapping[str, Any]) -> "FieldParts":
-        return cls(**{**data, "quality": FieldQuality(**data["quality"])})

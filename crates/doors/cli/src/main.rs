@@ -12,6 +12,8 @@ mod numbers;
 mod page;
 mod pair;
 mod printer;
+#[cfg(test)]
+mod schema;
 mod threads;
 mod wait;
 

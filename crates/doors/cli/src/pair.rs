@@ -7,12 +7,18 @@ use anyhow::bail;
 use pompeiu::core::TriMesh;
 use pompeiu::core::mesh::unreferenced_vertices;
 use pompeiu::io::ReadMesh;
+use serde::Serialize;
 use std::path::Path;
 
 /// A mesh file that was measured.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub(crate) struct File {
+    /// The path as it was given.
     pub(crate) path: String,
+    /// Number of vertices.
     pub(crate) vertices: usize,
+    /// Number of faces.
     pub(crate) faces: usize,
 }
 

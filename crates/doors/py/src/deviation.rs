@@ -2,15 +2,16 @@
 
 use crate::arrays::array_of_rows;
 use crate::errors::Raise;
+use crate::json::written;
 use crate::mesh::Mesh;
 use crate::query::limits;
-use crate::report::{Directed, Pair};
 use crate::wait;
 use numpy::{IntoPyArray, PyArray1, PyArray2};
 use pompeiu::core::run::Limits;
-use pompeiu::hausdorff::deviation::{self as library, DeviationOptions, DirectedDeviation, FaceDeviation};
-use pompeiu::hausdorff::{Direction, Enclosure};
+use pompeiu::hausdorff::Enclosure;
+use pompeiu::hausdorff::deviation::{DeviationOptions, DirectedDeviation, FaceDeviation, Region};
 use pyo3::prelude::*;
+use std::mem;
 
 /// The options of a question, from a dictionary.
 #[derive(FromPyObject)]
@@ -50,101 +51,28 @@ impl Options {
     }
 }
 
-type Ends = (f64, f64);
-
-fn ends(enclosure: &Enclosure) -> Ends {
-    (enclosure.lower(), enclosure.upper())
-}
-
 fn row(enclosure: &Enclosure) -> [f64; 2] {
-    ends(enclosure).into()
+    [enclosure.lower(), enclosure.upper()]
 }
 
-#[derive(IntoPyObject)]
-struct Histogram<'py> {
-    edges: Bound<'py, PyArray1<f64>>,
-    bins: Bound<'py, PyArray2<f64>>,
-    cumulative: Bound<'py, PyArray2<f64>>,
-}
+/// An array of faces for each region.
+type Faces<'py> = Vec<Bound<'py, PyArray1<u32>>>;
 
-#[derive(IntoPyObject)]
-struct Statistics<'py> {
-    area: f64,
-    mean: Ends,
-    rms: Ends,
-    percentiles: Vec<(f64, Ends)>,
-    above: Option<(f64, Ends)>,
-    histogram: Histogram<'py>,
-}
-
-impl<'py> Statistics<'py> {
-    fn new(py: Python<'py>, statistics: library::Statistics) -> PyResult<Self> {
-        let histogram = statistics.histogram;
-        Ok(Self {
-            area: statistics.area,
-            mean: ends(&statistics.mean),
-            rms: ends(&statistics.rms),
-            percentiles: percentiles(&statistics.percentiles),
-            above: statistics.above.map(|above| (above.threshold, ends(&above.share))),
-            histogram: Histogram {
-                edges: histogram.edges.into_pyarray(py),
-                bins: array_of_rows(py, histogram.bins.iter().map(row).collect())?,
-                cumulative: array_of_rows(py, histogram.cumulative.iter().map(row).collect())?,
-            },
-        })
-    }
-}
-
-fn percentiles(percentiles: &[library::Percentile]) -> Vec<(f64, Ends)> {
-    percentiles.iter().map(|p| (p.share, ends(&p.distance))).collect()
-}
-
-#[derive(IntoPyObject)]
-struct Region<'py> {
-    faces: Bound<'py, PyArray1<u32>>,
-    area: f64,
-    centre: (f64, f64, f64),
-    lower_corner: (f64, f64, f64),
-    upper_corner: (f64, f64, f64),
-    peak: Ends,
-    witness: Pair,
-    level: f64,
-}
-
-fn regions(py: Python<'_>, regions: Vec<library::Region>) -> Vec<Region<'_>> {
-    let region = |region: library::Region| Region {
-        faces: region.faces.iter().map(|face| face.0).collect::<Vec<_>>().into_pyarray(py),
-        area: region.area,
-        centre: region.centre.into(),
-        lower_corner: region.aabb.lower.into(),
-        upper_corner: region.aabb.upper.into(),
-        peak: ends(&region.peak),
-        witness: region.witness.into(),
-        level: region.level,
+/// Takes the faces out of regions, so that they pass as arrays.
+fn faces<'py>(py: Python<'py>, regions: &mut [Region]) -> Faces<'py> {
+    let of_region = |region: &mut Region| {
+        let faces: Vec<u32> = mem::take(&mut region.faces).into_iter().map(|face| face.0).collect();
+        faces.into_pyarray(py)
     };
-    regions.into_iter().map(region).collect()
+    regions.iter_mut().map(of_region).collect()
 }
 
+/// What of a report passes beside its JSON: arrays, and what that leaves out.
 #[derive(IntoPyObject)]
-struct Work {
-    pieces: u64,
-    looks: u64,
-    distances: u64,
-    rounds: u32,
-}
-
-#[derive(IntoPyObject)]
-struct Seconds {
-    build: f64,
-    search: f64,
-    refine: f64,
-}
-
-#[derive(IntoPyObject)]
-pub(crate) struct OneWay<'py> {
+pub(crate) struct Beside<'py> {
     direction: &'static str,
-    distance: Directed,
-    statistics: Option<Statistics<'py>>,
+    /// The report of the largest distance, as JSON.
+    largest: String,
     face_max: Bound<'py, PyArray2<f64>>,
     face_min: Bound<'py, PyArray2<f64>>,
     face_mean: Bound<'py, PyArray2<f64>>,
@@ -153,15 +81,19 @@ pub(crate) struct OneWay<'py> {
     signed_vertex_distances: Option<Bound<'py, PyArray1<f64>>>,
     vertex_winding: Option<Bound<'py, PyArray1<f64>>>,
     face_winding: Option<Bound<'py, PyArray1<f64>>>,
-    regions: Vec<Region<'py>>,
-    beyond_threshold: Vec<Region<'py>>,
-    stop: &'static str,
-    work: Work,
-    timing: Seconds,
+    region_faces: Faces<'py>,
+    beyond_threshold_faces: Faces<'py>,
+    /// Seconds spent on building, searching and refining.
+    timing: (f64, f64, f64),
 }
 
-impl<'py> OneWay<'py> {
-    fn new(py: Python<'py>, report: DirectedDeviation) -> PyResult<Self> {
+impl<'py> Beside<'py> {
+    /// Once the JSON is written, which needs the sides.
+    fn new(
+        py: Python<'py>,
+        report: DirectedDeviation,
+        [region_faces, beyond_threshold_faces]: [Faces<'py>; 2],
+    ) -> PyResult<Self> {
         let of_faces = |end: fn(&FaceDeviation) -> &Enclosure| {
             array_of_rows(py, report.faces.iter().map(|face| row(end(face))).collect())
         };
@@ -169,46 +101,27 @@ impl<'py> OneWay<'py> {
         let (vertex_winding, face_winding) =
             report.sides.map(|sides| (sides.vertex_winding, sides.face_winding)).unzip();
         Ok(Self {
-            direction: match report.direction {
-                Direction::AToB => "a_to_b",
-                Direction::BToA => "b_to_a",
-            },
+            direction: wait::direction(report.direction),
+            largest: written(&report.distance)?,
             face_max: of_faces(|face| &face.max)?,
             face_min: of_faces(|face| &face.min)?,
             face_mean: of_faces(|face| &face.mean)?,
-            distance: report.distance.into(),
-            statistics: report.statistics.map(|statistics| Statistics::new(py, statistics)).transpose()?,
             vertex_distances: report.vertices.into_pyarray(py),
             vertex_error: report.vertex_error,
             signed_vertex_distances: signed.map(|distances| distances.into_pyarray(py)),
             vertex_winding: vertex_winding.map(|numbers| numbers.into_pyarray(py)),
             face_winding: face_winding.map(|numbers| numbers.into_pyarray(py)),
-            regions: regions(py, report.regions),
-            beyond_threshold: regions(py, report.beyond_threshold),
-            stop: report.stop.name(),
-            work: Work {
-                pieces: report.work.pieces,
-                looks: report.work.looks,
-                distances: report.work.distances,
-                rounds: report.work.rounds,
-            },
-            timing: Seconds {
-                build: report.work.build.as_secs_f64(),
-                search: report.work.search.as_secs_f64(),
-                refine: report.work.refine.as_secs_f64(),
-            },
+            region_faces,
+            beyond_threshold_faces,
+            timing: [report.work.build, report.work.search, report.work.refine]
+                .map(|span| span.as_secs_f64())
+                .into(),
         })
     }
 }
 
-#[derive(IntoPyObject)]
-pub(crate) struct BothWays<'py> {
-    lower: f64,
-    upper: f64,
-    a_to_b: OneWay<'py>,
-    b_to_a: OneWay<'py>,
-    greater_percentiles: Option<Vec<(f64, Ends)>>,
-    pooled: Option<Statistics<'py>>,
+fn faces_of<'py>(py: Python<'py>, report: &mut DirectedDeviation) -> [Faces<'py>; 2] {
+    [faces(py, &mut report.regions), faces(py, &mut report.beyond_threshold)]
 }
 
 /// How far A deviates from B.
@@ -219,13 +132,15 @@ pub(crate) fn directed_deviation<'py>(
     b: &Bound<'py, Mesh>,
     options: Options,
     progress: Option<&Bound<'py, PyAny>>,
-) -> PyResult<OneWay<'py>> {
+) -> PyResult<(String, Beside<'py>)> {
     let options = options.options()?;
     let (a, b) = (a.get(), b.get());
     let report = wait::run(py, progress, |watch| {
         DeviationOptions { observer: Some(watch), ..options }.directed(a.inner(), b.inner())
     })?;
-    OneWay::new(py, report.map_err(Raise::raise)?)
+    let mut report = report.map_err(Raise::raise)?;
+    let faces = faces_of(py, &mut report);
+    Ok((written(&report)?, Beside::new(py, report, faces)?))
 }
 
 /// How far A and B deviate from each other.
@@ -236,19 +151,14 @@ pub(crate) fn deviation<'py>(
     b: &Bound<'py, Mesh>,
     options: Options,
     progress: Option<&Bound<'py, PyAny>>,
-) -> PyResult<BothWays<'py>> {
+) -> PyResult<(String, Beside<'py>, Beside<'py>)> {
     let options = options.options()?;
     let (a, b) = (a.get(), b.get());
     let report = wait::run(py, progress, |watch| {
         DeviationOptions { observer: Some(watch), ..options }.symmetric(a.inner(), b.inner())
-    })?
-    .map_err(Raise::raise)?;
-    Ok(BothWays {
-        lower: report.distance.lower(),
-        upper: report.distance.upper(),
-        a_to_b: OneWay::new(py, report.a_to_b)?,
-        b_to_a: OneWay::new(py, report.b_to_a)?,
-        greater_percentiles: report.greater_percentiles.as_deref().map(percentiles),
-        pooled: report.pooled.map(|statistics| Statistics::new(py, statistics)).transpose()?,
-    })
+    })?;
+    let mut report = report.map_err(Raise::raise)?;
+    let [there, back] = [faces_of(py, &mut report.a_to_b), faces_of(py, &mut report.b_to_a)];
+    let text = written(&report)?;
+    Ok((text, Beside::new(py, report.a_to_b, there)?, Beside::new(py, report.b_to_a, back)?))
 }

@@ -2,8 +2,8 @@
 
 use crate::arrays::{array_of_rows, vectors};
 use crate::errors::{Raise, UnknownOption};
+use crate::json::written;
 use crate::mesh::Mesh;
-use crate::report::{Dimensions, Quality};
 use numpy::{IntoPyArray, PyArray1, PyArray2};
 use pompeiu::core::mesh::FaceData;
 use pompeiu::fields::{Audit, Decomposition, DecompositionOptions, HodgeSolver};
@@ -45,12 +45,12 @@ fn boundary(name: &str) -> PyResult<Boundary> {
 
 /// The degrees of freedom of a surface, counted.
 #[pyfunction]
-pub(crate) fn audit(mesh: &Bound<'_, Mesh>, boundary: &str) -> PyResult<Dimensions> {
+pub(crate) fn audit(mesh: &Bound<'_, Mesh>, boundary: &str) -> PyResult<String> {
     let surface = SurfaceMesh::new(mesh.get().inner()).map_err(|error| {
         let error: pompeiu::surface::GeometryError = error.into();
         error.raise()
     })?;
-    Ok(Audit::of(&surface, self::boundary(boundary)?).into())
+    written(&Audit::of(&surface, self::boundary(boundary)?))
 }
 
 /// The three parts of a field, in space, with what they are made of.
@@ -63,7 +63,7 @@ pub(crate) struct Parts<'py> {
     edge_potential: Bound<'py, PyArray1<f64>>,
     harmonic_coefficients: Bound<'py, PyArray1<f64>>,
     normal_part: f64,
-    quality: Quality,
+    quality: String,
 }
 
 /// A surface made ready to split fields: factored once.
@@ -97,7 +97,7 @@ impl HodgeDecomposition {
             edge_potential: parts.edge_potential.into_vec().into_pyarray(py),
             harmonic_coefficients: parts.harmonic_coefficients.into_pyarray(py),
             normal_part,
-            quality: parts.quality.into(),
+            quality: written(&parts.quality)?,
         })
     }
 }
@@ -157,7 +157,7 @@ impl HodgeDecomposition {
         self.0.borrow_dependent().basis().dimension()
     }
 
-    fn audit(&self) -> Dimensions {
-        Audit::of(self.surface().mesh(), self.0.borrow_dependent().boundary()).into()
+    fn audit(&self) -> PyResult<String> {
+        written(&Audit::of(self.surface().mesh(), self.0.borrow_dependent().boundary()))
     }
 }

@@ -8,10 +8,10 @@ mod deviation;
 mod errors;
 mod fields;
 mod files;
+mod json;
 mod many;
 mod mesh;
 mod query;
-mod report;
 mod shapes;
 mod wait;
 

@@ -5,6 +5,7 @@
 
 use crate::arrays::array_of_square;
 use crate::errors::{InternalError, Raise};
+use crate::json::{parsed, written};
 use crate::mesh::Mesh;
 use crate::wait::{self, Told, Watch};
 use numpy::PyArray2;
@@ -16,19 +17,9 @@ use pompeiu::matching::rank::{self, Options, Outcome, Task};
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 use rayon::prelude::*;
-use serde::Serialize;
-use serde::de::DeserializeOwned;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
-
-fn parsed<T: DeserializeOwned>(text: &str) -> PyResult<T> {
-    serde_json::from_str(text).map_err(|error| InternalError::Parse(error).raise())
-}
-
-fn written<T: Serialize>(value: &T) -> PyResult<String> {
-    serde_json::to_string(value).map_err(|error| InternalError::Parse(error).raise())
-}
 
 /// Runs work on so many threads, or on those there are.
 fn on_threads<R: Send>(threads: Option<usize>, work: impl FnOnce() -> R + Send) -> R {
@@ -74,6 +65,12 @@ impl Source {
 /// Tasks for each thread between two looks at whether to stop.
 const TASKS_PER_THREAD: usize = 2;
 
+/// The report of a ranking, and for each of its rows the place of the target.
+fn reported(ranking: &rank::Ranking) -> PyResult<(String, Vec<usize>)> {
+    let report = ranking.report();
+    Ok((written(&report)?, report.standings.iter().map(|standing| standing.target).collect()))
+}
+
 /// Ranks meshes on this machine: the report, and whether it came to its end.
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value, reason = "what is extracted from Python is owned")]
@@ -85,14 +82,15 @@ pub(crate) fn rank_meshes(
     options: &str,
     threads: Option<usize>,
     progress: Option<&Bound<'_, PyAny>>,
-) -> PyResult<(String, bool)> {
+) -> PyResult<(String, Vec<usize>, bool)> {
     let options: Options = parsed(options)?;
     let template = template.get().inner();
     let ranking = wait::run(py, progress, |watch: &mut Watch<'_, Steps>| {
         on_threads(threads, || rank_here(template, &sources, names, &options, watch))
     })?
     .map_err(Raise::raise)?;
-    Ok((written(&ranking.report())?, ranking.round().is_empty()))
+    let (report, places) = reported(&ranking)?;
+    Ok((report, places, ranking.round().is_empty()))
 }
 
 fn rank_here(
@@ -165,8 +163,8 @@ impl Ranking {
     }
 
     /// What is known so far.
-    fn report(&self) -> PyResult<String> {
-        written(&self.lock().report())
+    fn report(&self) -> PyResult<(String, Vec<usize>)> {
+        reported(&self.lock())
     }
 }
 

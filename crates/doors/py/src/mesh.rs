@@ -2,7 +2,7 @@
 
 use crate::arrays::{array_of_rows, faces, vectors};
 use crate::errors::Raise;
-use crate::report::Summary;
+use crate::json::written;
 use numpy::PyArray2;
 use pompeiu::core::mesh::without_unreferenced;
 use pompeiu::core::{MeshSummary, TriMesh};
@@ -79,8 +79,8 @@ impl Mesh {
         Self(py.detach(|| without_unreferenced(&self.0)))
     }
 
-    fn _summary(&self, py: Python<'_>) -> Summary {
-        py.detach(|| MeshSummary::of(&self.0)).into()
+    fn _summary(&self, py: Python<'_>) -> PyResult<String> {
+        written(&py.detach(|| MeshSummary::of(&self.0)))
     }
 
     fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {

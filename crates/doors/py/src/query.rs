@@ -1,8 +1,8 @@
 //! Questions about distances.
 
 use crate::errors::{Raise, UnknownOption};
+use crate::json::written;
 use crate::mesh::Mesh;
-use crate::report::{Directed, Symmetric};
 use crate::wait;
 use pompeiu::core::run::Limits;
 use pompeiu::hausdorff::{self as library, HausdorffOptions, Method, OptionError, Tolerance};
@@ -108,13 +108,13 @@ impl Target {
         a: &Bound<'_, Mesh>,
         options: Options,
         progress: Option<&Bound<'_, PyAny>>,
-    ) -> PyResult<Directed> {
+    ) -> PyResult<String> {
         let options = options.options()?;
         let a = a.get();
         let report = wait::run(py, progress, |watch| {
             HausdorffOptions { observer: Some(watch), ..options }.directed_to(a.inner(), &self.0)
         })?;
-        Ok(report.map_err(Raise::raise)?.into())
+        written(&report.map_err(Raise::raise)?)
     }
 }
 
@@ -126,13 +126,13 @@ pub(crate) fn directed_hausdorff(
     b: &Bound<'_, Mesh>,
     options: Options,
     progress: Option<&Bound<'_, PyAny>>,
-) -> PyResult<Directed> {
+) -> PyResult<String> {
     let options = options.options()?;
     let (a, b) = (a.get(), b.get());
     let report = wait::run(py, progress, |watch| {
         HausdorffOptions { observer: Some(watch), ..options }.directed(a.inner(), b.inner())
     })?;
-    Ok(report.map_err(Raise::raise)?.into())
+    written(&report.map_err(Raise::raise)?)
 }
 
 /// Encloses the greater of both directed distances.
@@ -143,11 +143,11 @@ pub(crate) fn hausdorff(
     b: &Bound<'_, Mesh>,
     options: Options,
     progress: Option<&Bound<'_, PyAny>>,
-) -> PyResult<Symmetric> {
+) -> PyResult<String> {
     let options = options.options()?;
     let (a, b) = (a.get(), b.get());
     let report = wait::run(py, progress, |watch| {
         HausdorffOptions { observer: Some(watch), ..options }.symmetric(a.inner(), b.inner())
     })?;
-    Ok(report.map_err(Raise::raise)?.into())
+    written(&report.map_err(Raise::raise)?)
 }

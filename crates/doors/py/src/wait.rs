@@ -107,7 +107,7 @@ fn listen<T: Told>(receiver: &Receiver<T>, callback: Option<&Py<PyAny>>, stop: &
 }
 
 /// The name of a direction.
-fn direction(direction: Direction) -> &'static str {
+pub(crate) fn direction(direction: Direction) -> &'static str {
     match direction {
         Direction::AToB => "a_to_b",
         Direction::BToA => "b_to_a",

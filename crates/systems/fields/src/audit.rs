@@ -14,6 +14,8 @@ use pompeiu_surface::SurfaceMesh;
 ///
 /// Counted from the numbers of elements, not measured; the tests compare with ranks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(into = "crate::data::Dimensions"))]
 pub struct Audit {
     /// Two for each face.
     pub degrees_of_freedom: usize,
@@ -29,6 +31,8 @@ pub struct Audit {
 
 /// Ranks of a gradient and of a rotated gradient.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct OneKind {
     /// Dimension of the gradients.
     pub gradient: usize,

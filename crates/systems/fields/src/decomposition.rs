@@ -81,13 +81,11 @@ pub struct Decomposition {
 
 /// Measured errors of a decomposition. All are zero for the zero field.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Quality {
     /// `‖u − sum of parts‖ / ‖u‖`.
     pub residual: f64,
-    /// Inner products of the parts over `‖u‖²`; zero in exact arithmetic.
-    pub inner_products: InnerProducts,
-    /// Norms of the field and its parts.
-    pub norms: Norms,
     /// No part is farther from the true one than this, over `‖u‖`.
     ///
     /// It is the residual plus how far the harmonic part is from the harmonic fields, which is measured by projecting it onto
@@ -96,10 +94,16 @@ pub struct Quality {
     /// exact arithmetic; evaluating it in doubles adds a few units of rounding. Fields of any size are scaled by a power of
     /// two first; what components below the range of normal doubles lose is included.
     pub part_error: f64,
+    /// Inner products of the parts over `‖u‖²`; zero in exact arithmetic.
+    pub inner_products: InnerProducts,
+    /// Norms of the field and its parts.
+    pub norms: Norms,
 }
 
 /// Inner products of the three parts, over the squared norm of the field.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct InnerProducts {
     /// Gradient and rotated gradient.
     pub gradient_rotated: f64,
@@ -111,6 +115,8 @@ pub struct InnerProducts {
 
 /// Norms of a field and its parts: roots of integrals of squared lengths.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Norms {
     /// The field.
     pub field: f64,

@@ -39,6 +39,8 @@
 //! ```
 
 mod audit;
+#[cfg(feature = "serde")]
+mod data;
 mod decomposition;
 mod one_kind;
 mod options;

@@ -50,8 +50,8 @@ pub use observer::{Discard, Observer, Progress, Proof, RemainingPiece, Stage};
 pub use options::{HausdorffOptions, Method};
 pub use query::{directed_hausdorff, symmetric_hausdorff};
 pub use report::{
-    DirectedReport, Direction, Enclosure, StopReason, SurfacePoint, SymmetricReport, Timing, Witness,
-    WorkCount,
+    DirectedReport, Direction, Enclosure, PointPair, StopReason, SurfacePoint, SymmetricReport, Timing,
+    Witness, WorkCount,
 };
 pub use target::Target;
 pub use tolerance::{OptionError, Tolerance};

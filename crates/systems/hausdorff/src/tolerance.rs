@@ -26,6 +26,15 @@ impl Tolerance {
     /// converges, so a coarser one saves little.
     pub const DEFAULT_FRACTION: f64 = 1e-12;
 
+    /// The kind of tolerance in a word, as programs want it: what the number is a fraction of, or `absolute`.
+    pub const fn kind(&self) -> &'static str {
+        match self {
+            Self::RelativeToDiagonal(_) => "diagonal",
+            Self::RelativeToDistance(_) => "relative",
+            Self::Absolute(_) => "absolute",
+        }
+    }
+
     /// The number, without its meaning.
     pub const fn value(&self) -> f64 {
         match *self {

@@ -48,3 +48,14 @@ commands! {
     completions::Completions,
     man::Man,
 }
+
+/// The JSON answers, by their commands.
+#[cfg(test)]
+pub(crate) mod answers {
+    pub(crate) use super::decompose::Json as Decompose;
+    pub(crate) use super::deviation::Json as Deviation;
+    pub(crate) use super::distance::Json as Distance;
+    pub(crate) use super::info::Json as Info;
+    pub(crate) use super::matrix::Json as Matrix;
+    pub(crate) use super::rank::Json as Rank;
+}

@@ -9,8 +9,11 @@ pub(crate) use journal::{Fingerprint, Journal, fingerprint};
 pub(crate) use meshes::Meshes;
 
 use crate::printer::Printer;
+use serde::Serialize;
 
 /// An input that could not be used, and why.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub(crate) struct Problem {
     /// The file, or the argument as given.
     pub(crate) path: String,

@@ -12,6 +12,8 @@
 mod analysis;
 mod candidates;
 mod connected;
+#[cfg(feature = "serde")]
+mod data;
 mod distribution;
 mod envelope;
 mod face;

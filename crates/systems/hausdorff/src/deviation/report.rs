@@ -12,6 +12,8 @@ use std::time::Duration;
 /// The two directions answer different questions and are never mixed unasked. With A as it should be and B as it is: what
 /// of A is far from B is *missing* in B; what of B is far from A is *invented* by it.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Deviation {
     /// Encloses the Pompeiu–Hausdorff distance, the greater of both directed ones.
     pub distance: Enclosure,
@@ -27,6 +29,8 @@ pub struct Deviation {
 }
 
 /// How far a mesh deviates from another one.
+///
+/// Serialised without the values of each face and vertex, with its witness by meshes and the number of vertices inside.
 #[derive(Clone, Debug)]
 pub struct DirectedDeviation {
     /// Which way.
@@ -94,6 +98,11 @@ impl Sides {
         winding.abs() > 0.5
     }
 
+    /// Number of vertices inside.
+    pub fn vertices_inside(&self) -> usize {
+        self.vertex_winding.iter().filter(|winding| Self::is_inside(**winding)).count()
+    }
+
     pub(super) fn of(from: &TriMesh, to: &TriMesh) -> Self {
         let winding = Winding::new(to);
         let about = |points: &[[f64; 3]]| -> Vec<f64> {
@@ -136,8 +145,10 @@ fn unreferenced(mesh: &TriMesh) -> impl Iterator<Item = usize> {
     used.into_iter().enumerate().filter(|(_, used)| !used).map(|(v, _)| v)
 }
 
-/// How much was done, in counts that do not depend on the machine, and how long it took.
+/// How much was done, in counts that do not depend on the machine, and how long it took. Times are not serialised.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct DeviationWork {
     /// Pieces at the end.
     pub pieces: u64,
@@ -148,9 +159,12 @@ pub struct DeviationWork {
     /// Rounds of refinement.
     pub rounds: u32,
     /// Time to build the tree over the other mesh.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub build: Duration,
     /// Time to find the largest distance.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub search: Duration,
     /// Time for everything else.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub refine: Duration,
 }

@@ -13,8 +13,11 @@ use pompeiu_core::geom::Frame;
 /// root of the mean of the square, the percentile of a share `q` is `inf { t : F(t) >= q }`, and the area above a threshold
 /// `t` has the share `1 - F(t)`.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Statistics {
     /// The area, rounded, in the square of the unit of the meshes; infinite where that is too large for a double.
+    #[cfg_attr(feature = "schema", schemars(with = "Option<f64>"))]
     pub area: f64,
     /// Mean distance.
     pub mean: Enclosure,
@@ -23,6 +26,15 @@ pub struct Statistics {
     /// In the order asked for.
     pub percentiles: Vec<Percentile>,
     /// The share of the area farther than the threshold, if one was given.
+    #[cfg_attr(
+        feature = "serde",
+        serde(
+            rename = "share_above_threshold",
+            serialize_with = "super::data::share",
+            skip_serializing_if = "Option::is_none"
+        )
+    )]
+    #[cfg_attr(feature = "schema", schemars(with = "Option<Enclosure>"))]
     pub above: Option<ShareAbove>,
     /// How much area lies in which range of distances.
     pub histogram: Histogram,
@@ -30,10 +42,13 @@ pub struct Statistics {
 
 /// The distance that a share of the area does not exceed.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Percentile {
     /// The share, between 0 and 1.
     pub share: f64,
     /// Encloses the distance.
+    #[cfg_attr(feature = "serde", serde(flatten))]
     pub distance: Enclosure,
 }
 
@@ -48,6 +63,8 @@ pub struct ShareAbove {
 
 /// Shares of an area by distance: bins of one width from zero to about the largest distance.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Histogram {
     /// Ends of the bins: one more than there are bins.
     pub edges: Vec<f64>,

@@ -4,6 +4,8 @@ use std::fmt;
 
 /// `lower <= distance <= upper`, both finite and nonnegative: a crossed or NaN enclosure cannot exist.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Enclosure {
     lower: f64,
     upper: f64,

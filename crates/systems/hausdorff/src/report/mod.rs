@@ -5,21 +5,27 @@ mod witness;
 
 pub use enclosure::Enclosure;
 pub use pompeiu_core::run::StopReason;
-pub use witness::{SurfacePoint, Witness};
+pub use witness::{PointPair, SurfacePoint, Witness};
 
 use std::time::Duration;
 
 /// One of the two directed distances.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Direction {
     /// How far points of A are from B.
+    #[cfg_attr(feature = "serde", serde(rename = "a_to_b"))]
     AToB,
     /// How far points of B are from A.
+    #[cfg_attr(feature = "serde", serde(rename = "b_to_a"))]
     BToA,
 }
 
 /// How much was done, in counts that do not depend on the machine or the number of threads.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct WorkCount {
     /// Closest-point questions asked of the tree.
     pub queries: u64,
@@ -46,19 +52,28 @@ impl WorkCount {
     }
 }
 
-/// Wall-clock time of the parts of a query.
+/// Wall-clock time of the parts of a query. Serialised in milliseconds.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Timing {
     /// Building trees; zero where a prepared target was given.
+    #[cfg_attr(feature = "serde", serde(serialize_with = "milliseconds"))]
+    #[cfg_attr(feature = "schema", schemars(with = "f64"))]
     pub build: Duration,
     /// Everything else.
+    #[cfg_attr(feature = "serde", serde(serialize_with = "milliseconds"))]
+    #[cfg_attr(feature = "schema", schemars(with = "f64"))]
     pub search: Duration,
 }
 
 /// The answer to a directed query.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct DirectedReport {
     /// Encloses h of the meshes as stored, in their unit.
+    #[cfg_attr(feature = "serde", serde(flatten))]
     pub distance: Enclosure,
     /// A point of A at least `distance.lower()` away from all of B, and a point of B nearest to it.
     pub witness: Witness,
@@ -69,6 +84,7 @@ pub struct DirectedReport {
     /// What it took.
     pub work: WorkCount,
     /// How long it took.
+    #[cfg_attr(feature = "serde", serde(rename = "timing_ms"))]
     pub timing: Timing,
 }
 
@@ -98,11 +114,21 @@ impl DirectedReport {
 
 /// The answer to a symmetric query: both directed ones.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct SymmetricReport {
     /// Encloses `H = max(h(A, B), h(B, A))`.
+    #[cfg_attr(feature = "serde", serde(flatten))]
     pub distance: Enclosure,
     /// From A to B.
     pub a_to_b: DirectedReport,
     /// From B to A: the witness leads from B to A.
     pub b_to_a: DirectedReport,
+}
+
+/// Serialises a span of time as milliseconds.
+#[cfg(feature = "serde")]
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "serde hands a reference")]
+pub(crate) fn milliseconds<S: serde::Serializer>(span: &Duration, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_f64(span.as_nanos() as f64 / 1e6)
 }

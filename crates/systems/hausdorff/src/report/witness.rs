@@ -1,9 +1,12 @@
 //! The pair of points that proves a lower bound.
 
+use super::Direction;
 use pompeiu_core::{FaceId, TriMesh};
 
 /// A point on a face of a mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct SurfacePoint {
     /// The face.
     pub face: FaceId,
@@ -24,10 +27,33 @@ impl SurfacePoint {
 
 /// A point that is far from the other mesh, and a point of that mesh nearest to it.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Witness {
     /// On the mesh that distances are measured from.
     pub from: SurfacePoint,
     /// On the mesh that distances are measured to. Its barycentric coordinates refer to the face as seen in the frame of
     /// the search, so its position is rounded once more where that frame is shifted.
     pub to: SurfacePoint,
+}
+
+impl Witness {
+    /// The two points by the meshes they lie on, for a witness of this direction.
+    pub fn by_mesh(&self, direction: Direction) -> PointPair {
+        match direction {
+            Direction::AToB => PointPair { a: self.from, b: self.to },
+            Direction::BToA => PointPair { a: self.to, b: self.from },
+        }
+    }
+}
+
+/// Two points, each named by the mesh it lies on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct PointPair {
+    /// On mesh A.
+    pub a: SurfacePoint,
+    /// On mesh B.
+    pub b: SurfacePoint,
 }

@@ -4,6 +4,7 @@
 //! out in double precision and is applied by [`transform`](pompeiu_core::mesh::transform): what is measured afterwards is
 //! the mesh with its moved vertices *as rounded*, and a certified distance is certified for that mesh.
 
+mod cholesky;
 mod eigen;
 mod error;
 mod fixed;
@@ -25,6 +26,7 @@ pub type Matrix = [[f64; 4]; 4];
 /// Which maps may bring one mesh onto another.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Alignment {
     /// None: coordinates are taken as they are.
     #[default]

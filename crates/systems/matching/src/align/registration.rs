@@ -1,12 +1,12 @@
 //! Iterated closest points: the pose in which points lie nearest to a surface.
 
+use super::cholesky::solve;
 use super::pose::{Pose, axis_rotations};
 use glam::{DMat3, DVec3};
 use pompeiu_core::TriMesh;
 use pompeiu_core::geom::Frame;
 use pompeiu_core::geom::point_triangle::closest_barycentric;
 use pompeiu_core::spatial::bvh::{Bvh, Slot, Workspace};
-use pompeiu_solve::{Cholesky, LinearSolver, SparseMatrix};
 
 /// Points with which starts are told apart.
 const FEW_POINTS: usize = 200;
@@ -173,18 +173,11 @@ impl Equations {
     /// The turn and the shift; none where numbers left their range.
     fn solved(&self, damping: f64) -> Option<[DVec3; 2]> {
         let mean = (0..6).map(|i| self.matrix[i][i]).sum::<f64>() / 6.0;
-        let mut entries = Vec::with_capacity(36);
+        let mut matrix = self.matrix;
         for i in 0..6 {
-            for j in 0..=i {
-                let value = self.matrix[i][j] + if i == j { damping * mean } else { 0.0 };
-                entries.push((i, j, value));
-                if i != j {
-                    entries.push((j, i, value));
-                }
-            }
+            matrix[i][i] += damping * mean;
         }
-        let matrix = SparseMatrix::from_triplets(6, 6, &entries).ok()?;
-        let x = Cholesky::new(&matrix).ok()?.solve(&self.right).ok()?;
+        let x = solve(&matrix, &self.right)?;
         Some([DVec3::from_slice(&x[..3]), DVec3::from_slice(&x[3..])])
     }
 }

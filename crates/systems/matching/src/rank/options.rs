@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 /// Which distance ranks the targets.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Measure {
     /// `H`, the larger of the two directed distances.
     #[default]
@@ -30,6 +31,7 @@ impl Measure {
 
 /// How to rank.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Options {
     /// Which distance.
     pub measure: Measure,

@@ -1,10 +1,12 @@
 //! The answer.
 
+use super::row::Row;
 use crate::align::Matrix;
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 /// The targets in their order, and what it took.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Report {
     /// The ranked ones first, best first; then those that were discarded, by their lower bounds; then those that failed.
     pub standings: Vec<Standing>,
@@ -19,8 +21,9 @@ impl Report {
     }
 }
 
-/// Where a target stands.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+/// Where a target stands. Serialised as a [`Row`].
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(into = "Row")]
 pub struct Standing {
     /// The target, in the order they were given in.
     pub target: usize,
@@ -42,8 +45,7 @@ pub struct Standing {
 }
 
 /// How a target was settled.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Status {
     /// It is among the best, or ties with the last of them.
     Ranked,
@@ -54,8 +56,7 @@ pub enum Status {
 }
 
 /// What proved a lower bound.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Bound {
     /// How far it reaches in fixed directions.
     Supports,
@@ -66,7 +67,8 @@ pub enum Bound {
 }
 
 /// How much was done, in counts that do not depend on the machine or on the number of threads.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Work {
     /// Targets looked at.
     pub looks: usize,

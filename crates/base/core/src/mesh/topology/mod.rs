@@ -1,6 +1,8 @@
 //! What a mesh is made of, how it hangs together, and what is odd about it.
 
 mod connectivity;
+#[cfg(feature = "serde")]
+mod data;
 mod degenerate;
 mod measure;
 mod union_find;
@@ -19,6 +21,8 @@ use rayon::prelude::*;
 /// O(n + m log m) time, O(m) at bounded valence; at most about 60 bytes per face and 20 per vertex while it works. The
 /// same for any number of threads.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(into = "data::Summary"))]
 pub struct MeshSummary {
     /// Number of vertices, unreferenced ones included.
     pub vertices: usize,

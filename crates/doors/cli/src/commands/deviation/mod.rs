@@ -9,3 +9,6 @@ mod text;
 
 pub(crate) use args::Deviation;
 pub(crate) use run::run;
+
+#[cfg(test)]
+pub(crate) use json::Json;

@@ -12,7 +12,7 @@ use crate::printer::Printer;
 use crate::wait::Wait;
 use pompeiu::core::TriMesh;
 use pompeiu::core::run::Limits;
-use pompeiu::hausdorff::deviation::{self, DeviationOptions, DirectedDeviation, Sides};
+use pompeiu::hausdorff::deviation::{self, DeviationOptions, DirectedDeviation};
 use pompeiu::hausdorff::show::{DeviationPage, NamedMesh, search_stages};
 use pompeiu::hausdorff::{Direction, Observer, Progress};
 use std::ops::ControlFlow;
@@ -155,11 +155,6 @@ impl Observer for Watch<'_> {
 /// Both directions, with what each is called.
 pub(super) fn directions(deviation: &deviation::Deviation) -> [(&'static str, &DirectedDeviation); 2] {
     [("a_to_b", &deviation.a_to_b), ("b_to_a", &deviation.b_to_a)]
-}
-
-/// How many vertices lie inside the other mesh.
-pub(super) fn inside(sides: &Sides) -> usize {
-    sides.vertex_winding.iter().filter(|winding| Sides::is_inside(**winding)).count()
 }
 
 /// A share of the area as a percentile is called.

@@ -56,7 +56,7 @@ fn directed(page: &mut Page, outcome: &Outcome, directed: &DirectedDeviation, na
         None => page.row("", "no face has an area to take a mean over"),
     }
     if let Some(sides) = &directed.sides {
-        let inside = grouped(super::run::inside(sides) as u64);
+        let inside = grouped(sides.vertices_inside() as u64);
         let all = directed.vertices.iter().filter(|distance| !distance.is_nan()).count();
         page.row("  inside", &format!("{inside} of {} vertices", grouped(all as u64)));
     }

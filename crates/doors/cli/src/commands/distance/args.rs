@@ -3,6 +3,7 @@
 use crate::args::Limits;
 use crate::numbers::magnitude;
 use clap::{Args, ValueEnum};
+use serde::Serialize;
 use std::path::PathBuf;
 
 /// Enclose the distance between two meshes
@@ -55,7 +56,9 @@ pub(crate) struct Distance {
     pub(crate) json: bool,
 }
 
-#[derive(Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, Default, PartialEq, Eq, ValueEnum, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
 pub(crate) enum ToleranceKind {
     /// The diagonal of the box around both meshes
     #[default]

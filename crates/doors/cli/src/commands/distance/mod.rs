@@ -9,3 +9,6 @@ mod watch;
 
 pub(crate) use args::Distance;
 pub(crate) use run::run;
+
+#[cfg(test)]
+pub(crate) use json::Json;

@@ -5,6 +5,7 @@ use super::watch::TraceRow;
 use crate::exit::Exit;
 use crate::pair::File;
 use pompeiu::hausdorff::{DirectedReport, Enclosure};
+use serde::Serialize;
 use std::time::Duration;
 
 /// Wall-clock times that the engine does not know.
@@ -14,10 +15,15 @@ pub(super) struct Times {
 }
 
 /// Whether the distance is at most the threshold.
-#[derive(Clone, Copy, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq, Eq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
 pub(super) enum Answer {
+    /// It is, proven.
     Below,
+    /// It is not, proven.
     Above,
+    /// Neither is proven.
     Undecided,
 }
 

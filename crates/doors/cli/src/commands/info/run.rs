@@ -13,7 +13,7 @@ pub(crate) fn run(args: &Info, printer: &Printer) -> anyhow::Result<Exit> {
     files::warn_of_changes(&args.file, &read, printer);
     let path = args.file.display().to_string();
     Printer::answer(&if args.json {
-        json::json(path, &read, &summary)?
+        json::json(&path, &read, &summary)?
     } else {
         text::text(&path, &read, &summary)
     })?;

@@ -1,7 +1,8 @@
 //! The matrix as one JSON object.
 
 use super::run::Answer;
-use crate::json::milliseconds;
+use crate::json::{line, milliseconds};
+use crate::many::Problem;
 use serde::Serialize;
 
 impl Answer {
@@ -14,38 +15,38 @@ impl Answer {
     }
 }
 
+/// The answer of `pompeiu matrix --json`. Lengths are in the unit of the files.
 #[derive(Serialize)]
-struct Json<'a> {
+#[cfg_attr(test, derive(schemars::JsonSchema), schemars(rename = "Matrix"))]
+pub(crate) struct Json<'a> {
+    /// The files, in the order of rows and columns.
     files: &'a [String],
-    /// A fraction of the diagonal of the box around both meshes.
+    /// Width of the intervals that was asked for: a fraction of the diagonal of the box around both meshes.
     tolerance: f64,
     /// Whether entry i, j is h(i, j) instead of H(i, j).
     directed: bool,
+    /// Lower ends; null where one of the two cannot be used.
     lower: Vec<Vec<Option<f64>>>,
+    /// Upper ends; null where one of the two cannot be used.
     upper: Vec<Vec<Option<f64>>>,
-    failed: Vec<Failed<'a>>,
+    /// What cannot be used, and why.
+    failed: &'a [Problem],
+    /// Point–triangle distances evaluated.
     distances: u64,
+    /// Milliseconds in all.
     timing_ms: f64,
 }
 
-#[derive(Serialize)]
-struct Failed<'a> {
-    path: &'a str,
-    message: &'a str,
-}
-
+/// The matrix on one line.
 pub(super) fn json(answer: &Answer) -> serde_json::Result<String> {
-    let failed =
-        answer.problems.iter().map(|problem| Failed { path: &problem.path, message: &problem.message });
-    let json = Json {
+    line(&Json {
         files: &answer.names,
         tolerance: answer.tolerance,
         directed: answer.directed,
         lower: answer.square(0),
         upper: answer.square(1),
-        failed: failed.collect(),
+        failed: &answer.problems,
         distances: answer.matrix.distances(),
         timing_ms: milliseconds(answer.total),
-    };
-    Ok(serde_json::to_string(&json)? + "\n")
+    })
 }

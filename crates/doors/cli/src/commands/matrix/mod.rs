@@ -7,3 +7,6 @@ mod run;
 
 pub(crate) use args::Matrix;
 pub(crate) use run::run;
+
+#[cfg(test)]
+pub(crate) use json::Json;

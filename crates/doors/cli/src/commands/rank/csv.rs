@@ -1,10 +1,10 @@
 //! The ranking as a table of comma-separated values.
 
-use super::json::targets;
 use super::run::Answer;
 use crate::numbers::shortest;
 use anyhow::Context;
 use pompeiu::matching::align::Alignment;
+use pompeiu::matching::rank::BoundKind;
 
 const COLUMNS: [&str; 10] = [
     "path",
@@ -28,20 +28,20 @@ pub(super) fn csv(answer: &Answer) -> anyhow::Result<Vec<u8>> {
         header.extend((1..=3).flat_map(|i| (1..=4).map(move |j| format!("transform_{i}{j}"))));
     }
     table.write_record(&header)?;
-    for target in targets(answer) {
+    for target in answer.rows() {
         let count = |n: Option<usize>| n.map(|n| n.to_string()).unwrap_or_default();
         let number = |x: Option<f64>| x.map(shortest).unwrap_or_default();
         let mut row = vec![
-            target.path.to_owned(),
-            target.status.to_owned(),
+            target.path,
+            target.status.name().to_owned(),
             count(target.rank_first),
             count(target.rank_last),
             number(target.lower),
             number(target.upper),
             count(target.vertices),
             count(target.faces),
-            target.discarded_by.unwrap_or_default().to_owned(),
-            target.message.unwrap_or_default().to_owned(),
+            target.discarded_by.map_or("", BoundKind::name).to_owned(),
+            target.message.unwrap_or_default(),
         ];
         if moved {
             row.extend((0..12).map(|at| number(target.transform.map(|m| m[at / 4][at % 4]))));

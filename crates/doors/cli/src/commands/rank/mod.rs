@@ -8,3 +8,6 @@ mod text;
 
 pub(crate) use args::Rank;
 pub(crate) use run::run;
+
+#[cfg(test)]
+pub(crate) use json::Json;

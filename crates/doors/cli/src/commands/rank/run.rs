@@ -13,7 +13,7 @@ use anyhow::{Context, bail};
 use pompeiu::core::mesh::unreferenced_vertices;
 use pompeiu::matching::align::Alignment;
 use pompeiu::matching::rank::{
-    Measure, Options, Outcome, Ranking, Report, Status, Task, Template, perform, run as run_rounds,
+    Measure, Options, Outcome, Ranking, Report, Row, Status, Task, Template, perform, run as run_rounds,
 };
 use rayon::prelude::*;
 use std::path::PathBuf;
@@ -29,6 +29,15 @@ pub(super) struct Answer {
     /// Inputs that led to no target.
     pub(super) problems: Vec<Problem>,
     pub(super) total: Duration,
+}
+
+impl Answer {
+    /// Where the targets stand, and then what led to none.
+    pub(super) fn rows(&self) -> Vec<Row> {
+        let standings = self.report.standings.iter().cloned().map(Row::from);
+        let problems = self.problems.iter().map(|p| Row::failed(p.path.clone(), p.message.clone()));
+        standings.chain(problems).collect()
+    }
 }
 
 pub(crate) fn run(args: &Rank, printer: &Printer) -> anyhow::Result<Exit> {

@@ -1,0 +1,120 @@
+//! Reports as data for other programs, where these are not written as they are kept.
+
+use super::regions::Region;
+use super::report::{DeviationWork, DirectedDeviation, Sides};
+use super::statistics::{ShareAbove, Statistics};
+use crate::report::{Enclosure, PointPair, StopReason, SurfacePoint};
+use pompeiu_core::FaceId;
+use serde::{Serialize, Serializer};
+
+/// Serialises one type as another one that is made of a reference to it.
+macro_rules! serialise_as {
+    ($Type:ty, $Data:ident) => {
+        impl Serialize for $Type {
+            fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+                $Data::from(self).serialize(serializer)
+            }
+        }
+
+        #[cfg(feature = "schema")]
+        impl schemars::JsonSchema for $Type {
+            fn schema_name() -> std::borrow::Cow<'static, str> {
+                $Data::schema_name()
+            }
+
+            fn json_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
+                $Data::json_schema(generator)
+            }
+        }
+    };
+}
+
+/// How far a mesh deviates from another one.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "DirectedDeviation"))]
+struct Directed<'d> {
+    /// The largest distance of all points of the mesh.
+    distance: Enclosure,
+    /// The two points that prove its lower end.
+    witness: PointPair,
+    /// Over the area of the mesh; null if it has no area.
+    statistics: &'d Option<Statistics>,
+    /// Number of vertices inside the other mesh, if that was asked.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    vertices_inside: Option<usize>,
+    /// The worst regions, the worst first.
+    regions: &'d [Region],
+    /// The parts of the surface that are farther than the threshold, the worst first; absent if there are none.
+    #[serde(skip_serializing_if = "<[Region]>::is_empty")]
+    beyond_threshold: &'d [Region],
+    /// Why refining ended; what is enclosed holds in every case.
+    stop: StopReason,
+    /// What it took.
+    work: DeviationWork,
+}
+
+impl<'d> From<&'d DirectedDeviation> for Directed<'d> {
+    fn from(deviation: &'d DirectedDeviation) -> Self {
+        Self {
+            distance: deviation.distance.distance,
+            witness: deviation.distance.witness.by_mesh(deviation.direction),
+            statistics: &deviation.statistics,
+            vertices_inside: deviation.sides.as_ref().map(Sides::vertices_inside),
+            regions: &deviation.regions,
+            beyond_threshold: &deviation.beyond_threshold,
+            stop: deviation.stop,
+            work: deviation.work,
+        }
+    }
+}
+
+serialise_as!(DirectedDeviation, Directed);
+
+/// A part of a surface that is far from the other one.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Region"))]
+struct Place<'r> {
+    /// The greatest distance of its points.
+    peak: Enclosure,
+    /// The point with the greatest distance met.
+    at: SurfacePoint,
+    /// A point of the other mesh nearest to that.
+    nearest: SurfacePoint,
+    /// The distance that its faces reach: a part of the peak, or the threshold.
+    level: f64,
+    /// Area of its faces, rounded; null beyond the range of double precision.
+    #[cfg_attr(feature = "schema", schemars(with = "Option<f64>"))]
+    area: f64,
+    /// Mean of its points, by area.
+    centre: [f64; 3],
+    /// Least coordinates of its faces.
+    lowest: [f64; 3],
+    /// Greatest coordinates of its faces.
+    highest: [f64; 3],
+    /// Its faces, in ascending order, counted from 0.
+    faces: &'r [FaceId],
+}
+
+impl<'r> From<&'r Region> for Place<'r> {
+    fn from(region: &'r Region) -> Self {
+        Self {
+            peak: region.peak,
+            at: region.witness.from,
+            nearest: region.witness.to,
+            level: region.level,
+            area: region.area,
+            centre: region.centre,
+            lowest: region.aabb.lower,
+            highest: region.aabb.upper,
+            faces: &region.faces,
+        }
+    }
+}
+
+serialise_as!(Region, Place);
+
+/// Serialises the share alone: the threshold stands beside what was asked.
+#[allow(clippy::ref_option, reason = "serde hands a reference to the field")]
+pub(super) fn share<S: Serializer>(above: &Option<ShareAbove>, serializer: S) -> Result<S::Ok, S::Error> {
+    above.map(|above| above.share).serialize(serializer)
+}

@@ -1,0 +1,145 @@
+//! Where a target stands, as one row of a table.
+
+use super::report::{Bound, Standing, Status};
+use crate::align::Matrix;
+use serde::Serialize;
+
+/// Where a target stands, as data for other programs.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Row {
+    /// Its name: the path where it is a file.
+    pub path: String,
+    /// How it was settled.
+    pub status: Kind,
+    /// The first rank that the enclosures of all targets leave possible, counted from 1.
+    pub rank_first: Option<usize>,
+    /// The last rank that the enclosures of all targets leave possible, counted from 1.
+    pub rank_last: Option<usize>,
+    /// Proven lower bound on its distance.
+    pub lower: Option<f64>,
+    /// Proven upper bound on its distance.
+    pub upper: Option<f64>,
+    /// Number of vertices.
+    pub vertices: Option<usize>,
+    /// Number of faces.
+    pub faces: Option<usize>,
+    /// What proved that it is not among the best.
+    pub discarded_by: Option<BoundKind>,
+    /// Why it cannot be used.
+    pub message: Option<String>,
+    /// The map that brought it onto the template: four rows of four numbers, which act on columns `(x, y, z, 1)`.
+    pub transform: Option<Matrix>,
+}
+
+/// How a target was settled, in a word.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum Kind {
+    /// It is among the best, or ties with the last of them.
+    Ranked,
+    /// It is proven not to be.
+    Discarded,
+    /// It cannot be used.
+    Failed,
+}
+
+/// What proved a lower bound, in a word.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum BoundKind {
+    /// How far it reaches in fixed directions.
+    Supports,
+    /// A few of its points.
+    Probes,
+    /// A search.
+    Search,
+}
+
+impl Kind {
+    /// The word.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Ranked => "ranked",
+            Self::Discarded => "discarded",
+            Self::Failed => "failed",
+        }
+    }
+}
+
+impl BoundKind {
+    /// The word.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Supports => "supports",
+            Self::Probes => "probes",
+            Self::Search => "search",
+        }
+    }
+}
+
+impl Row {
+    /// The row of an input that led to no target, and why.
+    pub fn failed(path: String, message: String) -> Self {
+        Self {
+            path,
+            status: Kind::Failed,
+            rank_first: None,
+            rank_last: None,
+            lower: None,
+            upper: None,
+            vertices: None,
+            faces: None,
+            discarded_by: None,
+            message: Some(message),
+            transform: None,
+        }
+    }
+}
+
+impl From<Standing> for Row {
+    fn from(standing: Standing) -> Self {
+        let (status, discarded_by, message) = match standing.status {
+            Status::Ranked => (Kind::Ranked, None, None),
+            Status::Discarded(bound) => (Kind::Discarded, Some(bound.kind()), None),
+            Status::Failed(message) => (Kind::Failed, None, Some(message)),
+        };
+        Self {
+            path: standing.name,
+            status,
+            rank_first: standing.ranks.map(|ranks| ranks[0]),
+            rank_last: standing.ranks.map(|ranks| ranks[1]),
+            lower: standing.lower,
+            upper: standing.upper,
+            vertices: standing.size.map(|size| size[0]),
+            faces: standing.size.map(|size| size[1]),
+            discarded_by,
+            message,
+            transform: standing.transform,
+        }
+    }
+}
+
+impl Bound {
+    /// What it comes from, in a word.
+    pub const fn kind(self) -> BoundKind {
+        match self {
+            Self::Supports => BoundKind::Supports,
+            Self::Probes => BoundKind::Probes,
+            Self::Search(_) => BoundKind::Search,
+        }
+    }
+}
+
+#[cfg(feature = "schema")]
+impl schemars::JsonSchema for Standing {
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        Row::schema_name()
+    }
+
+    fn json_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        Row::json_schema(generator)
+    }
+}

@@ -1,0 +1,126 @@
+"""Real answers of every command are what the published schemas say, and those of the package are the same."""
+
+import json
+import math
+import os
+import subprocess
+
+import jsonschema
+import pompeiu
+import pytest
+
+COMMANDS = {
+    "distance": [
+        "distance tent.obj square.obj",
+        "distance tent.obj square.obj --direction a-to-b --tolerance 1e-3 --tolerance-kind relative",
+        "distance tent.obj square.obj --trace --assert-below 2",
+        "distance rough.obj square.obj --time-limit 1ns",
+        "distance huge.obj square.obj --tolerance-kind absolute --tolerance 1",
+    ],
+    "deviation": [
+        "deviation tent.obj square.obj",
+        "deviation tent.obj square.obj --threshold 0.3 --signed --regions 2 --percentiles 5,50 --unit mm",
+        "deviation points.obj square.obj",
+        "deviation huge.obj square.obj",
+        "deviation rough.obj square.obj --time-limit 1ns",
+    ],
+    "rank": [
+        "rank tent.obj square.obj rough.obj points.obj --top 1",
+        "rank tent.obj square.obj missing.obj nothing/*.obj --align rigid --all --tolerance 1e-3",
+        "rank tent.obj square.obj --direction to-template --align centroid",
+    ],
+    "matrix": [
+        "matrix tent.obj square.obj missing.obj",
+        "matrix tent.obj square.obj --directed --tolerance 0.1",
+    ],
+    "info": ["info tent.obj", "info points.obj", "info huge.obj", "info torus.ply.gz"],
+    "decompose": ["decompose torus.ply.gz", "decompose torus.ply.gz --field rotation:z --splitting dual"],
+}
+
+SHAPES = [
+    "tent -o tent.obj",
+    "grid --size 2,2 -o square.obj",
+    "icosphere --noise 0.05 -o rough.obj",
+    "point-lattice --cells 2 -o points.obj",
+    "cube --side 1e160 -o huge.obj",
+    "torus --major-segments 12 --minor-segments 8 -o torus.ply.gz",
+]
+
+
+@pytest.fixture(scope="module")
+def run(repository, tmp_path_factory):
+    """Runs the command in a folder of meshes; gives what it printed, without times."""
+    target = os.environ.get("CARGO_TARGET_DIR") or repository / "target"
+    folder = tmp_path_factory.mktemp("meshes")
+
+    def run(arguments):
+        done = subprocess.run([f"{target}/debug/pompeiu", *arguments.split()], cwd=folder, capture_output=True, text=True)
+        assert done.stdout or done.returncode == 0, done.stderr
+        return done.stdout
+
+    for shape in SHAPES:
+        run(f"generate {shape}")
+    run.folder = folder
+    return run
+
+
+def schema(repository, name):
+    return json.loads((repository / "docs" / "guide" / "pages" / "schema" / f"{name}.json").read_text(encoding="utf-8"))
+
+
+def closed(part):
+    """The same schema, but a key that it does not name is an error."""
+    if isinstance(part, dict):
+        part = {key: closed(value) for key, value in part.items()}
+        if "properties" in part and isinstance(part["properties"], dict) and part.get("type") == "object":
+            part["additionalProperties"] = False
+        return part
+    return [closed(one) for one in part] if isinstance(part, list) else part
+
+
+def test_there_is_a_schema_for_every_command_that_has_answers(repository):
+    files = (repository / "docs" / "guide" / "pages" / "schema").iterdir()
+    assert sorted(file.stem for file in files) == sorted(COMMANDS)
+    page = (repository / "docs" / "guide" / "pages" / "json.md").read_text(encoding="utf-8")
+    assert all(f"(schema/{name}.json)" in page for name in COMMANDS)
+
+
+@pytest.mark.parametrize("name, arguments", [(name, one) for name, all in COMMANDS.items() for one in all])
+def test_answers_are_what_their_schema_says(repository, run, name, arguments):
+    strict = closed(schema(repository, name))
+    jsonschema.Draft202012Validator.check_schema(strict)
+    answer = json.loads(run(f"{arguments} --json"))
+    jsonschema.Draft202012Validator(strict).validate(answer)
+    # A key that is always there cannot be left out, and none can be added.
+    for required in strict["required"]:
+        less = {key: value for key, value in answer.items() if key != required}
+        assert not jsonschema.Draft202012Validator(strict).is_valid(less), required
+    assert not jsonschema.Draft202012Validator(strict).is_valid({**answer, "other": 1})
+
+
+def test_the_package_and_the_command_give_the_same_answers(run):
+    paths = [run.folder / "tent.obj", run.folder / "square.obj"]
+    answer = json.loads(run("deviation tent.obj square.obj --threshold 0.3 --json"))
+    report = pompeiu.deviation(*paths, threshold=0.3)
+    for way in ("a_to_b", "b_to_a"):
+        ours, theirs = getattr(report, way), answer[way]
+        assert (ours.lower, ours.upper) == (theirs["distance"]["lower"], theirs["distance"]["upper"])
+        assert ours.statistics.mean == pompeiu.Enclosure(**theirs["statistics"]["mean"])
+        assert ours.statistics.above == pompeiu.ShareAbove(
+            0.3, pompeiu.Enclosure(**theirs["statistics"]["share_above_threshold"])
+        )
+        assert ours.statistics.histogram.edges.tolist() == theirs["statistics"]["histogram"]["edges"]
+        assert [region.faces.tolist() for region in ours.regions] == [region["faces"] for region in theirs["regions"]]
+        ends = (ours.witness.from_, ours.witness.to) if way == "a_to_b" else (ours.witness.to, ours.witness.from_)
+        for ours, theirs in zip(ends, (theirs["witness"]["a"], theirs["witness"]["b"])):
+            assert json.loads(json.dumps(ours.to_dict())) == theirs
+    answer = json.loads(run("distance tent.obj square.obj --json"))
+    report = pompeiu.hausdorff(*paths)
+    assert (report.lower, report.upper) == (answer["hausdorff"]["lower"], answer["hausdorff"]["upper"])
+    assert vars(report.b_to_a.work) == answer["b_to_a"]["work"] and report.b_to_a.stop == answer["b_to_a"]["stop"]
+
+
+def test_an_area_beyond_double_precision_is_null_in_json_and_infinite_here(run):
+    assert json.loads(run("info huge.obj --json"))["area"] is None
+    huge = pompeiu.read_mesh(run.folder / "huge.obj")
+    assert pompeiu.mesh_summary(huge).area == math.inf
