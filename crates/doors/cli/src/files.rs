@@ -6,7 +6,7 @@ use anyhow::{Context, bail};
 use pompeiu::core::TriMesh;
 use pompeiu::io::{OutputFormat, ReadMesh, WriteError};
 use std::io::ErrorKind;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Refuses, before anything is read, what cannot be a mesh file.
 pub(crate) fn check_readable(path: &Path) -> anyhow::Result<()> {
@@ -50,6 +50,34 @@ pub(crate) fn check_place(path: &Path, inputs: &[&Path]) -> anyhow::Result<()> {
         bail!("{}: is both input and output; give the output another name", path.display());
     }
     Ok(())
+}
+
+/// The same for several outputs, of which no two may be one file.
+pub(crate) fn check_places<'p>(
+    outputs: impl IntoIterator<Item = &'p Path>,
+    inputs: &[&Path],
+) -> anyhow::Result<()> {
+    let mut places: Vec<PathBuf> = Vec::new();
+    for path in outputs {
+        check_place(path, inputs)?;
+        let place = place(path);
+        if places.contains(&place) {
+            bail!("{}: is named for two outputs; give one of them another name", path.display());
+        }
+        places.push(place);
+    }
+    Ok(())
+}
+
+/// Where a file is, or would be, whatever the name.
+fn place(path: &Path) -> PathBuf {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+    let folder = folder.unwrap_or(Path::new(".")).canonicalize();
+    match (path.canonicalize(), folder, path.file_name()) {
+        (Ok(place), ..) => place,
+        (_, Ok(folder), Some(name)) => folder.join(name),
+        _ => path.to_owned(),
+    }
 }
 
 /// Refuses, before any work is done, what cannot become a mesh file.

@@ -30,7 +30,7 @@ mod write;
 pub use error::{FormatError, Location, ReadError};
 pub use face_vectors::read_face_vectors;
 pub use format::Format;
-pub use read::{ReadMesh, read, read_bytes, read_mesh};
+pub use read::{ReadMesh, read, read_bytes, read_mesh, referenced_files};
 pub use write::{
     AttributeError, Attributes, EncodeError, OutputFormat, WriteError, encode, write, write_as, write_whole,
     write_with,

@@ -7,7 +7,7 @@ use crate::polygon::{self, Polygon};
 use crate::raw::RawMesh;
 use crate::{sniff, source};
 use pompeiu_core::{MeshError, TriMesh};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// A mesh as read from a file, and what was noticed on the way.
 #[derive(Clone, Debug)]
@@ -60,6 +60,23 @@ pub fn read(path: impl AsRef<Path>) -> Result<ReadMesh, ReadError> {
 /// Those of [`read`].
 pub fn read_mesh(path: impl AsRef<Path>) -> Result<TriMesh, ReadError> {
     read(path).map(|read| read.mesh)
+}
+
+/// The other files that the mesh of a file is made of: the buffers beside a glTF file. None where the file cannot be read.
+///
+/// # Cost
+/// Opens the file and, if it is glTF, parses its document.
+pub fn referenced_files(path: impl AsRef<Path>) -> Vec<PathBuf> {
+    let path = path.as_ref();
+    let Ok(bytes) = source::open(path) else { return Vec::new() };
+    let Ok((content, _)) = source::decompressed(&bytes) else { return Vec::new() };
+    match sniff::format(&content).or(Format::from_path(path)) {
+        Some(format) => {
+            let input = Input { bytes: &content, folder: path.parent(), stored_bytes: bytes.len() as u64 };
+            formats::referenced_files(format, input)
+        }
+        None => Vec::new(),
+    }
 }
 
 /// Reads a triangle mesh from bytes in memory, compressed or not.

@@ -78,11 +78,11 @@ fn open_file(path: &Path) -> io::Result<File> {
 fn wait_for_writer(pipe: &File) -> io::Result<()> {
     use rustix::event::{PollFd, PollFlags, Timespec, poll};
     /// How long a program that was started together with this one may take to open its end.
-    const PATIENCE: Timespec = Timespec { tv_sec: 5, tv_nsec: 0 };
+    const PATIENCE: Timespec = Timespec { tv_sec: 1, tv_nsec: 0 };
     // A pipe without a writer is not ready before the first one has come, whether it writes or goes again.
     match poll(&mut [PollFd::new(pipe, PollFlags::IN)], Some(&PATIENCE)) {
         Ok(0) => {
-            let problem = "a pipe into which nobody writes, expected a writer within 5 s";
+            let problem = "a pipe into which nobody writes, expected a writer within 1 s";
             Err(io::Error::new(io::ErrorKind::TimedOut, problem))
         }
         Ok(_) => Ok(()),

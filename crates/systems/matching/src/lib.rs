@@ -6,6 +6,10 @@
 //! | [`rank`] | which of many meshes is nearest to a template? Ranks follow from proven enclosures alone. |
 //! | [`matrix`] | how far apart is each pair of several meshes? Every entry is a proven enclosure. |
 
+/// The version of the algorithms behind the results of tasks: raised whenever the same task gives another result, so that
+/// results of two versions are never mixed.
+pub const ALGORITHM: u32 = 1;
+
 pub mod align;
 pub mod matrix;
 pub mod rank;

@@ -13,7 +13,7 @@ pub(crate) struct Picture {
     #[arg(long, value_name = "FILE.html")]
     pub(crate) report: Option<PathBuf>,
     /// Write a picture, drawn without a graphics card: the same pixels on every machine
-    #[arg(long, value_name = "FILE.png")]
+    #[arg(long, value_parser = picture, value_name = "FILE.png")]
     pub(crate) image: Option<PathBuf>,
     /// Size of the picture in pixels
     #[arg(long, value_parser = size, default_value = "1600x900", value_name = "WIDTHxHEIGHT")]
@@ -96,6 +96,17 @@ impl From<Theme> for figures::Theme {
             Theme::Light => Self::Light,
             Theme::Dark => Self::Dark,
         }
+    }
+}
+
+/// Parses the name of a picture.
+fn picture(text: &str) -> Result<PathBuf, String> {
+    let path = PathBuf::from(text);
+    let is_png = path.extension().is_some_and(|suffix| suffix.eq_ignore_ascii_case("png"));
+    if is_png || path.is_dir() {
+        Ok(path)
+    } else {
+        Err("pictures are PNG; give the name the suffix .png".to_owned())
     }
 }
 

@@ -58,4 +58,5 @@ pub(crate) mod answers {
     pub(crate) use super::info::Json as Info;
     pub(crate) use super::matrix::Json as Matrix;
     pub(crate) use super::rank::Json as Rank;
+    pub(crate) use super::simplify::Json as Simplify;
 }

@@ -7,21 +7,32 @@ use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::fs::{File, OpenOptions};
-use std::io::{Read, Seek, SeekFrom, Write};
+use std::io::{ErrorKind, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
 /// What the first line of a journal is, byte for byte.
 const HEADER: &str = "{\"pompeiu_journal\":1}\n";
 
-/// SHA-256 of the content of a file.
+/// SHA-256 of the content of a file, and of those of other files that its mesh is made of.
 pub(crate) type Fingerprint = String;
 
-/// The fingerprint of a file. What the file refers to, as glTF may, is not looked at.
+/// The fingerprint of a mesh file.
 pub(crate) fn fingerprint(path: &Path) -> std::io::Result<Fingerprint> {
-    let mut hasher = Sha256::new();
-    std::io::copy(&mut File::open(path)?, &mut hasher)?;
-    Ok(hex(hasher))
+    let content = |path: &Path| {
+        if !path.metadata()?.is_file() {
+            return Err(ErrorKind::InvalidInput.into());
+        }
+        let mut hasher = Sha256::new();
+        std::io::copy(&mut File::open(path)?, &mut hasher)?;
+        Ok(hex(hasher))
+    };
+    let mut all: Fingerprint = content(path)?;
+    for other in pompeiu::io::referenced_files(path) {
+        // What is not there is told when the mesh is read; here it only differs from all that is.
+        all = all + " " + &content(&other).unwrap_or_else(|error: std::io::Error| error.to_string());
+    }
+    Ok(all)
 }
 
 fn hex(hasher: Sha256) -> String {
@@ -31,7 +42,7 @@ fn hex(hasher: Sha256) -> String {
     })
 }
 
-/// Results by what they depend on: the contents of the files, the options, the task and the version of the program. A file
+/// Results by what they depend on: the contents of the files, the options, the task and the version of the algorithm. A file
 /// that has changed since has other keys, so that nothing stale is used. One journal may serve many runs.
 ///
 /// Each result is a line of JSON, written at once when it is there; what is torn at the end when a run is killed is dropped by the
@@ -81,7 +92,7 @@ impl Journal {
 
     /// The key of a result that depends on all of this.
     pub(crate) fn key(parts: &impl Serialize) -> anyhow::Result<String> {
-        let parts = serde_json::to_vec(&(env!("CARGO_PKG_VERSION"), parts))?;
+        let parts = serde_json::to_vec(&(env!("CARGO_PKG_VERSION"), pompeiu::matching::ALGORITHM, parts))?;
         let mut hasher = Sha256::new();
         hasher.update(&parts);
         Ok(hex(hasher))

@@ -355,9 +355,13 @@ fn a_field_and_its_parts_as_a_picture_and_a_page() {
     folder.ok("decompose torus.obj --field rotation:z --report a.html");
     let page = std::fs::read_to_string(folder.path().join("a.html")).unwrap();
     assert!(page.contains("torus.obj") && page.contains("degrees of freedom"));
-    for args in
-        ["--image d.png", "--field rotation:z --image torus.obj", "--field rotation:z --image nowhere/d.png"]
-    {
+    for args in [
+        "--image d.png",
+        "--field rotation:z --report torus.obj",
+        "--field rotation:z --image nowhere/d.png",
+        "--field rotation:z --image d.jpg",
+        "--field rotation:z --report d.vtp -o d.vtp",
+    ] {
         let (code, stdout, _) = folder.transcript(&format!("decompose torus.obj {args}"));
         assert_eq!((code, stdout.as_str()), (Some(2), ""), "{args}");
     }

@@ -110,6 +110,10 @@ fn files_are_refused_before_any_work() {
         ("--csv above.obj", "both input and output"),
         ("--report nowhere/r.html", "there is no folder"),
         ("--image .", "is a folder"),
+        ("--image p.jpg", "give the name the suffix .png"),
+        ("--report r.html --csv ./r.html", "is named for two outputs"),
+        ("-a a.ply -b a.ply", "is named for two outputs"),
+        ("--accuracy 0", "accuracy"),
     ] {
         let (code, stdout, stderr) = folder.transcript(&format!("deviation above.obj below.obj {args}"));
         assert_eq!((code, stdout.as_str()), (Some(2), ""), "{args}");

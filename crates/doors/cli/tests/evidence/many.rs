@@ -147,6 +147,63 @@ fn interrupted_runs_go_on_where_they_were_with_the_same_bits() {
 }
 
 #[test]
+fn files_that_a_mesh_refers_to_are_part_of_it() {
+    let folder = Folder::new();
+    folder.ok("generate icosphere --subdivisions 1 -o template.obj");
+    let buffer = |height: f32| -> Vec<u8> {
+        [[0.0, 0.0, height], [1.0, 0.0, height], [0.0, 1.0, height]]
+            .as_flattened()
+            .iter()
+            .flat_map(|x| x.to_le_bytes())
+            .collect()
+    };
+    folder.write(
+        "mesh.gltf",
+        r#"{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+        "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+        "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],
+        "bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"uri":"my%20mesh.bin","byteLength":36}]}"#,
+    );
+    for args in ["rank template.obj mesh.gltf --json", "matrix template.obj mesh.gltf --json"] {
+        let mut before = Value::Null;
+        for height in [2.0, 3.0] {
+            folder.write("my mesh.bin", buffer(height));
+            let found = json(&folder, &format!("{args} --resume journal"));
+            assert_eq!(found, json(&folder, args), "at {height}");
+            assert_ne!(found, before);
+            before = found;
+        }
+        std::fs::remove_file(folder.path().join("journal")).unwrap();
+    }
+}
+
+#[test]
+fn only_files_that_cannot_be_read_end_in_exit_code_2() {
+    let folder = library();
+    folder.write("garbage.ply", "ply\nformat ascii 1.0\nelement vertex 99\nx");
+    for args in ["rank template.obj garbage.ply missing.obj", "rank template.obj garbage.ply --json --all"] {
+        assert_eq!(folder.run(args).status.code(), Some(2), "{args}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_pipe_without_a_writer_is_refused() {
+    let folder = library();
+    let made = std::process::Command::new("mkfifo").arg(folder.path().join("pipe")).status();
+    assert!(made.unwrap().success());
+    for args in ["info pipe", "distance template.obj pipe", "convert pipe out.obj"] {
+        let (code, stdout, stderr) = folder.transcript(args);
+        assert_eq!((code, stdout.as_str()), (Some(2), ""), "{args}");
+        assert!(stderr.contains("pipe: a pipe into which nobody writes"), "{args}: {stderr}");
+    }
+    let mut reader = folder.pompeiu("info pipe --json").stdout(std::process::Stdio::piped()).spawn().unwrap();
+    std::fs::write(folder.path().join("pipe"), std::fs::read(folder.path().join("template.obj")).unwrap())
+        .unwrap();
+    assert!(reader.wait().unwrap().success());
+}
+
+#[test]
 fn a_run_that_is_killed_can_be_resumed() {
     let folder = Folder::new();
     folder.ok("generate icosphere --subdivisions 4 -o template.obj");

@@ -135,6 +135,41 @@ fn a_system_depends_on_no_other() {
     }
 }
 
+#[test]
+fn the_recipe_for_a_system_names_what_there_is() {
+    let document = text("CONTRIBUTING.md");
+    let section = document.split("## How a system moves in").nth(1).expect("a recipe");
+    let rows = section.lines().filter(|line| line.starts_with("| `")).collect::<Vec<_>>();
+    assert!(rows.len() > 10, "{rows:?}");
+    let mut folder = PathBuf::new();
+    for name in rows
+        .iter()
+        .flat_map(|row| row.split('|').nth(1).expect("a first column").split('`').skip(1).step_by(2))
+    {
+        let name = name.replace("NAME", "fields").replace("COMMAND", "decompose");
+        // A bare name lies beside the one before it.
+        let place = if name.contains('/') || root().join(&name).exists() {
+            PathBuf::from(&name)
+        } else {
+            folder.join(&name)
+        };
+        assert!(root().join(&place).exists(), "CONTRIBUTING.md names {name}, which does not exist");
+        folder = place.parent().map(Path::to_owned).unwrap_or_default();
+        let own = place.to_string_lossy();
+        if place.is_file()
+            && !own.ends_with("errors.rs")
+            && !own.contains("fields")
+            && !own.contains("decompose")
+        {
+            let content = text(&own);
+            assert!(
+                content.contains("fields") || content.contains("decompose"),
+                "{own} does not know the example"
+            );
+        }
+    }
+}
+
 /// What `cargo tree` lists, one line each.
 fn tree(arguments: &[&str]) -> BTreeSet<String> {
     let output = Command::new(env!("CARGO"))

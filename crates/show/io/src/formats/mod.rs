@@ -11,7 +11,7 @@ mod vtk;
 use crate::error::FormatError;
 use crate::format::Format;
 use crate::raw::RawMesh;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// The content of a file, decompressed.
 #[derive(Clone, Copy, Debug)]
@@ -35,6 +35,14 @@ pub(crate) fn read(format: Format, input: Input<'_>) -> Result<RawMesh, FormatEr
         Format::VtkLegacy => vtk::read_legacy(input.bytes),
         Format::Vtp => vtk::read_poly_data(input),
         Format::Vtu => vtk::read_unstructured_grid(input),
+    }
+}
+
+/// The files that `input` refers to and is made of.
+pub(crate) fn referenced_files(format: Format, input: Input<'_>) -> Vec<PathBuf> {
+    match format {
+        Format::Gltf | Format::Glb => gltf::referenced_files(input),
+        _ => Vec::new(),
     }
 }
 

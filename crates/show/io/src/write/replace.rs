@@ -8,7 +8,8 @@ use std::path::{Path, PathBuf};
 /// Lets `fill` write a temporary file next to `path` and gives it that name once all is well.
 ///
 /// A link is followed; anything at `path` that is not a file (a folder, a device) is left alone with an error. The
-/// temporary file is removed on every error and panic; only a killed process can leave it behind.
+/// temporary file is removed on every error and panic. On Linux it has no name while it is written, where the file system can
+/// do that, so that the system removes it even when the process is killed.
 pub(super) fn replace_file(
     path: &Path,
     fill: impl FnOnce(&mut fs::File) -> Result<(), EncodeError>,
@@ -26,10 +27,45 @@ pub(super) fn replace_file(
         // The mode of any new file, of which the process's mask takes its part; without this only the owner may read.
         builder.permissions(fs::Permissions::from_mode(0o666));
     }
+    #[cfg(target_os = "linux")]
+    if let Some(mut file) = unnamed::file(folder) {
+        fill(&mut file)?;
+        builder
+            .make_in(folder, |name| unnamed::give_name(&file, name))?
+            .persist(&path)
+            .map_err(|failure| failure.error)?;
+        return Ok(());
+    }
     let mut file = builder.tempfile_in(folder)?;
     fill(file.as_file_mut())?;
     file.persist(&path).map_err(|failure| failure.error)?;
     Ok(())
+}
+
+/// Files without a name, until they are given one.
+#[cfg(target_os = "linux")]
+mod unnamed {
+    use rustix::fs::{AtFlags, CWD, Mode, OFlags, linkat, open};
+    use std::fs::File;
+    use std::io;
+    use std::os::fd::AsRawFd;
+    use std::path::{Path, PathBuf};
+
+    /// By which a file without a name can be told.
+    const OPEN_FILES: &str = "/proc/self/fd";
+
+    /// A file in a folder; none where the file system has no such files.
+    pub(super) fn file(folder: &Path) -> Option<File> {
+        let flags = OFlags::TMPFILE | OFlags::RDWR | OFlags::CLOEXEC;
+        let mode = Mode::from_raw_mode(0o666);
+        Path::new(OPEN_FILES).is_dir().then(|| open(folder, flags, mode).ok().map(File::from)).flatten()
+    }
+
+    /// Lets a file appear.
+    pub(super) fn give_name(file: &File, name: &Path) -> io::Result<()> {
+        let opened: PathBuf = Path::new(OPEN_FILES).join(file.as_raw_fd().to_string());
+        Ok(linkat(CWD, &opened, CWD, name, AtFlags::SYMLINK_FOLLOW)?)
+    }
 }
 
 fn destination(path: &Path) -> io::Result<PathBuf> {
@@ -38,5 +74,37 @@ fn destination(path: &Path) -> io::Result<PathBuf> {
         Ok(target) if target.is_dir() => Err(io::ErrorKind::IsADirectory.into()),
         Ok(_) => Err(io::Error::other("exists and is not a regular file")),
         Err(_) => Ok(path.to_owned()),
+    }
+}
+
+#[cfg(all(test, target_os = "linux"))]
+mod tests {
+    use super::*;
+    use std::io::Write;
+
+    /// The names in a folder.
+    fn names(folder: &Path) -> Vec<String> {
+        let entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name());
+        entries.map(|name| name.into_string().unwrap()).collect()
+    }
+
+    #[test]
+    fn nothing_is_there_until_all_is() {
+        let folder = tempfile::TempDir::new().unwrap();
+        let path = folder.path().join("mesh.obj");
+        if unnamed::file(folder.path()).is_none() {
+            return;
+        }
+        for text in ["first", "second"] {
+            let before = names(folder.path());
+            replace_file(&path, |file| {
+                file.write_all(text.as_bytes())?;
+                file.flush()?;
+                assert_eq!(names(folder.path()), before, "a killed process leaves nothing");
+                Ok(())
+            })
+            .unwrap();
+            assert_eq!((fs::read_to_string(&path).unwrap().as_str(), names(folder.path()).len()), (text, 1));
+        }
     }
 }

@@ -3,7 +3,7 @@
 use crate::args::Picture;
 use crate::numbers::tuple;
 use clap::{Args, ValueEnum};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Split a tangent field into a gradient, a rotated gradient and a harmonic part
 #[derive(Args)]
@@ -81,6 +81,14 @@ pub(crate) enum FieldSource {
 }
 
 impl FieldSource {
+    /// The file to read, if it is one.
+    pub(crate) fn file(&self) -> Option<&Path> {
+        match self {
+            Self::File(path) => Some(path),
+            _ => None,
+        }
+    }
+
     /// Tells the kinds apart by what comes before the colon; anything else is a file.
     pub(crate) fn parse(text: &str) -> anyhow::Result<Self> {
         let Some((kind, rest)) = text.split_once(':') else { return Ok(Self::File(text.into())) };

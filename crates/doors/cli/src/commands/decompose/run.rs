@@ -12,7 +12,7 @@ use pompeiu::fields::show::DecompositionPage;
 use pompeiu::fields::{Audit, DecompositionOptions, HodgeSolver};
 use pompeiu::operators;
 use pompeiu::surface::EmbeddedSurface;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 pub(crate) fn run(args: &Decompose, printer: &Printer) -> anyhow::Result<Exit> {
@@ -23,9 +23,10 @@ pub(crate) fn run(args: &Decompose, printer: &Printer) -> anyhow::Result<Exit> {
     if source.is_none() && args.picture.outputs().next().is_some() {
         bail!("--report and --image show a field and its parts; name one with --field");
     }
-    for path in args.output.iter().map(PathBuf::as_path).chain(args.picture.outputs()) {
-        files::check_place(path, &[&args.mesh])?;
-    }
+    let field = source.as_ref().and_then(FieldSource::file);
+    let inputs: Vec<&Path> = std::iter::once(args.mesh.as_path()).chain(field).collect();
+    let outputs = args.output.iter().map(PathBuf::as_path).chain(args.picture.outputs());
+    files::check_places(outputs, &inputs)?;
     let shown = || args.mesh.display().to_string();
     let read = files::read(&args.mesh)?;
     files::warn_of_changes(&args.mesh, &read, printer);

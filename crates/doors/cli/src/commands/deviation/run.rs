@@ -39,9 +39,7 @@ pub(crate) fn run(args: &Deviation, printer: &Printer) -> anyhow::Result<Exit> {
         meshes::check(path)?;
     }
     let written = outputs.into_iter().chain([&args.csv]).flatten().map(PathBuf::as_path);
-    for path in written.chain(args.picture.outputs()) {
-        files::check_place(path, &[&args.a, &args.b])?;
-    }
+    files::check_places(written.chain(args.picture.outputs()), &[&args.a, &args.b])?;
     args.limits.apply_threads()?;
     let wait = Wait::new(printer);
     let (a, b) = pair::read(&args.a, &args.b, &wait, printer)?;

@@ -1,45 +1,56 @@
 //! The outcome as one JSON object.
 
 use super::run::Outcome;
-use crate::json::{Bounds, MeshFile, milliseconds};
+use crate::json::{line, milliseconds};
+use crate::pair::File;
+use pompeiu::core::run::StopReason;
+use pompeiu::hausdorff::Enclosure;
 use serde::Serialize;
 
 /// The outcome on one line.
 pub(super) fn json(outcome: &Outcome) -> serde_json::Result<String> {
     let (found, distance) = (&outcome.found, &outcome.found.distance);
-    let report = Report {
-        input: MeshFile::from(&outcome.input),
-        output: MeshFile::from(&outcome.output),
+    line(&Json {
+        input: &outcome.input,
+        output: &outcome.output,
         within: outcome.within,
-        distance: distance.distance.into(),
-        input_to_output: distance.a_to_b.distance.into(),
-        output_to_input: distance.b_to_a.distance.into(),
+        distance: distance.distance,
+        input_to_output: distance.a_to_b.distance,
+        output_to_input: distance.b_to_a.distance,
         collapses: found.collapses,
-        stop: found.stop.name(),
+        stop: found.stop,
         timing_ms: Timing {
             collapse: milliseconds(found.timing.collapse),
             distance: milliseconds(found.timing.distance),
             total: milliseconds(outcome.total),
         },
-    };
-    Ok(serde_json::to_string(&report)? + "\n")
+    })
 }
 
+/// The answer of `pompeiu simplify --json`. Lengths are in the unit of the file.
 #[derive(Serialize)]
-struct Report<'o> {
-    input: MeshFile<'o>,
-    output: MeshFile<'o>,
+#[cfg_attr(test, derive(schemars::JsonSchema), schemars(rename = "Simplify"))]
+pub(crate) struct Json<'o> {
+    input: &'o File,
+    output: &'o File,
     /// The distance asked for; null where a number of faces was.
     within: Option<f64>,
-    distance: Bounds,
-    input_to_output: Bounds,
-    output_to_input: Bounds,
+    /// The Pompeiu–Hausdorff distance of input and output.
+    distance: Enclosure,
+    /// How far the input is from the output.
+    input_to_output: Enclosure,
+    /// How far the output is from the input.
+    output_to_input: Enclosure,
+    /// Number of edges that were collapsed.
     collapses: usize,
-    stop: &'static str,
+    /// Why it ended.
+    stop: StopReason,
     timing_ms: Timing,
 }
 
+/// Milliseconds spent on each part.
 #[derive(Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 struct Timing {
     collapse: f64,
     distance: f64,

@@ -7,3 +7,6 @@ mod text;
 
 pub(crate) use args::Simplify;
 pub(crate) use run::run;
+
+#[cfg(test)]
+pub(crate) use json::Json;

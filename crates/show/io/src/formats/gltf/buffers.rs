@@ -8,7 +8,7 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use std::cell::{Cell, OnceCell};
 use std::fs;
-use std::path::{Component, Path};
+use std::path::{Component, Path, PathBuf};
 
 pub(super) struct Buffers<'a> {
     document: &'a Document,
@@ -71,17 +71,7 @@ impl<'a> Buffers<'a> {
             };
             return STANDARD.decode(data).map(Source::Owned).map_err(|error| format!("base64: {error}"));
         }
-        let name =
-            percent_encoding::percent_decode_str(uri).decode_utf8().map_err(|error| error.to_string())?;
-        let name = Path::new(&*name);
-        let inside = name.components().all(|c| matches!(c, Component::Normal(_) | Component::CurDir));
-        if !inside || uri.contains(':') {
-            return Err(format!("{uri:?} does not lie next to the file"));
-        }
-        let Some(folder) = self.folder else {
-            return Err(format!("{uri:?} lies in another file, and the folder is not known"));
-        };
-        let path = folder.join(name);
+        let path = beside(uri, self.folder)?;
         // Opening a pipe would wait for somebody to write into it.
         match fs::metadata(&path) {
             Ok(metadata) if metadata.is_file() => {
@@ -90,6 +80,20 @@ impl<'a> Buffers<'a> {
             Ok(_) => Err(format!("{uri:?} is not a regular file")),
             Err(error) => Err(format!("{uri:?}: {error}")),
         }
+    }
+}
+
+/// Where a buffer outside of the file is: below the folder of the file, never elsewhere.
+pub(super) fn beside(uri: &str, folder: Option<&Path>) -> Result<PathBuf, String> {
+    let name = percent_encoding::percent_decode_str(uri).decode_utf8().map_err(|error| error.to_string())?;
+    let name = Path::new(&*name);
+    let inside = name.components().all(|c| matches!(c, Component::Normal(_) | Component::CurDir));
+    if !inside || uri.contains(':') {
+        return Err(format!("{uri:?} does not lie next to the file"));
+    }
+    match folder {
+        Some(folder) => Ok(folder.join(name)),
+        None => Err(format!("{uri:?} lies in another file, and the folder is not known")),
     }
 }
 

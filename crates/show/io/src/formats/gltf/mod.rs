@@ -15,6 +15,7 @@ use crate::error::{FormatError, Location};
 use crate::raw::RawMesh;
 use buffers::Buffers;
 use document::Document;
+use std::path::PathBuf;
 
 /// Beginnings of the names of extensions that leave the triangles alone.
 const HARMLESS_EXTENSIONS: [&str; 8] = [
@@ -47,6 +48,15 @@ pub(super) fn read_binary(input: Input<'_>) -> Result<RawMesh, FormatError> {
         FormatError::new(Location::Byte(byte as u64), message(&error))
     })?;
     read_document(&document, container.binary, input)
+}
+
+/// The buffers that lie in other files.
+pub(super) fn referenced_files(input: Input<'_>) -> Vec<PathBuf> {
+    let bytes = input.bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(input.bytes);
+    let json = container::open(bytes).map_or(bytes, |container| container.document);
+    let Ok(document) = serde_json::from_slice::<Document>(json) else { return Vec::new() };
+    let uris = document.buffers.iter().filter_map(|buffer| buffer.uri.as_deref());
+    uris.filter_map(|uri| buffers::beside(uri, input.folder).ok()).collect()
 }
 
 fn read_document(
