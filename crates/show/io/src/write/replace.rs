@@ -78,6 +78,7 @@ fn destination(path: &Path) -> io::Result<PathBuf> {
 }
 
 #[cfg(all(test, target_os = "linux"))]
+#[allow(clippy::unwrap_used, reason = "helpers of tests may panic")]
 mod tests {
     use super::*;
     use std::io::Write;
