@@ -234,8 +234,6 @@ impl<'l> Peaks<'l> {
             nearest_face: bvh.face(nearest.slot),
             nearest_corners: bvh.corners(nearest.slot),
         };
-        let mut witness = farthest.witness(self.mesh, frame).0;
-        witness.to.position = frame.unmap(witness.to.position);
-        witness
+        farthest.witness(self.mesh, frame).0
     }
 }

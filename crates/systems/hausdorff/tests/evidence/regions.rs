@@ -115,3 +115,24 @@ fn peaks_of_a_real_pair_are_narrow_and_in_order() {
     check_order(&report.b_to_a);
     assert_eq!((report.a_to_b.regions.len(), report.b_to_a.regions.len()), (5, 5));
 }
+
+#[test]
+fn the_points_of_a_region_are_as_far_apart_as_its_peak_at_any_scale() {
+    let (a, b) = spiked();
+    for scale in [1e-160, 1e-3, 1.0, 1e5, 1e160] {
+        let scaled = |mesh: &TriMesh| {
+            let positions = mesh.positions().iter().map(|p| p.map(|x| x * scale)).collect();
+            TriMesh::new(positions, mesh.faces().to_vec()).unwrap()
+        };
+        let report = DeviationOptions::default().directed(&scaled(&a), &scaled(&b)).unwrap();
+        assert!(!report.regions.is_empty());
+        for Region { peak, witness, .. } in &report.regions {
+            let apart = [0, 1, 2].map(|k| (witness.from.position[k] - witness.to.position[k]) / scale);
+            let apart = apart.iter().map(|x| x * x).sum::<f64>().sqrt() * scale;
+            assert!(
+                peak.lower() * (1.0 - 1e-9) <= apart && apart <= peak.upper() * (1.0 + 1e-9),
+                "{apart} of {peak:?} at scale {scale}"
+            );
+        }
+    }
+}
