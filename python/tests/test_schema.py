@@ -34,6 +34,10 @@ COMMANDS = {
         "matrix tent.obj square.obj --directed --tolerance 0.1",
     ],
     "info": ["info tent.obj", "info points.obj", "info huge.obj", "info torus.ply.gz"],
+    "repair": [
+        "repair rough.obj repaired.ply",
+        "repair rough.obj repaired.obj --within 0.1",
+    ],
     "simplify": [
         "simplify rough.obj -o simple.ply --within 0.1",
         "simplify rough.obj -o few.ply --faces 200",

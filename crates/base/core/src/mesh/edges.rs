@@ -40,6 +40,11 @@ pub(crate) fn has_three_vertices(face: [u32; 3]) -> bool {
 
 impl EdgeTable {
     pub(super) fn new(mesh: &TriMesh) -> Self {
+        Self::of_faces(mesh.positions().len(), mesh.faces())
+    }
+
+    /// That of faces whose indices are below the number of vertices.
+    pub(super) fn of_faces(vertices: usize, faces: &[[u32; 3]]) -> Self {
         let edges = |face: [u32; 3]| {
             let count = if has_three_vertices(face) { 3 } else { 0 };
             (0..count).map(move |i| {
@@ -47,8 +52,8 @@ impl EdgeTable {
                 (a.min(b), a.max(b))
             })
         };
-        let mut starts = vec![0_usize; mesh.positions().len() + 1];
-        for &face in mesh.faces() {
+        let mut starts = vec![0_usize; vertices + 1];
+        for &face in faces {
             for (lesser, _) in edges(face) {
                 starts[lesser as usize + 1] += 1;
             }
@@ -58,7 +63,7 @@ impl EdgeTable {
         }
         let mut uses = vec![EdgeUse { greater_end: 0, face: 0 }; starts.last().copied().unwrap_or(0)];
         // `starts[v]` moves to the end of its group while the group fills; the shift below puts it back.
-        for (f, &face) in mesh.faces().iter().enumerate() {
+        for (f, &face) in faces.iter().enumerate() {
             for (lesser, greater_end) in edges(face) {
                 let next = &mut starts[lesser as usize];
                 uses[*next] = EdgeUse { greater_end, face: f as u32 };

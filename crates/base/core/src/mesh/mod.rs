@@ -5,6 +5,7 @@ mod edges;
 pub mod edit;
 mod error;
 mod ids;
+pub mod repair;
 pub mod shapes;
 pub mod topology;
 mod trimesh;

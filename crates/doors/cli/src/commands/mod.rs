@@ -11,6 +11,7 @@ mod info;
 mod man;
 mod matrix;
 mod rank;
+mod repair;
 mod simplify;
 
 use crate::exit::Exit;
@@ -43,6 +44,7 @@ commands! {
     info::Info,
     decompose::Decompose,
     simplify::Simplify,
+    repair::Repair,
     convert::Convert,
     generate::Generate,
     completions::Completions,
@@ -58,5 +60,6 @@ pub(crate) mod answers {
     pub(crate) use super::info::Json as Info;
     pub(crate) use super::matrix::Json as Matrix;
     pub(crate) use super::rank::Json as Rank;
+    pub(crate) use super::repair::Json as Repair;
     pub(crate) use super::simplify::Json as Simplify;
 }

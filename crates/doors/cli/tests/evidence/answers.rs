@@ -491,3 +491,33 @@ fn topology_of_well_known_meshes() {
         println!("checked {name}");
     }
 }
+
+#[test]
+fn repair_says_what_it_did_and_proves_how_far_it_went() {
+    let folder = Folder::new();
+    // A tetrahedron of loose faces: one turned, one twice, one without area; and a vertex in no face.
+    folder.write(
+        "loose.obj",
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 0\nv 1 0 0\nv 0 0 1\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 0 0\nv 0 1 0\nv 0 0 1\nv 9 9 9\n\
+         f 1 3 2\nf 4 5 6\nf 7 8 9\nf 10 11 12\nf 2 3 1\nf 1 1 2\n",
+    );
+    let report = json(&folder, "repair loose.obj clean.ply --within 1e-9 --json");
+    let count = |name: &str| report[name]["count"].as_u64().unwrap();
+    assert_eq!(count("welded_vertices"), 8);
+    assert_eq!((count("degenerate_faces"), count("duplicate_faces"), count("turned_faces")), (1, 1, 1));
+    assert_eq!(report["unreferenced_vertices"]["places"], serde_json::json!([[9.0, 9.0, 9.0]]));
+    assert!(report["written"] == true && report["distance"]["upper"].as_f64().unwrap() <= 1e-9);
+    let info = json(&folder, "info clean.ply --json");
+    assert_eq!(
+        (info["genus"].as_u64(), info["boundary_edges"].as_u64(), info["faces"].as_u64()),
+        (Some(0), Some(0), Some(4))
+    );
+    let text = folder.ok("repair clean.ply again.ply");
+    assert!(text.contains("nothing: the mesh is sound"), "{text}");
+    // Without the slanted face a hole is left; filling it moves away from the input.
+    folder.write("open.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\n");
+    let output = folder.run("repair open.obj closed.ply --fill-holes 3 --within 0.01 --json");
+    assert_eq!((output.status.code(), folder.path().join("closed.ply").exists()), (Some(1), false));
+    folder.ok("repair open.obj closed.ply --fill-holes 3 --within 0.9");
+    assert_eq!(json(&folder, "info closed.ply --json")["boundary_edges"].as_u64(), Some(0));
+}

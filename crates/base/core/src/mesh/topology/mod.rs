@@ -5,7 +5,7 @@ mod connectivity;
 mod data;
 mod degenerate;
 mod measure;
-mod union_find;
+pub(super) mod union_find;
 
 pub use connectivity::Connectivity;
 pub use degenerate::is_degenerate;

@@ -1,17 +1,17 @@
 //! Disjoint sets.
 
 /// Sets of the numbers below a bound, each at first alone; path halving, linked towards the lesser root.
-pub(super) struct UnionFind {
+pub(in crate::mesh) struct UnionFind {
     parents: Vec<usize>,
 }
 
 impl UnionFind {
-    pub(super) fn new(count: usize) -> Self {
+    pub(in crate::mesh) fn new(count: usize) -> Self {
         Self { parents: (0..count).collect() }
     }
 
     /// The least member of the set that holds `x`.
-    pub(super) fn find(&mut self, mut x: usize) -> usize {
+    pub(in crate::mesh) fn find(&mut self, mut x: usize) -> usize {
         while self.parents[x] != x {
             self.parents[x] = self.parents[self.parents[x]];
             x = self.parents[x];
@@ -20,7 +20,7 @@ impl UnionFind {
     }
 
     /// Makes one set of those that hold `a` and `b`; whether they were two.
-    pub(super) fn union(&mut self, a: usize, b: usize) -> bool {
+    pub(in crate::mesh) fn union(&mut self, a: usize, b: usize) -> bool {
         let (a, b) = (self.find(a), self.find(b));
         self.parents[a.max(b)] = a.min(b);
         a != b

@@ -1,0 +1,180 @@
+//! Repairing a mesh: what algorithms on surfaces stumble over is removed, one operation after the other.
+//!
+//! | operation | what it does |
+//! |---|---|
+//! | drop unreferenced vertices | those that no face names |
+//! | [`Weld`] | one vertex for positions that are equal, or within a length |
+//! | drop degenerate faces | area zero, decided exactly |
+//! | drop duplicate faces | the three vertices of an earlier face, in whatever order |
+//! | split | a vertex for every fan of faces around it, so that edges have two faces at most |
+//! | orient | faces that share an edge agree on its direction |
+//! | fill holes | triangles for boundary loops with few edges, of least area |
+//!
+//! The result is a manifold with boundary. It is oriented where that is possible: what is left of a Möbius strip is named in the
+//! [`RepairReport`]. Positions are never changed but by welding within a length, and faces that are kept keep their order.
+
+mod degenerate;
+mod duplicate;
+mod holes;
+mod orient;
+mod parts;
+mod report;
+mod split;
+mod weld;
+
+pub use report::{Change, RepairReport};
+
+use super::{MeshError, TriMesh};
+use parts::Parts;
+
+/// Which vertices become one.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Weld {
+    /// None.
+    Never,
+    /// Those at equal positions.
+    #[default]
+    Equal,
+    /// Each vertex becomes one with the nearest earlier vertex that was kept, if that is at most this length away. So a vertex moves by
+    /// at most this length, and vertices that are kept are farther apart.
+    Within(f64),
+}
+
+/// What [`repair`] does beside what it always does.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct RepairOptions {
+    /// Which vertices become one.
+    pub weld: Weld,
+    /// Boundary loops with at most so many edges are filled, at most [`RepairOptions::MOST_HOLE_EDGES`]; none when 0. The rim of an open
+    /// sheet is a boundary loop like any other: with few edges it is filled, too.
+    pub fill_holes: usize,
+}
+
+impl RepairOptions {
+    /// The most edges of a hole that can be filled: the search for the least area takes their third power.
+    pub const MOST_HOLE_EDGES: usize = 256;
+
+    /// Whether the options make sense.
+    ///
+    /// # Errors
+    /// [`RepairError::WeldLength`] unless positive and finite; [`RepairError::HoleEdges`].
+    pub fn check(&self) -> Result<(), RepairError> {
+        if let Weld::Within(length) = self.weld
+            && !(length > 0.0 && length.is_finite())
+        {
+            return Err(RepairError::WeldLength(length));
+        }
+        if self.fill_holes > Self::MOST_HOLE_EDGES {
+            return Err(RepairError::HoleEdges(self.fill_holes));
+        }
+        Ok(())
+    }
+}
+
+/// Why a mesh cannot be repaired.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum RepairError {
+    /// The length within which vertices become one makes no sense.
+    #[error("the length to weld within is {0}, expected a positive number")]
+    WeldLength(f64),
+    /// The length within which vertices become one is lost in the rounding of coordinates.
+    #[error(
+        "the length to weld within, {length:e}, is below the rounding of coordinates of up to {largest:e}; \
+         weld equal positions only"
+    )]
+    WeldBelowRounding {
+        /// The length.
+        length: f64,
+        /// The largest coordinate in magnitude.
+        largest: f64,
+    },
+    /// Too many edges for the search for the least area.
+    #[error("holes of up to {0} edges cannot be filled; at most {max} edges can", max = RepairOptions::MOST_HOLE_EDGES)]
+    HoleEdges(usize),
+    /// No face is left.
+    #[error("nothing is left: all {faces} faces are degenerate{}", if *.welded > 0 { " once vertices are welded" } else { "" })]
+    NothingLeft {
+        /// Number of faces there were.
+        faces: usize,
+        /// Number of vertices that became one with others.
+        welded: usize,
+    },
+    /// Splitting vertices made more than indices can name.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+}
+
+/// A repaired mesh, and what was done.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Repaired {
+    /// The mesh.
+    pub mesh: TriMesh,
+    /// What was done.
+    pub report: RepairReport,
+}
+
+/// Repairs a mesh; the table of operations is in [the documentation of the module](self), in the order in which they are done.
+///
+/// # Accuracy
+/// Which faces are degenerate and which positions equal is decided exactly. Distances for [`Weld::Within`] are rounded: two vertices
+/// whose distance is within 1e-15 of the length, relatively, may be told apart or not.
+///
+/// # Limits
+/// Done twice it does nothing the second time, unless holes were filled beside vertices that were split. Faces that intersect are left
+/// as they are. A degenerate face whose corners are three different points on a line leaves a slit without area. Splitting cuts all
+/// faces apart at an edge with more than two, as it cannot know which belong together.
+///
+/// # Errors
+/// [`RepairError`], with the numbers.
+///
+/// # Cost
+/// O(n log n), and the third power of the edges of each hole.
+///
+/// # Example
+/// ```
+/// use pompeiu_core::mesh::repair::{RepairOptions, repair};
+/// use pompeiu_core::mesh::{MeshSummary, shapes, unweld};
+///
+/// let loose = unweld(&shapes::cube(1.0, 1)?)?;
+/// let repaired = repair(&loose, &RepairOptions::default())?;
+/// assert_eq!(repaired.report.welded.count, 36 - 8);
+/// assert_eq!(MeshSummary::of(&repaired.mesh).connectivity.boundary_edges, 0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn repair(mesh: &TriMesh, options: &RepairOptions) -> Result<Repaired, RepairError> {
+    options.check()?;
+    let mut parts = Parts { positions: mesh.positions().to_vec(), faces: mesh.faces().to_vec() };
+    let unreferenced = parts.drop_unreferenced();
+    let welded = match options.weld {
+        Weld::Never => Change::default(),
+        Weld::Equal => weld::equal(&mut parts),
+        Weld::Within(length) => weld::within(&mut parts, length)?,
+    };
+    let degenerate = degenerate::drop_faces(&mut parts);
+    if parts.faces.is_empty() {
+        return Err(RepairError::NothingLeft { faces: mesh.faces().len(), welded: welded.count });
+    }
+    let duplicate = duplicate::drop_faces(&mut parts);
+    parts.drop_unreferenced();
+    let (split_edges, split_vertices) = split::split(&mut parts);
+    let (turned, non_orientable) = orient::orient(&mut parts);
+    let holes = holes::fill(&mut parts, options.fill_holes);
+    let report = RepairReport {
+        unreferenced_vertices: unreferenced,
+        welded,
+        degenerate_faces: degenerate,
+        duplicate_faces: duplicate,
+        split_edges,
+        split_vertices,
+        turned_faces: turned,
+        non_orientable_components: non_orientable,
+        filled_holes: holes.filled,
+        holes_left: holes.left,
+        faces_added: holes.faces_added,
+    };
+    Ok(Repaired { mesh: TriMesh::new(parts.positions, parts.faces)?, report })
+}
+
+#[cfg(test)]
+mod tests;

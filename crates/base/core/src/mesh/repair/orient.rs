@@ -1,0 +1,62 @@
+//! Faces that agree on the direction of the edges they share.
+
+use super::Change;
+use super::parts::Parts;
+
+/// Turns the fewest faces of each component so that two faces of an edge run along it in opposite directions; no edge has more than two.
+/// The faces that were turned, and the components that cannot be oriented and stay as they are.
+pub(super) fn orient(parts: &mut Parts) -> (Change, Change) {
+    let runs_up = |face: usize, ends: [u32; 2]| {
+        let [a, b, c] = parts.faces[face];
+        [[a, b], [b, c], [c, a]].contains(&ends)
+    };
+    // The neighbours of each face, and whether one of the two must be turned.
+    let mut neighbours: Vec<[Option<(usize, bool)>; 3]> = vec![[None; 3]; parts.faces.len()];
+    for edge in parts.edges().iter() {
+        let mut faces = edge.faces();
+        if let (Some(f), Some(g)) = (faces.next(), faces.next()) {
+            let disagree = runs_up(f, edge.ends) == runs_up(g, edge.ends);
+            for (of, neighbour) in [(f, g), (g, f)] {
+                if let Some(free) = neighbours[of].iter_mut().find(|place| place.is_none()) {
+                    *free = Some((neighbour, disagree));
+                }
+            }
+        }
+    }
+    let mut turned: Vec<Option<bool>> = vec![None; parts.faces.len()];
+    let mut non_orientable = Change::default();
+    let mut component = Vec::new();
+    for seed in 0..parts.faces.len() {
+        if turned[seed].is_some() {
+            continue;
+        }
+        turned[seed] = Some(false);
+        component.clear();
+        component.push(seed);
+        let (mut next, mut agree) = (0, true);
+        while let Some(&face) = component.get(next) {
+            next += 1;
+            for (neighbour, disagree) in neighbours[face].into_iter().flatten() {
+                let wanted = turned[face].map(|turn| turn != disagree);
+                if turned[neighbour].is_none() {
+                    turned[neighbour] = wanted;
+                    component.push(neighbour);
+                }
+                agree &= turned[neighbour] == wanted;
+            }
+        }
+        let turns = component.iter().filter(|&&face| turned[face] == Some(true)).count();
+        if !agree {
+            non_orientable.add(parts.place(seed));
+        }
+        for &face in &component {
+            turned[face] = turned[face].map(|turn| agree && turn != (2 * turns > component.len()));
+        }
+    }
+    let places = (0..turned.len()).filter(|&f| turned[f] == Some(true)).map(|f| parts.place(f));
+    let change = Change::of(places);
+    for (face, _) in parts.faces.iter_mut().zip(&turned).filter(|(_, turn)| **turn == Some(true)) {
+        face.swap(1, 2);
+    }
+    (change, non_orientable)
+}

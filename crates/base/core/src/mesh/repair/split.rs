@@ -1,0 +1,61 @@
+//! A vertex for every fan of faces.
+
+use super::Change;
+use super::parts::Parts;
+use crate::mesh::topology::union_find::UnionFind;
+
+/// Gives every fan of faces around a vertex a vertex of its own; fans end at edges with one face or more than two. The edges that had
+/// more than two, and the vertices with more than one fan.
+///
+/// Afterwards no edge has more than two faces. Where fans end at one edge, they are open chains of faces around their vertex; a chain
+/// has two ends, so that two faces of an edge at most have a vertex in common at each end of it.
+pub(super) fn split(parts: &mut Parts) -> (Change, Change) {
+    let corner = |face: usize, vertex: u32| {
+        let place = parts.faces[face].iter().position(|&v| v == vertex);
+        3 * face + place.unwrap_or(0)
+    };
+    let mut fans = UnionFind::new(3 * parts.faces.len());
+    let mut edges = Change::default();
+    for edge in parts.edges().iter() {
+        let mut faces = edge.faces();
+        match (faces.next(), faces.next(), faces.next()) {
+            (Some(f), Some(g), None) => {
+                for v in edge.ends {
+                    fans.union(corner(f, v), corner(g, v));
+                }
+            }
+            (_, _, Some(_)) => edges.add(parts.positions[edge.ends[0] as usize]),
+            _ => {}
+        }
+    }
+    // The least corner of a fan comes first, and gives the whole fan its vertex: the first fan keeps the one there is.
+    let mut fan_counts = vec![0_u32; parts.positions.len()];
+    let mut vertices = Change::default();
+    let mut numbers = vec![0; 3 * parts.faces.len()];
+    for face in 0..parts.faces.len() {
+        // In an order that turning the face does not change.
+        let mut corners = [0, 1, 2].map(|i| (parts.faces[face][i], 3 * face + i));
+        corners.sort_unstable();
+        for (vertex, corner) in corners {
+            let first = fans.find(corner);
+            numbers[corner] = if first < corner {
+                numbers[first]
+            } else {
+                let count = &mut fan_counts[vertex as usize];
+                *count += 1;
+                let position = parts.positions[vertex as usize];
+                if *count == 2 {
+                    vertices.add(position);
+                }
+                if *count == 1 {
+                    vertex
+                } else {
+                    parts.positions.push(position);
+                    parts.positions.len() as u32 - 1
+                }
+            };
+        }
+    }
+    parts.faces.as_flattened_mut().copy_from_slice(&numbers);
+    (edges, vertices)
+}

@@ -1,0 +1,69 @@
+//! One vertex for several.
+
+use super::parts::Parts;
+use super::{Change, RepairError};
+use std::collections::HashMap;
+
+/// Beyond so many lengths from the origin coordinates are farther apart than a length.
+const MOST_CELLS: f64 = (1_u64 << 52) as f64;
+
+/// Makes one vertex of all at one position: the first of them.
+pub(super) fn equal(parts: &mut Parts) -> Change {
+    // Zero has two signs.
+    let bits = |v: u32| parts.positions[v as usize].map(|x| (x + 0.0).to_bits());
+    let mut order: Vec<u32> = (0..parts.positions.len() as u32).collect();
+    order.sort_unstable_by_key(|&v| (bits(v), v));
+    let mut kept = vec![0; order.len()];
+    for same in order.chunk_by(|&a, &b| bits(a) == bits(b)) {
+        for &v in same {
+            kept[v as usize] = same[0];
+        }
+    }
+    join(parts, &kept)
+}
+
+/// Makes each vertex one with the nearest earlier vertex that was kept, if that is at most `length` away.
+pub(super) fn within(parts: &mut Parts, length: f64) -> Result<Change, RepairError> {
+    let largest =
+        parts.positions.as_flattened().iter().fold(0.0, |m: f64, x| if x.abs() > m { x.abs() } else { m });
+    if largest / length > MOST_CELLS {
+        return Err(RepairError::WeldBelowRounding { length, largest });
+    }
+    // Vertices that are kept are farther apart than the side of a cell, so that a cell holds a few of them at most.
+    let cell_of = |p: [f64; 3]| p.map(|x| (x / length).floor() as i64);
+    let mut cells: HashMap<[i64; 3], Vec<u32>> = HashMap::new();
+    let mut kept: Vec<u32> = Vec::with_capacity(parts.positions.len());
+    for (v, &position) in (0..).zip(&parts.positions) {
+        let cell = cell_of(position);
+        let around = (0..27).map(|i| [cell[0] + i % 3 - 1, cell[1] + i / 3 % 3 - 1, cell[2] + i / 9 - 1]);
+        let near = around.filter_map(|cell| cells.get(&cell)).flatten();
+        let nearest = near
+            .map(|&other| (distance(position, parts.positions[other as usize]), other))
+            .filter(|(distance, _)| *distance <= length)
+            .min_by(|a, b| f64::total_cmp(&a.0, &b.0).then(a.1.cmp(&b.1)));
+        kept.push(nearest.map_or(v, |(_, other)| other));
+        if nearest.is_none() {
+            cells.entry(cell).or_default().push(v);
+        }
+    }
+    Ok(join(parts, &kept))
+}
+
+/// Scaled by the largest difference, so that squares neither overflow nor vanish.
+fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
+    let d = [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+    let scale = d.iter().fold(0.0, |m: f64, x| if x.abs() > m { x.abs() } else { m });
+    if scale == 0.0 {
+        return 0.0;
+    }
+    let [x, y, z] = d.map(|x| x / scale);
+    scale * (x * x + y * y + z * z).sqrt()
+}
+
+fn join(parts: &mut Parts, kept: &[u32]) -> Change {
+    for v in parts.faces.iter_mut().flatten() {
+        *v = kept[*v as usize];
+    }
+    let joined = (0..).zip(kept).filter(|&(v, kept)| v != *kept);
+    Change::of(joined.map(|(v, _): (u32, _)| parts.positions[v as usize]))
+}

@@ -1,0 +1,12 @@
+//! `pompeiu repair`.
+
+mod args;
+mod json;
+mod run;
+mod text;
+
+pub(crate) use args::Repair;
+pub(crate) use run::run;
+
+#[cfg(test)]
+pub(crate) use json::Json;

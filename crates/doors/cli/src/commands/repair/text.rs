@@ -1,0 +1,60 @@
+//! The outcome for people.
+
+use super::run::Outcome;
+use crate::numbers::{agreed, between, grouped, point, shortest};
+use crate::printer::LABEL;
+use pompeiu::core::mesh::repair::Change;
+use std::fmt::Write;
+
+/// A row for each operation that did something, with the first places.
+pub(super) fn text(outcome: &Outcome) -> String {
+    let mut text = String::new();
+    let mut row = |label: &str, value: &str| {
+        let _ = writeln!(text, "{LABEL}{label:<10}{LABEL:#}{value}");
+    };
+    let counts = |file: &crate::pair::File| {
+        let [vertices, faces] = [file.vertices, file.faces].map(|n| grouped(n as u64));
+        format!("{vertices} vertices, {faces} faces")
+    };
+    row("input", &counts(&outcome.input));
+    row("result", &counts(&outcome.output));
+    let report = &outcome.report;
+    let changes: [(&Change, [&str; 2], &str); 10] = [
+        (&report.unreferenced_vertices, ["vertex", "vertices"], "in no face dropped"),
+        (&report.welded, ["vertex", "vertices"], "made one with an earlier vertex"),
+        (&report.degenerate_faces, ["face", "faces"], "of area zero dropped"),
+        (&report.duplicate_faces, ["face", "faces"], "with the vertices of an earlier face dropped"),
+        (&report.split_edges, ["edge", "edges"], "with more than two faces cut apart"),
+        (&report.split_vertices, ["vertex", "vertices"], "split into one for each fan of faces"),
+        (&report.turned_faces, ["face", "faces"], "turned"),
+        (
+            &report.non_orientable_components,
+            ["component", "components"],
+            "left, because no orientation exists",
+        ),
+        (&report.filled_holes, ["hole", "holes"], "filled"),
+        (
+            &report.holes_left,
+            ["hole", "holes"],
+            "left, because every way to fill them reuses an edge or has no area",
+        ),
+    ];
+    let mut label = "done";
+    for (change, [one, many], what) in changes.into_iter().filter(|(change, ..)| change.count > 0) {
+        let noun = if change.count == 1 { one } else { many };
+        let first = change.places.iter().take(3).map(|&place| point(place)).collect::<Vec<_>>().join(", ");
+        let more = if change.count > 3 { ", …" } else { "" };
+        row(label, &format!("{} {noun} {what}, at {first}{more}", grouped(change.count as u64)));
+        label = "";
+    }
+    if label == "done" {
+        row(label, "nothing: the mesh is sound");
+    }
+    if let Some((within, distance)) = outcome.distance {
+        let (lower, upper) = (distance.lower(), distance.upper());
+        let shown = agreed(lower, upper).unwrap_or_else(|| between(lower, upper));
+        let verdict = if outcome.written { "proven to be" } else { "not proven to be" };
+        row("H(A, B)", &format!("{shown}, {verdict} at most {}", shortest(within)));
+    }
+    text
+}
