@@ -29,6 +29,10 @@ step() {
   return "$code"
 }
 
+# Told to stop, the script ends as failed: without these the table would say that everything holds.
+trap 'exit 130' INT
+trap 'exit 143' TERM
+
 print_steps() { # EXIT_CODE
   [ -s "$steps_table" ] || return 0
   printf '\n'
