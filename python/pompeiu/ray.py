@@ -21,7 +21,7 @@ import ray
 
 from . import _native
 from ._native import Mesh
-from .distance import DEFAULT_TOLERANCE
+from .distance import DEFAULT_TOLERANCE, ToleranceKind
 from .errors import OptionError, ReadError
 from .many import Alignment, DistanceMatrix, Measure, RankReport, Targets, named, rank_options
 from .progress import StepsLike, watching_steps
@@ -52,9 +52,9 @@ def _perform(template: "list[ray.ObjectRef]", options: str, mesh: Mesh, action: 
 
 
 @ray.remote(max_retries=RETRIES)
-def _measure(to: Mesh, sources: "list[ray.ObjectRef]", tolerance: float, threads: int) -> List[str]:
+def _measure(to: Mesh, sources: "list[ray.ObjectRef]", width: "tuple[float, str]", threads: int) -> List[str]:
     """A task of a matrix: how far some meshes are from another."""
-    return _native.matrix_entries(to, ray.get(sources), tolerance, threads)
+    return _native.matrix_entries(to, ray.get(sources), width, threads)
 
 
 class _Stopped(Exception):
@@ -113,6 +113,7 @@ def rank(
     measure: Measure = "symmetric",
     alignment: Alignment = "none",
     tolerance: float = DEFAULT_TOLERANCE,
+    tolerance_kind: ToleranceKind = "diagonal",
     names: Optional[Sequence[str]] = None,
     threads: int = 1,
     progress: StepsLike = None,
@@ -124,7 +125,7 @@ def rank(
 
     Parameters
     ----------
-    template, targets, top, all, measure, alignment, tolerance, names, progress
+    template, targets, top, all, measure, alignment, tolerance, tolerance_kind, names, progress
         As for :func:`pompeiu.rank`.
     threads : int
         Processors that one task takes.
@@ -140,7 +141,7 @@ def rank(
     ray.exceptions.RayError
         If a task fails on more workers than it is tried on.
     """
-    options = rank_options(top, all, measure, alignment, tolerance)
+    options = rank_options(top, all, measure, alignment, tolerance, tolerance_kind)
     names, sources = named(targets, names)
     sources = [s if isinstance(s, (str, os.PathLike)) else as_mesh(s) for s in sources]
     ranking = _native.Ranking(names, options)
@@ -173,7 +174,8 @@ def rank(
             try:
                 outcomes = _in_order((submission(*task) for task in tasks), places, done)
             except _Stopped:
-                return RankReport._of(*ranking.report(), finished=False)
+                ranking.stop()
+                return RankReport._of(*ranking.report())
             ranking.merge(outcomes)
             for target in [target for target in store if not ranking.wants(target)]:
                 del store[target]
@@ -184,6 +186,7 @@ def distance_matrix(
     meshes: Iterable[MeshLike],
     *,
     tolerance: float = DEFAULT_TOLERANCE,
+    tolerance_kind: ToleranceKind = "diagonal",
     threads: int = 1,
     progress: StepsLike = None,
 ) -> DistanceMatrix:
@@ -191,7 +194,7 @@ def distance_matrix(
 
     Parameters
     ----------
-    meshes, tolerance, progress
+    meshes, tolerance, tolerance_kind, progress
         As for :func:`pompeiu.distance_matrix`.
     threads : int
         Processors that one task takes.
@@ -206,7 +209,7 @@ def distance_matrix(
         As for :func:`rank`.
     """
     meshes = [as_mesh(mesh) for mesh in meshes]
-    rank_options(1, False, "symmetric", "none", tolerance)  # Checks the tolerance.
+    rank_options(1, False, "symmetric", "none", tolerance, tolerance_kind)  # Checks the tolerance.
     places = _places(threads)
     store = [ray.put(mesh) for mesh in meshes]
     count = len(store)
@@ -217,7 +220,7 @@ def distance_matrix(
 
     def submission(to: int, sources: List[int]) -> Callable[[], Any]:
         task = _measure.options(num_cpus=threads)
-        return lambda: task.remote(store[to], [store[place] for place in sources], tolerance, threads)
+        return lambda: task.remote(store[to], [store[place] for place in sources], (tolerance, tolerance_kind), threads)
 
     entries = _native.Entries(count)
     with watching_steps(progress, "blocks") as watch:
@@ -231,7 +234,8 @@ def distance_matrix(
         try:
             results = _in_order((submission(*block) for block in blocks), places, done)
         except _Stopped:
-            return DistanceMatrix(*entries.arrays())
+            entries.stop()
+            return DistanceMatrix._of(*entries.arrays())
     for (to, sources), found in zip(blocks, results):
         entries.set(to, list(zip(sources, found)))
-    return DistanceMatrix(*entries.arrays())
+    return DistanceMatrix._of(*entries.arrays())

@@ -87,6 +87,7 @@ def test_reports_are_frozen_comparable_and_can_be_pickled():
         ({"tolerance": -1.0}, "the tolerance is -1.0; it must be a finite number that is not negative"),
         ({"tolerance": math.nan}, "the tolerance is nan; it must be a finite number that is not negative"),
         ({"measure": "both"}, "measure is 'both', expected 'symmetric', 'template_to_target' or 'target_to_template'"),
+        ({"tolerance_kind": "best"}, "tolerance_kind is 'best', expected 'diagonal', 'relative' or 'absolute'"),
         ({"alignment": "best"}, "alignment is 'best', expected 'none', 'centroid', 'scale' or 'rigid'"),
     ],
 )
@@ -106,10 +107,25 @@ def test_there_must_be_targets_and_a_name_for_each():
 def test_a_ranking_that_is_stopped_says_what_it_knows():
     told = []
     report = pompeiu.rank(TEMPLATE, SPHERES, threads=1, progress=lambda *steps: told.append(steps) or False)
-    assert not report.finished and len(report) == 6
+    assert not report.finished and len(report) == 6 and report.stop == "cancelled"
+    assert {s.stop for s in report if s.status == "open"} == {"cancelled"} and " open, " in repr(report)
     assert told[0][1] == 6 and told[0][3] == 6
     with pytest.raises(LookupError):
         pompeiu.rank(TEMPLATE, SPHERES, progress=lambda *steps: {}[steps])
+
+
+def test_limits_end_a_ranking_and_a_matrix_with_what_is_proven():
+    report = pompeiu.rank(TEMPLATE, SPHERES, top=2, time_limit=0)
+    assert report.stop == "time" and [s.ranks for s in report] == [(1, 6)] * 6
+    report = pompeiu.rank(TEMPLATE, SPHERES, top=2, memory_limit=1)
+    assert report.stop == "memory" and not report.finished
+    assert all(s.lower - 1e-12 <= abs(RADII[s.target] - 1) <= s.upper + 1e-12 for s in report)
+    matrix = pompeiu.distance_matrix(SPHERES[:3], time_limit=0)
+    assert matrix.stop == "time" and len(matrix.open) == 6 and np.isnan(matrix.lower[0, 1])
+    assert pompeiu.distance_matrix(SPHERES[:3], memory_limit=1 << 30) == pompeiu.distance_matrix(SPHERES[:3])
+    assert pompeiu.distance_matrix(SPHERES[:3], tolerance=0.1, tolerance_kind="absolute").open == ()
+    with pytest.raises(pompeiu.OptionError, match="the time limit is -1"):
+        pompeiu.rank(TEMPLATE, SPHERES, time_limit=-1)
 
 
 def test_a_matrix_holds_the_distances_of_all_pairs():

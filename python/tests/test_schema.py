@@ -28,10 +28,12 @@ COMMANDS = {
         "rank tent.obj square.obj rough.obj points.obj --top 1",
         "rank tent.obj square.obj missing.obj nothing/*.obj --align rigid --all --tolerance 1e-3",
         "rank tent.obj square.obj --direction to-template --align centroid",
+        "rank tent.obj square.obj rough.obj --time-limit 0s --tolerance-kind absolute",
     ],
     "matrix": [
         "matrix tent.obj square.obj missing.obj",
         "matrix tent.obj square.obj --directed --tolerance 0.1",
+        "matrix tent.obj square.obj --time-limit 0s",
     ],
     "info": ["info tent.obj", "info points.obj", "info huge.obj", "info torus.ply.gz"],
     "repair": [
@@ -76,12 +78,14 @@ def schema(repository, name):
     return json.loads((repository / "docs" / "guide" / "pages" / "schema" / f"{name}.json").read_text(encoding="utf-8"))
 
 
-def closed(part):
-    """The same schema, but a key that it does not name is an error."""
+def closed(part, branch=False):
+    """The same schema, but a key that neither it nor a branch of it names is an error."""
     if isinstance(part, dict):
-        part = {key: closed(value) for key, value in part.items()}
-        if "properties" in part and isinstance(part["properties"], dict) and part.get("type") == "object":
-            part["additionalProperties"] = False
+        is_object = "properties" in part and isinstance(part["properties"], dict) and part.get("type") == "object"
+        branches = {key: [closed(one, is_object) for one in part[key]] for key in ("oneOf", "anyOf") if key in part}
+        part = {key: closed(value) for key, value in part.items() if key not in branches} | branches
+        if is_object and not branch:
+            part["unevaluatedProperties"] = False
         return part
     return [closed(one) for one in part] if isinstance(part, list) else part
 

@@ -1,5 +1,6 @@
 //! What the exit code says.
 
+use pompeiu::core::run::StopReason;
 use std::process::ExitCode;
 
 /// How a run ended.
@@ -13,6 +14,18 @@ pub(crate) enum Exit {
     Unusable,
     /// The budget, or double precision, ran out before the answer.
     Undecided,
+}
+
+/// What ended a computation before it reached what was asked, in the words of a sentence.
+pub(crate) fn stopped_by(reason: StopReason) -> &'static str {
+    match reason {
+        StopReason::Time => "the time limit",
+        StopReason::Memory => "the memory limit",
+        StopReason::Pieces => "the limit on pieces",
+        StopReason::Steps => "the limit on steps",
+        StopReason::Rounding => "double precision",
+        _ => "request",
+    }
 }
 
 impl From<Exit> for ExitCode {

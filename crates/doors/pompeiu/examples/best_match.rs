@@ -7,7 +7,7 @@
 #![allow(clippy::print_stdout, reason = "this program is there to print")]
 
 use pompeiu::matching::align::Alignment;
-use pompeiu::matching::rank::{Options, rank_meshes};
+use pompeiu::matching::rank::{RankOptions, rank_meshes};
 use pompeiu::prelude::*;
 
 fn main() -> anyhow::Result<()> {
@@ -16,7 +16,7 @@ fn main() -> anyhow::Result<()> {
         anyhow::bail!("expected a template, and the meshes to rank");
     };
     let meshes = targets.iter().map(read_mesh).collect::<Result<Vec<_>, _>>()?;
-    let options = Options { top: 3, alignment: Alignment::Centroid, ..Options::default() };
+    let options = RankOptions { top: 3, alignment: Alignment::Centroid, ..RankOptions::default() };
     let report = rank_meshes(&read_mesh(template)?, &meshes, &options)?;
     for standing in &report.standings {
         println!("{:?} {:?}: {}", standing.ranks, standing.status, targets[standing.target]);

@@ -4,14 +4,13 @@
 //! it (`python/pompeiu`); what is computed is in the library.
 
 mod arrays;
-mod deviation;
 mod errors;
 mod fields;
 mod files;
+mod hausdorff;
 mod json;
-mod many;
+mod matching;
 mod mesh;
-mod query;
 mod shapes;
 mod wait;
 
@@ -19,17 +18,15 @@ mod wait;
 #[pyo3::pymodule]
 mod _native {
     #[pymodule_export]
-    use crate::deviation::{deviation, directed_deviation};
-    #[pymodule_export]
     use crate::fields::{HodgeDecomposition, audit};
     #[pymodule_export]
     use crate::files::{read_mesh, write_mesh};
     #[pymodule_export]
-    use crate::many::{Entries, Ranking, Template, distance_matrix, matrix_entries, rank_meshes};
+    use crate::hausdorff::{Target, deviation, directed_deviation, directed_hausdorff, hausdorff};
+    #[pymodule_export]
+    use crate::matching::{Entries, Ranking, Template, distance_matrix, matrix_entries, rank_meshes};
     #[pymodule_export]
     use crate::mesh::Mesh;
-    #[pymodule_export]
-    use crate::query::{Target, directed_hausdorff, hausdorff};
     #[pymodule_export]
     use crate::shapes::{cube, cylinder, grid, icosphere, schwarz_lantern, torus};
     use pyo3::prelude::*;

@@ -5,7 +5,7 @@ use crate::options::HausdorffOptions;
 use crate::report::{DirectedReport, Direction, Enclosure, StopReason, SurfacePoint, Timing, Witness};
 use crate::rounding::Rounding;
 use crate::search::{Limits, Scene, Search};
-use crate::target::Target;
+use crate::target::{NEIGHBOURS, Target};
 use crate::tolerance::Tolerance;
 use pompeiu_core::geom::point_triangle::closest_barycentric;
 use pompeiu_core::geom::{Aabb, Frame};
@@ -189,15 +189,8 @@ fn bytes_of(mesh: &TriMesh) -> usize {
     size_of_val(mesh.positions()) + size_of_val(mesh.faces())
 }
 
-/// Bytes per face of the neighbours of a tree.
-const NEIGHBOURS: usize = 12;
-
 /// Bytes that a search holds before it has looked at a single face.
 pub(crate) fn bytes_to_start(a: &TriMesh, b: &TriMesh) -> usize {
     const ORDERING: usize = 16;
-    bytes_of(a)
-        + bytes_of(b)
-        + Bvh::bytes_to_build(b.faces().len())
-        + NEIGHBOURS * b.faces().len()
-        + ORDERING * a.faces().len()
+    bytes_of(a) + bytes_of(b) + Target::bytes_to_prepare(b.faces().len()) + ORDERING * a.faces().len()
 }

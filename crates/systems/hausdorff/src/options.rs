@@ -59,10 +59,7 @@ impl<'o> HausdorffOptions<'o> {
     /// [`OptionError::Tolerance`] and [`OptionError::Threshold`] unless finite and not negative; [`OptionError::Stage`] unless
     /// stages are positive, finite and descending.
     pub fn check(&self) -> Result<(), OptionError> {
-        let tolerance = self.tolerance.value();
-        if !(0.0..f64::INFINITY).contains(&tolerance) {
-            return Err(OptionError::Tolerance(tolerance));
-        }
+        self.tolerance.check()?;
         self.threshold.map_or(Ok(()), check_threshold)?;
         let mut before = f64::INFINITY;
         for (index, &tolerance) in self.stages.iter().enumerate() {

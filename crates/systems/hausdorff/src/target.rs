@@ -5,6 +5,9 @@ use pompeiu_core::geom::{Aabb, Frame};
 use pompeiu_core::spatial::{Bvh, Neighbours};
 use std::sync::OnceLock;
 
+/// Bytes per face of the neighbours of a tree.
+pub(crate) const NEIGHBOURS: usize = 12;
+
 /// A mesh with its tree built: measure many meshes against it.
 ///
 /// It holds a copy of the triangles and does not refer to the mesh.
@@ -52,6 +55,11 @@ impl Target {
     /// Bytes of memory held: about 107 per face.
     pub fn bytes(&self) -> usize {
         self.bvh.bytes() + self.neighbours.get().map_or(0, Neighbours::bytes)
+    }
+
+    /// Bytes of memory that preparing a mesh with so many faces takes at most, its own not included.
+    pub fn bytes_to_prepare(faces: usize) -> usize {
+        Bvh::bytes_to_build(faces) + NEIGHBOURS * faces
     }
 
     pub(crate) fn bvh(&self) -> &Bvh {

@@ -3,14 +3,22 @@
 use pompeiu_core::run::LimitError;
 
 /// The width of the enclosure to aim for.
+///
+/// Serialised as two keys, `tolerance` for the number and `tolerance_kind` for [`Tolerance::kind`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(tag = "tolerance_kind", content = "tolerance"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Tolerance {
     /// A fraction of the diagonal of the joint bounding box of the faces of A and B.
+    #[cfg_attr(feature = "serde", serde(rename = "diagonal"))]
     RelativeToDiagonal(f64),
     /// A fraction of the distance itself. For a distance of zero no width meets it, and the search ends where double
     /// precision does.
+    #[cfg_attr(feature = "serde", serde(rename = "relative"))]
     RelativeToDistance(f64),
     /// A length in the unit of the meshes.
+    #[cfg_attr(feature = "serde", serde(rename = "absolute"))]
     Absolute(f64),
 }
 
@@ -33,6 +41,15 @@ impl Tolerance {
             Self::RelativeToDistance(_) => "relative",
             Self::Absolute(_) => "absolute",
         }
+    }
+
+    /// Whether the number makes sense.
+    ///
+    /// # Errors
+    /// [`OptionError::Tolerance`] unless it is finite and not negative.
+    pub fn check(&self) -> Result<(), OptionError> {
+        let value = self.value();
+        if (0.0..f64::INFINITY).contains(&value) { Ok(()) } else { Err(OptionError::Tolerance(value)) }
     }
 
     /// The number, without its meaning.

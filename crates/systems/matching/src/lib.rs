@@ -8,8 +8,11 @@
 
 /// The version of the algorithms behind the results of tasks: raised whenever the same task gives another result, so that
 /// results of two versions are never mixed.
-pub const ALGORITHM: u32 = 1;
+pub const ALGORITHM: u32 = 2;
 
 pub mod align;
 pub mod matrix;
 pub mod rank;
+mod tasks;
+
+pub use tasks::{TaskObserver, TaskProgress};

@@ -24,6 +24,15 @@ impl Limits {
         self.threads.map_or(Ok(()), use_threads)
     }
 
+    /// The limits of a computation that begins when some time has passed.
+    pub(crate) fn after(&self, passed: Duration) -> pompeiu::core::run::Limits {
+        pompeiu::core::run::Limits {
+            time: self.time_after(passed),
+            memory: self.memory_limit,
+            ..pompeiu::core::run::Limits::default()
+        }
+    }
+
     /// What is left of the time after some has passed.
     pub(crate) fn time_after(&self, passed: Duration) -> Option<Duration> {
         self.time_limit.map(|limit| limit.saturating_sub(passed))

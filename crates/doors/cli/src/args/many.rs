@@ -1,5 +1,6 @@
 //! Options that commands on many files share.
 
+use super::Limits;
 use crate::numbers::memory;
 use clap::Args;
 use std::path::PathBuf;
@@ -12,10 +13,16 @@ pub(crate) struct Many {
     /// Note each result in this file, and take from it what an earlier run has noted
     #[arg(long, value_name = "FILE")]
     pub(crate) resume: Option<PathBuf>,
-    /// Threads to use; all processors by default
-    #[arg(long, value_parser = clap::value_parser!(u16).range(1..=1024), value_name = "N")]
-    pub(crate) threads: Option<u16>,
+    #[command(flatten)]
+    pub(crate) limits: Limits,
     /// Memory for meshes that are kept between uses; others are read again
     #[arg(long, value_parser = memory, default_value = "1GiB", value_name = "SIZE")]
     pub(crate) cache: usize,
+}
+
+impl Many {
+    /// Bytes for meshes that are kept: at most half of the memory, so that searches have the other.
+    pub(crate) fn cache(&self) -> usize {
+        self.limits.memory_limit.map_or(self.cache, |memory| self.cache.min(memory / 2))
+    }
 }

@@ -3,10 +3,12 @@
 mod limits;
 mod many;
 mod picture;
+mod tolerance;
 
 pub(crate) use limits::Limits;
 pub(crate) use many::Many;
 pub(crate) use picture::Picture;
+pub(crate) use tolerance::{Tolerance, ToleranceKind};
 
 use crate::commands::Command;
 use clap::Parser;

@@ -12,7 +12,10 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
 /// What the first line of a journal is, byte for byte.
-const HEADER: &str = "{\"pompeiu_journal\":1}\n";
+const HEADER: &str = "{\"pompeiu_journal\":2}\n";
+
+/// How the first line of a journal of any version begins.
+const ANY_HEADER: &str = "{\"pompeiu_journal\":";
 
 /// SHA-256 of the content of a file, and of those of other files that its mesh is made of.
 pub(crate) type Fingerprint = String;
@@ -44,6 +47,9 @@ fn hex(hasher: Sha256) -> String {
 
 /// Results by what they depend on: the contents of the files, the options, the task and the version of the algorithm. A file
 /// that has changed since has other keys, so that nothing stale is used. One journal may serve many runs.
+///
+/// A result is what the library serialises: a directed report for a pair of a matrix, an outcome for a task of a ranking. Results
+/// that a limit cut short are not noted.
 ///
 /// Each result is a line of JSON, written at once when it is there; what is torn at the end when a run is killed is dropped by the
 /// next.
@@ -120,6 +126,9 @@ fn parse(text: &[u8]) -> anyhow::Result<(BTreeMap<String, serde_json::Value>, us
         return Ok((known, 0));
     }
     let Some(lines) = text.strip_prefix(HEADER.as_bytes()) else {
+        if text.starts_with(ANY_HEADER.as_bytes()) {
+            bail!("is a journal of another version of this program, and is left as it is; name a new file");
+        }
         bail!("is no journal of this program, and is left as it is; name a new file or a journal");
     };
     let mut whole = HEADER.len();
@@ -174,8 +183,8 @@ mod tests {
         let path = folder.path().join("mesh.obj");
         for text in [
             "v 0 0 0\n",
-            "{\"pompeiu_journal\":2}\n",
-            "{\"pompeiu_journal\":1}\nx\n{\"key\":\"\",\"result\":1}\n",
+            "{\"pompeiu_journal\":1}\n",
+            "{\"pompeiu_journal\":2}\nx\n{\"key\":\"\",\"result\":1}\n",
         ] {
             std::fs::write(&path, text).unwrap();
             assert!(Journal::open(&path).is_err());

@@ -50,6 +50,11 @@ impl Meshes {
         read
     }
 
+    /// Bytes of the meshes that are kept.
+    pub(crate) fn bytes(&self) -> usize {
+        self.kept().bytes
+    }
+
     /// Why a file could not be read, if that was tried.
     pub(crate) fn failure(&self, index: usize) -> Option<String> {
         self.kept().meshes[index].as_ref().and_then(|kept| kept.as_ref().err().cloned())

@@ -3,10 +3,12 @@
 mod inputs;
 mod journal;
 mod meshes;
+mod notes;
 
 pub(crate) use inputs::expand;
 pub(crate) use journal::{Fingerprint, Journal, fingerprint};
 pub(crate) use meshes::Meshes;
+pub(crate) use notes::Notes;
 
 use crate::printer::Printer;
 use serde::Serialize;

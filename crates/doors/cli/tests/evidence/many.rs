@@ -57,6 +57,7 @@ fn hostile_inputs() {
     check(&folder, "rank_other_journal", "rank template.obj library --resume points.obj");
     check(&folder, "rank_table_over_target", "rank template.obj library --csv library/a.ply");
     check(&folder, "rank_table_over_journal", "rank template.obj library --csv new --resume new");
+    check(&folder, "matrix_journal_over_mesh", "matrix template.obj library/a.ply --resume library/a.ply");
     check(&folder, "rank_table_in_no_folder", "rank template.obj library --csv nowhere/table.csv");
     check(&folder, "matrix_bad_files", "matrix garbage.ply library/b.ply missing.obj --tolerance 0.5");
     check(&folder, "matrix_of_nothing", "matrix nothing");
@@ -227,6 +228,63 @@ fn a_run_that_is_killed_can_be_resumed() {
     child.wait().unwrap();
     assert!(lines() >= 6);
     assert_eq!(json(&folder, &resumed), expected);
+}
+
+#[test]
+fn limits_end_a_run_with_what_is_proven_and_leave_nothing_half_done_in_the_journal() {
+    let folder = library();
+    for (args, open) in [
+        ("rank template.obj library --top 2 --json --tolerance 1e-6", 6),
+        ("matrix template.obj library/a.ply library/b.ply --json --tolerance 1e-6", 6),
+    ] {
+        let expected = json(&folder, args);
+        assert_eq!(expected["stop"], "tolerance");
+        for (limit, stop) in [("--time-limit 0s", "time"), ("--memory-limit 1B", "memory")] {
+            let limited = format!("{args} {limit} --resume journal");
+            assert_eq!(folder.run(&limited).status.code(), Some(3), "{limited}");
+            let found = json(&folder, &limited);
+            assert_eq!(found["stop"], stop);
+            if stop == "time" && args.starts_with("rank") {
+                let targets = found["targets"].as_array().unwrap();
+                assert_eq!(targets.len(), open);
+                assert!(
+                    targets
+                        .iter()
+                        .all(|t| t["status"] == "open" && t["stop"] == stop && t["rank_last"] == open)
+                );
+            } else if args.starts_with("matrix") {
+                assert_eq!(found["open"].as_array().unwrap().len(), open);
+            }
+        }
+        assert_eq!(json(&folder, &format!("{args} --resume journal")), expected);
+        std::fs::remove_file(folder.path().join("journal")).unwrap();
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupt_ends_a_ranking_with_what_is_done() {
+    let folder = Folder::new();
+    folder.ok("generate icosphere --subdivisions 4 -o template.obj");
+    for seed in 0..12 {
+        folder.ok(&format!(
+            "generate mesh template.obj --noise 0.0{} --seed {seed} -o t{seed:02}.ply",
+            10 + seed
+        ));
+    }
+    let args = "rank template.obj t*.ply --all --json --threads 1 --resume journal";
+    let child = folder.pompeiu(args).stdout(std::process::Stdio::piped()).spawn().unwrap();
+    let lines =
+        || std::fs::read(folder.path().join("journal")).map_or(0, |text| text.split(|b| *b == b'\n').count());
+    while lines() < 4 {
+        std::thread::yield_now();
+    }
+    let interrupt = std::process::Command::new("kill").arg("-INT").arg(child.id().to_string()).status();
+    assert!(interrupt.unwrap().success());
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(3));
+    let report: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!((&report["stop"], report["targets"].as_array().unwrap().len()), (&"cancelled".into(), 12));
 }
 
 #[test]

@@ -4,11 +4,30 @@ use std::fmt;
 
 /// `lower <= distance <= upper`, both finite and nonnegative: a crossed or NaN enclosure cannot exist.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(try_from = "Ends"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Enclosure {
     lower: f64,
     upper: f64,
+}
+
+/// The ends of an enclosure as they are read, before they are checked.
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct Ends {
+    lower: f64,
+    upper: f64,
+}
+
+#[cfg(feature = "serde")]
+impl TryFrom<Ends> for Enclosure {
+    type Error = String;
+
+    fn try_from(Ends { lower, upper }: Ends) -> Result<Self, String> {
+        Self::new(lower, upper).ok_or_else(|| format!("{lower} and {upper} are no ends of an enclosure"))
+    }
 }
 
 impl Enclosure {

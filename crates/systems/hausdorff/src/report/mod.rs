@@ -24,7 +24,7 @@ pub enum Direction {
 
 /// How much was done, in counts that do not depend on the machine or the number of threads.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct WorkCount {
     /// Closest-point questions asked of the tree.
@@ -54,22 +54,28 @@ impl WorkCount {
 
 /// Wall-clock time of the parts of a query. Serialised in milliseconds.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Timing {
     /// Building trees; zero where a prepared target was given.
-    #[cfg_attr(feature = "serde", serde(serialize_with = "milliseconds"))]
+    #[cfg_attr(
+        feature = "serde",
+        serde(serialize_with = "milliseconds", deserialize_with = "from_milliseconds")
+    )]
     #[cfg_attr(feature = "schema", schemars(with = "f64"))]
     pub build: Duration,
     /// Everything else.
-    #[cfg_attr(feature = "serde", serde(serialize_with = "milliseconds"))]
+    #[cfg_attr(
+        feature = "serde",
+        serde(serialize_with = "milliseconds", deserialize_with = "from_milliseconds")
+    )]
     #[cfg_attr(feature = "schema", schemars(with = "f64"))]
     pub search: Duration,
 }
 
 /// The answer to a directed query.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct DirectedReport {
     /// Encloses h of the meshes as stored, in their unit.
@@ -90,7 +96,8 @@ pub struct DirectedReport {
 
 impl DirectedReport {
     /// This report and a later one of the same distance in one: the better of both ends, and the work and time of both.
-    pub(crate) fn narrowed_by(&self, later: &Self) -> Self {
+    #[must_use]
+    pub fn narrowed_by(&self, later: &Self) -> Self {
         let (best, other) =
             if later.distance.lower() < self.distance.lower() { (self, later) } else { (later, self) };
         let (upper, other_upper) = (best.distance.upper(), other.distance.upper());
@@ -131,4 +138,12 @@ pub struct SymmetricReport {
 #[allow(clippy::trivially_copy_pass_by_ref, reason = "serde hands a reference")]
 pub(crate) fn milliseconds<S: serde::Serializer>(span: &Duration, serializer: S) -> Result<S::Ok, S::Error> {
     serializer.serialize_f64(span.as_nanos() as f64 / 1e6)
+}
+
+/// Reads a span of time written by [`milliseconds`], to the nanosecond.
+#[cfg(feature = "serde")]
+fn from_milliseconds<'de, D: serde::Deserializer<'de>>(deserializer: D) -> Result<Duration, D::Error> {
+    let milliseconds: f64 = serde::Deserialize::deserialize(deserializer)?;
+    // Negative and infinite spans saturate; they are no part of any answer.
+    Ok(Duration::from_nanos((milliseconds * 1e6).round() as u64))
 }

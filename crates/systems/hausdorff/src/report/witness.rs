@@ -5,7 +5,7 @@ use pompeiu_core::{FaceId, TriMesh};
 
 /// A point on a face of a mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct SurfacePoint {
     /// The face.
@@ -27,7 +27,7 @@ impl SurfacePoint {
 
 /// A point that is far from the other mesh, and a point of that mesh nearest to it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Witness {
     /// On the mesh that distances are measured from.

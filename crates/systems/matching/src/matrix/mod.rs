@@ -2,25 +2,34 @@
 //!
 //! A **task** is one directed distance, a pure function of two meshes ([`directed`]) with a plain result; [`tasks`] names them all,
 //! grouped by the mesh that is measured to, whose tree is then built once. [`Matrix`] gathers the results, in any order.
+//! [`measure`] does all tasks on this machine, until they are done or a limit of [`MatrixOptions`] or its observer ends it; what is
+//! not known then is [open](Matrix::open).
 //!
 //! # Example
 //! ```
 //! use pompeiu_core::mesh::shapes::icosphere;
-//! use pompeiu_matching::matrix::matrix_of;
+//! use pompeiu_matching::matrix::{MatrixOptions, matrix_of};
 //!
-//! let matrix = matrix_of(&[icosphere(1.0, 1)?, icosphere(1.5, 1)?], 1e-9)?;
+//! let matrix = matrix_of(&[icosphere(1.0, 1)?, icosphere(1.5, 1)?], &MatrixOptions::default())?;
 //! let [lower, upper] = matrix.symmetric(0, 1).unwrap();
 //! assert!(lower <= 0.5 && 0.5 <= upper);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod local;
+mod options;
+
+pub use local::{Meshes, matrix_of, measure};
+pub use options::MatrixOptions;
+
 use pompeiu_core::TriMesh;
-use pompeiu_hausdorff::{HausdorffOptions, OptionError, Target, Tolerance};
-use rayon::prelude::*;
+use pompeiu_core::run::StopReason;
+use pompeiu_hausdorff::{DirectedReport, HausdorffOptions, OptionError, Target};
 use serde::{Deserialize, Serialize};
 
 /// One directed distance: how far the points of a mesh are from another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Task {
     /// The mesh that is measured, by its place.
     pub from: usize,
@@ -34,44 +43,46 @@ pub fn tasks(count: usize) -> impl Iterator<Item = Task> {
         .flat_map(move |to| (0..count).filter(move |from| *from != to).map(move |from| Task { from, to }))
 }
 
-/// The enclosure of a directed distance.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Entry {
-    /// Proven lower bound.
-    pub lower: f64,
-    /// Proven upper bound.
-    pub upper: f64,
-    /// Point–triangle distances evaluated.
-    pub distances: u64,
-}
-
-/// Encloses a directed distance to a tolerance that is a fraction of the diagonal of the joint box.
+/// Encloses a directed distance.
 ///
 /// # Errors
-/// [`OptionError::Tolerance`] unless it is finite and not negative.
-pub fn directed(from: &TriMesh, to: &Target, tolerance: f64) -> Result<Entry, OptionError> {
-    let tolerance = Tolerance::RelativeToDiagonal(tolerance);
-    let report = HausdorffOptions { tolerance, ..HausdorffOptions::default() }.directed_to(from, to)?;
-    let [lower, upper] = [report.distance.lower(), report.distance.upper()];
-    Ok(Entry { lower, upper, distances: report.work.distances })
+/// Those of [`MatrixOptions::check`].
+pub fn directed(
+    from: &TriMesh,
+    to: &Target,
+    options: &MatrixOptions<'_>,
+) -> Result<DirectedReport, OptionError> {
+    let limits = options.limits.clone();
+    HausdorffOptions { tolerance: options.tolerance, limits, ..HausdorffOptions::default() }
+        .directed_to(from, to)
+}
+
+/// What a matrix keeps of the report of a directed distance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Entry {
+    lower: f64,
+    upper: f64,
+    stop: StopReason,
+    /// Point–triangle distances evaluated.
+    distances: u64,
 }
 
 /// The directed distances between some meshes, as far as they are known.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Matrix {
     count: usize,
     /// Row by row: row i holds the distances from mesh i.
     entries: Vec<Option<Entry>>,
+    /// Why pairs were not measured at all.
+    stopped: Option<StopReason>,
 }
 
 impl Matrix {
     /// Nothing is known but that every mesh is at no distance from itself.
     pub fn new(count: usize) -> Self {
-        let entry = |at| {
-            let itself = count > 0 && at / count == at % count;
-            itself.then_some(Entry { lower: 0.0, upper: 0.0, distances: 0 })
-        };
-        Self { count, entries: (0..count * count).map(entry).collect() }
+        let itself = Entry { lower: 0.0, upper: 0.0, stop: StopReason::Tolerance, distances: 0 };
+        let entry = |at| (count > 0 && at / count == at % count).then_some(itself);
+        Self { count, entries: (0..count * count).map(entry).collect(), stopped: None }
     }
 
     /// Number of meshes.
@@ -83,15 +94,25 @@ impl Matrix {
     ///
     /// # Panics
     /// If the task names a mesh that is not there.
-    pub fn set(&mut self, task: Task, entry: Entry) {
+    pub fn set(&mut self, task: Task, report: &DirectedReport) {
         assert!(task.from < self.count && task.to < self.count, "{task:?} in a matrix of {}", self.count);
+        let [lower, upper] = [report.distance.lower(), report.distance.upper()];
+        let entry = Entry { lower, upper, stop: report.stop, distances: report.work.distances };
         self.entries[task.from * self.count + task.to] = Some(entry);
+    }
+
+    /// Notes why the pairs that are not known were not measured; the first reason stays.
+    pub fn stop(&mut self, reason: StopReason) {
+        self.stopped.get_or_insert(reason);
+    }
+
+    fn entry(&self, i: usize, j: usize) -> Option<&Entry> {
+        (i < self.count && j < self.count).then(|| self.entries[i * self.count + j].as_ref()).flatten()
     }
 
     /// Encloses the directed distance from mesh i to mesh j, if it is known.
     pub fn directed(&self, i: usize, j: usize) -> Option<[f64; 2]> {
-        let entry = (i < self.count && j < self.count).then(|| self.entries[i * self.count + j]).flatten()?;
-        Some([entry.lower, entry.upper])
+        self.entry(i, j).map(|entry| [entry.lower, entry.upper])
     }
 
     /// Encloses the symmetric distance of mesh i and mesh j, if it is known: the same both ways.
@@ -100,34 +121,22 @@ impl Matrix {
         Some([0, 1].map(|end| if one[end] > other[end] { one[end] } else { other[end] }))
     }
 
+    /// Why the computation ended: [`StopReason::Tolerance`] unless a limit or the observer left pairs open.
+    pub fn stop_reason(&self) -> StopReason {
+        let of_pair = || self.entries.iter().flatten().map(|entry| entry.stop).find(|stop| stop.is_early());
+        self.stopped.or_else(of_pair).unwrap_or(StopReason::Tolerance)
+    }
+
+    /// The distances that are not known, or enclosed less narrowly than asked because their search was stopped.
+    pub fn open(&self) -> impl Iterator<Item = Task> {
+        tasks(self.count)
+            .filter(|task| self.entry(task.from, task.to).is_none_or(|entry| entry.stop.is_early()))
+    }
+
     /// Point–triangle distances evaluated.
     pub fn distances(&self) -> u64 {
         self.entries.iter().flatten().map(|entry| entry.distances).sum()
     }
-}
-
-/// The matrix of meshes in memory, on the threads of the current pool; the same bits for any number of them.
-///
-/// # Errors
-/// [`OptionError::Tolerance`] unless it is finite and not negative.
-///
-/// # Cost
-/// One tree and n − 1 searches for each of n meshes.
-pub fn matrix_of(meshes: &[TriMesh], tolerance: f64) -> Result<Matrix, OptionError> {
-    let mut matrix = Matrix::new(meshes.len());
-    for (to, mesh) in meshes.iter().enumerate() {
-        let target = Target::new(mesh);
-        let row: Vec<_> = meshes
-            .par_iter()
-            .enumerate()
-            .filter(|(from, _)| *from != to)
-            .map(|(from, mesh)| directed(mesh, &target, tolerance).map(|entry| (Task { from, to }, entry)))
-            .collect::<Result<_, _>>()?;
-        for (task, entry) in row {
-            matrix.set(task, entry);
-        }
-    }
-    Ok(matrix)
 }
 
 #[cfg(test)]
@@ -145,12 +154,25 @@ mod tests {
 
     #[test]
     fn what_is_not_known_is_none() {
+        use pompeiu_core::mesh::shapes::icosphere;
+        let report = |from, to| {
+            let target = Target::new(&icosphere(to, 1).unwrap());
+            directed(&icosphere(from, 1).unwrap(), &target, &MatrixOptions::default()).unwrap()
+        };
+        let [there, back] = [report(1.0, 1.5), report(1.5, 1.0)];
+        let ends = |report: &DirectedReport| [report.distance.lower(), report.distance.upper()];
         let mut matrix = Matrix::new(2);
-        assert_eq!(matrix.symmetric(1, 1), Some([0.0, 0.0]));
-        matrix.set(Task { from: 0, to: 1 }, Entry { lower: 1.0, upper: 2.0, distances: 7 });
-        assert_eq!((matrix.directed(0, 1), matrix.symmetric(0, 1)), (Some([1.0, 2.0]), None));
-        matrix.set(Task { from: 1, to: 0 }, Entry { lower: 0.5, upper: 3.0, distances: 7 });
-        assert_eq!((matrix.symmetric(0, 1), matrix.symmetric(1, 0)), (Some([1.0, 3.0]), Some([1.0, 3.0])));
-        assert_eq!((matrix.directed(0, 2), matrix.distances()), (None, 14));
+        assert_eq!((matrix.symmetric(1, 1), matrix.open().count()), (Some([0.0, 0.0]), 2));
+        matrix.set(Task { from: 0, to: 1 }, &there);
+        assert_eq!((matrix.directed(0, 1), matrix.symmetric(0, 1)), (Some(ends(&there)), None));
+        assert_eq!(matrix.open().collect::<Vec<_>>(), [Task { from: 1, to: 0 }]);
+        matrix.set(Task { from: 1, to: 0 }, &back);
+        let greater = [0, 1].map(|end| f64::max(ends(&there)[end], ends(&back)[end]));
+        assert_eq!((matrix.symmetric(0, 1), matrix.symmetric(1, 0)), (Some(greater), Some(greater)));
+        let distances = there.work.distances + back.work.distances;
+        assert_eq!((matrix.directed(0, 2), matrix.distances()), (None, distances));
+        assert_eq!((matrix.open().count(), matrix.stop_reason()), (0, StopReason::Tolerance));
+        matrix.set(Task { from: 1, to: 0 }, &DirectedReport { stop: StopReason::Memory, ..back });
+        assert_eq!((matrix.open().count(), matrix.stop_reason()), (1, StopReason::Memory));
     }
 }

@@ -1,8 +1,10 @@
 //! Which tasks come next: a state machine that sees results, never clocks or threads.
 
-use super::options::{Options, RankError};
+use super::options::{Measure, RankError, RankOptions};
 use super::report::{Bound, Report, Standing, Status, Work, ranks};
 use super::task::{Action, Outcome, Request, Sight, Task};
+use pompeiu_core::run::StopReason;
+use pompeiu_hausdorff::Tolerance;
 
 /// Least number of targets in the first round of searches: their upper bounds discard many of the others. Each further
 /// round of the same tolerance has twice as many, so that there are few rounds and places for many hands.
@@ -15,14 +17,18 @@ const FIRST_ROUND: usize = 8;
 /// targets.
 #[derive(Clone, Debug)]
 pub struct Ranking {
-    options: Options,
-    tolerances: Vec<f64>,
+    measure: Measure,
+    top: usize,
+    all: bool,
+    tolerances: Vec<Tolerance>,
     candidates: Vec<Candidate>,
     /// Candidates by name: what breaks ties.
     by_name: Vec<usize>,
     round: Vec<Task>,
     /// Rounds with the present tolerance so far.
     rounds_of_tolerance: u32,
+    /// Why it ended before all was known.
+    stopped: Option<StopReason>,
     work: Work,
 }
 
@@ -49,14 +55,16 @@ struct Seen {
     /// Tolerances that were reached.
     reached: usize,
     discarded: bool,
+    /// Why a search of it ended early; it is not searched again.
+    stopped: Option<StopReason>,
 }
 
 impl Ranking {
     /// A ranking of targets with these names; equal names are told apart by their order.
     ///
     /// # Errors
-    /// Those of [`Options::check`], and [`RankError::NoTargets`].
-    pub fn new(names: Vec<String>, options: &Options) -> Result<Self, RankError> {
+    /// Those of [`RankOptions::check`], and [`RankError::NoTargets`].
+    pub fn new(names: Vec<String>, options: &RankOptions<'_>) -> Result<Self, RankError> {
         options.check()?;
         if names.is_empty() {
             return Err(RankError::NoTargets);
@@ -67,12 +75,15 @@ impl Ranking {
         let searches = tolerances.iter().map(|t| (*t, 0)).collect();
         let round = by_name.iter().map(|&target| Task { target, action: Action::Look }).collect();
         Ok(Self {
-            options: options.clone(),
+            measure: options.measure,
+            top: options.top,
+            all: options.all,
             tolerances,
             candidates: names.into_iter().map(|name| Candidate { name, state: State::Unseen }).collect(),
             by_name,
             round,
             rounds_of_tolerance: 0,
+            stopped: None,
             work: Work { searches, ..Work::default() },
         })
     }
@@ -87,9 +98,27 @@ impl Ranking {
         !self.round.is_empty()
             && match self.candidates.get(target).map(|candidate| &candidate.state) {
                 Some(State::Unseen) => true,
-                Some(State::Seen(seen)) => !seen.discarded && seen.reached < self.tolerances.len(),
+                Some(State::Seen(seen)) => !seen.discarded && self.is_wide(seen),
                 _ => false,
             }
+    }
+
+    /// Whether an enclosure can still be narrowed.
+    fn is_wide(&self, seen: &Seen) -> bool {
+        seen.stopped.is_none() && seen.reached < self.tolerances.len()
+    }
+
+    /// How many targets there are.
+    pub fn targets(&self) -> usize {
+        self.candidates.len()
+    }
+
+    /// Ends the ranking: no more tasks come, and the report says what is open.
+    pub fn stop(&mut self, reason: StopReason) {
+        if !self.round.is_empty() {
+            self.stopped = Some(reason);
+            self.round.clear();
+        }
     }
 
     /// How many targets are settled: measured in full, discarded or failed.
@@ -105,12 +134,23 @@ impl Ranking {
         if outcomes.len() != self.round.len() {
             return Err(RankError::Results { expected: self.round.len(), found: outcomes.len() });
         }
+        self.merge_done(outcomes.into_iter().map(Some).collect(), || StopReason::Cancelled)
+    }
+
+    /// Takes the results of the round, none for tasks that were left undone: those end the ranking, for this reason.
+    pub(super) fn merge_done(
+        &mut self,
+        outcomes: Vec<Option<Outcome>>,
+        reason: impl FnOnce() -> StopReason,
+    ) -> Result<(), RankError> {
         for (task, outcome) in self.round.iter().zip(&outcomes) {
+            let Some(outcome) = outcome else { continue };
             let fits = match (&task.action, outcome) {
                 (_, Outcome::Failed(_)) => true,
                 (Action::Look, Outcome::Seen(sight)) => sight.is_sound(),
-                (Action::Refine(_), Outcome::Refined(refined)) => {
-                    refined.lower >= 0.0 && refined.upper.is_none_or(|upper| refined.lower <= upper)
+                (Action::Refine(request), Outcome::Refined(refined)) => {
+                    let beyond = request.threshold.is_some_and(|threshold| refined.lower() > threshold);
+                    beyond || refined.upper(self.measure).is_some()
                 }
                 _ => false,
             };
@@ -122,11 +162,19 @@ impl Ranking {
             return Ok(());
         }
         self.work.rounds += 1;
+        let mut whole = true;
         for (task, outcome) in std::mem::take(&mut self.round).into_iter().zip(outcomes) {
-            self.take(&task, outcome);
+            match outcome {
+                Some(outcome) => self.take(&task, outcome),
+                None => whole = false,
+            }
         }
         self.discard();
-        self.round = self.next_round();
+        if whole {
+            self.round = self.next_round();
+        } else {
+            self.stopped = Some(reason());
+        }
         Ok(())
     }
 
@@ -142,24 +190,28 @@ impl Ranking {
                 let Action::Refine(request) = &task.action else { return };
                 let tolerance = self.tolerances[seen.reached];
                 self.work.searches[seen.reached].1 += 1;
-                self.work.trees += refined.trees;
-                self.work.distances += refined.distances;
-                if refined.lower > seen.lower {
-                    (seen.lower, seen.bound) = (refined.lower, Bound::Search(tolerance));
+                self.work.trees += refined.trees();
+                self.work.distances += refined.distances();
+                if refined.lower() > seen.lower {
+                    (seen.lower, seen.bound) = (refined.lower(), Bound::Search(tolerance));
                 }
-                if let Some(upper) = refined.upper.filter(|upper| *upper < seen.upper) {
+                if let Some(upper) = refined.upper(self.measure).filter(|upper| *upper < seen.upper) {
                     seen.upper = upper;
                 }
-                if request.threshold.is_some_and(|threshold| refined.lower > threshold) {
+                if request.threshold.is_some_and(|threshold| refined.lower() > threshold) {
                     // It ended early. What is beyond the threshold is discarded, or asked again where that has changed.
                     return;
                 }
-                seen.reached += 1;
-                // A search ends rather than converges: often it is narrower than asked.
-                let last = self.tolerances.len();
-                let narrow = |t: f64| seen.upper - seen.lower <= t * seen.sight.diagonal;
-                while seen.reached < last && narrow(self.tolerances[seen.reached]) {
+                seen.stopped = refined.stop();
+                if seen.stopped.is_none() {
                     seen.reached += 1;
+                }
+                // A search ends rather than converges: often it is narrower than asked.
+                while self.tolerances.get(seen.reached).is_some_and(|t| seen.is_within(t)) {
+                    seen.reached += 1;
+                }
+                if self.tolerances.last().is_some_and(|t| seen.is_within(t)) {
+                    (seen.reached, seen.stopped) = (self.tolerances.len(), None);
                 }
             }
             (Outcome::Failed(message), _) => *state = State::Failed(message),
@@ -169,12 +221,12 @@ impl Ranking {
 
     /// The k-th least upper bound: what is certainly farther is not among the k best.
     fn threshold(&self) -> Option<f64> {
-        if self.options.all {
+        if self.all {
             return None;
         }
         let mut uppers: Vec<f64> = self.seen().map(|(_, seen)| seen.upper).collect();
         uppers.sort_by(f64::total_cmp);
-        uppers.get(self.options.top - 1).copied()
+        uppers.get(self.top - 1).copied()
     }
 
     /// What is known of each target that could be used, by name.
@@ -197,15 +249,15 @@ impl Ranking {
 
     /// The most promising of those that lag behind.
     fn next_round(&mut self) -> Vec<Task> {
-        let open = |seen: &Seen| !seen.discarded && seen.reached < self.tolerances.len();
+        let open = |seen: &Seen| !seen.discarded && self.is_wide(seen);
         let mut behind: Vec<(usize, &Seen)> = self.seen().filter(|(_, seen)| open(seen)).collect();
         let Some(least) = behind.iter().map(|(_, seen)| seen.reached).min() else { return Vec::new() };
         behind.retain(|(_, seen)| seen.reached == least);
         behind.sort_by(|(_, a), (_, b)| a.lower.total_cmp(&b.lower).then(a.upper.total_cmp(&b.upper)));
         let begun = self.work.searches[least].1 > 0;
         let rounds = if begun { self.rounds_of_tolerance + 1 } else { 0 };
-        let first = self.options.top.max(FIRST_ROUND);
-        let most = if self.options.all { usize::MAX } else { first.saturating_mul(1 << rounds.min(31)) };
+        let first = self.top.max(FIRST_ROUND);
+        let most = if self.all { usize::MAX } else { first.saturating_mul(1 << rounds.min(31)) };
         let threshold = self.threshold();
         let tolerance = self.tolerances[least];
         let task = |(target, seen): &(usize, &Seen)| {
@@ -224,10 +276,12 @@ impl Ranking {
             .iter()
             .map(|candidate| match &candidate.state {
                 State::Seen(seen) => Some([seen.lower, seen.upper]),
-                _ => None,
+                State::Unseen => Some([0.0, f64::INFINITY]),
+                State::Failed(_) => None,
             })
             .collect();
         let ranks = ranks(&enclosures);
+        let stop = self.stop_reason();
         let mut standings: Vec<Standing> = self
             .by_name
             .iter()
@@ -242,9 +296,16 @@ impl Ranking {
                     name: candidate.name.clone(),
                     status: match &candidate.state {
                         State::Seen(seen) if seen.discarded => Status::Discarded(seen.bound),
+                        State::Seen(seen) if seen.reached < self.tolerances.len() => {
+                            Status::Open(seen.stopped.unwrap_or(stop))
+                        }
+                        // With the others open, a narrow enclosure alone does not place it among the best.
+                        State::Seen(_) if stop.is_early() && !self.is_placed(ranks[target]) => {
+                            Status::Open(stop)
+                        }
                         State::Seen(_) => Status::Ranked,
                         State::Failed(message) => Status::Failed(message.clone()),
-                        State::Unseen => Status::Failed("it was not looked at yet".to_owned()),
+                        State::Unseen => Status::Open(stop),
                     },
                     ranks: ranks[target],
                     lower: seen.map(|seen| seen.lower),
@@ -256,8 +317,9 @@ impl Ranking {
             .collect();
         let kind = |standing: &Standing| match standing.status {
             Status::Ranked => 0,
-            Status::Discarded(_) => 1,
-            Status::Failed(_) => 2,
+            Status::Open(_) => 1,
+            Status::Discarded(_) => 2,
+            Status::Failed(_) => 3,
         };
         let ends = |standing: &Standing| [standing.lower, standing.upper].map(|x| x.unwrap_or(f64::INFINITY));
         // Stable, so that equals stay in the order of their names.
@@ -267,7 +329,19 @@ impl Ranking {
             let ([l, u], [m, v]) = (ends(a), ends(b));
             by_kind.then(by_rank).then(l.total_cmp(&m)).then(u.total_cmp(&v))
         });
-        Report { standings, work: self.work.clone() }
+        Report { standings, stop, work: self.work.clone() }
+    }
+
+    /// Why the ranking ended; cancelled, while it has not.
+    fn stop_reason(&self) -> StopReason {
+        let unsettled = (!self.round.is_empty()).then_some(StopReason::Cancelled);
+        let of_target = || self.seen().filter(|(_, seen)| !seen.discarded).find_map(|(_, seen)| seen.stopped);
+        self.stopped.or(unsettled).or_else(of_target).unwrap_or(StopReason::Tolerance)
+    }
+
+    /// Whether these ranks are among those asked for.
+    fn is_placed(&self, ranks: Option<[usize; 2]>) -> bool {
+        self.all || ranks.is_some_and(|[_, last]| last <= self.top)
     }
 }
 
@@ -278,7 +352,17 @@ impl Seen {
         // Both are proven, so they cannot cross; a result that was tampered with shall not make them.
         let upper = if sight.upper > lower { sight.upper } else { lower };
         let bound = if probed { Bound::Probes } else { Bound::Supports };
-        Self { lower, upper, bound, sight, reached: 0, discarded: false }
+        Self { lower, upper, bound, sight, reached: 0, discarded: false, stopped: None }
+    }
+
+    /// Whether the enclosure is as narrow as this.
+    fn is_within(&self, tolerance: &Tolerance) -> bool {
+        let width = match *tolerance {
+            Tolerance::RelativeToDiagonal(t) => t * self.sight.diagonal,
+            Tolerance::RelativeToDistance(t) => t * self.lower,
+            Tolerance::Absolute(t) => t,
+        };
+        self.upper - self.lower <= width
     }
 }
 

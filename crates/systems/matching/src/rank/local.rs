@@ -1,47 +1,75 @@
 //! Ranking on this machine.
 
 use super::driver::Ranking;
-use super::options::{Options, RankError};
+use super::options::{RankError, RankOptions};
 use super::report::Report;
 use super::task::{Outcome, Task, perform};
 use super::template::Template;
+use crate::tasks::{Watch, bytes_of, holding};
 use pompeiu_core::TriMesh;
+use pompeiu_core::run::on_threads;
+use pompeiu_hausdorff::HausdorffOptions;
 use rayon::prelude::*;
 
-/// Tasks for each thread that are under way at a time: their meshes are in memory together. More keep all threads busy
-/// when tasks differ in size.
-const TASKS_PER_THREAD: usize = 2;
-
-/// Runs a ranking to its end on the threads of the current pool. `done` does a task, and may read a mesh or a journal for it;
-/// `after` is called after every round.
+/// Runs a ranking to its end, or until a limit or the observer of the options ends it: the report then says which targets are
+/// open.
+///
+/// `done` does a task, and may read a mesh or a journal for it; it is given what its searches may take and hands that on to
+/// [`perform`], less the memory that it holds itself. `after` is called after every round.
 ///
 /// # Errors
-/// [`RankError::Answer`], when `done` gives results that do not fit.
+/// Those of [`RankOptions::check`]; [`RankError::Answer`], when `done` gives results that do not fit.
 pub fn run(
     ranking: &mut Ranking,
-    done: impl Fn(&Task) -> Outcome + Sync,
-    mut after: impl FnMut(&Ranking),
+    options: &RankOptions<'_>,
+    done: impl Fn(&Task, &HausdorffOptions<'_>) -> Outcome + Sync,
+    mut after: impl FnMut(&Ranking) + Send,
 ) -> Result<(), RankError> {
-    while !ranking.round().is_empty() {
-        let mut outcomes = Vec::with_capacity(ranking.round().len());
-        for tasks in ranking.round().chunks(TASKS_PER_THREAD * rayon::current_num_threads()) {
-            outcomes.par_extend(tasks.par_iter().map(&done));
+    options.check()?;
+    on_threads(options.limits.threads, || {
+        let watch = Watch::start(&options.limits, options.observer);
+        while !ranking.round().is_empty() {
+            let (tasks, settled, meshes) = (ranking.round().len(), ranking.settled(), ranking.targets());
+            watch.tell(|p| (p.done, p.tasks, p.settled, p.meshes) = (0, tasks, settled, meshes));
+            let done = |task: &Task| {
+                if watch.is_stopped() {
+                    return None;
+                }
+                let outcome = done(task, &watch.search());
+                watch.tell(|progress| progress.done += 1);
+                Some(outcome)
+            };
+            let mut outcomes = Vec::with_capacity(tasks);
+            for tasks in ranking.round().chunks(watch.at_a_time()) {
+                outcomes.par_extend(tasks.par_iter().map(&done));
+            }
+            ranking.merge_done(outcomes, || watch.reason())?;
+            after(ranking);
         }
-        ranking.merge(outcomes)?;
-        after(ranking);
-    }
-    Ok(())
+        Ok(())
+    })
 }
 
-/// Ranks meshes in memory, on the threads of the current pool. They are named by their places.
+/// Ranks meshes in memory. They are named by their places.
 ///
 /// # Errors
 /// [`RankError`], when the options or the template cannot be used. A target that cannot be aligned has failed in the report.
-pub fn rank_meshes(template: &TriMesh, targets: &[TriMesh], options: &Options) -> Result<Report, RankError> {
+pub fn rank_meshes(
+    template: &TriMesh,
+    targets: &[TriMesh],
+    options: &RankOptions<'_>,
+) -> Result<Report, RankError> {
     let digits = targets.len().to_string().len();
     let names = (0..targets.len()).map(|i| format!("{i:0digits$}")).collect();
     let mut ranking = Ranking::new(names, options)?;
-    let template = Template::new(template.clone(), options)?;
-    run(&mut ranking, |task| perform(&template, &targets[task.target], &task.action), |_| ())?;
+    let template = on_threads(options.limits.threads, || Template::new(template.clone(), options))?;
+    let held: usize = targets.iter().map(bytes_of).sum();
+    let done = |task: &Task, search: &HausdorffOptions<'_>| {
+        let target = &targets[task.target];
+        let mut search = search.clone();
+        holding(&mut search, held - bytes_of(target));
+        perform(&template, target, &task.action, &search)
+    };
+    run(&mut ranking, options, done, |_| ())?;
     Ok(ranking.report())
 }

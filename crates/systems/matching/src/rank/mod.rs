@@ -10,6 +10,9 @@
 //! tasks come next, given the results of the round before. Where tasks run, and in which order those of a round end, changes
 //! nothing: the same bits come out on one thread and on a cluster.
 //!
+//! Limits and the observer of [`RankOptions`] end a ranking at any time. What is proven by then is reported: targets that were
+//! not settled are [open](Status::Open), with their bounds and with the ranks that are still possible.
+//!
 //! # Accuracy
 //! Ranks follow from proven enclosures alone. Where these overlap at the finest tolerance the rank stays a range ("2 to 3").
 //! With an [alignment](crate::align) the enclosures hold for the target as moved, its coordinates rounded to doubles.
@@ -17,11 +20,11 @@
 //! # Example
 //! ```
 //! use pompeiu_core::mesh::shapes::icosphere;
-//! use pompeiu_matching::rank::{Options, Status, rank_meshes};
+//! use pompeiu_matching::rank::{RankOptions, Status, rank_meshes};
 //!
 //! let template = icosphere(1.0, 2)?;
 //! let targets = [icosphere(1.5, 2)?, icosphere(1.01, 2)?, icosphere(9.0, 2)?];
-//! let report = rank_meshes(&template, &targets, &Options { top: 1, ..Options::default() })?;
+//! let report = rank_meshes(&template, &targets, &RankOptions { top: 1, ..RankOptions::default() })?;
 //! let best = &report.standings[0];
 //! assert_eq!((best.target, best.ranks, &best.status), (1, Some([1, 1]), &Status::Ranked));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -40,9 +43,9 @@ mod template;
 pub use bounds::{box_upper_bound, support_lower_bound};
 pub use driver::Ranking;
 pub use local::{rank_meshes, run};
-pub use options::{Measure, Options, RankError};
+pub use options::{Measure, RankError, RankOptions};
 pub use report::{Bound, Report, Standing, Status, Work};
 pub use row::{BoundKind, Kind, Row};
 pub use summary::Summary;
-pub use task::{Action, Outcome, Refined, Request, Sight, Task, look, perform, refine};
+pub use task::{Action, Outcome, RefineError, Refined, Request, Sight, Task, look, perform, refine};
 pub use template::Template;

@@ -1,6 +1,9 @@
 //! What is asked for.
 
 use crate::align::{AlignError, Alignment};
+use crate::tasks::TaskObserver;
+use pompeiu_core::run::Limits;
+use pompeiu_hausdorff::{OptionError, Tolerance};
 use serde::{Deserialize, Serialize};
 
 /// Which distance ranks the targets.
@@ -29,10 +32,10 @@ impl Measure {
     }
 }
 
-/// How to rank.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+/// How to rank. Serialised without what a run may take, which is no part of the question.
+#[derive(Clone, Debug, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub struct Options {
+pub struct RankOptions<'o> {
     /// Which distance.
     pub measure: Measure,
     /// How targets may be moved onto the template first.
@@ -41,11 +44,19 @@ pub struct Options {
     pub top: usize,
     /// Whether every target gets its full enclosure and rank, not only the best.
     pub all: bool,
-    /// Width of a full enclosure, as a fraction of the diagonal of the joint box of template and target.
-    pub tolerance: f64,
+    /// Width of a full enclosure; the joint box is that of the template and a target.
+    #[serde(flatten)]
+    pub tolerance: Tolerance,
+    /// Time, memory and threads. Preparing the template and aligning a target are not interrupted. The limits on memory and
+    /// on pieces apply to each search; with a memory limit, targets are searched one after another.
+    #[serde(skip)]
+    pub limits: Limits,
+    /// Watches the ranking.
+    #[serde(skip)]
+    pub observer: Option<&'o dyn TaskObserver>,
 }
 
-impl Default for Options {
+impl Default for RankOptions<'_> {
     /// The ten best by symmetric distance, as they lie, to the default tolerance of a search.
     fn default() -> Self {
         Self {
@@ -53,34 +64,39 @@ impl Default for Options {
             alignment: Alignment::None,
             top: 10,
             all: false,
-            tolerance: pompeiu_hausdorff::Tolerance::DEFAULT_FRACTION,
+            tolerance: Tolerance::default(),
+            limits: Limits::default(),
+            observer: None,
         }
     }
 }
 
-/// Tolerances on the way to the one asked for. The first is to tell most targets apart, the second most of the others; a
+/// Tolerances on the way to the one asked for, fractions of the joint diagonal. The first is to tell most targets apart, the second most of the others; a
 /// search starts anew at each, so that more of them would cost more than they discard.
 const ON_THE_WAY: [f64; 2] = [1e-2, 1e-4];
 
-impl Options {
+impl RankOptions<'_> {
     /// Whether the numbers make sense.
     ///
     /// # Errors
-    /// [`RankError::NoPlaces`], [`RankError::Tolerance`].
+    /// [`RankError::NoPlaces`], [`RankError::Option`].
     pub fn check(&self) -> Result<(), RankError> {
         if self.top == 0 {
             return Err(RankError::NoPlaces);
         }
-        if !(0.0..f64::INFINITY).contains(&self.tolerance) {
-            return Err(RankError::Tolerance(self.tolerance));
-        }
+        self.tolerance.check()?;
         Ok(())
     }
 
-    /// The tolerances of searches, descending, the last the one asked for.
-    pub(super) fn tolerances(&self) -> Vec<f64> {
-        let coarser = |t: &f64| *t > self.tolerance && !self.all;
-        ON_THE_WAY.into_iter().filter(coarser).chain([self.tolerance]).collect()
+    /// The tolerances of searches, the last the one asked for. Fractions of the diagonal descend; which others are wider
+    /// differs from target to target.
+    pub(super) fn tolerances(&self) -> Vec<Tolerance> {
+        let coarser = |t: &f64| match self.tolerance {
+            Tolerance::RelativeToDiagonal(asked) => *t > asked,
+            Tolerance::RelativeToDistance(_) | Tolerance::Absolute(_) => true,
+        };
+        let on_the_way = ON_THE_WAY.into_iter().filter(|t| !self.all && coarser(t));
+        on_the_way.map(Tolerance::RelativeToDiagonal).chain([self.tolerance]).collect()
     }
 }
 
@@ -88,12 +104,12 @@ impl Options {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum RankError {
-    /// Nobody wants none.
+    /// At least one place must be asked for.
     #[error("the number of places asked for is 0; at least 1 is needed")]
     NoPlaces,
-    /// The tolerance is negative or not a finite number.
-    #[error("the tolerance is {0}; it must be a finite number that is not negative")]
-    Tolerance(f64),
+    /// An option of the searches cannot be used.
+    #[error(transparent)]
+    Option(#[from] OptionError),
     /// There is nothing to rank.
     #[error("there are no targets; at least 1 is needed")]
     NoTargets,

@@ -2,14 +2,19 @@
 
 use super::row::Row;
 use crate::align::Matrix;
-use serde::Serialize;
+use pompeiu_core::run::StopReason;
+use pompeiu_hausdorff::Tolerance;
+use serde::{Serialize, Serializer};
 
 /// The targets in their order, and what it took.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Report {
-    /// The ranked ones first, best first; then those that were discarded, by their lower bounds; then those that failed.
+    /// The ranked ones first, best first; then those left open, and those discarded, by their lower bounds; then those that
+    /// failed.
     pub standings: Vec<Standing>,
+    /// Why the ranking ended: [`StopReason::Tolerance`] unless targets are left open.
+    pub stop: StopReason,
     /// What it took.
     pub work: Work,
 }
@@ -18,6 +23,11 @@ impl Report {
     /// The ranked ones, best first.
     pub fn ranked(&self) -> impl Iterator<Item = &Standing> {
         self.standings.iter().filter(|standing| standing.status == Status::Ranked)
+    }
+
+    /// Those that a limit or an observer left unsettled, the most promising first.
+    pub fn open(&self) -> impl Iterator<Item = &Standing> {
+        self.standings.iter().filter(|standing| matches!(standing.status, Status::Open(_)))
     }
 }
 
@@ -32,7 +42,7 @@ pub struct Standing {
     /// How it was settled.
     pub status: Status,
     /// The first and the last rank that the enclosures of all targets leave possible, counted from 1; the same where the
-    /// rank is decided, none where the target failed.
+    /// rank is decided, none where the target failed. One that was not looked at yet may have any.
     pub ranks: Option<[usize; 2]>,
     /// Proven lower bound on its distance.
     pub lower: Option<f64>,
@@ -49,6 +59,8 @@ pub struct Standing {
 pub enum Status {
     /// It is among the best, or ties with the last of them.
     Ranked,
+    /// The ranking ended, for this reason, before it was known whether it is among the best.
+    Open(StopReason),
     /// It is proven not to be, by this bound.
     Discarded(Bound),
     /// It cannot be used, and why.
@@ -62,8 +74,8 @@ pub enum Bound {
     Supports,
     /// A few of its points.
     Probes,
-    /// A search with this tolerance, a fraction of the joint diagonal.
-    Search(f64),
+    /// A search with this tolerance.
+    Search(Tolerance),
 }
 
 /// How much was done, in counts that do not depend on the machine or on the number of threads.
@@ -72,14 +84,21 @@ pub enum Bound {
 pub struct Work {
     /// Targets looked at.
     pub looks: usize,
-    /// Searches, by their tolerance.
-    pub searches: Vec<(f64, usize)>,
+    /// Searches, by their tolerance: the last is the one asked for, the others are fractions of the joint diagonal.
+    #[serde(serialize_with = "by_value")]
+    #[cfg_attr(feature = "schema", schemars(with = "Vec<(f64, usize)>"))]
+    pub searches: Vec<(Tolerance, usize)>,
     /// Trees of targets built.
     pub trees: u64,
     /// Point–triangle distances evaluated.
     pub distances: u64,
     /// Rounds.
     pub rounds: usize,
+}
+
+/// Serialises the numbers of tolerances, without their kinds.
+fn by_value<S: Serializer>(searches: &[(Tolerance, usize)], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(searches.iter().map(|(tolerance, count)| (tolerance.value(), count)))
 }
 
 /// What every target is known to be, in the end.

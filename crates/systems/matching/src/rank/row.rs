@@ -2,6 +2,7 @@
 
 use super::report::{Bound, Standing, Status};
 use crate::align::Matrix;
+use pompeiu_core::run::StopReason;
 use serde::Serialize;
 
 /// Where a target stands, as data for other programs.
@@ -26,6 +27,8 @@ pub struct Row {
     pub faces: Option<usize>,
     /// What proved that it is not among the best.
     pub discarded_by: Option<BoundKind>,
+    /// Why the ranking ended before it was known whether it is among the best.
+    pub stop: Option<StopReason>,
     /// Why it cannot be used.
     pub message: Option<String>,
     /// The map that brought it onto the template: four rows of four numbers, which act on columns `(x, y, z, 1)`.
@@ -39,6 +42,8 @@ pub struct Row {
 pub enum Kind {
     /// It is among the best, or ties with the last of them.
     Ranked,
+    /// The ranking ended before that was known.
+    Open,
     /// It is proven not to be.
     Discarded,
     /// It cannot be used.
@@ -63,6 +68,7 @@ impl Kind {
     pub const fn name(self) -> &'static str {
         match self {
             Self::Ranked => "ranked",
+            Self::Open => "open",
             Self::Discarded => "discarded",
             Self::Failed => "failed",
         }
@@ -93,6 +99,7 @@ impl Row {
             vertices: None,
             faces: None,
             discarded_by: None,
+            stop: None,
             message: Some(message),
             transform: None,
         }
@@ -101,10 +108,11 @@ impl Row {
 
 impl From<Standing> for Row {
     fn from(standing: Standing) -> Self {
-        let (status, discarded_by, message) = match standing.status {
-            Status::Ranked => (Kind::Ranked, None, None),
-            Status::Discarded(bound) => (Kind::Discarded, Some(bound.kind()), None),
-            Status::Failed(message) => (Kind::Failed, None, Some(message)),
+        let (status, discarded_by, stop, message) = match standing.status {
+            Status::Ranked => (Kind::Ranked, None, None, None),
+            Status::Open(reason) => (Kind::Open, None, Some(reason), None),
+            Status::Discarded(bound) => (Kind::Discarded, Some(bound.kind()), None, None),
+            Status::Failed(message) => (Kind::Failed, None, None, Some(message)),
         };
         Self {
             path: standing.name,
@@ -116,6 +124,7 @@ impl From<Standing> for Row {
             vertices: standing.size.map(|size| size[0]),
             faces: standing.size.map(|size| size[1]),
             discarded_by,
+            stop,
             message,
             transform: standing.transform,
         }

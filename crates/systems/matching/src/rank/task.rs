@@ -1,12 +1,14 @@
 //! The tasks: pure functions of a template, a mesh and a request, whose results are plain values.
 
 use super::bounds::{box_upper_bound, support_lower_bound};
+use super::options::Measure;
 use super::summary::Summary;
 use super::template::Template;
 use crate::align::{AlignError, Matrix, affine, align, matrix};
+use crate::tasks::{MeasuredTo, bytes_of, holding};
 use pompeiu_core::mesh::transform;
 use pompeiu_core::{FaceId, MeshError, TriMesh};
-use pompeiu_hausdorff::{DirectedReport, Enclosure, HausdorffOptions, StopReason, Target, Tolerance};
+use pompeiu_hausdorff::{DirectedReport, HausdorffOptions, OptionError, StopReason, Target, Tolerance};
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 
@@ -32,8 +34,9 @@ pub enum Action {
 /// How narrow an enclosure is wanted.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Request {
-    /// Its width, as a fraction of the diagonal of the joint box.
-    pub tolerance: f64,
+    /// Its width.
+    #[serde(flatten)]
+    pub tolerance: Tolerance,
     /// A distance beyond which it does not matter any more.
     pub threshold: Option<f64>,
     /// The map of the target, as found when it was looked at.
@@ -47,7 +50,7 @@ pub enum Outcome {
     /// Of [`Action::Look`].
     Seen(Sight),
     /// Of [`Action::Refine`].
-    Refined(Refined),
+    Refined(Box<Refined>),
     /// The target cannot be used, and why.
     Failed(String),
 }
@@ -73,28 +76,81 @@ pub struct Sight {
     pub distances: u64,
 }
 
-/// What a search tells about a target.
+/// What searches tell about a target: the reports of those directed distances that were needed.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Refined {
+    /// How far the target is from the template.
+    pub target_to_template: Option<DirectedReport>,
+    /// How far the template is from the target; not searched where the other exceeds the threshold.
+    pub template_to_target: Option<DirectedReport>,
+}
+
+impl Refined {
+    fn reports(&self) -> impl Iterator<Item = &DirectedReport> {
+        self.target_to_template.iter().chain(&self.template_to_target)
+    }
+
     /// Proven lower bound.
-    pub lower: f64,
-    /// Proven upper bound; none where the search ended beyond the threshold and knows of none.
-    pub upper: Option<f64>,
+    pub fn lower(&self) -> f64 {
+        self.reports().map(|report| report.distance.lower()).fold(0.0, larger)
+    }
+
+    /// Proven upper bound; none where a distance that counts was not searched.
+    pub fn upper(&self, measure: Measure) -> Option<f64> {
+        let missing = (measure.has_target_to_template() && self.target_to_template.is_none())
+            || (measure.has_template_to_target() && self.template_to_target.is_none());
+        (!missing).then(|| self.reports().map(|report| report.distance.upper()).fold(0.0, larger))
+    }
+
     /// Point–triangle distances evaluated.
-    pub distances: u64,
-    /// Trees built.
-    pub trees: u64,
+    pub fn distances(&self) -> u64 {
+        self.reports().map(|report| report.work.distances).sum()
+    }
+
+    /// Trees of targets that were built.
+    pub fn trees(&self) -> u64 {
+        u64::from(self.template_to_target.is_some())
+    }
+
+    /// Why a search ended early, if one did: the bounds are then wider than asked.
+    pub fn stop(&self) -> Option<StopReason> {
+        self.reports().map(|report| report.stop).find(|stop| stop.is_early())
+    }
+}
+
+fn larger(x: f64, y: f64) -> f64 {
+    if x > y { x } else { y }
+}
+
+impl Outcome {
+    /// Whether the task was done as asked, not only in part because of a limit or an observer: such a result is the same
+    /// whenever and wherever it is found.
+    pub fn is_complete(&self) -> bool {
+        match self {
+            Self::Seen(_) => true,
+            Self::Refined(refined) => refined.stop().is_none(),
+            Self::Failed(_) => false,
+        }
+    }
 }
 
 /// Does a task with the mesh of its target.
-pub fn perform(template: &Template, mesh: &TriMesh, action: &Action) -> Outcome {
+///
+/// Of `search`, the limits and the observer hold for each search; tolerance and threshold are those of the task. Its memory limit
+/// is for the template, the mesh and the search together. [`HausdorffOptions::default`] limits nothing.
+pub fn perform(
+    template: &Template,
+    mesh: &TriMesh,
+    action: &Action,
+    search: &HausdorffOptions<'_>,
+) -> Outcome {
     match action {
         Action::Look => match look(template, mesh) {
             Ok(sight) => Outcome::Seen(sight),
             Err(error) => Outcome::Failed(error.to_string()),
         },
-        Action::Refine(request) => match refine(template, mesh, request) {
-            Ok(refined) => Outcome::Refined(refined),
+        Action::Refine(request) => match refine(template, mesh, request, search) {
+            Ok(refined) => Outcome::Refined(Box::new(refined)),
             Err(error) => Outcome::Failed(error.to_string()),
         },
     }
@@ -114,9 +170,9 @@ const PROBE_TOLERANCE: f64 = 1e-3;
 /// # Cost
 /// O(n + m), a few closest-point questions, and the alignment.
 pub fn look(template: &Template, mesh: &TriMesh) -> Result<Sight, AlignError> {
-    let measure = template.options.measure;
+    let measure = template.measure;
     let map = match &template.fixed {
-        Some(fixed) => align(mesh, fixed, template.options.alignment)?,
+        Some(fixed) => align(mesh, fixed, template.alignment)?,
         None => None,
     };
     let transform = map.map(|map| matrix(&map));
@@ -149,72 +205,75 @@ fn probe(mesh: &TriMesh, target: &Target) -> DirectedReport {
     let points = (0..count).map(|i| mesh.corners(FaceId((i * faces / count) as u32))[i % 3]).collect();
     let points = TriMesh::new(points, (0..count as u32).map(|i| [i; 3]).collect())
         .expect("points of a mesh have valid coordinates");
-    directed_to(&points, target, PROBE_TOLERANCE, None)
+    let tolerance = Tolerance::RelativeToDiagonal(PROBE_TOLERANCE);
+    let options = HausdorffOptions { tolerance, ..HausdorffOptions::default() };
+    options.directed_to(&points, target).expect("the tolerance is positive and finite")
 }
 
-/// A directed distance with a tolerance and a threshold that were checked with the options; the defaults take the place of
-/// those of a request that were not.
-fn directed_to(from: &TriMesh, to: &Target, tolerance: f64, threshold: Option<f64>) -> DirectedReport {
-    let tolerance = Tolerance::RelativeToDiagonal(tolerance);
-    let options = HausdorffOptions { tolerance, threshold, ..HausdorffOptions::default() };
-    let options = if options.check().is_ok() { options } else { HausdorffOptions::default() };
-    options.directed_to(from, to).expect("the options were checked")
+/// Why a target cannot be searched: a request or a map that is none of [`Ranking`](super::Ranking) or of a [`look`].
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum RefineError {
+    /// The moved mesh leaves the supported range.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+    /// The tolerance or the threshold makes no sense.
+    #[error(transparent)]
+    Option(#[from] OptionError),
 }
 
-/// Encloses the distance of a target as moved, or shows that it exceeds the threshold.
+/// Encloses the distance of a target as moved, or shows that it exceeds the threshold. See [`perform`] for `search`.
 ///
 /// # Errors
-/// [`MeshError`], when the moved mesh leaves the supported range; it does not if the map is that of a [`look`].
+/// [`RefineError`].
 ///
 /// # Cost
 /// One search for each direction that counts, and the tree of the target where distances from it do; a search that ends
 /// below the threshold starts again without one.
-pub fn refine(template: &Template, mesh: &TriMesh, request: &Request) -> Result<Refined, MeshError> {
-    let mesh = moved(mesh, request.transform.as_ref())?;
-    let mut found = Refined { lower: 0.0, upper: Some(0.0), distances: 0, trees: 0 };
+pub fn refine(
+    template: &Template,
+    mesh: &TriMesh,
+    request: &Request,
+    search: &HausdorffOptions<'_>,
+) -> Result<Refined, RefineError> {
+    let moved = moved(mesh, request.transform.as_ref())?;
+    let mut search =
+        HausdorffOptions { tolerance: request.tolerance, threshold: request.threshold, ..search.clone() };
+    search.check()?;
+    // A search counts the meshes that it is given; beside them there are the template, or its tree, and the mesh as it was.
+    let original = if matches!(moved, Cow::Owned(_)) { bytes_of(mesh) } else { 0 };
+    let mut found = Refined { target_to_template: None, template_to_target: None };
     // The tree of the template is there: the direction that needs no other comes first, and may be enough.
+    let held = original + template.bytes();
     if let Some(target) = &template.target {
-        found.include(search(&mesh, target, request));
+        let mut search = search.clone();
+        holding(&mut search, held);
+        found.target_to_template = Some(narrowed(&search, |search| search.directed_to(&moved, target))?);
     }
-    let beyond = request.threshold.is_some_and(|threshold| found.lower > threshold);
-    if template.options.measure.has_template_to_target() {
-        if beyond {
-            found.upper = None;
-        } else {
-            found.trees = 1;
-            found.include(search(&template.mesh, &Target::new(&mesh), request));
-        }
+    let beyond = request.threshold.is_some_and(|threshold| found.lower() > threshold);
+    if template.measure.has_template_to_target() && !beyond {
+        let tree = template.target.as_ref().map_or(0, Target::bytes);
+        holding(&mut search, original + tree);
+        let held = template.bytes() + bytes_of(&moved);
+        let target = MeasuredTo::new(&moved, search.limits.memory.map(|memory| memory.saturating_sub(held)));
+        found.template_to_target = Some(narrowed(&search, |search| target.directed(&template.mesh, search))?);
     }
     Ok(found)
 }
 
-impl Refined {
-    /// The larger of two distances.
-    fn include(&mut self, (enclosure, distances): (Enclosure, u64)) {
-        let larger = |x, y| if x > y { x } else { y };
-        self.lower = larger(self.lower, enclosure.lower());
-        self.upper = self.upper.map(|upper| larger(upper, enclosure.upper()));
-        self.distances += distances;
-    }
-}
-
 /// A directed search. A threshold ends it on either side; where the distance turns out to be below, the enclosure is
 /// still to be narrowed.
-fn search(from: &TriMesh, to: &Target, request: &Request) -> (Enclosure, u64) {
-    let first = directed_to(from, to, request.tolerance, request.threshold);
-    if request.threshold.is_none() {
-        return (first.distance, first.work.distances);
-    }
-    let below = request.threshold.is_some_and(|t| first.distance.lower() <= t);
+fn narrowed(
+    options: &HausdorffOptions<'_>,
+    search: impl Fn(&HausdorffOptions<'_>) -> Result<DirectedReport, OptionError>,
+) -> Result<DirectedReport, OptionError> {
+    let first = search(options)?;
+    let below = options.threshold.is_some_and(|t| first.distance.lower() <= t);
     if first.stop != StopReason::Threshold || !below {
-        return (first.distance, first.work.distances);
+        return Ok(first);
     }
-    let second = directed_to(from, to, request.tolerance, None);
-    let distances = first.work.distances + second.work.distances;
-    let [one, other] = [first.distance, second.distance];
-    let lower = if one.lower() > other.lower() { one.lower() } else { other.lower() };
-    let upper = if one.upper() < other.upper() { one.upper() } else { other.upper() };
-    (Enclosure::new(lower, upper).unwrap_or(other), distances)
+    let second = search(&HausdorffOptions { threshold: None, ..options.clone() })?;
+    Ok(first.narrowed_by(&second))
 }
 
 impl From<Result<Outcome, String>> for Outcome {

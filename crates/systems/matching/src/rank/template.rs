@@ -1,8 +1,9 @@
 //! The mesh that the others are compared with.
 
-use super::options::{Options, RankError};
+use super::options::{Measure, RankError, RankOptions};
 use super::summary::Summary;
 use crate::align::{Alignment, Fixed};
+use crate::tasks::bytes_of;
 use pompeiu_core::TriMesh;
 use pompeiu_hausdorff::Target;
 
@@ -13,7 +14,8 @@ use pompeiu_hausdorff::Target;
 #[derive(Debug)]
 pub struct Template {
     pub(super) mesh: TriMesh,
-    pub(super) options: Options,
+    pub(super) measure: Measure,
+    pub(super) alignment: Alignment,
     pub(super) summary: Summary,
     /// Where distances of targets' points from the template count.
     pub(super) target: Option<Target>,
@@ -25,18 +27,19 @@ impl Template {
     /// Prepares a mesh.
     ///
     /// # Errors
-    /// Those of [`Options::check`], and [`RankError::Template`] when nothing can be aligned to it.
-    pub fn new(mesh: TriMesh, options: &Options) -> Result<Self, RankError> {
+    /// Those of [`RankOptions::check`], and [`RankError::Template`] when nothing can be aligned to it.
+    pub fn new(mesh: TriMesh, options: &RankOptions<'_>) -> Result<Self, RankError> {
         options.check()?;
         let moves = options.alignment != Alignment::None;
         let fixed = moves.then(|| Fixed::new(&mesh)).transpose().map_err(RankError::Template)?;
         let target = options.measure.has_target_to_template().then(|| Target::new(&mesh));
-        Ok(Self { summary: Summary::new(&mesh), mesh, options: options.clone(), target, fixed })
+        let (measure, alignment) = (options.measure, options.alignment);
+        Ok(Self { summary: Summary::new(&mesh), mesh, measure, alignment, target, fixed })
     }
 
-    /// What was asked for.
-    pub fn options(&self) -> &Options {
-        &self.options
+    /// Bytes of memory that it takes beside its trees.
+    pub(super) fn bytes(&self) -> usize {
+        bytes_of(&self.mesh)
     }
 
     /// The summary of the template.

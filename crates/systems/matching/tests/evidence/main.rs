@@ -4,3 +4,4 @@
 
 mod align;
 mod rank;
+mod stopping;

@@ -3,11 +3,11 @@
 use pompeiu_core::TriMesh;
 use pompeiu_core::mesh::shapes::icosphere;
 use pompeiu_core::mesh::{Affine, Random, displace_at_random, transform};
-use pompeiu_hausdorff::{directed_hausdorff, symmetric_hausdorff};
+use pompeiu_hausdorff::{HausdorffOptions, OptionError, Tolerance, directed_hausdorff, symmetric_hausdorff};
 use pompeiu_matching::align::Alignment;
-use pompeiu_matching::matrix::matrix_of;
+use pompeiu_matching::matrix::{MatrixOptions, matrix_of};
 use pompeiu_matching::rank::{
-    Action, Measure, Options, Outcome, RankError, Ranking, Report, Request, Status, Summary, Template,
+    Action, Measure, Outcome, RankError, RankOptions, Ranking, Report, Request, Status, Summary, Template,
     box_upper_bound, perform, rank_meshes, refine, support_lower_bound,
 };
 use pompeiu_testkit::effort::cases;
@@ -32,7 +32,11 @@ fn oracle(all: &[[f64; 2]], i: usize) -> [usize; 2] {
     [nearer + 1, perhaps]
 }
 
-fn check(template: &TriMesh, targets: &[TriMesh], options: &Options) -> Result<Report, TestCaseError> {
+fn check(
+    template: &TriMesh,
+    targets: &[TriMesh],
+    options: &RankOptions<'_>,
+) -> Result<Report, TestCaseError> {
     let report = rank_meshes(template, targets, options).unwrap();
     let all: Vec<_> = targets.iter().map(|target| full(template, target, options.measure)).collect();
     prop_assert_eq!(report.standings.len(), targets.len());
@@ -47,11 +51,11 @@ fn check(template: &TriMesh, targets: &[TriMesh], options: &Options) -> Result<R
         prop_assert!(found[0] <= possible[1] && possible[0] <= found[1], "{standing:?} {possible:?}");
         match &standing.status {
             Status::Ranked => {
-                let slack = 2.0 * options.tolerance.max(1e-12) * 2000.0;
+                let slack = 2.0 * options.tolerance.value().max(1e-12) * 2000.0;
                 prop_assert!((l - lower).abs() <= slack && (u - upper).abs() <= slack, "{standing:?}");
             }
             Status::Discarded(_) => prop_assert!(!options.all && possible[1] > options.top),
-            Status::Failed(message) => prop_assert!(false, "{message}"),
+            other => prop_assert!(false, "{other:?}"),
         }
     }
     let ranked = report.ranked().count();
@@ -59,15 +63,16 @@ fn check(template: &TriMesh, targets: &[TriMesh], options: &Options) -> Result<R
     Ok(report)
 }
 
-fn options() -> impl Strategy<Value = Options> {
+fn options() -> impl Strategy<Value = RankOptions<'static>> {
     let tolerance = prop_oneof![Just(1e-12), Just(1e-6), Just(1e-3), Just(0.3)];
     (0..3_usize, 1..4_usize, prop::bool::weighted(0.2), tolerance).prop_map(
-        |(measure, top, all, tolerance)| Options {
+        |(measure, top, all, tolerance)| RankOptions {
             measure: MEASURES[measure],
             alignment: Alignment::None,
             top,
             all,
-            tolerance,
+            tolerance: Tolerance::RelativeToDiagonal(tolerance),
+            ..RankOptions::default()
         },
     )
 }
@@ -100,13 +105,13 @@ proptest! {
     #[test]
     fn the_order_of_the_targets_does_not_matter(template in any_mesh(), targets in targets(), top in 1..4_usize) {
         // Names go with the meshes, as those of files do.
-        let options = Options { top, ..Options::default() };
+        let options = RankOptions { top, ..RankOptions::default() };
         let prepared = Template::new(template, &options).unwrap();
         let rank = |order: &[usize]| {
             let names = order.iter().map(|i| format!("{i}")).collect();
             let mut ranking = Ranking::new(names, &options).unwrap();
             while !ranking.round().is_empty() {
-                let done = |task: &pompeiu_matching::rank::Task| perform(&prepared, &targets[order[task.target]], &task.action);
+                let done = |task: &pompeiu_matching::rank::Task| perform(&prepared, &targets[order[task.target]], &task.action, &HausdorffOptions::default());
                 let outcomes = ranking.round().iter().map(done).collect();
                 ranking.merge(outcomes).unwrap();
             }
@@ -128,16 +133,17 @@ proptest! {
             let [lower, upper] = full(&template, &target, measure);
             prop_assert!(support_lower_bound(&one, &other, measure) <= upper);
             prop_assert!(box_upper_bound(&one.aabb(), &other.aabb(), measure) >= lower);
-            let options = Options { measure, ..Options::default() };
+            let options = RankOptions { measure, ..RankOptions::default() };
             let prepared = Template::new(template.clone(), &options).unwrap();
-            let Outcome::Seen(sight) = perform(&prepared, &target, &Action::Look) else { panic!("seen") };
+            let Outcome::Seen(sight) = perform(&prepared, &target, &Action::Look, &HausdorffOptions::default()) else { panic!("seen") };
             prop_assert!(sight.probe_lower <= upper && sight.support_lower <= upper && sight.upper >= lower);
             for threshold in [None, Some(0.5 * lower), Some(upper)] {
-                let request = Request { tolerance: 1e-2, threshold, transform: None };
-                let found = refine(&prepared, &target, &request).unwrap();
-                prop_assert!(found.lower <= upper && found.upper.is_none_or(|u| u >= lower));
-                let beyond = threshold.is_some_and(|t| found.lower > t);
-                let wide = found.upper.is_none_or(|u| u - found.lower > 1e-2 * sight.diagonal * (1.0 + 1e-12));
+                let request = Request { tolerance: Tolerance::RelativeToDiagonal(1e-2), threshold, transform: None };
+                let found = refine(&prepared, &target, &request, &HausdorffOptions::default()).unwrap();
+                let (found_lower, found_upper) = (found.lower(), found.upper(measure));
+                prop_assert!(found_lower <= upper && found_upper.is_none_or(|u| u >= lower));
+                let beyond = threshold.is_some_and(|t| found_lower > t);
+                let wide = found_upper.is_none_or(|u| u - found_lower > 1e-2 * sight.diagonal * (1.0 + 1e-12));
                 prop_assert!(beyond || !wide, "{found:?}");
             }
         }
@@ -155,13 +161,13 @@ fn rough(count: usize) -> (TriMesh, Vec<TriMesh>) {
 #[test]
 fn most_targets_are_discarded_cheaply() {
     let (template, targets) = rough(100);
-    let options = Options { top: 3, ..Options::default() };
+    let options = RankOptions { top: 3, ..RankOptions::default() };
     let report = rank_meshes(&template, &targets, &options).unwrap();
     let expected: Vec<usize> = (0..3).map(|i| (0..100).find(|k| k * 37 % 100 == i).unwrap()).collect();
     let best: Vec<usize> = report.ranked().map(|standing| standing.target).collect();
     assert_eq!(best, expected);
     assert!(report.ranked().enumerate().all(|(i, standing)| standing.ranks == Some([i + 1; 2])));
-    let full = rank_meshes(&template, &targets, &Options { all: true, ..options }).unwrap();
+    let full = rank_meshes(&template, &targets, &RankOptions { all: true, ..options }).unwrap();
     assert_eq!(full.ranked().count(), 100);
     let searches: usize = report.work.searches.iter().map(|(_, count)| count).sum();
     assert!(searches <= 40 && report.work.trees <= 40, "{:?}", report.work);
@@ -173,14 +179,16 @@ fn threads_do_not_change_a_bit() {
     let (template, targets) = rough(40);
     let pool = |threads| rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
     for alignment in [Alignment::None, Alignment::Rigid] {
-        let options = Options { top: 4, alignment, ..Options::default() };
+        let options = RankOptions { top: 4, alignment, ..RankOptions::default() };
         let on = |threads: usize| {
             pool(threads).install(|| rank_meshes(&template, &targets[..20], &options).unwrap())
         };
         let one = on(1);
         assert_eq!((&one, &one), (&on(2), &on(8)));
     }
-    let on = |threads: usize| pool(threads).install(|| matrix_of(&targets[..6], 1e-9).unwrap());
+    let matrix_options =
+        MatrixOptions { tolerance: Tolerance::RelativeToDiagonal(1e-9), ..MatrixOptions::default() };
+    let on = |threads: usize| pool(threads).install(|| matrix_of(&targets[..6], &matrix_options).unwrap());
     let one = on(1);
     assert_eq!((&one, &one), (&on(2), &on(8)));
     for i in 0..6 {
@@ -195,7 +203,7 @@ fn threads_do_not_change_a_bit() {
 #[test]
 fn tasks_and_results_are_plain_values() {
     let (template, targets) = rough(12);
-    let options = Options { top: 2, alignment: Alignment::Rigid, ..Options::default() };
+    let options = RankOptions { top: 2, alignment: Alignment::Rigid, ..RankOptions::default() };
     let prepared = Template::new(template.clone(), &options).unwrap();
     let names = (0..12).map(|i| format!("{i:02}")).collect();
     let mut ranking = Ranking::new(names, &options).unwrap();
@@ -203,8 +211,9 @@ fn tasks_and_results_are_plain_values() {
         let tasks = serde_json::to_string(ranking.round()).unwrap();
         let tasks: Vec<pompeiu_matching::rank::Task> = serde_json::from_str(&tasks).unwrap();
         assert_eq!(tasks, ranking.round());
-        let done =
-            |task: &pompeiu_matching::rank::Task| perform(&prepared, &targets[task.target], &task.action);
+        let done = |task: &pompeiu_matching::rank::Task| {
+            perform(&prepared, &targets[task.target], &task.action, &HausdorffOptions::default())
+        };
         let outcomes: Vec<Outcome> = tasks.iter().map(done).collect();
         let back: Vec<Outcome> = serde_json::from_str(&serde_json::to_string(&outcomes).unwrap()).unwrap();
         assert_eq!(outcomes, back);
@@ -225,7 +234,7 @@ fn a_turned_copy_is_found_by_aligning() {
         let motion = Affine { translation: random.direction().map(|x| 3.0 * x), ..turn };
         targets.push(transform(&other, &motion).unwrap());
     }
-    let options = Options { top: 3, alignment: Alignment::Rigid, ..Options::default() };
+    let options = RankOptions { top: 3, alignment: Alignment::Rigid, ..RankOptions::default() };
     let report = rank_meshes(&template, &targets, &options).unwrap();
     let best: Vec<_> = report.ranked().map(|standing| (standing.target, standing.ranks)).collect();
     assert_eq!(best, [(0, Some([1, 1])), (1, Some([2, 2])), (2, Some([3, 3]))]);
@@ -235,17 +244,17 @@ fn a_turned_copy_is_found_by_aligning() {
 #[test]
 fn failures_stay_with_their_target_and_bring_others_back() {
     let (template, targets) = rough(6);
-    let options = Options { top: 1, ..Options::default() };
+    let options = RankOptions { top: 1, ..RankOptions::default() };
     let prepared = Template::new(template.clone(), &options).unwrap();
     let mut ranking = Ranking::new((0..6).map(|i| i.to_string()).collect(), &options).unwrap();
     let mut rounds = 0;
     // The best target can be looked at, but not read again.
     while !ranking.round().is_empty() {
         let done = |task: &pompeiu_matching::rank::Task| match (&task.action, task.target) {
-            (Action::Refine(request), 0) if request.tolerance < 1e-3 => {
+            (Action::Refine(request), 0) if request.tolerance.value() < 1e-3 => {
                 Outcome::Failed("it is gone".to_owned())
             }
-            _ => perform(&prepared, &targets[task.target], &task.action),
+            _ => perform(&prepared, &targets[task.target], &task.action, &HausdorffOptions::default()),
         };
         let outcomes = ranking.round().iter().map(done).collect();
         ranking.merge(outcomes).unwrap();
@@ -266,18 +275,30 @@ fn failures_stay_with_their_target_and_bring_others_back() {
 #[test]
 fn what_makes_no_sense_is_refused() {
     let (template, targets) = rough(2);
-    let with = |top, tolerance| Options { top, tolerance, ..Options::default() };
+    let with = |top, tolerance| {
+        let tolerance = Tolerance::RelativeToDiagonal(tolerance);
+        RankOptions { top, tolerance, ..RankOptions::default() }
+    };
     assert_eq!(rank_meshes(&template, &targets, &with(0, 1e-3)), Err(RankError::NoPlaces));
-    assert_eq!(rank_meshes(&template, &targets, &with(1, -1.0)), Err(RankError::Tolerance(-1.0)));
-    assert!(matches!(rank_meshes(&template, &targets, &with(1, f64::NAN)), Err(RankError::Tolerance(_))));
+    assert_eq!(
+        rank_meshes(&template, &targets, &with(1, -1.0)),
+        Err(RankError::Option(OptionError::Tolerance(-1.0)))
+    );
+    assert!(matches!(
+        rank_meshes(&template, &targets, &with(1, f64::NAN)),
+        Err(RankError::Option(OptionError::Tolerance(_)))
+    ));
     assert_eq!(rank_meshes(&template, &[], &with(1, 0.1)), Err(RankError::NoTargets));
     let mut ranking = Ranking::new(vec!["a".to_owned()], &with(1, 0.1)).unwrap();
     assert_eq!(ranking.merge(vec![]), Err(RankError::Results { expected: 1, found: 0 }));
-    let refined = pompeiu_matching::rank::Refined { lower: 0.0, upper: None, distances: 0, trees: 0 };
-    assert_eq!(ranking.merge(vec![Outcome::Refined(refined)]), Err(RankError::Answer { target: 0 }));
+    let refined = pompeiu_matching::rank::Refined { target_to_template: None, template_to_target: None };
+    assert_eq!(
+        ranking.merge(vec![Outcome::Refined(Box::new(refined))]),
+        Err(RankError::Answer { target: 0 })
+    );
     assert_eq!(ranking.round().len(), 1);
     let point = TriMesh::new(vec![[0.0; 3]], vec![[0; 3]]).unwrap();
-    let rigid = Options { alignment: Alignment::Rigid, ..with(1, 0.1) };
+    let rigid = RankOptions { alignment: Alignment::Rigid, ..with(1, 0.1) };
     assert!(matches!(rank_meshes(&point, &targets, &rigid), Err(RankError::Template(_))));
     let report = rank_meshes(&template, &[point, targets[0].clone()], &rigid).unwrap();
     assert!(matches!(&report.standings[1].status, Status::Failed(why) if why.contains("area")), "{report:?}");

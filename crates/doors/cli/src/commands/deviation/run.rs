@@ -11,7 +11,6 @@ use crate::pair::{self, File};
 use crate::printer::Printer;
 use crate::wait::Wait;
 use pompeiu::core::TriMesh;
-use pompeiu::core::run::Limits;
 use pompeiu::hausdorff::deviation::{self, DeviationOptions, DirectedDeviation};
 use pompeiu::hausdorff::show::{DeviationPage, NamedMesh, search_stages};
 use pompeiu::hausdorff::{Direction, Observer, Progress};
@@ -73,11 +72,7 @@ fn options(args: &Deviation, read: Duration) -> DeviationOptions<'static> {
         percentiles: args.percentiles.0.clone(),
         regions: args.regions,
         signed: args.signed,
-        limits: Limits {
-            time: args.limits.time_after(read),
-            memory: args.limits.memory_limit,
-            ..Limits::default()
-        },
+        limits: args.limits.after(read),
         ..DeviationOptions::default()
     }
 }

@@ -1,10 +1,11 @@
 //! The outcome for people. Digits are shown only as far as they are proven.
 
 use super::run::{Outcome, percent};
+use crate::exit::stopped_by;
 use crate::numbers::{grouped, plain, point, shortest, time};
 use crate::page::{Page, value};
+use pompeiu::hausdorff::Enclosure;
 use pompeiu::hausdorff::deviation::{DirectedDeviation, Percentile, Region, Statistics};
-use pompeiu::hausdorff::{Enclosure, StopReason};
 
 pub(super) fn text(outcome: &Outcome) -> String {
     let deviation = &outcome.deviation;
@@ -68,14 +69,8 @@ fn directed(page: &mut Page, outcome: &Outcome, directed: &DirectedDeviation, na
         }
         regions(page, &name, &directed.beyond_threshold);
     }
-    let stop = match directed.stop {
-        StopReason::Time => "the time limit",
-        StopReason::Memory => "the memory limit",
-        StopReason::Pieces => "the limit on pieces",
-        StopReason::Cancelled => "request",
-        _ => "",
-    };
-    if !stop.is_empty() {
+    if directed.stop.is_early() {
+        let stop = stopped_by(directed.stop);
         page.row("", &format!("stopped by {stop}: intervals are wider than asked"));
     }
     page.gap();

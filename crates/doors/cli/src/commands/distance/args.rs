@@ -1,9 +1,8 @@
 //! Options of the distance command.
 
-use crate::args::Limits;
+use crate::args::{Limits, Tolerance};
 use crate::numbers::magnitude;
 use clap::{Args, ValueEnum};
-use serde::Serialize;
 use std::path::PathBuf;
 
 /// Enclose the distance between two meshes
@@ -31,12 +30,8 @@ pub(crate) struct Distance {
     /// Another mesh file, in the same unit
     #[arg(value_name = "B")]
     pub(crate) b: PathBuf,
-    /// Largest width of the proven interval
-    #[arg(long, value_parser = magnitude, allow_negative_numbers = true, default_value = "1e-12", value_name = "X")]
-    pub(crate) tolerance: f64,
-    /// What the tolerance is measured in
-    #[arg(long, value_enum, default_value_t)]
-    pub(crate) tolerance_kind: ToleranceKind,
+    #[command(flatten)]
+    pub(crate) tolerance: Tolerance,
     /// Which of the two directed distances to compute
     #[arg(long, value_enum, default_value_t)]
     pub(crate) direction: Direction,
@@ -54,19 +49,6 @@ pub(crate) struct Distance {
     /// Print one JSON object
     #[arg(long)]
     pub(crate) json: bool,
-}
-
-#[derive(Clone, Copy, Default, PartialEq, Eq, ValueEnum, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-#[serde(rename_all = "snake_case")]
-pub(crate) enum ToleranceKind {
-    /// The diagonal of the box around both meshes
-    #[default]
-    Diagonal,
-    /// The distance itself
-    Relative,
-    /// The unit of the files
-    Absolute,
 }
 
 #[derive(Clone, Copy, Default, PartialEq, Eq, ValueEnum)]

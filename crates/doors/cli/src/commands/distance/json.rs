@@ -1,8 +1,8 @@
 //! The outcome as one JSON object.
 
-use super::args::ToleranceKind;
 use super::outcome::{Answer, Outcome};
 use super::watch::TraceRow;
+use crate::args::ToleranceKind;
 use crate::json::{line, milliseconds};
 use crate::pair::File;
 use pompeiu::hausdorff::{DirectedReport, Direction, Enclosure, PointPair, StopReason, WorkCount};

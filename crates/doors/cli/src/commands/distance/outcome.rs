@@ -1,7 +1,7 @@
 //! What is reported, however it is printed.
 
-use super::args::ToleranceKind;
 use super::watch::TraceRow;
+use crate::args::ToleranceKind;
 use crate::exit::Exit;
 use crate::pair::File;
 use pompeiu::hausdorff::{DirectedReport, Enclosure};

@@ -1,9 +1,10 @@
 //! Runs the command.
 
-use super::args::{Direction, Distance, Method, ToleranceKind};
+use super::args::{Direction, Distance, Method};
 use super::outcome::{Outcome, Times};
 use super::watch::Watch;
 use super::{json, text};
+use crate::args::ToleranceKind;
 use crate::exit::Exit;
 use crate::interrupt;
 use crate::numbers::shortest;
@@ -12,8 +13,7 @@ use crate::printer::Printer;
 use crate::wait::Wait;
 use pompeiu::core::TriMesh;
 use pompeiu::core::geom::Aabb;
-use pompeiu::core::run::Limits;
-use pompeiu::hausdorff::{self, HausdorffOptions, StopReason, Tolerance};
+use pompeiu::hausdorff::{self, HausdorffOptions, StopReason};
 use std::time::{Duration, Instant};
 
 /// The tolerances of a trace, fractions of the joint diagonal.
@@ -65,8 +65,8 @@ fn measure(
         trace: args.trace.then(|| watch.into_rows(ends, diagonal)),
         a: File::new(&args.a, a),
         b: File::new(&args.b, b),
-        requested: args.tolerance,
-        kind: args.tolerance_kind,
+        requested: args.tolerance.tolerance,
+        kind: args.tolerance.tolerance_kind,
         a_to_b,
         b_to_a,
         threshold: args.assert_below,
@@ -76,21 +76,13 @@ fn measure(
 
 fn options(args: &Distance, read: Duration) -> HausdorffOptions<'static> {
     HausdorffOptions {
-        tolerance: match args.tolerance_kind {
-            ToleranceKind::Diagonal => Tolerance::RelativeToDiagonal(args.tolerance),
-            ToleranceKind::Relative => Tolerance::RelativeToDistance(args.tolerance),
-            ToleranceKind::Absolute => Tolerance::Absolute(args.tolerance),
-        },
+        tolerance: args.tolerance.get(),
         threshold: args.assert_below,
         method: match args.method {
             Method::Fast => hausdorff::Method::Fast,
             Method::Classic => hausdorff::Method::Classic,
         },
-        limits: Limits {
-            time: args.limits.time_after(read),
-            memory: args.limits.memory_limit,
-            ..Limits::default()
-        },
+        limits: args.limits.after(read),
         ..HausdorffOptions::default()
     }
 }
@@ -100,9 +92,10 @@ fn stages(args: &Distance, diagonal: f64) -> &'static [f64] {
     if !args.trace {
         return &[];
     }
-    let finest = match args.tolerance_kind {
-        ToleranceKind::Diagonal => args.tolerance,
-        ToleranceKind::Absolute => args.tolerance / diagonal,
+    let tolerance = args.tolerance.tolerance;
+    let finest = match args.tolerance.tolerance_kind {
+        ToleranceKind::Diagonal => tolerance,
+        ToleranceKind::Absolute => tolerance / diagonal,
         ToleranceKind::Relative => 0.0,
     };
     let is_coarser = |stage: &f64| *stage > 1.001 * finest;

@@ -1,8 +1,9 @@
 //! The outcome for people. Digits are shown only as far as they are proven.
 
-use super::args::ToleranceKind;
 use super::outcome::{Answer, Outcome};
 use super::watch::TraceRow;
+use crate::args::ToleranceKind;
+use crate::exit::stopped_by;
 use crate::numbers::{grouped, plain, point, shortest, time};
 use crate::page::{Page, value};
 use pompeiu::hausdorff::{DirectedReport, Direction, Enclosure, StopReason};
@@ -94,10 +95,8 @@ fn directed(page: &mut Page, report: &DirectedReport, direction: Direction, outc
     };
     let stop = match report.stop {
         StopReason::Tolerance | StopReason::Threshold => None,
-        StopReason::Time => Some("the time limit".to_owned()),
-        StopReason::Memory => Some("the memory limit".to_owned()),
         StopReason::Rounding => Some(format!("double precision, short of the tolerance {}", asked())),
-        _ => Some("request".to_owned()),
+        reason => Some(stopped_by(reason).to_owned()),
     };
     if let Some(stop) = stop {
         page.row("", &format!("stopped by {stop}"));

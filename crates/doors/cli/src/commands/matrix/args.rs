@@ -1,7 +1,6 @@
 //! Options of the matrix command.
 
-use crate::args::Many;
-use crate::numbers::magnitude;
+use crate::args::{Many, Tolerance};
 use clap::Args;
 use std::path::PathBuf;
 
@@ -12,9 +11,13 @@ Prints a line for each pair with the proven bounds on its symmetric distance, as
 values; --directed prints both directed distances instead, h(A, B) in the line from A to B. A folder
 stands for the mesh files in it, by their suffixes; a pattern in quotes may hold *, ?, [abc] and **.
 
+A limit or Ctrl-C ends the run with what is proven; the bounds of pairs that were not measured are
+left empty.
+
 Exit codes:
   0  done
   2  an argument or some of the files cannot be used; pairs of the others are measured
+  3  a limit or Ctrl-C left pairs open
 
 Examples:
   pompeiu matrix library/ > distances.csv
@@ -26,9 +29,8 @@ pub(crate) struct Matrix {
     /// Give both directed distances of each pair
     #[arg(long)]
     pub(crate) directed: bool,
-    /// Largest width of the proven intervals, as a fraction of the diagonal of the box around both meshes
-    #[arg(long, value_parser = magnitude, allow_negative_numbers = true, default_value = "1e-12", value_name = "X")]
-    pub(crate) tolerance: f64,
+    #[command(flatten)]
+    pub(crate) tolerance: Tolerance,
     /// Print one JSON object with square arrays
     #[arg(long)]
     pub(crate) json: bool,

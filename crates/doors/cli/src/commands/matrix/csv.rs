@@ -11,7 +11,7 @@ impl Answer {
     }
 }
 
-/// A line for each pair, empty bounds where one of the two cannot be used.
+/// A line for each pair, empty bounds where one of the two cannot be used, or was not measured.
 pub(super) fn csv(answer: &Answer) -> anyhow::Result<String> {
     let mut table = csv::Writer::from_writer(Vec::new());
     table.write_record(if answer.directed {

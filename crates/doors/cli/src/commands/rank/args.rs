@@ -1,7 +1,6 @@
 //! Options of the rank command.
 
-use crate::args::Many;
-use crate::numbers::magnitude;
+use crate::args::{Many, Tolerance};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
@@ -17,9 +16,13 @@ A folder stands for the mesh files in it, by their suffixes; a pattern in quotes
 [abc] and **. With --align, distances hold for the targets as moved, their coordinates rounded; a
 rigid alignment is a local optimum.
 
+A limit or Ctrl-C ends the ranking with what is proven: targets that are not settled are open, with
+the bounds and the ranks known so far.
+
 Exit codes:
   0  done
   2  the template, an argument, or some of the targets cannot be used; the others are ranked
+  3  a limit or Ctrl-C left targets open
 
 Examples:
   pompeiu rank part.stl library/ --top 5
@@ -44,9 +47,8 @@ pub(crate) struct Rank {
     /// How to move targets onto the template first
     #[arg(long, value_enum, default_value_t)]
     pub(crate) align: Align,
-    /// Largest width of the proven intervals, as a fraction of the diagonal of the box around both meshes
-    #[arg(long, value_parser = magnitude, allow_negative_numbers = true, default_value = "1e-12", value_name = "X")]
-    pub(crate) tolerance: f64,
+    #[command(flatten)]
+    pub(crate) tolerance: Tolerance,
     /// Print one JSON object
     #[arg(long)]
     pub(crate) json: bool,

@@ -3,7 +3,8 @@
 use super::run::Answer;
 use crate::json::{line, milliseconds};
 use crate::pair::File;
-use pompeiu::matching::rank::{Options, Row, Work};
+use pompeiu::hausdorff::StopReason;
+use pompeiu::matching::rank::{RankOptions, Row, Work};
 use serde::Serialize;
 
 /// The ranking on one line.
@@ -12,6 +13,7 @@ pub(super) fn json(answer: &Answer) -> serde_json::Result<String> {
         template: &answer.template,
         options: &answer.options,
         targets: answer.rows(),
+        stop: answer.report.stop,
         work: &answer.report.work,
         timing_ms: milliseconds(answer.total),
     })
@@ -23,9 +25,12 @@ pub(super) fn json(answer: &Answer) -> serde_json::Result<String> {
 pub(crate) struct Json<'a> {
     template: &'a File,
     /// What was asked for.
-    options: &'a Options,
-    /// The ranked ones, best first; then the discarded ones, by their lower bounds; then what cannot be used.
+    options: &'a RankOptions<'static>,
+    /// The ranked ones, best first; then those left open, and the discarded ones, by their lower bounds; then what cannot
+    /// be used.
     targets: Vec<Row>,
+    /// Why the ranking ended: `tolerance` unless targets are left open.
+    stop: StopReason,
     /// What it took.
     work: &'a Work,
     /// Milliseconds in all.

@@ -1,6 +1,7 @@
 //! The ranking for people.
 
 use super::run::Answer;
+use crate::exit::stopped_by;
 use crate::numbers::{grouped, shortest, time};
 use crate::page::{Page, value};
 use crate::printer::LABEL;
@@ -40,6 +41,11 @@ pub(super) fn text(answer: &Answer) -> String {
     let mut text = page.into_text();
     table(&mut text, answer);
     let mut page = Page::new();
+    let open = answer.report.open().count();
+    if open > 0 {
+        let (are, stop) = (if open == 1 { "is" } else { "are" }, stopped_by(answer.report.stop));
+        page.row("open", &format!("{} {are} not settled: ended by {stop}", grouped(open as u64)));
+    }
     let discarded = discarded(&answer.report);
     if discarded.iter().any(|(count, _)| *count > 0) {
         let all: usize = discarded.iter().map(|(count, _)| count).sum();
@@ -59,7 +65,7 @@ pub(super) fn text(answer: &Answer) -> String {
     text + &page.into_text()
 }
 
-/// The ranked ones, with columns as wide as they must be.
+/// The ranked ones, and as many of the open ones as places were asked for, with columns as wide as they must be.
 fn table(text: &mut String, answer: &Answer) {
     let name = match answer.options.measure {
         Measure::Symmetric => "H(template, target)",
@@ -69,6 +75,7 @@ fn table(text: &mut String, answer: &Answer) {
     let rows: Vec<[String; 3]> = answer
         .report
         .ranked()
+        .chain(answer.report.open().take(answer.options.top))
         .map(|standing| {
             let distance = enclosure(standing).map(value).unwrap_or_default();
             [standing.ranks.map(ranks).unwrap_or_default(), distance, standing.name.clone()]
@@ -114,7 +121,7 @@ fn failed(answer: &Answer) -> impl Iterator<Item = (&str, &str)> {
 fn work(work: &Work) -> String {
     let mut parts = vec![format!("{} looked at", grouped(work.looks as u64))];
     for (tolerance, count) in work.searches.iter().filter(|(_, count)| *count > 0) {
-        parts.push(format!("{} searched to {}", grouped(*count as u64), shortest(*tolerance)));
+        parts.push(format!("{} searched to {}", grouped(*count as u64), shortest(tolerance.value())));
     }
     parts.push(format!("{} distances", grouped(work.distances)));
     parts.join(", ")

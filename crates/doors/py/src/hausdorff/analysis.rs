@@ -1,10 +1,10 @@
 //! Deviation analysis.
 
+use super::limits;
 use crate::arrays::array_of_rows;
 use crate::errors::Raise;
 use crate::json::written;
 use crate::mesh::Mesh;
-use crate::query::limits;
 use crate::wait;
 use numpy::{IntoPyArray, PyArray1, PyArray2};
 use pompeiu::core::run::Limits;

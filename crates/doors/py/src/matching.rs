@@ -5,41 +5,35 @@
 
 use crate::arrays::array_of_square;
 use crate::errors::{InternalError, Raise};
+use crate::hausdorff::{limits, tolerance};
 use crate::json::{parsed, written};
 use crate::mesh::Mesh;
 use crate::wait::{self, Told, Watch};
 use numpy::PyArray2;
 use pompeiu::core::TriMesh;
-use pompeiu::hausdorff::Target as Tree;
+use pompeiu::core::run::{Limits, StopReason, on_threads};
+use pompeiu::hausdorff::{HausdorffOptions, Target as Tree};
 use pompeiu::io::read_mesh;
-use pompeiu::matching::matrix::{self, Entry, Matrix, Task as Pair};
-use pompeiu::matching::rank::{self, Options, Outcome, Task};
+use pompeiu::matching::matrix::{self, Matrix, MatrixOptions, Task as Pair};
+use pompeiu::matching::rank::{self, Outcome, RankError, RankOptions, Task};
+use pompeiu::matching::{TaskObserver, TaskProgress};
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
-use rayon::prelude::*;
+use std::num::NonZeroUsize;
+use std::ops::ControlFlow;
 use std::path::PathBuf;
-use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-/// Runs work on so many threads, or on those there are.
-fn on_threads<R: Send>(threads: Option<usize>, work: impl FnOnce() -> R + Send) -> R {
-    match threads.map(|threads| rayon::ThreadPoolBuilder::new().num_threads(threads).build()) {
-        Some(Ok(pool)) => pool.install(work),
-        _ => work(),
+impl Told for TaskProgress {
+    fn arguments<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
+        (self.done, self.tasks, self.settled, self.meshes).into_pyobject(py)
     }
 }
 
-/// How far many tasks have come.
-struct Steps {
-    done: usize,
-    all: usize,
-    settled: usize,
-    of: usize,
-}
-
-impl Told for Steps {
-    fn arguments<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
-        (self.done, self.all, self.settled, self.of).into_pyobject(py)
+impl TaskObserver for Watch<'_, TaskProgress> {
+    fn progress(&self, progress: &TaskProgress) -> ControlFlow<()> {
+        self.tell(*progress);
+        if self.is_stopped() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 }
 
@@ -51,19 +45,37 @@ pub(crate) enum Source {
 }
 
 impl Source {
-    fn perform(&self, template: &rank::Template, task: &Task) -> Outcome {
+    fn perform(&self, template: &rank::Template, task: &Task, search: &HausdorffOptions<'_>) -> Outcome {
         match self {
-            Self::Memory(mesh) => rank::perform(template, mesh.get().inner(), &task.action),
+            Self::Memory(mesh) => rank::perform(template, mesh.get().inner(), &task.action, search),
             Self::File(path) => match read_mesh(path) {
-                Ok(mesh) => rank::perform(template, &mesh, &task.action),
+                Ok(mesh) => rank::perform(template, &mesh, &task.action, search),
                 Err(error) => Outcome::Failed(error.to_string()),
             },
         }
     }
+
+    /// Bytes of memory that it takes while it is not looked at.
+    fn bytes(&self) -> usize {
+        match self {
+            Self::Memory(mesh) => {
+                let mesh = mesh.get().inner();
+                size_of_val(mesh.positions()) + size_of_val(mesh.faces())
+            }
+            Self::File(_) => 0,
+        }
+    }
 }
 
-/// Tasks for each thread between two looks at whether to stop.
-const TASKS_PER_THREAD: usize = 2;
+/// What a run may take: threads, seconds, bytes.
+#[derive(FromPyObject)]
+pub(crate) struct Most(Option<usize>, Option<f64>, Option<usize>);
+
+impl Most {
+    fn limits(self) -> PyResult<Limits> {
+        limits(self.0, self.1, self.2)
+    }
+}
 
 /// The report of a ranking, and for each of its rows the place of the target.
 fn reported(ranking: &rank::Ranking) -> PyResult<(String, Vec<usize>)> {
@@ -71,7 +83,7 @@ fn reported(ranking: &rank::Ranking) -> PyResult<(String, Vec<usize>)> {
     Ok((written(&report)?, report.standings.iter().map(|standing| standing.target).collect()))
 }
 
-/// Ranks meshes on this machine: the report, and whether it came to its end.
+/// Ranks meshes on this machine.
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value, reason = "what is extracted from Python is owned")]
 pub(crate) fn rank_meshes(
@@ -80,45 +92,34 @@ pub(crate) fn rank_meshes(
     sources: Vec<Source>,
     names: Vec<String>,
     options: &str,
-    threads: Option<usize>,
+    most: Most,
     progress: Option<&Bound<'_, PyAny>>,
-) -> PyResult<(String, Vec<usize>, bool)> {
-    let options: Options = parsed(options)?;
+) -> PyResult<(String, Vec<usize>)> {
+    let options = RankOptions { limits: most.limits()?, ..parsed(options)? };
     let template = template.get().inner();
-    let ranking = wait::run(py, progress, |watch: &mut Watch<'_, Steps>| {
-        on_threads(threads, || rank_here(template, &sources, names, &options, watch))
-    })?
-    .map_err(Raise::raise)?;
-    let (report, places) = reported(&ranking)?;
-    Ok((report, places, ranking.round().is_empty()))
+    let ranking = wait::run(py, progress, |watch: &mut Watch<'_, TaskProgress>| {
+        rank_here(template, &sources, names, &RankOptions { observer: Some(watch), ..options })
+    })?;
+    reported(&ranking.map_err(Raise::raise)?)
 }
 
 fn rank_here(
     template: &TriMesh,
     sources: &[Source],
     names: Vec<String>,
-    options: &Options,
-    watch: &Watch<'_, Steps>,
-) -> Result<rank::Ranking, rank::RankError> {
+    options: &RankOptions<'_>,
+) -> Result<rank::Ranking, RankError> {
     let mut ranking = rank::Ranking::new(names, options)?;
-    let template = rank::Template::new(template.clone(), options)?;
-    while !ranking.round().is_empty() {
-        let (all, settled, of) = (ranking.round().len(), ranking.settled(), sources.len());
-        let done = AtomicUsize::new(0);
-        let mut outcomes = Vec::with_capacity(all);
-        for tasks in ranking.round().chunks(TASKS_PER_THREAD * rayon::current_num_threads()) {
-            if watch.is_stopped() {
-                return Ok(ranking);
-            }
-            outcomes.par_extend(tasks.par_iter().map(|task| {
-                let outcome = sources[task.target].perform(&template, task);
-                let done = done.fetch_add(1, Ordering::Relaxed) + 1;
-                watch.tell(Steps { done, all, settled, of });
-                outcome
-            }));
-        }
-        ranking.merge(outcomes)?;
-    }
+    let template = on_threads(options.limits.threads, || rank::Template::new(template.clone(), options))?;
+    let held: usize = sources.iter().map(Source::bytes).sum();
+    let done = |task: &Task, search: &HausdorffOptions<'_>| {
+        let source = &sources[task.target];
+        let mut search = search.clone();
+        let beside = held - source.bytes();
+        search.limits.memory = search.limits.memory.map(|memory| memory.saturating_sub(beside));
+        source.perform(&template, task, &search)
+    };
+    rank::run(&mut ranking, options, done, |_| ())?;
     Ok(ranking)
 }
 
@@ -136,7 +137,8 @@ impl Ranking {
 impl Ranking {
     #[new]
     fn new(names: Vec<String>, options: &str) -> PyResult<Self> {
-        let ranking = rank::Ranking::new(names, &parsed(options)?).map_err(Raise::raise)?;
+        let options: RankOptions<'_> = parsed(options)?;
+        let ranking = rank::Ranking::new(names, &options).map_err(Raise::raise)?;
         Ok(Self(Mutex::new(ranking)))
     }
 
@@ -162,6 +164,11 @@ impl Ranking {
         self.lock().settled()
     }
 
+    /// Ends the ranking on request.
+    fn stop(&self) {
+        self.lock().stop(StopReason::Cancelled);
+    }
+
     /// What is known so far.
     fn report(&self) -> PyResult<(String, Vec<usize>)> {
         reported(&self.lock())
@@ -176,7 +183,7 @@ pub(crate) struct Template(rank::Template);
 impl Template {
     #[new]
     fn new(py: Python<'_>, mesh: &Bound<'_, Mesh>, options: &str) -> PyResult<Self> {
-        let options: Options = parsed(options)?;
+        let options: RankOptions<'_> = parsed(options)?;
         let mesh = mesh.get().inner();
         py.detach(|| rank::Template::new(mesh.clone(), &options)).map(Self).map_err(Raise::raise)
     }
@@ -191,12 +198,16 @@ impl Template {
     ) -> PyResult<String> {
         let action = parsed(action)?;
         let mesh = mesh.get().inner();
-        written(&py.detach(|| on_threads(Some(threads), || rank::perform(&self.0, mesh, &action))))
+        let threads = NonZeroUsize::new(threads);
+        let search = HausdorffOptions::default();
+        written(&py.detach(|| on_threads(threads, || rank::perform(&self.0, mesh, &action, &search))))
     }
 }
 
-/// What a matrix holds: lower and upper bounds, row by row, and the number of distances evaluated.
-type Arrays<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<f64>>, u64);
+/// What a matrix holds: lower and upper bounds, row by row, the number of distances evaluated, why it ended, and the rows and
+/// columns of what is open.
+type Arrays<'py> =
+    (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<f64>>, u64, &'static str, Vec<(usize, usize)>);
 
 fn arrays<'py>(py: Python<'py>, matrix: &Matrix) -> PyResult<Arrays<'py>> {
     let count = matrix.count();
@@ -204,7 +215,8 @@ fn arrays<'py>(py: Python<'py>, matrix: &Matrix) -> PyResult<Arrays<'py>> {
         let entry = |at: usize| matrix.directed(at / count, at % count).map_or(f64::NAN, |ends| ends[end]);
         array_of_square(py, (0..count * count).map(entry).collect(), count)
     };
-    Ok((end(0)?, end(1)?, matrix.distances()))
+    let open = matrix.open().map(|pair| (pair.from, pair.to)).collect();
+    Ok((end(0)?, end(1)?, matrix.distances(), matrix.stop_reason().name(), open))
 }
 
 /// The directed distances of all pairs; what a stop left out is NaN.
@@ -213,44 +225,16 @@ fn arrays<'py>(py: Python<'py>, matrix: &Matrix) -> PyResult<Arrays<'py>> {
 pub(crate) fn distance_matrix<'py>(
     py: Python<'py>,
     meshes: Vec<Py<Mesh>>,
-    tolerance: f64,
-    threads: Option<usize>,
+    width: (f64, String),
+    most: Most,
     progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Arrays<'py>> {
     let meshes: Vec<&TriMesh> = meshes.iter().map(|mesh| mesh.get().inner()).collect();
-    let matrix = wait::run(py, progress, |watch: &mut Watch<'_, Steps>| {
-        on_threads(threads, || matrix_here(&meshes, tolerance, watch))
+    let (tolerance, limits) = (tolerance(width.0, &width.1)?, most.limits()?);
+    let matrix = wait::run(py, progress, |watch: &mut Watch<'_, TaskProgress>| {
+        matrix::measure(&meshes.as_slice(), &MatrixOptions { tolerance, limits, observer: Some(watch) })
     })?;
     arrays(py, &matrix.map_err(Raise::raise)?)
-}
-
-fn matrix_here(
-    meshes: &[&TriMesh],
-    tolerance: f64,
-    watch: &Watch<'_, Steps>,
-) -> Result<Matrix, pompeiu::hausdorff::OptionError> {
-    let count = meshes.len();
-    let mut matrix = Matrix::new(count);
-    let all = count * count.saturating_sub(1);
-    let done = AtomicUsize::new(0);
-    for (to, mesh) in meshes.iter().enumerate() {
-        if watch.is_stopped() {
-            break;
-        }
-        let tree = Tree::new(mesh);
-        let directed = |from: usize| -> Result<_, pompeiu::hausdorff::OptionError> {
-            let entry = matrix::directed(meshes[from], &tree, tolerance)?;
-            let done = done.fetch_add(1, Ordering::Relaxed) + 1;
-            watch.tell(Steps { done, all, settled: to, of: count });
-            Ok((Pair { from, to }, entry))
-        };
-        let column: Vec<(Pair, Entry)> =
-            (0..count).into_par_iter().filter(|from| *from != to).map(directed).collect::<Result<_, _>>()?;
-        for (pair, entry) in column {
-            matrix.set(pair, entry);
-        }
-    }
-    Ok(matrix)
 }
 
 /// A matrix whose entries are found elsewhere.
@@ -273,9 +257,14 @@ impl Entries {
             if found >= count {
                 return Err(InternalError::Mesh { found, count }.raise());
             }
-            matrix.set(Pair { from, to }, parsed(&entry)?);
+            matrix.set(Pair { from, to }, &parsed(&entry)?);
         }
         Ok(())
+    }
+
+    /// Ends the matrix on request.
+    fn stop(&self) {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).stop(StopReason::Cancelled);
     }
 
     fn arrays<'py>(&self, py: Python<'py>) -> PyResult<Arrays<'py>> {
@@ -290,16 +279,17 @@ pub(crate) fn matrix_entries(
     py: Python<'_>,
     to: &Bound<'_, Mesh>,
     from_: Vec<Py<Mesh>>,
-    tolerance: f64,
+    width: (f64, String),
     threads: usize,
 ) -> PyResult<Vec<String>> {
     let to = to.get().inner();
+    let options = MatrixOptions { tolerance: tolerance(width.0, &width.1)?, ..MatrixOptions::default() };
     let entries = py.detach(|| {
-        on_threads(Some(threads), || {
+        on_threads(NonZeroUsize::new(threads), || {
             let tree = Tree::new(to);
             from_
                 .iter()
-                .map(|mesh| matrix::directed(mesh.get().inner(), &tree, tolerance))
+                .map(|mesh| matrix::directed(mesh.get().inner(), &tree, &options))
                 .collect::<Result<Vec<_>, _>>()
         })
     });

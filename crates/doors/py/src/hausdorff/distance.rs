@@ -7,6 +7,7 @@ use crate::wait;
 use pompeiu::core::run::Limits;
 use pompeiu::hausdorff::{self as library, HausdorffOptions, Method, OptionError, Tolerance};
 use pyo3::prelude::*;
+use serde::Serialize;
 
 /// The options of a question, from a dictionary.
 #[derive(FromPyObject)]
@@ -58,7 +59,8 @@ pub(crate) fn limits(
     Ok(Limits { time: time.transpose()?, memory, threads: threads.transpose()?, ..Limits::default() })
 }
 
-fn tolerance(value: f64, kind: &str) -> PyResult<Tolerance> {
+/// A tolerance, from its number and its kind.
+pub(crate) fn tolerance(value: f64, kind: &str) -> PyResult<Tolerance> {
     match kind {
         "diagonal" => Ok(Tolerance::RelativeToDiagonal(value)),
         "relative" => Ok(Tolerance::RelativeToDistance(value)),
@@ -68,6 +70,19 @@ fn tolerance(value: f64, kind: &str) -> PyResult<Tolerance> {
             Err(UnknownOption::Name { option: "tolerance_kind", found: found.to_owned(), expected }.raise())
         }
     }
+}
+
+/// Asks a question on a thread of its own, and writes down the answer.
+fn answer<R: Serialize + Send>(
+    py: Python<'_>,
+    options: Options,
+    progress: Option<&Bound<'_, PyAny>>,
+    ask: impl FnOnce(&HausdorffOptions<'_>) -> Result<R, OptionError> + Send,
+) -> PyResult<String> {
+    let options = options.options()?;
+    let report =
+        wait::run(py, progress, |watch| ask(&HausdorffOptions { observer: Some(watch), ..options }))?;
+    written(&report.map_err(Raise::raise)?)
 }
 
 /// A mesh with its tree built: measure many meshes against it.
@@ -109,12 +124,8 @@ impl Target {
         options: Options,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<String> {
-        let options = options.options()?;
         let a = a.get();
-        let report = wait::run(py, progress, |watch| {
-            HausdorffOptions { observer: Some(watch), ..options }.directed_to(a.inner(), &self.0)
-        })?;
-        written(&report.map_err(Raise::raise)?)
+        answer(py, options, progress, |options| options.directed_to(a.inner(), &self.0))
     }
 }
 
@@ -127,12 +138,8 @@ pub(crate) fn directed_hausdorff(
     options: Options,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<String> {
-    let options = options.options()?;
     let (a, b) = (a.get(), b.get());
-    let report = wait::run(py, progress, |watch| {
-        HausdorffOptions { observer: Some(watch), ..options }.directed(a.inner(), b.inner())
-    })?;
-    written(&report.map_err(Raise::raise)?)
+    answer(py, options, progress, |options| options.directed(a.inner(), b.inner()))
 }
 
 /// Encloses the greater of both directed distances.
@@ -144,10 +151,6 @@ pub(crate) fn hausdorff(
     options: Options,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<String> {
-    let options = options.options()?;
     let (a, b) = (a.get(), b.get());
-    let report = wait::run(py, progress, |watch| {
-        HausdorffOptions { observer: Some(watch), ..options }.symmetric(a.inner(), b.inner())
-    })?;
-    written(&report.map_err(Raise::raise)?)
+    answer(py, options, progress, |options| options.symmetric(a.inner(), b.inner()))
 }

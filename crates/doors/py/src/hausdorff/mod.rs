@@ -1,0 +1,7 @@
+//! How far two meshes are from each other.
+
+mod analysis;
+mod distance;
+
+pub(crate) use analysis::{deviation, directed_deviation};
+pub(crate) use distance::{Target, directed_hausdorff, hausdorff, limits, tolerance};
