@@ -35,10 +35,14 @@ COMMANDS = {
         "matrix tent.obj square.obj --directed --tolerance 0.1",
         "matrix tent.obj square.obj --time-limit 0s",
     ],
-    "info": ["info tent.obj", "info points.obj", "info huge.obj", "info torus.ply.gz"],
+    "info": ["info tent.obj", "info points.obj", "info huge.obj --intersections", "info torus.ply.gz"],
     "repair": [
         "repair rough.obj repaired.ply",
         "repair rough.obj repaired.obj --within 0.1",
+    ],
+    "remesh": [
+        "remesh rough.obj -o even.ply --edge-length 0.1",
+        "remesh rough.obj -o adapted.ply --adaptive 0.02 --within 0.1 --features 60",
     ],
     "simplify": [
         "simplify rough.obj -o simple.ply --within 0.1",

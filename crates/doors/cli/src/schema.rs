@@ -36,6 +36,7 @@ fn published_schemas_are_those_of_the_types() {
     check("info", schema::<answers::Info<'static>>());
     check("matrix", schema::<answers::Matrix<'static>>());
     check("rank", schema::<answers::Rank<'static>>());
+    check("remesh", schema::<answers::Remesh<'static>>());
     check("repair", schema::<answers::Repair<'static>>());
     check("simplify", schema::<answers::Simplify<'static>>());
     let names = std::fs::read_dir(folder()).unwrap().map(|entry| entry.unwrap().file_name());

@@ -1,5 +1,7 @@
 //! Arithmetic whose results enclose the exact ones.
 
 mod interval;
+mod triangles;
 
 pub use interval::Interval;
+pub use triangles::common_point;

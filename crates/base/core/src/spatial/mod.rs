@@ -1,11 +1,13 @@
 //! Orders and trees over the faces of a mesh.
 
 pub mod bvh;
+mod intersections;
 mod morton;
 mod neighbours;
 mod winding;
 
 pub use bvh::{Bvh, Cover, Nearest, Slot, Workspace};
+pub use intersections::{IntersectingPair, SelfIntersections, self_intersections};
 pub use morton::morton_order;
 pub use neighbours::{Neighbour, Neighbours};
 pub use winding::{Winding, WindingNumber};

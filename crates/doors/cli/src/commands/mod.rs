@@ -11,6 +11,7 @@ mod info;
 mod man;
 mod matrix;
 mod rank;
+mod remesh;
 mod repair;
 mod simplify;
 
@@ -43,6 +44,7 @@ commands! {
     matrix::Matrix,
     info::Info,
     decompose::Decompose,
+    remesh::Remesh,
     simplify::Simplify,
     repair::Repair,
     convert::Convert,
@@ -60,6 +62,7 @@ pub(crate) mod answers {
     pub(crate) use super::info::Json as Info;
     pub(crate) use super::matrix::Json as Matrix;
     pub(crate) use super::rank::Json as Rank;
+    pub(crate) use super::remesh::Json as Remesh;
     pub(crate) use super::repair::Json as Repair;
     pub(crate) use super::simplify::Json as Simplify;
 }

@@ -36,10 +36,25 @@ impl SimplifyOptions<'_> {
         Self { target, limits: Limits::default(), progress: None }
     }
 
-    /// Whether the options make sense for a mesh with this diagonal.
-    pub(super) fn check(&self, diagonal: f64) -> Result<(), SimplifyError> {
+    /// The targets of some levels, the finest first, if they make sense for a mesh with this diagonal.
+    pub(super) fn targets(&self, diagonal: f64, levels: usize) -> Result<Vec<SimplifyTarget>, SimplifyError> {
+        if levels == 0 {
+            return Err(SimplifyError::NoLevels);
+        }
+        let halved = |times: usize| match self.target {
+            SimplifyTarget::Within(d) => SimplifyTarget::Within(d * (-(times as f64)).exp2()),
+            SimplifyTarget::Faces(n) => {
+                let factor = 1_usize.checked_shl(times as u32).unwrap_or(usize::MAX);
+                SimplifyTarget::Faces(n.saturating_mul(factor))
+            }
+        };
+        let targets = (0..levels).rev().map(halved);
+        targets.map(|target| Self::check(target, diagonal).map(|()| target)).collect()
+    }
+
+    fn check(target: SimplifyTarget, diagonal: f64) -> Result<(), SimplifyError> {
         let least = Self::LEAST_DISTANCE * diagonal;
-        match self.target {
+        match target {
             SimplifyTarget::Within(d) if !(d > 0.0 && d < f64::INFINITY) => Err(SimplifyError::Distance(d)),
             SimplifyTarget::Within(distance) if distance < least => {
                 Err(SimplifyError::BelowRounding { distance, least })
@@ -55,6 +70,8 @@ impl SimplifyOptions<'_> {
 pub struct Simplified {
     /// The mesh; vertices without faces are left out.
     pub mesh: TriMesh,
+    /// What was asked for.
+    pub target: SimplifyTarget,
     /// Both directed distances, enclosed: A is the input, B the result.
     pub distance: SymmetricReport,
     /// Number of edges collapsed.
@@ -97,6 +114,9 @@ pub enum SimplifyError {
     /// No face was asked for.
     #[error("the number of faces is 0; at least 1 is needed")]
     NoFaces,
+    /// No level of detail was asked for.
+    #[error("the number of levels is 0; at least 1 is needed")]
+    NoLevels,
     /// The result is no mesh.
     #[error(transparent)]
     Mesh(#[from] MeshError),

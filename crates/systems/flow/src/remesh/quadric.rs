@@ -68,6 +68,11 @@ impl Quadric {
 /// Ratio of eigenvalues below which a direction counts as flat.
 const FLAT: f64 = 1e-3;
 
+/// Eigenvalues of the symmetric matrix with this upper triangle: xx, xy, xz, yy, yz, zz.
+pub(crate) fn eigenvalues(upper: [f64; 6]) -> [f64; 3] {
+    eigen(Quadric { a: upper, ..Quadric::default() }.matrix()).0
+}
+
 /// Eigenvalues and eigenvectors of a symmetric matrix, by Jacobi's rotations.
 fn eigen(matrix: DMat3) -> ([f64; 3], [DVec3; 3]) {
     let mut a = matrix.to_cols_array_2d();

@@ -64,49 +64,77 @@ const BOUNDARY_WEIGHT: f64 = 4.0;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn simplify(mesh: &TriMesh, options: &SimplifyOptions<'_>) -> Result<Simplified, SimplifyError> {
-    on_threads(options.limits.threads, || simplify_here(mesh, options))
+    let mut levels = simplify_levels(mesh, options, 1)?;
+    levels.pop().ok_or(SimplifyError::NoLevels)
 }
 
-fn simplify_here(mesh: &TriMesh, options: &SimplifyOptions<'_>) -> Result<Simplified, SimplifyError> {
-    let started = Instant::now();
+/// Simplifies a mesh step by step: levels of detail, the finest first, the last one as [`simplify`] is asked for.
+///
+/// Each level has half the distance of the next one, or twice as many faces, and its own proof. Every level goes on where the one before
+/// ended, so all of them together take little longer than the last.
+///
+/// # Errors
+/// Those of [`simplify`]; [`SimplifyError::NoLevels`] if none is asked for.
+pub fn simplify_levels(
+    mesh: &TriMesh,
+    options: &SimplifyOptions<'_>,
+    levels: usize,
+) -> Result<Vec<Simplified>, SimplifyError> {
+    on_threads(options.limits.threads, || simplify_here(mesh, options, levels))
+}
+
+fn simplify_here(
+    mesh: &TriMesh,
+    options: &SimplifyOptions<'_>,
+    levels: usize,
+) -> Result<Vec<Simplified>, SimplifyError> {
+    let mut started = Instant::now();
     let aabb = Aabb::of_faces(mesh);
-    options.check(aabb.diagonal())?;
+    let targets = options.targets(aabb.diagonal(), levels)?;
     let frame = Frame::of(&aabb);
     let mut dynamic = DynamicMesh::new(mesh.positions(), mesh.faces())?;
     for p in &mut dynamic.positions {
         *p = DVec3::from_array(frame.map(p.to_array()));
     }
     let bvh = Bvh::build(mesh, &frame);
-    let (limit, least_faces) = match options.target {
-        SimplifyTarget::Within(d) => (LOCAL_SHARE * frame.length_in(d), 1),
-        SimplifyTarget::Faces(n) => (f64::INFINITY, n),
-    };
     let control = Control::start(&options.limits);
-    let mut work = Simplifier::new(dynamic, &bvh, limit, least_faces);
-    work.run(&control, options.progress);
-    let collapses = work.collapses;
-    let mut dynamic = work.mesh;
-    for p in &mut dynamic.positions {
-        *p = DVec3::from_array(frame.unmap(p.to_array()));
+    let mut work = Simplifier::new(dynamic, &bvh, matches!(options.target, SimplifyTarget::Within(_)));
+    let mut found = Vec::with_capacity(levels);
+    for target in targets {
+        match target {
+            SimplifyTarget::Within(d) => work.come_within(LOCAL_SHARE * frame.length_in(d)),
+            SimplifyTarget::Faces(n) => work.least_faces = n,
+        }
+        work.run(&control, options.progress);
+        let mut result = work.mesh.clone();
+        for p in &mut result.positions {
+            *p = DVec3::from_array(frame.unmap(p.to_array()));
+        }
+        let stop = control.reason().unwrap_or(StopReason::Tolerance);
+        found.push(measured(mesh, result.to_mesh()?, target, work.collapses, stop, started)?);
+        started = Instant::now();
     }
-    let result = dynamic.to_mesh()?;
-    let collapsing = started.elapsed();
-    let distance = symmetric_hausdorff(mesh, &result);
-    if let SimplifyTarget::Within(d) = options.target
+    Ok(found)
+}
+
+/// Measures how far a result is from the input, and checks that it is as near as asked.
+fn measured(
+    input: &TriMesh,
+    mesh: TriMesh,
+    target: SimplifyTarget,
+    collapses: usize,
+    stop: StopReason,
+    started: Instant,
+) -> Result<Simplified, SimplifyError> {
+    let collapse = started.elapsed();
+    let distance = symmetric_hausdorff(input, &mesh);
+    if let SimplifyTarget::Within(d) = target
         && distance.distance.upper() > d
     {
         return Err(SimplifyError::NotWithin { distance: d, upper: distance.distance.upper() });
     }
-    Ok(Simplified {
-        mesh: result,
-        distance,
-        collapses,
-        stop: control.reason().unwrap_or(StopReason::Tolerance),
-        timing: SimplifyTiming {
-            collapse: collapsing,
-            distance: started.elapsed().saturating_sub(collapsing),
-        },
-    })
+    let timing = SimplifyTiming { collapse, distance: started.elapsed().saturating_sub(collapse) };
+    Ok(Simplified { mesh, target, distance, collapses, stop, timing })
 }
 
 /// An edge in the queue: its error, its halfedge, and the versions of its ends when the error was computed.
@@ -136,23 +164,29 @@ struct Star {
 }
 
 impl<'i> Simplifier<'i> {
-    fn new(mesh: DynamicMesh, bvh: &'i Bvh, limit: f64, least_faces: usize) -> Self {
+    fn new(mesh: DynamicMesh, bvh: &'i Bvh, within: bool) -> Self {
         let quadrics = vertex_quadrics(&mesh);
-        let cover = limit.is_finite().then(|| Cover::new(&mesh, bvh));
+        let cover = within.then(|| Cover::new(&mesh, bvh));
         let versions = vec![0; mesh.positions.len()];
-        let input = Input { bvh, limit_sq: limit * limit };
+        let input = Input { bvh, limit_sq: f64::INFINITY };
         Self {
             mesh,
             quadrics,
             versions,
             queue: BinaryHeap::new(),
             input,
-            limit,
+            limit: f64::INFINITY,
             cover,
-            least_faces,
+            least_faces: 1,
             collapses: 0,
             workspace: Workspace::default(),
         }
+    }
+
+    /// From now on the surface stays within this distance, which is not less than before.
+    fn come_within(&mut self, limit: f64) {
+        self.limit = limit;
+        self.input.limit_sq = limit * limit;
     }
 
     /// Collapses edges until none can be, or the computation is told to stop: the surface stays within the distance all the time.
@@ -167,6 +201,7 @@ impl<'i> Simplifier<'i> {
             }
             while let Some(Reverse((_, h, versions))) = self.queue.pop() {
                 if self.mesh.face_count() <= self.least_faces || control.is_stopped() {
+                    self.queue.clear();
                     return;
                 }
                 looked_at += 1;

@@ -3,7 +3,7 @@
 use pompeiu_core::TriMesh;
 use pompeiu_core::mesh::shapes::{self, Diagonal, Ends};
 use pompeiu_core::mesh::{MeshSummary, displace_at_random};
-use pompeiu_flow::remesh::{Simplified, SimplifyError, SimplifyOptions, SimplifyTarget};
+use pompeiu_flow::remesh::{Simplified, SimplifyError, SimplifyOptions, SimplifyTarget, simplify_levels};
 use pompeiu_hausdorff::symmetric_hausdorff;
 
 fn simplify(mesh: &TriMesh, target: SimplifyTarget) -> Result<Simplified, SimplifyError> {
@@ -101,4 +101,25 @@ fn the_scale_does_not_matter() {
         let found = simplify(&scaled, SimplifyTarget::Within(0.01 * scale)).unwrap().mesh;
         assert_eq!(found.faces(), one.faces());
     }
+}
+
+#[test]
+fn each_level_has_its_own_proof() {
+    let mesh = displace_at_random(&shapes::icosphere(1.0, 4).unwrap(), 0.005, 3).unwrap();
+    let options = SimplifyOptions::new(SimplifyTarget::Within(0.1));
+    let levels = simplify_levels(&mesh, &options, 4).unwrap();
+    let mut before = mesh.faces().len();
+    for (level, within) in levels.iter().zip([0.0125, 0.025, 0.05, 0.1]) {
+        assert_eq!(level.target, SimplifyTarget::Within(within));
+        assert!(symmetric_hausdorff(&mesh, &level.mesh).distance.upper() <= within);
+        assert!(level.mesh.faces().len() < before);
+        before = level.mesh.faces().len();
+    }
+    // Going on from a finer level costs few faces.
+    let at_once = simplify(&mesh, SimplifyTarget::Within(0.1)).unwrap().mesh.faces().len();
+    assert!(before <= at_once + at_once / 4, "{before} and {at_once}");
+    let by_faces = simplify_levels(&mesh, &SimplifyOptions::new(SimplifyTarget::Faces(300)), 3).unwrap();
+    let counts: Vec<usize> = by_faces.iter().map(|level| level.mesh.faces().len()).collect();
+    assert!(counts.iter().zip([1200, 600, 300]).all(|(n, most)| *n <= most && *n + 20 > most), "{counts:?}");
+    assert_eq!(simplify_levels(&mesh, &options, 0).unwrap_err(), SimplifyError::NoLevels);
 }

@@ -8,10 +8,14 @@ use std::path::PathBuf;
 #[command(after_help = "\
 Examples:
   pompeiu info bunny.ply
-  pompeiu info bunny.ply --json")]
+  pompeiu info bunny.ply --json
+  pompeiu info bunny.ply --intersections")]
 pub(crate) struct Info {
     /// The mesh file
     pub(crate) file: PathBuf,
+    /// Find pairs of faces that intersect, decided exactly
+    #[arg(long)]
+    pub(crate) intersections: bool,
     /// Print one JSON object
     #[arg(long)]
     pub(crate) json: bool,

@@ -3,11 +3,17 @@
 use crate::numbers::{grouped, plain, point};
 use crate::printer::LABEL;
 use pompeiu::core::MeshSummary;
+use pompeiu::core::spatial::SelfIntersections;
 use pompeiu::io::ReadMesh;
 use std::fmt::Write;
 
 /// A row for each quantity.
-pub(super) fn text(path: &str, read: &ReadMesh, summary: &MeshSummary) -> String {
+pub(super) fn text(
+    path: &str,
+    read: &ReadMesh,
+    summary: &MeshSummary,
+    intersections: Option<&SelfIntersections>,
+) -> String {
     let (bounds, topology) = (summary.bounding_box, summary.connectivity);
     let number = |n: usize| grouped(n as u64);
     let size = [0, 1, 2].map(|k| plain(bounds.upper[k] - bounds.lower[k]));
@@ -61,7 +67,23 @@ pub(super) fn text(path: &str, read: &ReadMesh, summary: &MeshSummary) -> String
     if label == "oddities" {
         row(label, "none");
     }
+    if let Some(found) = intersections {
+        row("self-intersections", &pairs(found));
+    }
     text
+}
+
+/// How many pairs of faces intersect, and where the first ones do.
+fn pairs(found: &SelfIntersections) -> String {
+    let count = found.pairs.len();
+    if count == 0 {
+        return "none".to_owned();
+    }
+    let at_least = if found.complete { "" } else { "at least " };
+    let noun = if count == 1 { "pair" } else { "pairs" };
+    let first: Vec<String> = found.pairs.iter().take(3).map(|pair| point(pair.place)).collect();
+    let more = if count > 3 { ", …" } else { "" };
+    format!("{at_least}{} {noun} of faces, at {}{more}", grouped(count as u64), first.join(", "))
 }
 
 /// An area or a volume, which may overflow where lengths do not.

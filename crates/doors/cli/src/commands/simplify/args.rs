@@ -15,7 +15,8 @@ distance follows, and is proven too. The mesh must be an oriented manifold, with
 Examples:
   pompeiu simplify scan.ply --within 0.05 -o light.ply
   pompeiu simplify scan.ply --relative 0.001 -o light.ply --json
-  pompeiu simplify scan.ply --faces 5000 -o light.glb")]
+  pompeiu simplify scan.ply --faces 5000 -o light.glb
+  pompeiu simplify scan.ply --relative 0.02 --levels 4 -o light.ply")]
 pub(crate) struct Simplify {
     /// The mesh file
     pub(crate) mesh: PathBuf,
@@ -28,6 +29,11 @@ pub(crate) struct Simplify {
     /// Number of faces to reach
     #[arg(long, value_name = "N")]
     pub(crate) faces: Option<usize>,
+    /// Write so many levels of detail: OUT, and before its suffix `-1`, `-2`, ... for meshes with half the distance, or twice the
+    /// number of faces, of the one before
+    #[arg(long, value_name = "N", default_value_t = 1, hide_default_value = true,
+        value_parser = clap::value_parser!(u8).range(1..=32))]
+    pub(crate) levels: u8,
     /// The mesh file to write
     #[arg(long, short, value_name = "OUT")]
     pub(crate) output: PathBuf,

@@ -1,6 +1,6 @@
 //! The outcome as one JSON object.
 
-use super::run::Outcome;
+use super::run::{Outcome, within};
 use crate::json::{line, milliseconds};
 use crate::pair::File;
 use pompeiu::core::run::StopReason;
@@ -9,19 +9,28 @@ use serde::Serialize;
 
 /// The outcome on one line.
 pub(super) fn json(outcome: &Outcome) -> serde_json::Result<String> {
-    let (found, distance) = (&outcome.found, &outcome.found.distance);
+    let (output, found) = outcome.asked();
+    let distance = &found.distance;
+    let finer = outcome.levels[1..].iter().map(|(output, found)| Level {
+        output,
+        within: within(found),
+        distance: found.distance.distance,
+        input_to_output: found.distance.a_to_b.distance,
+        output_to_input: found.distance.b_to_a.distance,
+    });
     line(&Json {
         input: &outcome.input,
-        output: &outcome.output,
-        within: outcome.within,
+        output,
+        within: within(found),
         distance: distance.distance,
         input_to_output: distance.a_to_b.distance,
         output_to_input: distance.b_to_a.distance,
         collapses: found.collapses,
         stop: found.stop,
+        finer: finer.collect(),
         timing_ms: Timing {
-            collapse: milliseconds(found.timing.collapse),
-            distance: milliseconds(found.timing.distance),
+            collapse: outcome.levels.iter().map(|l| milliseconds(l.1.timing.collapse)).sum(),
+            distance: outcome.levels.iter().map(|l| milliseconds(l.1.timing.distance)).sum(),
             total: milliseconds(outcome.total),
         },
     })
@@ -45,7 +54,24 @@ pub(crate) struct Json<'o> {
     collapses: usize,
     /// Why it ended.
     stop: StopReason,
+    /// Other levels of detail, each finer than the one before; empty unless asked for.
+    finer: Vec<Level<'o>>,
     timing_ms: Timing,
+}
+
+/// A level of detail.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+struct Level<'o> {
+    output: &'o File,
+    /// The distance that it keeps; null where a number of faces was asked for.
+    within: Option<f64>,
+    /// The Pompeiu–Hausdorff distance of input and output.
+    distance: Enclosure,
+    /// How far the input is from the output.
+    input_to_output: Enclosure,
+    /// How far the output is from the input.
+    output_to_input: Enclosure,
 }
 
 /// Milliseconds spent on each part.

@@ -10,24 +10,51 @@ use crate::wait::Wait;
 use anyhow::Context;
 use pompeiu::core::geom::Aabb;
 use pompeiu::core::run::{Limits, Progress};
-use pompeiu::flow::remesh::{Simplified, SimplifyOptions, SimplifyTarget, simplify};
+use pompeiu::flow::remesh::{Simplified, SimplifyOptions, SimplifyTarget, simplify_levels};
 use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 /// What was done, for both kinds of answers.
 pub(super) struct Outcome {
     pub(super) input: File,
-    pub(super) output: File,
-    /// The distance asked for.
-    pub(super) within: Option<f64>,
-    pub(super) found: Simplified,
+    /// What was written, as asked for first, and then finer and finer.
+    pub(super) levels: Vec<(File, Simplified)>,
     pub(super) total: Duration,
+}
+
+impl Outcome {
+    /// The level that was asked for.
+    pub(super) fn asked(&self) -> &(File, Simplified) {
+        &self.levels[0]
+    }
+}
+
+/// The distance that a level keeps.
+pub(super) fn within(found: &Simplified) -> Option<f64> {
+    match found.target {
+        SimplifyTarget::Within(d) => Some(d),
+        SimplifyTarget::Faces(_) => None,
+    }
+}
+
+/// Where a level goes: the first to the path itself, others with their number before the suffix.
+fn place(path: &Path, level: usize) -> PathBuf {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    match name.split_once('.') {
+        Some((stem, suffix)) if level > 0 => path.with_file_name(format!("{stem}-{level}.{suffix}")),
+        _ => path.to_owned(),
+    }
 }
 
 pub(crate) fn run(args: &Simplify, printer: &Printer) -> anyhow::Result<Exit> {
     let started = Instant::now();
-    files::check_writable(&args.output)?;
-    files::check_place(&args.output, &[&args.mesh])?;
+    let places: Vec<PathBuf> =
+        (0..usize::from(args.levels)).map(|level| place(&args.output, level)).collect();
+    for place in &places {
+        files::check_writable(place)?;
+        files::check_place(place, &[&args.mesh])?;
+    }
     args.limits.apply_threads()?;
     let wait = Wait::new(printer);
     wait.show(format!("reading {}", args.mesh.display()));
@@ -43,16 +70,16 @@ pub(crate) fn run(args: &Simplify, printer: &Printer) -> anyhow::Result<Exit> {
     };
     let limits = Limits { time: args.limits.time_after(started.elapsed()), ..Limits::default() };
     let options = SimplifyOptions { limits, progress: Some(&show), ..SimplifyOptions::new(target) };
-    let found = simplify(&mesh, &options).with_context(|| args.mesh.display().to_string())?;
+    let mut found = simplify_levels(&mesh, &options, usize::from(args.levels))
+        .with_context(|| args.mesh.display().to_string())?;
     drop(wait);
-    files::write(&args.output, &found.mesh, printer)?;
-    let outcome = Outcome {
-        input: File::new(&args.mesh, &mesh),
-        output: File::new(&args.output, &found.mesh),
-        within,
-        found,
-        total: started.elapsed(),
-    };
+    found.reverse();
+    let mut levels = Vec::new();
+    for (place, level) in places.iter().zip(found) {
+        files::write(place, &level.mesh, printer)?;
+        levels.push((File::new(place, &level.mesh), level));
+    }
+    let outcome = Outcome { input: File::new(&args.mesh, &mesh), levels, total: started.elapsed() };
     Printer::answer(&if args.json { json::json(&outcome)? } else { text::text(&outcome) })?;
     Ok(Exit::Done)
 }

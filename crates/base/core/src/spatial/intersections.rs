@@ -1,0 +1,173 @@
+//! Faces of a mesh that meet although they are no neighbours.
+
+use super::bvh::{Bvh, Slot};
+use crate::exact::common_point;
+use crate::geom::{Aabb, Frame};
+use crate::mesh::{FaceId, TriMesh};
+use rayon::prelude::*;
+use std::ops::ControlFlow;
+
+/// Pairs of faces that intersect.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SelfIntersections {
+    /// Each pair once, the lesser index first, in order; with a point of both faces, rounded.
+    pub pairs: Vec<IntersectingPair>,
+    /// Whether these are all; otherwise there were more than asked for.
+    pub complete: bool,
+}
+
+/// Two faces with a common point beside those that neighbours share.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct IntersectingPair {
+    /// Both faces, the lesser index first.
+    pub faces: [FaceId; 2],
+    /// A point near both, in the unit of the mesh.
+    pub place: [f64; 3],
+}
+
+/// Faces of a task.
+const TASK: usize = 256;
+
+/// Tasks between two looks at how many pairs there are.
+const ROUND: usize = 256;
+
+/// Finds the pairs of faces that intersect.
+///
+/// # Definition
+/// Faces are closed triangles. Two intersect if they have a point in common; those that share a corner by position, if they have
+/// another one away from it; those that share an edge, if they lie in one plane and overlap. Faces without area do not count.
+/// # Accuracy
+/// Exact; see [`common_point`]. Coordinates are scaled by a power of two and, where the mesh lies far from zero, shifted, both without
+/// rounding (see [`Frame`]). Coordinates that differ by less than 2^-200 of the size of the mesh may be taken as equal.
+/// # Limits
+/// At most `most_pairs` are returned, those of faces that are first in the tree.
+/// # Cost
+/// O(m log m + candidates): pairs of faces whose boxes meet. Some 100 bytes per face and 40 per pair.
+/// # Example
+/// ```
+/// use pompeiu_core::mesh::{merge, shapes::icosphere, transform, Affine};
+/// use pompeiu_core::spatial::self_intersections;
+///
+/// let ball = icosphere(1.0, 2)?;
+/// assert!(self_intersections(&ball, 100).pairs.is_empty());
+/// let shifted = transform(&ball, &Affine::translate([0.5, 0.1, 0.2]))?;
+/// assert!(!self_intersections(&merge(&[&ball, &shifted])?, 100).pairs.is_empty());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn self_intersections(mesh: &TriMesh, most_pairs: usize) -> SelfIntersections {
+    let frame = Frame::of(&Aabb::of_faces(mesh));
+    let bvh = Bvh::build(mesh, &frame);
+    let slots: Vec<Slot> = bvh.slots().collect();
+    let boxes: Vec<Aabb> = slots.par_iter().map(|s| Aabb::of_points(&bvh.corners(*s))).collect();
+    let mut found = SelfIntersections { pairs: Vec::new(), complete: true };
+    for round in slots.chunks(TASK * ROUND) {
+        let tasks: Vec<(Vec<IntersectingPair>, bool)> =
+            round.par_chunks(TASK).map(|task| of_task(&bvh, &boxes, task, most_pairs)).collect();
+        for (pairs, complete) in tasks {
+            found.complete &= complete;
+            found.pairs.extend(pairs);
+        }
+        if found.pairs.len() > most_pairs {
+            found.complete = false;
+        }
+        if !found.complete {
+            found.pairs.truncate(most_pairs);
+            break;
+        }
+    }
+    for pair in &mut found.pairs {
+        pair.place = frame.unmap(pair.place);
+    }
+    found.pairs.sort_unstable_by_key(|pair| pair.faces);
+    found
+}
+
+/// The pairs of the faces of some slots with those of later slots, and whether these are all.
+fn of_task(bvh: &Bvh, boxes: &[Aabb], task: &[Slot], most: usize) -> (Vec<IntersectingPair>, bool) {
+    let (mut pairs, mut stack) = (Vec::new(), Vec::new());
+    for &slot in task {
+        let (own, corners) = (&boxes[slot.index()], bvh.corners(slot));
+        let walked = bvh.walk(
+            &mut stack,
+            |aabb| meet(own, aabb),
+            |other| {
+                if other > slot
+                    && meet(own, &boxes[other.index()])
+                    && let Some(place) = common_point(&corners, &bvh.corners(other))
+                {
+                    let mut faces = [bvh.face(slot), bvh.face(other)];
+                    faces.sort_unstable();
+                    pairs.push(IntersectingPair { faces, place });
+                    if pairs.len() > most {
+                        return ControlFlow::Break(());
+                    }
+                }
+                ControlFlow::Continue(())
+            },
+        );
+        if walked.is_break() {
+            pairs.truncate(most);
+            return (pairs, false);
+        }
+    }
+    (pairs, true)
+}
+
+fn meet(a: &Aabb, b: &Aabb) -> bool {
+    (0..3).all(|k| a.lower[k] <= b.upper[k] && b.lower[k] <= a.upper[k])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::shapes::{cube, icosphere, torus};
+    use crate::mesh::{Affine, displace_at_random, merge, shuffle, transform, unweld};
+
+    fn by_brute_force(mesh: &TriMesh) -> Vec<[FaceId; 2]> {
+        let corners: Vec<_> = mesh.face_ids().map(|f| mesh.corners(f)).collect();
+        let mut pairs = Vec::new();
+        for i in 0..corners.len() {
+            for j in i + 1..corners.len() {
+                if common_point(&corners[i], &corners[j]).is_some() {
+                    pairs.push([FaceId(i as u32), FaceId(j as u32)]);
+                }
+            }
+        }
+        pairs
+    }
+
+    fn pairs(mesh: &TriMesh) -> Vec<[FaceId; 2]> {
+        let found = self_intersections(mesh, usize::MAX);
+        assert!(found.complete);
+        for pair in &found.pairs {
+            for f in pair.faces {
+                let [a, b, c] = mesh.corners(f);
+                assert!(crate::geom::point_triangle::distance_sq(pair.place, a, b, c) < 1e-2, "{pair:?}");
+            }
+        }
+        found.pairs.iter().map(|pair| pair.faces).collect()
+    }
+
+    #[test]
+    fn sound_meshes_have_none_welded_or_not() {
+        for mesh in [cube(2.0, 4).unwrap(), icosphere(1.0, 3).unwrap(), torus(2.0, 0.5, 24, 12).unwrap()] {
+            assert!(pairs(&mesh).is_empty());
+            assert!(pairs(&unweld(&mesh).unwrap()).is_empty());
+        }
+    }
+
+    #[test]
+    fn the_tree_finds_what_all_pairs_show() {
+        let ball = icosphere(1.0, 2).unwrap();
+        let moved = transform(&ball, &Affine::translate([0.7, 0.2, 0.1])).unwrap();
+        let rough = displace_at_random(&ball, 0.3, 5).unwrap();
+        for mesh in [merge(&[&ball, &moved]).unwrap(), rough, merge(&[&ball, &ball]).unwrap()] {
+            let all = by_brute_force(&mesh);
+            assert!(all.len() > 20);
+            assert_eq!(pairs(&mesh), all);
+            assert_eq!(pairs(&shuffle(&mesh, 3)).len(), all.len());
+            let some = self_intersections(&mesh, 7);
+            assert!(!some.complete && some.pairs.len() == 7);
+        }
+    }
+}

@@ -1,0 +1,80 @@
+//! Runs the command.
+
+use super::args::Remesh;
+use super::{json, text};
+use crate::exit::Exit;
+use crate::files;
+use crate::pair::File;
+use crate::printer::Printer;
+use crate::wait::Wait;
+use anyhow::Context;
+use pompeiu::core::geom::Aabb;
+use pompeiu::core::run::{Limits, Progress};
+use pompeiu::flow::remesh::{Features, RemeshOptions, Remeshed, Sizing, remesh};
+use std::ops::ControlFlow;
+use std::time::{Duration, Instant};
+
+/// Least and greatest length of edges that follow curvature, as fractions of the diagonal.
+const ADAPTIVE_BETWEEN: [f64; 2] = [1e-4, 0.1];
+
+/// What was done, for both kinds of answers.
+pub(super) struct Outcome {
+    pub(super) input: File,
+    pub(super) output: File,
+    /// The length asked for.
+    pub(super) edge_length: Option<f64>,
+    /// The height asked for.
+    pub(super) chord_height: Option<f64>,
+    /// The distance asked for.
+    pub(super) within: Option<f64>,
+    pub(super) found: Remeshed,
+    pub(super) total: Duration,
+}
+
+pub(crate) fn run(args: &Remesh, printer: &Printer) -> anyhow::Result<Exit> {
+    let started = Instant::now();
+    files::check_writable(&args.output)?;
+    files::check_place(&args.output, &[&args.mesh])?;
+    args.limits.apply_threads()?;
+    let wait = Wait::new(printer);
+    wait.show(format!("reading {}", args.mesh.display()));
+    let read = files::read(&args.mesh)?;
+    wait.suspend(|| files::warn_of_changes(&args.mesh, &read, printer));
+    let mesh = read.mesh;
+    let diagonal = Aabb::of_faces(&mesh).diagonal();
+    let edge_length = args.edge_length.or_else(|| args.relative.map(|share| share * diagonal));
+    let sizing = match (edge_length, args.adaptive) {
+        (None, Some(tolerance)) => {
+            Sizing::ChordHeight { tolerance, between: ADAPTIVE_BETWEEN.map(|share| share * diagonal) }
+        }
+        (length, _) => Sizing::Length(length.unwrap_or(0.0)),
+    };
+    let show = |progress: &Progress<'_>| {
+        let done = (progress.share.unwrap_or(0.0) * 1000.0) as u64;
+        wait.advance(progress.doing.to_owned(), [done, 1000]);
+        ControlFlow::Continue(())
+    };
+    let options = RemeshOptions {
+        features: Features { angle: args.features, ..Features::default() },
+        iterations: args.iterations,
+        within: args.within,
+        most_faces: args.most_faces,
+        limits: Limits { time: args.limits.time_after(started.elapsed()), ..Limits::default() },
+        progress: Some(&show),
+        ..RemeshOptions::new(sizing)
+    };
+    let found = remesh(&mesh, &options).with_context(|| args.mesh.display().to_string())?;
+    drop(wait);
+    files::write(&args.output, &found.mesh, printer)?;
+    let outcome = Outcome {
+        input: File::new(&args.mesh, &mesh),
+        output: File::new(&args.output, &found.mesh),
+        edge_length,
+        chord_height: args.adaptive,
+        within: args.within,
+        found,
+        total: started.elapsed(),
+    };
+    Printer::answer(&if args.json { json::json(&outcome)? } else { text::text(&outcome) })?;
+    Ok(Exit::Done)
+}

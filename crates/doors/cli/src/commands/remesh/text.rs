@@ -1,0 +1,62 @@
+//! The outcome for people.
+
+use super::run::Outcome;
+use crate::numbers::{agreed, between, grouped, plain, shortest, time};
+use crate::printer::LABEL;
+use pompeiu::flow::remesh::Quality;
+use pompeiu::hausdorff::Enclosure;
+use std::fmt::Write;
+
+/// A row for each quantity, before and after, and the distance.
+pub(super) fn text(outcome: &Outcome) -> String {
+    let mut text = String::new();
+    let mut row = |label: &str, value: String| {
+        let _ = writeln!(text, "{LABEL}{label:<13}{LABEL:#}{value}");
+    };
+    let found = &outcome.found;
+    let both =
+        |of: &dyn Fn(&Quality) -> String| format!("{}, before {}", of(&found.after), of(&found.before));
+    let count = |n: usize| grouped(n as u64);
+    row("vertices", both(&|q| count(q.vertices)));
+    row("faces", both(&|q| count(q.faces)));
+    row("edge length", both(&|q| format!("{} in the mean", few(q.edge_length.mean))));
+    if let Some(share) = found.after.near_target {
+        row("", format!("{:.1} % between 4/5 and 4/3 of the target", 100.0 * share));
+    }
+    row(
+        "least angle",
+        both(&|q| format!("{:.1}° ({:.1}° in the mean)", q.least_angle.least, q.least_angle.mean)),
+    );
+    row("valence", both(&|q| format!("{:.1} % regular", 100.0 * q.regular)));
+    if let Some(report) = &found.distance {
+        let proven = match outcome.within {
+            Some(within) => format!(", proven to be at most {}", shortest(within)),
+            None => String::new(),
+        };
+        row("H(A, B)", shown(report.distance) + &proven);
+    }
+    if found.stop.is_early() {
+        row("stopped", format!("early ({})", found.stop.name()));
+    }
+    let timing = found.timing;
+    row(
+        "time",
+        format!(
+            "remesh {}, distance {}, total {}",
+            time(timing.remesh),
+            time(timing.distance),
+            time(outcome.total)
+        ),
+    );
+    text
+}
+
+/// A length with four digits.
+fn few(x: f64) -> String {
+    plain(format!("{x:.3e}").parse().unwrap_or(x))
+}
+
+fn shown(distance: Enclosure) -> String {
+    let (lower, upper) = (distance.lower(), distance.upper());
+    agreed(lower, upper).unwrap_or_else(|| between(lower, upper))
+}

@@ -1,0 +1,121 @@
+//! Which edges and vertices of the input are kept: boundaries, creases, selected ones.
+
+use super::connectivity::{DynamicMesh, NONE};
+use super::marked::Hold;
+use glam::DVec3;
+use pompeiu_core::VertexId;
+
+/// A curve that turns by more than this at a vertex has a corner there, in degrees.
+const CORNER_TURN: f64 = 50.0;
+
+/// What remeshing keeps beside the boundary. The default keeps nothing else.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Features<'f> {
+    /// Edges whose faces meet at more than this angle between their normals, in degrees, are kept.
+    pub angle: Option<f64>,
+    /// Edges that are kept, by their ends.
+    pub edges: &'f [[VertexId; 2]],
+    /// Vertices that stay where they are.
+    pub vertices: &'f [VertexId],
+}
+
+/// The curves of a surface and what holds each of its vertices.
+pub(super) struct Curves {
+    /// The curve of each halfedge's edge; [`NONE`] for most.
+    pub(super) of_halfedge: Vec<u32>,
+    pub(super) hold: Vec<Hold>,
+}
+
+impl Curves {
+    /// Finds edges that are kept, cuts them into curves at corners.
+    pub(super) fn find(mesh: &DynamicMesh, features: &Features<'_>) -> Self {
+        let kept = kept_edges(mesh, features);
+        let mut around: Vec<Vec<u32>> = vec![Vec::new(); mesh.positions.len()];
+        for h in (0..mesh.halfedge_slots()).filter(|&h| kept[h as usize]) {
+            if mesh.twin_of(h).is_none_or(|t| h < t) {
+                around[mesh.from(h) as usize].push(h);
+                around[mesh.to(h) as usize].push(h);
+            }
+        }
+        let mut hold: Vec<Hold> = vec![Hold::Free; mesh.positions.len()];
+        for (v, edges) in around.iter().enumerate() {
+            if !edges.is_empty() && !passes(mesh, v as u32, edges) {
+                hold[v] = Hold::Corner;
+            }
+        }
+        for v in features.vertices {
+            hold[v.index()] = Hold::Corner;
+        }
+        let mut curves = Self { of_halfedge: vec![NONE; kept.len()], hold };
+        curves.number(mesh, &around);
+        curves
+    }
+
+    /// Gives each curve a number, in the order of its first edge.
+    fn number(&mut self, mesh: &DynamicMesh, around: &[Vec<u32>]) {
+        let mut count = 0;
+        for first in around.iter().flatten() {
+            if self.of_halfedge[*first as usize] != NONE {
+                continue;
+            }
+            let mut open = vec![*first];
+            while let Some(h) = open.pop() {
+                if self.of_halfedge[h as usize] != NONE {
+                    continue;
+                }
+                for side in [Some(h), mesh.twin_of(h)].into_iter().flatten() {
+                    self.of_halfedge[side as usize] = count;
+                }
+                for v in [mesh.from(h), mesh.to(h)] {
+                    if self.hold[v as usize] != Hold::Corner {
+                        self.hold[v as usize] = Hold::Curve(count);
+                        open.extend(&around[v as usize]);
+                    }
+                }
+            }
+            count += 1;
+        }
+    }
+}
+
+/// Marks the halfedges of edges that are kept.
+fn kept_edges(mesh: &DynamicMesh, features: &Features<'_>) -> Vec<bool> {
+    let mut kept: Vec<bool> = mesh.twin.iter().map(|t| *t == NONE).collect();
+    if let Some(angle) = features.angle {
+        let least = angle.to_radians().cos();
+        let normal = |f: u32| {
+            let [a, b, c] = mesh.corners(f).map(|v| mesh.positions[v as usize]);
+            (b - a).cross(c - a).normalize_or_zero()
+        };
+        for h in 0..mesh.halfedge_slots() {
+            // Beside a face without area there is no angle.
+            if let Some(t) = mesh.twin_of(h)
+                && let [n, m] = [normal(h / 3), normal(t / 3)]
+                && n != DVec3::ZERO
+                && m != DVec3::ZERO
+                && n.dot(m) < least
+            {
+                kept[h as usize] = true;
+            }
+        }
+    }
+    for [u, v] in features.edges {
+        for [from, to] in [[u.0, v.0], [v.0, u.0]] {
+            let along = mesh.halfedges_from(from).find(|&h| mesh.to(h) == to);
+            for h in along.into_iter().flat_map(|h| [Some(h), mesh.twin_of(h)]).flatten() {
+                kept[h as usize] = true;
+            }
+        }
+    }
+    kept
+}
+
+/// Whether two edges that are kept run straight enough through a vertex to be one curve.
+fn passes(mesh: &DynamicMesh, v: u32, edges: &[u32]) -> bool {
+    let [one, two] = edges[..] else { return false };
+    let away = |h: u32| {
+        let other = if mesh.from(h) == v { mesh.to(h) } else { mesh.from(h) };
+        (mesh.positions[other as usize] - mesh.positions[v as usize]).normalize_or_zero()
+    };
+    -away(one).dot(away(two)) > CORNER_TURN.to_radians().cos()
+}

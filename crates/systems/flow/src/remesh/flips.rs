@@ -1,0 +1,112 @@
+//! Loops of flips: towards regular valences, and towards Delaunay triangles.
+
+use super::connectivity::{DynamicMesh, NONE, next, previous};
+use super::marked::Marked;
+use super::smooth::area_vector;
+use glam::DVec3;
+
+/// Cosine between the normals of both faces at an edge, before and after a flip, below which it is left alone.
+const LEAST_COSINE: f64 = 0.5;
+
+/// Rounds of flips towards regular valences.
+const MOST_ROUNDS: usize = 4;
+
+/// The corners of both faces at an edge: its start and end, and the corners opposite it.
+fn hinge(mesh: &DynamicMesh, h: u32, t: u32) -> [u32; 4] {
+    [mesh.from(h), mesh.to(h), mesh.from(previous(h)), mesh.from(previous(t))]
+}
+
+/// Whether flipping keeps the surface smooth: its faces are nearly in one plane before and after.
+fn stays_smooth([u, v, a, b]: [DVec3; 4]) -> bool {
+    let [old_a, old_b, new_u, new_v] = [[u, v, a], [v, u, b], [a, u, b], [b, v, a]].map(area_vector);
+    let near = |n: DVec3, m: DVec3| n.dot(m) > LEAST_COSINE * n.length() * m.length();
+    let all = old_a + old_b;
+    // A face without area may go, but not come.
+    (near(old_a, old_b) || old_a == DVec3::ZERO || old_b == DVec3::ZERO)
+        && near(new_u, new_v)
+        && near(new_u, all)
+        && near(new_v, all)
+}
+
+/// Flips edges while this brings valences nearer to 6, or 4 at the boundary: their squared differences become fewer with each flip,
+/// so it ends.
+pub(super) fn flip_to_regular(surface: &mut Marked) -> usize {
+    let mesh = &surface.mesh;
+    let mut excess: Vec<isize> = (0..mesh.positions.len() as u32)
+        .map(|v| mesh.neighbours(v).count().cast_signed() - if mesh.is_boundary(v) { 4 } else { 6 })
+        .collect();
+    let mut total = 0;
+    for _ in 0..MOST_ROUNDS {
+        let mut flipped = 0;
+        for h in 0..surface.mesh.halfedge_slots() {
+            let mesh = &surface.mesh;
+            let Some(t) = mesh.exists(h).then(|| mesh.twin_of(h)).flatten().filter(|&t| h < t) else {
+                continue;
+            };
+            let corners = hinge(mesh, h, t);
+            let [u, v, a, b] = corners.map(|x| excess[x as usize]);
+            // (u-1)^2 + (v-1)^2 + (a+1)^2 + (b+1)^2 less than before.
+            if a + b - u - v + 2 >= 0 || !stays_smooth(corners.map(|x| mesh.positions[x as usize])) {
+                continue;
+            }
+            if surface.flip(h) {
+                for (x, change) in corners.into_iter().zip([-1, -1, 1, 1]) {
+                    excess[x as usize] += change;
+                }
+                flipped += 1;
+            }
+        }
+        total += flipped;
+        if flipped == 0 {
+            break;
+        }
+    }
+    total
+}
+
+/// The sum of the cotangents of a triangle, with the same bits for any order of its corners; infinite without area.
+fn cotangents(mut corners: [DVec3; 3]) -> f64 {
+    corners.sort_by(|p, q| p.to_array().partial_cmp(&q.to_array()).unwrap_or(std::cmp::Ordering::Equal));
+    let [a, b, c] = corners;
+    let sum = (b - a).length_squared() + (c - b).length_squared() + (a - c).length_squared();
+    let area = area_vector(corners).length();
+    if area > 0.0 { sum / (2.0 * area) } else { f64::INFINITY }
+}
+
+/// Flips edges while this makes the sum of all cotangents less: in a plane until the triangulation is Delaunay.
+///
+/// # Why it ends
+/// The sum of what [`cotangents`] returns falls with each flip, as real numbers: rounding a sum of two never turns an order
+/// around. It is determined by the triangulation, of which there are finitely many.
+/// # Source
+/// In a plane an edge is not Delaunay exactly where flipping it lowers this sum: `musin_properties_1997`.
+pub(super) fn flip_to_delaunay(surface: &mut Marked) -> usize {
+    let mut open: Vec<u32> = surface.edges().collect();
+    let mut waits = vec![false; surface.mesh.origin.len()];
+    for &h in &open {
+        waits[h as usize] = true;
+    }
+    open.reverse();
+    let mut flipped = 0;
+    while let Some(h) = open.pop() {
+        waits[h as usize] = false;
+        let mesh = &surface.mesh;
+        let Some(t) = mesh.twin_of(h) else { continue };
+        let corners = hinge(mesh, h, t).map(|x| mesh.positions[x as usize]);
+        let [u, v, a, b] = corners;
+        let before = cotangents([u, v, a]) + cotangents([v, u, b]);
+        let after = cotangents([a, u, b]) + cotangents([b, v, a]);
+        if after < before && stays_smooth(corners) && surface.flip(h) {
+            flipped += 1;
+            for side in [next(h), previous(h), next(t), previous(t)] {
+                let other = surface.mesh.twin[side as usize];
+                let edge = if other < side { other } else { side };
+                if other != NONE && !waits[edge as usize] {
+                    waits[edge as usize] = true;
+                    open.push(edge);
+                }
+            }
+        }
+    }
+    flipped
+}

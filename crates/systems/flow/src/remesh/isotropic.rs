@@ -1,0 +1,111 @@
+//! Remeshing: edges of a wanted length, by splits, collapses, flips and moves within the surface.
+
+use super::connectivity::NONE;
+use super::flips::{flip_to_delaunay, flip_to_regular};
+use super::marked::{Collapse, Marked};
+use super::reference::Reference;
+use super::smooth::{keeps_normal, smooth};
+use pompeiu_core::run::Control;
+
+/// An edge longer than this many times its target is split.
+pub(super) const LONGEST: f64 = 4.0 / 3.0;
+
+/// An edge shorter than this many times its target is collapsed.
+pub(super) const SHORTEST: f64 = 4.0 / 5.0;
+
+/// Steps within the surface between two projections.
+const STEPS: usize = 3;
+
+/// Rounds of flips and moves after the last split and collapse.
+const LAST_ROUNDS: usize = 3;
+
+/// More faces than were allowed.
+pub(super) struct TooMany;
+
+/// One iteration: split, collapse, flip, move.
+pub(super) fn iterate(
+    surface: &mut Marked,
+    reference: Option<&Reference<'_>>,
+    most_faces: usize,
+    control: &Control,
+) -> Result<(), TooMany> {
+    split_longer_than(surface, LONGEST, most_faces, control)?;
+    collapse_short(surface, control);
+    flip_to_regular(surface);
+    smooth(surface, reference, STEPS);
+    Ok(())
+}
+
+/// Flips and moves without a change of the number of faces.
+pub(super) fn finish(surface: &mut Marked, reference: Option<&Reference<'_>>) {
+    for _ in 0..LAST_ROUNDS {
+        flip_to_regular(surface);
+        smooth(surface, reference, STEPS);
+    }
+    flip_to_delaunay(surface);
+    smooth(surface, reference, 1);
+}
+
+/// Splits edges longer than this many target lengths, the longest first, until there is none.
+pub(super) fn split_longer_than(
+    surface: &mut Marked,
+    longest: f64,
+    most_faces: usize,
+    control: &Control,
+) -> Result<(), TooMany> {
+    let longest_sq = longest * longest;
+    loop {
+        let mut long: Vec<(f64, u32)> = surface
+            .edges()
+            .map(|h| (surface.share_sq(h), h))
+            .filter(|(share, _)| *share > longest_sq)
+            .collect();
+        if long.is_empty() || control.is_stopped() {
+            return Ok(());
+        }
+        long.sort_unstable_by(|x, y| y.0.total_cmp(&x.0).then(x.1.cmp(&y.1)));
+        for (_, h) in long {
+            if surface.mesh.face_count() + 2 > most_faces {
+                return Err(TooMany);
+            }
+            surface.split(h);
+        }
+    }
+}
+
+/// Collapses short edges where this makes no long one and turns no face over.
+fn collapse_short(surface: &mut Marked, control: &Control) {
+    let shortest_sq = SHORTEST * SHORTEST;
+    for h in 0..surface.mesh.halfedge_slots() {
+        let is_edge = surface.mesh.exists(h) && surface.mesh.twin_of(h).is_none_or(|t| h < t);
+        if !is_edge || surface.share_sq(h) >= shortest_sq {
+            continue;
+        }
+        if let Some(collapse) = surface.collapse_of(h).filter(|c| is_harmless(surface, c)) {
+            surface.collapse(&collapse);
+        }
+        if h % 4096 == 0 && control.is_stopped() {
+            return;
+        }
+    }
+}
+
+fn is_harmless(surface: &Marked, collapse: &Collapse) -> bool {
+    let mesh = &surface.mesh;
+    let (h, p) = (collapse.halfedge, collapse.position);
+    let ends = [mesh.from(h), mesh.to(h)];
+    let removed = [h / 3, mesh.twin_of(h).map_or(NONE, |t| t / 3)];
+    ends.into_iter().all(|v| {
+        mesh.halfedges_from(v).filter(|x| !removed.contains(&(x / 3))).all(|x| {
+            let corner = (x % 3) as usize;
+            let old = mesh.corners(x / 3).map(|v| mesh.positions[v as usize]);
+            let mut new = old;
+            new[corner] = p;
+            keeps_normal(old, new)
+        }) && mesh.neighbours(v).filter(|w| !ends.contains(w)).all(|w| {
+            let [one, two] = [v, w].map(|x| surface.length[x as usize]);
+            let most = LONGEST * if one < two { one } else { two };
+            p.distance_squared(mesh.positions[w as usize]) <= most * most
+        })
+    })
+}

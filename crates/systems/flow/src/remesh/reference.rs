@@ -1,0 +1,100 @@
+//! The input as remeshing sees it: where its nearest points are, and how long edges should be there.
+
+use super::connectivity::NONE;
+use super::marked::Marked;
+use super::sizing::Lengths;
+use glam::DVec3;
+use pompeiu_core::geom::point_triangle::closest_barycentric;
+use pompeiu_core::geom::{Aabb, Frame};
+use pompeiu_core::spatial::bvh::{Bvh, Slot, Workspace};
+use pompeiu_core::{MeshError, TriMesh};
+
+/// The input, in its frame.
+pub(super) struct Reference<'f> {
+    pub(super) bvh: Bvh,
+    pub(super) frame: Frame,
+    faces: Vec<[u32; 3]>,
+    curves: Option<CurveTree>,
+    pub(super) lengths: Lengths<'f>,
+}
+
+/// The segments of all curves as triangles without area, and the curve of each.
+struct CurveTree {
+    bvh: Bvh,
+    curve: Vec<u32>,
+}
+
+/// The point of the input nearest to another one.
+pub(super) struct Projected {
+    pub(super) position: DVec3,
+    pub(super) slot: Slot,
+    /// Normal of its face, not of unit length.
+    pub(super) normal: DVec3,
+    /// The target length there.
+    pub(super) length: f64,
+}
+
+impl<'f> Reference<'f> {
+    /// Prepares a surface whose faces and vertices have no gaps.
+    pub(super) fn new(surface: &Marked, frame: Frame, lengths: Lengths<'f>) -> Result<Self, MeshError> {
+        let faces = surface.mesh.origin.as_chunks::<3>().0.to_vec();
+        let positions: Vec<[f64; 3]> = surface.mesh.positions.iter().map(DVec3::to_array).collect();
+        let mesh = TriMesh::new(positions, faces)?;
+        let bvh = Bvh::build(&mesh, &identity());
+        let (positions, faces) = mesh.into_parts();
+        Ok(Self { bvh, frame, faces, curves: CurveTree::new(surface, positions), lengths })
+    }
+
+    /// A slot with a face at each vertex.
+    pub(super) fn slots_at_vertices(&self, vertices: usize) -> Vec<Slot> {
+        let mut slots = vec![self.bvh.any_slot(); vertices];
+        for slot in self.bvh.slots() {
+            for v in self.faces[self.bvh.face(slot).index()] {
+                slots[v as usize] = slot;
+            }
+        }
+        slots
+    }
+
+    /// The nearest point of the surface, searched from a face believed near.
+    pub(super) fn project(&self, p: DVec3, start: Slot, workspace: &mut Workspace) -> Projected {
+        let slot = self.bvh.nearest(p.to_array(), start, workspace).slot;
+        let corners = self.bvh.corners(slot);
+        let weights = closest_barycentric(p.to_array(), corners);
+        let [a, b, c] = corners.map(DVec3::from_array);
+        let position = weights[0] * a + weights[1] * b + weights[2] * c;
+        let face = self.faces[self.bvh.face(slot).index()];
+        let length = self.lengths.at(position, &self.frame, face, weights);
+        Projected { position, slot, normal: (b - a).cross(c - a), length }
+    }
+
+    /// The nearest point of a curve; the point itself where another curve is nearer.
+    pub(super) fn project_to_curve(&self, p: DVec3, curve: u32, workspace: &mut Workspace) -> Option<DVec3> {
+        let tree = self.curves.as_ref()?;
+        let slot = tree.bvh.nearest(p.to_array(), tree.bvh.any_slot(), workspace).slot;
+        if tree.curve[tree.bvh.face(slot).index()] != curve {
+            return None;
+        }
+        let [a, b, _] = tree.bvh.corners(slot).map(DVec3::from_array);
+        let t = (p - a).dot(b - a) / (b - a).length_squared();
+        let t = if t > 0.0 { t } else { 0.0 };
+        Some(a + (b - a) * if t < 1.0 { t } else { 1.0 })
+    }
+}
+
+impl CurveTree {
+    /// None where there are no curves.
+    fn new(surface: &Marked, positions: Vec<[f64; 3]>) -> Option<Self> {
+        let mesh = &surface.mesh;
+        let segments: Vec<u32> = surface.edges().filter(|&h| surface.curve[h as usize] != NONE).collect();
+        let faces = segments.iter().map(|&h| [mesh.from(h), mesh.to(h), mesh.to(h)]).collect();
+        let tree = TriMesh::new(positions, faces).ok()?;
+        let bvh = Bvh::build(&tree, &identity());
+        Some(Self { bvh, curve: segments.iter().map(|&h| surface.curve[h as usize]).collect() })
+    }
+}
+
+/// The frame of what is in a frame already.
+pub(super) fn identity() -> Frame {
+    Frame::of(&Aabb::EMPTY)
+}

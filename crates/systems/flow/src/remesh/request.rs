@@ -1,0 +1,219 @@
+//! What remeshing is asked for, and what it returns.
+
+use super::connectivity::ConnectivityError;
+use super::features::Features;
+use super::quality::Quality;
+use super::sizing::Sizing;
+use pompeiu_core::run::{Limits, ProgressObserver, StopReason};
+use pompeiu_core::{MeshError, TriMesh};
+use pompeiu_hausdorff::SymmetricReport;
+use std::time::Duration;
+
+/// Options of [`remesh`](super::remesh()).
+#[derive(Clone)]
+pub struct RemeshOptions<'o> {
+    /// How long edges should be.
+    pub sizing: Sizing<'o>,
+    /// What is kept beside the boundary.
+    pub features: Features<'o>,
+    /// Rounds of splits, collapses, flips and moves.
+    pub iterations: usize,
+    /// The largest distance from the input, to be proven; edges are shortened where they must be.
+    pub within: Option<f64>,
+    /// Whether vertices are put back onto the input; where not, they move in the tangent plane only, and the surface shrinks a little.
+    pub project: bool,
+    /// Whether the distance from the input is measured where none is asked for.
+    pub measure: bool,
+    /// Most faces that the result may have.
+    pub most_faces: usize,
+    /// Time and threads. When the time is over, the mesh reached so far is returned.
+    pub limits: Limits,
+    /// Is told how far the computation has come.
+    pub progress: Option<&'o dyn ProgressObserver>,
+}
+
+impl<'o> RemeshOptions<'o> {
+    /// Rounds where none are asked for.
+    pub const ITERATIONS: usize = 10;
+    /// Most faces where nothing else is asked for.
+    pub const MOST_FACES: usize = 20_000_000;
+    /// Least distance and least length of edges that can be asked for, as a fraction of the diagonal of the bounding box.
+    pub const LEAST_LENGTH: f64 = 1e-12;
+
+    /// Ten iterations, boundaries kept, vertices on the input, the distance measured, no limits.
+    pub fn new(sizing: Sizing<'o>) -> Self {
+        Self {
+            sizing,
+            features: Features::default(),
+            iterations: Self::ITERATIONS,
+            within: None,
+            project: true,
+            measure: true,
+            most_faces: Self::MOST_FACES,
+            limits: Limits::default(),
+            progress: None,
+        }
+    }
+
+    /// Whether the options make sense for a mesh with this diagonal and number of vertices.
+    pub(super) fn check(&self, diagonal: f64, vertices: usize) -> Result<(), RemeshError> {
+        let least = Self::LEAST_LENGTH * diagonal;
+        let length = |what: &'static str, length: f64| match length {
+            x if !(x > 0.0 && x < f64::INFINITY) => Err(RemeshError::Length { what, length }),
+            x if x < least => Err(RemeshError::BelowRounding { what, length, least }),
+            _ => Ok(()),
+        };
+        match self.sizing {
+            Sizing::Length(x) => {
+                length("edge length", x)?;
+                if x > diagonal {
+                    return Err(RemeshError::TooLong { length: x, diagonal });
+                }
+            }
+            Sizing::ChordHeight { tolerance, between: [shortest, longest] } => {
+                length("chord height", tolerance)?;
+                length("least edge length", shortest)?;
+                length("greatest edge length", longest)?;
+                if shortest > longest {
+                    return Err(RemeshError::Between { shortest, longest });
+                }
+            }
+            Sizing::Field(_) => {}
+        }
+        self.within.map_or(Ok(()), |x| length("distance", x))?;
+        if let Some(angle) = self.features.angle.filter(|x| !(0.0..=180.0).contains(x)) {
+            return Err(RemeshError::Angle(angle));
+        }
+        let kept = self.features.vertices.iter().chain(self.features.edges.iter().flatten());
+        match kept.map(|v| v.0).find(|&v| v as usize >= vertices) {
+            Some(vertex) => Err(RemeshError::NoVertex { vertex, vertices }),
+            None => Ok(()),
+        }
+    }
+}
+
+/// A mesh with new triangles.
+#[derive(Clone, Debug)]
+pub struct Remeshed {
+    /// The mesh.
+    pub mesh: TriMesh,
+    /// The triangles of the input.
+    pub before: Quality,
+    /// The triangles of the result.
+    pub after: Quality,
+    /// Both directed distances, enclosed: A is the input, B the result. None where it was not measured.
+    pub distance: Option<SymmetricReport>,
+    /// Number of iterations done, those that a distance asked for included.
+    pub iterations: usize,
+    /// Why it ended: [`StopReason::Tolerance`] after all iterations.
+    pub stop: StopReason,
+    /// How long it took.
+    pub timing: RemeshTiming,
+}
+
+/// Wall-clock times of remeshing.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct RemeshTiming {
+    /// Changing triangles, preparation included.
+    pub remesh: Duration,
+    /// Measuring the distance of the result.
+    pub distance: Duration,
+}
+
+/// Why a mesh was not remeshed.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum RemeshError {
+    /// The faces are no oriented manifold.
+    #[error(transparent)]
+    Connectivity(#[from] ConnectivityError),
+    /// A length is not a positive finite number.
+    #[error("the {what} is {length}; it must be a positive finite number")]
+    Length {
+        /// Which one.
+        what: &'static str,
+        /// Its value.
+        length: f64,
+    },
+    /// A length is too small for double precision.
+    #[error(
+        "the {what} {length} is below {least}, the least that double precision resolves for these coordinates; ask for more"
+    )]
+    BelowRounding {
+        /// Which one.
+        what: &'static str,
+        /// What was asked for.
+        length: f64,
+        /// The least that can be asked for.
+        least: f64,
+    },
+    /// Edges would be longer than the mesh.
+    #[error(
+        "edges of length {length} are longer than the diagonal of the bounding box, {diagonal}; ask for less"
+    )]
+    TooLong {
+        /// What was asked for.
+        length: f64,
+        /// The diagonal.
+        diagonal: f64,
+    },
+    /// The least length is greater than the greatest.
+    #[error("the least edge length {shortest} is greater than the greatest, {longest}")]
+    Between {
+        /// The least length.
+        shortest: f64,
+        /// The greatest length.
+        longest: f64,
+    },
+    /// A field gives no length.
+    #[error("the field gives the edge length {length} at {position:?}; it must be a positive finite number")]
+    Field {
+        /// What it gives.
+        length: f64,
+        /// Where.
+        position: [f64; 3],
+    },
+    /// An angle out of range.
+    #[error("the angle of features is {0} degrees; it must be between 0 and 180")]
+    Angle(f64),
+    /// A vertex that is to be kept does not exist.
+    #[error("vertex {vertex} is to be kept, but there are {vertices} vertices")]
+    NoVertex {
+        /// Its index.
+        vertex: u32,
+        /// Number of vertices.
+        vertices: usize,
+    },
+    /// The result would be too large.
+    #[error(
+        "this would make about {faces:.0} faces, more than the {most} allowed; ask for longer edges, or allow more faces"
+    )]
+    TooManyFaces {
+        /// Number of faces, estimated from the area.
+        faces: f64,
+        /// Most faces allowed.
+        most: usize,
+    },
+    /// The distance asked for needs too many faces.
+    #[error(
+        "the distance {distance} cannot be reached with {most} faces; keep sharp edges as features, allow more faces, or ask for a \
+         greater distance"
+    )]
+    TooManyFacesWithin {
+        /// The distance asked for.
+        distance: f64,
+        /// Most faces allowed.
+        most: usize,
+    },
+    /// The result is no mesh.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+    /// The distance of the result could not be confirmed.
+    #[error("the result is up to {upper} away from the input, more than the {distance} asked for")]
+    NotWithin {
+        /// What was asked for.
+        distance: f64,
+        /// The proven upper bound.
+        upper: f64,
+    },
+}

@@ -1,0 +1,221 @@
+//! Remeshing from the input to the report.
+
+use super::connectivity::DynamicMesh;
+use super::features::Curves;
+use super::isotropic::{finish, iterate, split_longer_than};
+use super::marked::Marked;
+use super::near::far_places;
+use super::quality::Quality;
+use super::reference::Reference;
+use super::request::{RemeshError, RemeshOptions, RemeshTiming, Remeshed};
+use super::sizing::{self, Lengths, limit_growth};
+use super::smooth::area_vector;
+use glam::DVec3;
+use pompeiu_core::TriMesh;
+use pompeiu_core::geom::{Aabb, Frame};
+use pompeiu_core::run::{Control, Progress, StopReason, on_threads};
+use pompeiu_hausdorff::symmetric_hausdorff;
+use std::time::Instant;
+
+/// Share of the distance that tests of single faces may use; the rest covers their rounding.
+const LOCAL_SHARE: f64 = 0.9999;
+
+/// Times that edges are shortened and the input is remeshed anew where the result is too far from the input.
+const MOST_SHORTENINGS: usize = 16;
+
+/// By how much they are shortened each time.
+const SHORTENED: f64 = 0.6;
+
+/// The input carries lengths at its vertices, so its edges are split where they are longer than this many target lengths.
+const INPUT_SPLIT: f64 = 2.0;
+
+/// Gives a surface new triangles: nearly equilateral, with edges of a wanted length.
+///
+/// # Shapes and units
+/// An oriented manifold mesh, with or without boundary, of any number of components; lengths in its unit.
+/// # Definition
+/// Each iteration splits edges longer than 4/3 of their target, collapses those shorter than 4/5, flips edges towards valence 6, and
+/// moves vertices towards the middle of their neighbours in their tangent plane, then to the nearest point of the input. The last rounds
+/// flip and move only. Topology does not change. Boundaries, creases and selected edges stay curves on the curves of
+/// the input; their corners and selected vertices stay where they are.
+/// # Accuracy
+/// What the report says of the distance was measured by [`symmetric_hausdorff`], rounding included. With
+/// [`within`](RemeshOptions::within) its upper end is at most that length, or there is no result: where faces are farther away,
+/// target lengths are shortened until they are not.
+/// # Limits
+/// Lengths are targets. No least angle is promised: at corners of features there may be none. Where two sheets are nearer to each
+/// other than edges are long they may intersect; see [`self_intersections`](pompeiu_core::spatial::self_intersections).
+/// # Errors
+/// [`RemeshError`].
+/// # Cost
+/// O(m log m) for each iteration over m faces of input and result; some 250 bytes per face of the larger one.
+/// # Source
+/// The loop and its bounds: `botsch_remeshing_2004`. Lengths from a chord height: `dunyach_adaptive_2013`.
+/// # Example
+/// ```
+/// use pompeiu_core::mesh::shapes::icosphere;
+/// use pompeiu_flow::remesh::{RemeshOptions, Sizing, remesh};
+///
+/// let sphere = icosphere(1.0, 3)?;
+/// let found = remesh(&sphere, &RemeshOptions::new(Sizing::Length(0.1)))?;
+/// assert!(found.after.least_angle.least > 35.0);
+/// assert!(found.distance.is_some_and(|d| d.distance.upper() < 0.01));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn remesh(mesh: &TriMesh, options: &RemeshOptions<'_>) -> Result<Remeshed, RemeshError> {
+    on_threads(options.limits.threads, || Work::new(mesh, options)?.run())
+}
+
+struct Work<'w> {
+    input: &'w TriMesh,
+    options: &'w RemeshOptions<'w>,
+    control: Control,
+    started: Instant,
+    frame: Frame,
+    before: Quality,
+    /// The input, cut finer where lengths vary within its faces.
+    copy: Marked,
+    reference: Reference<'w>,
+    surface: Marked,
+    iterations: usize,
+}
+
+impl<'w> Work<'w> {
+    fn new(mesh: &'w TriMesh, options: &'w RemeshOptions<'w>) -> Result<Self, RemeshError> {
+        let started = Instant::now();
+        let aabb = Aabb::of_faces(mesh);
+        options.check(aabb.diagonal(), mesh.positions().len())?;
+        let frame = Frame::of(&aabb);
+        let mut dynamic = DynamicMesh::new(mesh.positions(), mesh.faces())?;
+        for p in &mut dynamic.positions {
+            *p = DVec3::from_array(frame.map(p.to_array()));
+        }
+        let before = Quality::in_frame(&dynamic, &frame, None);
+        let mut lengths = Lengths::new(&options.sizing, &dynamic, &frame);
+        let mut at_vertices = lengths.at_vertices(&dynamic.positions, &frame);
+        if let Some(v) = at_vertices.iter().position(|x| !(*x > 0.0 && *x < f64::INFINITY)) {
+            let (length, position) = (frame.length_out(at_vertices[v]), mesh.positions()[v]);
+            return Err(RemeshError::Field { length, position });
+        }
+        if let Some(within) = options.within {
+            at_vertices = sizing::no_longer_than_chords(at_vertices, frame.length_in(within), &dynamic);
+            lengths = Lengths::AtVertices(at_vertices.clone());
+        }
+        let faces = expected_faces(&dynamic, &at_vertices);
+        if faces > options.most_faces as f64 {
+            return Err(RemeshError::TooManyFaces { faces, most: options.most_faces });
+        }
+        let curves = Curves::find(&dynamic, &options.features);
+        let (curve, hold) = (curves.of_halfedge, curves.hold);
+        let mut copy = Marked { curve, hold, length: at_vertices, near: Vec::new(), mesh: dynamic };
+        let reference = Reference::new(&copy, frame, lengths)?;
+        copy.near = reference.slots_at_vertices(copy.mesh.positions.len());
+        let surface = copy.clone();
+        let control = Control::start(&options.limits);
+        Ok(Self {
+            input: mesh,
+            options,
+            control,
+            started,
+            frame,
+            before,
+            copy,
+            reference,
+            surface,
+            iterations: 0,
+        })
+    }
+
+    fn run(mut self) -> Result<Remeshed, RemeshError> {
+        self.iterate(self.options.iterations)?;
+        if let Some(within) = self.options.within {
+            self.come_within(LOCAL_SHARE * self.frame.length_in(within))?;
+        }
+        let stop = self.control.reason().unwrap_or(StopReason::Tolerance);
+        let shares: Vec<f64> = self.surface.edges().map(|h| self.surface.share_sq(h).sqrt()).collect();
+        let after = Quality::in_frame(&self.surface.mesh, &self.frame, Some(&shares));
+        let mut result = self.surface.mesh;
+        for p in &mut result.positions {
+            *p = DVec3::from_array(self.frame.unmap(p.to_array()));
+        }
+        let mesh = result.to_mesh()?;
+        let remeshing = self.started.elapsed();
+        let wanted = self.options.measure || self.options.within.is_some();
+        let distance = wanted.then(|| symmetric_hausdorff(self.input, &mesh));
+        if let (Some(asked), Some(found)) = (self.options.within, &distance)
+            && found.distance.upper() > asked
+        {
+            return Err(RemeshError::NotWithin { distance: asked, upper: found.distance.upper() });
+        }
+        let timing =
+            RemeshTiming { remesh: remeshing, distance: self.started.elapsed().saturating_sub(remeshing) };
+        Ok(Remeshed { mesh, before: self.before, after, distance, iterations: self.iterations, stop, timing })
+    }
+
+    /// Some iterations, and the last rounds.
+    fn iterate(&mut self, count: usize) -> Result<(), RemeshError> {
+        let reference = self.options.project.then_some(&self.reference);
+        for i in 0..count {
+            self.report("remeshing", i as f64 / count as f64);
+            if self.control.is_stopped() {
+                return Ok(());
+            }
+            iterate(&mut self.surface, reference, self.options.most_faces, &self.control)
+                .map_err(|_| self.too_many())?;
+            self.iterations += 1;
+        }
+        finish(&mut self.surface, reference);
+        Ok(())
+    }
+
+    fn too_many(&self) -> RemeshError {
+        let most = self.options.most_faces;
+        match self.options.within {
+            Some(distance) => RemeshError::TooManyFacesWithin { distance, most },
+            None => RemeshError::TooManyFaces { faces: most as f64, most },
+        }
+    }
+
+    fn report(&self, doing: &str, share: f64) {
+        let shown = Progress { doing, share: Some(share) };
+        if self.options.progress.is_some_and(|observer| observer.progress(&shown).is_break()) {
+            self.control.stop(StopReason::Cancelled);
+        }
+    }
+
+    /// Shortens lengths where the surface is farther from the input than a limit, until it is nowhere.
+    fn come_within(&mut self, limit: f64) -> Result<(), RemeshError> {
+        for _ in 0..MOST_SHORTENINGS {
+            let far = far_places(&self.copy, &self.reference, &self.surface, limit)?;
+            if !far.contains(&true) || self.control.is_stopped() {
+                return Ok(());
+            }
+            let copy = &mut self.copy;
+            copy.length = self.reference.lengths.at_vertices(&copy.mesh.positions, &self.frame);
+            for (length, _) in copy.length.iter_mut().zip(far).filter(|(_, far)| *far) {
+                *length *= SHORTENED;
+            }
+            limit_growth(&copy.mesh, &mut copy.length);
+            split_longer_than(copy, INPUT_SPLIT, self.options.most_faces, &self.control)
+                .map_err(|_| self.too_many())?;
+            let lengths = Lengths::AtVertices(self.copy.length.clone());
+            self.reference = Reference::new(&self.copy, self.frame, lengths)?;
+            self.copy.near = self.reference.slots_at_vertices(self.copy.mesh.positions.len());
+            // From the input again: a surface that was too coarse may have closed where the input is thin.
+            self.surface = self.copy.clone();
+            self.iterate(self.options.iterations)?;
+        }
+        Ok(())
+    }
+}
+
+/// Number of equilateral faces with edges of the target length that have the area of the surface.
+fn expected_faces(mesh: &DynamicMesh, lengths: &[f64]) -> f64 {
+    let of_face = |f: u32| {
+        let corners = mesh.corners(f);
+        let area = 0.5 * area_vector(corners.map(|v| mesh.positions[v as usize])).length();
+        let density: f64 = corners.iter().map(|&v| lengths[v as usize].powi(-2)).sum();
+        area * density / 3.0
+    };
+    (0..mesh.face_count() as u32).map(of_face).sum::<f64>() * 4.0 / 3.0_f64.sqrt()
+}

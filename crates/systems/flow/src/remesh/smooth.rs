@@ -1,0 +1,171 @@
+//! Moving vertices within the surface towards the middle of their neighbours, and back onto the input.
+
+use super::connectivity::{DynamicMesh, NONE, previous};
+use super::marked::{Hold, Marked};
+use super::reference::Reference;
+use glam::DVec3;
+use pompeiu_core::spatial::bvh::{Slot, Workspace};
+use rayon::prelude::*;
+
+/// Cosine between the normals of a face before and after a step: below it the face counts as turned over.
+const LEAST_COSINE: f64 = 0.2;
+
+/// Vertices of a task.
+const TASK: usize = 1 << 10;
+
+/// Where a vertex goes, with a face of the input near it and the target length there.
+#[derive(Clone, Copy)]
+struct Move {
+    position: DVec3,
+    near: Slot,
+    length: f64,
+}
+
+/// Moves all vertices at once, `steps` times within the surface, then onto the input if there is one. Faces that would turn over
+/// keep their vertices where they were.
+pub(super) fn smooth(surface: &mut Marked, reference: Option<&Reference<'_>>, steps: usize) {
+    for _ in 0..steps {
+        let moved = each_vertex(surface, |v, _| relaxed(surface, v));
+        apply(surface, moved);
+    }
+    if let Some(reference) = reference {
+        let moved = each_vertex(surface, |v, workspace| projected(surface, reference, v, workspace));
+        apply(surface, moved);
+    }
+}
+
+fn each_vertex(surface: &Marked, to: impl Fn(u32, &mut Workspace) -> Move + Sync) -> Vec<Move> {
+    let vertices: Vec<u32> = (0..surface.mesh.positions.len() as u32).collect();
+    let of_task = |task: &[u32]| {
+        let mut workspace = Workspace::default();
+        task.iter().map(|&v| to(v, &mut workspace)).collect::<Vec<_>>()
+    };
+    vertices.par_chunks(TASK).flat_map_iter(of_task).collect()
+}
+
+fn stay(surface: &Marked, v: u32) -> Move {
+    let v = v as usize;
+    Move { position: surface.mesh.positions[v], near: surface.near[v], length: surface.length[v] }
+}
+
+/// Towards the middle of the neighbours, in the tangent plane or along the curve.
+fn relaxed(surface: &Marked, v: u32) -> Move {
+    let mesh = &surface.mesh;
+    let still = stay(surface, v);
+    if mesh.outgoing[v as usize] == NONE {
+        return still;
+    }
+    let p = still.position;
+    let position = match surface.hold[v as usize] {
+        Hold::Corner => p,
+        Hold::Curve(_) => along_curve(surface, v).unwrap_or(p),
+        Hold::Free => {
+            let (mut sum, mut normal, mut count) = (DVec3::ZERO, DVec3::ZERO, 0.0);
+            for h in mesh.halfedges_from(v) {
+                let q = mesh.positions[mesh.to(h) as usize];
+                let r = mesh.positions[mesh.from(previous(h)) as usize];
+                normal += (q - p).cross(r - p);
+                sum += q - p;
+                count += 1.0;
+            }
+            let step = sum / count;
+            match normal.try_normalize() {
+                Some(normal) => p + step - normal * normal.dot(step),
+                None => p,
+            }
+        }
+    };
+    Move { position, ..still }
+}
+
+/// The middle between both neighbours on a curve.
+fn along_curve(surface: &Marked, v: u32) -> Option<DVec3> {
+    let mesh = &surface.mesh;
+    let mut ends = [DVec3::ZERO; 2];
+    let mut count = 0;
+    let mut found = |w: u32| {
+        if let Some(end) = ends.get_mut(count) {
+            *end = mesh.positions[w as usize];
+        }
+        count += 1;
+    };
+    for h in mesh.halfedges_from(v) {
+        if surface.curve[h as usize] != NONE {
+            found(mesh.to(h));
+        }
+        let last = previous(h);
+        if mesh.twin[last as usize] == NONE {
+            found(mesh.from(last));
+        }
+    }
+    (count == 2).then(|| 0.5 * (ends[0] + ends[1]))
+}
+
+/// Onto the input, unless the nearest point lies on a sheet that faces the other way.
+fn projected(surface: &Marked, reference: &Reference<'_>, v: u32, workspace: &mut Workspace) -> Move {
+    let mesh = &surface.mesh;
+    let still = stay(surface, v);
+    if mesh.outgoing[v as usize] == NONE {
+        return still;
+    }
+    let p = match surface.hold[v as usize] {
+        Hold::Curve(curve) => {
+            reference.project_to_curve(still.position, curve, workspace).unwrap_or(still.position)
+        }
+        Hold::Free | Hold::Corner => still.position,
+    };
+    let found = reference.project(p, still.near, workspace);
+    let position = if surface.hold[v as usize] != Hold::Free {
+        p
+    } else if normal_at(mesh, v).dot(found.normal) < 0.0 {
+        return still;
+    } else {
+        found.position
+    };
+    let length = if found.length > 0.0 && found.length < f64::INFINITY { found.length } else { still.length };
+    Move { position, near: found.slot, length }
+}
+
+fn normal_at(mesh: &DynamicMesh, v: u32) -> DVec3 {
+    mesh.halfedges_from(v).map(|h| area_vector(mesh.corners(h / 3).map(|v| mesh.positions[v as usize]))).sum()
+}
+
+/// Twice the area of a triangle, along its normal.
+pub(super) fn area_vector([a, b, c]: [DVec3; 3]) -> DVec3 {
+    (b - a).cross(c - a)
+}
+
+/// Whether a triangle may become another one: neither turned over nor, if it had an area, without one.
+pub(super) fn keeps_normal(old: [DVec3; 3], new: [DVec3; 3]) -> bool {
+    let (n, m) = (area_vector(old), area_vector(new));
+    n == DVec3::ZERO || n.dot(m) > LEAST_COSINE * n.length() * m.length()
+}
+
+/// Moves the vertices; those of faces that would turn over stay, again and again until no face does.
+fn apply(surface: &mut Marked, mut moved: Vec<Move>) {
+    let mesh = &surface.mesh;
+    loop {
+        let turned: Vec<u32> = (0..mesh.origin.len() as u32 / 3)
+            .into_par_iter()
+            .filter(|&f| mesh.exists(3 * f))
+            .filter(|&f| {
+                let corners = mesh.corners(f);
+                let old = corners.map(|v| mesh.positions[v as usize]);
+                !keeps_normal(old, corners.map(|v| moved[v as usize].position))
+            })
+            .collect();
+        let mut stopped = false;
+        for v in turned.into_iter().flat_map(|f| mesh.corners(f)) {
+            let still = stay(surface, v);
+            stopped |= moved[v as usize].position != still.position;
+            moved[v as usize] = still;
+        }
+        if !stopped {
+            break;
+        }
+    }
+    for (v, to) in moved.into_iter().enumerate() {
+        surface.mesh.positions[v] = to.position;
+        (surface.near[v], surface.length[v]) = (to.near, to.length);
+    }
+}

@@ -1,0 +1,254 @@
+//! Remeshed surfaces keep what they must, and have good triangles.
+
+use pompeiu_core::mesh::shapes::{self, Diagonal, Ends};
+use pompeiu_core::mesh::{MeshSummary, displace_at_random, merge};
+use pompeiu_core::{FaceId, TriMesh, VertexId};
+use pompeiu_flow::remesh::{
+    ConnectivityError, Features, Quality, RemeshError, RemeshOptions, Remeshed, Sizing, remesh,
+};
+
+fn topology(mesh: &TriMesh) -> (usize, isize, usize, bool) {
+    let connectivity = MeshSummary::of(mesh).connectivity;
+    (
+        connectivity.components,
+        connectivity.euler_characteristic,
+        connectivity.boundary_loops,
+        connectivity.orientable,
+    )
+}
+
+fn with_length(mesh: &TriMesh, length: f64) -> Remeshed {
+    let found = remesh(mesh, &RemeshOptions::new(Sizing::Length(length))).unwrap();
+    assert_eq!(topology(&found.mesh), topology(mesh));
+    found
+}
+
+fn distance(found: &Remeshed) -> f64 {
+    found.distance.as_ref().unwrap().distance.upper()
+}
+
+fn length([p, q]: [[f64; 3]; 2]) -> f64 {
+    (0..3).map(|k| (p[k] - q[k]).powi(2)).sum::<f64>().sqrt()
+}
+
+#[test]
+fn closed_surfaces_get_nearly_equilateral_faces() {
+    let rough = displace_at_random(&shapes::torus(2.0, 0.7, 60, 24).unwrap(), 0.02, 3).unwrap();
+    let needles = shapes::torus(2.0, 0.7, 200, 24).unwrap();
+    for (mesh, target) in [(shapes::icosphere(1.0, 3).unwrap(), 0.08), (rough, 0.2), (needles, 0.15)] {
+        let found = with_length(&mesh, target);
+        let Quality { least_angle, nearly_regular, near_target, edge_length, .. } = found.after;
+        assert!(least_angle.least > 30.0 && least_angle.mean > 53.0, "{:?}", found.after);
+        assert!(nearly_regular > 0.995 && near_target.unwrap() > 0.9, "{:?}", found.after);
+        assert!((edge_length.mean / target - 1.0).abs() < 0.15, "{:?}", found.after);
+        assert_eq!(found.after.faces, found.mesh.faces().len());
+        // Chords of that length are this high at most where the smaller radius is 0.7.
+        assert!(distance(&found) < target * target, "{}", distance(&found));
+    }
+}
+
+#[test]
+fn no_face_is_turned() {
+    let sphere = displace_at_random(&shapes::icosphere(1.0, 4).unwrap(), 0.01, 3).unwrap();
+    let found = with_length(&sphere, 0.15);
+    for f in 0..found.mesh.faces().len() as u32 {
+        let [a, b, c] = found.mesh.corners(FaceId(f));
+        let minus = |p: [f64; 3], q: [f64; 3]| [0, 1, 2].map(|k| p[k] - q[k]);
+        let (u, v) = (minus(b, a), minus(c, a));
+        let normal = [0, 1, 2].map(|k| u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3]);
+        assert!((0..3).map(|k| normal[k] * a[k]).sum::<f64>() > 0.0, "face {f}");
+    }
+}
+
+#[test]
+fn boundaries_stay_where_they_are() {
+    // A square with its corners: the same area, exactly.
+    let grid = shapes::grid([3.0, 2.0], [7, 9], Diagonal::Rising).unwrap();
+    let found = with_length(&grid, 0.2);
+    assert!((MeshSummary::of(&found.mesh).area - 6.0).abs() < 1e-12);
+    assert!(distance(&found) < 1e-12);
+    assert!(found.after.least_angle.least > 30.0, "{:?}", found.after);
+    // Rings: vertices slide along them.
+    let tube = shapes::cylinder(1.0, 2.0, 48, 5, Ends::Open).unwrap();
+    let found = with_length(&tube, 0.15);
+    assert!(distance(&found) < 0.01);
+    let on_rings = found.mesh.positions().iter().filter(|p| (p[2].abs() - 1.0).abs() < 1e-12).count();
+    assert!((70..=100).contains(&on_rings), "{on_rings}");
+}
+
+#[test]
+fn creases_and_corners_are_kept() {
+    let cube = shapes::cube(2.0, 3).unwrap();
+    let features = Features { angle: Some(40.0), ..Features::default() };
+    let options = RemeshOptions { features, ..RemeshOptions::new(Sizing::Length(0.2)) };
+    let found = remesh(&cube, &options).unwrap();
+    assert!(distance(&found) < 1e-12, "{}", distance(&found));
+    assert!((MeshSummary::of(&found.mesh).area - 24.0).abs() < 1e-10);
+    for corner in cube.positions().iter().filter(|p| p.iter().all(|x| x.abs() == 1.0)) {
+        assert!(found.mesh.positions().contains(corner), "{corner:?}");
+    }
+    // Without features corners are cut off.
+    assert!(distance(&with_length(&cube, 0.2)) > 1e-3);
+}
+
+#[test]
+fn selected_vertices_and_edges_are_kept() {
+    let sphere = shapes::icosphere(1.0, 3).unwrap();
+    let kept: Vec<VertexId> = (0..12).map(VertexId).collect();
+    // The edges of one face become a curve with three corners.
+    let [a, b, c] = sphere.faces()[100].map(VertexId);
+    let edges = [[a, b], [b, c], [c, a]];
+    let features = Features { vertices: &kept, edges: &edges, ..Features::default() };
+    let options = RemeshOptions { features, ..RemeshOptions::new(Sizing::Length(0.3)) };
+    let found = remesh(&sphere, &options).unwrap();
+    for v in kept.iter().chain(&[a, b, c]) {
+        assert!(found.mesh.positions().contains(&sphere.positions()[v.index()]), "{v:?}");
+    }
+    let none = Features { vertices: &[VertexId(7000)], ..Features::default() };
+    let options = RemeshOptions { features: none, ..options };
+    assert_eq!(
+        remesh(&sphere, &options).unwrap_err(),
+        RemeshError::NoVertex { vertex: 7000, vertices: sphere.positions().len() }
+    );
+}
+
+#[test]
+fn the_distance_asked_for_is_proven() {
+    let sphere = shapes::icosphere(1.0, 3).unwrap();
+    let ring = shapes::torus(2.0, 0.5, 48, 24).unwrap();
+    let both = merge(&[&sphere, &ring]).unwrap();
+    let mut before = 0;
+    for within in [0.1, 0.03] {
+        let options = RemeshOptions { within: Some(within), ..RemeshOptions::new(Sizing::Length(0.8)) };
+        let found = remesh(&both, &options).unwrap();
+        assert!(distance(&found) <= within);
+        assert!(found.mesh.faces().len() > before);
+        assert_eq!(topology(&found.mesh), topology(&both));
+        before = found.mesh.faces().len();
+    }
+    // The creases of a cube are met although they are no features.
+    let cube = shapes::cube(2.0, 1).unwrap();
+    let options = RemeshOptions { within: Some(0.1), ..RemeshOptions::new(Sizing::Length(0.5)) };
+    assert!(distance(&remesh(&cube, &options).unwrap()) <= 0.1);
+    let few = RemeshOptions { within: Some(0.02), most_faces: 2000, ..options };
+    let error = remesh(&cube, &few).unwrap_err();
+    assert!(matches!(error, RemeshError::TooManyFacesWithin { most: 2000, .. }), "{error}");
+}
+
+#[test]
+fn lengths_follow_curvature_and_fields() {
+    let ring = shapes::torus(1.0, 0.25, 96, 32).unwrap();
+    let ball = shapes::icosphere(2.0, 4).unwrap();
+    for tolerance in [0.01, 0.003] {
+        let sizing = Sizing::ChordHeight { tolerance, between: [1e-3, 1.0] };
+        for (mesh, radius) in [(&ring, 0.25), (&ball, 2.0_f64)] {
+            let found = remesh(mesh, &RemeshOptions::new(sizing)).unwrap();
+            // The longest edge that is left has this height; most are shorter.
+            let chord = (6.0 * tolerance * radius - 3.0 * tolerance * tolerance).sqrt();
+            let mean = found.after.edge_length.mean;
+            assert!((0.5 * chord..chord).contains(&mean), "{mean} of {chord}");
+            assert!(distance(&found) < 1.5 * tolerance, "{} of {tolerance}", distance(&found));
+        }
+    }
+    // Short edges on one side of a sphere, long ones on the other.
+    let field = |p: [f64; 3]| 0.15 + 0.05 * p[2];
+    let found = remesh(&ball, &RemeshOptions::new(Sizing::Field(&field))).unwrap();
+    let mesh = &found.mesh;
+    let mean = |upper: bool| {
+        let faces = mesh.face_ids().map(|f| mesh.corners(f)).filter(|c| upper == (c[0][2] > 1.0));
+        let lengths: Vec<f64> =
+            faces.filter(|c| upper || c[0][2] < -1.0).map(|[p, q, _]| length([p, q])).collect();
+        lengths.iter().sum::<f64>() / lengths.len() as f64
+    };
+    assert!(
+        (0.2..0.26).contains(&mean(true)) && (0.06..0.1).contains(&mean(false)),
+        "{} {}",
+        mean(true),
+        mean(false)
+    );
+    assert!(found.after.least_angle.least > 25.0, "{:?}", found.after);
+    let bad = |p: [f64; 3]| p[2];
+    let error = remesh(&ball, &RemeshOptions::new(Sizing::Field(&bad))).unwrap_err();
+    assert!(matches!(error, RemeshError::Field { length, .. } if length <= 0.0));
+}
+
+#[test]
+fn the_same_bits_at_any_number_of_threads_and_scale() {
+    let mesh = displace_at_random(&shapes::icosphere(1.0, 4).unwrap(), 0.01, 3).unwrap();
+    let on = |threads: usize, mesh: &TriMesh, length: f64| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| remesh(mesh, &RemeshOptions::new(Sizing::Length(length))).unwrap().mesh)
+    };
+    let one = on(1, &mesh, 0.1);
+    assert_eq!(one, on(2, &mesh, 0.1));
+    assert_eq!(one, on(8, &mesh, 0.1));
+    for exponent in [-400, 400] {
+        let scale = f64::from(exponent).exp2();
+        let positions = mesh.positions().iter().map(|p| p.map(|x| x * scale)).collect();
+        let scaled = TriMesh::new(positions, mesh.faces().to_vec()).unwrap();
+        assert_eq!(on(1, &scaled, 0.1 * scale).faces(), one.faces());
+    }
+}
+
+#[test]
+fn what_cannot_be_asked_for() {
+    let sphere = shapes::icosphere(1.0, 2).unwrap();
+    let error = |length| remesh(&sphere, &RemeshOptions::new(Sizing::Length(length))).unwrap_err();
+    assert!(matches!(error(0.0), RemeshError::Length { length: 0.0, .. }));
+    assert!(matches!(error(f64::NAN), RemeshError::Length { .. }));
+    assert!(matches!(error(1e-14), RemeshError::BelowRounding { .. }));
+    assert!(matches!(error(4.0), RemeshError::TooLong { .. }));
+    // 4 pi of area, faces of sqrt 3 / 4 * 10^-8.
+    match error(1e-4) {
+        RemeshError::TooManyFaces { faces, most } => {
+            assert!((faces / 2.9e9 - 1.0).abs() < 0.1, "{faces}");
+            assert_eq!(most, RemeshOptions::MOST_FACES);
+        }
+        other => panic!("{other}"),
+    }
+    let within = RemeshOptions { within: Some(1e-15), ..RemeshOptions::new(Sizing::Length(0.1)) };
+    assert!(matches!(remesh(&sphere, &within), Err(RemeshError::BelowRounding { what: "distance", .. })));
+    let points = vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let book = TriMesh::new(points, vec![[0, 1, 2], [1, 0, 3], [0, 1, 3]]).unwrap();
+    let error = remesh(&book, &RemeshOptions::new(Sizing::Length(0.1))).unwrap_err();
+    assert!(matches!(error, RemeshError::Connectivity(ConnectivityError::SharedHalfedge { .. })));
+    assert!(error.to_string().contains("pompeiu repair"));
+}
+
+#[test]
+fn faces_without_area_do_no_harm() {
+    // Needles, and vertices at one position.
+    let mut positions = shapes::grid([1.0, 1.0], [4, 4], Diagonal::Rising).unwrap().into_parts();
+    let (p, q) = (positions.0[6], positions.0[12]);
+    positions.0[7] = p;
+    positions.0[13] = [0, 1, 2].map(|k| 0.5 * (p[k] + q[k]));
+    positions.0[11] = [0, 1, 2].map(|k| 0.5 * (p[k] + q[k]));
+    let mesh = TriMesh::new(positions.0, positions.1).unwrap();
+    assert!(MeshSummary::of(&mesh).degenerate_faces > 0);
+    for length in [0.05, 0.3, 1.2] {
+        let found = with_length(&mesh, length);
+        assert!(found.mesh.positions().iter().flatten().all(|x| x.is_finite()));
+    }
+    // All of it at one point, and all on one line.
+    for squeeze in [0.0, 1.0] {
+        let flat = mesh.positions().iter().map(|p| [p[0] * squeeze, 0.0, 0.0]).collect();
+        let mesh = TriMesh::new(flat, mesh.faces().to_vec()).unwrap();
+        let options = RemeshOptions { measure: false, ..RemeshOptions::new(Sizing::Length(0.1)) };
+        match remesh(&mesh, &options) {
+            Ok(found) => {
+                assert!(found.mesh.positions().iter().flatten().all(|x| (-1e-9..=1.0 + 1e-9).contains(x)));
+            }
+            Err(error) => assert!(matches!(error, RemeshError::TooLong { diagonal: 0.0, .. }), "{error}"),
+        }
+    }
+}
+
+#[test]
+fn a_real_mesh() {
+    let Some(mesh) = crate::real_mesh("bunny.off") else { return };
+    let length = Quality::of(&mesh).unwrap().edge_length.mean;
+    let found = with_length(&mesh, 1.5 * length);
+    let Quality { least_angle, near_target, .. } = found.after;
+    assert!(least_angle.least > 30.0 && least_angle.mean > 53.0, "{:?}", found.after);
+    assert!(near_target.unwrap() > 0.9);
+}
