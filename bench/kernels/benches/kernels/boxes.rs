@@ -5,6 +5,7 @@ use criterion::{Criterion, Throughput};
 use pompeiu_core::geom::{Aabb, Frame};
 use pompeiu_core::spatial::Bvh;
 use std::hint::black_box;
+use std::ops::ControlFlow;
 
 const QUERIES: usize = 1000;
 
@@ -20,11 +21,16 @@ pub fn bench(criterion: &mut Criterion) {
         let reach = frame.length_in(0.02 * aabb.diagonal());
         let points: Vec<_> = points::near(&mesh, QUERIES).into_iter().map(|p| frame.map(p)).collect();
         group.throughput(Throughput::Elements(QUERIES as u64));
-        group.bench_function("slots_within", |bencher| {
+        group.bench_function("walk", |bencher| {
             bencher.iter(|| {
-                let mut found = 0;
+                let (mut found, mut stack) = (0, Vec::new());
                 for &p in &points {
-                    bvh.slots_within(p, reach, |_| found += 1);
+                    let within = |aabb: &Aabb| aabb.distance_sq(p) <= reach * reach;
+                    let all = bvh.walk(&mut stack, within, |_| {
+                        found += 1;
+                        ControlFlow::Continue(())
+                    });
+                    assert!(all.is_continue());
                 }
                 found
             });

@@ -10,8 +10,9 @@ use crate::tolerance::Tolerance;
 use pompeiu_core::geom::point_triangle::closest_barycentric;
 use pompeiu_core::geom::{Aabb, Frame};
 use pompeiu_core::run::Control;
-use pompeiu_core::spatial::{Bvh, morton_order};
+use pompeiu_core::spatial::{Bvh, Neighbours, Slot, morton_order};
 use pompeiu_core::{FaceId, TriMesh};
+use std::ops::ControlFlow;
 use std::time::Instant;
 
 /// The options of one directed search.
@@ -60,13 +61,14 @@ pub(crate) fn joint_frame(a: &TriMesh, b: &TriMesh) -> (Frame, Aabb, Rounding) {
     (frame, joint, Rounding::new(frame.max_coordinate(&joint)))
 }
 
-/// Searches in the frame of the target, which lacks its neighbours where the mesh `b` that it was made of is given.
+/// Searches in the frame of the target. A target without neighbours comes with the mesh `b` that it was made of; the neighbours are
+/// returned if the search needed them.
 pub(crate) fn search(
     question: &Question<'_>,
     a: &TriMesh,
     target: &Target,
     b: Option<&TriMesh>,
-) -> DirectedReport {
+) -> (DirectedReport, Option<Neighbours>) {
     let started = Instant::now();
     let a_box = Aabb::of_faces(a);
     let joint = a_box.union(target.aabb());
@@ -89,12 +91,16 @@ pub(crate) fn search(
         order: &order,
         frame: target.frame(),
         bvh: target.bvh(),
-        b,
-        neighbours: target.neighbours(),
-        overlays: true,
+        neighbours: None,
         control: &control,
     };
-    let result = Search::new(scene, limits, question.options.observer(), question.direction).run(&stages);
+    let mut search = Search::new(scene, limits, question.options.observer(), question.direction);
+    search.sample();
+    // A prepared target with its neighbours gives the same report as one without.
+    let tries_overlays = search.tries_overlays();
+    let made = b.filter(|_| tries_overlays).map(|b| Neighbours::new(b, target.bvh()));
+    let neighbours = target.neighbours().filter(|_| tries_overlays).or(made.as_ref());
+    let result = search.run(neighbours, &stages);
 
     let found = result.found;
     let farthest = Farthest {
@@ -106,15 +112,17 @@ pub(crate) fn search(
     };
     let (witness, x) = farthest.witness(a, target.frame());
     let lower = certified_lower(&x, &farthest, target.bvh(), rounding);
-    let report = conclude(question, &limits, target.frame(), lower, result.upper, control.reason());
-    DirectedReport {
-        distance: report.0,
+    let (distance, stop, tolerance) =
+        conclude(question, &limits, target.frame(), lower, result.upper, control.reason());
+    let report = DirectedReport {
+        distance,
         witness,
-        stop: report.1,
-        tolerance: report.2,
+        stop,
+        tolerance,
         work: result.work,
         timing: Timing { search: started.elapsed(), ..Timing::default() },
-    }
+    };
+    (report, made)
 }
 
 /// The farthest point of A that a search found, and the face of B nearest to it, in its frame.
@@ -144,10 +152,28 @@ fn certified_lower(x: &certify::Box3, farthest: &Farthest, bvh: &Bvh, rounding: 
     let middle = certify::middle(x);
     // Triangles not reported are farther than this from the middle, and so than what the search believes from x.
     let reach = farthest.distance + 4.0 * rounding.lower();
-    let mut slots = Vec::new();
-    bvh.slots_within(middle, reach, |slot| slots.push(slot));
+    let slots = slots_within(bvh, middle, reach);
     let near = certify::distance_lower_bound(*x, slots.into_iter().map(|slot| bvh.corners(slot)));
     if near < farthest.distance { near } else { farthest.distance }
+}
+
+/// The triangles in leaves whose boxes come as near to a point as `reach`: all that have a point within `reach`, rounding included, and
+/// others.
+fn slots_within(bvh: &Bvh, p: [f64; 3], reach: f64) -> Vec<Slot> {
+    // Each term of the squared distance to a box carries a relative error below 2^-51, far inside this margin.
+    const MARGIN: f64 = 1.0 + 1.0 / (1_u64 << 40) as f64;
+    let limit = reach * reach * MARGIN;
+    let mut slots = Vec::new();
+    let all = bvh.walk(
+        &mut Vec::new(),
+        |aabb| aabb.distance_sq(p) <= limit,
+        |slot| {
+            slots.push(slot);
+            ControlFlow::Continue(())
+        },
+    );
+    debug_assert!(all.is_continue(), "nothing breaks off the walk");
+    slots
 }
 
 /// The enclosure in the unit of the meshes, why the search ended, and the tolerance in that unit.
@@ -193,4 +219,29 @@ fn bytes_of(mesh: &TriMesh) -> usize {
 pub(crate) fn bytes_to_start(a: &TriMesh, b: &TriMesh) -> usize {
     const ORDERING: usize = 16;
     bytes_of(a) + bytes_of(b) + Target::bytes_to_prepare(b.faces().len()) + ORDERING * a.faces().len()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pompeiu_core::mesh::shapes::torus;
+
+    #[test]
+    fn every_triangle_within_reach_is_listed_once_and_few_others() {
+        let target = Target::new(&torus(1.0, 0.3, 40, 30).unwrap());
+        let bvh = target.bvh();
+        for (i, reach) in [(0, 0.0), (3, 0.01), (7, 0.2), (11, 1.0), (13, 99.0)] {
+            let corner = bvh.corner(bvh.slots().nth(97 * i).unwrap(), i % 3);
+            let middle = corner.map(|x| x + 1e-3 * i as f64);
+            let mut listed = slots_within(bvh, middle, reach);
+            let count = listed.len();
+            listed.sort_unstable();
+            listed.dedup();
+            assert_eq!(listed.len(), count, "each once");
+            let within: Vec<Slot> =
+                bvh.slots().filter(|slot| bvh.distance_sq(middle, *slot) <= reach * reach).collect();
+            assert!(within.iter().all(|slot| listed.contains(slot)), "{reach}");
+            assert!(within.len() == bvh.len() || listed.len() < bvh.len() / 2, "{reach}: {count}");
+        }
+    }
 }

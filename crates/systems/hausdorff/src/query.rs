@@ -52,7 +52,7 @@ impl HausdorffOptions<'_> {
         self.check()?;
         let question =
             Question { options: self, direction: Direction::AToB, deadline: self.limits.deadline() };
-        Ok(on_threads(self.limits.threads, || engine::search(&question, a, b, None)))
+        Ok(on_threads(self.limits.threads, || engine::search(&question, a, b, None).0))
     }
 
     /// Encloses `H(A, B)`, with both directed distances.
@@ -105,7 +105,7 @@ impl HausdorffOptions<'_> {
         }
         let target = Target::without_neighbours(b);
         let build = started.elapsed();
-        let mut report = engine::search(&question, a, &target, Some(b));
+        let (mut report, _) = engine::search(&question, a, &target, Some(b));
         report.timing.build += build;
         report
     }

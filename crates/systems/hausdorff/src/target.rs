@@ -3,7 +3,6 @@
 use pompeiu_core::TriMesh;
 use pompeiu_core::geom::{Aabb, Frame};
 use pompeiu_core::spatial::{Bvh, Neighbours};
-use std::sync::OnceLock;
 
 /// Bytes per face of the neighbours of a tree.
 pub(crate) const NEIGHBOURS: usize = 12;
@@ -17,8 +16,8 @@ pub(crate) const NEIGHBOURS: usize = 12;
 #[derive(Clone, Debug)]
 pub struct Target {
     bvh: Bvh,
-    /// Set at the latest when a search wants them.
-    neighbours: OnceLock<Neighbours>,
+    /// None in a target for one question: its search finds them if it tries overlays.
+    neighbours: Option<Neighbours>,
     frame: Frame,
     aabb: Aabb,
 }
@@ -28,7 +27,7 @@ impl Target {
     pub fn new(mesh: &TriMesh) -> Self {
         let target = Self::without_neighbours(mesh);
         let neighbours = Neighbours::new(mesh, &target.bvh);
-        Self { neighbours: OnceLock::from(neighbours), ..target }
+        Self { neighbours: Some(neighbours), ..target }
     }
 
     /// The same for one question, in which it may turn out that neighbours are not wanted.
@@ -39,7 +38,7 @@ impl Target {
     /// The same in a given frame, for one question.
     pub(crate) fn in_frame(mesh: &TriMesh, frame: Frame) -> Self {
         let aabb = Aabb::of_faces(mesh);
-        Self { bvh: Bvh::build(mesh, &frame), neighbours: OnceLock::new(), frame, aabb }
+        Self { bvh: Bvh::build(mesh, &frame), neighbours: None, frame, aabb }
     }
 
     /// Number of faces.
@@ -54,7 +53,7 @@ impl Target {
 
     /// Bytes of memory held: about 107 per face.
     pub fn bytes(&self) -> usize {
-        self.bvh.bytes() + self.neighbours.get().map_or(0, Neighbours::bytes)
+        self.bvh.bytes() + self.neighbours.as_ref().map_or(0, Neighbours::bytes)
     }
 
     /// Bytes of memory that preparing a mesh with so many faces takes at most, its own not included.
@@ -66,8 +65,8 @@ impl Target {
         &self.bvh
     }
 
-    pub(crate) fn neighbours(&self) -> &OnceLock<Neighbours> {
-        &self.neighbours
+    pub(crate) fn neighbours(&self) -> Option<&Neighbours> {
+        self.neighbours.as_ref()
     }
 
     pub(crate) fn frame(&self) -> &Frame {

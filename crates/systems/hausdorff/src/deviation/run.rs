@@ -19,7 +19,7 @@ use crate::target::Target;
 use pompeiu_core::TriMesh;
 use pompeiu_core::geom::Aabb;
 use pompeiu_core::run::{Control, Limits};
-use pompeiu_core::spatial::morton_order;
+use pompeiu_core::spatial::{Neighbours, morton_order};
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
@@ -64,7 +64,7 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
         ..HausdorffOptions::default()
     };
     let question = Question { options: &options, direction, deadline: half };
-    let distance = engine::search(&question, from, target, Some(to));
+    let (distance, neighbours) = engine::search(&question, from, target, Some(to));
     let search = started.elapsed();
     let largest = frame.length_in(distance.distance.upper()).next_up();
 
@@ -80,7 +80,9 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
         fine: Wanted::FINE * query.accuracy,
     };
     let most_pieces = query.limits.pieces.unwrap_or(DeviationOptions::DEFAULT_PIECES);
-    let control = Control::start(&query.limits).until(deadline).holding(held + bytes_held(from, to, target));
+    let control = Control::start(&query.limits)
+        .until(deadline)
+        .holding(held + bytes_held(from, to, target) + neighbours.as_ref().map_or(0, Neighbours::bytes));
     if watched.cancelled.into_inner() {
         control.stop(StopReason::Cancelled);
     }
@@ -134,9 +136,7 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
         order: &order,
         frame: &frame,
         bvh,
-        b: Some(to),
-        neighbours: target.neighbours(),
-        overlays: true,
+        neighbours: neighbours.as_ref(),
         control: &control_of_maxima,
     };
     let mut of_faces = vec![Maximum::from(&bounds[0]); order.len()];

@@ -26,7 +26,6 @@ use pompeiu_core::spatial::{Bvh, Neighbours, Slot, Workspace};
 use pompeiu_core::{FaceId, TriMesh};
 use rayon::prelude::*;
 use std::ops::ControlFlow;
-use std::sync::OnceLock;
 use std::time::Instant;
 use worker::{Discarded, Keep, Outcome, SlotProof, Worker};
 
@@ -62,12 +61,8 @@ pub(crate) struct Scene<'s> {
     pub(crate) order: &'s [u32],
     pub(crate) frame: &'s Frame,
     pub(crate) bvh: &'s Bvh,
-    /// The mesh of the tree, where neighbours are not known yet.
-    pub(crate) b: Option<&'s TriMesh>,
-    /// Of the triangles in the tree.
-    pub(crate) neighbours: &'s OnceLock<Neighbours>,
-    /// Whether overlays are tried, where neighbours are known.
-    pub(crate) overlays: bool,
+    /// Of the triangles in the tree; none where overlays are not tried.
+    pub(crate) neighbours: Option<&'s Neighbours>,
     pub(crate) control: &'s Control,
 }
 
@@ -133,6 +128,7 @@ pub(crate) struct Ended {
     pub(crate) work: WorkCount,
 }
 
+/// A search over all faces: [`Search::sample`] finds a lower bound and so whether overlays are tried, then [`Search::run`] does the rest.
 pub(crate) struct Search<'s, 'o> {
     scene: Scene<'s>,
     limits: Limits,
@@ -177,11 +173,10 @@ impl<'s, 'o> Search<'s, 'o> {
         }
     }
 
-    /// Searches at each tolerance in turn, and last at that of the limits.
-    pub(crate) fn run(mut self, stages: &[f64]) -> Ended {
+    /// Searches at each tolerance in turn, and last at that of the limits. Overlays are tried where neighbours are given.
+    pub(crate) fn run(mut self, neighbours: Option<&'s Neighbours>, stages: &[f64]) -> Ended {
         let last = self.limits.tolerance;
-        self.sample();
-        self.find_neighbours();
+        self.scene.neighbours = neighbours;
         self.keep.pieces = !stages.is_empty();
         self.limits.tolerance = stages.first().copied().unwrap_or(last);
         self.sweep();
@@ -218,7 +213,8 @@ impl<'s, 'o> Search<'s, 'o> {
         bounds.fold(self.upper, |upper, bound| if bound > upper { bound } else { upper })
     }
 
-    fn sample(&mut self) {
+    /// Asks for the distances of a few points: the first lower bound.
+    pub(crate) fn sample(&mut self) {
         let order = self.scene.order;
         let stride = order.len().div_ceil(SAMPLES).max(FACES_PER_SAMPLE);
         let samples: Vec<u32> = order.iter().copied().step_by(stride).collect();
@@ -232,9 +228,9 @@ impl<'s, 'o> Search<'s, 'o> {
         self.report_progress(order.len() as u64);
     }
 
-    /// Finds the neighbours of B's triangles, unless faces are so small for the distance that one of B mostly covers one of A: then
-    /// overlays are not tried, not even where a prepared target knows the neighbours, so that it gives the same report.
-    fn find_neighbours(&mut self) {
+    /// Whether overlays are worth the neighbours of B's triangles: not where faces are so small for the distance that one of B mostly
+    /// covers one of A.
+    pub(crate) fn tries_overlays(&self) -> bool {
         let mean = |count: usize, corners: &mut dyn Iterator<Item = [[f64; 3]; 3]>| {
             let stride = count.div_ceil(SIZES);
             corners.step_by(stride).map(|corners| longest_edge(&corners)).sum::<f64>()
@@ -243,13 +239,7 @@ impl<'s, 'o> Search<'s, 'o> {
         let Scene { order, bvh, .. } = self.scene;
         let size_a = mean(order.len(), &mut order.iter().map(|face| self.scene.corners(*face)));
         let size_b = mean(bvh.len(), &mut bvh.slots().map(|slot| bvh.corners(slot)));
-        self.scene.overlays = self.found.distance < LARGE_DISTANCE * (size_a + size_b);
-        let Some(b) = self.scene.b.filter(|_| self.scene.neighbours.get().is_none()) else { return };
-        if self.scene.overlays {
-            // Made outside of the lock: threads that wait for it must not meet themselves among the tasks of the pool.
-            let neighbours = Neighbours::new(b, self.scene.bvh);
-            drop(self.scene.neighbours.set(neighbours));
-        }
+        self.found.distance < LARGE_DISTANCE * (size_a + size_b)
     }
 
     fn sweep(&mut self) {

@@ -114,9 +114,7 @@ impl Worker<'_> {
     /// Discards a piece by the face of B that is seen over its centre or by its overlay, or opens what the overlay leaves.
     pub(super) fn settle_by_overlay(&mut self, piece: &Piece, hint: Slot) -> Settled {
         let bvh = self.scene.bvh;
-        let Some(neighbours) = self.scene.neighbours.get().filter(|_| self.scene.overlays) else {
-            return Settled::No(None);
-        };
+        let Some(neighbours) = self.scene.neighbours else { return Settled::No(None) };
         let Some(view) = View::new(&piece.corners) else { return Settled::No(None) };
         let Some(start) = view.face_over_centre(bvh, neighbours, hint) else { return Settled::No(None) };
         if start != hint {

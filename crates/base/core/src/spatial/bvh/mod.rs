@@ -147,31 +147,6 @@ impl Bvh {
         tree
     }
 
-    /// The slots whose triangles may come nearer to `p` than `distance`, by their boxes and leaves alone.
-    ///
-    /// Every slot with a point within `distance` is reported, rounding included; others may be too.
-    pub fn slots_within(&self, p: [f64; 3], distance: f64, mut report: impl FnMut(Slot)) {
-        // Each term of a box distance carries a relative error below 2^-51, far inside this margin.
-        const MARGIN: f64 = 1.0 + 1.0 / (1_u64 << 40) as f64;
-        let limit = distance * distance * MARGIN;
-        let mut stack = vec![0_u32];
-        while let Some(entry) = stack.pop() {
-            if entry & LEAF != 0 {
-                let first = (entry & !LEAF) * LANES as u32;
-                for slot in first..self.faces.len().min(first as usize + LANES) as u32 {
-                    report(Slot(slot));
-                }
-                continue;
-            }
-            let node = &self.nodes[entry as usize];
-            for (child, d) in node.child.iter().zip(nearest::box_distances_sq(p, node)) {
-                if d <= limit && d.is_finite() {
-                    stack.push(*child);
-                }
-            }
-        }
-    }
-
     /// Walks down the tree: `enter` says of each box whether to look inside, and `visit` is given the slots of the leaves
     /// that are reached, in no order that means anything but always the same; the walk ends when it breaks.
     ///
