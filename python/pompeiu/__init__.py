@@ -38,7 +38,7 @@ from .errors import (
     SurfaceError,
     WriteError,
 )
-from .fields import Audit, FieldParts, FieldQuality, HodgeDecomposition, Ranks, field_audit
+from .fields import DegreesOfFreedom, FieldParts, FieldQuality, HodgeDecomposition, Ranks, field_degrees_of_freedom
 from .files import mesh_summary, write_mesh
 from .many import DistanceMatrix, RankReport, RankWork, Standing, distance_matrix, rank
 from .results import (
@@ -55,7 +55,7 @@ from .sources import MeshLike, as_mesh, read_mesh
 
 __all__ = [
     "DEFAULT_TOLERANCE",
-    "Audit",
+    "DegreesOfFreedom",
     "Deviation",
     "DeviationWork",
     "DirectedDeviation",
@@ -99,7 +99,7 @@ __all__ = [
     "directed_deviation",
     "directed_hausdorff",
     "distance_matrix",
-    "field_audit",
+    "field_degrees_of_freedom",
     "hausdorff",
     "mesh_summary",
     "rank",

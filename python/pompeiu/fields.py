@@ -13,7 +13,7 @@ from . import _native
 from .results import _Arrays, _table
 from .sources import MeshLike, as_mesh
 
-__all__ = ["Audit", "FieldParts", "FieldQuality", "HodgeDecomposition", "Ranks", "field_audit"]
+__all__ = ["DegreesOfFreedom", "FieldParts", "FieldQuality", "HodgeDecomposition", "Ranks", "field_degrees_of_freedom"]
 
 Splitting = Literal["primal", "dual"]
 Boundary = Literal["tangential", "normal"]
@@ -21,22 +21,22 @@ Boundary = Literal["tangential", "normal"]
 
 @dataclass(frozen=True)
 class Ranks:
-    """Dimensions of the gradients and of the rotated gradients, and what they leave over."""
+    """Dimensions of the gradients and of the rotated gradients, and what both lack of all degrees of freedom."""
 
     gradient: int
     rotated: int
-    left_over: int
+    residual_dimension: int
 
 
 @dataclass(frozen=True)
-class Audit:
-    """How the dimensions of the spaces of a splitting add up, and how they do not with one kind of function only.
+class DegreesOfFreedom:
+    """How the dimensions of the spaces of a splitting add up, and how they do not with a single function space.
 
     Counted from the numbers of elements. ``mixed`` is what :class:`pompeiu.HodgeDecomposition` uses; ``conforming`` takes
     continuous functions for both potentials, ``nonconforming`` functions that agree at midpoints of edges.
     """
 
-    degrees_of_freedom: int
+    total: int
     harmonic: int
     mixed: Ranks
     conforming: Ranks
@@ -48,11 +48,11 @@ class Audit:
         return asdict(self)
 
     @classmethod
-    def _of(cls, data: Mapping[str, Any]) -> "Audit":
+    def _of(cls, data: Mapping[str, Any]) -> "DegreesOfFreedom":
         counted = data["degrees_of_freedom"]
         ranks = {name: Ranks(**counted[name]) for name in ("mixed", "conforming", "nonconforming")}
         harmonic = data["harmonic_dimension"]
-        return cls(counted["total"], harmonic, **ranks, adds_up=ranks["mixed"].left_over == harmonic)
+        return cls(counted["total"], harmonic, **ranks, adds_up=ranks["mixed"].residual_dimension == harmonic)
 
 
 @dataclass(frozen=True)
@@ -219,16 +219,16 @@ class HodgeDecomposition:
         return self._native.face_areas()
 
     @property
-    def audit(self) -> Audit:
-        """The degrees of freedom, counted; see :func:`field_audit`."""
-        return Audit._of(json.loads(self._native.audit()))
+    def degrees_of_freedom(self) -> DegreesOfFreedom:
+        """The degrees of freedom, counted; see :func:`field_degrees_of_freedom`."""
+        return DegreesOfFreedom._of(json.loads(self._native.degrees_of_freedom()))
 
     def __repr__(self) -> str:
         faces, splitting, boundary = self._shape
         return f"HodgeDecomposition({faces} faces, {splitting!r}, {boundary!r}, {self.harmonic_dimension} harmonic fields)"
 
 
-def field_audit(mesh: MeshLike, boundary: Boundary = "tangential") -> Audit:
+def field_degrees_of_freedom(mesh: MeshLike, boundary: Boundary = "tangential") -> DegreesOfFreedom:
     """Counts the degrees of freedom of tangent fields, without solving anything.
 
     With continuous functions for both potentials too little is covered, with functions that agree at midpoints too much; the
@@ -239,4 +239,4 @@ def field_audit(mesh: MeshLike, boundary: Boundary = "tangential") -> Audit:
     SurfaceError
         If the mesh is no oriented manifold.
     """
-    return Audit._of(json.loads(_native.audit(as_mesh(mesh), boundary)))
+    return DegreesOfFreedom._of(json.loads(_native.degrees_of_freedom(as_mesh(mesh), boundary)))

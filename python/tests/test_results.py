@@ -19,7 +19,7 @@ RESULTS = [
     REPORT.witness,
     REPORT.witness.from_,
     pompeiu.mesh_summary(CUBES[0]),
-    HODGE.audit,
+    HODGE.degrees_of_freedom,
     PARTS,
     PARTS.quality,
 ]

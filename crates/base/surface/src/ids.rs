@@ -1,7 +1,7 @@
 //! Typed indices of edges and half-edges.
 
 use pompeiu_core::FaceId;
-use pompeiu_core::mesh::{ElementData, ElementId};
+use pompeiu_core::mesh::ElementData;
 use std::fmt;
 
 /// One side of an edge, that of one face: half-edge `3 f + i` runs along face `f` from its corner `i` to the next.
@@ -65,33 +65,7 @@ impl fmt::Display for EdgeId {
     }
 }
 
-impl ElementId for HalfedgeId {
-    const NAME: &'static str = "corner";
-
-    #[inline]
-    fn from_index(index: usize) -> Self {
-        Self(index as u32)
-    }
-
-    #[inline]
-    fn as_index(self) -> usize {
-        self.index()
-    }
-}
-
-impl ElementId for EdgeId {
-    const NAME: &'static str = "edge";
-
-    #[inline]
-    fn from_index(index: usize) -> Self {
-        Self(index as u32)
-    }
-
-    #[inline]
-    fn as_index(self) -> usize {
-        self.index()
-    }
-}
+pompeiu_core::element_ids! { HalfedgeId: "corner", EdgeId: "edge" }
 
 /// One value for each edge.
 pub type EdgeData<T> = ElementData<EdgeId, T>;

@@ -6,7 +6,7 @@ use crate::json::written;
 use crate::mesh::Mesh;
 use numpy::{IntoPyArray, PyArray1, PyArray2};
 use pompeiu::core::mesh::FaceData;
-use pompeiu::fields::{Audit, Decomposition, DecompositionOptions, HodgeSolver};
+use pompeiu::fields::{Decomposition, DecompositionOptions, DegreesOfFreedom, HodgeSolver};
 use pompeiu::operators::{self, Boundary, FaceField, Splitting, tangent_field};
 use pompeiu::surface::{EmbeddedSurface, SurfaceMesh};
 use pyo3::prelude::*;
@@ -45,12 +45,12 @@ fn boundary(name: &str) -> PyResult<Boundary> {
 
 /// The degrees of freedom of a surface, counted.
 #[pyfunction]
-pub(crate) fn audit(mesh: &Bound<'_, Mesh>, boundary: &str) -> PyResult<String> {
+pub(crate) fn degrees_of_freedom(mesh: &Bound<'_, Mesh>, boundary: &str) -> PyResult<String> {
     let surface = SurfaceMesh::new(mesh.get().inner()).map_err(|error| {
         let error: pompeiu::surface::GeometryError = error.into();
         error.raise()
     })?;
-    written(&Audit::of(&surface, self::boundary(boundary)?))
+    written(&DegreesOfFreedom::of(&surface, self::boundary(boundary)?))
 }
 
 /// The three parts of a field, in space, with what they are made of.
@@ -157,7 +157,7 @@ impl HodgeDecomposition {
         self.0.borrow_dependent().basis().dimension()
     }
 
-    fn audit(&self) -> PyResult<String> {
-        written(&Audit::of(self.surface().mesh(), self.0.borrow_dependent().boundary()))
+    fn degrees_of_freedom(&self) -> PyResult<String> {
+        written(&DegreesOfFreedom::of(self.surface().mesh(), self.0.borrow_dependent().boundary()))
     }
 }

@@ -18,7 +18,7 @@ mod wait;
 #[pyo3::pymodule]
 mod _native {
     #[pymodule_export]
-    use crate::fields::{HodgeDecomposition, audit};
+    use crate::fields::{HodgeDecomposition, degrees_of_freedom};
     #[pymodule_export]
     use crate::files::{read_mesh, write_mesh};
     #[pymodule_export]

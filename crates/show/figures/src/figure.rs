@@ -96,7 +96,7 @@ pub struct Figure<'a> {
 
 impl<'a> Figure<'a> {
     /// Most pixels on a side.
-    pub const MAX_SIDE: u32 = 1 << 14;
+    const MAX_SIDE: u32 = 1 << 14;
 
     /// An empty picture.
     pub fn new(width: u32, height: u32) -> Self {

@@ -133,7 +133,7 @@ pub struct Mark {
 
 impl Mark {
     /// Opacity of what is hidden by the mesh, unless another is chosen: enough to find it.
-    pub const BEHIND: f64 = 0.45;
+    const BEHIND: f64 = 0.45;
 
     /// A straight line, 2.5 pixels wide.
     pub fn segment(from: [f64; 3], to: [f64; 3]) -> Self {

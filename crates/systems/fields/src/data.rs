@@ -1,48 +1,48 @@
 //! Reports as data for other programs, where these are not written as they are kept.
 
-use crate::audit::{Audit, OneKind};
+use crate::{DegreesOfFreedom, Ranks};
 use serde::Serialize;
 
 /// Dimensions of the spaces of a splitting.
 #[derive(Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Audit"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub(crate) struct Dimensions {
     /// Dimension of the harmonic fields: 2g for each closed component, 2g + b − 1 for one with b boundary loops.
     harmonic_dimension: usize,
     /// How the dimensions of fields add up.
-    degrees_of_freedom: DegreesOfFreedom,
+    degrees_of_freedom: Counted,
 }
 
 /// How the dimensions of fields add up, with each choice of functions for the two potentials.
 #[derive(Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-struct DegreesOfFreedom {
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "DegreesOfFreedom"))]
+struct Counted {
     /// Two for each face.
     total: usize,
-    /// Conforming functions for one potential, nonconforming ones for the other: only the harmonic fields are left over.
-    mixed: OneKind,
+    /// Conforming functions for one potential, nonconforming ones for the other: the residual is the harmonic fields.
+    mixed: Ranks,
     /// Conforming functions for both.
-    conforming: OneKind,
+    conforming: Ranks,
     /// Nonconforming functions for both.
-    nonconforming: OneKind,
+    nonconforming: Ranks,
 }
 
-impl From<Audit> for Dimensions {
-    fn from(audit: Audit) -> Self {
+impl From<DegreesOfFreedom> for Dimensions {
+    fn from(counted: DegreesOfFreedom) -> Self {
         Self {
-            harmonic_dimension: audit.harmonic,
-            degrees_of_freedom: DegreesOfFreedom {
-                total: audit.degrees_of_freedom,
-                mixed: audit.mixed,
-                conforming: audit.conforming,
-                nonconforming: audit.nonconforming,
+            harmonic_dimension: counted.harmonic,
+            degrees_of_freedom: Counted {
+                total: counted.total,
+                mixed: counted.mixed,
+                conforming: counted.conforming,
+                nonconforming: counted.nonconforming,
             },
         }
     }
 }
 
 #[cfg(feature = "schema")]
-impl schemars::JsonSchema for Audit {
+impl schemars::JsonSchema for DegreesOfFreedom {
     fn schema_name() -> std::borrow::Cow<'static, str> {
         Dimensions::schema_name()
     }

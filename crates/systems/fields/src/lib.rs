@@ -16,8 +16,8 @@
 //! | [`DecompositionOptions`] | which decomposition |
 //! | [`HodgeSolver`] | a surface factored once, to decompose many fields |
 //! | [`Decomposition`], [`Quality`] | the three parts and potentials, and how far each part can be from the true one |
-//! | [`Audit`] | the dimensions of the spaces, counted: why one kind of function is not enough |
-//! | [`OneKindSolver`] | the decomposition with one kind of function, to show what goes wrong |
+//! | [`DegreesOfFreedom`] | the dimensions of the spaces, counted: why a single function space is not enough |
+//! | [`SingleSpaceSolver`] | the decomposition with a single function space, to show what goes wrong |
 #![cfg_attr(feature = "figures", doc = "| [`show`] | pages and pictures of a decomposition |")]
 //!
 //! ```
@@ -38,18 +38,18 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-mod audit;
 #[cfg(feature = "serde")]
 mod data;
 mod decomposition;
-mod one_kind;
+mod degrees_of_freedom;
 mod options;
 mod scale;
 #[cfg(feature = "figures")]
 pub mod show;
+mod single_space;
 
-pub use audit::{Audit, OneKind};
 pub use decomposition::{Decomposition, HodgeSolver, InnerProducts, Norms, Quality, SetupTimes};
-pub use one_kind::{FunctionKind, OneKindParts, OneKindSolver};
+pub use degrees_of_freedom::{DegreesOfFreedom, Ranks};
 pub use options::DecompositionOptions;
 pub use pompeiu_operators::{Boundary, HarmonicBasis, OperatorError, Splitting};
+pub use single_space::{FunctionSpace, SingleSpaceParts, SingleSpaceSolver};

@@ -17,33 +17,28 @@ pub trait ElementId: Copy {
     fn as_index(self) -> usize;
 }
 
-impl ElementId for FaceId {
-    const NAME: &'static str = "face";
+/// Implements [`ElementId`] for tuple structs around a `u32`: `element_ids! { FaceId: "face" }`.
+#[macro_export]
+#[doc(hidden)]
+macro_rules! element_ids {
+    ($($id:ident: $name:literal),+ $(,)?) => {$(
+        impl $crate::mesh::ElementId for $id {
+            const NAME: &'static str = $name;
 
-    #[inline]
-    fn from_index(index: usize) -> Self {
-        Self(index as u32)
-    }
+            #[inline]
+            fn from_index(index: usize) -> Self {
+                Self(index as u32)
+            }
 
-    #[inline]
-    fn as_index(self) -> usize {
-        self.index()
-    }
+            #[inline]
+            fn as_index(self) -> usize {
+                self.0 as usize
+            }
+        }
+    )+};
 }
 
-impl ElementId for VertexId {
-    const NAME: &'static str = "vertex";
-
-    #[inline]
-    fn from_index(index: usize) -> Self {
-        Self(index as u32)
-    }
-
-    #[inline]
-    fn as_index(self) -> usize {
-        self.index()
-    }
-}
+element_ids! { FaceId: "face", VertexId: "vertex" }
 
 /// One value for each element of a kind, in the order of their indices.
 ///

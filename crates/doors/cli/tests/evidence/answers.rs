@@ -42,7 +42,7 @@ fn decompose_reports_and_writes_what_adds_up() {
     assert_eq!(keys(&report["norms"]), sorted(&["field", "gradient", "rotated", "harmonic"]));
     assert_eq!(keys(&report["timing_ms"]), sorted(&["factor", "solve", "basis", "total"]));
     assert_eq!((&report["genus"], &report["harmonic_dimension"]), (&1.into(), &2.into()));
-    assert_eq!(report["degrees_of_freedom"]["conforming"]["left_over"], 770);
+    assert_eq!(report["degrees_of_freedom"]["conforming"]["residual_dimension"], 770);
     assert!(report["residual"].as_f64().unwrap() <= 1e-12 && report["part_error"].as_f64().unwrap() <= 1e-12);
     for product in products {
         assert!(report["inner_products"][product].as_f64().unwrap().abs() <= 1e-12);

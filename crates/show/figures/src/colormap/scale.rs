@@ -48,7 +48,7 @@ pub struct Scale {
 
 impl Scale {
     /// The colour of what has no value, unless another is chosen: a middle grey, which is in no map.
-    pub const MISSING: Rgb = [150, 150, 150];
+    const MISSING: Rgb = [150, 150, 150];
 
     /// A map stretched over a range.
     ///

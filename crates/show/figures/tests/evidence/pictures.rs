@@ -9,6 +9,9 @@ use pompeiu_figures::{
 use std::fs;
 use std::path::Path;
 
+/// Most pixels on a side.
+const MAX_SIDE: u32 = 1 << 14;
+
 /// Compares a picture with the one in `tests/pictures`, pixel by pixel.
 ///
 /// `POMPEIU_PICTURES=write` replaces those instead: look at them before you commit them.
@@ -149,7 +152,7 @@ fn a_mark_is_seen_where_a_mesh_is_a_point() {
 fn no_size_is_too_odd() {
     let mesh = icosphere(1.0, 1).unwrap();
     let scale = Scale::new(ColorMap::Batlow, 0.0, 0.0).unwrap();
-    for (width, height) in [(1, 1), (2, 500), (500, 2), (31, 17), (64, 64), (Figure::MAX_SIDE, 1)] {
+    for (width, height) in [(1, 1), (2, 500), (500, 2), (31, 17), (64, 64), (MAX_SIDE, 1)] {
         let figure =
             Figure::new(width, height).with_title("a title that is much too long for such a picture");
         let side = if width < height { LegendSide::Right } else { LegendSide::Bottom };
@@ -204,7 +207,7 @@ fn what_does_not_fit_together_is_an_error_with_its_numbers() {
     let figure = Figure::new(8, 8).with_panel(Panel::new(&mesh)).with_panel(without_scale);
     assert_eq!(figure.draw(), Err(FigureError::NoScale { panel: 2 }));
     assert_eq!(Figure::new(0, 8).draw(), Err(FigureError::Size { width: 0, height: 8 }));
-    assert!(Figure::new(8, Figure::MAX_SIDE + 1).draw().is_err());
+    assert!(Figure::new(8, MAX_SIDE + 1).draw().is_err());
     let view = View::default().with_up([0.0, f64::NAN, 0.0]);
     let message = Figure::new(8, 8).with_view(view).draw().unwrap_err().to_string();
     assert_eq!(message, "the direction up is (0, NaN, 0), which is no direction");

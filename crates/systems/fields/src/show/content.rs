@@ -7,7 +7,7 @@ use pompeiu_figures::page::{
 
 /// Tangent fields on one surface, beside each other at one scale: most often a field and the parts that it is split into.
 ///
-/// The page shows what it is given and computes nothing: norms, inner products and what is left over are the caller's.
+/// The page shows what it is given and computes nothing: norms, inner products and residuals are the caller's.
 ///
 /// # Shapes and units
 /// One vector for each face and field, in the coordinates of the surface. Norms are those of fields over the surface.

@@ -1,7 +1,7 @@
 //! A tangent field and its parts as a page and as a picture.
 
 use super::content::{FieldsContent, NamedField, TextTable};
-use crate::{Audit, Decomposition, OneKind};
+use crate::{Decomposition, DegreesOfFreedom, Ranks};
 use pompeiu_core::TriMesh;
 use pompeiu_figures::names::{axis, name};
 use pompeiu_figures::page::PageError;
@@ -15,7 +15,7 @@ use pompeiu_surface::EmbeddedSurface;
 /// ```
 /// use pompeiu_core::mesh::shapes::torus;
 /// use pompeiu_fields::show::DecompositionPage;
-/// use pompeiu_fields::{Audit, Boundary, DecompositionOptions, HodgeSolver};
+/// use pompeiu_fields::{Boundary, DecompositionOptions, DegreesOfFreedom, HodgeSolver};
 /// use pompeiu_operators::rotation_field;
 /// use pompeiu_surface::EmbeddedSurface;
 ///
@@ -30,7 +30,7 @@ use pompeiu_surface::EmbeddedSurface;
 ///     surface: &surface,
 ///     field: &field,
 ///     parts: &parts,
-///     audit: Audit::of(surface.mesh(), Boundary::Tangential),
+///     degrees_of_freedom: DegreesOfFreedom::of(surface.mesh(), Boundary::Tangential),
 ///     up: [0.0, 0.0, 1.0],
 ///     command: None,
 /// };
@@ -51,7 +51,7 @@ pub struct DecompositionPage<'r> {
     /// Its parts.
     pub parts: &'r Decomposition,
     /// The degrees of freedom, counted.
-    pub audit: Audit,
+    pub degrees_of_freedom: DegreesOfFreedom,
     /// Which way is up.
     pub up: [f64; 3],
     /// The command that makes the page again.
@@ -120,7 +120,7 @@ impl DecompositionPage<'_> {
                 ["components".to_owned(), surface.components().to_string()],
                 ["genus".to_owned(), surface.genus().to_string()],
                 ["boundary loops".to_owned(), surface.boundary_loops().len().to_string()],
-                ["dimension of the harmonic fields".to_owned(), self.audit.harmonic.to_string()],
+                ["dimension of the harmonic fields".to_owned(), self.degrees_of_freedom.harmonic.to_string()],
             ],
             command: self.command.map(str::to_owned),
             version: env!("CARGO_PKG_VERSION").to_owned(),
@@ -129,17 +129,22 @@ impl DecompositionPage<'_> {
     }
 
     fn freedom(&self) -> TextTable {
-        let row = |label: &str, kind: OneKind| {
-            let counts = [kind.gradient.to_string(), kind.rotated.to_string(), kind.left_over.to_string()];
-            std::iter::once(label.to_owned()).chain(counts).collect()
+        let row = |label: &str, ranks: Ranks| {
+            let counts = [ranks.gradient, ranks.rotated].map(|rank| rank.to_string());
+            std::iter::once(label.to_owned())
+                .chain(counts)
+                .chain([ranks.residual_dimension.to_string()])
+                .collect()
         };
         TextTable {
-            title: format!("{} degrees of freedom", self.audit.degrees_of_freedom),
-            head: ["functions", "gradients", "rotated gradients", "left over"].map(str::to_owned).to_vec(),
+            title: format!("{} degrees of freedom", self.degrees_of_freedom.total),
+            head: ["functions", "gradients", "rotated gradients", "residual dimension"]
+                .map(str::to_owned)
+                .to_vec(),
             rows: vec![
-                row("one of each kind", self.audit.mixed),
-                row("conforming only", self.audit.conforming),
-                row("nonconforming only", self.audit.nonconforming),
+                row("one space for each potential", self.degrees_of_freedom.mixed),
+                row("conforming only", self.degrees_of_freedom.conforming),
+                row("nonconforming only", self.degrees_of_freedom.nonconforming),
             ],
         }
     }

@@ -1,7 +1,7 @@
 //! Degrees of freedom, by elimination on dense matrices.
 
 use crate::common::{Case, cases};
-use pompeiu_fields::Audit;
+use pompeiu_fields::DegreesOfFreedom;
 use pompeiu_operators::{Boundary, crouzeix_raviart_gradient_matrix, gradient_matrix};
 use pompeiu_solve::SparseMatrix;
 use pompeiu_surface::EdgeId;
@@ -57,48 +57,51 @@ fn counted_ranks_are_ranks() {
         let vertices = gradient_matrix(surface).unwrap();
         let edges = crouzeix_raviart_gradient_matrix(surface).unwrap();
         for boundary in [Boundary::Tangential, Boundary::Normal] {
-            let audit = Audit::of(mesh, boundary);
+            let counted = DegreesOfFreedom::of(mesh, boundary);
             let at_edges = boundary == Boundary::Tangential;
             let vertex = |v: usize| at_edges || !mesh.is_boundary_vertex(pompeiu_core::VertexId(v as u32));
             let edge = |e: usize| !at_edges || !mesh.is_boundary_edge(EdgeId(e as u32));
             let gradients = dense(&vertices, false, vertex);
             let rotated = dense(&edges, true, edge);
-            assert_eq!(rank(gradients.clone()), audit.mixed.gradient, "{name}");
-            assert_eq!(rank(rotated.clone()), audit.mixed.rotated, "{name}");
+            assert_eq!(rank(gradients.clone()), counted.mixed.gradient, "{name}");
+            assert_eq!(rank(rotated.clone()), counted.mixed.rotated, "{name}");
             // The two ranges have nothing in common.
             let both = rank([gradients, rotated].concat());
-            assert_eq!(both, audit.mixed.gradient + audit.mixed.rotated, "{name}");
-            assert_eq!(audit.degrees_of_freedom - both, case.harmonic, "{name}");
-            assert!(audit.adds_up() && audit.harmonic == case.harmonic, "{name}: {audit:?}");
+            assert_eq!(both, counted.mixed.gradient + counted.mixed.rotated, "{name}");
+            assert_eq!(counted.total - both, case.harmonic, "{name}");
+            assert!(counted.adds_up() && counted.harmonic == case.harmonic, "{name}: {counted:?}");
         }
     }
 }
 
 #[test]
-fn one_kind_of_function_is_not_enough_or_too_much() {
+fn a_single_function_space_is_too_small_or_too_large() {
     for case in small_cases().into_iter().filter(|case| case.surface.mesh().boundary_loops().is_empty()) {
         let (surface, name) = (&case.surface, case.name);
-        let audit = Audit::of(surface.mesh(), Boundary::Tangential);
+        let counted = DegreesOfFreedom::of(surface.mesh(), Boundary::Tangential);
         let vertices = gradient_matrix(surface).unwrap();
         let both = [dense(&vertices, false, |_| true), dense(&vertices, true, |_| true)].concat();
         let conforming = rank(both).cast_signed();
-        assert_eq!(audit.degrees_of_freedom.cast_signed() - conforming, audit.conforming.left_over, "{name}");
+        assert_eq!(counted.total.cast_signed() - conforming, counted.conforming.residual_dimension, "{name}");
         let edges = crouzeix_raviart_gradient_matrix(surface).unwrap();
         let [first, second] = [false, true].map(|turn| dense(&edges, turn, |_| true));
-        assert_eq!(rank(first), audit.nonconforming.gradient, "{name}");
-        assert_eq!(rank(second), audit.nonconforming.rotated, "{name}");
-        assert!(audit.nonconforming.left_over < 0, "{name}");
+        assert_eq!(rank(first), counted.nonconforming.gradient, "{name}");
+        assert_eq!(rank(second), counted.nonconforming.rotated, "{name}");
+        assert!(counted.nonconforming.residual_dimension < 0, "{name}");
     }
 }
 
 #[test]
 fn the_torus_of_the_literature() {
     let torus = cases().into_iter().find(|case| case.name == "torus").unwrap();
-    let audit = Audit::of(torus.surface.mesh(), Boundary::Tangential);
-    assert_eq!((audit.mixed.gradient, audit.mixed.rotated, audit.harmonic), (383, 1151, 2));
-    assert_eq!(audit.degrees_of_freedom, 1536);
-    assert_eq!(audit.conforming.left_over, 770);
-    assert_eq!(audit.nonconforming.gradient + audit.nonconforming.rotated, 2302);
+    let counted = DegreesOfFreedom::of(torus.surface.mesh(), Boundary::Tangential);
+    assert_eq!((counted.mixed.gradient, counted.mixed.rotated, counted.harmonic), (383, 1151, 2));
+    assert_eq!(counted.total, 1536);
+    assert_eq!(counted.conforming.residual_dimension, 770);
+    assert_eq!(counted.nonconforming.gradient + counted.nonconforming.rotated, 2302);
     let sphere = cases().into_iter().find(|case| case.name == "sphere").unwrap();
-    assert_eq!(Audit::of(sphere.surface.mesh(), Boundary::Tangential).conforming.left_over, 318);
+    assert_eq!(
+        DegreesOfFreedom::of(sphere.surface.mesh(), Boundary::Tangential).conforming.residual_dimension,
+        318
+    );
 }

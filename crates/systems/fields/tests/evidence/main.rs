@@ -8,6 +8,6 @@ mod common;
 mod compare;
 mod decomposition;
 mod dimensions;
-mod one_kind;
 #[cfg(feature = "figures")]
 mod page;
+mod single_space;

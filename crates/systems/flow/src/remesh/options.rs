@@ -29,7 +29,7 @@ pub struct SimplifyOptions<'o> {
 impl SimplifyOptions<'_> {
     /// Least distance that can be asked for, as a fraction of the diagonal of the bounding box: some 4,500 units in the last place
     /// of the largest coordinate.
-    pub const LEAST_DISTANCE: f64 = 1e-12;
+    const LEAST_DISTANCE: f64 = 1e-12;
 
     /// No limits, and nobody who watches.
     pub fn new(target: SimplifyTarget) -> Self {

@@ -2,7 +2,7 @@
 
 use super::text::Report;
 use crate::json::{line, milliseconds};
-use pompeiu::fields::{Audit, Quality};
+use pompeiu::fields::{DegreesOfFreedom, Quality};
 use serde::Serialize;
 
 impl Report {
@@ -14,7 +14,7 @@ impl Report {
             genus: self.genus,
             boundary_loops: self.boundary_loops,
             components: self.components,
-            audit: self.audit,
+            degrees_of_freedom: self.degrees_of_freedom,
             quality: self.split.as_ref().map(|split| split.quality),
             timing_ms: self.split.as_ref().map(|split| Timing {
                 factor: milliseconds(split.factor),
@@ -41,7 +41,7 @@ pub(crate) struct Json<'r> {
     /// Number of components.
     components: usize,
     #[serde(flatten)]
-    audit: Audit,
+    degrees_of_freedom: DegreesOfFreedom,
     #[serde(flatten, skip_serializing_if = "Option::is_none")]
     quality: Option<Quality>,
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -9,7 +9,7 @@ use crate::printer::Printer;
 use anyhow::{Context, bail};
 use pompeiu::core::mesh::{unreferenced_vertices, without_unreferenced};
 use pompeiu::fields::show::DecompositionPage;
-use pompeiu::fields::{Audit, DecompositionOptions, HodgeSolver};
+use pompeiu::fields::{DecompositionOptions, DegreesOfFreedom, HodgeSolver};
 use pompeiu::operators;
 use pompeiu::surface::EmbeddedSurface;
 use std::path::{Path, PathBuf};
@@ -45,7 +45,7 @@ pub(crate) fn run(args: &Decompose, printer: &Printer) -> anyhow::Result<Exit> {
         Boundary::Tangential => operators::Boundary::Tangential,
         Boundary::Normal => operators::Boundary::Normal,
     };
-    let audit = Audit::of(surface.mesh(), boundary);
+    let degrees_of_freedom = DegreesOfFreedom::of(surface.mesh(), boundary);
     let split = match source {
         None => None,
         Some(source) => {
@@ -65,7 +65,7 @@ pub(crate) fn run(args: &Decompose, printer: &Printer) -> anyhow::Result<Exit> {
                 surface: &surface,
                 field: &field,
                 parts: &parts,
-                audit,
+                degrees_of_freedom,
                 up: args.picture.up.axis(),
                 command: Some(&called()),
             };
@@ -83,7 +83,7 @@ pub(crate) fn run(args: &Decompose, printer: &Printer) -> anyhow::Result<Exit> {
             })
         }
     };
-    let report = Report::new(shown(), surface.mesh(), audit, split);
+    let report = Report::new(shown(), surface.mesh(), degrees_of_freedom, split);
     Printer::answer(&if args.json { report.json()? } else { report.text() })?;
     Ok(Exit::Done)
 }

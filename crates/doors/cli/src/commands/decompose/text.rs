@@ -2,7 +2,7 @@
 
 use crate::numbers::{grouped, plain, time};
 use crate::printer::LABEL;
-use pompeiu::fields::{Audit, Quality};
+use pompeiu::fields::{DegreesOfFreedom, Quality};
 use pompeiu::surface::SurfaceMesh;
 use std::fmt::Write;
 use std::time::Duration;
@@ -22,19 +22,24 @@ pub(super) struct Report {
     pub(super) genus: usize,
     pub(super) boundary_loops: usize,
     pub(super) components: usize,
-    pub(super) audit: Audit,
+    pub(super) degrees_of_freedom: DegreesOfFreedom,
     pub(super) split: Option<Split>,
 }
 
 impl Report {
-    pub(super) fn new(path: String, mesh: &SurfaceMesh, audit: Audit, split: Option<Split>) -> Self {
+    pub(super) fn new(
+        path: String,
+        mesh: &SurfaceMesh,
+        degrees_of_freedom: DegreesOfFreedom,
+        split: Option<Split>,
+    ) -> Self {
         Self {
             path,
             faces: mesh.faces(),
             genus: mesh.genus(),
             boundary_loops: mesh.boundary_loops().len(),
             components: mesh.components(),
-            audit,
+            degrees_of_freedom,
             split,
         }
     }
@@ -50,28 +55,30 @@ impl Report {
         row("components", &number(self.components));
         row("genus", &number(self.genus));
         row("boundary loops", &number(self.boundary_loops));
-        row("harmonic fields", &number(self.audit.harmonic));
-        row("degrees of freedom", &number(self.audit.degrees_of_freedom));
-        for (label, kind) in [
-            ("  mixed", self.audit.mixed),
-            ("  conforming only", self.audit.conforming),
-            ("  nonconforming only", self.audit.nonconforming),
+        row("harmonic fields", &number(self.degrees_of_freedom.harmonic));
+        row("degrees of freedom", &number(self.degrees_of_freedom.total));
+        for (label, ranks) in [
+            ("  mixed", self.degrees_of_freedom.mixed),
+            ("  conforming only", self.degrees_of_freedom.conforming),
+            ("  nonconforming only", self.degrees_of_freedom.nonconforming),
         ] {
-            let left = match kind.left_over {
-                n if n < 0 => format!("{} too many", number(n.unsigned_abs())),
-                0 => "none left".to_owned(),
-                n if n == self.audit.harmonic.cast_signed() => {
-                    format!("{} left: the harmonic fields", number(n.unsigned_abs()))
+            let meaning = match ranks.residual_dimension {
+                n if n < 0 => ": the spaces overlap".to_owned(),
+                0 => String::new(),
+                n if n == self.degrees_of_freedom.harmonic.cast_signed() => {
+                    ": the harmonic fields".to_owned()
                 }
-                n => format!(
-                    "{} left, {} of them harmonic",
-                    number(n.unsigned_abs()),
-                    number(self.audit.harmonic)
-                ),
+                _ => format!(", {} of them harmonic", number(self.degrees_of_freedom.harmonic)),
             };
-            let ranks =
-                format!("{} gradients + {} rotated, {left}", number(kind.gradient), number(kind.rotated));
-            row(label, &ranks);
+            let sign = if ranks.residual_dimension < 0 { "−" } else { "" };
+            let residual = number(ranks.residual_dimension.unsigned_abs());
+            let [gradient, rotated] = [ranks.gradient, ranks.rotated].map(number);
+            row(
+                label,
+                &format!(
+                    "{gradient} gradients + {rotated} rotated, residual dimension {sign}{residual}{meaning}"
+                ),
+            );
         }
         let Some(split) = &self.split else { return text };
         let Quality { residual, inner_products, norms, part_error } = split.quality;

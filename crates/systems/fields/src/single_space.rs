@@ -1,4 +1,4 @@
-//! The decomposition with one kind of function for both potentials, which fails.
+//! The decomposition with a single function space for both potentials, which fails.
 
 use crate::scale::{normalized, restore};
 use pompeiu_core::mesh::ElementData;
@@ -11,21 +11,21 @@ use pompeiu_operators::{
 use pompeiu_solve::{LinearSolver, SemidefiniteCholesky};
 use pompeiu_surface::Surface;
 
-/// A kind of function that is linear on each face.
+/// A space of functions that are linear on each face.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum FunctionKind {
+pub enum FunctionSpace {
     /// Continuous: one value at each vertex.
     Conforming,
     /// Agreeing at midpoints of edges: one value at each edge.
     Nonconforming,
 }
 
-/// The orthogonal projections of a field onto gradients and onto rotated gradients of one kind of function.
+/// The orthogonal projections of a field onto gradients and onto rotated gradients of a single function space.
 ///
 /// For comparison only; use [`HodgeSolver`](crate::HodgeSolver) to decompose fields.
 ///
 /// # Limits
-/// *Conforming:* the two ranges are orthogonal but too small. What is left over is not harmonic: on a torus of 768
+/// *Conforming:* the two ranges are orthogonal but too small. The residual is not harmonic: on a torus of 768
 /// faces it has 770 dimensions instead of 2, so that even a rotated gradient of a function that agrees at midpoints leaves some.
 ///
 /// *Nonconforming:* the two ranges overlap. The gradient of such a function also has a part among the rotated
@@ -34,42 +34,46 @@ pub enum FunctionKind {
 /// # Source
 /// `wardetzky_discrete_2006`.
 #[derive(Debug)]
-pub struct OneKindSolver<'s> {
+pub struct SingleSpaceSolver<'s> {
     surface: &'s Surface,
-    kind: FunctionKind,
+    space: FunctionSpace,
     gradients: SemidefiniteCholesky,
     rotated: SemidefiniteCholesky,
 }
 
-/// The two projections of a field, and the remainder.
+/// The two projections of a field, and the residual.
 #[derive(Clone, Debug, PartialEq)]
-pub struct OneKindParts {
+pub struct SingleSpaceParts {
     /// The nearest gradient.
     pub gradient: FaceField,
     /// The nearest rotated gradient.
     pub rotated: FaceField,
     /// The field less both.
-    pub left_over: FaceField,
+    pub residual: FaceField,
     /// Inner product of the gradient and the rotated gradient, over the squared norm of the field.
     pub gradient_rotated: f64,
-    /// Inner products of what is left over with the gradient and with the rotated gradient, likewise.
-    pub left_over_products: [f64; 2],
+    /// Inner products of the residual with the gradient and with the rotated gradient, likewise.
+    pub residual_products: [f64; 2],
 }
 
-impl<'s> OneKindSolver<'s> {
+impl<'s> SingleSpaceSolver<'s> {
     /// Assembles and factors the Laplacian, twice: with the condition at the boundary and without.
     ///
     /// # Errors
     /// [`OperatorError::Solve`] if it cannot be factored, which very thin faces can cause.
-    pub fn new(surface: &'s Surface, kind: FunctionKind, boundary: Boundary) -> Result<Self, OperatorError> {
+    pub fn new(
+        surface: &'s Surface,
+        space: FunctionSpace,
+        boundary: Boundary,
+    ) -> Result<Self, OperatorError> {
         let rotated_is_fixed =
             DirichletPotential::of(Splitting::Primal, boundary) == DirichletPotential::CrouzeixRaviart;
-        let system = match kind {
-            FunctionKind::Conforming => conforming_system,
-            FunctionKind::Nonconforming => crouzeix_raviart_system,
+        let system = match space {
+            FunctionSpace::Conforming => conforming_system,
+            FunctionSpace::Nonconforming => crouzeix_raviart_system,
         };
         let (gradients, rotated) = (system(surface, !rotated_is_fixed)?, system(surface, rotated_is_fixed)?);
-        Ok(Self { surface, kind, gradients, rotated })
+        Ok(Self { surface, space, gradients, rotated })
     }
 
     /// Projects a field onto both ranges.
@@ -77,32 +81,32 @@ impl<'s> OneKindSolver<'s> {
     /// # Errors
     /// [`OperatorError::FieldLength`], [`OperatorError::NonFiniteField`], [`OperatorError::FieldTooLarge`],
     /// [`OperatorError::Solve`].
-    pub fn split(&self, field: &FaceField) -> Result<OneKindParts, OperatorError> {
+    pub fn split(&self, field: &FaceField) -> Result<SingleSpaceParts, OperatorError> {
         let surface = self.surface;
         check_field(surface.mesh(), field)?;
         let (near_one, exponent) = normalized(field);
         let (given, field) = (field, &near_one);
-        let (mut gradient, mut rotated) = match self.kind {
-            FunctionKind::Conforming => {
+        let (mut gradient, mut rotated) = match self.space {
+            FunctionSpace::Conforming => {
                 let [a, b] = self.potentials(divergence(surface, field)?, curl(surface, field)?)?;
                 (gradient(surface, &a)?, rotated(&gradient(surface, &b)?))
             }
-            FunctionKind::Nonconforming => {
+            FunctionSpace::Nonconforming => {
                 let divergence = crouzeix_raviart_divergence(surface, field)?;
                 let [a, b] = self.potentials(divergence, crouzeix_raviart_curl(surface, field)?)?;
                 (crouzeix_raviart_gradient(surface, &a)?, rotated(&crouzeix_raviart_gradient(surface, &b)?))
             }
         };
-        let mut left_over = difference(&difference(field, &gradient), &rotated);
+        let mut residual = difference(&difference(field, &gradient), &rotated);
         let norm = field_norm(surface, field);
         let over = |value: f64| if norm > 0.0 { value / norm / norm } else { 0.0 };
         let product = |u: &FaceField, w: &FaceField| over(field_inner_product(surface, u, w));
         let gradient_rotated = product(&gradient, &rotated);
-        let left_over_products = [product(&left_over, &gradient), product(&left_over, &rotated)];
-        for part in [&mut gradient, &mut rotated, &mut left_over] {
+        let residual_products = [product(&residual, &gradient), product(&residual, &rotated)];
+        for part in [&mut gradient, &mut rotated, &mut residual] {
             restore(part.as_flattened_mut(), exponent, given)?;
         }
-        Ok(OneKindParts { gradient, rotated, left_over, gradient_rotated, left_over_products })
+        Ok(SingleSpaceParts { gradient, rotated, residual, gradient_rotated, residual_products })
     }
 
     /// The potentials of both projections, from the divergence and the curl.

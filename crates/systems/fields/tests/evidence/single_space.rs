@@ -1,19 +1,19 @@
-//! Splitting with one kind of function fails in the two ways that the audit counts.
+//! Splitting with a single function space fails in the two ways that the degrees of freedom show.
 
 use crate::common::{Field, Random, cases};
 use crate::compare::{distance, norm};
-use pompeiu_fields::{DecompositionOptions, FunctionKind, HodgeSolver, OneKindParts, OneKindSolver};
+use pompeiu_fields::{DecompositionOptions, FunctionSpace, HodgeSolver, SingleSpaceParts, SingleSpaceSolver};
 use pompeiu_operators::{Boundary, Splitting, crouzeix_raviart_gradient, gradient, rotated};
 use pompeiu_surface::Surface;
 
 const BOTH: [Boundary; 2] = [Boundary::Tangential, Boundary::Normal];
 
-fn split(surface: &Surface, kind: FunctionKind, boundary: Boundary, field: &Field) -> OneKindParts {
-    OneKindSolver::new(surface, kind, boundary).unwrap().split(field).unwrap()
+fn split(surface: &Surface, space: FunctionSpace, boundary: Boundary, field: &Field) -> SingleSpaceParts {
+    SingleSpaceSolver::new(surface, space, boundary).unwrap().split(field).unwrap()
 }
 
 #[test]
-fn each_part_is_that_of_the_mixed_splitting_with_this_kind() {
+fn each_part_is_that_of_the_mixed_splitting_with_this_space() {
     for case in cases() {
         let (surface, name) = (&case.surface, case.name);
         let field = Random(1).field(surface);
@@ -22,8 +22,8 @@ fn each_part_is_that_of_the_mixed_splitting_with_this_kind() {
             let [primal, dual] = [Splitting::Primal, Splitting::Dual]
                 .map(|splitting| DecompositionOptions { splitting, boundary })
                 .map(|options| HodgeSolver::new(surface, &options).unwrap().decompose(&field).unwrap());
-            let conforming = split(surface, FunctionKind::Conforming, boundary, &field);
-            let nonconforming = split(surface, FunctionKind::Nonconforming, boundary, &field);
+            let conforming = split(surface, FunctionSpace::Conforming, boundary, &field);
+            let nonconforming = split(surface, FunctionSpace::Nonconforming, boundary, &field);
             for (found, expected) in [
                 (&conforming.gradient, &primal.gradient),
                 (&conforming.rotated, &dual.rotated),
@@ -47,11 +47,11 @@ fn continuous_functions_are_too_few() {
         }
         let field = rotated(&crouzeix_raviart_gradient(surface, &values).unwrap());
         let size = norm(surface, &field);
-        let parts = split(surface, FunctionKind::Conforming, Boundary::Tangential, &field);
+        let parts = split(surface, FunctionSpace::Conforming, Boundary::Tangential, &field);
         assert!(norm(surface, &parts.gradient) <= 1e-10 * size, "{name}");
-        assert!(norm(surface, &parts.left_over) >= 0.3 * size, "{name}");
+        assert!(norm(surface, &parts.residual) >= 0.3 * size, "{name}");
         // Orthogonal all the same: nothing in the numbers warns of it.
-        let products = [parts.gradient_rotated, parts.left_over_products[0], parts.left_over_products[1]];
+        let products = [parts.gradient_rotated, parts.residual_products[0], parts.residual_products[1]];
         assert!(products.iter().all(|x| x.abs() <= 1e-10), "{name}: {products:?}");
     }
 }
@@ -62,14 +62,14 @@ fn functions_that_agree_at_midpoints_are_too_many() {
         let (surface, mesh, name) = (&case.surface, case.surface.mesh(), case.name);
         let field = crouzeix_raviart_gradient(surface, &Random(3).values(mesh.edges())).unwrap();
         let size = norm(surface, &field);
-        let parts = split(surface, FunctionKind::Nonconforming, Boundary::Tangential, &field);
+        let parts = split(surface, FunctionSpace::Nonconforming, Boundary::Tangential, &field);
         // It is a gradient, and yet a good part of it counts as a rotated gradient too.
         assert!(distance(surface, &parts.gradient, &field) <= 1e-10 * size, "{name}");
         assert!(norm(surface, &parts.rotated) >= 0.1 * size, "{name}");
         assert!(parts.gradient_rotated >= 0.01, "{name}: {}", parts.gradient_rotated);
         // Of a continuous function nothing does.
         let field = gradient(surface, &Random(4).values(mesh.vertices())).unwrap();
-        let parts = split(surface, FunctionKind::Nonconforming, Boundary::Tangential, &field);
+        let parts = split(surface, FunctionSpace::Nonconforming, Boundary::Tangential, &field);
         assert!(norm(surface, &parts.rotated) <= 1e-10 * norm(surface, &field), "{name}");
     }
 }

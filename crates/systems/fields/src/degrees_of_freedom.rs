@@ -4,11 +4,11 @@ use pompeiu_operators::hodge::DirichletPotential;
 use pompeiu_operators::{Boundary, Splitting};
 use pompeiu_surface::SurfaceMesh;
 
-/// The dimensions of the spaces, with functions of both kinds and with functions of one kind only.
+/// The dimensions of the spaces, with one function space for each potential and with a single one for both.
 ///
 /// Fields have two degrees of freedom on each face. Gradients of continuous functions, rotated gradients of functions that
-/// agree at midpoints, and harmonic fields fill them exactly. With continuous functions for both, too few are covered: what is
-/// left over is counted as harmonic though it has nothing to do with the topology, and grows with the number of faces. With
+/// agree at midpoints, and harmonic fields fill them exactly. With continuous functions for both, too few are covered: the
+/// residual is counted as harmonic though it has nothing to do with the topology, and its dimension grows with the number of faces. With
 /// functions that agree at midpoints for both there are more unknowns than degrees of freedom, the two ranges are not
 /// orthogonal, and the parts of a field are not determined.
 ///
@@ -16,34 +16,34 @@ use pompeiu_surface::SurfaceMesh;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(into = "crate::data::Dimensions"))]
-pub struct Audit {
+pub struct DegreesOfFreedom {
     /// Two for each face.
-    pub degrees_of_freedom: usize,
+    pub total: usize,
     /// Dimension of the harmonic fields: 2g for each closed component, 2g + b − 1 for one with b boundary loops.
     pub harmonic: usize,
     /// `G_v a + J G_e b`: the mixture that fills all but the harmonic fields.
-    pub mixed: OneKind,
+    pub mixed: Ranks,
     /// `G_v a + J G_v c`.
-    pub conforming: OneKind,
+    pub conforming: Ranks,
     /// `G_e c + J G_e b`.
-    pub nonconforming: OneKind,
+    pub nonconforming: Ranks,
 }
 
 /// Ranks of a gradient and of a rotated gradient.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub struct OneKind {
+pub struct Ranks {
     /// Dimension of the gradients.
     pub gradient: usize,
     /// Dimension of the rotated gradients.
     pub rotated: usize,
     /// Degrees of freedom less both ranks: equal to the harmonic dimension if the splitting is right, below zero if ranges
     /// overlap.
-    pub left_over: isize,
+    pub residual_dimension: isize,
 }
 
-impl Audit {
+impl DegreesOfFreedom {
     /// Counts the dimensions on a surface, for the primal splitting (the dual one has the same).
     pub fn of(mesh: &SurfaceMesh, boundary: Boundary) -> Self {
         let fixed = DirichletPotential::of(Splitting::Primal, boundary);
@@ -54,26 +54,26 @@ impl Audit {
         // Without a condition every component has its constant in the kernel, with one only closed components have.
         let vertices = [mesh.vertices() - mesh.components(), inner_vertices - closed];
         let edges = [mesh.edges() - mesh.components(), inner_edges - closed];
-        let degrees_of_freedom = 2 * mesh.faces();
-        let kind = |gradient: usize, rotated: usize| OneKind {
+        let total = 2 * mesh.faces();
+        let ranks = |gradient: usize, rotated: usize| Ranks {
             gradient,
             rotated,
-            left_over: degrees_of_freedom.cast_signed() - (gradient + rotated).cast_signed(),
+            residual_dimension: total.cast_signed() - (gradient + rotated).cast_signed(),
         };
         let [mixed, conforming, nonconforming] = match fixed {
             DirichletPotential::CrouzeixRaviart => {
-                [kind(vertices[0], edges[1]), kind(vertices[0], vertices[1]), kind(edges[0], edges[1])]
+                [ranks(vertices[0], edges[1]), ranks(vertices[0], vertices[1]), ranks(edges[0], edges[1])]
             }
             DirichletPotential::Conforming => {
-                [kind(vertices[1], edges[0]), kind(vertices[1], vertices[0]), kind(edges[1], edges[0])]
+                [ranks(vertices[1], edges[0]), ranks(vertices[1], vertices[0]), ranks(edges[1], edges[0])]
             }
         };
         let holes: usize = loops.iter().map(|&b| b.saturating_sub(1)).sum();
-        Self { degrees_of_freedom, harmonic: 2 * mesh.genus() + holes, mixed, conforming, nonconforming }
+        Self { total, harmonic: 2 * mesh.genus() + holes, mixed, conforming, nonconforming }
     }
 
     /// Whether the mixed splitting adds up: it must, on every surface.
     pub fn adds_up(&self) -> bool {
-        self.mixed.left_over == self.harmonic.cast_signed()
+        self.mixed.residual_dimension == self.harmonic.cast_signed()
     }
 }
