@@ -31,6 +31,9 @@ const PROGRESS_EVERY: u64 = 512;
 /// Cosine between the normals of a face before and after a collapse: below it the face is counted as turned over.
 const LEAST_COSINE: f64 = 0.2;
 
+/// Positions nearer to each other than the root of this share of the edge's length are tried once.
+const SAME_POSITION: f64 = 1e-6;
+
 /// Weight of the planes that hold a boundary edge in its place, relative to the area of its face.
 const BOUNDARY_WEIGHT: f64 = 4.0;
 
@@ -145,6 +148,8 @@ struct Simplifier<'i> {
     quadrics: Vec<Quadric>,
     /// Counts the changes of each vertex.
     versions: Vec<u32>,
+    /// What was around each halfedge, by [`Simplifier::surroundings`], when it was last tried in vain.
+    failed: Vec<Option<u64>>,
     queue: BinaryHeap<Entry>,
     input: Input<'i>,
     limit: f64,
@@ -170,6 +175,7 @@ impl<'i> Simplifier<'i> {
         let versions = vec![0; mesh.positions.len()];
         let input = Input { bvh, limit_sq: f64::INFINITY };
         Self {
+            failed: vec![None; mesh.origin.len()],
             mesh,
             quadrics,
             versions,
@@ -187,6 +193,7 @@ impl<'i> Simplifier<'i> {
     fn come_within(&mut self, limit: f64) {
         self.limit = limit;
         self.input.limit_sq = limit * limit;
+        self.failed.fill(None);
     }
 
     /// Collapses edges until none can be, or the computation is told to stop: the surface stays within the distance all the time.
@@ -208,9 +215,17 @@ impl<'i> Simplifier<'i> {
                 if looked_at.is_multiple_of(PROGRESS_EVERY) {
                     self.report(all, control, progress);
                 }
-                let current = self.mesh.exists(h) && self.versions_of(h) == versions;
-                if current && self.try_collapse(h) {
+                if !self.mesh.exists(h) || self.versions_of(h) != versions {
+                    continue;
+                }
+                let around = Some(self.surroundings(h));
+                if self.failed[h as usize] == around {
+                    continue;
+                }
+                if self.try_collapse(h) {
                     self.collapses += 1;
+                } else {
+                    self.failed[h as usize] = around;
                 }
             }
             if self.collapses == before {
@@ -232,6 +247,17 @@ impl<'i> Simplifier<'i> {
 
     fn versions_of(&self, h: u32) -> [u32; 2] {
         [self.mesh.from(h), self.mesh.to(h)].map(|v| self.versions[v as usize])
+    }
+
+    /// A number that changes when a vertex beside an edge or a neighbour of one does: until then the edge need not be tried again.
+    fn surroundings(&self, h: u32) -> u64 {
+        let ends = [self.mesh.from(h), self.mesh.to(h)];
+        let around = ends.into_iter().flat_map(|v| self.mesh.neighbours(v));
+        around.fold(0, |sum: u64, v| {
+            let one = (u64::from(v) << 32) | u64::from(self.versions[v as usize]);
+            // An odd number close to 2^64 divided by the golden ratio spreads the bits.
+            sum.rotate_left(5).wrapping_add(one.wrapping_mul(0x9e37_79b9_7f4a_7c15))
+        })
     }
 
     fn push(&mut self, h: u32) {
@@ -260,7 +286,7 @@ impl<'i> Simplifier<'i> {
         let star = self.star(h);
         for position in self.positions(h, &star) {
             let faces: Vec<Triangle> = star.kept.iter().map(|&(f, i)| self.moved(f, i, position)).collect();
-            if !self.keeps_normals(&star, &faces) || !self.is_near(&star, &faces) {
+            if !self.keeps_normals(&star, &faces) || !self.is_near(&star, position, &faces) {
                 continue;
             }
             if let Some(cover) = &mut self.cover {
@@ -330,7 +356,15 @@ impl<'i> Simplifier<'i> {
             let offsets = [0.25, -0.25, 0.5, -0.5].map(|s| best + s * self.limit * normal);
             all.extend(offsets);
         }
-        all
+        // In flat places several are one.
+        let apart = SAME_POSITION * p.distance_squared(q);
+        let mut different: Vec<DVec3> = Vec::with_capacity(all.len());
+        for position in all {
+            if different.iter().all(|x| x.distance_squared(position) > apart) {
+                different.push(position);
+            }
+        }
+        different
     }
 
     fn keeps_normals(&self, star: &Star, faces: &[Triangle]) -> bool {
@@ -342,9 +376,14 @@ impl<'i> Simplifier<'i> {
         })
     }
 
-    fn is_near(&mut self, star: &Star, faces: &[Triangle]) -> bool {
+    fn is_near(&mut self, star: &Star, position: DVec3, faces: &[Triangle]) -> bool {
         let (Some(cover), Some((first, _))) = (&self.cover, star.kept.first()) else { return true };
         let mut start = cover.start_near(*first);
+        // The moved corner first: it may be too far by itself.
+        let found = self.input.bvh.nearest(position.to_array(), start, &mut self.workspace);
+        if found.distance_sq > self.input.limit_sq {
+            return false;
+        }
         // A face over many faces of the input takes as many pieces.
         let over: usize = star.kept.iter().map(|(f, _)| cover.covered_by(*f)).sum();
         let most_pieces = LEAST_PIECES + PIECES_PER_FACE * over;

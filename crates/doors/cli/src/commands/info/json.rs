@@ -22,6 +22,7 @@ pub(super) fn json(
         faces_dropped: read.faces_dropped,
         self_intersections: intersections.map(|found| Intersections {
             count: found.pairs.len(),
+            touching: found.touching,
             complete: found.complete,
             first: found.pairs.iter().take(MOST_SHOWN).map(Pair::new).collect(),
         }),
@@ -58,6 +59,8 @@ const MOST_SHOWN: usize = 1000;
 struct Intersections {
     /// Number of pairs.
     count: usize,
+    /// Number of further pairs that only touch, where different vertices are at one position.
+    touching: usize,
     /// Whether these are all; otherwise counting ended at ten million.
     complete: bool,
     /// The first thousand pairs in the order of their faces.

@@ -69,6 +69,10 @@ pub(super) fn text(
     }
     if let Some(found) = intersections {
         row("self-intersections", &pairs(found));
+        if found.touching > 0 {
+            let count = grouped(found.touching as u64);
+            row("", &format!("{count} more touch where different vertices are at one position"));
+        }
     }
     text
 }
