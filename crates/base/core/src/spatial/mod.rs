@@ -6,7 +6,7 @@ mod morton;
 mod neighbours;
 mod winding;
 
-pub use bvh::{Bvh, Cover, Nearest, Slot, Workspace};
+pub use bvh::{Bvh, Cover, Leaf, Nearest, Slot, Workspace};
 pub use intersections::{IntersectingPair, SelfIntersections, self_intersections};
 pub use morton::morton_order;
 pub use neighbours::{Neighbour, Neighbours};

@@ -60,7 +60,10 @@ impl DeviationOptions<'_> {
             fine: Wanted::FINE * self.accuracy,
         };
         let largest = super::linear::greater(there.largest, back.largest);
-        let summary = Summary::of(&pooled, &wanted, largest);
+        let summary = match there.summary.as_ref().zip(back.summary.as_ref()) {
+            Some((x, y)) => Summary::with(x.sums.plus(y.sums), &pooled, &wanted, largest),
+            None => Summary::of(&pooled, &wanted, largest),
+        };
         Deviation {
             distance: there.report.distance.distance.max(back.report.distance.distance),
             greater_percentiles,

@@ -22,10 +22,10 @@
 //! edges enclose an angle with a sine above [`LEAST_SINE`] it is off by less than [`ESTIMATE`] relative and by the margin above; other
 //! faces have no estimate.
 //!
-//! Both hold at the exact corners of a polygon. The stored ones are off by [`Polygon::displacement`](super::polygon::Polygon::displacement)
+//! Both hold at the exact corners of a polygon. The stored ones are off by [`Outline::displacement`]
 //! in both weights; distances and the functions here change by no more than the way ([`Scale::displacement`]).
 
-use super::polygon::{MOST_CORNERS, Polygon, Row};
+use super::polygon::{MOST_CORNERS, Outline, Row};
 use crate::rounding::Rounding;
 use glam::DVec3;
 use pompeiu_core::spatial::Slot;
@@ -51,11 +51,11 @@ impl Linear {
     }
 
     #[inline]
-    pub(super) fn row(&self, polygon: &Polygon) -> Row {
+    pub(super) fn row(&self, outline: &Outline) -> Row {
         let [a, b, c] = self.0;
         let mut row = [0.0; MOST_CORNERS];
         for j in 0..MOST_CORNERS {
-            row[j] = a + polygon.v[j] * b + polygon.w[j] * c;
+            row[j] = a + outline.v[j] * b + outline.w[j] * c;
         }
         row
     }
@@ -89,12 +89,12 @@ impl Scale {
     }
 
     /// The corners of a polygon, coordinate by coordinate.
-    pub(super) fn points(&self, polygon: &Polygon) -> [Row; 3] {
+    pub(super) fn points(&self, outline: &Outline) -> [Row; 3] {
         let mut points = [[0.0; MOST_CORNERS]; 3];
         for (k, row) in points.iter_mut().enumerate() {
             let (p, q, r) = (self.corners[0][k], self.edges[0][k], self.edges[1][k]);
             for j in 0..MOST_CORNERS {
-                row[j] = p + polygon.v[j] * q + polygon.w[j] * r;
+                row[j] = p + outline.v[j] * q + outline.w[j] * r;
             }
         }
         points
@@ -114,8 +114,8 @@ impl Scale {
     }
 
     /// How far stored corners of a polygon may be from the exact ones.
-    pub(super) fn displacement(&self, polygon: &Polygon) -> f64 {
-        polygon.displacement() * self.reach
+    pub(super) fn displacement(&self, outline: &Outline) -> f64 {
+        outline.displacement() * self.reach
     }
 
     /// The linear function `g . (x - y)`.

@@ -24,7 +24,7 @@ impl Entry {
     pub(super) fn new(polygon: &Polygon, triangle: [usize; 3], (low, high): (f64, f64)) -> Self {
         let lower = triangle.map(|j| polygon.lower[j]);
         let upper = triangle.map(|j| polygon.upper[j]);
-        let (share, error) = (polygon.share_of(triangle), polygon.share_error());
+        let (share, error) = (polygon.outline.share_of(triangle), polygon.outline.share_error());
         let area = greater((share - error) * low * LESS, 0.0);
         let most = (share + error) * high * MORE + f64::MIN_POSITIVE;
         Self {
@@ -126,6 +126,16 @@ pub(super) struct Moments {
     pub(super) second: Sum,
 }
 
+impl Moments {
+    pub(super) fn plus(self, other: Self) -> Self {
+        Self {
+            area: self.area.plus(other.area),
+            first: self.first.plus(other.first),
+            second: self.second.plus(other.second),
+        }
+    }
+}
+
 /// Encloses the mean of the distance over a piece.
 pub(super) fn mean_of(lower: Corners, upper: Corners) -> (f64, f64) {
     (mean_of_positive(lower), mean_enclosure(upper).upper())
@@ -147,6 +157,15 @@ impl Side {
         match self {
             Self::Lower => (entry.lower(), entry.area().1),
             Self::Upper => (entry.upper(), entry.area().0),
+        }
+    }
+
+    /// Whether a sum over so many entries, exactly summed up, may be as great as wanted, or must be.
+    fn reaches(self, sum: f64, wanted: f64, entries: usize) -> bool {
+        let slack = (entries + 16) as f64 * f64::EPSILON * 4.0;
+        match self {
+            Self::Lower => sum * (1.0 + slack) >= wanted,
+            Self::Upper => sum * (1.0 - slack) >= wanted,
         }
     }
 
@@ -193,12 +212,7 @@ impl Distribution {
             }
             sums
         };
-        let plus = |a: Moments, b: Moments| Moments {
-            area: a.area.plus(b.area),
-            first: a.first.plus(b.first),
-            second: a.second.plus(b.second),
-        };
-        self.sum(of_portion, plus, Moments::default())
+        self.sum(of_portion, Moments::plus, Moments::default())
     }
 
     /// Encloses the area whose distance is at most a level that is not negative.
@@ -224,35 +238,81 @@ impl Distribution {
         largest: f64,
         fine: f64,
     ) -> Vec<(f64, f64)> {
-        let samples = self.samples();
-        let of_share = |share: &f64| {
-            // Up to the first level less than the share lies for certain, up to the second not less.
-            let range = samples.around(*share, largest);
-            let crossing = |side, wanted| Crossing { side, wanted, low: range.0, high: range.1 };
-            [
-                crossing(Side::Lower, share * area.lower() * LESS),
-                crossing(Side::Upper, share * area.upper() * MORE),
-            ]
+        let fine = lesser(fine, COARSEST);
+        let levels = self.forecast(largest).levels(shares);
+        let scales: Vec<Scale> = levels.into_iter().map(|level| Scale::around(level, fine)).collect();
+        let tallies = self.tallies(&scales);
+        let crossings: Vec<Crossing> = shares
+            .iter()
+            .zip(&scales)
+            .zip(&tallies)
+            .flat_map(|((share, scale), [lower, upper])| {
+                // Up to the first level less than the share lies for certain, up to the second not less.
+                let of_side = |side, wanted, tally: &Tally| {
+                    let (low, high) = tally.crossing(side, wanted, scale, self.len());
+                    Crossing { side, wanted, low: lesser(low, largest), high: lesser(high, largest) }
+                };
+                [
+                    of_side(Side::Lower, share * area.lower() * LESS, lower),
+                    of_side(Side::Upper, share * area.upper() * MORE, upper),
+                ]
+            })
+            .collect();
+        let of_crossing = |crossing: &Crossing| {
+            let found = self.crossing(crossing, largest, fine);
+            self.moved_to_values(crossing, found)
         };
-        let crossings: Vec<Crossing> = shares.iter().flat_map(of_share).collect();
-        let found: Vec<(f64, f64)> =
-            crossings.par_iter().map(|crossing| self.crossing(crossing, largest, fine)).collect();
+        let found: Vec<(f64, f64)> = crossings.par_iter().map(of_crossing).collect();
         found.chunks_exact(2).map(|ends| (ends[0].0, ends[1].1)).collect()
     }
 
-    /// Some distances with areas, in ascending order.
-    fn samples(&self) -> Samples {
-        let stride = self.len() / SAMPLES + 1;
-        let mut of_entries = Vec::new();
-        for entry in self.portions.iter().flat_map(|portion| &portion.entries).step_by(stride) {
-            let (low, high) = (entry.lower(), entry.upper());
-            let middle = [0, 1, 2].map(|j| 0.5 * (low[j] + high[j]));
-            let mean = super::linear::mean(middle);
-            // At places inside the triangle that stand for a third of it each.
-            of_entries.extend(middle.map(|x| (0.5 * (x + mean), entry.area)));
+    /// About how much area is how far away.
+    fn forecast(&self, largest: f64) -> Forecast {
+        let of_entries = |portions: &[Portion]| {
+            let mut forecast = Forecast::new(largest);
+            for entry in portions.iter().flat_map(|portion| &portion.entries) {
+                let (low, high) = (entry.lower(), entry.upper());
+                forecast.add([0, 1, 2].map(|j| 0.5 * (low[j] + high[j])), entry.area);
+            }
+            forecast
+        };
+        let chunks: Vec<Forecast> = self.portions.par_chunks(PORTIONS).map(of_entries).collect();
+        chunks.iter().fold(Forecast::new(largest), Forecast::plus)
+    }
+
+    /// Areas up to some levels, for both functions.
+    fn tallies(&self, scales: &[Scale]) -> Vec<[Tally; 2]> {
+        let of_entries = |portions: &[Portion]| {
+            let mut tallies = vec![[Tally::default(); 2]; scales.len()];
+            for entry in portions.iter().flat_map(|portion| &portion.entries) {
+                for (side, k) in [(Side::Lower, 0), (Side::Upper, 1)] {
+                    let (v, weight) = side.of(entry);
+                    let (from, to) = (least(v), greatest(v));
+                    let mut part = None;
+                    for (scale, tally) in scales.iter().zip(&mut tallies) {
+                        let tally = &mut tally[k];
+                        if to <= scale.0[0] {
+                            tally.below += weight;
+                        } else if from <= scale.0[LEVELS - 1] {
+                            let part = part.get_or_insert_with(|| PartUpTo::new(v));
+                            tally.add(side, part, weight, scale);
+                        }
+                    }
+                }
+            }
+            tallies
+        };
+        let chunks: Vec<Vec<[Tally; 2]>> = self.portions.par_chunks(PORTIONS).map(of_entries).collect();
+        let mut total = vec![[Tally::default(); 2]; scales.len()];
+        for chunk in chunks {
+            for (sum, more) in total.iter_mut().flatten().zip(chunk.iter().flatten()) {
+                sum.below += more.below;
+                for (x, y) in sum.sums.iter_mut().zip(more.sums) {
+                    *x += y;
+                }
+            }
         }
-        of_entries.sort_by(|a, b| a.0.total_cmp(&b.0));
-        Samples(of_entries)
+        total
     }
 
     /// Two levels close to each other: up to the first, the parts of a function weighted with areas sum up to less than wanted, up to the
@@ -260,11 +320,11 @@ impl Distribution {
     fn crossing(&self, crossing: &Crossing, largest: f64, fine: f64) -> (f64, f64) {
         let Crossing { side, wanted, .. } = *crossing;
         let (mut low, mut high) = (crossing.low, crossing.high);
-        let slack = (self.len() + 16) as f64 * f64::EPSILON * 4.0;
-        let reaches = |sum: f64| match side {
-            Side::Lower => sum * (1.0 + slack) >= wanted,
-            Side::Upper => sum * (1.0 - slack) >= wanted,
-        };
+        if low < high && high - low <= fine * high {
+            return (low, high);
+        }
+        let entries = self.len();
+        let reaches = |sum: f64| side.reaches(sum, wanted, entries);
         let (mut below, mut active);
         loop {
             (below, active) = self.between(side, low, high);
@@ -325,6 +385,24 @@ impl Distribution {
         (low, high)
     }
 
+    /// Two levels moved towards each other, to the next values of entries, if much area lies between them and no entry reaches over
+    /// one: from there to the next value sums stay the same.
+    fn moved_to_values(&self, crossing: &Crossing, (low, high): (f64, f64)) -> (f64, f64) {
+        let Crossing { side, wanted, .. } = *crossing;
+        let entries =
+            || self.portions.iter().flat_map(|portion| &portion.entries).map(|entry| side.of(entry));
+        let within = |(v, _): &Weighted| least(*v) > low && greatest(*v) <= high;
+        if entries().filter(within).map(|(_, weight)| weight).sum::<f64>() < LUMP * wanted {
+            return (low, high);
+        }
+        let (_, active) = self.between(side, low, high);
+        let crosses =
+            |level: f64| active.iter().any(|(part, _)| part.least() <= level && level < part.greatest());
+        let next = active.iter().map(|(part, _)| part.least()).filter(|x| *x > low).fold(high, lesser);
+        let last = active.iter().map(|(part, _)| part.greatest()).filter(|x| *x <= high).fold(low, greater);
+        (if crosses(low) { low } else { next }, if crosses(high) { high } else { last })
+    }
+
     /// The area of the entries that lie below a range wholly, and the entries that reach into it.
     fn between(&self, side: Side, low: f64, high: f64) -> (f64, Vec<(PartUpTo, f64)>) {
         let (mut below, mut active) = (0.0, Vec::new());
@@ -342,6 +420,7 @@ impl Distribution {
     /// Encloses the areas up to each of the levels `largest * k / bins`, `k` from 0 to `bins`.
     pub(super) fn cumulative(&self, largest: f64, bins: usize) -> Vec<Interval> {
         let levels: Vec<f64> = (0..=bins).map(|k| level(largest, k, bins)).collect();
+        let per_length = bins as f64 / largest;
         let of_entries = |portions: &[Portion]| {
             let mut sums = vec![Sum::default(); bins + 1];
             let mut all_from = vec![Sum::default(); bins + 2];
@@ -350,9 +429,8 @@ impl Distribution {
                 let (lower, upper) = (entry.lower(), entry.upper());
                 // From the first level that reaches into the piece to the first above it.
                 let from = least(lower);
-                let first = levels.partition_point(|t| *t < from);
-                let to = greatest(upper);
-                let last = first + levels[first..].partition_point(|t| *t < to);
+                let first = first_not_below(&levels, from, per_length);
+                let last = first_not_below(&levels, greatest(upper), per_length);
                 if first < last {
                     let (lower, upper) = (PartUpTo::new(lower), PartUpTo::new(upper));
                     for (sum, level) in sums[first..last].iter_mut().zip(&levels[first..last]) {
@@ -379,29 +457,135 @@ impl Distribution {
     }
 }
 
-/// Distances with areas, in ascending order: where to look for a percentile.
-struct Samples(Vec<(f64, f64)>);
+/// About how much area is up to how far away: where to look for percentiles.
+///
+/// How the area of a triangle with a linear function is distributed over its values is a piecewise linear density with three
+/// corners. Where these corners are, and how much the slope changes there, is summed up on a grid.
+struct Forecast {
+    per_length: f64,
+    /// Changes of slope at the places of the grid.
+    bends: Vec<f64>,
+    /// Areas that lie at a place as far as the grid can tell.
+    lumps: Vec<f64>,
+}
 
-impl Samples {
-    /// A range in which the percentile of a share is likely to lie.
-    fn around(&self, share: f64, largest: f64) -> (f64, f64) {
-        let total: f64 = self.0.iter().map(|(_, area)| area).sum();
-        let at = |part: f64| {
-            let mut sum = 0.0;
-            self.0.iter().find(|(_, area)| {
-                sum += area;
-                sum >= part * total
-            })
+impl Forecast {
+    const PLACES: usize = 4096;
+
+    fn new(largest: f64) -> Self {
+        // One more at each end, for what reaches over it.
+        let zero = vec![0.0; Self::PLACES + 4];
+        Self { per_length: Self::PLACES as f64 / largest, bends: zero.clone(), lumps: zero }
+    }
+
+    fn add(&mut self, v: Corners, area: f64) {
+        let at = |x: f64| 1.0 + lesser(greater(x * self.per_length, 0.0), Self::PLACES as f64);
+        let [a, b, c] = super::linear::ascending(v).map(at);
+        let share = |row: &mut [f64], x: f64, amount: f64| {
+            // Casting saturates, and takes what is no number for zero.
+            let place = (x as usize).min(Self::PLACES + 2);
+            let part = x - place as f64;
+            row[place] += amount * (1.0 - part);
+            row[place + 1] += amount * part;
         };
-        let low = if share > DOUBT { at(share - DOUBT).map_or(0.0, |(x, _)| *x) } else { 0.0 };
-        let high = if share < 1.0 - DOUBT { at(share + DOUBT).map_or(largest, |(x, _)| *x) } else { largest };
-        let low = greater(low, 0.0);
-        (lesser(low, largest), lesser(if high > low { high } else { low * MORE }, largest))
+        if c - a < 1.0 {
+            share(&mut self.lumps, (a + b + c) * (1.0 / 3.0), area);
+            return;
+        }
+        let (rise, fall) = (greater(b - a, LEAST_RISE), greater(c - b, LEAST_RISE));
+        let height = 2.0 * area / (rise + fall);
+        share(&mut self.bends, b - rise, height / rise);
+        share(&mut self.bends, b, -height / rise - height / fall);
+        share(&mut self.bends, b + fall, height / fall);
+    }
+
+    fn plus(mut self, other: &Self) -> Self {
+        let both = self.bends.iter_mut().chain(&mut self.lumps);
+        for (sum, more) in both.zip(other.bends.iter().chain(&other.lumps)) {
+            *sum += more;
+        }
+        self
+    }
+
+    /// About the least distances that shares of the area do not exceed.
+    fn levels(&self, shares: &[f64]) -> Vec<f64> {
+        let (mut slope, mut density, mut sum) = (0.0, 0.0, 0.0);
+        let step = |(bend, lump): (&f64, &f64)| {
+            let before = density;
+            density += slope;
+            slope += bend;
+            sum += 0.5 * (before + density) + lump;
+            sum
+        };
+        let sums: Vec<f64> = self.bends.iter().zip(&self.lumps).map(step).collect();
+        let of_share = |share: &f64| {
+            let wanted = share * sum;
+            let place = sums.partition_point(|sum| *sum < wanted);
+            let before = if place > 0 { sums[place - 1] } else { 0.0 };
+            let here = sums.get(place).copied().unwrap_or(wanted);
+            let part = if here > before { (wanted - before) / (here - before) } else { 0.0 };
+            greater(place as f64 - 2.0 + part, 0.0) / self.per_length
+        };
+        shares.iter().map(of_share).collect()
+    }
+}
+
+/// Levels in ascending order, at which areas are summed up together.
+#[derive(Clone, Copy)]
+struct Scale([f64; LEVELS]);
+
+impl Scale {
+    fn around(level: f64, fine: f64) -> Self {
+        Self(std::array::from_fn(|i| level * (1.0 + 0.9 * fine * (i as f64 - 0.5 * (LEVELS - 1) as f64))))
+    }
+}
+
+/// The areas up to the levels of a scale: those of all entries that lie below it, and the parts of others.
+#[derive(Clone, Copy)]
+struct Tally {
+    below: f64,
+    sums: [f64; LEVELS],
+}
+
+impl Default for Tally {
+    fn default() -> Self {
+        Self { below: 0.0, sums: [0.0; LEVELS] }
+    }
+}
+
+impl Tally {
+    fn add(&mut self, side: Side, part: &PartUpTo, weight: f64, scale: &Scale) {
+        part.add(side == Side::Lower, weight, &scale.0, &mut self.sums);
+    }
+
+    /// Between which of the levels so much area is reached; about where to look where it is not between them.
+    fn crossing(&self, side: Side, wanted: f64, scale: &Scale, entries: usize) -> (f64, f64) {
+        let reached = self.sums.iter().position(|sum| side.reaches(self.below + sum, wanted, entries));
+        let wide = |from: f64, to: f64| WIDE * (to - from);
+        let (first, last) = (scale.0[0], scale.0[LEVELS - 1]);
+        match reached {
+            Some(0) => (greater(first - wide(first, last), 0.0), first),
+            Some(i) => (scale.0[i - 1], scale.0[i]),
+            None => (last, last + wide(first, last)),
+        }
     }
 }
 
 fn sum_up_to(side: Side, active: &[(PartUpTo, f64)], level: f64) -> f64 {
     active.iter().map(|(part, weight)| weight * side.part(part, level)).sum()
+}
+
+/// The first of some levels at equal distances that is not below a value.
+fn first_not_below(levels: &[f64], value: f64, per_length: f64) -> usize {
+    // Casting saturates, and takes what is no number for zero.
+    let mut first = ((value * per_length) as usize).min(levels.len());
+    while first > 0 && levels[first - 1] >= value {
+        first -= 1;
+    }
+    while first < levels.len() && levels[first] < value {
+        first += 1;
+    }
+    first
 }
 
 /// The edge between bins.
@@ -414,10 +598,16 @@ const MORE: f64 = 1.0 + 8.0 * f64::EPSILON;
 const LESS: f64 = 1.0 - 8.0 * f64::EPSILON;
 /// Portions summed at a time; fixed, so that sums do not depend on the number of threads.
 const PORTIONS: usize = 16;
-/// Entries that are sampled, about.
-const SAMPLES: usize = 4096;
-/// How far the share of the samples up to a level may be from that of all, most of the time.
-const DOUBT: f64 = 0.03;
+/// Levels of a scale, and the part of a level by which they lie apart at most; less of the levels at the lower end than of those at
+/// the upper end.
+const LEVELS: usize = 48;
+const COARSEST: f64 = 5e-3;
+/// A part of an area that is much for two levels close to each other.
+const LUMP: f64 = 0.02;
+/// Places on a grid between which slopes may change, at least.
+const LEAST_RISE: f64 = 0.25;
+/// How far beside a scale a percentile is looked for at first, in lengths of the scale.
+const WIDE: f64 = 4.0;
 /// Levels that are tried at most for a percentile.
 const PROBES: usize = 120;
 /// How far beside the level that is expected, as a part of the range.

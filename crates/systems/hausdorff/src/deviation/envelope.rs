@@ -58,6 +58,8 @@ pub(super) struct Look {
 pub(super) struct Wish {
     /// What each corner counts in integrals.
     pub(super) weights: Row,
+    /// Mean width that a piece may have.
+    pub(super) width: f64,
     /// Width that may be lost to make a list shorter.
     pub(super) negligible: f64,
     /// No distance on the face is believed to be greater.
@@ -90,6 +92,8 @@ const LEAST_RISE: f64 = 1e-3;
 /// suffice.
 const NEAREST: f64 = 1.25;
 const FARTHEST: f64 = 4.0;
+/// Part of the allowed width that faces may take which are not listed.
+const UNLISTED: f64 = 0.25;
 /// Deeper pieces are only halved, which shrinks them for certain.
 const HALVE_BELOW_DEPTH: u32 = 48;
 
@@ -140,7 +144,7 @@ impl<'b> Envelope<'b> {
         let seen = View::new(&self.scale, &polygon);
         let upper =
             bvh_row(self.bvh, near, &seen, 3, &mut self.workspace).map(|distance| distance + seen.margin);
-        let weights = polygon.weights();
+        let weights = polygon.outline.weights();
         if integral(&weights, &upper) < integral(&weights, &polygon.upper) {
             polygon.upper = upper;
         }
@@ -181,7 +185,7 @@ impl<'b> Envelope<'b> {
         let reach = reach_of(polygon, distance, wish.reach);
         let beside = reach + 2.0 * seen.margin;
         let around = |k: usize| {
-            let row = &seen.corners[k][..polygon.count];
+            let row = &seen.corners[k][..polygon.outline.count];
             row.iter().fold((row[0], row[0]), |(l, u), x| {
                 (if *x < l { *x } else { l }, if *x > u { *x } else { u })
             })
@@ -192,9 +196,9 @@ impl<'b> Envelope<'b> {
         // By the plane that faces are compared with.
         let common = seen.direction_from(bvh.corners(nearest.slot).map(DVec3::from_array));
         let row = seen.along(common);
-        let values = bvh_row(bvh, nearest.slot, seen, polygon.count, workspace);
-        let slack = wish.negligible + 2.0 * seen.margin;
-        let room = (0..polygon.count).fold(f64::INFINITY, |room, j| {
+        let values = bvh_row(bvh, nearest.slot, seen, polygon.outline.count, workspace);
+        let slack = UNLISTED * wish.width + 2.0 * seen.margin;
+        let room = (0..polygon.outline.count).fold(f64::INFINITY, |room, j| {
             let here = row[j] - (values[j] - slack);
             if here < room { here } else { room }
         });
@@ -300,15 +304,15 @@ impl<'b> Envelope<'b> {
         let polygon = &open.polygon;
         let mut row = [f64::INFINITY; MOST_CORNERS];
         if face.is_usable() {
-            let height = face.height.row(polygon);
-            let [a, b, c] = face.sides.each_ref().map(|side| side.row(polygon));
+            let height = face.height.row(&polygon.outline);
+            let [a, b, c] = face.sides.each_ref().map(|side| side.row(&polygon.outline));
             for j in 0..MOST_CORNERS {
                 let inside = a[j] <= 0.0 && b[j] <= 0.0 && c[j] <= 0.0;
                 row[j] = if inside { face.above(height[j]) } else { f64::INFINITY };
             }
         }
         if row.contains(&f64::INFINITY) {
-            let exact = bvh_row(self.bvh, face.slot, seen, polygon.count, &mut self.workspace);
+            let exact = bvh_row(self.bvh, face.slot, seen, polygon.outline.count, &mut self.workspace);
             for (value, exact) in row.iter_mut().zip(exact) {
                 *value = if *value < exact { *value } else { exact };
             }
@@ -332,9 +336,9 @@ impl<'b> Envelope<'b> {
         let far = distance + 2.0 * (seen.radius + seen.margin);
         let nearest = &self.candidates[near];
         let (common, from) = nearest.direction_to(seen);
-        let row = self.scale.along(common, from).row(polygon);
+        let row = self.scale.along(common, from).row(&polygon.outline);
         // Faces that reach no farther than this along the common direction are behind the function above.
-        let room = least_difference(&row, &wanted, polygon.count);
+        let room = least_difference(&row, &wanted, polygon.outline.count);
         let unlisted = polygon.beyond;
         let mut lower = polygon.beyond;
         let mut beyond = polygon.beyond;
@@ -366,7 +370,7 @@ impl<'b> Envelope<'b> {
                 near_at = Some(self.lists.len());
             }
             self.lists.push(listed);
-            let deficit = -least_difference(&s, &polygon.upper, polygon.count);
+            let deficit = -least_difference(&s, &polygon.upper, polygon.outline.count);
             if deficit > worst {
                 (worst, blocking) = (deficit, Some((listed.candidate, s)));
             }
@@ -383,7 +387,8 @@ impl<'b> Envelope<'b> {
         }
         // The distance changes by no more than the way from the centre.
         if !complete || worst > slack {
-            let beyond_centre = unlisted[..polygon.count].iter().sum::<f64>() / polygon.count as f64;
+            let beyond_centre =
+                unlisted[..polygon.outline.count].iter().sum::<f64>() / polygon.outline.count as f64;
             let at_centre = if complete && beyond_centre < distance { beyond_centre } else { distance };
             let arms = seen.arms();
             let steepest: Row = std::array::from_fn(|j| at_centre - arms[j].sqrt() - seen.margin);
@@ -392,7 +397,7 @@ impl<'b> Envelope<'b> {
             }
         }
         // Parts of a piece whose list was cut short ask the tree again, and those of one that is bounded by what is not listed.
-        let short = -least_difference(&unlisted, &polygon.upper, polygon.count);
+        let short = -least_difference(&unlisted, &polygon.upper, polygon.outline.count);
         let ask_again = !complete || short > worst && short > slack;
         open.list = (!ask_again).then_some((start as u32, self.lists.len() as u32));
         Look { near: near as u32, distance, blocking }
@@ -401,10 +406,10 @@ impl<'b> Envelope<'b> {
     /// Cuts a piece where the nearest face ends, or where its plane is crossed, or the same for the face that is in the way; or where
     /// their distances are equal; or in the middle. `width` is what the piece should be cut to.
     pub(super) fn cut(&self, polygon: &Polygon, look: &Look, width: f64) -> Option<[Polygon; 2]> {
-        if polygon.count == MOST_CORNERS {
+        if polygon.outline.count == MOST_CORNERS {
             return polygon.cut_along_diagonal();
         }
-        if polygon.depth < HALVE_BELOW_DEPTH {
+        if polygon.outline.depth < HALVE_BELOW_DEPTH {
             // Beside a face at distance d by s, the distance from it is greater by about s^2 / 2d.
             let beside = OVERHANG * width;
             let beside = (beside * beside + 2.0 * beside * look.distance).sqrt();
@@ -426,7 +431,7 @@ impl<'b> Envelope<'b> {
                 }
                 for side in [std::array::from_fn(|j| row[j] - polygon.upper[j]), *row] {
                     if let Some([one, two]) = polygon.cut(&side) {
-                        let (s, t) = (one.share(), two.share());
+                        let (s, t) = (one.outline.share(), two.outline.share());
                         let lesser = if s < t { s } else { t };
                         if lesser > LEAST_CROSSING * (s + t) {
                             return Some([one, two]);
@@ -440,11 +445,15 @@ impl<'b> Envelope<'b> {
 
     /// Cuts across the longest way between two corners.
     fn halve(&self, polygon: &Polygon) -> Option<[Polygon; 2]> {
-        let way =
-            |i: usize, j: usize| self.scale.way([polygon.v[j] - polygon.v[i], polygon.w[j] - polygon.w[i]]);
+        let way = |i: usize, j: usize| {
+            self.scale.way([
+                polygon.outline.v[j] - polygon.outline.v[i],
+                polygon.outline.w[j] - polygon.outline.w[i],
+            ])
+        };
         let mut longest = (0, 1, -1.0);
-        for i in 0..polygon.count {
-            for j in i + 1..polygon.count {
+        for i in 0..polygon.outline.count {
+            for j in i + 1..polygon.outline.count {
                 let length = way(i, j).length_squared();
                 if length > longest.2 {
                     longest = (i, j, length);
@@ -452,40 +461,57 @@ impl<'b> Envelope<'b> {
             }
         }
         let (i, j, _) = longest;
-        if polygon.count == 3 {
+        if polygon.outline.count == 3 {
             return Some(polygon.halve(if i == 0 && j == 2 { 2 } else { i }));
         }
         let along = way(i, j);
-        let middle = [0.5 * (polygon.v[i] + polygon.v[j]), 0.5 * (polygon.w[i] + polygon.w[j])];
+        let middle = [
+            0.5 * (polygon.outline.v[i] + polygon.outline.v[j]),
+            0.5 * (polygon.outline.w[i] + polygon.outline.w[j]),
+        ];
         let side = std::array::from_fn(|k| {
-            along.dot(self.scale.way([polygon.v[k] - middle[0], polygon.w[k] - middle[1]]))
+            along.dot(self.scale.way([polygon.outline.v[k] - middle[0], polygon.outline.w[k] - middle[1]]))
         });
         polygon.cut(&side).or_else(|| polygon.cut_along_diagonal())
     }
 
     /// Length of the longest way between two corners.
     pub(super) fn size(&self, polygon: &Polygon) -> f64 {
-        let first = [polygon.v[0], polygon.w[0]];
-        let away = |j: usize| self.scale.way([polygon.v[j] - first[0], polygon.w[j] - first[1]]).length();
-        2.0 * (1..polygon.count).map(away).fold(0.0, |m, x| if x > m { x } else { m })
+        let first = [polygon.outline.v[0], polygon.outline.w[0]];
+        let away = |j: usize| {
+            self.scale.way([polygon.outline.v[j] - first[0], polygon.outline.w[j] - first[1]]).length()
+        };
+        2.0 * (1..polygon.outline.count).map(away).fold(0.0, |m, x| if x > m { x } else { m })
     }
 }
 
 /// How far faces of B are listed: all that may be nearest to a corner, as far as is known, but not many times the distance of the
 /// centre.
 fn reach_of(polygon: &Polygon, distance: f64, wish: f64) -> f64 {
-    let upper = polygon.upper[..polygon.count].iter().fold(0.0, |most, x| if *x > most { *x } else { most });
+    let upper =
+        polygon.upper[..polygon.outline.count].iter().fold(0.0, |most, x| if *x > most { *x } else { most });
     let known = if upper < FARTHEST * distance { upper } else { NEAREST * distance };
     if wish > known { wish } else { known }
 }
 
 /// Distances of the corners of a piece from a face.
 fn bvh_row(bvh: &Bvh, slot: Slot, seen: &View, count: usize, workspace: &mut Workspace) -> Row {
+    distances(bvh, slot, &seen.corners, count, workspace)
+}
+
+/// Distances of points from a face.
+pub(super) fn distances(
+    bvh: &Bvh,
+    slot: Slot,
+    at: &[Row; 3],
+    count: usize,
+    workspace: &mut Workspace,
+) -> Row {
     let mut row = [0.0; MOST_CORNERS];
     for four in (0..count).step_by(4) {
         let mut points = [[0.0; 4]; 3];
         for k in 0..3 {
-            points[k].copy_from_slice(&seen.corners[k][four..four + 4]);
+            points[k].copy_from_slice(&at[k][four..four + 4]);
         }
         let d = bvh.four_distances_sq(&points, slot, workspace);
         for lane in 0..4 {
@@ -506,18 +532,18 @@ fn cut_between(polygon: &Polygon, one: &Candidate, other: &Candidate) -> Option<
     if shared != 2 {
         return None;
     }
-    let at = polygon.centre();
+    let at = polygon.outline.centre();
     let [one_below, other_below] = [one, other].map(|face| face.height.at(at) < 0.0);
     let g = if one_below { -one.normal } else { one.normal };
     let rise = other.reach_along(g, one.corners[0]);
     if rise <= LEAST_RISE * (one.corners[1] - one.corners[0]).length() {
         return None;
     }
-    let (h, k) = (one.height.row(polygon), other.height.row(polygon));
+    let (h, k) = (one.height.row(&polygon.outline), other.height.row(&polygon.outline));
     let same = one_below == other_below;
     let side = std::array::from_fn(|j| if same { h[j] - k[j] } else { h[j] + k[j] });
     let [one, two] = polygon.cut(&side)?;
-    let (s, t) = (one.share(), two.share());
+    let (s, t) = (one.outline.share(), two.outline.share());
     let lesser = if s < t { s } else { t };
     (lesser > LEAST_CROSSING * (s + t)).then_some([one, two])
 }
@@ -528,10 +554,10 @@ fn cut_by_face(polygon: &Polygon, face: &Candidate, beside: f64, height: f64) ->
         return None;
     }
     let mut best = (0.0, None);
-    let sides = face.sides.each_ref().map(|side| (side.row(polygon), beside));
-    for (row, least) in sides.into_iter().chain([(face.height.row(polygon), height)]) {
+    let sides = face.sides.each_ref().map(|side| (side.row(&polygon.outline), beside));
+    for (row, least) in sides.into_iter().chain([(face.height.row(&polygon.outline), height)]) {
         let (mut low, mut high) = (row[0], row[0]);
-        for x in &row[1..polygon.count] {
+        for x in &row[1..polygon.outline.count] {
             low = if *x < low { *x } else { low };
             high = if *x > high { *x } else { high };
         }
@@ -564,10 +590,10 @@ pub(super) struct View {
 
 impl View {
     fn new(scale: &Scale, polygon: &Polygon) -> Self {
-        let at = polygon.centre();
+        let at = polygon.outline.centre();
         let centre = scale.point(at);
-        let margin = scale.margin + scale.displacement(polygon);
-        let mut view = Self { at, centre, corners: scale.points(polygon), radius: 0.0, margin };
+        let margin = scale.margin + scale.displacement(&polygon.outline);
+        let mut view = Self { at, centre, corners: scale.points(&polygon.outline), radius: 0.0, margin };
         let square = view.arms().iter().fold(0.0, |r, a| if *a > r { *a } else { r });
         view.radius = square.sqrt();
         view
@@ -650,22 +676,22 @@ impl Candidate {
         wanted: &Row,
         known: &Row,
     ) -> (Row, bool) {
-        let mut best = (common, score(&common, wanted, polygon.count));
+        let mut best = (common, score(&common, wanted, polygon.outline.count));
         if self.normal != DVec3::ZERO {
             let below = self.height.at(seen.at) < 0.0;
             let bulge = self.bulge[usize::from(below)];
-            let row = self.height.row(polygon).map(|h| if below { -h - bulge } else { h - bulge });
-            let here = score(&row, wanted, polygon.count);
+            let row = self.height.row(&polygon.outline).map(|h| if below { -h - bulge } else { h - bulge });
+            let here = score(&row, wanted, polygon.outline.count);
             best = if here > best.1 { (row, here) } else { best };
         }
         let inside = self.is_usable() && self.estimate(seen.at).1;
-        if best.1 < 0.0 && !inside && least_difference(&best.0, known, polygon.count) < 0.0 {
+        if best.1 < 0.0 && !inside && least_difference(&best.0, known, polygon.outline.count) < 0.0 {
             let g = seen.direction_from(self.corners);
             let y = self.corners[0];
             let support = self.reach_along(g, y);
             let along: Linear = scale.along(g, y);
-            let row = along.row(polygon).map(|x| x - support);
-            let here = score(&row, wanted, polygon.count);
+            let row = along.row(&polygon.outline).map(|x| x - support);
+            let here = score(&row, wanted, polygon.outline.count);
             best = if here > best.1 { (row, here) } else { best };
         }
         (best.0, best.1 >= 0.0)
@@ -678,7 +704,7 @@ fn score(row: &Row, wanted: &Row, count: usize) -> f64 {
 }
 
 /// The direction of a vector of which enough is left to have one.
-fn unit(v: DVec3) -> Option<DVec3> {
+pub(super) fn unit(v: DVec3) -> Option<DVec3> {
     let length = v.length();
     (length > f64::MIN_POSITIVE.sqrt()).then(|| v / length)
 }

@@ -1,11 +1,12 @@
 //! One face of A, cut into pieces until they are as narrow as asked.
 
+use super::cells::{Cells, Limits};
 use super::envelope::{Envelope, Open, Wish};
 use super::goal::Goal;
 use super::polygon::Polygon;
 use crate::rounding::Rounding;
 use pompeiu_core::run::Control;
-use pompeiu_core::spatial::{Bvh, Slot};
+use pompeiu_core::spatial::{Bvh, Neighbours, Slot};
 
 /// A face of A, and what is known about it before it is looked at. Lengths are in the frame.
 #[derive(Clone, Copy, Debug)]
@@ -38,6 +39,7 @@ const REACH: f64 = 1.25;
 /// Cuts faces, one after the other.
 pub(super) struct Cutter<'c> {
     envelope: Envelope<'c>,
+    cells: Option<Cells<'c>>,
     control: &'c Control,
     rounding: Rounding,
     /// No distance is greater.
@@ -53,6 +55,7 @@ pub(super) struct Cutter<'c> {
 impl<'c> Cutter<'c> {
     pub(super) fn new(
         bvh: &'c Bvh,
+        neighbours: Option<&'c Neighbours>,
         rounding: Rounding,
         control: &'c Control,
         largest: f64,
@@ -60,6 +63,7 @@ impl<'c> Cutter<'c> {
     ) -> Self {
         Self {
             envelope: Envelope::new(bvh, rounding),
+            cells: neighbours.map(|neighbours| Cells::new(bvh, neighbours)),
             control,
             rounding,
             largest,
@@ -93,16 +97,32 @@ impl<'c> Cutter<'c> {
             self.pieces.push(Piece { polygon, near: start.near });
             return;
         }
-        self.stack.push(self.envelope.open(&whole, start.near));
+        if let Some(cells) = &mut self.cells {
+            let Envelope { scale, workspace, .. } = &mut self.envelope;
+            let limits = Limits { most, control: self.control };
+            cells.cut(scale, start.near, goal, start.area, limits, workspace, &mut self.pieces);
+            stopped = self.control.is_stopped();
+            self.looks += self.pieces.len() as u64;
+            for rest in &cells.rest {
+                let polygon = Polygon::unknown(rest.outline, self.largest);
+                self.stack.push(self.envelope.open(&polygon, rest.near));
+            }
+        } else {
+            self.stack.push(self.envelope.open(&whole, start.near));
+        }
         while let Some(mut open) = self.stack.pop() {
             if stopped {
                 self.keep(&open);
                 continue;
             }
             self.looks += 1;
-            let weights = open.polygon.weights();
-            let wish =
-                Wish { weights, negligible: goal.negligible(&weights, start.area), reach: REACH * farthest };
+            let weights = open.polygon.outline.weights();
+            let wish = Wish {
+                weights,
+                width: goal.width_of(weights.iter().sum::<f64>() * start.area),
+                negligible: goal.negligible(&weights, start.area),
+                reach: REACH * farthest,
+            };
             let look = self.envelope.look(&mut open, &wish);
             stopped = self.looks.is_multiple_of(LOOKS_PER_CHECK) && self.control.is_stopped();
             let full = self.pieces.len() + self.stack.len() + 1 >= most;
@@ -127,6 +147,6 @@ impl<'c> Cutter<'c> {
     }
 
     fn can_be_cut(&self, polygon: &Polygon) -> bool {
-        polygon.depth < MOST_CUTS && self.envelope.size(polygon) > LEAST_SIZE * self.rounding.unit()
+        polygon.outline.depth < MOST_CUTS && self.envelope.size(polygon) > LEAST_SIZE * self.rounding.unit()
     }
 }

@@ -40,12 +40,12 @@ impl Goal {
             return None;
         }
         let greater = |x: f64, y: &f64| if *y > x { *y } else { x };
-        if widths[..piece.count].iter().fold(0.0, greater) <= self.floor {
+        if widths[..piece.outline.count].iter().fold(0.0, greater) <= self.floor {
             return None;
         }
         let lesser = |x: f64, y: &f64| if *y < x { *y } else { x };
-        let low = piece.lower[..piece.count].iter().fold(f64::INFINITY, lesser);
-        let high = piece.upper[..piece.count].iter().fold(0.0, greater);
+        let low = piece.lower[..piece.outline.count].iter().fold(f64::INFINITY, lesser);
+        let high = piece.upper[..piece.outline.count].iter().fold(0.0, greater);
         let allowed = self.allowed(low, high);
         (mass > allowed).then(|| self.width(allowed, weights, area))
     }
@@ -55,12 +55,22 @@ impl Goal {
         NEGLIGIBLE * self.width(self.least(), weights, area)
     }
 
-    fn least(&self) -> f64 {
+    /// Area times width that is allowed of any piece.
+    pub(super) fn least(&self) -> f64 {
         if self.focus.is_empty() || self.mass < self.focus_mass { self.mass } else { self.focus_mass }
     }
 
+    /// The width that a piece with this area may have.
+    pub(super) fn width_of(&self, area: f64) -> f64 {
+        self.spread(self.least(), area)
+    }
+
     fn width(&self, mass: f64, weights: &Row, area: f64) -> f64 {
-        let width = mass / (weights.iter().sum::<f64>() * area);
+        self.spread(mass, weights.iter().sum::<f64>() * area)
+    }
+
+    fn spread(&self, mass: f64, area: f64) -> f64 {
+        let width = mass / area;
         // Not where there is no area.
         if width > self.floor { width } else { self.floor }
     }

@@ -2,6 +2,7 @@
 //!
 //! None of this depends on the shape of the triangle: means are over its area, parts are fractions of it.
 
+use multiversion::multiversion;
 use pompeiu_core::exact::Interval;
 
 /// Values at three corners, or the lengths of anything that has three.
@@ -59,7 +60,7 @@ fn cut_off(x: f64, y: f64, z: f64) -> f64 {
     if x == 0.0 { 0.0 } else { (x / (x - y)) * (x / (x - z)) }
 }
 
-fn ascending([a, b, c]: Corners) -> Corners {
+pub(super) fn ascending([a, b, c]: Corners) -> Corners {
     let (a, b) = if b < a { (b, a) } else { (a, b) };
     let (b, c) = if c < b { (c, b) } else { (b, c) };
     let (a, b) = if b < a { (b, a) } else { (a, b) };
@@ -152,12 +153,52 @@ impl PartUpTo {
         }
     }
 
+    /// Adds the fractions for many levels, times a weight: those rounded up, or those rounded down.
+    pub(super) fn add<const N: usize>(&self, up: bool, weight: f64, levels: &[f64; N], sums: &mut [f64; N]) {
+        if up {
+            add_above(self, weight, levels, sums);
+        } else {
+            add_below(self, weight, levels, sums);
+        }
+    }
+
+    /// [`PartUpTo::rounded`] without branches.
+    #[inline(always)]
+    #[allow(clippy::inline_always, reason = "must be inlined into the loops over levels to be vectorised")]
+    fn chosen(&self, level: f64) -> f64 {
+        let (x, y) = (level - self.least, self.greatest - level);
+        let (rising, falling) = ((x * self.rising) * x, 1.0 - (y * self.falling) * y);
+        if level < self.middle { rising } else { falling }
+    }
+
     pub(super) fn least(&self) -> f64 {
         self.least
     }
 
     pub(super) fn greatest(&self) -> f64 {
         self.greatest
+    }
+}
+
+#[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2", "aarch64+neon"))]
+fn add_above<const N: usize>(part: &PartUpTo, weight: f64, levels: &[f64; N], sums: &mut [f64; N]) {
+    for (sum, level) in sums.iter_mut().zip(levels) {
+        let above = part.chosen(*level) + FEW_OPERATIONS;
+        let above = if above < 1.0 { above } else { 1.0 };
+        let above = if *level >= part.greatest { 1.0 } else { above };
+        *sum += weight * if *level < part.least { 0.0 } else { above };
+    }
+}
+
+#[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2", "aarch64+neon"))]
+fn add_below<const N: usize>(part: &PartUpTo, weight: f64, levels: &[f64; N], sums: &mut [f64; N]) {
+    for (sum, level) in sums.iter_mut().zip(levels) {
+        let below = part.chosen(*level) - FEW_OPERATIONS;
+        // Not where values are so close to each other that a curvature overflows.
+        let below = if below <= 1.0 { below } else { 0.0 };
+        let below = if below > 0.0 { below } else { 0.0 };
+        let below = if *level < part.least { 0.0 } else { below };
+        *sum += weight * if *level >= part.greatest { 1.0 } else { below };
     }
 }
 
@@ -202,6 +243,26 @@ mod tests {
             let positive = |x: f64| if x > 0.0 { x } else { 0.0 };
             prop_assert!((mean_of_positive(v) - by_sampling(v, positive)).abs() < 1e-4);
             prop_assert!((mean_square_of_positive(v) - by_sampling(v, |x| positive(x) * x)).abs() < 1e-4);
+        }
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(cases(400)))]
+
+        /// Many levels at once give what one after the other does, at and beside the values themselves, too.
+        #[test]
+        fn many_levels_are_as_good_as_one(
+            v in prop::array::uniform3(prop_oneof![-1.0..1.0_f64, (-2..3_i32).prop_map(f64::from), Just(1e-300), Just(1.0 + 1e-16)]),
+            beside in -2.0..2.0_f64,
+        ) {
+            let part = PartUpTo::new(v);
+            let [a, b, c] = v;
+            let levels = [a, b, c, a.next_up(), b.next_down(), 0.5 * (a + b), 0.5 * (b + c), beside];
+            let (mut above, mut below) = ([0.0; 8], [0.0; 8]);
+            part.add(true, 2.0, &levels, &mut above);
+            part.add(false, 2.0, &levels, &mut below);
+            prop_assert_eq!(above, levels.map(|level| 2.0 * part.above(level)));
+            prop_assert_eq!(below, levels.map(|level| 2.0 * part.below(level)));
         }
     }
 

@@ -10,7 +10,9 @@
 //! A report holds no pieces: whoever draws the surface cuts its faces again (`tessellation`).
 
 mod analysis;
+mod behind;
 mod candidates;
+mod cells;
 mod connected;
 #[cfg(feature = "serde")]
 mod data;

@@ -22,34 +22,35 @@ const LEAST_PART: f64 = 1e-10;
 
 /// A convex part of a face.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Polygon {
+pub(super) struct Outline {
     pub(super) count: usize,
-    /// The weights of the second and of the third corner of the face, at each corner of this polygon.
+    /// The weights of the second and of the third corner of the face, at each corner of this part.
     pub(super) v: Row,
     pub(super) w: Row,
+    /// Cuts between the face and this part.
+    pub(super) depth: u32,
+}
+
+/// A convex part of a face, and what is known of the distance from B on it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Polygon {
+    pub(super) outline: Outline,
     /// Values at the corners of a function below the distance from B.
     pub(super) lower: Row,
     /// Values at the corners of a function above it.
     pub(super) upper: Row,
     /// Values at the corners of a function that is below the distance from faces of B which are not on the list of this polygon.
     pub(super) beyond: Row,
-    /// Cuts between the face and this polygon.
-    pub(super) depth: u32,
 }
 
-impl Polygon {
-    /// A whole face, of which only is known that distances are neither negative nor above the largest.
-    pub(super) fn whole(largest: f64) -> Self {
-        Self {
-            count: 3,
-            v: [0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
-            w: [0.0, 0.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0],
-            lower: [0.0; MOST_CORNERS],
-            upper: [largest; MOST_CORNERS],
-            beyond: [f64::INFINITY; MOST_CORNERS],
-            depth: 0,
-        }
-    }
+impl Outline {
+    /// A whole face.
+    pub(super) const WHOLE: Self = Self {
+        count: 3,
+        v: [0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        w: [0.0, 0.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0],
+        depth: 0,
+    };
 
     /// How far the stored corners are from the exact ones, in each of the two weights.
     pub(super) fn displacement(&self) -> f64 {
@@ -96,21 +97,16 @@ impl Polygon {
         [&self.v, &self.w].map(|row| row[..self.count].iter().sum::<f64>() * part)
     }
 
-    /// Widths between the functions, as far as the one below is not negative.
-    pub(super) fn widths(&self) -> Row {
-        let mut widths = [0.0; MOST_CORNERS];
-        for j in 0..MOST_CORNERS {
-            widths[j] = self.upper[j] - if self.lower[j] > 0.0 { self.lower[j] } else { 0.0 };
-        }
-        widths
+    /// Cuts where a linear function with these values at the corners vanishes, if that leaves something on both sides: where it is
+    /// positive, and where it is negative. Any values give a partition: the cut leads from one place on the boundary to another.
+    pub(super) fn cut(&self, side: &Row) -> Option<[Self; 2]> {
+        Some(self.cut_at(side)?.map(|part| self.part(&part)))
     }
 
-    /// Cuts where a linear function with these values at the corners vanishes, if that leaves something on both sides. Any values
-    /// give a partition: the cut leads from one place on the boundary to another.
-    pub(super) fn cut(&self, side: &Row) -> Option<[Self; 2]> {
+    fn cut_at(&self, side: &Row) -> Option<[Part; 2]> {
         let n = self.count;
         let mut places = 0;
-        let mut parts = [Builder::new(self), Builder::new(self)];
+        let mut parts = [Part::EMPTY; 2];
         for i in 0..n {
             let j = if i + 1 == n { 0 } else { i + 1 };
             let (here, next) = (side[i], side[j]);
@@ -131,17 +127,21 @@ impl Polygon {
                 parts[1].push(i, j, t)?;
             }
         }
-        let [one, two] = parts.map(Builder::finish);
-        if places != 2 || one.count < 3 || two.count < 3 {
+        if places != 2 || parts[0].count < 3 || parts[1].count < 3 {
             return None;
         }
-        let (s, t) = (one.share(), two.share());
+        let [s, t] = [0, 1].map(|k| self.part(&parts[k]).share());
         let least = LEAST_PART * (s + t);
-        (s > least && t > least).then_some([one, two])
+        (s > least && t > least).then_some(parts)
     }
 
-    /// Cuts along the shorter way between two corners that are opposite of each other.
+    /// Cuts along the way between two corners that are opposite of each other.
     pub(super) fn cut_along_diagonal(&self) -> Option<[Self; 2]> {
+        if self.count > 3 { self.cut(&self.diagonal()) } else { None }
+    }
+
+    /// Values at the corners of a side that is crossed between two that are opposite of each other.
+    fn diagonal(&self) -> Row {
         let half = self.count / 2;
         let mut side = [1.0; MOST_CORNERS];
         for (i, side) in side.iter_mut().enumerate() {
@@ -153,21 +153,111 @@ impl Polygon {
                 -1.0
             };
         }
-        if self.count > 3 { self.cut(&side) } else { None }
+        side
     }
 
-    /// Halves a triangle across the edge from corner `i` to the next one.
-    pub(super) fn halve(&self, i: usize) -> [Self; 2] {
+    /// Halves a part with three corners across the edge from corner `i` to the next one.
+    fn halves(i: usize) -> [Part; 2] {
         let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-        let part = |corners: [[usize; 2]; 3]| {
-            let mut part = Builder::new(self);
+        [[[i, i], [i, j], [k, k]], [[i, j], [j, j], [k, k]]].map(|corners| {
+            let mut part = Part::EMPTY;
             for [from, to] in corners {
                 // There is room for three.
                 let _ = part.push(from, to, 0.5);
             }
-            part.finish()
+            part
+        })
+    }
+
+    fn part(&self, part: &Part) -> Self {
+        let coordinate = |row: &Row| part.row(|from, to, t| row[from] + t * (row[to] - row[from]));
+        Self { count: part.count, v: coordinate(&self.v), w: coordinate(&self.w), depth: self.depth + 1 }
+    }
+}
+
+impl Polygon {
+    /// A whole face, of which only is known that distances are neither negative nor above the largest.
+    pub(super) fn whole(largest: f64) -> Self {
+        Self::unknown(Outline::WHOLE, largest)
+    }
+
+    /// The same of a part of a face.
+    pub(super) fn unknown(outline: Outline, largest: f64) -> Self {
+        Self {
+            outline,
+            lower: [0.0; MOST_CORNERS],
+            upper: [largest; MOST_CORNERS],
+            beyond: [f64::INFINITY; MOST_CORNERS],
+        }
+    }
+
+    /// Widths between the functions, as far as the one below is not negative.
+    pub(super) fn widths(&self) -> Row {
+        let mut widths = [0.0; MOST_CORNERS];
+        for j in 0..MOST_CORNERS {
+            widths[j] = self.upper[j] - if self.lower[j] > 0.0 { self.lower[j] } else { 0.0 };
+        }
+        widths
+    }
+
+    /// See [`Outline::cut`].
+    pub(super) fn cut(&self, side: &Row) -> Option<[Self; 2]> {
+        Some(self.outline.cut_at(side)?.map(|part| self.part(&part)))
+    }
+
+    /// Cuts along the way between two corners that are opposite of each other.
+    pub(super) fn cut_along_diagonal(&self) -> Option<[Self; 2]> {
+        if self.outline.count > 3 { self.cut(&self.outline.diagonal()) } else { None }
+    }
+
+    /// Halves a triangle across the edge from corner `i` to the next one.
+    pub(super) fn halve(&self, i: usize) -> [Self; 2] {
+        Outline::halves(i).map(|part| self.part(&part))
+    }
+
+    fn part(&self, part: &Part) -> Self {
+        let between = |row: &Row, margin: f64| {
+            part.row(|from, to, t| {
+                let (a, b) = (row[from], row[to]);
+                if from == to || a == b { a } else { a + t * (b - a) + margin * (a.abs() + b.abs()) }
+            })
         };
-        [part([[i, i], [i, j], [k, k]]), part([[i, j], [j, j], [k, k]])]
+        Self {
+            outline: self.outline.part(part),
+            lower: between(&self.lower, -INTERPOLATION),
+            upper: between(&self.upper, INTERPOLATION),
+            beyond: between(&self.beyond, -INTERPOLATION),
+        }
+    }
+}
+
+/// The corners of a part of an outline, each at a fraction of the way between two corners of the whole.
+#[derive(Clone, Copy)]
+struct Part {
+    count: usize,
+    corners: [(u8, u8, f64); MOST_CORNERS],
+}
+
+impl Part {
+    const EMPTY: Self = Self { count: 0, corners: [(0, 0, 0.0); MOST_CORNERS] };
+
+    /// None where there is no room.
+    fn push(&mut self, from: usize, to: usize, t: f64) -> Option<()> {
+        *self.corners.get_mut(self.count)? = (from as u8, to as u8, t);
+        self.count += 1;
+        Some(())
+    }
+
+    fn row(&self, value: impl Fn(usize, usize, f64) -> f64) -> Row {
+        let mut row = [0.0; MOST_CORNERS];
+        let mut last = 0.0;
+        for (j, (place, (from, to, t))) in row.iter_mut().zip(&self.corners).enumerate() {
+            if j < self.count {
+                last = value(*from as usize, *to as usize, *t);
+            }
+            *place = last;
+        }
+        row
     }
 }
 
@@ -179,67 +269,6 @@ pub(super) fn integral(weights: &Row, row: &Row) -> f64 {
         sum += weights[j] * row[j];
     }
     sum
-}
-
-/// A part of a polygon in the making.
-struct Builder<'p> {
-    whole: &'p Polygon,
-    part: Polygon,
-}
-
-impl<'p> Builder<'p> {
-    fn new(whole: &'p Polygon) -> Self {
-        let zero = [0.0; MOST_CORNERS];
-        let part = Polygon {
-            count: 0,
-            v: zero,
-            w: zero,
-            lower: zero,
-            upper: zero,
-            beyond: zero,
-            depth: whole.depth + 1,
-        };
-        Self { whole, part }
-    }
-
-    /// Adds the point at the fraction `t` of the way between two corners. None where there is no room.
-    fn push(&mut self, from: usize, to: usize, t: f64) -> Option<()> {
-        let (whole, part) = (self.whole, &mut self.part);
-        let n = part.count;
-        if n == MOST_CORNERS {
-            return None;
-        }
-        if from == to {
-            part.v[n] = whole.v[from];
-            part.w[n] = whole.w[from];
-            part.lower[n] = whole.lower[from];
-            part.upper[n] = whole.upper[from];
-            part.beyond[n] = whole.beyond[from];
-            part.count += 1;
-            return Some(());
-        }
-        let between = |row: &Row, margin: f64| {
-            let (a, b) = (row[from], row[to]);
-            if a == b { a } else { a + t * (b - a) + margin * (a.abs() + b.abs()) }
-        };
-        part.v[n] = between(&whole.v, 0.0);
-        part.w[n] = between(&whole.w, 0.0);
-        part.lower[n] = between(&whole.lower, -INTERPOLATION);
-        part.upper[n] = between(&whole.upper, INTERPOLATION);
-        part.beyond[n] = between(&whole.beyond, -INTERPOLATION);
-        part.count += 1;
-        Some(())
-    }
-
-    fn finish(mut self) -> Polygon {
-        let part = &mut self.part;
-        let last = part.count.saturating_sub(1);
-        for row in [&mut part.v, &mut part.w, &mut part.lower, &mut part.upper, &mut part.beyond] {
-            let value = row[last];
-            row[part.count..].fill(value);
-        }
-        self.part
-    }
 }
 
 #[cfg(test)]
@@ -256,7 +285,7 @@ mod tests {
         ) {
             let value = |v: f64, w: f64| 1.0 + gradient[0] * v + gradient[1] * w;
             let mut whole = Polygon::whole(0.0);
-            let row = std::array::from_fn(|j| value(whole.v[j], whole.w[j]));
+            let row = std::array::from_fn(|j| value(whole.outline.v[j], whole.outline.w[j]));
             (whole.lower, whole.upper) = (row, row);
             let mut parts = vec![whole];
             let mut turn = 0;
@@ -265,17 +294,17 @@ mod tests {
                 turn += 7;
                 match part.cut(&side).or_else(|| part.cut_along_diagonal()) {
                     Some(two) => parts.extend(two),
-                    None if part.count == 3 => parts.extend(part.halve(turn % 3)),
+                    None if part.outline.count == 3 => parts.extend(part.halve(turn % 3)),
                     None => parts.push(part),
                 }
             }
-            let total: f64 = parts.iter().map(Polygon::share).sum();
-            let error: f64 = parts.iter().map(|part| 6.0 * part.share_error()).sum();
+            let total: f64 = parts.iter().map(|part| part.outline.share()).sum();
+            let error: f64 = parts.iter().map(|part| 6.0 * part.outline.share_error()).sum();
             prop_assert!((total - 1.0).abs() <= error, "{total} {error}");
             for part in &parts {
-                prop_assert!((3..=MOST_CORNERS).contains(&part.count));
+                prop_assert!((3..=MOST_CORNERS).contains(&part.outline.count));
                 for j in 0..MOST_CORNERS {
-                    let exact = value(part.v[j], part.w[j]);
+                    let exact = value(part.outline.v[j], part.outline.w[j]);
                     prop_assert!(part.lower[j] <= exact + 1e-14 && exact <= part.upper[j] + 1e-14);
                     prop_assert!(part.upper[j] - part.lower[j] < 1e-12);
                 }
@@ -295,6 +324,9 @@ mod tests {
         let mut row = [1.0; MOST_CORNERS];
         row[..3].copy_from_slice(&[0.0, -1.0, 1.0]);
         let [one, two] = whole.cut(&row).unwrap();
-        assert_eq!((one.count, two.count, one.share(), two.share()), (3, 3, 0.5, 0.5));
+        assert_eq!(
+            (one.outline.count, two.outline.count, one.outline.share(), two.outline.share()),
+            (3, 3, 0.5, 0.5)
+        );
     }
 }

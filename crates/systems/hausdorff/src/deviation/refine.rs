@@ -12,12 +12,20 @@ use super::statistics::{Summary, Wanted};
 use crate::rounding::Rounding;
 use pompeiu_core::geom::Frame;
 use pompeiu_core::run::Control;
-use pompeiu_core::spatial::{Bvh, Slot};
+use pompeiu_core::spatial::{Bvh, Neighbours, Slot};
 use pompeiu_core::{FaceId, TriMesh};
 use rayon::prelude::*;
 
 /// The area times width that a piece may leave undecided at first: this part of what the mean may, shared out among all faces.
-const FIRST_PART: f64 = 0.3;
+const FIRST_PART: f64 = 1.0;
+/// The first goal is calibrated by so many samples of so many faces, of meshes with more than this many; how often, the parts of the
+/// allowed width between which it should leave what is left, and how far it is changed at a time.
+const SAMPLES: usize = 32;
+const FACES_OF_SAMPLE: usize = 8;
+const LEAST_CALIBRATED: usize = 4 * SAMPLES * FACES_OF_SAMPLE;
+const CALIBRATIONS: usize = 3;
+const AIMED: (f64, f64) = (0.3, 0.6);
+const MOST_FACTOR: f64 = 5.0;
 /// How much finer each round is.
 const FINER: f64 = 0.25;
 /// Rounds that make only statistics of parts of the distribution narrower.
@@ -44,6 +52,7 @@ pub(super) struct Faces<'f> {
     pub(super) frame: &'f Frame,
     pub(super) vertices: &'f VertexDistances,
     pub(super) bvh: &'f Bvh,
+    pub(super) neighbours: Option<&'f Neighbours>,
     pub(super) rounding: Rounding,
     pub(super) control: &'f Control,
     /// No distance is greater.
@@ -53,8 +62,10 @@ pub(super) struct Faces<'f> {
 }
 
 impl<'f> Faces<'f> {
-    pub(super) fn cutter(&self) -> Cutter<'f> {
-        Cutter::new(self.bvh, self.rounding, self.control, self.largest, self.scale)
+    /// Cuts faces into cells first, or looks closely at all of them.
+    pub(super) fn cutter(&self, cells: bool) -> Cutter<'f> {
+        let neighbours = self.neighbours.filter(|_| cells);
+        Cutter::new(self.bvh, neighbours, self.rounding, self.control, self.largest, self.scale)
     }
 
     pub(super) fn start(&self, face: u32) -> (Start, (f64, f64)) {
@@ -79,7 +90,8 @@ impl<'f> Faces<'f> {
         wanted: impl Fn(usize) -> bool,
         before: Option<(&Portion, &[FaceBounds])>,
     ) -> Made {
-        let mut cutter = self.cutter();
+        // What cells have left too wide needs a closer look.
+        let mut cutter = self.cutter(before.is_none());
         let mut portion = Portion { entries: Vec::with_capacity(4 * faces.len()), starts: vec![0] };
         let mut bounds = Vec::with_capacity(faces.len());
         for (i, &face) in faces.iter().enumerate() {
@@ -89,7 +101,7 @@ impl<'f> Faces<'f> {
                 let (from, area) = self.start(face);
                 cutter.cut(&from, goal, most);
                 for Piece { polygon, .. } in &cutter.pieces {
-                    portion.entries.extend(polygon.fan().map(|t| Entry::new(polygon, t, area)));
+                    portion.entries.extend(polygon.outline.fan().map(|t| Entry::new(polygon, t, area)));
                 }
                 bounds.push(FaceBounds::new(&cutter, &portion.entries[start..], self.largest));
             }
@@ -132,7 +144,7 @@ impl FaceBounds {
         let mut min = (f64::INFINITY, f64::INFINITY);
         for piece in &cutter.pieces {
             let Piece { polygon, .. } = piece;
-            for j in 0..polygon.count {
+            for j in 0..polygon.outline.count {
                 if polygon.lower[j] > highest {
                     (highest, at) = (polygon.lower[j], (piece, j));
                 }
@@ -161,7 +173,7 @@ impl FaceBounds {
             max: (lesser(greater(highest, 0.0), upper), upper),
             min: (lesser(greater(min.0, 0.0), upper), lesser(min.1, upper)),
             mean: (lesser(mean.0, mean.1), mean.1),
-            farthest: cutter.point([piece.polygon.v[j], piece.polygon.w[j]]),
+            farthest: cutter.point([piece.polygon.outline.v[j], piece.polygon.outline.w[j]]),
             near: piece.near,
         }
     }
@@ -220,6 +232,8 @@ impl Refinement<'_> {
         let first = FIRST_PART * width * total / self.aim.cells as f64;
         let mut goal = Goal { mass: first, focus: Vec::new(), focus_mass: f64::INFINITY, floor };
         let mut refined = Refined::default();
+        self.calibrate(&mut goal);
+        let first = goal.mass;
         self.cut_all(&goal, &mut refined);
         let mut focused_rounds = 0;
         let mut doubt_before = f64::INFINITY;
@@ -264,6 +278,39 @@ impl Refinement<'_> {
                     break;
                 }
             }
+        }
+    }
+
+    /// Makes the first goal such that a few faces come out about as narrow as the mean should be.
+    fn calibrate(&self, goal: &mut Goal) {
+        let count = self.order.len();
+        if count < LEAST_CALIBRATED {
+            return;
+        }
+        let Aim { accuracy, floor, .. } = *self.aim;
+        let (faces, order) = (self.faces, self.order);
+        let most = self.most(0, count);
+        for _ in 0..CALIBRATIONS {
+            let trial = &*goal;
+            let of_sample = |i: usize| {
+                let first = (2 * i + 1) * count / (2 * SAMPLES);
+                let some = &order[first..count.min(first + FACES_OF_SAMPLE)];
+                let made = faces.cut_task(some, trial, most, |_| true, None);
+                let sum = |of: fn(&Entry) -> f64| made.portion.entries.iter().map(of).sum::<f64>();
+                let moment = |entry: &Entry| entry.area().0 * mean_of(entry.lower(), entry.upper()).1;
+                [sum(Entry::mass), sum(moment), sum(|entry| entry.area().0)]
+            };
+            let sums: Vec<[f64; 3]> = (0..SAMPLES).into_par_iter().map(of_sample).collect();
+            let [mass, moment, area] =
+                sums.into_iter().fold([0.0; 3], |a, b| [a[0] + b[0], a[1] + b[1], a[2] + b[2]]);
+            let part = mass / (accuracy * moment + floor * area);
+            let (least, most) = AIMED;
+            let is_good = part.is_nan() || part <= 0.0 || (least..=most).contains(&part);
+            if self.faces.control.is_stopped() || is_good {
+                return;
+            }
+            let factor = 0.5 * (least + most) / part;
+            goal.mass *= factor.clamp(1.0 / MOST_FACTOR, MOST_FACTOR);
         }
     }
 

@@ -65,6 +65,7 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
     };
     let question = Question { options: &options, direction, deadline: half };
     let (distance, neighbours) = engine::search(&question, from, target, Some(to));
+    let neighbours = neighbours.unwrap_or_else(|| Neighbours::new(to, bvh));
     let search = started.elapsed();
     let largest = frame.length_in(distance.distance.upper()).next_up();
 
@@ -82,7 +83,7 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
     let most_pieces = query.limits.pieces.unwrap_or(DeviationOptions::DEFAULT_PIECES);
     let control = Control::start(&query.limits)
         .until(deadline)
-        .holding(held + bytes_held(from, to, target) + neighbours.as_ref().map_or(0, Neighbours::bytes));
+        .holding(held + bytes_held(from, to, target) + neighbours.bytes());
     if watched.cancelled.into_inner() {
         control.stop(StopReason::Cancelled);
     }
@@ -101,6 +102,7 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
         frame: &frame,
         vertices: &vertices,
         bvh,
+        neighbours: Some(&neighbours),
         rounding,
         control: &control,
         largest,
@@ -136,7 +138,7 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
         order: &order,
         frame: &frame,
         bvh,
-        neighbours: neighbours.as_ref(),
+        neighbours: Some(&neighbours),
         control: &control_of_maxima,
     };
     let mut of_faces = vec![Maximum::from(&bounds[0]); order.len()];

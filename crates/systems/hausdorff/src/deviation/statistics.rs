@@ -1,6 +1,6 @@
 //! What is said about an area as a whole.
 
-use super::distribution::{Distribution, level};
+use super::distribution::{Distribution, Moments, level};
 use super::linear::{greater, lesser};
 use crate::report::Enclosure;
 use pompeiu_core::exact::Interval;
@@ -100,12 +100,13 @@ pub(super) struct Wanted<'w> {
 
 impl Wanted<'_> {
     /// See [`Wanted::fine`], as a part of the accuracy.
-    pub(super) const FINE: f64 = 1e-3;
+    pub(super) const FINE: f64 = 0.05;
 }
 
 /// The same in the frame, for deciding what to refine.
 #[derive(Clone, Debug)]
 pub(super) struct Summary {
+    pub(super) sums: Moments,
     pub(super) area: Interval,
     pub(super) mean: (f64, f64),
     pub(super) rms: (f64, f64),
@@ -116,7 +117,16 @@ pub(super) struct Summary {
 impl Summary {
     /// None where the area may be zero.
     pub(super) fn of(distribution: &Distribution, wanted: &Wanted<'_>, largest: f64) -> Option<Self> {
-        let sums = distribution.moments();
+        Self::with(distribution.moments(), distribution, wanted, largest)
+    }
+
+    /// The same of a distribution whose moments are known.
+    pub(super) fn with(
+        sums: Moments,
+        distribution: &Distribution,
+        wanted: &Wanted<'_>,
+        largest: f64,
+    ) -> Option<Self> {
         let area = sums.area.enclosure();
         if area.lower() <= 0.0 {
             return None;
@@ -129,7 +139,7 @@ impl Summary {
         let rms = (greater(rms.lower(), mean.0), lesser(rms.upper(), largest));
         let percentiles = distribution.percentiles(wanted.percentiles, area, largest, wanted.fine);
         let above = wanted.threshold.map(|t| share_above(distribution, t, area, largest));
-        Some(Self { area, mean, rms, percentiles, above })
+        Some(Self { sums, area, mean, rms, percentiles, above })
     }
 
     pub(super) fn publish(

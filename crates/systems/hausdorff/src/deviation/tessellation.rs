@@ -10,7 +10,7 @@ use crate::engine::joint_frame;
 use crate::target::Target;
 use pompeiu_core::geom::Aabb;
 use pompeiu_core::run::Control;
-use pompeiu_core::spatial::morton_order;
+use pompeiu_core::spatial::{Neighbours, morton_order};
 use pompeiu_core::{FaceId, TriMesh};
 use rayon::prelude::*;
 
@@ -54,6 +54,7 @@ impl DirectedDeviation {
         let order = morton_order(mesh, &Aabb::of_faces(mesh));
         let vertices = VertexDistances::new(mesh, &frame, target.bvh(), &order);
         let largest = frame.length_in(self.distance.distance.upper()).next_up();
+        let neighbours = Neighbours::new(other, target.bvh());
         let control = Control::default();
         let tolerance = frame.length_in(tolerance);
         let faces = Faces {
@@ -61,6 +62,7 @@ impl DirectedDeviation {
             frame: &frame,
             vertices: &vertices,
             bvh: target.bvh(),
+            neighbours: Some(&neighbours),
             rounding,
             control: &control,
             largest,
@@ -72,11 +74,11 @@ impl DirectedDeviation {
         let tasks: Vec<Vec<(DisplayTriangle, u32)>> = order
             .par_chunks(TASK)
             .map(|task| {
-                let mut cutter = faces.cutter();
+                let mut cutter = faces.cutter(true);
                 let of_face = |face: &u32| {
                     cutter.cut(&faces.start(*face).0, &goal, MOST_PIECES);
                     let triangles =
-                        cutter.pieces.iter().map(|piece| piece.polygon.fan().count() as u32).sum();
+                        cutter.pieces.iter().map(|piece| piece.polygon.outline.fan().count() as u32).sum();
                     (display_whole(&faces, &cutter, *face), triangles)
                 };
                 task.iter().map(of_face).collect()
@@ -105,7 +107,7 @@ impl DirectedDeviation {
         let parts: Vec<Vec<DisplayTriangle>> = to_cut
             .par_chunks(TASK)
             .map(|task| {
-                let mut cutter = faces.cutter();
+                let mut cutter = faces.cutter(true);
                 let of_face = |place: &usize| {
                     let face = order[*place];
                     cutter.cut(&faces.start(face).0, &goal, MOST_PIECES);
@@ -146,13 +148,13 @@ fn display_parts(faces: &Faces<'_>, cutter: &Cutter<'_>, face: u32) -> Vec<Displ
     for piece in &cutter.pieces {
         let Piece { polygon, .. } = piece;
         let place = |j: usize| {
-            if polygon.depth == 0 {
+            if polygon.outline.depth == 0 {
                 faces.mesh.corners(FaceId(face))[j]
             } else {
-                frame.unmap(cutter.point([polygon.v[j], polygon.w[j]]))
+                frame.unmap(cutter.point([polygon.outline.v[j], polygon.outline.w[j]]))
             }
         };
-        for triangle in polygon.fan() {
+        for triangle in polygon.outline.fan() {
             let shown = triangle.map(|j| middle(ends(faces.largest, piece, j)));
             let error = (0..3).fold(0.0, |error, k| greater(error, error_at(piece, triangle[k], shown[k])));
             triangles.push(DisplayTriangle {
@@ -169,9 +171,9 @@ fn display_parts(faces: &Faces<'_>, cutter: &Cutter<'_>, face: u32) -> Vec<Displ
 fn display_whole(faces: &Faces<'_>, cutter: &Cutter<'_>, face: u32) -> DisplayTriangle {
     let mut at_corner = [(0.0, f64::INFINITY); 3];
     for piece in &cutter.pieces {
-        for j in 0..piece.polygon.count {
+        for j in 0..piece.polygon.outline.count {
             // Corners of the face are corners of pieces, digit for digit.
-            let corner = match [piece.polygon.v[j], piece.polygon.w[j]] {
+            let corner = match [piece.polygon.outline.v[j], piece.polygon.outline.w[j]] {
                 [0.0, 0.0] => 0,
                 [1.0, 0.0] => 1,
                 [0.0, 1.0] => 2,
@@ -185,8 +187,8 @@ fn display_whole(faces: &Faces<'_>, cutter: &Cutter<'_>, face: u32) -> DisplayTr
     let shown = at_corner.map(|(low, high)| middle((low, lesser(high, faces.largest))));
     let mut error = 0.0;
     for piece in &cutter.pieces {
-        for j in 0..piece.polygon.count {
-            let [v, w] = [piece.polygon.v[j], piece.polygon.w[j]];
+        for j in 0..piece.polygon.outline.count {
+            let [v, w] = [piece.polygon.outline.v[j], piece.polygon.outline.w[j]];
             let here = shown[0] + v * (shown[1] - shown[0]) + w * (shown[2] - shown[0]);
             error = greater(error, error_at(piece, j, here));
         }

@@ -1,10 +1,11 @@
 //! A bounding-volume hierarchy over triangles, eight children to a node and eight triangles to a leaf.
 //!
 //! The tree owns a copy of its triangles, laid out for SIMD, and knows nothing of what is asked of it: building is in
-//! `build` and `split`, questions are in `nearest` and `cover`, each with its own traversal.
+//! `build` and `split`, questions are in `nearest`, `cover` and `meet`, each with its own traversal.
 
 mod build;
 mod cover;
+mod meet;
 mod nearest;
 mod split;
 
@@ -15,6 +16,7 @@ use crate::geom::point_triangle::{LANES, TriangleBlock};
 use std::ops::ControlFlow;
 
 pub use cover::Cover;
+pub use meet::Leaf;
 pub use nearest::{Nearest, Workspace};
 
 /// Place of a triangle in the leaves of a [`Bvh`].
