@@ -44,6 +44,11 @@ COMMANDS = {
         "remesh rough.obj -o even.ply --edge-length 0.1",
         "remesh rough.obj -o adapted.ply --adaptive 0.02 --within 0.1 --features 60",
     ],
+    "flow": [
+        "flow tube.obj",
+        "flow rough.obj --until time:0.01 -o flowed.ply",
+        "flow rough.obj --volume keep --until steps:3 -o bubble.ply",
+    ],
     "simplify": [
         "simplify rough.obj -o simple.ply --within 0.1",
         "simplify rough.obj -o few.ply --faces 200",
@@ -54,6 +59,7 @@ COMMANDS = {
 SHAPES = [
     "tent -o tent.obj",
     "grid --size 2,2 -o square.obj",
+    "schwarz-lantern --segments 24 --bands 8 --height 1 -o tube.obj",
     "icosphere --noise 0.05 -o rough.obj",
     "point-lattice --cells 2 -o points.obj",
     "cube --side 1e160 -o huge.obj",

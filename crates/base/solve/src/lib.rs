@@ -20,11 +20,12 @@
 //! # Ok::<(), pompeiu_solve::SolveError>(())
 //! ```
 //!
-//! [`DenseCholesky`] is for small dense matrices, Gram matrices for instance.
+//! [`ElementPattern`] assembles matrices of one pattern again and again. [`DenseCholesky`] is for small dense matrices, Gram matrices for instance.
 //!
 //! This crate knows nothing of meshes. Sparse matrices are factored on one thread, and independent ones can be factored in
 //! parallel; results have the same bits at any number of threads.
 
+mod assembly;
 mod cholesky;
 mod dense;
 mod error;
@@ -35,6 +36,7 @@ mod semidefinite;
 mod solver;
 mod sparse;
 
+pub use assembly::{ElementPattern, FIXED};
 pub use cholesky::{Analysis, Cholesky};
 pub use dense::DenseCholesky;
 pub use error::SolveError;

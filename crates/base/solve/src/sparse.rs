@@ -121,6 +121,23 @@ impl SparseMatrix {
         Ok(matrix)
     }
 
+    /// The square matrix of these columns, whose rows are in increasing order.
+    ///
+    /// # Errors
+    /// [`SolveError::NonFinite`].
+    pub(crate) fn from_parts(
+        rows: usize,
+        starts: Vec<usize>,
+        row_indices: Vec<usize>,
+        values: Vec<f64>,
+    ) -> Result<Self, SolveError> {
+        if let Some(at) = values.iter().position(|x| !x.is_finite()) {
+            let column = starts.partition_point(|&start| start <= at) - 1;
+            return Err(SolveError::NonFinite { row: row_indices[at], column, value: values[at] });
+        }
+        Ok(Self { rows, starts, row_indices, values })
+    }
+
     /// The diagonal matrix with these entries.
     ///
     /// # Errors

@@ -33,6 +33,7 @@ fn published_schemas_are_those_of_the_types() {
     check("decompose", schema::<answers::Decompose<'static>>());
     check("deviation", schema::<answers::Deviation<'static>>());
     check("distance", schema::<answers::Distance<'static>>());
+    check("flow", schema::<answers::Flow<'static>>());
     check("info", schema::<answers::Info<'static>>());
     check("matrix", schema::<answers::Matrix<'static>>());
     check("rank", schema::<answers::Rank<'static>>());

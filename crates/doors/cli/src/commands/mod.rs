@@ -6,6 +6,7 @@ mod convert;
 mod decompose;
 mod deviation;
 mod distance;
+mod flow;
 mod generate;
 mod info;
 mod man;
@@ -45,6 +46,7 @@ commands! {
     info::Info,
     decompose::Decompose,
     remesh::Remesh,
+    flow::Flow,
     simplify::Simplify,
     repair::Repair,
     convert::Convert,
@@ -59,6 +61,7 @@ pub(crate) mod answers {
     pub(crate) use super::decompose::Json as Decompose;
     pub(crate) use super::deviation::Json as Deviation;
     pub(crate) use super::distance::Json as Distance;
+    pub(crate) use super::flow::Json as Flow;
     pub(crate) use super::info::Json as Info;
     pub(crate) use super::matrix::Json as Matrix;
     pub(crate) use super::rank::Json as Rank;

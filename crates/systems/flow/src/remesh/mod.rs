@@ -6,6 +6,7 @@ mod curvature;
 mod edit;
 mod features;
 mod flips;
+mod improve;
 mod isotropic;
 mod marked;
 mod near;
@@ -21,6 +22,7 @@ mod smooth;
 mod within;
 
 pub use connectivity::{ConnectivityError, DynamicMesh};
+pub(crate) use connectivity::{NONE, next};
 pub use edit::Illegal;
 pub use features::Features;
 pub use options::{Simplified, SimplifyError, SimplifyOptions, SimplifyTarget, SimplifyTiming};

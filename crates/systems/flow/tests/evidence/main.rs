@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "tests may panic and say what they skip")]
 
+mod flow;
 mod operations;
 mod remeshing;
 mod simplification;

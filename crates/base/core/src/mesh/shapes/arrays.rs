@@ -42,6 +42,19 @@ impl Arrays {
         self.faces.extend([[a, b, c], [a, c, d]]);
     }
 
+    /// Faces between circles of vertices that are turned by half a step in turn, from the first vertex on.
+    pub(super) fn staggered(&mut self, segments: u32, rows: u32) {
+        let vertex = |row: u32, segment: u32| row * segments + segment % segments;
+        for row in 0..rows {
+            // A circle that is turned starts half a step later: its vertex s lies between s and s + 1 of its neighbours.
+            let (below, above) = if row % 2 == 0 { (1, 0) } else { (0, 1) };
+            for s in 0..segments {
+                self.faces.push([vertex(row, s), vertex(row, s + 1), vertex(row + 1, s + above)]);
+                self.faces.push([vertex(row, s + below), vertex(row + 1, s + 1), vertex(row + 1, s)]);
+            }
+        }
+    }
+
     /// The finished mesh.
     pub(super) fn into_mesh(self) -> Result<TriMesh, ShapeError> {
         Ok(TriMesh::new(self.positions, self.faces)?)

@@ -65,15 +65,7 @@ pub fn schwarz_lantern(radius: f64, height: f64, segments: u32, bands: u32) -> R
     let (n, m) = (count("segments", segments, 3)?, count("bands", bands, 1)?);
     let mut arrays = Arrays::with_capacity(n * (m + 1), 2 * n * m)?;
     wall(&mut arrays, [radius, height], segments, bands, |row| u64::from(row % 2))?;
-    let vertex = |row: u32, segment: u32| row * segments + segment % segments;
-    for row in 0..bands {
-        // A circle that is turned starts half a step later: its vertex s lies between s and s + 1 of its neighbours.
-        let (below, above) = if row % 2 == 0 { (1, 0) } else { (0, 1) };
-        for s in 0..segments {
-            arrays.faces.push([vertex(row, s), vertex(row, s + 1), vertex(row + 1, s + above)]);
-            arrays.faces.push([vertex(row, s + below), vertex(row + 1, s + 1), vertex(row + 1, s)]);
-        }
-    }
+    arrays.staggered(segments, bands);
     arrays.into_mesh()
 }
 

@@ -19,8 +19,8 @@ pub use cover::Cover;
 pub use meet::Leaf;
 pub use nearest::{Nearest, Workspace};
 
-/// Place of a triangle in the leaves of a [`Bvh`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+/// Place of a triangle in the leaves of a [`Bvh`]; by default the first, which every tree has.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Slot(u32);
 
 impl Slot {

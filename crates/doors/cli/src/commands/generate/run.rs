@@ -46,6 +46,19 @@ fn make<'s>(shape: &'s Shape, printer: &Printer) -> anyhow::Result<(TriMesh, &'s
         Shape::Tent { side, height, finish } => (shapes::tent(*side, *height), finish),
         Shape::Tetrahedron { edge, finish } => (shapes::tetrahedron(*edge), finish),
         Shape::Icosahedron { radius, finish } => (shapes::icosahedron(*radius), finish),
+        Shape::Catenoid { waist, height, segments, rows, finish } => {
+            (shapes::catenoid(*waist, *height, *segments, *rows), finish)
+        }
+        Shape::Helicoid { radius, pitch, turns, segments, strips, finish } => {
+            (shapes::helicoid(*radius, *pitch, *turns, *segments, *strips), finish)
+        }
+        Shape::Enneper { radius, segments, rings, finish } => {
+            (shapes::enneper(*radius, *segments, *rings), finish)
+        }
+        Shape::Scherk { half, cells, finish } => (shapes::scherk(*half, *cells), finish),
+        Shape::Dumbbell { radius, neck, segments, rows, finish } => {
+            (shapes::dumbbell(*radius, *neck, *segments, *rows), finish)
+        }
         Shape::MobiusStrip { radius, width, segments, strips, finish } => {
             (shapes::mobius_strip(*radius, *width, *segments, *strips), finish)
         }

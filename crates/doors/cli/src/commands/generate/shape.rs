@@ -181,6 +181,90 @@ pub(crate) enum Shape {
         #[command(flatten)]
         finish: Finish,
     },
+    /// Catenoid around the z axis, a minimal surface
+    Catenoid {
+        /// Least radius
+        #[arg(
+            long,
+            default_value_t = 0.8483379380949789,
+            value_name = "LENGTH",
+            allow_negative_numbers = true
+        )]
+        waist: f64,
+        /// Along the z axis
+        #[arg(long, default_value_t = 1.0, value_name = "LENGTH", allow_negative_numbers = true)]
+        height: f64,
+        /// Around the axis
+        #[arg(long, default_value_t = 96, value_name = "N")]
+        segments: u32,
+        /// Bands along the height
+        #[arg(long, default_value_t = 24, value_name = "N")]
+        rows: u32,
+        #[command(flatten)]
+        finish: Finish,
+    },
+    /// Helicoid around the z axis, a minimal surface
+    Helicoid {
+        /// From the axis to the rim
+        #[arg(long, default_value_t = 1.0, value_name = "LENGTH", allow_negative_numbers = true)]
+        radius: f64,
+        /// Height of a turn
+        #[arg(long, default_value_t = 1.0, value_name = "LENGTH", allow_negative_numbers = true)]
+        pitch: f64,
+        /// Number of turns
+        #[arg(long, default_value_t = 1.0, value_name = "X", allow_negative_numbers = true)]
+        turns: f64,
+        /// Along the axis
+        #[arg(long, default_value_t = 64, value_name = "N")]
+        segments: u32,
+        /// Across the strip
+        #[arg(long, default_value_t = 16, value_name = "N")]
+        strips: u32,
+        #[command(flatten)]
+        finish: Finish,
+    },
+    /// Enneper's minimal surface over a disk
+    Enneper {
+        /// Of the disk of parameters
+        #[arg(long, default_value_t = 1.0, value_name = "LENGTH", allow_negative_numbers = true)]
+        radius: f64,
+        /// Around the centre
+        #[arg(long, default_value_t = 48, value_name = "N")]
+        segments: u32,
+        /// Bands around the centre
+        #[arg(long, default_value_t = 16, value_name = "N")]
+        rings: u32,
+        #[command(flatten)]
+        finish: Finish,
+    },
+    /// Scherk's minimal surface over a square
+    Scherk {
+        /// Half the side of the square, below 1.5707
+        #[arg(long, default_value_t = 1.2, value_name = "LENGTH", allow_negative_numbers = true)]
+        half: f64,
+        /// Cells along each side
+        #[arg(long, default_value_t = 24, value_name = "N")]
+        cells: u32,
+        #[command(flatten)]
+        finish: Finish,
+    },
+    /// Two balls joined by a neck, around the z axis
+    Dumbbell {
+        /// Of the balls
+        #[arg(long, default_value_t = 1.0, value_name = "LENGTH", allow_negative_numbers = true)]
+        radius: f64,
+        /// Radius of the neck, as a part of that of the balls
+        #[arg(long, default_value_t = 0.3, value_name = "SHARE", allow_negative_numbers = true)]
+        neck: f64,
+        /// Around the axis
+        #[arg(long, default_value_t = 48, value_name = "N")]
+        segments: u32,
+        /// Bands along the axis
+        #[arg(long, default_value_t = 96, value_name = "N")]
+        rows: u32,
+        #[command(flatten)]
+        finish: Finish,
+    },
     /// Möbius strip around the z axis, which has one side only
     MobiusStrip {
         /// Of the middle circle

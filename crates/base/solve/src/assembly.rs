@@ -1,0 +1,156 @@
+//! Assembling matrices from elements whose unknowns stay the same.
+
+use crate::{SolveError, SparseMatrix};
+
+/// An unknown that is fixed: its rows and columns are left out.
+pub const FIXED: u32 = u32::MAX;
+
+/// Where the entries of element matrices belong in the matrix of all unknowns.
+///
+/// Found once, it serves every matrix that is assembled from the same elements: each step of a flow, for instance. All those
+/// matrices have the same pattern, so that one [`Analysis`](crate::Analysis) serves them, too.
+///
+/// # Shapes and units
+/// `K` unknowns in each of m elements; 4 K² bytes per element.
+#[derive(Clone, Debug)]
+pub struct ElementPattern<const K: usize> {
+    unknowns: usize,
+    starts: Vec<usize>,
+    row_indices: Vec<usize>,
+    /// For each element the places of its entries among the values, [`FIXED`] where there is none.
+    places: Vec<[[u32; K]; K]>,
+}
+
+impl<const K: usize> ElementPattern<K> {
+    /// The pattern of elements with these unknowns; [`FIXED`] stands for none.
+    ///
+    /// # Errors
+    /// [`SolveError::OutOfRange`] for an unknown that does not exist.
+    /// # Cost
+    /// O(K² m log K).
+    pub fn new(unknowns: usize, elements: &[[u32; K]]) -> Result<Self, SolveError> {
+        // Every unknown has a place on the diagonal.
+        let mut starts = vec![1_usize; unknowns + 1];
+        starts[0] = 0;
+        for &unknown in elements.iter().flatten().filter(|&&unknown| unknown != FIXED) {
+            let Some(count) = starts.get_mut(unknown as usize + 1) else {
+                let (row, column) = (unknown as usize, unknown as usize);
+                return Err(SolveError::OutOfRange { row, column, rows: unknowns, columns: unknowns });
+            };
+            *count += K;
+        }
+        for i in 0..unknowns {
+            starts[i + 1] += starts[i];
+        }
+        let mut next = starts.clone();
+        let mut gathered = vec![0_u32; starts[unknowns]];
+        for (column, at) in next[..unknowns].iter_mut().enumerate() {
+            gathered[*at] = column as u32;
+            *at += 1;
+        }
+        for element in elements {
+            for &column in element.iter().filter(|&&column| column != FIXED) {
+                let at = &mut next[column as usize];
+                // In the place of a fixed unknown the diagonal is noted once more.
+                for (k, &row) in element.iter().enumerate() {
+                    gathered[*at + k] = if row == FIXED { column } else { row };
+                }
+                *at += K;
+            }
+        }
+        let mut row_indices = Vec::with_capacity(gathered.len() / 2);
+        let mut merged = Vec::with_capacity(unknowns + 1);
+        merged.push(0);
+        for column in 0..unknowns {
+            let rows = &mut gathered[starts[column]..starts[column + 1]];
+            rows.sort_unstable();
+            let from = row_indices.len();
+            for &row in rows.iter() {
+                if row_indices.len() == from || row_indices.last() != Some(&(row as usize)) {
+                    row_indices.push(row as usize);
+                }
+            }
+            merged.push(row_indices.len());
+        }
+        let place = |row: u32, column: u32| {
+            if row == FIXED || column == FIXED {
+                return FIXED;
+            }
+            let from = merged[column as usize];
+            let rows: &[usize] = &row_indices[from..merged[column as usize + 1]];
+            rows.binary_search(&(row as usize)).map_or(FIXED, |at| (from + at) as u32)
+        };
+        let places = elements.iter().map(|e| e.map(|row| e.map(|column| place(row, column)))).collect();
+        Ok(Self { unknowns, starts: merged, row_indices, places })
+    }
+
+    /// Number of unknowns.
+    pub fn unknowns(&self) -> usize {
+        self.unknowns
+    }
+
+    /// The matrix with these values on the diagonal, plus the matrices of all elements, added in their order: entry `[i][j]` of
+    /// an element's matrix belongs to the row of its unknown i and the column of its unknown j.
+    ///
+    /// # Errors
+    /// [`SolveError::Length`] if the diagonal has another length; [`SolveError::NonFinite`].
+    pub fn assemble(
+        &self,
+        diagonal: &[f64],
+        element: impl Fn(usize) -> [[f64; K]; K],
+    ) -> Result<SparseMatrix, SolveError> {
+        let (found, expected) = (diagonal.len(), self.unknowns);
+        if found != expected {
+            return Err(SolveError::Length { what: "values on the diagonal", found, expected });
+        }
+        let mut values = vec![0.0; self.row_indices.len()];
+        for (column, &value) in diagonal.iter().enumerate() {
+            let rows = &self.row_indices[self.starts[column]..self.starts[column + 1]];
+            values[self.starts[column] + rows.partition_point(|row| *row < column)] = value;
+        }
+        for (m, places) in self.places.iter().enumerate() {
+            let entries = element(m);
+            for (place, entry) in places.iter().flatten().zip(entries.iter().flatten()) {
+                if *place != FIXED {
+                    values[*place as usize] += entry;
+                }
+            }
+        }
+        SparseMatrix::from_parts(self.unknowns, self.starts.clone(), self.row_indices.clone(), values)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_same_matrix_as_from_triplets() {
+        let elements = [[0, 2, 1], [2, FIXED, 3], [3, 0, FIXED]];
+        let element = |m: usize| [0, 1, 2].map(|i| [0, 1, 2].map(|j| (1 + m * 9 + i * 3 + j) as f64));
+        let diagonal = [1.0, 2.0, 3.0, 4.0];
+        let matrix = ElementPattern::new(4, &elements).unwrap().assemble(&diagonal, element).unwrap();
+        let mut triplets: Vec<_> = diagonal.iter().enumerate().map(|(i, &d)| (i, i, d)).collect();
+        for (m, e) in elements.iter().enumerate() {
+            let entries = element(m);
+            for (i, j) in (0..9).map(|k| (k / 3, k % 3)) {
+                if e[i] != FIXED && e[j] != FIXED {
+                    triplets.push((e[i] as usize, e[j] as usize, entries[i][j]));
+                }
+            }
+        }
+        assert_eq!(matrix, SparseMatrix::from_triplets(4, 4, &triplets).unwrap());
+    }
+
+    #[test]
+    fn unknowns_exist_and_lengths_agree() {
+        let error = ElementPattern::new(2, &[[0, 2]]).unwrap_err();
+        assert!(matches!(error, SolveError::OutOfRange { row: 2, .. }), "{error}");
+        let pattern = ElementPattern::new(2, &[[0, 1]]).unwrap();
+        assert!(matches!(pattern.assemble(&[0.0], |_| [[0.0; 2]; 2]), Err(SolveError::Length { .. })));
+        assert!(matches!(
+            pattern.assemble(&[0.0; 2], |_| [[f64::NAN; 2]; 2]),
+            Err(SolveError::NonFinite { .. })
+        ));
+    }
+}

@@ -1,0 +1,13 @@
+//! `pompeiu flow`.
+
+mod args;
+mod json;
+mod run;
+mod series;
+mod text;
+
+pub(crate) use args::Flow;
+pub(crate) use run::run;
+
+#[cfg(test)]
+pub(crate) use json::Json;

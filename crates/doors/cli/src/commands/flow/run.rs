@@ -1,0 +1,113 @@
+//! Runs the command.
+
+use super::args::{Flow as Args, Volume};
+use super::series::Series;
+use super::{json, text};
+use crate::called::called;
+use crate::exit::Exit;
+use crate::files;
+use crate::interrupt;
+use crate::pair::File;
+use crate::printer::Printer;
+use crate::wait::Wait;
+use anyhow::{Context, bail};
+use pompeiu::core::run::Limits;
+use pompeiu::flow::show::{FlowPage, Frames};
+use pompeiu::flow::{
+    BoundaryCondition, Flow, FlowObserver, FlowOptions, FlowStep, FlowStop, Remeshing, mean_curvature_flow,
+};
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+/// Surfaces that a page plays at most.
+const MOST_FRAMES: usize = 120;
+
+/// What was done, for both kinds of answers.
+pub(super) struct Outcome {
+    pub(super) input: File,
+    pub(super) output: File,
+    pub(super) flow: Flow,
+    pub(super) total: Duration,
+}
+
+pub(crate) fn run(args: &Args, printer: &Printer) -> anyhow::Result<Exit> {
+    let started = Instant::now();
+    if args.output.is_none() && args.series.is_none() && args.picture.outputs().next().is_none() && !args.json
+    {
+        bail!(
+            "nothing would be written; name the result with -o, or ask for --series, --report, --image or --json"
+        );
+    }
+    if let Some(output) = &args.output {
+        files::check_writable(output)?;
+    }
+    let outputs = args.output.iter().chain(&args.series).map(PathBuf::as_path).chain(args.picture.outputs());
+    files::check_places(outputs, &[&args.mesh])?;
+    let series = args.series.as_deref().map(Series::new).transpose()?;
+    args.limits.apply_threads()?;
+    interrupt::listen();
+    let wait = Wait::new(printer);
+    wait.show(format!("reading {}", args.mesh.display()));
+    let read = files::read(&args.mesh)?;
+    wait.suspend(|| files::warn_of_changes(&args.mesh, &read, printer));
+    let mesh = read.mesh;
+    let shows = args.picture.outputs().next().is_some();
+    let frames = Frames::new(if shows { MOST_FRAMES } else { 2 });
+    let watch = |step: &FlowStep<'_>| {
+        let done = (step.share.unwrap_or(0.0) * 1000.0) as u64;
+        let message = format!("step {}, area {:.6}", step.step, step.record.area);
+        if step.share.is_some() {
+            wait.advance(message, [done, 1000]);
+        } else {
+            wait.show(message);
+        }
+        if shows {
+            frames.step(step)?;
+        }
+        if let Some(series) = &series {
+            series.add(step)?;
+        }
+        interrupt::flow()
+    };
+    let options = FlowOptions {
+        scheme: args.scheme.map(Into::into),
+        time_step: args.time_step,
+        boundary: args.planes.map_or(BoundaryCondition::Fixed, BoundaryCondition::Planes),
+        keep_volume: args.volume == Volume::Keep,
+        remesh: args.remesh.map(|edge_length| Remeshing { edge_length, every: args.remesh_every }),
+        limits: Limits { time: args.limits.time_after(started.elapsed()), ..Limits::default() },
+        observer: Some(&watch),
+        ..FlowOptions::new(args.until)
+    };
+    let flow = mean_curvature_flow(&mesh, &options).with_context(|| args.mesh.display().to_string())?;
+    drop(wait);
+    if let Some(series) = series {
+        series.finish(&flow, printer)?;
+    }
+    if let Some(output) = &args.output {
+        files::write(output, &flow.mesh, printer)?;
+    }
+    let page = FlowPage {
+        path: &args.mesh.display().to_string(),
+        flow: &flow,
+        frames: &frames.into_frames(),
+        up: args.picture.up.axis(),
+        command: Some(&called()),
+    };
+    args.picture.write(
+        || page.html(),
+        |width, height, theme, view| page.image(width, height, theme, view),
+        printer,
+    )?;
+    let outcome = Outcome {
+        input: File::new(&args.mesh, &mesh),
+        output: File::new(args.output.as_deref().unwrap_or(&args.mesh), &flow.mesh),
+        flow,
+        total: started.elapsed(),
+    };
+    Printer::answer(&if args.json { json::json(&outcome)? } else { text::text(&outcome) })?;
+    Ok(match outcome.flow.stop {
+        FlowStop::Stationary | FlowStop::Time | FlowStop::Steps | FlowStop::Pinched => Exit::Done,
+        _ => Exit::Undecided,
+    })
+}

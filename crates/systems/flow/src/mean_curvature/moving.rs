@@ -1,0 +1,155 @@
+//! A surface that moves: positions, faces, and which vertices may move where.
+
+use super::triangle::Triangle;
+use crate::remesh::DynamicMesh;
+use glam::DVec3;
+use rayon::prelude::*;
+
+/// How a vertex may move.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Motion {
+    /// In any direction.
+    Free,
+    /// Not at all.
+    Fixed,
+    /// In the plane through it orthogonal to z; the frame of the flow is turned so that this is the plane it may slide in.
+    InPlane,
+}
+
+impl Motion {
+    /// The part of a vector along which the vertex may move.
+    #[inline]
+    pub(crate) fn project(self, vector: DVec3) -> DVec3 {
+        match self {
+            Self::Free => vector,
+            Self::Fixed => DVec3::ZERO,
+            Self::InPlane => DVec3::new(vector.x, vector.y, 0.0),
+        }
+    }
+
+    /// Whether a coordinate may change.
+    pub(crate) fn allows(self, coordinate: usize) -> bool {
+        self == Self::Free || self == Self::InPlane && coordinate < 2
+    }
+}
+
+/// A surface that moves.
+#[derive(Clone, Debug)]
+pub(crate) struct MovingSurface {
+    pub(crate) mesh: DynamicMesh,
+    /// By vertex.
+    pub(crate) motion: Vec<Motion>,
+}
+
+/// Faces of a parallel task.
+const TASK: usize = 2048;
+
+impl MovingSurface {
+    pub(crate) fn positions(&self) -> &[DVec3] {
+        &self.mesh.positions
+    }
+
+    pub(crate) fn faces(&self) -> &[[u32; 3]] {
+        self.mesh.origin.as_chunks::<3>().0
+    }
+
+    pub(crate) fn triangle(&self, face: usize, positions: &[DVec3]) -> Triangle {
+        Triangle::new(self.faces()[face].map(|v| positions[v as usize]))
+    }
+
+    pub(crate) fn triangles(&self) -> Vec<Triangle> {
+        let corners = |face: &[u32; 3]| Triangle::new(face.map(|v| self.positions()[v as usize]));
+        self.faces().par_iter().with_min_len(TASK).map(corners).collect()
+    }
+
+    /// The area with other positions.
+    pub(crate) fn area_at(&self, positions: &[DVec3]) -> f64 {
+        let of = |faces: &[[u32; 3]]| {
+            faces.iter().map(|f| Triangle::new(f.map(|v| positions[v as usize])).area).sum::<f64>()
+        };
+        let parts: Vec<f64> = self.faces().par_chunks(TASK).map(of).collect();
+        parts.iter().sum()
+    }
+
+    pub(crate) fn area(&self) -> f64 {
+        self.area_at(self.positions())
+    }
+
+    /// The volume of the cone from the origin over the surface: that enclosed by a closed one.
+    pub(crate) fn volume_at(&self, positions: &[DVec3]) -> f64 {
+        let of = |f: &[u32; 3]| {
+            let [a, b, c] = f.map(|v| positions[v as usize]);
+            a.dot(b.cross(c))
+        };
+        let parts: Vec<f64> =
+            self.faces().par_chunks(TASK).map(|faces| faces.iter().map(of).sum::<f64>()).collect();
+        parts.iter().sum::<f64>() / 6.0
+    }
+
+    pub(crate) fn volume(&self) -> f64 {
+        self.volume_at(self.positions())
+    }
+
+    /// The gradient of the area at each vertex, in the directions that it may move in.
+    pub(crate) fn gradient(&self, triangles: &[Triangle]) -> Vec<DVec3> {
+        let mut gradient = self.sum_at_vertices(triangles, Triangle::gradient);
+        for (g, motion) in gradient.iter_mut().zip(&self.motion) {
+            *g = motion.project(*g);
+        }
+        gradient
+    }
+
+    /// The gradient of the volume at each vertex, in the directions that it may move in.
+    pub(crate) fn volume_gradient_at(&self, positions: &[DVec3]) -> Vec<DVec3> {
+        let mut gradient = vec![DVec3::ZERO; positions.len()];
+        for face in self.faces() {
+            let [a, b, c] = face.map(|v| positions[v as usize]);
+            for (v, part) in face.iter().zip([b.cross(c), c.cross(a), a.cross(b)]) {
+                gradient[*v as usize] += part / 6.0;
+            }
+        }
+        for (g, motion) in gradient.iter_mut().zip(&self.motion) {
+            *g = motion.project(*g);
+        }
+        gradient
+    }
+
+    /// A third of the area of the faces around each vertex.
+    pub(crate) fn masses(&self, triangles: &[Triangle]) -> Vec<f64> {
+        let mut masses = vec![0.0; self.positions().len()];
+        for (face, triangle) in self.faces().iter().zip(triangles) {
+            for v in face {
+                masses[*v as usize] += triangle.area / 3.0;
+            }
+        }
+        masses
+    }
+
+    /// Unit normals of vertices, weighted by area; zero where they cancel.
+    pub(crate) fn normals(&self, triangles: &[Triangle]) -> Vec<DVec3> {
+        let sums = self.sum_at_vertices(triangles, |t| [t.area * t.normal; 3]);
+        sums.into_iter().map(DVec3::normalize_or_zero).collect()
+    }
+
+    /// The unit direction in which each vertex moves along its normal, as far as it may; zero where it may not.
+    pub(crate) fn directions(&self, normals: &[DVec3]) -> Vec<DVec3> {
+        let along = |(n, motion): (&DVec3, &Motion)| motion.project(*n).normalize_or_zero();
+        normals.iter().zip(&self.motion).map(along).collect()
+    }
+
+    fn sum_at_vertices(&self, triangles: &[Triangle], of: impl Fn(&Triangle) -> [DVec3; 3]) -> Vec<DVec3> {
+        let mut sums = vec![DVec3::ZERO; self.positions().len()];
+        for (face, triangle) in self.faces().iter().zip(triangles) {
+            for (v, part) in face.iter().zip(of(triangle)) {
+                sums[*v as usize] += part;
+            }
+        }
+        sums
+    }
+}
+
+/// Mean length of the edges of triangles.
+pub(crate) fn mean_edge(triangles: &[Triangle]) -> f64 {
+    let lengths = triangles.iter().flat_map(|t| t.edges).map(DVec3::length).sum::<f64>();
+    lengths / (3 * triangles.len()) as f64
+}

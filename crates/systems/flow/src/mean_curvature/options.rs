@@ -1,0 +1,190 @@
+//! What a flow is asked for.
+
+use super::FlowError;
+use super::observer::FlowObserver;
+use pompeiu_core::run::Limits;
+use std::num::NonZeroUsize;
+
+/// How a surface is moved towards less area.
+///
+/// M is the diagonal matrix of vertex areas, L the cotangent stiffness, `g = L X` the gradient of the area, δ the time step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub enum Scheme {
+    /// Gradient descent `X − δ M⁻¹ g`, with a line search (Armijo).
+    Explicit,
+    /// `(M₀ + δ L₀) X' = M₀ X` with both matrices of the first step. It minimises the Dirichlet energy in the metric of the first
+    /// surface, not the area, and its limit is no minimal surface.
+    FixedLaplacian,
+    /// `(M + δ L) X' = M X` with both matrices rebuilt at each step: backward Euler.
+    Implicit,
+    /// `(M + δ L₀) X' = M X`: conformalized mean curvature flow. It does not pinch, and is no gradient flow of the area.
+    Conformalized,
+    /// Newton's method for motions along vertex normals; where the Hessian is not positive definite, blended with L.
+    NormalNewton,
+    /// Newton's method for all coordinates; the negative in-plane part of the Hessian of each face is left out.
+    Newton,
+    /// Newton's method with the whole Hessian while the area falls, gradient descent where it would not.
+    NewtonOrGradient,
+}
+
+impl Scheme {
+    /// All schemes.
+    pub const ALL: [Self; 7] = [
+        Self::Explicit,
+        Self::FixedLaplacian,
+        Self::Implicit,
+        Self::Conformalized,
+        Self::NormalNewton,
+        Self::Newton,
+        Self::NewtonOrGradient,
+    ];
+
+    /// The name in commands and reports.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Explicit => "explicit",
+            Self::FixedLaplacian => "fixed-laplacian",
+            Self::Implicit => "implicit",
+            Self::Conformalized => "conformalized",
+            Self::NormalNewton => "normal-newton",
+            Self::Newton => "newton",
+            Self::NewtonOrGradient => "newton-or-gradient",
+        }
+    }
+
+    /// Whether its steps have a length in time.
+    pub const fn is_in_time(self) -> bool {
+        matches!(self, Self::Explicit | Self::FixedLaplacian | Self::Implicit | Self::Conformalized)
+    }
+}
+
+/// When a flow ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Until {
+    /// Once the gradient along the normal, a length, is nowhere greater than this part of the square root of the area.
+    Stationary(f64),
+    /// At this time, in squared lengths.
+    Time(f64),
+    /// After this many steps.
+    Steps(usize),
+}
+
+impl Until {
+    /// [`Until::Stationary`] to about 10 units of rounding of a vertex position.
+    pub const STATIONARY: Self = Self::Stationary(1e-11);
+}
+
+/// What the boundary may do.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum BoundaryCondition {
+    /// It stays.
+    Fixed,
+    /// Each vertex slides in the plane through it with this normal. The stationary surface meets these planes at right angles.
+    Planes([f64; 3]),
+}
+
+/// Remeshing during a flow.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Remeshing {
+    /// Length of edges.
+    pub edge_length: f64,
+    /// Steps between two remeshings.
+    pub every: NonZeroUsize,
+}
+
+/// Options of [`mean_curvature_flow`](super::mean_curvature_flow).
+#[derive(Clone)]
+#[allow(clippy::struct_excessive_bools, reason = "each is a question of its own")]
+pub struct FlowOptions<'o> {
+    /// How to move; by default [`Scheme::NormalNewton`] to a stationary surface of given boundary, else [`Scheme::Implicit`].
+    pub scheme: Option<Scheme>,
+    /// When to end.
+    pub until: Until,
+    /// Length of a step in time; by default chosen step by step. [`f64::INFINITY`] for the implicit schemes drops M.
+    pub time_step: Option<f64>,
+    /// Whether steps in time are extrapolated from a whole one and two halves (Richardson), for [`Scheme::Implicit`]. A flow to
+    /// a stationary surface has no use for it.
+    pub extrapolate: bool,
+    /// What the boundary may do.
+    pub boundary: BoundaryCondition,
+    /// Whether the enclosed volume is kept.
+    pub keep_volume: bool,
+    /// Whether edges are flipped towards Delaunay triangles and vertices moved within the surface while it flows to a stationary one.
+    pub improve: bool,
+    /// Remeshing on the way.
+    pub remesh: Option<Remeshing>,
+    /// Whether the least eigenvalue of the Hessian is computed for a stationary surface.
+    pub stability: bool,
+    /// Time and threads. When the time is over, the surface reached so far is returned.
+    pub limits: Limits,
+    /// Is shown each step.
+    pub observer: Option<&'o dyn FlowObserver>,
+}
+
+impl FlowOptions<'_> {
+    /// Default options with this end.
+    pub fn new(until: Until) -> Self {
+        Self {
+            scheme: None,
+            until,
+            time_step: None,
+            extrapolate: matches!(until, Until::Time(_)),
+            boundary: BoundaryCondition::Fixed,
+            keep_volume: false,
+            improve: matches!(until, Until::Stationary(_)),
+            remesh: None,
+            stability: true,
+            limits: Limits::default(),
+            observer: None,
+        }
+    }
+
+    /// The scheme that is used.
+    pub fn scheme(&self) -> Scheme {
+        self.scheme.unwrap_or(match self.until {
+            Until::Stationary(_) if !self.keep_volume => Scheme::NormalNewton,
+            _ => Scheme::Implicit,
+        })
+    }
+
+    pub(super) fn check(&self) -> Result<(), FlowError> {
+        let scheme = self.scheme();
+        let positive = |what: &'static str, value: f64| {
+            if value > 0.0 { Ok(()) } else { Err(FlowError::NotPositive { what, value }) }
+        };
+        match self.until {
+            Until::Stationary(tolerance) => positive("tolerance of the gradient", tolerance)?,
+            Until::Time(time) => {
+                positive("time", time)?;
+                if !scheme.is_in_time() {
+                    return Err(FlowError::NoTime { scheme });
+                }
+            }
+            Until::Steps(_) => {}
+        }
+        if let Some(step) = self.time_step {
+            positive("time step", step)?;
+            if !scheme.is_in_time() {
+                return Err(FlowError::NoTime { scheme });
+            }
+        }
+        if let Some(remeshing) = self.remesh {
+            positive("edge length of remeshing", remeshing.edge_length)?;
+        }
+        if self.keep_volume && scheme != Scheme::Implicit {
+            return Err(FlowError::VolumeNotKept { scheme });
+        }
+        if let BoundaryCondition::Planes(normal) = self.boundary {
+            let length = normal.iter().map(|x| x * x).sum::<f64>();
+            if !(length > 0.0 && length.is_finite()) {
+                return Err(FlowError::PlaneNormal { normal });
+            }
+            if self.keep_volume {
+                return Err(FlowError::VolumeWithPlanes);
+            }
+        }
+        Ok(())
+    }
+}
