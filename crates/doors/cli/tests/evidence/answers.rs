@@ -445,7 +445,7 @@ fn every_shape_can_be_generated_and_described() {
         .map_while(|line| line.split_whitespace().next())
         .filter(|&name| name != "help" && name != "mesh")
         .collect();
-    assert_eq!(shapes.len(), 16, "{help}");
+    assert_eq!(shapes.len(), 21, "{help}");
     for shape in shapes {
         folder.ok(&format!("generate {shape} -o {shape}.ply"));
         let info = json(&folder, &format!("info {shape}.ply --json"));

@@ -171,7 +171,7 @@ mod tests {
         let (r, p) = (1.0_f64, 0.5 / std::f64::consts::TAU);
         let half_turn = r * (r * r + p * p).sqrt() + p * p * (r / p).asinh();
         near(helicoid(r, 0.5, 2.0, 200, 40).unwrap(), 2.0 * PI * 2.0 * half_turn);
-        near(enneper(1.2, 96, 32).unwrap(), PI * ((1.0 + 1.44_f64).powi(3) - 1.0) / 3.0);
+        near(enneper(1.2, 192, 64).unwrap(), PI * ((1.0 + 1.44_f64).powi(3) - 1.0) / 3.0);
         near(scherk(1.2, 48).unwrap(), 9.949_824_998_708);
     }
 
