@@ -52,6 +52,7 @@ from .results import (
     WorkCount,
 )
 from .sources import MeshLike, as_mesh, read_mesh
+from .surfaces import Flow, Simplified, flow, simplify
 
 __all__ = [
     "DEFAULT_TOLERANCE",
@@ -65,6 +66,7 @@ __all__ = [
     "FieldError",
     "FieldParts",
     "FieldQuality",
+    "Flow",
     "Histogram",
     "HodgeDecomposition",
     "Mesh",
@@ -83,6 +85,7 @@ __all__ = [
     "ReadError",
     "Region",
     "ShareAbove",
+    "Simplified",
     "Standing",
     "Statistics",
     "SurfaceError",
@@ -100,10 +103,12 @@ __all__ = [
     "directed_hausdorff",
     "distance_matrix",
     "field_degrees_of_freedom",
+    "flow",
     "hausdorff",
     "mesh_summary",
     "rank",
     "read_mesh",
     "shapes",
+    "simplify",
     "write_mesh",
 ]

@@ -2,6 +2,8 @@
 
 use pompeiu::core::MeshError;
 use pompeiu::core::mesh::shapes::ShapeError;
+use pompeiu::flow::FlowError;
+use pompeiu::flow::remesh::SimplifyError;
 use pompeiu::hausdorff::OptionError;
 use pompeiu::io::{AttributeError, ReadError, WriteError};
 use pompeiu::matching::rank::RankError;
@@ -58,6 +60,27 @@ raise_as! {
     ShapeError => OptionError,
     UnknownOption => OptionError,
     WriteError => WriteError,
+}
+
+impl Raise for FlowError {
+    fn exception(&self, sentence: String) -> PyErr {
+        match self {
+            Self::Connectivity(_) | Self::NoArea { .. } | Self::NothingMoves | Self::NoVolume { .. } => {
+                classes::SurfaceError::new_err(sentence)
+            }
+            Self::Solve(_) => classes::FieldError::new_err(sentence),
+            _ => classes::OptionError::new_err(sentence),
+        }
+    }
+}
+
+impl Raise for SimplifyError {
+    fn exception(&self, sentence: String) -> PyErr {
+        match self {
+            Self::Connectivity(_) => classes::SurfaceError::new_err(sentence),
+            _ => classes::OptionError::new_err(sentence),
+        }
+    }
 }
 
 impl Raise for ReadError {

@@ -7,6 +7,7 @@ mod arrays;
 mod errors;
 mod fields;
 mod files;
+mod flow;
 mod hausdorff;
 mod json;
 mod matching;
@@ -21,6 +22,8 @@ mod _native {
     use crate::fields::{HodgeDecomposition, degrees_of_freedom};
     #[pymodule_export]
     use crate::files::{read_mesh, write_mesh};
+    #[pymodule_export]
+    use crate::flow::{mean_curvature_flow, simplify};
     #[pymodule_export]
     use crate::hausdorff::{Target, deviation, directed_deviation, directed_hausdorff, hausdorff};
     #[pymodule_export]

@@ -117,10 +117,13 @@ pub struct Change {
     pub r#final: f64,
 }
 
-/// Where a flow ended, and how it came there.
+/// Where a flow ended, and how it came there. As data it has neither the surface nor times.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Flow {
     /// The surface it ended in.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub mesh: TriMesh,
     /// Why it ended.
     pub stop: FlowStop,
@@ -146,6 +149,7 @@ pub struct Flow {
     /// The neck that pinches off.
     pub neck: Option<Neck>,
     /// How long it took.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub timing: FlowTiming,
 }
 

@@ -1,0 +1,219 @@
+"""Surfaces on their way: flow to least area, and simplification within a proven distance."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
+
+from . import _native
+from .errors import OptionError
+from .results import SymmetricReport
+from .sources import Mesh, MeshLike, as_mesh
+
+__all__ = ["Flow", "Simplified", "flow", "simplify"]
+
+#: Called with the number of the step, the area, and the greatest gradient along a normal; ``False`` ends the flow.
+StepLike = Optional[Callable[[int, float, float], Optional[bool]]]
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Flow:
+    """Where a flow ended, and how it came there.
+
+    Attributes
+    ----------
+    mesh : Mesh
+        The surface it ended in.
+    stop : str
+        ``"stationary"``, ``"time"``, ``"steps"``, ``"pinched"``, ``"stalled"``, ``"limit"`` or ``"cancelled"``.
+    steps : int
+        Number of steps.
+    area : tuple of float
+        Area at first and at the end.
+    gradient : tuple of float
+        Greatest gradient of the area at a vertex, along its normal and across it: lengths.
+    least_eigenvalue : float or None
+        Of a stationary surface: above zero for a local minimum of the area, below for a saddle.
+    report : dict
+        All of it, as ``pompeiu flow --json`` has it: volume, pressure, stability, discs, cone, neck, history.
+    """
+
+    mesh: Mesh
+    stop: str
+    steps: int
+    area: Tuple[float, float]
+    gradient: Tuple[float, float]
+    least_eigenvalue: Optional[float]
+    report: Dict[str, Any]
+
+    @property
+    def history(self) -> List[Dict[str, Any]]:
+        """Every step, the surface given first: time, area, gradient, scheme, reason."""
+        return self.report["history"]
+
+    def __repr__(self) -> str:
+        return f"Flow({self.stop!r} after {self.steps} steps, area {self.area[1]:.9g}, was {self.area[0]:.9g})"
+
+
+def flow(
+    mesh: MeshLike,
+    *,
+    stationary: float = 1e-11,
+    time: Optional[float] = None,
+    steps: Optional[int] = None,
+    scheme: Optional[str] = None,
+    time_step: Optional[float] = None,
+    planes: Optional[Sequence[float]] = None,
+    keep_volume: bool = False,
+    remesh: Union[float, None] = None,
+    remesh_every: int = 5,
+    threads: Optional[int] = None,
+    time_limit: Optional[float] = None,
+    progress: StepLike = None,
+) -> Flow:
+    """Lets a surface flow to less area: to a minimal surface, in time, or to a bubble.
+
+    Parameters
+    ----------
+    mesh : MeshLike
+        An oriented manifold whose faces have an area.
+    stationary : float
+        Ends once the gradient along vertex normals is at most this part of the square root of the area; the default end.
+    time : float, optional
+        Ends at this time instead, in squared lengths.
+    steps : int, optional
+        Ends after so many steps instead.
+    scheme : str, optional
+        ``"normal-newton"``, ``"implicit"``, ``"conformalized"``, ``"fixed-laplacian"``, ``"explicit"``, ``"newton"`` or
+        ``"newton-or-gradient"``.
+    time_step : float, optional
+        Length of a step in time; by default chosen step by step.
+    planes : sequence of three floats, optional
+        Lets each vertex of the boundary slide in the plane through it with this normal; by default the boundary stays.
+    keep_volume : bool
+        Keeps the enclosed volume.
+    remesh : float, optional
+        Remeshes to edges of this length every ``remesh_every`` steps.
+    threads, time_limit : optional
+        Limits; the surface reached is returned when the time is over.
+    progress : callable, optional
+        Called with the number of the step, the area and the gradient, at most twenty times a second; ``False`` ends the flow.
+
+    Raises
+    ------
+    SurfaceError
+        If the mesh is no oriented manifold, or a face has no area.
+    OptionError
+        If options do not belong together.
+
+    Examples
+    --------
+    >>> import pompeiu
+    >>> tube = pompeiu.shapes.schwarz_lantern(1.0, 1.0, 48, 12)
+    >>> film = pompeiu.flow(tube)
+    >>> film.stop, film.least_eigenvalue > 0
+    ('stationary', True)
+    >>> abs(film.area[1] / 5.991796975802282 - 1) < 5e-4
+    True
+    """
+    if time is not None and steps is not None:
+        raise OptionError("time and steps are both given; a flow has one end")
+    until = ("time", float(time)) if time is not None else ("steps", float(steps)) if steps is not None else ("stationary", float(stationary))
+    if until[1] < 0 or until[1] != until[1]:
+        raise OptionError(f"{until[0]} is {until[1]}; it must not be negative")
+    options = {
+        "scheme": scheme,
+        "until": until,
+        "time_step": time_step,
+        "planes": None if planes is None else list(planes),
+        "keep_volume": keep_volume,
+        "remesh": None if remesh is None else (remesh, remesh_every),
+        "threads": threads,
+        "time_limit": time_limit,
+    }
+    made, text = _native.mean_curvature_flow(as_mesh(mesh), options, progress)
+    report = json.loads(text)
+    stability = report["stability"]
+    return Flow(
+        mesh=made,
+        stop=report["stop"],
+        steps=report["steps"],
+        area=(report["area"]["initial"], report["area"]["final"]),
+        gradient=(report["gradient"]["normal"], report["gradient"]["tangential"]),
+        least_eigenvalue=None if stability is None else stability["least_eigenvalue"],
+        report=report,
+    )
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Simplified:
+    """A mesh with fewer faces, and how far it is proven to be from the input.
+
+    Attributes
+    ----------
+    mesh : Mesh
+        The result.
+    distance : SymmetricReport
+        Both directed distances, enclosed: A is the input, B the result.
+    collapses : int
+        Number of edges collapsed.
+    stop : str
+        Why it ended.
+    """
+
+    mesh: Mesh
+    distance: SymmetricReport
+    collapses: int
+    stop: str
+
+    def __repr__(self) -> str:
+        return f"Simplified({self.mesh.n_faces} faces, at most {self.distance.upper:.6g} from the input)"
+
+
+def simplify(
+    mesh: MeshLike,
+    *,
+    within: Optional[float] = None,
+    faces: Optional[int] = None,
+    threads: Optional[int] = None,
+    time_limit: Optional[float] = None,
+    progress: Optional[Callable[[float], Optional[bool]]] = None,
+) -> Simplified:
+    """Reduces the number of faces, and proves how far the result is from the input.
+
+    Parameters
+    ----------
+    mesh : MeshLike
+        An oriented manifold.
+    within : float, optional
+        Largest Pompeiu–Hausdorff distance from the input. Either this or ``faces`` is given.
+    faces : int, optional
+        Number of faces to reach; the distance follows.
+    threads, time_limit : optional
+        Limits; the mesh reached is returned when the time is over.
+    progress : callable, optional
+        Called with the share that is done; ``False`` ends it.
+
+    Raises
+    ------
+    SurfaceError
+        If the mesh is no oriented manifold.
+    OptionError
+        If not exactly one of ``within`` and ``faces`` is given, or it makes no sense.
+
+    Examples
+    --------
+    >>> import pompeiu
+    >>> few = pompeiu.simplify(pompeiu.shapes.icosphere(1.0, 3), within=0.05)
+    >>> few.mesh.n_faces < 300 and few.distance.upper <= 0.05
+    True
+    """
+    if (within is None) == (faces is None):
+        raise OptionError("give either within, a length, or faces, a number")
+    if faces is not None and faces < 0:
+        raise OptionError(f"the number of faces is {faces}; at least 1 is needed")
+    made, text, collapses, stop = _native.simplify(
+        as_mesh(mesh), None if within is None else float(within), faces or 0, threads, time_limit, progress
+    )
+    return Simplified(made, SymmetricReport._of(json.loads(text)), collapses, stop)
