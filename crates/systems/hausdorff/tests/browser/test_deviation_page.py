@@ -399,8 +399,8 @@ class DeviationPage(PageTest):
         self.assertLess(brightness(page), 150, "dark by choice")
         page.click("#theme")
         page.emulate_media(color_scheme="light")
-        page.wait_for_function("getComputedStyle(document.body).color === getComputedStyle(document.documentElement).color")
-        page.wait_for_function("pompeiu.app.scenes[0].scene.background.r > 0.8")
+        page.wait_for_function("() => getComputedStyle(document.body).color === getComputedStyle(document.documentElement).color")
+        page.wait_for_function("() => pompeiu.app.scenes[0].scene.background.r > 0.8")
         self.assertGreater(brightness(page), 600, "as the system")
 
     def test_text_has_contrast(self):
