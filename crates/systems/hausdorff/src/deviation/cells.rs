@@ -15,9 +15,8 @@
 use super::behind::{Plane, rising};
 use super::candidates::{Candidate, Scale};
 use super::envelope::{distances, unit};
-use super::face::Piece;
 use super::goal::Goal;
-use super::polygon::{MOST_CORNERS, Outline, Polygon, Row};
+use super::polygon::{MOST_CORNERS, Outline, Piece, Polygon, Row};
 use glam::DVec3;
 use pompeiu_core::geom::Aabb;
 use pompeiu_core::geom::point_triangle::closest_barycentric;

@@ -2,7 +2,7 @@
 
 use super::regions::Region;
 use super::report::{DeviationWork, DirectedDeviation, Sides};
-use super::statistics::{ShareAbove, Statistics};
+use super::statistics::Statistics;
 use crate::report::{Enclosure, PointPair, StopReason, SurfacePoint};
 use pompeiu_core::FaceId;
 use serde::{Serialize, Serializer};
@@ -112,9 +112,3 @@ impl<'r> From<&'r Region> for Place<'r> {
 }
 
 serialise_as!(Region, Place);
-
-/// Serialises the share alone: the threshold stands beside what was asked.
-#[allow(clippy::ref_option, reason = "serde hands a reference to the field")]
-pub(super) fn share<S: Serializer>(above: &Option<ShareAbove>, serializer: S) -> Result<S::Ok, S::Error> {
-    above.map(|above| above.share).serialize(serializer)
-}

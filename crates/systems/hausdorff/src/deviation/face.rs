@@ -3,7 +3,7 @@
 use super::cells::{Cells, Limits};
 use super::envelope::{Envelope, Open, Wish};
 use super::goal::Goal;
-use super::polygon::Polygon;
+use super::polygon::{Piece, Polygon};
 use crate::rounding::Rounding;
 use pompeiu_core::run::Control;
 use pompeiu_core::spatial::{Bvh, Neighbours, Slot};
@@ -17,13 +17,6 @@ pub(super) struct Start {
     /// Distances of the corners from B, rounded.
     pub(super) distances: [f64; 3],
     /// The face of B nearest to the first corner.
-    pub(super) near: Slot,
-}
-
-/// A part of a face, and a face of B near its centre.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Piece {
-    pub(super) polygon: Polygon,
     pub(super) near: Slot,
 }
 

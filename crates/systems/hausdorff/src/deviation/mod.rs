@@ -23,6 +23,7 @@ mod faces;
 mod goal;
 mod linear;
 mod maxima;
+mod measure;
 mod options;
 mod polygon;
 mod refine;

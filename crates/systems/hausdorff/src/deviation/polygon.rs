@@ -7,6 +7,8 @@
 //! With each corner goes the value there of a function above the distance and of one below it. The one above is convex, so
 //! its linear interpolation on any triangle between corners lies above it; the one below is concave.
 
+use pompeiu_core::spatial::Slot;
+
 /// Corners of a polygon at most: every cut may add one.
 pub(super) const MOST_CORNERS: usize = 8;
 
@@ -41,6 +43,13 @@ pub(super) struct Polygon {
     pub(super) upper: Row,
     /// Values at the corners of a function that is below the distance from faces of B which are not on the list of this polygon.
     pub(super) beyond: Row,
+}
+
+/// A part of a face, and a face of B near its centre.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Piece {
+    pub(super) polygon: Polygon,
+    pub(super) near: Slot,
 }
 
 impl Outline {

@@ -4,10 +4,11 @@
 //! fixed sizes, whose outcomes are put together in task order, so that the pieces are the same at any number of threads.
 
 use super::distribution::{Distribution, Entry, Portion, Sum, mean_of};
-use super::face::{Cutter, Piece, Start};
-use super::faces::{self, VertexDistances};
+use super::face::{Cutter, Start};
 use super::goal::Goal;
 use super::linear::{Corners, greater, greatest, least, lesser};
+use super::measure::{self, VertexDistances};
+use super::polygon::Piece;
 use super::statistics::{Summary, Wanted};
 use crate::rounding::Rounding;
 use pompeiu_core::geom::Frame;
@@ -70,7 +71,7 @@ impl<'f> Faces<'f> {
 
     pub(super) fn start(&self, face: u32) -> (Start, (f64, f64)) {
         let corners = self.mesh.corners(FaceId(face)).map(|p| self.frame.map(p));
-        let area = faces::area(self.mesh, self.frame, face);
+        let area = measure::area(self.mesh, self.frame, face);
         let vertices = self.mesh.faces()[face as usize].map(|v| v as usize);
         let start = Start {
             corners,

@@ -1,9 +1,10 @@
 //! One direction, from meshes to report.
 
 use super::distribution::{Distribution, Entry};
-use super::faces::{self, VertexDistances};
+use super::faces;
 use super::linear::{greater, lesser};
 use super::maxima::{Maxima, Maximum, Precision};
+use super::measure::{self, VertexDistances};
 use super::options::DeviationOptions;
 use super::refine::{Aim, FaceBounds, Faces, Refined, Refinement};
 use super::regions::Peaks;
@@ -72,7 +73,7 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
     let refining = Instant::now();
     let order = morton_order(from, &a_box);
     let vertices = VertexDistances::new(from, &frame, bvh, &order);
-    let (total, moment) = faces::area_and_moment(from, &frame, &vertices);
+    let (total, moment) = measure::area_and_moment(from, &frame, &vertices);
     let floor = DeviationOptions::FLOOR * diagonal + 4.0 * rounding.bound(0);
     let wanted = Wanted {
         percentiles: &query.percentiles,

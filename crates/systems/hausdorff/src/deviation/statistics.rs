@@ -30,7 +30,7 @@ pub struct Statistics {
         feature = "serde",
         serde(
             rename = "share_above_threshold",
-            serialize_with = "super::data::share",
+            serialize_with = "share_alone",
             skip_serializing_if = "Option::is_none"
         )
     )]
@@ -38,6 +38,13 @@ pub struct Statistics {
     pub above: Option<ShareAbove>,
     /// How much area lies in which range of distances.
     pub histogram: Histogram,
+}
+
+/// Serialises the share alone: the threshold stands beside what was asked.
+#[cfg(feature = "serde")]
+#[allow(clippy::ref_option, reason = "serde hands a reference to the field")]
+fn share_alone<S: serde::Serializer>(above: &Option<ShareAbove>, serializer: S) -> Result<S::Ok, S::Error> {
+    serde::Serialize::serialize(&above.map(|above| above.share), serializer)
 }
 
 /// The distance that a share of the area does not exceed.

@@ -1,9 +1,10 @@
 //! Triangles to draw: faces where linear interpolation shows the deviation well enough, their pieces elsewhere.
 
-use super::face::{Cutter, Piece};
-use super::faces::VertexDistances;
+use super::face::Cutter;
 use super::goal::Goal;
 use super::linear::{greater, lesser};
+use super::measure::VertexDistances;
+use super::polygon::Piece;
 use super::refine::Faces;
 use super::report::DirectedDeviation;
 use crate::engine::joint_frame;

@@ -1,0 +1,73 @@
+//! Areas of faces and distances of vertices: what is known of a mesh before its faces are cut.
+
+use super::linear::greater;
+use pompeiu_core::exact::Interval;
+use pompeiu_core::geom::Frame;
+use pompeiu_core::spatial::{Bvh, Slot, Workspace};
+use pompeiu_core::{FaceId, TriMesh};
+use rayon::prelude::*;
+
+/// Encloses the area of a face in a frame.
+pub(super) fn area(mesh: &TriMesh, frame: &Frame, face: u32) -> (f64, f64) {
+    let [a, b, c] = mesh.corners(FaceId(face)).map(|p| frame.enclosure(p));
+    let u = [0, 1, 2].map(|k| b[k] - a[k]);
+    let v = [0, 1, 2].map(|k| c[k] - a[k]);
+    let n = [(1, 2), (2, 0), (0, 1)].map(|(i, j)| u[i] * v[j] - u[j] * v[i]);
+    let doubled = (n[0].square() + n[1].square() + n[2].square()).sqrt();
+    let area = Interval::point(0.5) * doubled;
+    (greater(area.lower(), 0.0), area.upper())
+}
+
+/// The area of all faces, and the sum of areas times mean distances of corners; rounded.
+pub(super) fn area_and_moment(mesh: &TriMesh, frame: &Frame, vertices: &VertexDistances) -> (f64, f64) {
+    const CHUNK: usize = 1 << 12;
+    let of_face = |(sum, moment): (f64, f64), corners: &[u32; 3]| {
+        let [a, b, c] = corners.map(|v| glam::DVec3::from_array(frame.map(mesh.positions()[v as usize])));
+        let area = 0.5 * (b - a).cross(c - a).length();
+        let distances = corners.map(|v| vertices.distances[v as usize]);
+        (sum + area, moment + area * (distances[0] + distances[1] + distances[2]) * (1.0 / 3.0))
+    };
+    let chunks: Vec<(f64, f64)> =
+        mesh.faces().par_chunks(CHUNK).map(|faces| faces.iter().fold((0.0, 0.0), of_face)).collect();
+    chunks.into_iter().fold((0.0, 0.0), |a, b| (a.0 + b.0, a.1 + b.1))
+}
+
+/// Distances of vertices in a frame, each with a nearest face of the other mesh.
+pub(super) struct VertexDistances {
+    /// NaN for vertices that belong to no face.
+    pub(super) distances: Vec<f64>,
+    pub(super) near: Vec<Slot>,
+}
+
+impl VertexDistances {
+    pub(super) fn new(mesh: &TriMesh, frame: &Frame, bvh: &Bvh, order: &[u32]) -> Self {
+        const TASK: usize = 256;
+        // Each vertex with the first of its faces in the order, in which neighbours are close.
+        let mut seen = vec![false; mesh.positions().len()];
+        let mut referenced = Vec::new();
+        for &f in order {
+            for v in mesh.faces()[f as usize] {
+                if !std::mem::replace(&mut seen[v as usize], true) {
+                    referenced.push(v);
+                }
+            }
+        }
+        let of_task = |vertices: &[u32]| -> Vec<(f64, Slot)> {
+            let mut workspace = Workspace::default();
+            let mut hint = bvh.any_slot();
+            let of_vertex = |v: &u32| {
+                let nearest = bvh.nearest(frame.map(mesh.positions()[*v as usize]), hint, &mut workspace);
+                hint = nearest.slot;
+                (nearest.distance_sq.sqrt(), nearest.slot)
+            };
+            vertices.iter().map(of_vertex).collect()
+        };
+        let found: Vec<Vec<(f64, Slot)>> = referenced.par_chunks(TASK).map(of_task).collect();
+        let mut distances = vec![f64::NAN; mesh.positions().len()];
+        let mut near = vec![bvh.any_slot(); mesh.positions().len()];
+        for (v, (distance, slot)) in referenced.into_iter().zip(found.into_iter().flatten()) {
+            (distances[v as usize], near[v as usize]) = (distance, slot);
+        }
+        Self { distances, near }
+    }
+}
