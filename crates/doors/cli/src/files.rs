@@ -2,6 +2,7 @@
 
 use crate::numbers::grouped;
 use crate::printer::Printer;
+use crate::wait::Wait;
 use anyhow::{Context, bail};
 use pompeiu::core::TriMesh;
 use pompeiu::io::{OutputFormat, ReadMesh, WriteError};
@@ -36,6 +37,14 @@ pub(crate) fn are_same(a: &Path, b: &Path) -> bool {
 pub(crate) fn read(path: &Path) -> anyhow::Result<ReadMesh> {
     check_readable(path)?;
     Ok(pompeiu::io::read(path)?)
+}
+
+/// Reads a mesh while somebody waits, and warns of what its file has that a mesh has not.
+pub(crate) fn read_shown(path: &Path, wait: &Wait, printer: &Printer) -> anyhow::Result<TriMesh> {
+    wait.show(format!("reading {}", path.display()));
+    let read = read(path)?;
+    wait.suspend(|| warn_of_changes(path, &read, printer));
+    Ok(read.mesh)
 }
 
 /// Refuses, before any work is done, what cannot become a file, or would replace one that is read.

@@ -12,6 +12,20 @@ pub(crate) fn tuple<const N: usize>(text: &str) -> Result<[f64; N], String> {
     numbers.try_into().map_err(|_| format!("expected {N} numbers separated by commas, found {found}"))
 }
 
+/// Parses a direction: a coordinate, or three finite numbers that are not all zero.
+pub(crate) fn direction(text: &str) -> Result<[f64; 3], String> {
+    match text {
+        "x" => Ok([1.0, 0.0, 0.0]),
+        "y" => Ok([0.0, 1.0, 0.0]),
+        "z" => Ok([0.0, 0.0, 1.0]),
+        _ => {
+            let direction = tuple::<3>(text).ok();
+            let usable = direction.filter(|d| d.iter().all(|x| x.is_finite()) && *d != [0.0; 3]);
+            usable.ok_or_else(|| "expected x, y, z or three numbers separated by commas".to_owned())
+        }
+    }
+}
+
 /// Parses counts separated by commas.
 pub(crate) fn counts(text: &str) -> Result<[u32; 2], String> {
     let parse = |part: &str| part.trim().parse().map_err(|_| format!("`{part}` is not a count"));
@@ -147,6 +161,12 @@ mod tests {
         assert_eq!(tuple::<2>("1,x").unwrap_err(), "`x` is not a number");
         assert_eq!((counts("3"), counts("3,4")), (Ok([3, 3]), Ok([3, 4])));
         assert!(counts("1,2,3").is_err() && counts("-1").is_err() && counts("").is_err());
+    }
+
+    #[test]
+    fn directions_are_coordinates_or_numbers() {
+        assert_eq!((direction("y"), direction("0,-1,2")), (Ok([0.0, 1.0, 0.0]), Ok([0.0, -1.0, 2.0])));
+        assert!(["w", "0,0,0", "1,inf,0", "1,2", ""].iter().all(|t| direction(t).is_err()));
     }
 
     #[test]

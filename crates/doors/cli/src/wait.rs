@@ -2,6 +2,7 @@
 
 use crate::printer::Printer;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use pompeiu::core::run::Progress;
 use std::io::IsTerminal;
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::thread::JoinHandle;
@@ -9,6 +10,9 @@ use std::time::Duration;
 
 /// How long nobody wants to see a progress bar.
 const PATIENCE: Duration = Duration::from_secs(1);
+
+/// Steps of a share.
+const THOUSAND: f64 = 1000.0;
 
 /// How often the bar moves.
 const TICK: Duration = Duration::from_millis(100);
@@ -51,6 +55,12 @@ impl Wait {
         self.bar.set_length(all);
         self.bar.set_position(done);
         self.bar.set_message(message);
+    }
+
+    /// Tells how far a computation has come.
+    pub(crate) fn progress(&self, progress: &Progress<'_>) {
+        let done = (progress.share.unwrap_or(0.0) * THOUSAND) as u64;
+        self.advance(progress.doing.to_owned(), [done, THOUSAND as u64]);
     }
 
     /// Tells how many of how many are done, and guesses how long the others take.

@@ -1,10 +1,11 @@
 //! Flow to least area, and simplification.
 
 use crate::errors::{Raise, UnknownOption};
+use crate::hausdorff::limits;
 use crate::json::written;
 use crate::mesh::Mesh;
 use crate::wait::{self, Told, Watch};
-use pompeiu::core::run::{Limits, Progress};
+use pompeiu::core::run::Progress;
 use pompeiu::flow::remesh::{SimplifyOptions, SimplifyTarget};
 use pompeiu::flow::{BoundaryCondition, FlowOptions, FlowStep, Remeshing, Scheme, Until};
 use pyo3::prelude::*;
@@ -28,13 +29,6 @@ impl Told for Share {
     fn arguments<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
         (self.0,).into_pyobject(py)
     }
-}
-
-fn limits(threads: Option<usize>, seconds: Option<f64>) -> PyResult<Limits> {
-    let time = seconds
-        .map(|seconds| Limits::seconds(seconds).map_err(|_| UnknownOption::Time(seconds).raise()))
-        .transpose()?;
-    Ok(Limits { time, threads: threads.and_then(NonZeroUsize::new), ..Limits::default() })
 }
 
 /// Options of a flow, as the Python half checks and hands them over.
@@ -64,20 +58,18 @@ impl Options {
                 return Err(unknown("until", found.to_owned(), "\"stationary\", \"time\" or \"steps\""));
             }
         };
-        let scheme = match self.scheme {
-            None => None,
-            Some(name) => match Scheme::ALL.into_iter().find(|scheme| scheme.name() == name) {
-                Some(scheme) => Some(scheme),
-                None => return Err(unknown("scheme", name, "the name of a scheme, such as \"implicit\"")),
-            },
+        let named = |name: String| {
+            Scheme::named(&name)
+                .ok_or_else(|| unknown("scheme", name, "the name of a scheme, such as \"implicit\""))
         };
+        let scheme = self.scheme.map(named).transpose()?;
         Ok(FlowOptions {
             scheme,
             time_step: self.time_step,
             boundary: self.planes.map_or(BoundaryCondition::Fixed, BoundaryCondition::Planes),
             keep_volume: self.keep_volume,
             remesh: self.remesh.map(|(edge_length, every)| Remeshing { edge_length, every }),
-            limits: limits(self.threads, self.time_limit)?,
+            limits: limits(self.threads, self.time_limit, None)?,
             ..FlowOptions::new(until)
         })
     }
@@ -120,7 +112,7 @@ pub(crate) fn simplify(
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<(Mesh, String, usize, &'static str)> {
     let target = within.map_or(SimplifyTarget::Faces(faces), SimplifyTarget::Within);
-    let limits = limits(threads, time_limit)?;
+    let limits = limits(threads, time_limit, None)?;
     let mesh = mesh.get();
     let found = wait::run(py, progress, |watch: &mut Watch<'_, Share>| {
         let watch = &*watch;

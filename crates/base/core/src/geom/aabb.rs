@@ -59,6 +59,12 @@ impl Aabb {
         (0..3).any(|k| self.lower[k] > self.upper[k])
     }
 
+    /// Whether two boxes have a point in common.
+    #[inline]
+    pub fn meets(&self, other: &Self) -> bool {
+        (0..3).all(|k| self.lower[k] <= other.upper[k] && other.lower[k] <= self.upper[k])
+    }
+
     /// Squared distance of a point, rounded: 0 inside, infinite from an empty box. Each of the three terms is off by a part below 2^-51.
     #[inline]
     pub fn distance_sq(&self, p: [f64; 3]) -> f64 {
@@ -102,6 +108,18 @@ mod tests {
             assert!((aabb.diagonal() / (13.0 * scale) - 1.0).abs() < 1e-15);
         }
         assert_eq!(Aabb::EMPTY.diagonal(), 0.0);
+    }
+
+    #[test]
+    fn boxes_meet_where_they_touch() {
+        let aabb = Aabb { lower: [0.0; 3], upper: [1.0, 2.0, 3.0] };
+        for (lower, meets) in
+            [([1.0, 2.0, 3.0], true), ([0.5; 3], true), ([1.5, 0.0, 0.0], false), ([0.0, 0.0, 3.5], false)]
+        {
+            let other = Aabb { lower, upper: lower.map(|x| x + 1.0) };
+            assert_eq!((aabb.meets(&other), other.meets(&aabb)), (meets, meets), "{lower:?}");
+        }
+        assert!(!aabb.meets(&Aabb::EMPTY) && !Aabb::EMPTY.meets(&aabb));
     }
 
     #[test]

@@ -95,7 +95,7 @@ fn of_task(mesh: &TriMesh, bvh: &Bvh, boxes: &[Aabb], task: &[Slot], most: usize
     for &slot in task {
         let (own, corners) = (&boxes[slot.index()], bvh.corners(slot));
         let compare = |other: Slot| {
-            if other <= slot || !meet(own, &boxes[other.index()]) {
+            if other <= slot || !own.meets(&boxes[other.index()]) {
                 return ControlFlow::Continue(());
             }
             let mut faces = [bvh.face(slot), bvh.face(other)];
@@ -106,7 +106,7 @@ fn of_task(mesh: &TriMesh, bvh: &Bvh, boxes: &[Aabb], task: &[Slot], most: usize
             }
             if found.pairs.len() > most { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
-        if bvh.walk(&mut stack, |aabb| meet(own, aabb), compare).is_break() {
+        if bvh.walk(&mut stack, |aabb| own.meets(aabb), compare).is_break() {
             found.pairs.truncate(most);
             found.complete = false;
             break;
@@ -122,10 +122,6 @@ fn touch(mesh: &TriMesh, faces: [FaceId; 2]) -> bool {
     let same = |v: u32, w: u32| v != w && positions[v as usize] == positions[w as usize];
     one.into_iter().any(|v| two.into_iter().any(|w| same(v, w)))
         && faces.into_iter().all(|f| !is_degenerate(mesh.corners(f)))
-}
-
-fn meet(a: &Aabb, b: &Aabb) -> bool {
-    (0..3).all(|k| a.lower[k] <= b.upper[k] && b.lower[k] <= a.upper[k])
 }
 
 #[cfg(test)]

@@ -64,6 +64,24 @@ fn hostile_inputs() {
     assert_eq!(std::fs::read_to_string(folder.path().join("points.obj")).unwrap(), "v 0 0 0\nv 1 0 0\n");
 }
 
+/// A template and twelve noisy copies of it.
+fn noisy() -> Folder {
+    let folder = Folder::new();
+    folder.ok("generate icosphere --subdivisions 4 -o template.obj");
+    for seed in 0..12 {
+        folder.ok(&format!(
+            "generate mesh template.obj --noise 0.0{} --seed {seed} -o t{seed:02}.ply",
+            10 + seed
+        ));
+    }
+    folder
+}
+
+/// Lines of a file, 0 while it is not there.
+fn lines(folder: &Folder, name: &str) -> usize {
+    std::fs::read(folder.path().join(name)).map_or(0, |text| text.split(|b| *b == b'\n').count())
+}
+
 /// The JSON without times.
 fn json(folder: &Folder, args: &str) -> Value {
     let output = folder.run(args);
@@ -206,21 +224,13 @@ fn a_pipe_without_a_writer_is_refused() {
 
 #[test]
 fn a_run_that_is_killed_can_be_resumed() {
-    let folder = Folder::new();
-    folder.ok("generate icosphere --subdivisions 4 -o template.obj");
-    for seed in 0..12 {
-        folder.ok(&format!(
-            "generate mesh template.obj --noise 0.0{} --seed {seed} -o t{seed:02}.ply",
-            10 + seed
-        ));
-    }
+    let folder = noisy();
     let args = "rank template.obj t*.ply --all --json";
     let expected = json(&folder, args);
     let resumed = format!("{args} --resume journal");
     let mut child = folder.pompeiu(&resumed).stdout(std::process::Stdio::null()).spawn().unwrap();
     // As soon as a few results are there; should it be done by then, resuming has only less to do.
-    let lines =
-        || std::fs::read(folder.path().join("journal")).map_or(0, |text| text.split(|b| *b == b'\n').count());
+    let lines = || lines(&folder, "journal");
     while lines() < 6 && child.try_wait().unwrap().is_none() {
         std::thread::yield_now();
     }
@@ -264,18 +274,10 @@ fn limits_end_a_run_with_what_is_proven_and_leave_nothing_half_done_in_the_journ
 #[cfg(unix)]
 #[test]
 fn an_interrupt_ends_a_ranking_with_what_is_done() {
-    let folder = Folder::new();
-    folder.ok("generate icosphere --subdivisions 4 -o template.obj");
-    for seed in 0..12 {
-        folder.ok(&format!(
-            "generate mesh template.obj --noise 0.0{} --seed {seed} -o t{seed:02}.ply",
-            10 + seed
-        ));
-    }
+    let folder = noisy();
     let args = "rank template.obj t*.ply --all --json --threads 1 --resume journal";
     let child = folder.pompeiu(args).stdout(std::process::Stdio::piped()).spawn().unwrap();
-    let lines =
-        || std::fs::read(folder.path().join("journal")).map_or(0, |text| text.split(|b| *b == b'\n').count());
+    let lines = || lines(&folder, "journal");
     while lines() < 4 {
         std::thread::yield_now();
     }

@@ -36,6 +36,12 @@ pub enum FlowError {
         /// The scheme.
         scheme: Scheme,
     },
+    /// The scheme uses the first surface all the time.
+    #[error("the scheme {} uses the faces of the first surface, so it cannot be remeshed; choose implicit", scheme.name())]
+    KeepsFirstMetric {
+        /// The scheme.
+        scheme: Scheme,
+    },
     /// Only the implicit scheme keeps the volume.
     #[error("the scheme {} does not keep the volume; choose implicit", scheme.name())]
     VolumeNotKept {

@@ -1,7 +1,8 @@
 //! A surface that moves: positions, faces, and which vertices may move where.
 
+use super::options::BoundaryCondition;
 use super::triangle::Triangle;
-use crate::remesh::DynamicMesh;
+use crate::remesh::{DynamicMesh, NONE, angles};
 use glam::DVec3;
 use rayon::prelude::*;
 
@@ -45,6 +46,44 @@ pub(crate) struct MovingSurface {
 const TASK: usize = 2048;
 
 impl MovingSurface {
+    /// A surface whose boundary vertices may do what a condition says.
+    pub(crate) fn new(mesh: DynamicMesh, boundary: BoundaryCondition) -> Self {
+        let at_boundary = match boundary {
+            BoundaryCondition::Fixed => Motion::Fixed,
+            BoundaryCondition::Planes(_) => Motion::InPlane,
+        };
+        let of = |v: u32| if mesh.is_boundary(v) { at_boundary } else { Motion::Free };
+        let motion = (0..mesh.positions.len() as u32).map(of).collect();
+        Self { mesh, motion }
+    }
+
+    /// The boundary loops, as polygons.
+    pub(crate) fn boundary_loops(&self) -> Vec<Vec<DVec3>> {
+        let mesh = &self.mesh;
+        let mut left: Vec<bool> = (0..mesh.positions.len() as u32)
+            .map(|v| mesh.outgoing[v as usize] != NONE && mesh.is_boundary(v))
+            .collect();
+        let mut loops = Vec::new();
+        for v in 0..left.len() as u32 {
+            let mut at = v;
+            let mut polygon = Vec::new();
+            while std::mem::replace(&mut left[at as usize], false) {
+                polygon.push(mesh.positions[at as usize]);
+                at = mesh.next_on_boundary(at);
+            }
+            if !polygon.is_empty() {
+                loops.push(polygon);
+            }
+        }
+        loops
+    }
+
+    /// The least angle of all triangles, in degrees.
+    pub(crate) fn least_angle(&self) -> f64 {
+        let corners = self.faces().iter().map(|face| face.map(|v| self.positions()[v as usize]));
+        corners.flat_map(angles).fold(f64::INFINITY, f64::min)
+    }
+
     pub(crate) fn positions(&self) -> &[DVec3] {
         &self.mesh.positions
     }

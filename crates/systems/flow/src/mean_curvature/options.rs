@@ -54,6 +54,16 @@ impl Scheme {
         }
     }
 
+    /// The scheme of a name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|scheme| scheme.name() == name)
+    }
+
+    /// Whether it uses the stiffness of the first surface, whose faces must stay.
+    pub const fn keeps_first_metric(self) -> bool {
+        matches!(self, Self::FixedLaplacian | Self::Conformalized)
+    }
+
     /// Whether its steps have a length in time.
     pub const fn is_in_time(self) -> bool {
         matches!(self, Self::Explicit | Self::FixedLaplacian | Self::Implicit | Self::Conformalized)
@@ -172,6 +182,9 @@ impl FlowOptions<'_> {
         }
         if let Some(remeshing) = self.remesh {
             positive("edge length of remeshing", remeshing.edge_length)?;
+            if scheme.keeps_first_metric() {
+                return Err(FlowError::KeepsFirstMetric { scheme });
+            }
         }
         if self.keep_volume && scheme != Scheme::Implicit {
             return Err(FlowError::VolumeNotKept { scheme });

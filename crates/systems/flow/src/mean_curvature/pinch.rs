@@ -1,7 +1,6 @@
 //! Necks that have become too narrow for the mesh.
 
 use super::moving::MovingSurface;
-use crate::remesh::next;
 use glam::DVec3;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
@@ -124,8 +123,7 @@ impl<'s> Balls<'s> {
             halfedges += faces;
             // Edges on the rim of the ball, or of the mesh.
             open += around().filter(|&h| mesh.twin_of(h).is_none_or(|t| !whole(t))).count();
-            let first = mesh.outgoing[v as usize];
-            if mesh.is_boundary(v) && self.starts_hole(v, first) {
+            if mesh.is_boundary(v) && self.starts_hole(v) {
                 holes += 1;
             }
         }
@@ -134,23 +132,12 @@ impl<'s> Balls<'s> {
     }
 
     /// Whether the boundary loop at a vertex lies in the ball, and the vertex is the first of it by number.
-    fn starts_hole(&self, v: u32, first: u32) -> bool {
-        let mesh = &self.surface.mesh;
-        let mut h = first;
-        loop {
-            let w = mesh.to(h);
-            if w < v || !self.holds(w) {
-                return false;
-            }
-            if w == v {
-                return true;
-            }
-            // The halfedge without a twin that starts at the end.
-            h = next(h);
-            while let Some(t) = mesh.twin_of(h) {
-                h = next(t);
-            }
+    fn starts_hole(&self, v: u32) -> bool {
+        let mut at = self.surface.mesh.next_on_boundary(v);
+        while at > v && self.holds(at) {
+            at = self.surface.mesh.next_on_boundary(at);
         }
+        at == v
     }
 
     /// The radius at which the ball around a vertex ceases to be a disc, if that is below a bound.

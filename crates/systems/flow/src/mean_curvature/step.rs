@@ -2,7 +2,7 @@
 
 use super::gradient::Derivatives;
 use super::moving::{Motion, MovingSurface};
-use super::systems::Systems;
+use super::systems::{Systems, prepared};
 use super::triangle::Triangle;
 use glam::DVec3;
 use pompeiu_solve::{
@@ -165,11 +165,7 @@ impl FullSystem {
         let Derivatives { triangles, gradient, .. } = derivatives;
         let n = self.pattern.unknowns();
         let matrix: SparseMatrix = self.pattern.assemble(&vec![0.0; n], |f| triangles[f].hessian(clamp))?;
-        let analysis = match self.analysis.take() {
-            Some(analysis) => analysis,
-            None => Analysis::new(&matrix, &Ordering::MinimumDegree)?,
-        };
-        let analysis = self.analysis.insert(analysis);
+        let analysis = prepared(&mut self.analysis, || Analysis::new(&matrix, &Ordering::MinimumDegree))?;
         let mut step = vec![0.0; n];
         for (unknown, g) in self.unknown.iter().zip(gradient) {
             for k in (0..3).filter(|&k| unknown[k] != FIXED) {

@@ -54,17 +54,22 @@ impl Numbered {
         self.pattern.assemble(&self.gather(diagonal), element)
     }
 
-    pub(crate) fn analysis(&mut self, matrix: &SparseMatrix) -> Result<&Analysis, SolveError> {
-        let analysis = match self.analysis.take() {
-            Some(analysis) => analysis,
-            None => Analysis::new(matrix, &Ordering::MinimumDegree)?,
-        };
-        Ok(self.analysis.insert(analysis))
-    }
-
     pub(crate) fn factor(&mut self, matrix: &SparseMatrix) -> Result<Cholesky, SolveError> {
-        Cholesky::with(self.analysis(matrix)?, matrix)
+        let analysis = prepared(&mut self.analysis, || Analysis::new(matrix, &Ordering::MinimumDegree))?;
+        Cholesky::with(analysis, matrix)
     }
+}
+
+/// What was prepared before, or is prepared now.
+pub(crate) fn prepared<T>(
+    known: &mut Option<T>,
+    prepare: impl FnOnce() -> Result<T, SolveError>,
+) -> Result<&mut T, SolveError> {
+    let value = match known.take() {
+        Some(value) => value,
+        None => prepare()?,
+    };
+    Ok(known.insert(value))
 }
 
 /// The systems of one connectivity.

@@ -199,6 +199,35 @@ impl DynamicMesh {
         self.neighbours(v).any(|x| x == w)
     }
 
+    /// Whether a halfedge exists and is the one by which its edge is named.
+    #[inline]
+    pub(crate) fn names_edge(&self, h: u32) -> bool {
+        self.exists(h) && self.twin_of(h).is_none_or(|t| h < t)
+    }
+
+    /// One halfedge of each edge, in order.
+    pub(crate) fn edges(&self) -> impl Iterator<Item = u32> + '_ {
+        (0..self.halfedge_slots()).filter(|&h| self.names_edge(h))
+    }
+
+    /// The vertex after one of the boundary, along it.
+    #[inline]
+    pub(crate) fn next_on_boundary(&self, v: u32) -> u32 {
+        self.to(self.outgoing[v as usize])
+    }
+
+    /// Number of neighbours that a vertex of a regular triangulation has: 6, or 4 at the boundary.
+    pub(crate) fn regular_valence(&self, v: u32) -> usize {
+        if self.is_boundary(v) { 4 } else { 6 }
+    }
+
+    /// Puts every vertex elsewhere.
+    pub(crate) fn map_positions(&mut self, to: impl Fn([f64; 3]) -> [f64; 3]) {
+        for p in &mut self.positions {
+            *p = DVec3::from_array(to(p.to_array()));
+        }
+    }
+
     /// Turns clockwise from a halfedge to the first one that starts at its vertex, and makes that the vertex's own.
     pub(crate) fn choose_outgoing(&mut self, from: u32) {
         let mut h = from;

@@ -32,7 +32,7 @@ impl Curves {
         let kept = kept_edges(mesh, features);
         let mut around: Vec<Vec<u32>> = vec![Vec::new(); mesh.positions.len()];
         for h in (0..mesh.halfedge_slots()).filter(|&h| kept[h as usize]) {
-            if mesh.twin_of(h).is_none_or(|t| h < t) {
+            if mesh.names_edge(h) {
                 around[mesh.from(h) as usize].push(h);
                 around[mesh.to(h) as usize].push(h);
             }

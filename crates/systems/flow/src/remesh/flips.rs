@@ -33,7 +33,7 @@ fn stays_smooth([u, v, a, b]: [DVec3; 4]) -> bool {
 pub(super) fn flip_to_regular(surface: &mut Marked) -> usize {
     let mesh = &surface.mesh;
     let mut excess: Vec<isize> = (0..mesh.positions.len() as u32)
-        .map(|v| mesh.neighbours(v).count().cast_signed() - if mesh.is_boundary(v) { 4 } else { 6 })
+        .map(|v| mesh.neighbours(v).count().cast_signed() - mesh.regular_valence(v).cast_signed())
         .collect();
     let mut total = 0;
     for _ in 0..MOST_ROUNDS {
@@ -81,7 +81,7 @@ fn cotangents(mut corners: [DVec3; 3]) -> f64 {
 /// # Source
 /// In a plane an edge is not Delaunay exactly where flipping it lowers this sum: `musin_properties_1997`.
 pub(super) fn flip_to_delaunay(surface: &mut Marked) -> usize {
-    let mut open: Vec<u32> = surface.edges().collect();
+    let mut open: Vec<u32> = surface.mesh.edges().collect();
     let mut waits = vec![false; surface.mesh.origin.len()];
     for &h in &open {
         waits[h as usize] = true;

@@ -19,6 +19,9 @@ const STEPS: usize = 3;
 /// Rounds of flips and moves after the last split and collapse.
 const LAST_ROUNDS: usize = 3;
 
+/// Halfedges between two looks at the limits.
+const STOP_EVERY: u32 = 4096;
+
 /// More faces than were allowed.
 pub(super) struct TooMany;
 
@@ -56,6 +59,7 @@ pub(super) fn split_longer_than(
     let longest_sq = longest * longest;
     loop {
         let mut long: Vec<(f64, u32)> = surface
+            .mesh
             .edges()
             .map(|h| (surface.share_sq(h), h))
             .filter(|(share, _)| *share > longest_sq)
@@ -77,15 +81,14 @@ pub(super) fn split_longer_than(
 fn collapse_short(surface: &mut Marked, control: &Control) {
     let shortest_sq = SHORTEST * SHORTEST;
     for h in 0..surface.mesh.halfedge_slots() {
-        let is_edge = surface.mesh.exists(h) && surface.mesh.twin_of(h).is_none_or(|t| h < t);
-        if !is_edge || surface.share_sq(h) >= shortest_sq {
+        if h % STOP_EVERY == 0 && control.is_stopped() {
+            return;
+        }
+        if !surface.mesh.names_edge(h) || surface.share_sq(h) >= shortest_sq {
             continue;
         }
         if let Some(collapse) = surface.collapse_of(h).filter(|c| is_harmless(surface, c)) {
             surface.collapse(&collapse);
-        }
-        if h % 4096 == 0 && control.is_stopped() {
-            return;
         }
     }
 }

@@ -35,12 +35,6 @@ pub(super) struct Collapse {
 }
 
 impl Marked {
-    /// One halfedge of each edge, in order.
-    pub(super) fn edges(&self) -> impl Iterator<Item = u32> + '_ {
-        let is_first = |h: u32| self.mesh.exists(h) && self.mesh.twin_of(h).is_none_or(|t| h < t);
-        (0..self.mesh.halfedge_slots()).filter(move |&h| is_first(h))
-    }
-
     /// The vector along a halfedge.
     pub(super) fn along(&self, h: u32) -> DVec3 {
         self.mesh.positions[self.mesh.to(h) as usize] - self.mesh.positions[self.mesh.from(h) as usize]
@@ -173,7 +167,7 @@ impl Marked {
     pub(super) fn assert_valid(&self) {
         self.mesh.assert_valid();
         let mut ends = vec![Vec::new(); self.mesh.positions.len()];
-        for h in self.edges() {
+        for h in self.mesh.edges() {
             let curve = self.curve[h as usize];
             match self.mesh.twin_of(h) {
                 Some(t) => assert_eq!(curve, self.curve[t as usize], "both sides of halfedge {h}"),

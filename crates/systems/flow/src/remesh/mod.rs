@@ -21,11 +21,12 @@ mod sizing;
 mod smooth;
 mod within;
 
+pub(crate) use connectivity::NONE;
 pub use connectivity::{ConnectivityError, DynamicMesh};
-pub(crate) use connectivity::{NONE, next};
 pub use edit::Illegal;
 pub use features::Features;
 pub use options::{Simplified, SimplifyError, SimplifyOptions, SimplifyTarget, SimplifyTiming};
+pub(crate) use quality::angles;
 pub use quality::{Quality, Range};
 pub use request::{RemeshError, RemeshOptions, RemeshTiming, Remeshed};
 pub use run::remesh;

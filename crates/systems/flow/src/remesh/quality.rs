@@ -65,23 +65,23 @@ impl Quality {
     pub fn of(mesh: &TriMesh) -> Result<Self, ConnectivityError> {
         let frame = Frame::of(&Aabb::of_faces(mesh));
         let mut dynamic = DynamicMesh::new(mesh.positions(), mesh.faces())?;
-        dynamic.positions.iter_mut().for_each(|p| *p = DVec3::from_array(frame.map(p.to_array())));
+        dynamic.map_positions(|p| frame.map(p));
         Ok(Self::in_frame(&dynamic, &frame, None))
     }
 
     /// Measures a surface in a frame; `shares` are the lengths of edges as shares of their targets.
     pub(super) fn in_frame(mesh: &DynamicMesh, frame: &Frame, shares: Option<&[f64]>) -> Self {
-        let alive = || (0..mesh.halfedge_slots()).filter(|&h| mesh.exists(h));
-        let edges = alive().filter(|&h| mesh.twin_of(h).is_none_or(|t| h < t));
-        let lengths: Vec<f64> = edges
+        let lengths: Vec<f64> = mesh
+            .edges()
             .map(|h| [mesh.from(h), mesh.to(h)].map(|v| mesh.positions[v as usize]))
             .map(|[p, q]| frame.length_out(p.distance(q)))
             .collect();
-        let angles: Vec<[f64; 3]> = alive().step_by(3).map(|h| angles(mesh, h / 3)).collect();
+        let faces = (0..mesh.halfedge_slots() / 3).filter(|&f| mesh.exists(3 * f));
+        let angles: Vec<[f64; 3]> =
+            faces.map(|f| angles(mesh.corners(f).map(|v| mesh.positions[v as usize]))).collect();
         let valences = (0..mesh.positions.len() as u32).filter(|&v| mesh.outgoing[v as usize] != NONE);
-        let excess: Vec<usize> = valences
-            .map(|v| mesh.neighbours(v).count().abs_diff(if mesh.is_boundary(v) { 4 } else { 6 }))
-            .collect();
+        let excess: Vec<usize> =
+            valences.map(|v| mesh.neighbours(v).count().abs_diff(mesh.regular_valence(v))).collect();
         let share = |most: usize| excess.iter().filter(|&&x| x <= most).count() as f64 / excess.len() as f64;
         let fits = |x: &&f64| (SHORTEST..=LONGEST).contains(*x);
         Self {
@@ -98,9 +98,8 @@ impl Quality {
     }
 }
 
-/// The angles of a face in degrees; 0 where two corners are at one position.
-fn angles(mesh: &DynamicMesh, f: u32) -> [f64; 3] {
-    let corners = mesh.corners(f).map(|v| mesh.positions[v as usize]);
+/// The angles of a triangle in degrees; 0 where two corners are at one position.
+pub(crate) fn angles(corners: [DVec3; 3]) -> [f64; 3] {
     [0, 1, 2].map(|i| {
         let [p, q, r] = [corners[i], corners[(i + 1) % 3], corners[(i + 2) % 3]];
         let (a, b) = ((q - p).normalize_or_zero(), (r - p).normalize_or_zero());

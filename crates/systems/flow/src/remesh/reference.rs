@@ -86,7 +86,7 @@ impl CurveTree {
     /// None where there are no curves.
     fn new(surface: &Marked, positions: Vec<[f64; 3]>) -> Option<Self> {
         let mesh = &surface.mesh;
-        let segments: Vec<u32> = surface.edges().filter(|&h| surface.curve[h as usize] != NONE).collect();
+        let segments: Vec<u32> = mesh.edges().filter(|&h| surface.curve[h as usize] != NONE).collect();
         let faces = segments.iter().map(|&h| [mesh.from(h), mesh.to(h), mesh.to(h)]).collect();
         let tree = TriMesh::new(positions, faces).ok()?;
         let bvh = Bvh::build(&tree, &identity());

@@ -10,7 +10,6 @@ use super::reference::Reference;
 use super::request::{RemeshError, RemeshOptions, RemeshTiming, Remeshed};
 use super::sizing::{self, Lengths, limit_growth};
 use super::smooth::area_vector;
-use glam::DVec3;
 use pompeiu_core::TriMesh;
 use pompeiu_core::geom::{Aabb, Frame};
 use pompeiu_core::run::{Control, Progress, StopReason, on_threads};
@@ -87,9 +86,7 @@ impl<'w> Work<'w> {
         options.check(aabb.diagonal(), mesh.positions().len())?;
         let frame = Frame::of(&aabb);
         let mut dynamic = DynamicMesh::new(mesh.positions(), mesh.faces())?;
-        for p in &mut dynamic.positions {
-            *p = DVec3::from_array(frame.map(p.to_array()));
-        }
+        dynamic.map_positions(|p| frame.map(p));
         let before = Quality::in_frame(&dynamic, &frame, None);
         let mut lengths = Lengths::new(&options.sizing, &dynamic, &frame);
         let mut at_vertices = lengths.at_vertices(&dynamic.positions, &frame);
@@ -132,12 +129,10 @@ impl<'w> Work<'w> {
             self.come_within(LOCAL_SHARE * self.frame.length_in(within))?;
         }
         let stop = self.control.reason().unwrap_or(StopReason::Tolerance);
-        let shares: Vec<f64> = self.surface.edges().map(|h| self.surface.share_sq(h).sqrt()).collect();
+        let shares: Vec<f64> = self.surface.mesh.edges().map(|h| self.surface.share_sq(h).sqrt()).collect();
         let after = Quality::in_frame(&self.surface.mesh, &self.frame, Some(&shares));
         let mut result = self.surface.mesh;
-        for p in &mut result.positions {
-            *p = DVec3::from_array(self.frame.unmap(p.to_array()));
-        }
+        result.map_positions(|p| self.frame.unmap(p));
         let mesh = result.to_mesh()?;
         let remeshing = self.started.elapsed();
         let wanted = self.options.measure || self.options.within.is_some();

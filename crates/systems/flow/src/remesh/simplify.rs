@@ -96,9 +96,7 @@ fn simplify_here(
     let targets = options.targets(aabb.diagonal(), levels)?;
     let frame = Frame::of(&aabb);
     let mut dynamic = DynamicMesh::new(mesh.positions(), mesh.faces())?;
-    for p in &mut dynamic.positions {
-        *p = DVec3::from_array(frame.map(p.to_array()));
-    }
+    dynamic.map_positions(|p| frame.map(p));
     let bvh = Bvh::build(mesh, &frame);
     let control = Control::start(&options.limits);
     let mut work = Simplifier::new(dynamic, &bvh, matches!(options.target, SimplifyTarget::Within(_)));
@@ -110,9 +108,7 @@ fn simplify_here(
         }
         work.run(&control, options.progress);
         let mut result = work.mesh.clone();
-        for p in &mut result.positions {
-            *p = DVec3::from_array(frame.unmap(p.to_array()));
-        }
+        result.map_positions(|p| frame.unmap(p));
         let stop = control.reason().unwrap_or(StopReason::Tolerance);
         found.push(measured(mesh, result.to_mesh()?, target, work.collapses, stop, started)?);
         started = Instant::now();
@@ -202,7 +198,7 @@ impl<'i> Simplifier<'i> {
         for _ in 0..MOST_PASSES {
             let before = self.collapses;
             for h in 0..self.mesh.halfedge_slots() {
-                if self.mesh.exists(h) && self.mesh.twin_of(h).is_none_or(|t| h < t) {
+                if self.mesh.names_edge(h) {
                     self.push(h);
                 }
             }

@@ -6,9 +6,10 @@ use pompeiu_core::mesh::shapes::{
     Diagonal, dumbbell, grid, icosphere, revolved, scherk, schwarz_lantern, torus,
 };
 use pompeiu_flow::{
-    BoundaryCondition, Flow, FlowError, FlowOptions, FlowStep, FlowStop, Scheme, StepReason, Until,
-    mean_curvature_flow,
+    BoundaryCondition, Flow, FlowError, FlowOptions, FlowStep, FlowStop, Remeshing, Scheme, StepReason,
+    Until, mean_curvature_flow,
 };
+use std::num::NonZeroUsize;
 use std::ops::ControlFlow;
 
 /// Area and waist of the catenoid between circles of radius 1 at heights ±0.5.
@@ -262,6 +263,11 @@ fn surfaces_that_cannot_flow_are_refused_in_words() {
         with(&|o| (o.keep_volume, o.scheme) = (true, Some(Scheme::Explicit))),
         FlowError::VolumeNotKept { .. }
     ));
+    let remesh = Some(Remeshing { edge_length: 0.1, every: NonZeroUsize::MIN });
+    for scheme in [Scheme::FixedLaplacian, Scheme::Conformalized] {
+        let error = with(&|o| (o.remesh, o.scheme) = (remesh, Some(scheme)));
+        assert!(matches!(error, FlowError::KeepsFirstMetric { .. }), "{error}");
+    }
     assert!(matches!(
         with(&|o| o.boundary = BoundaryCondition::Planes([0.0; 3])),
         FlowError::PlaneNormal { .. }

@@ -21,7 +21,7 @@ fn dynamic(mesh: &TriMesh) -> DynamicMesh {
 }
 
 /// What no operation may change.
-fn topology(mesh: &TriMesh) -> (usize, isize, usize, bool) {
+pub(crate) fn topology(mesh: &TriMesh) -> (usize, isize, usize, bool) {
     let connectivity = MeshSummary::of(mesh).connectivity;
     (
         connectivity.components,

@@ -1,21 +1,12 @@
 //! Remeshed surfaces keep what they must, and have good triangles.
 
+use crate::operations::topology;
 use pompeiu_core::mesh::shapes::{self, Diagonal, Ends};
 use pompeiu_core::mesh::{MeshSummary, displace_at_random, merge};
 use pompeiu_core::{FaceId, TriMesh, VertexId};
 use pompeiu_flow::remesh::{
     ConnectivityError, Features, Quality, RemeshError, RemeshOptions, Remeshed, Sizing, remesh,
 };
-
-fn topology(mesh: &TriMesh) -> (usize, isize, usize, bool) {
-    let connectivity = MeshSummary::of(mesh).connectivity;
-    (
-        connectivity.components,
-        connectivity.euler_characteristic,
-        connectivity.boundary_loops,
-        connectivity.orientable,
-    )
-}
 
 fn with_length(mesh: &TriMesh, length: f64) -> Remeshed {
     let found = remesh(mesh, &RemeshOptions::new(Sizing::Length(length))).unwrap();

@@ -1,18 +1,14 @@
 //! Simplified meshes are as near as they say, and smaller.
 
+use crate::operations::topology;
 use pompeiu_core::TriMesh;
+use pompeiu_core::mesh::displace_at_random;
 use pompeiu_core::mesh::shapes::{self, Diagonal, Ends};
-use pompeiu_core::mesh::{MeshSummary, displace_at_random};
 use pompeiu_flow::remesh::{Simplified, SimplifyError, SimplifyOptions, SimplifyTarget, simplify_levels};
 use pompeiu_hausdorff::symmetric_hausdorff;
 
 fn simplify(mesh: &TriMesh, target: SimplifyTarget) -> Result<Simplified, SimplifyError> {
     pompeiu_flow::remesh::simplify(mesh, &SimplifyOptions::new(target))
-}
-
-fn topology(mesh: &TriMesh) -> (usize, isize, usize) {
-    let connectivity = MeshSummary::of(mesh).connectivity;
-    (connectivity.components, connectivity.euler_characteristic, connectivity.boundary_loops)
 }
 
 #[test]

@@ -103,7 +103,7 @@ mod tests {
             }
             for slot in bvh.slots() {
                 let own = Aabb::of_points(&bvh.corners(slot));
-                let meets = (0..3).all(|k| own.lower[k] <= around.upper[k] && own.upper[k] >= around.lower[k]);
+                let meets = own.meets(&around);
                 prop_assert!(!meets || found.binary_search(&slot).is_ok());
             }
         }

@@ -1,7 +1,7 @@
 //! Options of the decompose command.
 
 use crate::args::Picture;
-use crate::numbers::tuple;
+use crate::numbers::direction;
 use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
 
@@ -93,14 +93,12 @@ impl FieldSource {
     pub(crate) fn parse(text: &str) -> anyhow::Result<Self> {
         let Some((kind, rest)) = text.split_once(':') else { return Ok(Self::File(text.into())) };
         Ok(match kind {
-            "rotation" => Self::Rotation(axis(rest).ok_or_else(|| {
-                anyhow::anyhow!(
-                    "--field rotation:{rest}: expected x, y, z or three numbers separated by commas"
-                )
-            })?),
-            "gradient" => match axis(rest) {
-                Some(direction) => Self::LinearGradient(direction),
-                None => Self::Gradient(rest.to_owned()),
+            "rotation" => Self::Rotation(
+                direction(rest).map_err(|error| anyhow::anyhow!("--field rotation:{rest}: {error}"))?,
+            ),
+            "gradient" => match direction(rest) {
+                Ok(direction) => Self::LinearGradient(direction),
+                Err(_) => Self::Gradient(rest.to_owned()),
             },
             "random" => Self::Random(rest.parse().map_err(|_| {
                 anyhow::anyhow!("--field random:{rest}: expected a whole number that is not negative")
@@ -110,20 +108,6 @@ impl FieldSource {
             })?),
             _ => Self::File(text.into()),
         })
-    }
-}
-
-/// A direction: a coordinate, or three finite numbers that are not all zero.
-fn axis(text: &str) -> Option<[f64; 3]> {
-    match text {
-        "x" => Some([1.0, 0.0, 0.0]),
-        "y" => Some([0.0, 1.0, 0.0]),
-        "z" => Some([0.0, 0.0, 1.0]),
-        _ => {
-            let direction = tuple::<3>(text).ok()?;
-            let usable = direction.iter().all(|x| x.is_finite()) && direction != [0.0; 3];
-            usable.then_some(direction)
-        }
     }
 }
 

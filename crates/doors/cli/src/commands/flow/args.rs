@@ -1,9 +1,10 @@
 //! Options of the flow command.
 
 use crate::args::{Limits, Picture};
-use crate::numbers::{magnitude, tuple};
+use crate::numbers::{direction, magnitude};
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
-use pompeiu::flow::{self, Until};
+use pompeiu::flow::{Scheme, Until};
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
@@ -38,7 +39,7 @@ pub(crate) struct Flow {
     /// The mesh file
     pub(crate) mesh: PathBuf,
     /// How the surface is moved
-    #[arg(long, value_enum)]
+    #[arg(long, value_parser = scheme(), value_name = "NAME")]
     pub(crate) scheme: Option<Scheme>,
     /// When to end: stationary, stationary:TOL, time:T or steps:N
     #[arg(long, value_parser = until, default_value = "stationary", value_name = "END")]
@@ -47,7 +48,7 @@ pub(crate) struct Flow {
     #[arg(long, value_parser = magnitude, value_name = "T")]
     pub(crate) time_step: Option<f64>,
     /// Let the boundary slide in planes with this normal: x, y, z or three numbers
-    #[arg(long, value_parser = normal, allow_hyphen_values = true, value_name = "NORMAL")]
+    #[arg(long, value_parser = direction, allow_hyphen_values = true, value_name = "NORMAL")]
     pub(crate) planes: Option<[f64; 3]>,
     /// What becomes of the enclosed volume
     #[arg(long, value_enum, default_value_t)]
@@ -73,31 +74,6 @@ pub(crate) struct Flow {
     pub(crate) limits: Limits,
 }
 
-#[derive(Clone, Copy, ValueEnum)]
-pub(crate) enum Scheme {
-    Explicit,
-    FixedLaplacian,
-    Implicit,
-    Conformalized,
-    NormalNewton,
-    Newton,
-    NewtonOrGradient,
-}
-
-impl From<Scheme> for flow::Scheme {
-    fn from(scheme: Scheme) -> Self {
-        match scheme {
-            Scheme::Explicit => Self::Explicit,
-            Scheme::FixedLaplacian => Self::FixedLaplacian,
-            Scheme::Implicit => Self::Implicit,
-            Scheme::Conformalized => Self::Conformalized,
-            Scheme::NormalNewton => Self::NormalNewton,
-            Scheme::Newton => Self::Newton,
-            Scheme::NewtonOrGradient => Self::NewtonOrGradient,
-        }
-    }
-}
-
 #[derive(Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Volume {
     /// It changes
@@ -121,14 +97,10 @@ fn until(text: &str) -> Result<Until, String> {
     }
 }
 
-/// Parses a direction.
-fn normal(text: &str) -> Result<[f64; 3], String> {
-    match text {
-        "x" => Ok([1.0, 0.0, 0.0]),
-        "y" => Ok([0.0, 1.0, 0.0]),
-        "z" => Ok([0.0, 0.0, 1.0]),
-        _ => tuple::<3>(text),
-    }
+/// Parses the name of a scheme.
+fn scheme() -> impl TypedValueParser<Value = Scheme> {
+    PossibleValuesParser::new(Scheme::ALL.map(Scheme::name))
+        .try_map(|name| Scheme::named(&name).ok_or("there is no such scheme"))
 }
 
 #[cfg(test)]

@@ -11,7 +11,7 @@ use crate::pair::File;
 use crate::printer::Printer;
 use crate::wait::Wait;
 use anyhow::{Context, bail};
-use pompeiu::core::run::Limits;
+use pompeiu::core::run::{Limits, Progress};
 use pompeiu::flow::show::{FlowPage, Frames};
 use pompeiu::flow::{
     BoundaryCondition, Flow, FlowObserver, FlowOptions, FlowStep, FlowStop, Remeshing, mean_curvature_flow,
@@ -47,19 +47,14 @@ pub(crate) fn run(args: &Args, printer: &Printer) -> anyhow::Result<Exit> {
     args.limits.apply_threads()?;
     interrupt::listen();
     let wait = Wait::new(printer);
-    wait.show(format!("reading {}", args.mesh.display()));
-    let read = files::read(&args.mesh)?;
-    wait.suspend(|| files::warn_of_changes(&args.mesh, &read, printer));
-    let mesh = read.mesh;
+    let mesh = files::read_shown(&args.mesh, &wait, printer)?;
     let shows = args.picture.outputs().next().is_some();
     let frames = Frames::new(if shows { MOST_FRAMES } else { 2 });
     let watch = |step: &FlowStep<'_>| {
-        let done = (step.share.unwrap_or(0.0) * 1000.0) as u64;
-        let message = format!("step {}, area {:.6}", step.step, step.record.area);
-        if step.share.is_some() {
-            wait.advance(message, [done, 1000]);
-        } else {
-            wait.show(message);
+        let doing = format!("step {}, area {:.6}", step.step, step.record.area);
+        match step.share {
+            Some(_) => wait.progress(&Progress { doing: &doing, share: step.share }),
+            None => wait.show(doing),
         }
         if shows {
             frames.step(step)?;
@@ -70,7 +65,7 @@ pub(crate) fn run(args: &Args, printer: &Printer) -> anyhow::Result<Exit> {
         interrupt::flow()
     };
     let options = FlowOptions {
-        scheme: args.scheme.map(Into::into),
+        scheme: args.scheme,
         time_step: args.time_step,
         boundary: args.planes.map_or(BoundaryCondition::Fixed, BoundaryCondition::Planes),
         keep_volume: args.volume == Volume::Keep,

@@ -32,27 +32,38 @@ impl Series {
             bail!("{}: a series is a list of files; give it the suffix .pvd", list.display());
         }
         let folder = list.with_extension("");
-        std::fs::create_dir(&folder).with_context(|| format!("{}: the steps go there", folder.display()))?;
+        if folder.exists() {
+            bail!(
+                "{}: exists; the steps go to a folder of this name, give the list another one",
+                folder.display()
+            );
+        }
         Ok(Self { list: list.to_owned(), folder, state: Mutex::default() })
     }
 
     /// Writes a step. The flow ends where that fails; [`Series::finish`] says why.
     pub(super) fn add(&self, step: &FlowStep<'_>) -> ControlFlow<()> {
         let mut state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
-        let path = self.folder.join(name(step.step));
-        let written = TriMesh::new(step.positions.to_vec(), step.faces.to_vec())
-            .map_err(anyhow::Error::from)
-            .and_then(|mesh| Ok(write_with(&path, &mesh, &Attributes::for_mesh(&mesh))?));
-        match written {
+        match self.write(step) {
             Ok(()) => {
                 state.written += 1;
                 ControlFlow::Continue(())
             }
             Err(error) => {
-                state.error = Some(error.context(path.display().to_string()));
+                state.error = Some(error);
                 ControlFlow::Break(())
             }
         }
+    }
+
+    /// Makes the folder with the first step: a flow that cannot start leaves none behind.
+    fn write(&self, step: &FlowStep<'_>) -> anyhow::Result<()> {
+        if step.step == 0 {
+            std::fs::create_dir(&self.folder).with_context(|| self.folder.display().to_string())?;
+        }
+        let path = self.folder.join(name(step.step));
+        let mesh = TriMesh::new(step.positions.to_vec(), step.faces.to_vec())?;
+        Ok(write_with(&path, &mesh, &Attributes::for_mesh(&mesh))?)
     }
 
     /// Writes the list.

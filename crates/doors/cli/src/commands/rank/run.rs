@@ -49,14 +49,10 @@ pub(crate) fn run(args: &Rank, printer: &Printer) -> anyhow::Result<Exit> {
         std::iter::once(&args.template).chain(&inputs.paths).map(PathBuf::as_path).collect();
     files::check_places(args.csv.iter().chain(&args.many.resume).map(PathBuf::as_path), &read)?;
     let wait = Wait::new(printer);
-    wait.show(format!("reading {}", args.template.display()));
-    let read = files::read(&args.template)?;
-    wait.suspend(|| {
-        files::warn_of_changes(&args.template, &read, printer);
-        files::warn_of_unreferenced(&args.template, unreferenced_vertices(&read.mesh), printer);
-    });
-    let file = File::new(&args.template, &read.mesh);
-    let template = Template::new(read.mesh, &options).with_context(|| file.path.clone())?;
+    let mesh = files::read_shown(&args.template, &wait, printer)?;
+    wait.suspend(|| files::warn_of_unreferenced(&args.template, unreferenced_vertices(&mesh), printer));
+    let file = File::new(&args.template, &mesh);
+    let template = Template::new(mesh, &options).with_context(|| file.path.clone())?;
     if inputs.paths.is_empty() {
         drop(wait);
         Problem::report(&inputs.problems);

@@ -37,10 +37,7 @@ pub(crate) fn run(args: &Remesh, printer: &Printer) -> anyhow::Result<Exit> {
     files::check_place(&args.output, &[&args.mesh])?;
     args.limits.apply_threads()?;
     let wait = Wait::new(printer);
-    wait.show(format!("reading {}", args.mesh.display()));
-    let read = files::read(&args.mesh)?;
-    wait.suspend(|| files::warn_of_changes(&args.mesh, &read, printer));
-    let mesh = read.mesh;
+    let mesh = files::read_shown(&args.mesh, &wait, printer)?;
     let diagonal = Aabb::of_faces(&mesh).diagonal();
     let edge_length = args.edge_length.or_else(|| args.relative.map(|share| share * diagonal));
     let sizing = match (edge_length, args.adaptive) {
@@ -50,8 +47,7 @@ pub(crate) fn run(args: &Remesh, printer: &Printer) -> anyhow::Result<Exit> {
         (length, _) => Sizing::Length(length.unwrap_or(0.0)),
     };
     let show = |progress: &Progress<'_>| {
-        let done = (progress.share.unwrap_or(0.0) * 1000.0) as u64;
-        wait.advance(progress.doing.to_owned(), [done, 1000]);
+        wait.progress(progress);
         ControlFlow::Continue(())
     };
     let options = RemeshOptions {

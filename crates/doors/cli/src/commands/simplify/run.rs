@@ -53,19 +53,15 @@ pub(crate) fn run(args: &Simplify, printer: &Printer) -> anyhow::Result<Exit> {
         (0..usize::from(args.levels)).map(|level| place(&args.output, level)).collect();
     for place in &places {
         files::check_writable(place)?;
-        files::check_place(place, &[&args.mesh])?;
     }
+    files::check_places(places.iter().map(PathBuf::as_path), &[&args.mesh])?;
     args.limits.apply_threads()?;
     let wait = Wait::new(printer);
-    wait.show(format!("reading {}", args.mesh.display()));
-    let read = files::read(&args.mesh)?;
-    wait.suspend(|| files::warn_of_changes(&args.mesh, &read, printer));
-    let mesh = read.mesh;
+    let mesh = files::read_shown(&args.mesh, &wait, printer)?;
     let within = args.within.or_else(|| args.relative.map(|share| share * Aabb::of_faces(&mesh).diagonal()));
     let target = within.map_or(SimplifyTarget::Faces(args.faces.unwrap_or(0)), SimplifyTarget::Within);
     let show = |progress: &Progress<'_>| {
-        let done = (progress.share.unwrap_or(0.0) * 1000.0) as u64;
-        wait.advance(progress.doing.to_owned(), [done, 1000]);
+        wait.progress(progress);
         ControlFlow::Continue(())
     };
     let limits = Limits { time: args.limits.time_after(started.elapsed()), ..Limits::default() };
