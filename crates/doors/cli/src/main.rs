@@ -7,6 +7,7 @@ mod exit;
 mod files;
 mod interrupt;
 mod json;
+mod lengths;
 mod many;
 mod numbers;
 mod page;

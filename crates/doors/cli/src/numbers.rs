@@ -44,6 +44,15 @@ pub(crate) fn magnitude(text: &str) -> Result<f64, String> {
     }
 }
 
+/// Parses a share above 0 and at most 1, also in percent.
+pub(crate) fn share(text: &str) -> Result<f64, String> {
+    let (number, whole) = text.trim().strip_suffix('%').map_or((text, 1.0), |percent| (percent, 100.0));
+    match number.trim().parse::<f64>() {
+        Ok(share) if share > 0.0 && share <= whole => Ok(share / whole),
+        _ => Err("expected a share above 0 and at most 1, such as 0.5 or 50%".to_owned()),
+    }
+}
+
 /// Parses an amount of memory, such as `512MiB` or `2GB`.
 pub(crate) fn memory(text: &str) -> Result<usize, String> {
     let size = text.parse::<bytesize::ByteSize>();
@@ -177,6 +186,12 @@ mod tests {
         assert!(memory("-1MB").is_err() && memory("lots").is_err());
         assert_eq!(duration("10s"), Ok(Duration::from_secs(10)));
         assert!(duration("10").is_err() && duration("-1s").is_err());
+    }
+
+    #[test]
+    fn shares_are_numbers_or_percentages() {
+        assert_eq!(["0.3", "30 %", "100%", "1"].map(share), [Ok(0.3), Ok(0.3), Ok(1.0), Ok(1.0)]);
+        assert!(["0", "1.5", "-1", "nan", "", "%", "101%"].iter().all(|text| share(text).is_err()));
     }
 
     #[test]

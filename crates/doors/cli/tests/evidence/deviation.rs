@@ -15,6 +15,14 @@ fn json(folder: &Folder, args: &str) -> Value {
     serde_json::from_str(&folder.ok(args)).unwrap()
 }
 
+/// The answer of a command that ends with an exit code.
+#[track_caller]
+fn json_with(folder: &Folder, expected: i32, args: &str) -> Value {
+    let (code, answer, errors) = folder.transcript(args);
+    assert_eq!(code, Some(expected), "{args}: {errors}");
+    serde_json::from_str(&answer).unwrap()
+}
+
 #[track_caller]
 fn check_encloses(bounds: &Value, value: f64, width: f64) {
     let [lower, upper] = ["lower", "upper"].map(|end| bounds[end].as_f64().unwrap());
@@ -25,7 +33,7 @@ fn check_encloses(bounds: &Value, value: f64, width: f64) {
 #[test]
 fn a_plate_over_a_larger_one() {
     let folder = plates();
-    let found = json(&folder, "deviation above.obj below.obj --threshold 0.25 --json");
+    let found = json_with(&folder, 1, "deviation above.obj below.obj --threshold 0.25 --json");
     let there = &found["a_to_b"];
     check_encloses(&there["distance"], 0.5, 1e-11);
     for name in ["mean", "rms"] {
@@ -55,12 +63,38 @@ fn the_share_of_a_leaning_plate_above_a_threshold() {
     // Leans over the larger plate, from height 0 to height 1.
     folder.write("leaning.obj", "v 0 0 0\nv 1 0 1\nv 1 1 1\nv 0 1 0\nf 1 2 3 4\n");
     folder.write("below.obj", "v -9 -9 0\nv 9 -9 0\nv 9 9 0\nv -9 9 0\nf 1 2 3 4\n");
-    let found = json(&folder, "deviation leaning.obj below.obj --threshold 0.7 --percentiles 10,50 --json");
+    let found =
+        json_with(&folder, 1, "deviation leaning.obj below.obj --threshold 0.7 --percentiles 10,50 --json");
     let statistics = &found["a_to_b"]["statistics"];
     check_encloses(&statistics["mean"], 0.5, 0.005);
     check_encloses(&statistics["rms"], (1.0_f64 / 3.0).sqrt(), 0.006);
     check_encloses(&statistics["percentiles"][0], 0.1, 0.001);
     check_encloses(&statistics["share_above_threshold"], 0.3, 0.01);
+}
+
+#[test]
+fn a_threshold_is_answered_first_and_by_the_exit_code() {
+    let folder = plates();
+    let answer = |code, options: &str| {
+        let found = json_with(&folder, code, &format!("deviation above.obj below.obj --json {options}"));
+        found["verdict"]["answer"].as_str().unwrap().to_owned()
+    };
+    // The corners of the larger plate are 1.5 away, a fifth of its area, 9 % of it beyond 1.2.
+    assert_eq!(answer(0, "--threshold 1.6"), "within");
+    assert_eq!(answer(1, "--threshold 1.4"), "out");
+    assert_eq!(answer(0, "--threshold 1.4 --allow 20%"), "within");
+    assert_eq!(answer(1, "--threshold 0.6 --allow 1%"), "out");
+    assert_eq!(answer(0, "--threshold 160um --unit in --allow 1").as_str(), "within");
+    // The plate above is exactly at the threshold: no interval with rounding can tell.
+    assert_eq!(answer(3, "--threshold 1.5"), "undecided");
+    let (code, text, _) = folder.transcript("deviation above.obj below.obj --threshold 1.4cm --unit mm");
+    assert_eq!(
+        (code, text.lines().next().unwrap().contains("WITHIN TOLERANCE 14 mm")),
+        (Some(0), true),
+        "{text}"
+    );
+    let (code, _, errors) = folder.transcript("deviation above.obj below.obj --threshold 1mm");
+    assert!(code == Some(2) && errors.contains("--unit"), "{errors}");
 }
 
 #[test]

@@ -2,7 +2,8 @@
 
 use crate::args::Limits;
 use crate::args::Picture;
-use crate::numbers::magnitude;
+use crate::lengths::{Length, length};
+use crate::numbers::{magnitude, share};
 use clap::Args;
 use std::path::PathBuf;
 
@@ -17,13 +18,15 @@ Meshes written with -a and -b carry the distance of each vertex, and for each fa
 and its mean distance, where the format has a place for them: PLY, VTP and VTU. GLB, OBJ and OFF hold colours.
 
 Exit codes:
-  0  done
+  0  done; with --threshold: proven to be within it
+  1  with --threshold: proven to be out of it
   2  a file or an argument cannot be used
-  3  the time or memory limit ran out first; what is printed holds, but is wider than asked
+  3  the time or memory limit ran out first, or the threshold is undecided; what is printed holds, but is wider than asked
 
 Examples:
   pompeiu deviation model.obj scan.ply
   pompeiu deviation model.obj scan.ply --threshold 0.05 --report scan.html
+  pompeiu deviation model.obj scan.ply --threshold 0.1mm --unit mm --allow 1%
   pompeiu deviation model.obj scan.ply --signed -a model.vtp -b scan.vtp
   pompeiu deviation model.obj scan.ply --json")]
 pub(crate) struct Deviation {
@@ -33,9 +36,13 @@ pub(crate) struct Deviation {
     /// Another mesh file in the same unit: the surface as it is
     #[arg(value_name = "B")]
     pub(crate) b: PathBuf,
-    /// Enclose the share of the area that is farther than this length, and list the regions beyond it
-    #[arg(long, value_parser = magnitude, allow_negative_numbers = true, value_name = "LENGTH")]
-    pub(crate) threshold: Option<f64>,
+    /// Say whether both are within this length of each other, such as 0.1 or, with --unit, 0.1mm; enclose the share of the
+    /// area that is farther, and list the regions beyond it
+    #[arg(long, value_parser = length, allow_negative_numbers = true, value_name = "LENGTH")]
+    pub(crate) threshold: Option<Length>,
+    /// The share of each area that may be farther than the threshold, such as 0.01 or 1%
+    #[arg(long, value_parser = share, requires = "threshold", value_name = "SHARE")]
+    pub(crate) allow: Option<f64>,
     /// Tell inside from outside, by generalised winding numbers: distances inside the other mesh are shown negative
     #[arg(long)]
     pub(crate) signed: bool,
@@ -48,7 +55,7 @@ pub(crate) struct Deviation {
     /// How many of the worst regions to list
     #[arg(long, default_value_t = 5, value_name = "K")]
     pub(crate) regions: usize,
-    /// The name of the unit of length, to be shown with numbers in reports and pictures
+    /// The unit of the coordinates, such as mm; files have none. Shown with numbers in verdicts, reports and pictures
     #[arg(long, default_value = "", value_name = "NAME")]
     pub(crate) unit: String,
     #[command(flatten)]

@@ -1,6 +1,7 @@
 //! The outcome as one JSON object.
 
 use super::run::{Outcome, directions};
+use super::verdict::Verdict;
 use crate::json::{line, milliseconds};
 use crate::pair::File;
 use pompeiu::hausdorff::deviation::{Deviation, DirectedDeviation};
@@ -18,6 +19,7 @@ pub(super) fn json(outcome: &Outcome) -> serde_json::Result<String> {
         unit: &outcome.unit,
         accuracy: outcome.accuracy,
         threshold: outcome.threshold,
+        verdict: outcome.verdict(),
         deviation: &outcome.deviation,
         timing_ms: Timing {
             read: milliseconds(outcome.read),
@@ -42,6 +44,9 @@ pub(crate) struct Json<'o> {
     /// The length beyond which shares and regions were asked for; absent if none was.
     #[serde(skip_serializing_if = "Option::is_none")]
     threshold: Option<f64>,
+    /// Whether both surfaces are within the threshold; absent without one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    verdict: Option<Verdict>,
     #[serde(flatten)]
     deviation: &'o Deviation,
     timing_ms: Timing,

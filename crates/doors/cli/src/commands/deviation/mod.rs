@@ -6,6 +6,7 @@ mod json;
 mod meshes;
 mod run;
 mod text;
+mod verdict;
 
 pub(crate) use args::Deviation;
 pub(crate) use run::run;

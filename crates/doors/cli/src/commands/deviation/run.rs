@@ -1,6 +1,7 @@
 //! Runs the command.
 
 use super::args::Deviation;
+use super::verdict::Verdict;
 use super::{csv, json, meshes, text};
 use crate::called::called;
 use crate::exit::Exit;
@@ -25,13 +26,23 @@ pub(super) struct Outcome {
     pub(super) unit: String,
     pub(super) accuracy: f64,
     pub(super) threshold: Option<f64>,
+    /// The share of each area that may be farther.
+    pub(super) allowed: f64,
     pub(super) deviation: deviation::Deviation,
     pub(super) read: Duration,
     pub(super) total: Duration,
 }
 
+impl Outcome {
+    /// Whether both are within the threshold, if there is one.
+    pub(super) fn verdict(&self) -> Option<Verdict> {
+        self.threshold.map(|threshold| Verdict::of(&self.deviation, threshold, self.allowed))
+    }
+}
+
 pub(crate) fn run(args: &Deviation, printer: &Printer) -> anyhow::Result<Exit> {
     let started = Instant::now();
+    let threshold = args.threshold.as_ref().map(|length| length.in_unit(&args.unit)).transpose()?;
     pair::check(&args.a, &args.b, printer)?;
     let outputs = [&args.output_a, &args.output_b];
     for path in outputs.into_iter().flatten() {
@@ -45,15 +56,16 @@ pub(crate) fn run(args: &Deviation, printer: &Printer) -> anyhow::Result<Exit> {
     let read = started.elapsed();
     interrupt::listen();
     wait.show("building trees".to_owned());
-    let deviation =
-        DeviationOptions { observer: Some(&Watch(&wait)), ..options(args, read) }.symmetric(&a, &b)?;
+    let deviation = DeviationOptions { observer: Some(&Watch(&wait)), ..options(args, threshold, read) }
+        .symmetric(&a, &b)?;
     drop(wait);
     let outcome = Outcome {
         a: File::new(&args.a, &a),
         b: File::new(&args.b, &b),
         unit: args.unit.clone(),
         accuracy: args.accuracy,
-        threshold: args.threshold,
+        threshold,
+        allowed: args.allow.unwrap_or(0.0),
         deviation,
         read,
         total: started.elapsed(),
@@ -62,13 +74,17 @@ pub(crate) fn run(args: &Deviation, printer: &Printer) -> anyhow::Result<Exit> {
     Printer::answer(&if args.json { json::json(&outcome)? } else { text::text(&outcome) })?;
     let stops = [&outcome.deviation.a_to_b, &outcome.deviation.b_to_a]
         .map(|directed| directed.stop.is_early() || directed.distance.stop.is_early());
-    Ok(if stops.contains(&true) { Exit::Undecided } else { Exit::Done })
+    Ok(match outcome.verdict() {
+        Some(verdict) => verdict.exit(),
+        None if stops.contains(&true) => Exit::Undecided,
+        None => Exit::Done,
+    })
 }
 
-fn options(args: &Deviation, read: Duration) -> DeviationOptions<'static> {
+fn options(args: &Deviation, threshold: Option<f64>, read: Duration) -> DeviationOptions<'static> {
     DeviationOptions {
         accuracy: args.accuracy,
-        threshold: args.threshold,
+        threshold,
         percentiles: args.percentiles.0.clone(),
         regions: args.regions,
         signed: args.signed,

@@ -10,6 +10,10 @@ use pompeiu::hausdorff::deviation::{DirectedDeviation, Percentile, Region, Stati
 pub(super) fn text(outcome: &Outcome) -> String {
     let deviation = &outcome.deviation;
     let mut page = Page::new();
+    if let (Some(threshold), Some(verdict)) = (outcome.threshold, outcome.verdict()) {
+        page.row("verdict", &verdict.sentence(deviation, threshold, &outcome.unit));
+        page.gap();
+    }
     page.files(&outcome.a, &outcome.b);
     page.gap();
     let origin = match (deviation.a_to_b.distance.distance, deviation.b_to_a.distance.distance) {
@@ -83,7 +87,7 @@ fn statistics(page: &mut Page, statistics: &Statistics) {
         page.row(&label(percentile), &value(percentile.distance));
     }
     if let Some(above) = &statistics.above {
-        let share = share(above.share);
+        let share = percentage(above.share);
         page.row("  above", &format!("{share} of the area is farther than {}", shortest(above.threshold)));
     }
 }
@@ -93,7 +97,7 @@ fn label(percentile: &Percentile) -> String {
 }
 
 /// A share of the area in percent, rounded outwards to two decimals.
-fn share(share: Enclosure) -> String {
+pub(super) fn percentage(share: Enclosure) -> String {
     let (lower, upper) = ((share.lower() * 1e4).floor() / 1e2, (share.upper() * 1e4).ceil() / 1e2);
     if lower == upper { format!("{lower} %") } else { format!("{lower} to {upper} %") }
 }
