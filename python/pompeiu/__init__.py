@@ -11,6 +11,7 @@ True
 Meshes are paths, pairs of arrays, or objects of trimesh, meshio, Open3D or PyVista: see :func:`as_mesh`.
 """
 
+from .alignment import Registration, align
 from . import shapes
 from ._native import Mesh, __version__
 from .deviations import (
@@ -84,6 +85,7 @@ __all__ = [
     "Ranks",
     "ReadError",
     "Region",
+    "Registration",
     "ShareAbove",
     "Simplified",
     "Standing",
@@ -97,6 +99,7 @@ __all__ = [
     "WorkCount",
     "WriteError",
     "__version__",
+    "align",
     "as_mesh",
     "deviation",
     "directed_deviation",

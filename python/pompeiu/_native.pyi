@@ -87,6 +87,14 @@ def matrix_entries(to: Mesh, from_: list[Mesh], width: tuple[float, str], thread
 def mean_curvature_flow(
     mesh: Mesh, options: _Options, progress: Optional[Callable[[int, float, float], Optional[bool]]]
 ) -> tuple[Mesh, str]: ...
+def register(
+    moving: Mesh,
+    fixed: Mesh,
+    scale: bool,
+    overlap: Optional[float],
+    most: _Limits,
+    progress: Optional[Callable[[float], Optional[bool]]],
+) -> tuple[Mesh, str, bool]: ...
 def simplify(
     mesh: Mesh,
     within: Optional[float],

@@ -40,6 +40,10 @@ COMMANDS = {
         "repair rough.obj repaired.ply",
         "repair rough.obj repaired.obj --within 0.1",
     ],
+    "align": [
+        "align rough.obj tube.obj",
+        "align tube.obj rough.obj --scale --robust 0.9 -o moved.obj",
+    ],
     "remesh": [
         "remesh rough.obj -o even.ply --edge-length 0.1",
         "remesh rough.obj -o adapted.ply --adaptive 0.02 --within 0.1 --features 60",

@@ -1,6 +1,6 @@
 //! Answers for people: rows of a name and a line each.
 
-use crate::numbers::{agreed, between, grouped};
+use crate::numbers::{agreed, between};
 use crate::pair::File;
 use crate::printer::LABEL;
 use pompeiu::hausdorff::Enclosure;
@@ -31,9 +31,8 @@ impl Page {
 
     /// What was compared.
     pub(crate) fn files(&mut self, a: &File, b: &File) {
-        for (name, File { path, vertices, faces }) in [("A", a), ("B", b)] {
-            let [vertices, faces] = [*vertices, *faces].map(|n| grouped(n as u64));
-            self.row(name, &format!("{path}: {vertices} vertices, {faces} faces"));
+        for (name, file) in [("A", a), ("B", b)] {
+            self.row(name, &file.described());
         }
     }
 

@@ -1,6 +1,7 @@
 //! The two files of a comparison.
 
 use crate::files;
+use crate::numbers::grouped;
 use crate::printer::Printer;
 use crate::wait::Wait;
 use anyhow::bail;
@@ -25,6 +26,12 @@ pub(crate) struct File {
 impl File {
     pub(crate) fn new(path: &Path, mesh: &TriMesh) -> Self {
         Self { path: path.display().to_string(), vertices: mesh.positions().len(), faces: mesh.faces().len() }
+    }
+
+    /// The path and the counts.
+    pub(crate) fn described(&self) -> String {
+        let [vertices, faces] = [self.vertices, self.faces].map(|n| grouped(n as u64));
+        format!("{}: {vertices} vertices, {faces} faces", self.path)
     }
 }
 

@@ -30,6 +30,7 @@ fn published_schemas_are_those_of_the_types() {
         assert!(found == made, "{}: out of date; SCHEMA_UPDATE=1 writes it anew", path.display());
         published.push(format!("{name}.json"));
     };
+    check("align", schema::<answers::Align<'static>>());
     check("decompose", schema::<answers::Decompose<'static>>());
     check("deviation", schema::<answers::Deviation<'static>>());
     check("distance", schema::<answers::Distance<'static>>());

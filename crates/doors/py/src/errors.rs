@@ -6,6 +6,7 @@ use pompeiu::flow::FlowError;
 use pompeiu::flow::remesh::SimplifyError;
 use pompeiu::hausdorff::OptionError;
 use pompeiu::io::{AttributeError, ReadError, WriteError};
+use pompeiu::matching::align::AlignError;
 use pompeiu::matching::rank::RankError;
 use pompeiu::operators::OperatorError;
 use pompeiu::surface::GeometryError;
@@ -49,6 +50,7 @@ macro_rules! raise_as {
 }
 
 raise_as! {
+    AlignError => OptionError,
     ArrayError => MeshError,
     AttributeError => WriteError,
     GeometryError => SurfaceError,

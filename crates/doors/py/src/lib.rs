@@ -27,7 +27,9 @@ mod _native {
     #[pymodule_export]
     use crate::hausdorff::{Target, deviation, directed_deviation, directed_hausdorff, hausdorff};
     #[pymodule_export]
-    use crate::matching::{Entries, Ranking, Template, distance_matrix, matrix_entries, rank_meshes};
+    use crate::matching::{
+        Entries, Ranking, Template, distance_matrix, matrix_entries, rank_meshes, register,
+    };
     #[pymodule_export]
     use crate::mesh::Mesh;
     #[pymodule_export]

@@ -1,5 +1,6 @@
 //! Waiting for work without holding up Python: other threads run, Ctrl-C stops it, and progress is told.
 
+use pompeiu::core::run::{self, ProgressObserver};
 use pompeiu::hausdorff::{Direction, Observer, Progress};
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyTuple};
@@ -55,6 +56,22 @@ impl Told for Progress {
     fn arguments<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
         let Self { lower, upper, examined, left, .. } = *self;
         (direction(self.direction), lower, upper, examined, left).into_pyobject(py)
+    }
+}
+
+/// The share that is done, between 0 and 1.
+pub(crate) struct Share(f64);
+
+impl Told for Share {
+    fn arguments<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
+        (self.0,).into_pyobject(py)
+    }
+}
+
+impl ProgressObserver for Watch<'_, Share> {
+    fn progress(&self, progress: &run::Progress<'_>) -> ControlFlow<()> {
+        self.tell(Share(progress.share.unwrap_or(0.0)));
+        if self.is_stopped() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 }
 

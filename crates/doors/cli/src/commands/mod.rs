@@ -1,6 +1,7 @@
 //! One folder for each command: `args.rs` for its options, `run.rs` for what it does, `text.rs`, `json.rs` and `csv.rs` for how it
 //! answers.
 
+mod align;
 mod completions;
 mod convert;
 mod decompose;
@@ -41,6 +42,7 @@ macro_rules! commands {
 commands! {
     distance::Distance,
     deviation::Deviation,
+    align::Align,
     rank::Rank,
     matrix::Matrix,
     info::Info,
@@ -58,6 +60,7 @@ commands! {
 /// The JSON answers, by their commands.
 #[cfg(test)]
 pub(crate) mod answers {
+    pub(crate) use super::align::Json as Align;
     pub(crate) use super::decompose::Json as Decompose;
     pub(crate) use super::deviation::Json as Deviation;
     pub(crate) use super::distance::Json as Distance;

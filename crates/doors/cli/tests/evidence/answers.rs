@@ -521,3 +521,45 @@ fn repair_says_what_it_did_and_proves_how_far_it_went() {
     folder.ok("repair open.obj closed.ply --fill-holes 3 --within 0.9");
     assert_eq!(json(&folder, "info closed.ply --json")["boundary_edges"].as_u64(), Some(0));
 }
+
+#[test]
+fn align_brings_a_part_back_and_says_how_sure_it_is() {
+    let folder = Folder::new();
+    folder.ok("generate icosphere --subdivisions 3 -o ball.obj");
+    // An ellipsoid with a bump has no symmetry but a mirror's, which no motion has.
+    let ball = std::fs::read_to_string(folder.path().join("ball.obj")).unwrap();
+    let bumped = |line: &str, place: fn([f64; 3]) -> [f64; 3]| {
+        let Some(numbers) = line.strip_prefix("v ") else { return line.to_owned() };
+        let numbers: Vec<f64> = numbers.split(' ').map(|x| x.parse().unwrap()).collect();
+        let [x, y, z] = numbers[..] else { unreachable!() };
+        let bump = 1.0 + (0.6 - (x - 0.6).abs() - (y - 0.5).abs() - (z - 0.6).abs()).max(0.0);
+        let [x, y, z] = place([2.0 * x * bump, 1.3 * y * bump, 0.9 * z * bump]);
+        format!("v {x} {y} {z}")
+    };
+    let write = |name: &str, place: fn([f64; 3]) -> [f64; 3]| {
+        folder.write(name, &ball.lines().map(|line| bumped(line, place)).collect::<Vec<_>>().join("\n"));
+    };
+    write("model.obj", |p| p);
+    write("moved.obj", |[x, y, z]| [z + 9.0, x - 4.0, y + 2.0]);
+    let found = json(&folder, "align moved.obj model.obj -o back.ply --matrix m.txt --json");
+    assert_eq!(found["unique"], true, "{found}");
+    for way in ["moved_to_fixed", "fixed_to_moved"] {
+        assert!(found[way]["distance"]["upper"].as_f64().unwrap() < 1e-9, "{found}");
+    }
+    let back = json(&folder, "distance back.ply model.obj --json");
+    assert!(back["distance"]["upper"].as_f64().unwrap() < 1e-9);
+    let text = std::fs::read_to_string(folder.path().join("m.txt")).unwrap();
+    let rows: Vec<f64> = text.split_whitespace().map(|x| x.parse().unwrap()).collect();
+    let matrix: Vec<f64> = found["matrix"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .flat_map(|row| row.as_array().unwrap())
+        .map(|x| x.as_f64().unwrap())
+        .collect();
+    assert_eq!((rows.len(), rows), (16, matrix));
+    let text = folder.ok("align ball.obj ball.obj");
+    assert!(text.starts_with("verdict") && text.contains("3 motions leave the fit"), "{text}");
+    let refused = folder.run("align moved.obj model.obj -o model.obj");
+    assert_eq!(refused.status.code(), Some(2));
+}

@@ -2,31 +2,39 @@
 
 use glam::{DMat3, DVec3};
 
-/// Sweeps after which the off-diagonal part of a 3 x 3 matrix has long vanished: each at least squares what is small.
+/// Sweeps after which the off-diagonal part of a small matrix has long vanished: each at least squares what is small.
 const SWEEPS: usize = 12;
 
 /// Unit eigenvectors of a symmetric matrix, that of the largest eigenvalue first, as the columns of a rotation.
-///
-/// # Source
-/// The cyclic Jacobi method, `golub_matrix_2013`, section 8.5: for three rows it is short, accurate, and the same on every machine.
 pub(super) fn eigenvectors(symmetric: DMat3) -> DMat3 {
-    let mut a = symmetric.to_cols_array_2d();
-    let mut v = DMat3::IDENTITY.to_cols_array_2d();
-    for _ in 0..SWEEPS {
-        for (p, q) in [(0, 1), (0, 2), (1, 2)] {
-            if a[p][q] != 0.0 {
-                rotate(&mut a, &mut v, p, q);
-            }
-        }
-    }
-    let mut order = [0, 1, 2];
-    order.sort_by(|&i, &j| a[j][j].total_cmp(&a[i][i]));
-    let [first, second] = [order[0], order[1]].map(|i| DVec3::from_array(v[i]));
+    let [(_, first), (_, second), _] = eigenpairs(symmetric.to_cols_array_2d());
+    let [first, second] = [first, second].map(DVec3::from_array);
     DMat3::from_cols(first, second, first.cross(second))
 }
 
+/// Eigenvalues of a symmetric matrix with their unit eigenvectors, the largest first.
+///
+/// # Source
+/// The cyclic Jacobi method, `golub_matrix_2013`, section 8.5: for a few rows it is short, accurate, and the same on every machine.
+pub(super) fn eigenpairs<const N: usize>(symmetric: [[f64; N]; N]) -> [(f64, [f64; N]); N] {
+    let mut a = symmetric;
+    let mut v: [[f64; N]; N] = std::array::from_fn(|i| std::array::from_fn(|j| f64::from(u8::from(i == j))));
+    for _ in 0..SWEEPS {
+        for p in 0..N {
+            for q in p + 1..N {
+                if a[p][q] != 0.0 {
+                    rotate(&mut a, &mut v, p, q);
+                }
+            }
+        }
+    }
+    let mut pairs: [(f64, [f64; N]); N] = std::array::from_fn(|i| (a[i][i], v[i]));
+    pairs.sort_by(|a, b| b.0.total_cmp(&a.0));
+    pairs
+}
+
 /// Makes one off-diagonal entry vanish. `v` holds the eigenvectors, one after the other.
-fn rotate(a: &mut [[f64; 3]; 3], v: &mut [[f64; 3]; 3], p: usize, q: usize) {
+fn rotate<const N: usize>(a: &mut [[f64; N]; N], v: &mut [[f64; N]; N], p: usize, q: usize) {
     let tau = (a[q][q] - a[p][p]) / (2.0 * a[p][q]);
     let sign = if tau >= 0.0 { 1.0 } else { -1.0 };
     let t = if tau.is_finite() { sign / (tau.abs() + (1.0 + tau * tau).sqrt()) } else { 0.0 };
@@ -36,7 +44,7 @@ fn rotate(a: &mut [[f64; 3]; 3], v: &mut [[f64; 3]; 3], p: usize, q: usize) {
         let (x, y) = (row[p], row[q]);
         (row[p], row[q]) = (c * x - s * y, s * x + c * y);
     }
-    for k in 0..3 {
+    for k in 0..N {
         let (x, y) = (a[p][k], a[q][k]);
         (a[p][k], a[q][k]) = (c * x - s * y, s * x + c * y);
         let (x, y) = (v[p][k], v[q][k]);

@@ -1,7 +1,7 @@
 //! What cannot be aligned.
 
 /// Why a mesh cannot be aligned.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum AlignError {
     /// A mesh of points or segments has no centroid of its area.
@@ -13,4 +13,7 @@ pub enum AlignError {
     /// The map leaves the range of double precision.
     #[error("the sizes or places of the two meshes are too far apart to align them in double precision")]
     Sizes,
+    /// A share of the area that is none.
+    #[error("the overlap is {0}; it must be a share of the area above 0 and at most 1")]
+    Overlap(f64),
 }

@@ -2,6 +2,7 @@
 
 use super::AlignError;
 use super::moments::Moments;
+use super::pose::Pose;
 use super::registration::{Surface, registered};
 use super::samples::samples;
 use glam::{DMat3, DVec3};
@@ -16,7 +17,7 @@ use std::sync::OnceLock;
 #[derive(Debug)]
 pub struct Fixed {
     mesh: TriMesh,
-    moments: Moments,
+    pub(super) moments: Moments,
     surface: OnceLock<Surface>,
 }
 
@@ -47,29 +48,58 @@ impl Fixed {
 
     pub(super) fn rigid_map(&self, moving: &TriMesh) -> Result<Affine, AlignError> {
         let moments = Moments::of(moving)?;
-        let frame = &self.moments.frame;
-        // How long a unit of the one frame is in the other: a power of two, so exact.
-        let unit = frame.length_in(moments.frame.length_out(1.0));
-        if !(unit > 0.0 && unit.is_finite()) {
-            return Err(AlignError::Sizes);
-        }
-        let surface = self.surface.get_or_init(|| Surface::new(&self.mesh, frame));
+        let unit = self.unit_of(&moments)?;
         let points = |count| {
             let points = samples(moving, &moments.frame, count);
-            points.into_iter().map(|p| p * unit).collect::<Vec<_>>()
+            points.into_iter().map(|sample| sample.point * unit).collect::<Vec<_>>()
         };
-        let origins = [frame, &moments.frame].map(|frame| -DVec3::from_array(frame.map([0.0; 3])));
         // The pose that leaves everything where it is.
-        let in_place = origins[1] * unit - origins[0];
+        let origins = self.origins(&moments);
         let pose = registered(
-            surface,
+            self.surface(),
             [&self.moments, &moments].map(Moments::axes),
             [self.moments.centroid, moments.centroid * unit],
-            in_place,
+            origins[1] * unit - origins[0],
             points,
         );
-        let translation = pose.translation - pose.rotation * (origins[1] * unit);
-        Ok(Affine { linear: rows(pose.rotation), translation: frame.unmap(translation.to_array()) })
+        self.map_of(&pose, 1.0, &moments, unit)
+    }
+
+    pub(super) fn mesh(&self) -> &TriMesh {
+        &self.mesh
+    }
+
+    pub(super) fn surface(&self) -> &Surface {
+        self.surface.get_or_init(|| Surface::new(&self.mesh, &self.moments.frame))
+    }
+
+    /// How long a unit of the frame of a moving mesh is in that of this one: a power of two, so exact.
+    pub(super) fn unit_of(&self, moving: &Moments) -> Result<f64, AlignError> {
+        let unit = self.moments.frame.length_in(moving.frame.length_out(1.0));
+        if unit > 0.0 && unit.is_finite() { Ok(unit) } else { Err(AlignError::Sizes) }
+    }
+
+    /// By how much each frame has moved the origin, in its own unit: that of this mesh, and that of the moving one.
+    pub(super) fn origins(&self, moving: &Moments) -> [DVec3; 2] {
+        [&self.moments.frame, &moving.frame].map(|frame| -DVec3::from_array(frame.map([0.0; 3])))
+    }
+
+    /// The map of a pose in the frames, after a scale.
+    pub(super) fn map_of(
+        &self,
+        pose: &Pose,
+        scale: f64,
+        moving: &Moments,
+        unit: f64,
+    ) -> Result<Affine, AlignError> {
+        let [_, origin] = self.origins(moving);
+        let translation = pose.translation - pose.rotation * (scale * (origin * unit));
+        let map = Affine {
+            linear: rows(pose.rotation).map(|row| row.map(|x| scale * x)),
+            translation: self.moments.frame.unmap(translation.to_array()),
+        };
+        let finite = map.linear.iter().flatten().chain(&map.translation).all(|x| x.is_finite());
+        if finite { Ok(map) } else { Err(AlignError::Sizes) }
     }
 }
 

@@ -6,15 +6,18 @@
 
 mod cholesky;
 mod eigen;
+mod equations;
 mod error;
 mod fixed;
 mod moments;
 mod pose;
+mod register;
 mod registration;
 mod samples;
 
 pub use error::AlignError;
 pub use fixed::Fixed;
+pub use register::{Alternative, FreeMotion, Registration, RegistrationOptions, register};
 
 use pompeiu_core::TriMesh;
 use pompeiu_core::mesh::Affine;

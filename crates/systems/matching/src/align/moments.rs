@@ -13,6 +13,10 @@ pub(super) struct Moments {
     pub(super) centroid: DVec3,
     /// Second moments about the centroid, per area.
     covariance: DMat3,
+    /// In the frame.
+    area: f64,
+    /// Of the box of the faces, in the frame.
+    diagonal: f64,
 }
 
 impl Moments {
@@ -21,7 +25,8 @@ impl Moments {
     /// # Definition
     /// For a triangle of area A with corners `v_i` the integral of `x xᵀ` is `A / 12 (Σ v_i v_iᵀ + s sᵀ)`, `s = Σ v_i`.
     pub(super) fn of(mesh: &TriMesh) -> Result<Self, AlignError> {
-        let frame = Frame::of(&Aabb::of_faces(mesh));
+        let aabb = Aabb::of_faces(mesh);
+        let frame = Frame::of(&aabb);
         let corners =
             || mesh.face_ids().map(|face| mesh.corners(face).map(|p| DVec3::from_array(frame.map(p))));
         let (mut area, mut first) = (0.0, DVec3::ZERO);
@@ -41,13 +46,22 @@ impl Moments {
             let doubled = (b - a).cross(c - a).length();
             second += doubled * (square(a) + square(b) + square(c) + square(a + b + c));
         }
-        Ok(Self { frame, centroid, covariance: second * (1.0 / (12.0 * area)) })
+        let diagonal = frame.length_in(aabb.diagonal());
+        Ok(Self { frame, centroid, covariance: second * (1.0 / (12.0 * area)), area: 0.5 * area, diagonal })
     }
 
     /// Root-mean-square distance from the centroid, in the unit of the mesh.
     pub(super) fn radius(&self) -> f64 {
         let c = self.covariance;
         self.frame.length_out((c.x_axis.x + c.y_axis.y + c.z_axis.z).sqrt())
+    }
+
+    pub(super) fn area(&self) -> f64 {
+        self.area
+    }
+
+    pub(super) fn diagonal(&self) -> f64 {
+        self.diagonal
     }
 
     /// The centroid in the unit of the mesh.

@@ -25,7 +25,7 @@ impl Pose {
 }
 
 /// The turn about the direction of a vector by its length, in radians.
-fn rotation(turn: DVec3) -> DMat3 {
+pub(super) fn rotation(turn: DVec3) -> DMat3 {
     let angle = turn.length();
     let axis = turn / angle;
     if !axis.is_finite() {

@@ -1,6 +1,6 @@
 //! Iterated closest points: the pose in which points lie nearest to a surface.
 
-use super::cholesky::solve;
+use super::equations::Equations;
 use super::pose::{Pose, axis_rotations};
 use glam::{DMat3, DVec3};
 use pompeiu_core::TriMesh;
@@ -38,8 +38,13 @@ impl Surface {
         Self { bvh: Bvh::build(mesh, frame) }
     }
 
+    /// Where a question may start.
+    pub(super) fn any_slot(&self) -> Slot {
+        self.bvh.any_slot()
+    }
+
     /// The point nearest to `p`, and the unit normal of its face, or the direction to `p` where the face has none.
-    fn nearest(&self, p: DVec3, slot: &mut Slot, workspace: &mut Workspace) -> (DVec3, DVec3) {
+    pub(super) fn nearest(&self, p: DVec3, slot: &mut Slot, workspace: &mut Workspace) -> (DVec3, DVec3) {
         *slot = self.bvh.nearest(p.to_array(), *slot, workspace).slot;
         let corners = self.bvh.corners(*slot);
         let weights = closest_barycentric(p.to_array(), corners);
@@ -90,17 +95,10 @@ struct Descent<'s> {
     pose: Pose,
     /// Mean squared distance of the points from the surface, in this pose.
     mean_square: f64,
-    equations: Equations,
+    equations: Equations<6>,
     /// Where each point found its nearest face last.
     slots: Vec<Slot>,
     workspace: Workspace,
-}
-
-/// The normal equations of distances from planes: six unknowns, a turn and a shift.
-#[derive(Clone, Copy, Debug, Default)]
-struct Equations {
-    matrix: [[f64; 6]; 6],
-    right: [f64; 6],
 }
 
 impl<'s> Descent<'s> {
@@ -111,8 +109,8 @@ impl<'s> Descent<'s> {
             centre,
             pose,
             mean_square: f64::INFINITY,
-            equations: Equations::default(),
-            slots: vec![surface.bvh.any_slot(); points.len()],
+            equations: Equations::new(),
+            slots: vec![surface.any_slot(); points.len()],
             workspace: Workspace::default(),
         };
         (descent.mean_square, descent.equations) = descent.look(&pose);
@@ -124,7 +122,8 @@ impl<'s> Descent<'s> {
         let mut damping = DAMPING;
         for _ in 0..steps {
             let about = self.pose.apply(self.centre);
-            let Some([turn, shift]) = self.equations.solved(damping + LEAST_DAMPING) else { break };
+            let Some(x) = self.equations.solved(damping + LEAST_DAMPING) else { break };
+            let [turn, shift] = [DVec3::from_slice(&x[..3]), DVec3::from_slice(&x[3..])];
             let pose = self.pose.then(turn, about, shift);
             let (mean_square, equations) = self.look(&pose);
             if mean_square < self.mean_square {
@@ -145,39 +144,17 @@ impl<'s> Descent<'s> {
     }
 
     /// The mean squared distance in a pose, and the equations for the next one.
-    fn look(&mut self, pose: &Pose) -> (f64, Equations) {
+    fn look(&mut self, pose: &Pose) -> (f64, Equations<6>) {
         let about = pose.apply(self.centre);
-        let mut equations = Equations::default();
+        let mut equations = Equations::new();
         let mut sum = 0.0;
         for (point, slot) in self.points.iter().zip(&mut self.slots) {
             let p = pose.apply(*point);
             let (q, normal) = self.surface.nearest(p, slot, &mut self.workspace);
             sum += (p - q).length_squared();
             let arm = (p - about).cross(normal);
-            equations.add([arm.x, arm.y, arm.z, normal.x, normal.y, normal.z], normal.dot(q - p));
+            equations.add(1.0, [arm.x, arm.y, arm.z, normal.x, normal.y, normal.z], normal.dot(q - p));
         }
         (sum / self.points.len() as f64, equations)
-    }
-}
-
-impl Equations {
-    fn add(&mut self, row: [f64; 6], right: f64) {
-        for i in 0..6 {
-            for j in 0..=i {
-                self.matrix[i][j] += row[i] * row[j];
-            }
-            self.right[i] += row[i] * right;
-        }
-    }
-
-    /// The turn and the shift; none where numbers left their range.
-    fn solved(&self, damping: f64) -> Option<[DVec3; 2]> {
-        let mean = (0..6).map(|i| self.matrix[i][i]).sum::<f64>() / 6.0;
-        let mut matrix = self.matrix;
-        for i in 0..6 {
-            matrix[i][i] += damping * mean;
-        }
-        let x = solve(&matrix, &self.right)?;
-        Some([DVec3::from_slice(&x[..3]), DVec3::from_slice(&x[3..])])
     }
 }

@@ -6,27 +6,27 @@ use pompeiu_core::mesh::{Affine, Random, displace_at_random, merge, subdivide, t
 use pompeiu_matching::align::{AlignError, Alignment, Fixed, affine, align, matrix};
 
 /// A shape without any symmetry: a dented sphere, longer than wide, with a torus through it.
-fn asymmetric() -> TriMesh {
+pub(crate) fn asymmetric() -> TriMesh {
     let stretched = transform(&icosphere(1.0, 3).unwrap(), &Affine::scale([2.0, 1.3, 0.8])).unwrap();
     let ring = transform(&torus(0.5, 0.2, 24, 12).unwrap(), &Affine::translate([1.5, 0.4, 0.3])).unwrap();
     displace_at_random(&merge(&[&stretched, &ring]).unwrap(), 0.02, 3).unwrap()
 }
 
 /// The map that undoes a motion.
-fn inverse(motion: &Affine) -> Affine {
+pub(crate) fn inverse(motion: &Affine) -> Affine {
     let r = motion.linear;
     let linear = [0, 1, 2].map(|i| [0, 1, 2].map(|j| r[j][i]));
     let back = Affine { linear, translation: [0.0; 3] }.apply(motion.translation);
     Affine { linear, translation: back.map(|x| -x) }
 }
 
-fn motion(random: &mut Random, shift: f64) -> Affine {
+pub(crate) fn motion(random: &mut Random, shift: f64) -> Affine {
     let turn = Affine::rotate(random.direction(), 180.0 * random.signed_unit()).unwrap();
     Affine { translation: random.direction().map(|x| shift * x), ..turn }
 }
 
 #[track_caller]
-fn assert_near(found: &Affine, expected: &Affine, tolerance: f64) {
+pub(crate) fn assert_near(found: &Affine, expected: &Affine, tolerance: f64) {
     let entries = |map: &Affine| -> Vec<f64> { matrix(map).into_iter().flatten().collect() };
     for (x, y) in entries(found).into_iter().zip(entries(expected)) {
         assert!((x - y).abs() <= tolerance, "{found:?}\n{expected:?}");

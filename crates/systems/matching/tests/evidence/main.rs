@@ -4,4 +4,5 @@
 
 mod align;
 mod rank;
+mod register;
 mod stopping;

@@ -1,0 +1,346 @@
+//! Where a mesh belongs on another, from any start, also if only a part of each has a counterpart.
+//!
+//! Starts come from principal axes and from [pairs of points with normals](pairs); each is [followed](refine) by closest points under
+//! weights that let go of what has no counterpart. What fits nearly as well, and what stays [free](freedom), is reported.
+
+mod freedom;
+mod grid;
+mod oriented;
+mod pairs;
+mod placement;
+mod refine;
+mod report;
+
+pub use report::{Alternative, FreeMotion, Registration};
+
+use super::moments::Moments;
+use super::pose::axis_rotations;
+use super::samples::samples;
+use super::{AlignError, Fixed, matrix};
+use freedom::free_motions;
+use glam::DVec3;
+use oriented::{Oriented, oriented};
+use pairs::voted;
+use placement::Placement;
+use pompeiu_core::TriMesh;
+use pompeiu_core::mesh::Affine;
+use pompeiu_core::run::{Control, Limits, Progress, ProgressObserver, StopReason, on_threads};
+use rayon::prelude::*;
+use refine::Refinement;
+
+/// Spacing of points, as a share of the diagonal of the smaller surface.
+const SPACING: f64 = 0.04;
+/// Points of a surface that the spacing is widened for.
+const MOST_POINTS: f64 = 1600.0;
+/// Starts by votes.
+const VOTED: usize = 40;
+/// Points with which starts are told apart.
+const FEW_POINTS: usize = 300;
+/// Starts that are followed to the end.
+const FOLLOWED: usize = 20;
+/// Points of the last descent and of the figures reported.
+const LAST_POINTS: usize = 4000;
+/// Width by which starts are told apart, and the least reach, as shares of the diagonal of the smaller surface.
+const WIDTH: f64 = 0.03;
+const LEAST_REACH: f64 = 0.01;
+/// Scores from this share of the best on are as good.
+const AS_GOOD: f64 = 0.97;
+/// Places nearer than this angle, in radians, and this share of the diagonal, are one.
+const SAME_ANGLE: f64 = 0.17;
+const SAME_PLACE: f64 = 0.05;
+/// Alternatives that are reported.
+const MOST_ALTERNATIVES: usize = 8;
+/// A fit below this share lets the moving mesh be tried inside out.
+const POOR: f64 = 0.3;
+
+/// How to look for the place.
+#[derive(Clone, Default)]
+pub struct RegistrationOptions<'o> {
+    /// Whether the mesh may be scaled, by one factor. The first guess brings the root-mean-square distances from the centroids
+    /// together, so that it needs surfaces that overlap nearly whole.
+    pub scale: bool,
+    /// The share of the area of the moving mesh that has a counterpart, above 0 and at most 1: the last descent uses the nearest share
+    /// of the points. Without one it is found from the spread of the distances.
+    pub overlap: Option<f64>,
+    /// Limits on time and threads. Where time runs out, the best place so far is the answer.
+    pub limits: Limits,
+    /// Who is told how far it is.
+    pub progress: Option<&'o dyn ProgressObserver>,
+}
+
+/// Finds the rotation and translation, or the similarity, that brings `moving` onto the fixed mesh.
+///
+/// # Definition
+/// Of the places tried the one is chosen at which most of the moving surface is near the fixed one and faces its way: the mean of
+/// `1 − (d/w)²` where the distance d is below w, 1 % of the diagonal of the smaller mesh or four standard deviations of the distances.
+/// There the squared distances of what is matched are least.
+/// # Accuracy
+/// Rounded, and deterministic at any number of threads. Nothing is proven about it.
+/// # Limits
+/// Which part is matched is found from the shapes alone: a flat part fits on any larger flat one, and says so by its free motions.
+/// Surfaces must be oriented alike, or one throughout against the other. The mirror image of a shape is another shape.
+/// # Errors
+/// [`AlignError`], when a mesh has no area, the sizes are too far apart, or the overlap is not a share.
+/// # Cost
+/// O(m log m) for the tree of the fixed mesh; then some million votes and closest-point questions, whatever the size.
+/// # Source
+/// Starts: `drost_model_2010`. Weights that narrow: `black_unification_1996`. Planes of faces: `chen_object_1992`.
+/// # Example
+/// ```
+/// use pompeiu_core::mesh::{Affine, shapes, transform};
+/// use pompeiu_matching::align::{Fixed, RegistrationOptions, register};
+///
+/// let part = shapes::torus(1.0, 0.4, 40, 20)?;
+/// let fixed = Fixed::new(&part)?;
+/// let moved = transform(&part, &Affine::rotate([1.0, 2.0, 0.5], 100.0).unwrap())?;
+/// let found = register(&moved, &fixed, &RegistrationOptions::default())?;
+/// assert!(found.matched > 0.99 && found.free_motions.len() == 1);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn register(
+    moving: &TriMesh,
+    fixed: &Fixed,
+    options: &RegistrationOptions<'_>,
+) -> Result<Registration, AlignError> {
+    if let Some(overlap) = options.overlap
+        && !(overlap > 0.0 && overlap <= 1.0)
+    {
+        return Err(AlignError::Overlap(overlap));
+    }
+    on_threads(options.limits.threads, || Search::new(moving, fixed, options)?.run())
+}
+
+/// One search. Coordinates are those of the frame of the fixed mesh; points of the moving one are in the unit of that frame.
+struct Search<'s> {
+    moving: &'s TriMesh,
+    fixed: &'s Fixed,
+    options: &'s RegistrationOptions<'s>,
+    control: Control,
+    moments: Moments,
+    /// How long a unit of the frame of the moving mesh is in that of the fixed one: a power of two, so exact.
+    unit: f64,
+    centre: DVec3,
+    /// The factor to begin with.
+    scale: f64,
+    /// Diagonal of the smaller surface.
+    size: f64,
+}
+
+/// A place with its score.
+#[derive(Clone, Copy)]
+struct Scored {
+    placement: Placement,
+    score: f64,
+}
+
+impl<'s> Search<'s> {
+    fn new(
+        moving: &'s TriMesh,
+        fixed: &'s Fixed,
+        options: &'s RegistrationOptions<'s>,
+    ) -> Result<Self, AlignError> {
+        let moments = Moments::of(moving)?;
+        let unit = fixed.unit_of(&moments)?;
+        let scale = if options.scale { fixed.moments.radius() / moments.radius() } else { 1.0 };
+        if !(scale > 0.0 && scale.is_finite()) {
+            return Err(AlignError::Sizes);
+        }
+        let size = (moments.diagonal() * unit * scale).min(fixed.moments.diagonal());
+        let control = Control::start(&options.limits);
+        Ok(Self {
+            moving,
+            fixed,
+            options,
+            control,
+            unit,
+            centre: moments.centroid * unit,
+            moments,
+            scale,
+            size,
+        })
+    }
+
+    fn run(&self) -> Result<Registration, AlignError> {
+        self.tell("placing points", 0.0);
+        let area = [self.fixed.moments.area(), self.moments.area() * (self.unit * self.scale).powi(2)];
+        let spacing = (SPACING * self.size).max((area[0].max(area[1]) / MOST_POINTS).sqrt());
+        let own = spacing / self.scale;
+        let its_frame = &self.fixed.moments.frame;
+        let on_fixed = oriented(self.fixed.mesh(), its_frame, 1.0, area[0], spacing);
+        let mut points =
+            oriented(self.moving, &self.moments.frame, self.unit, area[1] / self.scale.powi(2), own);
+        let mut best = self.placed(&on_fixed, &points, spacing);
+        if best.first().is_none_or(|best| best.score < POOR) && !self.control.is_stopped() {
+            let inside_out: Vec<Oriented> =
+                points.iter().map(|p| Oriented { normal: -p.normal, ..*p }).collect();
+            let turned = self.placed(&on_fixed, &inside_out, spacing);
+            let score = |found: &[Scored]| found.first().map_or(0.0, |found| found.score);
+            if score(&turned) > score(&best) {
+                (best, points) = (turned, inside_out);
+            }
+        }
+        self.tell("measuring", 0.95);
+        self.report(&best, &points)
+    }
+
+    /// The places that fit, the best first, no two the same.
+    fn placed(&self, fixed: &[Oriented], moving: &[Oriented], spacing: f64) -> Vec<Scored> {
+        let starts = self.starts(fixed, moving, spacing);
+        self.tell("comparing starts", 0.3);
+        let every = moving.len().div_ceil(FEW_POINTS).max(1);
+        let few: Vec<Oriented> = moving.iter().step_by(every).copied().collect();
+        let rough = starts.par_iter().map(|start| {
+            let mut refinement = self.refinement(&few);
+            let placement = refinement.rough(*start);
+            refinement.look(&placement);
+            Scored { placement, score: refinement.score(WIDTH * self.size) }
+        });
+        let rough = self.distinct(rough.collect(), FOLLOWED);
+        self.tell("following the best", 0.6);
+        let fine = rough.par_iter().map(|start| {
+            if self.control.is_stopped() {
+                return *start;
+            }
+            let mut refinement = self.refinement(moving);
+            let placement = refinement.fine(start.placement);
+            refinement.look(&placement);
+            Scored { placement, score: refinement.score(LEAST_REACH * self.size) }
+        });
+        self.distinct(fine.collect(), 1 + MOST_ALTERNATIVES)
+    }
+
+    fn starts(&self, fixed: &[Oriented], moving: &[Oriented], spacing: f64) -> Vec<Placement> {
+        let centroids = [self.fixed.moments.centroid, self.centre];
+        let axes = [self.fixed.moments.axes(), self.moments.axes()];
+        let origins = self.fixed.origins(&self.moments);
+        let mut starts = vec![Placement::centred(
+            glam::DMat3::IDENTITY,
+            self.scale,
+            [origins[1] * self.unit * self.scale - origins[0], DVec3::ZERO],
+        )];
+        let turned = axis_rotations().map(|r| axes[0] * r * axes[1].transpose());
+        let turned = std::iter::once(glam::DMat3::IDENTITY).chain(turned);
+        starts.extend(turned.map(|rotation| Placement::centred(rotation, self.scale, centroids)));
+        if !self.control.is_stopped() {
+            self.tell("comparing pairs of points", 0.1);
+            let scaled: Vec<Oriented> =
+                moving.iter().map(|p| Oriented { point: p.point * self.scale, ..*p }).collect();
+            let voted = voted([fixed, &scaled], spacing, self.centre * self.scale, VOTED);
+            starts.extend(voted.into_iter().map(|found| Placement { scale: self.scale, ..found }));
+        }
+        starts
+    }
+
+    fn refinement<'p>(&'p self, points: &'p [Oriented]) -> Refinement<'p> {
+        Refinement::new(self.fixed.surface(), points, self.centre, self.options.scale, self.size)
+    }
+
+    /// The best of each place, in the order of their scores.
+    fn distinct(&self, mut found: Vec<Scored>, count: usize) -> Vec<Scored> {
+        // Stable, so that equals stay in the order of the starts.
+        found.sort_by(|a, b| b.score.total_cmp(&a.score));
+        let mut kept: Vec<Scored> = Vec::new();
+        for scored in found {
+            if kept.iter().all(|other| !self.is_same(&scored.placement, &other.placement)) {
+                kept.push(scored);
+            }
+        }
+        kept.truncate(count);
+        kept
+    }
+
+    fn is_same(&self, a: &Placement, b: &Placement) -> bool {
+        let apart = a.apply(self.centre).distance(b.apply(self.centre));
+        a.angle(b) < SAME_ANGLE && apart < SAME_PLACE * self.size
+    }
+
+    fn report(&self, found: &[Scored], points: &[Oriented]) -> Result<Registration, AlignError> {
+        let flipped = |sample: super::samples::Sample| Oriented {
+            point: sample.point * self.unit,
+            normal: sample.normal,
+        };
+        let even: Vec<Oriented> =
+            samples(self.moving, &self.moments.frame, LAST_POINTS).into_iter().map(flipped).collect();
+        let mut refinement = self.refinement(&even);
+        let Some(best) = found.first() else { return Err(AlignError::Sizes) };
+        let as_good = found.iter().filter(|other| other.score >= AS_GOOD * best.score);
+        let placements: Vec<Placement> =
+            as_good.map(|other| refinement.last(other.placement, self.options.overlap)).collect();
+        let best = placements[0];
+        refinement.look(&best);
+        let reach = refinement.reach(WIDTH * self.size).max(LEAST_REACH * self.size);
+        let mut fit = |placement: &Placement| {
+            refinement.look(placement);
+            let near = refinement.matches().iter().map(|found| found.distance).filter(|d| *d <= reach);
+            let (count, sum) = near.fold((0_usize, 0.0), |(count, sum), d| (count + 1, sum + d * d));
+            let length = (sum / count.max(1) as f64).sqrt();
+            (count as f64 / even.len() as f64, self.fixed.moments.frame.length_out(length))
+        };
+        let (matched, rms) = fit(&best);
+        let mut alternatives = Vec::new();
+        for other in &placements[1..] {
+            if !self.is_same(other, &best) {
+                let (matched, rms) = fit(other);
+                let apart_degrees = other.angle(&best).to_degrees();
+                alternatives.push(Alternative {
+                    matrix: matrix(&self.map(other)?),
+                    apart_degrees,
+                    matched,
+                    rms,
+                });
+            }
+        }
+        let map = self.map(&best)?;
+        let none = Placement::centred(glam::DMat3::IDENTITY, 1.0, [DVec3::ZERO; 2]);
+        Ok(Registration {
+            map,
+            matrix: matrix(&map),
+            scale: best.scale,
+            turn_degrees: best.angle(&none).to_degrees(),
+            reach: self.fixed.moments.frame.length_out(reach),
+            matched,
+            rms,
+            alternatives,
+            free_motions: self.free_motions(&best, points, reach),
+            stop: self.control.reason().unwrap_or(StopReason::Tolerance),
+        })
+    }
+
+    fn free_motions(&self, best: &Placement, points: &[Oriented], reach: f64) -> Vec<FreeMotion> {
+        let mut refinement = self.refinement(points);
+        refinement.look(best);
+        let matched: Vec<(DVec3, DVec3)> = points
+            .iter()
+            .zip(refinement.matches())
+            .filter(|(_, found)| found.distance <= reach)
+            .map(|(point, _)| (best.apply(point.point), best.pose.rotation * point.normal))
+            .collect();
+        let about = matched.iter().map(|(p, _)| *p).sum::<DVec3>() / matched.len().max(1) as f64;
+        let spread = matched.iter().map(|(p, _)| p.distance_squared(about)).sum::<f64>();
+        let radius = (spread / matched.len().max(1) as f64).sqrt();
+        if !(radius > 0.0) {
+            return Vec::new();
+        }
+        let frame = &self.fixed.moments.frame;
+        let free = free_motions(matched.into_iter(), about, radius).into_iter();
+        free.map(|motion| FreeMotion {
+            point: frame.unmap(about.to_array()),
+            turn: motion.turn.to_array(),
+            shift: (motion.shift * frame.length_out(radius)).to_array(),
+        })
+        .collect()
+    }
+
+    /// The map in the unit of the meshes.
+    fn map(&self, placement: &Placement) -> Result<Affine, AlignError> {
+        self.fixed.map_of(&placement.pose, placement.scale, &self.moments, self.unit)
+    }
+
+    fn tell(&self, doing: &str, share: f64) {
+        if let Some(observer) = self.options.progress
+            && observer.progress(&Progress { doing, share: Some(share) }).is_break()
+        {
+            self.control.stop(StopReason::Cancelled);
+        }
+    }
+}
