@@ -56,6 +56,14 @@ impl Analysis {
         Ok(Self { starts: starts.into(), row_indices: row_indices.into(), symbolic: Arc::new(symbolic) })
     }
 
+    /// The unknowns in the order of their elimination.
+    pub fn order(&self) -> Vec<usize> {
+        match self.symbolic.perm() {
+            Some(order) => order.arrays().0.to_vec(),
+            None => (0..self.symbolic.nrows()).collect(),
+        }
+    }
+
     /// Number of entries of the factor.
     pub fn factor_nonzeros(&self) -> usize {
         self.symbolic.len_val()

@@ -9,6 +9,7 @@
 //! | symmetric, positive semi-definite, kernel of constants | [`SemidefiniteCholesky`] |
 //! | symmetric, indefinite, no pivoting needed | [`Ldlt`] |
 //! | square | [`Lu`] |
+//! | near to one that has been factored | [`gmres`] |
 //!
 //! ```
 //! use pompeiu_solve::{Cholesky, LinearSolver, SparseMatrix};
@@ -29,6 +30,7 @@ mod assembly;
 mod cholesky;
 mod dense;
 mod error;
+mod gmres;
 mod ldlt;
 mod lu;
 mod ordering;
@@ -40,6 +42,7 @@ pub use assembly::{ElementPattern, FIXED};
 pub use cholesky::{Analysis, Cholesky};
 pub use dense::DenseCholesky;
 pub use error::SolveError;
+pub use gmres::gmres;
 pub use ldlt::Ldlt;
 pub use lu::Lu;
 pub use ordering::Ordering;

@@ -25,6 +25,17 @@ impl EdgeDistances {
     /// # Cost
     /// O(E log E).
     pub fn from(surface: &Surface, sources: &[VertexId]) -> Self {
+        Self::along(surface, sources, |edge| surface.edge_length(edge))
+    }
+
+    /// The least costs of paths from these vertices, where each edge has a cost of its own: zero or more, infinite for an edge
+    /// that no path may take.
+    ///
+    /// # Panics
+    /// If a vertex does not exist.
+    /// # Cost
+    /// O(E log E).
+    pub fn along(surface: &Surface, sources: &[VertexId], cost: impl Fn(EdgeId) -> f64) -> Self {
         let mesh = surface.mesh();
         let mut distances = VertexData::filled(mesh.vertices(), f64::INFINITY);
         let mut last = VertexData::filled(mesh.vertices(), None);
@@ -42,7 +53,7 @@ impl EdgeDistances {
             }
             for out in mesh.outgoing(v) {
                 for (h, w) in [(out, mesh.head(out)), (out.previous(), mesh.tail(out.previous()))] {
-                    let through = distance + surface.edge_length(mesh.edge(h));
+                    let through = distance + cost(mesh.edge(h));
                     if through < distances[w] {
                         distances[w] = through;
                         last[w] = Some(h);
@@ -52,6 +63,14 @@ impl EdgeDistances {
             }
         }
         Self { distances, last }
+    }
+
+    /// The half-edge, of either direction, over which the shortest path reaches a vertex; none if it is a source or out of reach.
+    ///
+    /// # Panics
+    /// If the vertex does not exist.
+    pub fn last_step(&self, vertex: VertexId) -> Option<HalfedgeId> {
+        self.last[vertex]
     }
 
     /// The edges of the shortest path from a source to a vertex, in order; none if it is a source or out of reach.

@@ -19,6 +19,8 @@ pub use pompeiu_core as core;
 pub use pompeiu_fields as fields;
 #[cfg(feature = "figures")]
 pub use pompeiu_figures as figures;
+#[cfg(feature = "flatten")]
+pub use pompeiu_flatten as flatten;
 #[cfg(feature = "flow")]
 pub use pompeiu_flow as flow;
 pub use pompeiu_hausdorff as hausdorff;

@@ -17,6 +17,18 @@ impl Image {
         Self { width, height, pixels: vec![color; width as usize * height as usize] }
     }
 
+    /// A square picture of squares in two colours by turns, so many along each side and so many pixels wide each: a texture that shows
+    /// how a map distorts.
+    pub fn checkerboard(squares: u32, pixels: u32, colors: [Rgb; 2]) -> Self {
+        let side = squares * pixels;
+        let mut image = Self::filled(side, side, colors[0]);
+        for (index, color) in image.pixels.iter_mut().enumerate() {
+            let (x, y) = (index as u32 % side / pixels, index as u32 / side / pixels);
+            *color = colors[((x + y) % 2) as usize];
+        }
+        image
+    }
+
     /// Pixels in a row.
     pub fn width(&self) -> u32 {
         self.width

@@ -52,7 +52,10 @@ impl View {
     }
 
     /// Unit vectors to the right, up, and to the eye.
-    pub(crate) fn frame(&self) -> Result<[[f64; 3]; 3], FigureError> {
+    ///
+    /// # Errors
+    /// [`FigureError::Direction`] for a direction that is none.
+    pub fn frame(&self) -> Result<[[f64; 3]; 3], FigureError> {
         let direction =
             |given: [f64; 3], what| unit(given).ok_or(FigureError::Direction { what, direction: given });
         let up = self.up.map_or(Ok([0.0, 1.0, 0.0]), |up| direction(up, "up"))?;

@@ -18,5 +18,5 @@ pub use edit::{
 };
 pub use error::MeshError;
 pub use ids::{FaceId, VertexId};
-pub use topology::{Connectivity, MeshSummary, unreferenced_vertices};
+pub use topology::{Connectivity, MeshSummary, UnionFind, unreferenced_vertices};
 pub use trimesh::TriMesh;

@@ -27,6 +27,16 @@ pub enum AttributeError {
         /// The name.
         name: String,
     },
+    /// A corner names texture coordinates that do not exist.
+    #[error("face {face} names texture coordinates {index}, but there are {coordinates} (the first is 0)")]
+    Texture {
+        /// The face.
+        face: usize,
+        /// The index it holds.
+        index: u32,
+        /// Number of texture coordinates.
+        coordinates: usize,
+    },
     /// The name is taken.
     #[error("there are two attributes of the {elements} named {name:?}")]
     Duplicate {
@@ -46,6 +56,15 @@ pub enum AttributeError {
 pub struct Attributes {
     vertices: OfElements,
     faces: OfElements,
+    texture: Option<Texture>,
+}
+
+/// Places in a picture, and which of them each corner of each face has.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Texture {
+    pub(super) coordinates: Vec<[f64; 2]>,
+    pub(super) corners: Vec<[u32; 3]>,
+    pub(super) image: Option<Vec<u8>>,
 }
 
 #[derive(Clone, Debug, PartialEq)]
@@ -67,7 +86,11 @@ impl Attributes {
             vectors: Vec::new(),
             colors: None,
         };
-        Self { vertices: of("vertices", mesh.positions().len()), faces: of("faces", mesh.faces().len()) }
+        Self {
+            vertices: of("vertices", mesh.positions().len()),
+            faces: of("faces", mesh.faces().len()),
+            texture: None,
+        }
     }
 
     /// Adds one number per vertex.
@@ -126,6 +149,32 @@ impl Attributes {
     pub fn with_face_colors(mut self, colors: Vec<[u8; 3]>) -> Result<Self, AttributeError> {
         self.faces.set_colors(colors)?;
         Ok(self)
+    }
+
+    /// Sets texture coordinates: places in a picture, counted from its lower left corner in units of its sides, and for each corner
+    /// of each face which of them it has. Where the corners of a vertex have several, there is a seam. The picture itself is a file in
+    /// PNG, if there is one.
+    ///
+    /// # Errors
+    /// [`AttributeError::Length`] unless there is one triple per face; [`AttributeError::Texture`] for an index out of range.
+    pub fn with_texture(
+        mut self,
+        coordinates: Vec<[f64; 2]>,
+        corners: Vec<[u32; 3]>,
+        image: Option<Vec<u8>>,
+    ) -> Result<Self, AttributeError> {
+        self.faces.check_length("texture coordinates", corners.len())?;
+        let is_missing = |index: &u32| *index as usize >= coordinates.len();
+        if let Some(at) = corners.as_flattened().iter().position(is_missing) {
+            let (index, coordinates) = (corners.as_flattened()[at], coordinates.len());
+            return Err(AttributeError::Texture { face: at / 3, index, coordinates });
+        }
+        self.texture = Some(Texture { coordinates, corners, image });
+        Ok(self)
+    }
+
+    pub(super) fn texture(&self) -> Option<&Texture> {
+        self.texture.as_ref()
     }
 
     /// Names and values of the vertex scalars, in the order added.

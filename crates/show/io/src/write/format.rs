@@ -5,14 +5,14 @@ use std::path::Path;
 
 /// A format that can be written.
 ///
-/// | | coordinates | vertex colours | face colours | vertex and face scalars, face vectors |
-/// |---|---|---|---|---|
-/// | OBJ | every bit | yes | no | no |
-/// | PLY | every bit | yes | yes | yes |
-/// | STL | single precision | no | no | no |
-/// | OFF | every bit | yes | yes | no |
-/// | VTP, VTU | every bit | yes | yes | yes |
-/// | GLB | single precision | yes | no | no |
+/// | | coordinates | vertex colours | face colours | vertex and face scalars, face vectors | texture coordinates | texture image |
+/// |---|---|---|---|---|---|---|
+/// | OBJ | every bit | yes | no | no | every bit | no |
+/// | PLY | every bit | yes | yes | yes | no | no |
+/// | STL | single precision | no | no | no | no | no |
+/// | OFF | every bit | yes | yes | no | no | no |
+/// | VTP, VTU | every bit | yes | yes | yes | no | no |
+/// | GLB | single precision | yes | no | no | single precision | yes |
 ///
 /// An attribute that the format has no room for is an error, never dropped in silence.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -35,7 +35,8 @@ pub enum OutputFormat {
     /// glTF 2.0 in one binary file, one mesh in one node. Coordinates are rounded to single precision relative to an
     /// origin in the node's translation, so that a model far from zero keeps its shape: the error per axis is at
     /// most 2⁻²⁴ of the model's size. A mesh whose coordinates are single-precision numbers keeps every bit.
-    /// Colours are taken as sRGB and stored linear, sixteen bits per channel.
+    /// Colours are taken as sRGB and stored linear, sixteen bits per channel. With texture coordinates, a vertex is written once for each
+    /// of those that its corners have, and vertices that no face uses are lost.
     Glb,
 }
 
@@ -102,6 +103,13 @@ impl OutputFormat {
         }
         if attributes.face_scalars().next().is_some() && !self.holds_scalars() {
             return no_room("face scalars");
+        }
+        let holds_texture = matches!(self, Self::Obj | Self::Glb);
+        if attributes.texture().is_some() && !holds_texture {
+            return no_room("texture coordinates");
+        }
+        if attributes.texture().is_some_and(|texture| texture.image.is_some()) && self != Self::Glb {
+            return no_room("texture images");
         }
         if attributes.face_vectors().next().is_some() && !self.holds_scalars() {
             return no_room("face vectors");

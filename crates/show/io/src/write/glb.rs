@@ -3,6 +3,8 @@
 use super::{Attributes, EncodeError, OutputFormat};
 use pompeiu_core::{TriMesh, VertexId};
 use serde_json::json;
+use std::borrow::Cow;
+use std::collections::HashMap;
 use std::io::Write;
 
 const ARRAY_BUFFER: u32 = 34962;
@@ -12,53 +14,100 @@ const UNSIGNED_INT: u32 = 5125;
 const FLOAT: u32 = 5126;
 const TRIANGLES: u32 = 4;
 
+/// What is written of a mesh: which vertex each written one is, and where it is in the texture.
+struct Written<'m> {
+    vertices: Vec<u32>,
+    faces: Cow<'m, [[u32; 3]]>,
+    places: Option<Vec<[f32; 2]>>,
+    image: &'m [u8],
+}
+
+impl<'m> Written<'m> {
+    /// A vertex for each pair of a vertex and texture coordinates, in the order of first use; without texture, the vertices as they are.
+    fn of(mesh: &'m TriMesh, attributes: &'m Attributes) -> Self {
+        let Some(texture) = attributes.texture() else {
+            let vertices = (0..mesh.positions().len() as u32).collect();
+            return Self { vertices, faces: Cow::Borrowed(mesh.faces()), places: None, image: &[] };
+        };
+        let mut known = HashMap::with_capacity(texture.coordinates.len());
+        let (mut vertices, mut places) = (Vec::new(), Vec::new());
+        let mut number = |pair: (u32, u32)| {
+            *known.entry(pair).or_insert_with(|| {
+                vertices.push(pair.0);
+                // Counted from the upper left corner of the picture.
+                let [u, v] = texture.coordinates[pair.1 as usize];
+                places.push([u as f32, (1.0 - v) as f32]);
+                (vertices.len() - 1) as u32
+            })
+        };
+        let pairs = mesh.faces().iter().zip(&texture.corners);
+        let faces = pairs.map(|(face, corners)| [0, 1, 2].map(|i| number((face[i], corners[i])))).collect();
+        Self { vertices, faces, places: Some(places), image: texture.image.as_deref().unwrap_or(&[]) }
+    }
+}
+
 pub(super) fn write(mut out: impl Write, mesh: &TriMesh, attributes: &Attributes) -> Result<(), EncodeError> {
+    let written = Written::of(mesh, attributes);
     let origin = origin(mesh);
-    let [lowest, highest] = range(mesh, origin)?;
-    let (n, m) = (mesh.positions().len() as u64, mesh.faces().len() as u64);
+    let [lowest, highest] = range(mesh, &written.vertices, origin)?;
+    let (n, m) = (written.vertices.len() as u64, written.faces.len() as u64);
     let colors = attributes.vertex_colors();
 
-    let (position_bytes, index_bytes) = (12 * n, 12 * m);
-    let color_bytes = if colors.is_some() { 8 * n } else { 0 };
-    let length = position_bytes + index_bytes + color_bytes;
+    let mut views = Vec::new();
+    let mut length = 0;
+    let mut view = |bytes: u64, target: Option<u32>| {
+        let mut view = json!({ "buffer": 0, "byteOffset": length, "byteLength": bytes });
+        if let Some(target) = target {
+            view["target"] = json!(target);
+        }
+        views.push(view);
+        length += bytes;
+        views.len() - 1
+    };
+    let mut accessors = vec![
+        json!({ "bufferView": view(12 * n, Some(ARRAY_BUFFER)), "componentType": FLOAT, "count": n, "type": "VEC3",
+            "min": lowest.map(f64::from), "max": highest.map(f64::from) }),
+        json!({ "bufferView": view(12 * m, Some(ELEMENT_ARRAY_BUFFER)), "componentType": UNSIGNED_INT, "count": 3 * m,
+            "type": "SCALAR" }),
+    ];
+    let mut of_vertices = json!({ "POSITION": 0 });
+    if colors.is_some() {
+        of_vertices["COLOR_0"] = json!(accessors.len());
+        accessors
+            .push(json!({ "bufferView": view(8 * n, Some(ARRAY_BUFFER)), "componentType": UNSIGNED_SHORT,
+            "normalized": true, "count": n, "type": "VEC4" }));
+    }
+    if written.places.is_some() {
+        of_vertices["TEXCOORD_0"] = json!(accessors.len());
+        accessors
+            .push(json!({ "bufferView": view(8 * n, Some(ARRAY_BUFFER)), "componentType": FLOAT, "count": n,
+            "type": "VEC2" }));
+    }
+    let image = (!written.image.is_empty()).then(|| view(written.image.len() as u64, None));
+    let length = length.next_multiple_of(4);
     let mut document = json!({
         "asset": { "version": "2.0", "generator": "pompeiu" },
         "scene": 0,
         "scenes": [{ "nodes": [0] }],
         "nodes": [{ "mesh": 0 }],
         "meshes": [{ "primitives": [{
-            "attributes": { "POSITION": 0 }, "indices": 1, "material": 0, "mode": TRIANGLES
+            "attributes": of_vertices, "indices": 1, "material": 0, "mode": TRIANGLES
         }] }],
         // The default is polished metal, which is dark wherever there is nothing around to mirror.
         "materials": [{
             "pbrMetallicRoughness": { "metallicFactor": 0, "roughnessFactor": 1 }, "doubleSided": true
         }],
         "buffers": [{ "byteLength": length }],
-        "bufferViews": [
-            { "buffer": 0, "byteOffset": 0, "byteLength": position_bytes, "target": ARRAY_BUFFER },
-            { "buffer": 0, "byteOffset": position_bytes, "byteLength": index_bytes,
-              "target": ELEMENT_ARRAY_BUFFER }
-        ],
-        "accessors": [
-            { "bufferView": 0, "componentType": FLOAT, "count": n, "type": "VEC3",
-              "min": lowest.map(f64::from), "max": highest.map(f64::from) },
-            { "bufferView": 1, "componentType": UNSIGNED_INT, "count": 3 * m, "type": "SCALAR" }
-        ]
+        "bufferViews": views,
+        "accessors": accessors
     });
     if origin != [0.0; 3] {
         document["nodes"][0]["translation"] = json!(origin);
     }
-    if colors.is_some() {
-        document["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] = json!(2);
-        let view = json!({ "buffer": 0, "byteOffset": position_bytes + index_bytes,
-            "byteLength": color_bytes, "target": ARRAY_BUFFER });
-        let accessor = json!({ "bufferView": 2, "componentType": UNSIGNED_SHORT, "normalized": true,
-            "count": n, "type": "VEC4" });
-        for (list, item) in [("bufferViews", view), ("accessors", accessor)] {
-            if let Some(list) = document[list].as_array_mut() {
-                list.push(item);
-            }
-        }
+    if let Some(view) = image {
+        document["images"] = json!([{ "bufferView": view, "mimeType": "image/png" }]);
+        document["textures"] = json!([{ "source": 0 }]);
+        document["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = json!({ "index": 0 });
     }
     let mut document = document.to_string().into_bytes();
     document.resize(document.len().next_multiple_of(4), b' ');
@@ -76,24 +125,29 @@ pub(super) fn write(mut out: impl Write, mesh: &TriMesh, attributes: &Attributes
     out.write_all(&document)?;
     out.write_all(&(length as u32).to_le_bytes())?;
     out.write_all(b"BIN\0")?;
-    for position in mesh.positions() {
-        for coordinate in relative(*position, origin) {
+    for &v in &written.vertices {
+        for coordinate in relative(mesh.positions()[v as usize], origin) {
             out.write_all(&coordinate.to_le_bytes())?;
         }
     }
-    for vertex in mesh.faces().as_flattened() {
+    for vertex in written.faces.as_flattened() {
         out.write_all(&vertex.to_le_bytes())?;
     }
     if let Some(colors) = colors {
         let linear = linear_from_srgb();
-        for [red, green, blue] in colors {
-            for channel in [linear[*red as usize], linear[*green as usize], linear[*blue as usize], u16::MAX]
-            {
+        for &v in &written.vertices {
+            let [red, green, blue] = colors[v as usize];
+            for channel in [linear[red as usize], linear[green as usize], linear[blue as usize], u16::MAX] {
                 out.write_all(&channel.to_le_bytes())?;
             }
         }
     }
-    Ok(())
+    for coordinate in written.places.iter().flatten().flatten() {
+        out.write_all(&coordinate.to_le_bytes())?;
+    }
+    out.write_all(written.image)?;
+    let padding = written.image.len().next_multiple_of(4) - written.image.len();
+    Ok(out.write_all(&[0; 3][..padding])?)
 }
 
 fn relative(position: [f64; 3], origin: [f64; 3]) -> [f32; 3] {
@@ -119,13 +173,14 @@ fn origin(mesh: &TriMesh) -> [f64; 3] {
 }
 
 /// The lowest and highest coordinates as written, or the first that overflows.
-fn range(mesh: &TriMesh, origin: [f64; 3]) -> Result<[[f32; 3]; 2], EncodeError> {
+fn range(mesh: &TriMesh, vertices: &[u32], origin: [f64; 3]) -> Result<[[f32; 3]; 2], EncodeError> {
     let [mut lowest, mut highest] = [[f32::INFINITY; 3], [f32::NEG_INFINITY; 3]];
-    for (v, position) in mesh.positions().iter().enumerate() {
-        let written = relative(*position, origin);
+    for &v in vertices {
+        let position = mesh.positions()[v as usize];
+        let written = relative(position, origin);
         for axis in 0..3 {
             if written[axis].is_infinite() {
-                let (format, vertex, value) = (OutputFormat::Glb, VertexId(v as u32), position[axis]);
+                let (format, vertex, value) = (OutputFormat::Glb, VertexId(v), position[axis]);
                 return Err(EncodeError::SinglePrecision { format, vertex, axis, value });
             }
             if written[axis] < lowest[axis] {

@@ -21,11 +21,24 @@ pub(super) fn write(out: impl Write, mesh: &TriMesh, attributes: &Attributes) ->
         }
         text.end_line()?;
     }
-    for face in mesh.faces() {
+    let texture = attributes.texture();
+    for place in texture.iter().flat_map(|texture| &texture.coordinates) {
+        text.text("vt");
+        for &coordinate in place {
+            text.text(" ");
+            text.real(coordinate);
+        }
+        text.end_line()?;
+    }
+    for (f, face) in mesh.faces().iter().enumerate() {
         text.text("f");
-        for &v in face {
+        for (i, &v) in face.iter().enumerate() {
             text.text(" ");
             text.integer(u64::from(v) + 1);
+            if let Some(texture) = texture {
+                text.text("/");
+                text.integer(u64::from(texture.corners[f][i]) + 1);
+            }
         }
         text.end_line()?;
     }

@@ -9,6 +9,7 @@ pub(super) mod union_find;
 
 pub use connectivity::Connectivity;
 pub use degenerate::is_degenerate;
+pub use union_find::UnionFind;
 
 use super::TriMesh;
 use super::edges::EdgeTable;

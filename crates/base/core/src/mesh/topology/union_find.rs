@@ -1,17 +1,22 @@
 //! Disjoint sets.
 
 /// Sets of the numbers below a bound, each at first alone; path halving, linked towards the lesser root.
-pub(in crate::mesh) struct UnionFind {
+#[derive(Clone, Debug)]
+pub struct UnionFind {
     parents: Vec<usize>,
 }
 
 impl UnionFind {
-    pub(in crate::mesh) fn new(count: usize) -> Self {
+    /// Each of the numbers below a bound alone.
+    pub fn new(count: usize) -> Self {
         Self { parents: (0..count).collect() }
     }
 
     /// The least member of the set that holds `x`.
-    pub(in crate::mesh) fn find(&mut self, mut x: usize) -> usize {
+    ///
+    /// # Panics
+    /// If `x` is not below the bound.
+    pub fn find(&mut self, mut x: usize) -> usize {
         while self.parents[x] != x {
             self.parents[x] = self.parents[self.parents[x]];
             x = self.parents[x];
@@ -20,7 +25,10 @@ impl UnionFind {
     }
 
     /// Makes one set of those that hold `a` and `b`; whether they were two.
-    pub(in crate::mesh) fn union(&mut self, a: usize, b: usize) -> bool {
+    ///
+    /// # Panics
+    /// If one of them is not below the bound.
+    pub fn union(&mut self, a: usize, b: usize) -> bool {
         let (a, b) = (self.find(a), self.find(b));
         self.parents[a.max(b)] = a.min(b);
         a != b

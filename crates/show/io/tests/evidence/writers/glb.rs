@@ -126,3 +126,37 @@ fn layout_follows_the_specification() {
         [0, (0.215_860_5_f64 * 65535.0).round() as u16, 65535, 65535]
     );
 }
+
+#[test]
+fn textures_are_seen_where_they_belong() {
+    let (mesh, places, corners) = super::obj::with_seams();
+    let image = b"five!".to_vec();
+    let attributes = Attributes::for_mesh(&mesh)
+        .with_texture(places.clone(), corners.clone(), Some(image.clone()))
+        .unwrap()
+        .with_vertex_colors(vec![[0; 3], [255; 3], [0; 3], [0; 3]])
+        .unwrap();
+    let bytes = encoded(OutputFormat::Glb, &mesh, &attributes);
+    assert_eq!(bytes.len() % 4, 0);
+    let gltf::Gltf { document, blob } = gltf::Gltf::from_slice(&bytes).unwrap();
+    let blob = blob.unwrap();
+    let primitive = document.meshes().next().unwrap().primitives().next().unwrap();
+    let reader = primitive.reader(|_| Some(&blob));
+    let indices: Vec<u32> = reader.read_indices().unwrap().into_u32().collect();
+    let positions: Vec<[f32; 3]> = reader.read_positions().unwrap().collect();
+    let uv: Vec<[f32; 2]> = reader.read_tex_coords(0).unwrap().into_f32().collect();
+    let colors: Vec<[u16; 4]> = reader.read_colors(0).unwrap().into_rgba_u16().collect();
+    assert_eq!([positions.len(), uv.len(), colors.len()], [6; 3]);
+    for (f, face) in mesh.faces().iter().enumerate() {
+        for i in 0..3 {
+            let at = indices[3 * f + i] as usize;
+            assert_eq!(positions[at].map(f64::from), mesh.positions()[face[i] as usize]);
+            assert_eq!(colors[at][0] > 0, face[i] == 1);
+            let [u, v] = places[corners[f][i] as usize];
+            assert_eq!(uv[at], [u as f32, (1.0 - v) as f32]);
+        }
+    }
+    let texture = primitive.material().pbr_metallic_roughness().base_color_texture().unwrap();
+    let gltf::image::Source::View { view, mime_type } = texture.texture().source().source() else { panic!() };
+    assert_eq!((mime_type, &blob[view.offset()..view.offset() + view.length()]), ("image/png", &image[..]));
+}

@@ -59,3 +59,49 @@ fn small_numbers_read_well() {
     let text = String::from_utf8(encoded(OutputFormat::Obj, &mesh, &Attributes::for_mesh(&mesh))).unwrap();
     assert_eq!(text, "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
 }
+
+/// A tetrahedron whose first vertex has a place of its own in each face, and a place that nothing uses.
+pub(super) fn with_seams() -> (TriMesh, Vec<[f64; 2]>, Vec<[u32; 3]>) {
+    let mesh = tetrahedron();
+    let places =
+        vec![[0.1, 0.9], [1.0 / 3.0, 0.0], [1.0, 0.0], [0.0, 1.0], [0.2, 0.7], [0.3, 0.5], [9.0, 9.0]];
+    let corners = vec![[0, 2, 1], [4, 1, 3], [5, 3, 2], [1, 2, 3]];
+    (mesh, places, corners)
+}
+
+#[test]
+fn texture_coordinates_keep_every_bit_and_their_seams() {
+    let (mesh, places, corners) = with_seams();
+    let attributes = Attributes::for_mesh(&mesh).with_texture(places.clone(), corners.clone(), None).unwrap();
+    let bytes = encoded(OutputFormat::Obj, &mesh, &attributes);
+    let no_materials = |_: &std::path::Path| Err(tobj::LoadError::OpenFileFailed);
+    let (models, _) =
+        tobj::load_obj_buf(&mut &bytes[..], &tobj::LoadOptions::default(), no_materials).unwrap();
+    let read = &models[0].mesh;
+    for (f, face) in mesh.faces().iter().enumerate() {
+        for i in 0..3 {
+            let (v, t) = (read.indices[3 * f + i] as usize, read.texcoord_indices[3 * f + i] as usize);
+            assert_eq!(read.positions[3 * v..3 * v + 3], mesh.positions()[face[i] as usize]);
+            assert_eq!(read.texcoords[2 * t..2 * t + 2], places[corners[f][i] as usize]);
+        }
+    }
+    // Our own reader passes over them.
+    let again = pompeiu_io::read_bytes(&bytes, Some(pompeiu_io::Format::Obj)).unwrap();
+    assert_eq!(again.mesh.faces(), mesh.faces());
+}
+
+#[test]
+fn places_that_do_not_exist_are_refused() {
+    let (mesh, places, mut corners) = with_seams();
+    let none = || Attributes::for_mesh(&mesh);
+    assert!(none().with_texture(places.clone(), corners[1..].to_vec(), None).is_err());
+    corners[2][1] = 7;
+    let error = none().with_texture(places.clone(), corners.clone(), None).unwrap_err();
+    assert_eq!(error.to_string(), "face 2 names texture coordinates 7, but there are 7 (the first is 0)");
+    corners[2][1] = 6;
+    let attributes = none().with_texture(places, corners, Some(vec![1])).unwrap();
+    for format in OutputFormat::ALL {
+        let written = pompeiu_io::encode(&mut Vec::new(), format, &mesh, &attributes);
+        assert_eq!(written.is_ok(), format == OutputFormat::Glb, "{format:?}");
+    }
+}

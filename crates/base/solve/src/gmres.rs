@@ -1,0 +1,123 @@
+//! Systems near to one whose factor is known.
+
+use crate::{LinearSolver, SolveError};
+
+/// Solves `A x = b` by the generalized minimal residual method, with a solver for a similar matrix as its preconditioner from the
+/// right.
+///
+/// Stops at a residual of `tolerance` times the norm of `b`, where rounding lets it fall no further, or after `most` steps; every
+/// `restart` steps it starts anew from what it has, with the residual computed afresh.
+///
+/// # Accuracy
+/// What is returned is the best found: check the residual where it matters.
+/// # Errors
+/// Those of the preconditioner; [`SolveError::Singular`] if no finite solution comes out.
+/// # Cost
+/// One product and one solve for each step; `restart` vectors of memory.
+/// # Source
+/// `saad_gmres_1986`.
+pub fn gmres(
+    apply: impl Fn(&[f64]) -> Vec<f64>,
+    preconditioner: &dyn LinearSolver,
+    b: &[f64],
+    tolerance: f64,
+    restart: usize,
+    most: usize,
+) -> Result<Vec<f64>, SolveError> {
+    let target = tolerance * norm(b);
+    let mut x = preconditioner.solve(b)?;
+    let mut last = f64::INFINITY;
+    let mut steps = 0;
+    loop {
+        let residual: Vec<f64> = b.iter().zip(apply(&x)).map(|(b, y)| b - y).collect();
+        let size = norm(&residual);
+        // Half of what there was is the least that is worth another round.
+        if size <= target || size > 0.5 * last || steps >= most {
+            return Ok(x);
+        }
+        last = size;
+        let mut basis = vec![residual.iter().map(|r| r / size).collect::<Vec<f64>>()];
+        let mut rows: Vec<Vec<f64>> = Vec::new();
+        let mut rotations: Vec<[f64; 2]> = Vec::new();
+        let mut rest = vec![size];
+        while rows.len() < restart && steps < most {
+            steps += 1;
+            let k = rows.len();
+            let mut w = apply(&preconditioner.solve(&basis[k])?);
+            let mut column = Vec::with_capacity(k + 2);
+            for v in &basis {
+                let along = dot(v, &w);
+                w.iter_mut().zip(v).for_each(|(w, v)| *w -= along * v);
+                column.push(along);
+            }
+            let beyond = norm(&w);
+            for (i, [c, s]) in rotations.iter().enumerate() {
+                let (p, q) = (column[i], column[i + 1]);
+                (column[i], column[i + 1]) = (c * p + s * q, c * q - s * p);
+            }
+            let radius = column[k].hypot(beyond);
+            let rotation = if radius > 0.0 { [column[k] / radius, beyond / radius] } else { [1.0, 0.0] };
+            column[k] = radius;
+            let here = rest[k];
+            rest[k] = rotation[0] * here;
+            rest.push(-rotation[1] * here);
+            rotations.push(rotation);
+            rows.push(column);
+            if radius == 0.0 || rest[k + 1].abs() <= 0.5 * target || beyond <= f64::EPSILON * radius {
+                break;
+            }
+            basis.push(w.iter().map(|w| w / beyond).collect());
+        }
+        let mut y = vec![0.0; rows.len()];
+        for k in (0..rows.len()).rev() {
+            let known: f64 = (k + 1..rows.len()).map(|j| rows[j][k] * y[j]).sum();
+            y[k] = if rows[k][k] > 0.0 { (rest[k] - known) / rows[k][k] } else { 0.0 };
+        }
+        let mut correction = vec![0.0; b.len()];
+        for (y, v) in y.iter().zip(&basis) {
+            correction.iter_mut().zip(v).for_each(|(sum, v)| *sum += y * v);
+        }
+        preconditioner.solve_in_place(&mut correction)?;
+        x.iter_mut().zip(&correction).for_each(|(x, d)| *x += d);
+        if let Some(index) = x.iter().position(|x| !x.is_finite()) {
+            return Err(SolveError::Singular { index });
+        }
+    }
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+fn norm(a: &[f64]) -> f64 {
+    dot(a, a).sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Cholesky, SparseMatrix};
+
+    #[test]
+    fn an_unsymmetric_system_near_a_symmetric_one() {
+        let n = 200;
+        let link = |i: usize, tilt: f64| [(i, i + 1, -1.0 - tilt), (i + 1, i, -1.0 + tilt)];
+        let matrix = |tilt: f64| {
+            let mut entries: Vec<_> = (0..n).map(|i| (i, i, 2.1)).collect();
+            entries.extend((0..n - 1).flat_map(|i| link(i, tilt * (i as f64).sin())));
+            SparseMatrix::from_triplets(n, n, &entries).unwrap()
+        };
+        let (symmetric, tilted) = (matrix(0.0), matrix(0.3));
+        let expected: Vec<f64> = (0..n).map(|i| (0.1 * i as f64).cos()).collect();
+        let b = tilted.multiply(&expected);
+        let solver = Cholesky::new(&symmetric).unwrap();
+        for restart in [5, 40] {
+            let x = gmres(|x| tilted.multiply(x), &solver, &b, 1e-15, restart, 1000).unwrap();
+            let error = x.iter().zip(&expected).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+            assert!(error < 1e-13, "{error:e}");
+        }
+        // Without steps there is the solution of the other system.
+        let x = gmres(|x| tilted.multiply(x), &solver, &b, 1e-15, 5, 0).unwrap();
+        assert_eq!(x, solver.solve(&b).unwrap());
+    }
+}

@@ -1,0 +1,61 @@
+//! A surface taken apart into its connected components.
+
+use crate::cut::{CutOptions, CutStrategy};
+use pompeiu_core::{FaceId, TriMesh, VertexId};
+use pompeiu_surface::{EmbeddedSurface, GeometryError, HalfedgeId};
+
+/// A connected component, and where it comes from.
+#[derive(Clone, Debug)]
+pub(crate) struct Component {
+    pub(crate) surface: EmbeddedSurface,
+    /// Its faces in the whole surface, increasing.
+    pub(crate) faces: Vec<FaceId>,
+    /// Its vertices in the whole surface, increasing.
+    pub(crate) vertices: Vec<VertexId>,
+}
+
+impl Component {
+    /// The half-edge of the whole surface.
+    pub(crate) fn halfedge(&self, h: HalfedgeId) -> HalfedgeId {
+        HalfedgeId::of(self.faces[h.face().index()], h.corner())
+    }
+
+    /// What is asked of this component.
+    pub(crate) fn options(&self, options: &CutOptions) -> CutOptions {
+        let here = |all: &[VertexId]| -> Vec<VertexId> {
+            all.iter()
+                .filter_map(|v| self.vertices.binary_search(v).ok())
+                .map(|v| VertexId(v as u32))
+                .collect()
+        };
+        let strategy = match &options.strategy {
+            CutStrategy::Through(vertices) => CutStrategy::Through(here(vertices)),
+            other => other.clone(),
+        };
+        CutOptions { strategy, forbidden: here(&options.forbidden) }
+    }
+}
+
+/// The components of a surface, in the order of their first vertices.
+pub(crate) fn split(surface: &EmbeddedSurface) -> Result<Vec<Component>, GeometryError> {
+    let mesh = surface.mesh();
+    let mut vertices = vec![Vec::new(); mesh.components()];
+    let mut faces = vec![Vec::new(); mesh.components()];
+    let mut local = vec![0_u32; mesh.vertices()];
+    for v in mesh.vertex_ids() {
+        let of = &mut vertices[mesh.component(v)];
+        local[v.index()] = of.len() as u32;
+        of.push(v);
+    }
+    for face in mesh.face_ids() {
+        faces[mesh.component(mesh.face(face)[0])].push(face);
+    }
+    let part = |(vertices, faces): (Vec<VertexId>, Vec<FaceId>)| {
+        let positions = vertices.iter().map(|&v| surface.positions()[v]).collect();
+        let triples = faces.iter().map(|&face| mesh.face(face).map(|v| local[v.index()])).collect();
+        // The same numbers as in the whole surface, fewer of them.
+        let part = TriMesh::new(positions, triples).map_err(|_| pompeiu_surface::SurfaceError::NoFaces)?;
+        Ok(Component { surface: EmbeddedSurface::new(&part)?, faces, vertices })
+    };
+    vertices.into_iter().zip(faces).map(part).collect()
+}

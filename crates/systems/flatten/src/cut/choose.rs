@@ -1,0 +1,207 @@
+//! Which edges to cut.
+
+use super::costs::Costs;
+use super::disk::disk_cut;
+use super::farthest::farthest_pair;
+use super::tips::tips;
+use super::tree::GrowingCut;
+use super::{CutError, largest, open};
+use pompeiu_core::mesh::VertexData;
+use pompeiu_core::{FaceId, VertexId};
+use pompeiu_surface::{EdgeData, EdgeDistances, EdgeId, EmbeddedSurface, SurfaceMesh};
+
+/// How the edges to cut are chosen.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum CutStrategy {
+    /// What leaves a disk, and on closed surfaces of genus 0 the tips joined. Flattening adds cuts where faces are distorted.
+    #[default]
+    Auto,
+    /// The least that makes a disk of a surface that is neither a disk nor a sphere: tree and cotree.
+    Genus,
+    /// The pair of vertices that are farthest from each other, joined by a shortest path; further cuts, up to this number, from
+    /// the vertex farthest from what is cut.
+    Euclidean {
+        /// Number of cuts, at least 1.
+        cuts: usize,
+    },
+    /// What leaves a disk, joined with the tips: vertices that are farther from the rest of the surface than all around.
+    Tips,
+    /// What leaves a disk, joined with these vertices by shortest paths.
+    Through(Vec<VertexId>),
+    /// These paths of edges, each given by its vertices, and nothing else.
+    Along(Vec<Vec<VertexId>>),
+}
+
+impl CutStrategy {
+    /// The name of the strategy, as in the command and in reports.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Auto => "auto",
+            Self::Genus => "genus",
+            Self::Euclidean { .. } => "euclidean",
+            Self::Tips => "tips",
+            Self::Through(_) => "through",
+            Self::Along(_) => "along",
+        }
+    }
+}
+
+/// How a surface is cut.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct CutOptions {
+    /// How edges are chosen.
+    pub strategy: CutStrategy,
+    /// Vertices that no cut may touch.
+    pub forbidden: Vec<VertexId>,
+}
+
+/// Chooses the edges that open a surface, so that each of its components becomes a disk.
+///
+/// # Definition
+/// See [`CutStrategy`]. Shortest paths run along edges. A cut never enters a forbidden vertex.
+///
+/// # Errors
+/// [`CutError`]; a surface that the strategy leaves no disk is [`CutError::NoDisk`], a sphere cut by [`CutStrategy::Genus`]
+/// for instance.
+///
+/// # Cost
+/// O(E log E) for each path and each root that is tried.
+pub fn choose_cut(surface: &EmbeddedSurface, options: &CutOptions) -> Result<EdgeData<bool>, CutError> {
+    let mesh = surface.mesh();
+    let requested = requested_edges(mesh, options)?;
+    let mut cut = EdgeData::filled(mesh.edges(), false);
+    if let Some(requested) = requested {
+        cut = requested;
+    } else {
+        for part in crate::components::split(surface)? {
+            let chosen = first_cut(&part.surface, &part.options(options))?;
+            for (edge, _) in chosen.entries().filter(|(_, is_cut)| **is_cut) {
+                cut[mesh.edge(part.halfedge(part.surface.mesh().edge_halfedge(edge)))] = true;
+            }
+        }
+    }
+    open(mesh, &cut)?.check_disks()?;
+    Ok(cut)
+}
+
+/// The edges of the paths that the caller gave, if they are all that is to be cut.
+pub(crate) fn requested_edges(
+    mesh: &SurfaceMesh,
+    options: &CutOptions,
+) -> Result<Option<EdgeData<bool>>, CutError> {
+    let vertices = mesh.vertices();
+    let mut named = options.forbidden.iter();
+    if let Some(&vertex) = named.find(|v| v.index() >= vertices) {
+        return Err(CutError::NoVertex { vertex, vertices });
+    }
+    match &options.strategy {
+        CutStrategy::Through(through) => match through.iter().find(|v| v.index() >= vertices) {
+            Some(&vertex) => Err(CutError::NoVertex { vertex, vertices }),
+            None => Ok(None),
+        },
+        CutStrategy::Along(paths) => {
+            let mut cut = EdgeData::filled(mesh.edges(), false);
+            for step in paths.iter().flat_map(|path| path.windows(2)) {
+                let ends = [step[0], step[1]];
+                if let Some(&vertex) = ends.iter().find(|v| v.index() >= vertices) {
+                    return Err(CutError::NoVertex { vertex, vertices });
+                }
+                let edge = edge_between(mesh, ends).ok_or(CutError::NoEdge { ends })?;
+                if ends.iter().any(|v| options.forbidden.contains(v)) {
+                    return Err(CutError::ForbiddenEdge { ends });
+                }
+                cut[edge] = true;
+            }
+            Ok(Some(cut))
+        }
+        _ => Ok(None),
+    }
+}
+
+/// The edge between two vertices.
+fn edge_between(mesh: &SurfaceMesh, [a, b]: [VertexId; 2]) -> Option<EdgeId> {
+    let around = mesh.outgoing(a).flat_map(|h| [h, h.previous()]);
+    around.into_iter().find(|&h| [mesh.tail(h), mesh.head(h)].contains(&b)).map(|h| mesh.edge(h))
+}
+
+/// The cut of a connected surface, before any is added for the sake of distortion.
+pub(crate) fn first_cut(surface: &EmbeddedSurface, options: &CutOptions) -> Result<EdgeData<bool>, CutError> {
+    let mesh = surface.mesh();
+    let mut is_forbidden = VertexData::filled(mesh.vertices(), false);
+    for &v in &options.forbidden {
+        is_forbidden[v] = true;
+    }
+    let forbidden = |edge: EdgeId| mesh.ends(edge).into_iter().any(|v| is_forbidden[v]);
+    let costs = Costs::new(surface.surface(), forbidden);
+    let nowhere = || CutError::Forbidden { face: FaceId(0) };
+    let base = disk_cut(surface.surface(), &costs);
+    if !costs.total(&base).is_finite() {
+        return Err(nowhere());
+    }
+    let mut cut = GrowingCut::new(surface.surface(), &costs, base);
+    let is_sphere = cut.is_empty();
+    match &options.strategy {
+        CutStrategy::Genus | CutStrategy::Along(_) => {}
+        CutStrategy::Auto if !is_sphere => {}
+        CutStrategy::Auto | CutStrategy::Tips => {
+            let mut ends = tips(surface.surface());
+            ends.retain(|&v| !is_forbidden[v]);
+            if !is_sphere || ends.len() > 1 {
+                cut.join(&ends);
+            }
+            if is_sphere && !cut.edges.contains(&true) {
+                euclidean(surface, &mut cut, 1, &is_forbidden);
+            }
+        }
+        CutStrategy::Euclidean { cuts } => euclidean(surface, &mut cut, *cuts, &is_forbidden),
+        CutStrategy::Through(vertices) => {
+            if !cut.join(vertices).is_empty() {
+                return Err(nowhere());
+            }
+        }
+    }
+    if is_sphere {
+        lengthen(surface, &costs, &mut cut.edges);
+    }
+    if open(mesh, &cut.edges)?.check_disks().is_err() && !options.forbidden.is_empty() {
+        return Err(nowhere());
+    }
+    Ok(cut.edges)
+}
+
+/// Joins the farthest pair of vertices, and the farthest vertices from what is cut, up to a number of cuts.
+fn euclidean(
+    surface: &EmbeddedSurface,
+    cut: &mut GrowingCut<'_>,
+    cuts: usize,
+    is_forbidden: &VertexData<bool>,
+) {
+    let mesh = surface.mesh();
+    let mut left = cuts;
+    if cut.is_empty() {
+        let allowed: Vec<VertexId> = mesh.vertex_ids().filter(|&v| !is_forbidden[v]).collect();
+        let points: Vec<[f64; 3]> = allowed.iter().map(|&v| surface.positions()[v]).collect();
+        let Some(pair) = farthest_pair(&points) else { return };
+        cut.join(&pair.map(|i| allowed[i]));
+        left = left.saturating_sub(1);
+    }
+    for _ in 0..left {
+        let from = EdgeDistances::from(surface.surface(), &cut.reached()).distances;
+        let allowed = |v: VertexId| if is_forbidden[v] { 0.0 } else { from[v] };
+        let far: Vec<f64> = mesh.vertex_ids().map(allowed).collect();
+        cut.join(&[VertexId(largest(&far) as u32)]);
+    }
+}
+
+/// Makes two edges of the cut of a sphere that is a single one, which would open nothing.
+fn lengthen(surface: &EmbeddedSurface, costs: &Costs, cut: &mut EdgeData<bool>) {
+    let mesh = surface.mesh();
+    let edges: Vec<EdgeId> = mesh.edge_ids().filter(|&edge| cut[edge]).collect();
+    let [edge] = edges[..] else { return };
+    let ends = mesh.ends(edge);
+    let next = ends.into_iter().flat_map(|v| mesh.outgoing(v)).map(|h| mesh.edge(h)).filter(|&e| e != edge);
+    if let Some(next) = next.min_by(|&a, &b| costs.of(a).total_cmp(&costs.of(b))) {
+        cut[next] = true;
+    }
+}

@@ -1,0 +1,70 @@
+//! Why a surface cannot be cut.
+
+use pompeiu_core::{FaceId, VertexId};
+use pompeiu_surface::{GeometryError, SurfaceError};
+
+/// Why a surface cannot be cut as asked.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum CutError {
+    /// The mesh is no surface to measure on.
+    #[error(transparent)]
+    Geometry(#[from] GeometryError),
+    /// A component of the opened surface is not a disk.
+    #[error(
+        "the part that holds face {face} is no disk after the cut: it has {boundary_loops} boundary loops and Euler \
+         characteristic {euler_characteristic}, expected 1 and 1"
+    )]
+    NoDisk {
+        /// One of its faces.
+        face: FaceId,
+        /// Its vertices minus edges plus faces.
+        euler_characteristic: isize,
+        /// Its boundary loops.
+        boundary_loops: usize,
+    },
+    /// A cut of a single edge, which opens nothing.
+    #[error(
+        "cutting the edge from vertex {} to vertex {} alone opens nothing, because both ends stay whole; cut another edge at \
+         one of them, too",
+        ends[0], ends[1]
+    )]
+    SingleEdge {
+        /// Its ends.
+        ends: [VertexId; 2],
+    },
+    /// No edge joins two vertices that are named one after the other.
+    #[error("no edge joins vertices {} and {}", ends[0], ends[1])]
+    NoEdge {
+        /// The vertices.
+        ends: [VertexId; 2],
+    },
+    /// A vertex does not exist.
+    #[error("there is no vertex {vertex}; there are {vertices} (the first is 0)")]
+    NoVertex {
+        /// The index.
+        vertex: VertexId,
+        /// Number of vertices.
+        vertices: usize,
+    },
+    /// Every cut would enter what is forbidden.
+    #[error(
+        "no admissible cut opens the part that holds face {face}: every one enters a forbidden edge or vertex"
+    )]
+    Forbidden {
+        /// A face of the part.
+        face: FaceId,
+    },
+    /// Edges that the caller named are forbidden.
+    #[error("the edge from vertex {} to vertex {} is to be cut, but is forbidden", ends[0], ends[1])]
+    ForbiddenEdge {
+        /// Its ends.
+        ends: [VertexId; 2],
+    },
+}
+
+impl From<SurfaceError> for CutError {
+    fn from(error: SurfaceError) -> Self {
+        Self::Geometry(error.into())
+    }
+}

@@ -1,0 +1,105 @@
+//! The two points of a set that are farthest from each other.
+
+/// Points of a part that is searched pair by pair.
+const LEAF: usize = 16;
+
+/// A part of the points: a range of their order, and its box.
+struct Part {
+    from: usize,
+    to: usize,
+    lower: [f64; 3],
+    upper: [f64; 3],
+    halves: Option<[usize; 2]>,
+}
+
+/// The indices of two points whose distance is the greatest; the first two of equal pairs found, `None` with fewer than two points.
+///
+/// # Accuracy
+/// Squared distances are compared as they are computed, each rounded. The search leaves out only pairs whose boxes are nearer.
+/// # Cost
+/// O(n²) at worst, on a sphere for instance close to O(n log n).
+pub fn farthest_pair(points: &[[f64; 3]]) -> Option<[usize; 2]> {
+    if points.len() < 2 {
+        return None;
+    }
+    let mut order: Vec<usize> = (0..points.len()).collect();
+    let mut parts = Vec::new();
+    let root = divide(points, &mut order, 0, &mut parts);
+    let mut best = (-1.0, [0, 1]);
+    // What is searched last is put on the stack first.
+    let mut open = vec![(f64::INFINITY, root, root)];
+    while let Some((bound, a, b)) = open.pop() {
+        if bound <= best.0 {
+            continue;
+        }
+        let (p, q) = (&parts[a], &parts[b]);
+        let mut next: Vec<(f64, usize, usize)> = match (p.halves, q.halves) {
+            (None, None) => {
+                for &i in &order[p.from..p.to] {
+                    for &j in &order[q.from..q.to] {
+                        let distance = distance_sq(points[i], points[j]);
+                        if i != j && distance > best.0 {
+                            best = (distance, [i.min(j), i.max(j)]);
+                        }
+                    }
+                }
+                continue;
+            }
+            (Some([c, d]), Some(_)) if a == b => vec![(0.0, c, c), (0.0, c, d), (0.0, d, d)],
+            (Some([c, d]), other) if other.is_none() || p.to - p.from >= q.to - q.from => {
+                vec![(0.0, c, b), (0.0, d, b)]
+            }
+            (_, Some([c, d])) => vec![(0.0, a, c), (0.0, a, d)],
+            (Some([c, d]), None) => vec![(0.0, c, b), (0.0, d, b)],
+        };
+        for pair in &mut next {
+            pair.0 = bound_sq(&parts[pair.1], &parts[pair.2]);
+        }
+        next.sort_by(|x, y| x.0.total_cmp(&y.0));
+        open.extend(next);
+    }
+    (best.0 >= 0.0).then_some(best.1)
+}
+
+fn distance_sq(p: [f64; 3], q: [f64; 3]) -> f64 {
+    let d = [p[0] - q[0], p[1] - q[1], p[2] - q[2]];
+    d[0] * d[0] + d[1] * d[1] + d[2] * d[2]
+}
+
+/// At least the squared distance of any point of one part from any of the other: rounding is monotone, so that the bound computed
+/// from greater differences is not below any distance computed the same way.
+fn bound_sq(p: &Part, q: &Part) -> f64 {
+    let side = |k: usize| {
+        let (one, other) = ((p.upper[k] - q.lower[k]).abs(), (q.upper[k] - p.lower[k]).abs());
+        if one > other { one } else { other }
+    };
+    let d = [side(0), side(1), side(2)];
+    d[0] * d[0] + d[1] * d[1] + d[2] * d[2]
+}
+
+/// Halves points across the longest side of their box.
+fn divide(points: &[[f64; 3]], order: &mut [usize], from: usize, parts: &mut Vec<Part>) -> usize {
+    let (mut lower, mut upper) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+    for &i in order.iter() {
+        for k in 0..3 {
+            lower[k] = lower[k].min(points[i][k]);
+            upper[k] = upper[k].max(points[i][k]);
+        }
+    }
+    let count = order.len();
+    let index = parts.len();
+    parts.push(Part { from, to: from + count, lower, upper, halves: None });
+    if count > LEAF {
+        let axis =
+            (0..3).fold(0, |best, k| if upper[k] - lower[k] > upper[best] - lower[best] { k } else { best });
+        let middle = count / 2;
+        order.select_nth_unstable_by(middle, |&i, &j| {
+            points[i][axis].total_cmp(&points[j][axis]).then(i.cmp(&j))
+        });
+        let (low, high) = order.split_at_mut(middle);
+        let first = divide(points, low, from, parts);
+        let second = divide(points, high, from + middle, parts);
+        parts[index].halves = Some([first, second]);
+    }
+    index
+}

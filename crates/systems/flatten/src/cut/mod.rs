@@ -1,0 +1,30 @@
+//! Cutting: which edges, and opening the surface along them.
+
+mod choose;
+mod costs;
+mod disk;
+mod error;
+mod farthest;
+mod open;
+mod tips;
+mod tree;
+
+pub use choose::{CutOptions, CutStrategy, choose_cut};
+pub(crate) use choose::{first_cut, requested_edges};
+pub(crate) use costs::Costs;
+pub use error::CutError;
+pub use farthest::farthest_pair;
+pub use open::{Opened, open};
+pub(crate) use tips::tips;
+pub(crate) use tree::GrowingCut;
+
+/// The first place of the largest finite value; 0 where there is none.
+pub(crate) fn largest(values: &[f64]) -> usize {
+    let mut best = (0, f64::NEG_INFINITY);
+    for (i, &value) in values.iter().enumerate() {
+        if value.is_finite() && value > best.1 {
+            best = (i, value);
+        }
+    }
+    best.0
+}

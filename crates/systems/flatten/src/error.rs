@@ -1,0 +1,74 @@
+//! Why a surface cannot be flattened.
+
+use crate::CutError;
+use pompeiu_core::{FaceId, VertexId};
+use pompeiu_solve::SolveError;
+use pompeiu_surface::GeometryError;
+
+/// Why a surface cannot be flattened as asked.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum FlattenError {
+    /// The surface cannot be cut.
+    #[error(transparent)]
+    Cut(#[from] CutError),
+    /// A linear system could not be solved.
+    #[error("a linear system of the map cannot be solved: {0}")]
+    Solve(#[from] SolveError),
+    /// Faces are flipped, or so small that doubles hardly tell, whatever the weights.
+    #[error(
+        "the map is crowded: {} faces are flipped or without area, face {} the first, and the least singular value is {ratio:e} of \
+         the greatest; cut the surface there, or leave the boundary free",
+        faces.len(), faces.first().map_or(0, |face| face.0)
+    )]
+    Crowded {
+        /// The faces.
+        faces: Vec<FaceId>,
+        /// The least singular value of all faces over the greatest.
+        ratio: f64,
+    },
+    /// The corners make no convex polygon.
+    #[error(
+        "the {corners} corners make no convex polygon; at least 3 are needed, counter-clockwise, none on a line with its neighbours"
+    )]
+    Polygon {
+        /// Their number.
+        corners: usize,
+    },
+    /// There are fewer vertices on the boundary than corners for them.
+    #[error("the boundary has {boundary} vertices, fewer than the {corners} corners of the polygon")]
+    FewVertices {
+        /// Vertices of the boundary.
+        boundary: usize,
+        /// Corners of the polygon.
+        corners: usize,
+    },
+    /// The boundary does not lie in a plane.
+    #[error(
+        "the boundary through vertex {vertex} lies up to {height:e} off its plane, expected at most {most:e}"
+    )]
+    NotPlanar {
+        /// One of its vertices.
+        vertex: VertexId,
+        /// Greatest distance from the plane, in the unit of the mesh.
+        height: f64,
+        /// Greatest distance allowed.
+        most: f64,
+    },
+    /// An option is out of range.
+    #[error("the {what} is {value}; {expected}")]
+    Option {
+        /// What it is.
+        what: &'static str,
+        /// Its value.
+        value: f64,
+        /// What it must be.
+        expected: &'static str,
+    },
+}
+
+impl From<GeometryError> for FlattenError {
+    fn from(error: GeometryError) -> Self {
+        Self::Cut(error.into())
+    }
+}

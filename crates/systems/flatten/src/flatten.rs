@@ -1,0 +1,228 @@
+//! From a surface to a flat map and what can be said of it.
+
+use crate::chart::{Chart, flatten_component};
+use crate::check::{flipped_faces, outline_crossings, overlapping_faces};
+use crate::components::{Component, split};
+use crate::cut::{Opened, open, requested_edges};
+use crate::distortion::{Distortion, best_scale, singular_values, symmetric_dirichlet};
+use crate::pack::{bounds, pack, turn};
+use crate::report::{CutReport, FlattenReport, Timing};
+use crate::watch::Watch;
+use crate::{FlattenError, FlattenOptions, Method};
+use pompeiu_core::FaceId;
+use pompeiu_core::mesh::{FaceData, VertexData};
+use pompeiu_core::run::{Control, ProgressObserver, StopReason, on_threads};
+use pompeiu_surface::plane::{Vec2, scale};
+use pompeiu_surface::{EdgeData, EmbeddedSurface};
+use rayon::prelude::*;
+use std::time::Instant;
+
+/// A surface opened and laid flat.
+#[derive(Clone, Debug)]
+pub struct Flattening {
+    /// Which edges were cut.
+    pub cut: EdgeData<bool>,
+    /// The surface after the cut.
+    pub opened: Opened,
+    /// The place of each vertex of the opened surface.
+    pub uv: VertexData<Vec2>,
+    /// The faces that are flipped, in order.
+    pub flipped: Vec<FaceId>,
+    /// The faces that lie on others, in order.
+    pub overlapping: Vec<FaceId>,
+    /// The singular values of the map on each face, at the scale at which its symmetric Dirichlet energy is least.
+    pub singular_values: FaceData<[f64; 2]>,
+    /// What is said of the map.
+    pub report: FlattenReport,
+}
+
+impl Flattening {
+    /// The place of each corner of each face.
+    pub fn corner_uv(&self) -> Vec<[Vec2; 3]> {
+        self.opened.faces().iter().map(|face| face.map(|v| self.uv.as_slice()[v as usize])).collect()
+    }
+
+    /// The symmetric Dirichlet energy of each face; infinite where it is flipped.
+    pub fn face_distortion(&self) -> FaceData<f64> {
+        self.singular_values.map(|&values| symmetric_dirichlet(values))
+    }
+
+    /// The segments of the outlines, by vertices of the opened surface.
+    pub fn outline(&self) -> Vec<[u32; 2]> {
+        let mesh = self.opened.mesh();
+        let loops = mesh.boundary_loops().iter().flat_map(|&h| mesh.boundary_loop(h));
+        loops.map(|h| [mesh.tail(h).0, mesh.head(h).0]).collect()
+    }
+}
+
+/// Cuts a surface open and maps it to the plane: each component as one disk, all of them in the unit square.
+///
+/// # Definition
+/// With a free boundary, a disk is first mapped to a circle by a convex combination map whose weights are changed until it is not
+/// crowded, and descends from there to the least symmetric Dirichlet energy (see [`Method`]). With the strategy `Auto`, cuts
+/// are added where faces are distorted and far from the cut, until the energy is at most [`FlattenOptions::target`].
+///
+/// # Accuracy
+/// Whether the map is one-to-one is decided on the coordinates as they are stored, by exact predicates: all faces turn
+/// counter-clockwise, outlines do not cross or touch, boxes of charts are apart. A disk that fulfils the first two is mapped
+/// one-to-one, for a point is covered as often as the outline winds around it.
+///
+/// # Errors
+/// [`FlattenError`]: the surface cannot be cut as asked, or the map is crowded whatever the weights.
+///
+/// # Cost
+/// Sparse factorizations with one unknown for each vertex, and with two for each Newton step.
+///
+/// # Source
+/// `floater_mean_2003`, `smith_bijective_2015`, `jiang_simplicial_2017`; the changes of weights and the choice of cuts are ours.
+pub fn flatten(
+    surface: &EmbeddedSurface,
+    options: &FlattenOptions,
+    observer: &dyn ProgressObserver,
+) -> Result<Flattening, FlattenError> {
+    options.check()?;
+    let control = Control::start(&options.limits);
+    on_threads(options.limits.threads, || run(surface, options, &control, observer))
+}
+
+fn run(
+    surface: &EmbeddedSurface,
+    options: &FlattenOptions,
+    control: &Control,
+    observer: &dyn ProgressObserver,
+) -> Result<Flattening, FlattenError> {
+    let began = Instant::now();
+    let mesh = surface.mesh();
+    let requested = requested_edges(mesh, &options.cut)?;
+    let parts = split(surface)?;
+    let watch = Watch::new(control, observer, parts.len());
+    let one = |part: &Component| {
+        let edges = requested.as_ref().map(|cut| {
+            let of_part = part.surface.mesh();
+            EdgeData::from_fn(of_part.edges(), |edge| {
+                cut[mesh.edge(part.halfedge(of_part.edge_halfedge(edge)))]
+            })
+        });
+        let chart = flatten_component(part, edges, options, &watch);
+        watch.finish_one();
+        chart
+    };
+    let charts: Vec<Chart> = parts.par_iter().map(one).collect::<Result<_, _>>()?;
+    let mut timing = Timing::default();
+    for chart in &charts {
+        timing.add(&chart.timing);
+    }
+    let start = Instant::now();
+    let mut cut = EdgeData::filled(mesh.edges(), false);
+    for (part, chart) in parts.iter().zip(&charts) {
+        for (edge, _) in chart.cut.entries().filter(|(_, is_cut)| **is_cut) {
+            cut[mesh.edge(part.halfedge(part.surface.mesh().edge_halfedge(edge)))] = true;
+        }
+    }
+    let opened = open(mesh, &cut)?;
+    timing.cut += start.elapsed();
+    let places = arrange(&parts, &charts, options);
+    let mut uv = VertexData::filled(opened.mesh().vertices(), [0.0; 2]);
+    for ((part, chart), places) in parts.iter().zip(&charts).zip(&places) {
+        for (face, corners) in part.faces.iter().zip(chart.opened.faces()) {
+            for (whole, here) in opened.mesh().face(*face).into_iter().zip(corners) {
+                uv[whole] = places[*here as usize];
+            }
+        }
+    }
+    let mut result = judge(surface, options, cut, opened, uv, &places);
+    timing.check += result.report.timing.check;
+    timing.total = began.elapsed();
+    result.report.timing = timing;
+    result.report.reweightings = charts.iter().map(|chart| chart.rounds).sum();
+    result.report.steps = charts.iter().map(|chart| chart.steps).sum();
+    result.report.stop = control.reason().unwrap_or(StopReason::Tolerance);
+    result.report.weights = charts.first().map_or("", |chart| chart.weights.name());
+    Ok(result)
+}
+
+/// The places of all vertices of all charts: at one scale, beside each other.
+fn arrange(parts: &[Component], charts: &[Chart], options: &FlattenOptions) -> Vec<Vec<Vec2>> {
+    let mut places: Vec<Vec<Vec2>> = charts.iter().map(|chart| chart.uv.clone()).collect();
+    if !options.pack && places.len() == 1 {
+        return places;
+    }
+    for ((part, chart), places) in parts.iter().zip(charts).zip(&mut places) {
+        let surface = part.surface.surface();
+        let value = |(face, corners): (FaceId, &[u32; 3])| {
+            (singular_values(surface, face, corners.map(|v| places[v as usize])), surface.face_area(face))
+        };
+        let values: Vec<_> = surface.mesh().face_ids().zip(chart.opened.faces()).map(value).collect();
+        let factor = best_scale(&values);
+        for p in places.iter_mut() {
+            *p = scale(factor, *p);
+        }
+        if matches!(options.method, Method::Free { .. }) {
+            turn(places);
+        }
+    }
+    pack(&mut places);
+    places
+}
+
+/// Checks and measures a map.
+fn judge(
+    surface: &EmbeddedSurface,
+    options: &FlattenOptions,
+    cut: EdgeData<bool>,
+    opened: Opened,
+    uv: VertexData<Vec2>,
+    charts: &[Vec<Vec2>],
+) -> Flattening {
+    let start = Instant::now();
+    let flipped = flipped_faces(opened.faces(), &uv);
+    let mesh = opened.mesh();
+    let loops = mesh.boundary_loops().iter().flat_map(|&h| mesh.boundary_loop(h));
+    let outline: Vec<[u32; 2]> = loops.map(|h| [mesh.tail(h).0, mesh.head(h).0]).collect();
+    let crossings = outline_crossings(&outline, &uv);
+    let is_proven = flipped.is_empty() && crossings.is_empty() && are_apart(charts);
+    let overlapping = if is_proven { Vec::new() } else { overlapping_faces(opened.faces(), &uv) };
+    let at = |face: FaceId| singular_values(surface.surface(), face, opened.mesh().face(face).map(|v| uv[v]));
+    let values: Vec<([f64; 2], f64)> =
+        surface.mesh().face_ids().map(|face| (at(face), surface.surface().face_area(face))).collect();
+    let distortion = Distortion::of(&values);
+    let length = surface
+        .mesh()
+        .edge_ids()
+        .filter(|&e| cut[e])
+        .map(|e| surface.surface().edge_length(e))
+        .fold(0.0, std::ops::Add::add);
+    let report = FlattenReport {
+        charts: charts.len(),
+        flipped: flipped.len(),
+        overlapping: overlapping.len(),
+        outline_crossings: crossings.len(),
+        boundary_loops: mesh.boundary_loops().len(),
+        cut: CutReport {
+            edges: cut.iter().filter(|is_cut| **is_cut).count(),
+            length,
+            relative_length: length / surface.surface().area().sqrt(),
+            strategy: options.cut.strategy.name(),
+        },
+        method: options.method.name(),
+        weights: "",
+        reweightings: 0,
+        steps: 0,
+        stop: StopReason::Tolerance,
+        distortion,
+        timing: Timing { check: start.elapsed(), ..Timing::default() },
+    };
+    let singular_values =
+        FaceData::from_fn(values.len(), |face: FaceId| values[face.index()].0.map(|s| distortion.scale * s));
+    Flattening { cut, opened, uv, flipped, overlapping, singular_values, report }
+}
+
+/// Whether the boxes of charts have no point in common.
+fn are_apart(charts: &[Vec<Vec2>]) -> bool {
+    let mut boxes: Vec<[Vec2; 2]> = charts.iter().map(|chart| bounds(chart)).collect();
+    boxes.sort_by(|a, b| a[0][0].total_cmp(&b[0][0]));
+    boxes.iter().enumerate().all(|(i, p)| {
+        let beside = boxes[i + 1..].iter().take_while(|q| q[0][0] <= p[1][0]);
+        beside.into_iter().all(|q| q[1][1] < p[0][1] || p[1][1] < q[0][1])
+    })
+}

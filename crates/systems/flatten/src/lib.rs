@@ -1,0 +1,53 @@
+//! Cutting triangle surfaces open, and flattening them one-to-one.
+//!
+//! A cut is a set of edges. [`open`] gives a copy of each vertex to each part that they cut its faces into, which is exact and
+//! combinatorial, and [`choose_cut`] finds edges after which every component is a disk.
+//!
+//! [`flatten`] maps the opened surface to the plane, and says whether the map is one-to-one, decided exactly on the coordinates as
+//! they are stored.
+//!
+//! | item | what it is |
+//! |---|---|
+//! | [`flatten`], [`FlattenOptions`], [`Flattening`] | the flat map, with a free boundary or a convex one |
+//! | [`FlattenReport`], [`Distortion`] | what is said of it |
+//! | [`choose_cut`], [`CutOptions`], [`CutStrategy`] | which edges to cut |
+//! | [`open`], [`Opened`] | the surface after the cut, and which vertex is a copy of which |
+//! | [`farthest_pair`] | the two points of a set that are farthest apart |
+//!
+//! ```
+//! use pompeiu_core::mesh::shapes::torus;
+//! use pompeiu_flatten::{CutOptions, FlattenOptions, choose_cut, flatten, open};
+//! use pompeiu_surface::EmbeddedSurface;
+//!
+//! let torus = EmbeddedSurface::new(&torus(2.0, 0.7, 24, 16)?)?;
+//! let cut = choose_cut(&torus, &CutOptions::default())?;
+//! let opened = open(torus.mesh(), &cut)?;
+//! assert_eq!((opened.mesh().euler_characteristic(), opened.mesh().boundary_loops().len()), (1, 1));
+//!
+//! let flat = flatten(&torus, &FlattenOptions::default(), &())?;
+//! assert!(flat.report.is_one_to_one());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod chart;
+mod check;
+mod components;
+mod cut;
+mod distortion;
+mod error;
+mod flatten;
+mod map;
+mod options;
+mod pack;
+mod report;
+#[cfg(feature = "figures")]
+pub mod show;
+mod watch;
+
+pub use cut::{CutError, CutOptions, CutStrategy, Opened, choose_cut, farthest_pair, open};
+pub use distortion::{Distortion, MeanMax, Spread};
+pub use error::FlattenError;
+pub use flatten::{Flattening, flatten};
+pub use map::{ConvexBoundary, Weights};
+pub use options::{FlattenOptions, Method};
+pub use report::{CutReport, FlattenReport, Timing};

@@ -1,0 +1,149 @@
+//! Where the boundary of a disk goes.
+
+use crate::FlattenError;
+use pompeiu_core::VertexId;
+use pompeiu_surface::plane::{Vec2, add, norm, scale, sub};
+use pompeiu_surface::{EmbeddedSurface, HalfedgeId};
+use robust::{Coord, orient2d};
+
+/// The convex curve that the boundary of a disk is mapped to.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub enum ConvexBoundary {
+    /// A circle.
+    #[default]
+    Circle,
+    /// A square; its corners are vertices.
+    Square,
+    /// A convex polygon, its corners counter-clockwise.
+    Polygon(Vec<Vec2>),
+    /// The boundary as it is, in its plane.
+    Own,
+}
+
+/// Greatest distance of a boundary from a plane that it is to lie in, over its length.
+const PLANAR: f64 = 1e-9;
+
+impl ConvexBoundary {
+    /// The places of the vertices of a boundary loop, in its order, counter-clockwise. The disk inside a circle and a square has the
+    /// area of the surface; lengths along the curve are in proportion to those of the boundary (chord length).
+    pub(crate) fn places(
+        &self,
+        surface: &EmbeddedSurface,
+        along: &[HalfedgeId],
+    ) -> Result<Vec<Vec2>, FlattenError> {
+        let area = surface.surface().area();
+        let lengths: Vec<f64> =
+            along.iter().map(|&h| surface.surface().edge_length(surface.mesh().edge(h))).collect();
+        match self {
+            Self::Circle => Ok(on_circle(&lengths, (area / std::f64::consts::PI).sqrt())),
+            Self::Square => {
+                let half = 0.5 * area.sqrt();
+                on_polygon(&lengths, &[[-half, -half], [half, -half], [half, half], [-half, half]])
+            }
+            Self::Polygon(corners) => {
+                check_convex(corners)?;
+                on_polygon(&lengths, corners)
+            }
+            Self::Own => in_plane(surface, along),
+        }
+    }
+}
+
+fn on_circle(lengths: &[f64], radius: f64) -> Vec<Vec2> {
+    let total: f64 = lengths.iter().sum();
+    let mut passed = 0.0;
+    let mut places = Vec::with_capacity(lengths.len());
+    for length in lengths {
+        let angle = std::f64::consts::TAU * (passed / total);
+        places.push([radius * libm::cos(angle), radius * libm::sin(angle)]);
+        passed += length;
+    }
+    places
+}
+
+fn check_convex(corners: &[Vec2]) -> Result<(), FlattenError> {
+    let n = corners.len();
+    let coordinate = |p: Vec2| Coord { x: p[0], y: p[1] };
+    let finite = corners.iter().flatten().all(|x| x.is_finite());
+    let turns = (0..n).all(|i| {
+        // All other corners to the left of each side.
+        (0..n).filter(|&k| k != i && k != (i + 1) % n).all(|k| {
+            let [a, b, c] = [corners[i], corners[(i + 1) % n], corners[k]].map(coordinate);
+            orient2d(a, b, c) > 0.0
+        })
+    });
+    if n >= 3 && finite && turns { Ok(()) } else { Err(FlattenError::Polygon { corners: n }) }
+}
+
+/// Puts vertices at the corners, the nearest ones by chord length, and the others between them.
+fn on_polygon(lengths: &[f64], corners: &[Vec2]) -> Result<Vec<Vec2>, FlattenError> {
+    let (n, k) = (lengths.len(), corners.len());
+    if n < k {
+        return Err(FlattenError::FewVertices { boundary: n, corners: k });
+    }
+    let sides: Vec<f64> = (0..k).map(|i| norm(sub(corners[(i + 1) % k], corners[i]))).collect();
+    let perimeter: f64 = sides.iter().sum();
+    let total: f64 = lengths.iter().sum();
+    let mut at = vec![0.0; n + 1];
+    for i in 0..n {
+        at[i + 1] = at[i] + lengths[i] / total;
+    }
+    // The vertex at each corner: as near as possible, with enough left for those that follow.
+    let mut first = vec![0; k + 1];
+    let mut passed = 0.0;
+    for i in 1..k {
+        passed += sides[i - 1] / perimeter;
+        let (from, to) = (first[i - 1] + 1, n - (k - i));
+        first[i] = (from..=to)
+            .min_by(|&a, &b| (at[a] - passed).abs().total_cmp(&(at[b] - passed).abs()))
+            .unwrap_or(from);
+    }
+    first[k] = n;
+    let mut places = vec![[0.0; 2]; n];
+    for i in 0..k {
+        let side = sub(corners[(i + 1) % k], corners[i]);
+        let span = at[first[i + 1]] - at[first[i]];
+        for v in first[i]..first[i + 1] {
+            places[v] = add(corners[i], scale((at[v] - at[first[i]]) / span, side));
+        }
+    }
+    Ok(places)
+}
+
+fn in_plane(surface: &EmbeddedSurface, along: &[HalfedgeId]) -> Result<Vec<Vec2>, FlattenError> {
+    let mesh = surface.mesh();
+    let points: Vec<[f64; 3]> = along.iter().map(|&h| surface.positions()[mesh.tail(h)]).collect();
+    let n = points.len();
+    let minus = |p: [f64; 3], q: [f64; 3]| [p[0] - q[0], p[1] - q[1], p[2] - q[2]];
+    let dot = |p: [f64; 3], q: [f64; 3]| p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
+    let cross = |p: [f64; 3], q: [f64; 3]| {
+        [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]]
+    };
+    let mut normal = [0.0; 3];
+    for i in 0..n {
+        let twice = cross(minus(points[i], points[0]), minus(points[(i + 1) % n], points[0]));
+        for k in 0..3 {
+            normal[k] += twice[k];
+        }
+    }
+    let length = dot(normal, normal).sqrt();
+    let perimeter: f64 = along.iter().map(|&h| surface.surface().edge_length(mesh.edge(h))).sum();
+    let unit = normal.map(|x| x / length);
+    let heights = points.iter().map(|&p| dot(unit, minus(p, points[0])).abs());
+    let height = heights.fold(0.0, |most: f64, h| if h <= most { most } else { h });
+    if length.is_nan() || height.is_nan() || height > PLANAR * perimeter {
+        let vertex = along.first().map_or(VertexId(0), |&h| mesh.tail(h));
+        return Err(FlattenError::NotPlanar { vertex, height, most: PLANAR * perimeter });
+    }
+    // The axis farthest from the normal, and what makes a right-handed frame with it: x and y where the plane is theirs.
+    let axis = (0..3).fold(0, |least, k| if unit[k].abs() < unit[least].abs() { k } else { least });
+    let mut first = [0.0; 3];
+    first[axis] = 1.0;
+    let along_normal = dot(first, unit);
+    let first = [0, 1, 2].map(|k| first[k] - along_normal * unit[k]);
+    let size = dot(first, first).sqrt();
+    let first = first.map(|x| x / size);
+    let second = cross(unit, first);
+    Ok(points.into_iter().map(|p| [dot(first, p), dot(second, p)]).collect())
+}

@@ -1,0 +1,187 @@
+//! Convex combination maps that are one-to-one in doubles: where vertices crowd, weights are changed until they do not.
+
+use super::boundary::ConvexBoundary;
+use super::convex::ConvexSystem;
+use super::weights::{Link, Weights, links};
+use crate::FlattenError;
+use crate::check::flipped_faces;
+use crate::distortion::{all_singular_values, best_scale, symmetric_dirichlet};
+use pompeiu_core::FaceId;
+use pompeiu_core::mesh::VertexData;
+use pompeiu_surface::EmbeddedSurface;
+use pompeiu_surface::plane::Vec2;
+use std::time::{Duration, Instant};
+
+/// Least ratio of the least and the greatest singular value of a map that is taken for sound.
+const LEAST_RATIO: f64 = 1e-10;
+
+/// Most changes of the weights to cure crowding.
+const MOST_ROUNDS: usize = 20;
+
+/// Most changes for the sake of distortion, and the decrease below which there is no other.
+const MOST_ROUNDS_FOR_DISTORTION: usize = 8;
+const WORTH: f64 = 0.9;
+
+/// How far a vertex's pull may change at once.
+const CHANGES: [f64; 2] = [1e-2, 1e2];
+
+/// A map onto a convex boundary.
+#[derive(Clone, Debug)]
+pub(crate) struct Start {
+    pub(crate) uv: VertexData<Vec2>,
+    /// The weights that were used in the end.
+    pub(crate) weights: Weights,
+    /// How often weights were changed.
+    pub(crate) rounds: usize,
+    pub(crate) factor: Duration,
+    pub(crate) solve: Duration,
+    pub(crate) check: Duration,
+}
+
+/// What a map is like.
+struct Measured {
+    flipped: Vec<FaceId>,
+    ratio: f64,
+    energy: f64,
+    values: Vec<([f64; 2], f64)>,
+}
+
+impl Measured {
+    fn of(surface: &EmbeddedSurface, faces: &[[u32; 3]], uv: &VertexData<Vec2>) -> Self {
+        let areas = surface.surface().face_areas();
+        let singular = all_singular_values(surface.surface(), uv);
+        let values: Vec<([f64; 2], f64)> = singular.into_iter().zip(areas).collect();
+        let scale = best_scale(&values);
+        let total: f64 = values.iter().map(|value| value.1).sum();
+        let energy = values
+            .iter()
+            .map(|([s, t], area)| area * symmetric_dirichlet([scale * s, scale * t]))
+            .sum::<f64>();
+        let least = values.iter().map(|([_, t], _)| *t).fold(f64::INFINITY, f64::min);
+        let greatest = values.iter().map(|([s, _], _)| *s).fold(0.0, f64::max);
+        Self { flipped: flipped_faces(faces, uv), ratio: least / greatest, energy: energy / total, values }
+    }
+
+    fn is_sound(&self) -> bool {
+        self.flipped.is_empty() && self.ratio >= LEAST_RATIO
+    }
+}
+
+/// Maps a disk onto a convex boundary without flips.
+///
+/// # Definition
+/// First with the weights that are asked for; cotangent weights that flip a face give way to mean value weights. Where the result is
+/// crowded, and for the sake of distortion if that is asked for, each weight is divided by the factors of both its ends: at a
+/// vertex, the geometric mean over its faces of the square root of their area over that in the map. All weights stay above zero.
+///
+/// # Errors
+/// [`FlattenError::Crowded`] if faces are still flipped, or nearly so, after 20 rounds.
+pub(crate) fn start_map(
+    surface: &EmbeddedSurface,
+    faces: &[[u32; 3]],
+    boundary: &ConvexBoundary,
+    weights: Weights,
+    lessens_distortion: bool,
+) -> Result<Start, FlattenError> {
+    let mesh = surface.mesh();
+    let Some(&first) = mesh.boundary_loops().first() else {
+        return Err(FlattenError::Cut(crate::CutError::NoDisk {
+            face: FaceId(0),
+            euler_characteristic: mesh.euler_characteristic(),
+            boundary_loops: 0,
+        }));
+    };
+    let along: Vec<_> = mesh.boundary_loop(first).collect();
+    let places = boundary.places(surface, &along)?;
+    let mut uv = VertexData::filled(mesh.vertices(), [0.0; 2]);
+    for (&h, &place) in along.iter().zip(&places) {
+        uv[mesh.tail(h)] = place;
+    }
+    let (mut used, mut these) = (weights, links(surface.surface(), weights)?);
+    let mut system = ConvexSystem::new(mesh, &these)?;
+    let mut check = Duration::ZERO;
+    let mut measure = |uv: &VertexData<Vec2>| {
+        let start = Instant::now();
+        let measured = Measured::of(surface, faces, uv);
+        check += start.elapsed();
+        measured
+    };
+    if weights == Weights::Cotangent {
+        let symmetric: Vec<f64> = these.iter().map(Link::symmetric).collect();
+        let solved = system.balance(&symmetric, &mut uv);
+        let measured = measure(&uv);
+        if solved.is_ok() && measured.flipped.is_empty() && !lessens_distortion {
+            let (factor, solve) = (system.factor, system.solve);
+            return Ok(Start { uv, weights: used, rounds: 0, factor, solve, check });
+        }
+        (used, these) = (Weights::MeanValue, links(surface.surface(), Weights::MeanValue)?);
+        system = ConvexSystem::new(mesh, &these)?;
+    }
+    let mut symmetric: Vec<f64> = these.iter().map(Link::symmetric).collect();
+    if used == Weights::MeanValue && !lessens_distortion {
+        system.balance_unsymmetric(&these, &mut uv)?;
+    } else {
+        system.balance(&symmetric, &mut uv)?;
+    }
+    let mut best = (measure(&uv), uv.clone());
+    let mut rounds = 0;
+    while rounds < MOST_ROUNDS {
+        let for_distortion = lessens_distortion && rounds < MOST_ROUNDS_FOR_DISTORTION;
+        if best.0.is_sound() && !for_distortion {
+            break;
+        }
+        let factors = factors(surface, &best.0.values);
+        for (weight, link) in symmetric.iter_mut().zip(&these) {
+            *weight /= factors[link.ends[0] as usize] * factors[link.ends[1] as usize];
+        }
+        rescale(&mut symmetric);
+        rounds += 1;
+        system.balance(&symmetric, &mut uv)?;
+        let measured = measure(&uv);
+        let is_better = !best.0.is_sound() || (measured.is_sound() && measured.energy < best.0.energy);
+        let is_worth = !best.0.is_sound() || measured.energy < WORTH * best.0.energy;
+        if is_better {
+            best = (measured, uv.clone());
+        }
+        if !is_worth {
+            break;
+        }
+    }
+    let (measured, uv) = best;
+    if !measured.is_sound() {
+        let is_thin = |f: &usize| measured.values[*f].0[1] <= 0.0;
+        let mut crowded = measured.flipped;
+        if crowded.is_empty() {
+            crowded = (0..faces.len()).filter(is_thin).map(|f| FaceId(f as u32)).collect();
+        }
+        return Err(FlattenError::Crowded { faces: crowded, ratio: measured.ratio });
+    }
+    Ok(Start { uv, weights: used, rounds, factor: system.factor, solve: system.solve, check })
+}
+
+/// By how much the pull of each vertex is lessened.
+fn factors(surface: &EmbeddedSurface, values: &[([f64; 2], f64)]) -> Vec<f64> {
+    let mesh = surface.mesh();
+    let mut sums = vec![(0.0, 0.0); mesh.vertices()];
+    for (face, ([s, t], _)) in mesh.face_ids().zip(values) {
+        let shrinking = 1.0 / (s * t.abs()).sqrt();
+        let logarithm = if shrinking.is_finite() { libm::log(shrinking) } else { f64::INFINITY };
+        let clipped = logarithm.clamp(-700.0, 700.0);
+        for v in mesh.face(face) {
+            sums[v.index()].0 += clipped;
+            sums[v.index()].1 += 1.0;
+        }
+    }
+    let [least, most] = CHANGES;
+    sums.into_iter().map(|(sum, count)| libm::exp(sum / count).clamp(least, most)).collect()
+}
+
+/// Keeps weights in the range of doubles: scaling all of them changes nothing.
+fn rescale(weights: &mut [f64]) {
+    let greatest = weights.iter().copied().fold(0.0, f64::max);
+    if greatest > 0.0 {
+        for weight in weights {
+            *weight = (*weight / greatest).max(1e-280);
+        }
+    }
+}

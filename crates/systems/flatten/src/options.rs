@@ -1,0 +1,83 @@
+//! How a surface is flattened.
+
+use crate::{ConvexBoundary, CutOptions, FlattenError, Weights};
+use pompeiu_core::run::Limits;
+
+/// The kind of map.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Method {
+    /// The boundary is free: the least symmetric Dirichlet energy that is reached without flips and overlaps.
+    Free {
+        /// Most Newton steps for each chart after the cut is found.
+        steps: usize,
+    },
+    /// The boundary goes to a convex curve, and each vertex inside to a weighted mean of its neighbours.
+    Convex {
+        /// The curve.
+        boundary: ConvexBoundary,
+        /// The weights.
+        weights: Weights,
+    },
+}
+
+impl Method {
+    /// The name of the method, as in the command and in reports.
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::Free { .. } => "free",
+            Self::Convex { .. } => "convex",
+        }
+    }
+}
+
+impl Default for Method {
+    fn default() -> Self {
+        Self::Free { steps: 100 }
+    }
+}
+
+/// How a surface is flattened.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FlattenOptions {
+    /// How it is cut.
+    pub cut: CutOptions,
+    /// The kind of map.
+    pub method: Method,
+    /// With the strategy [`Auto`](crate::CutStrategy::Auto) and a free boundary, cuts are added to each chart until its mean symmetric
+    /// Dirichlet energy is at most this (isometry: 4).
+    pub target: f64,
+    /// Most cuts that are added to a chart.
+    pub most_cuts: usize,
+    /// Whether charts are turned, scaled alike and packed into the unit square; a single chart otherwise stays as the method leaves it, in
+    /// the unit of the mesh.
+    pub pack: bool,
+    /// Limits on time and threads. When time runs out, the map is the best found so far, one-to-one like any other.
+    pub limits: Limits,
+}
+
+impl Default for FlattenOptions {
+    fn default() -> Self {
+        Self {
+            cut: CutOptions::default(),
+            method: Method::default(),
+            target: 4.25,
+            most_cuts: 6,
+            pack: true,
+            limits: Limits::default(),
+        }
+    }
+}
+
+impl FlattenOptions {
+    pub(crate) fn check(&self) -> Result<(), FlattenError> {
+        if self.target > 4.0 {
+            return Ok(());
+        }
+        Err(FlattenError::Option {
+            what: "target of the symmetric Dirichlet energy",
+            value: self.target,
+            expected: "it must be greater than 4, the value of an isometry",
+        })
+    }
+}

@@ -1,0 +1,103 @@
+//! What is said of a map.
+
+use crate::Distortion;
+use pompeiu_core::run::StopReason;
+use std::time::Duration;
+
+/// What is said of a map: whether it is one-to-one, decided exactly on the coordinates as they are stored, and how far it is from
+/// keeping lengths.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct FlattenReport {
+    /// Number of charts: connected pieces of the map.
+    pub charts: usize,
+    /// Number of faces that the map turns over or lays on a line.
+    pub flipped: usize,
+    /// Number of faces that lie on another face. With none flipped and none overlapping, the map is one-to-one.
+    pub overlapping: usize,
+    /// Number of pairs of boundary edges of the map that cross or touch.
+    pub outline_crossings: usize,
+    /// Number of boundary loops of the opened surface.
+    pub boundary_loops: usize,
+    /// What was cut.
+    pub cut: CutReport,
+    /// The kind of map: `"free"` or `"convex"`.
+    pub method: &'static str,
+    /// The weights of the convex combination map that it is, or that it started from.
+    pub weights: &'static str,
+    /// How often weights were changed where the map was crowded, over all charts.
+    pub reweightings: usize,
+    /// Newton steps, over all charts.
+    pub steps: usize,
+    /// Why the computation ended.
+    pub stop: StopReason,
+    /// How much the map distorts.
+    pub distortion: Distortion,
+    /// Time spent on each part.
+    #[cfg_attr(feature = "serde", serde(rename = "timing_ms"))]
+    pub timing: Timing,
+}
+
+impl FlattenReport {
+    /// Whether the map is one-to-one.
+    pub fn is_one_to_one(&self) -> bool {
+        self.flipped == 0 && self.overlapping == 0
+    }
+}
+
+/// What was cut.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct CutReport {
+    /// Number of edges.
+    pub edges: usize,
+    /// Their length, in the unit of the mesh.
+    pub length: f64,
+    /// Their length over the square root of the area.
+    pub relative_length: f64,
+    /// How they were chosen.
+    pub strategy: &'static str,
+}
+
+/// Time spent on each part, summed over charts; milliseconds in JSON.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Timing {
+    /// Choosing edges and opening the surface.
+    #[cfg_attr(feature = "serde", serde(serialize_with = "milliseconds"))]
+    #[cfg_attr(feature = "schema", schemars(with = "f64"))]
+    pub cut: Duration,
+    /// Assembling and factoring linear systems.
+    #[cfg_attr(feature = "serde", serde(serialize_with = "milliseconds"))]
+    #[cfg_attr(feature = "schema", schemars(with = "f64"))]
+    pub factor: Duration,
+    /// Solving them, and searching along steps.
+    #[cfg_attr(feature = "serde", serde(serialize_with = "milliseconds"))]
+    #[cfg_attr(feature = "schema", schemars(with = "f64"))]
+    pub solve: Duration,
+    /// Checking and measuring.
+    #[cfg_attr(feature = "serde", serde(serialize_with = "milliseconds"))]
+    #[cfg_attr(feature = "schema", schemars(with = "f64"))]
+    pub check: Duration,
+    /// From the surface to the map, by the clock.
+    #[cfg_attr(feature = "serde", serde(serialize_with = "milliseconds"))]
+    #[cfg_attr(feature = "schema", schemars(with = "f64"))]
+    pub total: Duration,
+}
+
+impl Timing {
+    pub(crate) fn add(&mut self, other: &Self) {
+        self.cut += other.cut;
+        self.factor += other.factor;
+        self.solve += other.solve;
+        self.check += other.check;
+    }
+}
+
+#[cfg(feature = "serde")]
+fn milliseconds<S: serde::Serializer>(span: &Duration, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_f64(span.as_nanos() as f64 / 1e6)
+}

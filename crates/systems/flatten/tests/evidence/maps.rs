@@ -1,0 +1,206 @@
+//! Maps: planar disks come back, developable surfaces keep their lengths, nothing flips, nothing overlaps.
+
+use super::{real_mesh, surface, zoo};
+use pompeiu_core::mesh::shapes::{self, Diagonal, Ends};
+use pompeiu_core::mesh::{displace_at_random, merge};
+use pompeiu_core::{TriMesh, VertexId};
+use pompeiu_flatten::{
+    ConvexBoundary, CutOptions, CutStrategy, FlattenError, FlattenOptions, Flattening, Method, Weights,
+    flatten,
+};
+
+fn convex(boundary: ConvexBoundary, weights: Weights) -> FlattenOptions {
+    FlattenOptions { method: Method::Convex { boundary, weights }, pack: false, ..FlattenOptions::default() }
+}
+
+/// Twice the area of each face in the map.
+fn areas(flat: &Flattening) -> Vec<f64> {
+    let twice = |[a, b, c]: [[f64; 2]; 3]| (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+    flat.corner_uv().into_iter().map(twice).collect()
+}
+
+/// A disk in the plane whose vertices inside have been moved.
+fn planar_disk() -> TriMesh {
+    let (positions, faces) = shapes::disk(2.0, 24, 7).unwrap().into_parts();
+    let mut random = pompeiu_core::mesh::Random::new(5);
+    let moved = positions.into_iter().map(|[x, y, _]| {
+        let inside = (4.0 - x * x - y * y).max(0.0) / 4.0;
+        [x + 0.02 * inside * random.signed_unit(), y + 0.02 * inside * random.signed_unit(), 0.0]
+    });
+    TriMesh::new(moved.collect(), faces).unwrap()
+}
+
+#[test]
+fn planar_disks_are_reproduced() {
+    let mesh = planar_disk();
+    let disk = surface(&mesh);
+    let error = |weights| {
+        let flat = flatten(&disk, &convex(ConvexBoundary::Own, weights), &()).unwrap();
+        let offset = |k: usize| flat.uv[VertexId(0)][k] - mesh.positions()[0][k];
+        let [dx, dy] = [offset(0), offset(1)];
+        let errors =
+            flat.uv.iter().zip(mesh.positions()).map(|(p, q)| (p[0] - q[0] - dx).hypot(p[1] - q[1] - dy));
+        errors.fold(0.0, f64::max)
+    };
+    for weights in [Weights::Cotangent, Weights::MeanValue] {
+        assert!(error(weights) <= 1e-12, "{weights:?}: {:e}", error(weights));
+    }
+    assert!(error(Weights::Uniform) > 1e-3);
+}
+
+#[test]
+fn a_regular_polygon_is_its_own_circle_by_chord_length() {
+    let disk = shapes::disk(1.0, 17, 1).unwrap();
+    let flat = flatten(&surface(&disk), &convex(ConvexBoundary::Circle, Weights::MeanValue), &()).unwrap();
+    let distortion = flat.report.distortion;
+    assert!(distortion.angle.max - 1.0 < 1e-12 && distortion.isometric.max - 1.0 < 1e-12, "{distortion:?}");
+}
+
+#[test]
+fn convex_maps_flip_nothing_at_any_genus_and_any_number_of_loops() {
+    for (genus, loops) in [(0, 0), (0, 1), (0, 4), (1, 0), (2, 1), (5, 2)] {
+        let surface = surface(&zoo(genus, loops));
+        for weights in [Weights::Uniform, Weights::MeanValue, Weights::Cotangent] {
+            let flat = flatten(&surface, &convex(ConvexBoundary::Circle, weights), &()).unwrap();
+            assert!(flat.report.is_one_to_one(), "{genus} {loops} {weights:?}");
+            assert!(areas(&flat).into_iter().all(|area| area > 0.0));
+        }
+    }
+}
+
+#[test]
+fn needles_and_obtuse_fans_flip_nothing() {
+    let needles = shapes::uv_sphere(1.0, 60, 4).unwrap();
+    let lantern = shapes::schwarz_lantern(1.0, 1.0, 7, 40).unwrap();
+    let noise = displace_at_random(&shapes::icosphere(1.0, 3).unwrap(), 0.2, 3).unwrap();
+    for mesh in [needles, lantern, noise] {
+        for weights in [Weights::MeanValue, Weights::Cotangent] {
+            let flat = flatten(&surface(&mesh), &convex(ConvexBoundary::Circle, weights), &()).unwrap();
+            assert!(flat.report.is_one_to_one(), "{weights:?}");
+        }
+        assert!(flatten(&surface(&mesh), &FlattenOptions::default(), &()).unwrap().report.is_one_to_one());
+    }
+}
+
+/// A tube closed at one end, so many circumferences long.
+fn tube(ratio: f64) -> TriMesh {
+    let rows = (16.0 * ratio) as u32;
+    let closed = shapes::cylinder(1.0, std::f64::consts::TAU * ratio, 16, rows, Ends::Capped).unwrap();
+    let (positions, faces) = closed.into_parts();
+    let top = positions.iter().map(|p| p[2]).fold(f64::NEG_INFINITY, f64::max);
+    let is_cap = |face: &&[u32; 3]| face.iter().all(|&v| positions[v as usize][2] == top);
+    let kept: Vec<_> = faces.iter().filter(|face| !is_cap(face)).copied().collect();
+    let tube = TriMesh::new(positions, kept).unwrap();
+    pompeiu_core::mesh::without_unreferenced(&tube)
+}
+
+#[test]
+fn crowded_tubes_are_cured_or_named() {
+    let mut cured = 0;
+    for ratio in [1.0, 4.0, 8.0, 12.0] {
+        match flatten(&surface(&tube(ratio)), &convex(ConvexBoundary::Circle, Weights::MeanValue), &()) {
+            Ok(flat) => {
+                assert!(flat.report.is_one_to_one() && flat.report.distortion.least_singular_ratio >= 1e-10);
+                cured += usize::from(flat.report.reweightings > 0);
+            }
+            Err(error) => assert!(matches!(error, FlattenError::Crowded { .. }), "{error}"),
+        }
+    }
+    assert!(cured >= 1, "no map was crowded");
+}
+
+#[test]
+fn developable_surfaces_keep_their_lengths() {
+    let cylinder = shapes::cylinder(1.0, 2.0, 24, 5, Ends::Open).unwrap();
+    let cone = shapes::cone(1.0, 2.0, 24, Ends::Open).unwrap();
+    let apex = (0..cone.positions().len())
+        .max_by(|&a, &b| cone.positions()[a][2].total_cmp(&cone.positions()[b][2]));
+    let to_apex = CutStrategy::Through(vec![VertexId(apex.unwrap() as u32)]);
+    for (mesh, strategy) in [(cylinder, CutStrategy::Auto), (cone, to_apex)] {
+        let cut = CutOptions { strategy, ..CutOptions::default() };
+        let flat =
+            flatten(&surface(&mesh), &FlattenOptions { cut, ..FlattenOptions::default() }, &()).unwrap();
+        let distortion = flat.report.distortion;
+        assert!(flat.report.is_one_to_one());
+        assert!(
+            distortion.angle.max - 1.0 <= 1e-9 && distortion.isometric.max - 1.0 <= 1e-9,
+            "{distortion:?}"
+        );
+    }
+}
+
+#[test]
+fn free_maps_of_the_zoo_are_one_to_one_and_good() {
+    for (genus, loops) in [(0, 0), (0, 2), (1, 0), (1, 1), (3, 0)] {
+        let flat = flatten(&surface(&zoo(genus, loops)), &FlattenOptions::default(), &()).unwrap();
+        let report = &flat.report;
+        assert!(report.is_one_to_one() && areas(&flat).into_iter().all(|area| area > 0.0));
+        let energy = report.distortion.symmetric_dirichlet.mean;
+        assert!(energy < 4.4, "genus {genus}, {loops} loops: {energy}");
+        assert!(flat.uv.iter().flatten().all(|x| (0.0..=1.0).contains(x)));
+    }
+}
+
+#[test]
+fn several_components_share_one_square_at_one_scale() {
+    let sphere = shapes::icosphere(1.0, 2).unwrap();
+    let grid = shapes::grid([3.0, 1.0], [6, 2], Diagonal::Rising).unwrap();
+    let both = merge(&[&grid, &sphere, &shapes::tetrahedron(0.5).unwrap(), &grid]).unwrap();
+    let flat = flatten(&surface(&both), &FlattenOptions::default(), &()).unwrap();
+    assert!(flat.report.is_one_to_one());
+    assert_eq!((flat.report.charts, flat.report.boundary_loops), (4, 4));
+    // Both grids are flat, and stay as they are.
+    let singular = |face: usize| flat.singular_values.as_slice()[face];
+    let last = both.faces().len() - 1;
+    for k in 0..2 {
+        assert!((singular(0)[k] / singular(last)[k] - 1.0).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn squares_and_polygons_have_their_corners() {
+    let disk = surface(&shapes::disk(1.0, 20, 5).unwrap());
+    let triangle = vec![[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]];
+    let flat =
+        flatten(&disk, &convex(ConvexBoundary::Polygon(triangle.clone()), Weights::MeanValue), &()).unwrap();
+    assert!(triangle.iter().all(|corner| flat.uv.contains(corner)) && flat.report.is_one_to_one());
+    let square = flatten(&disk, &convex(ConvexBoundary::Square, Weights::Uniform), &()).unwrap();
+    let total: f64 = areas(&square).iter().sum::<f64>() / 2.0;
+    assert!((total / disk.surface().area() - 1.0).abs() < 1e-12);
+    let clockwise = ConvexBoundary::Polygon(vec![[0.0, 0.0], [0.0, 4.0], [4.0, 0.0]]);
+    let error = flatten(&disk, &convex(clockwise, Weights::MeanValue), &()).unwrap_err();
+    assert_eq!(error, FlattenError::Polygon { corners: 3 });
+    let dome = surface(&shapes::catenoid(1.0, 1.0, 12, 4).unwrap());
+    assert!(matches!(
+        flatten(&dome, &convex(ConvexBoundary::Own, Weights::MeanValue), &()),
+        Err(FlattenError::NotPlanar { .. })
+    ));
+}
+
+#[test]
+fn the_same_bits_at_any_number_of_threads() {
+    let mesh = merge(&[&zoo(1, 0), &zoo(0, 2)]).unwrap();
+    let surface = surface(&mesh);
+    let run = |threads: usize| {
+        let mut options = FlattenOptions::default();
+        options.limits.threads = Some(std::num::NonZeroUsize::new(threads).unwrap());
+        flatten(&surface, &options, &()).unwrap().uv.into_vec()
+    };
+    let once = run(1);
+    assert!(once == run(2) && once == run(8));
+}
+
+#[test]
+fn real_meshes_flatten_well_with_a_short_seam() {
+    for name in ["spot.obj", "cow.off"] {
+        let Some(mesh) = real_mesh(name) else { continue };
+        let report = flatten(&surface(&mesh), &FlattenOptions::default(), &()).unwrap().report;
+        assert!(report.is_one_to_one(), "{name}");
+        let energy = report.distortion.symmetric_dirichlet.mean;
+        assert!(
+            energy <= 4.25 && report.cut.relative_length <= 5.0,
+            "{name}: {energy} {}",
+            report.cut.relative_length
+        );
+    }
+}
