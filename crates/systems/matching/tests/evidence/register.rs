@@ -2,7 +2,7 @@
 
 use crate::align::{assert_near, asymmetric, inverse, motion};
 use pompeiu_core::TriMesh;
-use pompeiu_core::mesh::shapes::{Diagonal, Ends, cube, cylinder, grid};
+use pompeiu_core::mesh::shapes::{Diagonal, Ends, cube, cylinder, grid, icosphere};
 use pompeiu_core::mesh::{Affine, Random, displace_at_random, subdivide, transform};
 use pompeiu_core::run::Limits;
 use pompeiu_matching::align::{AlignError, Fixed, Registration, RegistrationOptions, register};
