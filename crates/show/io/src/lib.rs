@@ -17,6 +17,7 @@ mod expansion;
 mod face_vectors;
 mod format;
 mod formats;
+mod loops;
 mod polygon;
 mod raw;
 mod read;
@@ -30,6 +31,7 @@ mod write;
 pub use error::{FormatError, Location, ReadError};
 pub use face_vectors::read_face_vectors;
 pub use format::Format;
+pub use loops::read_loops;
 pub use read::{ReadMesh, read, read_bytes, read_mesh, referenced_files};
 pub use write::{
     AttributeError, Attributes, EncodeError, OutputFormat, WriteError, encode, write, write_as, write_whole,

@@ -24,6 +24,12 @@ pub enum ShapeError {
         /// The least that works.
         least: u32,
     },
+    /// A surface can be spanned on one or two polygons.
+    #[error("there are {count} polygons; a surface is spanned on 1 or 2")]
+    Loops {
+        /// How many there are.
+        count: usize,
+    },
     /// More vertices or faces than 32-bit indices can name.
     #[error("the shape would have {count} {what}; at most {} are supported", u32::MAX)]
     TooMany {

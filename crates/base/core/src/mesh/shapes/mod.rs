@@ -23,6 +23,7 @@ mod mobius;
 mod planar;
 mod plate;
 mod polyhedra;
+mod span;
 mod sphere;
 mod torus;
 
@@ -34,6 +35,7 @@ pub use mobius::mobius_strip;
 pub use planar::{Diagonal, disk, grid, point_lattice};
 pub use plate::perforated_plate;
 pub use polyhedra::{cube, cuboid, icosahedron, tetrahedron};
+pub use span::span;
 pub use sphere::{icosphere, uv_sphere};
 pub use torus::torus;
 

@@ -13,6 +13,7 @@ Examples:
   pompeiu generate schwarz-lantern --segments 12 --bands 40 -o lantern.obj
   pompeiu generate torus --noise 0.01 --seed 7 -o rough.obj
   pompeiu generate cube --cells 4 --rotate 1,1,0,30 --translate 0,0,1 -o tilted.stl
+  pompeiu generate wire loops.txt --rows 24 -o film.ply
   pompeiu generate mesh scan.ply --subdivide 1 --shuffle 1 -o same.ply")]
 pub(crate) struct Generate {
     #[command(subcommand)]

@@ -64,6 +64,10 @@ fn make<'s>(shape: &'s Shape, printer: &Printer) -> anyhow::Result<(TriMesh, &'s
         }
         Shape::PerforatedPlate { edge, holes, finish } => (shapes::perforated_plate(*edge, *holes), finish),
         Shape::PointLattice { side, cells, finish } => (shapes::point_lattice(*side, *cells), finish),
+        Shape::Wire { input, rows, finish } => {
+            files::check_place(&finish.output, &[input])?;
+            (shapes::span(&pompeiu::io::read_loops(input)?, *rows), finish)
+        }
         Shape::Mesh { input, finish } => {
             files::check_writable(&finish.output)?;
             if files::are_same(input, &finish.output) {

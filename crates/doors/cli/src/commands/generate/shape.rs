@@ -304,6 +304,17 @@ pub(crate) enum Shape {
         #[command(flatten)]
         finish: Finish,
     },
+    /// Surface spanned on wires: a disc on one closed polygon, an annulus on two
+    Wire {
+        /// The polygons: an OBJ file with lines, or a text with three coordinates on each line and an empty line between polygons
+        #[arg(value_name = "IN")]
+        input: PathBuf,
+        /// Bands of faces between the polygon and its middle, or between both
+        #[arg(long, default_value_t = 16, value_name = "N")]
+        rows: u32,
+        #[command(flatten)]
+        finish: Finish,
+    },
     /// The mesh of a file, to be edited
     Mesh {
         /// The mesh file to read
