@@ -53,7 +53,7 @@ from .results import (
     WorkCount,
 )
 from .sources import MeshLike, as_mesh, read_mesh
-from .surfaces import Flow, Simplified, flow, simplify
+from .surfaces import Flow, Intersections, Remeshed, Simplified, flow, intersections, remesh, simplify
 
 __all__ = [
     "DEFAULT_TOLERANCE",
@@ -70,6 +70,7 @@ __all__ = [
     "Flow",
     "Histogram",
     "HodgeDecomposition",
+    "Intersections",
     "Mesh",
     "MeshError",
     "MeshLike",
@@ -86,6 +87,7 @@ __all__ = [
     "ReadError",
     "Region",
     "Registration",
+    "Remeshed",
     "ShareAbove",
     "Simplified",
     "Standing",
@@ -108,9 +110,11 @@ __all__ = [
     "field_degrees_of_freedom",
     "flow",
     "hausdorff",
+    "intersections",
     "mesh_summary",
     "rank",
     "read_mesh",
+    "remesh",
     "shapes",
     "simplify",
     "write_mesh",

@@ -1,4 +1,4 @@
-"""Surfaces on their way: flow to least area, and simplification within a proven distance."""
+"""Surfaces on their way: flow to least area, remeshing, simplification within a proven distance, self-intersections."""
 
 from __future__ import annotations
 
@@ -6,12 +6,15 @@ import json
 from dataclasses import dataclass
 from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 
+import numpy as np
+from numpy.typing import NDArray
+
 from . import _native
 from .errors import OptionError
 from .results import SymmetricReport
 from .sources import Mesh, MeshLike, as_mesh
 
-__all__ = ["Flow", "Simplified", "flow", "simplify"]
+__all__ = ["Flow", "Intersections", "Remeshed", "Simplified", "flow", "intersections", "remesh", "simplify"]
 
 #: Called with the number of the step, the area, and the greatest gradient along a normal; ``False`` ends the flow.
 StepLike = Optional[Callable[[int, float, float], Optional[bool]]]
@@ -176,6 +179,8 @@ def simplify(
     *,
     within: Optional[float] = None,
     faces: Optional[int] = None,
+    features: Optional[float] = None,
+    repair: bool = False,
     threads: Optional[int] = None,
     time_limit: Optional[float] = None,
     progress: Optional[Callable[[float], Optional[bool]]] = None,
@@ -190,6 +195,10 @@ def simplify(
         Largest Pompeiu–Hausdorff distance from the input. Either this or ``faces`` is given.
     faces : int, optional
         Number of faces to reach; the distance follows.
+    features : float, optional
+        Keeps boundaries, and edges whose faces meet at more than this angle between their normals, in degrees.
+    repair : bool
+        Repairs the mesh first; the distance is measured from the mesh as it was.
     threads, time_limit : optional
         Limits; the mesh reached is returned when the time is over.
     progress : callable, optional
@@ -213,7 +222,165 @@ def simplify(
         raise OptionError("give either within, a length, or faces, a number")
     if faces is not None and faces < 0:
         raise OptionError(f"the number of faces is {faces}; at least 1 is needed")
-    made, text, collapses, stop = _native.simplify(
-        as_mesh(mesh), None if within is None else float(within), faces or 0, threads, time_limit, progress
-    )
+    options = {
+        "within": None if within is None else float(within),
+        "faces": faces or 0,
+        "features": features,
+        "repair": repair,
+        "threads": threads,
+        "time_limit": time_limit,
+    }
+    made, text, collapses, stop = _native.simplify(as_mesh(mesh), options, progress)
     return Simplified(made, SymmetricReport._of(json.loads(text)), collapses, stop)
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Remeshed:
+    """A mesh with new triangles.
+
+    Attributes
+    ----------
+    mesh : Mesh
+        The result.
+    before, after : dict
+        The triangles of the input and of the result, as ``pompeiu remesh --json`` has them: ``faces``, ``edge_length``,
+        ``least_angle`` (degrees; each with ``least``, ``mean``, ``greatest``), ``regular`` and so on.
+    distance : SymmetricReport
+        Both directed distances, enclosed: A is the input, B the result.
+    iterations : int
+        Number of rounds done.
+    stop : str
+        Why it ended.
+    """
+
+    mesh: Mesh
+    before: Dict[str, Any]
+    after: Dict[str, Any]
+    distance: SymmetricReport
+    iterations: int
+    stop: str
+
+    def __repr__(self) -> str:
+        least = self.after["least_angle"]["least"]
+        return f"Remeshed({self.mesh.n_faces} faces, least angle {least:.1f} degrees)"
+
+
+def remesh(
+    mesh: MeshLike,
+    edge_length: Optional[float] = None,
+    *,
+    chord_height: Optional[float] = None,
+    within: Optional[float] = None,
+    features: Optional[float] = None,
+    iterations: int = 10,
+    threads: Optional[int] = None,
+    time_limit: Optional[float] = None,
+    progress: Optional[Callable[[float], Optional[bool]]] = None,
+) -> Remeshed:
+    """Gives a surface nearly equilateral faces of a wanted size.
+
+    Parameters
+    ----------
+    mesh : MeshLike
+        An oriented manifold.
+    edge_length : float, optional
+        Length of edges. Either this or ``chord_height`` is given.
+    chord_height : float, optional
+        Height of chords: edges are as long as the curvature allows.
+    within : float, optional
+        Largest Pompeiu–Hausdorff distance from the input, to be proven.
+    features : float, optional
+        Keeps edges whose faces meet at more than this angle between their normals, in degrees. Boundaries are always kept.
+    iterations : int
+        Rounds of splits, collapses, flips and moves.
+    threads, time_limit : optional
+        Limits; the mesh reached is returned when the time is over.
+    progress : callable, optional
+        Called with the share that is done; ``False`` ends it.
+
+    Raises
+    ------
+    SurfaceError
+        If the mesh is no oriented manifold.
+    OptionError
+        If not exactly one of ``edge_length`` and ``chord_height`` is given, or an option makes no sense.
+
+    Examples
+    --------
+    >>> import pompeiu
+    >>> even = pompeiu.remesh(pompeiu.shapes.icosphere(1.0, 3), 0.15)
+    >>> even.after["least_angle"]["least"] > 35 and even.distance.upper < 0.02
+    True
+    """
+    if (edge_length is None) == (chord_height is None):
+        raise OptionError("give either edge_length or chord_height, both are lengths")
+    if iterations < 0:
+        raise OptionError(f"the number of iterations is {iterations}; it must not be negative")
+    options = {
+        "edge_length": edge_length,
+        "chord_height": chord_height,
+        "within": within,
+        "features": features,
+        "iterations": iterations,
+        "threads": threads,
+        "time_limit": time_limit,
+    }
+    made, reports, done, stop = _native.remesh(as_mesh(mesh), options, progress)
+    before, after, distance = (json.loads(text) for text in reports)
+    return Remeshed(made, before, after, SymmetricReport._of(distance), done, stop)
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Intersections:
+    """Pairs of faces that intersect.
+
+    Attributes
+    ----------
+    faces : ndarray of uint32, shape (n, 2)
+        Each pair once, the lesser index first.
+    places : ndarray of float64, shape (n, 3)
+        A point near both faces of each pair.
+    touching : int
+        Number of further pairs that only touch, where different vertices are at one position.
+    complete : bool
+        Whether these are all; otherwise there were more than asked for.
+    """
+
+    faces: NDArray[np.uint32]
+    places: NDArray[np.float64]
+    touching: int
+    complete: bool
+
+    def __len__(self) -> int:
+        return len(self.faces)
+
+    def __repr__(self) -> str:
+        return f"Intersections({'' if self.complete else 'more than '}{len(self)} pairs)"
+
+
+def intersections(mesh: MeshLike, *, most: int = 1_000_000) -> Intersections:
+    """Finds the pairs of faces of a mesh that intersect, decided exactly.
+
+    Faces that share a corner or an edge intersect if they meet elsewhere, too.
+
+    Parameters
+    ----------
+    mesh : MeshLike
+        Any mesh.
+    most : int
+        Pairs to return at most.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import pompeiu
+    >>> ball = pompeiu.shapes.icosphere(1.0, 2)
+    >>> len(pompeiu.intersections(ball))
+    0
+    >>> both = np.concatenate([ball.vertices, ball.vertices + 0.5])
+    >>> len(pompeiu.intersections((both, np.concatenate([ball.faces, ball.faces + ball.n_vertices])))) > 10
+    True
+    """
+    if most < 0:
+        raise OptionError(f"the number of pairs is {most}; it must not be negative")
+    return Intersections(*_native.intersections(as_mesh(mesh), most))

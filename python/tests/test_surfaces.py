@@ -58,3 +58,47 @@ def test_fewer_faces_within_a_distance():
     for options in ({}, {"within": 0.1, "faces": 3}, {"within": -1.0}, {"faces": -1}):
         with pytest.raises(pompeiu.OptionError):
             pompeiu.simplify(sphere, **options)
+
+
+def test_features_and_repair():
+    cube = pompeiu.shapes.cube(2.0, 6)
+    found = pompeiu.simplify(cube, within=0.5, features=30.0)
+    # All corners stay; without features some would be cut off.
+    corners = {tuple(v) for v in np.abs(found.mesh.vertices)}
+    assert found.mesh.n_faces == 12 and corners == {(1.0, 1.0, 1.0)}
+    folded = ([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [0, -1, 0]], [[0, 1, 2], [0, 1, 3], [0, 1, 4]])
+    assert pompeiu.simplify(folded, within=1e-6, repair=True).mesh.n_faces == 3
+    with pytest.raises(pompeiu.OptionError, match="angle of features"):
+        pompeiu.simplify(cube, within=0.1, features=-1.0)
+
+
+def test_nearly_equilateral_faces():
+    told = []
+    sphere = pompeiu.shapes.icosphere(1.0, 4)
+    found = pompeiu.remesh(sphere, 0.12, progress=told.append)
+    assert found.before["faces"] == sphere.n_faces and found.after["faces"] == found.mesh.n_faces
+    assert found.after["least_angle"]["mean"] > 54 and found.stop == "tolerance"
+    assert found.distance.upper == pytest.approx(pompeiu.hausdorff(sphere, found.mesh).upper, abs=1e-9)
+    within = pompeiu.remesh(sphere, 0.5, within=0.01)
+    assert within.distance.upper <= 0.01
+    for options in ({}, {"edge_length": 0.1, "chord_height": 0.1}, {"edge_length": -1.0}, {"edge_length": 1e9}):
+        with pytest.raises(pompeiu.OptionError):
+            pompeiu.remesh(sphere, **options)
+
+
+def test_faces_that_intersect():
+    ball = pompeiu.shapes.icosphere(1.0, 2)
+    assert len(pompeiu.intersections(ball)) == 0
+    both = (np.concatenate([ball.vertices, ball.vertices + 0.5]), np.concatenate([ball.faces, ball.faces + 162]))
+    found = pompeiu.intersections(both)
+    assert found.complete and found.faces.shape == (len(found), 2) and found.places.shape == (len(found), 3)
+    assert (found.faces[:, 0] < 320).all() and (found.faces[:, 1] >= 320).all()
+    # Common points lie near both spheres.
+    assert np.abs(np.linalg.norm(found.places, axis=1) - 1).max() < 0.05
+    few = pompeiu.intersections(both, most=3)
+    assert len(few) == 3 and not few.complete
+
+
+def test_a_closed_surface_is_never_stationary():
+    with pytest.raises(pompeiu.SurfaceError, match="no closed surface is minimal"):
+        pompeiu.flow(pompeiu.shapes.icosphere(1.0, 2))

@@ -1,5 +1,6 @@
 //! Numbers on the command line and in answers for people.
 
+use pompeiu::flow::remesh::IntersectionCount;
 use std::time::Duration;
 
 /// Parses numbers separated by commas.
@@ -157,6 +158,16 @@ pub(crate) fn grouped(count: u64) -> String {
 pub(crate) fn point(p: [f64; 3]) -> String {
     let [x, y, z] = p.map(plain);
     format!("({x}, {y}, {z})")
+}
+
+/// How many pairs of faces of a result intersect.
+pub(crate) fn pairs_that_intersect(count: IntersectionCount) -> String {
+    match (count.pairs, count.complete) {
+        (0, true) => "no two faces".to_owned(),
+        (1, true) => "1 pair of faces".to_owned(),
+        (pairs, true) => format!("{} pairs of faces", grouped(pairs as u64)),
+        (pairs, false) => format!("more than {} pairs of faces", grouped(pairs as u64)),
+    }
 }
 
 #[cfg(test)]

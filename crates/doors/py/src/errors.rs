@@ -3,7 +3,7 @@
 use pompeiu::core::MeshError;
 use pompeiu::core::mesh::shapes::ShapeError;
 use pompeiu::flow::FlowError;
-use pompeiu::flow::remesh::SimplifyError;
+use pompeiu::flow::remesh::{RemeshError, SimplifyError};
 use pompeiu::hausdorff::OptionError;
 use pompeiu::io::{AttributeError, ReadError, WriteError};
 use pompeiu::matching::align::AlignError;
@@ -67,10 +67,21 @@ raise_as! {
 impl Raise for FlowError {
     fn exception(&self, sentence: String) -> PyErr {
         match self {
-            Self::Connectivity(_) | Self::NoArea { .. } | Self::NothingMoves | Self::NoVolume { .. } => {
-                classes::SurfaceError::new_err(sentence)
-            }
+            Self::Connectivity(_)
+            | Self::NoArea { .. }
+            | Self::NothingMoves
+            | Self::NeverStationary { .. }
+            | Self::NoVolume { .. } => classes::SurfaceError::new_err(sentence),
             Self::Solve(_) => classes::FieldError::new_err(sentence),
+            _ => classes::OptionError::new_err(sentence),
+        }
+    }
+}
+
+impl Raise for RemeshError {
+    fn exception(&self, sentence: String) -> PyErr {
+        match self {
+            Self::Connectivity(_) => classes::SurfaceError::new_err(sentence),
             _ => classes::OptionError::new_err(sentence),
         }
     }

@@ -1,12 +1,18 @@
 //! Flow to least area, and simplification.
 
+use crate::arrays::array_of_rows;
 use crate::errors::{Raise, UnknownOption};
 use crate::hausdorff::limits;
 use crate::json::written;
 use crate::mesh::Mesh;
 use crate::wait::{self, Told, Watch};
+use numpy::PyArray2;
+use pompeiu::core::geom::Aabb;
 use pompeiu::core::run::Progress;
-use pompeiu::flow::remesh::{SimplifyOptions, SimplifyTarget};
+use pompeiu::core::spatial::self_intersections;
+use pompeiu::flow::remesh::{
+    Features, Intersections, RemeshOptions, SimplifyOptions, SimplifyTarget, Sizing,
+};
 use pompeiu::flow::{BoundaryCondition, FlowOptions, FlowStep, Remeshing, Scheme, Until};
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
@@ -100,29 +106,116 @@ pub(crate) fn mean_curvature_flow(
     Ok((Mesh::from(flow.mesh.clone()), written(&flow)?))
 }
 
+/// Options of a simplification.
+#[derive(Clone, Copy, FromPyObject)]
+#[pyo3(from_item_all)]
+pub(crate) struct SimplifyChoice {
+    within: Option<f64>,
+    faces: usize,
+    features: Option<f64>,
+    repair: bool,
+    threads: Option<usize>,
+    time_limit: Option<f64>,
+}
+
+/// Tells the share that is done, and hears whether to stop.
+fn shown<'w>(watch: &'w Watch<'_, Share>) -> impl Fn(&Progress<'_>) -> ControlFlow<()> + Send + Sync + 'w {
+    move |progress| {
+        watch.tell(Share(progress.share.unwrap_or(0.0)));
+        if watch.is_stopped() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+}
+
 /// Reduces the number of faces within a distance, or to a number of faces.
 #[pyfunction]
 pub(crate) fn simplify(
     py: Python<'_>,
     mesh: &Bound<'_, Mesh>,
-    within: Option<f64>,
-    faces: usize,
-    threads: Option<usize>,
-    time_limit: Option<f64>,
+    options: SimplifyChoice,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<(Mesh, String, usize, &'static str)> {
-    let target = within.map_or(SimplifyTarget::Faces(faces), SimplifyTarget::Within);
-    let limits = limits(threads, time_limit, None)?;
+    let target = options.within.map_or(SimplifyTarget::Faces(options.faces), SimplifyTarget::Within);
+    let limits = limits(options.threads, options.time_limit, None)?;
     let mesh = mesh.get();
     let found = wait::run(py, progress, |watch: &mut Watch<'_, Share>| {
-        let watch = &*watch;
-        let observer = |progress: &Progress<'_>| {
-            watch.tell(Share(progress.share.unwrap_or(0.0)));
-            if watch.is_stopped() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        let observer = shown(watch);
+        let options = SimplifyOptions {
+            features: Features { angle: options.features, ..Features::default() },
+            repair: options.repair,
+            limits,
+            progress: Some(&observer),
+            ..SimplifyOptions::new(target)
         };
-        let options = SimplifyOptions { limits, progress: Some(&observer), ..SimplifyOptions::new(target) };
         pompeiu::flow::remesh::simplify(mesh.inner(), &options)
     })?;
     let found = found.map_err(Raise::raise)?;
     Ok((Mesh::from(found.mesh), written(&found.distance)?, found.collapses, found.stop.name()))
+}
+
+/// Options of remeshing.
+#[derive(Clone, Copy, FromPyObject)]
+#[pyo3(from_item_all)]
+pub(crate) struct RemeshChoice {
+    edge_length: Option<f64>,
+    chord_height: Option<f64>,
+    within: Option<f64>,
+    features: Option<f64>,
+    iterations: usize,
+    threads: Option<usize>,
+    time_limit: Option<f64>,
+}
+
+/// Least and greatest length of edges that follow curvature, as fractions of the diagonal.
+const ADAPTIVE_BETWEEN: [f64; 2] = [1e-4, 0.1];
+
+/// Gives a surface nearly equilateral faces; the quality before and after, the distance, iterations, and why it ended.
+#[pyfunction]
+pub(crate) fn remesh(
+    py: Python<'_>,
+    mesh: &Bound<'_, Mesh>,
+    options: RemeshChoice,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<(Mesh, [String; 3], usize, &'static str)> {
+    let limits = limits(options.threads, options.time_limit, None)?;
+    let mesh = mesh.get();
+    let diagonal = Aabb::of_faces(mesh.inner()).diagonal();
+    let sizing = match options.chord_height {
+        Some(tolerance) => {
+            Sizing::ChordHeight { tolerance, between: ADAPTIVE_BETWEEN.map(|share| share * diagonal) }
+        }
+        None => Sizing::Length(options.edge_length.unwrap_or(0.0)),
+    };
+    let found = wait::run(py, progress, |watch: &mut Watch<'_, Share>| {
+        let observer = shown(watch);
+        let options = RemeshOptions {
+            features: Features { angle: options.features, ..Features::default() },
+            within: options.within,
+            iterations: options.iterations,
+            intersections: Intersections::Ignore,
+            limits,
+            progress: Some(&observer),
+            ..RemeshOptions::new(sizing)
+        };
+        pompeiu::flow::remesh::remesh(mesh.inner(), &options)
+    })?;
+    let found = found.map_err(Raise::raise)?;
+    let reports = [written(&found.before)?, written(&found.after)?, written(&found.distance)?];
+    Ok((Mesh::from(found.mesh), reports, found.iterations, found.stop.name()))
+}
+
+/// Pairs of faces, a point of each, a count, and whether these are all.
+type Pairs<'py> = (Bound<'py, PyArray2<u32>>, Bound<'py, PyArray2<f64>>, usize, bool);
+
+/// Pairs of faces that intersect, a point of each, how many further pairs only touch, and whether these are all.
+#[pyfunction]
+pub(crate) fn intersections<'py>(
+    py: Python<'py>,
+    mesh: &Bound<'py, Mesh>,
+    most_pairs: usize,
+) -> PyResult<Pairs<'py>> {
+    let mesh = mesh.get();
+    let found = py.detach(|| self_intersections(mesh.inner(), most_pairs));
+    let faces: Vec<[u32; 2]> = found.pairs.iter().map(|pair| pair.faces.map(|f| f.0)).collect();
+    let places: Vec<[f64; 3]> = found.pairs.iter().map(|pair| pair.place).collect();
+    Ok((array_of_rows(py, faces)?, array_of_rows(py, places)?, found.touching, found.complete))
 }

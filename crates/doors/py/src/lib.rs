@@ -23,7 +23,7 @@ mod _native {
     #[pymodule_export]
     use crate::files::{read_mesh, write_mesh};
     #[pymodule_export]
-    use crate::flow::{mean_curvature_flow, simplify};
+    use crate::flow::{intersections, mean_curvature_flow, remesh, simplify};
     #[pymodule_export]
     use crate::hausdorff::{Target, deviation, directed_deviation, directed_hausdorff, hausdorff};
     #[pymodule_export]

@@ -15,6 +15,6 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let (lower, upper) = (found.distance.distance.lower(), found.distance.distance.upper());
     println!("{} faces to {}", mesh.faces().len(), found.mesh.faces().len());
     println!("distance between {lower} and {upper}, at most {within} asked for");
-    println!("{:.2} s", started.elapsed().as_secs_f64());
+    println!("{:.2} s, {:?}", started.elapsed().as_secs_f64(), found.timing);
     Ok(())
 }

@@ -1,7 +1,7 @@
 //! Why a flow cannot start or go on.
 
 use super::options::Scheme;
-use crate::remesh::{ConnectivityError, RemeshError};
+use crate::remesh::{ConnectivityError, Intersects, RemeshError};
 use pompeiu_core::MeshError;
 use pompeiu_solve::SolveError;
 
@@ -60,6 +60,15 @@ pub enum FlowError {
     /// Nothing can move.
     #[error("every vertex lies on the fixed boundary, so nothing can move; subdivide the mesh")]
     NothingMoves,
+    /// No closed surface is minimal.
+    #[error(
+        "the component with vertex {vertex} has no boundary, so it shrinks until it vanishes: no closed surface is minimal; flow until a \
+         time or for some steps, or keep the volume"
+    )]
+    NeverStationary {
+        /// A vertex of the first such component.
+        vertex: u32,
+    },
     /// Keeping the volume: there is none.
     #[error("the surface encloses the volume {volume}, too little to be kept")]
     NoVolume {
@@ -75,4 +84,7 @@ pub enum FlowError {
     /// The surface could not be remeshed.
     #[error(transparent)]
     Remesh(#[from] RemeshError),
+    /// Faces of the result intersect.
+    #[error(transparent)]
+    Intersects(#[from] Intersects),
 }

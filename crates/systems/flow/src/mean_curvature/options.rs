@@ -2,6 +2,7 @@
 
 use super::FlowError;
 use super::observer::FlowObserver;
+use crate::remesh::Intersections;
 use pompeiu_core::run::Limits;
 use std::num::NonZeroUsize;
 
@@ -125,6 +126,8 @@ pub struct FlowOptions<'o> {
     pub improve: bool,
     /// Remeshing on the way.
     pub remesh: Option<Remeshing>,
+    /// What is done about faces of the result that intersect; on the way they are not looked for.
+    pub intersections: Intersections,
     /// Whether the least eigenvalue of the Hessian is computed for a stationary surface.
     pub stability: bool,
     /// Time and threads. When the time is over, the surface reached so far is returned.
@@ -145,6 +148,7 @@ impl FlowOptions<'_> {
             keep_volume: false,
             improve: matches!(until, Until::Stationary(_)),
             remesh: None,
+            intersections: Intersections::Ignore,
             stability: true,
             limits: Limits::default(),
             observer: None,

@@ -6,6 +6,7 @@ use super::gradient::GradientNorm;
 use super::options::Scheme;
 use super::pinch::Neck;
 use super::stability::Stability;
+use crate::remesh::IntersectionCount;
 use pompeiu_core::TriMesh;
 use std::time::Duration;
 
@@ -148,6 +149,8 @@ pub struct Flow {
     pub cone: Option<Cone>,
     /// The neck that pinches off.
     pub neck: Option<Neck>,
+    /// How many pairs of faces of the result intersect, where that was asked for.
+    pub intersections: Option<IntersectionCount>,
     /// How long it took.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub timing: FlowTiming,

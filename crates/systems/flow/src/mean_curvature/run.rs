@@ -13,7 +13,7 @@ use super::step::{FirstMetric, FullSystem};
 use super::systems::{Systems, prepared};
 use super::time::TimeStep;
 use super::{FlowError, discs, stability};
-use crate::remesh::DynamicMesh;
+use crate::remesh::{DynamicMesh, self_intersections_of};
 use glam::{DMat3, DVec3};
 use pompeiu_core::TriMesh;
 use pompeiu_core::run::{Control, on_threads};
@@ -104,6 +104,12 @@ impl<'r> Runner<'r> {
         }
         if surface.motion.iter().all(|motion| *motion == Motion::Fixed) {
             return Err(FlowError::NothingMoves);
+        }
+        if matches!(options.until, Until::Stationary(_))
+            && !options.keep_volume
+            && let Some(vertex) = surface.mesh.closed_component()
+        {
+            return Err(FlowError::NeverStationary { vertex });
         }
         let masses = surface.masses(&triangles);
         let (area, volume) = (surface.area(), surface.volume());
@@ -318,10 +324,12 @@ impl<'r> Runner<'r> {
         let neck = neck.map(|neck| Neck { position: back(neck.position), ..neck });
         let mut mesh = self.surface.mesh.clone();
         mesh.map_positions(back);
+        let mesh = mesh.to_mesh()?;
+        let intersections = self_intersections_of(&mesh, self.options.intersections)?;
         let slides = self.options.boundary != BoundaryCondition::Fixed && !loops.is_empty();
         self.timing.verdict += started.elapsed();
         Ok(Flow {
-            mesh: mesh.to_mesh()?,
+            mesh,
             stop,
             steps,
             area: Change { initial: self.initial.0, r#final: derivatives.area },
@@ -333,6 +341,7 @@ impl<'r> Runner<'r> {
             discs,
             cone: self.cone,
             neck,
+            intersections,
             timing: self.timing,
         })
     }

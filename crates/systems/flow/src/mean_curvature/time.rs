@@ -66,7 +66,7 @@ impl TimeStep {
     /// Positions after a step of an implicit scheme, and its length; none if even a short one raises the area.
     pub(crate) fn advance(
         &mut self,
-        surface: &MovingSurface,
+        surface: &mut MovingSurface,
         derivatives: &Derivatives,
         systems: &mut Systems,
         first: Option<(&FirstMetric, bool)>,
@@ -103,7 +103,7 @@ impl TimeStep {
     /// Positions after a step, and its error; none if a face would turn over on the way.
     fn attempt(
         &self,
-        surface: &MovingSurface,
+        surface: &mut MovingSurface,
         derivatives: &Derivatives,
         systems: &mut Systems,
         first: Option<(&FirstMetric, bool)>,
@@ -114,10 +114,11 @@ impl TimeStep {
             return Ok(Some((whole, 0.0)));
         }
         let half = moved(surface, &step::implicit(surface, derivatives, systems, 2.0 / by, first)?, 1.0);
-        let mut between = surface.clone();
-        between.mesh.positions = half;
-        let there = Derivatives::of(&between, derivatives.pressure.is_some());
-        let to = moved(&between, &step::implicit(&between, &there, systems, 2.0 / by, first)?, 1.0);
+        let before = std::mem::replace(&mut surface.mesh.positions, half);
+        let there = Derivatives::of(surface, derivatives.pressure.is_some());
+        let second = step::implicit(surface, &there, systems, 2.0 / by, first);
+        let half = std::mem::replace(&mut surface.mesh.positions, before);
+        let to: Vec<DVec3> = half.iter().zip(second?).map(|(p, step)| *p + step).collect();
         let mut error = 0.0;
         for (v, (p, q)) in whole.iter().zip(&to).enumerate() {
             let curvature = derivatives.gradient[v].length() / derivatives.masses[v];

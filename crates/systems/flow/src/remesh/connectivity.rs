@@ -182,8 +182,9 @@ impl DynamicMesh {
     /// The neighbours of a vertex.
     #[inline]
     pub(crate) fn neighbours(&self, v: u32) -> impl Iterator<Item = u32> + '_ {
-        let last = self.halfedges_from(v).last().map(previous);
-        let beyond = last.filter(|&h| self.twin[h as usize] == NONE).map(|h| self.from(h));
+        // Only at the boundary is there a neighbour to which no halfedge leads.
+        let last = if self.is_boundary(v) { self.halfedges_from(v).last() } else { None };
+        let beyond = last.map(|h| self.from(previous(h)));
         self.halfedges_from(v).map(|h| self.to(h)).chain(beyond)
     }
 
@@ -219,6 +220,25 @@ impl DynamicMesh {
     /// Number of neighbours that a vertex of a regular triangulation has: 6, or 4 at the boundary.
     pub(crate) fn regular_valence(&self, v: u32) -> usize {
         if self.is_boundary(v) { 4 } else { 6 }
+    }
+
+    /// The first vertex of the first component without boundary, if there is one.
+    pub(crate) fn closed_component(&self) -> Option<u32> {
+        let mut seen: Vec<bool> = self.outgoing.iter().map(|h| *h == NONE).collect();
+        for first in 0..seen.len() as u32 {
+            let mut open = vec![first];
+            let mut closed = !seen[first as usize];
+            while let Some(v) = open.pop() {
+                if !std::mem::replace(&mut seen[v as usize], true) {
+                    closed &= !self.is_boundary(v);
+                    open.extend(self.neighbours(v));
+                }
+            }
+            if closed {
+                return Some(first);
+            }
+        }
+        None
     }
 
     /// Puts every vertex elsewhere.

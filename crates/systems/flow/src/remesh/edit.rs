@@ -180,7 +180,8 @@ impl DynamicMesh {
             return Err(Illegal::JoinsBoundary);
         }
         let apexes = [Some(h), t].map(|x| x.map(|x| self.from(previous(x))));
-        if self.neighbours(u).any(|x| !apexes.contains(&Some(x)) && x != v && self.are_joined(x, v)) {
+        let around: Vec<u32> = self.neighbours(v).collect();
+        if self.neighbours(u).any(|x| !apexes.contains(&Some(x)) && x != v && around.contains(&x)) {
             return Err(Illegal::Link);
         }
         for apex in apexes.into_iter().flatten() {

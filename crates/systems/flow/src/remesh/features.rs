@@ -19,6 +19,45 @@ pub struct Features<'f> {
     pub vertices: &'f [VertexId],
 }
 
+/// Why something cannot be kept.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum FeatureError {
+    /// An angle out of range.
+    #[error("the angle of features is {0} degrees; it must be between 0 and 180")]
+    Angle(f64),
+    /// A vertex that is to be kept does not exist.
+    #[error("vertex {vertex} is to be kept, but there are {vertices} vertices")]
+    NoVertex {
+        /// Its index.
+        vertex: u32,
+        /// Number of vertices.
+        vertices: usize,
+    },
+    /// Repairing numbers vertices anew.
+    #[error("vertices and edges cannot be selected on a mesh that is repaired first; repair it, then select")]
+    Repaired,
+}
+
+impl Features<'_> {
+    /// Whether nothing but boundaries is kept.
+    pub fn is_empty(&self) -> bool {
+        *self == Self::default()
+    }
+
+    /// Whether they make sense for a mesh with so many vertices.
+    pub(super) fn check(&self, vertices: usize) -> Result<(), FeatureError> {
+        if let Some(angle) = self.angle.filter(|x| !(0.0..=180.0).contains(x)) {
+            return Err(FeatureError::Angle(angle));
+        }
+        let kept = self.vertices.iter().chain(self.edges.iter().flatten());
+        match kept.map(|v| v.0).find(|&v| v as usize >= vertices) {
+            Some(vertex) => Err(FeatureError::NoVertex { vertex, vertices }),
+            None => Ok(()),
+        }
+    }
+}
+
 /// The curves of a surface and what holds each of its vertices.
 pub(super) struct Curves {
     /// The curve of each halfedge's edge; [`NONE`] for most.
@@ -27,6 +66,11 @@ pub(super) struct Curves {
 }
 
 impl Curves {
+    /// No curves, not even boundaries: every vertex is free.
+    pub(super) fn none(mesh: &DynamicMesh) -> Self {
+        Self { of_halfedge: vec![NONE; mesh.origin.len()], hold: vec![Hold::Free; mesh.positions.len()] }
+    }
+
     /// Finds edges that are kept, cuts them into curves at corners.
     pub(super) fn find(mesh: &DynamicMesh, features: &Features<'_>) -> Self {
         let kept = kept_edges(mesh, features);

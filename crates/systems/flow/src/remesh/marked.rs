@@ -29,12 +29,30 @@ pub(super) struct Marked {
 }
 
 /// What a collapse does: the halfedge whose start is removed, and where its end goes.
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Collapse {
     pub(super) halfedge: u32,
     pub(super) position: DVec3,
+    pub(super) freedom: Freedom,
+}
+
+/// Where the end of a collapse may go instead.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Freedom {
+    /// Nowhere else.
+    None,
+    /// Along the curve that the edge is part of.
+    Curve,
+    /// Anywhere.
+    Surface,
 }
 
 impl Marked {
+    /// The positions of the corners of a face.
+    pub(super) fn triangle(&self, f: u32) -> [DVec3; 3] {
+        self.mesh.corners(f).map(|v| self.mesh.positions[v as usize])
+    }
+
     /// The vector along a halfedge.
     pub(super) fn along(&self, h: u32) -> DVec3 {
         self.mesh.positions[self.mesh.to(h) as usize] - self.mesh.positions[self.mesh.from(h) as usize]
@@ -110,13 +128,16 @@ impl Marked {
         let [p, q] = [u, v].map(|x| self.mesh.positions[x as usize]);
         let curve = self.curve[h as usize];
         let middle = 0.5 * (p + q);
-        let onto = |halfedge: Option<u32>, position| halfedge.map(|halfedge| Collapse { halfedge, position });
+        let towards = |halfedge: Option<u32>, position, freedom| {
+            halfedge.map(|halfedge| Collapse { halfedge, position, freedom })
+        };
+        let onto = |halfedge, position| towards(halfedge, position, Freedom::None);
         let (same, other) = (Some(h), self.mesh.twin_of(h));
         let found = match (self.hold[u as usize], self.hold[v as usize]) {
-            (Hold::Free, Hold::Free) => onto(same, middle),
+            (Hold::Free, Hold::Free) => towards(same, middle, Freedom::Surface),
             (Hold::Free, _) => onto(same, q),
             (_, Hold::Free) => onto(other, p),
-            (Hold::Curve(c), Hold::Curve(d)) if c == d && curve == c => onto(same, middle),
+            (Hold::Curve(c), Hold::Curve(d)) if c == d && curve == c => towards(same, middle, Freedom::Curve),
             (Hold::Curve(c), Hold::Corner) if curve == c => onto(same, q),
             // At the boundary there is no halfedge the other way.
             (Hold::Corner, Hold::Curve(c)) if curve == c => match other {

@@ -1,30 +1,39 @@
 //! Changing the triangles of a surface.
 
+mod candidates;
+mod collapses;
 mod connectivity;
 mod cover;
 mod curvature;
 mod edit;
 mod features;
 mod flips;
+mod guard;
 mod improve;
 mod isotropic;
+mod lengths;
 mod marked;
 mod near;
 mod options;
 mod quadric;
 mod quality;
+mod queue;
 mod reference;
 mod request;
 mod run;
 mod simplify;
 mod sizing;
 mod smooth;
+mod trial;
 mod within;
 
 pub(crate) use connectivity::NONE;
 pub use connectivity::{ConnectivityError, DynamicMesh};
 pub use edit::Illegal;
-pub use features::Features;
+pub use features::{FeatureError, Features};
+pub(crate) use guard::self_intersections_of;
+pub use guard::{IntersectionCount, Intersections, Intersects};
+pub use lengths::{LengthError, NotWithin};
 pub use options::{Simplified, SimplifyError, SimplifyOptions, SimplifyTarget, SimplifyTiming};
 pub(crate) use quality::angles;
 pub use quality::{Quality, Range};

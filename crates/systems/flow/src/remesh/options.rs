@@ -1,6 +1,10 @@
 //! What simplification is asked for, and what it returns.
 
 use super::connectivity::ConnectivityError;
+use super::features::{FeatureError, Features};
+use super::guard::{IntersectionCount, Intersections, Intersects};
+use super::lengths::{LengthError, NotWithin, check_length};
+use pompeiu_core::mesh::repair::RepairError;
 use pompeiu_core::run::{Limits, ProgressObserver, StopReason};
 use pompeiu_core::{MeshError, TriMesh};
 use pompeiu_hausdorff::SymmetricReport;
@@ -20,6 +24,12 @@ pub enum SimplifyTarget {
 pub struct SimplifyOptions<'o> {
     /// When it ends.
     pub target: SimplifyTarget,
+    /// What is kept. By default nothing, not even the corners of boundaries; with any feature boundaries are curves that are kept, too.
+    pub features: Features<'o>,
+    /// Whether a mesh that is no oriented manifold is repaired first.
+    pub repair: bool,
+    /// What is done about faces of the result that intersect.
+    pub intersections: Intersections,
     /// Time and threads. When the time is over, the mesh reached so far is returned; it keeps the distance.
     pub limits: Limits,
     /// Is told how far the collapses have come.
@@ -27,13 +37,16 @@ pub struct SimplifyOptions<'o> {
 }
 
 impl SimplifyOptions<'_> {
-    /// Least distance that can be asked for, as a fraction of the diagonal of the bounding box: some 4,500 units in the last place
-    /// of the largest coordinate.
-    const LEAST_DISTANCE: f64 = 1e-12;
-
     /// No limits, and nobody who watches.
     pub fn new(target: SimplifyTarget) -> Self {
-        Self { target, limits: Limits::default(), progress: None }
+        Self {
+            target,
+            features: Features::default(),
+            repair: false,
+            intersections: Intersections::Ignore,
+            limits: Limits::default(),
+            progress: None,
+        }
     }
 
     /// The targets of some levels, the finest first, if they make sense for a mesh with this diagonal.
@@ -53,14 +66,10 @@ impl SimplifyOptions<'_> {
     }
 
     fn check(target: SimplifyTarget, diagonal: f64) -> Result<(), SimplifyError> {
-        let least = Self::LEAST_DISTANCE * diagonal;
         match target {
-            SimplifyTarget::Within(d) if !(d > 0.0 && d < f64::INFINITY) => Err(SimplifyError::Distance(d)),
-            SimplifyTarget::Within(distance) if distance < least => {
-                Err(SimplifyError::BelowRounding { distance, least })
-            }
+            SimplifyTarget::Within(d) => Ok(check_length("distance", d, diagonal)?),
             SimplifyTarget::Faces(0) => Err(SimplifyError::NoFaces),
-            _ => Ok(()),
+            SimplifyTarget::Faces(_) => Ok(()),
         }
     }
 }
@@ -74,6 +83,8 @@ pub struct Simplified {
     pub target: SimplifyTarget,
     /// Both directed distances, enclosed: A is the input, B the result.
     pub distance: SymmetricReport,
+    /// How many pairs of faces intersect, where that was asked for.
+    pub intersections: Option<IntersectionCount>,
     /// Number of edges collapsed.
     pub collapses: usize,
     /// Why it ended: [`StopReason::Tolerance`] if no further edge can be collapsed or the number of faces is reached.
@@ -98,19 +109,15 @@ pub enum SimplifyError {
     /// The faces are no oriented manifold.
     #[error(transparent)]
     Connectivity(#[from] ConnectivityError),
-    /// The distance is not a positive finite number.
-    #[error("the distance is {0}; it must be a positive finite number")]
-    Distance(f64),
-    /// The distance is too small for double precision.
-    #[error(
-        "the distance {distance} is below {least}, the least that double precision resolves for these coordinates; ask for more"
-    )]
-    BelowRounding {
-        /// What was asked for.
-        distance: f64,
-        /// The least that can be asked for.
-        least: f64,
-    },
+    /// The distance makes no sense.
+    #[error(transparent)]
+    Length(#[from] LengthError),
+    /// What is to be kept makes no sense.
+    #[error(transparent)]
+    Features(#[from] FeatureError),
+    /// The mesh could not be repaired.
+    #[error(transparent)]
+    Repair(#[from] RepairError),
     /// No face was asked for.
     #[error("the number of faces is 0; at least 1 is needed")]
     NoFaces,
@@ -121,11 +128,9 @@ pub enum SimplifyError {
     #[error(transparent)]
     Mesh(#[from] MeshError),
     /// The distance of the result could not be confirmed.
-    #[error("the result is up to {upper} away from the input, more than the {distance} asked for")]
-    NotWithin {
-        /// What was asked for.
-        distance: f64,
-        /// The proven upper bound.
-        upper: f64,
-    },
+    #[error(transparent)]
+    NotWithin(#[from] NotWithin),
+    /// Faces of the result intersect.
+    #[error(transparent)]
+    Intersects(#[from] Intersects),
 }

@@ -34,6 +34,12 @@ impl Quadric {
         Self { a, b: self.b + other.b, c: self.c + other.c }
     }
 
+    /// The sum of all weights.
+    pub(crate) fn weight(&self) -> f64 {
+        let [xx, _, _, yy, _, zz] = self.a;
+        xx + yy + zz
+    }
+
     fn matrix(&self) -> DMat3 {
         let [xx, xy, xz, yy, yz, zz] = self.a;
         DMat3::from_cols(DVec3::new(xx, xy, xz), DVec3::new(xy, yy, yz), DVec3::new(xz, yz, zz))
@@ -65,6 +71,9 @@ impl Quadric {
     }
 }
 
+/// Squares of entries beside the diagonal count as zero below this part of the squared trace.
+const NEGLIGIBLE: f64 = 1e-34;
+
 /// Ratio of eigenvalues below which a direction counts as flat.
 const FLAT: f64 = 1e-3;
 
@@ -77,8 +86,13 @@ pub(crate) fn eigenvalues(upper: [f64; 6]) -> [f64; 3] {
 fn eigen(matrix: DMat3) -> ([f64; 3], [DVec3; 3]) {
     let mut a = matrix.to_cols_array_2d();
     let mut v = DMat3::IDENTITY.to_cols_array_2d();
-    // Convergence is quadratic: six sweeps reach double precision.
+    // Convergence is quadratic: six sweeps reach double precision, most often fewer.
     for _ in 0..6 {
+        let beside = a[0][1] * a[0][1] + a[0][2] * a[0][2] + a[1][2] * a[1][2];
+        let trace = a[0][0] + a[1][1] + a[2][2];
+        if beside <= NEGLIGIBLE * trace * trace {
+            break;
+        }
         for (p, q) in [(0, 1), (0, 2), (1, 2)] {
             if a[p][q] == 0.0 {
                 continue;

@@ -1,7 +1,9 @@
 //! What remeshing is asked for, and what it returns.
 
 use super::connectivity::ConnectivityError;
-use super::features::Features;
+use super::features::{FeatureError, Features};
+use super::guard::{IntersectionCount, Intersections, Intersects};
+use super::lengths::{LengthError, NotWithin, check_length};
 use super::quality::Quality;
 use super::sizing::Sizing;
 use pompeiu_core::run::{Limits, ProgressObserver, StopReason};
@@ -26,6 +28,8 @@ pub struct RemeshOptions<'o> {
     pub measure: bool,
     /// Most faces that the result may have.
     pub most_faces: usize,
+    /// What is done about faces of the result that intersect.
+    pub intersections: Intersections,
     /// Time and threads. When the time is over, the mesh reached so far is returned.
     pub limits: Limits,
     /// Is told how far the computation has come.
@@ -37,8 +41,6 @@ impl<'o> RemeshOptions<'o> {
     pub const ITERATIONS: usize = 10;
     /// Most faces where nothing else is asked for.
     pub const MOST_FACES: usize = 20_000_000;
-    /// Least distance and least length of edges that can be asked for, as a fraction of the diagonal of the bounding box.
-    pub const LEAST_LENGTH: f64 = 1e-12;
 
     /// Ten iterations, boundaries kept, vertices on the input, the distance measured, no limits.
     pub fn new(sizing: Sizing<'o>) -> Self {
@@ -50,6 +52,7 @@ impl<'o> RemeshOptions<'o> {
             project: true,
             measure: true,
             most_faces: Self::MOST_FACES,
+            intersections: Intersections::Ignore,
             limits: Limits::default(),
             progress: None,
         }
@@ -57,12 +60,7 @@ impl<'o> RemeshOptions<'o> {
 
     /// Whether the options make sense for a mesh with this diagonal and number of vertices.
     pub(super) fn check(&self, diagonal: f64, vertices: usize) -> Result<(), RemeshError> {
-        let least = Self::LEAST_LENGTH * diagonal;
-        let length = |what: &'static str, length: f64| match length {
-            x if !(x > 0.0 && x < f64::INFINITY) => Err(RemeshError::Length { what, length }),
-            x if x < least => Err(RemeshError::BelowRounding { what, length, least }),
-            _ => Ok(()),
-        };
+        let length = |what, length| check_length(what, length, diagonal);
         match self.sizing {
             Sizing::Length(x) => {
                 length("edge length", x)?;
@@ -81,14 +79,7 @@ impl<'o> RemeshOptions<'o> {
             Sizing::Field(_) => {}
         }
         self.within.map_or(Ok(()), |x| length("distance", x))?;
-        if let Some(angle) = self.features.angle.filter(|x| !(0.0..=180.0).contains(x)) {
-            return Err(RemeshError::Angle(angle));
-        }
-        let kept = self.features.vertices.iter().chain(self.features.edges.iter().flatten());
-        match kept.map(|v| v.0).find(|&v| v as usize >= vertices) {
-            Some(vertex) => Err(RemeshError::NoVertex { vertex, vertices }),
-            None => Ok(()),
-        }
+        Ok(self.features.check(vertices)?)
     }
 }
 
@@ -103,6 +94,8 @@ pub struct Remeshed {
     pub after: Quality,
     /// Both directed distances, enclosed: A is the input, B the result. None where it was not measured.
     pub distance: Option<SymmetricReport>,
+    /// How many pairs of faces intersect, where that was asked for.
+    pub intersections: Option<IntersectionCount>,
     /// Number of iterations done, those that a distance asked for included.
     pub iterations: usize,
     /// Why it ended: [`StopReason::Tolerance`] after all iterations.
@@ -127,26 +120,12 @@ pub enum RemeshError {
     /// The faces are no oriented manifold.
     #[error(transparent)]
     Connectivity(#[from] ConnectivityError),
-    /// A length is not a positive finite number.
-    #[error("the {what} is {length}; it must be a positive finite number")]
-    Length {
-        /// Which one.
-        what: &'static str,
-        /// Its value.
-        length: f64,
-    },
-    /// A length is too small for double precision.
-    #[error(
-        "the {what} {length} is below {least}, the least that double precision resolves for these coordinates; ask for more"
-    )]
-    BelowRounding {
-        /// Which one.
-        what: &'static str,
-        /// What was asked for.
-        length: f64,
-        /// The least that can be asked for.
-        least: f64,
-    },
+    /// A length makes no sense.
+    #[error(transparent)]
+    Length(#[from] LengthError),
+    /// What is to be kept makes no sense.
+    #[error(transparent)]
+    Features(#[from] FeatureError),
     /// Edges would be longer than the mesh.
     #[error(
         "edges of length {length} are longer than the diagonal of the bounding box, {diagonal}; ask for less"
@@ -173,17 +152,6 @@ pub enum RemeshError {
         /// Where.
         position: [f64; 3],
     },
-    /// An angle out of range.
-    #[error("the angle of features is {0} degrees; it must be between 0 and 180")]
-    Angle(f64),
-    /// A vertex that is to be kept does not exist.
-    #[error("vertex {vertex} is to be kept, but there are {vertices} vertices")]
-    NoVertex {
-        /// Its index.
-        vertex: u32,
-        /// Number of vertices.
-        vertices: usize,
-    },
     /// The result would be too large.
     #[error(
         "this would make about {faces:.0} faces, more than the {most} allowed; ask for longer edges, or allow more faces"
@@ -209,11 +177,9 @@ pub enum RemeshError {
     #[error(transparent)]
     Mesh(#[from] MeshError),
     /// The distance of the result could not be confirmed.
-    #[error("the result is up to {upper} away from the input, more than the {distance} asked for")]
-    NotWithin {
-        /// What was asked for.
-        distance: f64,
-        /// The proven upper bound.
-        upper: f64,
-    },
+    #[error(transparent)]
+    NotWithin(#[from] NotWithin),
+    /// Faces of the result intersect.
+    #[error(transparent)]
+    Intersects(#[from] Intersects),
 }

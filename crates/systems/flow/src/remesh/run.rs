@@ -2,7 +2,9 @@
 
 use super::connectivity::DynamicMesh;
 use super::features::Curves;
+use super::guard::self_intersections_of;
 use super::isotropic::{finish, iterate, split_longer_than};
+use super::lengths::NotWithin;
 use super::marked::Marked;
 use super::near::far_places;
 use super::quality::Quality;
@@ -135,16 +137,24 @@ impl<'w> Work<'w> {
         result.map_positions(|p| self.frame.unmap(p));
         let mesh = result.to_mesh()?;
         let remeshing = self.started.elapsed();
+        let intersections = self_intersections_of(&mesh, self.options.intersections)?;
         let wanted = self.options.measure || self.options.within.is_some();
         let distance = wanted.then(|| symmetric_hausdorff(self.input, &mesh));
-        if let (Some(asked), Some(found)) = (self.options.within, &distance)
-            && found.distance.upper() > asked
-        {
-            return Err(RemeshError::NotWithin { distance: asked, upper: found.distance.upper() });
+        if let (Some(asked), Some(found)) = (self.options.within, &distance) {
+            NotWithin::check(asked, found)?;
         }
         let timing =
             RemeshTiming { remesh: remeshing, distance: self.started.elapsed().saturating_sub(remeshing) };
-        Ok(Remeshed { mesh, before: self.before, after, distance, iterations: self.iterations, stop, timing })
+        Ok(Remeshed {
+            mesh,
+            before: self.before,
+            after,
+            distance,
+            intersections,
+            iterations: self.iterations,
+            stop,
+            timing,
+        })
     }
 
     /// Some iterations, and the last rounds.

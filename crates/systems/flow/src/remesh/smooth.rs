@@ -24,13 +24,43 @@ struct Move {
 /// Moves all vertices at once, `steps` times within the surface, then onto the input if there is one. Faces that would turn over
 /// keep their vertices where they were.
 pub(super) fn smooth(surface: &mut Marked, reference: Option<&Reference<'_>>, steps: usize) {
+    let rings = Rings::of(surface);
     for _ in 0..steps {
-        let moved = each_vertex(surface, |v, _| relaxed(surface, v));
+        let moved = each_vertex(surface, |v, _| relaxed(surface, &rings, v));
         apply(surface, moved);
     }
     if let Some(reference) = reference {
         let moved = each_vertex(surface, |v, workspace| projected(surface, reference, v, workspace));
         apply(surface, moved);
+    }
+}
+
+/// The neighbours of each free vertex, counter-clockwise: what relaxation reads again and again.
+struct Rings {
+    /// Where the ring of each vertex starts, and where the last one ends.
+    starts: Vec<u32>,
+    vertices: Vec<u32>,
+}
+
+impl Rings {
+    fn of(surface: &Marked) -> Self {
+        let mesh = &surface.mesh;
+        let count = mesh.positions.len();
+        let (mut starts, mut vertices) =
+            (Vec::with_capacity(count + 1), Vec::with_capacity(mesh.origin.len()));
+        for v in 0..count as u32 {
+            starts.push(vertices.len() as u32);
+            if surface.hold[v as usize] == Hold::Free {
+                vertices.extend(mesh.halfedges_from(v).map(|h| mesh.to(h)));
+            }
+        }
+        starts.push(vertices.len() as u32);
+        Self { starts, vertices }
+    }
+
+    fn around(&self, v: u32) -> &[u32] {
+        let [from, to] = [v, v + 1].map(|v| self.starts[v as usize] as usize);
+        &self.vertices[from..to]
     }
 }
 
@@ -49,7 +79,7 @@ fn stay(surface: &Marked, v: u32) -> Move {
 }
 
 /// Towards the middle of the neighbours, in the tangent plane or along the curve.
-fn relaxed(surface: &Marked, v: u32) -> Move {
+fn relaxed(surface: &Marked, rings: &Rings, v: u32) -> Move {
     let mesh = &surface.mesh;
     let still = stay(surface, v);
     if mesh.outgoing[v as usize] == NONE {
@@ -60,15 +90,16 @@ fn relaxed(surface: &Marked, v: u32) -> Move {
         Hold::Corner => p,
         Hold::Curve(_) => along_curve(surface, v).unwrap_or(p),
         Hold::Free => {
-            let (mut sum, mut normal, mut count) = (DVec3::ZERO, DVec3::ZERO, 0.0);
-            for h in mesh.halfedges_from(v) {
-                let q = mesh.positions[mesh.to(h) as usize];
-                let r = mesh.positions[mesh.from(previous(h)) as usize];
-                normal += (q - p).cross(r - p);
-                sum += q - p;
-                count += 1.0;
+            let ring = rings.around(v);
+            let (mut sum, mut normal) = (DVec3::ZERO, DVec3::ZERO);
+            let mut before = ring.last().map_or(p, |w| mesh.positions[*w as usize]) - p;
+            for w in ring {
+                let along = mesh.positions[*w as usize] - p;
+                normal += before.cross(along);
+                sum += along;
+                before = along;
             }
-            let step = sum / count;
+            let step = sum / ring.len() as f64;
             match normal.try_normalize() {
                 Some(normal) => p + step - normal * normal.dot(step),
                 None => p,
@@ -138,31 +169,35 @@ pub(super) fn area_vector([a, b, c]: [DVec3; 3]) -> DVec3 {
 /// Whether a triangle may become another one: neither turned over nor, if it had an area, without one.
 pub(super) fn keeps_normal(old: [DVec3; 3], new: [DVec3; 3]) -> bool {
     let (n, m) = (area_vector(old), area_vector(new));
-    n == DVec3::ZERO || n.dot(m) > LEAST_COSINE * n.length() * m.length()
+    let cosine = n.dot(m);
+    n == DVec3::ZERO
+        || cosine > 0.0
+            && cosine * cosine > LEAST_COSINE * LEAST_COSINE * n.length_squared() * m.length_squared()
 }
 
 /// Moves the vertices; those of faces that would turn over stay, again and again until no face does.
 fn apply(surface: &mut Marked, mut moved: Vec<Move>) {
     let mesh = &surface.mesh;
-    loop {
-        let turned: Vec<u32> = (0..mesh.origin.len() as u32 / 3)
-            .into_par_iter()
-            .filter(|&f| mesh.exists(3 * f))
-            .filter(|&f| {
-                let corners = mesh.corners(f);
-                let old = corners.map(|v| mesh.positions[v as usize]);
-                !keeps_normal(old, corners.map(|v| moved[v as usize].position))
-            })
-            .collect();
-        let mut stopped = false;
+    let is_turned = |moved: &[Move], f: u32| {
+        let corners = mesh.corners(f);
+        let old = corners.map(|v| mesh.positions[v as usize]);
+        !keeps_normal(old, corners.map(|v| moved[v as usize].position))
+    };
+    let faces = 0..mesh.origin.len() as u32 / 3;
+    let mut turned: Vec<u32> =
+        faces.into_par_iter().filter(|&f| mesh.exists(3 * f) && is_turned(&moved, f)).collect();
+    while !turned.is_empty() {
+        let mut beside = Vec::new();
         for v in turned.into_iter().flat_map(|f| mesh.corners(f)) {
             let still = stay(surface, v);
-            stopped |= moved[v as usize].position != still.position;
+            if moved[v as usize].position != still.position {
+                beside.extend(mesh.halfedges_from(v).map(|h| h / 3));
+            }
             moved[v as usize] = still;
         }
-        if !stopped {
-            break;
-        }
+        beside.sort_unstable();
+        beside.dedup();
+        turned = beside.into_iter().filter(|&f| is_turned(&moved, f)).collect();
     }
     for (v, to) in moved.into_iter().enumerate() {
         surface.mesh.positions[v] = to.position;

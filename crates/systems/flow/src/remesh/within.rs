@@ -5,9 +5,9 @@
 //! over the triangle nearest to its centroid: inside the prism that triangle is nearest, and coplanar faces need no further cut.
 //! The tests steer the simplification; the proof for the whole result is that of [`pompeiu_hausdorff`].
 
+use super::candidates::Candidates;
 use glam::DVec3;
-use pompeiu_core::geom::point_triangle::distance_sq;
-use pompeiu_core::spatial::bvh::{Bvh, Slot, Workspace};
+use pompeiu_core::spatial::bvh::{Bvh, Cover, Nearest, Slot, Workspace};
 
 /// Three corners.
 pub(crate) type Triangle = [DVec3; 3];
@@ -17,10 +17,6 @@ const MOST_PIECES: usize = 256;
 
 /// A cut leaves at least this share of a piece's size on both sides.
 const LEAST_CUT: f64 = 1e-6;
-
-fn point_distance_sq(p: DVec3, [a, b, c]: &Triangle) -> f64 {
-    distance_sq(p.to_array(), a.to_array(), b.to_array(), c.to_array())
-}
 
 fn centroid([a, b, c]: &Triangle) -> DVec3 {
     (*a + *b + *c) / 3.0
@@ -90,12 +86,23 @@ fn cut_at(piece: &Triangle, heights: [f64; 3], parts: &mut Vec<Triangle>) {
     let [i, j, k] = [alone, (alone + 1) % 3, (alone + 2) % 3];
     let between = |j: usize| piece[i] + (piece[j] - piece[i]) * (heights[i] / (heights[i] - heights[j]));
     let (p, q) = (between(j), between(k));
-    parts.push([piece[i], p, q]);
-    // The quadrangle along its shorter diagonal.
-    if p.distance_squared(piece[k]) < q.distance_squared(piece[j]) {
-        parts.extend([[p, piece[j], piece[k]], [p, piece[k], q]]);
+    let (tip, rest) = ([piece[i], p, q], [p, piece[j], piece[k], q]);
+    // What is inside the prism last, so that it is looked at first.
+    if above[alone] {
+        parts.push(tip);
+        quadrangle(rest, parts);
     } else {
-        parts.extend([[p, piece[j], q], [q, piece[j], piece[k]]]);
+        quadrangle(rest, parts);
+        parts.push(tip);
+    }
+}
+
+/// Two triangles, along the shorter diagonal.
+fn quadrangle([a, b, c, d]: [DVec3; 4], parts: &mut Vec<Triangle>) {
+    if a.distance_squared(c) < d.distance_squared(b) {
+        parts.extend([[a, b, c], [a, c, d]]);
+    } else {
+        parts.extend([[a, b, d], [d, b, c]]);
     }
 }
 
@@ -115,6 +122,16 @@ pub(crate) struct Input<'i> {
 }
 
 impl Input<'_> {
+    /// Whether a point lies within the distance of the input; `start` is a face believed near, and becomes one that is.
+    pub(crate) fn has_near(&self, p: DVec3, start: &mut Slot, workspace: &mut Workspace) -> bool {
+        if self.bvh.distance_sq(p.to_array(), *start) <= self.limit_sq {
+            return true;
+        }
+        let found = self.bvh.nearest(p.to_array(), *start, workspace);
+        *start = found.slot;
+        found.distance_sq <= self.limit_sq
+    }
+
     /// Whether a triangle lies within the distance of the input, as far as so many pieces can tell; `start` is a face believed near,
     /// and becomes one that is.
     pub(crate) fn is_near(
@@ -126,15 +143,27 @@ impl Input<'_> {
     ) -> bool {
         all_near(triangle, most_pieces, |piece| {
             let centre = centroid(piece);
-            let found = self.bvh.nearest(centre.to_array(), *start, workspace);
+            let points = [0, 1, 2].map(|k| [piece[0][k], piece[1][k], piece[2][k], centre[k]]);
+            // The face that served the piece before often serves this one, too.
+            let [x, y, z, distance_sq] = self.bvh.four_distances_sq(&points, *start, workspace);
+            if greater(x, greater(y, z)) <= self.limit_sq {
+                return Verdict::Near;
+            }
+            let known = Nearest { slot: *start, distance_sq };
+            let found = match self.bvh.cover(&points, self.limit_sq, known, workspace) {
+                Cover::By { slot, .. } => {
+                    *start = slot;
+                    return Verdict::Near;
+                }
+                Cover::Nearest(found) | Cover::Neighbour(found) => found,
+            };
             *start = found.slot;
             if found.distance_sq > self.limit_sq {
                 return Verdict::Far;
             }
             let radius_sq = piece.iter().map(|p| p.distance_squared(centre)).fold(0.0, greater);
             let reach = found.distance_sq.sqrt() + radius_sq.sqrt();
-            let serves = |p: &DVec3| self.bvh.distance_sq(p.to_array(), found.slot) <= self.limit_sq;
-            if reach * reach <= self.limit_sq || piece.iter().all(serves) {
+            if reach * reach <= self.limit_sq {
                 Verdict::Near
             } else {
                 Verdict::Open(self.bvh.corners(found.slot).map(DVec3::from_array))
@@ -143,23 +172,21 @@ impl Input<'_> {
     }
 }
 
-/// Whether a triangle lies within the distance of the union of some others, as far as some cuts can tell. Marks those that serve.
-pub(crate) fn is_covered(triangle: &Triangle, by: &[Triangle], limit_sq: f64, used: &mut [bool]) -> bool {
+/// Whether a triangle lies within the distance of the union of some others, as far as some cuts can tell. Marks those that serve, a bit
+/// for each.
+pub(crate) fn is_covered(triangle: &Triangle, by: &Candidates, limit_sq: f64, used: &mut u64) -> bool {
     all_near(*triangle, MOST_PIECES, |piece| {
-        let serves = |t: &Triangle| piece.iter().all(|p| point_distance_sq(*p, t) <= limit_sq);
-        if let Some(i) = by.iter().position(serves) {
-            used[i] = true;
+        let [x, y, z] = by.near_each(&piece.map(|p| p.to_array()), limit_sq);
+        let all = x & y & z;
+        if all != 0 {
+            *used |= all & all.wrapping_neg();
             return Verdict::Near;
         }
-        let centre = centroid(piece);
-        let mut nearest = (f64::INFINITY, 0);
-        for (i, t) in by.iter().enumerate() {
-            let d = point_distance_sq(centre, t);
-            if d < nearest.0 {
-                nearest = (d, i);
-            }
+        if x == 0 || y == 0 || z == 0 {
+            return Verdict::Far;
         }
-        if nearest.0 <= limit_sq { Verdict::Open(by[nearest.1]) } else { Verdict::Far }
+        let (distance_sq, nearest) = by.nearest(centroid(piece).to_array());
+        if distance_sq <= limit_sq { Verdict::Open(nearest) } else { Verdict::Far }
     })
 }
 
@@ -169,16 +196,21 @@ mod tests {
 
     const FLAT: Triangle = [DVec3::ZERO, DVec3::X, DVec3::Y];
 
+    fn covered(triangle: &Triangle, by: &[Triangle], limit: f64) -> Option<u64> {
+        let (mut candidates, mut used) = (Candidates::default(), 0);
+        candidates.set(by.iter().copied());
+        is_covered(triangle, &candidates, limit * limit, &mut used).then_some(used)
+    }
+
     #[test]
     fn a_triangle_over_two_others_is_covered_by_both_together() {
         let [a, b, c] = FLAT;
         let middle = 0.5 * (b + c);
         let parts = [[a, b, middle], [a, middle, c]];
         let lifted = FLAT.map(|p| p + 0.1 * DVec3::Z);
-        let mut used = [false; 2];
-        assert!(is_covered(&lifted, &parts, 0.12_f64.powi(2), &mut used) && used == [true; 2]);
-        assert!(!is_covered(&lifted, &parts, 0.09_f64.powi(2), &mut used));
-        assert!(!is_covered(&lifted, &parts[..1], 0.12_f64.powi(2), &mut [false]));
+        assert_eq!(covered(&lifted, &parts, 0.12), Some(0b11));
+        assert_eq!(covered(&lifted, &parts, 0.09), None);
+        assert_eq!(covered(&lifted, &parts[..1], 0.12), None);
     }
 
     #[test]
@@ -190,8 +222,8 @@ mod tests {
             parts.push([corner(i, j), corner(i + 1, j + 1), corner(i, j + 1)]);
         }
         let across = [DVec3::new(0.05, 0.9, 0.0), DVec3::new(0.1, 0.15, 0.0), DVec3::new(0.97, 0.33, 0.0)];
-        assert!(is_covered(&across, &parts, 1e-24, &mut [false; 32]));
+        assert!(covered(&across, &parts, 1e-12).is_some());
         parts.remove(9);
-        assert!(!is_covered(&across, &parts, 1e-24, &mut [false; 31]));
+        assert_eq!(covered(&across, &parts, 1e-12), None);
     }
 }

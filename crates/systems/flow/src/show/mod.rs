@@ -1,7 +1,9 @@
-//! A flow as a page that plays it, and as a picture.
+//! Flows and remeshed surfaces as pages, and as pictures.
 
 mod frames;
 mod page;
+mod remeshed;
 
 pub use frames::{Frame, Frames};
 pub use page::FlowPage;
+pub use remeshed::RemeshPage;

@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 use pompeiu_core::TriMesh;
+use pompeiu_core::mesh::merge;
 use pompeiu_core::mesh::shapes::{
     Diagonal, dumbbell, grid, icosphere, revolved, scherk, schwarz_lantern, torus,
 };
@@ -248,6 +249,8 @@ fn surfaces_that_cannot_flow_are_refused_in_words() {
     let face = TriMesh::new(vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], vec![[0, 1, 2]]).unwrap();
     assert!(flow(&face, &options).contains("nothing can move"));
     let sphere = icosphere(1.0, 1).unwrap();
+    let beside = merge(&[&tube(0.5, 12, 4), &sphere]).unwrap();
+    assert!(flow(&beside, &options).contains("component with vertex 60 has no boundary"));
     let with = |change: &dyn Fn(&mut FlowOptions<'_>)| {
         let mut options = FlowOptions::new(Until::Time(0.1));
         change(&mut options);

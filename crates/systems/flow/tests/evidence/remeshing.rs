@@ -5,7 +5,8 @@ use pompeiu_core::mesh::shapes::{self, Diagonal, Ends};
 use pompeiu_core::mesh::{MeshSummary, displace_at_random, merge};
 use pompeiu_core::{FaceId, TriMesh, VertexId};
 use pompeiu_flow::remesh::{
-    ConnectivityError, Features, Quality, RemeshError, RemeshOptions, Remeshed, Sizing, remesh,
+    ConnectivityError, FeatureError, Features, LengthError, Quality, RemeshError, RemeshOptions, Remeshed,
+    Sizing, remesh,
 };
 
 fn with_length(mesh: &TriMesh, length: f64) -> Remeshed {
@@ -99,7 +100,7 @@ fn selected_vertices_and_edges_are_kept() {
     let options = RemeshOptions { features: none, ..options };
     assert_eq!(
         remesh(&sphere, &options).unwrap_err(),
-        RemeshError::NoVertex { vertex: 7000, vertices: sphere.positions().len() }
+        RemeshError::Features(FeatureError::NoVertex { vertex: 7000, vertices: sphere.positions().len() })
     );
 }
 
@@ -185,9 +186,9 @@ fn the_same_bits_at_any_number_of_threads_and_scale() {
 fn what_cannot_be_asked_for() {
     let sphere = shapes::icosphere(1.0, 2).unwrap();
     let error = |length| remesh(&sphere, &RemeshOptions::new(Sizing::Length(length))).unwrap_err();
-    assert!(matches!(error(0.0), RemeshError::Length { length: 0.0, .. }));
-    assert!(matches!(error(f64::NAN), RemeshError::Length { .. }));
-    assert!(matches!(error(1e-14), RemeshError::BelowRounding { .. }));
+    assert!(matches!(error(0.0), RemeshError::Length(LengthError::NotPositive { length: 0.0, .. })));
+    assert!(matches!(error(f64::NAN), RemeshError::Length(LengthError::NotPositive { .. })));
+    assert!(matches!(error(1e-14), RemeshError::Length(LengthError::BelowRounding { .. })));
     assert!(matches!(error(4.0), RemeshError::TooLong { .. }));
     // 4 pi of area, faces of sqrt 3 / 4 * 10^-8.
     match error(1e-4) {
@@ -198,7 +199,10 @@ fn what_cannot_be_asked_for() {
         other => panic!("{other}"),
     }
     let within = RemeshOptions { within: Some(1e-15), ..RemeshOptions::new(Sizing::Length(0.1)) };
-    assert!(matches!(remesh(&sphere, &within), Err(RemeshError::BelowRounding { what: "distance", .. })));
+    assert!(matches!(
+        remesh(&sphere, &within),
+        Err(RemeshError::Length(LengthError::BelowRounding { what: "distance", .. }))
+    ));
     let points = vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     let book = TriMesh::new(points, vec![[0, 1, 2], [1, 0, 3], [0, 1, 3]]).unwrap();
     let error = remesh(&book, &RemeshOptions::new(Sizing::Length(0.1))).unwrap_err();

@@ -2,9 +2,12 @@
 
 use crate::operations::topology;
 use pompeiu_core::TriMesh;
-use pompeiu_core::mesh::displace_at_random;
 use pompeiu_core::mesh::shapes::{self, Diagonal, Ends};
-use pompeiu_flow::remesh::{Simplified, SimplifyError, SimplifyOptions, SimplifyTarget, simplify_levels};
+use pompeiu_core::mesh::{Affine, VertexId, displace_at_random, merge, subdivide, transform};
+use pompeiu_flow::remesh::{
+    FeatureError, Features, Intersections, LengthError, Simplified, SimplifyError, SimplifyOptions,
+    SimplifyTarget, simplify_levels,
+};
 use pompeiu_hausdorff::symmetric_hausdorff;
 
 fn simplify(mesh: &TriMesh, target: SimplifyTarget) -> Result<Simplified, SimplifyError> {
@@ -30,7 +33,7 @@ fn a_sphere_within_a_distance() {
 
 #[test]
 fn flat_places_need_no_vertices() {
-    let grid = shapes::grid([4.0, 3.0], [16, 12], Diagonal::Rising).unwrap();
+    let grid = shapes::grid([4.0, 3.0], [40, 30], Diagonal::Rising).unwrap();
     let found = simplify(&grid, SimplifyTarget::Within(1e-6)).unwrap();
     // Collapses are chosen greedily: a few more than the two that would do.
     assert!(found.mesh.faces().len() <= 16, "{} faces", found.mesh.faces().len());
@@ -43,7 +46,7 @@ fn flat_places_need_no_vertices() {
 fn open_rough_and_several_components() {
     let tube = shapes::cylinder(1.0, 3.0, 40, 30, Ends::Open).unwrap();
     let rough = displace_at_random(&shapes::torus(2.0, 0.7, 60, 40).unwrap(), 0.01, 3).unwrap();
-    let parts = pompeiu_core::mesh::merge(&[&tube, &rough]).unwrap();
+    let parts = merge(&[&tube, &rough]).unwrap();
     for mesh in [&tube, &rough, &parts] {
         let found = simplify(mesh, SimplifyTarget::Within(0.05)).unwrap();
         assert!(found.distance.distance.upper() <= 0.05);
@@ -79,9 +82,22 @@ fn the_same_bits_at_any_number_of_threads() {
 fn what_cannot_be_asked_for() {
     let sphere = shapes::icosphere(1.0, 1).unwrap();
     let error = |target| simplify(&sphere, target).unwrap_err();
-    assert_eq!(error(SimplifyTarget::Within(0.0)), SimplifyError::Distance(0.0));
-    assert!(matches!(error(SimplifyTarget::Within(f64::NAN)), SimplifyError::Distance(_)));
-    assert!(matches!(error(SimplifyTarget::Within(1e-14)), SimplifyError::BelowRounding { .. }));
+    let length = |within| match error(SimplifyTarget::Within(within)) {
+        SimplifyError::Length(error) => error,
+        other => panic!("{other}"),
+    };
+    assert_eq!(length(0.0), LengthError::NotPositive { what: "distance", length: 0.0 });
+    assert!(matches!(length(f64::NAN), LengthError::NotPositive { .. }));
+    assert!(matches!(length(1e-14), LengthError::BelowRounding { .. }));
+    let with = |features: Features<'_>, repair| {
+        let options =
+            SimplifyOptions { features, repair, ..SimplifyOptions::new(SimplifyTarget::Within(0.1)) };
+        pompeiu_flow::remesh::simplify(&sphere, &options).unwrap_err()
+    };
+    let angle = Features { angle: Some(200.0), ..Features::default() };
+    assert_eq!(with(angle, false), SimplifyError::Features(FeatureError::Angle(200.0)));
+    let selected = Features { vertices: &[VertexId(3)], ..Features::default() };
+    assert_eq!(with(selected, true), SimplifyError::Features(FeatureError::Repaired));
     assert_eq!(error(SimplifyTarget::Faces(0)), SimplifyError::NoFaces);
 }
 
@@ -118,4 +134,74 @@ fn each_level_has_its_own_proof() {
     let counts: Vec<usize> = by_faces.iter().map(|level| level.mesh.faces().len()).collect();
     assert!(counts.iter().zip([1200, 600, 300]).all(|(n, most)| *n <= most && *n + 20 > most), "{counts:?}");
     assert_eq!(simplify_levels(&mesh, &options, 0).unwrap_err(), SimplifyError::NoLevels);
+}
+
+#[test]
+fn creases_corners_and_boundaries_are_kept() {
+    let with = |mesh: &TriMesh, within, features| {
+        let options = SimplifyOptions { features, ..SimplifyOptions::new(SimplifyTarget::Within(within)) };
+        pompeiu_flow::remesh::simplify(mesh, &options).unwrap().mesh
+    };
+    let creases = Features { angle: Some(40.0), ..Features::default() };
+    // A cube with waves much lower than the distance: its corners are the same points as before, and nothing else is needed.
+    let cube = shapes::cube(2.0, 8).unwrap();
+    let kept = with(&cube, 0.3, creases);
+    assert_eq!(kept.faces().len(), 12);
+    assert!(kept.positions().iter().flatten().all(|x| x.abs() == 1.0), "{:?}", kept.positions());
+    // Without features corners are cut off within that distance.
+    let free = with(&cube, 0.3, Features::default());
+    assert!(free.positions().iter().any(|p| p.iter().any(|x| x.abs() != 1.0)));
+    // The rims of a tube stay circles in their planes; a selected vertex stays a vertex.
+    let tube = shapes::cylinder(1.0, 3.0, 48, 20, Ends::Open).unwrap();
+    let chosen = VertexId(500);
+    let options = Features { vertices: &[chosen], ..creases };
+    let kept = with(&tube, 0.05, options);
+    assert!(kept.faces().len() < 160);
+    assert!(kept.positions().contains(&tube.positions()[chosen.index()]));
+    assert_eq!(topology(&kept), topology(&tube));
+    let heights: Vec<f64> = boundary(&kept).into_iter().map(|v| kept.positions()[v as usize][2]).collect();
+    assert!(heights.len() >= 12 && heights.iter().all(|z| (z.abs() - 1.5).abs() < 1e-12), "{heights:?}");
+}
+
+/// The vertices of edges with one face.
+fn boundary(mesh: &TriMesh) -> Vec<u32> {
+    let edges = || mesh.faces().iter().flat_map(|f| [[f[0], f[1]], [f[1], f[2]], [f[2], f[0]]]);
+    let all: std::collections::BTreeSet<[u32; 2]> = edges().collect();
+    edges().filter(|[u, v]| !all.contains(&[*v, *u])).flatten().collect()
+}
+
+#[test]
+fn what_is_no_manifold_is_repaired_and_measured_from_what_it_was() {
+    // Three sheets that meet at one edge, each of many faces; the edge has three faces on each of its parts.
+    let corners = [[0.0, 0.0, 0.0], [0.0, 0.0, 4.0], [3.0, 0.0, 0.0], [-3.0, 2.0, 0.0], [-3.0, -2.0, 0.0]];
+    let mut fan = TriMesh::new(corners.to_vec(), vec![[0, 2, 1], [0, 3, 1], [0, 4, 1]]).unwrap();
+    for _ in 0..4 {
+        fan = subdivide(&fan).unwrap();
+    }
+    let options = SimplifyOptions::new(SimplifyTarget::Within(1e-3));
+    let error = pompeiu_flow::remesh::simplify(&fan, &options).unwrap_err();
+    assert!(matches!(error, SimplifyError::Connectivity(_)), "{error}");
+    let found = pompeiu_flow::remesh::simplify(&fan, &SimplifyOptions { repair: true, ..options }).unwrap();
+    assert!(found.mesh.faces().len() <= 9, "{} faces", found.mesh.faces().len());
+    assert!(symmetric_hausdorff(&fan, &found.mesh).distance.upper() <= 1e-3);
+}
+
+#[test]
+fn faces_that_intersect_are_counted_or_refused() {
+    let ball = shapes::icosphere(1.0, 3).unwrap();
+    let beside = transform(&ball, &Affine::translate([1.2, 0.1, 0.0])).unwrap();
+    let both = merge(&[&ball, &beside]).unwrap();
+    let with = |mesh: &TriMesh, intersections| {
+        let options = SimplifyOptions { intersections, ..SimplifyOptions::new(SimplifyTarget::Within(0.05)) };
+        pompeiu_flow::remesh::simplify(mesh, &options)
+    };
+    assert_eq!(with(&both, Intersections::Ignore).unwrap().intersections, None);
+    let count = with(&both, Intersections::Report).unwrap().intersections.unwrap();
+    assert!(count.complete && count.pairs > 5, "{count:?}");
+    assert_eq!(with(&ball, Intersections::Refuse).unwrap().intersections.unwrap().pairs, 0);
+    let Err(SimplifyError::Intersects(error)) = with(&both, Intersections::Refuse) else {
+        panic!("two balls intersect")
+    };
+    // Both spheres have centres 1.2 apart: their common circle lies in the plane x = 0.6.
+    assert!(error.pairs == count.pairs && (error.place[0] - 0.6).abs() < 0.2, "{error}");
 }

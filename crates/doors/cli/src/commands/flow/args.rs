@@ -1,6 +1,6 @@
 //! Options of the flow command.
 
-use crate::args::{Limits, Picture};
+use crate::args::{Intersections, Limits, Picture};
 use crate::numbers::{direction, magnitude};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
@@ -59,6 +59,8 @@ pub(crate) struct Flow {
     /// Steps between two remeshings
     #[arg(long, default_value = "5", value_name = "N", requires = "remesh")]
     pub(crate) remesh_every: NonZeroUsize,
+    #[command(flatten)]
+    pub(crate) guard: Intersections,
     /// The mesh file to write
     #[arg(long, short, value_name = "OUT")]
     pub(crate) output: Option<PathBuf>,

@@ -70,6 +70,7 @@ pub(crate) fn run(args: &Args, printer: &Printer) -> anyhow::Result<Exit> {
         boundary: args.planes.map_or(BoundaryCondition::Fixed, BoundaryCondition::Planes),
         keep_volume: args.volume == Volume::Keep,
         remesh: args.remesh.map(|edge_length| Remeshing { edge_length, every: args.remesh_every }),
+        intersections: args.guard.intersections.into(),
         limits: Limits { time: args.limits.time_after(started.elapsed()), ..Limits::default() },
         observer: Some(&watch),
         ..FlowOptions::new(args.until)

@@ -1,7 +1,7 @@
 //! The outcome for people.
 
 use super::run::Outcome;
-use crate::numbers::{grouped, shortest, time};
+use crate::numbers::{grouped, pairs_that_intersect, shortest, time};
 use crate::page::Page;
 use pompeiu::flow::{Flow, FlowStop};
 
@@ -52,6 +52,9 @@ pub(super) fn text(outcome: &Outcome) -> String {
             "neck",
             &format!("of length {:.4} near {}", neck.length, crate::numbers::point(neck.position)),
         );
+    }
+    if let Some(count) = flow.intersections {
+        page.row("intersect", &pairs_that_intersect(count));
     }
     let [vertices, faces] = [outcome.output.vertices, outcome.output.faces].map(|n| grouped(n as u64));
     page.row("mesh", &format!("{vertices} vertices, {faces} faces"));

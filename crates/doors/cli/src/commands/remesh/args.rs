@@ -1,6 +1,6 @@
 //! Options of the remesh command.
 
-use crate::args::Limits;
+use crate::args::{Intersections, Limits, Picture};
 use crate::numbers::magnitude;
 use clap::{ArgGroup, Args};
 use pompeiu::flow::remesh::RemeshOptions;
@@ -12,12 +12,13 @@ use std::path::PathBuf;
 Edges are split, collapsed and flipped, vertices move within the surface and onto the input. Topology, boundaries and the edges
 that --features names are kept. The Pompeiu–Hausdorff distance from the input is measured; with --within it is proven to be at
 most that length, for which edges are shortened where they must be; otherwise nothing is written. The mesh must be an oriented
-manifold, with or without boundary.
+manifold, with or without boundary. Only positions and faces are read: colours, normals and texture coordinates are not in the
+output.
 
 Examples:
   pompeiu remesh scan.ply --edge-length 0.5 -o even.ply
   pompeiu remesh part.stl --relative 0.01 --features 40 -o even.ply
-  pompeiu remesh scan.ply --adaptive 0.01 --within 0.05 -o light.ply --json")]
+  pompeiu remesh scan.ply --adaptive 0.01 --within 0.05 -o light.ply --report light.html")]
 pub(crate) struct Remesh {
     /// The mesh file
     pub(crate) mesh: PathBuf,
@@ -42,9 +43,13 @@ pub(crate) struct Remesh {
     /// Most faces that the result may have
     #[arg(long, value_name = "N", default_value_t = RemeshOptions::MOST_FACES)]
     pub(crate) most_faces: usize,
+    #[command(flatten)]
+    pub(crate) guard: Intersections,
     /// The mesh file to write
     #[arg(long, short, value_name = "OUT")]
     pub(crate) output: PathBuf,
+    #[command(flatten)]
+    pub(crate) picture: Picture,
     /// Print one JSON object
     #[arg(long)]
     pub(crate) json: bool,

@@ -4,7 +4,7 @@ use super::run::Outcome;
 use crate::json::{line, milliseconds};
 use crate::pair::File;
 use pompeiu::core::run::StopReason;
-use pompeiu::flow::remesh::Quality;
+use pompeiu::flow::remesh::{IntersectionCount, Quality};
 use pompeiu::hausdorff::Enclosure;
 use serde::Serialize;
 
@@ -23,6 +23,7 @@ pub(super) fn json(outcome: &Outcome) -> serde_json::Result<String> {
         distance: distance.map(|d| d.distance),
         input_to_output: distance.map(|d| d.a_to_b.distance),
         output_to_input: distance.map(|d| d.b_to_a.distance),
+        intersections: found.intersections,
         iterations: found.iterations,
         stop: found.stop,
         timing_ms: Timing {
@@ -55,6 +56,8 @@ pub(crate) struct Json<'o> {
     input_to_output: Option<Enclosure>,
     /// How far the output is from the input.
     output_to_input: Option<Enclosure>,
+    /// How many pairs of faces of the output intersect; null where they were not looked for.
+    intersections: Option<IntersectionCount>,
     /// Number of rounds of splits, collapses, flips and moves.
     iterations: usize,
     /// Why it ended.

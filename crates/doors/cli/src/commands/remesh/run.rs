@@ -2,16 +2,18 @@
 
 use super::args::Remesh;
 use super::{json, text};
+use crate::called::called;
 use crate::exit::Exit;
 use crate::files;
+use crate::interrupt;
 use crate::pair::File;
 use crate::printer::Printer;
 use crate::wait::Wait;
 use anyhow::Context;
 use pompeiu::core::geom::Aabb;
-use pompeiu::core::run::{Limits, Progress};
+use pompeiu::core::run::{Limits, Progress, StopReason};
 use pompeiu::flow::remesh::{Features, RemeshOptions, Remeshed, Sizing, remesh};
-use std::ops::ControlFlow;
+use pompeiu::flow::show::RemeshPage;
 use std::time::{Duration, Instant};
 
 /// Least and greatest length of edges that follow curvature, as fractions of the diagonal.
@@ -34,8 +36,10 @@ pub(super) struct Outcome {
 pub(crate) fn run(args: &Remesh, printer: &Printer) -> anyhow::Result<Exit> {
     let started = Instant::now();
     files::check_writable(&args.output)?;
-    files::check_place(&args.output, &[&args.mesh])?;
+    let outputs = std::iter::once(args.output.as_path()).chain(args.picture.outputs());
+    files::check_places(outputs, &[&args.mesh])?;
     args.limits.apply_threads()?;
+    interrupt::listen();
     let wait = Wait::new(printer);
     let mesh = files::read_shown(&args.mesh, &wait, printer)?;
     let diagonal = Aabb::of_faces(&mesh).diagonal();
@@ -48,13 +52,14 @@ pub(crate) fn run(args: &Remesh, printer: &Printer) -> anyhow::Result<Exit> {
     };
     let show = |progress: &Progress<'_>| {
         wait.progress(progress);
-        ControlFlow::Continue(())
+        interrupt::flow()
     };
     let options = RemeshOptions {
         features: Features { angle: args.features, ..Features::default() },
         iterations: args.iterations,
         within: args.within,
         most_faces: args.most_faces,
+        intersections: args.guard.intersections.into(),
         limits: Limits { time: args.limits.time_after(started.elapsed()), ..Limits::default() },
         progress: Some(&show),
         ..RemeshOptions::new(sizing)
@@ -62,6 +67,18 @@ pub(crate) fn run(args: &Remesh, printer: &Printer) -> anyhow::Result<Exit> {
     let found = remesh(&mesh, &options).with_context(|| args.mesh.display().to_string())?;
     drop(wait);
     files::write(&args.output, &found.mesh, printer)?;
+    let page = RemeshPage {
+        path: &args.mesh.display().to_string(),
+        input: &mesh,
+        found: &found,
+        up: args.picture.up.axis(),
+        command: Some(&called()),
+    };
+    args.picture.write(
+        || page.html(),
+        |width, height, theme, view| page.image(width, height, theme, view),
+        printer,
+    )?;
     let outcome = Outcome {
         input: File::new(&args.mesh, &mesh),
         output: File::new(&args.output, &found.mesh),
@@ -72,5 +89,5 @@ pub(crate) fn run(args: &Remesh, printer: &Printer) -> anyhow::Result<Exit> {
         total: started.elapsed(),
     };
     Printer::answer(&if args.json { json::json(&outcome)? } else { text::text(&outcome) })?;
-    Ok(Exit::Done)
+    Ok(if outcome.found.stop == StopReason::Cancelled { Exit::Undecided } else { Exit::Done })
 }

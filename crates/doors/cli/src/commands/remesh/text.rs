@@ -1,7 +1,7 @@
 //! The outcome for people.
 
 use super::run::Outcome;
-use crate::numbers::{agreed, between, grouped, plain, shortest, time};
+use crate::numbers::{agreed, between, grouped, pairs_that_intersect, plain, shortest, time};
 use crate::printer::LABEL;
 use pompeiu::flow::remesh::Quality;
 use pompeiu::hausdorff::Enclosure;
@@ -34,6 +34,9 @@ pub(super) fn text(outcome: &Outcome) -> String {
             None => String::new(),
         };
         row("H(A, B)", shown(report.distance) + &proven);
+    }
+    if let Some(count) = found.intersections {
+        row("intersect", pairs_that_intersect(count));
     }
     if found.stop.is_early() {
         row("stopped", format!("early ({})", found.stop.name()));

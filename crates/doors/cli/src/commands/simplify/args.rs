@@ -1,6 +1,6 @@
 //! Options of the simplify command.
 
-use crate::args::Limits;
+use crate::args::{Intersections, Limits};
 use crate::numbers::magnitude;
 use clap::{ArgGroup, Args};
 use std::path::PathBuf;
@@ -10,7 +10,8 @@ use std::path::PathBuf;
 #[command(group = ArgGroup::new("target").required(true).args(["within", "relative", "faces"]), after_help = "\
 Edges are collapsed in order of their quadric error. With --within or --relative each collapse is tested on both sides, and the
 Pompeiu–Hausdorff distance of the result is proven to be at most that length; otherwise nothing is written. With --faces the
-distance follows, and is proven too. The mesh must be an oriented manifold, with or without boundary.
+distance follows, and is proven too. The mesh must be an oriented manifold, with or without boundary, or be repaired (--repair).
+Only positions and faces are read: colours, normals and texture coordinates are not in the output.
 
 Examples:
   pompeiu simplify scan.ply --within 0.05 -o light.ply
@@ -29,6 +30,15 @@ pub(crate) struct Simplify {
     /// Number of faces to reach
     #[arg(long, value_name = "N")]
     pub(crate) faces: Option<usize>,
+    /// Keep edges whose faces meet at more than this angle between their normals, in degrees, and boundaries: as curves with the same
+    /// corners
+    #[arg(long, value_parser = magnitude, value_name = "ANGLE")]
+    pub(crate) features: Option<f64>,
+    /// Repair the mesh first, as `pompeiu repair` does; the distance is measured from the mesh as it was
+    #[arg(long)]
+    pub(crate) repair: bool,
+    #[command(flatten)]
+    pub(crate) guard: Intersections,
     /// Write so many levels of detail: OUT, and before its suffix `-1`, `-2`, ... for meshes with half the distance, or twice the
     /// number of faces, of the one before
     #[arg(long, value_name = "N", default_value_t = 1, hide_default_value = true,

@@ -4,6 +4,7 @@ use super::run::{Outcome, within};
 use crate::json::{line, milliseconds};
 use crate::pair::File;
 use pompeiu::core::run::StopReason;
+use pompeiu::flow::remesh::IntersectionCount;
 use pompeiu::hausdorff::Enclosure;
 use serde::Serialize;
 
@@ -25,6 +26,7 @@ pub(super) fn json(outcome: &Outcome) -> serde_json::Result<String> {
         distance: distance.distance,
         input_to_output: distance.a_to_b.distance,
         output_to_input: distance.b_to_a.distance,
+        intersections: found.intersections,
         collapses: found.collapses,
         stop: found.stop,
         finer: finer.collect(),
@@ -50,6 +52,8 @@ pub(crate) struct Json<'o> {
     input_to_output: Enclosure,
     /// How far the output is from the input.
     output_to_input: Enclosure,
+    /// How many pairs of faces of the output intersect; null where they were not looked for.
+    intersections: Option<IntersectionCount>,
     /// Number of edges that were collapsed.
     collapses: usize,
     /// Why it ended.

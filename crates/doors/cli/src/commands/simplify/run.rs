@@ -4,14 +4,14 @@ use super::args::Simplify;
 use super::{json, text};
 use crate::exit::Exit;
 use crate::files;
+use crate::interrupt;
 use crate::pair::File;
 use crate::printer::Printer;
 use crate::wait::Wait;
 use anyhow::Context;
 use pompeiu::core::geom::Aabb;
-use pompeiu::core::run::{Limits, Progress};
-use pompeiu::flow::remesh::{Simplified, SimplifyOptions, SimplifyTarget, simplify_levels};
-use std::ops::ControlFlow;
+use pompeiu::core::run::{Limits, Progress, StopReason};
+use pompeiu::flow::remesh::{Features, Simplified, SimplifyOptions, SimplifyTarget, simplify_levels};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
@@ -56,16 +56,24 @@ pub(crate) fn run(args: &Simplify, printer: &Printer) -> anyhow::Result<Exit> {
     }
     files::check_places(places.iter().map(PathBuf::as_path), &[&args.mesh])?;
     args.limits.apply_threads()?;
+    interrupt::listen();
     let wait = Wait::new(printer);
     let mesh = files::read_shown(&args.mesh, &wait, printer)?;
     let within = args.within.or_else(|| args.relative.map(|share| share * Aabb::of_faces(&mesh).diagonal()));
     let target = within.map_or(SimplifyTarget::Faces(args.faces.unwrap_or(0)), SimplifyTarget::Within);
     let show = |progress: &Progress<'_>| {
         wait.progress(progress);
-        ControlFlow::Continue(())
+        interrupt::flow()
     };
     let limits = Limits { time: args.limits.time_after(started.elapsed()), ..Limits::default() };
-    let options = SimplifyOptions { limits, progress: Some(&show), ..SimplifyOptions::new(target) };
+    let options = SimplifyOptions {
+        features: Features { angle: args.features, ..Features::default() },
+        repair: args.repair,
+        intersections: args.guard.intersections.into(),
+        limits,
+        progress: Some(&show),
+        ..SimplifyOptions::new(target)
+    };
     let mut found = simplify_levels(&mesh, &options, usize::from(args.levels))
         .with_context(|| args.mesh.display().to_string())?;
     drop(wait);
@@ -77,5 +85,6 @@ pub(crate) fn run(args: &Simplify, printer: &Printer) -> anyhow::Result<Exit> {
     }
     let outcome = Outcome { input: File::new(&args.mesh, &mesh), levels, total: started.elapsed() };
     Printer::answer(&if args.json { json::json(&outcome)? } else { text::text(&outcome) })?;
-    Ok(Exit::Done)
+    let cancelled = outcome.levels.iter().any(|(_, level)| level.stop == StopReason::Cancelled);
+    Ok(if cancelled { Exit::Undecided } else { Exit::Done })
 }

@@ -1,7 +1,7 @@
 //! The outcome for people.
 
 use super::run::{Outcome, within};
-use crate::numbers::{agreed, between, grouped, shortest, time};
+use crate::numbers::{agreed, between, grouped, pairs_that_intersect, shortest, time};
 use crate::printer::LABEL;
 use pompeiu::hausdorff::Enclosure;
 use std::fmt::Write;
@@ -26,6 +26,9 @@ pub(super) fn text(outcome: &Outcome) -> String {
     row("H(A, B)", shown(report.distance) + &proven);
     row("h(A, B)", shown(report.a_to_b.distance) + ", from the input to the result");
     row("h(B, A)", shown(report.b_to_a.distance) + ", from the result to the input");
+    if let Some(count) = found.intersections {
+        row("intersect", pairs_that_intersect(count));
+    }
     let mut label = "finer";
     for (file, level) in &outcome.levels[1..] {
         row(

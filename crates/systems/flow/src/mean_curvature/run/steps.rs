@@ -62,7 +62,7 @@ impl Runner<'_> {
             _ => None,
         };
         let systems = prepared(&mut self.systems, || Systems::new(&self.surface))?;
-        let made = self.time_step.advance(&self.surface, derivatives, systems, first, left)?;
+        let made = self.time_step.advance(&mut self.surface, derivatives, systems, first, left)?;
         let Some((to, by)) = made else { return Ok(Outcome::Stalled) };
         Ok(self.unless_still(
             derivatives,

@@ -1,0 +1,269 @@
+//! Collapsing edges in order of their quadric error, several at a time.
+
+use super::connectivity::{NONE, previous};
+use super::cover::{Cover, Covering};
+use super::marked::Marked;
+use super::quadric::Quadric;
+use super::queue::{Entry, Queue};
+use super::smooth::area_vector;
+use super::trial::{Accepted, Scratch, Trial};
+use super::within::Input;
+use pompeiu_core::run::{Control, Progress, ProgressObserver, StopReason};
+use pompeiu_core::spatial::bvh::Bvh;
+use rayon::prelude::*;
+use std::sync::{Mutex, PoisonError};
+
+/// Passes over all edges: an edge that could not be collapsed may be when others were.
+const MOST_PASSES: usize = 4;
+
+/// Edges tried at a time, at most, and faces for each of them: those that change the same faces must be tried again.
+const MOST_TRIED: usize = 16;
+const FACES_PER_TRIED: usize = 32;
+
+/// Edges whose errors are computed by one task.
+const PUSHED_TASK: usize = 64;
+
+/// Weight of the planes that hold a boundary edge in its place, relative to the area of its face.
+const BOUNDARY_WEIGHT: f64 = 4.0;
+
+/// Weight of the squared length of an edge in its place in the queue, relative to the squared distances from planes: short edges first
+/// where all errors vanish.
+const LENGTH_WEIGHT: f64 = 1e-9;
+
+/// What became of a try.
+enum Outcome {
+    /// Nothing has changed around the edge since the last one.
+    Same,
+    /// No position passed all tests, with what was around the edge.
+    Failed(u64),
+    Accepted(Accepted),
+}
+
+pub(super) struct Collapses<'i> {
+    pub(super) surface: Marked,
+    quadrics: Vec<Quadric>,
+    /// Counts the changes of each vertex.
+    versions: Vec<u32>,
+    /// What was around each halfedge, by [`Collapses::surroundings`], when it was last tried in vain.
+    failed: Vec<Option<u64>>,
+    /// The batch in which each face was changed last.
+    changed: Vec<u32>,
+    batch: u32,
+    queue: Queue,
+    input: Input<'i>,
+    limit: f64,
+    cover: Option<Cover>,
+    least_faces: usize,
+    pub(super) count: usize,
+    /// One for each thread.
+    scratch: Vec<Mutex<Scratch>>,
+}
+
+impl<'i> Collapses<'i> {
+    pub(super) fn new(surface: Marked, bvh: &'i Bvh, within: bool) -> Self {
+        let mesh = &surface.mesh;
+        Self {
+            quadrics: vertex_quadrics(&surface),
+            versions: vec![0; mesh.positions.len()],
+            failed: vec![None; mesh.origin.len()],
+            changed: vec![0; mesh.origin.len() / 3],
+            batch: 0,
+            queue: Queue::new(),
+            input: Input { bvh, limit_sq: f64::INFINITY },
+            limit: f64::INFINITY,
+            cover: within.then(|| Cover::new(mesh, bvh)),
+            least_faces: 1,
+            count: 0,
+            scratch: (0..=rayon::current_num_threads()).map(|_| Mutex::default()).collect(),
+            surface,
+        }
+    }
+
+    /// From now on the surface stays within this distance, which is not less than before.
+    pub(super) fn come_within(&mut self, limit: f64) {
+        self.limit = limit;
+        self.input.limit_sq = limit * limit;
+        self.failed.fill(None);
+    }
+
+    /// From now on there may be as few faces as this.
+    pub(super) fn leave_faces(&mut self, count: usize) {
+        self.least_faces = count;
+    }
+
+    /// Collapses edges until none can be, or the computation is told to stop: the surface stays within the distance all the time.
+    pub(super) fn run(&mut self, control: &Control, progress: Option<&dyn ProgressObserver>) {
+        let all = self.surface.mesh.face_count() as f64;
+        for _ in 0..MOST_PASSES {
+            let before = self.count;
+            let edges: Vec<u32> = self.surface.mesh.edges().collect();
+            self.push(&edges);
+            loop {
+                let tried = self.next_batch();
+                if tried.is_empty() {
+                    break;
+                }
+                if self.surface.mesh.face_count() <= self.least_faces || control.is_stopped() {
+                    self.queue.clear();
+                    return;
+                }
+                self.report(all, control, progress);
+                self.collapse_each(&tried);
+            }
+            if self.count == before {
+                return;
+            }
+        }
+    }
+
+    /// The next edges.
+    fn next_batch(&mut self) -> Vec<u32> {
+        let most = (self.surface.mesh.face_count() / FACES_PER_TRIED).clamp(1, MOST_TRIED);
+        let mut tried = Vec::with_capacity(most);
+        while tried.len() < most
+            && let Some(Entry { halfedge, versions }) = self.queue.pop()
+        {
+            let is_new = !tried.contains(&halfedge);
+            if is_new && self.surface.mesh.names_edge(halfedge) && self.versions_of(halfedge) == versions {
+                tried.push(halfedge);
+            }
+        }
+        tried
+    }
+
+    /// Tries edges, all on the surface as it is, and collapses those that can be, one after the other. What another collapse came in
+    /// the way of is put into the queue again.
+    fn collapse_each(&mut self, tried: &[u32]) {
+        let outcomes: Vec<Outcome> = tried.par_iter().map(|&h| self.outcome(h)).collect();
+        self.batch += 1;
+        let mut again = Vec::new();
+        for (&h, outcome) in tried.iter().zip(outcomes) {
+            match outcome {
+                Outcome::Same => {}
+                Outcome::Failed(around) => self.failed[h as usize] = Some(around),
+                Outcome::Accepted(_) if self.surface.mesh.face_count() <= self.least_faces => break,
+                Outcome::Accepted(accepted) if self.stands(&accepted) => self.collapse(&accepted, &mut again),
+                Outcome::Accepted(_) => again.push(h),
+            }
+        }
+        self.push(&again);
+    }
+
+    fn outcome(&self, h: u32) -> Outcome {
+        let around = self.surroundings(h);
+        if self.failed[h as usize] == Some(around) {
+            return Outcome::Same;
+        }
+        let trial = Trial {
+            surface: &self.surface,
+            quadrics: &self.quadrics,
+            input: &self.input,
+            limit: self.limit,
+            cover: self.cover.as_ref(),
+        };
+        let thread = rayon::current_thread_index().map_or(0, |i| i + 1) % self.scratch.len();
+        let mut scratch = self.scratch[thread].lock().unwrap_or_else(PoisonError::into_inner);
+        trial.of(h, &mut scratch).map_or(Outcome::Failed(around), Outcome::Accepted)
+    }
+
+    /// Whether what a collapse was tested against is as it was.
+    fn stands(&self, accepted: &Accepted) -> bool {
+        let relies_on = accepted.covering.iter().flat_map(Covering::relies_on);
+        accepted.gone.iter().chain(relies_on).all(|f| self.changed[*f as usize] < self.batch)
+            && self.surface.mesh.check_collapse(accepted.collapse.halfedge).is_ok()
+    }
+
+    /// Collapses an edge, and adds those around to a list.
+    fn collapse(&mut self, accepted: &Accepted, around: &mut Vec<u32>) {
+        let h = accepted.collapse.halfedge;
+        let u = self.surface.mesh.from(h) as usize;
+        let Some(v) = self.surface.collapse(&accepted.collapse) else { return };
+        if let (Some(cover), Some(covering)) = (&mut self.cover, &accepted.covering) {
+            cover.replace(&accepted.gone, covering);
+        }
+        for &f in &accepted.gone {
+            self.changed[f as usize] = self.batch;
+        }
+        self.count += 1;
+        self.surface.near[v as usize] = accepted.near;
+        self.quadrics[v as usize] = self.quadrics[v as usize].plus(&self.quadrics[u]);
+        self.versions[v as usize] += 1;
+        self.versions[u] += 1;
+        let mesh = &self.surface.mesh;
+        for h in mesh.halfedges_from(v) {
+            around.push(h);
+            // At the boundary the last edge has a halfedge towards the vertex only.
+            around.extend(Some(previous(h)).filter(|&last| mesh.twin_of(last).is_none()));
+        }
+    }
+
+    /// Puts those of some edges that exist into the queue.
+    fn push(&mut self, edges: &[u32]) {
+        let Self { surface, quadrics, versions, queue, .. } = self;
+        let mesh = &surface.mesh;
+        let entry = |&h: &u32| {
+            let h = mesh.twin_of(h).map_or(h, |t| h.min(t));
+            let [u, v] = [mesh.from(h), mesh.to(h)].map(|x| x as usize);
+            let quadric = quadrics[u].plus(&quadrics[v]);
+            let [p, q] = [u, v].map(|x| mesh.positions[x]);
+            let error = quadric.at(quadric.optimum(0.5 * (p + q)))
+                + LENGTH_WEIGHT * quadric.weight() * p.distance_squared(q);
+            (error, Entry { halfedge: h, versions: [versions[u], versions[v]] })
+        };
+        let exist = edges.par_iter().with_min_len(PUSHED_TASK).filter(|h| mesh.exists(**h));
+        let entries: Vec<(f64, Entry)> = exist.map(entry).collect();
+        for (error, entry) in entries {
+            queue.push(error, entry);
+        }
+    }
+
+    /// The share that is done follows the logarithm of the number of faces, for the last faces take the longest.
+    fn report(&self, all: f64, control: &Control, progress: Option<&dyn ProgressObserver>) {
+        let faces = self.surface.mesh.face_count() as f64;
+        let share = (all / faces).ln() / (all / self.least_faces.max(4) as f64).ln();
+        let share = Some(if share < 1.0 { share } else { 1.0 });
+        let shown = Progress { doing: "collapsing edges", share };
+        if progress.is_some_and(|observer| observer.progress(&shown).is_break()) {
+            control.stop(StopReason::Cancelled);
+        }
+    }
+
+    fn versions_of(&self, h: u32) -> [u32; 2] {
+        [self.surface.mesh.from(h), self.surface.mesh.to(h)].map(|v| self.versions[v as usize])
+    }
+
+    /// A number that changes when a vertex beside an edge or a neighbour of one does: until then the edge need not be tried again.
+    fn surroundings(&self, h: u32) -> u64 {
+        let mesh = &self.surface.mesh;
+        let around = [mesh.from(h), mesh.to(h)].into_iter().flat_map(|v| mesh.neighbours(v));
+        around.fold(0, |sum: u64, v| {
+            let one = (u64::from(v) << 32) | u64::from(self.versions[v as usize]);
+            // An odd number close to 2^64 divided by the golden ratio spreads the bits.
+            sum.rotate_left(5).wrapping_add(one.wrapping_mul(0x9e37_79b9_7f4a_7c15))
+        })
+    }
+}
+
+/// For each vertex the planes of its faces, and at boundary edges planes that stand upright on them.
+fn vertex_quadrics(surface: &Marked) -> Vec<Quadric> {
+    let mesh = &surface.mesh;
+    let mut quadrics = vec![Quadric::default(); mesh.positions.len()];
+    for h in 0..mesh.halfedge_slots() {
+        let normal = area_vector(surface.triangle(h / 3));
+        let area = 0.5 * normal.length();
+        let Some(normal) = normal.try_normalize() else { continue };
+        let (u, v) = (mesh.from(h), mesh.to(h));
+        let p = mesh.positions[u as usize];
+        let face = Quadric::of_plane(normal, p, area / 3.0);
+        quadrics[u as usize] = quadrics[u as usize].plus(&face);
+        if mesh.twin[h as usize] == NONE
+            && let Some(upright) = normal.cross(mesh.positions[v as usize] - p).try_normalize()
+        {
+            let edge = Quadric::of_plane(upright, p, BOUNDARY_WEIGHT * area);
+            for end in [u, v] {
+                quadrics[end as usize] = quadrics[end as usize].plus(&edge);
+            }
+        }
+    }
+    quadrics
+}

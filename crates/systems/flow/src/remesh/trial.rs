@@ -1,0 +1,209 @@
+//! Whether an edge can be collapsed, and where to: the tests of a simplification, which change nothing.
+
+use super::cover::{Affected, Cover, Covering};
+use super::marked::{Collapse, Freedom, Marked};
+use super::quadric::Quadric;
+use super::smooth::area_vector;
+use super::within::{Input, Triangle};
+use glam::DVec3;
+use pompeiu_core::spatial::bvh::{Slot, Workspace};
+
+/// Pieces of a new face that are looked at before it is rejected: so many, and more for each face of the input near its star.
+const LEAST_PIECES: usize = 256;
+const PIECES_PER_FACE: usize = 4;
+
+/// Cosine between the normals of a face before and after a collapse: below it the face is counted as turned over.
+const LEAST_COSINE: f64 = 0.2;
+
+/// Positions nearer to each other than the root of this share of the edge's length are tried once.
+const SAME_POSITION: f64 = 1e-6;
+
+/// How far to move from the best position along the normal, as shares of the distance.
+const OFFSETS: [f64; 4] = [0.25, -0.25, 0.5, -0.5];
+
+/// Memory for the tests of one thread.
+#[derive(Default)]
+pub(super) struct Scratch {
+    workspace: Workspace,
+    affected: Affected,
+}
+
+/// A collapse that passed all tests.
+pub(super) struct Accepted {
+    pub(super) collapse: Collapse,
+    /// The faces that it changes or removes.
+    pub(super) gone: Vec<u32>,
+    /// What covers the input then, where a distance was asked for.
+    pub(super) covering: Option<Covering>,
+    /// A face of the input near the position.
+    pub(super) near: Slot,
+}
+
+/// What a collapse would make of the faces around an edge.
+struct Star {
+    /// Faces that stay.
+    kept: Vec<u32>,
+    /// The corner of each that moves.
+    corners: Vec<usize>,
+    /// All faces around the edge, those that go first.
+    gone: Vec<u32>,
+    /// Twice the area of each face that stays, along its normal.
+    normals: Vec<DVec3>,
+}
+
+impl Star {
+    fn new(surface: &Marked, h: u32) -> Self {
+        let mesh = &surface.mesh;
+        let mut gone: Vec<u32> = [Some(h), mesh.twin_of(h)].into_iter().flatten().map(|x| x / 3).collect();
+        let removed = gone.len();
+        let mut corners = Vec::new();
+        for x in mesh.halfedges_from(mesh.from(h)).chain(mesh.halfedges_from(mesh.to(h))) {
+            if !gone[..removed].contains(&(x / 3)) {
+                gone.push(x / 3);
+                corners.push((x % 3) as usize);
+            }
+        }
+        let kept = gone[removed..].to_vec();
+        let normals = kept.iter().map(|&f| area_vector(surface.triangle(f))).collect();
+        Self { kept, corners, gone, normals }
+    }
+
+    /// The faces that stay, with their corners at a position.
+    fn moved(&self, surface: &Marked, position: DVec3, faces: &mut Vec<Triangle>) {
+        faces.clear();
+        faces.extend(self.kept.iter().zip(&self.corners).map(|(&f, &corner)| {
+            let mut triangle = surface.triangle(f);
+            triangle[corner] = position;
+            triangle
+        }));
+    }
+
+    fn keeps_normals(&self, faces: &[Triangle]) -> bool {
+        self.normals.iter().zip(faces).all(|(old, new)| {
+            let new = area_vector(*new);
+            // A face without area has no normal to keep, but must not become another one.
+            if *old == DVec3::ZERO {
+                new != DVec3::ZERO
+            } else {
+                let cosine = old.dot(new);
+                cosine > 0.0
+                    && cosine * cosine > LEAST_COSINE.powi(2) * old.length_squared() * new.length_squared()
+            }
+        })
+    }
+}
+
+/// What the tests of a collapse look at.
+pub(super) struct Trial<'t> {
+    pub(super) surface: &'t Marked,
+    pub(super) quadrics: &'t [Quadric],
+    pub(super) input: &'t Input<'t>,
+    pub(super) limit: f64,
+    /// Which faces of the input each face covers; none where no distance was asked for.
+    pub(super) cover: Option<&'t Cover>,
+}
+
+impl Trial<'_> {
+    /// How to collapse an edge; none if no position passes all tests.
+    pub(super) fn of(&self, h: u32, scratch: &mut Scratch) -> Option<Accepted> {
+        let mesh = &self.surface.mesh;
+        // Of an edge between the boundary and the inside, the end on the boundary stays.
+        let h = match mesh.twin_of(h) {
+            Some(t) if mesh.is_boundary(mesh.from(h)) && !mesh.is_boundary(mesh.to(h)) => t,
+            _ => h,
+        };
+        let way = self.surface.collapse_of(h)?;
+        let star = Star::new(self.surface, way.halfedge);
+        let mut near = self.surface.near[mesh.to(way.halfedge) as usize];
+        let mut faces = Vec::with_capacity(star.kept.len());
+        let mut gathered = false;
+        for position in self.positions(&way, &star) {
+            star.moved(self.surface, position, &mut faces);
+            if !star.keeps_normals(&faces) {
+                continue;
+            }
+            let Some(cover) = self.cover else {
+                let collapse = Collapse { position, ..way };
+                return Some(Accepted { collapse, gone: star.gone, covering: None, near });
+            };
+            if !self.may_be_near(position, &star, &faces, &mut near, scratch) {
+                continue;
+            }
+            let at_position = near;
+            let limit_sq = self.input.limit_sq;
+            if !gathered && !cover.may_cover(&mut scratch.affected, &star.gone, &faces, limit_sq) {
+                continue;
+            }
+            if !std::mem::replace(&mut gathered, true) {
+                cover.find_affected(&star.gone, &mut scratch.affected);
+            }
+            let covering =
+                cover.cover_anew(mesh, &mut scratch.affected, &star.gone, &star.kept, &faces, limit_sq);
+            // A face over many faces of the input takes as many pieces.
+            let over: usize = star.kept.iter().map(|f| cover.covered_by(*f)).sum();
+            let most_pieces = LEAST_PIECES + PIECES_PER_FACE * over;
+            let workspace = &mut scratch.workspace;
+            let mut start = near;
+            let is_near = |t: &Triangle| self.input.is_near(*t, most_pieces, &mut start, workspace);
+            if covering.is_some() && faces.iter().all(is_near) {
+                let collapse = Collapse { position, ..way };
+                return Some(Accepted { collapse, gone: star.gone, covering, near: at_position });
+            }
+        }
+        None
+    }
+
+    /// Whether some points of new faces are near the input: most positions that must be rejected are rejected here.
+    fn may_be_near(
+        &self,
+        position: DVec3,
+        star: &Star,
+        faces: &[Triangle],
+        near: &mut Slot,
+        scratch: &mut Scratch,
+    ) -> bool {
+        let workspace = &mut scratch.workspace;
+        if !self.input.has_near(position, near, workspace) {
+            return false;
+        }
+        let mut start = *near;
+        faces.iter().zip(&star.corners).all(|([a, b, c], corner)| {
+            let beside = [a, b, c][(corner + 1) % 3];
+            self.input.has_near((*a + *b + *c) / 3.0, &mut start, workspace)
+                && self.input.has_near(0.5 * (position + *beside), &mut start, workspace)
+        })
+    }
+
+    /// Positions to try, the one of least error first.
+    fn positions(&self, way: &Collapse, star: &Star) -> Vec<DVec3> {
+        let mesh = &self.surface.mesh;
+        let [u, v] = [mesh.from(way.halfedge), mesh.to(way.halfedge)].map(|x| x as usize);
+        let boundary = [u, v].map(|x| mesh.is_boundary(x as u32));
+        if way.freedom == Freedom::None {
+            return vec![way.position];
+        }
+        if boundary == [false, true] {
+            return vec![mesh.positions[v]];
+        }
+        let [p, q] = [u, v].map(|x| mesh.positions[x]);
+        let middle = 0.5 * (p + q);
+        let best = self.quadrics[u].plus(&self.quadrics[v]).optimum(middle);
+        let mut all = vec![best, middle, q, p];
+        if way.freedom == Freedom::Surface {
+            all.extend([middle, p, q].map(|x| 0.5 * (best + x)));
+            if self.limit.is_finite() {
+                let normal = star.normals.iter().sum::<DVec3>().normalize_or_zero();
+                all.extend(OFFSETS.map(|share| best + share * self.limit * normal));
+            }
+        }
+        // In flat places several are one.
+        let apart = SAME_POSITION * p.distance_squared(q);
+        let mut different: Vec<DVec3> = Vec::with_capacity(all.len());
+        for position in all {
+            if different.iter().all(|x| x.distance_squared(position) > apart) {
+                different.push(position);
+            }
+        }
+        different
+    }
+}
