@@ -5,10 +5,9 @@ use crate::errors::{Raise, UnknownOption};
 use crate::hausdorff::limits;
 use crate::json::written;
 use crate::mesh::Mesh;
-use crate::wait::{self, Told, Watch};
+use crate::wait::{self, Share, Told, Watch};
 use numpy::PyArray2;
 use pompeiu::core::geom::Aabb;
-use pompeiu::core::run::Progress;
 use pompeiu::core::spatial::self_intersections;
 use pompeiu::flow::remesh::{
     Features, Intersections, RemeshOptions, SimplifyOptions, SimplifyTarget, Sizing,
@@ -25,15 +24,6 @@ struct Step(usize, f64, f64);
 impl Told for Step {
     fn arguments<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
         (self.0, self.1, self.2).into_pyobject(py)
-    }
-}
-
-/// What is told of a simplification: the share that is done.
-struct Share(f64);
-
-impl Told for Share {
-    fn arguments<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
-        (self.0,).into_pyobject(py)
     }
 }
 
@@ -118,14 +108,6 @@ pub(crate) struct SimplifyChoice {
     time_limit: Option<f64>,
 }
 
-/// Tells the share that is done, and hears whether to stop.
-fn shown<'w>(watch: &'w Watch<'_, Share>) -> impl Fn(&Progress<'_>) -> ControlFlow<()> + Send + Sync + 'w {
-    move |progress| {
-        watch.tell(Share(progress.share.unwrap_or(0.0)));
-        if watch.is_stopped() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-    }
-}
-
 /// Reduces the number of faces within a distance, or to a number of faces.
 #[pyfunction]
 pub(crate) fn simplify(
@@ -138,12 +120,11 @@ pub(crate) fn simplify(
     let limits = limits(options.threads, options.time_limit, None)?;
     let mesh = mesh.get();
     let found = wait::run(py, progress, |watch: &mut Watch<'_, Share>| {
-        let observer = shown(watch);
         let options = SimplifyOptions {
             features: Features { angle: options.features, ..Features::default() },
             repair: options.repair,
             limits,
-            progress: Some(&observer),
+            progress: Some(&*watch),
             ..SimplifyOptions::new(target)
         };
         pompeiu::flow::remesh::simplify(mesh.inner(), &options)
@@ -186,14 +167,13 @@ pub(crate) fn remesh(
         None => Sizing::Length(options.edge_length.unwrap_or(0.0)),
     };
     let found = wait::run(py, progress, |watch: &mut Watch<'_, Share>| {
-        let observer = shown(watch);
         let options = RemeshOptions {
             features: Features { angle: options.features, ..Features::default() },
             within: options.within,
             iterations: options.iterations,
             intersections: Intersections::Ignore,
             limits,
-            progress: Some(&observer),
+            progress: Some(&*watch),
             ..RemeshOptions::new(sizing)
         };
         pompeiu::flow::remesh::remesh(mesh.inner(), &options)
