@@ -1,5 +1,6 @@
 //! Both directions, and what they say together.
 
+use super::distribution::Sum;
 use super::options::DeviationOptions;
 use super::report::{Deviation, DirectedDeviation};
 use super::run::{Outcome, Pair, run};
@@ -51,15 +52,19 @@ impl DeviationOptions<'_> {
                 })
                 .collect()
         });
+        let largest = super::linear::greater(there.largest, back.largest);
+        let areas = |outcome: &Outcome| {
+            let known = outcome.largest == largest && !outcome.areas.is_empty();
+            if known { outcome.areas.clone() } else { outcome.distribution.cumulative(largest, self.bins) }
+        };
+        let areas: Vec<Sum> = areas(&there).into_iter().zip(areas(&back)).map(|(x, y)| x.plus(y)).collect();
         let mut pooled = there.distribution;
         pooled.portions.extend(back.distribution.portions);
         let wanted = Wanted {
             percentiles: &self.percentiles,
             threshold: self.threshold.map(|t| frame.length_in(t)),
-            bins: self.bins,
             fine: Wanted::FINE * self.accuracy,
         };
-        let largest = super::linear::greater(there.largest, back.largest);
         let summary = match there.summary.as_ref().zip(back.summary.as_ref()) {
             Some((x, y)) => Summary::with(x.sums.plus(y.sums), &pooled, &wanted, largest),
             None => Summary::of(&pooled, &wanted, largest),
@@ -67,7 +72,7 @@ impl DeviationOptions<'_> {
         Deviation {
             distance: there.report.distance.distance.max(back.report.distance.distance),
             greater_percentiles,
-            pooled: summary.map(|s| s.publish(&pooled, &wanted, self.threshold, largest, &frame)),
+            pooled: summary.map(|s| s.publish(&areas, &wanted, self.threshold, largest, &frame)),
             a_to_b: there.report,
             b_to_a: back.report,
         }

@@ -49,6 +49,8 @@ struct Directed<'d> {
     beyond_threshold: &'d [Region],
     /// Why refining ended; what is enclosed holds in every case.
     stop: StopReason,
+    /// Widths of lengths below this always suffice.
+    floor: f64,
     /// What it took.
     work: DeviationWork,
 }
@@ -63,6 +65,7 @@ impl<'d> From<&'d DirectedDeviation> for Directed<'d> {
             regions: &deviation.regions,
             beyond_threshold: &deviation.beyond_threshold,
             stop: deviation.stop,
+            floor: deviation.floor,
             work: deviation.work,
         }
     }

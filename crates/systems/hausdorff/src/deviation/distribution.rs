@@ -22,14 +22,15 @@ pub(super) struct Entry {
 impl Entry {
     /// A triangle of the fan of a polygon, of a face with an area in these bounds.
     pub(super) fn new(polygon: &Polygon, triangle: [usize; 3], (low, high): (f64, f64)) -> Self {
-        let lower = triangle.map(|j| polygon.lower[j]);
-        let upper = triangle.map(|j| polygon.upper[j]);
+        let [i, j, k] = triangle;
+        let (low_at, width) =
+            (&polygon.lower, |j: usize| at_least(polygon.upper[j] - polygon.lower[j], polygon.upper[j]));
         let (share, error) = (polygon.outline.share_of(triangle), polygon.outline.share_error());
         let area = greater((share - error) * low * LESS, 0.0);
         let most = (share + error) * high * MORE + f64::MIN_POSITIVE;
         Self {
-            lower,
-            width: [0, 1, 2].map(|j| at_least(upper[j] - lower[j], upper[j])),
+            lower: [low_at[i], low_at[j], low_at[k]],
+            width: [width(i), width(j), width(k)],
             area,
             more: at_least(most - area, most),
         }
@@ -41,7 +42,8 @@ impl Entry {
 
     /// The sum is rounded once, relative to itself, which the rounding of the width to fewer digits outweighs by far, or the step here.
     pub(super) fn upper(&self) -> Corners {
-        [0, 1, 2].map(|j| (self.lower[j] + f64::from(self.width[j])).next_up())
+        let at = |j: usize| (self.lower[j] + f64::from(self.width[j])).next_up();
+        [at(0), at(1), at(2)]
     }
 
     /// The area from below and from above.
@@ -74,6 +76,8 @@ pub(super) struct Portion {
     pub(super) entries: Vec<Entry>,
     /// Where those of each face start, and one end more.
     pub(super) starts: Vec<u32>,
+    /// Of all of them.
+    pub(super) moments: Moments,
 }
 
 impl Portion {
@@ -104,7 +108,7 @@ impl Sum {
         self.terms += 1.0;
     }
 
-    fn plus(mut self, other: Self) -> Self {
+    pub(super) fn plus(mut self, other: Self) -> Self {
         self.lower += other.lower;
         self.upper += other.upper;
         self.terms += other.terms + 1.0;
@@ -127,6 +131,20 @@ pub(super) struct Moments {
 }
 
 impl Moments {
+    pub(super) fn of(entries: &[Entry]) -> Self {
+        let mut sums = Self::default();
+        for entry in entries {
+            let (low, high) = entry.area();
+            let (lower, upper) = (entry.lower(), entry.upper());
+            sums.area.add(low, high);
+            let (below, above) = mean_of(lower, upper);
+            sums.first.add(low * below * LESS, high * above * MORE);
+            let above = mean_square_enclosure(upper).upper();
+            sums.second.add(low * mean_square_of_positive(lower) * LESS, high * above * MORE);
+        }
+        sums
+    }
+
     pub(super) fn plus(self, other: Self) -> Self {
         Self {
             area: self.area.plus(other.area),
@@ -183,6 +201,8 @@ struct Crossing {
     wanted: f64,
     low: f64,
     high: f64,
+    /// No more area lies between; infinite where that is not known.
+    between: f64,
 }
 
 impl Distribution {
@@ -199,20 +219,7 @@ impl Distribution {
     }
 
     pub(super) fn moments(&self) -> Moments {
-        let of_portion = |entries: &[Entry]| {
-            let mut sums = Moments::default();
-            for entry in entries {
-                let (low, high) = entry.area();
-                let (lower, upper) = (entry.lower(), entry.upper());
-                sums.area.add(low, high);
-                let (below, above) = mean_of(lower, upper);
-                sums.first.add(low * below * LESS, high * above * MORE);
-                let above = mean_square_enclosure(upper).upper();
-                sums.second.add(low * mean_square_of_positive(lower) * LESS, high * above * MORE);
-            }
-            sums
-        };
-        self.sum(of_portion, Moments::plus, Moments::default())
+        self.portions.iter().map(|portion| portion.moments).fold(Moments::default(), Moments::plus)
     }
 
     /// Encloses the area whose distance is at most a level that is not negative.
@@ -239,49 +246,59 @@ impl Distribution {
         fine: f64,
     ) -> Vec<(f64, f64)> {
         let fine = lesser(fine, COARSEST);
-        let levels = self.forecast(largest).levels(shares);
-        let scales: Vec<Scale> = levels.into_iter().map(|level| Scale::around(level, fine)).collect();
+        let entries = self.len();
+        let [lower, upper] = self.forecasts(largest).map(|forecast| forecast.levels(shares));
+        let around = |(lower, upper)| [Scale::around(lower, fine), Scale::around(upper, fine)];
+        let scales: Vec<[Scale; 2]> = lower.into_iter().zip(upper).map(around).collect();
         let tallies = self.tallies(&scales);
         let crossings: Vec<Crossing> = shares
             .iter()
             .zip(&scales)
             .zip(&tallies)
-            .flat_map(|((share, scale), [lower, upper])| {
+            .flat_map(|((share, scales), [lower, upper])| {
                 // Up to the first level less than the share lies for certain, up to the second not less.
-                let of_side = |side, wanted, tally: &Tally| {
-                    let (low, high) = tally.crossing(side, wanted, scale, self.len());
-                    Crossing { side, wanted, low: lesser(low, largest), high: lesser(high, largest) }
+                let of_side = |side, wanted, tally: &Tally, scale| {
+                    let (low, high, between) = tally.crossing(side, wanted, scale, entries);
+                    let (low, high) = (lesser(low, largest), lesser(high, largest));
+                    Crossing { side, wanted, low, high, between }
                 };
                 [
-                    of_side(Side::Lower, share * area.lower() * LESS, lower),
-                    of_side(Side::Upper, share * area.upper() * MORE, upper),
+                    of_side(Side::Lower, share * area.lower() * LESS, lower, &scales[0]),
+                    of_side(Side::Upper, share * area.upper() * MORE, upper, &scales[1]),
                 ]
             })
             .collect();
         let of_crossing = |crossing: &Crossing| {
             let found = self.crossing(crossing, largest, fine);
-            self.moved_to_values(crossing, found)
+            // Rounding of the sums does not matter: this steers only how narrow the ends are.
+            let is_settled =
+                found == (crossing.low, crossing.high) && crossing.between < LUMP * crossing.wanted;
+            if is_settled { found } else { self.moved_to_values(crossing, found) }
         };
         let found: Vec<(f64, f64)> = crossings.par_iter().map(of_crossing).collect();
         found.chunks_exact(2).map(|ends| (ends[0].0, ends[1].1)).collect()
     }
 
-    /// About how much area is how far away.
-    fn forecast(&self, largest: f64) -> Forecast {
+    /// About how much area is how far away as both functions say: of some entries, if there are many.
+    fn forecasts(&self, largest: f64) -> [Forecast; 2] {
+        let step = (self.len() / FORECAST).max(1);
+        let new = || [Forecast::new(largest), Forecast::new(largest)];
         let of_entries = |portions: &[Portion]| {
-            let mut forecast = Forecast::new(largest);
-            for entry in portions.iter().flat_map(|portion| &portion.entries) {
-                let (low, high) = (entry.lower(), entry.upper());
-                forecast.add([0, 1, 2].map(|j| 0.5 * (low[j] + high[j])), entry.area);
+            let [mut lower, mut upper] = new();
+            for entry in portions.iter().flat_map(|portion| &portion.entries).step_by(step) {
+                lower.add(entry.lower(), entry.area);
+                upper.add(entry.upper(), entry.area);
             }
-            forecast
+            [lower, upper]
         };
-        let chunks: Vec<Forecast> = self.portions.par_chunks(PORTIONS).map(of_entries).collect();
-        chunks.iter().fold(Forecast::new(largest), Forecast::plus)
+        let plus = |[a, b]: [Forecast; 2], [c, d]: &[Forecast; 2]| [a.plus(c), b.plus(d)];
+        // Fewer and larger chunks: each takes memory of its own.
+        let chunks: Vec<[Forecast; 2]> = self.portions.par_chunks(8 * PORTIONS).map(of_entries).collect();
+        chunks.iter().fold(new(), plus)
     }
 
     /// Areas up to some levels, for both functions.
-    fn tallies(&self, scales: &[Scale]) -> Vec<[Tally; 2]> {
+    fn tallies(&self, scales: &[[Scale; 2]]) -> Vec<[Tally; 2]> {
         let of_entries = |portions: &[Portion]| {
             let mut tallies = vec![[Tally::default(); 2]; scales.len()];
             for entry in portions.iter().flat_map(|portion| &portion.entries) {
@@ -290,7 +307,7 @@ impl Distribution {
                     let (from, to) = (least(v), greatest(v));
                     let mut part = None;
                     for (scale, tally) in scales.iter().zip(&mut tallies) {
-                        let tally = &mut tally[k];
+                        let (scale, tally) = (&scale[k], &mut tally[k]);
                         if to <= scale.0[0] {
                             tally.below += weight;
                         } else if from <= scale.0[LEVELS - 1] {
@@ -417,34 +434,49 @@ impl Distribution {
         (below, active)
     }
 
-    /// Encloses the areas up to each of the levels `largest * k / bins`, `k` from 0 to `bins`.
-    pub(super) fn cumulative(&self, largest: f64, bins: usize) -> Vec<Interval> {
-        let levels: Vec<f64> = (0..=bins).map(|k| level(largest, k, bins)).collect();
+    /// The areas up to each of the levels `largest * k / bins`, `k` from 0 to `bins`; of no bins, none.
+    pub(super) fn cumulative(&self, largest: f64, bins: usize) -> Vec<Sum> {
+        if bins == 0 {
+            return Vec::new();
+        }
+        // Levels are looked at several at a time; those that fill the last ones up are beyond all distances.
+        let mut levels: Vec<f64> = (0..=bins).map(|k| level(largest, k, bins)).collect();
         let per_length = bins as f64 / largest;
+        levels.resize(bins + 1 + TOGETHER, f64::INFINITY);
         let of_entries = |portions: &[Portion]| {
-            let mut sums = vec![Sum::default(); bins + 1];
-            let mut all_from = vec![Sum::default(); bins + 2];
+            let [mut below, mut above] = [vec![0.0; levels.len()], vec![0.0; levels.len()]];
+            let mut all_from = vec![Sum::default(); levels.len()];
+            let mut entries = 0.0;
             for entry in portions.iter().flat_map(|portion| &portion.entries) {
+                entries += 1.0;
                 let (low, high) = entry.area();
                 let (lower, upper) = (entry.lower(), entry.upper());
                 // From the first level that reaches into the piece to the first above it.
-                let from = least(lower);
-                let first = first_not_below(&levels, from, per_length);
-                let last = first_not_below(&levels, greatest(upper), per_length);
+                let mut first = first_not_below(&levels[..=bins], least(lower), per_length);
+                let last = first_not_below(&levels[..=bins], greatest(upper), per_length);
                 if first < last {
                     let (lower, upper) = (PartUpTo::new(lower), PartUpTo::new(upper));
-                    for (sum, level) in sums[first..last].iter_mut().zip(&levels[first..last]) {
-                        sum.add(low * upper.below(*level) * LESS, high * lower.above(*level) * MORE);
+                    while first < last {
+                        let range = first..first + TOGETHER;
+                        let some: &[f64; TOGETHER] =
+                            levels[range.clone()].first_chunk().expect("there is room");
+                        let sums = below[range.clone()].first_chunk_mut().expect("there is room");
+                        upper.add(false, low, some, sums);
+                        let sums = above[range].first_chunk_mut().expect("there is room");
+                        lower.add(true, high, some, sums);
+                        first += TOGETHER;
                     }
+                    all_from[first.min(bins + 1)].add(low, high);
+                } else {
+                    all_from[last].add(low, high);
                 }
-                all_from[last.min(bins + 1)].add(low, high);
             }
             let mut all = Sum::default();
-            for (sum, from) in sums.iter_mut().zip(&all_from) {
-                all = all.plus(*from);
-                *sum = sum.plus(all);
-            }
-            sums
+            let sum_of = |k: usize| {
+                all = all.plus(all_from[k]);
+                Sum { lower: below[k], upper: above[k], terms: entries }.plus(all)
+            };
+            (0..=bins).map(sum_of).collect::<Vec<Sum>>()
         };
         let chunks: Vec<Vec<Sum>> = self.portions.par_chunks(PORTIONS).map(of_entries).collect();
         let mut total = vec![Sum::default(); bins + 1];
@@ -453,7 +485,7 @@ impl Distribution {
                 *sum = sum.plus(more);
             }
         }
-        total.iter().map(Sum::enclosure).collect()
+        total
     }
 }
 
@@ -558,15 +590,15 @@ impl Tally {
         part.add(side == Side::Lower, weight, &scale.0, &mut self.sums);
     }
 
-    /// Between which of the levels so much area is reached; about where to look where it is not between them.
-    fn crossing(&self, side: Side, wanted: f64, scale: &Scale, entries: usize) -> (f64, f64) {
+    /// Between which of the levels so much area is reached, and how much lies there at most; about where to look where it is not between them.
+    fn crossing(&self, side: Side, wanted: f64, scale: &Scale, entries: usize) -> (f64, f64, f64) {
         let reached = self.sums.iter().position(|sum| side.reaches(self.below + sum, wanted, entries));
         let wide = |from: f64, to: f64| WIDE * (to - from);
         let (first, last) = (scale.0[0], scale.0[LEVELS - 1]);
         match reached {
-            Some(0) => (greater(first - wide(first, last), 0.0), first),
-            Some(i) => (scale.0[i - 1], scale.0[i]),
-            None => (last, last + wide(first, last)),
+            Some(0) => (greater(first - wide(first, last), 0.0), first, f64::INFINITY),
+            Some(i) => (scale.0[i - 1], scale.0[i], self.sums[i] - self.sums[i - 1]),
+            None => (last, last + wide(first, last), f64::INFINITY),
         }
     }
 }
@@ -598,10 +630,14 @@ const MORE: f64 = 1.0 + 8.0 * f64::EPSILON;
 const LESS: f64 = 1.0 - 8.0 * f64::EPSILON;
 /// Portions summed at a time; fixed, so that sums do not depend on the number of threads.
 const PORTIONS: usize = 16;
+/// Entries of which the distribution is forecast, about.
+const FORECAST: usize = 1 << 16;
 /// Levels of a scale, and the part of a level by which they lie apart at most; less of the levels at the lower end than of those at
 /// the upper end.
-const LEVELS: usize = 48;
+const LEVELS: usize = 32;
 const COARSEST: f64 = 5e-3;
+/// Ends of bins at which areas are summed up together.
+const TOGETHER: usize = 8;
 /// A part of an area that is much for two levels close to each other.
 const LUMP: f64 = 0.02;
 /// Places on a grid between which slopes may change, at least.

@@ -1,6 +1,6 @@
 //! One face of A, cut into pieces until they are as narrow as asked.
 
-use super::cells::{Cells, Limits};
+use super::cells::{Cells, Limits, Task};
 use super::envelope::{Envelope, Open, Wish};
 use super::goal::Goal;
 use super::polygon::{Piece, Polygon};
@@ -56,7 +56,7 @@ impl<'c> Cutter<'c> {
     ) -> Self {
         Self {
             envelope: Envelope::new(bvh, rounding),
-            cells: neighbours.map(|neighbours| Cells::new(bvh, neighbours)),
+            cells: neighbours.map(|neighbours| Cells::new(bvh, neighbours, rounding, scale)),
             control,
             rounding,
             largest,
@@ -93,7 +93,8 @@ impl<'c> Cutter<'c> {
         if let Some(cells) = &mut self.cells {
             let Envelope { scale, workspace, .. } = &mut self.envelope;
             let limits = Limits { most, control: self.control };
-            cells.cut(scale, start.near, goal, start.area, limits, workspace, &mut self.pieces);
+            let task = Task { scale, goal, area: start.area };
+            cells.cut(task, start.near, limits, workspace, &mut self.pieces);
             stopped = self.control.is_stopped();
             self.looks += self.pieces.len() as u64;
             for rest in &cells.rest {

@@ -20,10 +20,14 @@ impl Goal {
         Self { mass: 0.0, focus: Vec::new(), focus_mass: 0.0, floor: width }
     }
 
+    /// Whether a piece with distances in this range is in focus.
+    pub(super) fn is_in_focus(&self, low: f64, high: f64) -> bool {
+        self.focus.iter().any(|(from, to)| low <= *to && *from <= high)
+    }
+
     /// Area times width that is allowed of a piece with distances in this range.
     fn allowed(&self, low: f64, high: f64) -> f64 {
-        let in_focus = self.focus.iter().any(|(from, to)| low <= *to && *from <= high);
-        if in_focus && self.focus_mass < self.mass { self.focus_mass } else { self.mass }
+        if self.is_in_focus(low, high) && self.focus_mass < self.mass { self.focus_mass } else { self.mass }
     }
 
     /// Whether a piece with this mass and distances in this range is good enough as far as statistics go.

@@ -13,6 +13,7 @@ mod analysis;
 mod behind;
 mod candidates;
 mod cells;
+mod compare;
 mod connected;
 #[cfg(feature = "serde")]
 mod data;
@@ -20,6 +21,7 @@ mod distribution;
 mod envelope;
 mod face;
 mod faces;
+mod facets;
 mod goal;
 mod linear;
 mod maxima;

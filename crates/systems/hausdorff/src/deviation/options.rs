@@ -47,8 +47,8 @@ pub struct DeviationOptions<'o> {
     /// Whether to find out on which side of the other mesh vertices and faces lie.
     pub signed: bool,
     /// Time, memory, pieces and threads. When a limit is reached, refining stops with wider enclosures. One piece for each face
-    /// is needed in any case; without a limit on pieces it is [`DeviationOptions::DEFAULT_PIECES`] in each direction. Building
-    /// a tree is not interrupted.
+    /// is needed in any case; without a limit on pieces it is [`DeviationOptions::DEFAULT_PIECES`] in each direction, or
+    /// [`DeviationOptions::PIECES_PER_FACE`] if that is more. Building a tree is not interrupted.
     pub limits: Limits,
     /// Watches the work: of its methods only [`Observer::progress`] is called, first by the search for the largest distance, then
     /// by refining, with pieces looked at and left.
@@ -83,6 +83,8 @@ impl DeviationOptions<'_> {
     pub const DEFAULT_REGIONS: usize = 5;
     /// Pieces at most, in each direction, by default.
     pub const DEFAULT_PIECES: usize = 4_000_000;
+    /// The same for each face of both meshes, where that is more.
+    pub const PIECES_PER_FACE: usize = 12;
 
     /// Whether the options make sense.
     ///

@@ -109,10 +109,10 @@ impl Outline {
     /// Cuts where a linear function with these values at the corners vanishes, if that leaves something on both sides: where it is
     /// positive, and where it is negative. Any values give a partition: the cut leads from one place on the boundary to another.
     pub(super) fn cut(&self, side: &Row) -> Option<[Self; 2]> {
-        Some(self.cut_at(side)?.map(|part| self.part(&part)))
+        Some(self.cut_at(side)?.map(|(_, outline)| outline))
     }
 
-    fn cut_at(&self, side: &Row) -> Option<[Part; 2]> {
+    fn cut_at(&self, side: &Row) -> Option<[(Part, Self); 2]> {
         let n = self.count;
         let mut places = 0;
         let mut parts = [Part::EMPTY; 2];
@@ -139,9 +139,10 @@ impl Outline {
         if places != 2 || parts[0].count < 3 || parts[1].count < 3 {
             return None;
         }
-        let [s, t] = [0, 1].map(|k| self.part(&parts[k]).share());
+        let outlines = [self.part(&parts[0]), self.part(&parts[1])];
+        let (s, t) = (outlines[0].share(), outlines[1].share());
         let least = LEAST_PART * (s + t);
-        (s > least && t > least).then_some(parts)
+        (s > least && t > least).then_some([(parts[0], outlines[0]), (parts[1], outlines[1])])
     }
 
     /// Cuts along the way between two corners that are opposite of each other.
@@ -211,7 +212,7 @@ impl Polygon {
 
     /// See [`Outline::cut`].
     pub(super) fn cut(&self, side: &Row) -> Option<[Self; 2]> {
-        Some(self.outline.cut_at(side)?.map(|part| self.part(&part)))
+        Some(self.outline.cut_at(side)?.map(|(part, outline)| self.part(&part, outline)))
     }
 
     /// Cuts along the way between two corners that are opposite of each other.
@@ -221,10 +222,10 @@ impl Polygon {
 
     /// Halves a triangle across the edge from corner `i` to the next one.
     pub(super) fn halve(&self, i: usize) -> [Self; 2] {
-        Outline::halves(i).map(|part| self.part(&part))
+        Outline::halves(i).map(|part| self.part(&part, self.outline.part(&part)))
     }
 
-    fn part(&self, part: &Part) -> Self {
+    fn part(&self, part: &Part, outline: Outline) -> Self {
         let between = |row: &Row, margin: f64| {
             part.row(|from, to, t| {
                 let (a, b) = (row[from], row[to]);
@@ -232,7 +233,7 @@ impl Polygon {
             })
         };
         Self {
-            outline: self.outline.part(part),
+            outline,
             lower: between(&self.lower, -INTERPOLATION),
             upper: between(&self.upper, INTERPOLATION),
             beyond: between(&self.beyond, -INTERPOLATION),

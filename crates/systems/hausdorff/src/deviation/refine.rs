@@ -3,7 +3,7 @@
 //! Faces are cut anew for each goal, from nothing: so nothing is kept of them but what statistics need. Work is dealt out in tasks of
 //! fixed sizes, whose outcomes are put together in task order, so that the pieces are the same at any number of threads.
 
-use super::distribution::{Distribution, Entry, Portion, Sum, mean_of};
+use super::distribution::{Distribution, Entry, Moments, Portion};
 use super::face::{Cutter, Start};
 use super::goal::Goal;
 use super::linear::{Corners, greater, greatest, least, lesser};
@@ -16,17 +16,25 @@ use pompeiu_core::run::Control;
 use pompeiu_core::spatial::{Bvh, Neighbours, Slot};
 use pompeiu_core::{FaceId, TriMesh};
 use rayon::prelude::*;
+use std::sync::Mutex;
 
 /// The area times width that a piece may leave undecided at first: this part of what the mean may, shared out among all faces.
 const FIRST_PART: f64 = 1.0;
 /// The first goal is calibrated by so many samples of so many faces, of meshes with more than this many; how often, the parts of the
 /// allowed width between which it should leave what is left, and how far it is changed at a time.
-const SAMPLES: usize = 32;
-const FACES_OF_SAMPLE: usize = 8;
-const LEAST_CALIBRATED: usize = 4 * SAMPLES * FACES_OF_SAMPLE;
+const SAMPLES: usize = 64;
+const FACES_OF_SAMPLE: (usize, usize) = (4, 16);
+const LEAST_CALIBRATED: usize = 4 * SAMPLES * FACES_OF_SAMPLE.0;
+/// Part of the faces that samples should have.
+const SAMPLED: f64 = 0.01;
 const CALIBRATIONS: usize = 3;
-const AIMED: (f64, f64) = (0.3, 0.6);
+const AIMED: (f64, f64) = (0.4, 0.75);
 const MOST_FACTOR: f64 = 5.0;
+/// The same of percentiles, which a few faces show less well: the greatest part of the allowed width; how far around one pieces are
+/// made narrower, as a factor, and what more than in proportion.
+const AIMED_AT_PERCENTILES: f64 = 0.75;
+const BESIDE_PERCENTILES: f64 = 1.2;
+const NARROWER: f64 = 0.7;
 /// How much finer each round is.
 const FINER: f64 = 0.25;
 /// Rounds that make only statistics of parts of the distribution narrower.
@@ -37,6 +45,8 @@ const LEAST_PROGRESS: f64 = 0.95;
 /// come to lie.
 const LEAST_GAIN: f64 = 0.5;
 const SPARE: f64 = 0.9;
+/// The part of the areas times widths in focus that pieces to be cut have, at most.
+const MOST_OF_FOCUS: f64 = 0.9;
 /// Goals are not made finer than this part of the first one.
 const FINEST: f64 = 1e-15;
 /// Faces of a task at most, and tasks that there should be.
@@ -60,6 +70,8 @@ pub(super) struct Faces<'f> {
     pub(super) largest: f64,
     /// About the mean distance.
     pub(super) scale: f64,
+    /// Cutters that no task uses, with what they remember of B, and memory for entries.
+    pub(super) idle: Mutex<Vec<(Cutter<'f>, Vec<Entry>)>>,
 }
 
 impl<'f> Faces<'f> {
@@ -91,38 +103,43 @@ impl<'f> Faces<'f> {
         wanted: impl Fn(usize) -> bool,
         before: Option<(&Portion, &[FaceBounds])>,
     ) -> Made {
-        // What cells have left too wide needs a closer look.
-        let mut cutter = self.cutter(before.is_none());
-        let mut portion = Portion { entries: Vec::with_capacity(4 * faces.len()), starts: vec![0] };
+        let idle = self.idle.lock().map_or(None, |mut idle| idle.pop());
+        let (mut cutter, mut entries) = idle.unwrap_or_else(|| (self.cutter(true), Vec::new()));
+        let (looks, distances) = (cutter.looks, cutter.distances());
+        let mut starts = vec![0];
+        let mut moments = Moments::default();
         let mut bounds = Vec::with_capacity(faces.len());
         for (i, &face) in faces.iter().enumerate() {
-            let start = portion.entries.len();
-            let kept = before.filter(|_| !wanted(i));
-            if kept.is_none() {
+            let start = entries.len();
+            let known = before.map(|(portion, bounds)| (portion.of_face(i), bounds[i]));
+            let mut keep = known;
+            if known.is_none() || wanted(i) {
                 let (from, area) = self.start(face);
                 cutter.cut(&from, goal, most);
                 for Piece { polygon, .. } in &cutter.pieces {
-                    portion.entries.extend(polygon.outline.fan().map(|t| Entry::new(polygon, t, area)));
+                    entries.extend(polygon.outline.fan().map(|t| Entry::new(polygon, t, area)));
                 }
-                bounds.push(FaceBounds::new(&cutter, &portion.entries[start..], self.largest));
+                // What limits have cut short may be wider than what was known.
+                let mass = |entries: &[Entry]| entries.iter().map(Entry::mass).sum::<f64>();
+                keep = known.filter(|(known, _)| mass(known) < mass(&entries[start..]));
             }
-            // What limits have cut short may be wider than what was known.
-            let mass = |entries: &[Entry]| entries.iter().map(Entry::mass).sum::<f64>();
-            if let Some((before, bounds_before)) = before {
-                let known = before.of_face(i);
-                if kept.is_some() {
-                    portion.entries.extend_from_slice(known);
-                    bounds.push(bounds_before[i]);
-                } else if mass(known) < mass(&portion.entries[start..]) {
-                    portion.entries.truncate(start);
-                    portion.entries.extend_from_slice(known);
-                    bounds[i] = bounds_before[i];
-                }
+            if let Some((known, _)) = keep {
+                entries.truncate(start);
+                entries.extend_from_slice(known);
             }
-            portion.starts.push(portion.entries.len() as u32);
+            let sums = Moments::of(&entries[start..]);
+            let new = || FaceBounds::new(&cutter, &sums, self.largest);
+            bounds.push(keep.map_or_else(new, |(_, bounds)| bounds));
+            moments = moments.plus(sums);
+            starts.push(entries.len() as u32);
         }
-        portion.entries.shrink_to_fit();
-        Made { portion, bounds, looks: cutter.looks, distances: cutter.distances() }
+        let portion = Portion { entries: entries.clone(), starts, moments };
+        let (looks, distances) = (cutter.looks - looks, cutter.distances() - distances);
+        entries.clear();
+        if let Ok(mut idle) = self.idle.lock() {
+            idle.push((cutter, entries));
+        }
+        Made { portion, bounds, looks, distances }
     }
 }
 
@@ -139,7 +156,7 @@ pub(super) struct FaceBounds {
 }
 
 impl FaceBounds {
-    fn new(cutter: &Cutter<'_>, entries: &[Entry], largest: f64) -> Self {
+    fn new(cutter: &Cutter<'_>, sums: &Moments, largest: f64) -> Self {
         let (mut highest, mut at) = (f64::NEG_INFINITY, (&cutter.pieces[0], 0));
         let mut upper = 0.0;
         let mut min = (f64::INFINITY, f64::INFINITY);
@@ -153,18 +170,11 @@ impl FaceBounds {
                 min = (lesser(min.0, polygon.lower[j]), lesser(min.1, polygon.upper[j]));
             }
         }
-        let (mut areas, mut means) = (Sum::default(), Sum::default());
-        for entry in entries {
-            let (low, high) = entry.area();
-            let (below, above) = mean_of(entry.lower(), entry.upper());
-            areas.add(low, high);
-            means.add(low * below, high * above);
-        }
-        let area = areas.enclosure();
+        let area = sums.area.enclosure();
         let upper = lesser(upper, largest);
         // The mean over a face that may have no area is one of its distances.
         let mean = if area.lower() > 0.0 {
-            let mean = means.enclosure().divide_by_positive(area);
+            let mean = sums.first.enclosure().divide_by_positive(area);
             (greater(mean.lower(), 0.0), lesser(mean.upper(), upper))
         } else {
             (greater(min.0, 0.0), upper)
@@ -247,6 +257,8 @@ impl Refinement<'_> {
             let within = |(low, high): (f64, f64)| high - low <= accuracy * low + floor;
             let means_are_tight = within(summary.mean) && within(summary.rms);
             let excess = greater(self.excess(summary.mean), self.excess(summary.rms));
+            let of_percentiles = summary.percentiles.iter().map(|ends| self.excess(*ends));
+            let excess_of_focus = of_percentiles.fold(1.0, greater);
             let doubt = self.doubt(summary);
             let focus = self.focus(summary);
             refined.tight = means_are_tight && focus.is_empty();
@@ -274,7 +286,8 @@ impl Refinement<'_> {
                 if !means_are_tight {
                     keep_the_worst(&mut flagged, excess, &refined.distribution);
                 }
-                if flagged.iter().any(|flag| *flag) {
+                let suffices = || !means_are_tight || suffices(&goal, excess_of_focus, &refined.distribution);
+                if flagged.iter().any(|flag| *flag) && suffices() {
                     self.cut_again(&flagged, &goal, &mut refined);
                     break;
                 }
@@ -282,36 +295,48 @@ impl Refinement<'_> {
         }
     }
 
-    /// Makes the first goal such that a few faces come out about as narrow as the mean should be.
+    /// Makes the first goal such that a few faces come out about as narrow as all should be.
     fn calibrate(&self, goal: &mut Goal) {
         let count = self.order.len();
         if count < LEAST_CALIBRATED {
             return;
         }
-        let Aim { accuracy, floor, .. } = *self.aim;
-        let (faces, order) = (self.faces, self.order);
+        let (faces, order, wanted) = (self.faces, self.order, self.aim.wanted);
         let most = self.most(0, count);
+        let size = (SAMPLED * (count / SAMPLES) as f64) as usize;
+        let size = size.clamp(FACES_OF_SAMPLE.0, FACES_OF_SAMPLE.1);
         for _ in 0..CALIBRATIONS {
             let trial = &*goal;
             let of_sample = |i: usize| {
                 let first = (2 * i + 1) * count / (2 * SAMPLES);
-                let some = &order[first..count.min(first + FACES_OF_SAMPLE)];
-                let made = faces.cut_task(some, trial, most, |_| true, None);
-                let sum = |of: fn(&Entry) -> f64| made.portion.entries.iter().map(of).sum::<f64>();
-                let moment = |entry: &Entry| entry.area().0 * mean_of(entry.lower(), entry.upper()).1;
-                [sum(Entry::mass), sum(moment), sum(|entry| entry.area().0)]
+                let some = &order[first..count.min(first + size)];
+                faces.cut_task(some, trial, most, |_| true, None).portion
             };
-            let sums: Vec<[f64; 3]> = (0..SAMPLES).into_par_iter().map(of_sample).collect();
-            let [mass, moment, area] =
-                sums.into_iter().fold([0.0; 3], |a, b| [a[0] + b[0], a[1] + b[1], a[2] + b[2]]);
-            let part = mass / (accuracy * moment + floor * area);
-            let (least, most) = AIMED;
-            let is_good = part.is_nan() || part <= 0.0 || (least..=most).contains(&part);
-            if self.faces.control.is_stopped() || is_good {
+            let sample = Distribution { portions: (0..SAMPLES).into_par_iter().map(of_sample).collect() };
+            let Some(summary) = Summary::of(&sample, wanted, faces.largest) else { return };
+            if self.faces.control.is_stopped() {
                 return;
             }
-            let factor = 0.5 * (least + most) / part;
-            goal.mass *= factor.clamp(1.0 / MOST_FACTOR, MOST_FACTOR);
+            let part = greater(self.excess(summary.mean), self.excess(summary.rms));
+            let (least, most) = AIMED;
+            let is_good = part.is_nan() || part <= 0.0 || (least..=most).contains(&part);
+            if !is_good {
+                let factor = 0.5 * (least + most) / part;
+                goal.mass *= factor.clamp(1.0 / MOST_FACTOR, MOST_FACTOR);
+            }
+            let worst =
+                summary.percentiles.iter().fold(0.0, |worst, ends| greater(worst, self.excess(*ends)));
+            let is_focused = worst <= AIMED_AT_PERCENTILES || worst.is_nan();
+            if !is_focused {
+                let wide = |ends: &&(f64, f64)| self.excess(**ends) > AIMED_AT_PERCENTILES;
+                let around = |ends: &(f64, f64)| (ends.0 / BESIDE_PERCENTILES, ends.1 * BESIDE_PERCENTILES);
+                let mass = lesser(goal.focus_mass, goal.mass);
+                goal.focus = summary.percentiles.iter().filter(wide).map(around).collect();
+                goal.focus_mass = mass * greater(NARROWER * AIMED_AT_PERCENTILES / worst, 1.0 / MOST_FACTOR);
+            }
+            if is_good && is_focused {
+                return;
+            }
         }
     }
 
@@ -460,4 +485,24 @@ fn keep_the_worst(flagged: &mut [bool], excess: f64, distribution: &Distribution
         flagged[face] = left > 0.0;
         left -= masses[face];
     }
+}
+
+/// Whether cutting the pieces that do not satisfy a goal should be enough for percentiles which are `excess` times too wide: whether
+/// they have most of the areas times widths in its focus.
+fn suffices(goal: &Goal, excess: f64, distribution: &Distribution) -> bool {
+    let of_portion = |portion: &Portion| {
+        let (mut inside, mut unmet) = (0.0, 0.0);
+        for entry in &portion.entries {
+            let (low, high) = (least(entry.lower()), greatest(entry.upper()));
+            if goal.is_in_focus(low, high) {
+                let mass = entry.mass();
+                inside += mass;
+                unmet += if goal.is_met(mass, low, high) { 0.0 } else { mass };
+            }
+        }
+        (inside, unmet)
+    };
+    let sums: Vec<(f64, f64)> = distribution.portions.par_iter().map(of_portion).collect();
+    let (inside, unmet) = sums.into_iter().fold((0.0, 0.0), |a, b| (a.0 + b.0, a.1 + b.1));
+    unmet >= lesser((1.0 - SPARE / excess) / LEAST_GAIN, MOST_OF_FOCUS) * inside
 }

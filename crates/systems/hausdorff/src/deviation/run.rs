@@ -1,6 +1,6 @@
 //! One direction, from meshes to report.
 
-use super::distribution::{Distribution, Entry};
+use super::distribution::{Distribution, Entry, Sum};
 use super::faces;
 use super::linear::{greater, lesser};
 use super::maxima::{Maxima, Maximum, Precision};
@@ -22,6 +22,7 @@ use pompeiu_core::geom::Aabb;
 use pompeiu_core::run::{Control, Limits};
 use pompeiu_core::spatial::{Neighbours, morton_order};
 use std::ops::ControlFlow;
+use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
@@ -41,6 +42,8 @@ pub(super) struct Outcome {
     pub(super) report: DirectedDeviation,
     pub(super) distribution: Distribution,
     pub(super) summary: Option<Summary>,
+    /// Up to the ends of the bins; empty without a summary.
+    pub(super) areas: Vec<Sum>,
     /// No distance is greater, in the frame.
     pub(super) largest: f64,
 }
@@ -78,10 +81,11 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
     let wanted = Wanted {
         percentiles: &query.percentiles,
         threshold: query.threshold.map(|t| frame.length_in(t)),
-        bins: query.bins,
         fine: Wanted::FINE * query.accuracy,
     };
-    let most_pieces = query.limits.pieces.unwrap_or(DeviationOptions::DEFAULT_PIECES);
+    let cells = from.faces().len() + to.faces().len();
+    let by_default = DeviationOptions::DEFAULT_PIECES.max(DeviationOptions::PIECES_PER_FACE * cells);
+    let most_pieces = query.limits.pieces.unwrap_or(by_default);
     let control = Control::start(&query.limits)
         .until(deadline)
         .holding(held + bytes_held(from, to, target) + neighbours.bytes());
@@ -108,15 +112,9 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
         control: &control,
         largest,
         scale: if total > 0.0 { moment / total } else { 0.0 },
+        idle: Mutex::default(),
     };
-    let aim = Aim {
-        wanted: &wanted,
-        accuracy: query.accuracy,
-        floor,
-        total,
-        cells: from.faces().len() + to.faces().len(),
-        most_pieces,
-    };
+    let aim = Aim { wanted: &wanted, accuracy: query.accuracy, floor, total, cells, most_pieces };
     let mut watch = |looks: u64, pieces: usize, left: usize| {
         control.check_memory(pieces * size_of::<Entry>());
         if pieces + left >= most_pieces {
@@ -169,13 +167,12 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
         _ => StopReason::Rounding,
     };
     let sides = query.signed.then(|| Sides::of(from, to));
+    let areas = if summary.is_some() { distribution.cumulative(largest, query.bins) } else { Vec::new() };
     let of_vertices = vertices.distances.iter().map(|distance| frame.length_out(*distance)).collect();
     let report = DirectedDeviation {
         direction,
         distance,
-        statistics: summary
-            .as_ref()
-            .map(|s| s.publish(&distribution, &wanted, query.threshold, largest, &frame)),
+        statistics: summary.as_ref().map(|s| s.publish(&areas, &wanted, query.threshold, largest, &frame)),
         faces: faces::faces(&frame, &bounds, &order, &maxima),
         vertices: of_vertices,
         vertex_error: frame.length_out(rounding.lower()),
@@ -194,7 +191,7 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
             refine: refining.elapsed(),
         },
     };
-    Outcome { report, distribution, summary, largest }
+    Outcome { report, distribution, summary, areas, largest }
 }
 
 impl Outcome {

@@ -1,6 +1,6 @@
 //! What is said about an area as a whole.
 
-use super::distribution::{Distribution, Moments, level};
+use super::distribution::{Distribution, Moments, Sum, level};
 use super::linear::{greater, lesser};
 use crate::report::Enclosure;
 use pompeiu_core::exact::Interval;
@@ -100,14 +100,13 @@ pub(super) struct Wanted<'w> {
     pub(super) percentiles: &'w [f64],
     /// In the frame.
     pub(super) threshold: Option<f64>,
-    pub(super) bins: usize,
     /// Part of a percentile up to which it is looked for: far less than its enclosure is wide.
     pub(super) fine: f64,
 }
 
 impl Wanted<'_> {
     /// See [`Wanted::fine`], as a part of the accuracy.
-    pub(super) const FINE: f64 = 0.05;
+    pub(super) const FINE: f64 = 0.1;
 }
 
 /// The same in the frame, for deciding what to refine.
@@ -149,9 +148,10 @@ impl Summary {
         Some(Self { sums, area, mean, rms, percentiles, above })
     }
 
+    /// For users. `areas` are those up to the ends of the bins ([`Distribution::cumulative`]).
     pub(super) fn publish(
         &self,
-        distribution: &Distribution,
+        areas: &[Sum],
         wanted: &Wanted<'_>,
         threshold: Option<f64>,
         largest: f64,
@@ -169,7 +169,7 @@ impl Summary {
             above: threshold
                 .zip(self.above)
                 .map(|(threshold, ends)| ShareAbove { threshold, share: share_of(ends) }),
-            histogram: histogram(distribution, wanted.bins, self.area, largest, frame),
+            histogram: histogram(areas, self.area, largest, frame),
         }
     }
 }
@@ -187,18 +187,11 @@ fn share_up_to(part: Interval, area: Interval) -> (f64, f64) {
     (lesser(greater(share.lower(), 0.0), 1.0), lesser(share.upper(), 1.0))
 }
 
-fn histogram(
-    distribution: &Distribution,
-    bins: usize,
-    area: Interval,
-    largest: f64,
-    frame: &Frame,
-) -> Histogram {
-    if bins == 0 {
+fn histogram(areas: &[Sum], area: Interval, largest: f64, frame: &Frame) -> Histogram {
+    let Some(bins) = areas.len().checked_sub(1) else {
         return Histogram { edges: Vec::new(), bins: Vec::new(), cumulative: Vec::new() };
-    }
-    let areas = distribution.cumulative(largest, bins);
-    let mut cumulative: Vec<_> = areas.into_iter().map(|part| share_up_to(part, area)).collect();
+    };
+    let mut cumulative: Vec<_> = areas.iter().map(|part| share_up_to(part.enclosure(), area)).collect();
     // Nothing is farther than the largest distance.
     cumulative[bins] = (1.0, 1.0);
     let between = |k: usize| {

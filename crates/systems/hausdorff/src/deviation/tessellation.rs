@@ -14,6 +14,7 @@ use pompeiu_core::run::Control;
 use pompeiu_core::spatial::{Neighbours, morton_order};
 use pompeiu_core::{FaceId, TriMesh};
 use rayon::prelude::*;
+use std::sync::Mutex;
 
 /// A triangle of a surface with the distance at its corners, for drawing.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,6 +69,7 @@ impl DirectedDeviation {
             control: &control,
             largest,
             scale: tolerance,
+            idle: Mutex::default(),
         };
         let goal = Goal::of_width(WIDTH * tolerance + 4.0 * rounding.bound(0));
         // First all faces whole, and into how many triangles they would be cut; then those that are.

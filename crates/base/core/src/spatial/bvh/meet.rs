@@ -9,6 +9,13 @@ use multiversion::multiversion;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Leaf(u32);
 
+impl Leaf {
+    /// Its place among the leaves.
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
 impl Bvh {
     /// Adds the leaves whose boxes meet a box, from its least to its greatest coordinates, with their boxes; in no order that means
     /// anything but always the same. The box of a leaf holds its triangles exactly.
@@ -25,6 +32,11 @@ impl Bvh {
     /// The triangles of a leaf, corner by corner, coordinate by coordinate, lane last. Lanes without a triangle repeat one.
     pub fn triangles(&self, leaf: Leaf) -> &TriangleBlock {
         &self.blocks[leaf.0 as usize]
+    }
+
+    /// The leaf that holds a slot.
+    pub fn leaf_of(&self, slot: Slot) -> Leaf {
+        Leaf((slot.index() / LANES) as u32)
     }
 
     /// The slot of the triangle in a lane of a leaf.
@@ -98,6 +110,7 @@ mod tests {
                 for lane in 0..LANES {
                     let corners = [0, 1, 2].map(|i| [0, 1, 2].map(|k| bvh.triangles(*leaf)[i][k][lane]));
                     prop_assert_eq!(corners, bvh.corners(bvh.slot_in(*leaf, lane)));
+                    prop_assert_eq!(bvh.leaf_of(bvh.slot_in(*leaf, lane)), *leaf);
                     prop_assert_eq!(aabb.union(Aabb::of_points(&corners)), *aabb);
                 }
             }

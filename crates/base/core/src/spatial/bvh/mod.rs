@@ -31,7 +31,7 @@ impl Slot {
 
     /// Its place in the order of the leaves.
     #[inline]
-    pub(super) fn index(self) -> usize {
+    pub fn index(self) -> usize {
         self.0 as usize
     }
 }

@@ -1,0 +1,198 @@
+//! Cells compared with the faces of B around them, one by one.
+//!
+//! # What is proven
+//! On a cell over F faces behind the plane of F, raised by their greatest rise over it, are no nearer than that plane; each other face
+//! is no nearer than a plane of its own (`candidates`); and faces that do not meet the box around the cell, widened by the greatest
+//! value above, are no nearer than that value, while the function below is nowhere greater, because F lies behind its plane.
+
+use super::behind::{Plane, rising, tilted};
+use super::candidates::{Candidate, Scale};
+use super::envelope::unit;
+use super::polygon::{MOST_CORNERS, Outline, Polygon, Row};
+use glam::DVec3;
+use pompeiu_core::geom::Aabb;
+use pompeiu_core::geom::point_triangle::closest_barycentric;
+use pompeiu_core::spatial::bvh::Leaf;
+use pompeiu_core::spatial::{Bvh, Slot};
+
+/// A part of a face of A over one face of B.
+#[derive(Clone, Copy)]
+pub(super) struct Cell {
+    pub(super) outline: Outline,
+    pub(super) slot: Slot,
+    /// From face to face on the way to it.
+    pub(super) steps: u32,
+    /// The corners, coordinate by coordinate.
+    pub(super) points: [Row; 3],
+    /// Distances of the corners from the face, with their margin, and the greatest.
+    pub(super) upper: Row,
+    pub(super) most: f64,
+    /// The width that may be left.
+    pub(super) width: f64,
+}
+
+/// What came of a comparison.
+pub(super) struct Compared {
+    /// The functions on the cell.
+    pub(super) polygon: Polygon,
+    /// The face that keeps it from being as narrow as wanted, and where that is nearer: there, these values at the corners are positive.
+    pub(super) blocking: Option<(Slot, Row)>,
+}
+
+/// Memory for comparing.
+pub(super) struct Compare<'b> {
+    bvh: &'b Bvh,
+    candidates: Vec<Candidate>,
+    leaves: Vec<(Leaf, Aabb)>,
+    walk: Vec<u32>,
+    rising: Vec<Slot>,
+}
+
+/// Leaves around cells, at most.
+const MOST_LEAVES: usize = 512;
+/// Part of the allowed width by which planes are lowered for faces that rise over them.
+const RISE: f64 = 0.15;
+
+impl<'b> Compare<'b> {
+    pub(super) fn new(bvh: &'b Bvh) -> Self {
+        Self { bvh, candidates: Vec::new(), leaves: Vec::new(), walk: Vec::new(), rising: Vec::new() }
+    }
+
+    /// Begins with some cells of one face of A.
+    pub(super) fn begin(&mut self, cells: &[Cell], scale: &Scale) {
+        let mut lower = [f64::INFINITY; 3];
+        let mut upper = [f64::NEG_INFINITY; 3];
+        for cell in cells {
+            let (l, u) = cell.around(scale);
+            for k in 0..3 {
+                lower[k] = if l[k] < lower[k] { l[k] } else { lower[k] };
+                upper[k] = if u[k] > upper[k] { u[k] } else { upper[k] };
+            }
+        }
+        self.candidates.clear();
+        self.leaves.clear();
+        self.bvh.leaves_meeting(lower, upper, &mut self.walk, &mut self.leaves);
+    }
+
+    /// Bounds the distance on one of the cells; none if too many faces are near.
+    pub(super) fn bound(&mut self, cell: &Cell, scale: &Scale) -> Option<Compared> {
+        if self.leaves.len() > MOST_LEAVES {
+            return None;
+        }
+        let outline = &cell.outline;
+        let face = self.candidate(cell.slot, scale);
+        let at = outline.centre();
+        let margin = scale.margin + scale.displacement(outline);
+        let g = if face.height.at(at) < 0.0 { -face.normal } else { face.normal };
+        let (lower, upper) = cell.around(scale);
+        let through = face.corners[0];
+        let rise = RISE * cell.width + 2.0 * margin;
+        self.rising.clear();
+        let plane = Plane { normal: g, through, lower, upper, rise };
+        let highest = rising(self.bvh, &self.leaves, &plane, &mut self.rising);
+        let own = face.reach_along(g, through);
+        let highest = if own > highest { own } else { highest };
+        let here = scale.along(g, through).row(outline);
+        let mut row = here.map(|x| x - highest);
+        let mut worst = rise;
+        let mut blocking = None;
+        for i in 0..self.rising.len() {
+            let slot = self.rising[i];
+            if slot == cell.slot {
+                continue;
+            }
+            let other = self.candidate(slot, scale);
+            let (theirs, deficit) = other.best_below(&cell.upper, outline, scale, g, rise);
+            for j in 0..MOST_CORNERS {
+                row[j] = if theirs[j] < row[j] { theirs[j] } else { row[j] };
+            }
+            if deficit > worst {
+                worst = deficit;
+                let below = other.height.at(at) < 0.0;
+                let height = other.height.row(outline).map(|h| if below { -h } else { h });
+                blocking = other.is_usable().then(|| (slot, std::array::from_fn(|j| here[j] - height[j])));
+            }
+        }
+        let mut polygon = Polygon::unknown(*outline, 0.0);
+        polygon.upper = cell.upper;
+        polygon.lower = row.map(|x| x - margin);
+        Some(Compared { polygon, blocking })
+    }
+
+    fn candidate(&mut self, slot: Slot, scale: &Scale) -> Candidate {
+        if let Some(known) = self.candidates.iter().find(|candidate| candidate.slot == slot) {
+            return *known;
+        }
+        let candidate = Candidate::new(slot, self.bvh.corners(slot), scale);
+        self.candidates.push(candidate);
+        candidate
+    }
+}
+
+impl Cell {
+    /// The box around it, widened by its greatest value above.
+    fn around(&self, scale: &Scale) -> ([f64; 3], [f64; 3]) {
+        let beside = self.most + 2.0 * scale.margin;
+        let ranges = self.points.each_ref().map(range);
+        (ranges.map(|(low, _)| low - beside), ranges.map(|(_, high)| high + beside))
+    }
+}
+
+/// The least and the greatest of the values at the corners.
+pub(super) fn range(row: &Row) -> (f64, f64) {
+    // What lies beyond the corners repeats the last one.
+    let (mut low, mut high) = (row[0], row[0]);
+    for x in &row[1..] {
+        low = if *x < low { *x } else { low };
+        high = if *x > high { *x } else { high };
+    }
+    (low, high)
+}
+
+impl Candidate {
+    /// Values at the corners of the best of a few functions below the distance from this face, and how far it lies below the wanted
+    /// one at most. `normal` is that of a plane over which this face rises; a function that lies `enough` below ends the search.
+    fn best_below(
+        &self,
+        wanted: &Row,
+        outline: &Outline,
+        scale: &Scale,
+        normal: DVec3,
+        enough: f64,
+    ) -> (Row, f64) {
+        let at = outline.centre();
+        let short = |row: &Row| range(&std::array::from_fn(|j| wanted[j] - row[j])).1;
+        let mut best = ([f64::NEG_INFINITY; MOST_CORNERS], f64::INFINITY);
+        if self.normal != DVec3::ZERO {
+            let below = self.height.at(at) < 0.0;
+            let bulge = self.bulge[usize::from(below)];
+            let row = self.height.row(outline).map(|h| if below { -h - bulge } else { h - bulge });
+            best = (row, short(&row));
+        }
+        if best.1 <= enough {
+            return best;
+        }
+        let centre = scale.point(at);
+        let [a, b, c] = self.corners;
+        let beta = closest_barycentric(centre.to_array(), self.corners.map(|p| p.to_array()));
+        let y = a + beta[1] * (b - a) + beta[2] * (c - a);
+        let away = centre - y;
+        let mut plane = |g: Option<DVec3>| {
+            if let Some(g) = g {
+                let support = self.reach_along(g, y);
+                let row = scale.along(g, y).row(outline).map(|x| x - support);
+                let here = short(&row);
+                best = if here < best.1 { (row, here) } else { best };
+            }
+            best.1 <= enough
+        };
+        let ways = self.corners.map(|corner| corner - y);
+        let across = ways.map(|way| {
+            let across = normal.cross(way);
+            if across.dot(away) < 0.0 { -across } else { across }
+        });
+        let aside = [-(ways[0] + ways[1] + ways[2]), away, across[0], across[1], across[2]];
+        let _ = aside.into_iter().any(|aside| plane(tilted(&ways, normal, aside))) || plane(unit(away));
+        best
+    }
+}
