@@ -41,6 +41,7 @@ from .errors import (
 )
 from .fields import DegreesOfFreedom, FieldParts, FieldQuality, HodgeDecomposition, Ranks, field_degrees_of_freedom
 from .files import mesh_summary, write_mesh
+from .flattening import Cut, Flattening, cut, flatten
 from .many import DistanceMatrix, RankReport, RankWork, Standing, distance_matrix, rank
 from .results import (
     DirectedReport,
@@ -57,6 +58,7 @@ from .surfaces import Flow, Intersections, Remeshed, Simplified, flow, intersect
 
 __all__ = [
     "DEFAULT_TOLERANCE",
+    "Cut",
     "DegreesOfFreedom",
     "Deviation",
     "DeviationWork",
@@ -67,6 +69,7 @@ __all__ = [
     "FieldError",
     "FieldParts",
     "FieldQuality",
+    "Flattening",
     "Flow",
     "Histogram",
     "HodgeDecomposition",
@@ -103,11 +106,13 @@ __all__ = [
     "__version__",
     "align",
     "as_mesh",
+    "cut",
     "deviation",
     "directed_deviation",
     "directed_hausdorff",
     "distance_matrix",
     "field_degrees_of_freedom",
+    "flatten",
     "flow",
     "hausdorff",
     "intersections",

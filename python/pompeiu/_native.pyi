@@ -84,6 +84,17 @@ def distance_matrix(
     meshes: list[Mesh], width: tuple[float, str], most: _Limits, progress: _Steps
 ) -> _Matrix: ...
 def matrix_entries(to: Mesh, from_: list[Mesh], width: tuple[float, str], threads: int) -> list[str]: ...
+def cut(mesh: Mesh, cutting: _Options) -> tuple[Mesh, NDArray[np.uint32], NDArray[np.uint32]]: ...
+def flatten(
+    mesh: Mesh, cutting: _Options, mapping: _Options, progress: Optional[Callable[[float], Optional[bool]]]
+) -> tuple[
+    NDArray[np.float64],
+    NDArray[np.uint32],
+    NDArray[np.uint32],
+    NDArray[np.uint32],
+    NDArray[np.float64],
+    str,
+]: ...
 def mean_curvature_flow(
     mesh: Mesh, options: _Options, progress: Optional[Callable[[int, float, float], Optional[bool]]]
 ) -> tuple[Mesh, str]: ...

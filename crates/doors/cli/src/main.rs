@@ -15,6 +15,7 @@ mod pair;
 mod printer;
 #[cfg(test)]
 mod schema;
+mod surface;
 mod threads;
 mod wait;
 

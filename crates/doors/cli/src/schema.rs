@@ -31,9 +31,11 @@ fn published_schemas_are_those_of_the_types() {
         published.push(format!("{name}.json"));
     };
     check("align", schema::<answers::Align<'static>>());
+    check("cut", schema::<answers::Cut<'static>>());
     check("decompose", schema::<answers::Decompose<'static>>());
     check("deviation", schema::<answers::Deviation<'static>>());
     check("distance", schema::<answers::Distance<'static>>());
+    check("flatten", schema::<answers::Flatten<'static>>());
     check("flow", schema::<answers::Flow<'static>>());
     check("info", schema::<answers::Info<'static>>());
     check("matrix", schema::<answers::Matrix<'static>>());

@@ -2,6 +2,7 @@
 
 use pompeiu::core::MeshError;
 use pompeiu::core::mesh::shapes::ShapeError;
+use pompeiu::flatten::FlattenError;
 use pompeiu::flow::FlowError;
 use pompeiu::flow::remesh::{RemeshError, SimplifyError};
 use pompeiu::hausdorff::OptionError;
@@ -83,6 +84,17 @@ impl Raise for RemeshError {
         match self {
             Self::Connectivity(_) => classes::SurfaceError::new_err(sentence),
             _ => classes::OptionError::new_err(sentence),
+        }
+    }
+}
+
+impl Raise for FlattenError {
+    fn exception(&self, sentence: String) -> PyErr {
+        match self {
+            Self::Polygon { .. } | Self::FewVertices { .. } | Self::Option { .. } => {
+                classes::OptionError::new_err(sentence)
+            }
+            _ => classes::SurfaceError::new_err(sentence),
         }
     }
 }

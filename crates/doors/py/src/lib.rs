@@ -7,6 +7,7 @@ mod arrays;
 mod errors;
 mod fields;
 mod files;
+mod flatten;
 mod flow;
 mod hausdorff;
 mod json;
@@ -22,6 +23,8 @@ mod _native {
     use crate::fields::{HodgeDecomposition, degrees_of_freedom};
     #[pymodule_export]
     use crate::files::{read_mesh, write_mesh};
+    #[pymodule_export]
+    use crate::flatten::{cut, flatten};
     #[pymodule_export]
     use crate::flow::{intersections, mean_curvature_flow, remesh, simplify};
     #[pymodule_export]

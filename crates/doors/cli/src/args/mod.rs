@@ -1,11 +1,13 @@
 //! The command line as typed values: what all commands have in common, and options that several share.
 
+mod cut;
 mod intersections;
 mod limits;
 mod many;
 mod picture;
 mod tolerance;
 
+pub(crate) use cut::CutChoice;
 pub(crate) use intersections::Intersections;
 pub(crate) use limits::Limits;
 pub(crate) use many::Many;

@@ -50,13 +50,28 @@ impl Picture {
         if let Some(path) = &self.report {
             files::write_whole(path, page()?.as_bytes(), printer)?;
         }
-        if let Some(path) = &self.image {
-            let (width, height) = self.image_size;
-            let mut png = Vec::new();
-            image(width, height, self.theme.into(), self.view())?.write_png(&mut png)?;
-            files::write_whole(path, &png, printer)?;
+        match &self.image {
+            Some(path) => self.write_image(path, image, printer),
+            None => Ok(()),
         }
-        Ok(())
+    }
+
+    /// Writes a picture of the size that was asked for.
+    pub(crate) fn write_image(
+        &self,
+        path: &Path,
+        image: impl FnOnce(
+            u32,
+            u32,
+            figures::Theme,
+            figures::View,
+        ) -> Result<figures::Image, figures::FigureError>,
+        printer: &Printer,
+    ) -> anyhow::Result<()> {
+        let (width, height) = self.image_size;
+        let mut png = Vec::new();
+        image(width, height, self.theme.into(), self.view())?.write_png(&mut png)?;
+        files::write_whole(path, &png, printer)
     }
 
     fn view(&self) -> figures::View {

@@ -4,9 +4,11 @@
 mod align;
 mod completions;
 mod convert;
+mod cut;
 mod decompose;
 mod deviation;
 mod distance;
+mod flatten;
 mod flow;
 mod generate;
 mod info;
@@ -49,6 +51,8 @@ commands! {
     decompose::Decompose,
     remesh::Remesh,
     flow::Flow,
+    flatten::Flatten,
+    cut::Cut,
     simplify::Simplify,
     repair::Repair,
     convert::Convert,
@@ -61,9 +65,11 @@ commands! {
 #[cfg(test)]
 pub(crate) mod answers {
     pub(crate) use super::align::Json as Align;
+    pub(crate) use super::cut::Json as Cut;
     pub(crate) use super::decompose::Json as Decompose;
     pub(crate) use super::deviation::Json as Deviation;
     pub(crate) use super::distance::Json as Distance;
+    pub(crate) use super::flatten::Json as Flatten;
     pub(crate) use super::flow::Json as Flow;
     pub(crate) use super::info::Json as Info;
     pub(crate) use super::matrix::Json as Matrix;

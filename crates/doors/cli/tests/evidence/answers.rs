@@ -563,3 +563,92 @@ fn align_brings_a_part_back_and_says_how_sure_it_is() {
     let refused = folder.run("align moved.obj model.obj -o model.obj");
     assert_eq!(refused.status.code(), Some(2));
 }
+
+#[test]
+fn cut_answers_with_what_glues_back() {
+    let folder = Folder::new();
+    folder.ok("generate torus --major-segments 24 --minor-segments 16 -o torus.obj");
+    let report = json(&folder, "cut torus.obj -o opened.obj --json");
+    let all = [
+        "path",
+        "vertices",
+        "faces",
+        "components",
+        "cut",
+        "euler_characteristic",
+        "boundary_loops",
+        "vertex_map",
+        "timing_ms",
+    ];
+    assert_eq!(keys(&report), sorted(&all));
+    assert_eq!(keys(&report["cut"]), sorted(&["edges", "length", "strategy"]));
+    assert_eq!((&report["euler_characteristic"], &report["boundary_loops"]), (&1.into(), &1.into()));
+    let [before, after] =
+        ["torus.obj", "opened.obj"].map(|name| pompeiu::io::read_mesh(folder.path().join(name)).unwrap());
+    let map: Vec<usize> =
+        report["vertex_map"].as_array().unwrap().iter().map(|v| v.as_u64().unwrap() as usize).collect();
+    assert_eq!(
+        (after.positions().len(), report["vertices"].as_u64().unwrap() as usize),
+        (map.len(), map.len())
+    );
+    for (glued, face) in after.faces().iter().zip(before.faces()) {
+        assert_eq!(glued.map(|v| map[v as usize] as u32), *face);
+    }
+    for (position, &v) in after.positions().iter().zip(&map) {
+        assert_eq!(*position, before.positions()[v]);
+    }
+    assert!(folder.run("cut torus.obj").stdout.is_empty());
+}
+
+#[test]
+fn flatten_says_whether_the_map_is_one_to_one_and_writes_it() {
+    let folder = Folder::new();
+    folder.ok("generate torus --major-segments 24 --minor-segments 16 -o torus.obj");
+    let report = json(&folder, "flatten torus.obj -o flat.obj --report flat.html --json");
+    let named = ["charts", "flipped", "overlapping", "boundary_loops", "cut", "distortion", "timing_ms"];
+    for key in named {
+        assert!(!report[key].is_null(), "{key}");
+    }
+    assert_eq!(
+        [&report["charts"], &report["flipped"], &report["overlapping"]],
+        [1, 0, 0].map(Value::from).each_ref()
+    );
+    for key in ["edges", "length", "strategy"] {
+        assert!(!report["cut"][key].is_null(), "{key}");
+    }
+    let distortion = &report["distortion"];
+    for (key, inner) in [("angle", "mean"), ("area", "max"), ("symmetric_dirichlet", "mean")] {
+        assert!(distortion[key][inner].as_f64().unwrap() >= 1.0, "{key}");
+    }
+    for key in ["stretch_l2", "stretch_linf", "least_singular_ratio"] {
+        assert!(distortion[key].as_f64().unwrap() > 0.0, "{key}");
+    }
+    assert_eq!(keys(&report["timing_ms"]), sorted(&["cut", "factor", "solve", "check", "total"]));
+    let text = std::fs::read_to_string(folder.path().join("flat.obj")).unwrap();
+    let count = |tag: &str| text.lines().filter(|line| line.starts_with(tag)).count();
+    assert_eq!((count("v "), count("f ")), (24 * 16, 2 * 24 * 16));
+    assert!(count("vt ") > 24 * 16);
+    for (arguments, begins) in [
+        ("flatten torus.obj -o flat.glb", &b"glTF"[..]),
+        ("flatten torus.obj --boundary circle --weights cotangent -o flat.svg", b"<svg"),
+        ("flatten torus.obj --strategy genus -o flat.png --image-size 320x200", b"\x89PNG"),
+    ] {
+        folder.ok(arguments);
+        let name = arguments.split(' ').find(|word| word.starts_with("flat.")).unwrap();
+        assert!(std::fs::read(folder.path().join(name)).unwrap().starts_with(begins), "{arguments}");
+    }
+    for wrong in
+        ["flatten torus.obj", "flatten torus.obj -o flat.stl", "flatten torus.obj --boundary own -o x.obj"]
+    {
+        assert_eq!(folder.run(wrong).status.code(), Some(2), "{wrong}");
+    }
+    assert!(!folder.path().join("x.obj").exists());
+    // A limit leaves a map that is one-to-one.
+    let late = folder.run("flatten torus.obj --time-limit 0s --json");
+    assert_eq!(late.status.code(), Some(3));
+    let late: Value = serde_json::from_slice(&late.stdout).unwrap();
+    assert_eq!(
+        (&late["stop"], &late["flipped"], &late["overlapping"]),
+        (&"time".into(), &0.into(), &0.into())
+    );
+}

@@ -1,0 +1,90 @@
+//! Runs the command.
+
+use super::args::Flatten as Args;
+use super::output::{Kind, kind, write_drawing, write_textured};
+use super::{json, text};
+use crate::called::called;
+use crate::exit::Exit;
+use crate::pair::File;
+use crate::printer::Printer;
+use crate::wait::Wait;
+use crate::{files, interrupt, surface};
+use anyhow::{Context, bail};
+use pompeiu::core::run::{Limits, Progress};
+use pompeiu::flatten::show::FlattenPage;
+use pompeiu::flatten::{FlattenOptions, FlattenReport, Method, flatten};
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+/// What was done, for both kinds of answers.
+pub(super) struct Outcome {
+    pub(super) input: File,
+    pub(super) report: FlattenReport,
+    /// From the command's start to its answer.
+    pub(super) total: Duration,
+}
+
+pub(crate) fn run(args: &Args, printer: &Printer) -> anyhow::Result<Exit> {
+    let started = Instant::now();
+    if args.output.is_none() && args.picture.outputs().next().is_none() && !args.json {
+        bail!("nothing would be written; name the result with -o, or ask for --report, --image or --json");
+    }
+    let kind = args.output.as_deref().map(kind).transpose()?;
+    let outputs = args.output.iter().map(PathBuf::as_path).chain(args.picture.outputs());
+    files::check_places(outputs, &[&args.mesh])?;
+    args.limits.apply_threads()?;
+    interrupt::listen();
+    let shown = || args.mesh.display().to_string();
+    let wait = Wait::new(printer);
+    let (mesh, surface) = surface::read(&args.mesh, &wait, printer)?;
+    let options = FlattenOptions {
+        cut: args.cut.options(&surface),
+        method: match args.boundary.0.clone() {
+            None => Method::default(),
+            Some(boundary) => Method::Convex { boundary, weights: args.weights.into() },
+        },
+        target: args.target,
+        most_cuts: args.most_cuts,
+        pack: !args.no_pack,
+        limits: Limits { time: args.limits.time_after(started.elapsed()), ..Limits::default() },
+    };
+    let watch = |progress: &Progress<'_>| {
+        wait.progress(progress);
+        interrupt::flow()
+    };
+    let flat = flatten(&surface, &options, &watch).with_context(shown)?;
+    drop(wait);
+    let page = FlattenPage {
+        path: &shown(),
+        surface: &surface,
+        flat: &flat,
+        up: args.picture.up.axis(),
+        command: Some(&called()),
+    };
+    if let (Some(output), Some(kind)) = (&args.output, kind) {
+        match kind {
+            Kind::Textured(format) => write_textured(output, format, &mesh, &flat, printer)?,
+            Kind::Drawing => write_drawing(output, &surface, &flat, printer)?,
+            Kind::Picture => {
+                args.picture.write_image(
+                    output,
+                    |width, height, theme, view| page.image(width, height, theme, view),
+                    printer,
+                )?;
+            }
+        }
+    }
+    args.picture.write(
+        || page.html(),
+        |width, height, theme, view| page.image(width, height, theme, view),
+        printer,
+    )?;
+    let outcome =
+        Outcome { input: File::new(&args.mesh, &mesh), report: flat.report, total: started.elapsed() };
+    Printer::answer(&if args.json { json::json(&outcome)? } else { text::text(&outcome) })?;
+    Ok(if outcome.report.is_one_to_one() && !outcome.report.stop.is_early() {
+        Exit::Done
+    } else {
+        Exit::Undecided
+    })
+}

@@ -1,0 +1,80 @@
+//! The outcome for people.
+
+use super::run::Outcome;
+use crate::exit::stopped_by;
+use crate::numbers::{grouped, shortest, time};
+use crate::page::Page;
+
+/// The verdict first, then a row for each quantity.
+pub(super) fn text(outcome: &Outcome) -> String {
+    let report = &outcome.report;
+    let number = |n: usize| grouped(n as u64);
+    let mut page = Page::new();
+    let verdict = if report.is_one_to_one() { "yes" } else { "no" };
+    page.row(
+        "result",
+        &format!(
+            "one-to-one: {verdict}, {} flipped, {} overlapping of {} faces",
+            number(report.flipped),
+            number(report.overlapping),
+            number(outcome.input.faces)
+        ),
+    );
+    if report.stop.is_early() {
+        page.row("", &format!("stopped early by {}", stopped_by(report.stop)));
+    }
+    let charts = if report.charts == 1 { "1".to_owned() } else { number(report.charts) };
+    page.row("charts", &charts);
+    let cut = &report.cut;
+    page.row(
+        "cut",
+        &format!(
+            "{} edges of length {}, {:.2} of the square root of the area ({})",
+            number(cut.edges),
+            shortest(cut.length),
+            cut.relative_length,
+            cut.strategy
+        ),
+    );
+    let distortion = &report.distortion;
+    let energy = distortion.symmetric_dirichlet;
+    page.row(
+        "lengths",
+        &format!(
+            "symmetric Dirichlet energy {:.4} on average, at most {:.4} (kept: 4)",
+            energy.mean, energy.max
+        ),
+    );
+    page.row(
+        "",
+        &format!(
+            "factor {:.4} on average, at most {:.4}",
+            distortion.isometric.mean, distortion.isometric.max
+        ),
+    );
+    page.row(
+        "angles",
+        &format!(
+            "ratio of singular values {:.4} on average, at most {:.4}",
+            distortion.angle.mean, distortion.angle.max
+        ),
+    );
+    page.row(
+        "areas",
+        &format!("factor {:.4} on average, at most {:.4}", distortion.area.mean, distortion.area.max),
+    );
+    page.row("stretch", &format!("L2 {:.4}, L∞ {:.4}", distortion.stretch_l2, distortion.stretch_linf));
+    let timing = report.timing;
+    page.row(
+        "time",
+        &format!(
+            "cut {}, factors {}, solves {}, checks {}, total {}",
+            time(timing.cut),
+            time(timing.factor),
+            time(timing.solve),
+            time(timing.check),
+            time(outcome.total)
+        ),
+    );
+    page.into_text()
+}

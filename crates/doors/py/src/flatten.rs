@@ -1,0 +1,166 @@
+//! Cutting surfaces open and laying them flat.
+
+use crate::arrays::array_of_rows;
+use crate::errors::{Raise, UnknownOption};
+use crate::hausdorff::limits;
+use crate::json::written;
+use crate::mesh::Mesh;
+use crate::wait::{self, Share, Watch};
+use numpy::{IntoPyArray, PyArray1, PyArray2};
+use pompeiu::core::{TriMesh, VertexId};
+use pompeiu::flatten::{
+    ConvexBoundary, CutOptions, CutStrategy, FlattenError, FlattenOptions, Method, Opened, Weights,
+};
+use pompeiu::surface::{EdgeData, EmbeddedSurface};
+use pyo3::prelude::*;
+
+/// Where to cut, as the Python half hands it over.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub(crate) struct Cutting {
+    strategy: String,
+    cuts: usize,
+    through: Vec<u32>,
+    along: Vec<Vec<u32>>,
+    forbidden: Vec<u32>,
+}
+
+/// What map to make of it.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub(crate) struct Mapping {
+    boundary: String,
+    polygon: Vec<[f64; 2]>,
+    weights: String,
+    target: f64,
+    most_cuts: usize,
+    pack: bool,
+    threads: Option<usize>,
+    time_limit: Option<f64>,
+}
+
+fn unknown(option: &'static str, found: String, expected: &'static str) -> PyErr {
+    UnknownOption::Name { option, found, expected }.raise()
+}
+
+impl Cutting {
+    fn options(self) -> PyResult<CutOptions> {
+        let ids = |list: Vec<u32>| -> Vec<VertexId> { list.into_iter().map(VertexId).collect() };
+        let strategy = match self.strategy.as_str() {
+            "auto" => CutStrategy::Auto,
+            "genus" => CutStrategy::Genus,
+            "euclidean" => CutStrategy::Euclidean { cuts: self.cuts },
+            "tips" => CutStrategy::Tips,
+            "through" => CutStrategy::Through(ids(self.through)),
+            "along" => CutStrategy::Along(self.along.into_iter().map(ids).collect()),
+            _ => {
+                let expected = "\"auto\", \"genus\", \"euclidean\" or \"tips\"";
+                return Err(unknown("strategy", self.strategy, expected));
+            }
+        };
+        Ok(CutOptions { strategy, forbidden: ids(self.forbidden) })
+    }
+}
+
+impl Mapping {
+    fn options(self, cut: CutOptions) -> PyResult<FlattenOptions> {
+        let weights = match self.weights.as_str() {
+            "uniform" => Weights::Uniform,
+            "cotangent" => Weights::Cotangent,
+            "mean-value" => Weights::MeanValue,
+            _ => {
+                return Err(unknown("weights", self.weights, "\"uniform\", \"cotangent\" or \"mean-value\""));
+            }
+        };
+        let boundary = match self.boundary.as_str() {
+            "free" => None,
+            "circle" => Some(ConvexBoundary::Circle),
+            "square" => Some(ConvexBoundary::Square),
+            "own" => Some(ConvexBoundary::Own),
+            "polygon" => Some(ConvexBoundary::Polygon(self.polygon)),
+            _ => {
+                let expected = "\"free\", \"circle\", \"square\", \"own\" or the corners of a polygon";
+                return Err(unknown("boundary", self.boundary, expected));
+            }
+        };
+        Ok(FlattenOptions {
+            cut,
+            method: boundary.map_or_else(Method::default, |boundary| Method::Convex { boundary, weights }),
+            target: self.target,
+            most_cuts: self.most_cuts,
+            pack: self.pack,
+            limits: limits(self.threads, self.time_limit, None)?,
+        })
+    }
+}
+
+/// What was cut: the vertex that each one is a copy of, and the ends of the edges.
+type Seams<'py> = (Bound<'py, PyArray1<u32>>, Bound<'py, PyArray2<u32>>);
+
+fn seams<'py>(
+    py: Python<'py>,
+    surface: &EmbeddedSurface,
+    cut: &EdgeData<bool>,
+    opened: &Opened,
+) -> PyResult<Seams<'py>> {
+    let mesh = surface.mesh();
+    let edges: Vec<[u32; 2]> =
+        mesh.edge_ids().filter(|&edge| cut[edge]).map(|edge| mesh.ends(edge).map(|v| v.0)).collect();
+    let copies: Vec<u32> = opened.vertex_map().iter().map(|v| v.0).collect();
+    Ok((copies.into_pyarray(py), array_of_rows(py, edges)?))
+}
+
+/// Opens a surface into disks.
+#[pyfunction]
+pub(crate) fn cut<'py>(
+    py: Python<'py>,
+    mesh: &Bound<'py, Mesh>,
+    cutting: Cutting,
+) -> PyResult<(Mesh, Bound<'py, PyArray1<u32>>, Bound<'py, PyArray2<u32>>)> {
+    let options = cutting.options()?;
+    let mesh = mesh.get().inner();
+    let surface = py.detach(|| EmbeddedSurface::new(mesh)).map_err(Raise::raise)?;
+    let found = py.detach(|| {
+        let cut = pompeiu::flatten::choose_cut(&surface, &options)?;
+        let opened = pompeiu::flatten::open(surface.mesh(), &cut)?;
+        Ok::<_, pompeiu::flatten::CutError>((cut, opened))
+    });
+    let (cut, opened) = found.map_err(|error| FlattenError::from(error).raise())?;
+    let whole =
+        TriMesh::new(opened.spread(mesh.positions()), opened.faces().to_vec()).map_err(Raise::raise)?;
+    let (copies, edges) = seams(py, &surface, &cut, &opened)?;
+    Ok((Mesh::from(whole), copies, edges))
+}
+
+/// A flat map: places, which of them each corner has, the vertex that each is a copy of, the edges cut, the energy of each face.
+type Map<'py> = (
+    Bound<'py, PyArray2<f64>>,
+    Bound<'py, PyArray2<u32>>,
+    Bound<'py, PyArray1<u32>>,
+    Bound<'py, PyArray2<u32>>,
+    Bound<'py, PyArray1<f64>>,
+    String,
+);
+
+/// Cuts a surface open and lays it flat.
+#[pyfunction]
+pub(crate) fn flatten<'py>(
+    py: Python<'py>,
+    mesh: &Bound<'py, Mesh>,
+    cutting: Cutting,
+    mapping: Mapping,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<Map<'py>> {
+    let options = mapping.options(cutting.options()?)?;
+    let mesh = mesh.get().inner();
+    let surface = py.detach(|| EmbeddedSurface::new(mesh)).map_err(Raise::raise)?;
+    let flat = wait::run(py, progress, |watch: &mut Watch<'_, Share>| {
+        pompeiu::flatten::flatten(&surface, &options, watch)
+    })?;
+    let flat = flat.map_err(Raise::raise)?;
+    let (copies, edges) = seams(py, &surface, &flat.cut, &flat.opened)?;
+    let report = written(&flat.report)?;
+    let distortion = flat.face_distortion().into_vec().into_pyarray(py);
+    let corners = array_of_rows(py, flat.opened.faces().to_vec())?;
+    Ok((array_of_rows(py, flat.uv.into_vec())?, corners, copies, edges, distortion, report))
+}

@@ -1,0 +1,74 @@
+"""Cutting and flattening: copies, exact verdicts, developable surfaces, errors."""
+
+import numpy as np
+import pompeiu
+import pytest
+
+
+def areas(flat):
+    a, b, c = np.moveaxis(flat.uv, 1, 0)
+    (x, y), (z, w) = (b - a).T, (c - a).T
+    return 0.5 * (x * w - y * z)
+
+
+def test_a_cut_glues_back():
+    torus = pompeiu.shapes.torus(2.0, 0.7, 24, 16)
+    opened = pompeiu.cut(torus)
+    assert (opened.vertex_map[opened.mesh.faces] == torus.faces).all()
+    assert (opened.mesh.vertices == torus.vertices[opened.vertex_map]).all()
+    assert (opened.vertex_map[: torus.n_vertices] == np.arange(torus.n_vertices)).all()
+    # A disk: one vertex more than the edges of a tree, for two loops that meet.
+    assert opened.mesh.n_vertices == torus.n_vertices + len(opened.edges) + 1
+
+
+def test_a_sphere_lies_flat_in_the_unit_square():
+    sphere = pompeiu.shapes.icosphere(1.0, 3)
+    told = []
+    flat = pompeiu.flatten(sphere, progress=lambda share: told.append(share))
+    assert flat.is_one_to_one and flat.charts == 1
+    assert (areas(flat) > 0).all() and (flat.uv >= 0).all() and (flat.uv <= 1).all()
+    assert flat.distortion["symmetric_dirichlet"]["mean"] < 4.4
+    weights = pompeiu.shapes.icosphere(1.0, 3)
+    corners = weights.vertices[weights.faces]
+    in_space = 0.5 * np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
+    mean = (flat.face_distortion * in_space).sum() / in_space.sum()
+    assert mean == pytest.approx(flat.distortion["symmetric_dirichlet"]["mean"], rel=1e-9)
+    assert (flat.vertex_map[flat.corners] == sphere.faces).all()
+
+
+def test_a_cylinder_keeps_its_lengths():
+    flat = pompeiu.flatten(pompeiu.shapes.cylinder(1.0, 2.0, 24, 6), pack=False)
+    assert flat.distortion["isometric"]["max"] == pytest.approx(1.0, abs=1e-9)
+
+
+def test_a_planar_grid_stays_as_it_is():
+    grid = pompeiu.shapes.grid((3.0, 2.0), (6, 4))
+    flat = pompeiu.flatten(grid, boundary="own", pack=False)
+    shift = flat.coordinates[0] - grid.vertices[0, :2]
+    assert np.abs(flat.coordinates - grid.vertices[:, :2] - shift).max() < 1e-12
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        ({"strategy": "zigzag"}, "expected \"auto\""),
+        ({"boundary": "star"}, "expected \"free\""),
+        ({"weights": "heavy"}, "expected \"uniform\""),
+        ({"boundary": [(0, 0), (0, 1), (1, 0)]}, "no convex polygon"),
+        ({"target": 4.0}, "greater than 4"),
+        ({"through": [0], "along": [[0, 1]]}, "choose one"),
+        ({"through": [-1]}, "no vertex -1"),
+    ],
+)
+def test_options_that_make_no_sense(options, words):
+    with pytest.raises(pompeiu.OptionError, match=words):
+        pompeiu.flatten(pompeiu.shapes.icosphere(1.0, 1), **options)
+
+
+def test_what_cannot_be_cut():
+    sphere = pompeiu.shapes.icosphere(1.0, 1)
+    with pytest.raises(pompeiu.SurfaceError, match="no disk"):
+        pompeiu.cut(sphere, strategy="genus")
+    folded = ([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [0, -1, 0]], [[0, 1, 2], [0, 1, 3], [0, 1, 4]])
+    with pytest.raises(pompeiu.SurfaceError, match="faces"):
+        pompeiu.flatten(folded)
