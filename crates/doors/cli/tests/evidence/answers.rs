@@ -443,7 +443,7 @@ fn every_shape_can_be_generated_and_described() {
         .skip_while(|line| *line != "Shapes:")
         .skip(1)
         .map_while(|line| line.split_whitespace().next())
-        .filter(|&name| name != "help" && name != "mesh")
+        .filter(|&name| !matches!(name, "help" | "mesh" | "wire"))
         .collect();
     assert_eq!(shapes.len(), 21, "{help}");
     for shape in shapes {
