@@ -166,7 +166,8 @@ def cut(
     >>> opened.mesh.n_vertices - 24 * 16 == len(opened.edges) + 1
     True
     """
-    return Cut(*_native.cut(as_mesh(mesh), _cutting(strategy, cuts, through, along, forbidden)))
+    opened, seams = _native.cut(as_mesh(mesh), _cutting(strategy, cuts, through, along, forbidden))
+    return Cut(opened, *seams)
 
 
 def flatten(

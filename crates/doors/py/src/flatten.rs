@@ -116,7 +116,7 @@ pub(crate) fn cut<'py>(
     py: Python<'py>,
     mesh: &Bound<'py, Mesh>,
     cutting: Cutting,
-) -> PyResult<(Mesh, Bound<'py, PyArray1<u32>>, Bound<'py, PyArray2<u32>>)> {
+) -> PyResult<(Mesh, Seams<'py>)> {
     let options = cutting.options()?;
     let mesh = mesh.get().inner();
     let surface = py.detach(|| EmbeddedSurface::new(mesh)).map_err(Raise::raise)?;
@@ -128,8 +128,7 @@ pub(crate) fn cut<'py>(
     let (cut, opened) = found.map_err(|error| FlattenError::from(error).raise())?;
     let whole =
         TriMesh::new(opened.spread(mesh.positions()), opened.faces().to_vec()).map_err(Raise::raise)?;
-    let (copies, edges) = seams(py, &surface, &cut, &opened)?;
-    Ok((Mesh::from(whole), copies, edges))
+    Ok((Mesh::from(whole), seams(py, &surface, &cut, &opened)?))
 }
 
 /// A flat map: places, which of them each corner has, the vertex that each is a copy of, the edges cut, the energy of each face.

@@ -537,17 +537,17 @@ fn align_brings_a_part_back_and_says_how_sure_it_is() {
         format!("v {x} {y} {z}")
     };
     let write = |name: &str, place: fn([f64; 3]) -> [f64; 3]| {
-        folder.write(name, &ball.lines().map(|line| bumped(line, place)).collect::<Vec<_>>().join("\n"));
+        folder.write(name, ball.lines().map(|line| bumped(line, place)).collect::<Vec<_>>().join("\n"));
     };
     write("model.obj", |p| p);
     write("moved.obj", |[x, y, z]| [z + 9.0, x - 4.0, y + 2.0]);
     let found = json(&folder, "align moved.obj model.obj -o back.ply --matrix m.txt --json");
     assert_eq!(found["unique"], true, "{found}");
     for way in ["moved_to_fixed", "fixed_to_moved"] {
-        assert!(found[way]["distance"]["upper"].as_f64().unwrap() < 1e-9, "{found}");
+        assert!(found[way]["upper"].as_f64().unwrap() < 1e-9, "{found}");
     }
     let back = json(&folder, "distance back.ply model.obj --json");
-    assert!(back["distance"]["upper"].as_f64().unwrap() < 1e-9);
+    assert!(back["hausdorff"]["upper"].as_f64().unwrap() < 1e-9);
     let text = std::fs::read_to_string(folder.path().join("m.txt")).unwrap();
     let rows: Vec<f64> = text.split_whitespace().map(|x| x.parse().unwrap()).collect();
     let matrix: Vec<f64> = found["matrix"]

@@ -18,7 +18,7 @@ pub(crate) struct Cut {
     /// The mesh file
     pub(crate) mesh: PathBuf,
     #[command(flatten)]
-    pub(crate) cut: CutChoice,
+    pub(crate) choice: CutChoice,
     /// The mesh file to write
     #[arg(long, short, value_name = "OUT")]
     pub(crate) output: Option<PathBuf>,

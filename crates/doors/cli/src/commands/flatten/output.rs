@@ -8,6 +8,7 @@ use pompeiu::flatten::Flattening;
 use pompeiu::flatten::show::{checker_png, layout_svg};
 use pompeiu::io::{Attributes, OutputFormat, write_as};
 use pompeiu::surface::EmbeddedSurface;
+use std::ffi::OsStr;
 use std::path::Path;
 
 /// What a file holds.
@@ -20,7 +21,7 @@ pub(super) enum Kind {
 
 /// What a file is to hold, by its suffix.
 pub(super) fn kind(path: &Path) -> anyhow::Result<Kind> {
-    let suffix = path.extension().map(|suffix| suffix.to_ascii_lowercase());
+    let suffix = path.extension().map(OsStr::to_ascii_lowercase);
     Ok(match (suffix.as_deref().and_then(|suffix| suffix.to_str()), OutputFormat::from_path(path)) {
         (Some("svg"), _) => Kind::Drawing,
         (Some("png"), _) => Kind::Picture,

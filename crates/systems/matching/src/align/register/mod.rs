@@ -318,7 +318,7 @@ impl<'s> Search<'s> {
         let about = matched.iter().map(|(p, _)| *p).sum::<DVec3>() / matched.len().max(1) as f64;
         let spread = matched.iter().map(|(p, _)| p.distance_squared(about)).sum::<f64>();
         let radius = (spread / matched.len().max(1) as f64).sqrt();
-        if !(radius > 0.0) {
+        if radius.is_nan() || radius <= 0.0 {
             return Vec::new();
         }
         let frame = &self.fixed.moments.frame;

@@ -68,7 +68,7 @@ impl Classes {
     const COUNT: usize = DISTANCES * ANGLES * ANGLES * ANGLES;
 
     /// The class of a pair; none for points that coincide or are too far apart.
-    fn of(&self, from: &Oriented, to: &Oriented) -> Option<usize> {
+    fn of(self, from: &Oriented, to: &Oriented) -> Option<usize> {
         let line = to.point - from.point;
         let length = line.length();
         let distance = (length / self.step) as usize;
@@ -97,7 +97,7 @@ struct Pairs<'p> {
     /// Where each class begins.
     begins: Vec<u32>,
     /// The first point of each pair, and the turn of the second about its normal.
-    pairs: Vec<(u16, u16)>,
+    entries: Vec<(u16, u16)>,
 }
 
 impl<'p> Pairs<'p> {
@@ -122,17 +122,17 @@ impl<'p> Pairs<'p> {
             begins[class + 1] += begins[class];
         }
         let mut next = begins.clone();
-        let mut pairs = vec![(0, 0); begins[Classes::COUNT] as usize];
+        let mut entries = vec![(0, 0); begins[Classes::COUNT] as usize];
         for &(class, pair) in found.iter().flatten() {
             let place = &mut next[class as usize];
-            pairs[*place as usize] = pair;
+            entries[*place as usize] = pair;
             *place += 1;
         }
-        Self { points, onto, classes, begins, pairs }
+        Self { points, onto, classes, begins, entries }
     }
 
     fn of_class(&self, class: usize) -> &[(u16, u16)] {
-        &self.pairs[self.begins[class] as usize..self.begins[class + 1] as usize]
+        &self.entries[self.begins[class] as usize..self.begins[class + 1] as usize]
     }
 
     /// The motions most voted for that lay one point of the other surface on a point of this one. A class with many pairs says

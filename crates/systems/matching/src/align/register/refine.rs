@@ -204,7 +204,7 @@ impl<'s> Refinement<'s> {
     }
 }
 
-/// The weight of Geman and McClure: falls with the fourth power of distance, so that what has no counterpart does not pull.
+/// The Geman–`McClure` weight: falls with the fourth power of distance, so that what has no counterpart does not pull.
 fn geman_mcclure(found: &Match, width: f64) -> f64 {
     let share = found.distance / width;
     let weight = 1.0 / (1.0 + share * share);
