@@ -48,10 +48,10 @@ COMMANDS = {
         "remesh rough.obj -o even.ply --edge-length 0.1",
         "remesh rough.obj -o adapted.ply --adaptive 0.02 --within 0.1 --features 60",
     ],
-    "cut": ["cut torus.obj -o opened.obj", "cut rough.obj --strategy euclidean --cuts 2"],
+    "cut": ["cut torus.ply.gz -o opened.obj", "cut rough.obj --strategy euclidean --cuts 2"],
     "flatten": [
-        "flatten torus.obj -o flat.glb",
-        "flatten torus.obj --boundary circle --weights uniform -o flat.svg",
+        "flatten torus.ply.gz -o flat.glb",
+        "flatten torus.ply.gz --boundary circle --weights uniform -o flat.svg",
         "flatten tent.obj --time-limit 0s",
     ],
     "flow": [
