@@ -89,7 +89,10 @@ impl FlattenPage<'_> {
             page.add_scene(scene)?;
         }
         page.add_card(Card::new("Verdict", self.verdict()))?;
-        page.add_card(Card::new("Distortion", vec![Block::Statistics(self.statistics())]))?;
+        let meaning = "Means over the area of the surface: symmetric Dirichlet energy (4 where lengths are kept), ratio of singular values, change of \
+             areas, greatest change of lengths, L2 and L∞ stretch (each 1 where nothing is changed).";
+        let distortion = vec![Block::Statistics(self.statistics()), Block::Note(meaning.into())];
+        page.add_card(Card::new("Distortion", distortion))?;
         page.add_card(Card::new("Cut and run", vec![Block::Facts(self.facts()), Block::Run]))?;
         Ok(page.html())
     }
@@ -124,16 +127,11 @@ impl FlattenPage<'_> {
         let of = |key: &str, name: &str, value: MeanMax| one(key, name, value.mean, value.max);
         let energy = distortion.symmetric_dirichlet;
         vec![
-            one(
-                "symmetric-dirichlet",
-                "symmetric Dirichlet energy, mean (isometry: 4)",
-                energy.mean,
-                energy.max,
-            ),
-            of("angle", "ratio of singular values, mean (angles kept: 1)", distortion.angle),
-            of("area", "change of areas, mean factor", distortion.area),
-            of("isometric", "change of lengths, mean of the greatest factor", distortion.isometric),
-            one("stretch", "L2 stretch", distortion.stretch_l2, distortion.stretch_linf),
+            one("symmetric-dirichlet", "Dirichlet", energy.mean, energy.max),
+            of("angle", "angles", distortion.angle),
+            of("area", "areas", distortion.area),
+            of("isometric", "lengths", distortion.isometric),
+            one("stretch", "stretch", distortion.stretch_l2, distortion.stretch_linf),
         ]
     }
 
