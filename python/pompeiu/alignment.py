@@ -33,7 +33,7 @@ class Registration:
     reach : float
         That length.
     rms : float
-        Root mean square distance of what is matched.
+        Root mean square distance of what the fit rests on: the overlap asked for, or what is within four standard deviations.
     is_unique : bool
         Whether a fifth of the area is matched at least, no other place that was tried fits nearly as well, and no motion is free.
     alternatives : list of dict

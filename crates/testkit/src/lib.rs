@@ -2,11 +2,12 @@
 //!
 //! Nothing here shares code with the engine: [`exact`] numbers and an [`oracle`] that proves its enclosures in them,
 //! [`plain`] arithmetic, [`sampling`] with a covering radius, [`cases`] with closed forms, [`strategies`] for random
-//! meshes, and [`effort`]: how many of them are tried.
+//! meshes, [`effort`]: how many of them are tried, and [`data`]: where real meshes are.
 
 #![allow(clippy::missing_panics_doc, reason = "a test kit panics to fail a test")]
 
 pub mod cases;
+pub mod data;
 pub mod effort;
 pub mod exact;
 pub mod oracle;

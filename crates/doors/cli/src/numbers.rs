@@ -77,6 +77,16 @@ pub(crate) fn plain(x: f64) -> String {
     shortest(rounded)
 }
 
+/// A number with four digits, of what is not claimed to be exact.
+pub(crate) fn few(x: f64) -> String {
+    plain(rounded(x))
+}
+
+/// A number rounded to four digits.
+pub(crate) fn rounded(x: f64) -> f64 {
+    format!("{x:.FEW_DIGITS$e}").parse().unwrap_or(x)
+}
+
 /// Digits after the first of a bound shown to people.
 const FEW_DIGITS: usize = 3;
 

@@ -172,6 +172,11 @@ pub(crate) enum UnknownOption {
     Time(f64),
 }
 
+/// The exception for an option that is none of the names there are.
+pub(crate) fn unknown(option: &'static str, found: impl Into<String>, expected: &'static str) -> PyErr {
+    UnknownOption::Name { option, found: found.into(), expected }.raise()
+}
+
 /// What only a mistake in the Python half, or a result that was tampered with, can cause.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum InternalError {

@@ -1,7 +1,7 @@
 //! Splitting tangent fields.
 
 use crate::arrays::{array_of_rows, vectors};
-use crate::errors::{Raise, UnknownOption};
+use crate::errors::{Raise, unknown};
 use crate::json::written;
 use crate::mesh::Mesh;
 use numpy::{IntoPyArray, PyArray1, PyArray2};
@@ -27,7 +27,7 @@ fn splitting(name: &str) -> PyResult<Splitting> {
         "dual" => Ok(Splitting::Dual),
         found => {
             let expected = "\"primal\" or \"dual\"";
-            Err(UnknownOption::Name { option: "splitting", found: found.to_owned(), expected }.raise())
+            Err(unknown("splitting", found, expected))
         }
     }
 }
@@ -38,7 +38,7 @@ fn boundary(name: &str) -> PyResult<Boundary> {
         "normal" => Ok(Boundary::Normal),
         found => {
             let expected = "\"tangential\" or \"normal\"";
-            Err(UnknownOption::Name { option: "boundary", found: found.to_owned(), expected }.raise())
+            Err(unknown("boundary", found, expected))
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Cutting surfaces open and laying them flat.
 
 use crate::arrays::array_of_rows;
-use crate::errors::{Raise, UnknownOption};
+use crate::errors::{Raise, unknown};
 use crate::hausdorff::limits;
 use crate::json::written;
 use crate::mesh::Mesh;
@@ -39,10 +39,6 @@ pub(crate) struct Mapping {
     time_limit: Option<f64>,
 }
 
-fn unknown(option: &'static str, found: String, expected: &'static str) -> PyErr {
-    UnknownOption::Name { option, found, expected }.raise()
-}
-
 impl Cutting {
     fn options(self) -> PyResult<CutOptions> {
         let ids = |list: Vec<u32>| -> Vec<VertexId> { list.into_iter().map(VertexId).collect() };
@@ -63,7 +59,7 @@ impl Cutting {
 }
 
 impl Mapping {
-    fn options(self, cut: CutOptions) -> PyResult<FlattenOptions> {
+    fn options(self, cut: CutOptions) -> PyResult<FlattenOptions<'static>> {
         let weights = match self.weights.as_str() {
             "uniform" => Weights::Uniform,
             "cotangent" => Weights::Cotangent,
@@ -90,6 +86,7 @@ impl Mapping {
             most_cuts: self.most_cuts,
             pack: self.pack,
             limits: limits(self.threads, self.time_limit, None)?,
+            progress: None,
         })
     }
 }
@@ -154,7 +151,7 @@ pub(crate) fn flatten<'py>(
     let mesh = mesh.get().inner();
     let surface = py.detach(|| EmbeddedSurface::new(mesh)).map_err(Raise::raise)?;
     let flat = wait::run(py, progress, |watch: &mut Watch<'_, Share>| {
-        pompeiu::flatten::flatten(&surface, &options, watch)
+        pompeiu::flatten::flatten(&surface, &FlattenOptions { progress: Some(&*watch), ..options })
     })?;
     let flat = flat.map_err(Raise::raise)?;
     let (copies, edges) = seams(py, &surface, &flat.cut, &flat.opened)?;

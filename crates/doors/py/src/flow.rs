@@ -1,7 +1,7 @@
 //! Flow to least area, and simplification.
 
 use crate::arrays::array_of_rows;
-use crate::errors::{Raise, UnknownOption};
+use crate::errors::{Raise, unknown};
 use crate::hausdorff::limits;
 use crate::json::written;
 use crate::mesh::Mesh;
@@ -43,9 +43,6 @@ pub(crate) struct Options {
 
 impl Options {
     fn options(self) -> PyResult<FlowOptions<'static>> {
-        let unknown = |option: &'static str, found: String, expected: &'static str| {
-            UnknownOption::Name { option, found, expected }.raise()
-        };
         let until = match (self.until.0.as_str(), self.until.1) {
             ("stationary", tolerance) => Until::Stationary(tolerance),
             ("time", time) => Until::Time(time),

@@ -316,6 +316,6 @@ pub(crate) fn register(
         align::register(moving.inner(), &Fixed::new(fixed.inner())?, &options)
     })?;
     let found = found.map_err(Raise::raise)?;
-    let moved = transform(moving.inner(), &found.map).map_err(Raise::raise)?;
+    let moved = transform(moving.inner(), &found.map()).map_err(Raise::raise)?;
     Ok((Mesh::from(moved), written(&found)?, found.is_unique()))
 }

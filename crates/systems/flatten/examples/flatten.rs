@@ -11,7 +11,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     );
     for path in std::env::args().skip(1) {
         let surface = EmbeddedSurface::new(&pompeiu_io::read_mesh(&path)?)?;
-        let report = flatten(&surface, &FlattenOptions::default(), &())?.report;
+        let report = flatten(&surface, &FlattenOptions::default())?.report;
         let ms = |span: std::time::Duration| span.as_millis();
         let timing = report.timing;
         println!(

@@ -2,7 +2,7 @@
 
 use crate::components::Component;
 use crate::cut::{Costs, CutStrategy, GrowingCut, Opened, first_cut, largest, open, tips};
-use crate::distortion::{all_singular_values, symmetric_dirichlet};
+use crate::distortion::{all_singular_values, best_scale, symmetric_dirichlet};
 use crate::map::{ConvexBoundary, Descent, Minimization, Start, Weights, minimize, start_map};
 use crate::report::Timing;
 use crate::watch::Watch;
@@ -61,7 +61,7 @@ impl Disk {
 pub(crate) fn flatten_component(
     component: &Component,
     requested: Option<EdgeData<bool>>,
-    options: &FlattenOptions,
+    options: &FlattenOptions<'_>,
     watch: &Watch<'_>,
 ) -> Result<Chart, FlattenError> {
     let began = Instant::now();
@@ -150,7 +150,7 @@ fn start(
         let areas = disk.surface.surface().face_areas();
         let values: Vec<_> =
             all_singular_values(disk.surface.surface(), &found.uv).into_iter().zip(areas).collect();
-        let factor = crate::distortion::best_scale(&values);
+        let factor = best_scale(&values);
         found.uv.iter_mut().for_each(|p| *p = scale(factor, *p));
     }
     Ok(found)
@@ -173,14 +173,12 @@ fn descend(
 /// The cut joined with the tips of the surface; `None` if they are on it.
 fn with_tips(component: &Component, cut: &EdgeData<bool>, options: &CutOptions) -> Option<EdgeData<bool>> {
     let surface = component.surface.surface();
-    let mesh = surface.mesh();
-    let costs =
-        Costs::new(surface, |edge| mesh.ends(edge).into_iter().any(|v| options.forbidden.contains(&v)));
+    let costs = Costs::new(surface, &options.forbidden);
     let mut growing = GrowingCut::new(surface, &costs, cut.clone());
     let distances = EdgeDistances::from(surface, &growing.reached()).distances;
     let near = NEAR * surface.area().sqrt();
     let mut ends = tips(surface);
-    ends.retain(|v| !options.forbidden.contains(v) && distances[*v] > near);
+    ends.retain(|&v| !costs.forbid(v) && distances[v] > near);
     growing.join(&ends);
     (growing.edges != *cut).then_some(growing.edges)
 }
@@ -215,13 +213,12 @@ fn lengthened(
         };
         density = mesh.vertex_ids().map(mean).collect();
     }
-    let forbidden = |v: VertexId| options.forbidden.contains(&v);
-    let costs = Costs::new(surface, |edge| mesh.ends(edge).into_iter().any(forbidden));
+    let costs = Costs::new(surface, &options.forbidden);
     let mut growing = GrowingCut::new(surface, &costs, cut.clone());
     let distances = EdgeDistances::from(surface, &growing.reached()).distances;
     let gain: Vec<f64> = mesh
         .vertex_ids()
-        .map(|v| if forbidden(v) { 0.0 } else { (density[v.index()] - 4.0) * distances[v] })
+        .map(|v| if costs.forbid(v) { 0.0 } else { (density[v.index()] - 4.0) * distances[v] })
         .collect();
     let far = VertexId(largest(&gain) as u32);
     let is_joined = gain[far.index()] > 0.0 && growing.join(&[far]).is_empty();

@@ -2,7 +2,7 @@
 
 use crate::cut::{CutOptions, CutStrategy};
 use pompeiu_core::{FaceId, TriMesh, VertexId};
-use pompeiu_surface::{EmbeddedSurface, GeometryError, HalfedgeId};
+use pompeiu_surface::{EdgeData, EdgeId, EmbeddedSurface, GeometryError, HalfedgeId, SurfaceMesh};
 
 /// A connected component, and where it comes from.
 #[derive(Clone, Debug)]
@@ -16,8 +16,20 @@ pub(crate) struct Component {
 
 impl Component {
     /// The half-edge of the whole surface.
-    pub(crate) fn halfedge(&self, h: HalfedgeId) -> HalfedgeId {
+    fn halfedge(&self, h: HalfedgeId) -> HalfedgeId {
         HalfedgeId::of(self.faces[h.face().index()], h.corner())
+    }
+
+    /// The edge of the whole surface.
+    pub(crate) fn edge_in(&self, whole: &SurfaceMesh, edge: EdgeId) -> EdgeId {
+        whole.edge(self.halfedge(self.surface.mesh().edge_halfedge(edge)))
+    }
+
+    /// Marks the edges of a cut of this component in one of the whole surface.
+    pub(crate) fn mark_in(&self, whole: &SurfaceMesh, cut: &EdgeData<bool>, in_whole: &mut EdgeData<bool>) {
+        for (edge, _) in cut.entries().filter(|(_, is_cut)| **is_cut) {
+            in_whole[self.edge_in(whole, edge)] = true;
+        }
     }
 
     /// What is asked of this component.

@@ -1,7 +1,7 @@
 //! From a surface to a flat map and what can be said of it.
 
 use crate::chart::{Chart, flatten_component};
-use crate::check::{flipped_faces, outline_crossings, overlapping_faces};
+use crate::check::{flipped_faces, outline, outline_crossings, overlapping_faces};
 use crate::components::{Component, split};
 use crate::cut::{Opened, open, requested_edges};
 use crate::distortion::{Distortion, best_scale, singular_values, symmetric_dirichlet};
@@ -11,7 +11,7 @@ use crate::watch::Watch;
 use crate::{FlattenError, FlattenOptions, Method};
 use pompeiu_core::FaceId;
 use pompeiu_core::mesh::{FaceData, VertexData};
-use pompeiu_core::run::{Control, ProgressObserver, StopReason, on_threads};
+use pompeiu_core::run::{Control, StopReason, on_threads};
 use pompeiu_surface::plane::{Vec2, scale};
 use pompeiu_surface::{EdgeData, EmbeddedSurface};
 use rayon::prelude::*;
@@ -49,9 +49,7 @@ impl Flattening {
 
     /// The segments of the outlines, by vertices of the opened surface.
     pub fn outline(&self) -> Vec<[u32; 2]> {
-        let mesh = self.opened.mesh();
-        let loops = mesh.boundary_loops().iter().flat_map(|&h| mesh.boundary_loop(h));
-        loops.map(|h| [mesh.tail(h).0, mesh.head(h).0]).collect()
+        outline(self.opened.mesh())
     }
 }
 
@@ -75,33 +73,26 @@ impl Flattening {
 ///
 /// # Source
 /// `floater_mean_2003`, `smith_bijective_2015`, `jiang_simplicial_2017`; the changes of weights and the choice of cuts are ours.
-pub fn flatten(
-    surface: &EmbeddedSurface,
-    options: &FlattenOptions,
-    observer: &dyn ProgressObserver,
-) -> Result<Flattening, FlattenError> {
+pub fn flatten(surface: &EmbeddedSurface, options: &FlattenOptions<'_>) -> Result<Flattening, FlattenError> {
     options.check()?;
     let control = Control::start(&options.limits);
-    on_threads(options.limits.threads, || run(surface, options, &control, observer))
+    on_threads(options.limits.threads, || run(surface, options, &control))
 }
 
 fn run(
     surface: &EmbeddedSurface,
-    options: &FlattenOptions,
+    options: &FlattenOptions<'_>,
     control: &Control,
-    observer: &dyn ProgressObserver,
 ) -> Result<Flattening, FlattenError> {
     let began = Instant::now();
     let mesh = surface.mesh();
     let requested = requested_edges(mesh, &options.cut)?;
     let parts = split(surface)?;
-    let watch = Watch::new(control, observer, parts.len());
+    let watch = Watch::new(control, options.progress, parts.len());
     let one = |part: &Component| {
         let edges = requested.as_ref().map(|cut| {
             let of_part = part.surface.mesh();
-            EdgeData::from_fn(of_part.edges(), |edge| {
-                cut[mesh.edge(part.halfedge(of_part.edge_halfedge(edge)))]
-            })
+            EdgeData::from_fn(of_part.edges(), |edge| cut[part.edge_in(mesh, edge)])
         });
         let chart = flatten_component(part, edges, options, &watch);
         watch.finish_one();
@@ -115,9 +106,7 @@ fn run(
     let start = Instant::now();
     let mut cut = EdgeData::filled(mesh.edges(), false);
     for (part, chart) in parts.iter().zip(&charts) {
-        for (edge, _) in chart.cut.entries().filter(|(_, is_cut)| **is_cut) {
-            cut[mesh.edge(part.halfedge(part.surface.mesh().edge_halfedge(edge)))] = true;
-        }
+        part.mark_in(mesh, &chart.cut, &mut cut);
     }
     let opened = open(mesh, &cut)?;
     timing.cut += start.elapsed();
@@ -142,7 +131,7 @@ fn run(
 }
 
 /// The places of all vertices of all charts: at one scale, beside each other.
-fn arrange(parts: &[Component], charts: &[Chart], options: &FlattenOptions) -> Vec<Vec<Vec2>> {
+fn arrange(parts: &[Component], charts: &[Chart], options: &FlattenOptions<'_>) -> Vec<Vec<Vec2>> {
     let mut places: Vec<Vec<Vec2>> = charts.iter().map(|chart| chart.uv.clone()).collect();
     if !options.pack && places.len() == 1 {
         return places;
@@ -168,7 +157,7 @@ fn arrange(parts: &[Component], charts: &[Chart], options: &FlattenOptions) -> V
 /// Checks and measures a map.
 fn judge(
     surface: &EmbeddedSurface,
-    options: &FlattenOptions,
+    options: &FlattenOptions<'_>,
     cut: EdgeData<bool>,
     opened: Opened,
     uv: VertexData<Vec2>,
@@ -177,9 +166,7 @@ fn judge(
     let start = Instant::now();
     let flipped = flipped_faces(opened.faces(), &uv);
     let mesh = opened.mesh();
-    let loops = mesh.boundary_loops().iter().flat_map(|&h| mesh.boundary_loop(h));
-    let outline: Vec<[u32; 2]> = loops.map(|h| [mesh.tail(h).0, mesh.head(h).0]).collect();
-    let crossings = outline_crossings(&outline, &uv);
+    let crossings = outline_crossings(&outline(mesh), &uv);
     let is_proven = flipped.is_empty() && crossings.is_empty() && are_apart(charts);
     let overlapping = if is_proven { Vec::new() } else { overlapping_faces(opened.faces(), &uv) };
     let at = |face: FaceId| singular_values(surface.surface(), face, opened.mesh().face(face).map(|v| uv[v]));

@@ -24,7 +24,7 @@
 //! let opened = open(torus.mesh(), &cut)?;
 //! assert_eq!((opened.mesh().euler_characteristic(), opened.mesh().boundary_loops().len()), (1, 1));
 //!
-//! let flat = flatten(&torus, &FlattenOptions::default(), &())?;
+//! let flat = flatten(&torus, &FlattenOptions::default())?;
 //! assert!(flat.report.is_one_to_one());
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

@@ -1,7 +1,7 @@
 //! How a surface is flattened.
 
 use crate::{ConvexBoundary, CutOptions, FlattenError, Weights};
-use pompeiu_core::run::Limits;
+use pompeiu_core::run::{Limits, ProgressObserver};
 
 /// The kind of map.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,8 +38,8 @@ impl Default for Method {
 }
 
 /// How a surface is flattened.
-#[derive(Clone, Debug, PartialEq)]
-pub struct FlattenOptions {
+#[derive(Clone)]
+pub struct FlattenOptions<'o> {
     /// How it is cut.
     pub cut: CutOptions,
     /// The kind of map.
@@ -54,9 +54,11 @@ pub struct FlattenOptions {
     pub pack: bool,
     /// Limits on time and threads. When time runs out, the map is the best found so far, one-to-one like any other.
     pub limits: Limits,
+    /// Is told how many charts are done.
+    pub progress: Option<&'o dyn ProgressObserver>,
 }
 
-impl Default for FlattenOptions {
+impl Default for FlattenOptions<'_> {
     fn default() -> Self {
         Self {
             cut: CutOptions::default(),
@@ -65,11 +67,12 @@ impl Default for FlattenOptions {
             most_cuts: 6,
             pack: true,
             limits: Limits::default(),
+            progress: None,
         }
     }
 }
 
-impl FlattenOptions {
+impl FlattenOptions<'_> {
     pub(crate) fn check(&self) -> Result<(), FlattenError> {
         if self.target > 4.0 {
             return Ok(());

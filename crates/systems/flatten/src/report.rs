@@ -67,23 +67,23 @@ pub struct CutReport {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Timing {
     /// Choosing edges and opening the surface.
-    #[cfg_attr(feature = "serde", serde(serialize_with = "milliseconds"))]
+    #[cfg_attr(feature = "serde", serde(serialize_with = "pompeiu_core::run::as_milliseconds::serialize"))]
     #[cfg_attr(feature = "schema", schemars(with = "f64"))]
     pub cut: Duration,
     /// Assembling and factoring linear systems.
-    #[cfg_attr(feature = "serde", serde(serialize_with = "milliseconds"))]
+    #[cfg_attr(feature = "serde", serde(serialize_with = "pompeiu_core::run::as_milliseconds::serialize"))]
     #[cfg_attr(feature = "schema", schemars(with = "f64"))]
     pub factor: Duration,
     /// Solving them, and searching along steps.
-    #[cfg_attr(feature = "serde", serde(serialize_with = "milliseconds"))]
+    #[cfg_attr(feature = "serde", serde(serialize_with = "pompeiu_core::run::as_milliseconds::serialize"))]
     #[cfg_attr(feature = "schema", schemars(with = "f64"))]
     pub solve: Duration,
     /// Checking and measuring.
-    #[cfg_attr(feature = "serde", serde(serialize_with = "milliseconds"))]
+    #[cfg_attr(feature = "serde", serde(serialize_with = "pompeiu_core::run::as_milliseconds::serialize"))]
     #[cfg_attr(feature = "schema", schemars(with = "f64"))]
     pub check: Duration,
     /// From the surface to the map, by the clock.
-    #[cfg_attr(feature = "serde", serde(serialize_with = "milliseconds"))]
+    #[cfg_attr(feature = "serde", serde(serialize_with = "pompeiu_core::run::as_milliseconds::serialize"))]
     #[cfg_attr(feature = "schema", schemars(with = "f64"))]
     pub total: Duration,
 }
@@ -95,9 +95,4 @@ impl Timing {
         self.solve += other.solve;
         self.check += other.check;
     }
-}
-
-#[cfg(feature = "serde")]
-fn milliseconds<S: serde::Serializer>(span: &Duration, serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.serialize_f64(span.as_nanos() as f64 / 1e6)
 }

@@ -1,21 +1,24 @@
 //! Telling how far a computation has come, and seeing that it shall stop.
 
 use pompeiu_core::run::{Control, Progress, ProgressObserver, StopReason};
-use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
 /// A computation over several components that somebody may watch.
 pub(crate) struct Watch<'w> {
     control: &'w Control,
-    observer: Mutex<&'w dyn ProgressObserver>,
+    observer: Option<Mutex<&'w dyn ProgressObserver>>,
     components: usize,
     done: AtomicUsize,
 }
 
 impl<'w> Watch<'w> {
-    pub(crate) fn new(control: &'w Control, observer: &'w dyn ProgressObserver, components: usize) -> Self {
-        Self { control, observer: Mutex::new(observer), components, done: AtomicUsize::new(0) }
+    pub(crate) fn new(
+        control: &'w Control,
+        observer: Option<&'w dyn ProgressObserver>,
+        components: usize,
+    ) -> Self {
+        Self { control, observer: observer.map(Mutex::new), components, done: AtomicUsize::new(0) }
     }
 
     /// Counts a component that is done.
@@ -25,11 +28,13 @@ impl<'w> Watch<'w> {
 
     /// Tells how far it has come, and asks whether to stop.
     pub(crate) fn is_stopped(&self) -> bool {
-        let share = self.done.load(Ordering::Relaxed) as f64 / self.components as f64;
-        let progress = Progress { doing: "flattening", share: (self.components > 1).then_some(share) };
-        let observer = self.observer.lock().unwrap_or_else(PoisonError::into_inner);
-        if observer.progress(&progress) == ControlFlow::Break(()) {
-            self.control.stop(StopReason::Cancelled);
+        if let Some(observer) = &self.observer {
+            let share = self.done.load(Ordering::Relaxed) as f64 / self.components as f64;
+            let progress = Progress { doing: "flattening", share: (self.components > 1).then_some(share) };
+            let observer = observer.lock().unwrap_or_else(PoisonError::into_inner);
+            if observer.progress(&progress).is_break() {
+                self.control.stop(StopReason::Cancelled);
+            }
         }
         self.control.is_stopped()
     }

@@ -12,6 +12,28 @@ pub const LANES: usize = 8;
 /// [`LANES`] triangles, corner by corner, coordinate by coordinate, lane last.
 pub type TriangleBlock = [[[f64; LANES]; 3]; 3];
 
+/// The corners of the triangle in a lane of a block.
+#[inline]
+pub fn lane_of(block: &TriangleBlock, lane: usize) -> [[f64; 3]; 3] {
+    let mut corners = [[0.0; 3]; 3];
+    for (corner, from) in corners.iter_mut().zip(block) {
+        for k in 0..3 {
+            corner[k] = from[k][lane];
+        }
+    }
+    corners
+}
+
+/// Puts a triangle into a lane of a block.
+#[inline]
+pub fn set_lane(block: &mut TriangleBlock, lane: usize, corners: [[f64; 3]; 3]) {
+    for (to, from) in block.iter_mut().zip(corners) {
+        for k in 0..3 {
+            to[k][lane] = from[k];
+        }
+    }
+}
+
 /// Squared distance from `p` to the nearest of up to four points of the triangle `abc`: the nearest point of each edge,
 /// and the foot of the perpendicular where it falls inside.
 ///

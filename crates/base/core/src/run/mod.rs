@@ -18,6 +18,8 @@
 //! assert_eq!((pieces, control.reason()), (1024, Some(StopReason::Pieces)));
 //! ```
 
+#[cfg(feature = "serde")]
+pub mod as_milliseconds;
 mod control;
 mod limits;
 mod progress;

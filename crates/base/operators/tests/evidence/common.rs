@@ -4,7 +4,6 @@ use pompeiu_core::TriMesh;
 use pompeiu_core::mesh::shapes::{self, Ends};
 use pompeiu_core::mesh::{ElementData, ElementId, displace_at_random, merge, shuffle, subdivide};
 use pompeiu_surface::{EmbeddedSurface, Surface, flat_torus};
-use std::path::Path;
 
 pub(crate) use pompeiu_operators::FaceField as Field;
 
@@ -63,16 +62,7 @@ pub(crate) fn shared_cases() -> Vec<Case> {
 
 /// A shared OFF file, if it is here.
 pub(crate) fn shared(name: &str) -> Option<TriMesh> {
-    let data = std::env::var_os("POMPEIU_DATA").map_or_else(
-        || Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../../shared/data"),
-        std::path::PathBuf::from,
-    );
-    let path = data.join("meshes").join(format!("{name}.off"));
-    if !path.exists() {
-        println!("skipped: {name} is not here");
-        return None;
-    }
-    Some(pompeiu_io::read_mesh(path).unwrap())
+    Some(pompeiu_io::read_mesh(pompeiu_testkit::data::file(&format!("meshes/{name}.off"))?).unwrap())
 }
 
 /// Numbers in [−1, 1), by a linear congruence.

@@ -1,6 +1,7 @@
 //! What the command finds: numbers, exit codes, JSON, files.
 
-use crate::common::{Folder, repository, shared};
+use crate::common::{Folder, repository};
+use pompeiu_testkit::data;
 use serde_json::Value;
 use std::io::Read;
 use std::process::Stdio;
@@ -66,7 +67,7 @@ fn decompose_reports_and_writes_what_adds_up() {
 fn decompose_finds_the_handles_of_real_meshes() {
     let folder = Folder::new();
     for (name, genus) in [("3holes", 3), ("fertility", 4)] {
-        let Some(path) = shared(&format!("meshes/{name}.off")) else { continue };
+        let Some(path) = data::file(&format!("meshes/{name}.off")) else { continue };
         let report = json(&folder, &format!("decompose {} --field rotation:1,2,3 --json", path.display()));
         assert_eq!((&report["genus"], &report["harmonic_dimension"]), (&genus.into(), &(2 * genus).into()));
         assert!(report["residual"].as_f64().unwrap() <= 1e-12);
@@ -479,7 +480,7 @@ fn topology_of_well_known_meshes() {
     for (name, genus, boundary_loops) in
         [("fertility.off", 4, 0), ("3holes.off", 3, 0), ("camelhead.off", 0, 1), ("spot.obj", 0, 0)]
     {
-        let Some(path) = shared(&format!("meshes/{name}")) else { continue };
+        let Some(path) = data::file(&format!("meshes/{name}")) else { continue };
         let output = folder.pompeiu("info --json").arg(&path).output().unwrap();
         let info: Value = serde_json::from_slice(&output.stdout).unwrap();
         assert_eq!(

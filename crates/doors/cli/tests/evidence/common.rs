@@ -64,16 +64,3 @@ impl Folder {
 pub(crate) fn repository() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../..")
 }
-
-/// A file of the shared meshes, if they are here; says so if not.
-pub(crate) fn shared(name: &str) -> Option<PathBuf> {
-    let data =
-        std::env::var_os("POMPEIU_DATA").map_or_else(|| repository().join("../shared/data"), PathBuf::from);
-    let path = data.join(name);
-    if path.exists() {
-        Some(path)
-    } else {
-        println!("skipped: {name} is not here");
-        None
-    }
-}

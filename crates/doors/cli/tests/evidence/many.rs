@@ -1,7 +1,8 @@
 //! `pompeiu rank` and `pompeiu matrix`: what they say, what they find, and that they can be interrupted.
 
-use crate::common::{Folder, shared};
+use crate::common::Folder;
 use insta_cmd::assert_cmd_snapshot;
+use pompeiu_testkit::data;
 use serde_json::Value;
 
 /// Spheres of radii 1, 1.1, ..., two of them the same, in the folder `library`.
@@ -292,8 +293,8 @@ fn an_interrupt_ends_a_ranking_with_what_is_done() {
 #[test]
 fn real_meshes_are_ranked() {
     let folder = Folder::new();
-    let Some(cow) = shared("meshes/cow.off") else { return };
-    let Some(spot) = shared("meshes/spot.obj") else { return };
+    let Some(cow) = data::file("meshes/cow.off") else { return };
+    let Some(spot) = data::file("meshes/spot.obj") else { return };
     let [cow, spot] = [cow, spot].map(|path| path.display().to_string());
     folder.ok(&format!("generate mesh {spot} --rotate 1,2,3,50 --translate 1,0,0 -o turned.ply"));
     let report =

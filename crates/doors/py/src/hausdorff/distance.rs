@@ -1,6 +1,6 @@
 //! Questions about distances.
 
-use crate::errors::{Raise, UnknownOption};
+use crate::errors::{Raise, UnknownOption, unknown};
 use crate::json::written;
 use crate::mesh::Mesh;
 use crate::wait;
@@ -35,9 +35,7 @@ impl Options {
                 "classic" => Method::Classic,
                 found => {
                     let expected = "\"fast\" or \"classic\"";
-                    return Err(
-                        UnknownOption::Name { option: "method", found: found.to_owned(), expected }.raise()
-                    );
+                    return Err(unknown("method", found, expected));
                 }
             },
             ..HausdorffOptions::default()
@@ -67,7 +65,7 @@ pub(crate) fn tolerance(value: f64, kind: &str) -> PyResult<Tolerance> {
         "absolute" => Ok(Tolerance::Absolute(value)),
         found => {
             let expected = "\"diagonal\", \"relative\" or \"absolute\"";
-            Err(UnknownOption::Name { option: "tolerance_kind", found: found.to_owned(), expected }.raise())
+            Err(unknown("tolerance_kind", found, expected))
         }
     }
 }

@@ -5,7 +5,7 @@ mod outline;
 mod overlap;
 
 pub(crate) use orientation::flipped_faces;
-pub(crate) use outline::outline_crossings;
+pub(crate) use outline::{outline, outline_crossings};
 pub(crate) use overlap::overlapping_faces;
 
 use pompeiu_surface::plane::Vec2;

@@ -1,7 +1,14 @@
 //! Where outlines meet.
 
 use super::orientation;
+use pompeiu_surface::SurfaceMesh;
 use pompeiu_surface::plane::Vec2;
+
+/// The segments of the boundary loops, by the vertices at their ends.
+pub(crate) fn outline(mesh: &SurfaceMesh) -> Vec<[u32; 2]> {
+    let loops = mesh.boundary_loops().iter().flat_map(|&h| mesh.boundary_loop(h));
+    loops.map(|h| [mesh.tail(h).0, mesh.head(h).0]).collect()
+}
 
 /// The pairs of segments that have a point in common beside an end that both name, by their places in the list.
 ///

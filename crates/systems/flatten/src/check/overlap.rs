@@ -1,6 +1,7 @@
 //! Faces that lie on others.
 
 use super::orientation;
+use pompeiu_core::geom::point_triangle::LANES;
 use pompeiu_core::geom::{Aabb, Frame};
 use pompeiu_core::spatial::Bvh;
 use pompeiu_core::{FaceId, TriMesh};
@@ -29,7 +30,7 @@ pub(crate) fn overlapping_faces(faces: &[[u32; 3]], uv: &[Vec2]) -> Vec<FaceId> 
             let mut leaves = Vec::new();
             bvh.leaves_meeting(around.lower, around.upper, &mut Vec::new(), &mut leaves);
             let others =
-                leaves.iter().flat_map(|(leaf, _)| (0..8).map(|lane| bvh.face(bvh.slot_in(*leaf, lane))));
+                leaves.iter().flat_map(|(leaf, _)| (0..LANES).map(|lane| bvh.face(bvh.slot_in(*leaf, lane))));
             let mut others = others.filter(|&other| other != face).filter_map(corners);
             others.any(|other| overlap(&own, &other)).then_some(face)
         })

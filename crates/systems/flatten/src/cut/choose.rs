@@ -6,7 +6,6 @@ use super::farthest::farthest_pair;
 use super::tips::tips;
 use super::tree::GrowingCut;
 use super::{CutError, largest, open};
-use pompeiu_core::mesh::VertexData;
 use pompeiu_core::{FaceId, VertexId};
 use pompeiu_surface::{EdgeData, EdgeDistances, EdgeId, EmbeddedSurface, SurfaceMesh};
 
@@ -76,9 +75,7 @@ pub fn choose_cut(surface: &EmbeddedSurface, options: &CutOptions) -> Result<Edg
     } else {
         for part in crate::components::split(surface)? {
             let chosen = first_cut(&part.surface, &part.options(options))?;
-            for (edge, _) in chosen.entries().filter(|(_, is_cut)| **is_cut) {
-                cut[mesh.edge(part.halfedge(part.surface.mesh().edge_halfedge(edge)))] = true;
-            }
+            part.mark_in(mesh, &chosen, &mut cut);
         }
     }
     open(mesh, &cut)?.check_disks()?;
@@ -128,12 +125,7 @@ fn edge_between(mesh: &SurfaceMesh, [a, b]: [VertexId; 2]) -> Option<EdgeId> {
 /// The cut of a connected surface, before any is added for the sake of distortion.
 pub(crate) fn first_cut(surface: &EmbeddedSurface, options: &CutOptions) -> Result<EdgeData<bool>, CutError> {
     let mesh = surface.mesh();
-    let mut is_forbidden = VertexData::filled(mesh.vertices(), false);
-    for &v in &options.forbidden {
-        is_forbidden[v] = true;
-    }
-    let forbidden = |edge: EdgeId| mesh.ends(edge).into_iter().any(|v| is_forbidden[v]);
-    let costs = Costs::new(surface.surface(), forbidden);
+    let costs = Costs::new(surface.surface(), &options.forbidden);
     let nowhere = || CutError::Forbidden { face: FaceId(0) };
     let base = disk_cut(surface.surface(), &costs);
     if !costs.total(&base).is_finite() {
@@ -146,15 +138,15 @@ pub(crate) fn first_cut(surface: &EmbeddedSurface, options: &CutOptions) -> Resu
         CutStrategy::Auto if !is_sphere => {}
         CutStrategy::Auto | CutStrategy::Tips => {
             let mut ends = tips(surface.surface());
-            ends.retain(|&v| !is_forbidden[v]);
+            ends.retain(|&v| !costs.forbid(v));
             if !is_sphere || ends.len() > 1 {
                 cut.join(&ends);
             }
             if is_sphere && !cut.edges.contains(&true) {
-                euclidean(surface, &mut cut, 1, &is_forbidden);
+                euclidean(surface, &costs, &mut cut, 1);
             }
         }
-        CutStrategy::Euclidean { cuts } => euclidean(surface, &mut cut, *cuts, &is_forbidden),
+        CutStrategy::Euclidean { cuts } => euclidean(surface, &costs, &mut cut, *cuts),
         CutStrategy::Through(vertices) => {
             if !cut.join(vertices).is_empty() {
                 return Err(nowhere());
@@ -171,16 +163,11 @@ pub(crate) fn first_cut(surface: &EmbeddedSurface, options: &CutOptions) -> Resu
 }
 
 /// Joins the farthest pair of vertices, and the farthest vertices from what is cut, up to a number of cuts.
-fn euclidean(
-    surface: &EmbeddedSurface,
-    cut: &mut GrowingCut<'_>,
-    cuts: usize,
-    is_forbidden: &VertexData<bool>,
-) {
+fn euclidean(surface: &EmbeddedSurface, costs: &Costs, cut: &mut GrowingCut<'_>, cuts: usize) {
     let mesh = surface.mesh();
     let mut left = cuts;
     if cut.is_empty() {
-        let allowed: Vec<VertexId> = mesh.vertex_ids().filter(|&v| !is_forbidden[v]).collect();
+        let allowed: Vec<VertexId> = mesh.vertex_ids().filter(|&v| !costs.forbid(v)).collect();
         let points: Vec<[f64; 3]> = allowed.iter().map(|&v| surface.positions()[v]).collect();
         let Some(pair) = farthest_pair(&points) else { return };
         cut.join(&pair.map(|i| allowed[i]));
@@ -188,7 +175,7 @@ fn euclidean(
     }
     for _ in 0..left {
         let from = EdgeDistances::from(surface.surface(), &cut.reached()).distances;
-        let allowed = |v: VertexId| if is_forbidden[v] { 0.0 } else { from[v] };
+        let allowed = |v: VertexId| if costs.forbid(v) { 0.0 } else { from[v] };
         let far: Vec<f64> = mesh.vertex_ids().map(allowed).collect();
         cut.join(&[VertexId(largest(&far) as u32)]);
     }

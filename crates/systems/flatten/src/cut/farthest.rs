@@ -1,5 +1,7 @@
 //! The two points of a set that are farthest from each other.
 
+use pompeiu_core::geom::Aabb;
+
 /// Points of a part that is searched pair by pair.
 const LEAF: usize = 16;
 
@@ -7,8 +9,7 @@ const LEAF: usize = 16;
 struct Part {
     from: usize,
     to: usize,
-    lower: [f64; 3],
-    upper: [f64; 3],
+    aabb: Aabb,
     halves: Option<[usize; 2]>,
 }
 
@@ -69,6 +70,7 @@ fn distance_sq(p: [f64; 3], q: [f64; 3]) -> f64 {
 /// At least the squared distance of any point of one part from any of the other: rounding is monotone, so that the bound computed
 /// from greater differences is not below any distance computed the same way.
 fn bound_sq(p: &Part, q: &Part) -> f64 {
+    let (p, q) = (&p.aabb, &q.aabb);
     let side = |k: usize| {
         let (one, other) = ((p.upper[k] - q.lower[k]).abs(), (q.upper[k] - p.lower[k]).abs());
         if one > other { one } else { other }
@@ -79,19 +81,16 @@ fn bound_sq(p: &Part, q: &Part) -> f64 {
 
 /// Halves points across the longest side of their box.
 fn divide(points: &[[f64; 3]], order: &mut [usize], from: usize, parts: &mut Vec<Part>) -> usize {
-    let (mut lower, mut upper) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+    let mut aabb = Aabb::EMPTY;
     for &i in order.iter() {
-        for k in 0..3 {
-            lower[k] = lower[k].min(points[i][k]);
-            upper[k] = upper[k].max(points[i][k]);
-        }
+        aabb.add(points[i]);
     }
     let count = order.len();
     let index = parts.len();
-    parts.push(Part { from, to: from + count, lower, upper, halves: None });
+    parts.push(Part { from, to: from + count, aabb, halves: None });
     if count > LEAF {
-        let axis =
-            (0..3).fold(0, |best, k| if upper[k] - lower[k] > upper[best] - lower[best] { k } else { best });
+        let side = |k: usize| aabb.upper[k] - aabb.lower[k];
+        let axis = (0..3).fold(0, |best, k| if side(k) > side(best) { k } else { best });
         let middle = count / 2;
         order.select_nth_unstable_by(middle, |&i, &j| {
             points[i][axis].total_cmp(&points[j][axis]).then(i.cmp(&j))

@@ -1,10 +1,11 @@
 //! Where the boundary of a disk goes.
 
 use crate::FlattenError;
+use crate::check::orientation;
+use glam::DVec3;
 use pompeiu_core::VertexId;
 use pompeiu_surface::plane::{Vec2, add, norm, scale, sub};
 use pompeiu_surface::{EmbeddedSurface, HalfedgeId};
-use robust::{Coord, orient2d};
 
 /// The convex curve that the boundary of a disk is mapped to.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -64,14 +65,11 @@ fn on_circle(lengths: &[f64], radius: f64) -> Vec<Vec2> {
 
 fn check_convex(corners: &[Vec2]) -> Result<(), FlattenError> {
     let n = corners.len();
-    let coordinate = |p: Vec2| Coord { x: p[0], y: p[1] };
     let finite = corners.iter().flatten().all(|x| x.is_finite());
     let turns = (0..n).all(|i| {
         // All other corners to the left of each side.
-        (0..n).filter(|&k| k != i && k != (i + 1) % n).all(|k| {
-            let [a, b, c] = [corners[i], corners[(i + 1) % n], corners[k]].map(coordinate);
-            orient2d(a, b, c) > 0.0
-        })
+        let [a, b] = [corners[i], corners[(i + 1) % n]];
+        (0..n).filter(|&k| k != i && k != (i + 1) % n).all(|k| orientation(a, b, corners[k]) > 0.0)
     });
     if n >= 3 && finite && turns { Ok(()) } else { Err(FlattenError::Polygon { corners: n }) }
 }
@@ -113,24 +111,17 @@ fn on_polygon(lengths: &[f64], corners: &[Vec2]) -> Result<Vec<Vec2>, FlattenErr
 
 fn in_plane(surface: &EmbeddedSurface, along: &[HalfedgeId]) -> Result<Vec<Vec2>, FlattenError> {
     let mesh = surface.mesh();
-    let points: Vec<[f64; 3]> = along.iter().map(|&h| surface.positions()[mesh.tail(h)]).collect();
+    let points: Vec<DVec3> =
+        along.iter().map(|&h| DVec3::from_array(surface.positions()[mesh.tail(h)])).collect();
     let n = points.len();
-    let minus = |p: [f64; 3], q: [f64; 3]| [p[0] - q[0], p[1] - q[1], p[2] - q[2]];
-    let dot = |p: [f64; 3], q: [f64; 3]| p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
-    let cross = |p: [f64; 3], q: [f64; 3]| {
-        [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]]
-    };
-    let mut normal = [0.0; 3];
+    let mut normal = DVec3::ZERO;
     for i in 0..n {
-        let twice = cross(minus(points[i], points[0]), minus(points[(i + 1) % n], points[0]));
-        for k in 0..3 {
-            normal[k] += twice[k];
-        }
+        normal += (points[i] - points[0]).cross(points[(i + 1) % n] - points[0]);
     }
-    let length = dot(normal, normal).sqrt();
+    let length = normal.length();
     let perimeter: f64 = along.iter().map(|&h| surface.surface().edge_length(mesh.edge(h))).sum();
-    let unit = normal.map(|x| x / length);
-    let heights = points.iter().map(|&p| dot(unit, minus(p, points[0])).abs());
+    let unit = normal / length;
+    let heights = points.iter().map(|&p| unit.dot(p - points[0]).abs());
     let height = heights.fold(0.0, |most: f64, h| if h <= most { most } else { h });
     if length.is_nan() || height.is_nan() || height > PLANAR * perimeter {
         let vertex = along.first().map_or(VertexId(0), |&h| mesh.tail(h));
@@ -138,12 +129,9 @@ fn in_plane(surface: &EmbeddedSurface, along: &[HalfedgeId]) -> Result<Vec<Vec2>
     }
     // The axis farthest from the normal, and what makes a right-handed frame with it: x and y where the plane is theirs.
     let axis = (0..3).fold(0, |least, k| if unit[k].abs() < unit[least].abs() { k } else { least });
-    let mut first = [0.0; 3];
-    first[axis] = 1.0;
-    let along_normal = dot(first, unit);
-    let first = [0, 1, 2].map(|k| first[k] - along_normal * unit[k]);
-    let size = dot(first, first).sqrt();
-    let first = first.map(|x| x / size);
-    let second = cross(unit, first);
-    Ok(points.into_iter().map(|p| [dot(first, p), dot(second, p)]).collect())
+    let first = DVec3::AXES[axis];
+    let first = first - first.dot(unit) * unit;
+    let first = first / first.length();
+    let second = unit.cross(first);
+    Ok(points.into_iter().map(|p| [first.dot(p), second.dot(p)]).collect())
 }

@@ -3,13 +3,13 @@
 use super::energy::{Elements, Local, moved};
 use super::scaffold::Scaffold;
 use crate::FlattenError;
-use crate::check::outline_crossings;
+use crate::check::{outline, outline_crossings};
 use crate::watch::Watch;
 use pompeiu_solve::{
     Analysis, Cholesky, ElementPattern, FIXED, LinearSolver, Ordering, SolveError, SparseMatrix,
 };
+use pompeiu_surface::EmbeddedSurface;
 use pompeiu_surface::plane::Vec2;
-use pompeiu_surface::{EmbeddedSurface, SurfaceMesh};
 use std::time::{Duration, Instant};
 
 /// When a descent stops.
@@ -49,12 +49,6 @@ const PROXIMAL: f64 = 1e-10;
 
 /// Steps that a scaffold serves before what lies between outline and box is triangulated anew, unless it stands in the way.
 const KEEP: usize = 4;
-
-/// The boundary of a disk as segments.
-pub(crate) fn outline(mesh: &SurfaceMesh) -> Vec<[u32; 2]> {
-    let loops = mesh.boundary_loops().iter().flat_map(|&h| mesh.boundary_loop(h));
-    loops.map(|h| [mesh.tail(h).0, mesh.head(h).0]).collect()
-}
 
 /// A system whose pattern is kept while the triangles are the same.
 struct System {

@@ -1,5 +1,6 @@
 //! Triangles around a flat disk that keep its outline from crossing itself.
 
+use crate::pack::bounds;
 use pompeiu_surface::plane::{Vec2, cross, sub};
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
 
@@ -27,28 +28,23 @@ impl Scaffold {
     /// # Source
     /// `jiang_simplicial_2017`; the constrained Delaunay triangulation is that of the crate `spade`.
     pub(crate) fn around(outline: &[[u32; 2]], places: &[Vec2]) -> Option<Self> {
-        let (mut lower, mut upper) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-        for &[v, _] in outline {
-            for k in 0..2 {
-                lower[k] = lower[k].min(places[v as usize][k]);
-                upper[k] = upper[k].max(places[v as usize][k]);
-            }
-        }
+        let vertices: Vec<u32> = outline.iter().map(|&[v, _]| v).collect();
+        let on_outline: Vec<Vec2> = vertices.iter().map(|&v| places[v as usize]).collect();
+        let [lower, upper] = bounds(&on_outline);
         let middle = [0, 1].map(|k| 0.5 * (lower[k] + upper[k]));
         let half = [0, 1].map(|k| 0.5 * BOX * (upper[k] - lower[k]));
         // A margin along the shorter side, too.
         let longer = half[0].max(half[1]);
         let half = half.map(|x| x.max(longer / 3.0));
         let on_box = box_points(middle, half);
-        let vertices: Vec<u32> = outline.iter().map(|&[v, _]| v).collect();
         let mut numbers = vertices.clone();
         numbers.extend((0..on_box.len()).map(|k| (places.len() + k) as u32));
         let mut local = std::collections::BTreeMap::new();
         for (i, &v) in vertices.iter().enumerate() {
             local.insert(v, i);
         }
-        let points = vertices.iter().map(|&v| places[v as usize]).chain(on_box.iter().copied());
-        let points: Vec<Point2<f64>> = points.map(|[x, y]| Point2::new(x, y)).collect();
+        let points = on_outline.iter().chain(&on_box);
+        let points: Vec<Point2<f64>> = points.map(|&[x, y]| Point2::new(x, y)).collect();
         let sides =
             outline.iter().map(|&[a, b]| Some([*local.get(&a)?, *local.get(&b)?])).collect::<Option<_>>()?;
         let mut conflicts = 0;

@@ -1,6 +1,6 @@
 //! Evidence that does not come from the code: counts of copies, gluing back, brute force, closed forms, real meshes.
 
-#![allow(clippy::unwrap_used, clippy::print_stdout, reason = "tests may panic and say what they skip")]
+#![allow(clippy::unwrap_used, reason = "tests may panic")]
 
 mod cuts;
 mod maps;
@@ -9,18 +9,11 @@ use pompeiu_core::TriMesh;
 use pompeiu_core::mesh::shapes;
 use pompeiu_core::mesh::subdivide;
 use pompeiu_surface::EmbeddedSurface;
-use std::path::{Path, PathBuf};
+use pompeiu_testkit::data;
 
-/// A mesh of `../shared/data` beside the repository or of the folder that `POMPEIU_DATA` names, if it is there.
+/// A real mesh, if it is there.
 fn real_mesh(name: &str) -> Option<TriMesh> {
-    let beside = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../../shared/data");
-    let folder = std::env::var_os("POMPEIU_DATA").map_or(beside, PathBuf::from);
-    let path = folder.join("meshes").join(name);
-    if !path.is_file() {
-        println!("left out: there is no {}", path.display());
-        return None;
-    }
-    Some(pompeiu_io::read_mesh(path).unwrap())
+    Some(pompeiu_io::read_mesh(data::file(&format!("meshes/{name}"))?).unwrap())
 }
 
 fn surface(mesh: &TriMesh) -> EmbeddedSurface {

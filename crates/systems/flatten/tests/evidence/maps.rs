@@ -9,7 +9,7 @@ use pompeiu_flatten::{
     flatten,
 };
 
-fn convex(boundary: ConvexBoundary, weights: Weights) -> FlattenOptions {
+fn convex(boundary: ConvexBoundary, weights: Weights) -> FlattenOptions<'static> {
     FlattenOptions { method: Method::Convex { boundary, weights }, pack: false, ..FlattenOptions::default() }
 }
 
@@ -35,7 +35,7 @@ fn planar_disks_are_reproduced() {
     let mesh = planar_disk();
     let disk = surface(&mesh);
     let error = |weights| {
-        let flat = flatten(&disk, &convex(ConvexBoundary::Own, weights), &()).unwrap();
+        let flat = flatten(&disk, &convex(ConvexBoundary::Own, weights)).unwrap();
         let offset = |k: usize| flat.uv[VertexId(0)][k] - mesh.positions()[0][k];
         let [dx, dy] = [offset(0), offset(1)];
         let errors =
@@ -51,7 +51,7 @@ fn planar_disks_are_reproduced() {
 #[test]
 fn a_regular_polygon_is_its_own_circle_by_chord_length() {
     let disk = shapes::disk(1.0, 17, 1).unwrap();
-    let flat = flatten(&surface(&disk), &convex(ConvexBoundary::Circle, Weights::MeanValue), &()).unwrap();
+    let flat = flatten(&surface(&disk), &convex(ConvexBoundary::Circle, Weights::MeanValue)).unwrap();
     let distortion = flat.report.distortion;
     assert!(distortion.angle.max - 1.0 < 1e-12 && distortion.isometric.max - 1.0 < 1e-12, "{distortion:?}");
 }
@@ -61,7 +61,7 @@ fn convex_maps_flip_nothing_at_any_genus_and_any_number_of_loops() {
     for (genus, loops) in [(0, 0), (0, 1), (0, 4), (1, 0), (2, 1), (5, 2)] {
         let surface = surface(&zoo(genus, loops));
         for weights in [Weights::Uniform, Weights::MeanValue, Weights::Cotangent] {
-            let flat = flatten(&surface, &convex(ConvexBoundary::Circle, weights), &()).unwrap();
+            let flat = flatten(&surface, &convex(ConvexBoundary::Circle, weights)).unwrap();
             assert!(flat.report.is_one_to_one(), "{genus} {loops} {weights:?}");
             assert!(areas(&flat).into_iter().all(|area| area > 0.0));
         }
@@ -75,10 +75,10 @@ fn needles_and_obtuse_fans_flip_nothing() {
     let noise = displace_at_random(&shapes::icosphere(1.0, 3).unwrap(), 0.2, 3).unwrap();
     for mesh in [needles, lantern, noise] {
         for weights in [Weights::MeanValue, Weights::Cotangent] {
-            let flat = flatten(&surface(&mesh), &convex(ConvexBoundary::Circle, weights), &()).unwrap();
+            let flat = flatten(&surface(&mesh), &convex(ConvexBoundary::Circle, weights)).unwrap();
             assert!(flat.report.is_one_to_one(), "{weights:?}");
         }
-        assert!(flatten(&surface(&mesh), &FlattenOptions::default(), &()).unwrap().report.is_one_to_one());
+        assert!(flatten(&surface(&mesh), &FlattenOptions::default()).unwrap().report.is_one_to_one());
     }
 }
 
@@ -98,7 +98,7 @@ fn tube(ratio: f64) -> TriMesh {
 fn crowded_tubes_are_cured_or_named() {
     let mut cured = 0;
     for ratio in [1.0, 4.0, 8.0, 12.0] {
-        match flatten(&surface(&tube(ratio)), &convex(ConvexBoundary::Circle, Weights::MeanValue), &()) {
+        match flatten(&surface(&tube(ratio)), &convex(ConvexBoundary::Circle, Weights::MeanValue)) {
             Ok(flat) => {
                 assert!(flat.report.is_one_to_one() && flat.report.distortion.least_singular_ratio >= 1e-10);
                 cured += usize::from(flat.report.reweightings > 0);
@@ -118,8 +118,7 @@ fn developable_surfaces_keep_their_lengths() {
     let to_apex = CutStrategy::Through(vec![VertexId(apex.unwrap() as u32)]);
     for (mesh, strategy) in [(cylinder, CutStrategy::Auto), (cone, to_apex)] {
         let cut = CutOptions { strategy, ..CutOptions::default() };
-        let flat =
-            flatten(&surface(&mesh), &FlattenOptions { cut, ..FlattenOptions::default() }, &()).unwrap();
+        let flat = flatten(&surface(&mesh), &FlattenOptions { cut, ..FlattenOptions::default() }).unwrap();
         let distortion = flat.report.distortion;
         assert!(flat.report.is_one_to_one());
         assert!(
@@ -132,7 +131,7 @@ fn developable_surfaces_keep_their_lengths() {
 #[test]
 fn free_maps_of_the_zoo_are_one_to_one_and_good() {
     for (genus, loops) in [(0, 0), (0, 2), (1, 0), (1, 1), (3, 0)] {
-        let flat = flatten(&surface(&zoo(genus, loops)), &FlattenOptions::default(), &()).unwrap();
+        let flat = flatten(&surface(&zoo(genus, loops)), &FlattenOptions::default()).unwrap();
         let report = &flat.report;
         assert!(report.is_one_to_one() && areas(&flat).into_iter().all(|area| area > 0.0));
         let energy = report.distortion.symmetric_dirichlet.mean;
@@ -146,7 +145,7 @@ fn several_components_share_one_square_at_one_scale() {
     let sphere = shapes::icosphere(1.0, 2).unwrap();
     let grid = shapes::grid([3.0, 1.0], [6, 2], Diagonal::Rising).unwrap();
     let both = merge(&[&grid, &sphere, &shapes::tetrahedron(0.5).unwrap(), &grid]).unwrap();
-    let flat = flatten(&surface(&both), &FlattenOptions::default(), &()).unwrap();
+    let flat = flatten(&surface(&both), &FlattenOptions::default()).unwrap();
     assert!(flat.report.is_one_to_one());
     assert_eq!((flat.report.charts, flat.report.boundary_loops), (4, 4));
     // Both grids are flat, and stay as they are.
@@ -162,17 +161,17 @@ fn squares_and_polygons_have_their_corners() {
     let disk = surface(&shapes::disk(1.0, 20, 5).unwrap());
     let triangle = vec![[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]];
     let flat =
-        flatten(&disk, &convex(ConvexBoundary::Polygon(triangle.clone()), Weights::MeanValue), &()).unwrap();
+        flatten(&disk, &convex(ConvexBoundary::Polygon(triangle.clone()), Weights::MeanValue)).unwrap();
     assert!(triangle.iter().all(|corner| flat.uv.contains(corner)) && flat.report.is_one_to_one());
-    let square = flatten(&disk, &convex(ConvexBoundary::Square, Weights::Uniform), &()).unwrap();
+    let square = flatten(&disk, &convex(ConvexBoundary::Square, Weights::Uniform)).unwrap();
     let total: f64 = areas(&square).iter().sum::<f64>() / 2.0;
     assert!((total / disk.surface().area() - 1.0).abs() < 1e-12);
     let clockwise = ConvexBoundary::Polygon(vec![[0.0, 0.0], [0.0, 4.0], [4.0, 0.0]]);
-    let error = flatten(&disk, &convex(clockwise, Weights::MeanValue), &()).unwrap_err();
+    let error = flatten(&disk, &convex(clockwise, Weights::MeanValue)).unwrap_err();
     assert_eq!(error, FlattenError::Polygon { corners: 3 });
     let dome = surface(&shapes::catenoid(1.0, 1.0, 12, 4).unwrap());
     assert!(matches!(
-        flatten(&dome, &convex(ConvexBoundary::Own, Weights::MeanValue), &()),
+        flatten(&dome, &convex(ConvexBoundary::Own, Weights::MeanValue)),
         Err(FlattenError::NotPlanar { .. })
     ));
 }
@@ -184,7 +183,7 @@ fn the_same_bits_at_any_number_of_threads() {
     let run = |threads: usize| {
         let mut options = FlattenOptions::default();
         options.limits.threads = Some(std::num::NonZeroUsize::new(threads).unwrap());
-        flatten(&surface, &options, &()).unwrap().uv.into_vec()
+        flatten(&surface, &options).unwrap().uv.into_vec()
     };
     let once = run(1);
     assert!(once == run(2) && once == run(8));
@@ -194,7 +193,7 @@ fn the_same_bits_at_any_number_of_threads() {
 fn real_meshes_flatten_well_with_a_short_seam() {
     for name in ["spot.obj", "cow.off"] {
         let Some(mesh) = real_mesh(name) else { continue };
-        let report = flatten(&surface(&mesh), &FlattenOptions::default(), &()).unwrap().report;
+        let report = flatten(&surface(&mesh), &FlattenOptions::default()).unwrap().report;
         assert!(report.is_one_to_one(), "{name}");
         let energy = report.distortion.symmetric_dirichlet.mean;
         assert!(

@@ -3,7 +3,7 @@
 use super::within::Triangle;
 use glam::DVec3;
 use multiversion::multiversion;
-use pompeiu_core::geom::point_triangle::{LANES, TriangleBlock, block_distances_sq};
+use pompeiu_core::geom::point_triangle::{LANES, TriangleBlock, block_distances_sq, lane_of, set_lane};
 
 /// Up to [`Candidates::MOST`] triangles in groups of [`LANES`]; the last group is filled up with copies of the last triangle.
 #[derive(Clone, Debug, Default)]
@@ -26,19 +26,14 @@ impl Candidates {
                 self.blocks.push([[[0.0; LANES]; 3]; 3]);
             }
             if let Some(block) = self.blocks.last_mut() {
-                for (corner, p) in block.iter_mut().zip(triangle) {
-                    for (axis, x) in corner.iter_mut().zip(p.to_array()) {
-                        axis[lane..].fill(x);
-                    }
-                }
+                (lane..LANES).for_each(|lane| set_lane(block, lane, triangle.map(|p| p.to_array())));
             }
             self.count += 1;
         }
     }
 
     fn triangle(&self, i: usize) -> Triangle {
-        let block = &self.blocks[i / LANES];
-        block.map(|corner| DVec3::from_array(corner.map(|axis| axis[i % LANES])))
+        lane_of(&self.blocks[i / LANES], i % LANES).map(DVec3::from_array)
     }
 
     /// A mask for each point: bit `i` is set if it is within the limit of triangle `i`. Bits beyond the last triangle are those of the

@@ -4,7 +4,7 @@ use super::envelope::unit;
 use glam::DVec3;
 use multiversion::multiversion;
 use pompeiu_core::geom::Aabb;
-use pompeiu_core::geom::point_triangle::{LANES, TriangleBlock};
+use pompeiu_core::geom::point_triangle::{LANES, TriangleBlock, lane_of, set_lane};
 use pompeiu_core::spatial::bvh::{Bvh, Leaf, Slot};
 
 /// The plane through a point with a unit normal, and a box beyond which faces do not matter.
@@ -167,11 +167,7 @@ impl Group {
                 lane = 0;
             }
             let last = self.blocks.len() - 1;
-            for (to, from) in self.blocks[last].iter_mut().zip(bvh.corners(slot)) {
-                for k in 0..3 {
-                    to[k][lane] = from[k];
-                }
-            }
+            set_lane(&mut self.blocks[last], lane, bvh.corners(slot));
             self.left[last] |= 1 << lane;
             lane += 1;
         }
@@ -187,9 +183,7 @@ impl Group {
         let index = self.left.iter().position(|left| *left != 0)?;
         let lane = self.left[index].trailing_zeros() as usize;
         self.left[index] &= self.left[index] - 1;
-        let [a, b, c] = &self.blocks[index];
-        let corner = |p: &[[f64; LANES]; 3]| DVec3::new(p[0][lane], p[1][lane], p[2][lane]);
-        Some([corner(a), corner(b), corner(c)])
+        Some(lane_of(&self.blocks[index], lane).map(DVec3::from_array))
     }
 }
 

@@ -241,12 +241,8 @@ fn greatest_along(g: DVec3, [a, b, c]: &[DVec3; 3]) -> f64 {
 }
 
 /// The least of how far points lie in front of some planes.
-fn least_along(halves: &[Half], points: &[Row; 3]) -> Row {
-    least_of(halves, points)
-}
-
 #[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2", "aarch64+neon"))]
-fn least_of(halves: &[Half], points: &[Row; 3]) -> Row {
+fn least_along(halves: &[Half], points: &[Row; 3]) -> Row {
     let mut row = [f64::INFINITY; MOST_CORNERS];
     for Half { normal, offset } in halves {
         for j in 0..MOST_CORNERS {

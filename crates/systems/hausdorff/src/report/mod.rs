@@ -58,17 +58,11 @@ impl WorkCount {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Timing {
     /// Building trees; zero where a prepared target was given.
-    #[cfg_attr(
-        feature = "serde",
-        serde(serialize_with = "milliseconds", deserialize_with = "from_milliseconds")
-    )]
+    #[cfg_attr(feature = "serde", serde(with = "pompeiu_core::run::as_milliseconds"))]
     #[cfg_attr(feature = "schema", schemars(with = "f64"))]
     pub build: Duration,
     /// Everything else.
-    #[cfg_attr(
-        feature = "serde",
-        serde(serialize_with = "milliseconds", deserialize_with = "from_milliseconds")
-    )]
+    #[cfg_attr(feature = "serde", serde(with = "pompeiu_core::run::as_milliseconds"))]
     #[cfg_attr(feature = "schema", schemars(with = "f64"))]
     pub search: Duration,
 }
@@ -131,19 +125,4 @@ pub struct SymmetricReport {
     pub a_to_b: DirectedReport,
     /// From B to A: the witness leads from B to A.
     pub b_to_a: DirectedReport,
-}
-
-/// Serialises a span of time as milliseconds.
-#[cfg(feature = "serde")]
-#[allow(clippy::trivially_copy_pass_by_ref, reason = "serde hands a reference")]
-pub(crate) fn milliseconds<S: serde::Serializer>(span: &Duration, serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.serialize_f64(span.as_nanos() as f64 / 1e6)
-}
-
-/// Reads a span of time written by [`milliseconds`], to the nanosecond.
-#[cfg(feature = "serde")]
-fn from_milliseconds<'de, D: serde::Deserializer<'de>>(deserializer: D) -> Result<Duration, D::Error> {
-    let milliseconds: f64 = serde::Deserialize::deserialize(deserializer)?;
-    // Negative and infinite spans saturate; they are no part of any answer.
-    Ok(Duration::from_nanos((milliseconds * 1e6).round() as u64))
 }

@@ -5,17 +5,10 @@ use pompeiu_core::TriMesh;
 use pompeiu_core::geom::Aabb;
 use pompeiu_core::mesh::subdivide;
 use pompeiu_hausdorff::{Enclosure, StopReason, directed_hausdorff};
-use std::path::PathBuf;
-
-fn data() -> Option<PathBuf> {
-    let beside = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../../shared/data");
-    let folder = std::env::var_os("POMPEIU_DATA").map_or_else(|| PathBuf::from(beside), PathBuf::from);
-    folder.is_dir().then_some(folder)
-}
+use pompeiu_testkit::data;
 
 fn read(path: &str) -> Option<TriMesh> {
-    let path = data()?.join(path);
-    path.is_file().then(|| pompeiu_io::read(path).expect("a readable mesh").mesh)
+    Some(pompeiu_io::read(data::file(path)?).expect("a readable mesh").mesh)
 }
 
 /// Both meshes of a pair, if they are there.
@@ -25,11 +18,7 @@ pub(crate) fn load(name: &str) -> Option<(TriMesh, TriMesh)> {
 
 /// Two meshes by their places among the data, if they are there.
 pub(crate) fn load_from(a: &str, b: &str) -> Option<(TriMesh, TriMesh)> {
-    let found = read(a).zip(read(b));
-    if found.is_none() {
-        println!("skipped: {a} and {b} are not there");
-    }
-    found
+    read(a).zip(read(b))
 }
 
 /// The distance of a pair, checked against an interval that other programs enclosed it in.

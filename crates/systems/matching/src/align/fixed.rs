@@ -32,7 +32,7 @@ impl Fixed {
 
     pub(super) fn centroid_map(&self, moving: &TriMesh) -> Result<Affine, AlignError> {
         let (to, from) = (self.moments.world_centroid(), Moments::of(moving)?.world_centroid());
-        Ok(Affine::translate([0, 1, 2].map(|k| to[k] - from[k])))
+        finite(Affine::translate([0, 1, 2].map(|k| to[k] - from[k])))
     }
 
     pub(super) fn scale_map(&self, moving: &TriMesh) -> Result<Affine, AlignError> {
@@ -43,7 +43,7 @@ impl Fixed {
             return Err(AlignError::Sizes);
         }
         let translation = [0, 1, 2].map(|k| to[k] - scale * from[k]);
-        Ok(Affine { translation, ..Affine::scale([scale; 3]) })
+        finite(Affine { translation, ..Affine::scale([scale; 3]) })
     }
 
     pub(super) fn rigid_map(&self, moving: &TriMesh) -> Result<Affine, AlignError> {
@@ -98,9 +98,14 @@ impl Fixed {
             linear: rows(pose.rotation).map(|row| row.map(|x| scale * x)),
             translation: self.moments.frame.unmap(translation.to_array()),
         };
-        let finite = map.linear.iter().flatten().chain(&map.translation).all(|x| x.is_finite());
-        if finite { Ok(map) } else { Err(AlignError::Sizes) }
+        finite(map)
     }
+}
+
+/// The map, if no number of it has left the range of doubles.
+fn finite(map: Affine) -> Result<Affine, AlignError> {
+    let is_finite = map.linear.iter().flatten().chain(&map.translation).all(|x| x.is_finite());
+    if is_finite { Ok(map) } else { Err(AlignError::Sizes) }
 }
 
 fn rows(m: DMat3) -> [[f64; 3]; 3] {

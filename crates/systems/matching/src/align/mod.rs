@@ -63,14 +63,12 @@ pub enum Alignment {
 /// `besl_method_1992` and, for distances from the planes of faces, `chen_object_1992`; damped as in
 /// `marquardt_algorithm_1963`, with closest points sought anew for every trial, so that no step makes it worse.
 pub fn align(moving: &TriMesh, fixed: &Fixed, alignment: Alignment) -> Result<Option<Affine>, AlignError> {
-    let map = match alignment {
-        Alignment::None => return Ok(None),
-        Alignment::Centroid => fixed.centroid_map(moving)?,
-        Alignment::Scale => fixed.scale_map(moving)?,
-        Alignment::Rigid => fixed.rigid_map(moving)?,
-    };
-    let finite = map.linear.iter().flatten().chain(&map.translation).all(|x| x.is_finite());
-    if finite { Ok(Some(map)) } else { Err(AlignError::Sizes) }
+    match alignment {
+        Alignment::None => Ok(None),
+        Alignment::Centroid => fixed.centroid_map(moving).map(Some),
+        Alignment::Scale => fixed.scale_map(moving).map(Some),
+        Alignment::Rigid => fixed.rigid_map(moving).map(Some),
+    }
 }
 
 /// The map as a matrix.

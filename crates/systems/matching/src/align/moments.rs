@@ -14,9 +14,9 @@ pub(super) struct Moments {
     /// Second moments about the centroid, per area.
     covariance: DMat3,
     /// In the frame.
-    area: f64,
+    pub(super) area: f64,
     /// Of the box of the faces, in the frame.
-    diagonal: f64,
+    pub(super) diagonal: f64,
 }
 
 impl Moments {
@@ -54,14 +54,6 @@ impl Moments {
     pub(super) fn radius(&self) -> f64 {
         let c = self.covariance;
         self.frame.length_out((c.x_axis.x + c.y_axis.y + c.z_axis.z).sqrt())
-    }
-
-    pub(super) fn area(&self) -> f64 {
-        self.area
-    }
-
-    pub(super) fn diagonal(&self) -> f64 {
-        self.diagonal
     }
 
     /// The centroid in the unit of the mesh.

@@ -7,7 +7,7 @@
 
 use super::split::{Bounds, Item, Split, split};
 use super::{Bvh, LEAF, Node};
-use crate::geom::point_triangle::{LANES, TriangleBlock};
+use crate::geom::point_triangle::{LANES, TriangleBlock, set_lane};
 use crate::geom::{Aabb, Frame};
 use crate::mesh::{FaceId, TriMesh};
 use rayon::prelude::*;
@@ -172,12 +172,11 @@ impl<C: Fn(u32) -> [[f64; 3]; 3] + Sync> Builder<'_, C> {
         }
         for lane in 0..LANES {
             let face = faces[if lane < faces.len() { lane } else { faces.len() - 1 }];
-            for (into, from) in block.iter_mut().zip((self.corners)(face)) {
-                aabb.add(from);
-                for k in 0..3 {
-                    into[k][lane] = from[k];
-                }
+            let corners = (self.corners)(face);
+            for p in corners {
+                aabb.add(p);
             }
+            set_lane(block, lane, corners);
         }
         aabb
     }

@@ -11,7 +11,7 @@ mod split;
 
 use crate::FaceId;
 use crate::geom::Aabb;
-use crate::geom::point_triangle::{LANES, TriangleBlock};
+use crate::geom::point_triangle::{LANES, TriangleBlock, lane_of};
 
 use std::ops::ControlFlow;
 
@@ -83,14 +83,7 @@ impl Bvh {
     #[inline]
     pub fn corners(&self, slot: Slot) -> [[f64; 3]; 3] {
         let (block, lane) = (slot.0 as usize / LANES, slot.0 as usize % LANES);
-        let block = &self.blocks[block];
-        let mut corners = [[0.0; 3]; 3];
-        for (corner, from) in corners.iter_mut().zip(block) {
-            for k in 0..3 {
-                corner[k] = from[k][lane];
-            }
-        }
-        corners
+        lane_of(&self.blocks[block], lane)
     }
 
     /// One corner of the triangle in a slot.

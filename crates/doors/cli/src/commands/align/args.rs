@@ -13,8 +13,7 @@ have no counterpart in the other. What is found is a guess, so the answer says h
 well, which other places fit nearly as well, and which motions leave the fit as it is. The distances of the moved mesh are
 proven. Both meshes must be in the same unit; with --scale one factor is found too, which needs meshes that overlap nearly whole.
 
-The matrix is that of the map as four rows that act on columns (x, y, z, 1). CloudCompare takes the file of --matrix at
-Edit > Apply transformation, ParaView its sixteen numbers in the filter Transform.
+The matrix is that of the map as four rows that act on columns (x, y, z, 1).
 
 Exit codes:
   0  done

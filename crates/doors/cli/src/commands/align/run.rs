@@ -58,7 +58,7 @@ pub(crate) fn run(args: &Align, printer: &Printer) -> anyhow::Result<Exit> {
     let found = register(&moving, &prepared, &options).with_context(|| args.moving.display().to_string())?;
     let aligned = started.elapsed();
     wait.show("measuring the distance".to_owned());
-    let moved = transform(&moving, &found.map).with_context(|| args.moving.display().to_string())?;
+    let moved = transform(&moving, &found.map()).with_context(|| args.moving.display().to_string())?;
     let limits = args.limits.after(aligned);
     let distance = HausdorffOptions { limits, ..HausdorffOptions::default() }.symmetric(&moved, &fixed)?;
     let measured = started.elapsed();

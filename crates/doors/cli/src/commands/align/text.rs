@@ -2,7 +2,7 @@
 
 use super::run::{Outcome, rows};
 use crate::exit::stopped_by;
-use crate::numbers::{plain, point, time};
+use crate::numbers::{few, plain, point, rounded, time};
 use crate::page::{Page, value};
 use pompeiu::matching::align::{FreeMotion, Registration};
 
@@ -21,7 +21,7 @@ pub(super) fn text(outcome: &Outcome) -> String {
         "matched",
         &format!("{} of the moved surface, within {}", percent(found.matched), few(found.reach)),
     );
-    page.row("", &format!("root mean square distance there {}", few(found.rms)));
+    page.row("", &format!("root mean square distance {} of what the fit rests on", few(found.rms)));
     page.row("turned by", &format!("{:.4}°", found.turn_degrees));
     if found.scale != 1.0 {
         page.row("scaled by", &plain(found.scale));
@@ -98,12 +98,4 @@ fn free(motion: &FreeMotion) -> String {
 
 fn percent(share: f64) -> String {
     format!("{:.1} %", 100.0 * share)
-}
-
-fn few(x: f64) -> String {
-    plain(rounded(x))
-}
-
-fn rounded(x: f64) -> f64 {
-    format!("{x:.3e}").parse().unwrap_or(x)
 }

@@ -25,12 +25,12 @@ pub(super) struct Outcome {
 
 pub(crate) fn run(args: &Args, printer: &Printer) -> anyhow::Result<Exit> {
     let started = Instant::now();
-    let Some(output) = args.output.as_ref().or(args.json.then_some(&args.mesh)) else {
+    if args.output.is_none() && !args.json {
         bail!("nothing would be written; name the result with -o, or ask for --json");
-    };
-    if args.output.is_some() {
+    }
+    if let Some(output) = &args.output {
         files::check_writable(output)?;
-        files::check_places([output.as_path()], &[&args.mesh])?;
+        files::check_place(output, &[&args.mesh])?;
     }
     let shown = || args.mesh.display().to_string();
     let wait = Wait::new(printer);
@@ -40,7 +40,7 @@ pub(crate) fn run(args: &Args, printer: &Printer) -> anyhow::Result<Exit> {
     let cut = choose_cut(&surface, &options).with_context(shown)?;
     let opened = open(surface.mesh(), &cut).with_context(shown)?;
     drop(wait);
-    if args.output.is_some() {
+    if let Some(output) = &args.output {
         let whole =
             TriMesh::new(opened.spread(mesh.positions()), opened.faces().to_vec()).with_context(shown)?;
         files::write(output, &whole, printer)?;

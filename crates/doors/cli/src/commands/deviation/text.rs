@@ -2,7 +2,7 @@
 
 use super::run::{Outcome, percent};
 use crate::exit::stopped_by;
-use crate::numbers::{grouped, plain, point, shortest, time};
+use crate::numbers::{few, grouped, point, rounded, shortest, time};
 use crate::page::{Page, value};
 use pompeiu::hausdorff::Enclosure;
 use pompeiu::hausdorff::deviation::{DirectedDeviation, Percentile, Region, Statistics};
@@ -105,7 +105,7 @@ pub(super) fn percentage(share: Enclosure) -> String {
 fn regions(page: &mut Page, name: &str, regions: &[Region]) {
     for (i, region) in regions.iter().enumerate() {
         let [low, high] = [region.aabb.lower, region.aabb.upper];
-        let size = [0, 1, 2].map(|k| short(high[k] - low[k])).join(" × ");
+        let size = [0, 1, 2].map(|k| few(high[k] - low[k])).join(" × ");
         page.row(
             if i == 0 { name } else { "" },
             &format!(
@@ -113,18 +113,9 @@ fn regions(page: &mut Page, name: &str, regions: &[Region]) {
                 i + 1,
                 value(region.peak),
                 point(region.witness.from.position.map(rounded)),
-                short(region.area),
+                few(region.area),
                 grouped(region.faces.len() as u64)
             ),
         );
     }
-}
-
-/// Four digits, of what is not claimed to be exact.
-fn short(x: f64) -> String {
-    plain(rounded(x))
-}
-
-fn rounded(x: f64) -> f64 {
-    format!("{x:.3e}").parse().unwrap_or(x)
 }

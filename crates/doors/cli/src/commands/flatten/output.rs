@@ -1,13 +1,11 @@
 //! The map in a file.
 
-use crate::files;
 use crate::printer::Printer;
 use anyhow::bail;
 use pompeiu::core::TriMesh;
 use pompeiu::flatten::Flattening;
-use pompeiu::flatten::show::{checker_png, layout_svg};
+use pompeiu::flatten::show::checker_png;
 use pompeiu::io::{Attributes, OutputFormat, write_as};
-use pompeiu::surface::EmbeddedSurface;
 use std::ffi::OsStr;
 use std::path::Path;
 
@@ -45,14 +43,4 @@ pub(super) fn write_textured(
     let places = crate::numbers::grouped(flat.uv.len() as u64);
     printer.note(format_args!("{}: {places} texture coordinates", path.display()));
     Ok(())
-}
-
-/// Writes the layout.
-pub(super) fn write_drawing(
-    path: &Path,
-    surface: &EmbeddedSurface,
-    flat: &Flattening,
-    printer: &Printer,
-) -> anyhow::Result<()> {
-    files::write_whole(path, layout_svg(surface, flat).as_bytes(), printer)
 }

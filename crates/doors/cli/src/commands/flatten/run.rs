@@ -1,7 +1,7 @@
 //! Runs the command.
 
 use super::args::Flatten as Args;
-use super::output::{Kind, kind, write_drawing, write_textured};
+use super::output::{Kind, kind, write_textured};
 use super::{json, text};
 use crate::called::called;
 use crate::exit::Exit;
@@ -11,7 +11,7 @@ use crate::wait::Wait;
 use crate::{files, interrupt, surface};
 use anyhow::{Context, bail};
 use pompeiu::core::run::{Limits, Progress};
-use pompeiu::flatten::show::FlattenPage;
+use pompeiu::flatten::show::{FlattenPage, layout_svg};
 use pompeiu::flatten::{FlattenOptions, FlattenReport, Method, flatten};
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
@@ -37,6 +37,10 @@ pub(crate) fn run(args: &Args, printer: &Printer) -> anyhow::Result<Exit> {
     let shown = || args.mesh.display().to_string();
     let wait = Wait::new(printer);
     let (mesh, surface) = surface::read(&args.mesh, &wait, printer)?;
+    let watch = |progress: &Progress<'_>| {
+        wait.progress(progress);
+        interrupt::flow()
+    };
     let options = FlattenOptions {
         cut: args.cut.options(&surface),
         method: match args.boundary.0.clone() {
@@ -47,12 +51,9 @@ pub(crate) fn run(args: &Args, printer: &Printer) -> anyhow::Result<Exit> {
         most_cuts: args.most_cuts,
         pack: !args.no_pack,
         limits: Limits { time: args.limits.time_after(started.elapsed()), ..Limits::default() },
+        progress: Some(&watch),
     };
-    let watch = |progress: &Progress<'_>| {
-        wait.progress(progress);
-        interrupt::flow()
-    };
-    let flat = flatten(&surface, &options, &watch).with_context(shown)?;
+    let flat = flatten(&surface, &options).with_context(shown)?;
     drop(wait);
     let page = FlattenPage {
         path: &shown(),
@@ -64,7 +65,7 @@ pub(crate) fn run(args: &Args, printer: &Printer) -> anyhow::Result<Exit> {
     if let (Some(output), Some(kind)) = (&args.output, kind) {
         match kind {
             Kind::Textured(format) => write_textured(output, format, &mesh, &flat, printer)?,
-            Kind::Drawing => write_drawing(output, &surface, &flat, printer)?,
+            Kind::Drawing => files::write_whole(output, layout_svg(&surface, &flat).as_bytes(), printer)?,
             Kind::Picture => {
                 args.picture.write_image(
                     output,

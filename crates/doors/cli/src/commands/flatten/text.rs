@@ -23,8 +23,7 @@ pub(super) fn text(outcome: &Outcome) -> String {
     if report.stop.is_early() {
         page.row("", &format!("stopped early by {}", stopped_by(report.stop)));
     }
-    let charts = if report.charts == 1 { "1".to_owned() } else { number(report.charts) };
-    page.row("charts", &charts);
+    page.row("charts", &number(report.charts));
     let cut = &report.cut;
     page.row(
         "cut",

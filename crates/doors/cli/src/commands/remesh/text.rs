@@ -1,10 +1,10 @@
 //! The outcome for people.
 
 use super::run::Outcome;
-use crate::numbers::{agreed, between, grouped, pairs_that_intersect, plain, shortest, time};
+use crate::numbers::{few, grouped, pairs_that_intersect, shortest, time};
+use crate::page::value;
 use crate::printer::LABEL;
 use pompeiu::flow::remesh::Quality;
-use pompeiu::hausdorff::Enclosure;
 use std::fmt::Write;
 
 /// A row for each quantity, before and after, and the distance.
@@ -33,7 +33,7 @@ pub(super) fn text(outcome: &Outcome) -> String {
             Some(within) => format!(", proven to be at most {}", shortest(within)),
             None => String::new(),
         };
-        row("H(A, B)", shown(report.distance) + &proven);
+        row("H(A, B)", value(report.distance) + &proven);
     }
     if let Some(count) = found.intersections {
         row("intersect", pairs_that_intersect(count));
@@ -52,14 +52,4 @@ pub(super) fn text(outcome: &Outcome) -> String {
         ),
     );
     text
-}
-
-/// A length with four digits.
-fn few(x: f64) -> String {
-    plain(format!("{x:.3e}").parse().unwrap_or(x))
-}
-
-fn shown(distance: Enclosure) -> String {
-    let (lower, upper) = (distance.lower(), distance.upper());
-    agreed(lower, upper).unwrap_or_else(|| between(lower, upper))
 }

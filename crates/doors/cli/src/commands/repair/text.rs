@@ -1,7 +1,8 @@
 //! The outcome for people.
 
 use super::run::Outcome;
-use crate::numbers::{agreed, between, grouped, point, shortest};
+use crate::numbers::{grouped, point, shortest};
+use crate::page::value;
 use crate::printer::LABEL;
 use pompeiu::core::mesh::repair::Change;
 use std::fmt::Write;
@@ -51,10 +52,8 @@ pub(super) fn text(outcome: &Outcome) -> String {
         row(label, "nothing: the mesh is sound");
     }
     if let Some((within, distance)) = outcome.distance {
-        let (lower, upper) = (distance.lower(), distance.upper());
-        let shown = agreed(lower, upper).unwrap_or_else(|| between(lower, upper));
         let verdict = if outcome.written { "proven to be" } else { "not proven to be" };
-        row("H(A, B)", &format!("{shown}, {verdict} at most {}", shortest(within)));
+        row("H(A, B)", &format!("{}, {verdict} at most {}", value(distance), shortest(within)));
     }
     text
 }

@@ -1,9 +1,9 @@
 //! The outcome for people.
 
 use super::run::{Outcome, within};
-use crate::numbers::{agreed, between, grouped, pairs_that_intersect, shortest, time};
+use crate::numbers::{grouped, pairs_that_intersect, shortest, time};
+use crate::page::value;
 use crate::printer::LABEL;
-use pompeiu::hausdorff::Enclosure;
 use std::fmt::Write;
 use std::time::Duration;
 
@@ -23,9 +23,9 @@ pub(super) fn text(outcome: &Outcome) -> String {
         Some(within) => format!(", proven to be at most {}", shortest(within)),
         None => String::new(),
     };
-    row("H(A, B)", shown(report.distance) + &proven);
-    row("h(A, B)", shown(report.a_to_b.distance) + ", from the input to the result");
-    row("h(B, A)", shown(report.b_to_a.distance) + ", from the result to the input");
+    row("H(A, B)", value(report.distance) + &proven);
+    row("h(A, B)", value(report.a_to_b.distance) + ", from the input to the result");
+    row("h(B, A)", value(report.b_to_a.distance) + ", from the result to the input");
     if let Some(count) = found.intersections {
         row("intersect", pairs_that_intersect(count));
     }
@@ -33,7 +33,7 @@ pub(super) fn text(outcome: &Outcome) -> String {
     for (file, level) in &outcome.levels[1..] {
         row(
             label,
-            format!("{} faces, H(A, B) {}: {}", faces(file.faces), shown(level.distance.distance), file.path),
+            format!("{} faces, H(A, B) {}: {}", faces(file.faces), value(level.distance.distance), file.path),
         );
         label = "";
     }
@@ -48,9 +48,4 @@ pub(super) fn text(outcome: &Outcome) -> String {
         format!("collapse {}, distance {}, total {}", time(collapse), time(distance), time(outcome.total)),
     );
     text
-}
-
-fn shown(distance: Enclosure) -> String {
-    let (lower, upper) = (distance.lower(), distance.upper());
-    agreed(lower, upper).unwrap_or_else(|| between(lower, upper))
 }

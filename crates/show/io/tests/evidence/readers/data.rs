@@ -2,13 +2,10 @@
 
 use std::path::PathBuf;
 
-/// The meshes with a suffix, when there are any: below `POMPEIU_DATA`, or beside the repository in `shared/data`.
+/// The meshes with a suffix, when there are any: below the folder of real meshes.
 #[allow(clippy::print_stdout, reason = "a test that skips what is not there says so")]
 pub(crate) fn real_meshes(suffix: &str) -> Vec<PathBuf> {
-    let root = std::env::var_os("POMPEIU_DATA").map_or_else(
-        || PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../../../../shared/data")),
-        PathBuf::from,
-    );
+    let root = pompeiu_testkit::data::folder();
     let mut folders = vec![root.clone()];
     let mut found = Vec::new();
     while let Some(folder) = folders.pop() {

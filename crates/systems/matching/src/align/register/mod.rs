@@ -16,14 +16,13 @@ pub use report::{Alternative, FreeMotion, Registration};
 use super::moments::Moments;
 use super::pose::axis_rotations;
 use super::samples::samples;
-use super::{AlignError, Fixed, matrix};
+use super::{AlignError, Fixed, Matrix, matrix};
 use freedom::free_motions;
 use glam::DVec3;
 use oriented::{Oriented, oriented};
-use pairs::voted;
+use pairs::{Pairs, voted};
 use placement::Placement;
 use pompeiu_core::TriMesh;
-use pompeiu_core::mesh::Affine;
 use pompeiu_core::run::{Control, Limits, Progress, ProgressObserver, StopReason, on_threads};
 use rayon::prelude::*;
 use refine::Refinement;
@@ -145,7 +144,7 @@ impl<'s> Search<'s> {
         if !(scale > 0.0 && scale.is_finite()) {
             return Err(AlignError::Sizes);
         }
-        let size = (moments.diagonal() * unit * scale).min(fixed.moments.diagonal());
+        let size = (moments.diagonal * unit * scale).min(fixed.moments.diagonal);
         let control = Control::start(&options.limits);
         Ok(Self {
             moving,
@@ -162,30 +161,32 @@ impl<'s> Search<'s> {
 
     fn run(&self) -> Result<Registration, AlignError> {
         self.tell("placing points", 0.0);
-        let area = [self.fixed.moments.area(), self.moments.area() * (self.unit * self.scale).powi(2)];
+        let area = [self.fixed.moments.area, self.moments.area * (self.unit * self.scale).powi(2)];
         let spacing = (SPACING * self.size).max((area[0].max(area[1]) / MOST_POINTS).sqrt());
         let own = spacing / self.scale;
         let its_frame = &self.fixed.moments.frame;
         let on_fixed = oriented(self.fixed.mesh(), its_frame, 1.0, area[0], spacing);
         let mut points =
             oriented(self.moving, &self.moments.frame, self.unit, area[1] / self.scale.powi(2), own);
-        let mut best = self.placed(&on_fixed, &points, spacing);
+        let pairs = Pairs::new(&on_fixed, spacing);
+        let mut best = self.placed(&pairs, &points);
+        let mut is_inside_out = false;
         if best.first().is_none_or(|best| best.score < POOR) && !self.control.is_stopped() {
             let inside_out: Vec<Oriented> =
                 points.iter().map(|p| Oriented { normal: -p.normal, ..*p }).collect();
-            let turned = self.placed(&on_fixed, &inside_out, spacing);
+            let turned = self.placed(&pairs, &inside_out);
             let score = |found: &[Scored]| found.first().map_or(0.0, |found| found.score);
             if score(&turned) > score(&best) {
-                (best, points) = (turned, inside_out);
+                (best, points, is_inside_out) = (turned, inside_out, true);
             }
         }
         self.tell("measuring", 0.95);
-        self.report(&best, &points)
+        self.report(&best, &points, is_inside_out)
     }
 
     /// The places that fit, the best first, no two the same.
-    fn placed(&self, fixed: &[Oriented], moving: &[Oriented], spacing: f64) -> Vec<Scored> {
-        let starts = self.starts(fixed, moving, spacing);
+    fn placed(&self, pairs: &Pairs<'_>, moving: &[Oriented]) -> Vec<Scored> {
+        let starts = self.starts(pairs, moving);
         self.tell("comparing starts", 0.3);
         let every = moving.len().div_ceil(FEW_POINTS).max(1);
         let few: Vec<Oriented> = moving.iter().step_by(every).copied().collect();
@@ -209,7 +210,7 @@ impl<'s> Search<'s> {
         self.distinct(fine.collect(), 1 + MOST_ALTERNATIVES)
     }
 
-    fn starts(&self, fixed: &[Oriented], moving: &[Oriented], spacing: f64) -> Vec<Placement> {
+    fn starts(&self, pairs: &Pairs<'_>, moving: &[Oriented]) -> Vec<Placement> {
         let centroids = [self.fixed.moments.centroid, self.centre];
         let axes = [self.fixed.moments.axes(), self.moments.axes()];
         let origins = self.fixed.origins(&self.moments);
@@ -225,7 +226,7 @@ impl<'s> Search<'s> {
             self.tell("comparing pairs of points", 0.1);
             let scaled: Vec<Oriented> =
                 moving.iter().map(|p| Oriented { point: p.point * self.scale, ..*p }).collect();
-            let voted = voted([fixed, &scaled], spacing, self.centre * self.scale, VOTED);
+            let voted = voted(pairs, &scaled, self.centre * self.scale, VOTED);
             starts.extend(voted.into_iter().map(|found| Placement { scale: self.scale, ..found }));
         }
         starts
@@ -254,47 +255,46 @@ impl<'s> Search<'s> {
         a.angle(b) < SAME_ANGLE && apart < SAME_PLACE * self.size
     }
 
-    fn report(&self, found: &[Scored], points: &[Oriented]) -> Result<Registration, AlignError> {
-        let flipped = |sample: super::samples::Sample| Oriented {
-            point: sample.point * self.unit,
-            normal: sample.normal,
-        };
-        let even: Vec<Oriented> =
-            samples(self.moving, &self.moments.frame, LAST_POINTS).into_iter().map(flipped).collect();
+    fn report(
+        &self,
+        found: &[Scored],
+        points: &[Oriented],
+        is_inside_out: bool,
+    ) -> Result<Registration, AlignError> {
+        let even: Vec<Oriented> = samples(self.moving, &self.moments.frame, LAST_POINTS)
+            .into_iter()
+            .map(|sample| Oriented::of(sample, self.unit, is_inside_out))
+            .collect();
         let mut refinement = self.refinement(&even);
         let Some(best) = found.first() else { return Err(AlignError::Sizes) };
         let as_good = found.iter().filter(|other| other.score >= AS_GOOD * best.score);
-        let placements: Vec<Placement> =
+        let places: Vec<(Placement, f64)> =
             as_good.map(|other| refinement.last(other.placement, self.options.overlap)).collect();
-        let best = placements[0];
+        let (best, _) = places[0];
         refinement.look(&best);
         let reach = refinement.reach(WIDTH * self.size).max(LEAST_REACH * self.size);
-        let mut fit = |placement: &Placement| {
+        // The share that is matched, and the root mean square distance of what the fit rests on.
+        let mut fit = |(placement, within): &(Placement, f64)| {
             refinement.look(placement);
-            let near = refinement.matches().iter().map(|found| found.distance).filter(|d| *d <= reach);
-            let (count, sum) = near.fold((0_usize, 0.0), |(count, sum), d| (count + 1, sum + d * d));
-            let length = (sum / count.max(1) as f64).sqrt();
-            (count as f64 / even.len() as f64, self.fixed.moments.frame.length_out(length))
+            let distances = || refinement.matches().iter().map(|found| found.distance);
+            let matched = distances().filter(|d| *d <= reach).count() as f64 / even.len() as f64;
+            let used = distances().filter(|d| d <= within);
+            let (count, sum) = used.fold((0_usize, 0.0), |(count, sum), d| (count + 1, sum + d * d));
+            (matched, self.fixed.moments.frame.length_out((sum / count.max(1) as f64).sqrt()))
         };
-        let (matched, rms) = fit(&best);
+        let (matched, rms) = fit(&places[0]);
         let mut alternatives = Vec::new();
-        for other in &placements[1..] {
+        for place in &places[1..] {
+            let (other, _) = place;
             if !self.is_same(other, &best) {
-                let (matched, rms) = fit(other);
+                let (matched, rms) = fit(place);
                 let apart_degrees = other.angle(&best).to_degrees();
-                alternatives.push(Alternative {
-                    matrix: matrix(&self.map(other)?),
-                    apart_degrees,
-                    matched,
-                    rms,
-                });
+                alternatives.push(Alternative { matrix: self.matrix(other)?, apart_degrees, matched, rms });
             }
         }
-        let map = self.map(&best)?;
         let none = Placement::centred(glam::DMat3::IDENTITY, 1.0, [DVec3::ZERO; 2]);
         Ok(Registration {
-            map,
-            matrix: matrix(&map),
+            matrix: self.matrix(&best)?,
             scale: best.scale,
             turn_degrees: best.angle(&none).to_degrees(),
             reach: self.fixed.moments.frame.length_out(reach),
@@ -332,8 +332,8 @@ impl<'s> Search<'s> {
     }
 
     /// The map in the unit of the meshes.
-    fn map(&self, placement: &Placement) -> Result<Affine, AlignError> {
-        self.fixed.map_of(&placement.pose, placement.scale, &self.moments, self.unit)
+    fn matrix(&self, placement: &Placement) -> Result<Matrix, AlignError> {
+        Ok(matrix(&self.fixed.map_of(&placement.pose, placement.scale, &self.moments, self.unit)?))
     }
 
     fn tell(&self, doing: &str, share: f64) {

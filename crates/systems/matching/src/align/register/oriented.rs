@@ -1,6 +1,6 @@
 //! Points with normals, evenly spaced over a surface.
 
-use super::super::samples::samples;
+use super::super::samples::{Sample, samples};
 use super::grid::Grid;
 use glam::DVec3;
 use pompeiu_core::TriMesh;
@@ -18,14 +18,20 @@ pub(super) struct Oriented {
     pub(super) normal: DVec3,
 }
 
+impl Oriented {
+    /// A sample in the lengths of the answer, turned over if the mesh is taken inside out.
+    pub(super) fn of(sample: Sample, unit: f64, inside_out: bool) -> Self {
+        let normal = if inside_out { -sample.normal } else { sample.normal };
+        Self { point: sample.point * unit, normal }
+    }
+}
+
 /// Points at least `spacing` apart where they are on one side of the surface, with normals that are means over that radius: the
 /// normals of noisy faces say little. `unit` scales from the frame of the mesh to the lengths of the answer.
 pub(super) fn oriented(mesh: &TriMesh, frame: &Frame, unit: f64, area: f64, spacing: f64) -> Vec<Oriented> {
     let count = (SAMPLES_PER_POINT * area / (spacing * spacing)).clamp(100.0, MOST_SAMPLES);
-    let all: Vec<Oriented> = samples(mesh, frame, count as usize)
-        .into_iter()
-        .map(|sample| Oriented { point: sample.point * unit, normal: sample.normal })
-        .collect();
+    let all: Vec<Oriented> =
+        samples(mesh, frame, count as usize).into_iter().map(|s| Oriented::of(s, unit, false)).collect();
     let close = |a: &Oriented, b: &Oriented| {
         a.point.distance_squared(b.point) < spacing * spacing && a.normal.dot(b.normal) > 0.0
     };

@@ -89,8 +89,8 @@ fn turn(onto: &DMat3, from: DVec3, to: DVec3) -> u16 {
     (share * 65_536.0).floor() as i64 as u16
 }
 
-/// Pairs of a surface by their classes.
-struct Pairs<'p> {
+/// Pairs of points of the fixed surface by their classes.
+pub(super) struct Pairs<'p> {
     points: &'p [Oriented],
     onto: Vec<DMat3>,
     classes: Classes,
@@ -101,7 +101,12 @@ struct Pairs<'p> {
 }
 
 impl<'p> Pairs<'p> {
-    fn new(points: &'p [Oriented], classes: Classes) -> Self {
+    /// `step` is the spacing of the points.
+    ///
+    /// # Cost
+    /// O(n²) for n points.
+    pub(super) fn new(points: &'p [Oriented], step: f64) -> Self {
+        let classes = Classes { step };
         let onto: Vec<DMat3> = points.iter().map(|p| onto_first_axis(p.normal)).collect();
         let found: Vec<Vec<(u32, (u16, u16))>> = (0..points.len())
             .into_par_iter()
@@ -178,20 +183,15 @@ impl<'p> Pairs<'p> {
     }
 }
 
-/// The motions most voted for that lay the second surface on the first, at most `count`. `step` is the spacing of the points;
-/// `centre` the place of the moving surface by which two motions are told apart.
+/// The motions most voted for that lay the moving surface on the fixed one, at most `count`. `centre` is the place of the moving surface
+/// by which two motions are told apart.
 ///
 /// # Cost
-/// O(n²) pairs of the fixed surface, and as many votes as there are pairs alike.
+/// As many votes as there are pairs alike.
 /// # Source
 /// `drost_model_2010`; votes are weighed by how rare a class is.
-pub(super) fn voted(
-    [fixed, moving]: [&[Oriented]; 2],
-    step: f64,
-    centre: DVec3,
-    count: usize,
-) -> Vec<Placement> {
-    let pairs = Pairs::new(fixed, Classes { step });
+pub(super) fn voted(pairs: &Pairs<'_>, moving: &[Oriented], centre: DVec3, count: usize) -> Vec<Placement> {
+    let step = pairs.classes.step;
     let every = moving.len().div_ceil(REFERENCES).max(1);
     let named: Vec<Vec<Candidate>> = (0..moving.len())
         .into_par_iter()
@@ -262,7 +262,7 @@ mod tests {
         };
         let mut moving: Vec<Oriented> = fixed[..100].iter().map(back).collect();
         moving.extend((0..200).map(|_| Oriented { point: vector(), normal: vector().normalize() }));
-        let found = voted([&fixed, &moving], 0.08, DVec3::ZERO, 5);
+        let found = voted(&Pairs::new(&fixed, 0.08), &moving, DVec3::ZERO, 5);
         let is_near = |p: &Placement| p.angle(&expected) < 0.3 && p.apply(DVec3::ZERO).distance(shift) < 0.3;
         assert!(is_near(&found[0]), "{found:?} {expected:?}");
     }

@@ -108,13 +108,15 @@ impl<'s> Refinement<'s> {
         placement
     }
 
-    /// Least squares over a share of the points, the nearest, or without one over those within the spread of the residuals.
-    pub(super) fn last(&mut self, start: Placement, share: Option<f64>) -> Placement {
+    /// Least squares over a share of the points, the nearest, or without one over those within the spread of the residuals; and the
+    /// greatest distance of those points. It leaves the matches of the place where it ends.
+    pub(super) fn last(&mut self, start: Placement, share: Option<f64>) -> (Placement, f64) {
         let mut placement = start;
         self.look(&placement);
         let spread = self.reach(FINE_WIDTH * self.size);
+        let within = |found: &Self| share.map_or(spread, |share| found.quantile(share));
         for _ in 0..FINE_STEPS {
-            let reach = share.map_or(spread, |share| self.quantile(share));
+            let reach = within(self);
             let inside = |found: &Match| f64::from(u8::from(found.distance <= reach));
             let Some((next, moved)) = self.step(&placement, inside) else { break };
             placement = next;
@@ -123,7 +125,7 @@ impl<'s> Refinement<'s> {
                 break;
             }
         }
-        placement
+        (placement, within(self))
     }
 
     /// Asks for the nearest points.

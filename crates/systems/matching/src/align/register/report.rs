@@ -1,6 +1,6 @@
 //! What an alignment found, and how sure it is.
 
-use super::super::Matrix;
+use super::super::{Matrix, affine};
 use pompeiu_core::mesh::Affine;
 use pompeiu_core::run::StopReason;
 use serde::Serialize;
@@ -9,9 +9,6 @@ use serde::Serialize;
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Registration {
-    /// The map.
-    #[serde(skip)]
-    pub map: Affine,
     /// The map as four rows that act on columns `(x, y, z, 1)`.
     pub matrix: Matrix,
     /// The factor by which it scales; 1 unless a scale was asked for.
@@ -22,7 +19,7 @@ pub struct Registration {
     pub reach: f64,
     /// The share of the area of the moved mesh that is matched.
     pub matched: f64,
-    /// Root mean square distance of what is matched.
+    /// Root mean square distance of the points that the fit rests on: the share asked for, or those within four standard deviations.
     pub rms: f64,
     /// Other places that fit nearly as well, the best first: a symmetric shape has them.
     pub alternatives: Vec<Alternative>,
@@ -42,7 +39,7 @@ pub struct Alternative {
     pub apart_degrees: f64,
     /// The share of the area that is matched, up to the same length.
     pub matched: f64,
-    /// Root mean square distance of what is matched.
+    /// Root mean square distance of the points that the fit rests on.
     pub rms: f64,
 }
 
@@ -61,6 +58,11 @@ pub struct FreeMotion {
 impl Registration {
     /// Least share of the area that must be matched for a place to be trusted.
     pub const LEAST_MATCHED: f64 = 0.2;
+
+    /// The map.
+    pub fn map(&self) -> Affine {
+        affine(&self.matrix)
+    }
 
     /// Whether one place fits better than all others that were tried, and no motion is free.
     pub fn is_unique(&self) -> bool {
