@@ -203,13 +203,16 @@ fn compiled(package: &str, features: &str) -> BTreeSet<String> {
 }
 
 #[test]
-fn the_python_package_is_built_from_what_tests_compile() {
+fn the_command_and_the_python_package_are_built_from_what_tests_compile() {
     let format = ["--format", "{p} with {f}"];
     let tests = tree(&[&format[..], &["--workspace"]].concat());
-    let package = ["--package", "pompeiu-py", "--features", "as-tested", "--edges", "normal,build"];
-    let package = tree(&[&format[..], &package].concat());
-    let other: Vec<_> = package.difference(&tests).filter(|line| !line.starts_with("pompeiu-py ")).collect();
-    assert!(other.is_empty(), "compiled twice; adapt the feature `as-tested` of pompeiu-py: {other:#?}");
+    for door in ["pompeiu-cli", "pompeiu-py"] {
+        let package = ["--package", door, "--features", "as-tested", "--edges", "normal,build"];
+        let package = tree(&[&format[..], &package].concat());
+        let own = format!("{door} ");
+        let other: Vec<_> = package.difference(&tests).filter(|line| !line.starts_with(&own)).collect();
+        assert!(other.is_empty(), "compiled twice; adapt the feature `as-tested` of {door}: {other:#?}");
+    }
 }
 
 #[test]
