@@ -1,5 +1,6 @@
 //! The `pompeiu` command: two mesh files in, a certified distance out.
 
+mod aligned;
 mod args;
 mod called;
 mod commands;

@@ -127,10 +127,19 @@ pub(crate) fn shortest(x: f64) -> String {
 
 /// What a value between two bounds is, in digits on which both agree when rounded; `None` if these are too few.
 pub(crate) fn agreed(lower: f64, upper: f64) -> Option<String> {
+    if lower == upper { Some(shortest(lower)) } else { agreed_on(lower, upper, DIGITS) }
+}
+
+/// The same with no more digits than it takes.
+pub(crate) fn briefly_agreed(lower: f64, upper: f64) -> Option<String> {
     if lower == upper {
-        return Some(shortest(lower));
+        return format!("{lower:.*e}", AGREED_DIGITS - 1).parse().ok().map(shortest);
     }
-    (AGREED_DIGITS..=DIGITS).rev().find_map(|digits| {
+    agreed_on(lower, upper, AGREED_DIGITS)
+}
+
+fn agreed_on(lower: f64, upper: f64, most: usize) -> Option<String> {
+    (AGREED_DIGITS..=most).rev().find_map(|digits| {
         let rounded = |x: f64| format!("{:.*e}", digits - 1, x);
         let (below, above) = (rounded(lower), rounded(upper));
         if below == above && lower > 0.0 { below.parse().ok().map(shortest) } else { None }
@@ -226,6 +235,9 @@ mod tests {
         assert_eq!(agreed(1.001_6, 1.003_6), None);
         assert_eq!(agreed(0.0, 1e-300), None);
         assert_eq!(agreed(0.999_999_9, 1.000_000_1).as_deref(), Some("1"));
+        assert_eq!(briefly_agreed(0.1 + 0.2, 0.1 + 0.2).as_deref(), Some("0.3"));
+        assert_eq!(briefly_agreed(5.034_138_250_1, 5.034_138_250_3).as_deref(), Some("5.03414"));
+        assert_eq!(briefly_agreed(1.0, 2.0), None);
     }
 
     #[test]

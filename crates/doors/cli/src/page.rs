@@ -1,6 +1,6 @@
 //! Answers for people: rows of a name and a line each.
 
-use crate::numbers::{agreed, between};
+use crate::numbers::{agreed, between, briefly_agreed};
 use crate::pair::File;
 use crate::printer::LABEL;
 use pompeiu::hausdorff::Enclosure;
@@ -8,6 +8,8 @@ use std::fmt::Write;
 
 /// Width of the column of names.
 const NAMES: usize = 10;
+/// Width of the first of two columns.
+const COLUMN: usize = 32;
 
 /// Rows of a name and a line each.
 pub(crate) struct Page(String);
@@ -30,15 +32,26 @@ impl Page {
     }
 
     /// What was compared.
-    pub(crate) fn files(&mut self, a: &File, b: &File) {
-        for (name, file) in [("A", a), ("B", b)] {
+    pub(crate) fn files(&mut self, [a_name, b_name]: [&str; 2], a: &File, b: &File) {
+        for (name, file) in [(a_name, a), (b_name, b)] {
             self.row(name, &file.described());
         }
+    }
+
+    /// A name, and the same of two things beside each other.
+    pub(crate) fn columns(&mut self, name: &str, [left, right]: [&str; 2]) {
+        self.row(name, format!("{left:COLUMN$}{right}").trim_end());
     }
 
     pub(crate) fn gap(&mut self) {
         self.0.push('\n');
     }
+}
+
+/// What an enclosed value is, in no more digits than tell it from others.
+pub(crate) fn brief(distance: Enclosure) -> String {
+    let (lower, upper) = (distance.lower(), distance.upper());
+    briefly_agreed(lower, upper).unwrap_or_else(|| between(lower, upper))
 }
 
 /// What an enclosed value is, in the digits that are certain.

@@ -4,6 +4,7 @@ mod cut;
 mod intersections;
 mod limits;
 mod many;
+mod meshes;
 mod picture;
 mod tolerance;
 
@@ -11,6 +12,7 @@ pub(crate) use cut::CutChoice;
 pub(crate) use intersections::Intersections;
 pub(crate) use limits::Limits;
 pub(crate) use many::Many;
+pub(crate) use meshes::Meshes;
 pub(crate) use picture::Picture;
 pub(crate) use tolerance::{Tolerance, ToleranceKind};
 
@@ -31,8 +33,8 @@ const STYLES: Styles = Styles::styled()
 #[derive(Parser)]
 #[command(version, name = "pompeiu", styles = STYLES, max_term_width = 100, after_help = "\
 Examples:
-  pompeiu distance scan.ply model.obj
-  pompeiu distance scan.ply model.obj --assert-below 0.05 && echo within 0.05
+  pompeiu distance model.obj scan.ply
+  pompeiu distance model.obj scan.ply --assert-below 0.05 && echo within 0.05
   pompeiu rank part.stl library/ --top 5
   pompeiu info model.obj
   pompeiu decompose torus.obj --field rotation:z -o parts.vtp

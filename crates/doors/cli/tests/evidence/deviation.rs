@@ -169,3 +169,36 @@ fn a_time_limit_leaves_true_and_wider_numbers() {
     let ([low, high], [wide_low, wide_high]) = (ends(&full), ends(&short));
     assert!(wide_low <= high && low <= wide_high && wide_high - wide_low >= high - low);
 }
+
+/// A screenful by default, all of it when asked; roles name the surfaces in any order.
+#[test]
+fn an_answer_fits_on_a_screen() {
+    let folder = plates();
+    let (_, brief, _) = folder.transcript("deviation --scan below.obj --model above.obj --threshold 0.25");
+    let (_, full, _) = folder.transcript("deviation above.obj below.obj --threshold 0.25 --full");
+    assert!(brief.lines().count() <= 24 && brief.contains("model to scan"), "{brief}");
+    assert!(full.contains("pooled") && !brief.contains("pooled"), "{full}");
+}
+
+/// A copy that was turned and moved has distance 0 once it is aligned.
+#[test]
+fn a_moved_copy_is_aligned_before_it_is_compared() {
+    let folder = Folder::new();
+    let corners = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 2.0, 0.0], [1.0, 0.5, 1.0]];
+    let write = |name: &str, map: fn([f64; 3]) -> [f64; 3]| {
+        let vertices = corners.map(map).map(|[x, y, z]| format!("v {x} {y} {z}\n")).concat();
+        folder.write(name, &format!("{vertices}f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"));
+    };
+    write("here.obj", |p| p);
+    write("there.obj", |[x, y, z]| [z + 10.0, x - 3.0, y + 7.0]);
+    for command in ["distance", "deviation"] {
+        let found = json(&folder, &format!("{command} here.obj there.obj --align rigid --json"));
+        let upper = |found: &Value| {
+            found["a_to_b"]["distance"]["upper"].as_f64().or(found["a_to_b"]["upper"].as_f64())
+        };
+        assert!(upper(&found).unwrap() < 1e-6, "{found}");
+        assert!(found["alignment"]["matched"].as_f64().unwrap() > 0.99, "{found}");
+        let unmoved = json(&folder, &format!("{command} here.obj there.obj --json"));
+        assert!(upper(&unmoved).unwrap() > 1.0 && unmoved.get("alignment").is_none(), "{unmoved}");
+    }
+}

@@ -1,10 +1,11 @@
 //! The outcome for people.
 
 use super::run::{Outcome, rows};
+use crate::aligned::{percent, verdict};
 use crate::exit::stopped_by;
 use crate::numbers::{few, plain, point, rounded, time};
 use crate::page::{Page, value};
-use pompeiu::matching::align::{FreeMotion, Registration};
+use pompeiu::matching::align::FreeMotion;
 
 /// A motion that is less than this share of the other kind is left out.
 const NEGLIGIBLE: f64 = 1e-3;
@@ -60,28 +61,6 @@ pub(super) fn text(outcome: &Outcome) -> String {
     page.into_text()
 }
 
-fn verdict(found: &Registration) -> String {
-    if found.matched < Registration::LEAST_MATCHED {
-        return format!("NO TRUSTED PLACE: only {} of the moved surface is matched", percent(found.matched));
-    }
-    let place = match (found.alternatives.len(), found.free_motions.len()) {
-        (0, 0) => "ALIGNED: no other place that was tried fits as well".to_owned(),
-        (others, 0) => format!(
-            "ALIGNED, but {} fit nearly as well: the shape may be symmetric",
-            counted(others, "other place")
-        ),
-        (_, free) => format!(
-            "ALIGNED, but {} the fit as it is",
-            if free == 1 { "a motion leaves".to_owned() } else { format!("{free} motions leave") }
-        ),
-    };
-    format!("{place}; {} matched", percent(found.matched))
-}
-
-fn counted(n: usize, what: &str) -> String {
-    if n == 1 { format!("1 {what}") } else { format!("{n} {what}s") }
-}
-
 /// The motion in words.
 fn free(motion: &FreeMotion) -> String {
     let length = |v: [f64; 3]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
@@ -94,8 +73,4 @@ fn free(motion: &FreeMotion) -> String {
     let turns =
         format!("turns about {} through {}", direction(motion.turn), point(motion.point.map(rounded)));
     if shift <= NEGLIGIBLE * turn { turns } else { format!("{turns} as it {}", slide()) }
-}
-
-fn percent(share: f64) -> String {
-    format!("{:.1} %", 100.0 * share)
 }

@@ -1,7 +1,7 @@
 //! Options of the deviation command.
 
-use crate::args::Limits;
-use crate::args::Picture;
+use crate::aligned::Before;
+use crate::args::{Limits, Meshes, Picture};
 use crate::lengths::{Length, length};
 use crate::numbers::{magnitude, share};
 use clap::Args;
@@ -25,17 +25,16 @@ Exit codes:
 
 Examples:
   pompeiu deviation model.obj scan.ply
-  pompeiu deviation model.obj scan.ply --threshold 0.05 --report scan.html
+  pompeiu deviation --model part.stl --scan part.ply --align rigid --threshold 0.05 --report scan.html
   pompeiu deviation model.obj scan.ply --threshold 0.1mm --unit mm --allow 1%
   pompeiu deviation model.obj scan.ply --signed -a model.vtp -b scan.vtp
   pompeiu deviation model.obj scan.ply --json")]
 pub(crate) struct Deviation {
-    /// A mesh file: the surface as it should be
-    #[arg(value_name = "A")]
-    pub(crate) a: PathBuf,
-    /// Another mesh file in the same unit: the surface as it is
-    #[arg(value_name = "B")]
-    pub(crate) b: PathBuf,
+    #[command(flatten)]
+    pub(crate) meshes: Meshes,
+    /// Move B onto A first, from any start; parts of either may have no counterpart
+    #[arg(long, value_enum, value_name = "HOW")]
+    pub(crate) align: Option<Before>,
     /// Say whether both are within this length of each other, such as 0.1 or, with --unit, 0.1mm; enclose the share of the
     /// area that is farther, and list the regions beyond it
     #[arg(long, value_parser = length, allow_negative_numbers = true, value_name = "LENGTH")]
@@ -71,6 +70,9 @@ pub(crate) struct Deviation {
     pub(crate) csv: Option<PathBuf>,
     #[command(flatten)]
     pub(crate) limits: Limits,
+    /// Print everything: all percentiles of both directions taken together, all regions, all digits that are certain
+    #[arg(long)]
+    pub(crate) full: bool,
     /// Print one JSON object
     #[arg(long)]
     pub(crate) json: bool,

@@ -5,6 +5,7 @@ use super::verdict::Verdict;
 use crate::json::{line, milliseconds};
 use crate::pair::File;
 use pompeiu::hausdorff::deviation::{Deviation, DirectedDeviation};
+use pompeiu::matching::align::Registration;
 use serde::Serialize;
 use std::time::Duration;
 
@@ -16,6 +17,7 @@ pub(super) fn json(outcome: &Outcome) -> serde_json::Result<String> {
     line(&Json {
         a: &outcome.a,
         b: &outcome.b,
+        alignment: outcome.alignment.as_ref(),
         unit: &outcome.unit,
         accuracy: outcome.accuracy,
         threshold: outcome.threshold,
@@ -37,6 +39,9 @@ pub(super) fn json(outcome: &Outcome) -> serde_json::Result<String> {
 pub(crate) struct Json<'o> {
     a: &'o File,
     b: &'o File,
+    /// How B was moved onto A before; absent if that was not asked.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    alignment: Option<&'o Registration>,
     /// The name of the unit of length, if one was given.
     unit: &'o str,
     /// Largest width of intervals that was asked for, relative to their values.

@@ -2,6 +2,7 @@
 
 mod args;
 mod csv;
+mod full;
 mod json;
 mod meshes;
 mod run;

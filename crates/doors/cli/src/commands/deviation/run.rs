@@ -2,7 +2,7 @@
 
 use super::args::Deviation;
 use super::verdict::Verdict;
-use super::{csv, json, meshes, text};
+use super::{csv, full, json, meshes, text};
 use crate::called::called;
 use crate::exit::Exit;
 use crate::files;
@@ -15,14 +15,19 @@ use pompeiu::core::TriMesh;
 use pompeiu::hausdorff::deviation::{self, DeviationOptions, DirectedDeviation};
 use pompeiu::hausdorff::show::{DeviationPage, NamedMesh, search_stages};
 use pompeiu::hausdorff::{Direction, Observer, Progress};
+use pompeiu::matching::align::Registration;
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 /// Everything there is to report.
 pub(super) struct Outcome {
+    /// What the two are called.
+    pub(super) names: [&'static str; 2],
     pub(super) a: File,
     pub(super) b: File,
+    /// How B was moved, if it was.
+    pub(super) alignment: Option<Registration>,
     pub(super) unit: String,
     pub(super) accuracy: f64,
     pub(super) threshold: Option<f64>,
@@ -43,25 +48,41 @@ impl Outcome {
 pub(crate) fn run(args: &Deviation, printer: &Printer) -> anyhow::Result<Exit> {
     let started = Instant::now();
     let threshold = args.threshold.as_ref().map(|length| length.in_unit(&args.unit)).transpose()?;
-    pair::check(&args.a, &args.b, printer)?;
+    let paths = args.meshes.paths();
+    pair::check(paths[0], paths[1], printer)?;
+    if args.meshes.look_swapped() {
+        printer.note(format_args!(
+            "note: {} is taken as it should be and {} as it is; --model and --scan name them in any order",
+            paths[0].display(),
+            paths[1].display()
+        ));
+    }
     let outputs = [&args.output_a, &args.output_b];
     for path in outputs.into_iter().flatten() {
         meshes::check(path)?;
     }
     let written = outputs.into_iter().chain([&args.csv]).flatten().map(PathBuf::as_path);
-    files::check_places(written.chain(args.picture.outputs()), &[&args.a, &args.b])?;
+    files::check_places(written.chain(args.picture.outputs()), &paths)?;
     args.limits.apply_threads()?;
     let wait = Wait::new(printer);
-    let (a, b) = pair::read(&args.a, &args.b, &wait, printer)?;
+    let (a, mut b) = pair::read(paths[0], paths[1], &wait, printer)?;
     let read = started.elapsed();
     interrupt::listen();
+    let mut alignment = None;
+    if let Some(before) = args.align {
+        let (moved, found) = before.align(paths, [&a, &b], &args.limits.after(read), &wait, printer)?;
+        (b, alignment) = (moved, Some(found));
+    }
     wait.show("building trees".to_owned());
-    let deviation = DeviationOptions { observer: Some(&Watch(&wait)), ..options(args, threshold, read) }
-        .symmetric(&a, &b)?;
+    let deviation =
+        DeviationOptions { observer: Some(&Watch(&wait)), ..options(args, threshold, started.elapsed()) }
+            .symmetric(&a, &b)?;
     drop(wait);
     let outcome = Outcome {
-        a: File::new(&args.a, &a),
-        b: File::new(&args.b, &b),
+        names: args.meshes.names(),
+        a: File::new(paths[0], &a),
+        b: File::new(paths[1], &b),
+        alignment,
         unit: args.unit.clone(),
         accuracy: args.accuracy,
         threshold,
@@ -71,7 +92,11 @@ pub(crate) fn run(args: &Deviation, printer: &Printer) -> anyhow::Result<Exit> {
         total: started.elapsed(),
     };
     write(args, &outcome, &a, &b, printer)?;
-    Printer::answer(&if args.json { json::json(&outcome)? } else { text::text(&outcome) })?;
+    Printer::answer(&match (args.json, args.full) {
+        (true, _) => json::json(&outcome)?,
+        (false, true) => full::text(&outcome),
+        (false, false) => text::text(&outcome),
+    })?;
     let stops = [&outcome.deviation.a_to_b, &outcome.deviation.b_to_a]
         .map(|directed| directed.stop.is_early() || directed.distance.stop.is_early());
     Ok(match outcome.verdict() {
@@ -81,14 +106,14 @@ pub(crate) fn run(args: &Deviation, printer: &Printer) -> anyhow::Result<Exit> {
     })
 }
 
-fn options(args: &Deviation, threshold: Option<f64>, read: Duration) -> DeviationOptions<'static> {
+fn options(args: &Deviation, threshold: Option<f64>, spent: Duration) -> DeviationOptions<'static> {
     DeviationOptions {
         accuracy: args.accuracy,
         threshold,
         percentiles: args.percentiles.0.clone(),
         regions: args.regions,
         signed: args.signed,
-        limits: args.limits.after(read),
+        limits: args.limits.after(spent),
         ..DeviationOptions::default()
     }
 }
@@ -161,7 +186,7 @@ impl Observer for Watch<'_> {
     }
 }
 
-/// Both directions, with what each is called.
+/// Both directions, with their keys.
 pub(super) fn directions(deviation: &deviation::Deviation) -> [(&'static str, &DirectedDeviation); 2] {
     [("a_to_b", &deviation.a_to_b), ("b_to_a", &deviation.b_to_a)]
 }

@@ -1,121 +1,125 @@
-//! The outcome for people. Digits are shown only as far as they are proven.
+//! A screenful of the outcome for people: the verdict, both directions beside each other, the worst regions.
 
-use super::run::{Outcome, percent};
+use super::full::{faces, percentage};
+use super::run::{Outcome, directions, percent};
+use crate::aligned;
 use crate::exit::stopped_by;
-use crate::numbers::{few, grouped, point, rounded, shortest, time};
-use crate::page::{Page, value};
-use pompeiu::hausdorff::Enclosure;
-use pompeiu::hausdorff::deviation::{DirectedDeviation, Percentile, Region, Statistics};
+use crate::numbers::{few, grouped, point, rounded, time};
+use crate::page::{Page, brief};
+use pompeiu::hausdorff::deviation::{DirectedDeviation, Region, Statistics};
+use std::time::Duration;
+
+/// Regions that are listed at most.
+const REGIONS: usize = 3;
 
 pub(super) fn text(outcome: &Outcome) -> String {
     let deviation = &outcome.deviation;
     let mut page = Page::new();
     if let (Some(threshold), Some(verdict)) = (outcome.threshold, outcome.verdict()) {
-        page.row("verdict", &verdict.sentence(deviation, threshold, &outcome.unit));
+        page.row("verdict", &verdict.sentence(deviation, threshold, &outcome.unit, outcome.names));
         page.gap();
     }
-    page.files(&outcome.a, &outcome.b);
-    page.gap();
-    let origin = match (deviation.a_to_b.distance.distance, deviation.b_to_a.distance.distance) {
-        (there, back) if there.lower() >= back.upper() => "the largest distance, from A to B",
-        (there, back) if back.lower() >= there.upper() => "the largest distance, from B to A",
-        _ => "the largest distance",
-    };
-    page.row("H(A, B)", &format!("{}   {origin}", value(deviation.distance)));
-    page.gap();
-    directed(&mut page, outcome, &deviation.a_to_b, "A to B", "how far A is from B: what is missing in B");
-    directed(&mut page, outcome, &deviation.b_to_a, "B to A", "how far B is from A: what B has invented");
-    if let (Some(greater), Some(pooled)) = (&deviation.greater_percentiles, &deviation.pooled) {
-        page.row("both", "by area; the greater of the two directions | pooled over both surfaces");
-        page.row("  mean", &format!("| {}", value(pooled.mean)));
-        page.row("  rms", &format!("| {}", value(pooled.rms)));
-        for (greater, pooled) in greater.iter().zip(&pooled.percentiles) {
-            page.row(&label(greater), &format!("{} | {}", value(greater.distance), value(pooled.distance)));
-        }
-        page.gap();
+    page.files(outcome.names, &outcome.a, &outcome.b);
+    if let Some(found) = &outcome.alignment {
+        page.row("moved", &aligned::verdict(found));
     }
-    let sum = |part: fn(&DirectedDeviation) -> std::time::Duration| {
-        time(part(&deviation.a_to_b) + part(&deviation.b_to_a))
-    };
+    page.gap();
+    let unit = if outcome.unit.is_empty() { String::new() } else { format!(" {}", outcome.unit) };
+    page.row("H(A, B)", &format!("{}{unit}   the largest distance", brief(deviation.distance)));
+    page.gap();
+    both(&mut page, outcome);
+    regions(&mut page, outcome);
+    let [read, refine] = [outcome.read, sum(outcome, |directed| directed.work.refine)].map(time);
+    let search = time(sum(outcome, |directed| directed.work.build + directed.work.search));
     page.row(
         "time",
-        &format!(
-            "read {}, build {}, search {}, refine {}, total {}",
-            time(outcome.read),
-            sum(|d| d.work.build),
-            sum(|d| d.work.search),
-            sum(|d| d.work.refine),
-            time(outcome.total)
-        ),
+        &format!("read {read}, search {search}, refine {refine}, total {}", time(outcome.total)),
     );
     page.into_text()
 }
 
-fn directed(page: &mut Page, outcome: &Outcome, directed: &DirectedDeviation, name: &str, meaning: &str) {
-    page.row(name, meaning);
-    let witness = &directed.distance.witness.from;
-    let at = format!("at {} on face {}", point(witness.position), witness.face.0);
-    page.row("  largest", &format!("{} {at}", value(directed.distance.distance)));
-    match &directed.statistics {
-        Some(found) => statistics(page, found),
-        None => page.row("", "no face has an area to take a mean over"),
+/// Both directions beside each other.
+fn both(page: &mut Page, outcome: &Outcome) {
+    let [a, b] = outcome.names;
+    let found = [&outcome.deviation.a_to_b, &outcome.deviation.b_to_a];
+    page.columns("", [&format!("{a} to {b}"), &format!("{b} to {a}")]);
+    page.columns("", [&format!("missing in {b}"), &format!("invented by {b}")]);
+    let mut row = |name: &str, cell: &dyn Fn(&DirectedDeviation) -> String| {
+        let [left, right] = found.map(cell);
+        page.columns(name, [&left, &right]);
+    };
+    row("largest", &|directed| brief(directed.distance.distance));
+    let mut statistic = |name: &str, cell: &dyn Fn(&Statistics) -> Option<String>| {
+        row(name, &|directed| {
+            directed.statistics.as_ref().and_then(cell).unwrap_or_else(|| "no area".to_owned())
+        });
+    };
+    statistic("mean", &|statistics| Some(brief(statistics.mean)));
+    statistic("rms", &|statistics| Some(brief(statistics.rms)));
+    let shares = found.iter().find_map(|directed| directed.statistics.as_ref());
+    let shares =
+        shares.map_or_else(Vec::new, |statistics| statistics.percentiles.iter().map(|p| p.share).collect());
+    for (i, share) in shares.into_iter().enumerate() {
+        statistic(&format!("{} %", percent(share)), &|statistics| {
+            Some(brief(statistics.percentiles.get(i)?.distance))
+        });
     }
-    if let Some(sides) = &directed.sides {
-        let inside = grouped(sides.vertices_inside() as u64);
-        let all = directed.vertices.iter().filter(|distance| !distance.is_nan()).count();
-        page.row("  inside", &format!("{inside} of {} vertices", grouped(all as u64)));
+    if outcome.threshold.is_some() {
+        statistic("beyond", &|statistics| {
+            Some(format!("{} of the area", percentage(statistics.above.as_ref()?.share)))
+        });
     }
-    regions(page, "  regions", &directed.regions);
-    if let Some(threshold) = outcome.threshold {
-        let name = format!("  > {}", shortest(threshold));
-        if directed.beyond_threshold.is_empty() {
-            page.row(&name, "no region");
+    if found.iter().any(|directed| directed.sides.is_some()) {
+        row("inside", &|directed| inside(directed).unwrap_or_default());
+    }
+    for (name, directed) in [a, b].into_iter().zip(found) {
+        if directed.stop.is_early() {
+            let stop = stopped_by(directed.stop);
+            page.row("", &format!("from {name}: stopped by {stop}; intervals are wider than asked"));
         }
-        regions(page, &name, &directed.beyond_threshold);
-    }
-    if directed.stop.is_early() {
-        let stop = stopped_by(directed.stop);
-        page.row("", &format!("stopped by {stop}: intervals are wider than asked"));
     }
     page.gap();
 }
 
-fn statistics(page: &mut Page, statistics: &Statistics) {
-    page.row("  mean", &value(statistics.mean));
-    page.row("  rms", &value(statistics.rms));
-    for percentile in &statistics.percentiles {
-        page.row(&label(percentile), &value(percentile.distance));
+fn inside(directed: &DirectedDeviation) -> Option<String> {
+    let inside = grouped(directed.sides.as_ref()?.vertices_inside() as u64);
+    let all = directed.vertices.iter().filter(|distance| !distance.is_nan()).count();
+    Some(format!("{inside} of {} vertices", grouped(all as u64)))
+}
+
+/// The worst places of both directions, each once.
+fn regions(page: &mut Page, outcome: &Outcome) {
+    let [a, b] = outcome.names;
+    let named = directions(&outcome.deviation).into_iter().zip([[a, b], [b, a]]);
+    let mut all: Vec<(&Region, [&str; 2])> = named
+        .flat_map(|((_, directed), names)| directed.regions.iter().map(move |region| (region, names)))
+        .collect();
+    all.sort_by(|(x, _), (y, _)| y.peak.upper().total_cmp(&x.peak.upper()));
+    let mut listed: Vec<&Region> = Vec::new();
+    for (region, [from, to]) in all {
+        if listed.len() == REGIONS || listed.iter().any(|other| is_beside(other, region)) {
+            continue;
+        }
+        listed.push(region);
+        let place = point(region.witness.from.position.map(rounded));
+        let name = if listed.len() == 1 { "worst" } else { "" };
+        let (n, peak, count, area) = (listed.len(), brief(region.peak), faces(region), few(region.area));
+        page.row(name, &format!("{n}. {peak} at {place}, {from} to {to}; {count}, area {area}"));
     }
-    if let Some(above) = &statistics.above {
-        let share = percentage(above.share);
-        page.row("  above", &format!("{share} of the area is farther than {}", shortest(above.threshold)));
+    if !listed.is_empty() {
+        page.row("", "--full shows more of it, --report FILE.html all");
+        page.gap();
     }
 }
 
-fn label(percentile: &Percentile) -> String {
-    format!("  {} %", percent(percentile.share))
+/// Whether a region has its peak where another one lies, up to the distance of both surfaces there: seen from the other surface it
+/// is the same place.
+fn is_beside(other: &Region, region: &Region) -> bool {
+    let reach = other.peak.upper();
+    let place = region.witness.from.position;
+    (0..3).all(|k| (other.aabb.lower[k] - reach..=other.aabb.upper[k] + reach).contains(&place[k]))
 }
 
-/// A share of the area in percent, rounded outwards to two decimals.
-pub(super) fn percentage(share: Enclosure) -> String {
-    let (lower, upper) = ((share.lower() * 1e4).floor() / 1e2, (share.upper() * 1e4).ceil() / 1e2);
-    if lower == upper { format!("{lower} %") } else { format!("{lower} to {upper} %") }
-}
-
-fn regions(page: &mut Page, name: &str, regions: &[Region]) {
-    for (i, region) in regions.iter().enumerate() {
-        let [low, high] = [region.aabb.lower, region.aabb.upper];
-        let size = [0, 1, 2].map(|k| few(high[k] - low[k])).join(" × ");
-        page.row(
-            if i == 0 { name } else { "" },
-            &format!(
-                "{}. {} at {}; {size}, area {}, {} faces",
-                i + 1,
-                value(region.peak),
-                point(region.witness.from.position.map(rounded)),
-                few(region.area),
-                grouped(region.faces.len() as u64)
-            ),
-        );
-    }
+fn sum(outcome: &Outcome, part: fn(&DirectedDeviation) -> Duration) -> Duration {
+    directions(&outcome.deviation).map(|(_, directed)| part(directed)).iter().sum()
 }

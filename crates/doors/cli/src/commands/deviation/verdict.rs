@@ -1,10 +1,10 @@
 //! Whether two meshes are within a tolerance.
 
+use super::full::percentage;
 use super::run::{directions, percent};
-use super::text::percentage;
 use crate::exit::Exit;
 use crate::numbers::shortest;
-use crate::page::value;
+use crate::page::brief;
 use pompeiu::hausdorff::Enclosure;
 use pompeiu::hausdorff::deviation::{Deviation, DirectedDeviation};
 use serde::Serialize;
@@ -59,7 +59,13 @@ impl Verdict {
     }
 
     /// The sentence that a person acts on.
-    pub(super) fn sentence(self, deviation: &Deviation, threshold: f64, unit: &str) -> String {
+    pub(super) fn sentence(
+        self,
+        deviation: &Deviation,
+        threshold: f64,
+        unit: &str,
+        names: [&str; 2],
+    ) -> String {
         let head = match self.answer {
             Answer::Within => "WITHIN TOLERANCE",
             Answer::Out => "OUT OF TOLERANCE",
@@ -78,9 +84,9 @@ impl Verdict {
         format!(
             "{head} {}: beyond it {}, {}{allowed}; worst {}",
             length(shortest(threshold)),
-            of("A", a),
-            of("B", b),
-            length(value(deviation.distance))
+            of(names[0], a),
+            of(names[1], b),
+            length(brief(deviation.distance))
         )
     }
 }

@@ -1,9 +1,9 @@
 //! Options of the distance command.
 
-use crate::args::{Limits, Tolerance};
+use crate::aligned::Before;
+use crate::args::{Limits, Meshes, Tolerance};
 use crate::numbers::magnitude;
 use clap::{Args, ValueEnum};
-use std::path::PathBuf;
 
 /// Enclose the distance between two meshes
 #[derive(Args)]
@@ -19,17 +19,16 @@ Exit codes:
   3  undecided within the time or memory limit, or within double precision
 
 Examples:
-  pompeiu distance scan.ply model.obj
-  pompeiu distance scan.ply model.obj --direction a-to-b --json
-  pompeiu distance scan.ply model.obj --tolerance 1e-3 --tolerance-kind relative
-  pompeiu distance scan.ply model.obj --assert-below 0.05 --time-limit 10s")]
+  pompeiu distance model.obj scan.ply
+  pompeiu distance model.obj scan.ply --direction a-to-b --json
+  pompeiu distance model.obj scan.ply --tolerance 1e-3 --tolerance-kind relative
+  pompeiu distance model.obj scan.ply --assert-below 0.05 --time-limit 10s")]
 pub(crate) struct Distance {
-    /// A mesh file
-    #[arg(value_name = "A")]
-    pub(crate) a: PathBuf,
-    /// Another mesh file, in the same unit
-    #[arg(value_name = "B")]
-    pub(crate) b: PathBuf,
+    #[command(flatten)]
+    pub(crate) meshes: Meshes,
+    /// Move B onto A first, from any start; parts of either may have no counterpart
+    #[arg(long, value_enum, value_name = "HOW")]
+    pub(crate) align: Option<Before>,
     #[command(flatten)]
     pub(crate) tolerance: Tolerance,
     /// Which of the two directed distances to compute

@@ -6,6 +6,7 @@ use crate::args::ToleranceKind;
 use crate::json::{line, milliseconds};
 use crate::pair::File;
 use pompeiu::hausdorff::{DirectedReport, Direction, Enclosure, PointPair, StopReason, WorkCount};
+use pompeiu::matching::align::Registration;
 use serde::Serialize;
 
 /// The outcome on one line.
@@ -13,6 +14,7 @@ pub(super) fn json(outcome: &Outcome) -> serde_json::Result<String> {
     line(&Json {
         a: &outcome.a,
         b: &outcome.b,
+        alignment: outcome.alignment.as_ref(),
         tolerance: Tolerance {
             requested: outcome.requested,
             kind: outcome.kind,
@@ -38,6 +40,9 @@ pub(super) fn json(outcome: &Outcome) -> serde_json::Result<String> {
 pub(crate) struct Json<'o> {
     a: &'o File,
     b: &'o File,
+    /// How B was moved onto A before; absent if that was not asked.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    alignment: Option<&'o Registration>,
     tolerance: Tolerance,
     /// How far A is from B; absent if only the other direction was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -5,6 +5,7 @@ use crate::args::ToleranceKind;
 use crate::exit::Exit;
 use crate::pair::File;
 use pompeiu::hausdorff::{DirectedReport, Enclosure};
+use pompeiu::matching::align::Registration;
 use serde::Serialize;
 use std::time::Duration;
 
@@ -29,8 +30,12 @@ pub(super) enum Answer {
 
 /// Everything there is to report; at least one direction was asked for.
 pub(super) struct Outcome {
+    /// What the two are called.
+    pub(super) names: [&'static str; 2],
     pub(super) a: File,
     pub(super) b: File,
+    /// How B was moved, if it was.
+    pub(super) alignment: Option<Registration>,
     pub(super) requested: f64,
     pub(super) kind: ToleranceKind,
     pub(super) a_to_b: Option<DirectedReport>,
@@ -115,8 +120,9 @@ mod tests {
     ) -> Outcome {
         let file = || File { path: String::new(), vertices: 3, faces: 1 };
         let times = Times { read: Duration::ZERO, total: Duration::ZERO };
-        let (a, b, trace, kind) = (file(), file(), None, ToleranceKind::Diagonal);
-        Outcome { a, b, requested: 0.0, kind, a_to_b, b_to_a, threshold, trace, times }
+        let (names, alignment, trace) = (["A", "B"], None, None);
+        let (a, b, kind, requested) = (file(), file(), ToleranceKind::Diagonal, 0.0);
+        Outcome { names, a, b, alignment, requested, kind, a_to_b, b_to_a, threshold, trace, times }
     }
 
     #[test]

@@ -22,12 +22,19 @@ pub(super) const TRACE: [f64; 14] =
 
 pub(crate) fn run(args: &Distance, printer: &Printer) -> anyhow::Result<Exit> {
     let started = Instant::now();
-    pair::check(&args.a, &args.b, printer)?;
+    let paths = args.meshes.paths();
+    pair::check(paths[0], paths[1], printer)?;
     args.limits.apply_threads()?;
     let wait = Wait::new(printer);
-    let (a, b) = pair::read(&args.a, &args.b, &wait, printer)?;
+    let (a, mut b) = pair::read(paths[0], paths[1], &wait, printer)?;
     let read = started.elapsed();
-    let outcome = measure(args, (&a, &b), &wait, (started, read))?;
+    interrupt::listen();
+    let mut alignment = None;
+    if let Some(before) = args.align {
+        let (moved, found) = before.align(paths, [&a, &b], &args.limits.after(read), &wait, printer)?;
+        (b, alignment) = (moved, Some(found));
+    }
+    let outcome = Outcome { alignment, ..measure(args, (&a, &b), &wait, (started, read))? };
     drop(wait);
 
     if outcome.reports().any(|report| report.stop == StopReason::Rounding) {
@@ -49,8 +56,11 @@ fn measure(
     let diagonal = Aabb::of_faces(a).union(Aabb::of_faces(b)).diagonal();
     let stages = stages(args, diagonal);
     let watch = Watch::new(wait, args.direction, stages.len());
-    let options = HausdorffOptions { stages: stages.to_vec(), observer: Some(&watch), ..options(args, read) };
-    interrupt::listen();
+    let options = HausdorffOptions {
+        stages: stages.to_vec(),
+        observer: Some(&watch),
+        ..options(args, started.elapsed())
+    };
     wait.show("building trees".to_owned());
     let (a_to_b, b_to_a) = match args.direction {
         Direction::Both => {
@@ -63,8 +73,10 @@ fn measure(
     let ends = [(hausdorff::Direction::AToB, a_to_b.as_ref()), (hausdorff::Direction::BToA, b_to_a.as_ref())];
     Ok(Outcome {
         trace: args.trace.then(|| watch.into_rows(ends, diagonal)),
-        a: File::new(&args.a, a),
-        b: File::new(&args.b, b),
+        names: args.meshes.names(),
+        a: File::new(args.meshes.paths()[0], a),
+        b: File::new(args.meshes.paths()[1], b),
+        alignment: None,
         requested: args.tolerance.tolerance,
         kind: args.tolerance.tolerance_kind,
         a_to_b,
@@ -74,7 +86,7 @@ fn measure(
     })
 }
 
-fn options(args: &Distance, read: Duration) -> HausdorffOptions<'static> {
+fn options(args: &Distance, spent: Duration) -> HausdorffOptions<'static> {
     HausdorffOptions {
         tolerance: args.tolerance.get(),
         threshold: args.assert_below,
@@ -82,7 +94,7 @@ fn options(args: &Distance, read: Duration) -> HausdorffOptions<'static> {
             Method::Fast => hausdorff::Method::Fast,
             Method::Classic => hausdorff::Method::Classic,
         },
-        limits: args.limits.after(read),
+        limits: args.limits.after(spent),
         ..HausdorffOptions::default()
     }
 }

@@ -2,6 +2,7 @@
 
 use super::outcome::{Answer, Outcome};
 use super::watch::TraceRow;
+use crate::aligned::verdict;
 use crate::args::ToleranceKind;
 use crate::exit::stopped_by;
 use crate::numbers::{grouped, plain, point, shortest, time};
@@ -10,7 +11,12 @@ use pompeiu::hausdorff::{DirectedReport, Direction, Enclosure, StopReason};
 
 pub(super) fn text(outcome: &Outcome) -> String {
     let mut page = Page::new();
-    page.files(&outcome.a, &outcome.b);
+    let labels = [("A", outcome.names[0]), ("B", outcome.names[1])]
+        .map(|(symbol, name)| if symbol == name { symbol.to_owned() } else { format!("{symbol}, {name}") });
+    page.files([&labels[0], &labels[1]], &outcome.a, &outcome.b);
+    if let Some(found) = &outcome.alignment {
+        page.row("moved", &verdict(found));
+    }
     page.gap();
     if let Some((threshold, answer)) = outcome.answer() {
         page.row("answer", &sentence(outcome, threshold, answer));

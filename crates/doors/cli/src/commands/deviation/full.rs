@@ -1,0 +1,140 @@
+//! The whole outcome for people. Digits are shown only as far as they are proven.
+
+use super::run::{Outcome, percent};
+use crate::aligned::verdict as alignment;
+use crate::exit::stopped_by;
+use crate::numbers::{few, grouped, point, rounded, shortest, time};
+use crate::page::{Page, value};
+use pompeiu::hausdorff::Enclosure;
+use pompeiu::hausdorff::deviation::{DirectedDeviation, Percentile, Region, Statistics};
+
+pub(super) fn text(outcome: &Outcome) -> String {
+    let deviation = &outcome.deviation;
+    let mut page = Page::new();
+    if let (Some(threshold), Some(verdict)) = (outcome.threshold, outcome.verdict()) {
+        page.row("verdict", &verdict.sentence(deviation, threshold, &outcome.unit, outcome.names));
+        page.gap();
+    }
+    let [a, b] = outcome.names;
+    page.files(outcome.names, &outcome.a, &outcome.b);
+    if let Some(found) = &outcome.alignment {
+        page.row("moved", &alignment(found));
+    }
+    page.gap();
+    let origin = match (deviation.a_to_b.distance.distance, deviation.b_to_a.distance.distance) {
+        (there, back) if there.lower() >= back.upper() => format!("the largest distance, from {a} to {b}"),
+        (there, back) if back.lower() >= there.upper() => format!("the largest distance, from {b} to {a}"),
+        _ => "the largest distance".to_owned(),
+    };
+    page.row("H(A, B)", &format!("{}   {origin}", value(deviation.distance)));
+    page.gap();
+    directed(&mut page, outcome, &deviation.a_to_b, [a, b], &format!("what is missing in {b}"));
+    directed(&mut page, outcome, &deviation.b_to_a, [b, a], &format!("what {b} has invented"));
+    if let (Some(greater), Some(pooled)) = (&deviation.greater_percentiles, &deviation.pooled) {
+        page.row("both", "by area; the greater of the two directions | pooled over both surfaces");
+        page.row("  mean", &format!("| {}", value(pooled.mean)));
+        page.row("  rms", &format!("| {}", value(pooled.rms)));
+        for (greater, pooled) in greater.iter().zip(&pooled.percentiles) {
+            page.row(&label(greater), &format!("{} | {}", value(greater.distance), value(pooled.distance)));
+        }
+        page.gap();
+    }
+    let sum = |part: fn(&DirectedDeviation) -> std::time::Duration| {
+        time(part(&deviation.a_to_b) + part(&deviation.b_to_a))
+    };
+    page.row(
+        "time",
+        &format!(
+            "read {}, build {}, search {}, refine {}, total {}",
+            time(outcome.read),
+            sum(|d| d.work.build),
+            sum(|d| d.work.search),
+            sum(|d| d.work.refine),
+            time(outcome.total)
+        ),
+    );
+    page.into_text()
+}
+
+fn directed(
+    page: &mut Page,
+    outcome: &Outcome,
+    directed: &DirectedDeviation,
+    [from, to]: [&str; 2],
+    meaning: &str,
+) {
+    page.row(&format!("{from} to {to}"), &format!("  how far {from} is from {to}: {meaning}"));
+    let witness = &directed.distance.witness.from;
+    let at = format!("at {} on face {}", point(witness.position), witness.face.0);
+    page.row("  largest", &format!("{} {at}", value(directed.distance.distance)));
+    match &directed.statistics {
+        Some(found) => statistics(page, found),
+        None => page.row("", "no face has an area to take a mean over"),
+    }
+    if let Some(sides) = &directed.sides {
+        let inside = grouped(sides.vertices_inside() as u64);
+        let all = directed.vertices.iter().filter(|distance| !distance.is_nan()).count();
+        page.row("  inside", &format!("{inside} of {} vertices", grouped(all as u64)));
+    }
+    regions(page, "  regions", &directed.regions);
+    if let Some(threshold) = outcome.threshold {
+        let name = format!("  > {}", shortest(threshold));
+        if directed.beyond_threshold.is_empty() {
+            page.row(&name, "no region");
+        }
+        regions(page, &name, &directed.beyond_threshold);
+    }
+    if directed.stop.is_early() {
+        let stop = stopped_by(directed.stop);
+        page.row("", &format!("stopped by {stop}: intervals are wider than asked"));
+    }
+    page.gap();
+}
+
+fn statistics(page: &mut Page, statistics: &Statistics) {
+    page.row("  mean", &value(statistics.mean));
+    page.row("  rms", &value(statistics.rms));
+    for percentile in &statistics.percentiles {
+        page.row(&label(percentile), &value(percentile.distance));
+    }
+    if let Some(above) = &statistics.above {
+        let share = percentage(above.share);
+        page.row("  above", &format!("{share} of the area is farther than {}", shortest(above.threshold)));
+    }
+}
+
+fn label(percentile: &Percentile) -> String {
+    format!("  {} %", percent(percentile.share))
+}
+
+/// A share of the area in percent, rounded outwards to two decimals.
+pub(super) fn percentage(share: Enclosure) -> String {
+    let (lower, upper) = ((share.lower() * 1e4).floor() / 1e2, (share.upper() * 1e4).ceil() / 1e2);
+    if lower == upper { format!("{lower} %") } else { format!("{lower} to {upper} %") }
+}
+
+/// How many faces a region has.
+pub(super) fn faces(region: &Region) -> String {
+    match region.faces.len() {
+        1 => "1 face".to_owned(),
+        n => format!("{} faces", grouped(n as u64)),
+    }
+}
+
+fn regions(page: &mut Page, name: &str, regions: &[Region]) {
+    for (i, region) in regions.iter().enumerate() {
+        let [low, high] = [region.aabb.lower, region.aabb.upper];
+        let size = [0, 1, 2].map(|k| few(high[k] - low[k])).join(" × ");
+        page.row(
+            if i == 0 { name } else { "" },
+            &format!(
+                "{}. {} at {}; {size}, area {}, {}",
+                i + 1,
+                value(region.peak),
+                point(region.witness.from.position.map(rounded)),
+                few(region.area),
+                faces(region)
+            ),
+        );
+    }
+}
