@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import json
+import os
+import tempfile
 from dataclasses import dataclass, field, fields
-from typing import Any, Iterable, Mapping, Optional, Sequence, Tuple
+from typing import Any, Iterable, Literal, Mapping, Optional, Sequence, Tuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _native
+from .errors import OptionError
 from .progress import ProgressLike, watching
 from .results import (
     Direction,
@@ -355,10 +358,89 @@ class Deviation(_Arrays, _Interval):
     b_to_a: DirectedDeviation
     greater_percentiles: Optional[Tuple[Percentile, ...]]
     pooled: Optional[Statistics]
+    _page: Optional[_native.DeviationPage] = field(default=None, compare=False, repr=False)
+    _names: Tuple[str, str] = field(default=("A", "B"), compare=False, repr=False)
 
     def to_dict(self) -> "dict[str, Any]":
         """A dictionary of plain values, ready for ``json.dumps``."""
-        return {f.name: _plain(getattr(self, f.name)) for f in fields(self)}
+        return {f.name: _plain(getattr(self, f.name)) for f in fields(self) if not f.name.startswith("_")}
+
+    def save_html(
+        self,
+        path: "str | os.PathLike[str]",
+        *,
+        names: Optional[Tuple[str, str]] = None,
+        unit: str = "",
+        up: "str | Vec3" = "y",
+    ) -> None:
+        """Writes a page to explore in a browser: one file that needs no network. It appears whole or not at all.
+
+        Parameters
+        ----------
+        path : str or path-like
+            The file.
+        names : tuple of str, optional
+            What the two meshes are called; by default their paths, or A and B.
+        unit : str
+            The unit of length, such as ``"mm"``.
+        up : {"x", "y", "z"} or three floats
+            Which way is up.
+
+        Raises
+        ------
+        ValueError
+            If this answer was pickled: the meshes do not travel with it.
+        OSError
+            If the file cannot be written.
+        """
+        _save(path, self._shown().html(self._look(names, unit, up)).encode())
+
+    def image(
+        self,
+        *,
+        names: Optional[Tuple[str, str]] = None,
+        unit: str = "",
+        up: "str | Vec3" = "y",
+        direction_to_eye: Optional[Vec3] = None,
+        size: Tuple[int, int] = (1600, 900),
+        theme: Literal["light", "dark"] = "light",
+    ) -> bytes:
+        """A picture of both surfaces, coloured by their distances, as the bytes of a PNG file.
+
+        Parameters
+        ----------
+        names, unit, up
+            As for :meth:`save_html`.
+        direction_to_eye : three floats, optional
+            From the meshes to the eye.
+        size : tuple of int
+            Width and height in pixels.
+        theme : {"light", "dark"}
+            Background.
+
+        Raises
+        ------
+        OptionError
+            If the size or the theme is none.
+        ValueError
+            If this answer was pickled: the meshes do not travel with it.
+        """
+        return self._shown().png(self._look(names, unit, up), direction_to_eye, size, theme)
+
+    def save_image(self, path: "str | os.PathLike[str]", **options: Any) -> None:
+        """Writes :meth:`image`, with its options, to a file, which appears whole or not at all."""
+        _save(path, self.image(**options))
+
+    def _shown(self) -> _native.DeviationPage:
+        if self._page is None:
+            raise ValueError("the meshes of this answer are not here: it was pickled; analyse the meshes again")
+        return self._page
+
+    def _look(self, names: Optional[Tuple[str, str]], unit: str, up: "str | Vec3") -> "dict[str, Any]":
+        return {"names": list(names or self._names), "unit": unit, "up": _axis(up)}
+
+    def __getstate__(self) -> "dict[str, Any]":
+        return {**self.__dict__, "_page": None}
 
     def __repr__(self) -> str:
         return f"Deviation(H in {shown_bounds(self.lower, self.upper)}, {self.a_to_b!r}, {self.b_to_a!r})"
@@ -371,8 +453,13 @@ class Deviation(_Arrays, _Interval):
 
     @classmethod
     def _of(
-        cls, data: Mapping[str, Any], there: Mapping[str, Any], back: Mapping[str, Any], threshold: Optional[float]
+        cls,
+        data: Mapping[str, Any],
+        beside: "tuple[Mapping[str, Any], Mapping[str, Any], _native.DeviationPage]",
+        threshold: Optional[float],
+        names: Tuple[str, str],
     ) -> "Deviation":
+        there, back, page = beside
         greater = data["greater_percentiles"]
         return cls(
             **data["distance"],
@@ -380,7 +467,40 @@ class Deviation(_Arrays, _Interval):
             b_to_a=DirectedDeviation._of(data["b_to_a"], back, threshold),
             greater_percentiles=None if greater is None else _percentiles(greater),
             pooled=Statistics._of(data["pooled"], threshold),
+            _page=page,
+            _names=names,
         )
+
+
+def _save(path: "str | os.PathLike[str]", content: bytes) -> None:
+    """Writes a file whole or not at all."""
+    folder, name = os.path.split(os.path.abspath(path))
+    handle, temporary = tempfile.mkstemp(prefix=f".{name}.", dir=folder)
+    try:
+        with os.fdopen(handle, "wb") as file:
+            file.write(content)
+        mask = os.umask(0)
+        os.umask(mask)
+        os.chmod(temporary, 0o666 & ~mask)
+        os.replace(temporary, path)
+    except BaseException:
+        os.unlink(temporary)
+        raise
+
+
+def _axis(up: "str | Vec3") -> Vec3:
+    """The direction that is called so."""
+    if isinstance(up, str):
+        try:
+            return {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}[up]
+        except KeyError:
+            raise OptionError(f'up is {up!r}, expected "x", "y", "z" or three numbers') from None
+    x, y, z = up
+    return (float(x), float(y), float(z))
+
+
+def _name(mesh: Any, otherwise: str) -> str:
+    return os.fspath(mesh) if isinstance(mesh, (str, os.PathLike)) else otherwise
 
 
 #: Width of an enclosure relative to its lower end, by default.
@@ -462,10 +582,11 @@ def deviation(
     options = _options(
         accuracy, threshold, percentiles, bins, regions, signed, most_pieces, threads, time_limit, memory_limit
     )
+    names = (_name(a, "A"), _name(b, "B"))
     a, b = as_mesh(a), as_mesh(b)
     with watching(progress) as watch:
-        text, there, back = _native.deviation(a, b, options, watch)
-    return Deviation._of(json.loads(text), there, back, threshold)
+        text, *beside = _native.deviation(a, b, options, watch)
+    return Deviation._of(json.loads(text), tuple(beside), threshold, names)
 
 
 def directed_deviation(

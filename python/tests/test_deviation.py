@@ -153,3 +153,25 @@ def test_what_is_shown_encloses_too():
         shown = str(pompeiu.Enclosure(x, x))
         lower, upper = map(float, shown.strip("[]").split(", "))
         assert lower <= x <= upper and len(shown) <= 34
+
+
+def test_pages_and_pictures(tmp_path):
+    report = pompeiu.deviation(LEANING, FLAT, threshold=0.15)
+    page = tmp_path / "page.html"
+    report.save_html(page, names=("model.obj", "scan.obj"), unit="mm", up="z")
+    text = page.read_text(encoding="utf-8")
+    assert "model.obj" in text and "mm" in text and "<script src" not in text
+    picture = tmp_path / "picture.png"
+    report.save_image(picture, size=(320, 200), theme="dark", direction_to_eye=(0, 0, 1))
+    assert picture.read_bytes() == report.image(size=(320, 200), theme="dark", direction_to_eye=(0, 0, 1))
+    assert report.image(size=(64, 48))[:8] == b"\x89PNG\r\n\x1a\n"
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["page.html", "picture.png"]
+    for wrong in ({"size": (0, 5)}, {"theme": "blue"}, {"up": "w"}):
+        with pytest.raises(pompeiu.OptionError):
+            report.image(**wrong)
+    with pytest.raises(FileNotFoundError):
+        report.save_html(tmp_path / "nowhere" / "page.html")
+    again = pickle.loads(pickle.dumps(report))
+    assert again == report and "_page" not in report.to_dict()
+    with pytest.raises(ValueError, match="pickled"):
+        again.save_html(page)

@@ -82,7 +82,7 @@ def test_only_numpy_is_needed():
     imports = re.compile(r"^ *(?:from|import) +([a-zA-Z_.]+)", re.MULTILINE)
     for file in FOLDER.glob("*.py"):
         for name in imports.findall(file.read_text(encoding="utf-8")):
-            known = {"numpy", "__future__", "collections", "contextlib", "dataclasses", "decimal", "functools", "html", "json", "math", "os", "typing", "warnings"}
+            known = {"numpy", "__future__", "collections", "contextlib", "dataclasses", "decimal", "functools", "html", "json", "math", "os", "tempfile", "typing", "warnings"}
             if (file.stem, name) in {("ray", "ray"), ("progress", "tqdm.auto")}:
                 continue
             assert name.startswith(".") or name.split(".")[0] in known, f"{file.name} imports {name}"

@@ -10,6 +10,7 @@ mod interrupt;
 mod json;
 mod lengths;
 mod many;
+mod meant;
 mod numbers;
 mod page;
 mod pair;
@@ -26,7 +27,13 @@ use exit::Exit;
 use printer::Printer;
 
 fn main() -> std::process::ExitCode {
-    let args = Args::parse();
+    let args = Args::try_parse().unwrap_or_else(|error| {
+        let _ = error.print();
+        if let Some(meant) = meant::meant(&error) {
+            Printer::hint(&meant);
+        }
+        std::process::exit(error.exit_code())
+    });
     let printer = Printer::new(args.quiet);
     let done = args.command.run(&printer);
     let exit = done.unwrap_or_else(|error| {

@@ -48,6 +48,11 @@ impl Printer {
         }
     }
 
+    /// Tells what to do next.
+    pub(crate) fn hint(text: &str) {
+        let _ = writeln!(anstream::stderr(), "\n{}", on_one_line(&text));
+    }
+
     /// Tells why there is no answer.
     pub(crate) fn error(error: &anyhow::Error) {
         say("error", ERROR, &sentence(error));

@@ -2,6 +2,8 @@
 
 use pompeiu::core::MeshError;
 use pompeiu::core::mesh::shapes::ShapeError;
+use pompeiu::figures::FigureError;
+use pompeiu::figures::page::PageError;
 use pompeiu::flatten::FlattenError;
 use pompeiu::flow::FlowError;
 use pompeiu::flow::remesh::{RemeshError, SimplifyError};
@@ -54,11 +56,13 @@ raise_as! {
     AlignError => OptionError,
     ArrayError => MeshError,
     AttributeError => WriteError,
+    FigureError => OptionError,
     GeometryError => SurfaceError,
     InternalError => OptionError,
     MeshError => MeshError,
     OperatorError => FieldError,
     OptionError => OptionError,
+    PageError => OptionError,
     RankError => OptionError,
     ShapeError => OptionError,
     UnknownOption => OptionError,

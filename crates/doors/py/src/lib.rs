@@ -28,7 +28,9 @@ mod _native {
     #[pymodule_export]
     use crate::flow::{intersections, mean_curvature_flow, remesh, simplify};
     #[pymodule_export]
-    use crate::hausdorff::{Target, deviation, directed_deviation, directed_hausdorff, hausdorff};
+    use crate::hausdorff::{
+        DeviationPage, Target, deviation, directed_deviation, directed_hausdorff, hausdorff,
+    };
     #[pymodule_export]
     use crate::matching::{
         Entries, Ranking, Template, distance_matrix, matrix_entries, rank_meshes, register,

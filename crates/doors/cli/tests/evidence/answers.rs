@@ -653,3 +653,20 @@ fn flatten_says_whether_the_map_is_one_to_one_and_writes_it() {
         (&"time".into(), &0.into(), &0.into())
     );
 }
+
+/// Files without a command, and a matrix of one mesh, are answered with what was probably meant.
+#[test]
+fn what_was_meant_is_said() {
+    let folder = Folder::with_tent();
+    for (args, code, words) in [
+        ("tent.obj square.obj", 2, "did you mean `pompeiu distance tent.obj square.obj`?"),
+        ("tent.obj", 2, "did you mean `pompeiu info tent.obj`?"),
+        ("tent.obj square.obj tent.obj", 2, "did you mean `pompeiu matrix"),
+        ("matrix tent.obj", 0, "tent.obj is the only mesh"),
+    ] {
+        let (found, _, errors) = folder.transcript(args);
+        assert!(found == Some(code) && errors.contains(words), "{args}: {errors}");
+    }
+    let (_, _, errors) = folder.transcript("distanc tent.obj square.obj");
+    assert!(!errors.contains("did you mean"), "{errors}");
+}

@@ -187,7 +187,7 @@ fn a_moved_copy_is_aligned_before_it_is_compared() {
     let corners = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 2.0, 0.0], [1.0, 0.5, 1.0]];
     let write = |name: &str, map: fn([f64; 3]) -> [f64; 3]| {
         let vertices = corners.map(map).map(|[x, y, z]| format!("v {x} {y} {z}\n")).concat();
-        folder.write(name, &format!("{vertices}f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"));
+        folder.write(name, format!("{vertices}f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"));
     };
     write("here.obj", |p| p);
     write("there.obj", |[x, y, z]| [z + 10.0, x - 3.0, y + 7.0]);

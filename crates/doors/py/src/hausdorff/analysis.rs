@@ -1,5 +1,6 @@
 //! Deviation analysis.
 
+use super::DeviationPage;
 use super::limits;
 use crate::arrays::array_of_rows;
 use crate::errors::Raise;
@@ -151,14 +152,17 @@ pub(crate) fn deviation<'py>(
     b: &Bound<'py, Mesh>,
     options: Options,
     progress: Option<&Bound<'py, PyAny>>,
-) -> PyResult<(String, Beside<'py>, Beside<'py>)> {
+) -> PyResult<(String, Beside<'py>, Beside<'py>, DeviationPage)> {
     let options = options.options()?;
+    let threshold = options.threshold;
+    let meshes = [a, b];
     let (a, b) = (a.get(), b.get());
     let report = wait::run(py, progress, |watch| {
         DeviationOptions { observer: Some(watch), ..options }.symmetric(a.inner(), b.inner())
     })?;
     let mut report = report.map_err(Raise::raise)?;
+    let page = DeviationPage::new(meshes, report.clone(), threshold);
     let [there, back] = [faces_of(py, &mut report.a_to_b), faces_of(py, &mut report.b_to_a)];
     let text = written(&report)?;
-    Ok((text, Beside::new(py, report.a_to_b, there)?, Beside::new(py, report.b_to_a, back)?))
+    Ok((text, Beside::new(py, report.a_to_b, there)?, Beside::new(py, report.b_to_a, back)?, page))
 }

@@ -51,6 +51,12 @@ pub(crate) fn run(args: &Args, printer: &Printer) -> anyhow::Result<Exit> {
         Problem::report(&problems);
         bail!("there are no meshes to measure");
     }
+    if let [only] = &inputs.paths[..] {
+        printer.note(format_args!(
+            "note: {} is the only mesh; a matrix has the distances of all pairs of several, such as those of a folder",
+            only.display()
+        ));
+    }
     if let Some(journal) = &args.many.resume {
         files::check_place(journal, &inputs.paths.iter().map(PathBuf::as_path).collect::<Vec<_>>())?;
     }

@@ -1,0 +1,82 @@
+//! A deviation as people look at it.
+
+use crate::errors::{Raise, unknown};
+use crate::mesh::Mesh;
+use pompeiu::figures::{Theme, View};
+use pompeiu::hausdorff::deviation::Deviation;
+use pompeiu::hausdorff::show::{self, NamedMesh, search_stages};
+use pyo3::prelude::*;
+
+/// What a page and a picture are made from: both meshes and what was found.
+#[pyclass(frozen, module = "pompeiu._native")]
+pub(crate) struct DeviationPage {
+    a: Py<Mesh>,
+    b: Py<Mesh>,
+    deviation: Deviation,
+    threshold: Option<f64>,
+}
+
+/// How the meshes are called and shown, from a dictionary.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub(crate) struct Look {
+    names: [String; 2],
+    unit: String,
+    up: [f64; 3],
+}
+
+impl DeviationPage {
+    pub(super) fn new([a, b]: [&Bound<'_, Mesh>; 2], deviation: Deviation, threshold: Option<f64>) -> Self {
+        Self { a: a.clone().unbind(), b: b.clone().unbind(), deviation, threshold }
+    }
+
+    fn page<'r>(&'r self, [a, b]: &'r [String; 2], unit: &'r str, up: [f64; 3]) -> show::DeviationPage<'r> {
+        show::DeviationPage {
+            a: NamedMesh { path: a, mesh: self.a.get().inner() },
+            b: NamedMesh { path: b, mesh: self.b.get().inner() },
+            deviation: &self.deviation,
+            stages: &[],
+            unit,
+            up,
+            threshold: self.threshold,
+            command: None,
+        }
+    }
+}
+
+#[pymethods]
+impl DeviationPage {
+    /// The page as a file.
+    fn html(&self, py: Python<'_>, look: Look) -> PyResult<String> {
+        let Look { names, unit, up } = look;
+        let html = py.detach(|| {
+            let stages = search_stages(self.a.get().inner(), self.b.get().inner());
+            show::DeviationPage { stages: &stages, ..self.page(&names, &unit, up) }.html()
+        });
+        html.map_err(Raise::raise)
+    }
+
+    /// The picture as the bytes of a PNG file.
+    fn png(
+        &self,
+        py: Python<'_>,
+        look: Look,
+        direction_to_eye: Option<[f64; 3]>,
+        size: (u32, u32),
+        theme: &str,
+    ) -> PyResult<Vec<u8>> {
+        let Look { names, unit, up } = look;
+        let theme = match theme {
+            "light" => Theme::Light,
+            "dark" => Theme::Dark,
+            other => return Err(unknown("theme", other, "\"light\" or \"dark\"")),
+        };
+        let view = View::default().with_up(up);
+        let view = direction_to_eye.map_or(view, |direction| view.with_direction_to_eye(direction));
+        let (width, height) = size;
+        let image = py.detach(|| self.page(&names, &unit, up).image(width, height, theme, view));
+        let mut png = Vec::new();
+        image.map_err(Raise::raise)?.write_png(&mut png)?;
+        Ok(png)
+    }
+}
