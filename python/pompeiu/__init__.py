@@ -43,6 +43,7 @@ from .fields import DegreesOfFreedom, FieldParts, FieldQuality, HodgeDecompositi
 from .files import mesh_summary, write_mesh
 from .flattening import Cut, Flattening, cut, flatten
 from .many import DistanceMatrix, RankReport, RankWork, Standing, distance_matrix, rank
+from .neurons import NeuronMesh, Skeleton, read_skeleton
 from .results import (
     DirectedReport,
     MeshSummary,
@@ -80,6 +81,7 @@ __all__ = [
     "MeshSummary",
     "MeshWarning",
     "MissingFileError",
+    "NeuronMesh",
     "OptionError",
     "Percentile",
     "PompeiuError",
@@ -93,6 +95,7 @@ __all__ = [
     "Remeshed",
     "ShareAbove",
     "Simplified",
+    "Skeleton",
     "Standing",
     "Statistics",
     "SurfaceError",
@@ -119,6 +122,7 @@ __all__ = [
     "mesh_summary",
     "rank",
     "read_mesh",
+    "read_skeleton",
     "remesh",
     "shapes",
     "simplify",

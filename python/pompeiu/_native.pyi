@@ -42,6 +42,20 @@ class Target:
     def bounds(self) -> list[_Vec3]: ...
     def directed_from(self, a: Mesh, options: _Options, progress: _Watch) -> str: ...
 
+class NeuronSkeleton:
+    def mesh(
+        self, meshing: _Options, progress: Optional[Callable[[float], Optional[bool]]]
+    ) -> tuple[
+        NDArray[np.float64],
+        NDArray[np.uint32],
+        NDArray[np.int32],
+        NDArray[np.uint32],
+        NDArray[np.int32],
+        NDArray[np.int64],
+        bytes,
+        str,
+    ]: ...
+
 class HodgeDecomposition:
     def __new__(cls, mesh: Mesh, splitting: str, boundary: str) -> HodgeDecomposition: ...
     def decompose(self, field: ArrayLike) -> dict[str, Any]: ...
@@ -93,6 +107,18 @@ def flatten(
     NDArray[np.uint32],
     NDArray[np.uint32],
     NDArray[np.float64],
+    str,
+]: ...
+def read_skeleton(
+    bytes: bytes, repair: bool, steps: int, spacing: Optional[float]
+) -> tuple[
+    NeuronSkeleton,
+    NDArray[np.int64],
+    NDArray[np.int64],
+    NDArray[np.float64],
+    NDArray[np.float64],
+    NDArray[np.int64],
+    str,
     str,
 ]: ...
 def mean_curvature_flow(

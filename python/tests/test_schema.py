@@ -63,6 +63,11 @@ COMMANDS = {
         "simplify rough.obj -o simple.ply --within 0.1",
         "simplify rough.obj -o few.ply --faces 200",
     ],
+    "neuron": [
+        "neuron check cell.swc",
+        "neuron check cell.swc --repair --smooth 2 --spacing 0.5 -o smooth.swc",
+        "neuron mesh cell.swc --repair --parts 1 -o cell.vtu",
+    ],
     "decompose": ["decompose torus.ply.gz", "decompose torus.ply.gz --field rotation:z --splitting dual"],
 }
 
@@ -90,6 +95,7 @@ def run(repository, tmp_path_factory):
 
     for shape in SHAPES:
         run(f"generate {shape}")
+    (folder / "cell.swc").write_text("1 1 0 0 0 5 -1\n2 3 6 0 0 1 1\n3 3 20 0 0 1 2\n4 3 20 1 0 0 1\n", encoding="utf-8")
     run.folder = folder
     return run
 

@@ -39,6 +39,7 @@ fn published_schemas_are_those_of_the_types() {
     check("flow", schema::<answers::Flow<'static>>());
     check("info", schema::<answers::Info<'static>>());
     check("matrix", schema::<answers::Matrix<'static>>());
+    check("neuron", schema::<answers::Neuron<'static>>());
     check("rank", schema::<answers::Rank<'static>>());
     check("remesh", schema::<answers::Remesh<'static>>());
     check("repair", schema::<answers::Repair<'static>>());

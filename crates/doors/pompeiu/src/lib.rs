@@ -28,12 +28,16 @@ pub use pompeiu_hausdorff as hausdorff;
 pub use pompeiu_io as io;
 #[cfg(feature = "matching")]
 pub use pompeiu_matching as matching;
+#[cfg(feature = "neuron")]
+pub use pompeiu_neuron as neuron;
 #[cfg(feature = "operators")]
 pub use pompeiu_operators as operators;
 #[cfg(feature = "operators")]
 pub use pompeiu_solve as solve;
 #[cfg(feature = "operators")]
 pub use pompeiu_surface as surface;
+#[cfg(feature = "neuron")]
+pub use pompeiu_volume as volume;
 
 /// What most programs need.
 pub mod prelude {

@@ -11,6 +11,7 @@ use pompeiu::hausdorff::OptionError;
 use pompeiu::io::{AttributeError, ReadError, WriteError};
 use pompeiu::matching::align::AlignError;
 use pompeiu::matching::rank::RankError;
+use pompeiu::neuron::{MeshError as NeuronMeshError, SwcError};
 use pompeiu::operators::OperatorError;
 use pompeiu::surface::GeometryError;
 use pyo3::PyErr;
@@ -60,11 +61,13 @@ raise_as! {
     GeometryError => SurfaceError,
     InternalError => OptionError,
     MeshError => MeshError,
+    NeuronMeshError => OptionError,
     OperatorError => FieldError,
     OptionError => OptionError,
     PageError => OptionError,
     RankError => OptionError,
     ShapeError => OptionError,
+    SwcError => ReadError,
     UnknownOption => OptionError,
     WriteError => WriteError,
 }

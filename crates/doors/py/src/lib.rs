@@ -13,6 +13,7 @@ mod hausdorff;
 mod json;
 mod matching;
 mod mesh;
+mod neuron;
 mod shapes;
 mod wait;
 
@@ -37,6 +38,8 @@ mod _native {
     };
     #[pymodule_export]
     use crate::mesh::Mesh;
+    #[pymodule_export]
+    use crate::neuron::{NeuronSkeleton, read_skeleton};
     #[pymodule_export]
     use crate::shapes::{cube, cylinder, grid, icosphere, schwarz_lantern, torus};
     use pyo3::prelude::*;

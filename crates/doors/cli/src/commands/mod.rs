@@ -14,6 +14,7 @@ mod generate;
 mod info;
 mod man;
 mod matrix;
+mod neuron;
 mod rank;
 mod remesh;
 mod repair;
@@ -53,6 +54,7 @@ commands! {
     flow::Flow,
     flatten::Flatten,
     cut::Cut,
+    neuron::Neuron,
     simplify::Simplify,
     repair::Repair,
     convert::Convert,
@@ -73,6 +75,7 @@ pub(crate) mod answers {
     pub(crate) use super::flow::Json as Flow;
     pub(crate) use super::info::Json as Info;
     pub(crate) use super::matrix::Json as Matrix;
+    pub(crate) use super::neuron::Json as Neuron;
     pub(crate) use super::rank::Json as Rank;
     pub(crate) use super::remesh::Json as Remesh;
     pub(crate) use super::repair::Json as Repair;

@@ -1,0 +1,163 @@
+//! The Jacobian determinant of a trilinear cell: certificates over the whole cell, and quality.
+
+use glam::DVec3;
+
+/// What is known of the Jacobian determinant of a cell.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Jacobian {
+    /// Proven positive over the whole cell.
+    Positive,
+    /// Proven to be 0 or less at a point of the cell.
+    Folded,
+    /// Neither, within the subdivisions allowed or the rounding of doubles.
+    Undecided,
+}
+
+/// Corners by their place along the three axes of the cell: `CORNER[u][v][w]`.
+const CORNER: [[[usize; 2]; 2]; 2] = [[[0, 4], [3, 7]], [[1, 5], [2, 6]]];
+
+/// Times that a cell is cut in eight to find a proof.
+const DEPTH: usize = 6;
+
+/// Rounding of a Bernstein coefficient, relative to the product of the greatest edge lengths along the three axes.
+///
+/// # Accuracy
+/// With u = 2⁻⁵³: each edge is a difference of two vertices, relatively exact to u in each component. A determinant of three of them has
+/// terms of at most `|a| |b| |c|`, six of them with four operations each: off by at most 48 u `|a| |b| |c|` with those of
+/// the edges. A coefficient is a mean of at most eight such determinants, off by at most 8 u more. Each of at most 18 halvings takes two
+/// means one after the other, 4 u each: 72 u. The sum, 128 u, is doubled.
+const ROUNDING: f64 = 256.0 * 1.110_223_024_625_156_5e-16;
+
+/// The nine coefficients of one layer, and three layers.
+type Coefficients = [[[f64; 3]; 3]; 3];
+
+/// Whether the Jacobian determinant of the trilinear map with these corners is positive over the whole cell.
+///
+/// # Definition
+/// The determinant is a polynomial of degree two along each axis. It lies between the least and the greatest of its 27 Bernstein
+/// coefficients, and at the corners of the cell it equals one. Where coefficients have both signs the cell is cut in eight.
+/// # Accuracy
+/// [`Jacobian::Positive`] and [`Jacobian::Folded`] hold for the corners as stored, rounding included.
+/// # Source
+/// `johnen_hexahedra_2017` for coefficients that bound the determinant of a hexahedron.
+pub fn certify(corners: &[DVec3; 8]) -> Jacobian {
+    let (coefficients, scale) = coefficients(corners);
+    decide(&coefficients, ROUNDING * scale, DEPTH)
+}
+
+fn decide(coefficients: &Coefficients, doubt: f64, depth: usize) -> Jacobian {
+    let all = || coefficients.iter().flatten().flatten();
+    if all().all(|&c| c > doubt) {
+        return Jacobian::Positive;
+    }
+    let corners =
+        [0, 2].into_iter().flat_map(|i| [0, 2].map(|j| [coefficients[i][j][0], coefficients[i][j][2]]));
+    // Also where a number is not finite.
+    if corners.flatten().any(|value| value < -doubt) {
+        return Jacobian::Folded;
+    }
+    if depth == 0 || !all().all(|c| c.is_finite()) {
+        return Jacobian::Undecided;
+    }
+    let mut result = Jacobian::Positive;
+    for part in 0..8 {
+        let half = halve(&halve(&halve(coefficients, 0, part & 1), 1, part >> 1 & 1), 2, part >> 2);
+        match decide(&half, doubt, depth - 1) {
+            Jacobian::Folded => return Jacobian::Folded,
+            Jacobian::Undecided => result = Jacobian::Undecided,
+            Jacobian::Positive => (),
+        }
+    }
+    result
+}
+
+/// The coefficients over one half of the cell along an axis: the algorithm of de Casteljau.
+fn halve(from: &Coefficients, axis: usize, side: usize) -> Coefficients {
+    let mut to = *from;
+    for p in 0..3 {
+        for q in 0..3 {
+            let at = |k: usize| match axis {
+                0 => [k, p, q],
+                1 => [p, k, q],
+                _ => [p, q, k],
+            };
+            let get = |k: usize| {
+                let [i, j, l] = at(k);
+                from[i][j][l]
+            };
+            let (a, b, c) = (get(0), get(1), get(2));
+            let (ab, bc) = (0.5 * (a + b), 0.5 * (b + c));
+            let middle = 0.5 * (ab + bc);
+            let values = if side == 0 { [a, ab, middle] } else { [middle, bc, c] };
+            for (k, value) in values.into_iter().enumerate() {
+                let [i, j, l] = at(k);
+                to[i][j][l] = value;
+            }
+        }
+    }
+    to
+}
+
+/// Edges along each axis, by their place along the other two.
+fn edges(corners: &[DVec3; 8]) -> [[[DVec3; 2]; 2]; 3] {
+    let p = |u: usize, v: usize, w: usize| corners[CORNER[u][v][w]];
+    let both = |f: &dyn Fn(usize, usize) -> DVec3| [[f(0, 0), f(0, 1)], [f(1, 0), f(1, 1)]];
+    [
+        both(&|v, w| p(1, v, w) - p(0, v, w)),
+        both(&|u, w| p(u, 1, w) - p(u, 0, w)),
+        both(&|u, v| p(u, v, 1) - p(u, v, 0)),
+    ]
+}
+
+/// The Bernstein coefficients, and the product of the greatest edge lengths.
+fn coefficients(corners: &[DVec3; 8]) -> (Coefficients, f64) {
+    /// 1 / C(2, i).
+    const WEIGHT: [f64; 3] = [1.0, 0.5, 1.0];
+    let [along_u, along_v, along_w] = edges(corners);
+    let mut sum = [[[0.0; 3]; 3]; 3];
+    for bits in 0..64_usize {
+        let bit = |k: usize| bits >> k & 1;
+        let (b1, c1, a1, c2, a2, b2) = (bit(0), bit(1), bit(2), bit(3), bit(4), bit(5));
+        let determinant = along_u[b1][c1].dot(along_v[a1][c2].cross(along_w[a2][b2]));
+        let (i, j, k) = (a1 + a2, b1 + b2, c1 + c2);
+        sum[i][j][k] += WEIGHT[i] * WEIGHT[j] * WEIGHT[k] * determinant;
+    }
+    let greatest = |edges: [[DVec3; 2]; 2]| edges.iter().flatten().map(|e| e.length()).fold(0.0, f64::max);
+    (sum, [along_u, along_v, along_w].map(greatest).iter().product())
+}
+
+/// The derivatives along the three axes at a point of the unit cube.
+fn derivatives(edges: &[[[DVec3; 2]; 2]; 3], [u, v, w]: [f64; 3]) -> [DVec3; 3] {
+    let at = |e: &[[DVec3; 2]; 2], s: f64, t: f64| e[0][0].lerp(e[1][0], s).lerp(e[0][1].lerp(e[1][1], s), t);
+    [at(&edges[0], v, w), at(&edges[1], u, w), at(&edges[2], u, v)]
+}
+
+/// The least scaled Jacobian at the 27 points of a cell whose coordinates are 0, ½ and 1: the determinant over the product of the
+/// lengths of the three derivatives. 1 for a box, 0 or less where the cell is folded.
+///
+/// # Accuracy
+/// The least over these points, not over the cell; [`certify`] proves the sign over the whole cell.
+pub fn scaled_jacobian(corners: &[DVec3; 8]) -> f64 {
+    const PLACES: [f64; 3] = [0.0, 0.5, 1.0];
+    let edges = edges(corners);
+    let mut least = f64::INFINITY;
+    for u in PLACES {
+        for v in PLACES {
+            for w in PLACES {
+                let [a, b, c] = derivatives(&edges, [u, v, w]);
+                let size = a.length() * b.length() * c.length();
+                let scaled = if size > 0.0 { a.dot(b.cross(c)) / size } else { 0.0 };
+                least = least.min(scaled);
+            }
+        }
+    }
+    least
+}
+
+/// The volume of a cell, with sign.
+///
+/// # Definition
+/// The integral of a polynomial is the mean of its Bernstein coefficients.
+pub fn volume(corners: &[DVec3; 8]) -> f64 {
+    coefficients(corners).0.iter().flatten().flatten().sum::<f64>() / 27.0
+}

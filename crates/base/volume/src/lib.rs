@@ -1,0 +1,34 @@
+//! Hexahedral meshes: certificates that no cell is folded, conformity, boundaries, and files.
+//!
+//! A cell is the image of the unit cube under the trilinear map that takes its corners to eight vertices, in the order of VTK: four
+//! around the bottom, counter-clockwise seen from above, and the four above them.
+//!
+//! | item | what it is |
+//! |---|---|
+//! | [`HexMesh`] | vertices and cells |
+//! | [`certify`], [`Jacobian`] | whether the Jacobian determinant is positive over a whole cell, proven by its Bernstein coefficients |
+//! | [`scaled_jacobian`] | how far a cell is from a box |
+//! | [`Faces`] | conformity, boundary, components |
+//! | [`write_vtu`], [`CellData`] | unstructured grids of VTK |
+//!
+//! ```
+//! use pompeiu_volume::{Faces, HexMesh, Jacobian, certify};
+//!
+//! let mesh = HexMesh::grid([2, 1, 1], [2.0, 1.0, 1.0]);
+//! assert!(mesh.cells().iter().all(|&cell| certify(&mesh.corners(cell)) == Jacobian::Positive));
+//! let faces = Faces::new(&mesh)?;
+//! assert_eq!((faces.inner().len(), faces.boundary().len(), faces.components()), (1, 10, 1));
+//! # Ok::<(), pompeiu_volume::VolumeError>(())
+//! ```
+
+mod error;
+mod faces;
+mod jacobian;
+mod mesh;
+mod vtu;
+
+pub use error::VolumeError;
+pub use faces::{BoundaryFace, FACES, Faces, InnerFace};
+pub use jacobian::{Jacobian, certify, scaled_jacobian, volume};
+pub use mesh::HexMesh;
+pub use vtu::{CellData, PointData, write_vtu};

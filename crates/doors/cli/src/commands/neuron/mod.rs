@@ -1,0 +1,12 @@
+//! `pompeiu neuron`.
+
+mod args;
+mod json;
+mod run;
+mod text;
+
+pub(crate) use args::Neuron;
+pub(crate) use run::run;
+
+#[cfg(test)]
+pub(crate) use json::Json;

@@ -1,0 +1,111 @@
+//! Runs the command.
+
+use super::args::{Check, Mesh, Neuron as Args, SkeletonChoice, Stage};
+use super::{json, text};
+use crate::exit::Exit;
+use crate::json::milliseconds;
+use crate::printer::Printer;
+use crate::wait::Wait;
+use crate::{files, interrupt};
+use anyhow::{Context, bail};
+use pompeiu::core::run::Progress;
+use pompeiu::neuron::{
+    MeshOptions, NeuronReport, Skeleton, SkeletonReport, SmoothOptions, Timing, mesh_neuron, read_swc,
+    smooth, write_swc,
+};
+use std::ffi::OsStr;
+use std::path::Path;
+use std::time::Instant;
+
+pub(crate) fn run(args: &Args, printer: &Printer) -> anyhow::Result<Exit> {
+    match &args.stage {
+        Stage::Check(args) => check(args, printer),
+        Stage::Mesh(args) => mesh(args, printer),
+    }
+}
+
+fn check(args: &Check, printer: &Printer) -> anyhow::Result<Exit> {
+    let started = Instant::now();
+    if let Some(output) = &args.output {
+        check_output(output, &args.skeleton.skeleton, "swc", "a skeleton")?;
+    }
+    let (skeleton, report) = read(&args.skeleton)?;
+    let skeleton_time = milliseconds(started.elapsed());
+    if let Some(output) = &args.output {
+        files::write_whole(output, write_swc(&skeleton.rows()).as_bytes(), printer)?;
+    }
+    let timing = Timing { skeleton: skeleton_time, mesh: None, total: milliseconds(started.elapsed()) };
+    let report = NeuronReport { skeleton: report, mesh: None, timing };
+    let path = args.skeleton.skeleton.display().to_string();
+    Printer::answer(&if args.json { json::json(&report)? } else { text::text(&path, &report) })?;
+    Ok(if report.skeleton.problems.is_empty() { Exit::Done } else { Exit::Above })
+}
+
+fn mesh(args: &Mesh, printer: &Printer) -> anyhow::Result<Exit> {
+    let started = Instant::now();
+    if args.output.is_none() && !args.json {
+        bail!("nothing would be written; name the result with -o, or ask for --json");
+    }
+    if let Some(output) = &args.output {
+        check_output(output, &args.skeleton.skeleton, "vtu", "a mesh")?;
+    }
+    args.limits.apply_threads()?;
+    interrupt::listen();
+    let path = args.skeleton.skeleton.display().to_string();
+    let (skeleton, skeleton_report) = read(&args.skeleton)?;
+    let skeleton_time = milliseconds(started.elapsed());
+    let wait = Wait::new(printer);
+    let watch = |progress: &Progress<'_>| {
+        wait.progress(progress);
+        interrupt::flow()
+    };
+    let options = MeshOptions {
+        parts: args.parts.into(),
+        layer: args.layer,
+        limits: args.limits.after(started.elapsed()),
+        progress: Some(&watch),
+        ..MeshOptions::default()
+    };
+    let mesh = mesh_neuron(&skeleton, &options).with_context(|| path.clone())?;
+    drop(wait);
+    let mesh_time = milliseconds(started.elapsed()) - skeleton_time;
+    if let Some(output) = &args.output {
+        files::write_whole(output, &mesh.vtu().with_context(|| output.display().to_string())?, printer)?;
+    }
+    let timing =
+        Timing { skeleton: skeleton_time, mesh: Some(mesh_time), total: milliseconds(started.elapsed()) };
+    let certified = mesh.report.certified;
+    let report = NeuronReport { skeleton: skeleton_report, mesh: Some(mesh.report), timing };
+    Printer::answer(&if args.json { json::json(&report)? } else { text::text(&path, &report) })?;
+    Ok(if certified { Exit::Done } else { Exit::Undecided })
+}
+
+fn check_output(output: &Path, input: &Path, suffix: &str, what: &str) -> anyhow::Result<()> {
+    files::check_places([output], &[input])?;
+    if output.extension().map(OsStr::to_ascii_lowercase).as_deref() != Some(OsStr::new(suffix)) {
+        bail!("{}: {what} is written as .{suffix}", output.display());
+    }
+    Ok(())
+}
+
+/// Reads a skeleton and does what is asked to it.
+fn read(choice: &SkeletonChoice) -> anyhow::Result<(Skeleton, SkeletonReport)> {
+    let shown = || choice.skeleton.display().to_string();
+    files::check_readable(&choice.skeleton)?;
+    let bytes = std::fs::read(&choice.skeleton).with_context(shown)?;
+    let rows = read_swc(&bytes).with_context(shown)?;
+    let (mut skeleton, repairs) = if choice.repair {
+        let (skeleton, repairs) = Skeleton::repaired(&rows).with_context(shown)?;
+        (skeleton, Some(repairs))
+    } else {
+        (Skeleton::new(&rows).with_context(shown)?, None)
+    };
+    let mut deviation = None;
+    if choice.smooth > 0 || choice.spacing.is_some() {
+        let options = SmoothOptions { steps: choice.smooth as usize, spacing: choice.spacing };
+        let (smoothed, moved) = smooth(&skeleton, &options);
+        (skeleton, deviation) = (smoothed, Some(moved));
+    }
+    let report = SkeletonReport::new(&skeleton, repairs.as_deref(), deviation);
+    Ok((skeleton, report))
+}

@@ -1,0 +1,80 @@
+//! The outcome for people.
+
+use crate::numbers::{agreed, between, few, grouped, time};
+use crate::page::Page;
+use pompeiu::neuron::NeuronReport;
+use std::time::Duration;
+
+/// Problems that are listed; JSON lists all.
+const LISTED: usize = 12;
+
+/// The verdict first, then a row for each quantity.
+pub(super) fn text(path: &str, report: &NeuronReport) -> String {
+    let mut page = Page::new();
+    let number = |n: usize| grouped(n as u64);
+    let skeleton = &report.skeleton;
+    let problems = &skeleton.problems;
+    let of_skeleton = match problems.len() {
+        0 => "no problems".to_owned(),
+        1 => "1 problem".to_owned(),
+        n => format!("{} problems", number(n)),
+    };
+    let verdict = match &report.mesh {
+        None => of_skeleton,
+        Some(mesh) if mesh.certified => format!("every cell is proven valid; the skeleton has {of_skeleton}"),
+        Some(_) => format!("not every cell is proven valid; the skeleton has {of_skeleton}"),
+    };
+    page.row("result", &verdict);
+    page.row(
+        "skeleton",
+        &format!(
+            "{path}: {} samples, {} branches, {} tips",
+            number(skeleton.samples),
+            number(skeleton.branches),
+            number(skeleton.tips)
+        ),
+    );
+    for (i, repair) in skeleton.repairs.iter().flatten().enumerate() {
+        page.row(if i == 0 { "repairs" } else { "" }, repair);
+    }
+    if let Some(moved) = skeleton.deviation {
+        page.row(
+            "moved",
+            &format!(
+                "at most {} µm from the axis (sample {}, branch {}), radii by at most {} µm",
+                few(moved.position),
+                moved.sample,
+                moved.branch,
+                few(moved.radius)
+            ),
+        );
+    }
+    for (i, problem) in problems.iter().take(LISTED).enumerate() {
+        let name = if i == 0 { "problems" } else { "" };
+        page.row(name, &format!("line {}: {}", problem.line, problem.message));
+    }
+    if problems.len() > LISTED {
+        page.row("", &format!("and {} more, all in --json", number(problems.len() - LISTED)));
+    }
+    if let Some(mesh) = &report.mesh {
+        page.row(
+            "mesh",
+            &format!("{} vertices, {} hexahedra", number(mesh.vertices), number(mesh.hexahedra)),
+        );
+        page.row("quality", &format!("scaled Jacobian at least {:.3}", mesh.min_scaled_jacobian));
+        if let Some(distance) = mesh.surface_distance {
+            let value = agreed(distance.lower, distance.upper);
+            let value = value.unwrap_or_else(|| between(distance.lower, distance.upper));
+            page.row("wall", &format!("{value} µm from the tubes at most"));
+        }
+        for (i, branch) in mesh.left_out.iter().enumerate() {
+            page.row(if i == 0 { "left out" } else { "" }, branch);
+        }
+    }
+    let span = |milliseconds: f64| time(Duration::from_secs_f64(milliseconds / 1e3));
+    let stages = report.timing.mesh.map_or_else(String::new, |mesh| {
+        format!("skeleton {}, mesh {}, ", span(report.timing.skeleton), span(mesh))
+    });
+    page.row("time", &format!("{stages}total {}", span(report.timing.total)));
+    page.into_text()
+}

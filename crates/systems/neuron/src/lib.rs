@@ -1,0 +1,45 @@
+//! From the skeleton of a neuron to what travels through it.
+//!
+//! A skeleton is a tree of samples, balls with a centre and a radius, as SWC files state it. Between two neighbours there is the
+//! round cone that their balls span; the neuron is the union of all cones.
+//!
+//! | item | what it is |
+//! |---|---|
+//! | [`read_swc`], [`write_swc`], [`SwcRow`] | the file, in all its dialects |
+//! | [`Skeleton`], [`Sample`], [`Soma`], [`Repair`] | the tree, and what a repair does to it |
+//! | [`problems`], [`Problem`] | what a mesh of it would suffer from, located |
+//! | [`smooth`], [`SkeletonDeviation`] | smoothing and resampling, and how far they move samples |
+//! | [`mesh_neuron`], [`MeshOptions`], [`NeuronMesh`] | a conforming hexahedral mesh, every cell proven unfolded |
+//! | [`NeuronReport`], [`SkeletonReport`] | what is said of a neuron and of its skeleton |
+//! | [`RoundCone`], [`Curve`] | the tubes and their smooth axes |
+//!
+//! ```
+//! use pompeiu_neuron::{ProblemKind, Skeleton, problems, read_swc};
+//!
+//! // Two neurites that leave a soma side by side, 1 µm apart, each 1 µm thick to either side.
+//! let rows = read_swc(b"1 1 0 0 0 3 -1\n2 3 9 0 0 1 1\n3 3 9 1 0 1 1\n")?;
+//! let skeleton = Skeleton::new(&rows)?;
+//! assert_eq!(skeleton.branches().len(), 2);
+//! assert_eq!(problems(&skeleton)[0].kind, ProblemKind::Inside);
+//! # Ok::<(), pompeiu_neuron::SwcError>(())
+//! ```
+
+mod cone;
+mod curve;
+mod error;
+mod mesh;
+mod problems;
+mod report;
+mod skeleton;
+mod smooth;
+mod swc;
+
+pub use cone::RoundCone;
+pub use curve::{ArcLength, Curve};
+pub use error::SwcError;
+pub use mesh::{Cap, MeshError, MeshOptions, MeshReport, NeuronMesh, SurfaceDistance, mesh_neuron};
+pub use problems::{MOST_TURN, Problem, ProblemKind, problems};
+pub use report::{NeuronReport, SkeletonReport, Timing};
+pub use skeleton::{Repair, RepairAction, SOMA, Sample, Skeleton, Soma};
+pub use smooth::{SkeletonDeviation, SmoothOptions, smooth};
+pub use swc::{SwcRow, read_swc, write_swc};

@@ -1,0 +1,143 @@
+//! Which nodes are meshed as one, and which tubes are too short to be meshed.
+
+use super::node::Cluster;
+use super::tube::{End, Tube, is_ball};
+use crate::Skeleton;
+use glam::DVec3;
+use std::collections::BTreeMap;
+
+/// Room between the two ends of a tube, in radii; with less, its nodes are meshed as one.
+const ROOM: f64 = 0.8;
+
+/// Room between a node and the tip of a tube, in radii; with less, the tube is left out.
+const TIP_ROOM: f64 = 0.5;
+
+/// The clusters with the lengths at which their arms end, and the tubes between them.
+pub(super) struct Layout {
+    pub(super) clusters: Vec<Cluster>,
+    pub(super) reach: Vec<Vec<f64>>,
+    /// For each tube the two places where its own mesh begins and ends, and the cluster and arm there; none for a tube that is part
+    /// of a cluster or left out.
+    pub(super) spans: Vec<Option<[Span; 2]>>,
+    /// Tubes that are left out.
+    pub(super) dropped: Vec<usize>,
+}
+
+/// One end of the mesh of a tube.
+#[derive(Clone, Copy)]
+pub(super) struct Span {
+    /// Length from the tube's first end.
+    pub(super) at: f64,
+    /// The cluster, and which of its arms; none at a tip.
+    pub(super) arm: Option<(usize, usize)>,
+}
+
+/// Finds clusters: starts with each node alone, merges those whose tubes have no room between them, and leaves out tips without room,
+/// until nothing changes.
+pub(super) fn layout(skeleton: &Skeleton, tubes: &[Tube], factor: f64) -> Layout {
+    let mut ends: BTreeMap<usize, usize> = BTreeMap::new();
+    for tube in tubes {
+        tube.nodes.iter().for_each(|&node| *ends.entry(node).or_default() += 1);
+    }
+    let nodes: Vec<usize> = ends
+        .iter()
+        .filter(|&(&node, &count)| count > 1 || is_ball(skeleton, node))
+        .map(|(&node, _)| node)
+        .collect();
+    let mut leader: BTreeMap<usize, usize> = nodes.iter().map(|&node| (node, node)).collect();
+    let mut dropped = vec![false; tubes.len()];
+    loop {
+        let mut members: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+        for (&node, &to) in &leader {
+            members.entry(to).or_default().push(node);
+        }
+        let clusters: Vec<Cluster> = members
+            .into_values()
+            .map(|samples| cluster(skeleton, tubes, factor, &leader, &dropped, samples))
+            .collect();
+        let found: Vec<Vec<Option<f64>>> = clusters.iter().map(|cluster| cluster.clearances(tubes)).collect();
+        let mut arm_of: BTreeMap<(usize, bool), (usize, usize)> = BTreeMap::new();
+        for (c, cluster) in clusters.iter().enumerate() {
+            for (a, end) in cluster.ends.iter().enumerate() {
+                arm_of.insert((end.tube, end.first), (c, a));
+            }
+        }
+        let mut changed = false;
+        for (index, tube) in tubes.iter().enumerate() {
+            let arms = [true, false].map(|first| arm_of.get(&(index, first)).copied());
+            let room = tube.length()
+                - arms.iter().flatten().map(|&(c, a)| found[c][a].unwrap_or(f64::INFINITY)).sum::<f64>();
+            let radius = tube.at(0.5 * tube.length()).1;
+            match arms {
+                [Some((a, _)), Some((b, _))] if room < ROOM * radius => {
+                    let (to, from) = (leader[&clusters[a].samples[0]], leader[&clusters[b].samples[0]]);
+                    leader.values_mut().filter(|l| **l == from).for_each(|l| *l = to);
+                    changed = true;
+                }
+                [Some(_), None] | [None, Some(_)] if room < TIP_ROOM * radius => {
+                    dropped[index] = true;
+                    changed = true;
+                }
+                _ => (),
+            }
+        }
+        if changed {
+            continue;
+        }
+        let reach: Vec<Vec<f64>> =
+            found.into_iter().map(|of| of.into_iter().map(|s| s.unwrap_or(0.0)).collect()).collect();
+        let spans = tubes
+            .iter()
+            .enumerate()
+            .map(|(index, tube)| {
+                let inside = tube.nodes.iter().all(|node| leader.contains_key(node))
+                    && leader[&tube.nodes[0]] == leader[&tube.nodes[1]];
+                if dropped[index] || inside {
+                    return None;
+                }
+                Some([true, false].map(|first| {
+                    let arm = arm_of.get(&(index, first)).copied();
+                    let s = arm.map_or(0.0, |(c, a): (usize, usize)| reach[c][a]);
+                    Span { at: if first { s } else { tube.length() - s }, arm }
+                }))
+            })
+            .collect();
+        let dropped = (0..tubes.len()).filter(|&t| dropped[t]).collect();
+        return Layout { clusters, reach, spans, dropped };
+    }
+}
+
+fn cluster(
+    skeleton: &Skeleton,
+    tubes: &[Tube],
+    factor: f64,
+    leader: &BTreeMap<usize, usize>,
+    dropped: &[bool],
+    samples: Vec<usize>,
+) -> Cluster {
+    let of = leader[&samples[0]];
+    let (mut ends, mut inside) = (Vec::new(), Vec::new());
+    for (index, tube) in tubes.iter().enumerate().filter(|(index, _)| !dropped[*index]) {
+        match tube.nodes.map(|node| leader.get(&node) == Some(&of)) {
+            [true, true] => inside.push(index),
+            [true, false] => ends.push(End { tube: index, first: true }),
+            [false, true] => ends.push(End { tube: index, first: false }),
+            [false, false] => (),
+        }
+    }
+    let all = skeleton.samples();
+    let balls: Vec<(DVec3, f64)> = samples
+        .iter()
+        .filter(|&&s| is_ball(skeleton, s))
+        .map(|&s| (all[s].position, factor * all[s].radius))
+        .collect();
+    let centre = match balls.first() {
+        Some(&(centre, _)) => centre,
+        None => samples.iter().map(|&s| all[s].position).sum::<DVec3>() / samples.len() as f64,
+    };
+    let radius = match balls.first() {
+        Some(&(_, radius)) => radius,
+        None => factor * samples.iter().map(|&s| all[s].radius).sum::<f64>() / samples.len() as f64,
+    };
+    Cluster { samples, ends, inside, balls, centre, radius }
+}

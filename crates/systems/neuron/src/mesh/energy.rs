@@ -1,0 +1,317 @@
+//! What the shape of cells costs, and its least.
+
+use super::wall::Wall;
+use glam::DVec3;
+
+/// What is minimised over the vertices around a node.
+pub(super) struct Energy<'e> {
+    pub(super) cells: &'e [[u32; 8]],
+    /// Vertices that move.
+    pub(super) free: &'e [u32],
+    /// Places along each axis of a cell at which its shape is measured.
+    pub(super) places: &'e [f64],
+    pub(super) shape: Shape,
+    /// The wall, the vertices on it, and what leaving it costs.
+    pub(super) wall: Option<(&'e Wall, &'e [u32], f64)>,
+    /// The size of the node, which makes the energy independent of units.
+    pub(super) scale: f64,
+}
+
+/// The cost of a Jacobian matrix with columns a, b, c.
+#[derive(Clone, Copy)]
+pub(super) enum Shape {
+    /// `(|J|² / (3 χ(det)^{2/3}))^{3/2}` with `χ(d) = (d + √(d² + ε²)) / 2`: finite for folded cells.
+    MeanRatio { epsilon: f64 },
+    /// `(|a| |b| |c| / det)^power`: infinite for folded cells.
+    Scaled { power: i32 },
+}
+
+impl Shape {
+    /// The cost and its derivatives by the columns.
+    fn cost(self, [a, b, c]: [DVec3; 3]) -> (f64, [DVec3; 3]) {
+        let cofactors = [b.cross(c), c.cross(a), a.cross(b)];
+        let det = a.dot(cofactors[0]);
+        match self {
+            Self::MeanRatio { epsilon } => {
+                let root = (det * det + epsilon * epsilon).sqrt();
+                // Without cancellation where the determinant is negative.
+                let chi = if det > 0.0 {
+                    0.5 * (det + root)
+                } else {
+                    0.5 * epsilon * epsilon / (root - det).max(1e-300)
+                };
+                let slope = chi / root.max(1e-300);
+                let norm = a.length_squared() + b.length_squared() + c.length_squared();
+                // (norm / 3)^1.5 / chi
+                let power = (norm / 3.0).sqrt();
+                let cost = power * norm / 3.0 / chi;
+                let by_norm = 0.5 * power / chi;
+                let by_det = -cost / chi * slope;
+                let columns = [a, b, c];
+                (cost, [0, 1, 2].map(|k| columns[k] * (2.0 * by_norm) + cofactors[k] * by_det))
+            }
+            Self::Scaled { power } => {
+                let columns = [a, b, c];
+                let size: f64 = columns.iter().map(|e| e.length()).product();
+                if det <= 1e-9 * size || det <= 0.0 {
+                    return (f64::INFINITY, [DVec3::ZERO; 3]);
+                }
+                let cost = (size / det).powi(power);
+                let factor = cost * f64::from(power);
+                (
+                    cost,
+                    [0, 1, 2]
+                        .map(|k| (columns[k] / columns[k].length_squared() - cofactors[k] / det) * factor),
+                )
+            }
+        }
+    }
+}
+
+impl Energy<'_> {
+    /// The energy, and its gradient by the free vertices in `gradient`.
+    pub(super) fn value(&self, positions: &[DVec3], gradient: &mut [DVec3], at: &mut [DVec3]) -> f64 {
+        at.fill(DVec3::ZERO);
+        let mut total = 0.0;
+        let per_point = 1.0 / (self.places.len().pow(3) as f64);
+        for cell in self.cells {
+            let p = cell.map(|v| positions[v as usize] / self.scale);
+            let mut by_corner = [DVec3::ZERO; 8];
+            for &u in self.places {
+                for &v in self.places {
+                    for &w in self.places {
+                        let (s, t, r) = (1.0 - u, 1.0 - v, 1.0 - w);
+                        let along_u = [t * r, v * r, t * w, v * w];
+                        let along_v = [s * r, u * r, s * w, u * w];
+                        let along_w = [s * t, u * t, u * v, s * v];
+                        let a = (p[1] - p[0]) * along_u[0]
+                            + (p[2] - p[3]) * along_u[1]
+                            + (p[5] - p[4]) * along_u[2]
+                            + (p[6] - p[7]) * along_u[3];
+                        let b = (p[3] - p[0]) * along_v[0]
+                            + (p[2] - p[1]) * along_v[1]
+                            + (p[7] - p[4]) * along_v[2]
+                            + (p[6] - p[5]) * along_v[3];
+                        let c = (p[4] - p[0]) * along_w[0]
+                            + (p[5] - p[1]) * along_w[1]
+                            + (p[6] - p[2]) * along_w[2]
+                            + (p[7] - p[3]) * along_w[3];
+                        let (cost, [da, db, dc]) = self.shape.cost([a, b, c]);
+                        if !cost.is_finite() {
+                            return f64::INFINITY;
+                        }
+                        total += cost * per_point;
+                        let mut edge = |from: usize, to: usize, slope: DVec3| {
+                            by_corner[to] += slope;
+                            by_corner[from] -= slope;
+                        };
+                        edge(0, 1, da * along_u[0]);
+                        edge(3, 2, da * along_u[1]);
+                        edge(4, 5, da * along_u[2]);
+                        edge(7, 6, da * along_u[3]);
+                        edge(0, 3, db * along_v[0]);
+                        edge(1, 2, db * along_v[1]);
+                        edge(4, 7, db * along_v[2]);
+                        edge(5, 6, db * along_v[3]);
+                        edge(0, 4, dc * along_w[0]);
+                        edge(1, 5, dc * along_w[1]);
+                        edge(2, 6, dc * along_w[2]);
+                        edge(3, 7, dc * along_w[3]);
+                    }
+                }
+            }
+            for (k, &v) in cell.iter().enumerate() {
+                at[v as usize] += by_corner[k] * (per_point / self.scale);
+            }
+        }
+        if let Some((wall, vertices, weight)) = self.wall {
+            for &v in vertices {
+                let (distance, slope) = wall.distance(positions[v as usize]);
+                let relative = distance / self.scale;
+                total += weight * relative * relative;
+                at[v as usize] += slope * (2.0 * weight * relative / self.scale);
+            }
+        }
+        for (g, &v) in gradient.iter_mut().zip(self.free) {
+            *g = at[v as usize];
+        }
+        total
+    }
+
+    /// The least determinant over the points, in units of the size.
+    pub(super) fn least_determinant(&self, positions: &[DVec3]) -> f64 {
+        let mut least = f64::INFINITY;
+        for cell in self.cells {
+            let p = cell.map(|v| positions[v as usize] / self.scale);
+            for corner in CORNERS {
+                let [o, a, b, c] = corner.map(|k| p[k]);
+                least = least.min((a - o).dot((b - o).cross(c - o)));
+            }
+        }
+        least
+    }
+
+    /// Moves the free vertices to less energy: the limited-memory method of Broyden, Fletcher, Goldfarb and Shanno, with a
+    /// backtracking line search.
+    pub(super) fn minimise(&self, positions: &mut [DVec3], steps: usize) -> f64 {
+        let n = self.free.len();
+        let mut scratch = vec![DVec3::ZERO; positions.len()];
+        let mut gradient = vec![DVec3::ZERO; n];
+        let mut value = self.value(positions, &mut gradient, &mut scratch);
+        if !value.is_finite() {
+            return value;
+        }
+        let mut memory: Vec<(Vec<DVec3>, Vec<DVec3>, f64)> = Vec::new();
+        let mut next = positions.to_vec();
+        let mut next_gradient = gradient.clone();
+        for _ in 0..steps {
+            let mut direction: Vec<DVec3> = gradient.iter().map(|g| -*g).collect();
+            let mut alphas = Vec::with_capacity(memory.len());
+            for (s, y, rho) in memory.iter().rev() {
+                let alpha = rho * dot(s, &direction);
+                direction.iter_mut().zip(y).for_each(|(d, y)| *d -= *y * alpha);
+                alphas.push(alpha);
+            }
+            if let Some((s, y, _)) = memory.last() {
+                let factor = dot(s, y) / dot(y, y);
+                for d in &mut direction {
+                    *d *= factor;
+                }
+            } else {
+                // A tenth of the size at most.
+                let greatest = gradient.iter().map(|g| g.length()).fold(0.0, f64::max);
+                if greatest == 0.0 {
+                    return value;
+                }
+                for d in &mut direction {
+                    *d *= 0.02 * self.scale / greatest;
+                }
+            }
+            for ((s, y, rho), alpha) in memory.iter().zip(alphas.iter().rev()) {
+                let beta = rho * dot(y, &direction);
+                direction.iter_mut().zip(s).for_each(|(d, s)| *d += *s * (alpha - beta));
+            }
+            let mut slope = dot(&gradient, &direction);
+            if slope >= 0.0 {
+                memory.clear();
+                direction = gradient.iter().map(|g| -*g).collect();
+                let greatest = gradient.iter().map(|g| g.length()).fold(f64::MIN_POSITIVE, f64::max);
+                for d in &mut direction {
+                    *d *= 0.01 * self.scale / greatest;
+                }
+                slope = dot(&gradient, &direction);
+            }
+            let greatest = direction.iter().map(|d| d.length()).fold(0.0, f64::max);
+            let mut step = if greatest > 0.3 * self.scale { 0.3 * self.scale / greatest } else { 1.0 };
+            let mut moved = false;
+            for _ in 0..30 {
+                next.copy_from_slice(positions);
+                for (d, &v) in direction.iter().zip(self.free) {
+                    next[v as usize] += *d * step;
+                }
+                let found = self.value(&next, &mut next_gradient, &mut scratch);
+                if found.is_finite() && found <= value + 1e-4 * step * slope {
+                    let s: Vec<DVec3> = direction.iter().map(|d| *d * step).collect();
+                    let y: Vec<DVec3> = next_gradient.iter().zip(&gradient).map(|(a, b)| *a - *b).collect();
+                    let product = dot(&s, &y);
+                    if product > 1e-12 * dot(&y, &y).sqrt() * dot(&s, &s).sqrt() {
+                        if memory.len() == MEMORY {
+                            memory.remove(0);
+                        }
+                        memory.push((s, y, 1.0 / product));
+                    }
+                    moved = value - found > 1e-7 * value.abs();
+                    value = found;
+                    positions.copy_from_slice(&next);
+                    std::mem::swap(&mut gradient, &mut next_gradient);
+                    break;
+                }
+                step *= 0.5;
+            }
+            if !moved {
+                break;
+            }
+        }
+        value
+    }
+}
+
+/// Pairs of steps that are remembered.
+const MEMORY: usize = 8;
+
+/// A corner of a cell and its neighbours along the three axes, right-handed.
+const CORNERS: [[usize; 4]; 8] = [
+    [0, 1, 3, 4],
+    [1, 2, 0, 5],
+    [2, 3, 1, 6],
+    [3, 0, 2, 7],
+    [4, 7, 5, 0],
+    [5, 4, 6, 1],
+    [6, 5, 7, 2],
+    [7, 6, 4, 3],
+];
+
+fn dot(a: &[DVec3], b: &[DVec3]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a.dot(*b)).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::RoundCone;
+
+    #[test]
+    fn gradients_are_differences() {
+        let mut positions: Vec<DVec3> = (0..8_u32)
+            .map(|k| {
+                let [x, y, z] =
+                    [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]]
+                        [k as usize]
+                        .map(f64::from);
+                DVec3::new(
+                    x + 0.1 * libm::sin(f64::from(7 * k)),
+                    y + 0.1 * libm::cos(f64::from(5 * k)),
+                    z * 1.3,
+                )
+            })
+            .collect();
+        let cells = [[0, 1, 2, 3, 4, 5, 6, 7]];
+        let free = [2, 4, 6];
+        let wall = Wall {
+            groups: vec![
+                vec![RoundCone { ends: [DVec3::ZERO, DVec3::X], radii: [0.5, 0.7] }],
+                vec![RoundCone { ends: [DVec3::ZERO, DVec3::Y], radii: [0.4, 0.3] }],
+            ],
+            blend: 0.1,
+        };
+        for shape in [Shape::MeanRatio { epsilon: 0.3 }, Shape::Scaled { power: 3 }] {
+            let energy = Energy {
+                cells: &cells,
+                free: &free,
+                places: &[0.0, 0.5, 1.0],
+                shape,
+                wall: Some((&wall, &[6, 2], 3.0)),
+                scale: 0.8,
+            };
+            let (mut gradient, mut other) = (vec![DVec3::ZERO; 3], vec![DVec3::ZERO; 3]);
+            let mut scratch = vec![DVec3::ZERO; 8];
+            energy.value(&positions, &mut gradient, &mut scratch);
+            for (k, &v) in free.iter().enumerate() {
+                for axis in 0..3 {
+                    let mut at = |shift: f64| {
+                        positions[v as usize][axis] += shift;
+                        let value = energy.value(&positions, &mut other, &mut scratch);
+                        positions[v as usize][axis] -= shift;
+                        value
+                    };
+                    let difference = (at(1e-6) - at(-1e-6)) / 2e-6;
+                    assert!(
+                        (difference - gradient[k][axis]).abs() < 1e-6 * (1.0 + difference.abs()),
+                        "{difference} {:?}",
+                        gradient[k]
+                    );
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,21 @@
+//! Hexahedral meshes of neurons.
+//!
+//! Along each branch there is a square tube, five blocks to a section: one in the core, four around it up to the wall. At each node the
+//! tubes' cores attach to a small complex, and every quad of the boundary of complex and tubes is extruded to the wall, which is a
+//! smooth union of the tubes. All blocks are cut into equal parts, and around nodes vertices are moved to where the cells are best.
+
+mod assign;
+mod blocks;
+mod build;
+mod cluster;
+mod core;
+mod energy;
+mod node;
+mod options;
+mod surface;
+mod sweep;
+mod tube;
+mod wall;
+
+pub use build::{Cap, NeuronMesh, mesh_neuron};
+pub use options::{MeshError, MeshOptions, MeshReport, SurfaceDistance};

@@ -1,0 +1,484 @@
+//! The mesh around a node: a core, the tubes that attach to it up to where they are clear of each other, and the wall around.
+
+use super::assign::{Assignment, assignments};
+use super::blocks::{Refinement, weights};
+use super::core::{Core, library};
+use super::energy::{Energy, Shape};
+use super::tube::{End, Tube};
+use super::wall::Wall;
+use crate::RoundCone;
+use glam::DVec3;
+use pompeiu_volume::scaled_jacobian;
+
+/// Side of the core square of a section, half of its diagonal, in radii.
+pub(super) const CORE: f64 = 0.55;
+
+/// A node, or several that are too near to each other for tubes between them.
+pub(super) struct Cluster {
+    /// The samples.
+    pub(super) samples: Vec<usize>,
+    /// The tubes that leave it.
+    pub(super) ends: Vec<End>,
+    /// The tubes inside.
+    pub(super) inside: Vec<usize>,
+    /// Its balls that are somata: centre and radius.
+    pub(super) balls: Vec<(DVec3, f64)>,
+    pub(super) centre: DVec3,
+    /// Mean radius of the tubes at the node.
+    pub(super) radius: f64,
+}
+
+/// Distance of the ring of a section from all other tubes, in radii.
+const CLEAR: f64 = 0.15;
+
+/// Points of a ring that are looked at.
+const RING: usize = 12;
+
+impl Cluster {
+    /// For each end the length along its tube at which the mesh of the node ends; none where the tube is too short.
+    pub(super) fn clearances(&self, tubes: &[Tube]) -> Vec<Option<f64>> {
+        self.ends.iter().map(|&end| self.clearance(tubes, end)).collect()
+    }
+
+    fn clearance(&self, tubes: &[Tube], end: End) -> Option<f64> {
+        let length = tubes[end.tube].length();
+        let (mut s, mut since) = (0.0, None);
+        // Within the ball of its own node a tube begins no section.
+        let least = 0.8 * end.at(tubes, 0.0).1;
+        while s <= length {
+            let (centre, radius) = end.at(tubes, s);
+            let clear = s >= least && self.is_clear(tubes, end, s, centre, radius);
+            match (clear, since) {
+                (false, _) => since = None,
+                (true, None) => since = Some(s),
+                (true, Some(first)) if s >= first + radius => return since,
+                _ => (),
+            }
+            s += 0.1 * radius;
+        }
+        since
+    }
+
+    fn is_clear(&self, tubes: &[Tube], end: End, s: f64, centre: DVec3, radius: f64) -> bool {
+        let axis = end.tangent(tubes, s);
+        let (e1, e2) = axis.any_orthonormal_pair();
+        let reach = s + 4.0 * self.radius + 2.0 * radius;
+        let inside = self.inside.iter().flat_map(|&tube| tubes[tube].cones.iter());
+        let others = self
+            .ends
+            .iter()
+            .filter(|other| other.tube != end.tube || other.first != end.first)
+            .flat_map(|other| other.cones(tubes, reach.min(tubes[other.tube].length())))
+            .chain(inside);
+        let near: Vec<&RoundCone> = others
+            .filter(|cone| {
+                let (low, high) = (cone.bounds()[0], cone.bounds()[1]);
+                centre.distance(centre.clamp(low, high)) <= (1.0 + CLEAR) * radius
+            })
+            .collect();
+        let ring = (0..RING).map(|k| {
+            let angle = std::f64::consts::TAU * k as f64 / RING as f64;
+            centre + (e1 * libm::cos(angle) + e2 * libm::sin(angle)) * radius
+        });
+        ring.chain([centre]).all(|p| {
+            near.iter().all(|cone| cone.distance(p).0 >= CLEAR * radius)
+                && self.balls.iter().all(|(c, r)| p.distance(*c) - r >= CLEAR * radius)
+        })
+    }
+
+    /// The wall around it.
+    fn wall(&self, tubes: &[Tube], reach: &[f64]) -> Wall {
+        let mut groups: Vec<Vec<RoundCone>> = self
+            .ends
+            .iter()
+            .zip(reach)
+            .map(|(end, s)| {
+                let within = s + 3.0 * end.at(tubes, *s).1;
+                end.cones(tubes, within.min(tubes[end.tube].length())).to_vec()
+            })
+            .collect();
+        groups.extend(self.inside.iter().map(|&tube| tubes[tube].cones.clone()));
+        groups.extend(self.balls.iter().map(|&(c, r)| vec![RoundCone { ends: [c, c], radii: [r, r] }]));
+        let least =
+            self.ends.iter().zip(reach).map(|(end, s)| end.at(tubes, *s).1).fold(f64::INFINITY, f64::min);
+        let blend = if self.balls.is_empty() { 0.08 } else { 0.3 };
+        Wall { groups, blend: blend * least }
+    }
+}
+
+/// The end of an arm: where the tube's mesh begins.
+#[derive(Clone)]
+pub(super) struct Section {
+    /// Length along the tube, from the node.
+    pub(super) at: f64,
+    /// The direction of the first corner's side: corners lie at 45°, 135°, … from it, counter-clockwise about the outward tangent.
+    pub(super) side: DVec3,
+    /// Its corners in the core and on the wall, among the blocks' corners of the node.
+    pub(super) inner: [u32; 4],
+    pub(super) outer: [u32; 4],
+}
+
+/// The mesh around a node.
+pub(super) struct NodeMesh {
+    pub(super) blocks: Vec<[u32; 8]>,
+    /// Number of corners of blocks.
+    pub(super) corners: usize,
+    /// For each fine vertex its key and its place.
+    pub(super) refinement: Refinement,
+    pub(super) positions: Vec<DVec3>,
+    pub(super) sections: Vec<Section>,
+    /// The least scaled Jacobian of its cells.
+    pub(super) quality: f64,
+}
+
+/// From this quality on no other assignment is tried.
+const GOOD: f64 = 0.35;
+
+/// Most assignments that are tried for a node.
+const MOST_TRIES: usize = 6;
+
+/// Meshes a node whose arms end at the given lengths.
+pub(super) fn mesh_node(cluster: &Cluster, tubes: &[Tube], reach: &[f64], parts: usize) -> Option<NodeMesh> {
+    let wall = cluster.wall(tubes, reach);
+    let mut best: Option<NodeMesh> = None;
+    let cores = library(cluster.ends.len());
+    for (nth, centre) in centres(cluster, tubes, reach, &wall).into_iter().enumerate() {
+        let directions: Vec<DVec3> = cluster
+            .ends
+            .iter()
+            .zip(reach)
+            .map(|(end, &s)| (end.at(tubes, s).0 - centre).normalize_or_zero())
+            .collect();
+        let mut candidates: Vec<(usize, Assignment)> = Vec::new();
+        for (index, core) in cores.iter().enumerate() {
+            if core.quads.len() > cluster.ends.len() {
+                let found = assignments(core, &directions, 4);
+                // A larger core has to fit better to be worth its cells.
+                candidates.extend(found.into_iter().map(|mut assignment| {
+                    assignment.score += 0.002 * core.blocks.len() as f64;
+                    (index, assignment)
+                }));
+            }
+        }
+        candidates.sort_by(|a, b| a.1.score.total_cmp(&b.1.score));
+        for (index, assignment) in candidates.into_iter().take(MOST_TRIES) {
+            let mesh = build(cluster, tubes, reach, &wall, centre, &cores[index], &assignment, parts);
+            let is_better = best.as_ref().is_none_or(|best| mesh.quality > best.quality);
+            if is_better {
+                best = Some(mesh);
+            }
+            if best.as_ref().is_some_and(|best| best.quality >= GOOD) {
+                return best;
+            }
+        }
+        if nth > 0 && best.as_ref().is_some_and(|best| best.quality > 0.2) {
+            return best;
+        }
+    }
+    best
+}
+
+/// Where the core may be: the node, and the farthest point towards the middle of the tightest pair of arms that is still deep inside.
+fn centres(cluster: &Cluster, tubes: &[Tube], reach: &[f64], wall: &Wall) -> Vec<DVec3> {
+    let mut centres = vec![cluster.centre];
+    let ends: Vec<DVec3> = cluster.ends.iter().zip(reach).map(|(end, &s)| end.at(tubes, s).0).collect();
+    let mut tightest = (f64::NEG_INFINITY, DVec3::ZERO);
+    for (i, a) in ends.iter().enumerate() {
+        for b in &ends[..i] {
+            let cosine =
+                (*a - cluster.centre).normalize_or_zero().dot((*b - cluster.centre).normalize_or_zero());
+            if cosine > tightest.0 {
+                tightest = (cosine, 0.5 * (*a + *b));
+            }
+        }
+    }
+    if tightest.0 > 0.3 && cluster.balls.is_empty() {
+        for depth in [0.9, 0.75] {
+            let deep = |t: f64| {
+                let p = cluster.centre.lerp(tightest.1, t);
+                -wall.distance(p).0 > depth * cluster.radius
+            };
+            if let Some(t) = (1..=20).rev().map(|k| 0.05 * f64::from(k)).find(|&t| deep(t)) {
+                centres.push(cluster.centre.lerp(tightest.1, t));
+            }
+        }
+        // The more acute, the more it helps.
+        if tightest.0 > 0.7 {
+            centres.rotate_left(1);
+        }
+    }
+    centres
+}
+
+#[expect(clippy::too_many_arguments, reason = "what a node is, and how it is to be meshed")]
+fn build(
+    cluster: &Cluster,
+    tubes: &[Tube],
+    reach: &[f64],
+    wall: &Wall,
+    centre: DVec3,
+    core: &Core,
+    assignment: &Assignment,
+    parts: usize,
+) -> NodeMesh {
+    let depth = (-wall.distance(centre).0).max(0.3 * cluster.radius);
+    let half = if cluster.balls.is_empty() { 0.42 } else { 0.5 } * depth;
+    let size = core.vertices.iter().map(|p| p.abs().max_element()).fold(0.0, f64::max);
+    let mut corners: Vec<DVec3> =
+        core.vertices.iter().map(|p| centre + assignment.rotation * (*p * (half / size))).collect();
+    let mut blocks: Vec<[u32; 8]> = core.blocks.iter().map(|b| b.map(|v| v as u32)).collect();
+    // Every vertex on the core's boundary has one on the wall.
+    let mut on_wall = vec![None; corners.len()];
+    for &v in core.quads.iter().flatten() {
+        if on_wall[v].is_none() {
+            on_wall[v] = Some(corners.len() as u32);
+            let direction = (corners[v] - centre).normalize_or(DVec3::X);
+            corners.push(wall.leave(corners[v], direction, depth));
+        }
+    }
+    let outer_of = |v: usize, on_wall: &[Option<u32>]| on_wall[v].unwrap_or(v as u32);
+    let mut sections = Vec::new();
+    for ((end, &s), &quad) in cluster.ends.iter().zip(reach).zip(&assignment.quads) {
+        let (at, radius) = end.at(tubes, s);
+        let axis = end.tangent(tubes, s);
+        let quad = core.quads[quad];
+        let start: [DVec3; 4] = quad.map(|v| corners[v]);
+        let side = side_of(&start, axis);
+        let (e1, e2) = (side, axis.cross(side));
+        let direction = |k: usize| {
+            let angle = std::f64::consts::FRAC_PI_4 * (2 * k + 1) as f64;
+            e1 * libm::cos(angle) + e2 * libm::sin(angle)
+        };
+        let distance = start.iter().copied().sum::<DVec3>().distance(4.0 * at) / 4.0;
+        let layers = ((distance / (1.5 * radius)).round() as usize).clamp(1, 12);
+        let mut inner = quad.map(|v| v as u32);
+        let mut outer = quad.map(|v| outer_of(v, &on_wall));
+        for layer in 1..=layers {
+            let t = layer as f64 / layers as f64;
+            let mut next_inner = [0; 4];
+            let mut next_outer = [0; 4];
+            let target: [DVec3; 4] = [0, 1, 2, 3].map(|k| at + direction(k) * (CORE * radius));
+            let ring: [DVec3; 4] = [0, 1, 2, 3].map(|k| start[k].lerp(target[k], t));
+            let middle = ring.iter().copied().sum::<DVec3>() / 4.0;
+            for k in 0..4 {
+                next_inner[k] = corners.len() as u32;
+                corners.push(ring[k]);
+                next_outer[k] = corners.len() as u32;
+                let out = (ring[k] - middle).normalize_or(direction(k));
+                corners.push(if layer == layers {
+                    at + direction(k) * radius
+                } else {
+                    wall.leave(ring[k], out, radius)
+                });
+            }
+            layer_of(&mut blocks, [inner, outer], [next_inner, next_outer]);
+            (inner, outer) = (next_inner, next_outer);
+        }
+        sections.push(Section { at: s, side, inner, outer });
+    }
+    for (index, quad) in core.quads.iter().enumerate() {
+        if !assignment.quads.contains(&index) {
+            let [a, b, c, d] = quad.map(|v| v as u32);
+            let [e, f, g, h] = quad.map(|v| outer_of(v, &on_wall));
+            blocks.push([a, b, c, d, e, f, g, h]);
+        }
+    }
+    let mut refinement = Refinement::new(parts);
+    let cells: Vec<[u32; 8]> = blocks
+        .iter()
+        .flat_map(|&block| {
+            let lattice = refinement.lattice(block);
+            refinement.cells(&lattice).collect::<Vec<_>>()
+        })
+        .collect();
+    let mut positions: Vec<DVec3> =
+        refinement.keys.iter().map(|key| weights(key).map(|(v, w)| corners[v] * w).sum()).collect();
+    let kinds = kinds(cluster, tubes, &sections, &refinement, &cells, &mut positions);
+    let quality = optimise(&cells, &kinds, wall, depth, &mut positions);
+    NodeMesh { blocks, corners: corners.len(), refinement, positions, sections, quality }
+}
+
+/// Five blocks between two sections.
+pub(super) fn layer_of(blocks: &mut Vec<[u32; 8]>, below: [[u32; 4]; 2], above: [[u32; 4]; 2]) {
+    let [[a, b], [c, d]] = [below, above];
+    blocks.push([a[0], a[1], a[2], a[3], c[0], c[1], c[2], c[3]]);
+    for k in 0..4 {
+        let l = (k + 1) % 4;
+        blocks.push([a[k], b[k], b[l], a[l], c[k], d[k], d[l], c[l]]);
+    }
+}
+
+/// The direction in a section from which corners at 45°, 135°, … turn least from those of a quad.
+fn side_of(quad: &[DVec3; 4], axis: DVec3) -> DVec3 {
+    let (e1, e2) = axis.any_orthonormal_pair();
+    // The pair is right-handed with the axis or not.
+    let e2 = if e1.cross(e2).dot(axis) < 0.0 { -e2 } else { e2 };
+    let middle = quad.iter().copied().sum::<DVec3>() / 4.0;
+    let (mut sine, mut cosine) = (0.0, 0.0);
+    for (k, p) in quad.iter().enumerate() {
+        let (x, y) = ((*p - middle).dot(e1), (*p - middle).dot(e2));
+        let angle = libm::atan2(y, x) - std::f64::consts::FRAC_PI_4 * (2 * k + 1) as f64;
+        sine += libm::sin(angle);
+        cosine += libm::cos(angle);
+    }
+    let angle = libm::atan2(sine, cosine);
+    (e1 * libm::cos(angle) + e2 * libm::sin(angle)).normalize()
+}
+
+/// Where a vertex of a section lies in its disc of radius 1, from the weights of the corners in the core and on the wall, and whether
+/// it lies on the wall. The same for every section, and symmetric under quarter turns and reflections.
+pub(super) fn place_in_disc(inner: [f64; 4], outer: [f64; 4]) -> ([f64; 2], bool) {
+    let corner = |k: usize| {
+        let angle = std::f64::consts::FRAC_PI_4 * (2 * k + 1) as f64;
+        [libm::cos(angle), libm::sin(angle)]
+    };
+    let radial: f64 = outer.iter().sum();
+    let mut in_core = [0.0; 2];
+    let mut total = [0.0; 4];
+    for k in 0..4 {
+        total[k] = inner[k] + outer[k];
+        let [x, y] = corner(k);
+        in_core[0] += CORE * total[k] * x;
+        in_core[1] += CORE * total[k] * y;
+    }
+    if radial == 0.0 {
+        return (in_core, false);
+    }
+    // Along the arc between the two corners that have weight.
+    let k = (0..4).find(|&k| total[k] > 0.0 && total[(k + 3) % 4] == 0.0).unwrap_or(0);
+    let along = total[(k + 1) % 4];
+    let angle = std::f64::consts::FRAC_PI_4 * ((2 * k + 1) as f64 + 2.0 * along);
+    let arc = [libm::cos(angle), libm::sin(angle)];
+    ([0, 1].map(|axis| in_core[axis] * (1.0 - radial) + arc[axis] * radial), radial > 1.0 - 1e-9)
+}
+
+/// What may happen to a vertex.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Fixed,
+    Wall,
+    Inner,
+}
+
+/// Places the vertices of the sections, and tells what may move.
+fn kinds(
+    cluster: &Cluster,
+    tubes: &[Tube],
+    sections: &[Section],
+    refinement: &Refinement,
+    cells: &[[u32; 8]],
+    positions: &mut [DVec3],
+) -> Vec<Kind> {
+    let mut kinds = vec![Kind::Inner; positions.len()];
+    // Faces of one cell lie on the boundary.
+    let mut faces: Vec<([u32; 4], bool)> = cells
+        .iter()
+        .flat_map(|cell| {
+            pompeiu_volume::FACES.map(|face| {
+                let mut key = face.map(|k| cell[k]);
+                key.sort_unstable();
+                (key, true)
+            })
+        })
+        .collect();
+    faces.sort_unstable();
+    for run in faces.chunk_by(|a, b| a.0 == b.0).filter(|run| run.len() == 1) {
+        run[0].0.iter().for_each(|&v| kinds[v as usize] = Kind::Wall);
+    }
+    for (section, end) in sections.iter().zip(&cluster.ends) {
+        let (at, radius) = end.at(tubes, section.at);
+        let axis = end.tangent(tubes, section.at);
+        let (e1, e2) = (section.side, axis.cross(section.side));
+        for (v, key) in refinement.keys.iter().enumerate() {
+            let (mut inner, mut outer, mut rest) = ([0.0; 4], [0.0; 4], 0.0);
+            for (corner, weight) in weights(key) {
+                let corner = corner as u32;
+                if let Some(k) = section.inner.iter().position(|&c| c == corner) {
+                    inner[k] = weight;
+                } else if let Some(k) = section.outer.iter().position(|&c| c == corner) {
+                    outer[k] = weight;
+                } else {
+                    rest += weight;
+                }
+            }
+            if rest == 0.0 {
+                let ([x, y], _) = place_in_disc(inner, outer);
+                positions[v] = at + (e1 * x + e2 * y) * radius;
+                kinds[v] = Kind::Fixed;
+            }
+        }
+    }
+    kinds
+}
+
+/// Moves the vertices to where the cells are best; gives the least scaled Jacobian.
+fn optimise(cells: &[[u32; 8]], kinds: &[Kind], wall: &Wall, scale: f64, positions: &mut [DVec3]) -> f64 {
+    let of = |wanted: &dyn Fn(Kind) -> bool| -> Vec<u32> {
+        (0..kinds.len() as u32).filter(|&v| wanted(kinds[v as usize])).collect()
+    };
+    let free = of(&|kind| kind != Kind::Fixed);
+    let inner = of(&|kind| kind == Kind::Inner);
+    let on_wall = of(&|kind| kind == Kind::Wall);
+    for &v in &on_wall {
+        positions[v as usize] = wall.project(positions[v as usize]);
+    }
+    let mut energy = Energy {
+        cells,
+        free: &free,
+        places: &[0.0, 1.0],
+        shape: Shape::MeanRatio { epsilon: 0.1 },
+        wall: None,
+        scale,
+    };
+    for (round, weight) in [30.0, 300.0, 3000.0, 30_000.0].into_iter().enumerate() {
+        let least = energy.least_determinant(positions);
+        energy.shape =
+            Shape::MeanRatio { epsilon: if least > 0.0 { 1e-9 } else { (0.1 * -least).clamp(1e-4, 0.2) } };
+        energy.wall = Some((wall, &on_wall, weight));
+        energy.minimise(positions, if round == 0 { 60 } else { 40 });
+    }
+    let best = |positions: &[DVec3]| quality(cells, positions);
+    for &v in &on_wall {
+        positions[v as usize] = wall.project(positions[v as usize]);
+    }
+    energy.places = &[0.0, 0.5, 1.0];
+    let folded = best(positions) <= 0.0;
+    if folded {
+        energy.wall = None;
+        energy.free = &inner;
+        for epsilon in [0.02, 0.005, 0.001] {
+            energy.shape = Shape::MeanRatio { epsilon };
+            energy.minimise(positions, 40);
+        }
+    }
+    energy.wall = Some((wall, &on_wall, 1e5));
+    for power in [2, 4] {
+        // Tangential moves along the wall, then exactly onto it, unless that is worse.
+        energy.shape = Shape::Scaled { power };
+        let before = positions.to_vec();
+        let was = best(positions);
+        energy.free = &free;
+        energy.minimise(positions, 40);
+        for &v in &on_wall {
+            positions[v as usize] = wall.project(positions[v as usize]);
+        }
+        if best(positions) < was {
+            positions.copy_from_slice(&before);
+        }
+        energy.free = &inner;
+        let before = positions.to_vec();
+        let was = best(positions);
+        energy.minimise(positions, 30);
+        if best(positions) < was {
+            positions.copy_from_slice(&before);
+        }
+    }
+    best(positions)
+}
+
+fn quality(cells: &[[u32; 8]], positions: &[DVec3]) -> f64 {
+    cells
+        .iter()
+        .map(|cell| scaled_jacobian(&cell.map(|v| positions[v as usize])))
+        .fold(f64::INFINITY, f64::min)
+}

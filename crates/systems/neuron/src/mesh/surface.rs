@@ -1,0 +1,70 @@
+//! How far the wall of the mesh is from the tubes: asked of the engine.
+
+use super::options::SurfaceDistance;
+use super::sweep::{RadialLength, stations};
+use super::tube::{Tube, is_ball};
+use crate::Skeleton;
+use pompeiu_core::TriMesh;
+use pompeiu_core::mesh::shapes::icosphere;
+use pompeiu_hausdorff::directed_hausdorff;
+use pompeiu_volume::{Faces, HexMesh};
+
+/// Sides of the polygons that stand for the circles of a tube: their sagitta is 0.1 % of the radius.
+const SIDES: u32 = 64;
+
+/// Rings of a triangulated tube to each radius of length.
+const RINGS: f64 = 3.0;
+
+/// Subdivisions of the icosahedron that stands for a soma.
+const SUBDIVISIONS: u32 = 4;
+
+/// Bounds on the greatest distance of a point of the wall, each quad as two triangles, from the tubes as triangulated here. None where
+/// the tubes are too large to be triangulated.
+pub(super) fn surface_distance(
+    skeleton: &Skeleton,
+    tubes: &[Tube],
+    mesh: &HexMesh,
+    faces: &Faces,
+    labels: &[u32],
+    factor: f64,
+) -> Option<SurfaceDistance> {
+    let positions = mesh.positions().iter().map(glam::DVec3::to_array).collect();
+    let wall = faces.boundary().iter().zip(labels).filter(|(_, label)| **label == 0);
+    let triangles = wall
+        .flat_map(|(face, _)| {
+            let [a, b, c, d] = face.vertices;
+            [[a, b, c], [a, c, d]]
+        })
+        .collect();
+    let wall = TriMesh::new(positions, triangles).ok()?;
+    let (mut positions, mut triangles): (Vec<[f64; 3]>, Vec<[u32; 3]>) = (Vec::new(), Vec::new());
+    for tube in tubes {
+        let lengths = RadialLength::new(tube, 0.0, tube.length());
+        let rings = (RINGS * lengths.total() * factor).ceil().max(1.0) as usize;
+        let base = u32::try_from(positions.len()).ok()?;
+        for station in stations(tube, &lengths, rings, None) {
+            for k in 0..SIDES {
+                let angle = std::f64::consts::TAU * f64::from(k) / f64::from(SIDES);
+                let place = [libm::cos(angle), libm::sin(angle)].map(|x| x / factor);
+                positions.push(station.at(place).to_array());
+            }
+        }
+        for ring in 0..rings as u32 {
+            for k in 0..SIDES {
+                let at = |ring: u32, k: u32| base + ring * SIDES + k % SIDES;
+                let [a, b, c, d] = [at(ring, k), at(ring, k + 1), at(ring + 1, k + 1), at(ring + 1, k)];
+                triangles.extend([[a, b, c], [a, c, d]]);
+            }
+        }
+    }
+    for (_, sample) in skeleton.samples().iter().enumerate().filter(|(i, _)| is_ball(skeleton, *i)) {
+        let ball = icosphere(sample.radius, SUBDIVISIONS).ok()?;
+        let base = u32::try_from(positions.len()).ok()?;
+        let centre = sample.position.to_array();
+        positions.extend(ball.positions().iter().map(|p| [0, 1, 2].map(|k| p[k] + centre[k])));
+        triangles.extend(ball.faces().iter().map(|f| f.map(|v| v + base)));
+    }
+    let tubes = TriMesh::new(positions, triangles).ok()?;
+    let report = directed_hausdorff(&wall, &tubes);
+    Some(SurfaceDistance { lower: report.distance.lower(), upper: report.distance.upper() })
+}

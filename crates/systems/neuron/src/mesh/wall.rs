@@ -1,0 +1,83 @@
+//! The wall around a node: a smooth union of the tubes that meet there.
+
+use crate::RoundCone;
+use glam::DVec3;
+
+/// The smooth union of groups of cones.
+pub(super) struct Wall {
+    /// The cones of each tube, and balls as cones without length.
+    pub(super) groups: Vec<Vec<RoundCone>>,
+    /// Width of the blend, in micrometres.
+    pub(super) blend: f64,
+}
+
+impl Wall {
+    /// `−k log Σ exp(−f / k)` over the groups, `f` the distance from the nearest cone of each, and its gradient.
+    ///
+    /// It lies below the least distance by at most `k log n`, so that the wall swells by no more than that.
+    pub(super) fn distance(&self, p: DVec3) -> (f64, DVec3) {
+        let mut nearest = f64::INFINITY;
+        let mut found = Vec::with_capacity(self.groups.len());
+        for group in &self.groups {
+            let mut best = (f64::INFINITY, DVec3::ZERO);
+            for cone in group {
+                let (distance, t) = cone.distance(p);
+                if distance < best.0 {
+                    best = (distance, cone.ends[0].lerp(cone.ends[1], t));
+                }
+            }
+            nearest = nearest.min(best.0);
+            found.push(best);
+        }
+        let (mut sum, mut gradient) = (0.0, DVec3::ZERO);
+        for (distance, centre) in found {
+            let weight = libm::exp((nearest - distance) / self.blend);
+            sum += weight;
+            gradient += weight * (p - centre).normalize_or_zero();
+        }
+        (nearest - self.blend * libm::log(sum), gradient / sum)
+    }
+
+    /// Where a ray from inside leaves the wall.
+    pub(super) fn leave(&self, from: DVec3, direction: DVec3, scale: f64) -> DVec3 {
+        let inside = |t: f64| self.distance(from + direction * t).0 < 0.0;
+        let mut high = 0.1 * scale;
+        let mut low = 0.0;
+        for _ in 0..MOST_STEPS {
+            if !inside(high) {
+                break;
+            }
+            low = high;
+            high += 0.1 * scale;
+        }
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (low + high);
+            if inside(middle) {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        from + direction * (0.5 * (low + high))
+    }
+
+    /// A point moved onto the wall along the gradient.
+    pub(super) fn project(&self, mut p: DVec3) -> DVec3 {
+        for _ in 0..PROJECTIONS {
+            let (distance, gradient) = self.distance(p);
+            let slope = gradient.length_squared();
+            if slope < 1e-6 {
+                break;
+            }
+            p -= gradient * (distance / slope);
+        }
+        p
+    }
+}
+
+/// Steps of a tenth of the radius along a ray.
+const MOST_STEPS: usize = 200;
+/// Halvings of the step in which a ray leaves.
+const HALVINGS: usize = 40;
+/// Newton steps of a projection.
+const PROJECTIONS: usize = 8;

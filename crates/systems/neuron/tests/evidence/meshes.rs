@@ -1,0 +1,172 @@
+//! Meshes: closed forms, conformity, certificates, stress, refusals, the same bits at any number of threads.
+
+use pompeiu_core::run::Limits;
+use pompeiu_neuron::{MeshError, MeshOptions, NeuronMesh, Skeleton, mesh_neuron, read_swc};
+use pompeiu_volume::volume;
+use std::f64::consts::PI;
+use std::fmt::Write;
+use std::num::NonZeroUsize;
+
+fn skeleton(text: &str) -> Skeleton {
+    Skeleton::new(&read_swc(text.as_bytes()).unwrap()).unwrap()
+}
+
+fn quick() -> MeshOptions<'static> {
+    MeshOptions { measure: false, ..MeshOptions::default() }
+}
+
+fn mesh(text: &str, options: &MeshOptions<'_>) -> NeuronMesh {
+    let found = mesh_neuron(&skeleton(text), options).unwrap();
+    assert!(found.report.certified);
+    found
+}
+
+fn total(mesh: &NeuronMesh) -> f64 {
+    mesh.mesh.cells().iter().map(|&cell| volume(&mesh.mesh.corners(cell))).sum()
+}
+
+/// Branches of length 20 from the origin in these directions, with these radii; the first one is that of the root.
+fn star(arms: &[([f64; 3], f64)], soma: Option<f64>) -> String {
+    let mut text =
+        format!("1 {} 0 0 0 {} -1\n", if soma.is_some() { 1 } else { 3 }, soma.unwrap_or(arms[0].1));
+    let mut id = 1;
+    for ([x, y, z], radius) in arms {
+        let norm = (x * x + y * y + z * z).sqrt();
+        let mut parent = 1;
+        for k in 0..8 {
+            let s = (soma.unwrap_or(0.0) + 2.0 * f64::from(k + 1)) / norm;
+            id += 1;
+            let _ = writeln!(text, "{id} 3 {} {} {} {radius} {parent}", x * s, y * s, z * s);
+            parent = id;
+        }
+    }
+    text
+}
+
+#[test]
+fn a_straight_tube_has_the_volume_of_the_cylinder() {
+    for (parts, cells) in [(1, 5), (2, 20), (3, 45)] {
+        let found =
+            mesh("1 2 0 0 0 1.5 -1\n2 2 4 4 0 1.5 1\n3 2 8 8 0 1.5 2\n", &MeshOptions { parts, ..quick() });
+        let length = 8.0 * 2.0_f64.sqrt();
+        assert!((total(&found) / (PI * 2.25 * length) - 1.0).abs() < 1e-12, "{parts}: {}", total(&found));
+        assert_eq!(found.caps.len(), 2);
+        let on = |cap: u32| found.labels.iter().filter(|label| **label == cap).count();
+        assert_eq!((on(1), on(2)), (cells, cells));
+        assert_eq!((found.caps[0].sample, found.caps[0].is_root), (1, true));
+    }
+    // A frustum, whose sections are scaled alike.
+    let cone = mesh("1 2 0 0 0 1 -1\n2 2 30 0 0 2 1\n", &quick());
+    assert!((total(&cone) / (PI * 30.0 * 7.0 / 3.0) - 1.0).abs() < 1e-12);
+}
+
+#[test]
+fn bent_tubes_keep_their_quality() {
+    let mut text = String::new();
+    for k in 0..60 {
+        let a = 0.25 * f64::from(k);
+        let parent = if k == 0 { -1 } else { k };
+        let (x, y, z) = (4.0 * a.cos(), 4.0 * a.sin(), 0.8 * a);
+        let _ = writeln!(text, "{} 2 {x} {y} {z} 1 {parent}", k + 1);
+    }
+    let found = mesh(&text, &quick());
+    assert!(found.report.min_scaled_jacobian > 0.6, "{}", found.report.min_scaled_jacobian);
+    assert_eq!(found.faces.components(), 1);
+}
+
+#[test]
+fn nodes_of_any_degree_are_valid() {
+    let y = |degrees: f64| {
+        let (s, c) = (0.5 * degrees.to_radians()).sin_cos();
+        vec![([-1.0, 0.0, 0.0], 1.0), ([c, s, 0.0], 1.0), ([c, -s, 0.0], 1.0)]
+    };
+    let mut thin = y(60.0);
+    thin[1].1 = 0.05;
+    let tripod = [[1.0, 1.0, 1.0], [1.0, -1.0, -1.0], [-1.0, 1.0, -1.0], [-1.0, -1.0, 1.0], [0.2, 0.3, -1.0]];
+    let five: Vec<_> = tripod.iter().map(|&d| (d, 1.0)).collect();
+    for (arms, least) in [(y(90.0), 0.4), (y(30.0), 0.3), (thin, 0.2), (five[..4].to_vec(), 0.3), (five, 0.2)]
+    {
+        let found = mesh(&star(&arms, None), &quick());
+        let report = &found.report;
+        assert!(report.min_scaled_jacobian > least, "{arms:?}: {}", report.min_scaled_jacobian);
+        assert_eq!((found.faces.components(), found.caps.len()), (1, arms.len()), "{arms:?}");
+        assert!(report.left_out.is_empty());
+    }
+}
+
+#[test]
+fn a_soma_is_a_ball_that_neurites_leave_with_their_own_radius() {
+    let arms: Vec<_> =
+        [[1.0, 0.0, 0.0], [-1.0, 0.4, 0.0], [0.0, -1.0, 0.3], [0.1, 0.5, 1.0], [0.0, 0.3, -1.0]]
+            .map(|d| (d, 1.0))
+            .to_vec();
+    let found = mesh(&star(&arms, Some(5.0)), &quick());
+    assert!(found.report.min_scaled_jacobian > 0.2, "{}", found.report.min_scaled_jacobian);
+    // A ball and five cylinders of length 16; the blend and the polygons of the ball cost some percent.
+    let expected = 4.0 / 3.0 * PI * 125.0 + 5.0 * PI * 16.0;
+    assert!((total(&found) / expected - 1.0).abs() < 0.12, "{} {expected}", total(&found));
+}
+
+#[test]
+fn the_wall_is_as_near_to_the_tubes_as_its_polygons_allow() {
+    let text = "1 2 0 0 0 1 -1\n2 2 20 0 0 1 1\n";
+    let distances: Vec<_> = [1, 2, 4]
+        .map(|parts| {
+            mesh(text, &MeshOptions { parts, ..MeshOptions::default() }).report.surface_distance.unwrap()
+        })
+        .to_vec();
+    for (distance, sides) in distances.iter().zip([4.0, 8.0, 16.0]) {
+        // Corners lie outside by the factor that keeps the area; the tubes have 64 sides.
+        let angle = 2.0 * PI / sides;
+        let outside = (angle / angle.sin()).sqrt() - 1.0;
+        assert!(
+            distance.lower <= distance.upper && (distance.upper - outside).abs() < 2e-3,
+            "{distance:?} {outside}"
+        );
+    }
+}
+
+#[test]
+fn nodes_that_are_too_near_become_one_and_short_tips_are_told() {
+    let near =
+        "1 2 -12 0 0 1 -1\n2 2 0 0 0 1 1\n3 2 1.5 0 0 1 2\n4 2 14 6 0 1 3\n5 2 14 -6 0 1 3\n6 2 0 0 14 1 2\n";
+    let found = mesh(near, &quick());
+    assert_eq!((found.caps.len(), found.faces.components()), (4, 1));
+    let nodes = found.parts.iter().filter(|part| **part < 0).min();
+    assert_eq!(nodes, Some(&-1), "one node");
+    let stub = "1 2 -12 0 0 1 -1\n2 2 0 0 0 1 1\n3 2 12 0 0 1 2\n4 2 0 1.2 0 0.9 2\n";
+    let found = mesh(stub, &quick());
+    assert_eq!((found.caps.len(), found.report.left_out.len()), (2, 1));
+    assert!(found.report.left_out[0].starts_with("the branch from sample 2 to 4, 1.2000 long"));
+}
+
+#[test]
+fn what_cannot_be_meshed_is_refused() {
+    let y = star(&[([1.0, 0.0, 0.0], 1.0), ([-1.0, 1.0, 0.0], 1.0), ([-1.0, -1.0, 0.0], 1.0)], None);
+    let refused = |text: &str, options: &MeshOptions<'_>| mesh_neuron(&skeleton(text), options).unwrap_err();
+    let zero = refused("1 2 0 0 0 1 -1\n2 2 9 0 0 0 1\n", &quick());
+    assert_eq!(zero, MeshError::ZeroRadius { sample: 2, line: 2 });
+    assert_eq!(refused("1 2 0 0 0 1 -1\n", &quick()), MeshError::NoBranch);
+    let little = Limits { memory: Some(1 << 20), ..Limits::default() };
+    let error = refused(&y, &MeshOptions { limits: little, ..quick() });
+    assert!(matches!(error, MeshError::Memory { needed, limit: 1, .. } if needed > 1), "{error}");
+    let now = Limits { time: Some(std::time::Duration::ZERO), ..Limits::default() };
+    assert_eq!(refused(&y, &MeshOptions { limits: now, ..quick() }), MeshError::Stopped);
+    for options in [MeshOptions { parts: 0, ..quick() }, MeshOptions { layer: f64::NAN, ..quick() }] {
+        assert!(matches!(refused(&y, &options), MeshError::Option { .. }));
+    }
+}
+
+#[test]
+fn the_same_bits_at_any_number_of_threads() {
+    let text = "1 2 -12 0 0 1 -1\n2 2 0 0 0 1 1\n3 2 12 9 0 1 2\n4 2 12 -9 0 1 2\n5 2 24 18 5 1 3\n6 2 24 9 -5 1 3\n";
+    let at = |threads| {
+        let limits = Limits { threads: NonZeroUsize::new(threads), ..Limits::default() };
+        mesh(text, &MeshOptions { parts: 1, limits, ..quick() })
+    };
+    let one = at(1);
+    for threads in [2, 8] {
+        let other = at(threads);
+        assert_eq!((&one.mesh, &one.parts, &one.labels), (&other.mesh, &other.parts, &other.labels));
+    }
+}

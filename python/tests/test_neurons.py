@@ -1,0 +1,61 @@
+"""Skeletons of neurons: dialects, problems, repairs, errors."""
+
+import numpy as np
+import pompeiu
+import pytest
+
+Y = b"# a furcation\r\n1 2 0 0 0 1 -1\r\n2 2 9 0 0 1 1\r\n4 2 18 6 0 0 2\r\n3 2 18 -6 0 1 2\r\n"
+
+
+def test_a_skeleton_is_read_from_a_file_and_from_bytes(tmp_path):
+    path = tmp_path / "y.swc"
+    path.write_bytes(Y)
+    skeleton = pompeiu.read_skeleton(path)
+    assert (skeleton.ids == [1, 2, 4, 3]).all() and (skeleton.parents == [-1, 0, 1, 1]).all()
+    assert skeleton.report["branches"] == 3 and skeleton.report["tips"] == 2
+    assert [(p["kind"], p["sample"], p["line"]) for p in skeleton.problems] == [("zero_radius", 4, 4)]
+    again = pompeiu.read_skeleton(skeleton.swc.encode())
+    assert np.array_equal(again.positions, skeleton.positions)
+
+
+def test_repairs_and_smoothing_are_told():
+    skeleton = pompeiu.read_skeleton(Y, repair=True, smooth=2, spacing=0.5)
+    assert skeleton.report["repairs"] == ["sample 4 (line 4) has the radius 1.000000 instead of 0"]
+    assert skeleton.report["deviation"]["position"] < 1e-6
+    assert skeleton.problems == [] and (skeleton.radii == 1).all() and len(skeleton.ids) > 50
+
+
+def test_what_is_no_skeleton_is_located(tmp_path):
+    with pytest.raises(pompeiu.ReadError, match="line 2: sample 2 continues sample 9, which does not exist"):
+        pompeiu.read_skeleton(b"1 1 0 0 0 1 -1\n2 1 0 0 0 1 9\n")
+    with pytest.raises(pompeiu.MissingFileError):
+        pompeiu.read_skeleton(tmp_path / "none.swc")
+    for options in [{"smooth": -1}, {"spacing": 0.0}, {"spacing": float("nan")}]:
+        with pytest.raises(pompeiu.OptionError):
+            pompeiu.read_skeleton(Y, **options)
+
+
+def test_a_mesh_conforms_and_encloses_its_cells(tmp_path):
+    mesh = pompeiu.read_skeleton(Y, repair=True).mesh(parts=1)
+    assert mesh.certified and mesh.report["hexahedra"] == len(mesh.cells) and mesh.cells.max() == len(mesh.vertices) - 1
+    assert sorted(mesh.cap_samples) == [1, 3, 4] and set(mesh.caps) == {-1, 0, 1, 2}
+    # By the divergence theorem over bilinear faces, the boundary encloses some three cylinders of radius 1.
+    a, b, c, d = np.moveaxis(mesh.vertices[mesh.boundary], 1, 0)
+    mean = (a + b + c + d) / 4
+    enclosed = (mean * np.cross(c - a, d - b)).sum() / 6
+    assert 0.85 < enclosed / (np.pi * (9 + 2 * np.hypot(9, 6))) < 1.05
+    mesh.write(tmp_path / "y.vtu")
+    assert (tmp_path / "y.vtu").read_bytes() == mesh.vtu
+    with pytest.raises(pompeiu.WriteError):
+        mesh.write(tmp_path / "y.stl")
+
+
+def test_what_cannot_be_meshed_is_said():
+    with pytest.raises(pompeiu.OptionError, match="line 4: sample 4 has the radius 0"):
+        pompeiu.read_skeleton(Y).mesh()
+    skeleton = pompeiu.read_skeleton(Y, repair=True)
+    with pytest.raises(pompeiu.OptionError, match="MiB"):
+        skeleton.mesh(memory_limit=1000)
+    for options in [{"parts": 0}, {"parts": 9}, {"layer": float("nan")}]:
+        with pytest.raises(pompeiu.OptionError):
+            skeleton.mesh(**options)
