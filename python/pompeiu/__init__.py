@@ -34,6 +34,7 @@ from .errors import (
     MeshWarning,
     MissingFileError,
     OptionError,
+    OutlineError,
     PompeiuError,
     ReadError,
     SurfaceError,
@@ -44,6 +45,7 @@ from .files import mesh_summary, write_mesh
 from .flattening import Cut, Flattening, cut, flatten
 from .many import DistanceMatrix, RankReport, RankWork, Standing, distance_matrix, rank
 from .neurons import NeuronMesh, Skeleton, read_skeleton
+from .outlines import Complexity, complexity, noisy_circle, polyline, read_outlines
 from .results import (
     DirectedReport,
     MeshSummary,
@@ -59,6 +61,7 @@ from .surfaces import Flow, Intersections, Remeshed, Simplified, flow, intersect
 
 __all__ = [
     "DEFAULT_TOLERANCE",
+    "Complexity",
     "Cut",
     "DegreesOfFreedom",
     "Deviation",
@@ -83,6 +86,7 @@ __all__ = [
     "MissingFileError",
     "NeuronMesh",
     "OptionError",
+    "OutlineError",
     "Percentile",
     "PompeiuError",
     "Progress",
@@ -109,6 +113,7 @@ __all__ = [
     "__version__",
     "align",
     "as_mesh",
+    "complexity",
     "cut",
     "deviation",
     "directed_deviation",
@@ -120,8 +125,11 @@ __all__ = [
     "hausdorff",
     "intersections",
     "mesh_summary",
+    "noisy_circle",
+    "polyline",
     "rank",
     "read_mesh",
+    "read_outlines",
     "read_skeleton",
     "remesh",
     "shapes",

@@ -8,6 +8,7 @@ __all__ = [
     "MeshWarning",
     "MissingFileError",
     "OptionError",
+    "OutlineError",
     "PompeiuError",
     "ReadError",
     "SurfaceError",
@@ -33,6 +34,10 @@ class FieldError(PompeiuError, ValueError):
 
 class OptionError(PompeiuError, ValueError):
     """An option has a value that means nothing."""
+
+
+class OutlineError(PompeiuError, ValueError):
+    """Points make no closed polygon: fewer than three, no area, a coordinate that is not finite."""
 
 
 class ReadError(PompeiuError, OSError):

@@ -49,6 +49,10 @@ COMMANDS = {
         "remesh rough.obj -o adapted.ply --adaptive 0.02 --within 0.1 --features 60",
     ],
     "cut": ["cut torus.ply.gz -o opened.obj", "cut rough.obj --strategy euclidean --cuts 2"],
+    "complexity": [
+        "complexity shapes missing.png",
+        "complexity shapes --clusters 2 --against places.csv",
+    ],
     "flatten": [
         "flatten torus.ply.gz -o flat.glb",
         "flatten torus.ply.gz --boundary circle --weights uniform -o flat.svg",
@@ -96,6 +100,10 @@ def run(repository, tmp_path_factory):
     for shape in SHAPES:
         run(f"generate {shape}")
     (folder / "cell.swc").write_text("1 1 0 0 0 5 -1\n2 3 6 0 0 1 1\n3 3 20 0 0 1 2\n4 3 20 1 0 0 1\n", encoding="utf-8")
+    (folder / "shapes").mkdir()
+    (folder / "shapes" / "circle.svg").write_text('<svg><circle r="9"/></svg>')
+    (folder / "shapes" / "arch.svg").write_text('<svg><path d="M0 0h9v9h-3V3H3v6H0z"/></svg>')
+    (folder / "places.csv").write_text("circle,1\narch,2\n")
     run.folder = folder
     return run
 

@@ -31,6 +31,7 @@ fn published_schemas_are_those_of_the_types() {
         published.push(format!("{name}.json"));
     };
     check("align", schema::<answers::Align<'static>>());
+    check("complexity", schema::<answers::Complexity<'static>>());
     check("cut", schema::<answers::Cut<'static>>());
     check("decompose", schema::<answers::Decompose<'static>>());
     check("deviation", schema::<answers::Deviation<'static>>());

@@ -14,6 +14,8 @@
 //! Files are read with [`io::read_mesh`], options are plain structs such as [`hausdorff::HausdorffOptions`], and many meshes are measured against one
 //! with a [`hausdorff::Target`].
 
+#[cfg(feature = "complexity")]
+pub use pompeiu_complexity as complexity;
 pub use pompeiu_core as core;
 #[cfg(feature = "fields")]
 pub use pompeiu_fields as fields;
@@ -32,6 +34,8 @@ pub use pompeiu_matching as matching;
 pub use pompeiu_neuron as neuron;
 #[cfg(feature = "operators")]
 pub use pompeiu_operators as operators;
+#[cfg(feature = "planar")]
+pub use pompeiu_planar as planar;
 #[cfg(feature = "operators")]
 pub use pompeiu_solve as solve;
 #[cfg(feature = "operators")]

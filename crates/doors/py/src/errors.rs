@@ -1,5 +1,6 @@
 //! Errors of the library as exceptions of the package, with the library's own sentences.
 
+use pompeiu::complexity::ComplexityError;
 use pompeiu::core::MeshError;
 use pompeiu::core::mesh::shapes::ShapeError;
 use pompeiu::figures::FigureError;
@@ -13,10 +14,12 @@ use pompeiu::matching::align::AlignError;
 use pompeiu::matching::rank::RankError;
 use pompeiu::neuron::{MeshError as NeuronMeshError, SwcError};
 use pompeiu::operators::OperatorError;
+use pompeiu::planar::OutlineError;
 use pompeiu::surface::GeometryError;
 use pyo3::PyErr;
 use std::fmt::Display;
 use std::io::ErrorKind;
+use std::path::PathBuf;
 
 /// The classes, which are in Python so that they can have two bases.
 mod classes {
@@ -24,6 +27,7 @@ mod classes {
     pyo3::import_exception!(pompeiu.errors, MeshError);
     pyo3::import_exception!(pompeiu.errors, MissingFileError);
     pyo3::import_exception!(pompeiu.errors, OptionError);
+    pyo3::import_exception!(pompeiu.errors, OutlineError);
     pyo3::import_exception!(pompeiu.errors, ReadError);
     pyo3::import_exception!(pompeiu.errors, SurfaceError);
     pyo3::import_exception!(pompeiu.errors, WriteError);
@@ -57,6 +61,7 @@ raise_as! {
     AlignError => OptionError,
     ArrayError => MeshError,
     AttributeError => WriteError,
+    ComplexityError => OptionError,
     FigureError => OptionError,
     GeometryError => SurfaceError,
     InternalError => OptionError,
@@ -64,6 +69,7 @@ raise_as! {
     NeuronMeshError => OptionError,
     OperatorError => FieldError,
     OptionError => OptionError,
+    OutlineError => OutlineError,
     PageError => OptionError,
     RankError => OptionError,
     ShapeError => OptionError,
@@ -82,6 +88,27 @@ impl Raise for FlowError {
             | Self::NoVolume { .. } => classes::SurfaceError::new_err(sentence),
             Self::Solve(_) => classes::FieldError::new_err(sentence),
             _ => classes::OptionError::new_err(sentence),
+        }
+    }
+}
+
+/// A file of outlines that cannot be read, with its name.
+#[derive(Debug, thiserror::Error)]
+#[error("{}: {error}", path.display())]
+pub(crate) struct ShapeFileError {
+    /// The file.
+    pub(crate) path: PathBuf,
+    /// What is wrong.
+    pub(crate) error: pompeiu::planar::FileError,
+}
+
+impl Raise for ShapeFileError {
+    fn exception(&self, sentence: String) -> PyErr {
+        match &self.error {
+            pompeiu::planar::FileError::Io(error) if error.kind() == ErrorKind::NotFound => {
+                classes::MissingFileError::new_err(sentence)
+            }
+            _ => classes::ReadError::new_err(sentence),
         }
     }
 }

@@ -4,6 +4,7 @@
 //! it (`python/pompeiu`); what is computed is in the library.
 
 mod arrays;
+mod complexity;
 mod errors;
 mod fields;
 mod files;
@@ -20,6 +21,8 @@ mod wait;
 /// The module `pompeiu._native`.
 #[pyo3::pymodule]
 mod _native {
+    #[pymodule_export]
+    use crate::complexity::{complexity, noisy_circle, polyline, read_outlines};
     #[pymodule_export]
     use crate::fields::{HodgeDecomposition, degrees_of_freedom};
     #[pymodule_export]

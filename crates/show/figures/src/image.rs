@@ -12,6 +12,15 @@ pub struct Image {
 }
 
 impl Image {
+    /// A picture of these pixels, row by row from the top; none where their number is not width times height.
+    pub fn new(width: u32, height: u32, pixels: Vec<Rgb>) -> Option<Self> {
+        (pixels.len() as u64 == u64::from(width) * u64::from(height)).then_some(Self {
+            width,
+            height,
+            pixels,
+        })
+    }
+
     /// A picture of one colour.
     pub(crate) fn filled(width: u32, height: u32, color: Rgb) -> Self {
         Self { width, height, pixels: vec![color; width as usize * height as usize] }

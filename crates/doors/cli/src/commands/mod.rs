@@ -3,6 +3,7 @@
 
 mod align;
 mod completions;
+mod complexity;
 mod convert;
 mod cut;
 mod decompose;
@@ -55,6 +56,7 @@ commands! {
     flatten::Flatten,
     cut::Cut,
     neuron::Neuron,
+    complexity::Complexity,
     simplify::Simplify,
     repair::Repair,
     convert::Convert,
@@ -67,6 +69,7 @@ commands! {
 #[cfg(test)]
 pub(crate) mod answers {
     pub(crate) use super::align::Json as Align;
+    pub(crate) use super::complexity::Json as Complexity;
     pub(crate) use super::cut::Json as Cut;
     pub(crate) use super::decompose::Json as Decompose;
     pub(crate) use super::deviation::Json as Deviation;

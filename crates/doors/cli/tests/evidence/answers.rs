@@ -602,6 +602,54 @@ fn cut_answers_with_what_glues_back() {
 }
 
 #[test]
+fn complexity_measures_a_folder_and_goes_on_after_files_that_cannot_be_used() {
+    let folder = Folder::new();
+    std::fs::create_dir(folder.path().join("shapes")).unwrap();
+    folder.write("shapes/circle.svg", "<svg><circle r='9'/></svg>");
+    folder.write("shapes/arch.svg", "<svg><path d='M0 0h9v9h-3V3H3v6H0z'/></svg>");
+    folder.write("mine.csv", "file,place\ncircle,1\narch,2\n");
+    let report =
+        json(&folder, "complexity shapes --clusters 2 --against mine.csv --report gallery.html --json");
+    let shape = &report["shapes"][0];
+    assert_eq!(shape["file"], "shapes/arch.svg");
+    for key in ["500", "100", "50", "25", "8"] {
+        assert!(shape["boundary"][key].as_f64().unwrap() <= 1.0, "{key}");
+    }
+    assert_eq!(shape["curvature"]["histogram"].as_array().unwrap().len(), 10);
+    for key in ["first_bin", "one_minus_first_bin"] {
+        assert!(shape["curvature"][key].is_number(), "{key}");
+    }
+    assert_eq!(report["ranking"][0]["file"], "shapes/circle.svg");
+    assert_eq!(
+        (&report["agreement"]["kendall"], &report["clusters"]["is_optimal"]),
+        (&1.0.into(), &true.into())
+    );
+    assert!(std::fs::read_to_string(folder.path().join("gallery.html")).unwrap().contains("arch.svg"));
+    // Damage in one file is told with its name, and the others are measured.
+    folder.write("shapes/broken.png", b"\x89PNG\r\n\x1a\n\0\0");
+    folder.write("shapes/open.svg", "<svg><path d='M0 0H9V9'/></svg>");
+    let (code, answer, messages) = folder.transcript("complexity shapes --json");
+    assert_eq!(code, Some(2));
+    assert!(messages.contains("shapes/broken.png: the PNG") && messages.contains("shapes/open.svg: curve 0"));
+    let answer: Value = serde_json::from_str(&answer).unwrap();
+    assert_eq!(
+        (answer["shapes"].as_array().unwrap().len(), answer["failed"].as_array().unwrap().len()),
+        (2, 2)
+    );
+    std::fs::create_dir(folder.path().join("empty")).unwrap();
+    for (arguments, words) in [
+        ("complexity empty", "empty: holds no picture"),
+        ("complexity shapes/arch.svg --rank-by size", "there is no measure `size`"),
+        ("complexity shapes/arch.svg --clusters 2", "2 clusters are asked for of 1 shapes"),
+        ("complexity shapes/arch.svg --smoothing 2", "the smoothing is 2"),
+        ("complexity shapes/arch.svg --level 3 --against missing.csv", "missing.csv"),
+    ] {
+        let (code, _, message) = folder.transcript(arguments);
+        assert!(code == Some(2) && message.contains(words), "{arguments}: {message}");
+    }
+}
+
+#[test]
 fn flatten_says_whether_the_map_is_one_to_one_and_writes_it() {
     let folder = Folder::new();
     folder.ok("generate torus --major-segments 24 --minor-segments 16 -o torus.obj");

@@ -1,0 +1,157 @@
+//! Outlines from a file: a picture, a drawing, or a list of points.
+
+use crate::dxf::{self, DxfError};
+use crate::picture::{Picture, PictureError, PictureFormat};
+use crate::silhouette::{SilhouetteError, SilhouetteOptions, silhouette};
+use crate::svg::{self, Polyline, SvgError};
+use crate::{Outline, OutlineError, Region};
+use std::path::Path;
+
+/// Why a file holds no outline that can be used.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum FileError {
+    /// It cannot be read.
+    #[error("it cannot be read: {0}")]
+    Io(#[from] std::io::Error),
+    /// It is larger than what is read.
+    #[error("it has {found} bytes; at most {most} are read")]
+    Large {
+        /// Bytes that it has.
+        found: u64,
+        /// Bytes that are read at most.
+        most: u64,
+    },
+    /// A picture that is none.
+    #[error(transparent)]
+    Picture(#[from] PictureError),
+    /// A picture without a shape.
+    #[error(transparent)]
+    Silhouette(#[from] SilhouetteError),
+    /// A drawing that is none.
+    #[error(transparent)]
+    Svg(#[from] SvgError),
+    /// A drawing that is none.
+    #[error(transparent)]
+    Dxf(#[from] DxfError),
+    /// A curve that is no outline.
+    #[error(transparent)]
+    Outline(#[from] OutlineError),
+    /// A list of points with something else in it.
+    #[error("line {line}: expected two numbers, found `{found}`")]
+    Line {
+        /// Its number.
+        line: usize,
+        /// What stands there.
+        found: String,
+    },
+    /// A drawing without a curve.
+    #[error("there is no curve in the drawing")]
+    Empty,
+    /// A curve that is not closed.
+    #[error("curve {index} of the drawing is open: it ends at ({}, {}), not where it began; close it", end[0], end[1])]
+    Open {
+        /// Its place in the drawing.
+        index: usize,
+        /// Where it ends.
+        end: crate::Point,
+    },
+    /// Neither a picture nor a drawing.
+    #[error("it is neither a picture (PNG, JPEG, GIF, BMP) nor a drawing (SVG, DXF) nor a list of points")]
+    Unrecognised,
+}
+
+/// Bytes of a file that are read at most.
+const MOST_BYTES: u64 = 1 << 30;
+
+/// Suffixes of pictures.
+const PICTURES: [&str; 5] = ["png", "jpg", "jpeg", "gif", "bmp"];
+
+/// Suffixes of drawings and lists.
+const DRAWINGS: [&str; 4] = ["svg", "dxf", "txt", "csv"];
+
+fn has_suffix(path: &Path, list: &[&str]) -> bool {
+    path.extension().is_some_and(|suffix| list.iter().any(|known| suffix.eq_ignore_ascii_case(known)))
+}
+
+/// Whether a file's suffix is that of a picture.
+pub fn is_picture(path: &Path) -> bool {
+    has_suffix(path, &PICTURES)
+}
+
+/// Whether a file's suffix is that of a picture, a drawing or a list of points.
+pub fn is_shape(path: &Path) -> bool {
+    is_picture(path) || has_suffix(path, &DRAWINGS)
+}
+
+/// The closed outlines in a file, in their order: the shape in a picture with its holes after it, the curves of a drawing, the polygon of a
+/// list of points, one `x y` or `x,y` in each line.
+///
+/// # Errors
+/// [`FileError`]; it does not name the file.
+pub fn read_outlines(path: &Path, options: &SilhouetteOptions) -> Result<Vec<Outline>, FileError> {
+    let found = std::fs::metadata(path)?.len();
+    if found > MOST_BYTES {
+        return Err(FileError::Large { found, most: MOST_BYTES });
+    }
+    let bytes = std::fs::read(path)?;
+    if is_picture(path) || PictureFormat::of(&bytes).is_some() {
+        let Region { outer, holes } = silhouette(&Picture::read(&bytes)?, options)?;
+        return Ok([outer].into_iter().chain(holes).collect());
+    }
+    let text = String::from_utf8(bytes).map_err(|_| FileError::Unrecognised)?;
+    let polylines = if text.trim_start().starts_with('<') {
+        svg::read(&text)?
+    } else if has_suffix(path, &["dxf"]) {
+        dxf::read(&text)?
+    } else {
+        return Ok(vec![list(&text)?]);
+    };
+    if polylines.is_empty() {
+        return Err(FileError::Empty);
+    }
+    polylines.into_iter().enumerate().map(|(index, polyline)| closed(index, polyline)).collect()
+}
+
+/// The region that a file shows: its outline of greatest area, with the outlines inside it as holes.
+///
+/// # Errors
+/// As [`read_outlines`].
+pub fn read_region(path: &Path, options: &SilhouetteOptions) -> Result<Region, FileError> {
+    let mut outlines = read_outlines(path, options)?;
+    let largest =
+        (0..outlines.len()).max_by(|i, j| outlines[*i].area().total_cmp(&outlines[*j].area()).then(j.cmp(i)));
+    let outer = outlines.swap_remove(largest.ok_or(FileError::Empty)?);
+    outlines.retain(|hole| outer.contains(hole.points()[0]));
+    Ok(Region { outer, holes: outlines })
+}
+
+fn closed(index: usize, Polyline { points, is_closed, .. }: Polyline) -> Result<Outline, FileError> {
+    match points.last() {
+        Some(end) if !is_closed && points.first() != Some(end) => Err(FileError::Open { index, end: *end }),
+        _ => Ok(Outline::new(points)?),
+    }
+}
+
+fn list(text: &str) -> Result<Outline, FileError> {
+    let mut points = Vec::new();
+    for (i, line) in text.lines().enumerate() {
+        let line = line.trim();
+        if line.is_empty()
+            || line.starts_with('#')
+            || (i == 0 && line.starts_with(|c: char| c.is_alphabetic()))
+        {
+            continue;
+        }
+        let numbers: Option<Vec<f64>> = line
+            .split(|c: char| c == ',' || c == ';' || c.is_whitespace())
+            .filter(|part| !part.is_empty())
+            .map(|part| part.parse().ok())
+            .collect();
+        match numbers.as_deref() {
+            Some(&[x, y]) => points.push([x, y]),
+            _ => return Err(FileError::Line { line: i + 1, found: line.chars().take(40).collect() }),
+        }
+    }
+    Ok(Outline::new(points)?)
+}

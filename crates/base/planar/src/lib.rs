@@ -1,0 +1,47 @@
+//! Closed curves in the plane: read from pictures and drawings, resampled, compared, checked for crossings.
+//!
+//! | item | what it is |
+//! |---|---|
+//! | [`Outline`] | a closed polygon, counter-clockwise, with its measures |
+//! | [`Region`] | an outline with holes |
+//! | [`orientation`], [`segments_meet`] | exact predicates on doubles |
+//! | [`first_crossing`] | whether a closed polygon crosses itself, and where |
+//! | [`resample`], [`catmull_rom`] | points at equal lengths, smooth curves through points |
+//! | [`hausdorff`], [`intersection_area`] | how far two outlines are from each other |
+//! | [`picture`], [`contour`], [`silhouette`], [`fill`] | pictures, their contours of a level, the shape in them; outlines as pixels |
+//! | [`svg`], [`dxf`] | drawings |
+//!
+//! ```
+//! use pompeiu_planar::{Outline, resample};
+//!
+//! let square = Outline::new(vec![[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]])?;
+//! assert_eq!((square.area(), square.length()), (4.0, 8.0));
+//! assert_eq!(resample(&square, 8, 0)[1], [1.0, 0.0]);
+//! # Ok::<(), pompeiu_planar::OutlineError>(())
+//! ```
+
+pub mod contour;
+mod crossing;
+mod curve;
+mod distance;
+pub mod dxf;
+mod file;
+mod outline;
+mod overlap;
+pub mod picture;
+mod predicates;
+mod raster;
+pub mod silhouette;
+pub mod svg;
+
+pub use crossing::{Crossing, first_crossing};
+pub use curve::{catmull_rom, resample, resample_points};
+pub use distance::{distance_to_outline, hausdorff};
+pub use file::{FileError, is_picture, is_shape, read_outlines, read_region};
+pub use outline::{Outline, OutlineError, Region};
+pub use overlap::intersection_area;
+pub use predicates::{Turn, orientation, segments_meet};
+pub use raster::fill;
+
+/// A point or a vector in the plane.
+pub type Point = [f64; 2];

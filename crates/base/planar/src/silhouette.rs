@@ -1,0 +1,175 @@
+//! The shape in a picture.
+
+use crate::contour::{Contour, contours, staircases};
+use crate::outline::signed_area;
+use crate::picture::Picture;
+use crate::{Outline, Region};
+
+/// Which part of a picture is the shape.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Foreground {
+    /// What most pixels of the border are not.
+    #[default]
+    Auto,
+    /// What is darker than the level.
+    Dark,
+    /// What is lighter than the level.
+    Light,
+}
+
+/// How the shape in a picture is found.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SilhouetteOptions {
+    /// The level between shape and background, from 0 (black) to 1 (white); without that, Otsu's.
+    pub level: Option<f64>,
+    /// Which part is the shape.
+    pub foreground: Foreground,
+    /// Whether the outline goes along the sides of pixels, instead of between their centres where the level is.
+    pub staircase: bool,
+}
+
+/// Why there is no shape in a picture.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum SilhouetteError {
+    /// All pixels are on one side of the level.
+    #[error(
+        "there is no shape in the picture of {width} × {height} pixels: all levels lie between {low:.3} and {high:.3}"
+    )]
+    Plain {
+        /// Pixels in a row.
+        width: usize,
+        /// Rows.
+        height: usize,
+        /// The least level.
+        low: f32,
+        /// The greatest level.
+        high: f32,
+    },
+    /// Nothing stands out from the background.
+    #[error("there is no shape in the picture of {width} × {height} pixels: no part of it has an area")]
+    Nothing {
+        /// Pixels in a row.
+        width: usize,
+        /// Rows.
+        height: usize,
+    },
+    /// A level that is none.
+    #[error("the level is {0}; it must lie between 0 and 1")]
+    Level(f64),
+}
+
+/// The shape in a picture: the largest part that stands out from the background, with its holes.
+///
+/// # Shapes and units
+/// Pixels: x to the right, y downwards, the centre of the upper left pixel at 0, 0.
+///
+/// # Definition
+/// The picture goes on as background beyond its border. With no level given, it is the one that separates the levels best
+/// (`otsu_threshold_1979`).
+///
+/// # Errors
+/// [`SilhouetteError`] where nothing stands out.
+pub fn silhouette(picture: &Picture, options: &SilhouetteOptions) -> Result<Region, SilhouetteError> {
+    let (width, height) = (picture.width(), picture.height());
+    let (low, high) = range(picture.levels());
+    let level = match options.level {
+        Some(level) if level > 0.0 && level < 1.0 => level,
+        Some(level) => return Err(SilhouetteError::Level(level)),
+        None => otsu(picture.levels()),
+    };
+    if !(f64::from(low) <= level && level < f64::from(high)) {
+        return Err(SilhouetteError::Plain { width, height, low, high });
+    }
+    let is_dark = match options.foreground {
+        Foreground::Dark => true,
+        Foreground::Light => false,
+        Foreground::Auto => !border_is_dark(picture, level),
+    };
+    // With a border of background, so that what touches the border is closed. Background is 0.
+    let across = width + 2;
+    let mut values = vec![0.0_f32; across * (height + 2)];
+    for (row, line) in picture.levels().chunks_exact(width).enumerate() {
+        let start = (row + 1) * across + 1;
+        for (to, v) in values[start..start + width].iter_mut().zip(line) {
+            *to = if is_dark { 1.0 - v } else { *v };
+        }
+    }
+    let level = if is_dark { 1.0 - level } else { level };
+    let found =
+        if options.staircase { staircases(&values, across, level) } else { contours(&values, across, level) };
+    largest(&found).ok_or(SilhouetteError::Nothing { width, height })
+}
+
+/// The largest outline, and the holes that lie in it directly.
+fn largest(found: &[Contour]) -> Option<Region> {
+    // High values lie on the left with rows going down: that gives outlines of high parts a negative area.
+    let mut outers: Vec<(f64, &Contour)> = Vec::new();
+    let mut holes: Vec<&Contour> = Vec::new();
+    for contour in found.iter().filter(|contour| contour.is_closed) {
+        let area = signed_area(&contour.points);
+        if area < 0.0 {
+            outers.push((-area, contour));
+        } else if area > 0.0 {
+            holes.push(contour);
+        }
+    }
+    outers.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let outline = |contour: &Contour| {
+        Outline::new(contour.points.iter().map(|[x, y]| [x - 1.0, y - 1.0]).collect()).ok()
+    };
+    let outer = outline(outers.first()?.1)?;
+    let islands: Vec<Outline> = outers[1..].iter().filter_map(|(_, contour)| outline(contour)).collect();
+    let islands: Vec<Outline> =
+        islands.into_iter().filter(|island| outer.contains(island.points()[0])).collect();
+    let mut inside: Vec<Outline> = holes.into_iter().filter_map(outline).collect();
+    inside.retain(|hole| {
+        let at = hole.points()[0];
+        let is_of_island = |island: &Outline| island.area() > hole.area() && island.contains(at);
+        outer.contains(at) && !islands.iter().any(is_of_island)
+    });
+    Some(Region { outer, holes: inside })
+}
+
+fn range(levels: &[f32]) -> (f32, f32) {
+    levels.iter().fold((f32::INFINITY, f32::NEG_INFINITY), |(low, high), v| (low.min(*v), high.max(*v)))
+}
+
+fn border_is_dark(picture: &Picture, level: f64) -> bool {
+    let (width, height) = (picture.width(), picture.height());
+    let at = |row: usize, column: usize| f64::from(picture.levels()[row * width + column]) <= level;
+    let rows = (0..width).flat_map(|c| [at(0, c), at(height - 1, c)]);
+    let columns = (0..height).flat_map(|r| [at(r, 0), at(r, width - 1)]);
+    let (dark, all) = rows.chain(columns).fold((0, 0), |(dark, all), d| (dark + usize::from(d), all + 1));
+    2 * dark > all
+}
+
+/// Bins of the histogram that the level is chosen on.
+const BINS: usize = 256;
+
+/// The level that makes the variance between the two classes greatest; the middle of all such levels.
+fn otsu(levels: &[f32]) -> f64 {
+    let mut counts = [0_u64; BINS];
+    for v in levels {
+        counts[((f64::from(*v) * 255.0).round() as usize).min(BINS - 1)] += 1;
+    }
+    let total = levels.len() as f64;
+    let all: f64 = counts.iter().enumerate().map(|(i, n)| i as f64 * *n as f64).sum();
+    let (mut below, mut sum) = (0.0, 0.0);
+    let mut best = (0.0, 0, 0);
+    for (i, n) in counts.iter().enumerate().take(BINS - 1) {
+        below += *n as f64;
+        sum += i as f64 * *n as f64;
+        let above = total - below;
+        if below == 0.0 || above == 0.0 {
+            continue;
+        }
+        let between = below * above * (sum / below - (all - sum) / above).powi(2);
+        if between > best.0 {
+            best = (between, i, i);
+        } else if between == best.0 {
+            best.2 = i;
+        }
+    }
+    (0.5 * (best.1 + best.2) as f64 + 0.5) / 255.0
+}

@@ -1,0 +1,184 @@
+//! Pictures and drawings as files: every format shows the same shape, and damage is told.
+
+use pompeiu_planar::picture::{Picture, PictureError};
+use pompeiu_planar::silhouette::{Foreground, SilhouetteError, SilhouetteOptions, silhouette};
+use pompeiu_planar::{FileError, read_outlines, read_region};
+use std::path::PathBuf;
+
+const WIDTH: usize = 40;
+const HEIGHT: usize = 30;
+
+/// A black frame on white: 24 by 18 pixels with a hole of 8 by 6.
+fn is_dark(column: usize, row: usize) -> bool {
+    let within = |at: usize, from: usize, count: usize| at >= from && at < from + count;
+    within(column, 5, 24) && within(row, 6, 18) && !(within(column, 10, 8) && within(row, 10, 6))
+}
+
+fn grey() -> Vec<u8> {
+    (0..WIDTH * HEIGHT).map(|i| if is_dark(i % WIDTH, i / WIDTH) { 0 } else { 255 }).collect()
+}
+
+fn png(data: &[u8], colour: png::ColorType) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, WIDTH as u32, HEIGHT as u32);
+    encoder.set_color(colour);
+    let mut writer = encoder.write_header().unwrap();
+    writer.write_image_data(data).unwrap();
+    writer.finish().unwrap();
+    bytes
+}
+
+fn gif() -> Vec<u8> {
+    let mut bytes = Vec::new();
+    let indices: Vec<u8> = grey().iter().map(|g| g & 1).collect();
+    let palette = [0, 0, 0, 255, 255, 255];
+    let mut encoder = gif::Encoder::new(&mut bytes, WIDTH as u16, HEIGHT as u16, &palette).unwrap();
+    let frame = gif::Frame {
+        width: WIDTH as u16,
+        height: HEIGHT as u16,
+        buffer: indices.into(),
+        ..gif::Frame::default()
+    };
+    encoder.write_frame(&frame).unwrap();
+    drop(encoder);
+    bytes
+}
+
+fn bmp(bits: u16) -> Vec<u8> {
+    let stride = (WIDTH * usize::from(bits)).div_ceil(32) * 4;
+    let table: &[u8] = if bits <= 8 { &[0, 0, 0, 0, 255, 255, 255, 0] } else { &[] };
+    let start = 54 + table.len();
+    let mut bytes = b"BM".to_vec();
+    for number in [(start + stride * HEIGHT) as u32, 0, start as u32, 40, WIDTH as u32, HEIGHT as u32] {
+        bytes.extend(number.to_le_bytes());
+    }
+    bytes.extend(1_u16.to_le_bytes());
+    bytes.extend(bits.to_le_bytes());
+    for number in [0_u32, 0, 0, 0, (table.len() / 4) as u32, 0] {
+        bytes.extend(number.to_le_bytes());
+    }
+    bytes.extend(table);
+    for row in (0..HEIGHT).rev() {
+        let mut line = vec![0_u8; stride];
+        for column in 0..WIDTH {
+            let light = !is_dark(column, row);
+            match bits {
+                1 => line[column / 8] |= u8::from(light) << (7 - column % 8),
+                4 => line[column / 2] |= u8::from(light) << (4 * (1 - column % 2)),
+                8 => line[column] = u8::from(light),
+                _ => {
+                    let size = usize::from(bits) / 8;
+                    line[column * size..column * size + 3].fill(if light { 255 } else { 0 });
+                }
+            }
+        }
+        bytes.extend(line);
+    }
+    bytes
+}
+
+fn staircase() -> SilhouetteOptions {
+    SilhouetteOptions { staircase: true, ..SilhouetteOptions::default() }
+}
+
+#[test]
+fn every_format_shows_the_same_shape() {
+    let transparent: Vec<u8> = grey().iter().flat_map(|g| [0, 0, 0, 255 - g]).collect();
+    let colours: Vec<u8> = grey().iter().flat_map(|g| [*g; 3]).collect();
+    let mut files = vec![
+        ("grey", png(&grey(), png::ColorType::Grayscale)),
+        ("colours", png(&colours, png::ColorType::Rgb)),
+        ("transparent", png(&transparent, png::ColorType::Rgba)),
+        ("gif", gif()),
+    ];
+    files.extend([1, 4, 8, 24, 32].map(|bits| ("bmp", bmp(bits))));
+    for (name, bytes) in files {
+        let picture = Picture::read(&bytes).unwrap_or_else(|error| panic!("{name}: {error}"));
+        assert_eq!((picture.width(), picture.height()), (WIDTH, HEIGHT));
+        let region = silhouette(&picture, &staircase()).unwrap();
+        assert_eq!(region.outer.bounds(), [[4.5, 5.5], [28.5, 23.5]], "{name}");
+        assert_eq!((region.outer.area(), region.holes.len(), region.area()), (432.0, 1, 384.0), "{name}");
+        // Between centres, corners are cut by an eighth of a pixel's area each.
+        let smooth = silhouette(&picture, &SilhouetteOptions::default()).unwrap();
+        assert!((smooth.outer.area() - (432.0 - 4.0 * 0.125)).abs() < 0.5, "{name}: {}", smooth.outer.area());
+    }
+}
+
+#[test]
+fn cut_off_and_huge_pictures_are_refused() {
+    for bytes in [png(&grey(), png::ColorType::Grayscale), gif(), bmp(8), bmp(24)] {
+        for length in [8, 20, 30, bytes.len() / 2, bytes.len() - bytes.len() / 4] {
+            assert!(
+                Picture::read(&bytes[..length.min(bytes.len() - 1)]).is_err(),
+                "{length} of {}",
+                bytes.len()
+            );
+        }
+    }
+    let mut huge = png(&grey(), png::ColorType::Grayscale);
+    huge[16..20].copy_from_slice(&100_000_u32.to_be_bytes());
+    huge[20..24].copy_from_slice(&100_000_u32.to_be_bytes());
+    let crc = crc32(&huge[12..29]);
+    huge[29..33].copy_from_slice(&crc.to_be_bytes());
+    assert_eq!(Picture::read(&huge), Err(PictureError::Large { width: 100_000, height: 100_000 }));
+    let mut huge = bmp(8);
+    huge[18..22].copy_from_slice(&100_000_u32.to_le_bytes());
+    huge[22..26].copy_from_slice(&100_000_u32.to_le_bytes());
+    assert_eq!(Picture::read(&huge), Err(PictureError::Large { width: 100_000, height: 100_000 }));
+    assert_eq!(Picture::read(b"hello"), Err(PictureError::Unrecognised));
+    // Damage anywhere ends in an error or a picture, never in a panic.
+    let whole = [png(&grey(), png::ColorType::Grayscale), gif(), bmp(4)];
+    for bytes in whole {
+        for at in 0..bytes.len() {
+            let mut damaged = bytes.clone();
+            damaged[at] ^= 0x5a;
+            let _ = Picture::read(&damaged);
+        }
+    }
+}
+
+fn crc32(bytes: &[u8]) -> u32 {
+    !bytes.iter().fold(!0_u32, |crc, byte| {
+        (0..8).fold(crc ^ u32::from(*byte), |crc, _| (crc >> 1) ^ (0xedb8_8320 & (crc & 1).wrapping_neg()))
+    })
+}
+
+#[test]
+fn a_picture_without_a_shape_is_told() {
+    let plain = Picture::new(3, 2, vec![0.5; 6]).unwrap();
+    assert!(matches!(
+        silhouette(&plain, &SilhouetteOptions::default()),
+        Err(SilhouetteError::Plain { width: 3, height: 2, .. })
+    ));
+    let picture = Picture::read(&bmp(8)).unwrap();
+    let light = SilhouetteOptions { foreground: Foreground::Light, ..staircase() };
+    assert_eq!(silhouette(&picture, &light).unwrap().outer.area(), (WIDTH * HEIGHT) as f64);
+}
+
+fn file(name: &str, content: &[u8]) -> PathBuf {
+    let folder = std::env::temp_dir().join(format!("pompeiu-planar-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let path = folder.join(name);
+    std::fs::write(&path, content).unwrap();
+    path
+}
+
+#[test]
+fn files_are_told_apart_and_open_curves_refused() {
+    let options = SilhouetteOptions::default();
+    let ring = file("ring.svg", b"<svg><path d='M0 0H9V9H0Z M3 3H6V6H3Z'/></svg>");
+    let region = read_region(&ring, &options).unwrap();
+    assert_eq!((region.outer.area(), region.holes.len()), (81.0, 1));
+    let points = file("points.csv", b"x,y\n0,0\n4,0\n4,3\n");
+    assert_eq!(read_outlines(&points, &options).unwrap()[0].area(), 6.0);
+    let gif_named_otherwise = file("shape.txt", &gif());
+    assert!(read_region(&gif_named_otherwise, &options).is_ok());
+    let open = file("open.svg", b"<svg><path d='M0 0H9V9'/></svg>");
+    assert!(matches!(read_outlines(&open, &options), Err(FileError::Open { index: 0, .. })));
+    let empty = file("empty.svg", b"<svg/>");
+    assert!(matches!(read_outlines(&empty, &options), Err(FileError::Empty)));
+    let words = file("words.txt", b"0 0\nhello there\n");
+    assert!(matches!(read_outlines(&words, &options), Err(FileError::Line { line: 2, .. })));
+    let noise = file("noise.dat", &[0xff, 0xfe, 0x00, 0x80]);
+    assert!(matches!(read_outlines(&noise, &options), Err(FileError::Unrecognised)));
+}

@@ -1,0 +1,166 @@
+//! Measures, ranking and clusters of many shapes.
+
+use crate::measures::Measure;
+use crate::measures::names::feature;
+use crate::report::{ComplexityReport, RankedShape, ShapeReport, Timing};
+use crate::{ComplexityError, MeasureOptions, Measures, cluster, compare_rankings, ranks};
+use pompeiu_core::run::{Control, Limits, Progress, ProgressObserver, StopReason, on_threads};
+use pompeiu_planar::Outline;
+use rayon::prelude::*;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
+use std::time::Instant;
+
+/// A shape with its name.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shape {
+    /// Its file, or whatever else it is called.
+    pub file: String,
+    /// Its outline.
+    pub outline: Outline,
+}
+
+/// What is asked of many shapes.
+#[derive(Clone)]
+pub struct AnalyseOptions<'o> {
+    /// How each is measured.
+    pub measure: MeasureOptions,
+    /// The name of the measure that ranks them: see [`Measure::ALL`].
+    pub rank_by: String,
+    /// Another ranking: names, or names without their suffix, with places or values that grow with complexity.
+    pub against: Option<Vec<(String, f64)>>,
+    /// Number of clusters; none for no clustering.
+    pub clusters: Option<usize>,
+    /// What distances of shapes are taken in: names of measures, or `log:` and a name for ln(1 + value).
+    pub features: Vec<String>,
+    /// Limits on time and threads. Shapes that were not measured in time are left out.
+    pub limits: Limits,
+    /// Is told the share of shapes that is measured.
+    pub progress: Option<&'o dyn ProgressObserver>,
+}
+
+impl Default for AnalyseOptions<'_> {
+    fn default() -> Self {
+        Self {
+            measure: MeasureOptions::default(),
+            rank_by: "total-curvature".to_owned(),
+            against: None,
+            clusters: None,
+            features: ["log:peaks", "log:total-curvature"].map(str::to_owned).to_vec(),
+            limits: Limits::default(),
+            progress: None,
+        }
+    }
+}
+
+/// Measures shapes, ranks them, compares the ranking with another one, and clusters them.
+///
+/// # Errors
+/// [`ComplexityError`] for no shape, a name of no measure, more clusters than shapes, and a shape that the other ranking lacks.
+pub fn analyse(shapes: &[Shape], options: &AnalyseOptions<'_>) -> Result<ComplexityReport, ComplexityError> {
+    if shapes.is_empty() {
+        return Err(ComplexityError::Empty);
+    }
+    let measure = Measure::named(&options.rank_by)?;
+    let features = options.features.iter().map(|name| feature(name)).collect::<Result<Vec<_>, _>>()?;
+    if let Some(clusters) = options.clusters
+        && (clusters < 1 || clusters > shapes.len())
+    {
+        return Err(ComplexityError::Clusters { clusters, shapes: shapes.len() });
+    }
+    let control = Control::start(&options.limits);
+    let started = Instant::now();
+    let measured = on_threads(options.limits.threads, || measured(shapes, options, &control))?;
+    let mut timing = Timing { measures: started.elapsed(), ..Timing::default() };
+    if measured.is_empty() {
+        return Err(ComplexityError::Empty);
+    }
+
+    let started = Instant::now();
+    let complexity: Vec<f64> =
+        measured.iter().map(|shape| without_rounding(measure.complexity(&shape.measures))).collect();
+    let places = ranks(&complexity);
+    let against = options.against.as_ref().map(|list| other_places(&measured, list)).transpose()?;
+    let agreement = match &against {
+        Some(other) => Some(compare_rankings(&complexity, other)?),
+        None => None,
+    };
+    let against = against.map(|other| ranks(&other));
+    let mut order: Vec<usize> = (0..measured.len()).collect();
+    order.sort_by(|i, j| complexity[*i].total_cmp(&complexity[*j]));
+    let ranking = order.into_iter().map(|i| RankedShape {
+        file: measured[i].file.clone(),
+        rank: places[i],
+        value: measure.value(&measured[i].measures),
+        against: against.as_ref().map(|other| other[i]),
+    });
+    let ranking = ranking.collect();
+    timing.ranking = started.elapsed();
+
+    let started = Instant::now();
+    let row = |shape: &ShapeReport| features.iter().map(|value| value(&shape.measures)).collect();
+    let rows: Vec<Vec<f64>> = measured.iter().map(row).collect();
+    let clusters = options.clusters.map(|count| cluster(&rows, &options.features, count)).transpose()?;
+    timing.clusters = started.elapsed();
+    Ok(ComplexityReport {
+        shapes: measured,
+        ranked_by: options.rank_by.clone(),
+        ranking,
+        agreement,
+        clusters,
+        stop: control.reason().unwrap_or(StopReason::Tolerance),
+        timing,
+    })
+}
+
+/// The value to ten digits, so that what is equal but for rounding is a tie.
+fn without_rounding(value: f64) -> f64 {
+    format!("{value:.9e}").parse().unwrap_or(value)
+}
+
+/// The measures of all shapes, those left out that time did not allow.
+fn measured(
+    shapes: &[Shape],
+    options: &AnalyseOptions<'_>,
+    control: &Control,
+) -> Result<Vec<ShapeReport>, ComplexityError> {
+    let done = AtomicUsize::new(0);
+    let observer = options.progress.map(Mutex::new);
+    let one = |shape: &Shape| {
+        if control.is_stopped() {
+            return Ok(None);
+        }
+        let measures = Measures::of(&shape.outline, &options.measure)?;
+        let done = 1 + done.fetch_add(1, Ordering::Relaxed);
+        if let Some(observer) = &observer {
+            let share = done as f64 / shapes.len() as f64;
+            let observer = observer.lock().unwrap_or_else(PoisonError::into_inner);
+            if observer.progress(&Progress { doing: "measuring", share: Some(share) }).is_break() {
+                control.stop(StopReason::Cancelled);
+            }
+        }
+        Ok(Some(ShapeReport {
+            file: shape.file.clone(),
+            outline_points: shape.outline.points().len(),
+            length: shape.outline.length(),
+            area: shape.outline.area(),
+            measures,
+        }))
+    };
+    let all: Result<Vec<_>, ComplexityError> = shapes.par_iter().map(one).collect();
+    Ok(all?.into_iter().flatten().collect())
+}
+
+/// The values of another ranking, in the order of the shapes.
+fn other_places(shapes: &[ShapeReport], list: &[(String, f64)]) -> Result<Vec<f64>, ComplexityError> {
+    let bare = |name: &str| {
+        let name = name.rsplit(['/', '\\']).next().unwrap_or(name);
+        name.rsplit_once('.').map_or(name, |(stem, _)| stem).to_owned()
+    };
+    let place = |shape: &ShapeReport| {
+        let exact = list.iter().find(|(name, _)| *name == shape.file);
+        let found = exact.or_else(|| list.iter().find(|(name, _)| bare(name) == bare(&shape.file)));
+        found.map(|(_, value)| *value).ok_or_else(|| ComplexityError::Unranked(shape.file.clone()))
+    };
+    shapes.iter().map(place).collect()
+}

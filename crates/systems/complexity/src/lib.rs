@@ -1,0 +1,44 @@
+//! How complex shapes in the plane are: measures of outlines, rankings compared with a person's, clusters.
+//!
+//! Each measure is defined by a formula in the file of its family, and does not change when a shape is moved, turned, scaled, or its
+//! outline begins at another point.
+//!
+//! | item | what it is |
+//! |---|---|
+//! | [`Measures`], [`MeasureOptions`] | boundary, curvature, skeleton, moments, coverage, global, of one outline |
+//! | [`Measure`] | a measure by its name, and which way it grows |
+//! | [`ranks`], [`compare_rankings`], [`Agreement`] | rankings, and how far two of them agree |
+//! | [`cluster`], [`Clusters`] | k-medoids with silhouettes |
+//! | [`generate`] | shapes of growing complexity, seeded |
+//! | [`analyse`], [`ComplexityReport`] | all of it for many shapes |
+//!
+//! ```
+//! use pompeiu_complexity::{MeasureOptions, Measures, generate};
+//!
+//! let simple = Measures::of(&generate::polyline(5, 1, generate::PointOrder::Angle)?, &MeasureOptions::default())?;
+//! let complex = Measures::of(&generate::polyline(25, 1, generate::PointOrder::Random)?, &MeasureOptions::default())?;
+//! assert!(complex.curvature.total > simple.curvature.total);
+//! assert!(complex.boundary.m25 < simple.boundary.m25);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod analyse;
+mod cluster;
+mod error;
+pub mod generate;
+mod measures;
+mod ranking;
+mod report;
+#[cfg(feature = "figures")]
+pub mod show;
+
+pub use analyse::{AnalyseOptions, Shape, analyse};
+pub use cluster::{
+    Clusters, adjusted_rand, cluster, faster_pam, matched_accuracy, optimal_medoids, silhouettes,
+};
+pub use error::ComplexityError;
+pub use measures::{
+    Boundary, Coverage, Curvature, Direction, Global, Measure, MeasureOptions, Measures, Moments, Skeleton,
+};
+pub use ranking::{Agreement, compare_rankings, kendall, ranks, spearman};
+pub use report::{ComplexityReport, RankedShape, ShapeReport, Timing};

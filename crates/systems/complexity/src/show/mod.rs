@@ -1,0 +1,5 @@
+//! Shapes and their measures as a page.
+
+mod page;
+
+pub use page::ComplexityPage;

@@ -1,0 +1,240 @@
+"""Outlines in the plane, and how complex they are."""
+
+from __future__ import annotations
+
+import json
+import os
+from dataclasses import dataclass
+from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Union
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _native
+from .errors import OptionError
+
+__all__ = ["Complexity", "complexity", "noisy_circle", "polyline", "read_outlines"]
+
+ShapeLike = Union[str, "os.PathLike[str]", ArrayLike]
+
+
+@dataclass(frozen=True, repr=False)
+class Complexity:
+    """Measures of shapes, their ranking and their clusters.
+
+    Attributes
+    ----------
+    report : dict
+        What ``pompeiu complexity --json`` says of the shapes.
+    """
+
+    report: Dict[str, Any]
+
+    @property
+    def shapes(self) -> List[Dict[str, Any]]:
+        """The shapes with their measures, by family."""
+        return self.report["shapes"]
+
+    @property
+    def ranking(self) -> List[str]:
+        """The names of the shapes, from the simplest to the most complex."""
+        return [ranked["file"] for ranked in self.report["ranking"]]
+
+    @property
+    def agreement(self) -> Optional[Dict[str, Any]]:
+        """How far the ranking agrees with the one it was compared with."""
+        return self.report["agreement"]
+
+    @property
+    def clusters(self) -> Optional[Dict[str, Any]]:
+        """The clusters, if they were asked for."""
+        return self.report["clusters"]
+
+    def table(self) -> Dict[str, List[Any]]:
+        """A column for each measure, as ``pandas.DataFrame`` takes them; histograms are left out.
+
+        Examples
+        --------
+        >>> import pompeiu
+        >>> pompeiu.complexity({"square": [(0, 0), (1, 0), (1, 1), (0, 1)]}).table()["convexity"]
+        [1.0]
+        """
+        place = {ranked["file"]: ranked["rank"] for ranked in self.report["ranking"]}
+        columns: Dict[str, List[Any]] = {"file": [shape["file"] for shape in self.shapes]}
+        columns["rank"] = [place[file] for file in columns["file"]]
+        for family, measures in self.shapes[0].items():
+            if not isinstance(measures, dict):
+                if family != "file":
+                    columns[family] = [shape[family] for shape in self.shapes]
+                continue
+            for name, value in measures.items():
+                if not isinstance(value, list):
+                    key = f"boundary_{name}" if family == "boundary" else name
+                    key = key if key not in columns else f"{family}_{name}"
+                    columns[key] = [shape[family][name] for shape in self.shapes]
+        if self.clusters is not None:
+            columns["cluster"] = list(self.clusters["labels"])
+            columns["silhouette"] = list(self.clusters["silhouettes"])
+        return columns
+
+    def __repr__(self) -> str:
+        return f"Complexity({len(self.shapes)} shapes, by {self.report['ranked_by']})"
+
+
+def read_outlines(
+    path: Union[str, "os.PathLike[str]"],
+    *,
+    level: Optional[float] = None,
+    foreground: str = "auto",
+    staircase: bool = False,
+) -> List[np.ndarray]:
+    """The closed outlines in a file.
+
+    Parameters
+    ----------
+    path : str or path
+        A picture (PNG, JPEG, GIF, BMP), a drawing (SVG, DXF), or a list of points (TXT, CSV).
+    level : float, optional
+        The level between shape and background of a picture, from 0 (black) to 1 (white); Otsu's by default.
+    foreground : str
+        Which part of a picture is the shape: ``"auto"`` (what most of the border is not), ``"dark"`` or ``"light"``.
+    staircase : bool
+        Whether outlines follow the sides of pixels instead of the level between their centres.
+
+    Returns
+    -------
+    list of numpy.ndarray of float, shape (n, 2)
+        Counter-clockwise corners of each. Of a picture the largest part that stands out, and then its holes; y goes down.
+
+    Raises
+    ------
+    ReadError
+        If the file cannot be read, or holds no closed outline.
+    """
+    return _native.read_outlines(os.fspath(path), level, foreground, bool(staircase))
+
+
+def _area(points: np.ndarray) -> float:
+    x, y = (points - points[0]).T
+    return 0.5 * abs(float(np.dot(x, np.roll(y, -1)) - np.dot(y, np.roll(x, -1))))
+
+
+def complexity(
+    shapes: Union[Mapping[str, ShapeLike], Sequence[ShapeLike]],
+    *,
+    rank_by: str = "total-curvature",
+    against: Optional[Mapping[str, float]] = None,
+    clusters: Optional[int] = None,
+    features: Sequence[str] = ("log:peaks", "log:total-curvature"),
+    smoothing: float = 0.004,
+    level: Optional[float] = None,
+    foreground: str = "auto",
+    staircase: bool = False,
+    threads: Optional[int] = None,
+    time_limit: Optional[float] = None,
+    progress: Optional[Callable[[float], Optional[bool]]] = None,
+) -> Complexity:
+    """Measures how complex shapes are, ranks and clusters them.
+
+    Parameters
+    ----------
+    shapes : mapping or sequence
+        Outlines as arrays of shape (n, 2), or files (see :func:`read_outlines`); with names, or without.
+    rank_by : str
+        The measure that ranks; the guide lists them.
+    against : mapping of str to float, optional
+        Another ranking: the place of each name, 1 for the simplest.
+    clusters : int, optional
+        Number of clusters.
+    features : sequence of str
+        What clusters are made by: measures, or ``"log:"`` and a measure.
+    smoothing : float
+        Standard deviation of the Gaussian that smooths outlines for curvature, as a share of their length.
+    level, foreground, staircase
+        How the shape in a picture is found: see :func:`read_outlines`.
+    threads, time_limit : optional
+        Limits; shapes that were not measured in time are left out.
+    progress : callable, optional
+        Called with the share that is done; ``False`` ends it.
+
+    Raises
+    ------
+    OutlineError
+        If points make no closed polygon.
+    ReadError
+        If a file cannot be read.
+    OptionError
+        If options make no sense.
+
+    Examples
+    --------
+    >>> import pompeiu
+    >>> shapes = {str(n): pompeiu.polyline(n, seed=1) for n in (5, 25)}
+    >>> pompeiu.complexity(shapes).ranking
+    ['5', '25']
+    """
+    if isinstance(shapes, Mapping):
+        named = [(str(name), shape) for name, shape in shapes.items()]
+    else:
+        is_path = lambda shape: isinstance(shape, (str, os.PathLike))  # noqa: E731
+        named = [(os.fspath(shape) if is_path(shape) else str(i), shape) for i, shape in enumerate(shapes)]
+    if clusters is not None and clusters < 1:
+        raise OptionError(f"{clusters} clusters are asked for; at least 1 is needed")
+
+    def outline(shape: ShapeLike) -> Any:
+        if isinstance(shape, (str, os.PathLike)):
+            found = read_outlines(shape, level=level, foreground=foreground, staircase=staircase)
+            return max(found, key=_area)
+        return shape
+
+    analysis = {
+        "rank_by": rank_by,
+        "against": None if against is None else [(str(name), float(place)) for name, place in against.items()],
+        "clusters": clusters,
+        "features": list(features),
+        "smoothing": float(smoothing),
+        "threads": threads,
+        "time_limit": time_limit,
+    }
+    report = _native.complexity([(name, outline(shape)) for name, shape in named], analysis, progress)
+    return Complexity(json.loads(report))
+
+
+def polyline(points: int, *, seed: int = 0, order: str = "random") -> np.ndarray:
+    """The closed Catmull–Rom curve through points drawn uniformly from the unit square.
+
+    Parameters
+    ----------
+    points : int
+        Number of points, from 3 to 1000.
+    seed : int
+        The same seed gives the same curve on every machine.
+    order : str
+        ``"random"``: the curve may cross itself; ``"angle"``: by direction from the mean.
+
+    Returns
+    -------
+    numpy.ndarray of float, shape (n, 2)
+    """
+    return _native.polyline(points, seed, order)
+
+
+def noisy_circle(radius: int = 20, level: int = 1, *, steps: int = 6, seed: int = 0) -> np.ndarray:
+    """The outline of a circle of pixels to which random walks have added pixels, ``level`` times over.
+
+    Parameters
+    ----------
+    radius : int
+        In pixels, from 2 to 2000.
+    level : int
+        How often every pixel of the border takes a walk.
+    steps : int
+        The longest walk.
+    seed : int
+        The same seed gives the same outline on every machine.
+
+    Returns
+    -------
+    numpy.ndarray of float, shape (n, 2)
+    """
+    return _native.noisy_circle(radius, level, steps, seed)

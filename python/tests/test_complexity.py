@@ -1,0 +1,58 @@
+"""Outlines and their measures: closed forms, files, errors."""
+
+import math
+
+import numpy as np
+import pompeiu
+import pytest
+
+
+def circle(corners):
+    angles = 2 * np.pi * np.arange(corners) / corners
+    return np.column_stack([np.cos(angles), np.sin(angles)])
+
+
+def test_a_circle_has_its_boundary_ratio():
+    result = pompeiu.complexity({"circle": circle(1000)})
+    exact = 8 * math.sin(math.pi / 8) / (1000 * math.sin(math.pi / 1000))
+    assert result.shapes[0]["boundary"]["8"] == pytest.approx(exact, abs=1e-12)
+    assert result.table()["compactness"][0] == pytest.approx(1, abs=1e-4)
+
+
+def test_points_make_shapes_more_complex():
+    shapes = {f"{n}-{seed}": pompeiu.polyline(n, seed=seed) for n in (5, 25) for seed in range(5)}
+    told = []
+    result = pompeiu.complexity(
+        shapes, against={name: float(name.split("-")[0]) for name in shapes}, clusters=2, progress=told.append
+    )
+    assert result.agreement["kendall"] > 0.7
+    columns = result.table()
+    assert {len(column) for column in columns.values()} == {10}
+    assert len({(name.split("-")[0], label) for name, label in zip(columns["file"], columns["cluster"])}) == 2
+    assert result.ranking[0].startswith("5-")
+
+
+def test_files_are_read(tmp_path):
+    path = tmp_path / "ring.svg"
+    path.write_text('<svg><path d="M3 3H6V6H3Z"/><path d="M0 0H9V9H0Z"/></svg>')
+    assert [len(outline) for outline in pompeiu.read_outlines(path)] == [4, 4]
+    result = pompeiu.complexity([path, pompeiu.noisy_circle(20, 2, seed=1)])
+    assert result.shapes[0]["area"] == 81 and result.shapes[1]["file"] == "1"
+
+
+def test_what_makes_no_sense(tmp_path):
+    square = [(0, 0), (1, 0), (1, 1), (0, 1)]
+    with pytest.raises(pompeiu.OptionError, match="there is no measure `size`"):
+        pompeiu.complexity([square], rank_by="size")
+    with pytest.raises(pompeiu.OptionError, match="2 clusters are asked for of 1 shapes"):
+        pompeiu.complexity([square], clusters=2)
+    with pytest.raises(pompeiu.OutlineError, match="no area"):
+        pompeiu.complexity([[(0, 0), (1, 1), (2, 2)]])
+    with pytest.raises(pompeiu.OptionError, match="random"):
+        pompeiu.polyline(5, order="sideways")
+    broken = tmp_path / "broken.png"
+    broken.write_bytes(b"\x89PNG\r\n\x1a\n")
+    with pytest.raises(pompeiu.ReadError, match="broken.png: the PNG picture cannot be read"):
+        pompeiu.read_outlines(broken)
+    with pytest.raises(pompeiu.MissingFileError):
+        pompeiu.read_outlines(tmp_path / "none.svg")
