@@ -63,6 +63,10 @@ COMMANDS = {
         "flow rough.obj --until time:0.01 -o flowed.ply",
         "flow rough.obj --volume keep --until steps:3 -o bubble.ply",
     ],
+    "fluid": [
+        "fluid torus.ply.gz --velocity rotation:z --viscosity 0.1 --steps 3 --dt 0.1 --density x^2",
+        "fluid rough.obj --vorticity x*y --steps 2 --dt 0.05 --scheme any-step",
+    ],
     "simplify": [
         "simplify rough.obj -o simple.ply --within 0.1",
         "simplify rough.obj -o few.ply --faces 200",

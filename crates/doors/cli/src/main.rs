@@ -5,6 +5,8 @@ mod args;
 mod called;
 mod commands;
 mod exit;
+mod expression;
+mod field;
 mod files;
 mod interrupt;
 mod json;
@@ -17,6 +19,7 @@ mod pair;
 mod printer;
 #[cfg(test)]
 mod schema;
+mod series;
 mod surface;
 mod threads;
 mod wait;

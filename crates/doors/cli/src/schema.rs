@@ -38,6 +38,7 @@ fn published_schemas_are_those_of_the_types() {
     check("distance", schema::<answers::Distance<'static>>());
     check("flatten", schema::<answers::Flatten<'static>>());
     check("flow", schema::<answers::Flow<'static>>());
+    check("fluid", schema::<answers::Fluid<'static>>());
     check("info", schema::<answers::Info<'static>>());
     check("matrix", schema::<answers::Matrix<'static>>());
     check("neuron", schema::<answers::Neuron<'static>>());

@@ -25,6 +25,8 @@ pub use pompeiu_figures as figures;
 pub use pompeiu_flatten as flatten;
 #[cfg(feature = "flow")]
 pub use pompeiu_flow as flow;
+#[cfg(feature = "fluid")]
+pub use pompeiu_fluid as fluid;
 pub use pompeiu_hausdorff as hausdorff;
 #[cfg(feature = "io")]
 pub use pompeiu_io as io;

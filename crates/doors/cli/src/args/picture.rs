@@ -68,10 +68,23 @@ impl Picture {
         ) -> Result<figures::Image, figures::FigureError>,
         printer: &Printer,
     ) -> anyhow::Result<()> {
+        files::write_whole(path, &self.png(image)?, printer)
+    }
+
+    /// A picture of the size that was asked for, as a file.
+    pub(crate) fn png(
+        &self,
+        image: impl FnOnce(
+            u32,
+            u32,
+            figures::Theme,
+            figures::View,
+        ) -> Result<figures::Image, figures::FigureError>,
+    ) -> anyhow::Result<Vec<u8>> {
         let (width, height) = self.image_size;
         let mut png = Vec::new();
         image(width, height, self.theme.into(), self.view())?.write_png(&mut png)?;
-        files::write_whole(path, &png, printer)
+        Ok(png)
     }
 
     fn view(&self) -> figures::View {

@@ -11,6 +11,7 @@ mod deviation;
 mod distance;
 mod flatten;
 mod flow;
+mod fluid;
 mod generate;
 mod info;
 mod man;
@@ -53,6 +54,7 @@ commands! {
     decompose::Decompose,
     remesh::Remesh,
     flow::Flow,
+    fluid::Fluid,
     flatten::Flatten,
     cut::Cut,
     neuron::Neuron,
@@ -76,6 +78,7 @@ pub(crate) mod answers {
     pub(crate) use super::distance::Json as Distance;
     pub(crate) use super::flatten::Json as Flatten;
     pub(crate) use super::flow::Json as Flow;
+    pub(crate) use super::fluid::Json as Fluid;
     pub(crate) use super::info::Json as Info;
     pub(crate) use super::matrix::Json as Matrix;
     pub(crate) use super::neuron::Json as Neuron;

@@ -718,3 +718,52 @@ fn what_was_meant_is_said() {
     let (_, _, errors) = folder.transcript("distanc tent.obj square.obj");
     assert!(!errors.contains("did you mean"), "{errors}");
 }
+
+#[test]
+fn fluid_measures_what_is_conserved_and_writes_its_steps() {
+    let folder = Folder::new();
+    folder.ok("generate torus --major-segments 24 --minor-segments 12 -o torus.obj");
+    let scene = "steps = 6\ndt = 0.05\nvorticity = \"x*y+z\"\nharmonic = [0.5, -0.2]\nviscosity = 1e-3\n\
+                 gravity = [0, 0, -1]\n[[density]]\nname = \"dye\"\nweight = 1\ninitial = \"exp(-4*x)\"\n";
+    std::fs::write(folder.path().join("scene.toml"), scene).unwrap();
+    let command = "fluid torus.obj scene.toml -o run.pvd --every 3 --video run.html --json";
+    let report = json(&folder, command);
+    let steps = report["steps"].as_array().unwrap();
+    assert_eq!((steps.len(), report["scheme"]["harmonic_fields"].as_u64()), (7, Some(2)));
+    for step in steps {
+        for key in ["time", "energy", "divergence", "mass", "harmonic", "max_speed"] {
+            assert!(!step[key].is_null(), "{key}");
+        }
+        assert!(step["divergence"].as_f64().unwrap() < 1e-12);
+        let [mass, first] = [step, &steps[0]].map(|step| step["mass"][0].as_f64().unwrap());
+        assert!((mass / first - 1.0).abs() < 1e-12);
+    }
+    assert_eq!(keys(&report["timing_ms"]), sorted(&["factor", "per_step", "total"]));
+    assert_eq!(keys(&report["timing_ms"]["per_step"]), sorted(&["diffuse", "advect", "project"]));
+    let list = std::fs::read_to_string(folder.path().join("run.pvd")).unwrap();
+    for step in [0, 3, 6] {
+        assert!(list.contains(&format!("run/step-{step:05}.vtp")), "{list}");
+        assert!(folder.path().join(format!("run/step-{step:05}.vtp")).is_file());
+    }
+    assert_eq!(std::fs::read_dir(folder.path().join("run")).unwrap().count(), 3);
+    assert!(std::fs::read_to_string(folder.path().join("run.html")).unwrap().contains("Flow on torus.obj"));
+    for (scene, said) in [
+        ("steps = 2\ndt = 0.1\nviscosty = 1\n", "line 3: unknown key `viscosty`; did you mean `viscosity`?"),
+        ("steps = 2\ndt = 0\n", "the time step is 0; it must be finite and above 0"),
+        ("steps = 2\ndt = nan\n", "the time step is NaN"),
+        ("steps = 2\ndt = 1e9\nvelocity = \"rotation:z\"\n", "choose a shorter step, or the scheme any-step"),
+        (
+            "steps = 2\ndt = 0.1\n[[force]]\nat = [9, 9, 9]\nradius = 1\nacceleration = [1, 0, 0]\n",
+            "there is no face within",
+        ),
+        ("steps = 2\ndt = 0.1\n[[density]]\ninitial = \"1/x*0+q\"\n", "unknown variable q"),
+    ] {
+        std::fs::write(folder.path().join("scene.toml"), scene).unwrap();
+        let wrong = folder.run("fluid torus.obj scene.toml --json");
+        let stderr = String::from_utf8(wrong.stderr).unwrap();
+        assert_eq!(wrong.status.code(), Some(2), "{scene}");
+        assert!(stderr.contains(said), "{stderr}");
+    }
+    let late = folder.run("fluid torus.obj --velocity rotation:z --steps 3 --dt 0.1 --time-limit 0s");
+    assert_eq!(late.status.code(), Some(3));
+}

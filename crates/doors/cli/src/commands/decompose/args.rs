@@ -1,9 +1,8 @@
 //! Options of the decompose command.
 
 use crate::args::Picture;
-use crate::numbers::direction;
 use clap::{Args, ValueEnum};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Split a tangent field into a gradient, a rotated gradient and a harmonic part
 #[derive(Args)]
@@ -68,65 +67,4 @@ pub(crate) enum Boundary {
     Tangential,
     /// Straight through it
     Normal,
-}
-
-/// A field as the command line names it.
-pub(crate) enum FieldSource {
-    File(PathBuf),
-    Rotation([f64; 3]),
-    LinearGradient([f64; 3]),
-    Gradient(String),
-    Random(u64),
-    Harmonic(usize),
-}
-
-impl FieldSource {
-    /// The file to read, if it is one.
-    pub(crate) fn file(&self) -> Option<&Path> {
-        match self {
-            Self::File(path) => Some(path),
-            _ => None,
-        }
-    }
-
-    /// Tells the kinds apart by what comes before the colon; anything else is a file.
-    pub(crate) fn parse(text: &str) -> anyhow::Result<Self> {
-        let Some((kind, rest)) = text.split_once(':') else { return Ok(Self::File(text.into())) };
-        Ok(match kind {
-            "rotation" => Self::Rotation(
-                direction(rest).map_err(|error| anyhow::anyhow!("--field rotation:{rest}: {error}"))?,
-            ),
-            "gradient" => match direction(rest) {
-                Ok(direction) => Self::LinearGradient(direction),
-                Err(_) => Self::Gradient(rest.to_owned()),
-            },
-            "random" => Self::Random(rest.parse().map_err(|_| {
-                anyhow::anyhow!("--field random:{rest}: expected a whole number that is not negative")
-            })?),
-            "harmonic" => Self::Harmonic(rest.parse().map_err(|_| {
-                anyhow::anyhow!("--field harmonic:{rest}: expected the number of a harmonic field, from 0")
-            })?),
-            _ => Self::File(text.into()),
-        })
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn fields_are_told_apart() {
-        let parse = |text: &str| FieldSource::parse(text);
-        assert!(matches!(parse("rotation:z"), Ok(FieldSource::Rotation([0.0, 0.0, 1.0]))));
-        assert!(matches!(parse("gradient:0,-1,2"), Ok(FieldSource::LinearGradient([0.0, -1.0, 2.0]))));
-        assert!(matches!(parse("gradient:x*y"), Ok(FieldSource::Gradient(_))));
-        assert!(matches!(parse("random:7"), Ok(FieldSource::Random(7))));
-        assert!(matches!(parse("harmonic:1"), Ok(FieldSource::Harmonic(1))));
-        assert!(matches!(parse("wind.csv"), Ok(FieldSource::File(_))));
-        assert!(matches!(parse("C:wind.csv"), Ok(FieldSource::File(_))));
-        for wrong in ["rotation:w", "rotation:0,0,0", "rotation:1,inf,0", "random:-1", "harmonic:x"] {
-            assert!(parse(wrong).is_err(), "{wrong}");
-        }
-    }
 }

@@ -1,7 +1,6 @@
 //! `pompeiu decompose`.
 
 mod args;
-mod field;
 mod json;
 mod output;
 mod run;

@@ -1,9 +1,10 @@
 //! Runs the command.
 
-use super::args::{Boundary, Decompose, FieldSource, Splitting};
+use super::args::{Boundary, Decompose, Splitting};
 use super::text::{Report, Split};
 use crate::called::called;
 use crate::exit::Exit;
+use crate::field::{self, FieldSource};
 use crate::files;
 use crate::printer::Printer;
 use anyhow::{Context, bail};
@@ -16,15 +17,15 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 pub(crate) fn run(args: &Decompose, printer: &Printer) -> anyhow::Result<Exit> {
-    let source = args.field.as_deref().map(FieldSource::parse).transpose()?;
+    let source = args.field.as_deref().map(|text| FieldSource::parse(text, "--field")).transpose()?;
     if let Some(output) = &args.output {
         super::output::check(output)?;
     }
     if source.is_none() && args.picture.outputs().next().is_some() {
         bail!("--report and --image show a field and its parts; name one with --field");
     }
-    let field = source.as_ref().and_then(FieldSource::file);
-    let inputs: Vec<&Path> = std::iter::once(args.mesh.as_path()).chain(field).collect();
+    let file = source.as_ref().and_then(FieldSource::file);
+    let inputs: Vec<&Path> = std::iter::once(args.mesh.as_path()).chain(file).collect();
     let outputs = args.output.iter().map(PathBuf::as_path).chain(args.picture.outputs());
     files::check_places(outputs, &inputs)?;
     let shown = || args.mesh.display().to_string();
@@ -51,8 +52,9 @@ pub(crate) fn run(args: &Decompose, printer: &Printer) -> anyhow::Result<Exit> {
         Some(source) => {
             let options = DecompositionOptions { splitting, boundary };
             let solver = HodgeSolver::new(surface.surface(), &options).with_context(shown)?;
-            let field =
-                super::field::field(&source, args.name.as_deref(), &mesh, &surface, &solver, printer)?;
+            let harmonic = solver.basis().fields();
+            let name = args.name.as_deref();
+            let field = field::field(&source, "--field", name, &mesh, &surface, harmonic, printer)?;
             let before = Instant::now();
             let parts = solver.decompose(&field).context("--field")?;
             let (solve, times) = (before.elapsed(), solver.setup_times());

@@ -3,7 +3,6 @@
 mod args;
 mod json;
 mod run;
-mod series;
 mod text;
 
 pub(crate) use args::Flow;

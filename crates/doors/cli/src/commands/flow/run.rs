@@ -1,7 +1,6 @@
 //! Runs the command.
 
 use super::args::{Flow as Args, Volume};
-use super::series::Series;
 use super::{json, text};
 use crate::called::called;
 use crate::exit::Exit;
@@ -9,14 +8,17 @@ use crate::files;
 use crate::interrupt;
 use crate::pair::File;
 use crate::printer::Printer;
+use crate::series::Series;
 use crate::wait::Wait;
 use anyhow::{Context, bail};
+use pompeiu::core::TriMesh;
 use pompeiu::core::run::{Limits, Progress};
 use pompeiu::flow::show::{FlowPage, Frames};
 use pompeiu::flow::{
     BoundaryCondition, Flow, FlowObserver, FlowOptions, FlowStep, FlowStop, Remeshing, mean_curvature_flow,
 };
-use std::path::PathBuf;
+use pompeiu::io::{Attributes, write_with};
+use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 /// Surfaces that a page plays at most.
@@ -60,7 +62,9 @@ pub(crate) fn run(args: &Args, printer: &Printer) -> anyhow::Result<Exit> {
             frames.step(step)?;
         }
         if let Some(series) = &series {
-            series.add(step)?;
+            // Steps without a length in time are counted.
+            let time = step.record.time.unwrap_or(step.step as f64);
+            series.add(step.step, time, |path| write_step(path, step))?;
         }
         interrupt::flow()
     };
@@ -78,7 +82,7 @@ pub(crate) fn run(args: &Args, printer: &Printer) -> anyhow::Result<Exit> {
     let flow = mean_curvature_flow(&mesh, &options).with_context(|| args.mesh.display().to_string())?;
     drop(wait);
     if let Some(series) = series {
-        series.finish(&flow, printer)?;
+        series.finish(printer)?;
     }
     if let Some(output) = &args.output {
         files::write(output, &flow.mesh, printer)?;
@@ -106,4 +110,10 @@ pub(crate) fn run(args: &Args, printer: &Printer) -> anyhow::Result<Exit> {
         FlowStop::Stationary | FlowStop::Time | FlowStop::Steps | FlowStop::Pinched => Exit::Done,
         _ => Exit::Undecided,
     })
+}
+
+/// Writes the surface after a step.
+fn write_step(path: &Path, step: &FlowStep<'_>) -> anyhow::Result<()> {
+    let mesh = TriMesh::new(step.positions.to_vec(), step.faces.to_vec())?;
+    Ok(write_with(path, &mesh, &Attributes::for_mesh(&mesh))?)
 }

@@ -4,16 +4,13 @@ use crate::files;
 use crate::numbers::grouped;
 use crate::printer::Printer;
 use anyhow::{Context, bail};
-use pompeiu::core::TriMesh;
-use pompeiu::flow::{Flow, FlowStep};
-use pompeiu::io::{Attributes, write_with};
 use std::fmt::Write;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
 /// A series on its way.
-pub(super) struct Series {
+pub(crate) struct Series {
     list: PathBuf,
     folder: PathBuf,
     state: Mutex<State>,
@@ -21,13 +18,14 @@ pub(super) struct Series {
 
 #[derive(Default)]
 struct State {
-    written: usize,
+    /// Numbers of the steps written, with their times.
+    written: Vec<(usize, f64)>,
     error: Option<anyhow::Error>,
 }
 
 impl Series {
     /// A series with this list; its steps go into a folder of the same name beside it, which must not exist.
-    pub(super) fn new(list: &Path) -> anyhow::Result<Self> {
+    pub(crate) fn new(list: &Path) -> anyhow::Result<Self> {
         if !list.extension().is_some_and(|suffix| suffix.eq_ignore_ascii_case("pvd")) {
             bail!("{}: a series is a list of files; give it the suffix .pvd", list.display());
         }
@@ -41,12 +39,23 @@ impl Series {
         Ok(Self { list: list.to_owned(), folder, state: Mutex::default() })
     }
 
-    /// Writes a step. The flow ends where that fails; [`Series::finish`] says why.
-    pub(super) fn add(&self, step: &FlowStep<'_>) -> ControlFlow<()> {
+    /// Writes a step by a function that writes a file. The computation should end where that fails; [`Series::finish`] says why.
+    pub(crate) fn add(
+        &self,
+        step: usize,
+        time: f64,
+        write: impl FnOnce(&Path) -> anyhow::Result<()>,
+    ) -> ControlFlow<()> {
         let mut state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
-        match self.write(step) {
+        // The folder is made with the first step: what cannot start leaves none behind.
+        let made = if state.written.is_empty() {
+            std::fs::create_dir(&self.folder).with_context(|| self.folder.display().to_string())
+        } else {
+            Ok(())
+        };
+        match made.and_then(|()| write(&self.folder.join(name(step)))) {
             Ok(()) => {
-                state.written += 1;
+                state.written.push((step, time));
                 ControlFlow::Continue(())
             }
             Err(error) => {
@@ -56,35 +65,26 @@ impl Series {
         }
     }
 
-    /// Makes the folder with the first step: a flow that cannot start leaves none behind.
-    fn write(&self, step: &FlowStep<'_>) -> anyhow::Result<()> {
-        if step.step == 0 {
-            std::fs::create_dir(&self.folder).with_context(|| self.folder.display().to_string())?;
-        }
-        let path = self.folder.join(name(step.step));
-        let mesh = TriMesh::new(step.positions.to_vec(), step.faces.to_vec())?;
-        Ok(write_with(&path, &mesh, &Attributes::for_mesh(&mesh))?)
-    }
-
-    /// Writes the list.
-    pub(super) fn finish(self, flow: &Flow, printer: &Printer) -> anyhow::Result<()> {
+    /// Writes the list of what was written, then says what went wrong if something did.
+    pub(crate) fn finish(self, printer: &Printer) -> anyhow::Result<()> {
         let State { written, error } = self.state.into_inner().unwrap_or_else(PoisonError::into_inner);
-        if let Some(error) = error {
-            return Err(error);
+        if written.is_empty() {
+            return error.map_or(Ok(()), Err);
         }
         let folder = self.folder.file_name().unwrap_or_default().to_string_lossy();
         let escaped = folder.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;");
         let mut list = String::from(
             "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n",
         );
-        for (step, record) in flow.history.iter().enumerate().take(written) {
-            // Steps without a length in time are counted.
-            let time = record.time.unwrap_or(step as f64);
+        for &(step, time) in &written {
             let _ = writeln!(list, "    <DataSet timestep=\"{time}\" file=\"{escaped}/{}\"/>", name(step));
         }
         list.push_str("  </Collection>\n</VTKFile>\n");
-        files::write_whole(&self.list, list.as_bytes(), printer)?;
-        printer.note(format_args!("{}: {} steps", self.folder.display(), grouped(written as u64)));
+        let listed = files::write_whole(&self.list, list.as_bytes(), printer);
+        // What failed first is told first.
+        error.map_or(Ok(()), Err)?;
+        listed?;
+        printer.note(format_args!("{}: {} steps", self.folder.display(), grouped(written.len() as u64)));
         Ok(())
     }
 }

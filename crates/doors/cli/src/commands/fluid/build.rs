@@ -1,0 +1,171 @@
+//! From a scene to a simulation.
+
+use super::scene::{Ball, Scene};
+use crate::expression::values;
+use crate::field::{self, FieldSource};
+use crate::printer::Printer;
+use anyhow::{Context, bail};
+use pompeiu::core::TriMesh;
+use pompeiu::core::mesh::VertexData;
+use pompeiu::fluid::{Density, FluidOptions, Simulation, TimeStep, coriolis, tangential};
+use pompeiu::operators::FaceField;
+use pompeiu::surface::{EdgeData, EmbeddedSurface};
+
+/// The simulation of a scene, with its velocity at first.
+pub(super) fn simulation<'s>(
+    scene: &Scene,
+    mesh: &TriMesh,
+    surface: &'s EmbeddedSurface,
+    printer: &Printer,
+) -> anyhow::Result<Simulation<'s>> {
+    let mut fluid = Simulation::new(surface.surface(), options(scene, mesh, surface)?)?;
+    if let Some(text) = &scene.velocity {
+        let source = FieldSource::parse(text, "velocity")?;
+        let harmonic = fluid.harmonic_fields();
+        let start = field::field(&source, "velocity", None, mesh, surface, harmonic, printer)?;
+        fluid.set_velocity(&start)?;
+        let (kept, given) = [&fluid.state().velocity, &start]
+            .map(|u| pompeiu::operators::field_norm(surface.surface(), u))
+            .into();
+        if kept < (1.0 - NOTABLE) * given {
+            let part = 100.0 * (1.0 - (kept / given).powi(2));
+            printer.note(format_args!("velocity: {part:.1} % of its energy was divergence and is taken off"));
+        }
+    } else if scene.vorticity.is_some() || scene.harmonic.is_some() || !scene.vortices.is_empty() {
+        let vorticity = vorticity(scene, mesh, surface)?;
+        let dimension = fluid.harmonic_fields().len();
+        let harmonic = scene.harmonic.clone().unwrap_or_else(|| vec![0.0; dimension]);
+        fluid.set_vorticity(&vorticity, &harmonic)?;
+    }
+    Ok(fluid)
+}
+
+/// A change of the norm of a velocity by this part is told.
+const NOTABLE: f64 = 1e-3;
+
+fn options(scene: &Scene, mesh: &TriMesh, surface: &EmbeddedSurface) -> anyhow::Result<FluidOptions> {
+    let Some(dt) = scene.dt else { bail!("no length of a step is given; name one with --dt") };
+    let densities = scene.densities.iter().map(|density| {
+        let count = mesh.positions().len();
+        let what = format!("density \"{}\"", density.name);
+        let initial = match &density.initial {
+            Some(expression) => VertexData::new(count, values(expression, &what, mesh)?)?,
+            None => VertexData::filled(count, 0.0),
+        };
+        let mut source = (!density.sources.is_empty()).then(|| VertexData::filled(count, 0.0));
+        for (ball, rate) in &density.sources {
+            for (place, inside) in source.iter_mut().flatten().zip(within(mesh, *ball)) {
+                *place += if inside { *rate } else { 0.0 };
+            }
+        }
+        Ok(Density {
+            name: density.name.clone(),
+            initial,
+            diffusivity: density.diffusivity,
+            weight: density.weight,
+            source,
+        })
+    });
+    Ok(FluidOptions {
+        scheme: scene.scheme.unwrap_or_default(),
+        integrator: scene.integrator.unwrap_or_default(),
+        time_step: scene.cfl.map_or(TimeStep::Fixed(dt), |number| TimeStep::Cfl { number, longest: dt }),
+        viscosity: scene.viscosity.unwrap_or(0.0),
+        viscosity_model: scene.viscosity_model.unwrap_or_default(),
+        wall: scene.wall.unwrap_or_default(),
+        wall_velocity: wall_velocity(scene, surface)?,
+        gravity: scene.gravity.map(|gravity| tangential(surface, gravity)),
+        coriolis: scene.rotation.map(|rotation| coriolis(surface, rotation)),
+        force: force(scene, surface)?,
+        confinement: scene.confinement.unwrap_or(0.0),
+        densities: densities.collect::<anyhow::Result<_>>()?,
+        transport: scene.transport.unwrap_or_default(),
+    })
+}
+
+/// The vorticity of an expression and of vortices.
+fn vorticity(scene: &Scene, mesh: &TriMesh, surface: &EmbeddedSurface) -> anyhow::Result<VertexData<f64>> {
+    let count = surface.mesh().vertices();
+    let mut sum = match &scene.vorticity {
+        Some(expression) => VertexData::new(count, values(expression, "vorticity", mesh)?)?,
+        None => VertexData::filled(count, 0.0),
+    };
+    for vortex in &scene.vortices {
+        let Ball { at, radius } = vortex.ball;
+        let peak = vortex.circulation / (std::f64::consts::TAU * radius * radius);
+        for (w, p) in sum.iter_mut().zip(surface.positions()) {
+            *w += peak * (-0.5 * distance_sq(*p, at) / (radius * radius)).exp();
+        }
+    }
+    Ok(sum)
+}
+
+/// The acceleration that is always there.
+fn force(scene: &Scene, surface: &EmbeddedSurface) -> anyhow::Result<Option<FaceField>> {
+    if scene.acceleration.is_none() && scene.forces.is_empty() {
+        return Ok(None);
+    }
+    let mut sum = tangential(surface, scene.acceleration.unwrap_or([0.0; 3]));
+    for local in &scene.forces {
+        let everywhere = tangential(surface, local.acceleration);
+        let mut touched = false;
+        for face in surface.mesh().face_ids() {
+            if distance_sq(surface.centroid(face), local.ball.at) <= local.ball.radius.powi(2) {
+                touched = true;
+                for i in 0..2 {
+                    sum[face][i] += everywhere[face][i];
+                }
+            }
+        }
+        if !touched {
+            bail!("{}", nothing_in("force", "face", local.ball));
+        }
+    }
+    Ok(Some(sum))
+}
+
+/// How fast each boundary edge moves along itself.
+fn wall_velocity(scene: &Scene, surface: &EmbeddedSurface) -> anyhow::Result<Option<EdgeData<f64>>> {
+    if scene.walls.is_empty() {
+        return Ok(None);
+    }
+    let mesh = surface.mesh();
+    let mut speeds = EdgeData::filled(mesh.edges(), 0.0);
+    for wall in &scene.walls {
+        let mut touched = false;
+        for edge in mesh.edge_ids().filter(|&edge| mesh.is_boundary_edge(edge)) {
+            let [a, b] = mesh.ends(edge).map(|v| surface.positions()[v]);
+            let middle = [0, 1, 2].map(|i| 0.5 * (a[i] + b[i]));
+            if distance_sq(middle, wall.ball.at) <= wall.ball.radius.powi(2) {
+                touched = true;
+                speeds[edge] = wall.speed;
+            }
+        }
+        if !touched {
+            bail!("{}", nothing_in("moving wall", "boundary edge", wall.ball));
+        }
+    }
+    Ok(Some(speeds))
+}
+
+fn nothing_in(what: &str, element: &str, ball: Ball) -> String {
+    let Ball { at: [x, y, z], radius } = ball;
+    format!("{what}: there is no {element} within {radius} of ({x}, {y}, {z})")
+}
+
+/// Which vertices lie in a ball; the nearest one in any case.
+fn within(mesh: &TriMesh, ball: Ball) -> Vec<bool> {
+    let distances: Vec<f64> = mesh.positions().iter().map(|p| distance_sq(*p, ball.at)).collect();
+    let nearest = distances.iter().copied().fold(f64::INFINITY, |m, d| if d < m { d } else { m });
+    let reach = ball.radius * ball.radius;
+    distances.into_iter().map(|d| d <= reach || d == nearest).collect()
+}
+
+fn distance_sq(p: [f64; 3], q: [f64; 3]) -> f64 {
+    (0..3).map(|i| (p[i] - q[i]) * (p[i] - q[i])).sum()
+}
+
+/// A scene that cannot be simulated is told with the file of its mesh.
+pub(super) fn named<T>(result: anyhow::Result<T>, path: &std::path::Path) -> anyhow::Result<T> {
+    result.with_context(|| path.display().to_string())
+}

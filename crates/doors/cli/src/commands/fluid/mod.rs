@@ -1,0 +1,15 @@
+//! `pompeiu fluid`.
+
+mod args;
+mod build;
+mod json;
+mod reader;
+mod run;
+mod scene;
+mod text;
+
+pub(crate) use args::Fluid;
+pub(crate) use run::run;
+
+#[cfg(test)]
+pub(crate) use json::Json;

@@ -1,0 +1,184 @@
+//! What a scene file and the command line say of a flow.
+
+use super::args::Fluid;
+use super::reader::{Reader, SceneFile};
+use anyhow::{Context, bail};
+use pompeiu::fluid::{Integrator, Scheme, Transport, ViscosityModel, Wall};
+use std::path::Path;
+
+/// A flow as it is described.
+#[derive(Default)]
+pub(super) struct Scene {
+    pub(super) steps: Option<usize>,
+    pub(super) dt: Option<f64>,
+    pub(super) cfl: Option<f64>,
+    pub(super) scheme: Option<Scheme>,
+    pub(super) integrator: Option<Integrator>,
+    pub(super) viscosity: Option<f64>,
+    pub(super) viscosity_model: Option<ViscosityModel>,
+    pub(super) wall: Option<Wall>,
+    pub(super) transport: Option<Transport>,
+    pub(super) gravity: Option<[f64; 3]>,
+    pub(super) rotation: Option<[f64; 3]>,
+    pub(super) acceleration: Option<[f64; 3]>,
+    pub(super) confinement: Option<f64>,
+    pub(super) velocity: Option<String>,
+    pub(super) vorticity: Option<String>,
+    pub(super) harmonic: Option<Vec<f64>>,
+    pub(super) vortices: Vec<Vortex>,
+    pub(super) densities: Vec<DensityScene>,
+    pub(super) forces: Vec<LocalForce>,
+    pub(super) walls: Vec<MovingWall>,
+}
+
+/// A ball in space.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Ball {
+    pub(super) at: [f64; 3],
+    pub(super) radius: f64,
+}
+
+pub(super) struct Vortex {
+    pub(super) ball: Ball,
+    pub(super) circulation: f64,
+}
+
+pub(super) struct DensityScene {
+    pub(super) name: String,
+    pub(super) initial: Option<String>,
+    pub(super) diffusivity: f64,
+    pub(super) weight: f64,
+    /// Balls and what is added there per time.
+    pub(super) sources: Vec<(Ball, f64)>,
+}
+
+pub(super) struct LocalForce {
+    pub(super) ball: Ball,
+    pub(super) acceleration: [f64; 3],
+}
+
+pub(super) struct MovingWall {
+    pub(super) ball: Ball,
+    pub(super) speed: f64,
+}
+
+impl Scene {
+    /// What the command line says, and for all else what the scene file says.
+    pub(super) fn of(args: &Fluid) -> anyhow::Result<Self> {
+        let mut scene = match &args.scene {
+            Some(path) => Self::read(path)?,
+            None => Self::default(),
+        };
+        macro_rules! prefer {
+            ($($field:ident),*) => {
+                $(if args.$field.is_some() { scene.$field.clone_from(&args.$field); })*
+            };
+        }
+        prefer!(steps, dt, cfl, scheme, integrator, viscosity, viscosity_model, wall, transport);
+        prefer!(gravity, rotation, acceleration, confinement, velocity, vorticity, harmonic);
+        if let Some(initial) = &args.density {
+            scene.densities.push(DensityScene {
+                name: "density".to_owned(),
+                initial: Some(initial.clone()),
+                diffusivity: 0.0,
+                weight: 0.0,
+                sources: Vec::new(),
+            });
+        }
+        if scene.velocity.is_some()
+            && (scene.vorticity.is_some() || scene.harmonic.is_some() || !scene.vortices.is_empty())
+        {
+            bail!("both a velocity and a vorticity are given; choose one of them");
+        }
+        Ok(scene)
+    }
+
+    fn read(path: &Path) -> anyhow::Result<Self> {
+        crate::files::check_readable(path)?;
+        let text = std::fs::read_to_string(path).with_context(|| path.display().to_string())?;
+        let file = SceneFile::parse(path, text)?;
+        let mut top = file.top();
+        let scene = Self {
+            steps: top.count("steps")?,
+            dt: top.number("dt")?,
+            cfl: top.number("cfl")?,
+            scheme: top.name("scheme", &Scheme::ALL.map(Scheme::name), Scheme::named)?,
+            integrator: top.name("integrator", &Integrator::ALL.map(Integrator::name), Integrator::named)?,
+            viscosity: top.number("viscosity")?,
+            viscosity_model: top.name(
+                "viscosity_model",
+                &ViscosityModel::ALL.map(ViscosityModel::name),
+                ViscosityModel::named,
+            )?,
+            wall: top.name("wall", &Wall::ALL.map(Wall::name), Wall::named)?,
+            transport: top.name("transport", &Transport::ALL.map(Transport::name), Transport::named)?,
+            gravity: top.vector("gravity")?,
+            rotation: top.vector("rotation")?,
+            acceleration: top.vector("acceleration")?,
+            confinement: top.number("confinement")?,
+            velocity: top.text("velocity")?,
+            vorticity: top.text("vorticity")?,
+            harmonic: top.numbers("harmonic")?,
+            vortices: each(&mut top, "vortex", vortex)?,
+            densities: each(&mut top, "density", density)?,
+            forces: each(&mut top, "force", force)?,
+            walls: each(&mut top, "moving_wall", moving_wall)?,
+        };
+        top.finish()?;
+        Ok(scene)
+    }
+}
+
+/// Every table of a name.
+fn each<T>(
+    reader: &mut Reader<'_>,
+    key: &'static str,
+    parse: impl Fn(&mut Reader<'_>) -> anyhow::Result<T>,
+) -> anyhow::Result<Vec<T>> {
+    let tables = reader.tables(key)?.into_iter();
+    tables
+        .map(|mut table| {
+            let parsed = parse(&mut table)?;
+            table.finish()?;
+            Ok(parsed)
+        })
+        .collect()
+}
+
+fn ball(table: &mut Reader<'_>) -> anyhow::Result<Ball> {
+    let (at, radius) = (table.vector("at")?, table.number("radius")?);
+    let (at, radius) = (table.required("at", at)?, table.required("radius", radius)?);
+    if !(radius > 0.0 && radius.is_finite()) {
+        bail!("a radius is {radius}; it must be finite and above 0");
+    }
+    Ok(Ball { at, radius })
+}
+
+fn vortex(table: &mut Reader<'_>) -> anyhow::Result<Vortex> {
+    let (ball, circulation) = (ball(table)?, table.number("circulation")?);
+    Ok(Vortex { ball, circulation: table.required("circulation", circulation)? })
+}
+
+fn density(table: &mut Reader<'_>) -> anyhow::Result<DensityScene> {
+    let source = |table: &mut Reader<'_>| {
+        let (ball, rate) = (ball(table)?, table.number("rate")?);
+        Ok((ball, table.required("rate", rate)?))
+    };
+    Ok(DensityScene {
+        name: table.text("name")?.unwrap_or_else(|| "density".to_owned()),
+        initial: table.text("initial")?,
+        diffusivity: table.number("diffusivity")?.unwrap_or(0.0),
+        weight: table.number("weight")?.unwrap_or(0.0),
+        sources: each(table, "source", source)?,
+    })
+}
+
+fn force(table: &mut Reader<'_>) -> anyhow::Result<LocalForce> {
+    let (ball, acceleration) = (ball(table)?, table.vector("acceleration")?);
+    Ok(LocalForce { ball, acceleration: table.required("acceleration", acceleration)? })
+}
+
+fn moving_wall(table: &mut Reader<'_>) -> anyhow::Result<MovingWall> {
+    let (ball, speed) = (ball(table)?, table.number("speed")?);
+    Ok(MovingWall { ball, speed: table.required("speed", speed)? })
+}

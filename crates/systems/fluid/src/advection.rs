@@ -1,0 +1,187 @@
+//! Advection of the vorticity and of the harmonic coefficients, in the weak form of Galerkin.
+
+use crate::space::Space;
+use crate::{FluidError, Integrator};
+use pompeiu_core::mesh::{FaceData, VertexData};
+use pompeiu_operators::FaceField;
+use pompeiu_surface::plane::{cross, dot};
+
+/// What is advected.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Unknowns {
+    pub(crate) vorticity: VertexData<f64>,
+    pub(crate) harmonic: Vec<f64>,
+}
+
+impl Unknowns {
+    /// `self + s · other`.
+    fn plus(&self, s: f64, other: &Self) -> Self {
+        let mut sum = self.clone();
+        sum.add(s, other);
+        sum
+    }
+
+    fn add(&mut self, s: f64, other: &Self) {
+        for (a, b) in self.vorticity.iter_mut().zip(&other.vorticity) {
+            *a += s * b;
+        }
+        for (a, b) in self.harmonic.iter_mut().zip(&other.harmonic) {
+            *a += s * b;
+        }
+    }
+}
+
+/// The rates of change of the unknowns by advection.
+///
+/// # Definition
+/// `M ω' = G_vᵀ (A u ω̄)` and `c_k' = −Σ A ω̄ (J u)·h_k`, sums over faces of area A, ω̄ the mean of the corners plus the rotation of
+/// the surface. With exact solves the energy, the enstrophy and the sum of M ω do not change.
+pub(crate) fn rates(
+    space: &Space<'_>,
+    unknowns: &Unknowns,
+    coriolis: Option<&FaceData<f64>>,
+) -> Result<Unknowns, FluidError> {
+    let stream = space.stream(&unknowns.vorticity)?;
+    let velocity = space.velocity(&stream, &unknowns.harmonic);
+    rates_at(space, &unknowns.vorticity, &velocity, coriolis)
+}
+
+/// The rates where the velocity is known.
+pub(crate) fn rates_at(
+    space: &Space<'_>,
+    vorticity: &VertexData<f64>,
+    velocity: &FaceField,
+    coriolis: Option<&FaceData<f64>>,
+) -> Result<Unknowns, FluidError> {
+    let mesh = space.mesh();
+    let fields = space.basis.fields();
+    let mut harmonic = vec![0.0; fields.len()];
+    let mut rate = VertexData::filled(mesh.vertices(), 0.0);
+    for (face, &u) in velocity.entries() {
+        let corners = mesh.face(face);
+        let [a, b, c] = corners.map(|v| vorticity[v]);
+        let mean = (a + b + c) / 3.0 + coriolis.map_or(0.0, |f| f[face]);
+        let sides = space.surface.sides(face);
+        // A u · ∇φ = ½ s × u, with s the side opposite to the vertex of the hat function φ.
+        for (i, v) in corners.into_iter().enumerate() {
+            rate[v] += 0.5 * mean * cross(sides[(i + 1) % 3], u);
+        }
+        let weighted = mean * space.surface.face_area(face);
+        for (rate, field) in harmonic.iter_mut().zip(fields) {
+            *rate += dot(crate::space::to_the_right(weighted, u), field[face]);
+        }
+    }
+    space.solve_mass(&mut rate)?;
+    Ok(Unknowns { vorticity: rate, harmonic })
+}
+
+/// Courant numbers of dual cells up to which a substep is stable.
+pub(crate) fn substep_cfl(integrator: Integrator) -> f64 {
+    match integrator {
+        Integrator::RungeKutta => 1.0,
+        // Not for stability: fixed-point iterations converge well.
+        Integrator::ImplicitMidpoint => 0.5,
+    }
+}
+
+/// The unknowns after a time, in substeps.
+pub(crate) fn advect(
+    space: &Space<'_>,
+    mut unknowns: Unknowns,
+    coriolis: Option<&FaceData<f64>>,
+    integrator: Integrator,
+    time: f64,
+    substeps: usize,
+) -> Result<Unknowns, AdvectionError> {
+    let step = time / substeps as f64;
+    for _ in 0..substeps {
+        unknowns = match integrator {
+            Integrator::RungeKutta => runge_kutta(space, &unknowns, coriolis, step)?,
+            Integrator::ImplicitMidpoint => midpoint(space, &unknowns, coriolis, step, MOST_HALVINGS)?,
+        };
+    }
+    Ok(unknowns)
+}
+
+/// Why advection failed.
+pub(crate) enum AdvectionError {
+    /// The implicit midpoint rule was not solved.
+    Midpoint(f64),
+    Other(FluidError),
+}
+
+impl From<FluidError> for AdvectionError {
+    fn from(error: FluidError) -> Self {
+        Self::Other(error)
+    }
+}
+
+fn runge_kutta(
+    space: &Space<'_>,
+    at: &Unknowns,
+    coriolis: Option<&FaceData<f64>>,
+    step: f64,
+) -> Result<Unknowns, FluidError> {
+    let k1 = rates(space, at, coriolis)?;
+    let k2 = rates(space, &at.plus(0.5 * step, &k1), coriolis)?;
+    let k3 = rates(space, &at.plus(0.5 * step, &k2), coriolis)?;
+    let k4 = rates(space, &at.plus(step, &k3), coriolis)?;
+    let mut after = at.plus(step / 6.0, &k1);
+    after.add(step / 3.0, &k2);
+    after.add(step / 3.0, &k3);
+    after.add(step / 6.0, &k4);
+    Ok(after)
+}
+
+/// Fixed-point iterations of a substep at most.
+const MOST_ITERATIONS: usize = 80;
+
+/// How often a substep whose iterations do not converge is halved.
+const MOST_HALVINGS: usize = 4;
+
+/// The change of an iteration, relative to the change of the substep, below which it has converged as far as rounding lets it.
+const CONVERGED: f64 = 1e-15;
+
+/// The change that is accepted where rounding stops the iterations earlier.
+const ACCEPTED: f64 = 1e-12;
+
+/// `x' = x + Δt F((x + x') / 2)`, by fixed-point iterations of the middle.
+fn midpoint(
+    space: &Space<'_>,
+    at: &Unknowns,
+    coriolis: Option<&FaceData<f64>>,
+    step: f64,
+    halvings: usize,
+) -> Result<Unknowns, AdvectionError> {
+    let size = size(space, at);
+    let mut middle = at.clone();
+    let mut last = f64::INFINITY;
+    for _ in 0..MOST_ITERATIONS {
+        let next = at.plus(0.5 * step, &rates(space, &middle, coriolis)?);
+        let change = self::size(space, &next.plus(-1.0, &middle));
+        let settled = change <= CONVERGED * size || (change <= ACCEPTED * size && change >= 0.5 * last);
+        middle = next;
+        if settled {
+            // x' = 2 z − x, with z the middle.
+            let mut after = middle.plus(1.0, &middle);
+            after.add(-1.0, at);
+            return Ok(after);
+        }
+        if !change.is_finite() {
+            break;
+        }
+        last = change;
+    }
+    if halvings == 0 {
+        return Err(AdvectionError::Midpoint(last / size));
+    }
+    let half = midpoint(space, at, coriolis, 0.5 * step, halvings - 1)?;
+    midpoint(space, &half, coriolis, 0.5 * step, halvings - 1)
+}
+
+/// A norm of the unknowns: vorticity by area, harmonic coefficients by a length of one edge.
+fn size(space: &Space<'_>, unknowns: &Unknowns) -> f64 {
+    let vorticity: f64 = unknowns.vorticity.iter().zip(&space.areas).map(|(w, area)| area * w * w).sum();
+    let harmonic: f64 = unknowns.harmonic.iter().map(|c| c * c).sum();
+    (vorticity + harmonic / (space.edge_length * space.edge_length)).sqrt()
+}

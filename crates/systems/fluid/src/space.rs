@@ -1,0 +1,232 @@
+//! Velocities that are free of divergence: stream functions at vertices and harmonic fields.
+
+use crate::FluidError;
+use crate::transport::Cells;
+use pompeiu_core::FaceId;
+use pompeiu_core::mesh::VertexData;
+use pompeiu_operators::hodge::{DirichletPotential, conforming_system};
+use pompeiu_operators::{
+    FaceField, HarmonicBasis, crouzeix_raviart_divergence, curl, field_norm, mass_matrix,
+};
+use pompeiu_solve::{Cholesky, LinearSolver, SemidefiniteCholesky, SparseMatrix};
+use pompeiu_surface::plane::{Vec2, dot, quarter_turn, scale};
+use pompeiu_surface::{Surface, SurfaceMesh};
+use rayon::prelude::*;
+
+/// A surface with the systems that are factored once.
+///
+/// # Definition
+/// A velocity is `u = J G_v ψ + Σ c_k h_k`: ψ linear on faces, zero at boundary vertices, `h_k` the harmonic fields of the dual
+/// splitting, orthonormal and tangential at the boundary. What flows across an edge is the same on both sides of it. The vorticity
+/// ω, linear on faces, satisfies `M ω = −L ψ` at inner vertices, M the consistent mass matrix, L the cotangent Laplacian.
+#[derive(Debug)]
+pub(crate) struct Space<'s> {
+    pub(crate) surface: &'s Surface,
+    pub(crate) poisson: SemidefiniteCholesky,
+    mass: Cholesky,
+    pub(crate) areas: VertexData<f64>,
+    pub(crate) basis: HarmonicBasis,
+    pub(crate) edge_length: f64,
+    /// The ends of each edge.
+    ends: Vec<[u32; 2]>,
+}
+
+/// A velocity by its parts.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Parts {
+    pub(crate) stream: VertexData<f64>,
+    pub(crate) harmonic: Vec<f64>,
+}
+
+impl<'s> Space<'s> {
+    pub(crate) fn new(surface: &'s Surface) -> Result<Self, FluidError> {
+        let (poisson, mass) = rayon::join(
+            || conforming_system(surface, true),
+            || Ok::<_, FluidError>(Cholesky::new(&mass_matrix(surface)?)?),
+        );
+        let (poisson, mass) = (poisson?, mass?);
+        let basis = HarmonicBasis::primal(surface, DirichletPotential::Conforming, &poisson)?.turned();
+        let lengths = surface.edge_lengths();
+        let edge_length = lengths.iter().sum::<f64>() / lengths.len() as f64;
+        let ends = surface.mesh().edge_ids().map(|edge| surface.mesh().ends(edge).map(|v| v.0)).collect();
+        Ok(Self { surface, poisson, mass, areas: surface.vertex_areas(), basis, edge_length, ends })
+    }
+
+    pub(crate) fn mesh(&self) -> &'s SurfaceMesh {
+        self.surface.mesh()
+    }
+
+    /// The dual cells of the vertices with what flows between them.
+    pub(crate) fn cells(&self, velocity: &FaceField) -> Cells<'_> {
+        Cells::dual(self.surface, &self.ends, &self.areas, velocity)
+    }
+
+    /// A system with the kernel and the boundary conditions of the Laplacian.
+    pub(crate) fn system(&self, matrix: SparseMatrix) -> Result<SemidefiniteCholesky, FluidError> {
+        let mesh = self.mesh();
+        let open: Vec<bool> = mesh.boundary_loops_of_components().into_iter().map(|n| n > 0).collect();
+        let fixed: Vec<bool> = mesh.vertex_ids().map(|v| mesh.is_boundary_vertex(v)).collect();
+        let group: Vec<Option<u32>> = mesh
+            .vertex_ids()
+            .map(|v| mesh.component(v))
+            .map(|component| (!open[component]).then_some(component as u32))
+            .collect();
+        Ok(SemidefiniteCholesky::new(matrix, &fixed, &group)?)
+    }
+
+    /// `M ω`: integrals of the vorticity against hat functions.
+    pub(crate) fn integrated(&self, vorticity: &VertexData<f64>) -> VertexData<f64> {
+        let mesh = self.mesh();
+        let mut sums = VertexData::filled(mesh.vertices(), 0.0);
+        for face in mesh.face_ids() {
+            let twelfth = self.surface.face_area(face) / 12.0;
+            let corners = mesh.face(face);
+            let values = corners.map(|v| vorticity[v]);
+            let sum = values[0] + values[1] + values[2];
+            for (v, value) in corners.into_iter().zip(values) {
+                sums[v] += twelfth * (sum + value);
+            }
+        }
+        sums
+    }
+
+    /// `M⁻¹` of integrals against hat functions.
+    pub(crate) fn solve_mass(&self, integrals: &mut VertexData<f64>) -> Result<(), FluidError> {
+        Ok(self.mass.solve_in_place(integrals)?)
+    }
+
+    /// The stream function of a vorticity.
+    pub(crate) fn stream(&self, vorticity: &VertexData<f64>) -> Result<VertexData<f64>, FluidError> {
+        let mut stream = self.integrated(vorticity);
+        for value in &mut stream {
+            *value = -*value;
+        }
+        self.poisson.solve_in_place(&mut stream)?;
+        Ok(stream)
+    }
+
+    /// `J G_v ψ` on a face.
+    fn rotated_gradient(&self, face: FaceId, stream: &VertexData<f64>) -> Vec2 {
+        let sides = self.surface.sides(face);
+        let [a, b, c] = self.mesh().face(face).map(|v| stream[v]);
+        // J J s = −s: the gradient of a hat function is J s / (2 A) with s the side opposite to its vertex.
+        let factor = -0.5 / self.surface.face_area(face);
+        let (p, q) = (b - a, c - a);
+        [0, 1].map(|i| factor * (p * sides[2][i] + q * sides[0][i]))
+    }
+
+    /// The velocity of a stream function and harmonic coefficients.
+    pub(crate) fn velocity(&self, stream: &VertexData<f64>, harmonic: &[f64]) -> FaceField {
+        let fields = self.basis.fields();
+        let mut velocity = FaceField::filled(self.mesh().faces(), [0.0; 2]);
+        velocity.as_mut_slice().par_iter_mut().with_min_len(4096).enumerate().for_each(|(f, u)| {
+            let face = FaceId(f as u32);
+            *u = self.rotated_gradient(face, stream);
+            for (field, c) in fields.iter().zip(harmonic) {
+                let h = field[face];
+                u[0] += c * h[0];
+                u[1] += c * h[1];
+            }
+        });
+        velocity
+    }
+
+    /// The nearest velocity without divergence, by its parts.
+    pub(crate) fn project(&self, field: &FaceField) -> Result<Parts, FluidError> {
+        let mut stream = curl(self.surface, field)?;
+        self.poisson.solve_in_place(&mut stream)?;
+        Ok(Parts { stream, harmonic: self.basis.coefficients(self.surface, field)? })
+    }
+
+    /// The vorticity of a velocity by its parts, where the boundary moves along itself with `circulation`: integrals of its velocity
+    /// against hat functions.
+    pub(crate) fn vorticity(
+        &self,
+        parts: &Parts,
+        circulation: &VertexData<f64>,
+    ) -> Result<VertexData<f64>, FluidError> {
+        let mut integrals = self.weak_vorticity(parts);
+        for (sum, wall) in integrals.iter_mut().zip(circulation) {
+            *sum += wall;
+        }
+        self.solve_mass(&mut integrals)?;
+        Ok(integrals)
+    }
+
+    /// `−(J G_v)ᵀ M u`: the vorticity against hat functions, without what the velocity along the boundary adds.
+    pub(crate) fn weak_vorticity(&self, parts: &Parts) -> VertexData<f64> {
+        let mut sums = VertexData::filled(self.mesh().vertices(), 0.0);
+        for (j, &value) in parts.stream.iter().enumerate() {
+            for (i, entry) in self.poisson.matrix().column(j) {
+                sums.as_mut_slice()[i] -= entry * value;
+            }
+        }
+        if !self.mesh().boundary_loops().is_empty() && !parts.harmonic.is_empty() {
+            let field = self.basis.combination(self.mesh().faces(), &parts.harmonic);
+            // At inner vertices a harmonic field has none, but for rounding.
+            if let Ok(curl) = curl(self.surface, &field) {
+                for (v, value) in curl.entries().filter(|(v, _)| self.mesh().is_boundary_vertex(*v)) {
+                    sums[v] -= value;
+                }
+            }
+        }
+        sums
+    }
+
+    /// The circulation along the boundary, `∮ φ u · t`, of a field on faces.
+    pub(crate) fn boundary_circulation(&self, field: &FaceField) -> VertexData<f64> {
+        self.along_boundary(|h| dot(field[h.face()], self.surface.vector(h)))
+    }
+
+    /// Half of a term of each boundary half-edge at both of its ends.
+    pub(crate) fn along_boundary(
+        &self,
+        term: impl Fn(pompeiu_surface::HalfedgeId) -> f64,
+    ) -> VertexData<f64> {
+        let mesh = self.mesh();
+        let mut sums = VertexData::filled(mesh.vertices(), 0.0);
+        for &start in mesh.boundary_loops() {
+            for h in mesh.boundary_loop(start) {
+                let half = 0.5 * term(h);
+                sums[mesh.tail(h)] += half;
+                sums[mesh.head(h)] += half;
+            }
+        }
+        sums
+    }
+
+    /// `½ ‖u‖²`.
+    pub(crate) fn energy(&self, velocity: &FaceField) -> f64 {
+        let sum: f64 = velocity.entries().map(|(face, &u)| self.surface.face_area(face) * dot(u, u)).sum();
+        0.5 * sum
+    }
+
+    /// `½ ∫ ω²`, exact for what is linear on faces.
+    pub(crate) fn enstrophy(&self, vorticity: &VertexData<f64>) -> f64 {
+        let sum: f64 = self.integrated(vorticity).iter().zip(vorticity).map(|(m, w)| m * w).sum();
+        0.5 * sum
+    }
+
+    /// How much more flows into edges than out of them, against the velocity: `(Σ d_e²)^½ / ‖u‖`, without unit.
+    pub(crate) fn divergence(&self, velocity: &FaceField) -> Result<f64, FluidError> {
+        let norm = field_norm(self.surface, velocity);
+        let flow = crouzeix_raviart_divergence(self.surface, velocity)?;
+        let sum: f64 = flow.iter().map(|d| d * d).sum();
+        Ok(if norm > 0.0 { sum.sqrt() / norm } else { 0.0 })
+    }
+
+    /// What a force does to the vorticity, integrated, and to the harmonic coefficients, per time.
+    pub(crate) fn curl_of_force(&self, force: &FaceField) -> Result<(VertexData<f64>, Vec<f64>), FluidError> {
+        let mut rate = curl(self.surface, force)?;
+        let along = self.boundary_circulation(force);
+        for (rate, along) in rate.iter_mut().zip(&along) {
+            *rate = along - *rate;
+        }
+        Ok((rate, self.basis.coefficients(self.surface, force)?))
+    }
+}
+
+/// `−a J u`: what turns a velocity to its right.
+pub(crate) fn to_the_right(a: f64, u: Vec2) -> Vec2 {
+    scale(-a, quarter_turn(u))
+}

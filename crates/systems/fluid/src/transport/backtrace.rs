@@ -1,0 +1,197 @@
+//! Semi-Lagrangian transport: where what arrives at a vertex comes from.
+
+use pompeiu_core::mesh::VertexData;
+use pompeiu_core::{FaceId, VertexId};
+use pompeiu_operators::FaceField;
+use pompeiu_surface::plane::{Rotation, Vec2, add, inverse, norm, rotate, scale};
+use pompeiu_surface::{CornerData, HalfedgeId, Ray, Surface, TraceOptions, Tracer};
+use rayon::prelude::*;
+use std::f64::consts::TAU;
+
+/// A surface made ready for walks from its vertices.
+///
+/// A tangent vector at a vertex is given in polar coordinates: angles of the faces around it, stretched to add up to a full turn.
+#[derive(Debug)]
+pub(crate) struct Backtrace<'s> {
+    surface: &'s Surface,
+    tracer: Tracer<'s>,
+    /// From the frame of a face to that of the vertex at its corner.
+    to_vertex: CornerData<Rotation>,
+    /// For each corner where its face begins, as an angle in the frame of the vertex, and by how much angles are stretched.
+    sectors: CornerData<[f64; 2]>,
+}
+
+/// Where values come from: a face and barycentric coordinates for each vertex.
+pub(crate) type Departures = VertexData<(FaceId, [f64; 3])>;
+
+impl<'s> Backtrace<'s> {
+    pub(crate) fn new(surface: &'s Surface) -> Self {
+        let mesh = surface.mesh();
+        let mut to_vertex = CornerData::filled(mesh.halfedges(), [1.0, 0.0]);
+        let mut sectors = CornerData::filled(mesh.halfedges(), [0.0, 1.0]);
+        for v in mesh.vertex_ids() {
+            let stretch = if mesh.is_boundary_vertex(v) { 1.0 } else { TAU / surface.total_angle(v) };
+            let mut from = 0.0;
+            for h in mesh.outgoing(v) {
+                let angle = stretch * surface.angle(h);
+                sectors[h] = [from, stretch];
+                // The bisector of the corner keeps its place.
+                let along = surface.vector(h);
+                let in_face = libm::atan2(along[1], along[0]) + 0.5 * surface.angle(h);
+                let turn = from + 0.5 * angle - in_face;
+                to_vertex[h] = [libm::cos(turn), libm::sin(turn)];
+                from += angle;
+            }
+        }
+        let tracer = Tracer::new(surface, &TraceOptions::default());
+        Self { surface, tracer, to_vertex, sectors }
+    }
+
+    /// The velocity at vertices: the mean of the faces around, weighted by area.
+    pub(crate) fn at_vertices(&self, field: &FaceField) -> VertexData<Vec2> {
+        let mesh = self.surface.mesh();
+        VertexData::from_fn(mesh.vertices(), |v| {
+            let (mut sum, mut area) = ([0.0; 2], 0.0);
+            for h in mesh.outgoing(v) {
+                let weight = self.surface.face_area(h.face());
+                sum = add(sum, scale(weight, rotate(self.to_vertex[h], field[h.face()])));
+                area += weight;
+            }
+            scale(1.0 / area, sum)
+        })
+    }
+
+    /// What walks on the surface.
+    #[cfg(feature = "figures")]
+    pub(crate) fn tracer(&self) -> &Tracer<'s> {
+        &self.tracer
+    }
+
+    /// The velocity at a point of a face, in the frame of the face.
+    pub(crate) fn at_point(&self, velocity: &VertexData<Vec2>, face: FaceId, barycentric: [f64; 3]) -> Vec2 {
+        let mut sum = [0.0; 2];
+        for (i, share) in barycentric.into_iter().enumerate() {
+            let h = HalfedgeId::of(face, i);
+            let u = rotate(inverse(self.to_vertex[h]), velocity[self.surface.mesh().tail(h)]);
+            sum = add(sum, scale(share, u));
+        }
+        sum
+    }
+
+    /// The ray from a vertex along a vector of its tangent plane.
+    fn ray(&self, v: VertexId, vector: Vec2) -> Ray {
+        let mesh = self.surface.mesh();
+        let mut angle = libm::atan2(vector[1], vector[0]);
+        if angle < 0.0 {
+            angle += TAU;
+        }
+        let mut chosen = None;
+        for h in mesh.outgoing(v) {
+            let [from, _] = self.sectors[h];
+            if chosen.is_none() || from <= angle {
+                chosen = Some(h);
+            }
+        }
+        let h = chosen.unwrap_or(HalfedgeId(0));
+        let [from, stretch] = self.sectors[h];
+        let along = self.surface.vector(h);
+        // A vector that points out of the surface is turned to its boundary.
+        let within = ((angle - from) / stretch).clamp(0.0, self.surface.angle(h));
+        let direction = rotate([libm::cos(within), libm::sin(within)], along);
+        let point = self.surface.corners(h.face())[h.corner()];
+        Ray { face: h.face(), point, direction, length: norm(vector) }
+    }
+
+    /// Where a flow carries each vertex in a time; a negative time asks where what is there came from.
+    ///
+    /// The midpoint rule: the velocity halfway is transported back along the way to it.
+    pub(crate) fn follow(&self, velocity: &VertexData<Vec2>, time: f64) -> Departures {
+        let mut places = VertexData::filled(velocity.len(), (FaceId(0), [0.0; 3]));
+        places.as_mut_slice().par_iter_mut().with_min_len(256).enumerate().for_each(|(v, place)| {
+            let v = VertexId(v as u32);
+            let here = velocity[v];
+            let ray = self.ray(v, scale(0.5 * time, here));
+            let mut end = self.tracer.trace(&ray);
+            if ray.length > 0.0 {
+                let halfway =
+                    self.at_point(velocity, end.face, self.surface.barycentric(end.face, end.point));
+                let back = rotate(inverse(end.transport(&ray)), halfway);
+                let start = self.surface.mesh().face(ray.face).iter().position(|&w| w == v).unwrap_or(0);
+                let back = rotate(self.to_vertex[HalfedgeId::of(ray.face, start)], back);
+                end = self.tracer.trace(&self.ray(v, scale(time, back)));
+            }
+            *place = (end.face, inside(self.surface.barycentric(end.face, end.point)));
+        });
+        places
+    }
+
+    /// Values carried along for a step: from where they come, corrected by what a step forth and back misses (`MacCormack`), within
+    /// the values of the face they come from.
+    pub(crate) fn carry(&self, [from, to]: [&Departures; 2], values: &VertexData<f64>) -> VertexData<f64> {
+        let carried = self.sample(from, values);
+        let returned = self.sample(to, &carried);
+        VertexData::from_fn(values.len(), |v| {
+            let [least, most] = self.range(from, values, v);
+            let corrected = carried[v] + 0.5 * (values[v] - returned[v]);
+            within(corrected, [least, most])
+        })
+    }
+
+    /// The least and the greatest value of the face that a value comes from.
+    pub(crate) fn range(&self, from: &Departures, values: &VertexData<f64>, v: VertexId) -> [f64; 2] {
+        let corners = self.surface.mesh().face(from[v].0).map(|w| values[w]);
+        corners.into_iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], x| {
+            [if x < least { x } else { least }, if x > most { x } else { most }]
+        })
+    }
+
+    /// Values interpolated where they come from.
+    fn sample(&self, places: &Departures, values: &VertexData<f64>) -> VertexData<f64> {
+        VertexData::from_fn(places.len(), |v| {
+            let (face, barycentric) = places[v];
+            self.surface.mesh().face(face).into_iter().zip(barycentric).map(|(w, b)| b * values[w]).sum()
+        })
+    }
+}
+
+/// The nearest number between two others; what is not a number stays.
+fn within(x: f64, [least, most]: [f64; 2]) -> f64 {
+    if x < least {
+        least
+    } else if x > most {
+        most
+    } else {
+        x
+    }
+}
+
+/// Coordinates of a point that rounding has put outside.
+fn inside(barycentric: [f64; 3]) -> [f64; 3] {
+    let clamped = barycentric.map(|b| if b > 0.0 { b } else { 0.0 });
+    let sum: f64 = clamped.iter().sum();
+    if sum > 0.0 { clamped.map(|b| b / sum) } else { [1.0 / 3.0; 3] }
+}
+
+/// Adds mass where values have room below their greatest, or takes it where they have room above their least, until the sum of mass
+/// is as it was; in one pass, as far as there is room.
+pub(crate) fn restore_mass(
+    areas: &VertexData<f64>,
+    values: &mut VertexData<f64>,
+    mass: f64,
+    range: impl Fn(VertexId) -> [f64; 2],
+) {
+    let found: f64 = areas.iter().zip(values.iter()).map(|(a, x)| a * x).sum();
+    let missing = mass - found;
+    let room = VertexData::from_fn(values.len(), |v| {
+        let [least, most] = range(v);
+        if missing > 0.0 { most - values[v] } else { least - values[v] }
+    });
+    let all: f64 = areas.iter().zip(&room).map(|(a, r)| a * r).sum();
+    if all == 0.0 {
+        return;
+    }
+    let share = (missing / all).clamp(0.0, 1.0);
+    for (x, r) in values.iter_mut().zip(&room) {
+        *x += share * r;
+    }
+}

@@ -1,0 +1,134 @@
+//! Boundaries.
+
+use crate::{surface, values};
+use pompeiu_core::mesh::shapes::{Diagonal, disk, grid, revolved};
+use pompeiu_core::mesh::without_unreferenced;
+use pompeiu_core::{TriMesh, VertexId};
+use pompeiu_fluid::{FluidOptions, Integrator, Simulation, Wall};
+use pompeiu_operators::rotation_field;
+use pompeiu_surface::{EdgeData, EmbeddedSurface};
+
+#[test]
+fn without_viscosity_energy_and_enstrophy_are_kept_between_walls_and_around_holes() {
+    let (positions, faces) = grid([1.0, 1.0], [12, 12], Diagonal::Alternating).unwrap().into_parts();
+    // A hole in the middle, off centre: a harmonic field flows around it.
+    let middle = |face: &[u32; 3]| {
+        let centre = [0, 1].map(|i| face.iter().map(|&v| positions[v as usize][i] / 3.0).sum::<f64>());
+        (centre[0] - 0.1).abs() < 0.13 && (centre[1] + 0.1).abs() < 0.13
+    };
+    let kept: Vec<[u32; 3]> = faces.into_iter().filter(|face| !middle(face)).collect();
+    let mesh = TriMesh::new(positions, kept).unwrap();
+    let square = surface(&without_unreferenced(&mesh));
+    assert_eq!(square.mesh().boundary_loops().len(), 2);
+    let options = FluidOptions { integrator: Integrator::ImplicitMidpoint, ..FluidOptions::new(0.05) };
+    let mut fluid = Simulation::new(square.surface(), options).unwrap();
+    let vorticity = values(&square, |[x, y, _]| (5.0 * x).sin() + 2.0 * y);
+    fluid.set_vorticity(&vorticity, &[0.4]).unwrap();
+    let first = fluid.measure().unwrap();
+    let mut last = first.clone();
+    for _ in 0..15 {
+        last = fluid.step().unwrap();
+    }
+    for (a, b) in [
+        (last.energy, first.energy),
+        (last.enstrophy, first.enstrophy),
+        (last.total_vorticity, first.total_vorticity),
+    ] {
+        assert!((a / b - 1.0).abs() < 1e-12, "{first:?} {last:?}");
+    }
+    assert!(last.divergence < 1e-12 && last.harmonic != first.harmonic);
+}
+
+/// The part of a sphere above a height.
+fn cap(subdivisions: u32, height: f64) -> EmbeddedSurface {
+    // Rings around the axis, evenly spaced, so that the boundary is a circle.
+    let rings = 4 << subdivisions;
+    let disk = disk(height.acos(), 6 * rings, rings).unwrap();
+    let (positions, faces) = disk.into_parts();
+    let lifted = positions.into_iter().map(|[x, y, _]| {
+        let angle = x.hypot(y);
+        let s = if angle > 0.0 { angle.sin() / angle } else { 1.0 };
+        [s * x, s * y, angle.cos()]
+    });
+    surface(&TriMesh::new(lifted.collect(), faces).unwrap())
+}
+
+#[test]
+fn a_rotation_slips_along_a_free_wall_and_stops_at_one_that_holds_it() {
+    for height in [0.5, -0.3] {
+        let lost = {
+            let cap = cap(1, height);
+            let options = FluidOptions { viscosity: 1.0, wall: Wall::FreeSlip, ..FluidOptions::new(0.05) };
+            let mut fluid = Simulation::new(cap.surface(), options).unwrap();
+            fluid.set_velocity(&rotation_field(&cap, [0.0, 0.0, 0.1])).unwrap();
+            let before = fluid.measure().unwrap().energy;
+            for _ in 0..20 {
+                fluid.step().unwrap();
+            }
+            1.0 - (fluid.measure().unwrap().energy / before).sqrt()
+        };
+        assert!(lost.abs() < 2e-3, "{height}: {lost}");
+        let cap = cap(0, height);
+        let options = FluidOptions { viscosity: 1.0, ..FluidOptions::new(0.05) };
+        let mut fluid = Simulation::new(cap.surface(), options).unwrap();
+        fluid.set_velocity(&rotation_field(&cap, [0.0, 0.0, 0.1])).unwrap();
+        let before = fluid.measure().unwrap().energy;
+        for _ in 0..20 {
+            fluid.step().unwrap();
+        }
+        assert!(fluid.measure().unwrap().energy < 0.1 * before);
+    }
+}
+
+#[test]
+fn couette_flow_between_walls_is_linear() {
+    // An annulus whose inner wall turns: u = A (r − 1 / r) with u(1/2) = −1, so that A = 2/3 and ω = 4/3 everywhere.
+    let (inner, rings) = (0.5, 12);
+    let ring =
+        revolved(48, rings, |k| [inner + (1.0 - inner) * f64::from(k) / f64::from(rings), 0.0]).unwrap();
+    let ring = surface(&ring);
+    let is_inner = |v: VertexId| ring.positions()[v][0].hypot(ring.positions()[v][1]) < inner + 1e-9;
+    let wall = EdgeData::from_fn(ring.mesh().edges(), |edge| {
+        f64::from(u8::from(ring.mesh().ends(edge).into_iter().all(is_inner)))
+    });
+    let options = FluidOptions { viscosity: 1.0, wall_velocity: Some(wall), ..FluidOptions::new(0.5) };
+    let mut fluid = Simulation::new(ring.surface(), options).unwrap();
+    for _ in 0..20 {
+        fluid.step().unwrap();
+    }
+    let error = |w: &f64| (w.abs() - 4.0 / 3.0).abs();
+    let worst = fluid.state().vorticity.iter().map(error).fold(0.0, f64::max);
+    assert!(worst < 0.02, "{worst}");
+}
+
+#[test]
+fn a_lid_drives_a_cavity() {
+    // Re 100 on a coarse mesh: the least velocity on the vertical midline of Ghia, Ghia and Shin is −0.21090 at y = 0.4531.
+    let n = 24;
+    let square = surface(&grid([1.0, 1.0], [n, n], Diagonal::Alternating).unwrap());
+    let lid = EdgeData::from_fn(square.mesh().edges(), |edge| {
+        let on_lid = square.mesh().ends(edge).iter().all(|&v| square.positions()[v][1] > 0.5 - 1e-9);
+        // Counter-clockwise along the top is to the left.
+        if on_lid { -1.0 } else { 0.0 }
+    });
+    let options = FluidOptions { viscosity: 0.01, wall_velocity: Some(lid), ..FluidOptions::new(0.1) };
+    let mut fluid = Simulation::new(square.surface(), options).unwrap();
+    let mut energy = 0.0;
+    for _ in 0..200 {
+        energy = fluid.step().unwrap().energy;
+    }
+    assert!((fluid.step().unwrap().energy / energy - 1.0).abs() < 1e-5);
+    // The stream function in the middle line: u = −dψ/dy there.
+    let on_line = |y: u32| {
+        let v = square
+            .positions()
+            .entries()
+            .find(|(_, p)| p[0].abs() < 1e-9 && (p[1] + 0.5 - f64::from(y) / f64::from(n)).abs() < 1e-9);
+        fluid.state().stream[v.unwrap().0]
+    };
+    let least =
+        (1..n).map(|y| -(on_line(y + 1) - on_line(y - 1)) * f64::from(n) / 2.0).fold(f64::INFINITY, f64::min);
+    assert!((least + 0.2109).abs() < 0.015, "{least}");
+    let depth = fluid.state().stream.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+    assert!((depth - 0.1034).abs() < 0.004, "{depth}");
+}
