@@ -12,6 +12,7 @@
 //! | [`Scheme::AnyStep`] | traces the vorticity back instead, `MacCormack`'s correction, stable at any step |
 //! | viscosity | backward Euler for the Hodge, Bochner or physical Laplacian ([`ViscosityModel`]) |
 //! | densities | corrected fluxes between dual cells, or traced back ([`Transport`]); sources, diffusion |
+//! | [`square`] | the unit square on a grid: Stam's, or velocities on the sides of cells with obstacles |
 //! | forces | weight of densities, rotation of the surface, vorticity confinement, fields |
 //!
 //! # What is measured
@@ -48,6 +49,7 @@ mod report;
 pub mod show;
 mod simulation;
 mod space;
+pub mod square;
 mod transport;
 mod viscosity;
 

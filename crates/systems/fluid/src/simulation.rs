@@ -1,7 +1,7 @@
 //! A flow that moves on step by step.
 
 use crate::advection::{self, AdvectionError, Unknowns};
-use crate::options::{Density, FluidOptions, Integrator, Scheme, TimeStep, Transport};
+use crate::options::{FluidOptions, Integrator, Scheme, TimeStep, Transport};
 use crate::report::{FluidStep, FluidTiming, SchemeReport};
 use crate::space::{Parts, Space};
 use crate::transport::{Backtrace, restore_mass};
@@ -496,7 +496,9 @@ impl<'s> Simulation<'s> {
         });
         let options = self.options.densities.iter().zip(&self.heat);
         for (values, (density, heat)) in self.state.densities.iter_mut().zip(options) {
-            add_source(density, values, step);
+            if let Some(source) = &density.source {
+                add_source(values, source, step);
+            }
             if let Some((_, factor)) = heat {
                 values.iter_mut().zip(&space.areas).for_each(|(x, area)| *x *= area);
                 factor.solve_in_place(values)?;
@@ -552,9 +554,8 @@ impl<'s> Simulation<'s> {
     }
 }
 
-/// What is added to a density in a step.
-fn add_source(density: &Density, values: &mut VertexData<f64>, step: f64) {
-    let Some(source) = &density.source else { return };
+/// What a source adds to values in a step.
+pub(crate) fn add_source(values: &mut [f64], source: &[f64], step: f64) {
     for (x, rate) in values.iter_mut().zip(source) {
         let added = *x + step * rate;
         // A sink takes what there is, and no more.

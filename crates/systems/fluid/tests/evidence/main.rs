@@ -6,6 +6,7 @@ mod densities;
 mod handles;
 mod input;
 mod sphere;
+mod square;
 mod walls;
 
 use pompeiu_core::TriMesh;

@@ -1,0 +1,10 @@
+//! Fluids in the unit square, on a grid.
+
+mod mac;
+mod options;
+mod sample;
+mod simulation;
+mod stam;
+
+pub use options::{Edges, SquareDensity, SquareOptions, SquareScheme};
+pub use simulation::Square;

@@ -1,0 +1,158 @@
+//! What a simulation in the square is asked for.
+
+use crate::{FluidError, Wall};
+
+/// How the velocity is stored.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum SquareScheme {
+    /// Components on the sides of cells (marker and cell): divergence is zero to rounding. Obstacles are possible.
+    #[default]
+    Mac,
+    /// Both components at the centres of cells with a ring of ghost cells around, as in Stam's code for games, in double precision;
+    /// the projection is approximate.
+    Stam {
+        /// Sweeps of Gauss and Seidel for each linear system, 20 in that code; none to solve them directly.
+        sweeps: Option<usize>,
+    },
+}
+
+/// What is at the edges of the square.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Edges {
+    /// Walls.
+    #[default]
+    Walls,
+    /// What leaves on one side enters on the other.
+    Periodic,
+    /// Inflow on the left with a speed, outflow on the right, walls that let slip above and below; for [`SquareScheme::Mac`].
+    Channel {
+        /// The speed of the inflow.
+        speed: f64,
+    },
+}
+
+/// Something the flow carries in the square.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SquareDensity {
+    /// What it is called.
+    pub name: String,
+    /// Its value in each cell at first, row by row from below.
+    pub initial: Vec<f64>,
+    /// The constant of its diffusion.
+    pub diffusivity: f64,
+    /// How heavy it is: the acceleration is this times its value times the gravity.
+    pub weight: f64,
+    /// What is added in each cell per time.
+    pub source: Option<Vec<f64>>,
+}
+
+/// Options of a [`Square`](super::Square), the unit square of n × n cells.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SquareOptions {
+    /// Cells on each side.
+    pub cells: usize,
+    /// How the velocity is stored.
+    pub scheme: SquareScheme,
+    /// What is at the edges.
+    pub edges: Edges,
+    /// Length of a step in time.
+    pub time_step: f64,
+    /// Kinematic viscosity.
+    pub viscosity: f64,
+    /// What a viscous flow does at walls and obstacles, for [`SquareScheme::Mac`]. Stam's walls let slip.
+    pub wall: Wall,
+    /// The velocity of the wall above, to the right, for [`Wall::NoSlip`].
+    pub lid: f64,
+    /// The gravity, felt by densities that weigh something.
+    pub gravity: [f64; 2],
+    /// An acceleration in each cell.
+    pub force: Option<Vec<[f64; 2]>>,
+    /// Which cells are obstacles.
+    pub solid: Option<Vec<bool>>,
+    /// What the flow carries.
+    pub densities: Vec<SquareDensity>,
+}
+
+/// Cells on a side at most: factors of larger systems take several gigabytes.
+const MOST_CELLS: usize = 4096;
+
+impl SquareOptions {
+    /// An inviscid flow between walls without forces.
+    pub fn new(cells: usize, time_step: f64) -> Self {
+        Self {
+            cells,
+            scheme: SquareScheme::default(),
+            edges: Edges::default(),
+            time_step,
+            viscosity: 0.0,
+            wall: Wall::default(),
+            lid: 0.0,
+            gravity: [0.0; 2],
+            force: None,
+            solid: None,
+            densities: Vec::new(),
+        }
+    }
+
+    pub(super) fn is_periodic(&self) -> bool {
+        self.edges == Edges::Periodic
+    }
+
+    pub(super) fn check(&self) -> Result<(), FluidError> {
+        if !(2..=MOST_CELLS).contains(&self.cells) {
+            return Err(FluidError::Cells { found: self.cells, most: MOST_CELLS });
+        }
+        let positive = |what, value: f64| {
+            let ok = value > 0.0 && value.is_finite();
+            if ok { Ok(()) } else { Err(FluidError::Parameter { what, value, expected: "above 0" }) }
+        };
+        let not_negative = |what, value: f64| {
+            let ok = value >= 0.0 && value.is_finite();
+            if ok { Ok(()) } else { Err(FluidError::Parameter { what, value, expected: "not negative" }) }
+        };
+        let any = |what, value: f64| {
+            let expected = "finite";
+            if value.is_finite() { Ok(()) } else { Err(FluidError::Parameter { what, value, expected }) }
+        };
+        positive("time step", self.time_step)?;
+        not_negative("viscosity", self.viscosity)?;
+        any("velocity of the lid", self.lid)?;
+        self.gravity.iter().try_for_each(|&g| any("gravity", g))?;
+        if let Edges::Channel { speed } = self.edges {
+            any("speed of the inflow", speed)?;
+        }
+        let is_stam = matches!(self.scheme, SquareScheme::Stam { .. });
+        let channel = matches!(self.edges, Edges::Channel { .. });
+        if is_stam && (self.solid.is_some() || channel || self.lid != 0.0) {
+            return Err(FluidError::StamHasNone);
+        }
+        let count = self.cells * self.cells;
+        let fits = |what, found: usize| {
+            let (element, expected) = ("cell", count);
+            if found == count { Ok(()) } else { Err(FluidError::Length { what, element, found, expected }) }
+        };
+        let finite = |what, values: &[f64]| {
+            fits(what, values.len())?;
+            match values.iter().position(|x| !x.is_finite()) {
+                None => Ok(()),
+                Some(index) => {
+                    Err(FluidError::NonFinite { what, element: "cell", index, value: values[index] })
+                }
+            }
+        };
+        if let Some(force) = &self.force {
+            fits("force", force.len())?;
+            (0..2).try_for_each(|k| finite("force", &force.iter().map(|f| f[k]).collect::<Vec<_>>()))?;
+        }
+        if let Some(solid) = &self.solid {
+            fits("list of obstacles", solid.len())?;
+        }
+        for density in &self.densities {
+            not_negative("diffusivity", density.diffusivity)?;
+            any("weight of a density", density.weight)?;
+            finite("density", &density.initial)?;
+            density.source.iter().try_for_each(|source| finite("source of a density", source))?;
+        }
+        Ok(())
+    }
+}

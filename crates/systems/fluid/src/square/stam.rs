@@ -1,0 +1,240 @@
+//! Stam's grid: cells with a ring of ghosts around, velocities at centres.
+//!
+//! # Source
+//! `stam_real-time_2003`, in double precision and with direct solves as a choice.
+
+use crate::FluidError;
+use pompeiu_solve::{Cholesky, LinearSolver, SemidefiniteCholesky, SolveError, SparseMatrix};
+
+/// What a quantity does at the edges.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Ghosts {
+    /// It goes on: densities, pressure.
+    Even,
+    /// It is turned over at the left and right edges: velocities along x.
+    OddAlongX,
+    /// It is turned over at the lower and upper edges: velocities along y.
+    OddAlongY,
+}
+
+/// The grid with its linear systems.
+#[derive(Debug)]
+pub(super) struct Stam {
+    pub(super) n: usize,
+    pub(super) periodic: bool,
+    sweeps: Option<usize>,
+    pressure: Option<SemidefiniteCholesky>,
+    /// Factors of diffusion by a number of a cell and what happens at the edges.
+    diffusion: Vec<(f64, Ghosts, Cholesky)>,
+}
+
+impl Stam {
+    pub(super) fn new(n: usize, periodic: bool, sweeps: Option<usize>) -> Result<Self, FluidError> {
+        let mut grid = Self { n, periodic, sweeps, pressure: None, diffusion: Vec::new() };
+        if sweeps.is_none() {
+            let matrix = SparseMatrix::from_links(n * n, &grid.links(1.0))?;
+            let all = vec![Some(0); n * n];
+            grid.pressure = Some(SemidefiniteCholesky::new(matrix, &vec![false; n * n], &all)?);
+        }
+        Ok(grid)
+    }
+
+    /// The place of a cell, ghosts at 0 and n + 1.
+    fn at(&self, i: usize, j: usize) -> usize {
+        i + (self.n + 2) * j
+    }
+
+    /// The inner cells, row by row.
+    pub(super) fn inner(&self, values: &[f64]) -> Vec<f64> {
+        let rows = (1..=self.n).flat_map(|j| (1..=self.n).map(move |i| (i, j)));
+        rows.map(|(i, j)| values[self.at(i, j)]).collect()
+    }
+
+    /// The same with ghosts around.
+    pub(super) fn framed(&self, inner: &[f64], ghosts: Ghosts) -> Vec<f64> {
+        let mut values = vec![0.0; (self.n + 2) * (self.n + 2)];
+        for (index, value) in inner.iter().enumerate() {
+            values[self.at(index % self.n + 1, index / self.n + 1)] = *value;
+        }
+        self.set_edges(ghosts, &mut values);
+        values
+    }
+
+    /// Gives ghosts their values.
+    pub(super) fn set_edges(&self, ghosts: Ghosts, x: &mut [f64]) {
+        let n = self.n;
+        for i in 1..=n {
+            let (horizontal, vertical) = match (self.periodic, ghosts) {
+                (true, _) | (_, Ghosts::Even) => (1.0, 1.0),
+                (_, Ghosts::OddAlongX) => (-1.0, 1.0),
+                (_, Ghosts::OddAlongY) => (1.0, -1.0),
+            };
+            let (first, last) = if self.periodic { (n, 1) } else { (1, n) };
+            x[self.at(0, i)] = horizontal * x[self.at(first, i)];
+            x[self.at(n + 1, i)] = horizontal * x[self.at(last, i)];
+            x[self.at(i, 0)] = vertical * x[self.at(i, first)];
+            x[self.at(i, n + 1)] = vertical * x[self.at(i, last)];
+        }
+        for (i, j) in [(0, 0), (0, n + 1), (n + 1, 0), (n + 1, n + 1)] {
+            let (beside, above) = (if i == 0 { 1 } else { n }, if j == 0 { 1 } else { n });
+            x[self.at(i, j)] = 0.5 * (x[self.at(beside, j)] + x[self.at(i, above)]);
+        }
+    }
+
+    /// Links between neighbouring cells.
+    fn links(&self, weight: f64) -> Vec<(u32, u32, f64)> {
+        let n = self.n;
+        let cell = |i: usize, j: usize| (j * n + i) as u32;
+        let mut links = Vec::with_capacity(2 * n * n);
+        for j in 0..n {
+            for i in 0..n {
+                if i + 1 < n || self.periodic {
+                    links.push((cell(i, j), cell((i + 1) % n, j), weight));
+                }
+                if j + 1 < n || self.periodic {
+                    links.push((cell(i, j), cell(i, (j + 1) % n), weight));
+                }
+            }
+        }
+        links
+    }
+
+    /// `(1 + 4a) x − a Σ x = x0` by sweeps; the ghosts are set after each.
+    fn sweep(&self, ghosts: Ghosts, x: &mut [f64], x0: &[f64], [a, c]: [f64; 2], sweeps: usize) {
+        let n = self.n;
+        for _ in 0..sweeps {
+            for j in 1..=n {
+                for i in 1..=n {
+                    let around = x[self.at(i - 1, j)]
+                        + x[self.at(i + 1, j)]
+                        + x[self.at(i, j - 1)]
+                        + x[self.at(i, j + 1)];
+                    x[self.at(i, j)] = (x0[self.at(i, j)] + a * around) / c;
+                }
+            }
+            self.set_edges(ghosts, x);
+        }
+    }
+
+    /// A step of backward Euler for diffusion; `number` is diffusivity times step over the area of a cell. Sweeps begin with a guess.
+    pub(super) fn diffuse(
+        &mut self,
+        ghosts: Ghosts,
+        values: &[f64],
+        guess: &[f64],
+        number: f64,
+    ) -> Result<Vec<f64>, FluidError> {
+        if let Some(sweeps) = self.sweeps {
+            let mut x = guess.to_vec();
+            self.sweep(ghosts, &mut x, values, [number, 1.0 + 4.0 * number], sweeps);
+            return Ok(x);
+        }
+        if number == 0.0 {
+            return Ok(values.to_vec());
+        }
+        let ready = self.diffusion.iter().position(|(a, g, _)| *a == number && *g == ghosts);
+        let index = if let Some(index) = ready {
+            index
+        } else {
+            self.diffusion.push((number, ghosts, Cholesky::new(&self.diffusion_matrix(ghosts, number)?)?));
+            self.diffusion.len() - 1
+        };
+        let mut x = self.inner(values);
+        self.diffusion[index].2.solve_in_place(&mut x)?;
+        Ok(self.framed(&x, ghosts))
+    }
+
+    fn diffusion_matrix(&self, ghosts: Ghosts, number: f64) -> Result<SparseMatrix, SolveError> {
+        let n = self.n;
+        let links = SparseMatrix::from_links(n * n, &self.links(number))?;
+        // A ghost that is turned over pulls its cell twice as much as a neighbour at rest would.
+        let diagonal: Vec<f64> = (0..n * n)
+            .map(|cell| {
+                let (i, j) = (cell % n, cell / n);
+                let at_edge = |k: usize| f64::from(u8::from(k == 0)) + f64::from(u8::from(k + 1 == n));
+                let odd = match ghosts {
+                    _ if self.periodic => 0.0,
+                    Ghosts::Even => 0.0,
+                    Ghosts::OddAlongX => at_edge(i),
+                    Ghosts::OddAlongY => at_edge(j),
+                };
+                1.0 + 2.0 * number * odd
+            })
+            .collect();
+        SparseMatrix::diagonal(&diagonal)?.combined(1.0, &links, 1.0)
+    }
+
+    /// Traces values back along a velocity for a time and interpolates.
+    pub(super) fn advect(&self, ghosts: Ghosts, values: &[f64], [u, v]: [&[f64]; 2], time: f64) -> Vec<f64> {
+        let n = self.n;
+        let mut carried = vec![0.0; values.len()];
+        let scaled = time * n as f64;
+        let within = |x: f64| -> f64 {
+            if self.periodic {
+                // Between the first cell and the ghost after the last.
+                1.0 + (x - 1.0).rem_euclid(n as f64)
+            } else {
+                x.clamp(0.5, n as f64 + 0.5)
+            }
+        };
+        for j in 1..=n {
+            for i in 1..=n {
+                let x = within(i as f64 - scaled * u[self.at(i, j)]);
+                let y = within(j as f64 - scaled * v[self.at(i, j)]);
+                let (i0, j0) = ((x as usize).min(n), (y as usize).min(n));
+                let (s1, t1) = (x - i0 as f64, y - j0 as f64);
+                let (s0, t0) = (1.0 - s1, 1.0 - t1);
+                carried[self.at(i, j)] = s0
+                    * (t0 * values[self.at(i0, j0)] + t1 * values[self.at(i0, j0 + 1)])
+                    + s1 * (t0 * values[self.at(i0 + 1, j0)] + t1 * values[self.at(i0 + 1, j0 + 1)]);
+            }
+        }
+        self.set_edges(ghosts, &mut carried);
+        carried
+    }
+
+    /// The divergence of each cell times `−½ / n`, ghosts set.
+    pub(super) fn divergence(&self, [u, v]: [&[f64]; 2]) -> Vec<f64> {
+        let n = self.n;
+        let mut divergence = vec![0.0; u.len()];
+        let h = 1.0 / n as f64;
+        for j in 1..=n {
+            for i in 1..=n {
+                divergence[self.at(i, j)] = -0.5
+                    * h
+                    * (u[self.at(i + 1, j)] - u[self.at(i - 1, j)] + v[self.at(i, j + 1)]
+                        - v[self.at(i, j - 1)]);
+            }
+        }
+        self.set_edges(Ghosts::Even, &mut divergence);
+        divergence
+    }
+
+    /// Takes the gradient of a pressure off: approximately without divergence.
+    pub(super) fn project(&self, u: &mut [f64], v: &mut [f64]) -> Result<(), FluidError> {
+        let n = self.n;
+        let divergence = self.divergence([u, v]);
+        let pressure = match (&self.pressure, self.sweeps) {
+            (Some(system), _) => {
+                let mut p = self.inner(&divergence);
+                system.solve_in_place(&mut p)?;
+                self.framed(&p, Ghosts::Even)
+            }
+            (None, sweeps) => {
+                let mut p = vec![0.0; u.len()];
+                self.sweep(Ghosts::Even, &mut p, &divergence, [1.0, 4.0], sweeps.unwrap_or(0));
+                p
+            }
+        };
+        let h = 1.0 / n as f64;
+        for j in 1..=n {
+            for i in 1..=n {
+                u[self.at(i, j)] -= 0.5 * (pressure[self.at(i + 1, j)] - pressure[self.at(i - 1, j)]) / h;
+                v[self.at(i, j)] -= 0.5 * (pressure[self.at(i, j + 1)] - pressure[self.at(i, j - 1)]) / h;
+            }
+        }
+        self.set_edges(Ghosts::OddAlongX, u);
+        self.set_edges(Ghosts::OddAlongY, v);
+        Ok(())
+    }
+}
