@@ -44,7 +44,7 @@ from .fields import DegreesOfFreedom, FieldParts, FieldQuality, HodgeDecompositi
 from .files import mesh_summary, write_mesh
 from .flattening import Cut, Flattening, cut, flatten
 from .many import DistanceMatrix, RankReport, RankWork, Standing, distance_matrix, rank
-from .neurons import NeuronMesh, Skeleton, read_skeleton
+from .neurons import NeuronMesh, NeuronTransport, Skeleton, read_skeleton
 from .outlines import Complexity, complexity, noisy_circle, polyline, read_outlines
 from .results import (
     DirectedReport,
@@ -85,6 +85,7 @@ __all__ = [
     "MeshWarning",
     "MissingFileError",
     "NeuronMesh",
+    "NeuronTransport",
     "OptionError",
     "OutlineError",
     "Percentile",

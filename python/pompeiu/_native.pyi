@@ -42,10 +42,21 @@ class Target:
     def bounds(self) -> list[_Vec3]: ...
     def directed_from(self, a: Mesh, options: _Options, progress: _Watch) -> str: ...
 
+class NeuronHexahedra:
+    def transport(
+        self,
+        config: str,
+        frames: int,
+        time_limit: Optional[float],
+        memory_limit: Optional[int],
+        progress: Optional[Callable[[float], Optional[bool]]],
+    ) -> tuple[NDArray[np.float64], list[int], NDArray[np.float64], float, str]: ...
+
 class NeuronSkeleton:
     def mesh(
         self, meshing: _Options, progress: Optional[Callable[[float], Optional[bool]]]
     ) -> tuple[
+        NeuronHexahedra,
         NDArray[np.float64],
         NDArray[np.uint32],
         NDArray[np.int32],

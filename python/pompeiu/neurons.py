@@ -1,4 +1,4 @@
-"""Neurons: skeletons read in all dialects of SWC, what is wrong with them, and hexahedral meshes of them."""
+"""Neurons: skeletons read in all dialects of SWC, what is wrong with them, hexahedral meshes, and transport through them."""
 
 from __future__ import annotations
 
@@ -13,7 +13,37 @@ import numpy as np
 from . import _native
 from .errors import MissingFileError, OptionError, ReadError, WriteError
 
-__all__ = ["NeuronMesh", "Skeleton", "read_skeleton"]
+__all__ = ["NeuronMesh", "NeuronTransport", "Skeleton", "read_skeleton"]
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class NeuronTransport:
+    """What became of material in a neuron. Times are in seconds; the last axis of concentrations is free material, material on
+    motors away from the inlet, and material on motors towards it.
+
+    Attributes
+    ----------
+    times : numpy.ndarray of float, shape (s + 1,)
+        The times of the beginning and of all steps.
+    ends : numpy.ndarray of float, shape (s + 1, c, 3)
+        Mean concentrations at each flat end at these times.
+    frame_times : numpy.ndarray of float, shape (f,)
+        The times of frames.
+    frames : numpy.ndarray of float, shape (f, m, 3)
+        Concentrations of each cell at these times.
+    report : dict
+        What ``pompeiu neuron transport --json`` says of it under ``transport``.
+    """
+
+    times: np.ndarray
+    ends: np.ndarray
+    frame_times: np.ndarray
+    frames: np.ndarray
+    report: Dict[str, Any]
+
+    def __repr__(self) -> str:
+        steps, balance = self.report["steps"], self.report["mass_balance"]
+        return f"NeuronTransport({steps} steps, mass kept to {balance:.1e})"
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -48,6 +78,7 @@ class NeuronMesh:
     cap_samples: np.ndarray
     vtu: bytes
     report: Dict[str, Any]
+    _mesh: _native.NeuronHexahedra
 
     @property
     def certified(self) -> bool:
@@ -64,6 +95,63 @@ class NeuronMesh:
                 file.write(self.vtu)
         except OSError as error:
             raise WriteError(f"{name}: {error.strerror}") from error
+
+    def transport(
+        self,
+        config: Union[str, "os.PathLike[str]"] = "",
+        *,
+        frames: int = 20,
+        time_limit: Optional[float] = None,
+        memory_limit: Optional[int] = None,
+        progress: Optional[Callable[[float], Optional[bool]]] = None,
+    ) -> NeuronTransport:
+        """Lets material diffuse and be carried through the mesh: conservative, and without negative concentrations.
+
+        Parameters
+        ----------
+        config : str or path
+            Parameters as text (TOML with units, or pairs of names and values), or the path of a file of them.
+        frames : int
+            Fields that are kept, the first and the last among them.
+        time_limit, memory_limit : optional
+            Limits; with the first, the steps that are done are returned.
+        progress : callable, optional
+            Called with the share of steps that are done; ``False`` ends it.
+
+        Raises
+        ------
+        OptionError
+            If a key is unknown, a unit is wrong, or there is no inlet: the message says where, and what was expected.
+
+        Examples
+        --------
+        >>> import pompeiu
+        >>> mesh = pompeiu.read_skeleton(b"1 2 0 0 0 1 -1\\n2 2 8 0 0 1 1\\n").mesh(parts=1)
+        >>> mesh.transport("[transport]\\nsteps = 5").ends.shape
+        (6, 2, 3)
+        """
+        if frames < 2:
+            raise OptionError(f"the number of frames is {frames}; at least 2 are needed")
+        text = config if isinstance(config, str) else ""
+        if not isinstance(config, str):
+            name = os.fspath(config)
+            try:
+                with open(name, encoding="utf-8") as file:
+                    text = file.read()
+            except FileNotFoundError as error:
+                raise MissingFileError(f"{name}: there is no such file; check the name and the folder") from error
+            except (OSError, UnicodeDecodeError) as error:
+                raise ReadError(f"{name}: {error}") from error
+        found = self._mesh.transport(text, int(frames), time_limit, memory_limit, progress)
+        ends, steps, values, step, report = found
+        count = len(ends) // len(self.cap_samples)
+        return NeuronTransport(
+            step * np.arange(count),
+            ends.reshape(count, len(self.cap_samples), 3),
+            step * np.array(steps),
+            values.reshape(len(steps), len(self.cells), 3),
+            json.loads(report),
+        )
 
     def __repr__(self) -> str:
         verdict = "certified" if self.certified else "not certified"
@@ -149,8 +237,8 @@ class Skeleton:
             "time_limit": time_limit,
             "memory_limit": memory_limit,
         }
-        *found, report = self._skeleton.mesh(meshing, progress)
-        return NeuronMesh(*found, json.loads(report))
+        native, *found, report = self._skeleton.mesh(meshing, progress)
+        return NeuronMesh(*found, json.loads(report), native)
 
     def __repr__(self) -> str:
         branches, tips = self.report["branches"], self.report["tips"]

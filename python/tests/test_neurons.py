@@ -59,3 +59,33 @@ def test_what_cannot_be_meshed_is_said():
     for options in [{"parts": 0}, {"parts": 9}, {"layer": float("nan")}]:
         with pytest.raises(pompeiu.OptionError):
             skeleton.mesh(**options)
+
+
+def test_transport_is_bounded_and_ends_in_equilibrium(tmp_path):
+    mesh = pompeiu.read_skeleton(Y, repair=True).mesh(parts=1)
+    config = """[transport]
+    speed_plus = "0 um/s"
+    attach_plus = "3 /s"
+    detach_plus = "1 /s"
+    step = "1 s"
+    steps = 30
+    [inlet]
+    free = "closed"
+    plus = 0
+    [initial]
+    free = 2
+    """
+    path = tmp_path / "run.toml"
+    path.write_text(config, encoding="utf-8")
+    found = mesh.transport(path, frames=4)
+    assert found.times[-1] == 30 and list(found.frame_times) == [0, 10, 20, 30]
+    assert found.ends.shape == (31, 3, 3) and found.frames.shape == (4, len(mesh.cells), 3)
+    # Three quarters are on motors.
+    assert np.allclose(found.frames[-1], [0.5, 1.5, 0.0], atol=1e-9) and np.allclose(found.ends[-1], [0.5, 1.5, 0.0], atol=1e-9)
+    assert found.report["mass_balance"] < 1e-10 and found.report["minimum"] >= 0
+    with pytest.raises(pompeiu.OptionError, match="line 2: there is no key"):
+        mesh.transport("[transport]\nspeed = 1\n")
+    with pytest.raises(pompeiu.MissingFileError):
+        mesh.transport(tmp_path / "none.toml")
+    with pytest.raises(pompeiu.OptionError):
+        mesh.transport(frames=1)

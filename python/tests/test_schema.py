@@ -75,6 +75,8 @@ COMMANDS = {
         "neuron check cell.swc",
         "neuron check cell.swc --repair --smooth 2 --spacing 0.5 -o smooth.swc",
         "neuron mesh cell.swc --repair --parts 1 -o cell.vtu",
+        "neuron transport cell.swc --repair --parts 1 --config run.toml -o run.pvd",
+        "neuron fork.swc --parts 1 --config run.toml --tips tips.csv",
     ],
     "decompose": ["decompose torus.ply.gz", "decompose torus.ply.gz --field rotation:z --splitting dual"],
 }
@@ -108,6 +110,8 @@ def run(repository, tmp_path_factory):
     (folder / "shapes" / "circle.svg").write_text('<svg><circle r="9"/></svg>')
     (folder / "shapes" / "arch.svg").write_text('<svg><path d="M0 0h9v9h-3V3H3v6H0z"/></svg>')
     (folder / "places.csv").write_text("circle,1\narch,2\n")
+    (folder / "fork.swc").write_text("1 2 0 0 0 1 -1\n2 2 6 0 0 1 1\n3 2 12 5 0 1 2\n4 2 12 -5 0 1 2\n", encoding="utf-8")
+    (folder / "run.toml").write_text("[transport]\nsteps = 3\n[inlet]\nsample = 3\n", encoding="utf-8")
     run.folder = folder
     return run
 

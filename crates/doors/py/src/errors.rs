@@ -12,7 +12,7 @@ use pompeiu::hausdorff::OptionError;
 use pompeiu::io::{AttributeError, ReadError, WriteError};
 use pompeiu::matching::align::AlignError;
 use pompeiu::matching::rank::RankError;
-use pompeiu::neuron::{MeshError as NeuronMeshError, SwcError};
+use pompeiu::neuron::{MeshError as NeuronMeshError, SwcError, TransportError};
 use pompeiu::operators::OperatorError;
 use pompeiu::planar::OutlineError;
 use pompeiu::surface::GeometryError;
@@ -74,6 +74,7 @@ raise_as! {
     RankError => OptionError,
     ShapeError => OptionError,
     SwcError => ReadError,
+    TransportError => OptionError,
     UnknownOption => OptionError,
     WriteError => WriteError,
 }

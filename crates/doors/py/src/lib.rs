@@ -42,7 +42,7 @@ mod _native {
     #[pymodule_export]
     use crate::mesh::Mesh;
     #[pymodule_export]
-    use crate::neuron::{NeuronSkeleton, read_skeleton};
+    use crate::neuron::{NeuronHexahedra, NeuronSkeleton, read_skeleton};
     #[pymodule_export]
     use crate::shapes::{cube, cylinder, grid, icosphere, schwarz_lantern, torus};
     use pyo3::prelude::*;

@@ -7,8 +7,8 @@ use crate::json::written;
 use crate::wait::{self, Share, Watch};
 use numpy::{IntoPyArray, PyArray1, PyArray2};
 use pompeiu::neuron::{
-    MeshError, MeshOptions, Skeleton, SkeletonReport, SmoothOptions, SwcError, SwcRow, mesh_neuron, read_swc,
-    smooth, write_swc,
+    MeshError, MeshOptions, NeuronMesh, Skeleton, SkeletonReport, SmoothOptions, SwcError, SwcRow,
+    TransportOptions, mesh_neuron, read_swc, read_transport_config, smooth, transport, write_swc,
 };
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
@@ -94,9 +94,14 @@ impl Meshing {
     }
 }
 
-/// A mesh: places, cells, the branch of each cell, faces of the boundary, their caps (−1 on the wall), samples of caps, the file it
+/// A mesh that was made.
+#[pyclass(frozen, module = "pompeiu._native")]
+pub(crate) struct NeuronHexahedra(NeuronMesh);
+
+/// A mesh: itself, places, cells, the branch of each cell, faces of the boundary, their caps (−1 on the wall), samples of caps, the file it
 /// would be, and what is said of it.
 type MeshParts<'py> = (
+    NeuronHexahedra,
     Bound<'py, PyArray2<f64>>,
     Bound<'py, PyArray2<u32>>,
     Bound<'py, PyArray1<i32>>,
@@ -124,15 +129,57 @@ impl NeuronSkeleton {
         })?;
         let (found, file) = found.map_err(Raise::raise)?;
         let caps = found.labels.iter().map(|&label| label.cast_signed() - 1).collect::<Vec<_>>();
+        let branches = found.parts.clone().into_pyarray(py);
         let positions = found.mesh.positions().iter().copied().map(<[f64; 3]>::from).collect();
+        let cells = array_of_rows(py, found.mesh.cells().to_vec())?;
+        let boundary = found.faces.boundary().iter().map(|face| face.vertices).collect();
+        let samples = found.caps.iter().map(|cap| cap.sample).collect::<Vec<_>>().into_pyarray(py);
+        let report = written(&found.report)?;
         Ok((
+            NeuronHexahedra(found),
             array_of_rows(py, positions)?,
-            array_of_rows(py, found.mesh.cells().to_vec())?,
-            found.parts.into_pyarray(py),
-            array_of_rows(py, found.faces.boundary().iter().map(|face| face.vertices).collect())?,
+            cells,
+            branches,
+            array_of_rows(py, boundary)?,
             caps.into_pyarray(py),
-            found.caps.iter().map(|cap| cap.sample).collect::<Vec<_>>().into_pyarray(py),
+            samples,
             PyBytes::new(py, &file),
+            report,
+        ))
+    }
+}
+
+/// What became of material: concentrations at the flat ends after each step, one row for each end and step; steps, times and
+/// concentrations of frames; how many seconds a step takes; what is said of it.
+type TransportParts<'py> = (Bound<'py, PyArray2<f64>>, Vec<usize>, Bound<'py, PyArray2<f64>>, f64, String);
+
+#[pymethods]
+impl NeuronHexahedra {
+    /// Lets material diffuse and be carried through the mesh.
+    fn transport<'py>(
+        &self,
+        py: Python<'py>,
+        config: &str,
+        frames: usize,
+        time_limit: Option<f64>,
+        memory_limit: Option<usize>,
+        progress: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<TransportParts<'py>> {
+        let parameters = read_transport_config(config).map_err(Raise::raise)?;
+        let limits = limits(None, time_limit, memory_limit)?;
+        let found = wait::run(py, progress, |watch: &mut Watch<'_, Share>| {
+            let options = TransportOptions { limits, progress: Some(&*watch) };
+            transport(&self.0, &parameters, frames, &options)
+        })?;
+        let found = found.map_err(Raise::raise)?;
+        let ends = found.ends.into_iter().flatten().collect();
+        let steps = found.frames.iter().map(|frame| frame.step).collect();
+        let values = found.frames.into_iter().flat_map(|frame| frame.values).collect();
+        Ok((
+            array_of_rows(py, ends)?,
+            steps,
+            array_of_rows(py, values)?,
+            parameters.step,
             written(&found.report)?,
         ))
     }

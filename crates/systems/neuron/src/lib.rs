@@ -10,6 +10,7 @@
 //! | [`problems`], [`Problem`] | what a mesh of it would suffer from, located |
 //! | [`smooth`], [`SkeletonDeviation`] | smoothing and resampling, and how far they move samples |
 //! | [`mesh_neuron`], [`MeshOptions`], [`NeuronMesh`] | a conforming hexahedral mesh, every cell proven unfolded |
+//! | [`transport`], [`Parameters`], [`read_transport_config`] | diffusion and motors in both directions, conservative and without negative concentrations |
 //! | [`NeuronReport`], [`SkeletonReport`] | what is said of a neuron and of its skeleton |
 //! | [`RoundCone`], [`Curve`] | the tubes and their smooth axes |
 //!
@@ -33,6 +34,7 @@ mod report;
 mod skeleton;
 mod smooth;
 mod swc;
+mod transport;
 
 pub use cone::RoundCone;
 pub use curve::{ArcLength, Curve};
@@ -43,3 +45,7 @@ pub use report::{NeuronReport, SkeletonReport, Timing};
 pub use skeleton::{Repair, RepairAction, SOMA, Sample, Skeleton, Soma};
 pub use smooth::{SkeletonDeviation, SmoothOptions, smooth};
 pub use swc::{SwcRow, read_swc, write_swc};
+pub use transport::{
+    Discretisation, FlowField, Frame, Parameters, TipReport, Transport, TransportError, TransportOptions,
+    TransportReport, potential_flow, read_transport_config, transport,
+};

@@ -1,6 +1,6 @@
 //! What is said of a neuron.
 
-use crate::{MeshReport, Problem, Repair, Skeleton, SkeletonDeviation, problems};
+use crate::{MeshReport, Problem, Repair, Skeleton, SkeletonDeviation, TransportReport, problems};
 
 /// What is said of a skeleton.
 #[derive(Clone, Debug, PartialEq)]
@@ -51,6 +51,9 @@ pub struct NeuronReport {
     /// The mesh.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub mesh: Option<MeshReport>,
+    /// The transport.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub transport: Option<TransportReport>,
     /// Time spent on each stage that ran, by the clock.
     #[cfg_attr(feature = "serde", serde(rename = "timing_ms"))]
     pub timing: Timing,
@@ -66,6 +69,9 @@ pub struct Timing {
     /// Meshing.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub mesh: Option<f64>,
+    /// Transport.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub transport: Option<f64>,
     /// From the file to the report.
     pub total: f64,
 }

@@ -88,7 +88,10 @@ fn kabsch(from: &[DVec3], to: &[DVec3], mut rotation: DMat3) -> DMat3 {
         if !size.is_finite() || size < 1e-12 {
             break;
         }
-        let turn = DQuat::from_axis_angle(step / size, size.min(0.5));
+        // Sines of the library's own, for the same bits on every machine.
+        let half = 0.5 * size.min(0.5);
+        let axis = step / size * libm::sin(half);
+        let turn = DQuat::from_xyzw(axis.x, axis.y, axis.z, libm::cos(half));
         rotation = DMat3::from_quat(turn) * rotation;
     }
     rotation

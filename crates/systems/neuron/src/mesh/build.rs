@@ -50,6 +50,23 @@ impl NeuronMesh {
     }
 }
 
+impl NeuronMesh {
+    /// The mesh with concentrations of each cell as cell data: `free`, `plus`, `minus` and their sum, `total`.
+    ///
+    /// # Errors
+    /// [`std::io::ErrorKind::InvalidInput`] unless there are concentrations for each cell.
+    pub fn vtu_with(&self, values: &[[f64; 3]]) -> std::io::Result<Vec<u8>> {
+        let columns: Vec<Vec<f64>> = (0..3).map(|kind| values.iter().map(|v| v[kind]).collect()).collect();
+        let total: Vec<f64> = values.iter().map(|v| v.iter().sum()).collect();
+        let of = |name, values| CellData { name, values, components: 1 };
+        let data =
+            [of("total", &total), of("free", &columns[0]), of("plus", &columns[1]), of("minus", &columns[2])];
+        let mut bytes = Vec::new();
+        write_vtu(&mut bytes, &self.mesh, &[], &data)?;
+        Ok(bytes)
+    }
+}
+
 /// The flat end of a tube.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cap {

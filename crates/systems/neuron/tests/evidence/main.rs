@@ -4,3 +4,4 @@
 
 mod meshes;
 mod skeletons;
+mod transports;

@@ -2,22 +2,54 @@
 
 use crate::args::Limits;
 use crate::numbers::magnitude;
-use clap::{Args, Subcommand};
+use clap::{ArgMatches, Args, Command, Error, FromArgMatches, Subcommand};
 use std::path::PathBuf;
 
-/// Mesh a neuron from its skeleton, with every cell proven valid; or look for what is wrong with it
+/// Compute what travels through a neuron, from its skeleton to a movie
 #[derive(Args)]
-#[command(after_help = "\
+#[command(
+    args_conflicts_with_subcommands = true,
+    subcommand_negates_reqs = true,
+    after_help = "\
 Skeletons are SWC files, in micrometres: comments, ids in any order, several trees, a soma of one, three or many samples, any line
-ends.
+ends. Without the name of a stage the skeleton is meshed and material transported through the mesh, as by `transport`.
 
 Examples:
+  pompeiu neuron cell.swc --config run.toml -o run.pvd
   pompeiu neuron check cell.swc
   pompeiu neuron check cell.swc --repair --smooth 20 --spacing 0.5 -o smooth.swc
-  pompeiu neuron mesh smooth.swc -o cell.vtu")]
+  pompeiu neuron mesh smooth.swc -o cell.vtu"
+)]
 pub(crate) struct Neuron {
     #[command(subcommand)]
-    pub(crate) stage: Stage,
+    pub(crate) stage: Option<Stage>,
+    #[command(flatten)]
+    pub(crate) whole: Whole,
+}
+
+/// All stages at once, where no stage is named. The derived option of a flattened struct is none for a struct that flattens others.
+pub(crate) struct Whole(pub(crate) Option<Transport>);
+
+impl Args for Whole {
+    fn augment_args(command: Command) -> Command {
+        Transport::augment_args(command)
+    }
+
+    fn augment_args_for_update(command: Command) -> Command {
+        Transport::augment_args_for_update(command)
+    }
+}
+
+impl FromArgMatches for Whole {
+    fn from_arg_matches(matches: &ArgMatches) -> Result<Self, Error> {
+        let is_given = matches.contains_id("skeleton");
+        is_given.then(|| Transport::from_arg_matches(matches)).transpose().map(Self)
+    }
+
+    fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), Error> {
+        *self = Self::from_arg_matches(matches)?;
+        Ok(())
+    }
 }
 
 #[derive(Subcommand)]
@@ -44,6 +76,32 @@ Examples:
   pompeiu neuron mesh cell.swc -o cell.vtu
   pompeiu neuron mesh cell.swc --repair --parts 3 --layer 1 --json -o fine.vtu")]
     Mesh(Mesh),
+    /// Mesh the neuron, and let material diffuse and be carried through it
+    #[command(after_help = "\
+Free material diffuses, attaches to motors that move away from the inlet or towards it, and detaches. Motors follow the potential flow
+from the inlet, the root's flat end, to the tips. The configuration is TOML with units, or a parameter file of NeuronTransportIGA:
+
+  [transport]
+  diffusion = \"1 um^2/s\"
+  speed_plus = \"1 um/s\"       # away from the inlet; speed_minus: towards it
+  attach_plus = \"1 /s\"        # attach_minus, detach_plus, detach_minus
+  step = \"0.1 s\"
+  steps = 100
+  [inlet]
+  free = 1.0                   # or \"closed\"
+  plus = 2.0
+  [tips]
+  free = \"closed\"
+  minus = 0.0
+  [initial]
+  free = 0.0                   # plus, minus
+
+The output is a collection (.pvd) of grids beside it. The exit code is 3 if the time limit or Ctrl-C ended it early.
+
+Examples:
+  pompeiu neuron transport cell.swc --config run.toml -o run.pvd --tips tips.csv
+  pompeiu neuron transport cell.swc --config simulation_parameter.txt --json")]
+    Transport(Transport),
 }
 
 #[derive(Args)]
@@ -62,12 +120,8 @@ pub(crate) struct Check {
 pub(crate) struct Mesh {
     #[command(flatten)]
     pub(crate) skeleton: SkeletonChoice,
-    /// Parts of each block along each edge: 1, 2 and 3 give 5, 20 and 45 cells to a section
-    #[arg(long, default_value_t = 2, value_parser = clap::value_parser!(u8).range(1..=8), value_name = "N")]
-    pub(crate) parts: u8,
-    /// Length of a block along a branch, in radii
-    #[arg(long, default_value = "2", value_parser = magnitude, value_name = "RADII")]
-    pub(crate) layer: f64,
+    #[command(flatten)]
+    pub(crate) blocks: Blocks,
     /// The mesh file to write (.vtu)
     #[arg(long, short, value_name = "OUT")]
     pub(crate) output: Option<PathBuf>,
@@ -76,6 +130,42 @@ pub(crate) struct Mesh {
     pub(crate) json: bool,
     #[command(flatten)]
     pub(crate) limits: Limits,
+}
+
+#[derive(Args)]
+pub(crate) struct Transport {
+    #[command(flatten)]
+    pub(crate) skeleton: SkeletonChoice,
+    #[command(flatten)]
+    pub(crate) blocks: Blocks,
+    /// Parameters: TOML with units, or pairs of names and values
+    #[arg(long, value_name = "FILE")]
+    pub(crate) config: Option<PathBuf>,
+    /// The collection to write (.pvd), with a grid for each frame beside it
+    #[arg(long, short, value_name = "OUT")]
+    pub(crate) output: Option<PathBuf>,
+    /// Frames that are written, the first and the last among them
+    #[arg(long, default_value_t = 20, value_parser = clap::value_parser!(u32).range(2..=100_000), value_name = "N")]
+    pub(crate) frames: u32,
+    /// Concentrations at the flat ends after each step, as CSV
+    #[arg(long, value_name = "OUT")]
+    pub(crate) tips: Option<PathBuf>,
+    /// Print one JSON object
+    #[arg(long)]
+    pub(crate) json: bool,
+    #[command(flatten)]
+    pub(crate) limits: Limits,
+}
+
+/// How the blocks of a mesh are cut.
+#[derive(Args)]
+pub(crate) struct Blocks {
+    /// Parts of each block along each edge: 1, 2 and 3 give 5, 20 and 45 cells to a section
+    #[arg(long, default_value_t = 2, value_parser = clap::value_parser!(u8).range(1..=8), value_name = "N")]
+    pub(crate) parts: u8,
+    /// Length of a block along a branch, in radii
+    #[arg(long, default_value = "2", value_parser = magnitude, value_name = "RADII")]
+    pub(crate) layer: f64,
 }
 
 /// The skeleton, and what is done to it before anything else.

@@ -4,6 +4,7 @@ mod args;
 mod json;
 mod run;
 mod text;
+mod transport;
 
 pub(crate) use args::Neuron;
 pub(crate) use run::run;

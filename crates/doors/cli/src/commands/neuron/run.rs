@@ -1,7 +1,7 @@
 //! Runs the command.
 
 use super::args::{Check, Mesh, Neuron as Args, SkeletonChoice, Stage};
-use super::{json, text};
+use super::{json, text, transport};
 use crate::exit::Exit;
 use crate::json::milliseconds;
 use crate::printer::Printer;
@@ -18,9 +18,11 @@ use std::path::Path;
 use std::time::Instant;
 
 pub(crate) fn run(args: &Args, printer: &Printer) -> anyhow::Result<Exit> {
-    match &args.stage {
-        Stage::Check(args) => check(args, printer),
-        Stage::Mesh(args) => mesh(args, printer),
+    match (&args.stage, &args.whole.0) {
+        (Some(Stage::Check(args)), _) => check(args, printer),
+        (Some(Stage::Mesh(args)), _) => mesh(args, printer),
+        (Some(Stage::Transport(args)), _) | (None, Some(args)) => transport::run(args, printer),
+        (None, None) => bail!("name a skeleton file (.swc), or a stage: check, mesh or transport"),
     }
 }
 
@@ -34,8 +36,13 @@ fn check(args: &Check, printer: &Printer) -> anyhow::Result<Exit> {
     if let Some(output) = &args.output {
         files::write_whole(output, write_swc(&skeleton.rows()).as_bytes(), printer)?;
     }
-    let timing = Timing { skeleton: skeleton_time, mesh: None, total: milliseconds(started.elapsed()) };
-    let report = NeuronReport { skeleton: report, mesh: None, timing };
+    let timing = Timing {
+        skeleton: skeleton_time,
+        mesh: None,
+        transport: None,
+        total: milliseconds(started.elapsed()),
+    };
+    let report = NeuronReport { skeleton: report, mesh: None, transport: None, timing };
     let path = args.skeleton.skeleton.display().to_string();
     Printer::answer(&if args.json { json::json(&report)? } else { text::text(&path, &report) })?;
     Ok(if report.skeleton.problems.is_empty() { Exit::Done } else { Exit::Above })
@@ -60,8 +67,8 @@ fn mesh(args: &Mesh, printer: &Printer) -> anyhow::Result<Exit> {
         interrupt::flow()
     };
     let options = MeshOptions {
-        parts: args.parts.into(),
-        layer: args.layer,
+        parts: args.blocks.parts.into(),
+        layer: args.blocks.layer,
         limits: args.limits.after(started.elapsed()),
         progress: Some(&watch),
         ..MeshOptions::default()
@@ -72,15 +79,19 @@ fn mesh(args: &Mesh, printer: &Printer) -> anyhow::Result<Exit> {
     if let Some(output) = &args.output {
         files::write_whole(output, &mesh.vtu().with_context(|| output.display().to_string())?, printer)?;
     }
-    let timing =
-        Timing { skeleton: skeleton_time, mesh: Some(mesh_time), total: milliseconds(started.elapsed()) };
+    let timing = Timing {
+        skeleton: skeleton_time,
+        mesh: Some(mesh_time),
+        transport: None,
+        total: milliseconds(started.elapsed()),
+    };
     let certified = mesh.report.certified;
-    let report = NeuronReport { skeleton: skeleton_report, mesh: Some(mesh.report), timing };
+    let report = NeuronReport { skeleton: skeleton_report, mesh: Some(mesh.report), transport: None, timing };
     Printer::answer(&if args.json { json::json(&report)? } else { text::text(&path, &report) })?;
     Ok(if certified { Exit::Done } else { Exit::Undecided })
 }
 
-fn check_output(output: &Path, input: &Path, suffix: &str, what: &str) -> anyhow::Result<()> {
+pub(super) fn check_output(output: &Path, input: &Path, suffix: &str, what: &str) -> anyhow::Result<()> {
     files::check_places([output], &[input])?;
     if output.extension().map(OsStr::to_ascii_lowercase).as_deref() != Some(OsStr::new(suffix)) {
         bail!("{}: {what} is written as .{suffix}", output.display());
@@ -89,7 +100,7 @@ fn check_output(output: &Path, input: &Path, suffix: &str, what: &str) -> anyhow
 }
 
 /// Reads a skeleton and does what is asked to it.
-fn read(choice: &SkeletonChoice) -> anyhow::Result<(Skeleton, SkeletonReport)> {
+pub(super) fn read(choice: &SkeletonChoice) -> anyhow::Result<(Skeleton, SkeletonReport)> {
     let shown = || choice.skeleton.display().to_string();
     files::check_readable(&choice.skeleton)?;
     let bytes = std::fs::read(&choice.skeleton).with_context(shown)?;

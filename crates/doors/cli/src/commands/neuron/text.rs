@@ -71,10 +71,41 @@ pub(super) fn text(path: &str, report: &NeuronReport) -> String {
             page.row(if i == 0 { "left out" } else { "" }, branch);
         }
     }
+    if let Some(transport) = &report.transport {
+        page.row(
+            "transport",
+            &format!(
+                "{} steps, concentrations between {} and {}",
+                number(transport.steps),
+                few(transport.minimum),
+                few(transport.maximum)
+            ),
+        );
+        page.row("balance", &format!("mass is kept to {:.1e} in each step", transport.mass_balance));
+        for (i, tip) in transport.tips.iter().take(LISTED).enumerate() {
+            let line = format!(
+                "sample {}: free {}, away {}, back {}",
+                tip.sample,
+                few(tip.free),
+                few(tip.plus),
+                few(tip.minus)
+            );
+            page.row(if i == 0 { "tips" } else { "" }, &line);
+        }
+        if transport.tips.len() > LISTED {
+            page.row("", &format!("and {} more, all in --json", number(transport.tips.len() - LISTED)));
+        }
+    }
     let span = |milliseconds: f64| time(Duration::from_secs_f64(milliseconds / 1e3));
-    let stages = report.timing.mesh.map_or_else(String::new, |mesh| {
-        format!("skeleton {}, mesh {}, ", span(report.timing.skeleton), span(mesh))
-    });
+    let timing = &report.timing;
+    let stages = match (timing.mesh, timing.transport) {
+        (None, _) => String::new(),
+        (Some(mesh), None) => format!("skeleton {}, mesh {}, ", span(timing.skeleton), span(mesh)),
+        (Some(mesh), Some(transport)) => {
+            let [skeleton, mesh, transport] = [timing.skeleton, mesh, transport].map(span);
+            format!("skeleton {skeleton}, mesh {mesh}, transport {transport}, ")
+        }
+    };
     page.row("time", &format!("{stages}total {}", span(report.timing.total)));
     page.into_text()
 }

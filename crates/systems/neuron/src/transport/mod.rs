@@ -1,0 +1,20 @@
+//! Transport of material through a meshed neuron.
+//!
+//! Finite volumes on the hexahedra: concentrations are constant on each cell, material goes through faces, what leaves a cell enters its
+//! neighbour. Advection is upwind and diffusion goes along the lines between cells, so that with backward Euler steps every
+//! concentration is a mean of others with weights that are not negative.
+
+mod config;
+mod discretisation;
+mod error;
+mod flow;
+mod problem;
+mod run;
+mod units;
+
+pub use config::read_transport_config;
+pub use discretisation::Discretisation;
+pub use error::TransportError;
+pub use flow::{FlowField, potential_flow};
+pub use problem::{Parameters, TransportOptions};
+pub use run::{Frame, TipReport, Transport, TransportReport, transport};
