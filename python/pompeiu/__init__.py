@@ -46,6 +46,7 @@ from .flattening import Cut, Flattening, cut, flatten
 from .many import DistanceMatrix, RankReport, RankWork, Standing, distance_matrix, rank
 from .neurons import NeuronMesh, NeuronTransport, Skeleton, read_skeleton
 from .outlines import Complexity, complexity, noisy_circle, polyline, read_outlines
+from .puzzles import Puzzle, puzzle
 from .results import (
     DirectedReport,
     MeshSummary,
@@ -91,6 +92,7 @@ __all__ = [
     "Percentile",
     "PompeiuError",
     "Progress",
+    "Puzzle",
     "RankReport",
     "RankWork",
     "Ranks",
@@ -128,6 +130,7 @@ __all__ = [
     "mesh_summary",
     "noisy_circle",
     "polyline",
+    "puzzle",
     "rank",
     "read_mesh",
     "read_outlines",

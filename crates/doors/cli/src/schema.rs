@@ -42,6 +42,7 @@ fn published_schemas_are_those_of_the_types() {
     check("info", schema::<answers::Info<'static>>());
     check("matrix", schema::<answers::Matrix<'static>>());
     check("neuron", schema::<answers::Neuron<'static>>());
+    check("puzzle", schema::<answers::Puzzle<'static>>());
     check("rank", schema::<answers::Rank<'static>>());
     check("remesh", schema::<answers::Remesh<'static>>());
     check("repair", schema::<answers::Repair<'static>>());

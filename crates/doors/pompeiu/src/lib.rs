@@ -38,6 +38,8 @@ pub use pompeiu_neuron as neuron;
 pub use pompeiu_operators as operators;
 #[cfg(feature = "planar")]
 pub use pompeiu_planar as planar;
+#[cfg(feature = "puzzle")]
+pub use pompeiu_puzzle as puzzle;
 #[cfg(feature = "operators")]
 pub use pompeiu_solve as solve;
 #[cfg(feature = "operators")]

@@ -15,6 +15,7 @@ use pompeiu::matching::rank::RankError;
 use pompeiu::neuron::{MeshError as NeuronMeshError, SwcError, TransportError};
 use pompeiu::operators::OperatorError;
 use pompeiu::planar::OutlineError;
+use pompeiu::puzzle::PuzzleError;
 use pompeiu::surface::GeometryError;
 use pyo3::PyErr;
 use std::fmt::Display;
@@ -71,6 +72,7 @@ raise_as! {
     OptionError => OptionError,
     OutlineError => OutlineError,
     PageError => OptionError,
+    PuzzleError => OptionError,
     RankError => OptionError,
     ShapeError => OptionError,
     SwcError => ReadError,

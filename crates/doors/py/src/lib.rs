@@ -15,6 +15,7 @@ mod json;
 mod matching;
 mod mesh;
 mod neuron;
+mod puzzle;
 mod shapes;
 mod wait;
 
@@ -43,6 +44,8 @@ mod _native {
     use crate::mesh::Mesh;
     #[pymodule_export]
     use crate::neuron::{NeuronHexahedra, NeuronSkeleton, read_skeleton};
+    #[pymodule_export]
+    use crate::puzzle::puzzle;
     #[pymodule_export]
     use crate::shapes::{cube, cylinder, grid, icosphere, schwarz_lantern, torus};
     use pyo3::prelude::*;

@@ -17,6 +17,7 @@ mod info;
 mod man;
 mod matrix;
 mod neuron;
+mod puzzle;
 mod rank;
 mod remesh;
 mod repair;
@@ -59,6 +60,7 @@ commands! {
     cut::Cut,
     neuron::Neuron,
     complexity::Complexity,
+    puzzle::Puzzle,
     simplify::Simplify,
     repair::Repair,
     convert::Convert,
@@ -82,6 +84,7 @@ pub(crate) mod answers {
     pub(crate) use super::info::Json as Info;
     pub(crate) use super::matrix::Json as Matrix;
     pub(crate) use super::neuron::Json as Neuron;
+    pub(crate) use super::puzzle::Json as Puzzle;
     pub(crate) use super::rank::Json as Rank;
     pub(crate) use super::remesh::Json as Remesh;
     pub(crate) use super::repair::Json as Repair;

@@ -650,6 +650,36 @@ fn complexity_measures_a_folder_and_goes_on_after_files_that_cannot_be_used() {
 }
 
 #[test]
+fn puzzle_says_whether_pieces_can_move_and_draws_them() {
+    let folder = Folder::new();
+    let report = json(&folder, "puzzle --pieces 12 -o pieces.svg --cuts cuts.dxf --report page.html --json");
+    assert_eq!((&report["locked"], &report["proof"]), (&true.into(), &"merging".into()));
+    let pieces = report["pieces"].as_array().unwrap();
+    assert_eq!((pieces.len(), &pieces[0]["lock"], &pieces[0]["id"]), (12, &"locked".into(), &0.into()));
+    let numbers = |key: &str| report["area"][key].as_f64().unwrap();
+    assert!(
+        (numbers("sum") - numbers("outline")).abs() < 1e-7 && (numbers("outline") - 60_000.0).abs() < 1e-7
+    );
+    let text = |name: &str| std::fs::read_to_string(folder.path().join(name)).unwrap();
+    assert_eq!(text("pieces.svg").matches("<path").count(), 12);
+    assert!(text("cuts.dxf").contains("POLYLINE") && text("page.html").contains("Locked"));
+    let free = json(&folder, "puzzle --pieces 12 --tab none --json");
+    assert_eq!(
+        (&free["locked"], &free["proof"], &free["depth"]),
+        (&false.into(), &"one_moves".into(), &Value::Null)
+    );
+    for (arguments, words) in [
+        ("puzzle --pieces 1", "1 pieces are asked for"),
+        ("puzzle --pieces 1000000", "at most 20000"),
+        ("puzzle --size 0,3", "the width is 0"),
+        ("puzzle -o pieces.pdf", "puzzles are written as .svg or .dxf"),
+    ] {
+        let (code, _, message) = folder.transcript(arguments);
+        assert!(code == Some(2) && message.contains(words), "{arguments}: {message}");
+    }
+}
+
+#[test]
 fn flatten_says_whether_the_map_is_one_to_one_and_writes_it() {
     let folder = Folder::new();
     folder.ok("generate torus --major-segments 24 --minor-segments 16 -o torus.obj");

@@ -18,7 +18,7 @@ use std::time::Instant;
 /// # Accuracy
 /// First order in the step, second in the size of cells but for Stam's linear interpolation, which is of first order.
 /// # Source
-/// `stam_real-time_2003`.
+/// `stam_realtime_2003`.
 ///
 /// # Example
 /// ```

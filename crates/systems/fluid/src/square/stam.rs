@@ -1,7 +1,7 @@
 //! Stam's grid: cells with a ring of ghosts around, velocities at centres.
 //!
 //! # Source
-//! `stam_real-time_2003`, in double precision and with direct solves as a choice.
+//! `stam_realtime_2003`, in double precision and with direct solves as a choice.
 
 use crate::FluidError;
 use pompeiu_solve::{Cholesky, LinearSolver, SemidefiniteCholesky, SolveError, SparseMatrix};

@@ -1,0 +1,94 @@
+//! Options of the puzzle command.
+
+use clap::{Args, ValueEnum};
+use pompeiu::puzzle::{Layout, Tab};
+use std::path::PathBuf;
+
+/// Make a jigsaw puzzle, and say whether it holds together
+#[derive(Args)]
+#[command(after_help = "\
+Pieces tile a rectangle exactly: corners lie on a lattice of integers, and each border is made once for both of its pieces. Whether any
+pieces can move against each other is decided over all motions of all pieces at once. The exit code is 0 whether they can or not.
+
+Outputs, by suffix:
+  .svg   one closed path for each piece
+  .dxf   the same as polylines
+
+Examples:
+  pompeiu puzzle --pieces 48 --size 300,200 -o pieces.svg --cuts laser.svg
+  pompeiu puzzle --layout voronoi --tab dovetail --seed 7 --report puzzle.html
+  pompeiu puzzle --layout hexagons --tab none --json")]
+pub(crate) struct Puzzle {
+    /// Number of pieces
+    #[arg(long, short = 'n', default_value = "24", value_name = "N")]
+    pub(crate) pieces: usize,
+    /// Width and height, in millimetres for drawings
+    #[arg(long, value_parser = crate::numbers::tuple::<2>, default_value = "300,200", value_name = "WIDTH,HEIGHT")]
+    pub(crate) size: [f64; 2],
+    /// What pieces are before they get tabs
+    #[arg(long, value_enum, default_value_t)]
+    pub(crate) layout: LayoutName,
+    /// What borders between pieces get
+    #[arg(long, value_enum, default_value_t)]
+    pub(crate) tab: TabName,
+    /// Seed of places and sides
+    #[arg(long, default_value = "0", value_name = "SEED")]
+    pub(crate) seed: u64,
+    /// Write the pieces: .svg or .dxf
+    #[arg(long, short, value_name = "OUT")]
+    pub(crate) output: Option<PathBuf>,
+    /// Pull the pieces in --output apart, by this factor of their distance from the middle
+    #[arg(long, default_value = "0", value_parser = crate::numbers::magnitude, value_name = "FACTOR")]
+    pub(crate) pull: f64,
+    /// Write each border once, in the order to cut them: .svg or .dxf
+    #[arg(long, value_name = "OUT")]
+    pub(crate) cuts: Option<PathBuf>,
+    /// Write a page on which pieces can be dragged, one file that needs no network
+    #[arg(long, value_name = "FILE.html")]
+    pub(crate) report: Option<PathBuf>,
+    /// Print one JSON object
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum LayoutName {
+    /// Rows of rectangles
+    #[default]
+    Grid,
+    /// Rows of hexagons, as many as come nearest to the number of pieces
+    Hexagons,
+    /// Voronoi cells of random sites
+    Voronoi,
+}
+
+#[derive(Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum TabName {
+    /// Nothing
+    None,
+    /// A round head on a narrower neck
+    #[default]
+    Knob,
+    /// A trapezium that is wider at its head
+    Dovetail,
+}
+
+impl From<LayoutName> for Layout {
+    fn from(name: LayoutName) -> Self {
+        match name {
+            LayoutName::Grid => Self::Grid,
+            LayoutName::Hexagons => Self::Hexagons,
+            LayoutName::Voronoi => Self::Voronoi,
+        }
+    }
+}
+
+impl From<TabName> for Tab {
+    fn from(name: TabName) -> Self {
+        match name {
+            TabName::None => Self::None,
+            TabName::Knob => Self::Knob,
+            TabName::Dovetail => Self::Dovetail,
+        }
+    }
+}

@@ -1,0 +1,334 @@
+//! What can move: all motions of all pieces at once, to first order.
+
+mod cone;
+mod program;
+
+use crate::Puzzle;
+use cone::{Cone, Row};
+use program::Verdict;
+use rayon::prelude::*;
+use std::collections::BTreeMap;
+
+/// How it is known whether a puzzle is locked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+pub enum Proof {
+    /// Locked: clusters that cannot move against each other became one, decided in integers.
+    Merging,
+    /// Free: one cluster can move while all others stay, decided in integers.
+    OneMoves,
+    /// Locked: multipliers show that no motion of several clusters is possible, in double precision.
+    Multipliers,
+    /// Free: several clusters can move at once, in double precision.
+    SeveralMove,
+    /// Not decided: no cluster can move alone, and there are too many for the program of all motions.
+    Undecided,
+}
+
+/// A motion that takes a puzzle apart to first order.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Escape {
+    /// For each piece its velocity at the origin and its angular velocity, in units of the outline; all zero for pieces that stay.
+    pub twists: Vec<[f64; 3]>,
+}
+
+/// Which pieces hold each other.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Lock {
+    /// The cluster of each piece: no two pieces of a cluster can move against each other.
+    pub clusters: Vec<usize>,
+    /// The number of clusters.
+    pub count: usize,
+    /// How it is known.
+    pub proof: Proof,
+    /// A motion, where there is one.
+    pub escape: Option<Escape>,
+    /// For each piece a motion of its cluster while all others stay, where there is one.
+    pub alone: Vec<Option<[f64; 3]>>,
+}
+
+impl Lock {
+    /// Whether no piece can move against another one.
+    pub fn is_locked(&self) -> bool {
+        matches!(self.proof, Proof::Merging | Proof::Multipliers)
+    }
+}
+
+/// Most clusters for the program of all motions.
+const MOST_CLUSTERS: usize = 60;
+
+/// Decides which pieces can move, over all motions of all pieces at once.
+///
+/// # Definition
+/// A motion gives each piece a velocity and an angular velocity in the plane. It is possible if on every border no piece moves into the other
+/// one, to first order. A puzzle is locked if only motions as a whole are possible.
+///
+/// # Accuracy
+/// Pairs of clusters are tested in integers: pieces that cannot move against each other become one cluster, whose borders are pooled, again
+/// and again. If one cluster is left, the puzzle is locked, exactly. If a cluster can move alone, it is free, exactly. Only what is left is
+/// asked of a program in double precision.
+///
+/// # Limits
+/// First order is a matter of directions, not of sizes: roughness locks, too. See [`Puzzle::simplified`] for the depth to which a lock
+/// holds. A kerf takes all contacts away, so this says nothing of loose pieces.
+///
+/// # Cost
+/// Segments of a pair of clusters squared, for each pair; segments times clusters squared for the program.
+///
+/// # Source
+/// `wang_desia_2018` for rows and multipliers; merging is ours.
+pub fn lock(puzzle: &Puzzle) -> Lock {
+    let mut clusters: Vec<usize> = (0..puzzle.pieces()).collect();
+    let mut open: BTreeMap<[usize; 2], bool> = BTreeMap::new();
+    loop {
+        let shared = shared_borders(puzzle, &clusters);
+        // Pairs whose borders have not changed need no second test.
+        let changed: Vec<(&[usize; 2], &Vec<usize>)> =
+            shared.iter().filter(|(pair, _)| !open.contains_key(*pair)).collect();
+        let is_locked: Vec<bool> = changed
+            .par_iter()
+            .map(|(pair, borders)| pair_cone(puzzle, &clusters, **pair, borders).is_none())
+            .collect();
+        let mut parent: Vec<usize> = (0..puzzle.pieces()).collect();
+        let mut merged = false;
+        for ((pair, _), is_locked) in changed.iter().zip(is_locked) {
+            if is_locked {
+                let [a, b] = pair.map(|c| root(&mut parent, c));
+                parent[a.max(b)] = a.min(b);
+                merged = true;
+            } else {
+                open.insert(**pair, true);
+            }
+        }
+        if !merged {
+            break;
+        }
+        let touched: Vec<usize> =
+            (0..puzzle.pieces()).filter(|c| root(&mut parent.clone(), *c) != *c).collect();
+        let grown: Vec<usize> = touched.iter().map(|c| root(&mut parent, *c)).collect();
+        open.retain(|pair, _| pair.iter().all(|c| !touched.contains(c) && !grown.contains(c)));
+        for cluster in &mut clusters {
+            *cluster = root(&mut parent, *cluster);
+        }
+    }
+    verdict(puzzle, &clusters)
+}
+
+/// What follows once no two clusters hold each other by themselves.
+fn verdict(puzzle: &Puzzle, names: &[usize]) -> Lock {
+    let mut order: Vec<usize> = names.to_vec();
+    order.sort_unstable();
+    order.dedup();
+    let count = order.len();
+    let clusters: Vec<usize> = names.iter().map(|name| order.partition_point(|other| other < name)).collect();
+    let none = vec![None; puzzle.pieces()];
+    if count == 1 {
+        return Lock { clusters, count, proof: Proof::Merging, escape: None, alone: none };
+    }
+    let motions: Vec<Option<[f64; 3]>> =
+        (0..count).into_par_iter().map(|cluster| alone(puzzle, &clusters, cluster)).collect();
+    let alone: Vec<Option<[f64; 3]>> = clusters.iter().map(|cluster| motions[*cluster]).collect();
+    // The smallest cluster that can move shows it best.
+    let size = |cluster: usize| clusters.iter().filter(|c| **c == cluster).count();
+    if let Some(cluster) = (0..count).filter(|c| motions[*c].is_some()).min_by_key(|c| (size(*c), *c)) {
+        let moves = |c: &usize| if *c == cluster { motions[cluster].unwrap_or_default() } else { [0.0; 3] };
+        let escape = Some(Escape { twists: clusters.iter().map(moves).collect() });
+        return Lock { clusters, count, proof: Proof::OneMoves, escape, alone };
+    }
+    let (proof, escape) = if count > MOST_CLUSTERS {
+        (Proof::Undecided, None)
+    } else {
+        match program::solve(puzzle, &clusters, count) {
+            Verdict::Locked => (Proof::Multipliers, None),
+            Verdict::Moves(twists) => (Proof::SeveralMove, Some(twists)),
+            Verdict::Unclear => (Proof::Undecided, None),
+        }
+    };
+    let escape = escape.map(|twists| Escape { twists: clusters.iter().map(|c| twists[*c]).collect() });
+    let is_locked = proof == Proof::Multipliers;
+    let (clusters, count) = if is_locked { (vec![0; clusters.len()], 1) } else { (clusters, count) };
+    Lock { clusters, count, proof, escape, alone }
+}
+
+/// The borders between each two clusters.
+fn shared_borders(puzzle: &Puzzle, clusters: &[usize]) -> BTreeMap<[usize; 2], Vec<usize>> {
+    let mut shared: BTreeMap<[usize; 2], Vec<usize>> = BTreeMap::new();
+    for (i, border) in puzzle.borders.iter().enumerate() {
+        let Some(right) = border.right else { continue };
+        let [a, b] = [clusters[border.left], clusters[right]];
+        if a != b {
+            shared.entry([a.min(b), a.max(b)]).or_default().push(i);
+        }
+    }
+    shared
+}
+
+/// The rows of a border, of the motion of the piece on its left against the one on its right, about an origin: for a segment from p to q both
+/// ends must not move into the right side.
+fn rows(puzzle: &Puzzle, border: usize, origin: [i64; 2]) -> impl Iterator<Item = Row> + '_ {
+    let at = move |c: [i64; 2]| [0, 1].map(|k| i128::from(c[k] - origin[k]));
+    puzzle.borders[border].corners.windows(2).flat_map(move |pair| {
+        let (p, q) = (at(pair[0]), at(pair[1]));
+        let e = [q[0] - p[0], q[1] - p[1]];
+        [p, q].map(|c| [-e[1], e[0], e[0] * c[0] + e[1] * c[1]])
+    })
+}
+
+/// A motion of the first of two clusters against the second; none where they hold each other.
+fn pair_cone(
+    puzzle: &Puzzle,
+    clusters: &[usize],
+    [first, _]: [usize; 2],
+    borders: &[usize],
+) -> Option<[i128; 3]> {
+    let origin = puzzle.borders[borders[0]].corners[0];
+    let mut cone = Cone::default();
+    for border in borders {
+        let sign = if clusters[puzzle.borders[*border].left] == first { 1 } else { -1 };
+        cone.extend(rows(puzzle, *border, origin).map(|row| row.map(|x| sign * x)));
+    }
+    cone.motion()
+}
+
+/// A motion of a cluster while all others stay: velocity at the origin and angular velocity.
+fn alone(puzzle: &Puzzle, clusters: &[usize], cluster: usize) -> Option<[f64; 3]> {
+    let mut cone = Cone::default();
+    let mut origin = None;
+    for (i, border) in puzzle.borders.iter().enumerate() {
+        let Some(right) = border.right else { continue };
+        let is_left = clusters[border.left] == cluster;
+        if is_left == (clusters[right] == cluster) {
+            continue;
+        }
+        let origin = *origin.get_or_insert(border.corners[0]);
+        let sign = if is_left { 1 } else { -1 };
+        cone.extend(rows(puzzle, i, origin).map(|row| row.map(|x| sign * x)));
+    }
+    let origin = origin?;
+    cone.motion().map(|motion| from_steps(motion.map(|x| x as f64), origin, puzzle.step))
+}
+
+/// A twist about a corner of the lattice, in steps, as one about the origin in the unit of the outline, of length about 1.
+fn from_steps([vx, vy, w]: [f64; 3], origin: [i64; 2], step: f64) -> [f64; 3] {
+    // Where velocity at p is v + w J p with J p = (−p_y, p_x).
+    let [ox, oy] = origin.map(|x| x as f64 * step);
+    let (vx, vy) = (vx * step, vy * step);
+    let moved = [vx + w * oy, vy - w * ox, w];
+    let scale = libm::hypot(vx, vy).max(w.abs() * step * crate::make::STEPS * 0.1);
+    moved.map(|x| x / scale)
+}
+
+fn root(parent: &mut [usize], mut i: usize) -> usize {
+    while parent[i] != i {
+        parent[i] = parent[parent[i]];
+        i = parent[i];
+    }
+    i
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Border, Layout, PuzzleOptions, Tab, make};
+    use pompeiu_core::mesh::edit::Random;
+
+    /// Two pieces side by side: piece 0 on the left of a border that goes up.
+    fn two(middle: &[[i64; 2]]) -> Lock {
+        let corners = [&[[500, 0]], middle, &[[500, 1000]]].concat();
+        let border = Border { corners, left: 0, right: Some(1) };
+        lock(&Puzzle { borders: vec![border], loops: vec![vec![]; 2], step: 1.0, size: [1000, 1000] })
+    }
+
+    #[test]
+    fn tabs_with_known_motions() {
+        assert_eq!(two(&[]).proof, Proof::OneMoves);
+        // Parallel sides: straight out, and in no other direction.
+        let parallel = two(&[[500, 400], [700, 400], [700, 600], [500, 600]]);
+        assert_eq!(parallel.proof, Proof::OneMoves);
+        let ways: Vec<[f64; 3]> =
+            parallel.alone.iter().flatten().map(|v| v.map(|x| x.signum() * x.abs().ceil())).collect();
+        assert_eq!(ways, [[-1.0, 0.0, 0.0], [1.0, 0.0, 0.0]]);
+        // Wider at the head, on both sides or by a hair on one.
+        assert_eq!(two(&[[500, 400], [700, 350], [700, 650], [500, 600]]).proof, Proof::Merging);
+        assert_eq!(two(&[[500, 400], [700, 400], [700, 601], [500, 600]]).proof, Proof::Merging);
+        // Broken on one side: obliquely out.
+        let broken = two(&[[500, 300], [700, 400], [700, 650], [500, 600]]);
+        let [vx, vy, w] = broken.alone[0].unwrap();
+        assert!(broken.proof == Proof::OneMoves && vx < 0.0);
+        // The tab's corners leave the slot on its lower side, which rises by 1 in 2, and under the upper one, which rises by 1 in 4.
+        for [x, y] in [[700.0, 650.0], [500.0, 600.0]] {
+            let at = [vx - w * y, vy + w * x];
+            assert!(at[1] <= 0.25 * at[0] + 1e-9, "{at:?}");
+        }
+    }
+
+    #[test]
+    fn the_program_of_all_pieces_agrees_with_merging() {
+        let mut random = Random::new(17);
+        let mut seen = BTreeMap::new();
+        for seed in 0..150 {
+            let tab = if seed % 2 == 0 { Tab::Knob } else { Tab::Dovetail };
+            let layout = if seed % 3 == 0 { Layout::Grid } else { Layout::Voronoi };
+            let options = PuzzleOptions {
+                pieces: 4 + seed as usize % 6,
+                tab,
+                layout,
+                seed,
+                ..PuzzleOptions::default()
+            };
+            let mut puzzle = make(&options).unwrap();
+            // Without most tabs, and with others that come out one way.
+            for border in puzzle.borders.iter_mut().filter(|border| border.right.is_some()) {
+                let n = border.corners.len();
+                match random.below(3) {
+                    0 => border.corners = vec![border.corners[0], border.corners[n - 1]],
+                    1 if n > 5 => {
+                        border.corners.remove(2);
+                    }
+                    _ => (),
+                }
+            }
+            let found = lock(&puzzle);
+            let single: Vec<usize> = (0..puzzle.pieces()).collect();
+            let direct = match program::solve(&puzzle, &single, puzzle.pieces()) {
+                Verdict::Locked => true,
+                Verdict::Moves(twists) => {
+                    assert!(enters_nothing(&puzzle, &twists), "seed {seed}");
+                    false
+                }
+                Verdict::Unclear => panic!("seed {seed}: unclear"),
+            };
+            assert_eq!(found.is_locked(), direct, "seed {seed}: {:?}", found.proof);
+            if let Some(escape) = &found.escape {
+                assert!(enters_nothing(&puzzle, &escape.twists), "seed {seed}");
+            }
+            *seen.entry(format!("{:?}", found.proof)).or_insert(0) += 1;
+        }
+        assert!(seen["Merging"] > 10 && seen["OneMoves"] > 10, "{seen:?}");
+    }
+
+    /// Whether a motion is one, by its velocities at the corners of all borders.
+    fn enters_nothing(puzzle: &Puzzle, twists: &[[f64; 3]]) -> bool {
+        let at = |[vx, vy, w]: [f64; 3], [x, y]: [f64; 2]| [vx - w * y, vy + w * x];
+        let largest = puzzle
+            .borders
+            .iter()
+            .flat_map(|border| &border.corners)
+            .flat_map(|c| twists.iter().flat_map(move |t| at(*t, puzzle.point(*c))));
+        let largest = largest.fold(0.0, |most: f64, v| most.max(v.abs()));
+        puzzle.borders.iter().all(|border| {
+            let Some(right) = border.right else { return true };
+            border.corners.windows(2).all(|pair| {
+                let [p, q] = [puzzle.point(pair[0]), puzzle.point(pair[1])];
+                let length = libm::hypot(q[0] - p[0], q[1] - p[1]);
+                let normal = [(p[1] - q[1]) / length, (q[0] - p[0]) / length];
+                [p, q].into_iter().all(|c| {
+                    let (a, b) = (at(twists[border.left], c), at(twists[right], c));
+                    normal[0] * (a[0] - b[0]) + normal[1] * (a[1] - b[1]) >= -1e-6 * largest
+                })
+            })
+        })
+    }
+}

@@ -1,0 +1,146 @@
+//! Puzzles on a rectangle.
+
+mod cells;
+mod tabs;
+
+use crate::{Puzzle, PuzzleError};
+use pompeiu_core::mesh::edit::Random;
+use pompeiu_planar::Point;
+
+/// What the pieces are before they get tabs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Layout {
+    /// Rows of rectangles.
+    #[default]
+    Grid,
+    /// Rows of hexagons.
+    Hexagons,
+    /// Voronoi cells of random sites that Lloyd's method has evened out.
+    Voronoi,
+}
+
+/// What borders between pieces get.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Tab {
+    /// Nothing.
+    None,
+    /// A round head on a narrower neck.
+    #[default]
+    Knob,
+    /// A trapezium that is wider at its head.
+    Dovetail,
+}
+
+/// What puzzle to make.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PuzzleOptions {
+    /// Width and height.
+    pub size: [f64; 2],
+    /// Number of pieces. Rows of squares and hexagons hold as many as fit best, see [`make`].
+    pub pieces: usize,
+    /// What the pieces are before they get tabs.
+    pub layout: Layout,
+    /// What borders between pieces get.
+    pub tab: Tab,
+    /// The seed of sites, of the sides that tabs point to, and of their places.
+    pub seed: u64,
+}
+
+impl Default for PuzzleOptions {
+    fn default() -> Self {
+        Self { size: [300.0, 200.0], pieces: 24, layout: Layout::Grid, tab: Tab::Knob, seed: 0 }
+    }
+}
+
+/// The most pieces.
+const MOST_PIECES: usize = 20_000;
+
+/// Steps of the lattice across the longer side.
+pub(crate) const STEPS: f64 = 4_194_304.0;
+
+/// The longest side may be so many times the shorter one.
+const MOST_ASPECT: f64 = 100.0;
+
+/// Rounds of Lloyd's method on random sites.
+const ROUNDS: usize = 12;
+
+/// Makes a puzzle.
+///
+/// # Definition
+/// A grid has the divisor rows × columns of the number of pieces whose cells are the most square. Hexagons have as many rows and columns as
+/// come nearest to regular hexagons, so their number can differ. Each border gets one tab where one fits without crossing a border: on
+/// a side and at a place that the seed chooses, and otherwise on the other side, elsewhere, or smaller.
+///
+/// # Errors
+/// [`PuzzleError`] for sizes and numbers out of range.
+pub fn make(options: &PuzzleOptions) -> Result<Puzzle, PuzzleError> {
+    let [width, height] = options.size;
+    for (what, value) in [("width", width), ("height", height)] {
+        if !(value > 1e-100 && value < 1e100) {
+            let expected = "it must be a positive number, not beyond 1e100";
+            return Err(PuzzleError::Option { what, value, expected });
+        }
+    }
+    let aspect = (width / height).max(height / width);
+    if aspect > MOST_ASPECT {
+        let expected = "the longer side may be at most 100 times the shorter one";
+        return Err(PuzzleError::Option { what: "ratio of the sides", value: aspect, expected });
+    }
+    if !(2..=MOST_PIECES).contains(&options.pieces) {
+        return Err(PuzzleError::Pieces { found: options.pieces, most: MOST_PIECES });
+    }
+    let step = step(options.size);
+    let size = [width / step, height / step].map(f64::round);
+    let mut random = Random::new(options.seed);
+    let sites = match options.layout {
+        Layout::Grid => grid(size, options.pieces),
+        Layout::Hexagons => hexagons(size, options.pieces),
+        Layout::Voronoi => {
+            let unit = |random: &mut Random| 0.5 + 0.5 * random.signed_unit();
+            let mut sites: Vec<Point> =
+                (0..options.pieces).map(|_| size.map(|side| side * unit(&mut random))).collect();
+            for _ in 0..ROUNDS {
+                sites = cells::partition(&sites, size, step)?.centroids();
+            }
+            sites
+        }
+    };
+    let mut puzzle = cells::partition(&sites, size, step)?;
+    if options.tab != Tab::None {
+        tabs::add(&mut puzzle, options.tab, &mut random);
+    }
+    Ok(puzzle)
+}
+
+/// The step of the lattice: of a thousand about as fine as there may be the one of which both sides are nearest to multiples.
+fn step([width, height]: [f64; 2]) -> f64 {
+    let (long, short) = (width.max(height), width.min(height));
+    let off = |k: u32| {
+        let steps = short / long * (STEPS - f64::from(k));
+        (steps - steps.round()).abs()
+    };
+    let best = (0..1000).min_by(|a, b| off(*a).total_cmp(&off(*b))).unwrap_or(0);
+    long / (STEPS - f64::from(best))
+}
+
+fn grid([width, height]: [f64; 2], pieces: usize) -> Vec<Point> {
+    let squareness = |rows: usize| {
+        let columns = pieces / rows;
+        let ratio = width / columns as f64 * rows as f64 / height;
+        ratio.max(1.0 / ratio)
+    };
+    let divisors = (1..=pieces).filter(|rows| pieces.is_multiple_of(*rows));
+    let rows = divisors.min_by(|a, b| squareness(*a).total_cmp(&squareness(*b))).unwrap_or(1);
+    let columns = pieces / rows;
+    let at = |i: usize, n: usize, side: f64| side * (2 * i + 1) as f64 / (2 * n) as f64;
+    (0..rows).flat_map(|r| (0..columns).map(move |c| [at(c, columns, width), at(r, rows, height)])).collect()
+}
+
+fn hexagons([width, height]: [f64; 2], pieces: usize) -> Vec<Point> {
+    // Rows are √3/2 of the distance of neighbours apart.
+    let rows = (pieces as f64 * height / width * 2.0 / 3.0_f64.sqrt()).sqrt().round().max(1.0) as usize;
+    let columns = (pieces as f64 / rows as f64).round().max(1.0) as usize;
+    let y = |r: usize| height * (2 * r + 1) as f64 / (2 * rows) as f64;
+    let x = |r: usize, c: usize| width * ((4 * c + 1 + 2 * (r % 2)) as f64) / ((4 * columns) as f64);
+    (0..rows).flat_map(|r| (0..columns).map(move |c| [x(r, c), y(r)])).collect()
+}

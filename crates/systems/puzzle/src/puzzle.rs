@@ -1,0 +1,153 @@
+//! Pieces, and each border between two of them once.
+
+use pompeiu_planar::Point;
+
+/// A corner on the lattice.
+pub(crate) type Corner = [i64; 2];
+
+/// A border: between two pieces, or between a piece and what is around the puzzle.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Border {
+    /// Its corners on the lattice, ends included.
+    pub(crate) corners: Vec<Corner>,
+    /// The piece on its left.
+    pub left: usize,
+    /// The piece on its right; none where the puzzle ends.
+    pub right: Option<usize>,
+}
+
+/// A puzzle: borders, each once, and the pieces they bound.
+///
+/// Corners have integer coordinates on a lattice, at most 2^22 steps across; [`Puzzle::step`] is its step in the unit of the outline. So areas
+/// are exact, and what two pieces share is the same bits in both.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Puzzle {
+    pub(crate) borders: Vec<Border>,
+    /// For each piece its borders counter-clockwise, and whether each runs backwards.
+    pub(crate) loops: Vec<Vec<(usize, bool)>>,
+    pub(crate) step: f64,
+    pub(crate) size: [i64; 2],
+}
+
+impl Puzzle {
+    /// The number of pieces.
+    pub fn pieces(&self) -> usize {
+        self.loops.len()
+    }
+
+    /// The borders.
+    pub fn borders(&self) -> &[Border] {
+        &self.borders
+    }
+
+    /// The distance of neighbours on the lattice, in the unit of the outline.
+    pub fn step(&self) -> f64 {
+        self.step
+    }
+
+    /// Width and height, in the unit of the outline.
+    pub fn size(&self) -> [f64; 2] {
+        self.size.map(|x| x as f64 * self.step)
+    }
+
+    /// The mean area of a piece, under the root: the length A that tabs and depths are measured by.
+    pub fn unit(&self) -> f64 {
+        let [width, height] = self.size();
+        (width * height / self.pieces() as f64).sqrt()
+    }
+
+    /// The points of a border.
+    pub fn border_points(&self, border: usize) -> Vec<Point> {
+        self.borders[border].corners.iter().map(|corner| self.point(*corner)).collect()
+    }
+
+    pub(crate) fn point(&self, corner: Corner) -> Point {
+        corner.map(|x| x as f64 * self.step)
+    }
+
+    /// The corners of a piece, counter-clockwise where y goes up.
+    pub(crate) fn corners(&self, piece: usize) -> Vec<Corner> {
+        let mut all = Vec::new();
+        for (border, is_reversed) in &self.loops[piece] {
+            let corners = &self.borders[*border].corners;
+            let open = corners.len() - 1;
+            if *is_reversed {
+                all.extend(corners[1..].iter().rev());
+            } else {
+                all.extend(&corners[..open]);
+            }
+        }
+        all
+    }
+
+    /// The points of a piece, counter-clockwise where y goes up.
+    pub fn outline(&self, piece: usize) -> Vec<Point> {
+        self.corners(piece).into_iter().map(|corner| self.point(corner)).collect()
+    }
+
+    /// Twice the area of a piece in steps squared, exactly.
+    pub(crate) fn doubled_area(&self, piece: usize) -> i128 {
+        let corners = self.corners(piece);
+        let next = corners.iter().cycle().skip(1);
+        corners
+            .iter()
+            .zip(next)
+            .map(|(a, b)| i128::from(a[0]) * i128::from(b[1]) - i128::from(a[1]) * i128::from(b[0]))
+            .sum()
+    }
+
+    /// The area of a piece, in the unit of the outline squared.
+    pub fn area(&self, piece: usize) -> f64 {
+        0.5 * self.doubled_area(piece) as f64 * self.step * self.step
+    }
+
+    /// The pieces that share a border with a piece, in order.
+    pub fn neighbours(&self, piece: usize) -> Vec<usize> {
+        let mut found: Vec<usize> = self.loops[piece]
+            .iter()
+            .filter_map(|(border, is_reversed)| {
+                let border = &self.borders[*border];
+                if *is_reversed { Some(border.left) } else { border.right }
+            })
+            .collect();
+        found.sort_unstable();
+        found.dedup();
+        found
+    }
+
+    /// The same puzzle with borders made simpler: corners that lie within a distance of the chord are left out, ends stay.
+    #[must_use]
+    pub fn simplified(&self, distance: f64) -> Self {
+        let mut simple = self.clone();
+        for border in &mut simple.borders {
+            border.corners = simplify(&border.corners, distance / self.step);
+        }
+        simple
+    }
+}
+
+/// Douglas and Peucker's choice of corners (`douglas_algorithms_1973`).
+fn simplify(corners: &[Corner], distance: f64) -> Vec<Corner> {
+    let mut keep = vec![false; corners.len()];
+    let last = corners.len() - 1;
+    keep[0] = true;
+    keep[last] = true;
+    let mut open = vec![(0, last)];
+    while let Some((from, to)) = open.pop() {
+        let (a, b) = (corners[from], corners[to]);
+        let u = [b[0] - a[0], b[1] - a[1]].map(|x| x as f64);
+        let norm_sq = u[0] * u[0] + u[1] * u[1];
+        let off = |c: Corner| {
+            let v = [c[0] - a[0], c[1] - a[1]].map(|x| x as f64);
+            let t = if norm_sq > 0.0 { ((u[0] * v[0] + u[1] * v[1]) / norm_sq).clamp(0.0, 1.0) } else { 0.0 };
+            libm::hypot(v[0] - t * u[0], v[1] - t * u[1])
+        };
+        let farthest = (from + 1..to).max_by(|i, j| off(corners[*i]).total_cmp(&off(corners[*j])));
+        if let Some(i) = farthest.filter(|i| off(corners[*i]) > distance) {
+            keep[i] = true;
+            open.push((from, i));
+            open.push((i, to));
+        }
+    }
+    corners.iter().zip(keep).filter_map(|(corner, keep)| keep.then_some(*corner)).collect()
+}

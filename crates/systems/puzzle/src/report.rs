@@ -1,0 +1,134 @@
+//! What is said of a puzzle.
+
+use crate::{Proof, Puzzle, lock};
+use std::time::{Duration, Instant};
+
+/// What is said of a puzzle. Lengths are in the unit of its outline.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct PuzzleReport {
+    /// The pieces.
+    pub pieces: Vec<PieceReport>,
+    /// Clusters of pieces that cannot move against each other, each as a list of pieces.
+    pub clusters: Vec<Vec<usize>>,
+    /// Whether no piece can move against another one, over all motions at once.
+    pub locked: bool,
+    /// How that is known: `merging` and `one_moves` in integers, `multipliers` and `several_move` in double precision, `undecided`.
+    pub proof: Proof,
+    /// The greatest length tried below which all detail of the borders may be lost while the puzzle stays locked, relative to the root of
+    /// the mean area of a piece; 0 where it holds only as it is drawn, `null` where it is not locked.
+    pub depth: Option<f64>,
+    /// Borders between pieces that have no tab.
+    pub straight_borders: usize,
+    /// Areas.
+    pub area: AreaReport,
+    /// Time spent on each part.
+    #[cfg_attr(feature = "serde", serde(rename = "timing_ms"))]
+    pub timing: Timing,
+}
+
+/// What is said of a piece.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct PieceReport {
+    /// Its number, from 0.
+    pub id: usize,
+    /// Its area.
+    pub area: f64,
+    /// Corners of its outline.
+    pub outline_points: usize,
+    /// The pieces that it shares a border with.
+    pub neighbours: Vec<usize>,
+    /// Whether it stays where it is while all pieces may move: `locked` if it belongs to the largest cluster, else `free`.
+    pub lock: &'static str,
+    /// A motion that moves it: velocity at the origin and angular velocity. Empty where none is known.
+    pub escape: Vec<f64>,
+}
+
+/// Areas, in the unit of the outline squared.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct AreaReport {
+    /// The sum of the areas of all pieces.
+    pub sum: f64,
+    /// The area of the outline.
+    pub outline: f64,
+    /// Whether both are equal, in integers.
+    pub is_exact: bool,
+}
+
+/// Time spent on each part; milliseconds in JSON.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Timing {
+    /// The test of what can move.
+    #[cfg_attr(feature = "serde", serde(serialize_with = "pompeiu_core::run::as_milliseconds::serialize"))]
+    #[cfg_attr(feature = "schema", schemars(with = "f64"))]
+    pub lock: Duration,
+    /// The same test on simpler borders.
+    #[cfg_attr(feature = "serde", serde(serialize_with = "pompeiu_core::run::as_milliseconds::serialize"))]
+    #[cfg_attr(feature = "schema", schemars(with = "f64"))]
+    pub depth: Duration,
+}
+
+/// Depths that are tried, over the root of the mean area of a piece.
+const DEPTHS: [f64; 7] = [0.005, 0.01, 0.02, 0.03, 0.05, 0.08, 0.12];
+
+/// Tests a puzzle and says all of it.
+pub fn report(puzzle: &Puzzle) -> PuzzleReport {
+    let started = Instant::now();
+    let found = lock(puzzle);
+    let mut timing = Timing { lock: started.elapsed(), ..Timing::default() };
+    let started = Instant::now();
+    let depth = found.is_locked().then(|| {
+        let holds = |depth: &&f64| lock(&puzzle.simplified(**depth * puzzle.unit())).is_locked();
+        DEPTHS.iter().take_while(holds).last().copied().unwrap_or(0.0)
+    });
+    timing.depth = started.elapsed();
+    let mut clusters = vec![Vec::new(); found.count];
+    for (piece, cluster) in found.clusters.iter().enumerate() {
+        clusters[*cluster].push(piece);
+    }
+    let largest = (0..found.count).max_by_key(|c| (clusters[*c].len(), std::cmp::Reverse(*c))).unwrap_or(0);
+    let escape = |piece: usize| {
+        let all = found.escape.as_ref().map(|escape| escape.twists[piece]).filter(|twist| *twist != [0.0; 3]);
+        found.alone[piece].or(all).map(|twist| twist.to_vec()).unwrap_or_default()
+    };
+    let pieces = (0..puzzle.pieces()).map(|piece| PieceReport {
+        id: piece,
+        area: puzzle.area(piece),
+        outline_points: puzzle.corners(piece).len(),
+        neighbours: puzzle.neighbours(piece),
+        lock: if found.is_locked() || (found.clusters[piece] == largest && clusters[largest].len() > 1) {
+            "locked"
+        } else {
+            "free"
+        },
+        escape: escape(piece),
+    });
+    let pieces: Vec<PieceReport> = pieces.collect();
+    let doubled: i128 = (0..puzzle.pieces()).map(|piece| puzzle.doubled_area(piece)).sum();
+    let [width, height] = puzzle.size.map(i128::from);
+    let [w, h] = puzzle.size();
+    let area = AreaReport {
+        sum: pieces.iter().map(|piece| piece.area).sum(),
+        outline: w * h,
+        is_exact: doubled == 2 * width * height,
+    };
+    let is_straight = |border: &&crate::Border| border.right.is_some() && border.corners.len() == 2;
+    let straight_borders = puzzle.borders.iter().filter(is_straight).count();
+    PuzzleReport {
+        pieces,
+        clusters,
+        locked: found.is_locked(),
+        proof: found.proof,
+        depth,
+        straight_borders,
+        area,
+        timing,
+    }
+}

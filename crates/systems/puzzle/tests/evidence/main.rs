@@ -1,0 +1,133 @@
+//! Evidence that does not come from the code: exact areas, known locks, an independent test of what can move.
+
+#![allow(clippy::unwrap_used, reason = "tests may panic")]
+
+use pompeiu_planar::svg;
+use pompeiu_planar::{Outline, Point, first_crossing};
+use pompeiu_puzzle::{
+    Layout, Proof, Puzzle, PuzzleError, PuzzleOptions, Tab, cuts_dxf, cuts_svg, lock, make, pieces_svg,
+    report,
+};
+use std::collections::BTreeMap;
+
+fn puzzle(layout: Layout, tab: Tab, pieces: usize, seed: u64) -> Puzzle {
+    make(&PuzzleOptions { layout, tab, pieces, seed, ..PuzzleOptions::default() }).unwrap()
+}
+
+const LAYOUTS: [Layout; 3] = [Layout::Grid, Layout::Hexagons, Layout::Voronoi];
+
+#[test]
+fn pieces_are_simple_and_tile_exactly() {
+    for layout in LAYOUTS {
+        for tab in [Tab::None, Tab::Knob, Tab::Dovetail] {
+            for (pieces, seed) in [(2, 1), (24, 2), (97, 3)] {
+                let puzzle = puzzle(layout, tab, pieces, seed);
+                let found = report(&puzzle);
+                assert!(found.area.is_exact, "{layout:?} {tab:?} {pieces}");
+                assert!((found.area.sum - found.area.outline).abs() <= 1e-12 * found.area.outline);
+                for piece in 0..puzzle.pieces() {
+                    let outline = Outline::new(puzzle.outline(piece)).unwrap();
+                    assert_eq!(first_crossing(&outline), None, "{layout:?} {tab:?} {pieces}: piece {piece}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn each_segment_belongs_to_two_pieces_bit_by_bit_or_to_the_outline() {
+    for layout in LAYOUTS {
+        let puzzle = puzzle(layout, Tab::Knob, 40, 5);
+        let mut seen: BTreeMap<[[u64; 2]; 2], i32> = BTreeMap::new();
+        for line in pieces_svg(&puzzle, 0.0).lines().filter(|line| line.starts_with("<path")) {
+            let found = svg::read(&format!("<svg>{line}</svg>")).unwrap();
+            let points = &found[0].points;
+            for (p, q) in points.iter().zip(points.iter().cycle().skip(1)) {
+                let [a, b] = [*p, *q].map(|p: Point| p.map(f64::to_bits));
+                let (key, way) = if a < b { ([a, b], 1) } else { ([b, a], -1) };
+                *seen.entry(key).or_default() += way;
+            }
+        }
+        let [width, height] = puzzle.size();
+        for (ends, count) in seen.iter().filter(|(_, count)| **count != 0) {
+            let [p, q] = ends.map(|p| p.map(f64::from_bits));
+            let on_side = |k: usize, at: f64| p[k] == at && q[k] == at;
+            let is_outside = on_side(0, 0.0) || on_side(0, width) || on_side(1, 0.0) || on_side(1, height);
+            assert!(count.abs() == 1 && is_outside, "{p:?} {q:?}");
+        }
+    }
+}
+
+#[test]
+fn puzzles_without_tabs_are_free_and_those_with_tabs_locked() {
+    for layout in LAYOUTS {
+        let plain = lock(&puzzle(layout, Tab::None, 24, 7));
+        assert!(!plain.is_locked() && plain.proof == Proof::OneMoves, "{layout:?}: {:?}", plain.proof);
+        for tab in [Tab::Knob, Tab::Dovetail] {
+            let held = lock(&puzzle(layout, tab, 24, 7));
+            assert!(
+                held.is_locked() && held.count == 1 && held.proof == Proof::Merging,
+                "{layout:?} {tab:?}"
+            );
+        }
+    }
+    let deep = report(&puzzle(Layout::Grid, Tab::Dovetail, 24, 1));
+    assert!(deep.locked && deep.depth.unwrap() >= 0.02, "{:?}", deep.depth);
+}
+
+#[test]
+fn a_motion_that_is_reported_enters_no_piece() {
+    let puzzle = puzzle(Layout::Voronoi, Tab::None, 30, 11);
+    let escape = lock(&puzzle).escape.unwrap();
+    assert!(escape.twists.iter().any(|twist| *twist != [0.0; 3]));
+    let velocity = |[vx, vy, w]: [f64; 3], p: Point| [vx - w * p[1], vy + w * p[0]];
+    for (i, border) in puzzle.borders().iter().enumerate() {
+        let Some(right) = border.right else { continue };
+        for pair in puzzle.border_points(i).windows(2) {
+            let normal = [pair[0][1] - pair[1][1], pair[1][0] - pair[0][0]];
+            for p in pair {
+                let (a, b) = (velocity(escape.twists[border.left], *p), velocity(escape.twists[right], *p));
+                let apart = normal[0] * (a[0] - b[0]) + normal[1] * (a[1] - b[1]);
+                assert!(apart >= -1e-9 * (normal[0].abs() + normal[1].abs()), "{apart}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_thousand_pieces_are_locked_and_the_same_at_any_number_of_threads() {
+    let puzzle = puzzle(Layout::Voronoi, Tab::Knob, 1000, 3);
+    let straight = report(&puzzle).straight_borders;
+    let inner = puzzle.borders().iter().filter(|border| border.right.is_some()).count();
+    assert!(straight * 20 < inner, "{straight} of {inner} borders without a tab");
+    let one = pompeiu_core::run::on_threads(std::num::NonZeroUsize::new(1), || lock(&puzzle));
+    assert_eq!(one, lock(&puzzle));
+    assert!(one.count <= 3, "{}", one.count);
+}
+
+#[test]
+fn cuts_are_each_border_once_with_the_outline_last() {
+    let puzzle = puzzle(Layout::Hexagons, Tab::Knob, 20, 4);
+    let text = cuts_svg(&puzzle);
+    let ids: Vec<&str> =
+        text.lines().filter_map(|line| line.split('"').nth(1)).filter(|id| id.contains('-')).collect();
+    assert_eq!(ids.len(), puzzle.borders().len());
+    let first_outline = ids.iter().position(|id| id.starts_with("outline")).unwrap();
+    assert!(ids[first_outline..].iter().all(|id| id.starts_with("outline")));
+    let read = pompeiu_planar::dxf::read(&cuts_dxf(&puzzle)).unwrap();
+    assert_eq!(read.len(), ids.len());
+}
+
+#[test]
+fn what_makes_no_sense_is_refused() {
+    let with = |pieces, size| make(&PuzzleOptions { pieces, size, ..PuzzleOptions::default() });
+    assert!(matches!(with(1, [3.0, 2.0]), Err(PuzzleError::Pieces { found: 1, .. })));
+    assert!(matches!(with(1_000_000, [3.0, 2.0]), Err(PuzzleError::Pieces { .. })));
+    for size in [[0.0, 1.0], [f64::NAN, 1.0], [1.0, f64::INFINITY], [1.0, 1000.0]] {
+        assert!(matches!(with(9, size), Err(PuzzleError::Option { .. })), "{size:?}");
+    }
+    let same =
+        |seed| make(&PuzzleOptions { layout: Layout::Voronoi, seed, ..PuzzleOptions::default() }).unwrap();
+    assert_eq!(same(4), same(4));
+    assert_ne!(same(4), same(5));
+}

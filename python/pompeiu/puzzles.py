@@ -1,0 +1,115 @@
+"""Jigsaw puzzles, and what holds them together."""
+
+from __future__ import annotations
+
+import json
+import os
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, Dict, List, Sequence, Tuple, Union
+
+import numpy as np
+
+from . import _native
+from .errors import OptionError, WriteError
+
+__all__ = ["Puzzle", "puzzle"]
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Puzzle:
+    """A jigsaw puzzle.
+
+    Attributes
+    ----------
+    outlines : list of numpy.ndarray of float, shape (n, 2)
+        The corners of each piece. What two pieces share is the same bits in both.
+    report : dict
+        What ``pompeiu puzzle --json`` says of it.
+    """
+
+    outlines: List[np.ndarray]
+    report: Dict[str, Any]
+    _drawings: Tuple[str, ...] = field(default=())
+
+    @property
+    def is_locked(self) -> bool:
+        """Whether no piece can move against another one, over all motions of all pieces at once."""
+        return self.report["locked"]
+
+    @property
+    def clusters(self) -> List[List[int]]:
+        """Pieces that cannot move against each other."""
+        return self.report["clusters"]
+
+    def write(self, path: Union[str, "os.PathLike[str]"], *, cuts: bool = False) -> None:
+        """Writes a drawing or a page.
+
+        Parameters
+        ----------
+        path : str or path
+            ``.svg`` or ``.dxf``: a drawing; ``.html``: a page on which pieces can be dragged.
+        cuts : bool
+            Each border once, in the order to cut them, instead of one closed path for each piece.
+
+        Raises
+        ------
+        WriteError
+            If the file cannot be written, or its suffix is another one.
+        """
+        suffix = Path(path).suffix.lower()
+        place = {".svg": 0, ".dxf": 2, ".html": 4}.get(suffix)
+        if place is None:
+            raise WriteError(f"{path}: puzzles are written as .svg, .dxf or .html")
+        try:
+            Path(path).write_text(self._drawings[place + (cuts and place < 4)], encoding="utf-8")
+        except OSError as error:
+            raise WriteError(f"{path}: {error.strerror}") from error
+
+    def __repr__(self) -> str:
+        return f"Puzzle({len(self.outlines)} pieces, {'locked' if self.is_locked else 'not locked'})"
+
+
+def puzzle(
+    pieces: int = 24,
+    *,
+    size: Sequence[float] = (300.0, 200.0),
+    layout: str = "grid",
+    tab: str = "knob",
+    seed: int = 0,
+) -> Puzzle:
+    """Makes a jigsaw puzzle on a rectangle, and tests whether it holds together.
+
+    Parameters
+    ----------
+    pieces : int
+        Number of pieces; hexagons come as near to it as rows allow.
+    size : pair of float
+        Width and height.
+    layout : str
+        ``"grid"``, ``"hexagons"`` or ``"voronoi"``.
+    tab : str
+        ``"none"``, ``"knob"`` or ``"dovetail"``.
+    seed : int
+        The same seed gives the same puzzle on every machine.
+
+    Raises
+    ------
+    OptionError
+        If options make no sense.
+
+    Examples
+    --------
+    >>> import pompeiu
+    >>> pompeiu.puzzle(12)
+    Puzzle(12 pieces, locked)
+    >>> pompeiu.puzzle(12, tab="none").is_locked
+    False
+    """
+    sides = tuple(float(side) for side in size)
+    if len(sides) != 2:
+        raise OptionError(f"size has {len(sides)} numbers; a width and a height are needed")
+    if pieces < 0:
+        raise OptionError(f"{pieces} pieces are asked for; there must be at least 2")
+    outlines, report, drawings = _native.puzzle(pieces, sides, layout, tab, seed)
+    return Puzzle(outlines, json.loads(report), tuple(drawings))

@@ -1,0 +1,53 @@
+"""Puzzles: exact areas, locks, drawings, errors."""
+
+import numpy as np
+import pompeiu
+import pytest
+
+
+def area(points):
+    x, y = points.T
+    return 0.5 * (np.dot(x, np.roll(y, -1)) - np.dot(y, np.roll(x, -1)))
+
+
+@pytest.mark.parametrize("layout", ["grid", "hexagons", "voronoi"])
+def test_pieces_tile_and_lock(layout):
+    made = pompeiu.puzzle(20, layout=layout, seed=2)
+    assert sum(map(area, made.outlines)) == pytest.approx(60000, rel=1e-12)
+    assert made.report["area"]["is_exact"] and made.is_locked and len(made.clusters) == 1
+    for piece, told in zip(made.outlines, made.report["pieces"]):
+        assert area(piece) == pytest.approx(told["area"], rel=1e-9)
+        shared = set(map(tuple, piece.tolist()))
+        assert all(shared & set(map(tuple, made.outlines[other].tolist())) for other in told["neighbours"])
+
+
+def test_without_tabs_a_motion_is_told():
+    made = pompeiu.puzzle(12, tab="none")
+    assert not made.is_locked
+    assert any(len(piece["escape"]) == 3 for piece in made.report["pieces"])
+
+
+def test_drawings(tmp_path):
+    made = pompeiu.puzzle(6)
+    made.write(tmp_path / "pieces.svg")
+    assert (tmp_path / "pieces.svg").read_text().count("<path") == 6
+    assert [outline.shape for outline in pompeiu.read_outlines(tmp_path / "pieces.svg")] == [
+        outline.shape for outline in made.outlines
+    ]
+    made.write(tmp_path / "cuts.dxf", cuts=True)
+    made.write(tmp_path / "page.html")
+    assert "</html>" in (tmp_path / "page.html").read_text()
+    with pytest.raises(pompeiu.WriteError, match="puzzles are written as"):
+        made.write(tmp_path / "pieces.png")
+
+
+def test_what_makes_no_sense():
+    for options, words in [
+        ({"pieces": 1}, "1 pieces are asked for"),
+        ({"size": (0, 1)}, "width"),
+        ({"size": (1,)}, "1 numbers"),
+        ({"layout": "spiral"}, "expected \"grid\""),
+        ({"tab": "glue"}, "expected \"none\""),
+    ]:
+        with pytest.raises(pompeiu.OptionError, match=words):
+            pompeiu.puzzle(**options)
