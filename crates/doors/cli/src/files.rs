@@ -6,6 +6,9 @@ use crate::wait::Wait;
 use anyhow::{Context, bail};
 use pompeiu::core::TriMesh;
 use pompeiu::io::{OutputFormat, ReadMesh, WriteError};
+use sha2::{Digest, Sha256};
+use std::fmt::Write as _;
+use std::fs::File;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
@@ -121,6 +124,24 @@ pub(crate) fn write_whole(path: &Path, content: &[u8], printer: &Printer) -> any
     pompeiu::io::write_whole(path, content)?;
     printer.note(format_args!("{}: {}", path.display(), bytesize::ByteSize(content.len() as u64)));
     Ok(())
+}
+
+/// The SHA-256 sum of a file in hexadecimal digits; not of a pipe, which can be read only once.
+pub(crate) fn sha256(path: &Path) -> std::io::Result<String> {
+    if !path.metadata()?.is_file() {
+        return Err(ErrorKind::InvalidInput.into());
+    }
+    let mut hasher = Sha256::new();
+    std::io::copy(&mut File::open(path)?, &mut hasher)?;
+    Ok(hex(hasher))
+}
+
+/// A sum in hexadecimal digits.
+pub(crate) fn hex(hasher: Sha256) -> String {
+    hasher.finalize().iter().fold(String::new(), |mut text, byte| {
+        let _ = write!(text, "{byte:02x}");
+        text
+    })
 }
 
 /// Warns of what was changed between the file and the mesh.

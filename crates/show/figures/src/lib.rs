@@ -4,7 +4,8 @@
 //!
 //! A [`Figure`] has [panels](Panel) that share a camera and a colour [`Scale`]; a panel shows a mesh, coloured by
 //! [`Values`], and [marks](Mark) on it. No graphics card is needed, and the same figure has the same pixels on every
-//! machine. A [`page::Page`] is interactive instead: one HTML file, composed by each system from [shared parts](page).
+//! machine. A [`page::Page`] is interactive instead: one HTML file, composed by each system from [shared parts](page). A
+//! [`paper::Document`] is for printing.
 //!
 //! ```
 //! use pompeiu_figures::{ColorMap, Scale};
@@ -23,6 +24,7 @@ pub mod names;
 mod normals;
 pub mod page;
 mod panel;
+pub mod paper;
 mod raster;
 mod text;
 mod theme;

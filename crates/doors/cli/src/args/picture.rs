@@ -87,7 +87,8 @@ impl Picture {
         Ok(png)
     }
 
-    fn view(&self) -> figures::View {
+    /// Where it is looked from.
+    pub(crate) fn view(&self) -> figures::View {
         let view = figures::View::default().with_up(self.up.axis());
         self.from.map_or(view, |direction| view.with_direction_to_eye(direction))
     }

@@ -1,13 +1,13 @@
 //! A file of results, so that an interrupted run goes on where it was.
 
+use crate::files::{hex, sha256};
 use anyhow::{Context, bail};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
-use std::fmt::Write as _;
 use std::fs::{File, OpenOptions};
-use std::io::{ErrorKind, Read, Seek, SeekFrom, Write};
+use std::io::{Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
@@ -22,27 +22,12 @@ pub(crate) type Fingerprint = String;
 
 /// The fingerprint of a mesh file.
 pub(crate) fn fingerprint(path: &Path) -> std::io::Result<Fingerprint> {
-    let content = |path: &Path| {
-        if !path.metadata()?.is_file() {
-            return Err(ErrorKind::InvalidInput.into());
-        }
-        let mut hasher = Sha256::new();
-        std::io::copy(&mut File::open(path)?, &mut hasher)?;
-        Ok(hex(hasher))
-    };
-    let mut all: Fingerprint = content(path)?;
+    let mut all: Fingerprint = sha256(path)?;
     for other in pompeiu::io::referenced_files(path) {
         // What is not there is told when the mesh is read; here it only differs from all that is.
-        all = all + " " + &content(&other).unwrap_or_else(|error: std::io::Error| error.to_string());
+        all = all + " " + &sha256(&other).unwrap_or_else(|error: std::io::Error| error.to_string());
     }
     Ok(all)
-}
-
-fn hex(hasher: Sha256) -> String {
-    hasher.finalize().iter().fold(String::new(), |mut text, byte| {
-        let _ = write!(text, "{byte:02x}");
-        text
-    })
 }
 
 /// Results by what they depend on: the contents of the files, the options, the task and the version of the algorithm. A file

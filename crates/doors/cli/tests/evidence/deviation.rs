@@ -100,7 +100,7 @@ fn a_threshold_is_answered_first_and_by_the_exit_code() {
 #[test]
 fn files_hold_what_the_answer_says() {
     let folder = plates();
-    let files = "-a a.ply -b b.vtu --csv s.csv --report r.html --image p.png --image-size 320x200 --unit mm";
+    let files = "-a a.ply -b b.vtu --csv s.csv --report r.html --image p.png --image-size 320x200 --unit mm --pdf p.pdf";
     let found = json(&folder, &format!("deviation above.obj below.obj --json {files}"));
     let read = |name: &str| std::fs::read(folder.path().join(name)).unwrap();
     let csv = String::from_utf8(read("s.csv")).unwrap();
@@ -116,6 +116,8 @@ fn files_hold_what_the_answer_says() {
     }
     assert_eq!(json(&folder, "info b.vtu --json")["faces"], 2);
     assert!(read("p.png").starts_with(b"\x89PNG"));
+    let document = read("p.pdf");
+    assert!(document.starts_with(b"%PDF-") && document.ends_with(b"%%EOF"), "a whole document");
     let page = String::from_utf8(read("r.html")).unwrap();
     assert!(page.contains("above.obj") && page.contains("--unit mm"), "names and command");
     assert!(!page.contains("<script src") && !page.contains("<link rel=\"stylesheet"), "one file");

@@ -6,6 +6,7 @@
 mod compose;
 mod content;
 mod page;
+mod paper;
 mod stages;
 
 pub use content::{

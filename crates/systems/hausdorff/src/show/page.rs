@@ -252,7 +252,7 @@ fn rounded(enclosure: Enclosure) -> String {
     middle.to_string()
 }
 
-fn percent(share: f64) -> f64 {
+pub(super) fn percent(share: f64) -> f64 {
     (share * 1e12).round() / 1e10
 }
 

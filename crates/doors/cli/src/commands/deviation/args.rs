@@ -4,7 +4,7 @@ use crate::aligned::Before;
 use crate::args::{Limits, Meshes, Picture};
 use crate::lengths::{Length, length};
 use crate::numbers::{magnitude, share};
-use clap::Args;
+use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
 /// Show how far two meshes deviate: where, on which side, over how much of the area
@@ -59,6 +59,12 @@ pub(crate) struct Deviation {
     pub(crate) unit: String,
     #[command(flatten)]
     pub(crate) picture: Picture,
+    /// Write the verdict, the picture, the numbers and what was measured for printing
+    #[arg(long, value_name = "FILE.pdf")]
+    pub(crate) pdf: Option<PathBuf>,
+    /// The size of the paper
+    #[arg(long, value_enum, default_value_t, requires = "pdf")]
+    pub(crate) paper: Paper,
     /// Write A, coloured by its distance from B
     #[arg(long, short = 'a', value_name = "FILE")]
     pub(crate) output_a: Option<PathBuf>,
@@ -76,6 +82,13 @@ pub(crate) struct Deviation {
     /// Print one JSON object
     #[arg(long)]
     pub(crate) json: bool,
+}
+
+#[derive(Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Paper {
+    #[default]
+    A4,
+    Letter,
 }
 
 /// Shares of the area, between 0 and 1.

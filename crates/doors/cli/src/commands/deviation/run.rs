@@ -3,6 +3,7 @@
 use super::args::Deviation;
 use super::verdict::Verdict;
 use super::{csv, full, json, meshes, text};
+use crate::aligned;
 use crate::called::called;
 use crate::exit::Exit;
 use crate::files;
@@ -12,12 +13,13 @@ use crate::pair::{self, File};
 use crate::printer::Printer;
 use crate::wait::Wait;
 use pompeiu::core::TriMesh;
+use pompeiu::figures::paper::Paper;
 use pompeiu::hausdorff::deviation::{self, DeviationOptions, DirectedDeviation};
 use pompeiu::hausdorff::show::{DeviationPage, NamedMesh, search_stages};
 use pompeiu::hausdorff::{Direction, Observer, Progress};
 use pompeiu::matching::align::Registration;
 use std::ops::ControlFlow;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 /// Everything there is to report.
@@ -61,7 +63,7 @@ pub(crate) fn run(args: &Deviation, printer: &Printer) -> anyhow::Result<Exit> {
     for path in outputs.into_iter().flatten() {
         meshes::check(path)?;
     }
-    let written = outputs.into_iter().chain([&args.csv]).flatten().map(PathBuf::as_path);
+    let written = outputs.into_iter().chain([&args.csv, &args.pdf]).flatten().map(PathBuf::as_path);
     files::check_places(written.chain(args.picture.outputs()), &paths)?;
     args.limits.apply_threads()?;
     let wait = Wait::new(printer);
@@ -134,7 +136,7 @@ fn write(
             meshes::write(path, mesh, directed, extent, printer)?;
         }
     }
-    if args.picture.outputs().next().is_some() {
+    if args.picture.outputs().next().is_some() || args.pdf.is_some() {
         show(args, outcome, a, b, printer)?;
     }
     if let Some(path) = &args.csv {
@@ -162,11 +164,48 @@ fn show(
         up: args.picture.up.axis(),
         command: Some(&called()),
     };
+    if let Some(path) = &args.pdf {
+        print(args, outcome, &shown, path, printer)?;
+    }
     args.picture.write(
         || shown.html(),
         |width, height, theme, view| shown.image(width, height, theme, view),
         printer,
     )
+}
+
+/// Writes the document for printing.
+fn print(
+    args: &Deviation,
+    outcome: &Outcome,
+    shown: &DeviationPage<'_>,
+    path: &Path,
+    printer: &Printer,
+) -> anyhow::Result<()> {
+    let verdict = outcome.threshold.zip(outcome.verdict());
+    let verdict = verdict.map(|(threshold, verdict)| {
+        verdict.sentence(&outcome.deviation, threshold, &outcome.unit, outcome.names)
+    });
+    let mut provenance = Vec::new();
+    for (name, (file, path)) in
+        outcome.names.into_iter().zip([&outcome.a, &outcome.b].into_iter().zip(args.meshes.paths()))
+    {
+        provenance.push([name.to_owned(), file.described()]);
+        if let Ok(sum) = files::sha256(path) {
+            provenance.push([String::new(), format!("SHA-256 {sum}")]);
+        }
+    }
+    if let Some(found) = &outcome.alignment {
+        provenance.push(["moved".to_owned(), aligned::verdict(found)]);
+    }
+    provenance.push(["command".to_owned(), called()]);
+    provenance.push(["program".to_owned(), format!("pompeiu {}", env!("CARGO_PKG_VERSION"))]);
+    let paper = match args.paper {
+        super::args::Paper::A4 => Paper::A4,
+        super::args::Paper::Letter => Paper::Letter,
+    };
+    let document = shown.document(verdict, &provenance, args.picture.view(), paper)?;
+    files::write_whole(path, &document.pdf(), printer)
 }
 
 /// Moves the progress bar.

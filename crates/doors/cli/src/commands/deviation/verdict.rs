@@ -81,6 +81,16 @@ impl Verdict {
             None => format!("{name} has no area"),
         };
         let [a, b] = directions(deviation);
+        let is_free = |(_, directed): (&str, &DirectedDeviation)| {
+            share(directed).is_none_or(|share| share.upper() == 0.0)
+        };
+        if self.answer == Answer::Within && is_free(a) && is_free(b) {
+            return format!(
+                "{head} {}: nothing is beyond it; worst {}",
+                length(shortest(threshold)),
+                length(brief(deviation.distance))
+            );
+        }
         format!(
             "{head} {}: beyond it {}, {}{allowed}; worst {}",
             length(shortest(threshold)),

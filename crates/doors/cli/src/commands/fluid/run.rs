@@ -147,7 +147,7 @@ fn show(
             let png = args
                 .picture
                 .png(|width, height, theme, view| page.image(frame, width, height, theme, view))?;
-            pompeiu::io::write_whole(&folder.join(format!("frame-{frame:05}.png")), &png)?;
+            pompeiu::io::write_whole(folder.join(format!("frame-{frame:05}.png")), &png)?;
         }
         printer.note(format_args!("{}: {} pictures", folder.display(), frames.len()));
     }
