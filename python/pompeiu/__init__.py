@@ -43,6 +43,7 @@ from .errors import (
 from .fields import DegreesOfFreedom, FieldParts, FieldQuality, HodgeDecomposition, Ranks, field_degrees_of_freedom
 from .files import mesh_summary, write_mesh
 from .flattening import Cut, Flattening, cut, flatten
+from .fluids import Simulation
 from .many import DistanceMatrix, RankReport, RankWork, Standing, distance_matrix, rank
 from .neurons import NeuronMesh, NeuronTransport, Skeleton, read_skeleton
 from .outlines import Complexity, complexity, noisy_circle, polyline, read_outlines
@@ -102,6 +103,7 @@ __all__ = [
     "Remeshed",
     "ShareAbove",
     "Simplified",
+    "Simulation",
     "Skeleton",
     "Standing",
     "Statistics",

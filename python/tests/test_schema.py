@@ -67,6 +67,7 @@ COMMANDS = {
     "fluid": [
         "fluid torus.ply.gz --velocity rotation:z --viscosity 0.1 --steps 3 --dt 0.1 --density x^2",
         "fluid rough.obj --vorticity x*y --steps 2 --dt 0.05 --scheme any-step",
+        "fluid --square 12 --lid 1 --viscosity 0.01 --steps 2 --dt 0.1",
     ],
     "simplify": [
         "simplify rough.obj -o simple.ply --within 0.1",

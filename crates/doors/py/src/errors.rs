@@ -8,6 +8,7 @@ use pompeiu::figures::page::PageError;
 use pompeiu::flatten::FlattenError;
 use pompeiu::flow::FlowError;
 use pompeiu::flow::remesh::{RemeshError, SimplifyError};
+use pompeiu::fluid::FluidError;
 use pompeiu::hausdorff::OptionError;
 use pompeiu::io::{AttributeError, ReadError, WriteError};
 use pompeiu::matching::align::AlignError;
@@ -132,6 +133,20 @@ impl Raise for FlattenError {
                 classes::OptionError::new_err(sentence)
             }
             _ => classes::SurfaceError::new_err(sentence),
+        }
+    }
+}
+
+impl Raise for FluidError {
+    fn exception(&self, sentence: String) -> PyErr {
+        match self {
+            Self::Length { .. }
+            | Self::NonFinite { .. }
+            | Self::Harmonic { .. }
+            | Self::BlewUp { .. }
+            | Self::Operator(_)
+            | Self::Solve(_) => classes::FieldError::new_err(sentence),
+            _ => classes::OptionError::new_err(sentence),
         }
     }
 }

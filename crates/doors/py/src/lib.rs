@@ -10,6 +10,7 @@ mod fields;
 mod files;
 mod flatten;
 mod flow;
+mod fluid;
 mod hausdorff;
 mod json;
 mod matching;
@@ -32,6 +33,8 @@ mod _native {
     use crate::flatten::{cut, flatten};
     #[pymodule_export]
     use crate::flow::{intersections, mean_curvature_flow, remesh, simplify};
+    #[pymodule_export]
+    use crate::fluid::Simulation;
     #[pymodule_export]
     use crate::hausdorff::{
         DeviationPage, Target, deviation, directed_deviation, directed_hausdorff, hausdorff,

@@ -1,6 +1,7 @@
 //! What is measured, step by step.
 
 use crate::options::{FluidOptions, Integrator, Scheme, TimeStep, Transport, ViscosityModel, Wall};
+use crate::square::{SquareOptions, SquareScheme};
 use std::time::Duration;
 
 /// A flow after a step. Lengths and times are in the units of the input.
@@ -40,10 +41,10 @@ pub struct FluidStep {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct SchemeReport {
-    /// How the velocity is stored and advected.
-    pub name: Scheme,
-    /// How it moves on in time.
-    pub integrator: Integrator,
+    /// How the velocity is stored and advected: vorticity, any-step; in the square mac, stam.
+    pub name: &'static str,
+    /// How it moves on in time, where it is not traced back.
+    pub integrator: Option<Integrator>,
     /// Length of a step, the longest where it is chosen.
     pub time_step: f64,
     /// The bound of the Courant number by which steps are chosen.
@@ -65,8 +66,8 @@ pub struct SchemeReport {
 impl SchemeReport {
     pub(crate) fn of(options: &FluidOptions, harmonic_fields: usize) -> Self {
         Self {
-            name: options.scheme,
-            integrator: options.integrator,
+            name: options.scheme.name(),
+            integrator: (options.scheme == Scheme::Vorticity).then_some(options.integrator),
             time_step: options.longest_step(),
             cfl: match options.time_step {
                 TimeStep::Fixed(_) => None,
@@ -78,6 +79,25 @@ impl SchemeReport {
             transport: options.transport,
             densities: options.densities.iter().map(|density| density.name.clone()).collect(),
             harmonic_fields,
+        }
+    }
+
+    pub(crate) fn of_square(options: &SquareOptions) -> Self {
+        let (name, transport) = match options.scheme {
+            SquareScheme::Mac => ("mac", Transport::FluxCorrected),
+            SquareScheme::Stam { .. } => ("stam", Transport::SemiLagrangian),
+        };
+        Self {
+            name,
+            integrator: None,
+            time_step: options.time_step,
+            cfl: None,
+            viscosity: options.viscosity,
+            viscosity_model: ViscosityModel::default(),
+            wall: options.wall,
+            transport,
+            densities: options.densities.iter().map(|density| density.name.clone()).collect(),
+            harmonic_fields: 0,
         }
     }
 }

@@ -797,3 +797,31 @@ fn fluid_measures_what_is_conserved_and_writes_its_steps() {
     let late = folder.run("fluid torus.obj --velocity rotation:z --steps 3 --dt 0.1 --time-limit 0s");
     assert_eq!(late.status.code(), Some(3));
 }
+
+#[test]
+fn fluid_flows_in_the_square_too() {
+    let folder = Folder::new();
+    let command = "fluid --square 16 --lid 1 --viscosity 0.01 --steps 5 --dt 0.05 -o lid.pvd --json";
+    let report = json(&folder, command);
+    assert_eq!((&report["scheme"]["name"], report["input"]["vertices"].as_u64()), (&"mac".into(), Some(256)));
+    let last = report["steps"].as_array().unwrap().last().unwrap();
+    assert!(last["energy"].as_f64().unwrap() > 0.0 && last["divergence"].as_f64().unwrap() < 1e-12);
+    assert!(folder.path().join("lid/step-00005.vtp").is_file());
+    let scene = "steps = 3\ndt = 0.02\ngrid = \"stam:20\"\nedges = \"periodic\"\nvelocity = \"sin(6.28*y); 0\"\n\
+                 [[density]]\nname = \"dye\"\ninitial = \"x*y\"\n";
+    std::fs::write(folder.path().join("scene.toml"), scene).unwrap();
+    let report = json(&folder, "fluid --square 12 scene.toml --video run.html --json");
+    assert_eq!(report["scheme"]["name"], "stam");
+    assert!(std::fs::read_to_string(folder.path().join("run.html")).unwrap().contains("Flow on square"));
+    for (arguments, said) in [
+        ("fluid --square 1 --steps 1 --dt 0.1", "expected 2 to 4096"),
+        ("fluid --square 8 --steps 1 --dt 0.1 --grid stam --lid 1", "choose the scheme mac"),
+        ("fluid --square 8 --steps 1 --dt 0.1 --obstacles nothing.png", "nothing.png"),
+        ("fluid --square 8 --steps 1 --dt 0.1 --rotation 0,0,1", "`rotation` is for surfaces"),
+        ("fluid --square 8 a.obj b.toml --steps 1 --dt 0.1", "the square has no mesh"),
+    ] {
+        let wrong = folder.run(arguments);
+        let stderr = String::from_utf8(wrong.stderr).unwrap();
+        assert!(wrong.status.code() == Some(2) && stderr.contains(said), "{arguments}: {stderr}");
+    }
+}

@@ -1,7 +1,9 @@
 //! A flow as it is shown at a time.
 
 use super::Streaks;
+use super::streaks::square_curves;
 use crate::State;
+use crate::square::Square;
 
 /// Values that a page holds at most, some 20 bytes each.
 const MOST_VALUES: usize = 2_000_000;
@@ -38,6 +40,16 @@ impl FluidFrame {
             vorticity: state.vorticity.to_vec(),
             densities: state.densities.iter().map(|values| values.to_vec()).collect(),
             curves: streaks.curves(state),
+        }
+    }
+
+    /// The flow in the square as it is, with a vertex for each cell.
+    pub fn of_square(square: &Square) -> Self {
+        Self {
+            step: square.steps(),
+            vorticity: square.vorticity(),
+            densities: square.densities().to_vec(),
+            curves: square_curves(square),
         }
     }
 }

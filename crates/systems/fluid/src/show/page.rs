@@ -26,8 +26,8 @@ pub struct FluidPage<'r> {
     pub steps: &'r [FluidStep],
     /// Flows to be shown, in order.
     pub frames: &'r [FluidFrame],
-    /// Which way is up.
-    pub up: [f64; 3],
+    /// Which way is up; none for what lies in the plane.
+    pub up: Option<[f64; 3]>,
     /// The command that makes the page again.
     pub command: Option<&'r str>,
 }
@@ -40,6 +40,8 @@ struct Quantity<'r> {
     name: &'r str,
     span: Span,
     colors: ColorMap,
+    /// The colour of streaks, which stands out from those of the values.
+    streaks: Color,
     values: Vec<&'r [f64]>,
 }
 
@@ -57,7 +59,7 @@ impl<'r> FluidPage<'r> {
         page.picture = "fluid".into();
         page.command = self.command.map(str::to_owned);
         env!("CARGO_PKG_VERSION").clone_into(&mut page.version);
-        let space = page.add_space(Space::Spatial(axis(self.up)));
+        let space = page.add_space(self.up.map_or(Space::Plane, |up| Space::Spatial(axis(up))));
         let mesh = page.add_mesh(space, Mesh::of(name(self.path), self.mesh))?;
         let player = page.add_player(Player {
             label: "Step".into(),
@@ -103,11 +105,18 @@ impl<'r> FluidPage<'r> {
                 name: density,
                 span: Span::Between(least, most),
                 colors: ColorMap::Viridis,
+                streaks: Color::Fixed([255, 255, 255]),
                 values,
             });
         }
         let values = self.frames.iter().map(|frame| frame.vorticity.as_slice()).collect();
-        quantities.push(Quantity { name: "vorticity", span: Span::Signed, colors: ColorMap::Vik, values });
+        quantities.push(Quantity {
+            name: "vorticity",
+            span: Span::Signed,
+            colors: ColorMap::Vik,
+            streaks: Color::Ink,
+            values,
+        });
         quantities
     }
 
@@ -131,7 +140,7 @@ impl<'r> FluidPage<'r> {
         let lines = |frame: &FluidFrame| {
             Shape::Lines(Lines {
                 paths: frame.curves.clone(),
-                color: Color::Ink,
+                color: quantity.streaks,
                 width: 1.6,
                 moving: true,
                 ..Lines::default()
@@ -187,7 +196,7 @@ impl<'r> FluidPage<'r> {
 
     fn facts(&self) -> Vec<Fact> {
         let scheme = self.scheme;
-        let mut facts = vec![Fact::new("scheme", scheme.name.name())];
+        let mut facts = vec![Fact::new("scheme", scheme.name)];
         let mut add = |name: &str, value: Text| facts.push(Fact::new(name, value));
         add("step", Text::default().number(scheme.time_step, 4));
         if scheme.viscosity > 0.0 {

@@ -1,6 +1,7 @@
 //! Short curves along a velocity.
 
 use crate::State;
+use crate::square::Square;
 use crate::transport::Backtrace;
 use pompeiu_core::FaceId;
 use pompeiu_surface::plane::norm;
@@ -74,4 +75,35 @@ impl<'s> Streaks<'s> {
         let corners = self.surface.corner_positions(face);
         [0, 1, 2].map(|i| (0..3).map(|k| shares[k] * corners[k][i]).sum())
     }
+}
+
+/// Places on each side of the square from which curves start.
+const SQUARE_SEEDS: usize = 13;
+
+/// The same in the square.
+pub(super) fn square_curves(square: &Square) -> Vec<Vec<[f64; 3]>> {
+    let seeds = (0..SQUARE_SEEDS * SQUARE_SEEDS)
+        .map(|k| [k % SQUARE_SEEDS, k / SQUARE_SEEDS].map(|i| (i as f64 + 0.5) / SQUARE_SEEDS as f64));
+    let speed = |[u, v]: [f64; 2]| u.hypot(v);
+    let fastest = square.velocity().into_iter().map(speed).fold(0.0, |m, x| if x > m { x } else { m });
+    if fastest <= 0.0 {
+        return Vec::new();
+    }
+    let time = REACH / fastest / PARTS as f64;
+    let curve = |seed: [f64; 2]| {
+        let (mut place, mut curve) = (seed, vec![[seed[0], seed[1], 0.0]]);
+        for _ in 0..PARTS {
+            let u = square.velocity_at(place);
+            if speed(u) < SLOW * fastest {
+                break;
+            }
+            place = [0, 1].map(|k| place[k] + time * u[k]);
+            if !place.iter().all(|x| (0.0..=1.0).contains(x)) {
+                break;
+            }
+            curve.push([place[0], place[1], 0.0]);
+        }
+        curve
+    };
+    seeds.map(curve).filter(|curve| curve.len() > 1).collect()
 }

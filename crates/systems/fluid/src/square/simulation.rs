@@ -4,7 +4,7 @@ use super::mac::Mac;
 use super::options::{SquareOptions, SquareScheme};
 use super::stam::{Ghosts, Stam};
 use crate::transport::Cells;
-use crate::{FluidError, FluidStep, FluidTiming};
+use crate::{FluidError, FluidStep, FluidTiming, SchemeReport};
 use pompeiu_solve::{Cholesky, LinearSolver, SparseMatrix};
 use std::time::Instant;
 
@@ -89,6 +89,11 @@ impl Square {
     /// The options.
     pub fn options(&self) -> &SquareOptions {
         &self.options
+    }
+
+    /// How the flow is computed.
+    pub fn scheme(&self) -> SchemeReport {
+        SchemeReport::of_square(&self.options)
     }
 
     /// Number of steps so far.

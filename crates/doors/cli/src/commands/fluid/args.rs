@@ -4,6 +4,7 @@ use crate::args::{Limits, Picture};
 use crate::numbers::{magnitude, tuple};
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
+use pompeiu::fluid::square::{Edges, SquareScheme};
 use pompeiu::fluid::{Integrator, Scheme, Transport, ViscosityModel, Wall};
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
@@ -44,7 +45,8 @@ Scenes:
   speed = 1
 
 Velocities:
-  rotation:AXIS, random:SEED, harmonic:K, or a FILE with a vector for each face; what has divergence is taken off
+  rotation:AXIS, random:SEED, harmonic:K, or a FILE with a vector for each face; what has divergence is taken off.
+  In the square two expressions in x and y: \"sin(6*y); 0\"
 
 Schemes:
   vorticity   vorticity at vertices and harmonic coefficients, in substeps; conserves energy and enstrophy in space (default)
@@ -55,13 +57,30 @@ step and keeps what is done; the exit code is then 3.
 
 Examples:
   pompeiu fluid sphere.obj --velocity rotation:z --viscosity 0.1 --steps 100 --dt 0.01 --json
+  pompeiu fluid --square 128 --lid 1 --viscosity 0.01 --steps 300 --dt 0.05 --video cavity.html
   pompeiu fluid bunny.off smoke.toml --steps 300 --dt 0.02 -o smoke.pvd --video smoke.html")]
 pub(crate) struct Fluid {
     /// The mesh file
-    pub(crate) mesh: PathBuf,
+    #[arg(required_unless_present = "square")]
+    pub(crate) mesh: Option<PathBuf>,
     /// A scene
     #[arg(value_name = "SCENE.toml")]
     pub(crate) scene: Option<PathBuf>,
+    /// The unit square of N x N cells instead of a mesh
+    #[arg(long, value_name = "N")]
+    pub(crate) square: Option<usize>,
+    /// How the square stores velocities: mac, stam (solved directly) or stam:SWEEPS of Gauss and Seidel
+    #[arg(long, value_parser = grid, value_name = "GRID")]
+    pub(crate) grid: Option<SquareScheme>,
+    /// What is at the edges of the square: walls, periodic or channel:SPEED (inflow on the left)
+    #[arg(long, value_parser = edges, value_name = "EDGES")]
+    pub(crate) edges: Option<Edges>,
+    /// The velocity of the upper wall of the square, to the right
+    #[arg(long, allow_hyphen_values = true, value_name = "SPEED")]
+    pub(crate) lid: Option<f64>,
+    /// A black and white picture of the square; what is dark is an obstacle
+    #[arg(long, value_name = "PICTURE")]
+    pub(crate) obstacles: Option<PathBuf>,
     /// Number of steps
     #[arg(long, value_name = "N")]
     pub(crate) steps: Option<usize>,
@@ -126,12 +145,36 @@ pub(crate) struct Fluid {
     #[arg(long, value_name = "FOLDER")]
     pub(crate) frames: Option<PathBuf>,
     #[command(flatten)]
-    pub(crate) picture: Picture,
+    pub(crate) picture: Box<Picture>,
     /// Print one JSON object
     #[arg(long)]
     pub(crate) json: bool,
     #[command(flatten)]
     pub(crate) limits: Limits,
+}
+
+/// Parses how the square stores velocities.
+pub(super) fn grid(text: &str) -> Result<SquareScheme, String> {
+    let sweeps = |rest: &str| rest.parse().ok().filter(|&n: &usize| n > 0);
+    match text.split_once(':') {
+        None if text == "mac" => Ok(SquareScheme::Mac),
+        None if text == "stam" => Ok(SquareScheme::Stam { sweeps: None }),
+        Some(("stam", rest)) if sweeps(rest).is_some() => Ok(SquareScheme::Stam { sweeps: sweeps(rest) }),
+        _ => Err("expected mac, stam or stam:SWEEPS".to_owned()),
+    }
+}
+
+/// Parses what is at the edges of the square.
+pub(super) fn edges(text: &str) -> Result<Edges, String> {
+    match text.split_once(':') {
+        None if text == "walls" => Ok(Edges::Walls),
+        None if text == "periodic" => Ok(Edges::Periodic),
+        Some(("channel", rest)) => match rest.parse() {
+            Ok(speed) => Ok(Edges::Channel { speed }),
+            Err(_) => Err(format!("`{rest}` is no speed")),
+        },
+        _ => Err("expected walls, periodic or channel:SPEED".to_owned()),
+    }
 }
 
 /// Parses one of some names.
@@ -140,4 +183,21 @@ fn named<T: Clone + Send + Sync + 'static>(
     parse: fn(&str) -> Option<T>,
 ) -> impl TypedValueParser<Value = T> {
     PossibleValuesParser::new(names.to_vec()).try_map(move |name| parse(&name).ok_or("there is no such name"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn grids_and_edges_are_told_apart() {
+        assert_eq!(grid("mac"), Ok(SquareScheme::Mac));
+        assert_eq!(grid("stam:20"), Ok(SquareScheme::Stam { sweeps: Some(20) }));
+        assert_eq!(edges("periodic"), Ok(Edges::Periodic));
+        assert_eq!(edges("channel:1.5"), Ok(Edges::Channel { speed: 1.5 }));
+        for wrong in ["", "stam:0", "stam:x", "mac:3"] {
+            assert!(grid(wrong).is_err(), "{wrong}");
+        }
+        assert!(edges("channel").is_err() && edges("channel:x").is_err());
+    }
 }

@@ -4,7 +4,7 @@ use super::scene::{Ball, Scene};
 use crate::expression::values;
 use crate::field::{self, FieldSource};
 use crate::printer::Printer;
-use anyhow::{Context, bail};
+use anyhow::bail;
 use pompeiu::core::TriMesh;
 use pompeiu::core::mesh::VertexData;
 use pompeiu::fluid::{Density, FluidOptions, Simulation, TimeStep, coriolis, tangential};
@@ -19,6 +19,16 @@ pub(super) fn simulation<'s>(
     printer: &Printer,
 ) -> anyhow::Result<Simulation<'s>> {
     let mut fluid = Simulation::new(surface.surface(), options(scene, mesh, surface)?)?;
+    for (what, given) in [
+        ("grid", scene.grid.is_some()),
+        ("edges", scene.edges.is_some()),
+        ("lid", scene.lid.is_some()),
+        ("obstacles", scene.obstacles.is_some()),
+    ] {
+        if given {
+            bail!("`{what}` is for the square; name it with --square, or leave `{what}` out");
+        }
+    }
     if let Some(text) = &scene.velocity {
         let source = FieldSource::parse(text, "velocity")?;
         let harmonic = fluid.harmonic_fields();
@@ -154,18 +164,13 @@ fn nothing_in(what: &str, element: &str, ball: Ball) -> String {
 }
 
 /// Which vertices lie in a ball; the nearest one in any case.
-fn within(mesh: &TriMesh, ball: Ball) -> Vec<bool> {
+pub(super) fn within(mesh: &TriMesh, ball: Ball) -> Vec<bool> {
     let distances: Vec<f64> = mesh.positions().iter().map(|p| distance_sq(*p, ball.at)).collect();
     let nearest = distances.iter().copied().fold(f64::INFINITY, |m, d| if d < m { d } else { m });
     let reach = ball.radius * ball.radius;
     distances.into_iter().map(|d| d <= reach || d == nearest).collect()
 }
 
-fn distance_sq(p: [f64; 3], q: [f64; 3]) -> f64 {
+pub(super) fn distance_sq(p: [f64; 3], q: [f64; 3]) -> f64 {
     (0..3).map(|i| (p[i] - q[i]) * (p[i] - q[i])).sum()
-}
-
-/// A scene that cannot be simulated is told with the file of its mesh.
-pub(super) fn named<T>(result: anyhow::Result<T>, path: &std::path::Path) -> anyhow::Result<T> {
-    result.with_context(|| path.display().to_string())
 }

@@ -33,6 +33,7 @@ pub(super) fn json(outcome: &Outcome) -> serde_json::Result<String> {
 #[derive(Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema), schemars(rename = "Fluid"))]
 pub(crate) struct Json<'o> {
+    /// The mesh; in the square a vertex for each cell.
     input: &'o File,
     /// Why it ended: steps, time or cancelled.
     stop: StopReason,

@@ -6,6 +6,8 @@ mod json;
 mod reader;
 mod run;
 mod scene;
+mod square;
+mod stage;
 mod text;
 
 pub(crate) use args::Fluid;

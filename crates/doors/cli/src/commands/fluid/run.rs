@@ -2,7 +2,8 @@
 
 use super::args::Fluid as Args;
 use super::scene::Scene;
-use super::{build, json, text};
+use super::stage::Stage;
+use super::{build, json, square, text};
 use crate::called::called;
 use crate::exit::Exit;
 use crate::pair::File;
@@ -13,10 +14,9 @@ use crate::{files, interrupt, surface};
 use anyhow::{Context, bail};
 use pompeiu::core::TriMesh;
 use pompeiu::core::run::{Control, Limits, StopReason};
+use pompeiu::figures::View;
 use pompeiu::fluid::show::{FluidFrame, FluidPage, Streaks, most_frames};
-use pompeiu::fluid::{FluidStep, FluidTiming, SchemeReport, Simulation};
-use pompeiu::io::{Attributes, write_with};
-use pompeiu::surface::EmbeddedSurface;
+use pompeiu::fluid::{FluidStep, FluidTiming, SchemeReport};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
@@ -38,8 +38,8 @@ pub(crate) fn run(args: &Args, printer: &Printer) -> anyhow::Result<Exit> {
     let Some(asked) = scene.steps else { bail!("no number of steps is given; name one with --steps") };
     let pages = || args.video.iter().map(PathBuf::as_path).chain(args.picture.outputs());
     let outputs = args.output.iter().map(PathBuf::as_path).chain(pages());
-    let inputs: Vec<&Path> = std::iter::once(&args.mesh).chain(&args.scene).map(PathBuf::as_path).collect();
-    files::check_places(outputs, &inputs)?;
+    let inputs = args.mesh.iter().chain(&args.scene).chain(&scene.obstacles);
+    files::check_places(outputs, &inputs.map(PathBuf::as_path).collect::<Vec<_>>())?;
     if let Some(folder) = args.frames.as_deref().filter(|folder| folder.exists()) {
         bail!("{}: exists; name a folder that does not, the frames go into it", folder.display());
     }
@@ -47,29 +47,44 @@ pub(crate) fn run(args: &Args, printer: &Printer) -> anyhow::Result<Exit> {
     args.limits.apply_threads()?;
     interrupt::listen();
     let wait = Wait::new(printer);
-    let (mesh, surface) = surface::read(&args.mesh, &wait, printer)?;
+    let name = if args.square.is_some() {
+        Path::new("square")
+    } else {
+        args.mesh.as_deref().unwrap_or(Path::new(""))
+    };
+    let (mesh, surface) = if let Some(cells) = args.square {
+        (square::centres(cells)?, None)
+    } else {
+        let (mesh, surface) = surface::read(name, &wait, printer)?;
+        (mesh, Some(surface))
+    };
     wait.show("factoring".to_owned());
-    let mut fluid = build::named(build::simulation(&scene, &mesh, &surface, printer), &args.mesh)?;
-    let streaks = Streaks::new(&surface);
+    let made = match (&surface, args.square) {
+        (Some(surface), _) => build::simulation(&scene, &mesh, surface, printer).map(|fluid| {
+            Stage::Surface { fluid: Box::new(fluid), surface, streaks: Box::new(Streaks::new(surface)) }
+        }),
+        (None, cells) => square::simulation(&scene, cells.unwrap_or(0), &mesh)
+            .map(|square| Stage::Square(Box::new(square))),
+    };
+    let mut stage = made.with_context(|| name.display().to_string())?;
     let shows = args.frames.is_some() || pages().next().is_some();
     let mut frames: Vec<FluidFrame> = Vec::new();
-    let values = 1 + fluid.state().densities.len();
+    let values = 1 + stage.scheme().densities.len();
     let stride =
         if shows { asked.div_ceil(most_frames(mesh.positions().len(), values)).max(1) } else { asked };
     let limits = Limits { time: args.limits.time_after(started.elapsed()), ..Limits::default() };
     let control = Control::start(&limits);
-    let mut steps = vec![fluid.measure()?];
+    let mut steps = vec![stage.measure()?];
     let mut failed = None;
     loop {
         let done = steps.len() - 1;
         if shows && (done.is_multiple_of(stride) || done == asked) {
-            frames.push(FluidFrame::new(fluid.state(), &streaks));
+            frames.push(stage.frame());
         }
-        if let Some(series) = series.as_ref().filter(|_| done.is_multiple_of(args.every.get())) {
-            let write = |path: &Path| write_step(path, &mesh, &surface, &fluid);
-            if series.add(done, fluid.state().time, write).is_break() {
-                break;
-            }
+        if let Some(series) = series.as_ref().filter(|_| done.is_multiple_of(args.every.get()))
+            && series.add(done, stage.time(), |path| stage.write(path, &mesh)).is_break()
+        {
+            break;
         }
         if done == asked {
             break;
@@ -80,9 +95,8 @@ pub(crate) fn run(args: &Args, printer: &Printer) -> anyhow::Result<Exit> {
         if control.is_stopped() {
             break;
         }
-        let time = fluid.state().time;
-        wait.count(format!("steps, time {time:.4}"), [done as u64, asked as u64]);
-        match fluid.step() {
+        wait.count(format!("steps, time {:.4}", stage.time()), [done as u64, asked as u64]);
+        match stage.step() {
             Ok(step) => steps.push(step),
             Err(error) => {
                 failed = Some(error);
@@ -96,17 +110,17 @@ pub(crate) fn run(args: &Args, printer: &Printer) -> anyhow::Result<Exit> {
         series.finish(printer)?;
     }
     if let Some(error) = failed {
-        return Err(error).with_context(|| args.mesh.display().to_string());
+        return Err(error).with_context(|| name.display().to_string());
     }
-    if shows && frames.last().is_some_and(|frame| frame.step != fluid.state().step) {
-        frames.push(FluidFrame::new(fluid.state(), &streaks));
+    if shows && frames.last().is_some_and(|frame| frame.step + 1 != steps.len()) {
+        frames.push(stage.frame());
     }
     let outcome = Outcome {
-        input: File::new(&args.mesh, &mesh),
+        input: File::new(name, &mesh),
         asked,
         stop: control.reason().unwrap_or(StopReason::Steps),
-        scheme: fluid.scheme(),
-        timing: fluid.timing(),
+        scheme: stage.scheme(),
+        timing: stage.timing(),
         steps,
         total: started.elapsed(),
     };
@@ -124,12 +138,12 @@ fn show(
     printer: &Printer,
 ) -> anyhow::Result<()> {
     let page = FluidPage {
-        path: &args.mesh.display().to_string(),
+        path: &outcome.input.path,
         mesh,
         scheme: &outcome.scheme,
         steps: &outcome.steps,
         frames,
-        up: args.picture.up.axis(),
+        up: args.square.is_none().then(|| args.picture.up.axis()),
         command: Some(&called()),
     };
     if let Some(video) = &args.video {
@@ -138,15 +152,15 @@ fn show(
     let last = frames.len().saturating_sub(1);
     args.picture.write(
         || page.html(),
-        |width, height, theme, view| page.image(last, width, height, theme, view),
+        |width, height, theme, view| page.image(last, width, height, theme, front(args, view)),
         printer,
     )?;
     if let Some(folder) = &args.frames {
         std::fs::create_dir(folder).with_context(|| folder.display().to_string())?;
         for frame in 0..frames.len() {
-            let png = args
-                .picture
-                .png(|width, height, theme, view| page.image(frame, width, height, theme, view))?;
+            let png = args.picture.png(|width, height, theme, view| {
+                page.image(frame, width, height, theme, front(args, view))
+            })?;
             pompeiu::io::write_whole(folder.join(format!("frame-{frame:05}.png")), &png)?;
         }
         printer.note(format_args!("{}: {} pictures", folder.display(), frames.len()));
@@ -154,21 +168,11 @@ fn show(
     Ok(())
 }
 
-/// Writes the flow as it is.
-fn write_step(
-    path: &Path,
-    mesh: &TriMesh,
-    surface: &EmbeddedSurface,
-    fluid: &Simulation<'_>,
-) -> anyhow::Result<()> {
-    let state = fluid.state();
-    let velocity = state.velocity.entries().map(|(face, &u)| surface.to_space(face, u)).collect();
-    let mut attributes = Attributes::for_mesh(mesh)
-        .with_vertex_scalar("vorticity", state.vorticity.to_vec())?
-        .with_vertex_scalar("stream_function", state.stream.to_vec())?
-        .with_face_vector("velocity", velocity)?;
-    for (name, values) in fluid.scheme().densities.iter().zip(&state.densities) {
-        attributes = attributes.with_vertex_scalar(name, values.to_vec())?;
+/// The square is looked at from the front, unless somebody wants it otherwise.
+fn front(args: &Args, view: View) -> View {
+    if args.square.is_some() && args.picture.from.is_none() {
+        view.with_direction_to_eye([0.0, 0.0, 1.0])
+    } else {
+        view
     }
-    Ok(write_with(path, mesh, &attributes)?)
 }

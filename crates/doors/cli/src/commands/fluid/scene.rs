@@ -2,9 +2,10 @@
 
 use super::args::Fluid;
 use super::reader::{Reader, SceneFile};
-use anyhow::{Context, bail};
+use anyhow::{Context, anyhow, bail};
+use pompeiu::fluid::square::{Edges, SquareScheme};
 use pompeiu::fluid::{Integrator, Scheme, Transport, ViscosityModel, Wall};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// A flow as it is described.
 #[derive(Default)]
@@ -25,6 +26,10 @@ pub(super) struct Scene {
     pub(super) velocity: Option<String>,
     pub(super) vorticity: Option<String>,
     pub(super) harmonic: Option<Vec<f64>>,
+    pub(super) grid: Option<SquareScheme>,
+    pub(super) edges: Option<Edges>,
+    pub(super) lid: Option<f64>,
+    pub(super) obstacles: Option<PathBuf>,
     pub(super) vortices: Vec<Vortex>,
     pub(super) densities: Vec<DensityScene>,
     pub(super) forces: Vec<LocalForce>,
@@ -65,7 +70,7 @@ pub(super) struct MovingWall {
 impl Scene {
     /// What the command line says, and for all else what the scene file says.
     pub(super) fn of(args: &Fluid) -> anyhow::Result<Self> {
-        let mut scene = match &args.scene {
+        let mut scene = match scene_path(args)? {
             Some(path) => Self::read(path)?,
             None => Self::default(),
         };
@@ -75,6 +80,7 @@ impl Scene {
             };
         }
         prefer!(steps, dt, cfl, scheme, integrator, viscosity, viscosity_model, wall, transport);
+        prefer!(grid, edges, lid, obstacles);
         prefer!(gravity, rotation, acceleration, confinement, velocity, vorticity, harmonic);
         if let Some(initial) = &args.density {
             scene.densities.push(DensityScene {
@@ -119,6 +125,10 @@ impl Scene {
             velocity: top.text("velocity")?,
             vorticity: top.text("vorticity")?,
             harmonic: top.numbers("harmonic")?,
+            grid: parsed(&mut top, "grid", super::args::grid)?,
+            edges: parsed(&mut top, "edges", super::args::edges)?,
+            lid: top.number("lid")?,
+            obstacles: top.text("obstacles")?.map(PathBuf::from),
             vortices: each(&mut top, "vortex", vortex)?,
             densities: each(&mut top, "density", density)?,
             forces: each(&mut top, "force", force)?,
@@ -127,6 +137,27 @@ impl Scene {
         top.finish()?;
         Ok(scene)
     }
+}
+
+/// The scene file; in the square there is no mesh before it.
+pub(super) fn scene_path(args: &Fluid) -> anyhow::Result<Option<&PathBuf>> {
+    match (args.square, &args.mesh, &args.scene) {
+        (Some(_), _, Some(second)) => {
+            bail!("{}: the square has no mesh; name a scene or none", second.display())
+        }
+        (Some(_), first, None) => Ok(first.as_ref()),
+        (None, _, scene) => Ok(scene.as_ref()),
+    }
+}
+
+/// A text that another function reads.
+fn parsed<T>(
+    reader: &mut Reader<'_>,
+    key: &'static str,
+    parse: impl Fn(&str) -> Result<T, String>,
+) -> anyhow::Result<Option<T>> {
+    let Some(text) = reader.text(key)? else { return Ok(None) };
+    parse(&text).map(Some).map_err(|error| anyhow!("{key}: {error}"))
 }
 
 /// Every table of a name.

@@ -18,7 +18,7 @@ pub(super) fn text(outcome: &Outcome) -> String {
         page.row("", &format!("stopped early by {}", stopped_by(outcome.stop)));
     }
     let scheme = &outcome.scheme;
-    page.row("scheme", &format!("{}, {}", scheme.name.name(), viscosity(outcome)));
+    page.row("scheme", &format!("{}, {}", scheme.name, viscosity(outcome)));
     page.row("energy", &format!("{}, was {}", few(last.energy), few(first.energy)));
     page.row("enstrophy", &format!("{}, was {}", few(last.enstrophy), few(first.enstrophy)));
     page.row("speed", &format!("at most {}", few(last.max_speed)));

@@ -1,0 +1,234 @@
+"""Fluids on surfaces, stepped."""
+
+from __future__ import annotations
+
+import json
+from os import PathLike
+from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Union
+
+import numpy as np
+
+from . import _native
+from .errors import OptionError
+from .sources import MeshLike, as_mesh
+
+__all__ = ["Simulation"]
+
+Force = Union[None, np.ndarray, Callable[["Simulation"], np.ndarray]]
+
+
+class Simulation:
+    """An incompressible fluid on a surface, with densities that it carries.
+
+    Parameters
+    ----------
+    mesh : MeshLike
+        An oriented manifold, with or without boundary, of any genus.
+    dt : float
+        Length of a step; with ``cfl`` the longest.
+    scheme : str
+        ``"vorticity"``: conserves energy and enstrophy in space, in substeps; ``"any-step"``: traced back, stable at any step.
+    integrator : str
+        ``"runge-kutta"`` or ``"implicit-midpoint"``, which conserves them in time as well.
+    cfl : float, optional
+        Halve the step until no more than this part of what a dual cell holds flows out of it.
+    viscosity : float
+        Kinematic viscosity.
+    viscosity_model : str
+        ``"physical"``, ``"bochner"`` or ``"hodge"``.
+    wall : str
+        ``"no-slip"`` or ``"free-slip"``.
+    transport : str
+        ``"flux-corrected"``, ``"semi-lagrangian"`` or ``"semi-lagrangian-corrected"``.
+    gravity, rotation, acceleration : sequence of three floats, optional
+        Gravity, felt by densities with a weight; angular velocity of the surface; an acceleration everywhere.
+    confinement : float
+        Strength of vorticity confinement.
+    densities : mapping, optional
+        For each name an array of values at vertices, or a mapping with ``initial`` and any of ``diffusivity``, ``weight``, ``source``.
+
+    Raises
+    ------
+    SurfaceError
+        If the mesh is no oriented manifold.
+    OptionError, FieldError
+        If options make no sense, or arrays do not fit or are not finite.
+
+    Examples
+    --------
+    >>> import numpy as np, pompeiu
+    >>> sphere = pompeiu.shapes.icosphere(1.0, 3)
+    >>> fluid = pompeiu.Simulation(sphere, 0.05, densities={"dye": np.exp(-4 * sphere.vertices[:, 0])})
+    >>> fluid.set_vorticity(sphere.vertices[:, 2] + sphere.vertices[:, 0] * sphere.vertices[:, 1])
+    >>> before = fluid.measure()
+    >>> after = fluid.step(5)[-1]
+    >>> bool(abs(after["energy"] / before["energy"] - 1) < 1e-6 and abs(after["mass"][0] / before["mass"][0] - 1) < 1e-12)
+    True
+    """
+
+    def __init__(
+        self,
+        mesh: MeshLike,
+        dt: float,
+        *,
+        scheme: str = "vorticity",
+        integrator: str = "runge-kutta",
+        cfl: Optional[float] = None,
+        viscosity: float = 0.0,
+        viscosity_model: str = "physical",
+        wall: str = "no-slip",
+        transport: str = "flux-corrected",
+        gravity: Optional[Sequence[float]] = None,
+        rotation: Optional[Sequence[float]] = None,
+        acceleration: Optional[Sequence[float]] = None,
+        confinement: float = 0.0,
+        densities: Optional[Mapping[str, Any]] = None,
+    ) -> None:
+        mesh = as_mesh(mesh)
+        self._names: List[str] = list(densities or {})
+        vector = lambda v: None if v is None else [float(x) for x in v]  # noqa: E731
+        self._native = _native.Simulation(
+            mesh,
+            {
+                "scheme": scheme,
+                "integrator": integrator,
+                "time_step": float(dt),
+                "cfl": None if cfl is None else float(cfl),
+                "viscosity": float(viscosity),
+                "viscosity_model": viscosity_model,
+                "wall": wall,
+                "transport": transport,
+                "gravity": vector(gravity),
+                "rotation": vector(rotation),
+                "acceleration": vector(acceleration),
+                "confinement": float(confinement),
+                "densities": [_density(name, given) for name, given in (densities or {}).items()],
+            },
+        )
+
+    def step(self, steps: int = 1, *, force: Force = None) -> List[Dict[str, Any]]:
+        """Moves on, and says what was measured after each step, as ``pompeiu fluid --json`` does.
+
+        Parameters
+        ----------
+        steps : int
+            How many steps.
+        force : array of shape (m, 3), or callable, optional
+            An acceleration on faces, or a function that is called with the simulation before each step and returns one.
+        """
+        if steps < 0:
+            raise OptionError(f"the number of steps is {steps}; it must not be negative")
+        measured = []
+        for _ in range(steps):
+            pushed = force(self) if callable(force) else force
+            measured.append(json.loads(self._native.step(pushed)))
+        return measured
+
+    def measure(self) -> Dict[str, Any]:
+        """What is measured of the flow as it is."""
+        return json.loads(self._native.measure())
+
+    @property
+    def scheme(self) -> Dict[str, Any]:
+        """How the flow is computed."""
+        return json.loads(self._native.scheme())
+
+    @property
+    def steps(self) -> int:
+        """Number of steps so far."""
+        return self._native.steps
+
+    @property
+    def time(self) -> float:
+        """Time so far."""
+        return self._native.time
+
+    @property
+    def velocity(self) -> np.ndarray:
+        """The velocity on faces: shape (m, 3)."""
+        return self._native.velocity()
+
+    @property
+    def vorticity(self) -> np.ndarray:
+        """The vorticity at vertices."""
+        return self._native.vorticity()
+
+    @property
+    def stream_function(self) -> np.ndarray:
+        """The stream function at vertices."""
+        return self._native.stream_function()
+
+    @property
+    def harmonic(self) -> np.ndarray:
+        """The coefficients of the harmonic fields."""
+        return self._native.harmonic()
+
+    @property
+    def harmonic_fields(self) -> List[np.ndarray]:
+        """The harmonic fields on faces, orthonormal."""
+        return self._native.harmonic_fields()
+
+    @property
+    def densities(self) -> Dict[str, np.ndarray]:
+        """The densities at vertices, by name."""
+        return {name: self._native.density(i) for i, name in enumerate(self._names)}
+
+    def set_velocity(self, vectors: Any) -> None:
+        """Makes the velocity the one without divergence that is nearest to vectors on faces, shape (m, 3)."""
+        self._native.set_velocity(vectors)
+
+    def set_vorticity(self, vorticity: Any, harmonic: Optional[Sequence[float]] = None) -> None:
+        """Makes the velocity that of a vorticity at vertices and of coefficients of harmonic fields."""
+        self._native.set_vorticity(vorticity, None if harmonic is None else [float(c) for c in harmonic])
+
+    def set_density(self, name: str, values: Any) -> None:
+        """Replaces a density."""
+        if name not in self._names:
+            raise OptionError(f"there is no density {name!r}; there are {self._names}")
+        self._native.set_density(self._names.index(name), values)
+
+    def save(self, path: Union[str, PathLike]) -> None:
+        """Writes the state to a file of NumPy (``.npz``), from which :meth:`load` goes on bit for bit."""
+        with open(path, "wb") as file:
+            np.savez(
+                file,
+                steps=self.steps,
+                time=self.time,
+                vorticity=self.vorticity,
+                harmonic=self.harmonic,
+                names=np.array(self._names, dtype=str),
+                densities=np.array(list(self.densities.values())),
+            )
+
+    def load(self, path: Union[str, PathLike]) -> None:
+        """Goes on from a state that :meth:`save` wrote, of the same mesh and options."""
+        with np.load(path, allow_pickle=False) as saved:
+            names = [str(name) for name in saved["names"]]
+            if names != self._names:
+                raise OptionError(f"{path}: has the densities {names}, expected {self._names}")
+            self._native.restore(
+                (int(saved["steps"]), float(saved["time"])),
+                saved["vorticity"],
+                [float(c) for c in saved["harmonic"]],
+                list(saved["densities"]),
+            )
+
+    def __repr__(self) -> str:
+        return f"Simulation(step {self.steps}, time {self.time:g})"
+
+
+def _density(name: str, given: Any) -> Dict[str, Any]:
+    """A density as the native half takes it."""
+    options = dict(given) if isinstance(given, Mapping) else {"initial": given}
+    unknown = set(options) - {"initial", "diffusivity", "weight", "source"}
+    if unknown or "initial" not in options:
+        what = f"unknown {sorted(unknown)[0]!r}" if unknown else "no initial values"
+        raise OptionError(f"density {name!r} has {what}; known are initial, diffusivity, weight and source")
+    source = options.get("source")
+    return {
+        "name": name,
+        "initial": np.asarray(options["initial"], dtype=float).ravel().tolist(),
+        "diffusivity": float(options.get("diffusivity", 0.0)),
+        "weight": float(options.get("weight", 0.0)),
+        "source": None if source is None else np.asarray(source, dtype=float).ravel().tolist(),
+    }

@@ -1,0 +1,73 @@
+"""Fluids: what is conserved, forces as arrays and callables, saving and going on, errors."""
+
+import numpy as np
+import pompeiu
+import pytest
+
+
+def test_energy_mass_and_vorticity_are_conserved():
+    torus = pompeiu.shapes.torus(1.0, 0.4, 24, 12)
+    x, y, z = torus.vertices.T
+    dye = np.exp(-4 * x)
+    fluid = pompeiu.Simulation(torus, 0.05, integrator="implicit-midpoint", densities={"dye": dye})
+    fluid.set_vorticity(x * y + z, [0.5, -0.2])
+    before = fluid.measure()
+    steps = fluid.step(6)
+    assert len(steps) == 6 and fluid.steps == 6 and abs(fluid.time - 0.3) < 1e-12
+    for step in steps:
+        assert abs(step["energy"] / before["energy"] - 1) < 1e-12
+        assert abs(step["mass"][0] / before["mass"][0] - 1) < 1e-12
+        assert abs(step["total_vorticity"]) < 1e-12 and step["divergence"] < 1e-12
+    assert fluid.velocity.shape == (torus.n_faces, 3)
+    assert fluid.densities["dye"].min() >= dye.min() - 1e-14
+    assert len(fluid.harmonic_fields) == 2 and not np.allclose(fluid.harmonic, [0.5, -0.2])
+
+
+def test_forces_are_arrays_or_called():
+    sphere = pompeiu.shapes.icosphere(1.0, 2)
+    centres = sphere.vertices[sphere.faces].mean(axis=1)
+    spin = np.cross([0.0, 0.0, 1.0], centres)
+    given, called = (pompeiu.Simulation(sphere, 0.1) for _ in range(2))
+    given.step(3, force=spin)
+    times = []
+    called.step(3, force=lambda fluid: (times.append(fluid.time), spin)[1])
+    assert (given.velocity == called.velocity).all() and np.allclose(times, [0, 0.1, 0.2])
+    assert given.measure()["energy"] > 0.1
+
+
+def test_a_saved_state_goes_on_bit_for_bit(tmp_path):
+    sphere = pompeiu.shapes.icosphere(1.0, 2)
+
+    def new():
+        density = {"initial": sphere.vertices[:, 0] ** 2, "weight": 1.0, "diffusivity": 0.01}
+        return pompeiu.Simulation(sphere, 0.1, viscosity=0.01, gravity=[0, 0, -1], densities={"dye": density})
+
+    fluid = new()
+    fluid.set_vorticity(sphere.vertices[:, 2])
+    fluid.step(2)
+    fluid.save(tmp_path / "state.npz")
+    expected = fluid.step(2)
+    other = new()
+    other.load(tmp_path / "state.npz")
+    assert other.step(2) == expected
+
+
+def test_what_makes_no_sense_is_refused():
+    sphere = pompeiu.shapes.icosphere(1.0, 1)
+    for options in [{"scheme": "eulerian"}, {"viscosity": -1.0}, {"cfl": 0.0}, {"wall": "sticky"}]:
+        with pytest.raises(pompeiu.OptionError):
+            pompeiu.Simulation(sphere, 0.1, **options)
+    for dt in [0.0, float("nan")]:
+        with pytest.raises(pompeiu.OptionError, match="time step"):
+            pompeiu.Simulation(sphere, dt)
+    fluid = pompeiu.Simulation(sphere, 0.1)
+    force = np.zeros((sphere.n_faces, 3))
+    force[4] = np.nan
+    with pytest.raises(pompeiu.FieldError, match="face 4"):
+        fluid.step(force=force)
+    with pytest.raises(pompeiu.FieldError):
+        fluid.set_vorticity(np.zeros(3))
+    with pytest.raises(pompeiu.OptionError, match="no density"):
+        fluid.set_density("dye", np.zeros(3))
+    with pytest.raises(pompeiu.OptionError, match="unknown 'sorce'"):
+        pompeiu.Simulation(sphere, 0.1, densities={"dye": {"initial": np.zeros(42), "sorce": 1}})
