@@ -6,7 +6,7 @@ import json
 import os
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Dict, List, Sequence, Tuple, Union
+from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -73,19 +73,22 @@ class Puzzle:
 def puzzle(
     pieces: int = 24,
     *,
+    outline: Optional[Any] = None,
     size: Sequence[float] = (300.0, 200.0),
     layout: str = "grid",
     tab: str = "knob",
     seed: int = 0,
 ) -> Puzzle:
-    """Makes a jigsaw puzzle on a rectangle, and tests whether it holds together.
+    """Makes a jigsaw puzzle on a rectangle or within an outline, and tests whether it holds together.
 
     Parameters
     ----------
     pieces : int
-        Number of pieces; hexagons come as near to it as rows allow.
+        Number of pieces; hexagons, and pieces within an outline, come near to it.
+    outline : array of shape (n, 2), optional
+        What is around the puzzle; a rectangle by default. See :func:`read_outlines` for those in files.
     size : pair of float
-        Width and height.
+        Width and height; an outline is scaled to fit into that.
     layout : str
         ``"grid"``, ``"hexagons"`` or ``"voronoi"``.
     tab : str
@@ -111,5 +114,5 @@ def puzzle(
         raise OptionError(f"size has {len(sides)} numbers; a width and a height are needed")
     if pieces < 0:
         raise OptionError(f"{pieces} pieces are asked for; there must be at least 2")
-    outlines, report, drawings = _native.puzzle(pieces, sides, layout, tab, seed)
+    outlines, report, drawings = _native.puzzle(outline, pieces, sides, layout, tab, seed)
     return Puzzle(outlines, json.loads(report), tuple(drawings))

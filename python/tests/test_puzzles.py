@@ -27,6 +27,15 @@ def test_without_tabs_a_motion_is_told():
     assert any(len(piece["escape"]) == 3 for piece in made.report["pieces"])
 
 
+def test_an_outline_is_filled():
+    angles = 2 * np.pi * np.arange(60) / 60
+    made = pompeiu.puzzle(15, outline=np.column_stack([np.cos(angles), np.sin(angles)]), size=(80, 80), layout="voronoi")
+    assert sum(map(area, made.outlines)) == pytest.approx(np.pi * 1600, rel=5e-3)
+    assert made.report["area"]["is_exact"]
+    with pytest.raises(pompeiu.OptionError, match="crosses itself"):
+        pompeiu.puzzle(15, outline=[(0, 0), (4, 0), (0.5, 3), (4, 5)])
+
+
 def test_drawings(tmp_path):
     made = pompeiu.puzzle(6)
     made.write(tmp_path / "pieces.svg")

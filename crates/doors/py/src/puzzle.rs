@@ -14,14 +14,15 @@ type Made<'py> = (Vec<Bound<'py, PyArray2<f64>>>, String, [String; 5]);
 
 /// Makes a puzzle and tests it.
 #[pyfunction]
-pub(crate) fn puzzle(
-    py: Python<'_>,
+pub(crate) fn puzzle<'py>(
+    py: Python<'py>,
+    outline: Option<Bound<'py, PyAny>>,
     pieces: usize,
     size: [f64; 2],
     layout: String,
     tab: String,
     seed: u64,
-) -> PyResult<Made<'_>> {
+) -> PyResult<Made<'py>> {
     let layout = match layout.as_str() {
         "grid" => Layout::Grid,
         "hexagons" => Layout::Hexagons,
@@ -34,8 +35,9 @@ pub(crate) fn puzzle(
         "dovetail" => Tab::Dovetail,
         _ => return Err(unknown("tab", tab, "\"none\", \"knob\" or \"dovetail\"")),
     };
+    let outline = outline.map(|points| crate::complexity::outline(&points)).transpose()?;
     let found = py.detach(|| {
-        let puzzle = make(&PuzzleOptions { size, pieces, layout, tab, seed })?;
+        let puzzle = make(&PuzzleOptions { outline, size, pieces, layout, tab, seed })?;
         let report = report(&puzzle);
         let title = format!("Puzzle of {} pieces", puzzle.pieces());
         let drawings = [

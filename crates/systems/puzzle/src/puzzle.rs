@@ -27,6 +27,8 @@ pub struct Puzzle {
     pub(crate) loops: Vec<Vec<(usize, bool)>>,
     pub(crate) step: f64,
     pub(crate) size: [i64; 2],
+    /// Twice the area of the outline, in steps squared.
+    pub(crate) doubled_outline: i128,
 }
 
 impl Puzzle {
@@ -45,15 +47,19 @@ impl Puzzle {
         self.step
     }
 
-    /// Width and height, in the unit of the outline.
+    /// Width and height of the rectangle that holds the puzzle, in the unit of the outline.
     pub fn size(&self) -> [f64; 2] {
         self.size.map(|x| x as f64 * self.step)
     }
 
     /// The mean area of a piece, under the root: the length A that tabs and depths are measured by.
     pub fn unit(&self) -> f64 {
-        let [width, height] = self.size();
-        (width * height / self.pieces() as f64).sqrt()
+        (self.outline_area() / self.pieces() as f64).sqrt()
+    }
+
+    /// The area of the outline, in its unit squared.
+    pub fn outline_area(&self) -> f64 {
+        0.5 * self.doubled_outline as f64 * self.step * self.step
     }
 
     /// The points of a border.

@@ -112,12 +112,10 @@ pub fn report(puzzle: &Puzzle) -> PuzzleReport {
     });
     let pieces: Vec<PieceReport> = pieces.collect();
     let doubled: i128 = (0..puzzle.pieces()).map(|piece| puzzle.doubled_area(piece)).sum();
-    let [width, height] = puzzle.size.map(i128::from);
-    let [w, h] = puzzle.size();
     let area = AreaReport {
         sum: pieces.iter().map(|piece| piece.area).sum(),
-        outline: w * h,
-        is_exact: doubled == 2 * width * height,
+        outline: puzzle.outline_area(),
+        is_exact: doubled == puzzle.doubled_outline,
     };
     let is_straight = |border: &&crate::Border| border.right.is_some() && border.corners.len() == 2;
     let straight_borders = puzzle.borders.iter().filter(is_straight).count();

@@ -663,6 +663,12 @@ fn puzzle_says_whether_pieces_can_move_and_draws_them() {
     let text = |name: &str| std::fs::read_to_string(folder.path().join(name)).unwrap();
     assert_eq!(text("pieces.svg").matches("<path").count(), 12);
     assert!(text("cuts.dxf").contains("POLYLINE") && text("page.html").contains("Locked"));
+    folder.write("disk.svg", "<svg><circle r='5'/></svg>");
+    folder.write("bow.svg", "<svg><path d='M0 0H4L.5 3 4 5Z'/></svg>");
+    folder.write("ring.svg", "<svg><path d='M0 0H9V9H0Z M3 3H6V6H3Z'/></svg>");
+    let disk = json(&folder, "puzzle --outline disk.svg --size 100,100 --layout voronoi -n 20 --json");
+    let area = disk["area"]["outline"].as_f64().unwrap();
+    assert!((area / (2500.0 * std::f64::consts::PI) - 1.0).abs() < 1e-3 && disk["area"]["is_exact"] == true);
     let free = json(&folder, "puzzle --pieces 12 --tab none --json");
     assert_eq!(
         (&free["locked"], &free["proof"], &free["depth"]),
@@ -672,6 +678,9 @@ fn puzzle_says_whether_pieces_can_move_and_draws_them() {
         ("puzzle --pieces 1", "1 pieces are asked for"),
         ("puzzle --pieces 1000000", "at most 20000"),
         ("puzzle --size 0,3", "the width is 0"),
+        ("puzzle --outline bow.svg", "bow.svg: the outline crosses itself: side 1 meets side 3"),
+        ("puzzle --outline ring.svg", "ring.svg: the outline has 1 holes"),
+        ("puzzle --outline none.png", "none.png: it cannot be read"),
         ("puzzle -o pieces.pdf", "puzzles are written as .svg or .dxf"),
     ] {
         let (code, _, message) = folder.transcript(arguments);

@@ -238,7 +238,13 @@ mod tests {
     fn two(middle: &[[i64; 2]]) -> Lock {
         let corners = [&[[500, 0]], middle, &[[500, 1000]]].concat();
         let border = Border { corners, left: 0, right: Some(1) };
-        lock(&Puzzle { borders: vec![border], loops: vec![vec![]; 2], step: 1.0, size: [1000, 1000] })
+        lock(&Puzzle {
+            borders: vec![border],
+            loops: vec![vec![]; 2],
+            step: 1.0,
+            size: [1000, 1000],
+            doubled_outline: 2_000_000,
+        })
     }
 
     #[test]

@@ -1,11 +1,13 @@
-//! Puzzles on a rectangle.
+//! Puzzles on a rectangle or within an outline.
 
 mod cells;
+mod clip;
 mod tabs;
 
+use crate::puzzle::Corner;
 use crate::{Puzzle, PuzzleError};
 use pompeiu_core::mesh::edit::Random;
-use pompeiu_planar::Point;
+use pompeiu_planar::{Outline, Point, first_crossing};
 
 /// What the pieces are before they get tabs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -34,7 +36,9 @@ pub enum Tab {
 /// What puzzle to make.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PuzzleOptions {
-    /// Width and height.
+    /// What is around the puzzle; without that, the rectangle of `size`.
+    pub outline: Option<Outline>,
+    /// Width and height; an outline is scaled to fit into that.
     pub size: [f64; 2],
     /// Number of pieces. Rows of squares and hexagons hold as many as fit best, see [`make`].
     pub pieces: usize,
@@ -48,7 +52,14 @@ pub struct PuzzleOptions {
 
 impl Default for PuzzleOptions {
     fn default() -> Self {
-        Self { size: [300.0, 200.0], pieces: 24, layout: Layout::Grid, tab: Tab::Knob, seed: 0 }
+        Self {
+            outline: None,
+            size: [300.0, 200.0],
+            pieces: 24,
+            layout: Layout::Grid,
+            tab: Tab::Knob,
+            seed: 0,
+        }
     }
 }
 
@@ -71,6 +82,9 @@ const ROUNDS: usize = 12;
 /// come nearest to regular hexagons, so their number can differ. Each border gets one tab where one fits without crossing a border: on
 /// a side and at a place that the seed chooses, and otherwise on the other side, elsewhere, or smaller.
 ///
+/// Within an outline, cells are cut along it, and parts of less than a third of the mean area become part of a neighbour: the number of
+/// pieces then only comes near to what is asked for. The outline gets corners where borders meet it, less than a step of the lattice away.
+///
 /// # Errors
 /// [`PuzzleError`] for sizes and numbers out of range.
 pub fn make(options: &PuzzleOptions) -> Result<Puzzle, PuzzleError> {
@@ -89,27 +103,111 @@ pub fn make(options: &PuzzleOptions) -> Result<Puzzle, PuzzleError> {
     if !(2..=MOST_PIECES).contains(&options.pieces) {
         return Err(PuzzleError::Pieces { found: options.pieces, most: MOST_PIECES });
     }
-    let step = step(options.size);
-    let size = [width / step, height / step].map(f64::round);
     let mut random = Random::new(options.seed);
+    let mut puzzle = match &options.outline {
+        None => rectangle(options, &mut random)?,
+        Some(outline) => shaped(options, outline, &mut random)?,
+    };
+    if options.tab != Tab::None {
+        tabs::add(&mut puzzle, options.tab, &mut random);
+    }
+    Ok(puzzle)
+}
+
+fn rectangle(options: &PuzzleOptions, random: &mut Random) -> Result<Puzzle, PuzzleError> {
+    let step = step(options.size);
+    let size = options.size.map(|side| (side / step).round());
     let sites = match options.layout {
         Layout::Grid => grid(size, options.pieces),
         Layout::Hexagons => hexagons(size, options.pieces),
         Layout::Voronoi => {
             let unit = |random: &mut Random| 0.5 + 0.5 * random.signed_unit();
             let mut sites: Vec<Point> =
-                (0..options.pieces).map(|_| size.map(|side| side * unit(&mut random))).collect();
+                (0..options.pieces).map(|_| size.map(|side| side * unit(random))).collect();
             for _ in 0..ROUNDS {
                 sites = cells::partition(&sites, size, step)?.centroids();
             }
             sites
         }
     };
-    let mut puzzle = cells::partition(&sites, size, step)?;
-    if options.tab != Tab::None {
-        tabs::add(&mut puzzle, options.tab, &mut random);
+    cells::partition(&sites, size, step)
+}
+
+/// Room around an outline within the rectangle of its cells, over its longer side.
+const MARGIN: f64 = 0.02;
+
+/// How often sites are moved a little where a border passes through a corner of the outline.
+const TRIES: usize = 12;
+
+/// By how much, over the mean side of a piece.
+const MOVE: f64 = 1e-3;
+
+fn shaped(options: &PuzzleOptions, outline: &Outline, random: &mut Random) -> Result<Puzzle, PuzzleError> {
+    if let Some(crossing) = first_crossing(outline) {
+        return Err(PuzzleError::Crossing { sides: crossing.sides, place: crossing.place });
     }
-    Ok(puzzle)
+    let [low, high] = outline.bounds();
+    let scale =
+        [0, 1].map(|k| options.size[k] / (high[k] - low[k])).into_iter().fold(f64::INFINITY, f64::min);
+    let room = MARGIN * scale * (high[0] - low[0]).max(high[1] - low[1]);
+    let frame = [0, 1].map(|k| scale * (high[k] - low[k]) + 2.0 * room);
+    let step = step(frame);
+    let size = frame.map(|side| (side / step).round());
+    let on_lattice = |p: Point| [0, 1].map(|k| ((scale * (p[k] - low[k]) + room) / step).round());
+    // Corners that the lattice cannot tell apart become one.
+    let rounded = outline.map(on_lattice).map_err(|_| PuzzleError::Narrow { piece: 0 })?;
+    if let Some(crossing) = first_crossing(&rounded) {
+        return Err(PuzzleError::Crossing { sides: crossing.sides, place: crossing.place });
+    }
+    let corners: Vec<Corner> = rounded.points().iter().map(|p| p.map(|x| x as i64)).collect();
+    let share = rounded.area() / (size[0] * size[1]);
+    let unit = (rounded.area() / options.pieces as f64).sqrt();
+    let in_frame = ((options.pieces as f64 / share).round() as usize).clamp(2, 4 * MOST_PIECES);
+    let mut sites = match options.layout {
+        Layout::Grid => {
+            let count = |side: f64| (side / unit).round().max(1.0) as usize;
+            lattice(size, count(size[0]), count(size[1]))
+        }
+        Layout::Hexagons => hexagons(size, in_frame),
+        Layout::Voronoi => {
+            let mut sites = Vec::with_capacity(options.pieces);
+            while sites.len() < options.pieces {
+                let place = size.map(|side| side * (0.5 + 0.5 * random.signed_unit()));
+                if rounded.contains(place) {
+                    sites.push(place);
+                }
+            }
+            sites
+        }
+    };
+    let rounds = if options.layout == Layout::Voronoi { ROUNDS } else { 0 };
+    for _ in 0..rounds {
+        let parts = cut(&mut sites, size, step, &corners, unit, random)?;
+        sites = parts.centroids();
+    }
+    cut(&mut sites, size, step, &corners, unit, random)
+}
+
+/// The parts of the cells of sites within an outline, with sites moved a little where that needs it.
+fn cut(
+    sites: &mut [Point],
+    size: [f64; 2],
+    step: f64,
+    outline: &[Corner],
+    unit: f64,
+    random: &mut Random,
+) -> Result<Puzzle, PuzzleError> {
+    let mut found = Err(PuzzleError::Narrow { piece: 0 });
+    for _ in 0..TRIES {
+        found = cells::partition(sites, size, step).and_then(|cells| clip::within(&cells, outline));
+        if found.is_ok() {
+            break;
+        }
+        for site in &mut *sites {
+            *site = [0, 1].map(|k| (site[k] + MOVE * unit * random.signed_unit()).clamp(0.0, size[k]));
+        }
+    }
+    found
 }
 
 /// The step of the lattice: of a thousand about as fine as there may be the one of which both sides are nearest to multiples.
@@ -131,7 +229,10 @@ fn grid([width, height]: [f64; 2], pieces: usize) -> Vec<Point> {
     };
     let divisors = (1..=pieces).filter(|rows| pieces.is_multiple_of(*rows));
     let rows = divisors.min_by(|a, b| squareness(*a).total_cmp(&squareness(*b))).unwrap_or(1);
-    let columns = pieces / rows;
+    lattice([width, height], pieces / rows, rows)
+}
+
+fn lattice([width, height]: [f64; 2], columns: usize, rows: usize) -> Vec<Point> {
     let at = |i: usize, n: usize, side: f64| side * (2 * i + 1) as f64 / (2 * n) as f64;
     (0..rows).flat_map(|r| (0..columns).map(move |c| [at(c, columns, width), at(r, rows, height)])).collect()
 }

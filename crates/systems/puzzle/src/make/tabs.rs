@@ -21,7 +21,7 @@ const HEAD: usize = 14;
 
 /// Gives every border between two pieces a tab where one fits.
 pub(super) fn add(puzzle: &mut Puzzle, tab: Tab, random: &mut Random) {
-    let unit = (puzzle.size[0] as f64 * puzzle.size[1] as f64 / puzzle.pieces() as f64).sqrt();
+    let unit = puzzle.unit() / puzzle.step;
     let mut space = Space::new(puzzle, unit);
     for border in 0..puzzle.borders.len() {
         if puzzle.borders[border].right.is_none() {
@@ -29,15 +29,25 @@ pub(super) fn add(puzzle: &mut Puzzle, tab: Tab, random: &mut Random) {
         }
         let side = if random.below(2) == 0 { 1.0 } else { -1.0 };
         let shift = 0.05 * random.signed_unit();
-        let ends = [puzzle.borders[border].corners[0], puzzle.borders[border].corners[1]];
+        // On the longest segment.
+        let corners = puzzle.borders[border].corners.clone();
+        let length = |i: usize| {
+            let [x, y] = [0, 1].map(|k| (corners[i + 1][k] - corners[i][k]) as f64);
+            libm::hypot(x, y)
+        };
+        let at = (0..corners.len() - 1)
+            .max_by(|i, j| length(*i).total_cmp(&length(*j)).then(j.cmp(i)))
+            .unwrap_or(0);
+        let ends = [corners[at], corners[at + 1]];
         let tries =
             HEIGHTS.iter().flat_map(|h| SHIFTS.iter().flat_map(move |s| [1.0, -1.0].map(|d| (*h, *s, d))));
         for (height, place, turn) in tries {
             let Some(path) = shape(tab, ends, height * unit, 0.5 + shift + place, side * turn) else {
                 continue;
             };
+            let path = [&corners[..at], &path, &corners[at + 2..]].concat();
             if space.is_free(border, &path) {
-                space.replace(border, ends, &path);
+                space.replace(border, &corners, &path);
                 puzzle.borders[border].corners = path;
                 break;
             }
@@ -109,8 +119,8 @@ impl Space {
         }
     }
 
-    fn replace(&mut self, border: usize, old: [Corner; 2], path: &[Corner]) {
-        for cell in self.around(old).collect::<Vec<_>>() {
+    fn replace(&mut self, border: usize, old: &[Corner], path: &[Corner]) {
+        for cell in old.windows(2).flat_map(|pair| self.around([pair[0], pair[1]])).collect::<Vec<_>>() {
             if let Some(segments) = self.cells.get_mut(&cell) {
                 segments.retain(|(other, _)| *other != border);
             }

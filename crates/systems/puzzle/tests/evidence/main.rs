@@ -105,6 +105,52 @@ fn a_thousand_pieces_are_locked_and_the_same_at_any_number_of_threads() {
     assert!(one.count <= 3, "{}", one.count);
 }
 
+/// A star with so many points, whose hollows lie at some radius.
+fn star(points: usize, hollow: f64) -> Outline {
+    let at = |i: usize| {
+        let angle = std::f64::consts::TAU * i as f64 / (2 * points) as f64 + 0.1;
+        let radius = if i % 2 == 0 { 1.0 } else { hollow };
+        [radius * angle.cos(), radius * angle.sin()]
+    };
+    Outline::new((0..2 * points).map(at).collect()).unwrap()
+}
+
+#[test]
+fn outlines_are_filled_exactly() {
+    for layout in LAYOUTS {
+        for (points, hollow, pieces) in [(5, 0.45, 30), (12, 0.6, 60), (100, 0.95, 20)] {
+            let outline = star(points, hollow);
+            let options = PuzzleOptions {
+                outline: Some(outline.clone()),
+                size: [200.0, 200.0],
+                pieces,
+                layout,
+                seed: 3,
+                ..PuzzleOptions::default()
+            };
+            let puzzle = make(&options).unwrap_or_else(|error| panic!("{layout:?} {points}: {error}"));
+            let found = report(&puzzle);
+            assert!(found.area.is_exact, "{layout:?} {points}");
+            let [low, high] = outline.bounds();
+            let scale = 200.0 / (high[0] - low[0]).max(high[1] - low[1]);
+            assert!((found.area.outline / (scale * scale * outline.area()) - 1.0).abs() < 1e-5);
+            assert!(
+                2 * puzzle.pieces() > pieces && puzzle.pieces() < 2 * pieces,
+                "{} of {pieces}",
+                puzzle.pieces()
+            );
+            for piece in 0..puzzle.pieces() {
+                let shape = Outline::new(puzzle.outline(piece)).unwrap();
+                assert_eq!(first_crossing(&shape), None, "{layout:?} {points}: piece {piece}");
+                assert!(!puzzle.neighbours(piece).is_empty());
+            }
+        }
+    }
+    let bow = Outline::new(vec![[0.0, 0.0], [4.0, 0.0], [0.5, 3.0], [4.0, 5.0]]).unwrap();
+    let crossed = make(&PuzzleOptions { outline: Some(bow), ..PuzzleOptions::default() });
+    assert!(matches!(crossed, Err(PuzzleError::Crossing { sides: [1, 3], .. })));
+}
+
 #[test]
 fn cuts_are_each_border_once_with_the_outline_last() {
     let puzzle = puzzle(Layout::Hexagons, Tab::Knob, 20, 4);

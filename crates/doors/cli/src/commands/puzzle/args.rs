@@ -7,8 +7,11 @@ use std::path::PathBuf;
 /// Make a jigsaw puzzle, and say whether it holds together
 #[derive(Args)]
 #[command(after_help = "\
-Pieces tile a rectangle exactly: corners lie on a lattice of integers, and each border is made once for both of its pieces. Whether any
+Pieces tile a rectangle or an outline exactly: corners lie on a lattice of integers, and each border is made once for both of its pieces. Whether any
 pieces can move against each other is decided over all motions of all pieces at once. The exit code is 0 whether they can or not.
+
+Within an outline the number of pieces only comes near to what is asked for: parts of cells that are too small become part of a
+neighbour.
 
 Outputs, by suffix:
   .svg   one closed path for each piece
@@ -17,12 +20,16 @@ Outputs, by suffix:
 Examples:
   pompeiu puzzle --pieces 48 --size 300,200 -o pieces.svg --cuts laser.svg
   pompeiu puzzle --layout voronoi --tab dovetail --seed 7 --report puzzle.html
+  pompeiu puzzle --outline cat.png --layout voronoi -n 40 -o cat.svg
   pompeiu puzzle --layout hexagons --tab none --json")]
 pub(crate) struct Puzzle {
     /// Number of pieces
     #[arg(long, short = 'n', default_value = "24", value_name = "N")]
     pub(crate) pieces: usize,
-    /// Width and height, in millimetres for drawings
+    /// What is around the puzzle: a picture (its largest part), a drawing or a list of points; a rectangle by default
+    #[arg(long, value_name = "FILE")]
+    pub(crate) outline: Option<PathBuf>,
+    /// Width and height, in millimetres for drawings; an outline is scaled to fit into that
     #[arg(long, value_parser = crate::numbers::tuple::<2>, default_value = "300,200", value_name = "WIDTH,HEIGHT")]
     pub(crate) size: [f64; 2],
     /// What pieces are before they get tabs

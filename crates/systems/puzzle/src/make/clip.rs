@@ -1,0 +1,258 @@
+//! Cells within an outline: the faces of the drawing of both.
+
+use crate::puzzle::Corner;
+use crate::{Border, Puzzle, PuzzleError};
+use pompeiu_planar::Outline;
+use std::cmp::Ordering;
+use std::collections::BTreeMap;
+
+/// Faces of less than this share of the mean area become part of the neighbour that they share most with.
+const SLIVER: f64 = 0.3;
+
+/// The parts of cells that lie within an outline, as a puzzle without tabs. The outline lies inside the rectangle of the cells.
+///
+/// Where borders meet the outline, the outline gets a corner on the lattice, less than a step from its side.
+///
+/// # Errors
+/// [`PuzzleError::Narrow`] where a border passes through a corner of the outline, or parts are too narrow for the lattice: other sites may do.
+pub(super) fn within(cells: &Puzzle, outline: &[Corner]) -> Result<Puzzle, PuzzleError> {
+    let mut graph = Graph::of(cells, outline)?;
+    let mut faces = graph.faces()?;
+    loop {
+        let mean = faces.iter().map(|face| face.doubled as f64).sum::<f64>() / faces.len() as f64;
+        let small = (0..faces.len()).filter(|f| (faces[*f].doubled as f64) < SLIVER * mean);
+        let Some(sliver) = small.min_by_key(|f| faces[*f].doubled) else { break };
+        if faces.len() < 3 || !graph.open(&faces, sliver) {
+            break;
+        }
+        faces = graph.faces()?;
+    }
+    Ok(graph.puzzle(&faces, cells))
+}
+
+/// Edges between corners; half-edge 2e runs from the first to the second end of edge e, 2e + 1 back.
+struct Graph {
+    edges: Vec<[Corner; 2]>,
+    is_alive: Vec<bool>,
+    /// Twice the area inside the outline.
+    doubled: i128,
+}
+
+/// A face: its half-edges counter-clockwise, and twice its area.
+struct Face {
+    halves: Vec<usize>,
+    doubled: i128,
+}
+
+fn cross(a: Corner, b: Corner) -> i128 {
+    i128::from(a[0]) * i128::from(b[1]) - i128::from(a[1]) * i128::from(b[0])
+}
+
+fn minus(a: Corner, b: Corner) -> Corner {
+    [a[0] - b[0], a[1] - b[1]]
+}
+
+impl Graph {
+    fn of(cells: &Puzzle, outline: &[Corner]) -> Result<Self, PuzzleError> {
+        let degenerate = PuzzleError::Narrow { piece: 0 };
+        let as_points = outline.iter().map(|c| c.map(|x| x as f64)).collect();
+        let polygon = Outline::new(as_points).map_err(|_| degenerate.clone())?;
+        let n = outline.len();
+        let mut edges: Vec<[Corner; 2]> = Vec::new();
+        let mut on_sides: Vec<Vec<(f64, Corner)>> = vec![Vec::new(); n];
+        for border in cells.borders.iter().filter(|border| border.right.is_some()) {
+            let [a, b] = [border.corners[0], border.corners[1]];
+            let mut places: Vec<(f64, Corner)> = Vec::new();
+            for (i, side) in on_sides.iter_mut().enumerate() {
+                let [c, d] = [outline[i], outline[(i + 1) % n]];
+                let (u, v) = (minus(b, a), minus(d, c));
+                let turns = [
+                    cross(u, minus(c, a)),
+                    cross(u, minus(d, a)),
+                    cross(v, minus(a, c)),
+                    cross(v, minus(b, c)),
+                ];
+                let meets = |x: i128, y: i128| x.signum() * y.signum() <= 0;
+                let opposite = |x: i128, y: i128| x.signum() * y.signum() < 0;
+                if turns.contains(&0) && meets(turns[0], turns[1]) && meets(turns[2], turns[3]) {
+                    return Err(degenerate);
+                }
+                if opposite(turns[0], turns[1]) && opposite(turns[2], turns[3]) {
+                    let t = turns[2] as f64 / (turns[2] - turns[3]) as f64;
+                    let s = turns[0] as f64 / (turns[0] - turns[1]) as f64;
+                    let place = [0, 1].map(|k| a[k] + (t * u[k] as f64).round() as i64);
+                    places.push((t, place));
+                    side.push((s, place));
+                }
+            }
+            places.sort_by(|x, y| x.0.total_cmp(&y.0));
+            let mut is_inside = polygon.contains(a.map(|x| x as f64));
+            let mut from = a;
+            for to in places.into_iter().map(|(_, place)| place).chain([b]) {
+                if is_inside && from != to {
+                    edges.push([from, to]);
+                }
+                is_inside = !is_inside;
+                from = to;
+            }
+        }
+        let mut doubled = 0;
+        for (i, mut places) in on_sides.into_iter().enumerate() {
+            places.sort_by(|x, y| x.0.total_cmp(&y.0));
+            let mut from = outline[i];
+            for to in places.into_iter().map(|(_, place)| place).chain([outline[(i + 1) % n]]) {
+                doubled += cross(from, to);
+                if from != to {
+                    edges.push([from, to]);
+                }
+                from = to;
+            }
+        }
+        Ok(Self { is_alive: vec![true; edges.len()], edges, doubled })
+    }
+
+    fn tail(&self, half: usize) -> Corner {
+        self.edges[half / 2][half % 2]
+    }
+
+    fn direction(&self, half: usize) -> Corner {
+        minus(self.tail(half ^ 1), self.tail(half))
+    }
+
+    /// The faces inside: at each corner the way goes on along the next edge clockwise.
+    fn faces(&mut self) -> Result<Vec<Face>, PuzzleError> {
+        self.prune();
+        let mut around: BTreeMap<Corner, Vec<usize>> = BTreeMap::new();
+        for half in (0..2 * self.edges.len()).filter(|half| self.is_alive[half / 2]) {
+            around.entry(self.tail(half)).or_default().push(half);
+        }
+        let mut next = vec![usize::MAX; 2 * self.edges.len()];
+        for halves in around.values_mut() {
+            halves.sort_by(|a, b| by_angle(self.direction(*a), self.direction(*b)));
+            for (k, half) in halves.iter().enumerate() {
+                let before = halves[(k + halves.len() - 1) % halves.len()];
+                next[half ^ 1] = before;
+            }
+        }
+        let mut seen = vec![false; next.len()];
+        let (mut faces, mut outside) = (Vec::new(), 0);
+        for start in (0..next.len()).filter(|half| self.is_alive[half / 2]) {
+            if seen[start] {
+                continue;
+            }
+            let (mut halves, mut doubled, mut at) = (Vec::new(), 0, start);
+            while !seen[at] {
+                seen[at] = true;
+                halves.push(at);
+                doubled += cross(self.tail(at), self.tail(at ^ 1));
+                at = next[at];
+            }
+            match doubled.cmp(&0) {
+                Ordering::Greater => faces.push(Face { halves, doubled }),
+                Ordering::Less => outside += 1,
+                Ordering::Equal => return Err(PuzzleError::Narrow { piece: faces.len() }),
+            }
+        }
+        let sum: i128 = faces.iter().map(|face| face.doubled).sum();
+        if outside == 1 && sum == self.doubled {
+            Ok(faces)
+        } else {
+            Err(PuzzleError::Narrow { piece: faces.len() })
+        }
+    }
+
+    /// Takes away edges that end nowhere.
+    fn prune(&mut self) {
+        loop {
+            let mut degree: BTreeMap<Corner, usize> = BTreeMap::new();
+            for end in (0..self.edges.len()).filter(|e| self.is_alive[*e]).flat_map(|e| self.edges[e]) {
+                *degree.entry(end).or_default() += 1;
+            }
+            let loose: Vec<usize> = (0..self.edges.len())
+                .filter(|e| self.is_alive[*e] && self.edges[*e].iter().any(|end| degree[end] == 1))
+                .collect();
+            if loose.is_empty() {
+                return;
+            }
+            for e in loose {
+                self.is_alive[e] = false;
+            }
+        }
+    }
+
+    /// Takes away the edges between a face and the neighbour that it shares the greatest length with. Whether there is one.
+    fn open(&mut self, faces: &[Face], face: usize) -> bool {
+        let owner = self.owners(faces);
+        let mut shared: BTreeMap<usize, f64> = BTreeMap::new();
+        for half in &faces[face].halves {
+            if let Some(other) = owner[half ^ 1].filter(|other| *other != face) {
+                let [x, y] = self.direction(*half).map(|x| x as f64);
+                *shared.entry(other).or_default() += libm::hypot(x, y);
+            }
+        }
+        let Some((&other, _)) = shared.iter().max_by(|a, b| a.1.total_cmp(b.1)) else { return false };
+        for half in &faces[face].halves {
+            if owner[half ^ 1] == Some(other) {
+                self.is_alive[half / 2] = false;
+            }
+        }
+        true
+    }
+
+    /// The face on the left of each half-edge.
+    fn owners(&self, faces: &[Face]) -> Vec<Option<usize>> {
+        let mut owner = vec![None; 2 * self.edges.len()];
+        for (f, face) in faces.iter().enumerate() {
+            face.halves.iter().for_each(|half| owner[*half] = Some(f));
+        }
+        owner
+    }
+
+    /// The faces as pieces, edges between the same two joined to borders.
+    fn puzzle(&self, faces: &[Face], cells: &Puzzle) -> Puzzle {
+        let owner = self.owners(faces);
+        let mut borders: Vec<Border> = Vec::new();
+        let mut border_of = vec![usize::MAX; self.edges.len()];
+        let mut loops = Vec::with_capacity(faces.len());
+        for (f, face) in faces.iter().enumerate() {
+            // From where the neighbour changes, so that no border is begun in its middle.
+            let n = face.halves.len();
+            let other = |k: usize| owner[face.halves[k % n] ^ 1];
+            let start = (0..n).find(|k| other(*k) != other(k + n - 1)).unwrap_or(0);
+            let mut pieces: Vec<(usize, bool)> = Vec::new();
+            for k in start..start + n {
+                let half = face.halves[k % n];
+                if border_of[half / 2] != usize::MAX {
+                    let known = (border_of[half / 2], true);
+                    if pieces.last() != Some(&known) {
+                        pieces.push(known);
+                    }
+                    continue;
+                }
+                let is_new =
+                    k == start || other(k) != other(k - 1) || self.is_junction(half, &borders, &pieces);
+                if is_new {
+                    borders.push(Border { corners: vec![self.tail(half)], left: f, right: other(k) });
+                    pieces.push((borders.len() - 1, false));
+                }
+                let border = borders.len() - 1;
+                borders[border].corners.push(self.tail(half ^ 1));
+                border_of[half / 2] = border;
+            }
+            loops.push(pieces);
+        }
+        Puzzle { borders, loops, step: cells.step, size: cells.size, doubled_outline: self.doubled }
+    }
+
+    /// Whether a border cannot go on from the last one of a piece: it was made by another piece.
+    fn is_junction(&self, half: usize, borders: &[Border], pieces: &[(usize, bool)]) -> bool {
+        let last = pieces.last().filter(|(_, is_reversed)| !is_reversed);
+        last.is_none_or(|(border, _)| borders[*border].corners.last() != Some(&self.tail(half)))
+    }
+}
+
+/// Counter-clockwise from the positive first axis, exactly.
+fn by_angle(a: Corner, b: Corner) -> Ordering {
+    let is_lower = |v: Corner| v[1] < 0 || (v[1] == 0 && v[0] < 0);
+    is_lower(a).cmp(&is_lower(b)).then_with(|| 0.cmp(&cross(a, b)))
+}
