@@ -84,7 +84,7 @@ mod tests {
     fn lines_fit_and_nothing_is_lost() {
         let text =
             "The largest distance is 0.25 mm, at averyveryveryverylongnamewithoutanyspace.obj of the folder";
-        for space in [8.0, 30.0, 55.0, 1000.0] {
+        for space in [12.0, 30.0, 55.0, 1000.0] {
             let lines = wrapped(text, 10.0, false, space);
             assert!(lines.iter().all(|line| width(line, 10.0, false) <= space), "{lines:?}");
             let letters = |text: &str| text.chars().filter(|c| *c != ' ').collect::<String>();
