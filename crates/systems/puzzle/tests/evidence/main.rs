@@ -109,7 +109,7 @@ fn a_thousand_pieces_are_locked_and_the_same_at_any_number_of_threads() {
 fn star(points: usize, hollow: f64) -> Outline {
     let at = |i: usize| {
         let angle = std::f64::consts::TAU * i as f64 / (2 * points) as f64 + 0.1;
-        let radius = if i % 2 == 0 { 1.0 } else { hollow };
+        let radius = if i.is_multiple_of(2) { 1.0 } else { hollow };
         [radius * angle.cos(), radius * angle.sin()]
     };
     Outline::new((0..2 * points).map(at).collect()).unwrap()
