@@ -6,6 +6,7 @@ import importlib
 import inspect
 import pkgutil
 import re
+import sys
 import shutil
 from pathlib import Path
 
@@ -82,7 +83,7 @@ def test_only_numpy_is_needed():
     imports = re.compile(r"^ *(?:from|import) +([a-zA-Z_.]+)", re.MULTILINE)
     for file in FOLDER.glob("*.py"):
         for name in imports.findall(file.read_text(encoding="utf-8")):
-            known = {"numpy", "__future__", "collections", "contextlib", "dataclasses", "decimal", "functools", "html", "json", "math", "os", "tempfile", "typing", "warnings"}
+            known = {"numpy", *sys.stdlib_module_names}
             if (file.stem, name) in {("ray", "ray"), ("progress", "tqdm.auto")}:
                 continue
             assert name.startswith(".") or name.split(".")[0] in known, f"{file.name} imports {name}"
