@@ -6,8 +6,8 @@ import importlib
 import inspect
 import pkgutil
 import re
-import sys
 import shutil
+import sys
 from pathlib import Path
 
 import nbclient
