@@ -1,15 +1,13 @@
 # Steps of a check, timed; sourced by scripts/check and scripts/test, in bash, at the root of the repository.
 #
-#   step NAME COMMAND...    runs a command; the whole script ends when it fails
-#   begin NAME COMMAND...   starts a command that runs beside what follows
-#   finish NAME             waits for it and prints what it said; as a command of a step
+#   step NAME COMMAND...   runs a command; the whole script ends when it fails
 #
 # When the script ends, however it ends, a table shows the seconds of each step: by the clock, and of processors.
 set -euo pipefail
 
 steps_table="$(mktemp)"
 steps_times="$(mktemp)"
-trap 'code=$?; kill $(jobs -p) 2>/dev/null || true; print_steps "$code"; rm -f "$steps_table" "$steps_times"; exit "$code"' EXIT
+trap 'code=$?; print_steps "$code"; rm -f "$steps_table" "$steps_times"; exit "$code"' EXIT
 
 # Sets processor_seconds to what the commands of this shell have taken so far. (In a pipeline `times` would speak of another shell.)
 read_processor_time() {
@@ -28,24 +26,6 @@ step() {
   read_processor_time
   awk -v name="$name" -v begin="$begin" -v end="$EPOCHREALTIME" -v before="$before" -v after="$processor_seconds" -v code="$code" \
     'BEGIN { printf "%s\t%.1f\t%.1f\t%s\n", name, end - begin, after - before, code == 0 ? "" : "failed" }' >>"$steps_table"
-  return "$code"
-}
-
-declare -A begun_process begun_output
-
-begin() {
-  local name="$1"
-  shift
-  begun_output[$name]="$(mktemp)"
-  "$@" >"${begun_output[$name]}" 2>&1 &
-  begun_process[$name]=$!
-}
-
-finish() {
-  local code=0
-  wait "${begun_process[$1]}" || code=$?
-  cat "${begun_output[$1]}"
-  rm -f "${begun_output[$1]}"
   return "$code"
 }
 
