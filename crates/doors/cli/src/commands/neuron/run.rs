@@ -1,6 +1,6 @@
 //! Runs the command.
 
-use super::args::{Check, Mesh, Neuron as Args, SkeletonChoice, Stage};
+use super::args::{Blocks, Check, Mesh, Neuron as Args, SkeletonChoice, Stage};
 use super::{json, text, transport};
 use crate::exit::Exit;
 use crate::json::milliseconds;
@@ -8,10 +8,10 @@ use crate::printer::Printer;
 use crate::wait::Wait;
 use crate::{files, interrupt};
 use anyhow::{Context, bail};
-use pompeiu::core::run::Progress;
+use pompeiu::core::run::{Limits, Progress, ProgressObserver};
 use pompeiu::neuron::{
-    MeshOptions, NeuronReport, Skeleton, SkeletonReport, SmoothOptions, Timing, mesh_neuron, read_swc,
-    smooth, write_swc,
+    MeshError, MeshOptions, NeuronMesh, NeuronReport, Skeleton, SkeletonReport, SmoothOptions, Timing,
+    mesh_neuron, read_swc, smooth, write_swc,
 };
 use std::ffi::OsStr;
 use std::path::Path;
@@ -66,14 +66,8 @@ fn mesh(args: &Mesh, printer: &Printer) -> anyhow::Result<Exit> {
         wait.progress(progress);
         interrupt::flow()
     };
-    let options = MeshOptions {
-        parts: args.blocks.parts.into(),
-        layer: args.blocks.layer,
-        limits: args.limits.after(started.elapsed()),
-        progress: Some(&watch),
-        ..MeshOptions::default()
-    };
-    let mesh = mesh_neuron(&skeleton, &options).with_context(|| path.clone())?;
+    let limits = args.limits.after(started.elapsed());
+    let mesh = meshed(&skeleton, &args.blocks, limits, &watch).with_context(|| path.clone())?;
     drop(wait);
     let mesh_time = milliseconds(started.elapsed()) - skeleton_time;
     if let Some(output) = &args.output {
@@ -89,6 +83,23 @@ fn mesh(args: &Mesh, printer: &Printer) -> anyhow::Result<Exit> {
     let report = NeuronReport { skeleton: skeleton_report, mesh: Some(mesh.report), transport: None, timing };
     Printer::answer(&if args.json { json::json(&report)? } else { text::text(&path, &report) })?;
     Ok(if certified { Exit::Done } else { Exit::Undecided })
+}
+
+/// Fills a skeleton with hexahedra as asked.
+pub(super) fn meshed(
+    skeleton: &Skeleton,
+    blocks: &Blocks,
+    limits: Limits,
+    progress: &dyn ProgressObserver,
+) -> Result<NeuronMesh, MeshError> {
+    let options = MeshOptions {
+        parts: blocks.parts.into(),
+        layer: blocks.layer,
+        limits,
+        progress: Some(progress),
+        ..MeshOptions::default()
+    };
+    mesh_neuron(skeleton, &options)
 }
 
 pub(super) fn check_output(output: &Path, input: &Path, suffix: &str, what: &str) -> anyhow::Result<()> {

@@ -1,7 +1,7 @@
 //! Runs the stage of transport, and the whole.
 
 use super::args::Transport as Args;
-use super::run::{check_output, read};
+use super::run::{check_output, meshed, read};
 use super::{json, text};
 use crate::exit::{Exit, stopped_by};
 use crate::json::milliseconds;
@@ -11,8 +11,8 @@ use crate::{files, interrupt};
 use anyhow::{Context, bail};
 use pompeiu::core::run::{Progress, StopReason};
 use pompeiu::neuron::{
-    Frame, MeshOptions, NeuronMesh, NeuronReport, Parameters, Timing, Transport, TransportOptions,
-    mesh_neuron, read_transport_config, transport,
+    Frame, NeuronMesh, NeuronReport, Parameters, Timing, Transport, TransportOptions, read_transport_config,
+    transport,
 };
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -39,14 +39,8 @@ pub(super) fn run(args: &Args, printer: &Printer) -> anyhow::Result<Exit> {
         wait.progress(progress);
         interrupt::flow()
     };
-    let options = MeshOptions {
-        parts: args.blocks.parts.into(),
-        layer: args.blocks.layer,
-        limits: args.limits.after(started.elapsed()),
-        progress: Some(&watch),
-        ..MeshOptions::default()
-    };
-    let mesh = mesh_neuron(&skeleton, &options).with_context(|| path.clone())?;
+    let limits = args.limits.after(started.elapsed());
+    let mesh = meshed(&skeleton, &args.blocks, limits, &watch).with_context(|| path.clone())?;
     let mesh_time = milliseconds(started.elapsed()) - skeleton_time;
     wait.restart();
     let options = TransportOptions { limits: args.limits.after(started.elapsed()), progress: Some(&watch) };
