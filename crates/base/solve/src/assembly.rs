@@ -120,6 +120,51 @@ impl<const K: usize> ElementPattern<K> {
     }
 }
 
+impl ElementPattern<3> {
+    /// The pattern with two unknowns in the place of each: 2 i and 2 i + 1 in the place of i. The same as [`new`](Self::new) for them,
+    /// without sorting anything again.
+    ///
+    /// # Cost
+    /// O(m).
+    pub fn doubled(&self) -> ElementPattern<6> {
+        let mut starts = Vec::with_capacity(2 * self.unknowns + 1);
+        let mut row_indices = Vec::with_capacity(4 * self.row_indices.len());
+        starts.push(0);
+        let mut columns = vec![0_u32; self.row_indices.len()];
+        for column in 0..self.unknowns {
+            let range = self.starts[column]..self.starts[column + 1];
+            columns[range.clone()].fill(column as u32);
+            for _ in 0..2 {
+                row_indices
+                    .extend(self.row_indices[range.clone()].iter().flat_map(|&row| [2 * row, 2 * row + 1]));
+                starts.push(row_indices.len());
+            }
+        }
+        let place = |place: u32, row: usize, column: usize| {
+            if place == FIXED {
+                return FIXED;
+            }
+            let of = columns[place as usize] as usize;
+            let (from, to) = (self.starts[of], self.starts[of + 1]);
+            (4 * from + 2 * (to - from) * column + 2 * (place as usize - from) + row) as u32
+        };
+        let places = self
+            .places
+            .iter()
+            .map(|places| {
+                let mut doubled = [[FIXED; 6]; 6];
+                for (i, row) in doubled.iter_mut().enumerate() {
+                    for (j, entry) in row.iter_mut().enumerate() {
+                        *entry = place(places[i / 2][j / 2], i % 2, j % 2);
+                    }
+                }
+                doubled
+            })
+            .collect();
+        ElementPattern { unknowns: 2 * self.unknowns, starts, row_indices, places }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -140,6 +185,28 @@ mod tests {
             }
         }
         assert_eq!(matrix, SparseMatrix::from_triplets(4, 4, &triplets).unwrap());
+    }
+
+    #[test]
+    fn doubled_as_if_made_for_twice_the_unknowns() {
+        let elements = [[0, 2, 1], [2, FIXED, 3], [3, 0, FIXED]];
+        let both = |i: u32| if i == FIXED { [FIXED; 2] } else { [2 * i, 2 * i + 1] };
+        let twice = elements.map(|[a, b, c]| {
+            let [[a, d], [b, e], [c, f]] = [a, b, c].map(both);
+            [a, d, b, e, c, f]
+        });
+        let doubled = ElementPattern::new(4, &elements).unwrap().doubled();
+        let expected = ElementPattern::new(8, &twice).unwrap();
+        assert_eq!(doubled.places, expected.places);
+        let element = |m: usize| {
+            let mut entries = [[0.0; 6]; 6];
+            entries.iter_mut().flatten().enumerate().for_each(|(k, x)| *x = (1 + m * 36 + k) as f64);
+            entries
+        };
+        assert_eq!(
+            doubled.assemble(&[2.0; 8], element).unwrap(),
+            expected.assemble(&[2.0; 8], element).unwrap()
+        );
     }
 
     #[test]

@@ -1,16 +1,16 @@
 //! One component: cut into a disk and flattened.
 
-use crate::components::Component;
-use crate::cut::{Costs, CutStrategy, GrowingCut, Opened, first_cut, largest, open, tips};
-use crate::distortion::{all_singular_values, best_scale, symmetric_dirichlet};
-use crate::map::{ConvexBoundary, Descent, Minimization, Start, Weights, minimize, start_map};
+use crate::components::{Component, error_in_whole, in_whole};
+use crate::cut::{CutStrategy, Opened, first_cut, open};
+use crate::distortion::{all_singular_values, best_scale};
+use crate::lengthen::{lengthened, with_tips};
+use crate::map::{ConvexBoundary, Descender, Descent, Start, Weights, start_map};
 use crate::report::Timing;
 use crate::watch::Watch;
-use crate::{CutOptions, FlattenError, FlattenOptions, Method};
-use pompeiu_core::mesh::VertexData;
-use pompeiu_core::{TriMesh, VertexId};
+use crate::{FlattenError, FlattenOptions, Method};
+use pompeiu_core::TriMesh;
 use pompeiu_surface::plane::{Vec2, scale};
-use pompeiu_surface::{EdgeData, EdgeDistances, EmbeddedSurface, SurfaceError};
+use pompeiu_surface::{EdgeData, EmbeddedSurface, SurfaceError};
 use std::time::Instant;
 
 /// Newton steps of a map that only says where to cut next.
@@ -18,13 +18,7 @@ const STEPS_BETWEEN_CUTS: usize = 12;
 
 /// The decrease that a Newton step promises, over the distortion: between cuts, and at the end.
 const ROUGH: f64 = 2e-2;
-const FINE: f64 = 1e-3;
-
-/// Distance from the cut, over the square root of the area, within which a tip is left alone.
-const NEAR: f64 = 0.2;
-
-/// Rounds in which distortion is averaged over neighbours before its greatest place is looked for.
-const SMOOTHINGS: usize = 5;
+const FINE: f64 = 4e-3;
 
 /// A component as a flat disk.
 #[derive(Clone, Debug)]
@@ -41,9 +35,9 @@ pub(crate) struct Chart {
 }
 
 /// A component opened, with its geometry.
-struct Disk {
-    opened: Opened,
-    surface: EmbeddedSurface,
+pub(crate) struct Disk {
+    pub(crate) opened: Opened,
+    pub(crate) surface: EmbeddedSurface,
 }
 
 impl Disk {
@@ -55,6 +49,17 @@ impl Disk {
         let surface = EmbeddedSurface::new(&mesh.map_err(crate::CutError::from)?)?;
         Ok(Self { opened, surface })
     }
+
+    /// The map of the same disk with less of it cut, as one of this disk: both sides of what is new lie on each other.
+    fn carried(&self, from: &Self, uv: &[Vec2]) -> Vec<Vec2> {
+        let mut places = vec![[0.0; 2]; self.surface.mesh().vertices()];
+        for (here, there) in self.opened.faces().iter().zip(from.opened.faces()) {
+            for (v, w) in here.iter().zip(there) {
+                places[*v as usize] = uv[*w as usize];
+            }
+        }
+        places
+    }
 }
 
 /// Flattens a component; `requested` are the edges to cut if the caller gave them.
@@ -65,70 +70,149 @@ pub(crate) fn flatten_component(
     watch: &Watch<'_>,
 ) -> Result<Chart, FlattenError> {
     let began = Instant::now();
-    let of_component = component.options(&options.cut);
-    let mut cut = match requested {
+    let cut = match requested {
         Some(cut) => cut,
-        None => first_cut(&component.surface, &of_component).map_err(|error| in_whole(error, component))?,
+        None => first_cut(&component.surface, &component.options(&options.cut))
+            .map_err(|error| in_whole(error, component))?,
     };
-    let mut disk = Disk::new(component, &cut).map_err(|error| error_in_whole(error, component))?;
-    let mut timing = Timing { cut: began.elapsed(), ..Timing::default() };
-    let steps_at_the_end = match &options.method {
+    let disk = Disk::new(component, &cut).map_err(|error| error_in_whole(error, component))?;
+    let timing = Timing { cut: began.elapsed(), ..Timing::default() };
+    match &options.method {
         Method::Convex { boundary, weights } => {
+            let mut timing = timing;
             let start = start(&disk, boundary, *weights, false, component, &mut timing)?;
             let Start { uv, weights, rounds, .. } = start;
-            return Ok(Chart {
-                cut,
-                opened: disk.opened,
-                uv: uv.into_vec(),
-                weights,
-                rounds,
-                steps: 0,
-                timing,
-            });
+            Ok(Chart { cut, opened: disk.opened, uv: uv.into_vec(), weights, rounds, steps: 0, timing })
         }
-        Method::Free { steps } => *steps,
-    };
-    let adds_cuts = options.cut.strategy == CutStrategy::Auto;
-    let most_cuts = if adds_cuts { options.most_cuts } else { 0 };
-    let (mut rounds, mut steps, mut cuts) = (0, 0, 0);
-    let whole = component.surface.mesh();
-    let is_sphere = whole.genus() == 0 && whole.boundary_loops().is_empty();
-    loop {
-        let begin = start(&disk, &ConvexBoundary::Circle, Weights::MeanValue, true, component, &mut timing)?;
-        rounds += begin.rounds;
-        let mut uv = begin.uv.into_vec();
-        let goes_on = cuts < most_cuts && !watch.is_stopped();
-        if goes_on {
-            let rough = Descent { steps: STEPS_BETWEEN_CUTS, tolerance: ROUGH, enough: options.target };
-            let found = descend(&disk, uv, &rough, watch, &mut timing)?;
-            steps += found.steps;
-            uv = found.uv;
-            if found.energy > options.target {
-                let began = Instant::now();
-                let longer =
-                    if cuts == 0 && !is_sphere { with_tips(component, &cut, &of_component) } else { None };
-                let longer = longer.or_else(|| lengthened(component, &disk, &cut, &uv, &of_component));
-                if let Some(longer) = longer {
-                    cut = longer;
-                    disk = Disk::new(component, &cut)?;
-                    cuts += 1;
-                    timing.cut += began.elapsed();
+        Method::Free { steps } => {
+            let search =
+                Search { component, options, watch, cut, cuts: 0, disk, rounds: 0, steps: 0, timing };
+            search.run(*steps)
+        }
+    }
+}
+
+/// Maps with a free boundary, and the cuts that they ask for.
+struct Search<'s, 'o, 'w> {
+    component: &'s Component,
+    options: &'s FlattenOptions<'o>,
+    watch: &'s Watch<'w>,
+    cut: EdgeData<bool>,
+    cuts: usize,
+    disk: Disk,
+    rounds: usize,
+    steps: usize,
+    timing: Timing,
+}
+
+impl Search<'_, '_, '_> {
+    /// Adds cuts as long as the energy is above the target, and descends to the least energy with the outline guarded.
+    ///
+    /// While cuts are added, outlines may cross themselves: only distortion counts. Each map goes on from the last one.
+    fn run(mut self, most_steps: usize) -> Result<Chart, FlattenError> {
+        let adds_cuts = self.options.cut.strategy == CutStrategy::Auto;
+        let most_cuts = if adds_cuts { self.options.most_cuts } else { 0 };
+        let target = self.options.target;
+        let mut descender = self.descender()?;
+        let mut begin = Some(self.start()?);
+        let mut uv = begin.as_ref().map_or_else(Vec::new, |begin| begin.uv.to_vec());
+        loop {
+            if most_cuts > 0 {
+                let gives_up = self.cuts < most_cuts;
+                let rough = Descent {
+                    steps: STEPS_BETWEEN_CUTS,
+                    tolerance: ROUGH,
+                    enough: target,
+                    gives_up,
+                    is_guarded: false,
+                };
+                let energy;
+                (energy, uv) = self.descend(&descender, uv, &rough)?;
+                if energy > target && self.add_cuts(most_cuts, &mut uv)? {
+                    (descender, begin) = (self.descender()?, None);
                     continue;
                 }
             }
+            let fine = Descent {
+                steps: most_steps,
+                tolerance: FINE,
+                enough: 0.0,
+                gives_up: false,
+                is_guarded: false,
+            };
+            let mut found = None;
+            if most_cuts > 0 && descender.is_simple(&uv) {
+                found = Some(self.descend(&descender, uv, &fine)?).filter(|(_, uv)| descender.is_simple(uv));
+            }
+            let found = if let Some(found) = found {
+                found
+            } else {
+                let begin = begin.take().map_or_else(|| self.start(), Ok)?;
+                self.descend(&descender, begin.uv.into_vec(), &Descent { is_guarded: true, ..fine })?
+            };
+            let energy;
+            (energy, uv) = found;
+            let before = uv.clone();
+            if energy <= target || !self.add_cuts(most_cuts, &mut uv)? {
+                let Self { cut, disk, rounds, steps, timing, .. } = self;
+                let weights = Weights::MeanValue;
+                return Ok(Chart { cut, opened: disk.opened, uv: before, weights, rounds, steps, timing });
+            }
+            (descender, begin) = (self.descender()?, None);
         }
-        let fine = Descent { steps: steps_at_the_end, tolerance: FINE, enough: 0.0 };
-        let found = descend(&disk, uv, &fine, watch, &mut timing)?;
-        steps += found.steps;
-        return Ok(Chart {
-            cut,
-            opened: disk.opened,
-            uv: found.uv,
-            weights: begin.weights,
-            rounds,
-            steps,
-            timing,
-        });
+    }
+
+    /// Adds as many cuts as there are already, at least one, up to a number; whether there are more than before.
+    fn add_cuts(&mut self, most: usize, uv: &mut Vec<Vec2>) -> Result<bool, FlattenError> {
+        let began = Instant::now();
+        let count = most.saturating_sub(self.cuts).min(self.cuts.max(1));
+        if count == 0 || self.watch.is_stopped() {
+            return Ok(false);
+        }
+        let of_component = self.component.options(&self.options.cut);
+        let mesh = self.component.surface.mesh();
+        let is_sphere = mesh.genus() == 0 && mesh.boundary_loops().is_empty();
+        let with_tips =
+            (self.cuts == 0 && !is_sphere).then(|| with_tips(self.component, &self.cut, &of_component));
+        let longer = with_tips
+            .flatten()
+            .or_else(|| lengthened(self.component, &self.disk, &self.cut, uv, &of_component, count));
+        let Some(longer) = longer else { return Ok(false) };
+        let disk = Disk::new(self.component, &longer)?;
+        *uv = disk.carried(&self.disk, uv);
+        (self.cut, self.disk) = (longer, disk);
+        self.cuts += count;
+        self.timing.cut += began.elapsed();
+        Ok(true)
+    }
+
+    fn descender(&mut self) -> Result<Descender, FlattenError> {
+        let began = Instant::now();
+        let descender = Descender::new(&self.disk.surface)?;
+        self.timing.factor += began.elapsed();
+        Ok(descender)
+    }
+
+    /// A map of the disk to a circle, one-to-one.
+    fn start(&mut self) -> Result<Start, FlattenError> {
+        let (circle, weights) = (&ConvexBoundary::Circle, Weights::MeanValue);
+        let found = start(&self.disk, circle, weights, true, self.component, &mut self.timing)?;
+        self.rounds += found.rounds;
+        Ok(found)
+    }
+
+    fn descend(
+        &mut self,
+        descender: &Descender,
+        uv: Vec<Vec2>,
+        descent: &Descent,
+    ) -> Result<(f64, Vec<Vec2>), FlattenError> {
+        let began = Instant::now();
+        let found = descender.descend(uv, descent, self.watch)?;
+        self.steps += found.steps;
+        self.timing.factor += found.factor;
+        self.timing.solve += began.elapsed().saturating_sub(found.factor);
+        Ok((found.energy, found.uv))
     }
 }
 
@@ -154,97 +238,4 @@ fn start(
         found.uv.iter_mut().for_each(|p| *p = scale(factor, *p));
     }
     Ok(found)
-}
-
-fn descend(
-    disk: &Disk,
-    uv: Vec<Vec2>,
-    descent: &Descent,
-    watch: &Watch<'_>,
-    timing: &mut Timing,
-) -> Result<Minimization, FlattenError> {
-    let began = Instant::now();
-    let found = minimize(&disk.surface, uv, descent, watch)?;
-    timing.factor += found.factor;
-    timing.solve += began.elapsed().saturating_sub(found.factor);
-    Ok(found)
-}
-
-/// The cut joined with the tips of the surface; `None` if they are on it.
-fn with_tips(component: &Component, cut: &EdgeData<bool>, options: &CutOptions) -> Option<EdgeData<bool>> {
-    let surface = component.surface.surface();
-    let costs = Costs::new(surface, &options.forbidden);
-    let mut growing = GrowingCut::new(surface, &costs, cut.clone());
-    let distances = EdgeDistances::from(surface, &growing.reached()).distances;
-    let near = NEAR * surface.area().sqrt();
-    let mut ends = tips(surface);
-    ends.retain(|&v| !costs.forbid(v) && distances[v] > near);
-    growing.join(&ends);
-    (growing.edges != *cut).then_some(growing.edges)
-}
-
-/// The cut with a shortest path more, to where faces are distorted and far from it; `None` if no path leads there.
-fn lengthened(
-    component: &Component,
-    disk: &Disk,
-    cut: &EdgeData<bool>,
-    uv: &[Vec2],
-    options: &CutOptions,
-) -> Option<EdgeData<bool>> {
-    let surface = component.surface.surface();
-    let mesh = surface.mesh();
-    let places = VertexData::from_fn(uv.len(), |v: VertexId| uv[v.index()]);
-    let values = all_singular_values(disk.surface.surface(), &places);
-    let mut density = vec![0.0; mesh.vertices()];
-    let areas = surface.vertex_areas();
-    for face in mesh.face_ids() {
-        let share = surface.face_area(face) / 3.0 * symmetric_dirichlet(values[face]);
-        for v in mesh.face(face) {
-            density[v.index()] += share / areas[v];
-        }
-    }
-    for _ in 0..SMOOTHINGS {
-        let mean = |v: VertexId| {
-            let around = mesh
-                .outgoing(v)
-                .flat_map(|h| [density[mesh.head(h).index()], density[mesh.tail(h.previous()).index()]]);
-            let (sum, count) = around.fold((0.0, 0.0), |(sum, count), x| (sum + x, count + 1.0));
-            0.5 * density[v.index()] + 0.5 * sum / count
-        };
-        density = mesh.vertex_ids().map(mean).collect();
-    }
-    let costs = Costs::new(surface, &options.forbidden);
-    let mut growing = GrowingCut::new(surface, &costs, cut.clone());
-    let distances = EdgeDistances::from(surface, &growing.reached()).distances;
-    let gain: Vec<f64> = mesh
-        .vertex_ids()
-        .map(|v| if costs.forbid(v) { 0.0 } else { (density[v.index()] - 4.0) * distances[v] })
-        .collect();
-    let far = VertexId(largest(&gain) as u32);
-    let is_joined = gain[far.index()] > 0.0 && growing.join(&[far]).is_empty();
-    is_joined.then_some(growing.edges)
-}
-
-/// An error of a component with the numbers of the whole surface.
-fn in_whole(error: crate::CutError, component: &Component) -> crate::CutError {
-    use crate::CutError::{Forbidden, NoDisk, SingleEdge};
-    match error {
-        NoDisk { face, euler_characteristic, boundary_loops } => {
-            NoDisk { face: component.faces[face.index()], euler_characteristic, boundary_loops }
-        }
-        Forbidden { face } => Forbidden { face: component.faces[face.index()] },
-        SingleEdge { ends } => SingleEdge { ends: ends.map(|v| component.vertices[v.index()]) },
-        other => other,
-    }
-}
-
-fn error_in_whole(error: FlattenError, component: &Component) -> FlattenError {
-    match error {
-        FlattenError::Cut(error) => FlattenError::Cut(in_whole(error, component)),
-        FlattenError::Crowded { faces, ratio } => FlattenError::Crowded {
-            faces: faces.into_iter().map(|face| component.faces[face.index()]).collect(),
-            ratio,
-        },
-        other => other,
-    }
 }

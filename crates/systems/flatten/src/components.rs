@@ -1,5 +1,6 @@
 //! A surface taken apart into its connected components.
 
+use crate::FlattenError;
 use crate::cut::{CutOptions, CutStrategy};
 use pompeiu_core::{FaceId, TriMesh, VertexId};
 use pompeiu_surface::{EdgeData, EdgeId, EmbeddedSurface, GeometryError, HalfedgeId, SurfaceMesh};
@@ -70,4 +71,28 @@ pub(crate) fn split(surface: &EmbeddedSurface) -> Result<Vec<Component>, Geometr
         Ok(Component { surface: EmbeddedSurface::new(&part)?, faces, vertices })
     };
     vertices.into_iter().zip(faces).map(part).collect()
+}
+
+/// An error of a component with the numbers of the whole surface.
+pub(crate) fn in_whole(error: crate::CutError, component: &Component) -> crate::CutError {
+    use crate::CutError::{Forbidden, NoDisk, SingleEdge};
+    match error {
+        NoDisk { face, euler_characteristic, boundary_loops } => {
+            NoDisk { face: component.faces[face.index()], euler_characteristic, boundary_loops }
+        }
+        Forbidden { face } => Forbidden { face: component.faces[face.index()] },
+        SingleEdge { ends } => SingleEdge { ends: ends.map(|v| component.vertices[v.index()]) },
+        other => other,
+    }
+}
+
+pub(crate) fn error_in_whole(error: FlattenError, component: &Component) -> FlattenError {
+    match error {
+        FlattenError::Cut(error) => FlattenError::Cut(in_whole(error, component)),
+        FlattenError::Crowded { faces, ratio } => FlattenError::Crowded {
+            faces: faces.into_iter().map(|face| component.faces[face.index()]).collect(),
+            ratio,
+        },
+        other => other,
+    }
 }

@@ -36,6 +36,7 @@ mod cut;
 mod distortion;
 mod error;
 mod flatten;
+mod lengthen;
 mod map;
 mod options;
 mod pack;

@@ -28,6 +28,7 @@ pub(crate) fn disk_cut(surface: &Surface, costs: &Costs) -> EdgeData<bool> {
     if !boundary.is_empty() {
         return cut_from(surface, costs, &boundary);
     }
+    let lengths = surface.edge_lengths();
     let roots = (VERTICES_FOR_ALL_ROOTS / mesh.vertices()).clamp(1, MOST_ROOTS);
     let mut nearest = vec![f64::INFINITY; mesh.vertices()];
     let mut root = VertexId(0);
@@ -38,7 +39,7 @@ pub(crate) fn disk_cut(surface: &Surface, costs: &Costs) -> EdgeData<bool> {
         if best.as_ref().is_none_or(|(least, _)| length < *least) {
             best = Some((length, cut));
         }
-        let from = EdgeDistances::along(surface, &[root], |edge| surface.edge_length(edge));
+        let from = EdgeDistances::along(surface, &[root], |edge| lengths[edge]);
         for (near, distance) in nearest.iter_mut().zip(&from.distances) {
             *near = near.min(*distance);
         }

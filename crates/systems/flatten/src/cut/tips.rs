@@ -25,13 +25,15 @@ pub(crate) fn tips(surface: &Surface) -> Vec<VertexId> {
     let mesh = surface.mesh();
     let areas = surface.vertex_areas();
     let n = mesh.vertices();
+    let lengths = surface.edge_lengths();
+    let distances = |v: VertexId| EdgeDistances::along(surface, &[v], |edge| lengths[edge]).distances;
     let mut nearest = vec![f64::INFINITY; n];
     let mut owner = vec![0_usize; n];
     let mut fields = Vec::with_capacity(SOURCES);
     // The first is only for the sake of the second.
-    let mut source = VertexId(largest(&EdgeDistances::from(surface, &[VertexId(0)]).distances) as u32);
+    let mut source = VertexId(largest(&distances(VertexId(0))) as u32);
     for k in 0..SOURCES.min(n) {
-        let from = EdgeDistances::from(surface, &[source]).distances;
+        let from = distances(source);
         for v in 0..n {
             if from[VertexId(v as u32)] < nearest[v] {
                 nearest[v] = from[VertexId(v as u32)];
@@ -67,7 +69,7 @@ pub(crate) fn tips(surface: &Surface) -> Vec<VertexId> {
             continue;
         }
         tips.push(v);
-        for (covered, distance) in covered.iter_mut().zip(&EdgeDistances::from(surface, &[v]).distances) {
+        for (covered, distance) in covered.iter_mut().zip(&distances(v)) {
             *covered |= *distance < apart;
         }
     }

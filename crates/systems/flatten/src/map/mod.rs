@@ -9,6 +9,6 @@ mod scaffold;
 mod weights;
 
 pub use boundary::ConvexBoundary;
-pub(crate) use newton::{Descent, Minimization, minimize};
+pub(crate) use newton::{Descender, Descent};
 pub(crate) use reweight::{Start, start_map};
 pub use weights::Weights;

@@ -1,0 +1,82 @@
+//! Cuts that are added for the sake of distortion.
+
+use crate::CutOptions;
+use crate::chart::Disk;
+use crate::components::Component;
+use crate::cut::{Costs, GrowingCut, largest, tips};
+use crate::distortion::{all_singular_values, symmetric_dirichlet};
+use pompeiu_core::VertexId;
+use pompeiu_core::mesh::VertexData;
+use pompeiu_surface::plane::Vec2;
+use pompeiu_surface::{EdgeData, EdgeDistances};
+
+/// Distance from the cut, over the square root of the area, within which a tip is left alone.
+const NEAR: f64 = 0.2;
+
+/// Rounds in which distortion is averaged over neighbours before its greatest place is looked for.
+const SMOOTHINGS: usize = 5;
+
+/// The cut joined with the tips of the surface; `None` if they are on it.
+pub(crate) fn with_tips(
+    component: &Component,
+    cut: &EdgeData<bool>,
+    options: &CutOptions,
+) -> Option<EdgeData<bool>> {
+    let surface = component.surface.surface();
+    let costs = Costs::new(surface, &options.forbidden);
+    let mut growing = GrowingCut::new(surface, &costs, cut.clone());
+    let distances = EdgeDistances::from(surface, &growing.reached()).distances;
+    let near = NEAR * surface.area().sqrt();
+    let mut ends = tips(surface);
+    ends.retain(|&v| !costs.forbid(v) && distances[v] > near);
+    growing.join(&ends);
+    (growing.edges != *cut).then_some(growing.edges)
+}
+
+/// The cut with so many shortest paths more, each to where faces are distorted and far from what is cut; `None` if no path leads there.
+pub(crate) fn lengthened(
+    component: &Component,
+    disk: &Disk,
+    cut: &EdgeData<bool>,
+    uv: &[Vec2],
+    options: &CutOptions,
+    count: usize,
+) -> Option<EdgeData<bool>> {
+    let surface = component.surface.surface();
+    let mesh = surface.mesh();
+    let places = VertexData::from_fn(uv.len(), |v: VertexId| uv[v.index()]);
+    let values = all_singular_values(disk.surface.surface(), &places);
+    let mut density = vec![0.0; mesh.vertices()];
+    let areas = surface.vertex_areas();
+    for face in mesh.face_ids() {
+        let share = surface.face_area(face) / 3.0 * symmetric_dirichlet(values[face]);
+        for v in mesh.face(face) {
+            density[v.index()] += share / areas[v];
+        }
+    }
+    for _ in 0..SMOOTHINGS {
+        let mean = |v: VertexId| {
+            let around = mesh
+                .outgoing(v)
+                .flat_map(|h| [density[mesh.head(h).index()], density[mesh.tail(h.previous()).index()]]);
+            let (sum, count) = around.fold((0.0, 0.0), |(sum, count), x| (sum + x, count + 1.0));
+            0.5 * density[v.index()] + 0.5 * sum / count
+        };
+        density = mesh.vertex_ids().map(mean).collect();
+    }
+    let lengths = surface.edge_lengths();
+    let costs = Costs::new(surface, &options.forbidden);
+    let mut growing = GrowingCut::new(surface, &costs, cut.clone());
+    for _ in 0..count {
+        let distances = EdgeDistances::along(surface, &growing.reached(), |edge| lengths[edge]).distances;
+        let gain: Vec<f64> = mesh
+            .vertex_ids()
+            .map(|v| if costs.forbid(v) { 0.0 } else { (density[v.index()] - 4.0) * distances[v] })
+            .collect();
+        let far = VertexId(largest(&gain) as u32);
+        if !(gain[far.index()] > 0.0 && growing.join(&[far]).is_empty()) {
+            break;
+        }
+    }
+    (growing.edges != *cut).then_some(growing.edges)
+}
