@@ -43,7 +43,7 @@ from .errors import (
 from .fields import DegreesOfFreedom, FieldParts, FieldQuality, HodgeDecomposition, Ranks, field_degrees_of_freedom
 from .files import mesh_summary, write_mesh
 from .flattening import Cut, Flattening, cut, flatten
-from .fluids import Simulation
+from .fluids import Simulation, SquareSimulation
 from .many import DistanceMatrix, RankReport, RankWork, Standing, distance_matrix, rank
 from .neurons import NeuronMesh, NeuronTransport, Skeleton, read_skeleton
 from .outlines import Complexity, complexity, noisy_circle, polyline, read_outlines
@@ -104,6 +104,7 @@ __all__ = [
     "ShareAbove",
     "Simplified",
     "Simulation",
+    "SquareSimulation",
     "Skeleton",
     "Standing",
     "Statistics",

@@ -7,11 +7,11 @@ use crate::mesh::Mesh;
 use numpy::{IntoPyArray, PyArray1, PyArray2};
 use pompeiu::core::mesh::{FaceData, VertexData};
 use pompeiu::fluid::{
-    Density, FluidError, FluidOptions, Integrator, Scheme, Simulation as FluidSimulation, State, TimeStep,
-    Transport, ViscosityModel, Wall, coriolis, tangential,
+    Correction, Density, Diffusion, FluidError, FluidOptions, Integrator, Scheme,
+    Simulation as FluidSimulation, State, TimeStep, Transport, ViscosityModel, Wall, coriolis, tangential,
 };
 use pompeiu::operators::{FaceField, OperatorError, tangent_field};
-use pompeiu::surface::EmbeddedSurface;
+use pompeiu::surface::{EdgeData, EmbeddedSurface};
 use pyo3::prelude::*;
 use self_cell::self_cell;
 
@@ -30,6 +30,8 @@ self_cell!(
 pub(crate) struct Options {
     scheme: String,
     integrator: String,
+    correction: String,
+    diffusion: String,
     time_step: f64,
     cfl: Option<f64>,
     viscosity: f64,
@@ -47,15 +49,15 @@ pub(crate) struct Options {
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub(crate) struct DensityOptions {
-    name: String,
-    initial: Vec<f64>,
-    diffusivity: f64,
-    weight: f64,
-    source: Option<Vec<f64>>,
+    pub(crate) name: String,
+    pub(crate) initial: Vec<f64>,
+    pub(crate) diffusivity: f64,
+    pub(crate) weight: f64,
+    pub(crate) source: Option<Vec<f64>>,
 }
 
 /// The choice of a name.
-fn choice<T>(
+pub(crate) fn choice<T>(
     option: &'static str,
     name: &str,
     parse: impl Fn(&str) -> Option<T>,
@@ -71,6 +73,16 @@ fn at_vertices(surface: &EmbeddedSurface, what: &'static str, values: Vec<f64>) 
     })
 }
 
+fn on_faces(surface: &EmbeddedSurface, values: Vec<f64>) -> PyResult<FaceData<f64>> {
+    FaceData::new(surface.mesh().faces(), values).map_err(|error| {
+        let (what, element, found, expected) = ("density on faces", "face", error.found, error.expected);
+        FluidError::Length { what, element, found, expected }.raise()
+    })
+}
+
+/// Velocities at midpoints of edges, and densities on faces.
+type Stored<'py> = (Bound<'py, PyArray2<f64>>, Vec<Bound<'py, PyArray1<f64>>>);
+
 impl Options {
     fn options(self, surface: &EmbeddedSurface) -> PyResult<FluidOptions> {
         let densities = self.densities.into_iter().map(|density| {
@@ -84,11 +96,21 @@ impl Options {
             })
         });
         let dt = self.time_step;
+        let schemes = "\"vorticity\", \"any-step\", \"faces\" or \"crouzeix-raviart\"";
+        let corrections = "\"linear\", \"mac-cormack\" or \"bfecc\"";
         let integrators = "\"runge-kutta\" or \"implicit-midpoint\"";
         let models = "\"hodge\", \"bochner\" or \"physical\"";
-        let transports = "\"flux-corrected\", \"semi-lagrangian\" or \"semi-lagrangian-corrected\"";
+        let transports =
+            "\"flux-corrected\", \"semi-lagrangian\", \"semi-lagrangian-corrected\" or \"faces\"";
         Ok(FluidOptions {
-            scheme: choice("scheme", &self.scheme, Scheme::named, "\"vorticity\" or \"any-step\"")?,
+            scheme: choice("scheme", &self.scheme, Scheme::named, schemes)?,
+            correction: choice("correction", &self.correction, Correction::named, corrections)?,
+            diffusion: choice(
+                "diffusion",
+                &self.diffusion,
+                Diffusion::named,
+                "\"laplacian\" or \"edge-length\"",
+            )?,
             integrator: choice("integrator", &self.integrator, Integrator::named, integrators)?,
             time_step: self.cfl.map_or(TimeStep::Fixed(dt), |number| TimeStep::Cfl { number, longest: dt }),
             viscosity: self.viscosity,
@@ -185,6 +207,8 @@ impl Simulation {
         vorticity: &Bound<'_, PyAny>,
         harmonic: Vec<f64>,
         densities: Vec<Bound<'_, PyAny>>,
+        edge_velocity: Vec<[f64; 2]>,
+        face_densities: Vec<Bound<'_, PyAny>>,
     ) -> PyResult<()> {
         let surface = self.0.borrow_owner();
         let vorticity = at_vertices(surface, "vorticity", values(vorticity, "vorticity")?)?;
@@ -193,7 +217,25 @@ impl Simulation {
             .map(|density| at_vertices(surface, "density", values(&density, "density")?))
             .collect::<PyResult<_>>()?;
         let (step, time) = at;
-        let state = State { step, time, vorticity, harmonic, densities, ..self.state().clone() };
+        let now = self.state();
+        let edge_velocity = EdgeData::new(now.edge_velocity.len(), edge_velocity).map_err(|error| {
+            let (what, element) = ("velocity at edges", "edge");
+            FluidError::Length { what, element, found: error.found, expected: error.expected }.raise()
+        })?;
+        let face_densities = face_densities
+            .into_iter()
+            .map(|density| on_faces(surface, values(&density, "density on faces")?))
+            .collect::<PyResult<_>>()?;
+        let state = State {
+            step,
+            time,
+            vorticity,
+            harmonic,
+            densities,
+            edge_velocity,
+            face_densities,
+            ..now.clone()
+        };
         self.0.with_dependent_mut(|_, fluid| fluid.set_state(&state)).map_err(Raise::raise)
     }
 
@@ -225,6 +267,14 @@ impl Simulation {
 
     fn density<'py>(&self, py: Python<'py>, index: usize) -> Option<Bound<'py, PyArray1<f64>>> {
         self.state().densities.get(index).map(|values| values.to_vec().into_pyarray(py))
+    }
+
+    /// What a saved state needs beside the arrays above: velocities at midpoints of edges, densities on faces.
+    fn stored<'py>(&self, py: Python<'py>) -> PyResult<Stored<'py>> {
+        let state = self.state();
+        let edges = array_of_rows(py, state.edge_velocity.to_vec())?;
+        let faces = state.face_densities.iter().map(|values| values.to_vec().into_pyarray(py));
+        Ok((edges, faces.collect()))
     }
 
     /// The harmonic fields, orthonormal, in space.

@@ -18,6 +18,7 @@ mod mesh;
 mod neuron;
 mod puzzle;
 mod shapes;
+mod square;
 mod wait;
 
 /// The module `pompeiu._native`.
@@ -51,6 +52,8 @@ mod _native {
     use crate::puzzle::puzzle;
     #[pymodule_export]
     use crate::shapes::{cube, cylinder, grid, icosphere, schwarz_lantern, torus};
+    #[pymodule_export]
+    use crate::square::SquareSimulation;
     use pyo3::prelude::*;
 
     #[pymodule_init]

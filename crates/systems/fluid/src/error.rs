@@ -41,6 +41,11 @@ pub enum FluidError {
         /// The value.
         value: f64,
     },
+    /// Weights for faces where nothing is stored on faces.
+    #[error(
+        "diffusion by edge-length is for what is stored on faces; choose the scheme faces, the transport faces, or both"
+    )]
+    EdgeLength,
     /// There are more harmonic coefficients than fields, or fewer.
     #[error("found {found} harmonic coefficients; this surface has {expected} harmonic fields")]
     Harmonic {

@@ -10,6 +10,8 @@
 //! |---|---|
 //! | advection | Galerkin form of the vorticity equation with consistent mass: energy, enstrophy and total vorticity are conserved in space; Runge–Kutta in substeps, or the implicit midpoint rule, which conserves them in time |
 //! | [`Scheme::AnyStep`] | traces the vorticity back instead, `MacCormack`'s correction, stable at any step |
+//! | [`Scheme::Faces`] | stores velocities on faces and traces them back, with parallel transport, stable at any step |
+//! | [`Scheme::CrouzeixRaviart`] | viscosity on velocities at midpoints of edges, projected exactly |
 //! | viscosity | backward Euler for the Hodge, Bochner or physical Laplacian ([`ViscosityModel`]) |
 //! | densities | corrected fluxes between dual cells, or traced back ([`Transport`]); sources, diffusion |
 //! | [`square`] | the unit square on a grid: Stam's, or velocities on the sides of cells with obstacles |
@@ -41,7 +43,9 @@
 //! `stam_stable_1999`, `elcott_stable_2007`, `yin_fluid_2023`.
 
 mod advection;
+mod edges;
 mod error;
+mod faces;
 mod force;
 mod options;
 mod report;
@@ -55,6 +59,9 @@ mod viscosity;
 
 pub use error::FluidError;
 pub use force::{coriolis, tangential};
-pub use options::{Density, FluidOptions, Integrator, Scheme, TimeStep, Transport, ViscosityModel, Wall};
+pub use options::{
+    Correction, Density, Diffusion, FluidOptions, Integrator, Scheme, TimeStep, Transport, ViscosityModel,
+    Wall,
+};
 pub use report::{FluidStep, FluidTiming, SchemeReport};
 pub use simulation::{Simulation, State};

@@ -13,25 +13,103 @@ pub enum Scheme {
     /// vorticity in space.
     #[default]
     Vorticity,
-    /// The same unknowns; semi-Lagrangian advection, corrected as `MacCormack` does, stable at any step. Loses energy.
+    /// The same unknowns; semi-Lagrangian advection, stable at any step. Loses energy.
     AnyStep,
+    /// Velocities on faces, traced back from their centroids with parallel transport, then projected; stable at any step. Loses the
+    /// most energy.
+    Faces,
+    /// Velocities at midpoints of edges (Crouzeix and Raviart) for viscosity, advected by their vorticity as [`Scheme::Vorticity`]
+    /// does. Rigid rotations never gain energy. Without viscosity it is that scheme.
+    CrouzeixRaviart,
 }
 
 impl Scheme {
     /// All schemes.
-    pub const ALL: [Self; 2] = [Self::Vorticity, Self::AnyStep];
+    pub const ALL: [Self; 4] = [Self::Vorticity, Self::AnyStep, Self::Faces, Self::CrouzeixRaviart];
 
     /// The name in commands and reports.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Vorticity => "vorticity",
             Self::AnyStep => "any-step",
+            Self::Faces => "faces",
+            Self::CrouzeixRaviart => "crouzeix-raviart",
         }
+    }
+
+    /// Whether the vorticity moves on by its rates of change, in substeps.
+    pub(crate) const fn is_eulerian(self) -> bool {
+        matches!(self, Self::Vorticity | Self::CrouzeixRaviart)
     }
 
     /// The scheme of a name.
     pub fn named(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|scheme| scheme.name() == name)
+    }
+}
+
+/// What is done about the blur of values that are traced back and interpolated.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub enum Correction {
+    /// Nothing: of first order. [`Scheme::Faces`] then walks straight back as well, as Stam does.
+    Linear,
+    /// Half of what a step forth and back misses is added at the end (`MacCormack`), within the values around.
+    #[default]
+    MacCormack,
+    /// It is added at the beginning, and carried along (back and forth error compensation and correction), within the values around.
+    Bfecc,
+}
+
+impl Correction {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Linear, Self::MacCormack, Self::Bfecc];
+
+    /// The name in commands and reports.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Linear => "linear",
+            Self::MacCormack => "mac-cormack",
+            Self::Bfecc => "bfecc",
+        }
+    }
+
+    /// The one of a name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|one| one.name() == name)
+    }
+}
+
+/// By which weights of edges what is stored on faces diffuses.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub enum Diffusion {
+    /// Of a Laplacian: velocities by their stream function and [`ViscosityModel`], densities by the length of an edge over the
+    /// distance of the centroids beside it.
+    #[default]
+    Laplacian,
+    /// The length of the edge alone. This is no Laplacian: how viscous a flow is depends on the size of the faces and on the unit of
+    /// length, and thin faces diffuse most across their long sides. Kept to show it.
+    EdgeLength,
+}
+
+impl Diffusion {
+    /// Both of them.
+    pub const ALL: [Self; 2] = [Self::Laplacian, Self::EdgeLength];
+
+    /// The name in commands and reports.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Laplacian => "laplacian",
+            Self::EdgeLength => "edge-length",
+        }
+    }
+
+    /// The one of a name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|one| one.name() == name)
     }
 }
 
@@ -161,15 +239,18 @@ pub enum Transport {
     /// Fluxes between dual cells, of second order, corrected to stay within the values around: conserves mass, in substeps.
     #[default]
     FluxCorrected,
-    /// Traced back along geodesics, corrected as `MacCormack` does, within the values around: mass drifts.
+    /// Traced back along geodesics: mass drifts.
     SemiLagrangian,
     /// The same; then what mass is missing is distributed where values have room.
     SemiLagrangianCorrected,
+    /// Stored on faces and traced back from their centroids: mass drifts, and interpolating twice blurs.
+    Faces,
 }
 
 impl Transport {
     /// All of them.
-    pub const ALL: [Self; 3] = [Self::FluxCorrected, Self::SemiLagrangian, Self::SemiLagrangianCorrected];
+    pub const ALL: [Self; 4] =
+        [Self::FluxCorrected, Self::SemiLagrangian, Self::SemiLagrangianCorrected, Self::Faces];
 
     /// The name in commands and reports.
     pub const fn name(self) -> &'static str {
@@ -177,6 +258,7 @@ impl Transport {
             Self::FluxCorrected => "flux-corrected",
             Self::SemiLagrangian => "semi-lagrangian",
             Self::SemiLagrangianCorrected => "semi-lagrangian-corrected",
+            Self::Faces => "faces",
         }
     }
 
@@ -215,6 +297,10 @@ pub struct FluidOptions {
     pub scheme: Scheme,
     /// How it moves on in time.
     pub integrator: Integrator,
+    /// What is done about the blur of whatever is traced back.
+    pub correction: Correction,
+    /// By which weights what is stored on faces diffuses.
+    pub diffusion: Diffusion,
     /// How long steps are.
     pub time_step: TimeStep,
     /// Kinematic viscosity ν, squared length per time; 0 for none.
@@ -247,6 +333,8 @@ impl FluidOptions {
         Self {
             scheme: Scheme::default(),
             integrator: Integrator::default(),
+            correction: Correction::default(),
+            diffusion: Diffusion::default(),
             time_step: TimeStep::Fixed(time_step),
             viscosity: 0.0,
             viscosity_model: ViscosityModel::default(),
@@ -259,6 +347,17 @@ impl FluidOptions {
             densities: Vec::new(),
             transport: Transport::default(),
         }
+    }
+
+    /// Whether anything is stored on faces.
+    pub(crate) fn on_faces(&self) -> bool {
+        self.scheme == Scheme::Faces || self.transport == Transport::Faces
+    }
+
+    /// Whether anything is traced back.
+    pub(crate) fn traces_back(&self) -> bool {
+        !self.scheme.is_eulerian()
+            || (self.transport != Transport::FluxCorrected && !self.densities.is_empty())
     }
 
     /// The longest step.
@@ -278,6 +377,9 @@ impl FluidOptions {
             let ok = value >= 0.0 && value.is_finite();
             if ok { Ok(()) } else { Err(FluidError::Parameter { what, value, expected: "not negative" }) }
         };
+        if self.diffusion == Diffusion::EdgeLength && !self.on_faces() {
+            return Err(FluidError::EdgeLength);
+        }
         positive("time step", self.longest_step())?;
         if let TimeStep::Cfl { number, .. } = self.time_step {
             positive("Courant number", number)?;

@@ -1,12 +1,14 @@
 //! What is measured, step by step.
 
-use crate::options::{FluidOptions, Integrator, Scheme, TimeStep, Transport, ViscosityModel, Wall};
+use crate::options::{
+    Correction, Diffusion, FluidOptions, Integrator, TimeStep, Transport, ViscosityModel, Wall,
+};
 use crate::square::{SquareOptions, SquareScheme};
 use std::time::Duration;
 
 /// A flow after a step. Lengths and times are in the units of the input.
 #[derive(Clone, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct FluidStep {
     /// Time since the beginning.
@@ -41,10 +43,14 @@ pub struct FluidStep {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct SchemeReport {
-    /// How the velocity is stored and advected: vorticity, any-step; in the square mac, stam.
+    /// How the velocity is stored and advected: vorticity, any-step, faces, crouzeix-raviart; in the square mac, stam.
     pub name: &'static str,
     /// How it moves on in time, where it is not traced back.
     pub integrator: Option<Integrator>,
+    /// What is done about the blur of what is traced back, where anything is.
+    pub correction: Option<Correction>,
+    /// By which weights what is stored on faces diffuses, where anything is.
+    pub diffusion: Option<Diffusion>,
     /// Length of a step, the longest where it is chosen.
     pub time_step: f64,
     /// The bound of the Courant number by which steps are chosen.
@@ -67,7 +73,9 @@ impl SchemeReport {
     pub(crate) fn of(options: &FluidOptions, harmonic_fields: usize) -> Self {
         Self {
             name: options.scheme.name(),
-            integrator: (options.scheme == Scheme::Vorticity).then_some(options.integrator),
+            integrator: options.scheme.is_eulerian().then_some(options.integrator),
+            correction: options.traces_back().then_some(options.correction),
+            diffusion: options.on_faces().then_some(options.diffusion),
             time_step: options.longest_step(),
             cfl: match options.time_step {
                 TimeStep::Fixed(_) => None,
@@ -90,6 +98,8 @@ impl SchemeReport {
         Self {
             name,
             integrator: None,
+            correction: None,
+            diffusion: None,
             time_step: options.time_step,
             cfl: None,
             viscosity: options.viscosity,

@@ -105,10 +105,9 @@ impl<'s> Space<'s> {
         Ok(stream)
     }
 
-    /// `J G_v ψ` on a face.
-    fn rotated_gradient(&self, face: FaceId, stream: &VertexData<f64>) -> Vec2 {
+    /// `J G_v ψ` on a face, of values at its corners.
+    pub(crate) fn rotated_gradient(&self, face: FaceId, [a, b, c]: [f64; 3]) -> Vec2 {
         let sides = self.surface.sides(face);
-        let [a, b, c] = self.mesh().face(face).map(|v| stream[v]);
         // J J s = −s: the gradient of a hat function is J s / (2 A) with s the side opposite to its vertex.
         let factor = -0.5 / self.surface.face_area(face);
         let (p, q) = (b - a, c - a);
@@ -121,7 +120,7 @@ impl<'s> Space<'s> {
         let mut velocity = FaceField::filled(self.mesh().faces(), [0.0; 2]);
         velocity.as_mut_slice().par_iter_mut().with_min_len(4096).enumerate().for_each(|(f, u)| {
             let face = FaceId(f as u32);
-            *u = self.rotated_gradient(face, stream);
+            *u = self.rotated_gradient(face, self.mesh().face(face).map(|v| stream[v]));
             for (field, c) in fields.iter().zip(harmonic) {
                 let h = field[face];
                 u[0] += c * h[0];

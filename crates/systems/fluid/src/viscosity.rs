@@ -143,7 +143,7 @@ impl Viscosity {
 
 /// The Gaussian curvature of each face: the mean of its corners' angle defects per area. At the boundary, where there is none, that of
 /// the neighbours inside.
-fn face_curvature(surface: &Surface, areas: &VertexData<f64>) -> FaceData<f64> {
+pub(crate) fn face_curvature(surface: &Surface, areas: &VertexData<f64>) -> FaceData<f64> {
     let mesh = surface.mesh();
     let defects = surface.angle_defects();
     let inner = |v: &VertexId| !mesh.is_boundary_vertex(*v);
@@ -166,21 +166,35 @@ fn weights(space: &Space<'_>, wall: Wall) -> VertexData<f64> {
     if wall == Wall::NoSlip || mesh.boundary_loops().is_empty() {
         return lumped;
     }
+    let (bend, lengths) = bends(space);
+    VertexData::from_fn(mesh.vertices(), |v| {
+        if !mesh.is_boundary_vertex(v) {
+            return lumped[v];
+        }
+        -2.0 * bend[v] / (lengths[v] * lengths[v] - 2.0 * bend[v] * space.areas[v])
+    })
+}
+
+/// At each boundary vertex the geodesic curvature of half of the edges beside it, integrated, and their length; zero inside.
+///
+/// The angle by which the boundary turns there holds curvature of the surface as well, which is taken off.
+pub(crate) fn bends(space: &Space<'_>) -> (VertexData<f64>, VertexData<f64>) {
+    let mesh = space.mesh();
     let curvature = face_curvature(space.surface, &space.areas);
     let lengths = space.along_boundary(|h| {
         let side = space.surface.vector(h);
         dot(side, side).sqrt()
     });
     let turning = space.surface.angle_defects();
-    VertexData::from_fn(mesh.vertices(), |v| {
+    let bend = VertexData::from_fn(mesh.vertices(), |v| {
         if !mesh.is_boundary_vertex(v) {
-            return lumped[v];
+            return 0.0;
         }
         let inside: f64 =
             mesh.outgoing(v).map(|h| curvature[h.face()] * space.surface.face_area(h.face()) / 3.0).sum();
-        let bend = turning[v] - inside;
-        -2.0 * bend / (lengths[v] * lengths[v] - 2.0 * bend * space.areas[v])
-    })
+        turning[v] - inside
+    });
+    (bend, lengths)
 }
 
 /// `L diag(w) L − χ G_vᵀ A K G_v`.

@@ -807,6 +807,47 @@ fn fluid_measures_what_is_conserved_and_writes_its_steps() {
     assert_eq!(late.status.code(), Some(3));
 }
 
+/// A picture of two pixels in the format BMP: black on the left, white on the right.
+fn black_and_white() -> Vec<u8> {
+    let mut bytes = b"BM".to_vec();
+    for word in [62_u32, 0, 54, 40, 2, 1, 0x0018_0001, 0, 8, 0, 0, 0, 0] {
+        bytes.extend(word.to_le_bytes());
+    }
+    bytes.extend([0, 0, 0, 255, 255, 255, 0, 0]);
+    bytes
+}
+
+#[test]
+fn fluid_goes_on_from_a_checkpoint_bit_for_bit() {
+    let folder = Folder::new();
+    folder.ok("generate icosphere --subdivisions 2 -o ball.obj");
+    std::fs::write(folder.path().join("left.bmp"), black_and_white()).unwrap();
+    let scene = "dt = 0.1\n[[density]]\nname = \"dye\"\npicture = \"left.bmp\"\ndiffusivity = 0.01\n\
+                 source = [{ picture = \"left.bmp\", axis = \"x\", rate = 1 }]\n";
+    std::fs::write(folder.path().join("scene.toml"), scene).unwrap();
+    for flow in [
+        "ball.obj scene.toml --velocity rotation:z --viscosity 0.1 --scheme crouzeix-raviart --transport faces",
+        "ball.obj scene.toml --vorticity z+x*y --scheme faces --correction bfecc",
+        "--square 8 scene.toml --viscosity 0.01 --lid 1",
+    ] {
+        let whole = json(&folder, &format!("fluid {flow} --steps 4 --json"));
+        json(&folder, &format!("fluid {flow} --steps 2 --checkpoint half.json --json"));
+        let rest = json(&folder, &format!("fluid {flow} --steps 4 --resume half.json --json"));
+        assert_eq!(whole["steps"], rest["steps"], "{flow}");
+        let mass = whole["steps"][0]["mass"][0].as_f64().unwrap();
+        // The black half, of a sphere of area 12.1 and of the square.
+        let expected = if flow.starts_with("--square") { 0.5 } else { 6.05 };
+        assert!((mass / expected - 1.0).abs() < 0.1, "{flow}: {mass}");
+        let other = folder.run(&format!("fluid {flow} --steps 4 --dt 0.2 --resume half.json"));
+        let stderr = String::from_utf8(other.stderr).unwrap();
+        assert_eq!(other.status.code(), Some(2), "{stderr}");
+        assert!(stderr.contains("was written with another `time_step`"), "{stderr}");
+    }
+    std::fs::write(folder.path().join("half.json"), "{\"version\": 1}").unwrap();
+    let broken = folder.run("fluid --square 8 --steps 4 --dt 0.1 --resume half.json");
+    assert!(String::from_utf8(broken.stderr).unwrap().contains("half.json: no checkpoint"));
+}
+
 #[test]
 fn fluid_flows_in_the_square_too() {
     let folder = Folder::new();

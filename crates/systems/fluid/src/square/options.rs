@@ -16,6 +16,21 @@ pub enum SquareScheme {
     },
 }
 
+impl SquareScheme {
+    /// The one of a name: `mac`, `stam`, or `stam:SWEEPS`.
+    pub fn named(name: &str) -> Option<Self> {
+        match name.split_once(':') {
+            None if name == "mac" => Some(Self::Mac),
+            None if name == "stam" => Some(Self::Stam { sweeps: None }),
+            Some(("stam", sweeps)) => {
+                let sweeps = sweeps.parse().ok().filter(|&n: &usize| n > 0)?;
+                Some(Self::Stam { sweeps: Some(sweeps) })
+            }
+            _ => None,
+        }
+    }
+}
+
 /// What is at the edges of the square.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Edges {
@@ -29,6 +44,18 @@ pub enum Edges {
         /// The speed of the inflow.
         speed: f64,
     },
+}
+
+impl Edges {
+    /// Those of a name: `walls`, `periodic`, or `channel:SPEED`.
+    pub fn named(name: &str) -> Option<Self> {
+        match name.split_once(':') {
+            None if name == "walls" => Some(Self::Walls),
+            None if name == "periodic" => Some(Self::Periodic),
+            Some(("channel", speed)) => Some(Self::Channel { speed: speed.parse().ok()? }),
+            _ => None,
+        }
+    }
 }
 
 /// Something the flow carries in the square.
@@ -74,7 +101,7 @@ pub struct SquareOptions {
 }
 
 /// Cells on a side at most: factors of larger systems take several gigabytes.
-const MOST_CELLS: usize = 4096;
+pub(super) const MOST_CELLS: usize = 4096;
 
 impl SquareOptions {
     /// An inviscid flow between walls without forces.
@@ -99,9 +126,7 @@ impl SquareOptions {
     }
 
     pub(super) fn check(&self) -> Result<(), FluidError> {
-        if !(2..=MOST_CELLS).contains(&self.cells) {
-            return Err(FluidError::Cells { found: self.cells, most: MOST_CELLS });
-        }
+        super::Square::check_cells(self.cells)?;
         let positive = |what, value: f64| {
             let ok = value > 0.0 && value.is_finite();
             if ok { Ok(()) } else { Err(FluidError::Parameter { what, value, expected: "above 0" }) }

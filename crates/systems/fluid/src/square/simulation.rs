@@ -1,11 +1,10 @@
 //! A flow in the square that moves on step by step.
 
 use super::mac::Mac;
-use super::options::{SquareOptions, SquareScheme};
+use super::options::{MOST_CELLS, SquareOptions, SquareScheme};
 use super::stam::{Ghosts, Stam};
-use crate::transport::Cells;
 use crate::{FluidError, FluidStep, FluidTiming, SchemeReport};
-use pompeiu_solve::{Cholesky, LinearSolver, SparseMatrix};
+use pompeiu_solve::Cholesky;
 use std::time::Instant;
 
 /// A fluid in the unit square: its velocity, and densities that it carries.
@@ -31,24 +30,34 @@ use std::time::Instant;
 /// ```
 #[derive(Debug)]
 pub struct Square {
-    options: SquareOptions,
-    grid: Grid,
-    densities: Vec<Vec<f64>>,
+    pub(super) options: SquareOptions,
+    pub(super) grid: Grid,
+    pub(super) densities: Vec<Vec<f64>>,
     /// For each density the factor of its diffusion, with MAC.
-    heat: Vec<Option<Cholesky>>,
-    step: usize,
+    pub(super) heat: Vec<Option<Cholesky>>,
+    pub(super) step: usize,
     time: f64,
-    timing: FluidTiming,
+    pub(super) timing: FluidTiming,
+}
+
+/// A flow in the square at a time, from which another simulation with the same options goes on bit for bit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SquareState {
+    /// Number of steps so far.
+    pub step: usize,
+    /// Time so far.
+    pub time: f64,
+    /// The components of the velocity where the scheme stores them.
+    pub velocity: [Vec<f64>; 2],
+    /// The densities in cells.
+    pub densities: Vec<Vec<f64>>,
 }
 
 #[derive(Debug)]
-enum Grid {
+pub(super) enum Grid {
     Mac { mac: Box<Mac>, velocity: [Vec<f64>; 2] },
     Stam { stam: Box<Stam>, velocity: [Vec<f64>; 2] },
 }
-
-/// Substeps of a step at most.
-const MOST_SUBSTEPS: f64 = 100_000.0;
 
 impl Square {
     /// A fluid at rest, but for what flows in.
@@ -84,6 +93,15 @@ impl Square {
         square.heat = square.heat_factors()?;
         square.timing.factor = start.elapsed();
         Ok(square)
+    }
+
+    /// Whether a square may have so many cells on a side.
+    ///
+    /// # Errors
+    /// [`FluidError::Cells`].
+    pub fn check_cells(cells: usize) -> Result<(), FluidError> {
+        let ok = (2..=MOST_CELLS).contains(&cells);
+        if ok { Ok(()) } else { Err(FluidError::Cells { found: cells, most: MOST_CELLS }) }
     }
 
     /// The options.
@@ -170,14 +188,7 @@ impl Square {
     /// # Errors
     /// [`FluidError`] where there is no finite vector for each cell.
     pub fn set_velocity(&mut self, vectors: &[[f64; 2]]) -> Result<(), FluidError> {
-        let expected = self.options.cells * self.options.cells;
-        let (what, element) = ("velocity", "cell");
-        if vectors.len() != expected {
-            return Err(FluidError::Length { what, element, found: vectors.len(), expected });
-        }
-        if let Some(index) = vectors.iter().position(|u| !u.iter().all(|x| x.is_finite())) {
-            return Err(FluidError::NonFinite { what, element, index, value: vectors[index][0] });
-        }
+        self.check_vectors("velocity", vectors)?;
         match &mut self.grid {
             Grid::Mac { mac, velocity } => {
                 *velocity = mac.means_of_cells(vectors);
@@ -194,22 +205,93 @@ impl Square {
         Ok(())
     }
 
+    fn check_vectors(&self, what: &'static str, vectors: &[[f64; 2]]) -> Result<(), FluidError> {
+        let (element, expected) = ("cell", self.options.cells * self.options.cells);
+        if vectors.len() != expected {
+            return Err(FluidError::Length { what, element, found: vectors.len(), expected });
+        }
+        match vectors.iter().position(|u| !u.iter().all(|x| x.is_finite())) {
+            Some(index) => Err(FluidError::NonFinite { what, element, index, value: vectors[index][0] }),
+            None => Ok(()),
+        }
+    }
+
+    /// The flow as it is stored.
+    pub fn state(&self) -> SquareState {
+        let (Grid::Mac { velocity, .. } | Grid::Stam { velocity, .. }) = &self.grid;
+        let (velocity, densities) = (velocity.clone(), self.densities.clone());
+        SquareState { step: self.step, time: self.time, velocity, densities }
+    }
+
+    /// Goes back, or on, to a state of the same options.
+    ///
+    /// # Errors
+    /// [`FluidError`] where its arrays do not fit or are not finite.
+    pub fn set_state(&mut self, state: &SquareState) -> Result<(), FluidError> {
+        let element = "cell";
+        let fits = |what: &'static str, now: &[Vec<f64>], then: &[Vec<f64>]| {
+            if now.len() != then.len() {
+                let (found, expected) = (then.len(), now.len());
+                return Err(FluidError::Length { what, element: "density", found, expected });
+            }
+            for (now, then) in now.iter().zip(then) {
+                if now.len() != then.len() {
+                    let (found, expected) = (then.len(), now.len());
+                    return Err(FluidError::Length { what, element, found, expected });
+                }
+                if let Some(index) = then.iter().position(|x| !x.is_finite()) {
+                    return Err(FluidError::NonFinite { what, element, index, value: then[index] });
+                }
+            }
+            Ok(())
+        };
+        let (Grid::Mac { velocity, .. } | Grid::Stam { velocity, .. }) = &mut self.grid;
+        fits("velocity", velocity.as_slice(), &state.velocity)?;
+        fits("density", &self.densities, &state.densities)?;
+        velocity.clone_from(&state.velocity);
+        self.densities.clone_from(&state.densities);
+        (self.step, self.time) = (state.step, state.time);
+        Ok(())
+    }
+
+    /// Replaces a density.
+    ///
+    /// # Errors
+    /// [`FluidError`] where there is no finite value for each cell, or no such density.
+    pub fn set_density(&mut self, index: usize, values: Vec<f64>) -> Result<(), FluidError> {
+        let mut state = self.state();
+        let found = state.densities.len();
+        let Some(place) = state.densities.get_mut(index) else {
+            let (what, element, expected) = ("list of densities", "density", index + 1);
+            return Err(FluidError::Length { what, element, found, expected });
+        };
+        *place = values;
+        self.set_state(&state)
+    }
+
     /// Moves on by one step.
     ///
     /// # Errors
     /// [`FluidError`] where velocities are no longer finite.
     pub fn step(&mut self) -> Result<FluidStep, FluidError> {
-        let start = Instant::now();
-        let force = self.force();
+        self.step_with(None)
+    }
+
+    /// Moves on by one step with an acceleration in cells beside those of the options.
+    ///
+    /// # Errors
+    /// [`FluidError`] where there is no finite vector for each cell, or velocities are no longer finite.
+    pub fn step_with(&mut self, force: Option<&[[f64; 2]]>) -> Result<FluidStep, FluidError> {
+        if let Some(force) = force {
+            self.check_vectors("force", force)?;
+        }
+        let force = self.force(force);
         let speed = self.measure()?.max_speed;
         self.move_velocity(force.as_deref())?;
-        let moved = Instant::now();
-        self.timing.advect += moved - start;
         if !self.measure()?.max_speed.is_finite() {
             return Err(FluidError::BlewUp { step: self.step + 1, speed });
         }
         let cfl = self.move_densities()?;
-        self.timing.diffuse += moved.elapsed();
         let measuring = Instant::now();
         self.step += 1;
         self.time += self.options.time_step;
@@ -255,168 +337,5 @@ impl Square {
             max_speed: greatest,
             ..FluidStep::default()
         })
-    }
-
-    /// The acceleration in each cell.
-    fn force(&self) -> Option<Vec<[f64; 2]>> {
-        let options = &self.options;
-        let weighs = options.gravity != [0.0; 2] && options.densities.iter().any(|d| d.weight != 0.0);
-        if options.force.is_none() && !weighs {
-            return None;
-        }
-        let count = options.cells * options.cells;
-        let mut sum = options.force.clone().unwrap_or_else(|| vec![[0.0; 2]; count]);
-        for (density, values) in options.densities.iter().zip(&self.densities) {
-            for (f, x) in sum.iter_mut().zip(values) {
-                for k in 0..2 {
-                    f[k] += density.weight * x * options.gravity[k];
-                }
-            }
-        }
-        Some(sum)
-    }
-
-    fn move_velocity(&mut self, force: Option<&[[f64; 2]]>) -> Result<(), FluidError> {
-        let (options, dt) = (&self.options, self.options.time_step);
-        match &mut self.grid {
-            Grid::Mac { mac, velocity } => {
-                if let Some(force) = force {
-                    let pushed: Vec<[f64; 2]> = force.iter().map(|f| f.map(|x| dt * x)).collect();
-                    for (values, push) in velocity.iter_mut().zip(mac.means_of_cells(&pushed)) {
-                        values.iter_mut().zip(push).for_each(|(u, push)| *u += push);
-                    }
-                    reset_fixed(mac, velocity);
-                }
-                mac.diffuse(velocity)?;
-                mac.project(velocity)?;
-                *velocity = mac.advect(velocity, dt);
-                mac.project(velocity)?;
-            }
-            Grid::Stam { stam, velocity } => {
-                let number = options.viscosity * dt * (options.cells * options.cells) as f64;
-                let size = velocity[0].len();
-                let mut pushed = [vec![0.0; size], vec![0.0; size]];
-                if let Some(force) = force {
-                    for (index, f) in force.iter().enumerate() {
-                        let n = options.cells;
-                        let at = (index % n + 1) + (n + 2) * (index / n + 1);
-                        for axis in 0..2 {
-                            pushed[axis][at] = f[axis];
-                        }
-                    }
-                }
-                for axis in 0..2 {
-                    for (u, f) in velocity[axis].iter_mut().zip(&pushed[axis]) {
-                        *u += dt * f;
-                    }
-                }
-                let [u, v] = &*velocity;
-                let mut u = stam.diffuse(Ghosts::OddAlongX, u, &pushed[0], number)?;
-                let mut v = stam.diffuse(Ghosts::OddAlongY, v, &pushed[1], number)?;
-                stam.project(&mut u, &mut v)?;
-                let mut next = [
-                    stam.advect(Ghosts::OddAlongX, &u, [&u, &v], dt),
-                    stam.advect(Ghosts::OddAlongY, &v, [&u, &v], dt),
-                ];
-                let [u, v] = &mut next;
-                stam.project(u, v)?;
-                *velocity = next;
-            }
-        }
-        Ok(())
-    }
-
-    /// Sources, diffusion and transport of what the flow carries; the Courant number.
-    fn move_densities(&mut self) -> Result<f64, FluidError> {
-        let dt = self.options.time_step;
-        let options = &self.options;
-        match &mut self.grid {
-            Grid::Mac { mac, velocity } => {
-                let cells = Cells::new(&mac.ends, &mac.areas, mac.flows(velocity));
-                let cfl = cells.cfl(dt);
-                if cfl > MOST_SUBSTEPS && !self.densities.is_empty() {
-                    return Err(FluidError::StepTooLong {
-                        step: self.step + 1,
-                        length: dt,
-                        cfl,
-                        substeps: cfl,
-                        most: MOST_SUBSTEPS as usize,
-                    });
-                }
-                for ((values, density), heat) in
-                    self.densities.iter_mut().zip(&options.densities).zip(&self.heat)
-                {
-                    if let Some(source) = &density.source {
-                        crate::simulation::add_source(values, source, dt);
-                    }
-                    if let Some(heat) = heat {
-                        heat.solve_in_place(values)?;
-                    }
-                    // What flows in from beyond the square brings nothing along.
-                    values.push(0.0);
-                    cells.carry(values, dt);
-                    values.pop();
-                }
-                Ok(cfl)
-            }
-            Grid::Stam { stam, velocity: [u, v] } => {
-                for (values, density) in self.densities.iter_mut().zip(&options.densities) {
-                    let source = density.source.clone().unwrap_or_else(|| vec![0.0; values.len()]);
-                    crate::simulation::add_source(values, &source, dt);
-                    let number = density.diffusivity * dt * (options.cells * options.cells) as f64;
-                    let mut guess = vec![0.0; u.len()];
-                    for (index, rate) in source.iter().enumerate() {
-                        let n = options.cells;
-                        guess[(index % n + 1) + (n + 2) * (index / n + 1)] = *rate;
-                    }
-                    let framed = stam.framed(values, Ghosts::Even);
-                    let spread = stam.diffuse(Ghosts::Even, &framed, &guess, number)?;
-                    *values = stam.inner(&stam.advect(Ghosts::Even, &spread, [u, v], dt));
-                }
-                let fastest =
-                    u.iter().chain(v.iter()).fold(0.0, |m: f64, x| if x.abs() > m { x.abs() } else { m });
-                Ok(fastest * dt * options.cells as f64)
-            }
-        }
-    }
-
-    /// Factors of the diffusion of densities: none flows into obstacles and walls.
-    fn heat_factors(&self) -> Result<Vec<Option<Cholesky>>, FluidError> {
-        let options = &self.options;
-        let n = options.cells;
-        let solid = |cell: usize| options.solid.as_ref().is_some_and(|solid| solid[cell]);
-        let factor = |number: f64| {
-            let mut links = Vec::with_capacity(2 * n * n);
-            for cell in (0..n * n).filter(|&cell| !solid(cell)) {
-                let (i, j) = (cell % n, cell / n);
-                for (at, other) in [(i, j * n + (i + 1) % n), (j, (j + 1) % n * n + i)] {
-                    if (at + 1 < n || options.is_periodic()) && !solid(other) {
-                        links.push((cell as u32, other as u32, number));
-                    }
-                }
-            }
-            let matrix = SparseMatrix::from_links(n * n, &links)?;
-            Cholesky::new(&matrix.combined(1.0, &SparseMatrix::diagonal(&vec![1.0; n * n])?, 1.0)?)
-        };
-        let is_mac = matches!(self.grid, Grid::Mac { .. });
-        options
-            .densities
-            .iter()
-            .map(|density| {
-                let number = density.diffusivity * options.time_step * (n * n) as f64;
-                Ok((is_mac && number > 0.0).then(|| factor(number)).transpose()?)
-            })
-            .collect()
-    }
-}
-
-/// Gives sides that are fixed their velocity.
-fn reset_fixed(mac: &Mac, velocity: &mut [Vec<f64>; 2]) {
-    for (values, fixed) in velocity.iter_mut().zip(mac.fixed()) {
-        for (u, fixed) in values.iter_mut().zip(fixed) {
-            if let Some(fixed) = fixed {
-                *u = *fixed;
-            }
-        }
     }
 }

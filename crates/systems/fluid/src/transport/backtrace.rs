@@ -1,5 +1,6 @@
 //! Semi-Lagrangian transport: where what arrives at a vertex comes from.
 
+use crate::Correction;
 use pompeiu_core::mesh::VertexData;
 use pompeiu_core::{FaceId, VertexId};
 use pompeiu_operators::FaceField;
@@ -61,8 +62,12 @@ impl<'s> Backtrace<'s> {
         })
     }
 
+    /// The surface.
+    pub(crate) fn surface(&self) -> &'s Surface {
+        self.surface
+    }
+
     /// What walks on the surface.
-    #[cfg(feature = "figures")]
     pub(crate) fn tracer(&self) -> &Tracer<'s> {
         &self.tracer
     }
@@ -125,16 +130,26 @@ impl<'s> Backtrace<'s> {
         places
     }
 
-    /// Values carried along for a step: from where they come, corrected by what a step forth and back misses (`MacCormack`), within
-    /// the values of the face they come from.
-    pub(crate) fn carry(&self, [from, to]: [&Departures; 2], values: &VertexData<f64>) -> VertexData<f64> {
+    /// Values carried along for a step: from where they come, corrected by what a step forth and back misses, within the values of the
+    /// face they come from.
+    pub(crate) fn carry(
+        &self,
+        [from, to]: [&Departures; 2],
+        values: &VertexData<f64>,
+        correction: Correction,
+    ) -> VertexData<f64> {
         let carried = self.sample(from, values);
+        if correction == Correction::Linear {
+            return carried;
+        }
         let returned = self.sample(to, &carried);
-        VertexData::from_fn(values.len(), |v| {
-            let [least, most] = self.range(from, values, v);
-            let corrected = carried[v] + 0.5 * (values[v] - returned[v]);
-            within(corrected, [least, most])
-        })
+        let missed = VertexData::from_fn(values.len(), |v| 0.5 * (values[v] - returned[v]));
+        let sum = |a: &VertexData<f64>| VertexData::from_fn(a.len(), |v| a[v] + missed[v]);
+        let corrected = match correction {
+            Correction::Bfecc => self.sample(from, &sum(values)),
+            _ => sum(&carried),
+        };
+        VertexData::from_fn(values.len(), |v| within(corrected[v], self.range(from, values, v)))
     }
 
     /// The least and the greatest value of the face that a value comes from.
@@ -155,7 +170,7 @@ impl<'s> Backtrace<'s> {
 }
 
 /// The nearest number between two others; what is not a number stays.
-fn within(x: f64, [least, most]: [f64; 2]) -> f64 {
+pub(super) fn within(x: f64, [least, most]: [f64; 2]) -> f64 {
     if x < least {
         least
     } else if x > most {
@@ -166,7 +181,7 @@ fn within(x: f64, [least, most]: [f64; 2]) -> f64 {
 }
 
 /// Coordinates of a point that rounding has put outside.
-fn inside(barycentric: [f64; 3]) -> [f64; 3] {
+pub(super) fn inside(barycentric: [f64; 3]) -> [f64; 3] {
     let clamped = barycentric.map(|b| if b > 0.0 { b } else { 0.0 });
     let sum: f64 = clamped.iter().sum();
     if sum > 0.0 { clamped.map(|b| b / sum) } else { [1.0 / 3.0; 3] }

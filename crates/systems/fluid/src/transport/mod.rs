@@ -1,7 +1,8 @@
-//! Carrying values at vertices along a velocity.
+//! Carrying values at vertices or on faces along a velocity.
 
 mod backtrace;
 mod cells;
+mod centroids;
 mod flux_corrected;
 
 pub(crate) use backtrace::{Backtrace, restore_mass};

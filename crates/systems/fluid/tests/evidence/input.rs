@@ -2,7 +2,10 @@
 
 use crate::{sphere, values};
 use pompeiu_core::mesh::VertexData;
-use pompeiu_fluid::{Density, FluidError, FluidOptions, Simulation, TimeStep, coriolis, tangential};
+use pompeiu_fluid::{
+    Density, Diffusion, FluidError, FluidOptions, Scheme, Simulation, TimeStep, Transport, coriolis,
+    tangential,
+};
 use pompeiu_operators::{FaceField, OperatorError, random_field, rotation_field};
 
 #[test]
@@ -100,4 +103,35 @@ fn the_bits_do_not_depend_on_threads_and_a_state_goes_on_where_it_was() {
         other.step().unwrap();
     }
     assert_eq!(fluid.step().unwrap(), other.step().unwrap());
+}
+
+#[test]
+fn a_state_goes_on_bit_for_bit_with_every_scheme() {
+    let sphere = sphere(2);
+    for (scheme, transport) in Scheme::ALL.into_iter().zip(Transport::ALL) {
+        let dye = values(&sphere, |[x, y, _]| x * x + y);
+        let density = Density { diffusivity: 0.01, ..Density::new("dye", dye) };
+        let options = FluidOptions {
+            scheme,
+            transport,
+            viscosity: 0.01,
+            densities: vec![density],
+            ..FluidOptions::new(0.1)
+        };
+        let mut fluid = Simulation::new(sphere.surface(), options.clone()).unwrap();
+        fluid.set_vorticity(&values(&sphere, |[x, _, z]| z + x * z), &[]).unwrap();
+        fluid.step().unwrap();
+        let state = fluid.state().clone();
+        fluid.step().unwrap();
+        let mut other = Simulation::new(sphere.surface(), options).unwrap();
+        other.set_state(&state).unwrap();
+        other.step().unwrap();
+        assert_eq!(other.state(), fluid.state(), "{scheme:?}, {transport:?}");
+    }
+}
+
+#[test]
+fn weights_of_edges_are_for_faces() {
+    let options = FluidOptions { diffusion: Diffusion::EdgeLength, ..FluidOptions::new(0.1) };
+    assert_eq!(Simulation::new(sphere(1).surface(), options).unwrap_err(), FluidError::EdgeLength);
 }

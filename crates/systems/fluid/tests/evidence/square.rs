@@ -1,6 +1,6 @@
 //! The square: a plain port of Stam's code, exact rates, divergence, masses, published values.
 
-use pompeiu_fluid::square::{Edges, Square, SquareDensity, SquareOptions, SquareScheme};
+use pompeiu_fluid::square::{Edges, Square, SquareDensity, SquareOptions, SquareScheme, SquareState};
 use pompeiu_fluid::{FluidError, Wall};
 use std::f64::consts::TAU;
 
@@ -305,4 +305,30 @@ fn what_makes_no_sense_is_refused() {
     let solid = Some(vec![true; 64]);
     let mut still = Square::new(SquareOptions { solid, viscosity: 1.0, ..plain() }).unwrap();
     assert_eq!(still.step().unwrap().energy, 0.0);
+}
+
+#[test]
+fn a_state_of_the_square_goes_on_bit_for_bit_and_forces_add_up() {
+    for scheme in [SquareScheme::Mac, SquareScheme::Stam { sweeps: Some(5) }] {
+        let force = vec![[0.5, -0.25]; 64];
+        let half = vec![[0.25, -0.125]; 64];
+        let options = |force: &[[f64; 2]]| SquareOptions {
+            scheme,
+            viscosity: 0.01,
+            edges: Edges::Periodic,
+            force: Some(force.to_vec()),
+            ..SquareOptions::new(8, 0.1)
+        };
+        let mut whole = Square::new(options(&force)).unwrap();
+        whole.step().unwrap();
+        let state = whole.state();
+        whole.step().unwrap();
+        let mut parts = Square::new(options(&half)).unwrap();
+        parts.set_state(&state).unwrap();
+        parts.step_with(Some(&half)).unwrap();
+        assert_eq!(parts.state(), whole.state(), "{scheme:?}");
+        assert!(parts.step_with(Some(&half[1..])).is_err());
+        let wrong = SquareState { velocity: [vec![f64::NAN; 1], Vec::new()], ..state };
+        assert!(parts.set_state(&wrong).is_err());
+    }
 }

@@ -4,9 +4,10 @@ use crate::{surface, values};
 use pompeiu_core::mesh::shapes::{Diagonal, disk, grid, revolved};
 use pompeiu_core::mesh::without_unreferenced;
 use pompeiu_core::{TriMesh, VertexId};
-use pompeiu_fluid::{FluidOptions, Integrator, Simulation, Wall};
+use pompeiu_fluid::{FluidOptions, Integrator, Scheme, Simulation, Wall};
 use pompeiu_operators::rotation_field;
 use pompeiu_surface::{EdgeData, EmbeddedSurface};
+use std::f64::consts::PI;
 
 #[test]
 fn without_viscosity_energy_and_enstrophy_are_kept_between_walls_and_around_holes() {
@@ -55,10 +56,12 @@ fn cap(subdivisions: u32, height: f64) -> EmbeddedSurface {
 
 #[test]
 fn a_rotation_slips_along_a_free_wall_and_stops_at_one_that_holds_it() {
-    for height in [0.5, -0.3] {
+    let schemes = [Scheme::Vorticity, Scheme::CrouzeixRaviart];
+    for (height, scheme) in [0.5, -0.3].into_iter().flat_map(|height| schemes.map(|s| (height, s))) {
         let lost = {
             let cap = cap(1, height);
-            let options = FluidOptions { viscosity: 1.0, wall: Wall::FreeSlip, ..FluidOptions::new(0.05) };
+            let wall = Wall::FreeSlip;
+            let options = FluidOptions { scheme, viscosity: 1.0, wall, ..FluidOptions::new(0.05) };
             let mut fluid = Simulation::new(cap.surface(), options).unwrap();
             fluid.set_velocity(&rotation_field(&cap, [0.0, 0.0, 0.1])).unwrap();
             let before = fluid.measure().unwrap().energy;
@@ -67,9 +70,11 @@ fn a_rotation_slips_along_a_free_wall_and_stops_at_one_that_holds_it() {
             }
             1.0 - (fluid.measure().unwrap().energy / before).sqrt()
         };
-        assert!(lost.abs() < 2e-3, "{height}: {lost}");
+        // Of order 2 in the width of the rings.
+        let bound = if scheme == Scheme::Vorticity { 2e-3 } else { 6e-3 };
+        assert!(lost.abs() < bound, "{scheme:?} {height}: {lost}");
         let cap = cap(0, height);
-        let options = FluidOptions { viscosity: 1.0, ..FluidOptions::new(0.05) };
+        let options = FluidOptions { scheme, viscosity: 1.0, ..FluidOptions::new(0.05) };
         let mut fluid = Simulation::new(cap.surface(), options).unwrap();
         fluid.set_velocity(&rotation_field(&cap, [0.0, 0.0, 0.1])).unwrap();
         let before = fluid.measure().unwrap().energy;
@@ -91,14 +96,22 @@ fn couette_flow_between_walls_is_linear() {
     let wall = EdgeData::from_fn(ring.mesh().edges(), |edge| {
         f64::from(u8::from(ring.mesh().ends(edge).into_iter().all(is_inner)))
     });
-    let options = FluidOptions { viscosity: 1.0, wall_velocity: Some(wall), ..FluidOptions::new(0.5) };
-    let mut fluid = Simulation::new(ring.surface(), options).unwrap();
-    for _ in 0..20 {
-        fluid.step().unwrap();
+    // The vorticity of velocities at midpoints of edges is of first order at the boundary.
+    for (scheme, bound) in [(Scheme::Vorticity, 0.02), (Scheme::CrouzeixRaviart, 0.25)] {
+        let wall_velocity = Some(wall.clone());
+        let options = FluidOptions { scheme, viscosity: 1.0, wall_velocity, ..FluidOptions::new(0.5) };
+        let mut fluid = Simulation::new(ring.surface(), options).unwrap();
+        for _ in 0..20 {
+            fluid.step().unwrap();
+        }
+        // π A² (r⁴ / 4 − r² + ln r) from 1/2 to 1.
+        let energy = fluid.measure().unwrap().energy;
+        let expected = PI * 4.0 / 9.0 * (-0.75 + 0.25 - 0.015_625 + 2.0_f64.ln());
+        assert!((energy / expected - 1.0).abs() < 0.01, "{scheme:?}: {energy} {expected}");
+        let error = |w: &f64| (w.abs() - 4.0 / 3.0).abs();
+        let worst = fluid.state().vorticity.iter().map(error).fold(0.0, f64::max);
+        assert!(worst < bound, "{scheme:?}: {worst}");
     }
-    let error = |w: &f64| (w.abs() - 4.0 / 3.0).abs();
-    let worst = fluid.state().vorticity.iter().map(error).fold(0.0, f64::max);
-    assert!(worst < 0.02, "{worst}");
 }
 
 #[test]

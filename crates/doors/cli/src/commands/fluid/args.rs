@@ -5,7 +5,7 @@ use crate::numbers::{magnitude, tuple};
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use pompeiu::fluid::square::{Edges, SquareScheme};
-use pompeiu::fluid::{Integrator, Scheme, Transport, ViscosityModel, Wall};
+use pompeiu::fluid::{Correction, Diffusion, Integrator, Scheme, Transport, ViscosityModel, Wall};
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
@@ -32,7 +32,10 @@ Scenes:
   initial = \"exp(-9*x^2)\"        # an expression in x, y and z
   diffusivity = 1e-4
   weight = 1                     # pulled by gravity; below zero for what rises
-  source = [{ at = [0, 1, 0], radius = 0.1, rate = 5 }]
+  source = [{ at = [0, 1, 0], radius = 0.1, rate = 5 }, { picture = \"smoke.png\", rate = 1 }]
+
+  A picture lies over the square, or over the box around the mesh as seen from above (axis = \"z\", or \"x\", \"y\"); what is
+  black counts in full, what is white not at all. `picture = \"FILE\"` beside `initial` starts a density from one.
 
   [[force]]                      # an acceleration in a ball
   at = [1, 0, 0]
@@ -51,9 +54,13 @@ Velocities:
 Schemes:
   vorticity   vorticity at vertices and harmonic coefficients, in substeps; conserves energy and enstrophy in space (default)
   any-step    the same unknowns, traced back along the flow: stable at any step, loses energy
+  faces       velocities on faces, traced back from their centroids and projected: stable at any step, loses most energy
+  crouzeix-raviart   as vorticity, with viscosity on velocities at midpoints of edges: rotations never gain energy
+  With `--correction linear --transport faces --diffusion edge-length` the scheme faces is that of Stable Fluids on triangle meshes
+  as it is often first written.
 
 OUT.pvd lists one VTP file for each step, with velocity, vorticity and densities, for ParaView. Ctrl-C ends the run after the present
-step and keeps what is done; the exit code is then 3.
+step and keeps what is done; the exit code is then 3. With --checkpoint FILE, --resume FILE goes on from there, bit for bit.
 
 Examples:
   pompeiu fluid sphere.obj --velocity rotation:z --viscosity 0.1 --steps 100 --dt 0.01 --json
@@ -96,6 +103,12 @@ pub(crate) struct Fluid {
     /// How the vorticity moves on in time
     #[arg(long, value_parser = named(&Integrator::ALL.map(Integrator::name), Integrator::named), value_name = "NAME")]
     pub(crate) integrator: Option<Integrator>,
+    /// What is done about the blur of what is traced back
+    #[arg(long, value_parser = named(&Correction::ALL.map(Correction::name), Correction::named), value_name = "NAME")]
+    pub(crate) correction: Option<Correction>,
+    /// By which weights of edges what is stored on faces diffuses; edge-length is no Laplacian and depends on the mesh
+    #[arg(long, value_parser = named(&Diffusion::ALL.map(Diffusion::name), Diffusion::named), value_name = "NAME")]
+    pub(crate) diffusion: Option<Diffusion>,
     /// Kinematic viscosity, squared length per time
     #[arg(long, value_name = "NU")]
     pub(crate) viscosity: Option<f64>,
@@ -138,6 +151,12 @@ pub(crate) struct Fluid {
     /// Write only every so many steps
     #[arg(long, default_value = "1", value_name = "N", requires = "output")]
     pub(crate) every: NonZeroUsize,
+    /// Write the state there at the end, when interrupted, and every minute
+    #[arg(long, value_name = "FILE")]
+    pub(crate) checkpoint: Option<PathBuf>,
+    /// Go on from a state that --checkpoint wrote, of the same mesh and scene; --steps counts from the beginning
+    #[arg(long, value_name = "FILE")]
+    pub(crate) resume: Option<PathBuf>,
     /// Write a page that plays the flow, as --report does
     #[arg(long, value_name = "RUN.html")]
     pub(crate) video: Option<PathBuf>,
@@ -155,26 +174,12 @@ pub(crate) struct Fluid {
 
 /// Parses how the square stores velocities.
 pub(super) fn grid(text: &str) -> Result<SquareScheme, String> {
-    let sweeps = |rest: &str| rest.parse().ok().filter(|&n: &usize| n > 0);
-    match text.split_once(':') {
-        None if text == "mac" => Ok(SquareScheme::Mac),
-        None if text == "stam" => Ok(SquareScheme::Stam { sweeps: None }),
-        Some(("stam", rest)) if sweeps(rest).is_some() => Ok(SquareScheme::Stam { sweeps: sweeps(rest) }),
-        _ => Err("expected mac, stam or stam:SWEEPS".to_owned()),
-    }
+    SquareScheme::named(text).ok_or_else(|| "expected mac, stam or stam:SWEEPS".to_owned())
 }
 
 /// Parses what is at the edges of the square.
 pub(super) fn edges(text: &str) -> Result<Edges, String> {
-    match text.split_once(':') {
-        None if text == "walls" => Ok(Edges::Walls),
-        None if text == "periodic" => Ok(Edges::Periodic),
-        Some(("channel", rest)) => match rest.parse() {
-            Ok(speed) => Ok(Edges::Channel { speed }),
-            Err(_) => Err(format!("`{rest}` is no speed")),
-        },
-        _ => Err("expected walls, periodic or channel:SPEED".to_owned()),
-    }
+    Edges::named(text).ok_or_else(|| "expected walls, periodic or channel:SPEED".to_owned())
 }
 
 /// Parses one of some names.

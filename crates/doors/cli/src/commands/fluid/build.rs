@@ -1,14 +1,15 @@
 //! From a scene to a simulation.
 
-use super::scene::{Ball, Scene};
+use super::scene::{Ball, DensityScene, Overlay, Region, Scene};
 use crate::expression::values;
 use crate::field::{self, FieldSource};
 use crate::printer::Printer;
-use anyhow::bail;
+use anyhow::{Context, bail};
 use pompeiu::core::TriMesh;
 use pompeiu::core::mesh::VertexData;
 use pompeiu::fluid::{Density, FluidOptions, Simulation, TimeStep, coriolis, tangential};
 use pompeiu::operators::FaceField;
+use pompeiu::planar::picture::Picture;
 use pompeiu::surface::{EdgeData, EmbeddedSurface};
 
 /// The simulation of a scene, with its velocity at first.
@@ -55,30 +56,27 @@ const NOTABLE: f64 = 1e-3;
 
 fn options(scene: &Scene, mesh: &TriMesh, surface: &EmbeddedSurface) -> anyhow::Result<FluidOptions> {
     let Some(dt) = scene.dt else { bail!("no length of a step is given; name one with --dt") };
+    let bounds = [0, 1, 2].map(|k| {
+        mesh.positions().iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], p| {
+            [if p[k] < low { p[k] } else { low }, if p[k] > high { p[k] } else { high }]
+        })
+    });
     let densities = scene.densities.iter().map(|density| {
+        let Amounts { initial, source } = amounts(density, mesh, bounds)?;
         let count = mesh.positions().len();
-        let what = format!("density \"{}\"", density.name);
-        let initial = match &density.initial {
-            Some(expression) => VertexData::new(count, values(expression, &what, mesh)?)?,
-            None => VertexData::filled(count, 0.0),
-        };
-        let mut source = (!density.sources.is_empty()).then(|| VertexData::filled(count, 0.0));
-        for (ball, rate) in &density.sources {
-            for (place, inside) in source.iter_mut().flatten().zip(within(mesh, *ball)) {
-                *place += if inside { *rate } else { 0.0 };
-            }
-        }
         Ok(Density {
             name: density.name.clone(),
-            initial,
+            initial: VertexData::new(count, initial)?,
             diffusivity: density.diffusivity,
             weight: density.weight,
-            source,
+            source: source.map(|source| VertexData::new(count, source)).transpose()?,
         })
     });
     Ok(FluidOptions {
         scheme: scene.scheme.unwrap_or_default(),
         integrator: scene.integrator.unwrap_or_default(),
+        correction: scene.correction.unwrap_or_default(),
+        diffusion: scene.diffusion.unwrap_or_default(),
         time_step: scene.cfl.map_or(TimeStep::Fixed(dt), |number| TimeStep::Cfl { number, longest: dt }),
         viscosity: scene.viscosity.unwrap_or(0.0),
         viscosity_model: scene.viscosity_model.unwrap_or_default(),
@@ -161,6 +159,58 @@ fn wall_velocity(scene: &Scene, surface: &EmbeddedSurface) -> anyhow::Result<Opt
 fn nothing_in(what: &str, element: &str, ball: Ball) -> String {
     let Ball { at: [x, y, z], radius } = ball;
     format!("{what}: there is no {element} within {radius} of ({x}, {y}, {z})")
+}
+
+/// Of a density what there is at first, and what is added per time, at each vertex.
+pub(super) struct Amounts {
+    pub(super) initial: Vec<f64>,
+    pub(super) source: Option<Vec<f64>>,
+}
+
+pub(super) fn amounts(
+    density: &DensityScene,
+    mesh: &TriMesh,
+    bounds: [[f64; 2]; 3],
+) -> anyhow::Result<Amounts> {
+    let count = mesh.positions().len();
+    let mut initial = match &density.initial {
+        Some(expression) => values(expression, &format!("density \"{}\"", density.name), mesh)?,
+        None => vec![0.0; count],
+    };
+    if let Some(picture) = &density.picture {
+        initial.iter_mut().zip(darkness(picture, mesh, bounds)?).for_each(|(x, dark)| *x += dark);
+    }
+    let mut source = (!density.sources.is_empty()).then(|| vec![0.0; count]);
+    for (region, rate) in &density.sources {
+        let shares = match region {
+            Region::Ball(ball) => {
+                within(mesh, *ball).into_iter().map(|inside| f64::from(u8::from(inside))).collect()
+            }
+            Region::Picture(picture) => darkness(picture, mesh, bounds)?,
+        };
+        source.iter_mut().flatten().zip(shares).for_each(|(x, share)| *x += rate * share);
+    }
+    Ok(Amounts { initial, source })
+}
+
+/// How dark a picture is over each vertex, from 0 to 1, laid over a box as seen along an axis.
+pub(super) fn darkness(picture: &Overlay, mesh: &TriMesh, bounds: [[f64; 2]; 3]) -> anyhow::Result<Vec<f64>> {
+    crate::files::check_readable(&picture.path)?;
+    let shown = || picture.path.display().to_string();
+    let pixels = Picture::read(&std::fs::read(&picture.path).with_context(shown)?).with_context(shown)?;
+    // Right and up, as one looks against the axis.
+    let [right, up] = [[1, 2], [2, 0], [0, 1]][picture.axis];
+    let [across, along] = [right, up].map(|k| bounds[k]);
+    let pixel = |x: f64, [low, high]: [f64; 2], count: usize| {
+        let share = if high > low { (x - low) / (high - low) } else { 0.5 };
+        ((share * count as f64) as usize).min(count - 1)
+    };
+    let dark = |p: &[f64; 3]| {
+        let column = pixel(p[right], across, pixels.width());
+        let row = pixels.height() - 1 - pixel(p[up], along, pixels.height());
+        1.0 - f64::from(pixels.levels()[row * pixels.width() + column])
+    };
+    Ok(mesh.positions().iter().map(dark).collect())
 }
 
 /// Which vertices lie in a ball; the nearest one in any case.

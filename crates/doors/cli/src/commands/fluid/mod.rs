@@ -2,6 +2,7 @@
 
 mod args;
 mod build;
+mod checkpoint;
 mod json;
 mod reader;
 mod run;

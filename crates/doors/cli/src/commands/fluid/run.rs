@@ -1,6 +1,7 @@
 //! Runs the command.
 
 use super::args::Fluid as Args;
+use super::checkpoint::Checkpoint;
 use super::scene::Scene;
 use super::stage::Stage;
 use super::{build, json, square, text};
@@ -32,13 +33,16 @@ pub(super) struct Outcome {
     pub(super) total: Duration,
 }
 
+/// How long a run may be that is lost at most, where a checkpoint is asked for.
+const BETWEEN_CHECKPOINTS: Duration = Duration::from_mins(1);
+
 pub(crate) fn run(args: &Args, printer: &Printer) -> anyhow::Result<Exit> {
     let started = Instant::now();
     let scene = Scene::of(args)?;
     let Some(asked) = scene.steps else { bail!("no number of steps is given; name one with --steps") };
     let pages = || args.video.iter().map(PathBuf::as_path).chain(args.picture.outputs());
-    let outputs = args.output.iter().map(PathBuf::as_path).chain(pages());
-    let inputs = args.mesh.iter().chain(&args.scene).chain(&scene.obstacles);
+    let outputs = args.output.iter().chain(&args.checkpoint).map(PathBuf::as_path).chain(pages());
+    let inputs = args.mesh.iter().chain(&args.scene).chain(&scene.obstacles).chain(&args.resume);
     files::check_places(outputs, &inputs.map(PathBuf::as_path).collect::<Vec<_>>())?;
     if let Some(folder) = args.frames.as_deref().filter(|folder| folder.exists()) {
         bail!("{}: exists; name a folder that does not, the frames go into it", folder.display());
@@ -74,8 +78,16 @@ pub(crate) fn run(args: &Args, printer: &Printer) -> anyhow::Result<Exit> {
         if shows { asked.div_ceil(most_frames(mesh.positions().len(), values)).max(1) } else { asked };
     let limits = Limits { time: args.limits.time_after(started.elapsed()), ..Limits::default() };
     let control = Control::start(&limits);
-    let mut steps = vec![stage.measure()?];
+    let mut steps = match &args.resume {
+        Some(path) => Checkpoint::resume(path, &mut stage, &mesh)?.steps,
+        None => vec![stage.measure()?],
+    };
+    if steps.len() > asked + 1 {
+        let done = steps.len() - 1;
+        bail!("{done} steps are done already and --steps is {asked}; it counts from the beginning");
+    }
     let mut failed = None;
+    let mut saved = Instant::now();
     loop {
         let done = steps.len() - 1;
         if shows && (done.is_multiple_of(stride) || done == asked) {
@@ -88,6 +100,10 @@ pub(crate) fn run(args: &Args, printer: &Printer) -> anyhow::Result<Exit> {
         }
         if done == asked {
             break;
+        }
+        if let Some(path) = args.checkpoint.as_ref().filter(|_| saved.elapsed() >= BETWEEN_CHECKPOINTS) {
+            Checkpoint::write(path, &stage, &mesh, &steps, printer)?;
+            saved = Instant::now();
         }
         if interrupt::flow().is_break() {
             control.stop(StopReason::Cancelled);
@@ -108,6 +124,9 @@ pub(crate) fn run(args: &Args, printer: &Printer) -> anyhow::Result<Exit> {
     // What has been computed is kept, whatever ended the run.
     if let Some(series) = series {
         series.finish(printer)?;
+    }
+    if let Some(path) = &args.checkpoint {
+        Checkpoint::write(path, &stage, &mesh, &steps, printer)?;
     }
     if let Some(error) = failed {
         return Err(error).with_context(|| name.display().to_string());

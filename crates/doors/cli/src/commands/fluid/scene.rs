@@ -4,7 +4,7 @@ use super::args::Fluid;
 use super::reader::{Reader, SceneFile};
 use anyhow::{Context, anyhow, bail};
 use pompeiu::fluid::square::{Edges, SquareScheme};
-use pompeiu::fluid::{Integrator, Scheme, Transport, ViscosityModel, Wall};
+use pompeiu::fluid::{Correction, Diffusion, Integrator, Scheme, Transport, ViscosityModel, Wall};
 use std::path::{Path, PathBuf};
 
 /// A flow as it is described.
@@ -15,6 +15,8 @@ pub(super) struct Scene {
     pub(super) cfl: Option<f64>,
     pub(super) scheme: Option<Scheme>,
     pub(super) integrator: Option<Integrator>,
+    pub(super) correction: Option<Correction>,
+    pub(super) diffusion: Option<Diffusion>,
     pub(super) viscosity: Option<f64>,
     pub(super) viscosity_model: Option<ViscosityModel>,
     pub(super) wall: Option<Wall>,
@@ -51,10 +53,23 @@ pub(super) struct Vortex {
 pub(super) struct DensityScene {
     pub(super) name: String,
     pub(super) initial: Option<String>,
+    pub(super) picture: Option<Overlay>,
     pub(super) diffusivity: f64,
     pub(super) weight: f64,
-    /// Balls and what is added there per time.
-    pub(super) sources: Vec<(Ball, f64)>,
+    /// Where something is added, and how much per time.
+    pub(super) sources: Vec<(Region, f64)>,
+}
+
+/// Where a source is.
+pub(super) enum Region {
+    Ball(Ball),
+    Picture(Overlay),
+}
+
+/// A picture that lies over the mesh, seen along an axis.
+pub(super) struct Overlay {
+    pub(super) path: PathBuf,
+    pub(super) axis: usize,
 }
 
 pub(super) struct LocalForce {
@@ -79,13 +94,26 @@ impl Scene {
                 $(if args.$field.is_some() { scene.$field.clone_from(&args.$field); })*
             };
         }
-        prefer!(steps, dt, cfl, scheme, integrator, viscosity, viscosity_model, wall, transport);
+        prefer!(
+            steps,
+            dt,
+            cfl,
+            scheme,
+            integrator,
+            correction,
+            diffusion,
+            viscosity,
+            viscosity_model,
+            wall,
+            transport
+        );
         prefer!(grid, edges, lid, obstacles);
         prefer!(gravity, rotation, acceleration, confinement, velocity, vorticity, harmonic);
         if let Some(initial) = &args.density {
             scene.densities.push(DensityScene {
                 name: "density".to_owned(),
                 initial: Some(initial.clone()),
+                picture: None,
                 diffusivity: 0.0,
                 weight: 0.0,
                 sources: Vec::new(),
@@ -110,6 +138,8 @@ impl Scene {
             cfl: top.number("cfl")?,
             scheme: top.name("scheme", &Scheme::ALL.map(Scheme::name), Scheme::named)?,
             integrator: top.name("integrator", &Integrator::ALL.map(Integrator::name), Integrator::named)?,
+            correction: top.name("correction", &Correction::ALL.map(Correction::name), Correction::named)?,
+            diffusion: top.name("diffusion", &Diffusion::ALL.map(Diffusion::name), Diffusion::named)?,
             viscosity: top.number("viscosity")?,
             viscosity_model: top.name(
                 "viscosity_model",
@@ -191,17 +221,30 @@ fn vortex(table: &mut Reader<'_>) -> anyhow::Result<Vortex> {
 }
 
 fn density(table: &mut Reader<'_>) -> anyhow::Result<DensityScene> {
-    let source = |table: &mut Reader<'_>| {
-        let (ball, rate) = (ball(table)?, table.number("rate")?);
-        Ok((ball, table.required("rate", rate)?))
-    };
     Ok(DensityScene {
         name: table.text("name")?.unwrap_or_else(|| "density".to_owned()),
         initial: table.text("initial")?,
+        picture: overlay(table)?,
         diffusivity: table.number("diffusivity")?.unwrap_or(0.0),
         weight: table.number("weight")?.unwrap_or(0.0),
         sources: each(table, "source", source)?,
     })
+}
+
+fn source(table: &mut Reader<'_>) -> anyhow::Result<(Region, f64)> {
+    let region = match overlay(table)? {
+        Some(picture) => Region::Picture(picture),
+        None => Region::Ball(ball(table)?),
+    };
+    let rate = table.number("rate")?;
+    Ok((region, table.required("rate", rate)?))
+}
+
+fn overlay(table: &mut Reader<'_>) -> anyhow::Result<Option<Overlay>> {
+    const AXES: [&str; 3] = ["x", "y", "z"];
+    let axis = table.name("axis", &AXES, |name| AXES.iter().position(|axis| *axis == name))?;
+    let path = table.text("picture")?.map(PathBuf::from);
+    Ok(path.map(|path| Overlay { path, axis: axis.unwrap_or(2) }))
 }
 
 fn force(table: &mut Reader<'_>) -> anyhow::Result<LocalForce> {

@@ -1,17 +1,19 @@
 //! From a scene to a simulation in the square.
 
-use super::build::{distance_sq, within};
-use super::scene::{Ball, Scene};
+use super::build::{Amounts, amounts, darkness, distance_sq, within};
+use super::scene::{Ball, Overlay, Scene};
 use crate::expression::values;
-use anyhow::{Context, anyhow, bail};
+use anyhow::{anyhow, bail};
 use pompeiu::core::TriMesh;
 use pompeiu::core::mesh::shapes::{Diagonal, grid};
 use pompeiu::fluid::square::{Square, SquareDensity, SquareOptions};
-use pompeiu::planar::picture::Picture;
 use std::path::Path;
 
 /// Cells on a side at most: what a page and the systems of larger squares need no machine has.
 const MOST_CELLS: usize = 4096;
+
+/// The unit square.
+const UNIT: [[f64; 2]; 3] = [[0.0, 1.0]; 3];
 
 /// The centres of the cells as vertices.
 pub(super) fn centres(cells: usize) -> anyhow::Result<TriMesh> {
@@ -32,6 +34,8 @@ pub(super) fn simulation(scene: &Scene, cells: usize, mesh: &TriMesh) -> anyhow:
     for (what, given) in [
         ("scheme", scene.scheme.is_some()),
         ("integrator", scene.integrator.is_some()),
+        ("correction", scene.correction.is_some()),
+        ("diffusion", scene.diffusion.is_some()),
         ("cfl", scene.cfl.is_some()),
         ("viscosity_model", scene.viscosity_model.is_some()),
         ("transport", scene.transport.is_some()),
@@ -62,17 +66,7 @@ fn options(scene: &Scene, cells: usize, mesh: &TriMesh) -> anyhow::Result<Square
     let Some(dt) = scene.dt else { bail!("no length of a step is given; name one with --dt") };
     let count = cells * cells;
     let densities = scene.densities.iter().map(|density| {
-        let what = format!("density \"{}\"", density.name);
-        let initial = match &density.initial {
-            Some(expression) => values(expression, &what, mesh)?,
-            None => vec![0.0; count],
-        };
-        let mut source = (!density.sources.is_empty()).then(|| vec![0.0; count]);
-        for (ball, rate) in &density.sources {
-            for (place, inside) in source.iter_mut().flatten().zip(within(mesh, *ball)) {
-                *place += if inside { *rate } else { 0.0 };
-            }
-        }
+        let Amounts { initial, source } = amounts(density, mesh, UNIT)?;
         Ok(SquareDensity {
             name: density.name.clone(),
             initial,
@@ -108,16 +102,9 @@ fn options(scene: &Scene, cells: usize, mesh: &TriMesh) -> anyhow::Result<Square
 /// Which cells are dark in a picture that is laid over the square.
 fn obstacles(path: &Path, mesh: &TriMesh) -> anyhow::Result<Vec<bool>> {
     /// What is darker than this is dark.
-    const DARK: f32 = 0.5;
-    crate::files::check_readable(path)?;
-    let shown = || path.display().to_string();
-    let picture = Picture::read(&std::fs::read(path).with_context(shown)?).with_context(shown)?;
-    let pixel = |share: f64, count: usize| ((share * count as f64) as usize).min(count - 1);
-    let level = |[x, y, _]: &[f64; 3]| {
-        let (column, row) = (pixel(*x, picture.width()), pixel(1.0 - y, picture.height()));
-        picture.levels()[row * picture.width() + column]
-    };
-    Ok(mesh.positions().iter().map(|position| level(position) < DARK).collect())
+    const DARK: f64 = 0.5;
+    let shares = darkness(&Overlay { path: path.to_owned(), axis: 2 }, mesh, UNIT)?;
+    Ok(shares.into_iter().map(|share| share > DARK).collect())
 }
 
 /// The velocity around Gaussians of vorticity in the plane.

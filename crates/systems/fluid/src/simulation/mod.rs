@@ -1,18 +1,25 @@
 //! A flow that moves on step by step.
 
-use crate::advection::{self, AdvectionError, Unknowns};
-use crate::options::{FluidOptions, Integrator, Scheme, TimeStep, Transport};
+mod densities;
+mod velocity;
+
+pub(crate) use densities::add_source;
+
+use crate::FluidError;
+use crate::advection::Unknowns;
+use crate::edges::EdgeField;
+use crate::options::{Diffusion, FluidOptions, Scheme, TimeStep, Transport};
 use crate::report::{FluidStep, FluidTiming, SchemeReport};
 use crate::space::{Parts, Space};
-use crate::transport::{Backtrace, restore_mass};
-use crate::viscosity::{Viscosity, ViscousPower};
-use crate::{FluidError, Wall, force};
+use crate::transport::Backtrace;
+use crate::viscosity::ViscousPower;
+use densities::Heat;
 use pompeiu_core::mesh::{FaceData, VertexData};
-use pompeiu_operators::{FaceField, add_scaled, check_field};
-use pompeiu_solve::{Cholesky, LinearSolver, SparseMatrix};
+use pompeiu_operators::{FaceField, check_field};
 use pompeiu_surface::Surface;
 use pompeiu_surface::plane::norm;
 use std::time::Instant;
+use velocity::Viscous;
 
 /// Substeps of a step at most.
 const MOST_SUBSTEPS: usize = 100_000;
@@ -37,9 +44,9 @@ pub struct Simulation<'s> {
     options: FluidOptions,
     backtrace: Option<Backtrace<'s>>,
     power: Option<ViscousPower>,
-    viscosity: Option<Viscosity>,
-    /// One for each density: diffusivity times step, and the factor.
-    heat: Vec<Option<(f64, Cholesky)>>,
+    viscosity: Option<Viscous>,
+    /// One for each density.
+    heat: Vec<Option<Heat>>,
     /// Integrals of the velocity of the boundary against hat functions.
     circulation: VertexData<f64>,
     state: State,
@@ -63,6 +70,11 @@ pub struct State {
     pub harmonic: Vec<f64>,
     /// The densities at vertices.
     pub densities: Vec<VertexData<f64>>,
+    /// The velocity at midpoints of edges, along the first half-edge and to the left of it, for a viscous flow with
+    /// [`Scheme::CrouzeixRaviart`]; otherwise empty.
+    pub edge_velocity: EdgeField,
+    /// The densities on faces for [`Transport::Faces`]; those at vertices are their means. Otherwise empty.
+    pub face_densities: Vec<FaceData<f64>>,
 }
 
 impl<'s> Simulation<'s> {
@@ -82,11 +94,13 @@ impl<'s> Simulation<'s> {
             }),
             None => VertexData::filled(vertices, 0.0),
         };
-        let power = (options.viscosity > 0.0)
+        let by_stream = matches!(options.scheme, Scheme::Vorticity | Scheme::AnyStep)
+            || (options.scheme == Scheme::Faces && options.diffusion == Diffusion::Laplacian);
+        let power = (options.viscosity > 0.0 && by_stream)
             .then(|| ViscousPower::new(&space, options.viscosity_model, options.wall, &circulation))
             .transpose()?;
-        let traced = options.scheme == Scheme::AnyStep
-            || (options.transport != Transport::FluxCorrected && !options.densities.is_empty());
+        let on_edges = options.viscosity > 0.0 && options.scheme == Scheme::CrouzeixRaviart;
+        let edges = if on_edges { surface.mesh().edges() } else { 0 };
         let state = State {
             step: 0,
             time: 0.0,
@@ -95,9 +109,14 @@ impl<'s> Simulation<'s> {
             stream: VertexData::filled(vertices, 0.0),
             harmonic: vec![0.0; space.basis.dimension()],
             densities: options.densities.iter().map(|density| density.initial.clone()).collect(),
+            edge_velocity: EdgeField::filled(edges, [0.0; 2]),
+            face_densities: match options.transport {
+                Transport::Faces => options.densities.iter().map(|_| FaceData::filled(0, 0.0)).collect(),
+                _ => Vec::new(),
+            },
         };
         let mut simulation = Self {
-            backtrace: traced.then(|| Backtrace::new(surface)),
+            backtrace: options.traces_back().then(|| Backtrace::new(surface)),
             heat: options.densities.iter().map(|_| None).collect(),
             space,
             options,
@@ -107,6 +126,9 @@ impl<'s> Simulation<'s> {
             state,
             timing: FluidTiming::default(),
         };
+        for index in 0..simulation.state.densities.len() {
+            simulation.take_density(index, simulation.state.densities[index].clone());
+        }
         if let TimeStep::Fixed(step) = simulation.options.time_step {
             simulation.factor(step)?;
         }
@@ -148,7 +170,9 @@ impl<'s> Simulation<'s> {
         let parts = self.space.project(field)?;
         // What slips along the boundary before viscosity has acted on it is no vorticity.
         let along = self.space.boundary_circulation(&self.space.velocity(&parts.stream, &parts.harmonic));
-        self.set_parts(parts, &along)
+        self.set_parts(parts, &along)?;
+        self.take_edges();
+        Ok(())
     }
 
     /// Makes the velocity that of a vorticity at vertices and of harmonic coefficients.
@@ -177,8 +201,9 @@ impl<'s> Simulation<'s> {
         }
         let mut unknowns = Unknowns { vorticity: vorticity.clone(), harmonic: harmonic.to_vec() };
         self.without_mean(&mut unknowns.vorticity);
-        self.state.stream = self.space.stream(&unknowns.vorticity)?;
-        self.adopt(unknowns)
+        self.adopt(unknowns)?;
+        self.take_edges();
+        Ok(())
     }
 
     /// Replaces a density.
@@ -194,15 +219,11 @@ impl<'s> Simulation<'s> {
             return Err(FluidError::NonFinite { what, element, index: at, value: values.as_slice()[at] });
         }
         let found = self.state.densities.len();
-        let Some(place) = self.state.densities.get_mut(index) else {
-            return Err(FluidError::Length {
-                what: "list of densities",
-                element: "density",
-                found,
-                expected: index + 1,
-            });
-        };
-        *place = values;
+        if index >= found {
+            let (what, element, expected) = ("list of densities", "density", index + 1);
+            return Err(FluidError::Length { what, element, found, expected });
+        }
+        self.take_density(index, values);
         Ok(())
     }
 
@@ -223,6 +244,15 @@ impl<'s> Simulation<'s> {
         self.state.stream = self.space.stream(&state.vorticity)?;
         self.state.velocity = self.space.velocity(&self.state.stream, &self.state.harmonic);
         (self.state.step, self.state.time) = (state.step, state.time);
+        if state.edge_velocity.len() == self.state.edge_velocity.len() {
+            self.state.edge_velocity.clone_from(&state.edge_velocity);
+        }
+        let faces = self.space.mesh().faces();
+        if state.face_densities.len() == self.state.face_densities.len()
+            && state.face_densities.iter().all(|values| values.len() == faces)
+        {
+            self.state.face_densities.clone_from(&state.face_densities);
+        }
         Ok(())
     }
 
@@ -256,16 +286,19 @@ impl<'s> Simulation<'s> {
         self.factor(step)?;
         let before = self.state.velocity.clone();
         self.push(pushed, step)?;
-        let energy_guarded = self.diffuse(step)?;
+        self.move_edges(&before);
+        let energy_guarded = self.diffuse()?;
         let diffused = Instant::now();
         self.timing.diffuse += diffused - start;
         let cells = self.space.cells(&self.state.velocity);
         let cfl = cells.cfl(step);
+        let diffused_velocity = self.state.velocity.clone();
         let (unknowns, substeps) = self.advect(step, cfl)?;
         let advected = Instant::now();
         self.timing.advect += advected - diffused;
         self.adopt(unknowns)?;
         self.check_finite(&before)?;
+        self.move_edges(&diffused_velocity);
         let projected = Instant::now();
         self.timing.project += projected - advected;
         self.move_densities(&before, step)?;
@@ -306,218 +339,6 @@ impl<'s> Simulation<'s> {
         })
     }
 
-    /// The length of the next step.
-    fn choose_step(&self) -> Result<f64, FluidError> {
-        let (number, longest) = match self.options.time_step {
-            TimeStep::Fixed(step) => return Ok(step),
-            TimeStep::Cfl { number, longest } => (number, longest),
-        };
-        let rate = self.space.cells(&self.state.velocity).cfl(1.0);
-        // Powers of two, so that few steps need new factors.
-        (0..=MOST_HALVINGS).map(|k| longest * 0.5_f64.powi(k)).find(|step| step * rate <= number).ok_or(
-            FluidError::StepTooShort {
-                step: self.state.step + 1,
-                shortest: longest * 0.5_f64.powi(MOST_HALVINGS),
-            },
-        )
-    }
-
-    /// Makes factors ready for a step of this length.
-    fn factor(&mut self, step: f64) -> Result<(), FluidError> {
-        if let Some(power) = &self.power {
-            let product = self.options.viscosity * step;
-            if self.viscosity.as_ref().is_none_or(|ready| ready.product() != product) {
-                self.viscosity = Some(Viscosity::new(&self.space, power, product)?);
-            }
-        }
-        for (density, heat) in self.options.densities.iter().zip(&mut self.heat) {
-            let product = density.diffusivity * step;
-            if product > 0.0 && heat.as_ref().is_none_or(|(ready, _)| *ready != product) {
-                let mass = SparseMatrix::diagonal(&self.space.areas)?;
-                let matrix = mass.combined(1.0, self.space.poisson.matrix(), product)?;
-                *heat = Some((product, Cholesky::new(&matrix)?));
-            }
-        }
-        Ok(())
-    }
-
-    /// Adds forces to the velocity.
-    fn push(&mut self, pushed: Option<&FaceField>, step: f64) -> Result<(), FluidError> {
-        let options = &self.options;
-        let weighs = options.gravity.is_some() && options.densities.iter().any(|d| d.weight != 0.0);
-        if pushed.is_none() && options.force.is_none() && !weighs && options.confinement == 0.0 {
-            return Ok(());
-        }
-        let mut force = FaceField::filled(self.space.mesh().faces(), [0.0; 2]);
-        for field in [pushed, options.force.as_ref()].into_iter().flatten() {
-            add_scaled(&mut force, 1.0, field);
-        }
-        if let Some(gravity) = &options.gravity {
-            let densities = options.densities.iter().map(|d| d.weight).zip(&self.state.densities);
-            force::weight(&self.space, gravity, densities, &mut force);
-        }
-        if options.confinement > 0.0 {
-            force::confine(&self.space, options.confinement, &self.state.vorticity, &mut force);
-        }
-        let (mut vorticity, harmonic) = self.space.curl_of_force(&force)?;
-        self.space.solve_mass(&mut vorticity)?;
-        let mut unknowns =
-            Unknowns { vorticity: self.state.vorticity.clone(), harmonic: self.state.harmonic.clone() };
-        for (w, rate) in unknowns.vorticity.iter_mut().zip(&vorticity) {
-            *w += step * rate;
-        }
-        for (c, rate) in unknowns.harmonic.iter_mut().zip(&harmonic) {
-            *c += step * rate;
-        }
-        self.adopt(unknowns)
-    }
-
-    /// Viscosity; whether energy would have risen.
-    fn diffuse(&mut self, _step: f64) -> Result<bool, FluidError> {
-        let Some(viscosity) = &self.viscosity else { return Ok(false) };
-        let before = Parts { stream: self.state.stream.clone(), harmonic: self.state.harmonic.clone() };
-        let mut parts = viscosity.step(&self.space, &before)?;
-        let energy = |parts: &Parts| self.space.energy(&self.space.velocity(&parts.stream, &parts.harmonic));
-        let [old, new] = [&before, &parts].map(energy);
-        let driven = self.options.wall_velocity.is_some();
-        let guarded = new > old && !driven;
-        if guarded {
-            let factor = (old / new).sqrt();
-            parts.stream.iter_mut().chain(&mut parts.harmonic).for_each(|x| *x *= factor);
-        }
-        let circulation = match self.options.wall {
-            Wall::NoSlip => self.circulation.clone(),
-            Wall::FreeSlip => {
-                self.space.boundary_circulation(&self.space.velocity(&parts.stream, &parts.harmonic))
-            }
-        };
-        self.set_parts(parts, &circulation)?;
-        Ok(guarded)
-    }
-
-    /// Advection of the velocity.
-    fn advect(&self, step: f64, cfl: f64) -> Result<(Unknowns, usize), FluidError> {
-        let state = &self.state;
-        let unknowns = Unknowns { vorticity: state.vorticity.clone(), harmonic: state.harmonic.clone() };
-        let coriolis = self.options.coriolis.as_ref();
-        if let (Scheme::AnyStep, Some(backtrace)) = (self.options.scheme, &self.backtrace) {
-            return Ok((self.advect_back(backtrace, &unknowns, coriolis, step)?, 1));
-        }
-        let integrator = self.options.integrator;
-        let substeps = self.substeps(integrator, step, cfl)?;
-        let advected = advection::advect(&self.space, unknowns, coriolis, integrator, step, substeps);
-        let advected = advected.map_err(|error| match error {
-            AdvectionError::Midpoint(residual) => FluidError::Midpoint { step: state.step + 1, residual },
-            AdvectionError::Other(error) => self.or_blew_up(error),
-        })?;
-        Ok((advected, substeps))
-    }
-
-    fn substeps(&self, integrator: Integrator, step: f64, cfl: f64) -> Result<usize, FluidError> {
-        let substeps = (cfl / advection::substep_cfl(integrator)).ceil().max(1.0);
-        if substeps <= MOST_SUBSTEPS as f64 {
-            return Ok(substeps as usize);
-        }
-        let (number, most) = (self.state.step + 1, MOST_SUBSTEPS);
-        Err(FluidError::StepTooLong { step: number, length: step, cfl, substeps, most })
-    }
-
-    /// Semi-Lagrangian advection: once with the velocity as it is, then with the mean of that and what came out.
-    fn advect_back(
-        &self,
-        backtrace: &Backtrace<'_>,
-        before: &Unknowns,
-        coriolis: Option<&FaceData<f64>>,
-        step: f64,
-    ) -> Result<Unknowns, FluidError> {
-        let rotation = coriolis.map(|f| vertex_means(&self.space, f));
-        let absolute = VertexData::from_fn(before.vorticity.len(), |v| {
-            before.vorticity[v] + rotation.as_ref().map_or(0.0, |f| f[v])
-        });
-        let mut velocity = self.state.velocity.clone();
-        let mut vorticity = before.vorticity.clone();
-        let mut after = before.clone();
-        for _ in 0..2 {
-            let at_vertices = backtrace.at_vertices(&velocity);
-            let places = [-step, step].map(|time| backtrace.follow(&at_vertices, time));
-            after.vorticity = backtrace.carry([&places[0], &places[1]], &absolute);
-            if let Some(rotation) = &rotation {
-                after.vorticity.iter_mut().zip(rotation).for_each(|(w, f)| *w -= f);
-            }
-            self.without_mean(&mut after.vorticity);
-            let rates = advection::rates_at(&self.space, &vorticity, &velocity, coriolis)?;
-            for ((c, start), rate) in after.harmonic.iter_mut().zip(&before.harmonic).zip(&rates.harmonic) {
-                *c = start + step * rate;
-            }
-            let stream = self.space.stream(&after.vorticity)?;
-            let next = self.space.velocity(&stream, &after.harmonic);
-            velocity = mean(&self.state.velocity, &next);
-            vorticity =
-                VertexData::from_fn(vorticity.len(), |v| 0.5 * (before.vorticity[v] + after.vorticity[v]));
-        }
-        Ok(after)
-    }
-
-    /// Takes the mean off on closed components, where the vorticity of a velocity has none.
-    fn without_mean(&self, vorticity: &mut VertexData<f64>) {
-        let mesh = self.space.mesh();
-        let open = mesh.boundary_loops_of_components();
-        let mut sums = vec![(0.0, 0.0); mesh.components()];
-        for v in mesh.vertex_ids() {
-            let (sum, area) = &mut sums[mesh.component(v)];
-            *sum += self.space.areas[v] * vorticity[v];
-            *area += self.space.areas[v];
-        }
-        for v in mesh.vertex_ids() {
-            let component = mesh.component(v);
-            if open[component] == 0 {
-                vorticity[v] -= sums[component].0 / sums[component].1;
-            }
-        }
-    }
-
-    /// Sources, diffusion and transport of what the flow carries, with the mean of two velocities.
-    fn move_densities(&mut self, before: &FaceField, step: f64) -> Result<(), FluidError> {
-        if self.state.densities.is_empty() {
-            return Ok(());
-        }
-        let velocity = mean(before, &self.state.velocity);
-        let space = &self.space;
-        let cells = space.cells(&velocity);
-        let cfl = cells.cfl(step);
-        if self.options.transport == Transport::FluxCorrected && cfl > MOST_SUBSTEPS as f64 {
-            let (number, most) = (self.state.step + 1, MOST_SUBSTEPS);
-            return Err(FluidError::StepTooLong { step: number, length: step, cfl, substeps: cfl, most });
-        }
-        let traced = self.backtrace.as_ref().filter(|_| self.options.transport != Transport::FluxCorrected);
-        let places = traced.map(|backtrace| {
-            let at_vertices = backtrace.at_vertices(&velocity);
-            (backtrace, [-step, step].map(|time| backtrace.follow(&at_vertices, time)))
-        });
-        let options = self.options.densities.iter().zip(&self.heat);
-        for (values, (density, heat)) in self.state.densities.iter_mut().zip(options) {
-            if let Some(source) = &density.source {
-                add_source(values, source, step);
-            }
-            if let Some((_, factor)) = heat {
-                values.iter_mut().zip(&space.areas).for_each(|(x, area)| *x *= area);
-                factor.solve_in_place(values)?;
-            }
-            match &places {
-                None => cells.carry(values, step),
-                Some((backtrace, [from, to])) => {
-                    let mut carried = backtrace.carry([from, to], values);
-                    if self.options.transport == Transport::SemiLagrangianCorrected {
-                        let mass = values.iter().zip(&space.areas).map(|(x, a)| x * a).sum();
-                        restore_mass(&space.areas, &mut carried, mass, |v| backtrace.range(from, values, v));
-                    }
-                    *values = carried;
-                }
-            }
-        }
-        Ok(())
-    }
-
     /// Takes over a velocity by its parts.
     fn set_parts(&mut self, parts: Parts, circulation: &VertexData<f64>) -> Result<(), FluidError> {
         self.state.vorticity = self.space.vorticity(&parts, circulation)?;
@@ -554,35 +375,7 @@ impl<'s> Simulation<'s> {
     }
 }
 
-/// What a source adds to values in a step.
-pub(crate) fn add_source(values: &mut [f64], source: &[f64], step: f64) {
-    for (x, rate) in values.iter_mut().zip(source) {
-        let added = *x + step * rate;
-        // A sink takes what there is, and no more.
-        *x = if *rate < 0.0 && added < 0.0 { if *x < 0.0 { *x } else { 0.0 } } else { added };
-    }
-}
-
 /// The greatest speed; not a number where one is none.
 fn greatest(velocity: &FaceField) -> f64 {
     velocity.iter().map(|&u| norm(u)).fold(0.0, |m, x| if x > m || x.is_nan() { x } else { m })
-}
-
-fn mean(a: &FaceField, b: &FaceField) -> FaceField {
-    FaceField::from_fn(a.len(), |f| [0, 1].map(|i| 0.5 * (a[f][i] + b[f][i])))
-}
-
-/// Values on faces as means around vertices, by area.
-fn vertex_means(space: &Space<'_>, values: &FaceData<f64>) -> VertexData<f64> {
-    let mut sums = VertexData::filled(space.mesh().vertices(), 0.0);
-    for (face, value) in values.entries() {
-        let third = space.surface.face_area(face) / 3.0;
-        for v in space.mesh().face(face) {
-            sums[v] += third * value;
-        }
-    }
-    for (sum, area) in sums.iter_mut().zip(&space.areas) {
-        *sum /= area;
-    }
-    sums
 }

@@ -1,0 +1,231 @@
+//! Viscous diffusion of velocities at midpoints of edges (Crouzeix and Raviart).
+
+use crate::space::Space;
+use crate::viscosity::{bends, face_curvature};
+use crate::{FluidError, ViscosityModel, Wall};
+use pompeiu_core::mesh::FaceData;
+use pompeiu_operators::FaceField;
+use pompeiu_solve::{Cholesky, LinearSolver, SemidefiniteCholesky, SolveError, SparseMatrix};
+use pompeiu_surface::plane::{Vec2, add, dot, inverse, norm, rotate, scale};
+use pompeiu_surface::{EdgeData, HalfedgeId, SurfaceMesh};
+
+/// A velocity at the midpoint of each edge: along its first half-edge, and to the left of it.
+pub(crate) type EdgeField = EdgeData<Vec2>;
+
+/// A step of backward Euler for viscosity, factored for one product of viscosity and time, and the projection after it.
+///
+/// # Definition
+/// A velocity is linear on each face and agrees with its neighbours at midpoints of edges, when they are laid flat. B is the matrix of
+/// `∫ |∇u|²` (the connection Laplacian of Bochner), K that of the Gaussian curvature on faces, M the areas of edges. One step solves
+/// `(M + νΔt (B + (1 − χ) K)) u' = M u`, with χ = 0, 1, 2 for the Hodge, Bochner and physical viscosity. At a boundary that holds
+/// the fluid `u'` is the velocity of the wall; at one along which it slips, the component across is zero and the geodesic curvature
+/// is taken off the matrix for the component along. Then the nearest velocity with as much flow into each face as out of it is
+/// taken; the components along edges stay.
+#[derive(Debug)]
+pub(crate) struct EdgeViscosity {
+    product: f64,
+    factor: Cholesky,
+    /// Of each edge and component the number of its unknown, or none where it is given.
+    unknown: Vec<[Option<usize>; 2]>,
+    /// What the given components add to the right-hand side.
+    drive: Vec<f64>,
+    given: EdgeField,
+    mass: EdgeData<f64>,
+    pressure: SemidefiniteCholesky,
+}
+
+impl EdgeViscosity {
+    pub(crate) fn new(
+        space: &Space<'_>,
+        model: ViscosityModel,
+        wall: Wall,
+        wall_velocity: Option<&EdgeData<f64>>,
+        product: f64,
+    ) -> Result<Self, FluidError> {
+        let mesh = space.mesh();
+        let given = EdgeField::from_fn(mesh.edges(), |edge| match wall_velocity {
+            Some(velocity) if mesh.is_boundary_edge(edge) => [velocity[edge], 0.0],
+            _ => [0.0; 2],
+        });
+        let mut count = 0;
+        let mut number = |free: bool| {
+            count += usize::from(free);
+            free.then(|| count - 1)
+        };
+        let unknown: Vec<[Option<usize>; 2]> = mesh
+            .edge_ids()
+            .map(|edge| {
+                let inside = !mesh.is_boundary_edge(edge);
+                [number(inside || wall == Wall::FreeSlip), number(inside)]
+            })
+            .collect();
+        let mass = space.surface.edge_areas();
+        let mut entries = energy(space, 1.0 - model.curvatures(), product);
+        for (edge, &area) in mass.entries() {
+            entries.extend((0..2).map(|i| (2 * edge.index() + i, 2 * edge.index() + i, area)));
+        }
+        if wall == Wall::FreeSlip {
+            let bend = slip(space);
+            entries
+                .extend(bend.entries().map(|(edge, k)| (2 * edge.index(), 2 * edge.index(), -product * k)));
+        }
+        let mut drive = vec![0.0; count];
+        let mut kept = Vec::with_capacity(entries.len());
+        for (row, column, value) in entries {
+            let Some(i) = unknown[row / 2][row % 2] else { continue };
+            match unknown[column / 2][column % 2] {
+                Some(j) => kept.push((i, j, value)),
+                None => drive[i] -= value * given.as_slice()[column / 2][column % 2],
+            }
+        }
+        let factor =
+            Cholesky::new(&SparseMatrix::from_triplets(count, count, &kept)?).map_err(
+                |error| match error {
+                    SolveError::NotPositiveDefinite { .. } => FluidError::Viscous { product },
+                    other => other.into(),
+                },
+            )?;
+        let pressure = pressure_system(space, &mass)?;
+        Ok(Self { product, factor, unknown, drive, given, mass, pressure })
+    }
+
+    /// Viscosity times time.
+    pub(crate) fn product(&self) -> f64 {
+        self.product
+    }
+
+    /// The velocity after the step.
+    pub(crate) fn step(&self, space: &Space<'_>, before: &EdgeField) -> Result<EdgeField, FluidError> {
+        let mut values = self.drive.clone();
+        for ((unknown, u), area) in self.unknown.iter().zip(before).zip(&self.mass) {
+            for (i, u) in unknown.iter().zip(u).filter_map(|(i, u)| Some((i.as_ref()?, u))) {
+                values[*i] += area * u;
+            }
+        }
+        self.factor.solve_in_place(&mut values)?;
+        let mut after = self.given.clone();
+        for (u, unknown) in after.iter_mut().zip(&self.unknown) {
+            for (u, i) in u.iter_mut().zip(unknown).filter_map(|(u, i)| Some((u, i.as_ref()?))) {
+                *u = values[*i];
+            }
+        }
+        self.project(space, &mut after)?;
+        Ok(after)
+    }
+
+    /// Takes off what flows out of faces more than into them.
+    fn project(&self, space: &Space<'_>, field: &mut EdgeField) -> Result<(), FluidError> {
+        let mesh = space.mesh();
+        let mut pressure: Vec<f64> =
+            mesh.face_ids().map(|face| outflows(space, face, field).iter().sum()).collect();
+        self.pressure.solve_in_place(&mut pressure)?;
+        for edge in mesh.edge_ids() {
+            let h = mesh.edge_halfedge(edge);
+            if let Some(twin) = mesh.twin(h) {
+                let difference = pressure[h.face().index()] - pressure[twin.face().index()];
+                field[edge][1] += space.surface.edge_length(edge) / self.mass[edge] * difference;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// What flows out of a face through each of its sides.
+fn outflows(space: &Space<'_>, face: pompeiu_core::FaceId, field: &EdgeField) -> [f64; 3] {
+    let mesh = space.mesh();
+    SurfaceMesh::face_halfedges(face).map(|h| {
+        let edge = mesh.edge(h);
+        // A face lies to the left of its half-edges.
+        let left = space.surface.edge_length(edge) * field[edge][1];
+        if mesh.is_along(h) { -left } else { left }
+    })
+}
+
+/// The field, constant on faces, with the same flow across each edge.
+pub(crate) fn on_faces(space: &Space<'_>, field: &EdgeField) -> FaceField {
+    FaceField::from_fn(space.mesh().faces(), |face| {
+        let [first, second, _] = outflows(space, face, field);
+        // What flows across a side is the stream function at its start less that at its end.
+        space.rotated_gradient(face, [0.0, -first, -first - second])
+    })
+}
+
+/// Means of a field on the faces beside each edge, by area.
+pub(crate) fn at_edges(space: &Space<'_>, field: &FaceField) -> EdgeField {
+    let mesh = space.mesh();
+    EdgeField::from_fn(mesh.edges(), |edge| {
+        let h = mesh.edge_halfedge(edge);
+        let (mut sum, mut area) = ([0.0; 2], 0.0);
+        for h in [Some(h), mesh.twin(h)].into_iter().flatten() {
+            let weight = space.surface.face_area(h.face());
+            sum = add(sum, scale(weight, rotate(inverse(along(space, h)), field[h.face()])));
+            area += weight;
+        }
+        scale(1.0 / area, sum)
+    })
+}
+
+/// The direction of the edge of a half-edge, in the frame of its face.
+fn along(space: &Space<'_>, h: HalfedgeId) -> Vec2 {
+    let side = space.surface.vector(h);
+    let sign = if space.mesh().is_along(h) { 1.0 } else { -1.0 };
+    scale(sign / norm(side), side)
+}
+
+/// Entries of `factor (B + curvatures K)`.
+fn energy(space: &Space<'_>, curvatures: f64, factor: f64) -> Vec<(usize, usize, f64)> {
+    let (mesh, surface) = (space.mesh(), space.surface);
+    let curvature: FaceData<f64> = face_curvature(surface, &space.areas);
+    let mut entries = Vec::with_capacity(36 * mesh.faces());
+    for face in mesh.face_ids() {
+        let sides = SurfaceMesh::face_halfedges(face);
+        let area = surface.face_area(face);
+        let directions = sides.map(|h| along(space, h));
+        for (i, h) in sides.into_iter().enumerate() {
+            for (j, g) in sides.into_iter().enumerate() {
+                // Gradients of the functions of two midpoints: J s / A each.
+                let weight = factor * dot(surface.vector(h), surface.vector(g)) / area;
+                let [cosine, sine] = rotate(inverse(directions[i]), directions[j]);
+                let (row, column) = (2 * mesh.edge(h).index(), 2 * mesh.edge(g).index());
+                entries.push((row, column, weight * cosine));
+                entries.push((row, column + 1, -weight * sine));
+                entries.push((row + 1, column, weight * sine));
+                entries.push((row + 1, column + 1, weight * cosine));
+            }
+            let share = factor * curvatures * area * curvature[face] / 3.0;
+            entries
+                .extend((0..2).map(|k| (2 * mesh.edge(h).index() + k, 2 * mesh.edge(h).index() + k, share)));
+        }
+    }
+    entries
+}
+
+/// The geodesic curvature of each boundary edge times its length; zero inside.
+fn slip(space: &Space<'_>) -> EdgeData<f64> {
+    let mesh = space.mesh();
+    let (bend, lengths) = bends(space);
+    EdgeData::from_fn(mesh.edges(), |edge| {
+        if !mesh.is_boundary_edge(edge) {
+            return 0.0;
+        }
+        let half = 0.5 * space.surface.edge_length(edge);
+        mesh.ends(edge).into_iter().map(|v| half * bend[v] / lengths[v]).sum()
+    })
+}
+
+/// The matrix of pressures on faces, up to a constant on each component.
+fn pressure_system(space: &Space<'_>, mass: &EdgeData<f64>) -> Result<SemidefiniteCholesky, FluidError> {
+    let mesh = space.mesh();
+    let links: Vec<(u32, u32, f64)> = mesh
+        .edge_ids()
+        .filter_map(|edge| {
+            let h = mesh.edge_halfedge(edge);
+            let weight = space.surface.edge_length(edge).powi(2) / mass[edge];
+            Some((h.face().0, mesh.twin(h)?.face().0, weight))
+        })
+        .collect();
+    let matrix = SparseMatrix::from_links(mesh.faces(), &links)?;
+    let component = |face| Some(mesh.component(mesh.face(face)[0]) as u32);
+    let group: Vec<Option<u32>> = mesh.face_ids().map(component).collect();
+    Ok(SemidefiniteCholesky::new(matrix, &vec![false; mesh.faces()], &group)?)
+}

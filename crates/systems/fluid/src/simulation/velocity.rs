@@ -1,0 +1,293 @@
+//! What moves the velocity: forces, viscosity, advection.
+
+use super::{MOST_HALVINGS, MOST_SUBSTEPS, Simulation};
+use crate::advection::{self, AdvectionError, Unknowns};
+use crate::edges::{self, EdgeViscosity};
+use crate::faces::FaceDiffusion;
+use crate::space::Parts;
+use crate::transport::Backtrace;
+use crate::viscosity::Viscosity;
+use crate::{Correction, FluidError, Integrator, Scheme, TimeStep, Wall, force};
+use pompeiu_core::mesh::{FaceData, VertexData};
+use pompeiu_operators::{FaceField, add_scaled};
+use pompeiu_surface::plane::{add, rotate, scale, sub};
+
+/// What diffuses a velocity, factored for one product of viscosity and time.
+#[derive(Debug)]
+pub(super) enum Viscous {
+    /// Its stream function and harmonic coefficients.
+    Stream(Viscosity),
+    /// Its values at midpoints of edges.
+    Edges(EdgeViscosity),
+    /// Its values on faces.
+    Faces(FaceDiffusion),
+}
+
+impl Viscous {
+    fn product(&self) -> f64 {
+        match self {
+            Self::Stream(viscosity) => viscosity.product(),
+            Self::Edges(viscosity) => viscosity.product(),
+            Self::Faces(viscosity) => viscosity.product(),
+        }
+    }
+}
+
+impl Simulation<'_> {
+    /// The length of the next step.
+    pub(super) fn choose_step(&self) -> Result<f64, FluidError> {
+        let (number, longest) = match self.options.time_step {
+            TimeStep::Fixed(step) => return Ok(step),
+            TimeStep::Cfl { number, longest } => (number, longest),
+        };
+        let rate = self.space.cells(&self.state.velocity).cfl(1.0);
+        // Powers of two, so that few steps need new factors.
+        (0..=MOST_HALVINGS).map(|k| longest * 0.5_f64.powi(k)).find(|step| step * rate <= number).ok_or(
+            FluidError::StepTooShort {
+                step: self.state.step + 1,
+                shortest: longest * 0.5_f64.powi(MOST_HALVINGS),
+            },
+        )
+    }
+
+    /// Makes factors ready for a step of this length.
+    pub(super) fn factor(&mut self, step: f64) -> Result<(), FluidError> {
+        let (options, space) = (&self.options, &self.space);
+        let product = options.viscosity * step;
+        if product > 0.0 && self.viscosity.as_ref().is_none_or(|ready| ready.product() != product) {
+            self.viscosity = Some(match (&self.power, options.scheme) {
+                (Some(power), _) => Viscous::Stream(Viscosity::new(space, power, product)?),
+                (None, Scheme::CrouzeixRaviart) => {
+                    let (model, velocity) = (options.viscosity_model, options.wall_velocity.as_ref());
+                    Viscous::Edges(EdgeViscosity::new(space, model, options.wall, velocity, product)?)
+                }
+                (None, _) => {
+                    Viscous::Faces(FaceDiffusion::of_vectors(space.surface, options.diffusion, product)?)
+                }
+            });
+        }
+        self.factor_densities(step)
+    }
+
+    /// Adds forces to the velocity.
+    pub(super) fn push(&mut self, pushed: Option<&FaceField>, step: f64) -> Result<(), FluidError> {
+        let options = &self.options;
+        let weighs = options.gravity.is_some() && options.densities.iter().any(|d| d.weight != 0.0);
+        if pushed.is_none() && options.force.is_none() && !weighs && options.confinement == 0.0 {
+            return Ok(());
+        }
+        let mut force = FaceField::filled(self.space.mesh().faces(), [0.0; 2]);
+        for field in [pushed, options.force.as_ref()].into_iter().flatten() {
+            add_scaled(&mut force, 1.0, field);
+        }
+        if let Some(gravity) = &options.gravity {
+            let densities = options.densities.iter().map(|d| d.weight).zip(&self.state.densities);
+            force::weight(&self.space, gravity, densities, &mut force);
+        }
+        if options.confinement > 0.0 {
+            force::confine(&self.space, options.confinement, &self.state.vorticity, &mut force);
+        }
+        let (mut vorticity, harmonic) = self.space.curl_of_force(&force)?;
+        self.space.solve_mass(&mut vorticity)?;
+        let mut unknowns =
+            Unknowns { vorticity: self.state.vorticity.clone(), harmonic: self.state.harmonic.clone() };
+        for (w, rate) in unknowns.vorticity.iter_mut().zip(&vorticity) {
+            *w += step * rate;
+        }
+        for (c, rate) in unknowns.harmonic.iter_mut().zip(&harmonic) {
+            *c += step * rate;
+        }
+        self.adopt(unknowns)
+    }
+
+    /// Viscosity; whether energy would have risen.
+    pub(super) fn diffuse(&mut self) -> Result<bool, FluidError> {
+        let Some(viscosity) = &self.viscosity else { return Ok(false) };
+        let before = Parts { stream: self.state.stream.clone(), harmonic: self.state.harmonic.clone() };
+        let mut edges = None;
+        let mut parts = match viscosity {
+            Viscous::Stream(viscosity) => viscosity.step(&self.space, &before)?,
+            Viscous::Edges(viscosity) => {
+                let after = viscosity.step(&self.space, &self.state.edge_velocity)?;
+                let parts = self.space.project(&edges::on_faces(&self.space, &after))?;
+                edges = Some(after);
+                parts
+            }
+            Viscous::Faces(viscosity) => {
+                self.space.project(&viscosity.vectors(self.space.surface, &self.state.velocity)?)?
+            }
+        };
+        let energy = |parts: &Parts| self.space.energy(&self.space.velocity(&parts.stream, &parts.harmonic));
+        let [old, new] = [&before, &parts].map(energy);
+        let driven = self.options.wall_velocity.is_some();
+        let guarded = new > old && !driven;
+        if guarded {
+            let factor = (old / new).sqrt();
+            parts.stream.iter_mut().chain(&mut parts.harmonic).for_each(|x| *x *= factor);
+            edges.iter_mut().flatten().for_each(|u| *u = scale(factor, *u));
+        }
+        let circulation = match self.options.wall {
+            Wall::NoSlip => self.circulation.clone(),
+            Wall::FreeSlip => {
+                self.space.boundary_circulation(&self.space.velocity(&parts.stream, &parts.harmonic))
+            }
+        };
+        self.set_parts(parts, &circulation)?;
+        if let Some(edges) = edges {
+            self.state.edge_velocity = edges;
+        }
+        Ok(guarded)
+    }
+
+    /// Adds the change of the velocity on faces to that at midpoints of edges.
+    pub(super) fn move_edges(&mut self, before: &FaceField) {
+        if !self.state.edge_velocity.is_empty() {
+            let change = pompeiu_operators::difference(&self.state.velocity, before);
+            let change = edges::at_edges(&self.space, &change);
+            for (u, change) in self.state.edge_velocity.iter_mut().zip(&change) {
+                *u = add(*u, *change);
+            }
+        }
+    }
+
+    /// Makes the velocity at midpoints of edges that of the faces.
+    pub(super) fn take_edges(&mut self) {
+        if !self.state.edge_velocity.is_empty() {
+            self.state.edge_velocity = edges::at_edges(&self.space, &self.state.velocity);
+        }
+    }
+
+    /// Advection of the velocity.
+    pub(super) fn advect(&self, step: f64, cfl: f64) -> Result<(Unknowns, usize), FluidError> {
+        let state = &self.state;
+        let unknowns = Unknowns { vorticity: state.vorticity.clone(), harmonic: state.harmonic.clone() };
+        let coriolis = self.options.coriolis.as_ref();
+        match (self.options.scheme, &self.backtrace) {
+            (Scheme::AnyStep, Some(back)) => {
+                return Ok((self.advect_back(back, &unknowns, coriolis, step)?, 1));
+            }
+            (Scheme::Faces, Some(back)) => return Ok((self.advect_faces(back, coriolis, step)?, 1)),
+            _ => {}
+        }
+        let integrator = self.options.integrator;
+        let substeps = self.substeps(integrator, step, cfl)?;
+        let advected = advection::advect(&self.space, unknowns, coriolis, integrator, step, substeps);
+        let advected = advected.map_err(|error| match error {
+            AdvectionError::Midpoint(residual) => FluidError::Midpoint { step: state.step + 1, residual },
+            AdvectionError::Other(error) => self.or_blew_up(error),
+        })?;
+        Ok((advected, substeps))
+    }
+
+    fn substeps(&self, integrator: Integrator, step: f64, cfl: f64) -> Result<usize, FluidError> {
+        let substeps = (cfl / advection::substep_cfl(integrator)).ceil().max(1.0);
+        if substeps <= MOST_SUBSTEPS as f64 {
+            return Ok(substeps as usize);
+        }
+        let (number, most) = (self.state.step + 1, MOST_SUBSTEPS);
+        Err(FluidError::StepTooLong { step: number, length: step, cfl, substeps, most })
+    }
+
+    /// Semi-Lagrangian advection of the vorticity: once with the velocity as it is, then with the mean of that and what came out.
+    fn advect_back(
+        &self,
+        backtrace: &Backtrace<'_>,
+        before: &Unknowns,
+        coriolis: Option<&FaceData<f64>>,
+        step: f64,
+    ) -> Result<Unknowns, FluidError> {
+        let rotation = coriolis.map(|f| backtrace.vertex_means(f));
+        let absolute = VertexData::from_fn(before.vorticity.len(), |v| {
+            before.vorticity[v] + rotation.as_ref().map_or(0.0, |f| f[v])
+        });
+        let mut velocity = self.state.velocity.clone();
+        let mut vorticity = before.vorticity.clone();
+        let mut after = before.clone();
+        for _ in 0..2 {
+            let at_vertices = backtrace.at_vertices(&velocity);
+            let places = [-step, step].map(|time| backtrace.follow(&at_vertices, time));
+            after.vorticity = backtrace.carry([&places[0], &places[1]], &absolute, self.options.correction);
+            if let Some(rotation) = &rotation {
+                after.vorticity.iter_mut().zip(rotation).for_each(|(w, f)| *w -= f);
+            }
+            self.without_mean(&mut after.vorticity);
+            let rates = advection::rates_at(&self.space, &vorticity, &velocity, coriolis)?;
+            for ((c, start), rate) in after.harmonic.iter_mut().zip(&before.harmonic).zip(&rates.harmonic) {
+                *c = start + step * rate;
+            }
+            let stream = self.space.stream(&after.vorticity)?;
+            let next = self.space.velocity(&stream, &after.harmonic);
+            velocity = mean(&self.state.velocity, &next);
+            vorticity =
+                VertexData::from_fn(vorticity.len(), |v| 0.5 * (before.vorticity[v] + after.vorticity[v]));
+        }
+        Ok(after)
+    }
+
+    /// Semi-Lagrangian advection of the velocity on faces, and the projection after it.
+    ///
+    /// A projection at the end of a step loses energy in proportion to the step. With a correction, the velocity is projected halfway as
+    /// well, and what that takes off is taken off once more before the second half (advection and reflection).
+    fn advect_faces(
+        &self,
+        backtrace: &Backtrace<'_>,
+        coriolis: Option<&FaceData<f64>>,
+        step: f64,
+    ) -> Result<Unknowns, FluidError> {
+        let project = |field: &FaceField| self.space.project(field).map_err(|error| self.or_blew_up(error));
+        let velocity = &self.state.velocity;
+        let parts = if self.options.correction == Correction::Linear {
+            project(&self.carry(backtrace, velocity, velocity, coriolis, step))?
+        } else {
+            let half = self.carry(backtrace, velocity, velocity, coriolis, 0.5 * step);
+            let parts = project(&half)?;
+            let middle = self.space.velocity(&parts.stream, &parts.harmonic);
+            let reflected = FaceField::from_fn(half.len(), |f| sub(scale(2.0, middle[f]), half[f]));
+            project(&self.carry(backtrace, &middle, &reflected, coriolis, 0.5 * step))?
+        };
+        let along = self.space.boundary_circulation(&self.space.velocity(&parts.stream, &parts.harmonic));
+        let vorticity = self.space.vorticity(&parts, &along)?;
+        Ok(Unknowns { vorticity, harmonic: parts.harmonic })
+    }
+
+    /// A field on faces carried along with a velocity, and turned by the rotation of the surface.
+    fn carry(
+        &self,
+        backtrace: &Backtrace<'_>,
+        velocity: &FaceField,
+        field: &FaceField,
+        coriolis: Option<&FaceData<f64>>,
+        time: f64,
+    ) -> FaceField {
+        let correction = self.options.correction;
+        let midpoint = correction != Correction::Linear;
+        let [from, to] = [-time, time].map(|time| backtrace.follow_centroids(velocity, time, midpoint));
+        let mut carried = backtrace.carry_vectors([&from, &to], field, correction);
+        for (u, f) in carried.iter_mut().zip(coriolis.into_iter().flatten()) {
+            *u = rotate([libm::cos(time * f), -libm::sin(time * f)], *u);
+        }
+        carried
+    }
+
+    /// Takes the mean off on closed components, where the vorticity of a velocity has none.
+    pub(super) fn without_mean(&self, vorticity: &mut VertexData<f64>) {
+        let mesh = self.space.mesh();
+        let open = mesh.boundary_loops_of_components();
+        let mut sums = vec![(0.0, 0.0); mesh.components()];
+        for v in mesh.vertex_ids() {
+            let (sum, area) = &mut sums[mesh.component(v)];
+            *sum += self.space.areas[v] * vorticity[v];
+            *area += self.space.areas[v];
+        }
+        for v in mesh.vertex_ids() {
+            let component = mesh.component(v);
+            if open[component] == 0 {
+                vorticity[v] -= sums[component].0 / sums[component].1;
+            }
+        }
+    }
+}
+
+pub(super) fn mean(a: &FaceField, b: &FaceField) -> FaceField {
+    FaceField::from_fn(a.len(), |f| [0, 1].map(|i| 0.5 * (a[f][i] + b[f][i])))
+}

@@ -1,0 +1,156 @@
+//! Semi-Lagrangian transport of what is stored on faces.
+
+use super::backtrace::{Backtrace, inside, within};
+use crate::Correction;
+use pompeiu_core::FaceId;
+use pompeiu_core::mesh::{FaceData, VertexData};
+use pompeiu_operators::FaceField;
+use pompeiu_surface::plane::{Rotation, Vec2, add, inverse, norm, rotate, scale, sub};
+use pompeiu_surface::{HalfedgeId, Ray};
+use rayon::prelude::*;
+
+/// Where what arrives at a centroid comes from.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct FaceDeparture {
+    face: FaceId,
+    barycentric: [f64; 3],
+    /// From the frame of that face to that of the one it arrives in.
+    back: Rotation,
+}
+
+impl Backtrace<'_> {
+    /// Where a flow carries the centroid of each face in a time; a negative time asks where what is there came from.
+    ///
+    /// Straight ahead with the velocity of the face, or by the midpoint rule.
+    pub(crate) fn follow_centroids(
+        &self,
+        field: &FaceField,
+        time: f64,
+        midpoint: bool,
+    ) -> FaceData<FaceDeparture> {
+        const CENTRE: [f64; 3] = [1.0 / 3.0; 3];
+        let at_vertices = self.at_vertices(field);
+        let stay = FaceDeparture { face: FaceId(0), barycentric: CENTRE, back: [1.0, 0.0] };
+        let mut places = FaceData::filled(field.len(), stay);
+        places.as_mut_slice().par_iter_mut().with_min_len(256).enumerate().for_each(|(f, place)| {
+            let face = FaceId(f as u32);
+            place.face = face;
+            let ray = |vector: Vec2| Ray {
+                face,
+                point: self.surface().point(face, CENTRE),
+                direction: vector,
+                length: norm(vector),
+            };
+            let mut velocity = field[face];
+            if midpoint && norm(velocity) > 0.0 {
+                let half = ray(scale(0.5 * time, velocity));
+                let end = self.tracer().trace(&half);
+                let there =
+                    self.at_point(&at_vertices, end.face, self.surface().barycentric(end.face, end.point));
+                velocity = rotate(inverse(end.transport(&half)), there);
+            }
+            if norm(velocity) > 0.0 {
+                let ray = ray(scale(time, velocity));
+                let end = self.tracer().trace(&ray);
+                place.face = end.face;
+                place.barycentric = inside(self.surface().barycentric(end.face, end.point));
+                place.back = inverse(end.transport(&ray));
+            }
+        });
+        places
+    }
+
+    /// Vectors on faces carried along for a step, with parallel transport.
+    pub(crate) fn carry_vectors(
+        &self,
+        [from, to]: [&FaceData<FaceDeparture>; 2],
+        field: &FaceField,
+        correction: Correction,
+    ) -> FaceField {
+        let sample = |places: &FaceData<FaceDeparture>, field: &FaceField| {
+            let at_vertices = self.at_vertices(field);
+            FaceField::from_fn(field.len(), |face| {
+                let place = &places[face];
+                rotate(place.back, self.at_point(&at_vertices, place.face, place.barycentric))
+            })
+        };
+        let carried = sample(from, field);
+        if correction == Correction::Linear {
+            return carried;
+        }
+        let returned = sample(to, &carried);
+        let missed = FaceField::from_fn(field.len(), |face| scale(0.5, sub(field[face], returned[face])));
+        let sum = |a: &FaceField| FaceField::from_fn(a.len(), |face| add(a[face], missed[face]));
+        let corrected = match correction {
+            Correction::Bfecc => sample(from, &sum(field)),
+            _ => sum(&carried),
+        };
+        let at_vertices = self.at_vertices(field);
+        FaceField::from_fn(field.len(), |face| {
+            let u = corrected[face];
+            let bound = self.greatest_speed(field, &at_vertices, from[face].face);
+            let speed = norm(u);
+            if speed > bound { scale(bound / speed, u) } else { u }
+        })
+    }
+
+    /// The greatest speed of a face and of its corners.
+    fn greatest_speed(&self, field: &FaceField, at_vertices: &VertexData<Vec2>, face: FaceId) -> f64 {
+        let corners = self.surface().mesh().face(face).map(|v| norm(at_vertices[v]));
+        corners.into_iter().fold(norm(field[face]), |m, x| if x > m { x } else { m })
+    }
+
+    /// Values on faces carried along for a step.
+    pub(crate) fn carry_on_faces(
+        &self,
+        [from, to]: [&FaceData<FaceDeparture>; 2],
+        values: &FaceData<f64>,
+        correction: Correction,
+    ) -> FaceData<f64> {
+        let mesh = self.surface().mesh();
+        let sample = |places: &FaceData<FaceDeparture>, values: &FaceData<f64>| {
+            let at_vertices = self.vertex_means(values);
+            FaceData::from_fn(values.len(), |face| {
+                let place = &places[face];
+                mesh.face(place.face)
+                    .into_iter()
+                    .zip(place.barycentric)
+                    .map(|(v, b)| b * at_vertices[v])
+                    .sum()
+            })
+        };
+        let carried: FaceData<f64> = sample(from, values);
+        if correction == Correction::Linear {
+            return carried;
+        }
+        let returned: FaceData<f64> = sample(to, &carried);
+        let missed = FaceData::from_fn(values.len(), |face| 0.5 * (values[face] - returned[face]));
+        let sum = |a: &FaceData<f64>| FaceData::from_fn(a.len(), |face| a[face] + missed[face]);
+        let corrected = match correction {
+            Correction::Bfecc => sample(from, &sum(values)),
+            _ => sum(&carried),
+        };
+        let at_vertices = self.vertex_means(values);
+        FaceData::from_fn(values.len(), |face| {
+            let place = from[face].face;
+            let range =
+                mesh.face(place).into_iter().map(|v| at_vertices[v]).fold([values[place]; 2], widened);
+            within(corrected[face], range)
+        })
+    }
+
+    /// Values on faces as means around vertices, by area.
+    pub(crate) fn vertex_means(&self, values: &FaceData<f64>) -> VertexData<f64> {
+        let mesh = self.surface().mesh();
+        VertexData::from_fn(mesh.vertices(), |v| {
+            let weigh = |h: HalfedgeId| (self.surface().face_area(h.face()), values[h.face()]);
+            let (sum, area) =
+                mesh.outgoing(v).map(weigh).fold((0.0, 0.0), |(sum, area), (a, x)| (sum + a * x, area + a));
+            sum / area
+        })
+    }
+}
+
+fn widened([least, most]: [f64; 2], x: f64) -> [f64; 2] {
+    [if x < least { x } else { least }, if x > most { x } else { most }]
+}
