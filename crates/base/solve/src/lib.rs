@@ -9,6 +9,7 @@
 //! | symmetric, positive semi-definite, kernel of constants | [`SemidefiniteCholesky`] |
 //! | symmetric, indefinite, no pivoting needed | [`Ldlt`] |
 //! | square | [`Lu`] |
+//! | a sum of dense elements along a tree | [`FrontalPlan`] |
 //! | near to one that has been factored | [`gmres`] |
 //!
 //! ```
@@ -30,6 +31,7 @@ mod assembly;
 mod cholesky;
 mod dense;
 mod error;
+mod fronts;
 mod gmres;
 mod ldlt;
 mod lu;
@@ -42,6 +44,7 @@ pub use assembly::{ElementPattern, FIXED};
 pub use cholesky::{Analysis, Cholesky};
 pub use dense::DenseCholesky;
 pub use error::SolveError;
+pub use fronts::{FrontalLu, FrontalPlan};
 pub use gmres::gmres;
 pub use ldlt::Ldlt;
 pub use lu::Lu;

@@ -9,7 +9,10 @@
 //! | [`certify`], [`Jacobian`] | whether the Jacobian determinant is positive over a whole cell, proven by its Bernstein coefficients |
 //! | [`scaled_jacobian`] | how far a cell is from a box |
 //! | [`Faces`] | conformity, boundary, components |
-//! | [`write_vtu`], [`CellData`] | unstructured grids of VTK |
+//! | [`BezierMesh`], [`certify_bezier`] | tricubic cells, and the same proof for them |
+//! | [`SplineSpace`] | cubic splines over patches, continuous across them |
+//! | [`Refinement`] | lattices in cells that conform where cells do |
+//! | [`write_vtu`], [`write_bezier_vtu`], [`CellData`] | unstructured grids of VTK |
 //!
 //! ```
 //! use pompeiu_volume::{Faces, HexMesh, Jacobian, certify};
@@ -21,14 +24,23 @@
 //! # Ok::<(), pompeiu_volume::VolumeError>(())
 //! ```
 
+pub mod bernstein;
+mod bezier;
+mod bezier_jacobian;
 mod error;
 mod faces;
 mod jacobian;
 mod mesh;
+mod refinement;
+mod spline;
 mod vtu;
 
+pub use bezier::{BezierMesh, CORNERS_OF_64, FACE_AXES, bezier_volume, face_flux, face_points, place_of_64};
+pub use bezier_jacobian::{QUALITY_PLACES, certify_bezier, scaled_jacobian_bezier, slopes_at};
 pub use error::VolumeError;
 pub use faces::{BoundaryFace, FACES, Faces, InnerFace};
 pub use jacobian::{Jacobian, certify, scaled_jacobian, volume};
 pub use mesh::HexMesh;
-pub use vtu::{CellData, PointData, write_vtu};
+pub use refinement::{CORNER_PLACES, Refinement, RefinementKey, key_weights};
+pub use spline::{Line, SplineSpace};
+pub use vtu::{CellData, PointData, write_bezier_vtu, write_vtu};

@@ -1,6 +1,7 @@
 //! Unstructured grids of VTK (`.vtu`), with arrays appended as they are.
 
-use crate::HexMesh;
+use crate::{BezierMesh, HexMesh};
+use glam::DVec3;
 use std::io::{self, Write};
 
 /// A named value for each cell, or a vector of three.
@@ -20,17 +21,98 @@ pub type PointData<'d> = CellData<'d>;
 /// The number of VTK's cell type "hexahedron".
 const HEXAHEDRON: u8 = 12;
 
+/// The number of VTK's cell type "Bézier hexahedron".
+const BEZIER_HEXAHEDRON: u8 = 79;
+
+/// A list of cells of one type.
+struct Grid<'g> {
+    version: &'g str,
+    kind: u8,
+    positions: &'g [DVec3],
+    /// The vertices of one cell after the other.
+    corners: &'g mut dyn Iterator<Item = u32>,
+    per_cell: usize,
+    cells: usize,
+}
+
 /// Writes a mesh as a VTK XML unstructured grid, little-endian, arrays appended without encoding.
 ///
 /// # Errors
 /// Those of the writer; [`io::ErrorKind::InvalidInput`] for an array of the wrong length or a name that needs escaping.
 pub fn write_vtu(
-    mut out: impl Write,
+    out: impl Write,
     mesh: &HexMesh,
     points: &[PointData<'_>],
     cells: &[CellData<'_>],
 ) -> io::Result<()> {
-    let (n, m) = (mesh.positions().len(), mesh.cells().len());
+    let mut grid = Grid {
+        version: "1.0",
+        kind: HEXAHEDRON,
+        positions: mesh.positions(),
+        corners: &mut mesh.cells().iter().flatten().copied(),
+        per_cell: 8,
+        cells: mesh.cells().len(),
+    };
+    write(out, &mut grid, points, cells)
+}
+
+/// Writes a mesh of tricubic cells as Bézier hexahedra, exactly; values at points are coefficients, as the control points are.
+///
+/// # Errors
+/// Those of [`write_vtu`].
+pub fn write_bezier_vtu(
+    out: impl Write,
+    mesh: &BezierMesh,
+    points: &[PointData<'_>],
+    cells: &[CellData<'_>],
+) -> io::Result<()> {
+    let order: Vec<usize> = {
+        let mut order = vec![0; 64];
+        for k in 0..64 {
+            order[vtk_place([k % 4, k / 4 % 4, k / 16])] = k;
+        }
+        order
+    };
+    let mut grid = Grid {
+        // Since this version of the format, the edges along the third axis follow each other around the cell.
+        version: "2.2",
+        kind: BEZIER_HEXAHEDRON,
+        positions: mesh.points(),
+        corners: &mut mesh.cells().iter().flat_map(|cell| order.iter().map(|&k| cell[k])),
+        per_cell: 64,
+        cells: mesh.cells().len(),
+    };
+    write(out, &mut grid, points, cells)
+}
+
+/// Where VTK keeps the control point of a place in a cell of degree three: corners, edges, faces, inside.
+fn vtk_place([i, j, k]: [usize; 3]) -> usize {
+    let is_end = |x: usize| x == 0 || x == 3;
+    let around = match (i > 0, j > 0) {
+        (false, false) => 0,
+        (true, false) => 1,
+        (true, true) => 2,
+        (false, true) => 3,
+    };
+    match (is_end(i), is_end(j), is_end(k)) {
+        (true, true, true) => around + if k > 0 { 4 } else { 0 },
+        (false, true, true) => 8 + (i - 1) + if j > 0 { 4 } else { 0 } + if k > 0 { 8 } else { 0 },
+        (true, false, true) => 8 + (j - 1) + if i > 0 { 2 } else { 6 } + if k > 0 { 8 } else { 0 },
+        (true, true, false) => 24 + (k - 1) + 2 * around,
+        (true, false, false) => 32 + (j - 1) + 2 * (k - 1) + if i > 0 { 4 } else { 0 },
+        (false, true, false) => 40 + (i - 1) + 2 * (k - 1) + if j > 0 { 4 } else { 0 },
+        (false, false, true) => 48 + (i - 1) + 2 * (j - 1) + if k > 0 { 4 } else { 0 },
+        (false, false, false) => 56 + (i - 1) + 2 * ((j - 1) + 2 * (k - 1)),
+    }
+}
+
+fn write(
+    mut out: impl Write,
+    grid: &mut Grid<'_>,
+    points: &[PointData<'_>],
+    cells: &[CellData<'_>],
+) -> io::Result<()> {
+    let (n, m, per_cell) = (grid.positions.len(), grid.cells, grid.per_cell);
     for (list, count) in [(points, n), (cells, m)] {
         for data in list {
             let plain = data.name.chars().all(|c| !"<>&\"'".contains(c) && !c.is_control());
@@ -53,8 +135,9 @@ pub fn write_vtu(
         offset += 8 + bytes as u64;
         line
     };
-    let mut header = String::from(
-        "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<UnstructuredGrid>\n",
+    let mut header = format!(
+        "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"{}\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<UnstructuredGrid>\n",
+        grid.version
     );
     header.extend([
         "<Piece NumberOfPoints=\"",
@@ -65,7 +148,7 @@ pub fn write_vtu(
     ]);
     header += &array("Float64", "Points", 3, 24 * n);
     header += "</Points>\n<Cells>\n";
-    header += &array("Int64", "connectivity", 1, 64 * m);
+    header += &array("Int64", "connectivity", 1, 8 * per_cell * m);
     header += &array("Int64", "offsets", 1, 8 * m);
     header += &array("UInt8", "types", 1, m);
     header += "</Cells>\n";
@@ -84,11 +167,11 @@ pub fn write_vtu(
         bytes.for_each(|word| buffer.extend_from_slice(&word));
         out.write_all(&buffer)
     };
-    block(24 * n, &mut mesh.positions().iter().flat_map(glam::DVec3::to_array).map(f64::to_le_bytes))?;
-    block(64 * m, &mut mesh.cells().iter().flatten().map(|&v| u64::from(v).to_le_bytes()))?;
-    block(8 * m, &mut (1..=m as u64).map(|k| (8 * k).to_le_bytes()))?;
+    block(24 * n, &mut grid.positions.iter().flat_map(glam::DVec3::to_array).map(f64::to_le_bytes))?;
+    block(8 * per_cell * m, &mut (&mut *grid.corners).map(|v| u64::from(v).to_le_bytes()))?;
+    block(8 * m, &mut (1..=m as u64).map(|k| (per_cell as u64 * k).to_le_bytes()))?;
     out.write_all(&(m as u64).to_le_bytes())?;
-    out.write_all(&vec![HEXAHEDRON; m])?;
+    out.write_all(&vec![grid.kind; m])?;
     let mut block = |values: &[f64]| -> io::Result<()> {
         out.write_all(&(8 * values.len() as u64).to_le_bytes())?;
         out.write_all(&values.iter().flat_map(|x| x.to_le_bytes()).collect::<Vec<u8>>())

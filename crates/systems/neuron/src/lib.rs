@@ -10,6 +10,8 @@
 //! | [`problems`], [`Problem`] | what a mesh of it would suffer from, located |
 //! | [`smooth`], [`SkeletonDeviation`] | smoothing and resampling, and how far they move samples |
 //! | [`mesh_neuron`], [`MeshOptions`], [`NeuronMesh`] | a conforming hexahedral mesh, every cell proven unfolded |
+//! | [`cubic_neuron`], [`CubicMesh`], [`SplineReport`] | the same with tricubic cells, and splines over them |
+//! | [`neuron_flow`], [`FlowParameters`], [`Flow`] | steady viscous flow, conservative cell by cell |
 //! | [`transport`], [`Parameters`], [`read_transport_config`] | diffusion and motors in both directions, conservative and without negative concentrations |
 //! | [`NeuronReport`], [`SkeletonReport`] | what is said of a neuron and of its skeleton |
 //! | [`RoundCone`], [`Curve`] | the tubes and their smooth axes |
@@ -28,22 +30,32 @@
 mod cone;
 mod curve;
 mod error;
+mod flow;
 mod mesh;
 mod problems;
 mod report;
 mod skeleton;
 mod smooth;
+mod spline;
 mod swc;
 mod transport;
 
 pub use cone::RoundCone;
 pub use curve::{ArcLength, Curve};
 pub use error::SwcError;
-pub use mesh::{Cap, MeshError, MeshOptions, MeshReport, NeuronMesh, SurfaceDistance, mesh_neuron};
+pub use flow::{
+    Drive, Flow, FlowEnd, FlowError, FlowOptions, FlowParameters, FlowReport, FlowSolution, FlowSystem,
+    NEWTON_TOLERANCE, neuron_flow,
+};
+pub use mesh::{
+    Cap, CubicMesh, MeshError, MeshOptions, MeshReport, NeuronMesh, SurfaceDistance, cubic_neuron,
+    mesh_neuron,
+};
 pub use problems::{MOST_TURN, Problem, ProblemKind, problems};
 pub use report::{NeuronReport, SkeletonReport, Timing};
 pub use skeleton::{Repair, RepairAction, SOMA, Sample, Skeleton, Soma};
 pub use smooth::{SkeletonDeviation, SmoothOptions, smooth};
+pub use spline::SplineReport;
 pub use swc::{SwcRow, read_swc, write_swc};
 pub use transport::{
     Discretisation, FlowField, Frame, Parameters, TipReport, Transport, TransportError, TransportOptions,

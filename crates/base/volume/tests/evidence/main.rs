@@ -2,6 +2,8 @@
 
 #![allow(clippy::unwrap_used, reason = "tests may panic")]
 
+mod splines;
+
 use glam::DVec3;
 use pompeiu_volume::{
     CellData, Faces, HexMesh, Jacobian, VolumeError, certify, scaled_jacobian, volume, write_vtu,

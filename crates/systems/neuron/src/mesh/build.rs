@@ -1,11 +1,11 @@
 //! From a skeleton to the mesh.
 
-use super::blocks::{Key, Refinement, weights};
+use super::assembly::{Assembly, NodeBlocks, blocks_along};
 use super::cluster::{Layout, layout};
-use super::node::{NodeMesh, layer_of, mesh_node, place_in_disc};
+use super::node::{NodeMesh, mesh_node};
 use super::options::{MeshError, MeshOptions, MeshReport};
 use super::surface::surface_distance;
-use super::sweep::{RadialLength, Station, stations, twist};
+use super::sweep::RadialLength;
 use super::tube::{Tube, tubes};
 use crate::Skeleton;
 use glam::DVec3;
@@ -114,30 +114,109 @@ pub fn mesh_neuron(skeleton: &Skeleton, options: &MeshOptions<'_>) -> Result<Neu
 }
 
 fn mesh(skeleton: &Skeleton, options: &MeshOptions<'_>) -> Result<NeuronMesh, MeshError> {
-    if let Some(sample) = skeleton.samples().iter().find(|sample| sample.radius <= 0.0) {
-        return Err(MeshError::ZeroRadius { sample: sample.id, line: sample.line });
-    }
     let control = Control::start(&options.limits);
     let factor = area_factor(4 * options.parts);
-    let tubes = tubes(skeleton, factor);
-    let layout = layout(skeleton, &tubes, factor);
-    let lengths: Vec<Option<RadialLength>> = layout
-        .spans
+    let parts = Parts::new(skeleton, options, factor, options.parts, &control)?;
+    let nodes: Vec<Option<NodeBlocks<'_>>> = parts
+        .nodes
         .iter()
-        .zip(&tubes)
-        .map(|(span, tube)| span.map(|[a, b]| RadialLength::new(tube, a.at, b.at)))
+        .map(|node| {
+            let node = node.as_ref()?;
+            Some(NodeBlocks { node, refinement: &node.refinement, positions: &node.positions })
+        })
         .collect();
-    check_memory(&layout, &lengths, options)?;
-    let nodes = mesh_nodes(skeleton, &tubes, &layout, options, &control)?;
-    let assembled = Assembly::new(options.parts).build(&tubes, &layout, &lengths, &nodes, options);
-    if assembled.cells.is_empty() {
+    let assembled = Assembly::new(options.parts, None).build(
+        &parts.tubes,
+        &parts.layout,
+        &parts.lengths,
+        &nodes,
+        options.layer,
+    );
+    if assembled.lattices.is_empty() {
         return Err(MeshError::NoBranch);
     }
-    finish(skeleton, &tubes, &layout, assembled, factor, options)
+    finish(skeleton, &parts, assembled, options)
 }
 
-fn blocks_along(lengths: &RadialLength, options: &MeshOptions<'_>) -> usize {
-    (lengths.total() / options.layer).ceil().max(1.0) as usize
+/// Tubes, and the nodes between them, meshed.
+pub(super) struct Parts {
+    pub(super) factor: f64,
+    pub(super) tubes: Vec<Tube>,
+    pub(super) layout: Layout,
+    pub(super) lengths: Vec<Option<RadialLength>>,
+    pub(super) nodes: Vec<Option<NodeMesh>>,
+}
+
+impl Parts {
+    /// Radii are multiplied by the factor, and the blocks of nodes cut into `parts` along each edge.
+    pub(super) fn new(
+        skeleton: &Skeleton,
+        options: &MeshOptions<'_>,
+        factor: f64,
+        parts: usize,
+        control: &Control,
+    ) -> Result<Self, MeshError> {
+        if let Some(sample) = skeleton.samples().iter().find(|sample| sample.radius <= 0.0) {
+            return Err(MeshError::ZeroRadius { sample: sample.id, line: sample.line });
+        }
+        let tubes = tubes(skeleton, factor);
+        let layout = layout(skeleton, &tubes, factor);
+        let lengths: Vec<Option<RadialLength>> = layout
+            .spans
+            .iter()
+            .zip(&tubes)
+            .map(|(span, tube)| span.map(|[a, b]| RadialLength::new(tube, a.at, b.at)))
+            .collect();
+        check_memory(&layout, &lengths, options)?;
+        let nodes = mesh_nodes(skeleton, &tubes, &layout, parts, options, control)?;
+        Ok(Self { factor, tubes, layout, lengths, nodes })
+    }
+
+    /// The flat ends.
+    pub(super) fn caps(&self, skeleton: &Skeleton, caps: &[(Vec<u32>, usize, bool)]) -> Vec<Cap> {
+        let cap = |&(_, tube, first): &(Vec<u32>, usize, bool)| {
+            let tube = &self.tubes[tube];
+            let node = tube.nodes[usize::from(!first)];
+            let s = if first { 0.0 } else { tube.length() };
+            let (centre, radius) = tube.at(s);
+            let tangent = tube.tangent(s);
+            Cap {
+                sample: skeleton.samples()[node].id,
+                is_root: skeleton.parent(node).is_none(),
+                centre,
+                normal: if first { -tangent } else { tangent },
+                radius: radius / self.factor,
+            }
+        };
+        caps.iter().map(cap).collect()
+    }
+
+    /// Branches that are not meshed, in sentences.
+    pub(super) fn left_out(&self, skeleton: &Skeleton) -> Vec<String> {
+        let sentence = |&t: &usize| {
+            let [a, b] = self.tubes[t].nodes.map(|node| skeleton.samples()[node].id);
+            format!(
+                "the branch from sample {a} to {b}, {:.4} long, ends too near to its node",
+                self.tubes[t].length()
+            )
+        };
+        self.layout.dropped.iter().map(sentence).collect()
+    }
+}
+
+/// For each boundary face 0 where it lies on the wall, and 1 + k on cap k.
+pub(super) fn labels(faces: &Faces, caps: &[(Vec<u32>, usize, bool)], vertices: usize) -> Vec<u32> {
+    let mut cap_of = vec![0_u32; vertices];
+    for (k, (vertices, ..)) in caps.iter().enumerate() {
+        for &v in vertices {
+            cap_of[v as usize] = k as u32 + 1;
+        }
+    }
+    let label = |vertices: [u32; 4]| {
+        let [a, b, c, d] = vertices.map(|v| cap_of[v as usize]);
+        if a == b && b == c && c == d { a } else { 0 }
+    };
+    faces.boundary().iter().map(|face| label(face.vertices)).collect()
 }
 
 fn check_memory(
@@ -145,7 +224,7 @@ fn check_memory(
     lengths: &[Option<RadialLength>],
     options: &MeshOptions<'_>,
 ) -> Result<(), MeshError> {
-    let along: usize = lengths.iter().flatten().map(|lengths| 5 * blocks_along(lengths, options)).sum();
+    let along: usize = lengths.iter().flatten().map(|lengths| 5 * blocks_along(lengths, options.layer)).sum();
     let at_nodes: usize = layout.clusters.iter().map(|cluster| 10 * cluster.ends.len() + 8).sum();
     let cells = (along + at_nodes) * options.parts.pow(3);
     let needed = cells.saturating_mul(BYTES_PER_CELL);
@@ -160,6 +239,7 @@ fn mesh_nodes(
     skeleton: &Skeleton,
     tubes: &[Tube],
     layout: &Layout,
+    parts: usize,
     options: &MeshOptions<'_>,
     control: &Control,
 ) -> Result<Vec<Option<NodeMesh>>, MeshError> {
@@ -176,7 +256,7 @@ fn mesh_nodes(
             if cluster.ends.is_empty() {
                 return Ok(None);
             }
-            let node = mesh_node(cluster, tubes, reach, options.parts);
+            let node = mesh_node(cluster, tubes, reach, parts);
             if let (Some(observer), Ok(mut done)) = (options.progress, done.lock()) {
                 *done += 1;
                 let share = Some(*done as f64 / count as f64);
@@ -195,204 +275,16 @@ fn mesh_nodes(
     nodes.into_iter().collect()
 }
 
-/// A tube or node as a number; there are fewer than samples.
-fn part(index: usize) -> i32 {
-    i32::try_from(index).unwrap_or(i32::MAX)
-}
-
-/// The mesh while it grows.
-struct Assembly {
-    refinement: Refinement,
-    positions: Vec<DVec3>,
-    cells: Vec<[u32; 8]>,
-    parts: Vec<i32>,
-    /// For each cap its vertices, its tube, and whether it is at the first end.
-    caps: Vec<(Vec<u32>, usize, bool)>,
-    corners: u32,
-}
-
-impl Assembly {
-    fn new(parts: usize) -> Self {
-        Self {
-            refinement: Refinement::new(parts),
-            positions: Vec::new(),
-            cells: Vec::new(),
-            parts: Vec::new(),
-            caps: Vec::new(),
-            corners: 0,
-        }
-    }
-
-    fn build(
-        mut self,
-        tubes: &[Tube],
-        layout: &Layout,
-        lengths: &[Option<RadialLength>],
-        nodes: &[Option<NodeMesh>],
-        options: &MeshOptions<'_>,
-    ) -> Self {
-        let mut offsets = Vec::with_capacity(nodes.len());
-        for (index, node) in nodes.iter().enumerate() {
-            offsets.push(self.corners);
-            if let Some(node) = node {
-                self.add_node(index, node);
-            }
-        }
-        for (index, (span, lengths)) in layout.spans.iter().zip(lengths).enumerate() {
-            let (Some(span), Some(lengths)) = (span, lengths) else { continue };
-            let layers = blocks_along(lengths, options);
-            // The section at an end: corners in the core and on the wall, and its side.
-            let section = |end: usize| {
-                span[end].arm.and_then(|(cluster, arm)| {
-                    let section = nodes[cluster].as_ref()?.sections[arm].clone();
-                    let offset = offsets[cluster];
-                    Some((section.inner.map(|c| c + offset), section.outer.map(|c| c + offset), section.side))
-                })
-            };
-            self.add_tube(index, &tubes[index], lengths, layers, section(0), section(1), options.parts);
-        }
-        self
-    }
-
-    fn add_node(&mut self, index: usize, node: &NodeMesh) {
-        let offset = self.corners;
-        self.corners += node.corners as u32;
-        let shift = |key: &Key| key.map(|(c, w)| if c == u32::MAX { (c, w) } else { (c + offset, w) });
-        for (key, position) in node.refinement.keys.iter().zip(&node.positions) {
-            let vertex = self.refinement.vertex(shift(key));
-            debug_assert_eq!(vertex as usize, self.positions.len(), "nodes have no common vertices");
-            self.positions.push(*position);
-        }
-        for block in &node.blocks {
-            let lattice = self.refinement.lattice(block.map(|c| c + offset));
-            let before = self.cells.len();
-            self.cells.extend(self.refinement.cells(&lattice));
-            self.parts.extend(std::iter::repeat_n(-1 - part(index), self.cells.len() - before));
-        }
-    }
-
-    #[expect(clippy::too_many_arguments, reason = "a tube, where it is, and what it meets")]
-    fn add_tube(
-        &mut self,
-        index: usize,
-        tube: &Tube,
-        lengths: &RadialLength,
-        layers: usize,
-        first: Option<([u32; 4], [u32; 4], DVec3)>,
-        last: Option<([u32; 4], [u32; 4], DVec3)>,
-        parts: usize,
-    ) {
-        let mut stations = stations(tube, lengths, layers * parts, first.map(|(_, _, side)| side));
-        let last = last.map(|(inner, outer, side)| {
-            let end = stations[stations.len() - 1];
-            // The other node looks along the tube the other way.
-            let across = end.sides[1].cross(end.sides[0]).cross(side);
-            let corners = [0, 1, 2, 3].map(|k| {
-                let angle = std::f64::consts::FRAC_PI_4 * f64::from(2 * k + 1);
-                side * libm::cos(angle) + across * libm::sin(angle)
-            });
-            let (start, _) = twist(&mut stations, corners);
-            let turn = |c: [u32; 4]| [0, 1, 2, 3].map(|k| c[(start + 4 - k) % 4]);
-            (turn(inner), turn(outer))
-        });
-        let mut below = first.map_or_else(|| self.new_section(), |(inner, outer, _)| [inner, outer]);
-        if first.is_none() {
-            let vertices = self.cap(below, parts, &stations[0]);
-            self.caps.push((vertices, index, true));
-        }
-        for layer in 0..layers {
-            let above = match last {
-                Some((inner, outer)) if layer + 1 == layers => [inner, outer],
-                _ => self.new_section(),
-            };
-            if layer + 1 == layers && last.is_none() {
-                let vertices = self.cap(above, parts, &stations[layers * parts]);
-                self.caps.push((vertices, index, false));
-            }
-            let mut blocks = Vec::with_capacity(5);
-            layer_of(&mut blocks, below, above);
-            for block in blocks {
-                let lattice = self.refinement.lattice(block);
-                for vertex in self.positions.len()..self.refinement.keys.len() {
-                    let (mut inner, mut outer, mut up) = ([0.0; 4], [0.0; 4], 0.0);
-                    for (corner, weight) in weights(&self.refinement.keys[vertex]) {
-                        let corner = corner as u32;
-                        for (side, section) in [below, above].into_iter().enumerate() {
-                            if let Some(k) = section[0].iter().position(|&c| c == corner) {
-                                inner[k] += weight;
-                            } else if let Some(k) = section[1].iter().position(|&c| c == corner) {
-                                outer[k] += weight;
-                            } else {
-                                continue;
-                            }
-                            up += side as f64 * weight;
-                        }
-                    }
-                    let station = &stations[layer * parts + (up * parts as f64).round() as usize];
-                    self.positions.push(station.at(place_in_disc(inner, outer).0));
-                }
-                let before = self.cells.len();
-                self.cells.extend(self.refinement.cells(&lattice));
-                self.parts.extend(std::iter::repeat_n(part(index), self.cells.len() - before));
-            }
-            below = above;
-        }
-    }
-
-    fn new_section(&mut self) -> [[u32; 4]; 2] {
-        let base = self.corners;
-        self.corners += 8;
-        [[0, 1, 2, 3].map(|k| base + k), [4, 5, 6, 7].map(|k| base + k)]
-    }
-
-    /// The vertices of a flat end, made now.
-    fn cap(&mut self, [inner, outer]: [[u32; 4]; 2], parts: usize, station: &Station) -> Vec<u32> {
-        // A layer without height: its lattice names every vertex of the section.
-        let mut blocks = Vec::with_capacity(5);
-        layer_of(&mut blocks, [inner, outer], [inner, outer]);
-        let mut vertices = Vec::new();
-        for block in blocks {
-            let quad = [block[0], block[1], block[2], block[3]];
-            for j in 0..=parts {
-                for i in 0..=parts {
-                    let mut key: Key = [(u32::MAX, 0); 8];
-                    let of = [(parts - i) * (parts - j), i * (parts - j), i * j, (parts - i) * j];
-                    let (mut in_core, mut on_wall) = ([0.0; 4], [0.0; 4]);
-                    for k in 0..4 {
-                        if of[k] > 0 {
-                            key[k] = (quad[k], (of[k] * parts) as u32);
-                            let weight = of[k] as f64 / (parts * parts) as f64;
-                            if let Some(place) = inner.iter().position(|&c| c == quad[k]) {
-                                in_core[place] = weight;
-                            } else if let Some(place) = outer.iter().position(|&c| c == quad[k]) {
-                                on_wall[place] = weight;
-                            }
-                        }
-                    }
-                    key.sort_unstable();
-                    let vertex = self.refinement.vertex(key);
-                    if vertex as usize == self.positions.len() {
-                        self.positions.push(station.at(place_in_disc(in_core, on_wall).0));
-                    }
-                    vertices.push(vertex);
-                }
-            }
-        }
-        vertices.sort_unstable();
-        vertices.dedup();
-        vertices
-    }
-}
-
 fn finish(
     skeleton: &Skeleton,
-    tubes: &[Tube],
-    layout: &Layout,
-    assembly: Assembly,
-    factor: f64,
+    parts: &Parts,
+    assembly: Assembly<'_>,
     options: &MeshOptions<'_>,
 ) -> Result<NeuronMesh, MeshError> {
-    let Assembly { positions, cells, parts, caps, .. } = assembly;
+    let Assembly { refinement, positions, lattices, blocks, caps, .. } = assembly;
+    let cells: Vec<[u32; 8]> =
+        lattices.iter().flat_map(|lattice| refinement.cells(lattice).collect::<Vec<_>>()).collect();
+    let per_block = options.parts.pow(3);
     let mesh = HexMesh::new(positions, cells)?;
     let faces = Faces::new(&mesh)?;
     let least = mesh
@@ -401,50 +293,17 @@ fn finish(
         .map(|&cell| scaled_jacobian(&mesh.corners(cell)))
         .reduce(|| f64::INFINITY, |a, b| if a < b { a } else { b });
     let certified = mesh.cells().par_iter().all(|&cell| certify(&mesh.corners(cell)) == Jacobian::Positive);
-    let mut cap_of = vec![0_u32; mesh.positions().len()];
-    for (k, (vertices, ..)) in caps.iter().enumerate() {
-        for &v in vertices {
-            cap_of[v as usize] = k as u32 + 1;
-        }
-    }
-    let labels: Vec<u32> = faces
-        .boundary()
-        .iter()
-        .map(|face| {
-            let [a, b, c, d] = face.vertices.map(|v| cap_of[v as usize]);
-            if a == b && b == c && c == d { a } else { 0 }
-        })
-        .collect();
-    let caps: Vec<Cap> = caps
-        .iter()
-        .map(|&(_, tube, first)| {
-            let tube = &tubes[tube];
-            let node = tube.nodes[usize::from(!first)];
-            let s = if first { 0.0 } else { tube.length() };
-            let (centre, radius) = tube.at(s);
-            let tangent = tube.tangent(s);
-            Cap {
-                sample: skeleton.samples()[node].id,
-                is_root: skeleton.parent(node).is_none(),
-                centre,
-                normal: if first { -tangent } else { tangent },
-                radius: radius / factor,
-            }
-        })
-        .collect();
-    let left_out = layout
-        .dropped
-        .iter()
-        .map(|&t| {
-            let [a, b] = tubes[t].nodes.map(|node| skeleton.samples()[node].id);
-            format!(
-                "the branch from sample {a} to {b}, {:.4} long, ends too near to its node",
-                tubes[t].length()
-            )
-        })
-        .collect();
+    let labels = labels(&faces, &caps, mesh.positions().len());
     let surface_distance = if options.measure {
-        surface_distance(skeleton, tubes, &mesh, &faces, &labels, factor)
+        let wall = faces.boundary().iter().zip(&labels).filter(|(_, label)| **label == 0);
+        let triangles = wall
+            .flat_map(|(face, _)| {
+                let [a, b, c, d] = face.vertices;
+                [[a, b, c], [a, c, d]]
+            })
+            .collect();
+        let positions = mesh.positions().iter().map(DVec3::to_array).collect();
+        surface_distance(skeleton, &parts.tubes, positions, triangles, parts.factor)
     } else {
         None
     };
@@ -454,7 +313,9 @@ fn finish(
         min_scaled_jacobian: least,
         certified,
         surface_distance,
-        left_out,
+        left_out: parts.left_out(skeleton),
     };
+    let caps = parts.caps(skeleton, &caps);
+    let parts = blocks.iter().flat_map(|&block| std::iter::repeat_n(block, per_block)).collect();
     Ok(NeuronMesh { mesh, faces, labels, caps, parts, report })
 }

@@ -28,7 +28,7 @@ pub(super) enum Shape {
 
 impl Shape {
     /// The cost and its derivatives by the columns.
-    fn cost(self, [a, b, c]: [DVec3; 3]) -> (f64, [DVec3; 3]) {
+    pub(super) fn cost(self, [a, b, c]: [DVec3; 3]) -> (f64, [DVec3; 3]) {
         let cofactors = [b.cross(c), c.cross(a), a.cross(b)];
         let det = a.dot(cofactors[0]);
         match self {
@@ -151,89 +151,102 @@ impl Energy<'_> {
         least
     }
 
-    /// Moves the free vertices to less energy: the limited-memory method of Broyden, Fletcher, Goldfarb and Shanno, with a
-    /// backtracking line search.
+    /// Moves the free vertices to less energy.
     pub(super) fn minimise(&self, positions: &mut [DVec3], steps: usize) -> f64 {
-        let n = self.free.len();
         let mut scratch = vec![DVec3::ZERO; positions.len()];
-        let mut gradient = vec![DVec3::ZERO; n];
-        let mut value = self.value(positions, &mut gradient, &mut scratch);
-        if !value.is_finite() {
-            return value;
+        minimise(self.free, self.scale, positions, steps, |positions, gradient| {
+            self.value(positions, gradient, &mut scratch)
+        })
+    }
+}
+
+/// Moves free vertices to less energy, whose value and gradient a function gives: the limited-memory method of Broyden, Fletcher, Goldfarb and Shanno, with a
+/// backtracking line search.
+pub(super) fn minimise(
+    free: &[u32],
+    scale: f64,
+    positions: &mut [DVec3],
+    steps: usize,
+    mut energy: impl FnMut(&[DVec3], &mut [DVec3]) -> f64,
+) -> f64 {
+    let n = free.len();
+    let mut gradient = vec![DVec3::ZERO; n];
+    let mut value = energy(positions, &mut gradient);
+    if !value.is_finite() {
+        return value;
+    }
+    let mut memory: Vec<(Vec<DVec3>, Vec<DVec3>, f64)> = Vec::new();
+    let mut next = positions.to_vec();
+    let mut next_gradient = gradient.clone();
+    for _ in 0..steps {
+        let mut direction: Vec<DVec3> = gradient.iter().map(|g| -*g).collect();
+        let mut alphas = Vec::with_capacity(memory.len());
+        for (s, y, rho) in memory.iter().rev() {
+            let alpha = rho * dot(s, &direction);
+            direction.iter_mut().zip(y).for_each(|(d, y)| *d -= *y * alpha);
+            alphas.push(alpha);
         }
-        let mut memory: Vec<(Vec<DVec3>, Vec<DVec3>, f64)> = Vec::new();
-        let mut next = positions.to_vec();
-        let mut next_gradient = gradient.clone();
-        for _ in 0..steps {
-            let mut direction: Vec<DVec3> = gradient.iter().map(|g| -*g).collect();
-            let mut alphas = Vec::with_capacity(memory.len());
-            for (s, y, rho) in memory.iter().rev() {
-                let alpha = rho * dot(s, &direction);
-                direction.iter_mut().zip(y).for_each(|(d, y)| *d -= *y * alpha);
-                alphas.push(alpha);
+        if let Some((s, y, _)) = memory.last() {
+            let factor = dot(s, y) / dot(y, y);
+            for d in &mut direction {
+                *d *= factor;
             }
-            if let Some((s, y, _)) = memory.last() {
-                let factor = dot(s, y) / dot(y, y);
-                for d in &mut direction {
-                    *d *= factor;
-                }
-            } else {
-                // A tenth of the size at most.
-                let greatest = gradient.iter().map(|g| g.length()).fold(0.0, f64::max);
-                if greatest == 0.0 {
-                    return value;
-                }
-                for d in &mut direction {
-                    *d *= 0.02 * self.scale / greatest;
-                }
+        } else {
+            // A tenth of the size at most.
+            let greatest = gradient.iter().map(|g| g.length()).fold(0.0, f64::max);
+            if greatest == 0.0 {
+                return value;
             }
-            for ((s, y, rho), alpha) in memory.iter().zip(alphas.iter().rev()) {
-                let beta = rho * dot(y, &direction);
-                direction.iter_mut().zip(s).for_each(|(d, s)| *d += *s * (alpha - beta));
+            for d in &mut direction {
+                *d *= 0.02 * scale / greatest;
             }
-            let mut slope = dot(&gradient, &direction);
-            if slope >= 0.0 {
-                memory.clear();
-                direction = gradient.iter().map(|g| -*g).collect();
-                let greatest = gradient.iter().map(|g| g.length()).fold(f64::MIN_POSITIVE, f64::max);
-                for d in &mut direction {
-                    *d *= 0.01 * self.scale / greatest;
-                }
-                slope = dot(&gradient, &direction);
+        }
+        for ((s, y, rho), alpha) in memory.iter().zip(alphas.iter().rev()) {
+            let beta = rho * dot(y, &direction);
+            direction.iter_mut().zip(s).for_each(|(d, s)| *d += *s * (alpha - beta));
+        }
+        let mut slope = dot(&gradient, &direction);
+        if slope >= 0.0 {
+            memory.clear();
+            direction = gradient.iter().map(|g| -*g).collect();
+            let greatest = gradient.iter().map(|g| g.length()).fold(f64::MIN_POSITIVE, f64::max);
+            for d in &mut direction {
+                *d *= 0.01 * scale / greatest;
             }
-            let greatest = direction.iter().map(|d| d.length()).fold(0.0, f64::max);
-            let mut step = if greatest > 0.3 * self.scale { 0.3 * self.scale / greatest } else { 1.0 };
-            let mut moved = false;
-            for _ in 0..30 {
-                next.copy_from_slice(positions);
-                for (d, &v) in direction.iter().zip(self.free) {
-                    next[v as usize] += *d * step;
-                }
-                let found = self.value(&next, &mut next_gradient, &mut scratch);
-                if found.is_finite() && found <= value + 1e-4 * step * slope {
-                    let s: Vec<DVec3> = direction.iter().map(|d| *d * step).collect();
-                    let y: Vec<DVec3> = next_gradient.iter().zip(&gradient).map(|(a, b)| *a - *b).collect();
-                    let product = dot(&s, &y);
-                    if product > 1e-12 * dot(&y, &y).sqrt() * dot(&s, &s).sqrt() {
-                        if memory.len() == MEMORY {
-                            memory.remove(0);
-                        }
-                        memory.push((s, y, 1.0 / product));
+            slope = dot(&gradient, &direction);
+        }
+        let greatest = direction.iter().map(|d| d.length()).fold(0.0, f64::max);
+        let mut step = if greatest > 0.3 * scale { 0.3 * scale / greatest } else { 1.0 };
+        let mut moved = false;
+        for _ in 0..30 {
+            next.copy_from_slice(positions);
+            for (d, &v) in direction.iter().zip(free) {
+                next[v as usize] += *d * step;
+            }
+            let found = energy(&next, &mut next_gradient);
+            if found.is_finite() && found <= value + 1e-4 * step * slope {
+                let s: Vec<DVec3> = direction.iter().map(|d| *d * step).collect();
+                let y: Vec<DVec3> = next_gradient.iter().zip(&gradient).map(|(a, b)| *a - *b).collect();
+                let product = dot(&s, &y);
+                if product > 1e-12 * dot(&y, &y).sqrt() * dot(&s, &s).sqrt() {
+                    if memory.len() == MEMORY {
+                        memory.remove(0);
                     }
-                    moved = value - found > 1e-7 * value.abs();
-                    value = found;
-                    positions.copy_from_slice(&next);
-                    std::mem::swap(&mut gradient, &mut next_gradient);
-                    break;
+                    memory.push((s, y, 1.0 / product));
                 }
-                step *= 0.5;
-            }
-            if !moved {
+                moved = value - found > 1e-7 * value.abs();
+                value = found;
+                positions.copy_from_slice(&next);
+                std::mem::swap(&mut gradient, &mut next_gradient);
                 break;
             }
+            step *= 0.5;
         }
-        value
+        if !moved {
+            break;
+        }
     }
+    value
 }
 
 /// Pairs of steps that are remembered.

@@ -2,20 +2,27 @@
 //!
 //! Along each branch there is a square tube, five blocks to a section: one in the core, four around it up to the wall. At each node the
 //! tubes' cores attach to a small complex, and every quad of the boundary of complex and tubes is extruded to the wall, which is a
-//! smooth union of the tubes. All blocks are cut into equal parts, and around nodes vertices are moved to where the cells are best.
+//! smooth union of the tubes. All blocks are cut into equal parts, and around nodes vertices are moved to where the cells are best; or
+//! each block is one tricubic cell, whose places are moved likewise.
 
+mod assembly;
 mod assign;
-mod blocks;
 mod build;
 mod cluster;
 mod core;
+mod cubic;
+mod cubic_energy;
+mod cubic_node;
 mod energy;
 mod node;
 mod options;
+mod section;
 mod surface;
 mod sweep;
 mod tube;
 mod wall;
 
 pub use build::{Cap, NeuronMesh, mesh_neuron};
+pub(crate) use cubic::cubic_vtu;
+pub use cubic::{CubicMesh, cubic_neuron};
 pub use options::{MeshError, MeshOptions, MeshReport, SurfaceDistance};

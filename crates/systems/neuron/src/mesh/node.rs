@@ -1,14 +1,13 @@
 //! The mesh around a node: a core, the tubes that attach to it up to where they are clear of each other, and the wall around.
 
 use super::assign::{Assignment, assignments};
-use super::blocks::{Refinement, weights};
 use super::core::{Core, library};
 use super::energy::{Energy, Shape};
 use super::tube::{End, Tube};
 use super::wall::Wall;
 use crate::RoundCone;
 use glam::DVec3;
-use pompeiu_volume::scaled_jacobian;
+use pompeiu_volume::{Refinement, key_weights as weights, scaled_jacobian};
 
 /// Side of the core square of a section, half of its diagonal, in radii.
 pub(super) const CORE: f64 = 0.55;
@@ -87,7 +86,7 @@ impl Cluster {
     }
 
     /// The wall around it.
-    fn wall(&self, tubes: &[Tube], reach: &[f64]) -> Wall {
+    pub(super) fn wall(&self, tubes: &[Tube], reach: &[f64]) -> Wall {
         let mut groups: Vec<Vec<RoundCone>> = self
             .ends
             .iter()
@@ -292,7 +291,7 @@ fn build(
         })
         .collect();
     let mut positions: Vec<DVec3> =
-        refinement.keys.iter().map(|key| weights(key).map(|(v, w)| corners[v] * w).sum()).collect();
+        refinement.keys().iter().map(|key| weights(key).map(|(v, w)| corners[v] * w).sum()).collect();
     let kinds = kinds(cluster, tubes, &sections, &refinement, &cells, &mut positions);
     let quality = optimise(&cells, &kinds, wall, depth, &mut positions);
     NodeMesh { blocks, corners: corners.len(), refinement, positions, sections, quality }
@@ -389,7 +388,7 @@ fn kinds(
         let (at, radius) = end.at(tubes, section.at);
         let axis = end.tangent(tubes, section.at);
         let (e1, e2) = (section.side, axis.cross(section.side));
-        for (v, key) in refinement.keys.iter().enumerate() {
+        for (v, key) in refinement.keys().iter().enumerate() {
             let (mut inner, mut outer, mut rest) = ([0.0; 4], [0.0; 4], 0.0);
             for (corner, weight) in weights(key) {
                 let corner = corner as u32;

@@ -7,7 +7,6 @@ use crate::Skeleton;
 use pompeiu_core::TriMesh;
 use pompeiu_core::mesh::shapes::icosphere;
 use pompeiu_hausdorff::directed_hausdorff;
-use pompeiu_volume::{Faces, HexMesh};
 
 /// Sides of the polygons that stand for the circles of a tube: their sagitta is 0.1 % of the radius.
 const SIDES: u32 = 64;
@@ -18,25 +17,16 @@ const RINGS: f64 = 3.0;
 /// Subdivisions of the icosahedron that stands for a soma.
 const SUBDIVISIONS: u32 = 4;
 
-/// Bounds on the greatest distance of a point of the wall, each quad as two triangles, from the tubes as triangulated here. None where
+/// Bounds on the greatest distance of a point of the wall, given as triangles, from the tubes as triangulated here. None where
 /// the tubes are too large to be triangulated.
 pub(super) fn surface_distance(
     skeleton: &Skeleton,
     tubes: &[Tube],
-    mesh: &HexMesh,
-    faces: &Faces,
-    labels: &[u32],
+    wall: Vec<[f64; 3]>,
+    wall_triangles: Vec<[u32; 3]>,
     factor: f64,
 ) -> Option<SurfaceDistance> {
-    let positions = mesh.positions().iter().map(glam::DVec3::to_array).collect();
-    let wall = faces.boundary().iter().zip(labels).filter(|(_, label)| **label == 0);
-    let triangles = wall
-        .flat_map(|(face, _)| {
-            let [a, b, c, d] = face.vertices;
-            [[a, b, c], [a, c, d]]
-        })
-        .collect();
-    let wall = TriMesh::new(positions, triangles).ok()?;
+    let wall = TriMesh::new(wall, wall_triangles).ok()?;
     let (mut positions, mut triangles): (Vec<[f64; 3]>, Vec<[u32; 3]>) = (Vec::new(), Vec::new());
     for tube in tubes {
         let lengths = RadialLength::new(tube, 0.0, tube.length());

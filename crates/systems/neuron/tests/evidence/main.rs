@@ -2,6 +2,8 @@
 
 #![allow(clippy::unwrap_used, reason = "tests may panic")]
 
+mod cubics;
+mod flows;
 mod meshes;
 mod skeletons;
 mod transports;

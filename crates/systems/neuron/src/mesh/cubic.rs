@@ -1,0 +1,272 @@
+//! Tricubic meshes of neurons.
+
+use super::assembly::{Assembly, NodeBlocks};
+use super::build::{Cap, Parts, labels};
+use super::cubic_node::{CubicNode, START, bend};
+use super::options::{MeshError, MeshOptions, MeshReport, SurfaceDistance};
+use super::section::Section;
+use super::surface::surface_distance;
+use crate::Skeleton;
+use glam::DVec3;
+use pompeiu_core::run::{Control, on_threads};
+use pompeiu_volume::bernstein::value;
+use pompeiu_volume::{
+    BezierMesh, CellData, FACE_AXES, Faces, Jacobian, PointData, certify_bezier, scaled_jacobian_bezier,
+    write_bezier_vtu, write_vtu,
+};
+use rayon::prelude::*;
+
+/// A mesh of a neuron whose cells are tricubic: each block is one patch.
+#[derive(Clone, Debug)]
+pub struct CubicMesh {
+    /// Control points and patches; every patch is proven to be unfolded where the report says so.
+    pub mesh: BezierMesh,
+    /// The faces of patches.
+    pub faces: Faces,
+    /// For each boundary face 0 where it lies on the wall, and 1 + k on cap k.
+    pub labels: Vec<u32>,
+    /// The flat ends of tubes.
+    pub caps: Vec<Cap>,
+    /// For each patch the branch that it belongs to, in the order of the skeleton's tubes, or −1 − k at node k.
+    pub parts: Vec<i32>,
+    /// What is said of it.
+    pub report: MeshReport,
+}
+
+impl CubicMesh {
+    /// The patches as a VTK XML unstructured grid of Bézier hexahedra, exactly, or of trilinear cells, 27 to a patch, with the branch of
+    /// each cell as cell data.
+    ///
+    /// # Errors
+    /// None but those of an allocation.
+    pub fn vtu(&self, linear: bool) -> std::io::Result<Vec<u8>> {
+        cubic_vtu(&self.mesh, linear, &[], &[("branch", &self.branches())])
+    }
+
+    /// The branch of each patch as a number.
+    pub fn branches(&self) -> Vec<f64> {
+        self.parts.iter().map(|&part| f64::from(part)).collect()
+    }
+}
+
+/// Trilinear cells along each axis of a patch, in files of trilinear cells.
+const LINEAR_PARTS: usize = 3;
+
+/// A file of tricubic cells with vectors and values at control points, of which the latter are the first components, and values of
+/// cells.
+pub(crate) fn cubic_vtu(
+    mesh: &BezierMesh,
+    linear: bool,
+    fields: &[(&str, &[DVec3], usize)],
+    cells: &[(&str, &[f64])],
+) -> std::io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    let columns = |field: &[DVec3], components: usize| -> Vec<f64> {
+        field.iter().flat_map(|v| v.to_array().into_iter().take(components)).collect()
+    };
+    if !linear {
+        let values: Vec<Vec<f64>> = fields.iter().map(|(_, field, n)| columns(field, *n)).collect();
+        let points: Vec<PointData<'_>> = fields
+            .iter()
+            .zip(&values)
+            .map(|(&(name, _, components), values)| CellData { name, values, components })
+            .collect();
+        let cells: Vec<CellData<'_>> =
+            cells.iter().map(|&(name, values)| CellData { name, values, components: 1 }).collect();
+        write_bezier_vtu(&mut bytes, mesh, &points, &cells)?;
+        return Ok(bytes);
+    }
+    let raw: Vec<&[DVec3]> = fields.iter().map(|(_, field, _)| *field).collect();
+    let wrong = |error| std::io::Error::new(std::io::ErrorKind::InvalidInput, error);
+    let (fine, fine_fields) = mesh.subdivided(LINEAR_PARTS, &raw).map_err(wrong)?;
+    // Corners are points of the field; other control points are left out.
+    let corners = fine.corner_mesh().map_err(wrong)?;
+    let mut number = vec![u32::MAX; corners.positions().len()];
+    let mut kept = Vec::new();
+    for &v in corners.cells().iter().flatten() {
+        if number[v as usize] == u32::MAX {
+            number[v as usize] = kept.len() as u32;
+            kept.push(v as usize);
+        }
+    }
+    let pick = |field: &[DVec3]| kept.iter().map(|&v| field[v]).collect::<Vec<_>>();
+    let list = corners.cells().iter().map(|cell| cell.map(|v| number[v as usize])).collect();
+    let plain = pompeiu_volume::HexMesh::new(pick(corners.positions()), list).map_err(wrong)?;
+    let values: Vec<Vec<f64>> =
+        fields.iter().zip(&fine_fields).map(|((_, _, n), field)| columns(&pick(field), *n)).collect();
+    let points: Vec<PointData<'_>> = fields
+        .iter()
+        .zip(&values)
+        .map(|(&(name, _, components), values)| CellData { name, values, components })
+        .collect();
+    let per_cell = LINEAR_PARTS.pow(3);
+    let repeated: Vec<Vec<f64>> = cells
+        .iter()
+        .map(|(_, values)| values.iter().flat_map(|&x| std::iter::repeat_n(x, per_cell)).collect())
+        .collect();
+    let cells: Vec<CellData<'_>> = cells
+        .iter()
+        .zip(&repeated)
+        .map(|(&(name, _), values)| CellData { name, values, components: 1 })
+        .collect();
+    write_vtu(&mut bytes, &plain, &points, &cells)?;
+    Ok(bytes)
+}
+
+/// Meshes a neuron with tricubic cells: five patches to a section, and the complexes at nodes.
+///
+/// # Shapes and units
+/// Lengths in micrometres. The rim of a section is four cubic arcs, off a circle by less than 3e-4 of the radius; sections have the
+/// area of their discs. [`MeshOptions::parts`] is not used.
+/// # Accuracy
+/// [`MeshReport::certified`] is proven, rounding included. The bounds of [`MeshReport::surface_distance`] are those of triangles in the
+/// wall, widened by the bound on how far these are from the patches.
+/// # Errors
+/// [`MeshError`].
+/// # Cost
+/// Linear in the length of the tree in radii; some 0.6 s for each node, in parallel.
+/// # Source
+/// The energy that unfolds cells: `garanzha_foldover_2021`. Bernstein coefficients of determinants: `johnen_hexahedra_2017`.
+pub fn cubic_neuron(skeleton: &Skeleton, options: &MeshOptions<'_>) -> Result<CubicMesh, MeshError> {
+    options.check()?;
+    on_threads(options.limits.threads, || mesh(skeleton, options))
+}
+
+fn mesh(skeleton: &Skeleton, options: &MeshOptions<'_>) -> Result<CubicMesh, MeshError> {
+    let control = Control::start(&options.limits);
+    let section = Section::new();
+    let parts = Parts::new(skeleton, options, section.area_factor(), START, &control)?;
+    let bent: Vec<Option<CubicNode>> = parts
+        .layout
+        .clusters
+        .par_iter()
+        .zip(&parts.layout.reach)
+        .zip(&parts.nodes)
+        .map(|((cluster, reach), node)| {
+            node.as_ref().map(|node| bend(cluster, &parts.tubes, reach, node, &section))
+        })
+        .collect();
+    for (cluster, node) in parts.layout.clusters.iter().zip(&bent) {
+        if let Some(quality) = node.as_ref().map(|node| node.quality).filter(|quality| *quality <= 0.0) {
+            let sample = skeleton.samples()[cluster.samples[0]];
+            let arms = cluster.ends.len();
+            return Err(MeshError::Node { sample: sample.id, line: sample.line, arms, quality });
+        }
+    }
+    let nodes: Vec<Option<NodeBlocks<'_>>> = parts
+        .nodes
+        .iter()
+        .zip(&bent)
+        .map(|(node, bent)| {
+            let (node, bent) = (node.as_ref()?, bent.as_ref()?);
+            Some(NodeBlocks { node, refinement: &bent.refinement, positions: &bent.points })
+        })
+        .collect();
+    let assembled = Assembly::new(3, Some(&section)).build(
+        &parts.tubes,
+        &parts.layout,
+        &parts.lengths,
+        &nodes,
+        options.layer,
+    );
+    if assembled.lattices.is_empty() {
+        return Err(MeshError::NoBranch);
+    }
+    finish(skeleton, &parts, assembled, options)
+}
+
+fn finish(
+    skeleton: &Skeleton,
+    parts: &Parts,
+    assembly: Assembly<'_>,
+    options: &MeshOptions<'_>,
+) -> Result<CubicMesh, MeshError> {
+    let Assembly { positions, lattices, blocks, caps, .. } = assembly;
+    let cells: Vec<[u32; 64]> = lattices.iter().map(|lattice| std::array::from_fn(|k| lattice[k])).collect();
+    let mesh = BezierMesh::new(positions, cells)?;
+    let corners = mesh.corner_mesh()?;
+    let faces = Faces::new(&corners)?;
+    let found: Vec<(f64, bool)> = (0..mesh.cells().len())
+        .into_par_iter()
+        .map(|cell| {
+            let points = mesh.control(cell);
+            (scaled_jacobian_bezier(&points), certify_bezier(&points) == Jacobian::Positive)
+        })
+        .collect();
+    let labels = labels(&faces, &caps, mesh.points().len());
+    let mut vertices: Vec<u32> = corners.cells().iter().flatten().copied().collect();
+    vertices.sort_unstable();
+    vertices.dedup();
+    let distance = if options.measure { measure(skeleton, parts, &mesh, &faces, &labels) } else { None };
+    let report = MeshReport {
+        vertices: vertices.len(),
+        hexahedra: mesh.cells().len(),
+        min_scaled_jacobian: found.iter().map(|f| f.0).fold(f64::INFINITY, f64::min),
+        certified: found.iter().all(|f| f.1),
+        surface_distance: distance,
+        left_out: parts.left_out(skeleton),
+    };
+    Ok(CubicMesh { mesh, faces, labels, caps: parts.caps(skeleton, &caps), parts: blocks, report })
+}
+
+/// Most quads of the wall's triangles.
+const MOST_QUADS: usize = 100_000;
+
+/// How far the wall is from the tubes.
+fn measure(
+    skeleton: &Skeleton,
+    parts: &Parts,
+    mesh: &BezierMesh,
+    faces: &Faces,
+    labels: &[u32],
+) -> Option<SurfaceDistance> {
+    let wall: Vec<_> =
+        faces.boundary().iter().zip(labels).filter(|(_, label)| **label == 0).map(|(face, _)| face).collect();
+    let n = ((MOST_QUADS / wall.len().max(1)) as f64).sqrt().floor().clamp(2.0, 8.0) as usize;
+    let (mut positions, mut triangles) = (Vec::new(), Vec::new());
+    let mut deviation = 0.0_f64;
+    for face in wall {
+        let points = mesh.control(face.cell as usize);
+        let (axis, side, along) = FACE_AXES[face.place as usize];
+        let base = positions.len() as u32;
+        for j in 0..=n {
+            for i in 0..=n {
+                let mut place = [side as f64; 3];
+                (place[along[0]], place[along[1]]) = (i as f64 / n as f64, j as f64 / n as f64);
+                positions.push(value(&points, place).to_array());
+            }
+        }
+        let row = n as u32 + 1;
+        for j in 0..n as u32 {
+            for i in 0..n as u32 {
+                let a = base + i + row * j;
+                triangles.extend([[a, a + 1, a + row + 1], [a, a + row + 1, a + row]]);
+            }
+        }
+        deviation = deviation.max(bend_of(&points, axis, side, along) / (8.0 * (n * n) as f64));
+    }
+    let found = surface_distance(skeleton, &parts.tubes, positions, triangles, parts.factor)?;
+    Some(SurfaceDistance { lower: (found.lower - deviation).max(0.0), upper: found.upper + deviation })
+}
+
+/// A bound on `|S_uu| + 2 |S_uv| + |S_vv|` over a face, by differences of its control points: an eighth of it times the square of the
+/// step bounds how far triangles on a grid are from the face.
+fn bend_of(points: &[DVec3; 64], axis: usize, side: usize, along: [usize; 2]) -> f64 {
+    let strides = [1, 4, 16];
+    let (p, q) = (strides[along[0]], strides[along[1]]);
+    let at = |i: usize, j: usize| points[3 * side * strides[axis] + i * p + j * q];
+    let mut greatest = [0.0_f64; 3];
+    for a in 0..4 {
+        for b in 0..2 {
+            greatest[0] = greatest[0].max((at(b, a) - at(b + 1, a) * 2.0 + at(b + 2, a)).length());
+            greatest[2] = greatest[2].max((at(a, b) - at(a, b + 1) * 2.0 + at(a, b + 2)).length());
+        }
+    }
+    for i in 0..3 {
+        for j in 0..3 {
+            greatest[1] =
+                greatest[1].max((at(i, j) - at(i + 1, j) - at(i, j + 1) + at(i + 1, j + 1)).length());
+        }
+    }
+    6.0 * greatest[0] + 18.0 * greatest[1] + 6.0 * greatest[2]
+}

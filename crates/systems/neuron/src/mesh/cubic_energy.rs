@@ -1,0 +1,175 @@
+//! What the shape of tricubic cells costs.
+
+use super::energy::{Shape, minimise};
+use super::wall::Wall;
+use glam::DVec3;
+use pompeiu_volume::bernstein::{bernstein, bernstein_slopes, interpolate};
+use pompeiu_volume::slopes_at;
+
+/// Values and derivatives of the four functions along an axis at a place.
+type Row = ([f64; 4], [f64; 4]);
+
+/// What is minimised over the places at thirds of tricubic cells.
+pub(super) struct CubicEnergy<'e> {
+    pub(super) cells: &'e [[u32; 64]],
+    /// Places that move.
+    pub(super) free: &'e [u32],
+    pub(super) shape: Shape,
+    /// The wall, the places on it, and what leaving it costs.
+    pub(super) wall: Option<(&'e Wall, &'e [u32], f64)>,
+    /// The size of the node, which makes the energy independent of units.
+    pub(super) scale: f64,
+    pub(super) table: &'e [Row],
+}
+
+/// Places along each axis of a cell at which shape is measured: closer at the ends, between which a cubic turns most.
+pub(super) const PLACES: [f64; 7] = [0.0, 0.08, 0.25, 0.5, 0.75, 0.92, 1.0];
+
+/// Places for cells that fold between the others.
+pub(super) const MANY_PLACES: [f64; 13] =
+    [0.0, 0.04, 0.1, 0.18, 0.28, 0.39, 0.5, 0.61, 0.72, 0.82, 0.9, 0.96, 1.0];
+
+/// The cubics that are one at one of the thirds and zero at the others, at the places where shape is measured.
+pub(super) fn lagrange_table(places: &[f64]) -> Vec<Row> {
+    let unit = |k: usize| interpolate(std::array::from_fn(|r| if r == k { 1.0 } else { 0.0 }));
+    let columns = [0, 1, 2, 3].map(unit);
+    let row = |weights: [f64; 4]| columns.map(|c: [f64; 4]| (0..4).map(|r| weights[r] * c[r]).sum());
+    places.iter().map(|&t| (row(bernstein(t)), row(bernstein_slopes(t)))).collect()
+}
+
+impl CubicEnergy<'_> {
+    fn value(&self, positions: &[DVec3], gradient: &mut [DVec3], at: &mut [DVec3]) -> f64 {
+        at.fill(DVec3::ZERO);
+        let mut total = 0.0;
+        let per_point = 1.0 / self.table.len().pow(3) as f64;
+        for cell in self.cells {
+            let points = cell.map(|v| positions[v as usize] / self.scale);
+            let mut slopes = slopes_at(&points, self.table);
+            for columns in &mut slopes {
+                let (cost, by) = self.shape.cost(*columns);
+                if !cost.is_finite() {
+                    return f64::INFINITY;
+                }
+                total += cost * per_point;
+                *columns = by;
+            }
+            let by_point = gather(&slopes, self.table);
+            for (&v, slope) in cell.iter().zip(by_point) {
+                at[v as usize] += slope * (per_point / self.scale);
+            }
+        }
+        if let Some((wall, places, weight)) = self.wall {
+            for &v in places {
+                let (distance, slope) = wall.distance(positions[v as usize]);
+                let relative = distance / self.scale;
+                total += weight * relative * relative;
+                at[v as usize] += slope * (2.0 * weight * relative / self.scale);
+            }
+        }
+        for (g, &v) in gradient.iter_mut().zip(self.free) {
+            *g = at[v as usize];
+        }
+        total
+    }
+
+    /// The least scaled Jacobian at the places where shape is measured.
+    pub(super) fn quality(&self, positions: &[DVec3]) -> f64 {
+        let mut least = f64::INFINITY;
+        for cell in self.cells {
+            for [a, b, c] in slopes_at(&cell.map(|v| positions[v as usize]), self.table) {
+                let scaled = a.dot(b.cross(c)) / (a.length() * b.length() * c.length());
+                least = if scaled >= least { least } else { scaled };
+            }
+        }
+        if least.is_nan() { 0.0 } else { least }
+    }
+
+    /// Moves the free places to less energy.
+    pub(super) fn minimise(&self, positions: &mut [DVec3], steps: usize) -> f64 {
+        let mut scratch = vec![DVec3::ZERO; positions.len()];
+        minimise(self.free, self.scale, positions, steps, |positions, gradient| {
+            self.value(positions, gradient, &mut scratch)
+        })
+    }
+}
+
+/// The transpose of [`slopes_at`]: from derivatives by the slopes at all points to derivatives by the 64 coefficients.
+fn gather(by_slope: &[[DVec3; 3]], table: &[Row]) -> [DVec3; 64] {
+    let q = table.len();
+    let mut along_v = vec![[DVec3::ZERO; 3]; 4 * q * q];
+    for (c, (value, slope)) in table.iter().enumerate() {
+        for ab in 0..q * q {
+            let [du, dv, dw] = by_slope[ab + q * q * c];
+            for k in 0..4 {
+                let sums = &mut along_v[ab + q * q * k];
+                sums[0] += dw * slope[k];
+                sums[1] += du * value[k];
+                sums[2] += dv * value[k];
+            }
+        }
+    }
+    let mut result = [DVec3::ZERO; 64];
+    let mut along_u = vec![[DVec3::ZERO; 2]; 16 * q];
+    for k in 0..4 {
+        for (b, (value, slope)) in table.iter().enumerate() {
+            for a in 0..q {
+                let [plain, du, dv] = along_v[a + q * (b + q * k)];
+                for j in 0..4 {
+                    let sums = &mut along_u[a + q * (j + 4 * k)];
+                    sums[0] += plain * value[j] + dv * slope[j];
+                    sums[1] += du * value[j];
+                }
+            }
+        }
+    }
+    for jk in 0..16 {
+        for (a, (value, slope)) in table.iter().enumerate() {
+            let [plain, du] = along_u[a + q * jk];
+            for i in 0..4 {
+                result[i + 4 * jk] += plain * value[i] + du * slope[i];
+            }
+        }
+    }
+    result
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn gradients_are_differences() {
+        let place = |k: u32| {
+            let [x, y, z] = [k % 4, k / 4 % 4, k / 16].map(|i| f64::from(i) / 3.0);
+            let shift = |seed: f64| 0.04 * libm::sin(seed * f64::from(k + 1));
+            DVec3::new(x + shift(7.1), y + shift(3.3), 1.3 * z + shift(5.7))
+        };
+        let mut positions: Vec<DVec3> = (0..64).map(place).collect();
+        let cells = [std::array::from_fn(|k| k as u32)];
+        let free = [0, 21, 63, 42];
+        let table = lagrange_table(&PLACES);
+        for shape in [Shape::MeanRatio { epsilon: 0.3 }, Shape::Scaled { power: 2 }] {
+            let energy =
+                CubicEnergy { cells: &cells, free: &free, shape, wall: None, scale: 0.8, table: &table };
+            let (mut gradient, mut other) = (vec![DVec3::ZERO; 4], vec![DVec3::ZERO; 4]);
+            let mut scratch = vec![DVec3::ZERO; 64];
+            assert!(energy.value(&positions, &mut gradient, &mut scratch).is_finite());
+            for (k, &v) in free.iter().enumerate() {
+                for axis in 0..3 {
+                    let mut at = |shift: f64| {
+                        positions[v as usize][axis] += shift;
+                        let value = energy.value(&positions, &mut other, &mut scratch);
+                        positions[v as usize][axis] -= shift;
+                        value
+                    };
+                    let difference = (at(1e-6) - at(-1e-6)) / 2e-6;
+                    assert!(
+                        (difference - gradient[k][axis]).abs() < 1e-6 * (1.0 + difference.abs()),
+                        "{difference} {:?}",
+                        gradient[k]
+                    );
+                }
+            }
+        }
+    }
+}

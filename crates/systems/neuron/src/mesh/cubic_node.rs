@@ -1,0 +1,198 @@
+//! The mesh around a node with tricubic cells.
+
+use super::cubic_energy::{CubicEnergy, MANY_PLACES, PLACES, lagrange_table};
+use super::energy::Shape;
+use super::node::{Cluster, NodeMesh};
+use super::section::Section;
+use super::tube::Tube;
+use super::wall::Wall;
+use glam::DVec3;
+use pompeiu_volume::bernstein::interpolate_lattice;
+use pompeiu_volume::{
+    FACES, Jacobian, Refinement, certify_bezier, key_weights, place_of_64, scaled_jacobian_bezier,
+};
+
+/// The blocks of a node as tricubic cells.
+pub(super) struct CubicNode {
+    /// For each place of the lattices its key.
+    pub(super) refinement: Refinement,
+    /// Control points, in order of the keys.
+    pub(super) points: Vec<DVec3>,
+    /// The least scaled Jacobian of its cells.
+    pub(super) quality: f64,
+}
+
+/// Parts of each block of the trilinear mesh that this one starts from.
+pub(super) const START: usize = 2;
+
+/// Bends the cells of a node that was meshed with [`START`] parts to each block.
+pub(super) fn bend(
+    cluster: &Cluster,
+    tubes: &[Tube],
+    reach: &[f64],
+    node: &NodeMesh,
+    section: &Section,
+) -> CubicNode {
+    let wall = cluster.wall(tubes, reach);
+    let scale = (-wall.distance(cluster.centre).0).max(0.3 * cluster.radius);
+    let mut refinement = Refinement::new(3);
+    let mut start = node.refinement.clone();
+    let mut cells: Vec<[u32; 64]> = Vec::with_capacity(node.blocks.len());
+    let mut positions: Vec<DVec3> = Vec::new();
+    for block in &node.blocks {
+        let lattice = refinement.lattice(*block);
+        let coarse: Vec<DVec3> = start.lattice(*block).iter().map(|&v| node.positions[v as usize]).collect();
+        for (k, &number) in lattice.iter().enumerate() {
+            if number as usize >= positions.len() {
+                positions.resize(number as usize + 1, DVec3::ZERO);
+                positions[number as usize] = between(&coarse, place_of_64(k));
+            }
+        }
+        cells.push(std::array::from_fn(|k| lattice[k]));
+    }
+    let (fixed, on_wall) = boundary(cluster, tubes, node, &refinement, section, &cells, &mut positions);
+    let mut found = None;
+    for places in [PLACES.as_slice(), &MANY_PLACES] {
+        optimise(&cells, &fixed, &on_wall, &wall, scale, places, &mut positions);
+        let (points, quality, certified) = controlled(&cells, &positions);
+        if certified || found.is_none() {
+            found = Some((points, quality));
+        }
+        if certified {
+            break;
+        }
+    }
+    let (points, quality) = found.unwrap_or_default();
+    CubicNode { refinement, points, quality }
+}
+
+/// The control points, the least scaled Jacobian, and whether every cell is proven unfolded.
+fn controlled(cells: &[[u32; 64]], positions: &[DVec3]) -> (Vec<DVec3>, f64, bool) {
+    let (mut points, mut quality, mut certified) = (positions.to_vec(), f64::INFINITY, true);
+    for cell in cells {
+        let control = interpolate_lattice(&cell.map(|v| positions[v as usize]));
+        quality = quality.min(scaled_jacobian_bezier(&control));
+        certified &= certify_bezier(&control) == Jacobian::Positive;
+        for (&v, point) in cell.iter().zip(control) {
+            points[v as usize] = point;
+        }
+    }
+    (points, quality, certified)
+}
+
+/// The value at a place in thirds of what is trilinear between 27 places: interpolation of higher degree would fold more cells.
+fn between(coarse: &[DVec3], place: [usize; 3]) -> DVec3 {
+    const WEIGHTS: [[f64; 3]; 4] =
+        [[1.0, 0.0, 0.0], [1.0 / 3.0, 2.0 / 3.0, 0.0], [0.0, 2.0 / 3.0, 1.0 / 3.0], [0.0, 0.0, 1.0]];
+    let [a, b, c] = place.map(|i| WEIGHTS[i]);
+    coarse.iter().enumerate().map(|(n, p)| *p * (a[n % 3] * b[n / 3 % 3] * c[n / 9])).sum()
+}
+
+/// Places the sections at the ends of arms; gives which places are fixed, and those on the wall.
+fn boundary(
+    cluster: &Cluster,
+    tubes: &[Tube],
+    node: &NodeMesh,
+    refinement: &Refinement,
+    section: &Section,
+    cells: &[[u32; 64]],
+    positions: &mut [DVec3],
+) -> (Vec<bool>, Vec<u32>) {
+    let mut is_wall = vec![false; positions.len()];
+    let mut faces: Vec<([u32; 4], usize, usize)> = Vec::new();
+    for (index, block) in node.blocks.iter().enumerate() {
+        for (face, corners) in FACES.iter().enumerate() {
+            let mut key = corners.map(|k| block[k]);
+            key.sort_unstable();
+            faces.push((key, index, face));
+        }
+    }
+    faces.sort_unstable();
+    for run in faces.chunk_by(|a, b| a.0 == b.0).filter(|run| run.len() == 1) {
+        let (_, cell, face) = run[0];
+        let (axis, side, _) = pompeiu_volume::FACE_AXES[face];
+        for (k, &v) in cells[cell].iter().enumerate() {
+            if place_of_64(k)[axis] == 3 * side {
+                is_wall[v as usize] = true;
+            }
+        }
+    }
+    let mut fixed = vec![false; positions.len()];
+    for (end_section, end) in node.sections.iter().zip(&cluster.ends) {
+        let (at, radius) = end.at(tubes, end_section.at);
+        let axis = end.tangent(tubes, end_section.at);
+        let (e1, e2) = (end_section.side, axis.cross(end_section.side));
+        for (v, key) in refinement.keys().iter().enumerate() {
+            let (mut inner, mut outer, mut rest) = ([0.0; 4], [0.0; 4], 0.0);
+            for (corner, weight) in key_weights(key) {
+                let corner = corner as u32;
+                if let Some(k) = end_section.inner.iter().position(|&c| c == corner) {
+                    inner[k] = weight;
+                } else if let Some(k) = end_section.outer.iter().position(|&c| c == corner) {
+                    outer[k] = weight;
+                } else {
+                    rest += weight;
+                }
+            }
+            if rest == 0.0 {
+                let [x, y] = section.value(inner, outer);
+                positions[v] = at + (e1 * x + e2 * y) * radius;
+                fixed[v] = true;
+            }
+        }
+    }
+    let on_wall = (0..positions.len()).filter(|&v| is_wall[v] && !fixed[v]).map(|v| v as u32).collect();
+    (fixed, on_wall)
+}
+
+/// Moves the places to where the cells are best: first off folds, with the wall ever stricter, then for the least scaled Jacobian.
+fn optimise(
+    cells: &[[u32; 64]],
+    fixed: &[bool],
+    on_wall: &[u32],
+    wall: &Wall,
+    scale: f64,
+    places: &[f64],
+    positions: &mut [DVec3],
+) {
+    let free: Vec<u32> = (0..fixed.len() as u32).filter(|&v| !fixed[v as usize]).collect();
+    let mut is_wall = vec![false; fixed.len()];
+    for &v in on_wall {
+        is_wall[v as usize] = true;
+    }
+    let inner: Vec<u32> = free.iter().copied().filter(|&v| !is_wall[v as usize]).collect();
+    let project = |positions: &mut [DVec3]| {
+        for &v in on_wall {
+            positions[v as usize] = wall.project(positions[v as usize]);
+        }
+    };
+    project(positions);
+    let table = lagrange_table(places);
+    let shape = Shape::MeanRatio { epsilon: 0.02 };
+    let mut energy = CubicEnergy { cells, free: &free, shape, wall: None, scale, table: &table };
+    for (epsilon, weight) in [(0.02, 300.0), (0.002, 3000.0), (1e-4, 30_000.0)] {
+        energy.shape = Shape::MeanRatio { epsilon };
+        energy.wall = Some((wall, on_wall, weight));
+        energy.minimise(positions, 25);
+    }
+    project(positions);
+    if energy.quality(positions) <= 0.0 {
+        energy.wall = None;
+        energy.free = &inner;
+        energy.minimise(positions, 60);
+    }
+    energy.wall = Some((wall, on_wall, 1e5));
+    for power in [2, 4, 8] {
+        energy.shape = Shape::Scaled { power };
+        for moving in [&free, &inner] {
+            let before = positions.to_vec();
+            let was = energy.quality(positions);
+            energy.free = moving;
+            energy.minimise(positions, 25);
+            project(positions);
+            if energy.quality(positions) < was {
+                positions.copy_from_slice(&before);
+            }
+        }
+    }
+}
