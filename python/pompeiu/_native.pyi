@@ -167,7 +167,14 @@ def complexity(
 def polyline(points: int, seed: int, order: str) -> NDArray[np.float64]: ...
 def noisy_circle(radius: int, level: int, steps: int, seed: int) -> NDArray[np.float64]: ...
 def puzzle(
-    outline: Optional[Any], pieces: int, size: tuple[float, float], layout: str, tab: str, seed: int
+    outline: Optional[Any],
+    pieces: int,
+    size: tuple[float, float],
+    layout: str,
+    tab: str,
+    seed: int,
+    piece: Optional[_Options],
+    progress: Optional[Callable[[float], Optional[bool]]],
 ) -> tuple[list[NDArray[np.float64]], str, list[str]]: ...
 def flatten(
     mesh: Mesh, cutting: _Options, mapping: _Options, progress: Optional[Callable[[float], Optional[bool]]]

@@ -6,7 +6,7 @@ import json
 import os
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -35,7 +35,7 @@ class Puzzle:
     @property
     def is_locked(self) -> bool:
         """Whether no piece can move against another one, over all motions of all pieces at once."""
-        return self.report["locked"]
+        return len(self.report["clusters"]) == 1
 
     @property
     def clusters(self) -> List[List[int]]:
@@ -78,6 +78,15 @@ def puzzle(
     layout: str = "grid",
     tab: str = "knob",
     seed: int = 0,
+    piece: Optional[Any] = None,
+    method: str = "descent",
+    metric: str = "distance",
+    corners: bool = False,
+    feedback: bool = True,
+    mirrors: bool = True,
+    threads: Optional[int] = None,
+    time_limit: Optional[float] = None,
+    progress: Optional[Callable[[float], Optional[bool]]] = None,
 ) -> Puzzle:
     """Makes a jigsaw puzzle on a rectangle or within an outline, and tests whether it holds together.
 
@@ -95,6 +104,20 @@ def puzzle(
         ``"none"``, ``"knob"`` or ``"dovetail"``.
     seed : int
         The same seed gives the same puzzle on every machine.
+    piece : str or array of shape (n, 2), optional
+        Make pieces as like this shape as they can be, with as few tabs as hold the puzzle together: ``"square"``, ``"hexagon"``,
+        ``"classic"``, ``"corner"``, ``"fish"``, ``"bird"``, ``"star"``, or the corners of an outline. The layout is not used then.
+    method : str
+        How copies of the shape are placed: ``"descent"`` from lattices, or ``"lloyd"``.
+    metric, corners, feedback
+        For Lloyd's method: what counts where a ray meets the shape several times (``"distance"``, ``"least"``, ``"greatest"``); whether
+        to measure by corners instead of sides; whether copies turn as the registration on their regions says.
+    mirrors : bool
+        Whether copies may be mirrored.
+    threads, time_limit : optional
+        Limits on the placing of copies; the best pieces found by then are made.
+    progress : callable, optional
+        Called with the share of the placing that is done; ``False`` ends it.
 
     Raises
     ------
@@ -114,5 +137,18 @@ def puzzle(
         raise OptionError(f"size has {len(sides)} numbers; a width and a height are needed")
     if pieces < 0:
         raise OptionError(f"{pieces} pieces are asked for; there must be at least 2")
-    outlines, report, drawings = _native.puzzle(outline, pieces, sides, layout, tab, seed)
+    like = None
+    if piece is not None:
+        like = {
+            "name": piece if isinstance(piece, str) else "",
+            "points": None if isinstance(piece, str) else piece,
+            "method": method,
+            "metric": metric,
+            "corners": bool(corners),
+            "feedback": bool(feedback),
+            "mirrors": bool(mirrors),
+            "threads": threads,
+            "time_limit": time_limit,
+        }
+    outlines, report, drawings = _native.puzzle(outline, pieces, sides, layout, tab, seed, like, progress)
     return Puzzle(outlines, json.loads(report), tuple(drawings))

@@ -53,7 +53,7 @@ COMMANDS = {
         "complexity shapes missing.png",
         "complexity shapes --clusters 2 --against places.csv",
     ],
-    "puzzle": ["puzzle --pieces 9", "puzzle --pieces 12 --tab none --layout voronoi"],
+    "puzzle": ["puzzle --pieces 9", "puzzle --pieces 12 --tab none --layout voronoi", "puzzle --pieces 6 --piece square"],
     "flatten": [
         "flatten torus.ply.gz -o flat.glb",
         "flatten torus.ply.gz --boundary circle --weights uniform -o flat.svg",

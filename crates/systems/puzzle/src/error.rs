@@ -30,6 +30,14 @@ pub enum PuzzleError {
         /// About where it is.
         place: [f64; 2],
     },
+    /// A piece shape that crosses itself.
+    #[error("the piece shape crosses itself: side {} meets side {} near ({}, {})", sides[0], sides[1], place[0], place[1])]
+    PieceCrossing {
+        /// The sides, each named by the corner that it starts from.
+        sides: [usize; 2],
+        /// About where it is.
+        place: [f64; 2],
+    },
     /// Cells so narrow that the lattice cannot tell their corners apart.
     #[error(
         "the cells are too narrow for the lattice of corners: piece {piece} has no area; ask for fewer pieces"

@@ -133,27 +133,40 @@ impl Puzzle {
 }
 
 /// Douglas and Peucker's choice of corners (`douglas_algorithms_1973`).
-fn simplify(corners: &[Corner], distance: f64) -> Vec<Corner> {
-    let mut keep = vec![false; corners.len()];
-    let last = corners.len() - 1;
+pub(crate) fn simplify(corners: &[Corner], distance: f64) -> Vec<Corner> {
+    let points: Vec<Point> = corners.iter().map(|c| c.map(|x| x as f64)).collect();
+    corners.iter().zip(kept(&points, distance)).filter_map(|(corner, keep)| keep.then_some(*corner)).collect()
+}
+
+/// The same of points.
+pub(crate) fn simplify_points(points: &[Point], distance: f64) -> Vec<Point> {
+    points.iter().zip(kept(points, distance)).filter_map(|(point, keep)| keep.then_some(*point)).collect()
+}
+
+fn kept(points: &[Point], distance: f64) -> Vec<bool> {
+    let mut keep = vec![false; points.len()];
+    let last = points.len().saturating_sub(1);
+    if points.is_empty() {
+        return keep;
+    }
     keep[0] = true;
     keep[last] = true;
     let mut open = vec![(0, last)];
     while let Some((from, to)) = open.pop() {
-        let (a, b) = (corners[from], corners[to]);
-        let u = [b[0] - a[0], b[1] - a[1]].map(|x| x as f64);
+        let (a, b) = (points[from], points[to]);
+        let u = [b[0] - a[0], b[1] - a[1]];
         let norm_sq = u[0] * u[0] + u[1] * u[1];
-        let off = |c: Corner| {
-            let v = [c[0] - a[0], c[1] - a[1]].map(|x| x as f64);
+        let off = |c: Point| {
+            let v = [c[0] - a[0], c[1] - a[1]];
             let t = if norm_sq > 0.0 { ((u[0] * v[0] + u[1] * v[1]) / norm_sq).clamp(0.0, 1.0) } else { 0.0 };
             libm::hypot(v[0] - t * u[0], v[1] - t * u[1])
         };
-        let farthest = (from + 1..to).max_by(|i, j| off(corners[*i]).total_cmp(&off(corners[*j])));
-        if let Some(i) = farthest.filter(|i| off(corners[*i]) > distance) {
+        let farthest = (from + 1..to).max_by(|i, j| off(points[*i]).total_cmp(&off(points[*j])));
+        if let Some(i) = farthest.filter(|i| off(points[*i]) > distance) {
             keep[i] = true;
             open.push((from, i));
             open.push((i, to));
         }
     }
-    corners.iter().zip(keep).filter_map(|(corner, keep)| keep.then_some(*corner)).collect()
+    keep
 }

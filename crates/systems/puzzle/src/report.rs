@@ -1,6 +1,6 @@
 //! What is said of a puzzle.
 
-use crate::{Proof, Puzzle, lock};
+use crate::{Like, Proof, Puzzle, lock};
 use std::time::{Duration, Instant};
 
 /// What is said of a puzzle. Lengths are in the unit of its outline.
@@ -13,16 +13,21 @@ pub struct PuzzleReport {
     /// Clusters of pieces that cannot move against each other, each as a list of pieces.
     pub clusters: Vec<Vec<usize>>,
     /// Whether no piece can move against another one, over all motions at once.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub locked: bool,
     /// How that is known: `merging` and `one_moves` in integers, `multipliers` and `several_move` in double precision, `undecided`.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub proof: Proof,
     /// The greatest length tried below which all detail of the borders may be lost while the puzzle stays locked, relative to the root of
     /// the mean area of a piece; 0 where it holds only as it is drawn, `null` where it is not locked.
     pub depth: Option<f64>,
-    /// Borders between pieces that have no tab.
+    /// Borders between pieces that are straight.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub straight_borders: usize,
     /// Areas.
     pub area: AreaReport,
+    /// The energy of each step of placing pieces like a shape, see [`Like::energy`]; empty without a shape.
+    pub energy: Vec<f64>,
     /// Time spent on each part.
     #[cfg_attr(feature = "serde", serde(rename = "timing_ms"))]
     pub timing: Timing,
@@ -37,14 +42,27 @@ pub struct PieceReport {
     pub id: usize,
     /// Its area.
     pub area: f64,
-    /// Corners of its outline.
+    /// The number of corners of its outline; where they lie is in the drawings.
     pub outline_points: usize,
     /// The pieces that it shares a border with.
     pub neighbours: Vec<usize>,
+    /// How much it is like the shape that is asked for, at the best place found for that; `null` without a shape.
+    pub similarity: Option<Similarity>,
     /// Whether it stays where it is while all pieces may move: `locked` if it belongs to the largest cluster, else `free`.
     pub lock: &'static str,
     /// A motion that moves it: velocity at the origin and angular velocity. Empty where none is known.
     pub escape: Vec<f64>,
+}
+
+/// How much a piece is like the shape that is asked for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Similarity {
+    /// The area that piece and shape have in common over the area of what either has.
+    pub iou: f64,
+    /// The Pompeiu–Hausdorff distance of their curves.
+    pub hausdorff: f64,
 }
 
 /// Areas, in the unit of the outline squared.
@@ -57,6 +75,7 @@ pub struct AreaReport {
     /// The area of the outline.
     pub outline: f64,
     /// Whether both are equal, in integers.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub is_exact: bool,
 }
 
@@ -65,6 +84,10 @@ pub struct AreaReport {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Timing {
+    /// Making the pieces.
+    #[cfg_attr(feature = "serde", serde(serialize_with = "pompeiu_core::run::as_milliseconds::serialize"))]
+    #[cfg_attr(feature = "schema", schemars(with = "f64"))]
+    pub make: Duration,
     /// The test of what can move.
     #[cfg_attr(feature = "serde", serde(serialize_with = "pompeiu_core::run::as_milliseconds::serialize"))]
     #[cfg_attr(feature = "schema", schemars(with = "f64"))]
@@ -73,10 +96,24 @@ pub struct Timing {
     #[cfg_attr(feature = "serde", serde(serialize_with = "pompeiu_core::run::as_milliseconds::serialize"))]
     #[cfg_attr(feature = "schema", schemars(with = "f64"))]
     pub depth: Duration,
+    /// All of it.
+    #[cfg_attr(feature = "serde", serde(serialize_with = "pompeiu_core::run::as_milliseconds::serialize"))]
+    #[cfg_attr(feature = "schema", schemars(with = "f64"))]
+    pub total: Duration,
 }
 
 /// Depths that are tried, over the root of the mean area of a piece.
 const DEPTHS: [f64; 7] = [0.005, 0.01, 0.02, 0.03, 0.05, 0.08, 0.12];
+
+/// Tests a puzzle of pieces like a shape and says all of it.
+pub fn report_like(like: &Like) -> PuzzleReport {
+    let mut report = report(&like.puzzle);
+    for (piece, fit) in report.pieces.iter_mut().zip(&like.fits) {
+        piece.similarity = fit.map(|fit| Similarity { iou: fit.iou, hausdorff: fit.hausdorff });
+    }
+    report.energy.clone_from(&like.energy);
+    report
+}
 
 /// Tests a puzzle and says all of it.
 pub fn report(puzzle: &Puzzle) -> PuzzleReport {
@@ -89,6 +126,7 @@ pub fn report(puzzle: &Puzzle) -> PuzzleReport {
         DEPTHS.iter().take_while(holds).last().copied().unwrap_or(0.0)
     });
     timing.depth = started.elapsed();
+    timing.total = timing.lock + timing.depth;
     let mut clusters = vec![Vec::new(); found.count];
     for (piece, cluster) in found.clusters.iter().enumerate() {
         clusters[*cluster].push(piece);
@@ -103,6 +141,7 @@ pub fn report(puzzle: &Puzzle) -> PuzzleReport {
         area: puzzle.area(piece),
         outline_points: puzzle.corners(piece).len(),
         neighbours: puzzle.neighbours(piece),
+        similarity: None,
         lock: if found.is_locked() || (found.clusters[piece] == largest && clusters[largest].len() > 1) {
             "locked"
         } else {
@@ -127,6 +166,7 @@ pub fn report(puzzle: &Puzzle) -> PuzzleReport {
         depth,
         straight_borders,
         area,
+        energy: Vec::new(),
         timing,
     }
 }

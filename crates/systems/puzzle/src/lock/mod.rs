@@ -168,12 +168,23 @@ fn shared_borders(puzzle: &Puzzle, clusters: &[usize]) -> BTreeMap<[usize; 2], V
 /// The rows of a border, of the motion of the piece on its left against the one on its right, about an origin: for a segment from p to q both
 /// ends must not move into the right side.
 fn rows(puzzle: &Puzzle, border: usize, origin: [i64; 2]) -> impl Iterator<Item = Row> + '_ {
+    rows_of(&puzzle.borders[border].corners, origin)
+}
+
+fn rows_of(corners: &[[i64; 2]], origin: [i64; 2]) -> impl Iterator<Item = Row> + '_ {
     let at = move |c: [i64; 2]| [0, 1].map(|k| i128::from(c[k] - origin[k]));
-    puzzle.borders[border].corners.windows(2).flat_map(move |pair| {
+    corners.windows(2).flat_map(move |pair| {
         let (p, q) = (at(pair[0]), at(pair[1]));
         let e = [q[0] - p[0], q[1] - p[1]];
         [p, q].map(|c| [-e[1], e[0], e[0] * c[0] + e[1] * c[1]])
     })
+}
+
+/// Whether a border by itself holds the two pieces on its sides against each other, exactly.
+pub(crate) fn holds(corners: &[[i64; 2]]) -> bool {
+    let mut cone = Cone::default();
+    cone.extend(rows_of(corners, corners[0]));
+    cone.motion().is_none()
 }
 
 /// A motion of the first of two clusters against the second; none where they hold each other.

@@ -16,7 +16,8 @@ const SLIVER: f64 = 0.3;
 /// # Errors
 /// [`PuzzleError::Narrow`] where a border passes through a corner of the outline, or parts are too narrow for the lattice: other sites may do.
 pub(super) fn within(cells: &Puzzle, outline: &[Corner]) -> Result<Puzzle, PuzzleError> {
-    let mut graph = Graph::of(cells, outline)?;
+    let inner = cells.borders.iter().filter(|border| border.right.is_some());
+    let mut graph = Graph::of(inner.map(|border| [border.corners[0], border.corners[1]]), outline)?;
     let mut faces = graph.faces()?;
     loop {
         let mean = faces.iter().map(|face| face.doubled as f64).sum::<f64>() / faces.len() as f64;
@@ -27,7 +28,30 @@ pub(super) fn within(cells: &Puzzle, outline: &[Corner]) -> Result<Puzzle, Puzzl
         }
         faces = graph.faces()?;
     }
-    Ok(graph.puzzle(&faces, cells))
+    Ok(graph.puzzle(&faces, cells.step, cells.size))
+}
+
+/// The faces of segments within an outline, as a puzzle of at most so many pieces: the smallest ones become part of neighbours.
+///
+/// # Errors
+/// As [`within`].
+pub(crate) fn faces_within(
+    segments: &[[Corner; 2]],
+    outline: &[Corner],
+    most: usize,
+    step: f64,
+    size: [i64; 2],
+) -> Result<Puzzle, PuzzleError> {
+    let mut graph = Graph::of(segments.iter().copied(), outline)?;
+    let mut faces = graph.faces()?;
+    while faces.len() > most {
+        let smallest = (0..faces.len()).min_by_key(|f| faces[*f].doubled).unwrap_or(0);
+        if !graph.open(&faces, smallest) {
+            break;
+        }
+        faces = graph.faces()?;
+    }
+    Ok(graph.puzzle(&faces, step, size))
 }
 
 /// Edges between corners; half-edge 2e runs from the first to the second end of edge e, 2e + 1 back.
@@ -53,18 +77,21 @@ fn minus(a: Corner, b: Corner) -> Corner {
 }
 
 impl Graph {
-    fn of(cells: &Puzzle, outline: &[Corner]) -> Result<Self, PuzzleError> {
+    fn of(segments: impl Iterator<Item = [Corner; 2]>, outline: &[Corner]) -> Result<Self, PuzzleError> {
         let degenerate = PuzzleError::Narrow { piece: 0 };
         let as_points = outline.iter().map(|c| c.map(|x| x as f64)).collect();
         let polygon = Outline::new(as_points).map_err(|_| degenerate.clone())?;
         let n = outline.len();
         let mut edges: Vec<[Corner; 2]> = Vec::new();
         let mut on_sides: Vec<Vec<(f64, Corner)>> = vec![Vec::new(); n];
-        for border in cells.borders.iter().filter(|border| border.right.is_some()) {
-            let [a, b] = [border.corners[0], border.corners[1]];
+        for [a, b] in segments {
             let mut places: Vec<(f64, Corner)> = Vec::new();
             for (i, side) in on_sides.iter_mut().enumerate() {
                 let [c, d] = [outline[i], outline[(i + 1) % n]];
+                let is_apart = |k: usize| a[k].max(b[k]) < c[k].min(d[k]) || c[k].max(d[k]) < a[k].min(b[k]);
+                if is_apart(0) || is_apart(1) {
+                    continue;
+                }
                 let (u, v) = (minus(b, a), minus(d, c));
                 let turns = [
                     cross(u, minus(c, a)),
@@ -209,7 +236,7 @@ impl Graph {
     }
 
     /// The faces as pieces, edges between the same two joined to borders.
-    fn puzzle(&self, faces: &[Face], cells: &Puzzle) -> Puzzle {
+    fn puzzle(&self, faces: &[Face], step: f64, size: [i64; 2]) -> Puzzle {
         let owner = self.owners(faces);
         let mut borders: Vec<Border> = Vec::new();
         let mut border_of = vec![usize::MAX; self.edges.len()];
@@ -241,7 +268,7 @@ impl Graph {
             }
             loops.push(pieces);
         }
-        Puzzle { borders, loops, step: cells.step, size: cells.size, doubled_outline: self.doubled }
+        Puzzle { borders, loops, step, size, doubled_outline: self.doubled }
     }
 
     /// Whether a border cannot go on from the last one of a piece: it was made by another piece.

@@ -3,6 +3,10 @@
 mod cells;
 mod clip;
 mod tabs;
+mod tree;
+
+pub(crate) use clip::faces_within;
+pub(crate) use tree::lock_by_tabs;
 
 use crate::puzzle::Corner;
 use crate::{Puzzle, PuzzleError};
@@ -88,21 +92,7 @@ const ROUNDS: usize = 12;
 /// # Errors
 /// [`PuzzleError`] for sizes and numbers out of range.
 pub fn make(options: &PuzzleOptions) -> Result<Puzzle, PuzzleError> {
-    let [width, height] = options.size;
-    for (what, value) in [("width", width), ("height", height)] {
-        if !(value > 1e-100 && value < 1e100) {
-            let expected = "it must be a positive number, not beyond 1e100";
-            return Err(PuzzleError::Option { what, value, expected });
-        }
-    }
-    let aspect = (width / height).max(height / width);
-    if aspect > MOST_ASPECT {
-        let expected = "the longer side may be at most 100 times the shorter one";
-        return Err(PuzzleError::Option { what: "ratio of the sides", value: aspect, expected });
-    }
-    if !(2..=MOST_PIECES).contains(&options.pieces) {
-        return Err(PuzzleError::Pieces { found: options.pieces, most: MOST_PIECES });
-    }
+    options.check()?;
     let mut random = Random::new(options.seed);
     let mut puzzle = match &options.outline {
         None => rectangle(options, &mut random)?,
@@ -112,6 +102,30 @@ pub fn make(options: &PuzzleOptions) -> Result<Puzzle, PuzzleError> {
         tabs::add(&mut puzzle, options.tab, &mut random);
     }
     Ok(puzzle)
+}
+
+impl PuzzleOptions {
+    pub(crate) fn check(&self) -> Result<(), PuzzleError> {
+        let [width, height] = self.size;
+        for (what, value) in [("width", width), ("height", height)] {
+            if !(value > 1e-100 && value < 1e100) {
+                let expected = "it must be a positive number, not beyond 1e100";
+                return Err(PuzzleError::Option { what, value, expected });
+            }
+        }
+        let aspect = (width / height).max(height / width);
+        if aspect > MOST_ASPECT {
+            let expected = "the longer side may be at most 100 times the shorter one";
+            return Err(PuzzleError::Option { what: "ratio of the sides", value: aspect, expected });
+        }
+        if !(2..=MOST_PIECES).contains(&self.pieces) {
+            return Err(PuzzleError::Pieces { found: self.pieces, most: MOST_PIECES });
+        }
+        if let Some(crossing) = self.outline.as_ref().and_then(first_crossing) {
+            return Err(PuzzleError::Crossing { sides: crossing.sides, place: crossing.place });
+        }
+        Ok(())
+    }
 }
 
 fn rectangle(options: &PuzzleOptions, random: &mut Random) -> Result<Puzzle, PuzzleError> {
@@ -143,9 +157,6 @@ const TRIES: usize = 12;
 const MOVE: f64 = 1e-3;
 
 fn shaped(options: &PuzzleOptions, outline: &Outline, random: &mut Random) -> Result<Puzzle, PuzzleError> {
-    if let Some(crossing) = first_crossing(outline) {
-        return Err(PuzzleError::Crossing { sides: crossing.sides, place: crossing.place });
-    }
     let [low, high] = outline.bounds();
     let scale =
         [0, 1].map(|k| options.size[k] / (high[k] - low[k])).into_iter().fold(f64::INFINITY, f64::min);
@@ -211,7 +222,7 @@ fn cut(
 }
 
 /// The step of the lattice: of a thousand about as fine as there may be the one of which both sides are nearest to multiples.
-fn step([width, height]: [f64; 2]) -> f64 {
+pub(crate) fn step([width, height]: [f64; 2]) -> f64 {
     let (long, short) = (width.max(height), width.min(height));
     let off = |k: u32| {
         let steps = short / long * (STEPS - f64::from(k));

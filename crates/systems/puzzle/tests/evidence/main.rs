@@ -2,6 +2,8 @@
 
 #![allow(clippy::unwrap_used, reason = "tests may panic")]
 
+mod like;
+
 use pompeiu_planar::svg;
 use pompeiu_planar::{Outline, Point, first_crossing};
 use pompeiu_puzzle::{

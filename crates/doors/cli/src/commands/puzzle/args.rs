@@ -1,7 +1,8 @@
 //! Options of the puzzle command.
 
+use crate::args::Limits;
 use clap::{Args, ValueEnum};
-use pompeiu::puzzle::{Layout, Tab};
+use pompeiu::puzzle::{Answer, Layout, Method, Tab, Variant};
 use std::path::PathBuf;
 
 /// Make a jigsaw puzzle, and say whether it holds together
@@ -10,8 +11,12 @@ use std::path::PathBuf;
 Pieces tile a rectangle or an outline exactly: corners lie on a lattice of integers, and each border is made once for both of its pieces. Whether any
 pieces can move against each other is decided over all motions of all pieces at once. The exit code is 0 whether they can or not.
 
-Within an outline the number of pieces only comes near to what is asked for: parts of cells that are too small become part of a
-neighbour.
+With --piece, pieces become as like a shape as they can be, and as few borders get a tab as hold the puzzle together. Without it, each
+border gets one; within an outline the number of pieces then only comes near to what is asked for, for parts of cells that are too
+small become part of a neighbour.
+
+Shapes for --piece: square, hexagon, classic (knobs on opposite sides), corner (knobs on sides that meet), fish, bird, star, or a file:
+a picture (its largest part), a drawing or a list of points.
 
 Outputs, by suffix:
   .svg   one closed path for each piece
@@ -20,8 +25,11 @@ Outputs, by suffix:
 Examples:
   pompeiu puzzle --pieces 48 --size 300,200 -o pieces.svg --cuts laser.svg
   pompeiu puzzle --layout voronoi --tab dovetail --seed 7 --report puzzle.html
+  pompeiu puzzle --piece bird -n 24 -o birds.svg --report birds.html
+  pompeiu puzzle --piece fish.png --outline lake.svg --tab dovetail --cuts laser.dxf
   pompeiu puzzle --outline cat.png --layout voronoi -n 40 -o cat.svg
   pompeiu puzzle --layout hexagons --tab none --json")]
+#[allow(clippy::struct_excessive_bools, reason = "each one is a switch of the command")]
 pub(crate) struct Puzzle {
     /// Number of pieces
     #[arg(long, short = 'n', default_value = "24", value_name = "N")]
@@ -32,6 +40,24 @@ pub(crate) struct Puzzle {
     /// Width and height, in millimetres for drawings; an outline is scaled to fit into that
     #[arg(long, value_parser = crate::numbers::tuple::<2>, default_value = "300,200", value_name = "WIDTH,HEIGHT")]
     pub(crate) size: [f64; 2],
+    /// Make pieces like a shape: a name or a file
+    #[arg(long, value_name = "SHAPE", conflicts_with = "layout")]
+    pub(crate) piece: Option<String>,
+    /// How copies of the shape are placed
+    #[arg(long, value_enum, default_value_t, requires = "piece")]
+    pub(crate) method: MethodName,
+    /// Lloyd's method: what counts where a ray from the site meets the shape several times
+    #[arg(long, value_enum, default_value_t, requires = "piece")]
+    pub(crate) metric: MetricName,
+    /// Lloyd's method: measure by the shape's corners instead of its sides
+    #[arg(long, requires = "piece")]
+    pub(crate) corners: bool,
+    /// Lloyd's method: never turn copies as the registration of the shape on their regions says
+    #[arg(long, requires = "piece")]
+    pub(crate) no_feedback: bool,
+    /// Mirror no copy of the shape
+    #[arg(long, requires = "piece")]
+    pub(crate) no_mirrors: bool,
     /// What pieces are before they get tabs
     #[arg(long, value_enum, default_value_t)]
     pub(crate) layout: LayoutName,
@@ -56,6 +82,46 @@ pub(crate) struct Puzzle {
     /// Print one JSON object
     #[arg(long)]
     pub(crate) json: bool,
+    #[command(flatten)]
+    pub(crate) limits: Limits,
+}
+
+impl Puzzle {
+    /// How copies of the shape are placed.
+    pub(crate) fn method(&self) -> Method {
+        match self.method {
+            MethodName::Descent => Method::Descent,
+            MethodName::Lloyd => Method::Lloyd {
+                answer: match self.metric {
+                    MetricName::Distance => Answer::SignedDistance,
+                    MetricName::Least => Answer::Least,
+                    MetricName::Greatest => Answer::Greatest,
+                },
+                variant: if self.corners { Variant::Points } else { Variant::Edges },
+                feedback: !self.no_feedback,
+            },
+        }
+    }
+}
+
+#[derive(Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum MethodName {
+    /// From lattices, by a descent whose energy never rises, and hops
+    #[default]
+    Descent,
+    /// Lloyd's method with the shape-matching metric
+    Lloyd,
+}
+
+#[derive(Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum MetricName {
+    /// No ray: the distance to the shape, negative inside
+    #[default]
+    Distance,
+    /// The outermost meeting: the least factor by which the shape must grow
+    Least,
+    /// The innermost meeting: the greatest factor
+    Greatest,
 }
 
 #[derive(Clone, Copy, Default, PartialEq, Eq, ValueEnum)]

@@ -43,6 +43,7 @@ pub(super) fn text(outcome: &Outcome) -> String {
         "pieces",
         &format!("{} in {} clusters", number(report.pieces.len()), number(report.clusters.len())),
     );
+    likeness(&mut page, outcome);
     let exact = if report.area.is_exact { "equal in integers" } else { "not equal" };
     page.row(
         "areas",
@@ -54,6 +55,36 @@ pub(super) fn text(outcome: &Outcome) -> String {
             &format!("{} borders between pieces have no tab", number(report.straight_borders)),
         );
     }
-    page.row("time", &format!("lock {}, total {}", time(report.timing.lock), time(outcome.total)));
+    page.row("time", &format!("lock {}, total {}", time(report.timing.lock), time(report.timing.total)));
     page.into_text()
+}
+
+/// How much pieces are like the shape: all, those inside, those at the outline.
+fn likeness(page: &mut Page, outcome: &Outcome) {
+    let at_outline: Vec<usize> = outcome
+        .puzzle
+        .borders()
+        .iter()
+        .filter(|border| border.right.is_none())
+        .map(|border| border.left)
+        .collect();
+    let of = |which: &dyn Fn(usize) -> bool| -> Option<[f64; 2]> {
+        let found: Vec<_> =
+            outcome.report.pieces.iter().filter(|p| which(p.id)).filter_map(|p| p.similarity).collect();
+        let n = found.len() as f64;
+        let unit = outcome.puzzle.unit();
+        let sums = found.iter().fold([0.0; 2], |s, f| [s[0] + f.iou, s[1] + f.hausdorff / unit]);
+        (n > 0.0).then(|| sums.map(|sum| sum / n))
+    };
+    let Some([iou, hausdorff]) = of(&|_| true) else { return };
+    let part = |name: &str, which: &dyn Fn(usize) -> bool| {
+        of(which).map_or_else(String::new, |[iou, _]| format!(", {name} {iou:.3}"))
+    };
+    let inside = part("inside", &|id| !at_outline.contains(&id));
+    let outer = part("at the outline", &|id| at_outline.contains(&id));
+    page.row("likeness", &format!("mean overlap {iou:.3}{inside}{outer}"));
+    page.row("", &format!("mean Hausdorff distance {hausdorff:.2} of a piece's side"));
+    if let Some(stop) = outcome.stop {
+        page.row("stopped", &format!("{}: the best pieces found by then", crate::exit::stopped_by(stop)));
+    }
 }

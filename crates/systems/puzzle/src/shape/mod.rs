@@ -1,0 +1,215 @@
+//! Pieces that are as near to a given shape as they can be.
+
+mod classics;
+mod cover;
+mod descend;
+mod fit;
+mod gauge;
+mod lloyd;
+mod map;
+mod place;
+mod pose;
+mod regions;
+mod register;
+mod smooth;
+mod target;
+mod torus;
+
+pub use classics::PieceName;
+pub use fit::Fit;
+pub use gauge::{Answer, Variant, gauge, meetings};
+pub use map::Map;
+pub use pose::Pose;
+pub use register::{Registered, register};
+pub use target::PieceShape;
+
+use crate::make::{faces_within, lock_by_tabs, step};
+use crate::puzzle::Corner;
+use crate::{Puzzle, PuzzleError, PuzzleOptions};
+use place::Placed;
+use pompeiu_core::run::{Control, Limits, Progress, ProgressObserver, StopReason};
+use pompeiu_planar::{Outline, Point, first_crossing};
+use target::Target;
+
+/// How copies of the shape are placed.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Method {
+    /// From the best lattices of the plane by a descent whose energy never rises, and by hops.
+    #[default]
+    Descent,
+    /// Lloyd's method with the shape-matching metric, from random sites.
+    Lloyd {
+        /// What the metric is where a ray meets the shape several times.
+        answer: Answer,
+        /// What of the shape must meet a point.
+        variant: Variant,
+        /// Whether copies are turned as the registration of the shape on their regions says.
+        feedback: bool,
+    },
+}
+
+/// What pieces shall be like.
+#[derive(Clone)]
+pub struct LikeOptions<'o> {
+    /// The shape.
+    pub shape: PieceShape,
+    /// How copies of it are placed.
+    pub method: Method,
+    /// Whether copies may be mirrored.
+    pub mirrors: bool,
+    /// Limits. Where time ends, the best pieces found by then are made.
+    pub limits: Limits,
+    /// Watches, and may cancel.
+    pub progress: Option<&'o dyn ProgressObserver>,
+}
+
+impl Default for LikeOptions<'_> {
+    fn default() -> Self {
+        Self {
+            shape: PieceShape::Built(PieceName::Classic),
+            method: Method::default(),
+            mirrors: true,
+            limits: Limits::default(),
+            progress: None,
+        }
+    }
+}
+
+/// A puzzle whose pieces are like a shape.
+#[derive(Clone, Debug)]
+pub struct Like {
+    /// The puzzle.
+    pub puzzle: Puzzle,
+    /// For each piece the shape at its best place.
+    pub fits: Vec<Option<Fit>>,
+    /// The energy of each step that was taken. With the descent: the mean over the outline of how far a point lies from the nearest copy, a
+    /// hinge of the distance whose width falls from 0.3 to 0.03 of a piece's side; it never rises. With Lloyd's method: the mean of the
+    /// metric, which can rise.
+    pub energy: Vec<f64>,
+    /// Why the placing ended before it was done.
+    pub stop: Option<StopReason>,
+}
+
+/// Values in a row of a map.
+const MAP: usize = 200;
+
+/// Moves of all borders that are tried where a border passes through a corner of the outline.
+const TRIES: i64 = 8;
+
+/// Makes a puzzle with pieces as near to a shape as they can be; the layout of the options is not used.
+///
+/// # Definition
+/// Copies of the shape, each of the mean area of a piece, are placed so that little of the outline is uncovered; a piece is what is nearest
+/// to its copy, by the signed distance. Borders are drawn once and smoothed, and as few of them get a tab as hold the puzzle together.
+///
+/// # Errors
+/// [`PuzzleError`] for sizes and numbers out of range, and an outline or a shape that crosses itself.
+///
+/// # Cost
+/// A few seconds for 24 pieces; the number of pieces times 300 points for each step of the descent.
+pub fn make_like(options: &PuzzleOptions, like: &LikeOptions) -> Result<Like, PuzzleError> {
+    options.check()?;
+    let target = Target::new(&like.shape.outline()?);
+    let control = Control::start(&like.limits);
+    let tell = |share: f64| {
+        let progress = Progress { doing: "placing pieces", share: Some(share) };
+        if like.progress.is_some_and(|observer| observer.progress(&progress).is_break()) {
+            control.stop(StopReason::Cancelled);
+        }
+    };
+    let frame = Frame::new(options)?;
+    let (answer, variant) = match like.method {
+        Method::Descent => (Answer::SignedDistance, Variant::Edges),
+        Method::Lloyd { answer, variant, .. } => (answer, variant),
+    };
+    let map = Map::new(&target.outline, answer, variant, MAP);
+    tell(0.0);
+    let Placed { poses, energy } = match like.method {
+        Method::Descent => {
+            place::place(&map, &frame.outline, options.pieces, like.mirrors, options.seed, &control, &tell)
+        }
+        Method::Lloyd { feedback, .. } => lloyd::lloyd(
+            &map,
+            &target.outline,
+            &frame.outline,
+            options.pieces,
+            feedback.then_some(like.mirrors),
+            options.seed,
+            &control,
+        ),
+    };
+    tell(0.9);
+    let mut puzzle = frame.puzzle(&map, &poses, options.pieces)?;
+    smooth::smooth(&mut puzzle);
+    let in_unit: Vec<Pose> = poses
+        .iter()
+        .map(|pose| Pose { place: pose.place.map(|x| x * frame.unit * frame.step), ..*pose })
+        .collect();
+    let before = fit::fits(&puzzle, &target, &in_unit);
+    let shapes: Vec<Option<Outline>> = before
+        .iter()
+        .map(|fit| fit.and_then(|fit| fit.pose.apply(&target.outline, fit.scale).ok()))
+        .collect();
+    lock_by_tabs(&mut puzzle, options.tab, &|piece, p| {
+        shapes[piece].as_ref().is_some_and(|shape| shape.contains(p))
+    });
+    let placed: Vec<Pose> = before.iter().flatten().map(|fit| fit.pose).collect();
+    let fits = fit::fits(&puzzle, &target, &placed);
+    tell(1.0);
+    Ok(Like { puzzle, fits, energy, stop: control.reason() })
+}
+
+/// The outline on the lattice, and in units of a piece's side.
+struct Frame {
+    step: f64,
+    size: [i64; 2],
+    corners: Vec<Corner>,
+    /// The mean side of a piece, in steps.
+    unit: f64,
+    outline: Outline,
+}
+
+impl Frame {
+    fn new(options: &PuzzleOptions) -> Result<Self, PuzzleError> {
+        let too_narrow = |_| PuzzleError::Narrow { piece: 0 };
+        let rectangle = |[w, h]: [f64; 2]| vec![[0.0, 0.0], [w, 0.0], [w, h], [0.0, h]];
+        let given = match &options.outline {
+            Some(outline) => outline.clone(),
+            None => Outline::new(rectangle(options.size)).map_err(too_narrow)?,
+        };
+        let [low, high] = given.bounds();
+        let scale = [0, 1].map(|k| options.size[k] / (high[k] - low[k]));
+        let scale = scale[0].min(scale[1]);
+        let extent = [0, 1].map(|k| scale * (high[k] - low[k]));
+        let step = step(extent);
+        let on_lattice = |p: Point| [0, 1].map(|k| (scale * (p[k] - low[k]) / step).round());
+        // Corners that the lattice cannot tell apart become one.
+        let rounded = given.map(on_lattice).map_err(too_narrow)?;
+        if let Some(crossing) = first_crossing(&rounded) {
+            return Err(PuzzleError::Crossing { sides: crossing.sides, place: crossing.place });
+        }
+        let corners = rounded.points().iter().map(|p| p.map(|x| x as i64)).collect();
+        let size = extent.map(|side| (side / step).round() as i64);
+        let unit = (rounded.area() / options.pieces as f64).sqrt();
+        let outline = rounded.map(|p| p.map(|x| x / unit)).map_err(too_narrow)?;
+        Ok(Self { step, size, corners, unit, outline })
+    }
+
+    /// The regions of copies as pieces.
+    fn puzzle(&self, map: &Map, poses: &[Pose], most: usize) -> Result<Puzzle, PuzzleError> {
+        let borders = regions::borders(map, poses, &self.outline);
+        let mut found = Err(PuzzleError::Narrow { piece: 0 });
+        for i in 0..TRIES {
+            // Where a border passes through a corner of the outline, all borders move by a step.
+            let shift = [i % 3, i / 3];
+            let on_lattice = |p: Point| [0, 1].map(|k| (p[k] * self.unit).round() as i64 + shift[k]);
+            let segments: Vec<[Corner; 2]> =
+                borders.iter().map(|ends| ends.map(on_lattice)).filter(|[a, b]| a != b).collect();
+            found = faces_within(&segments, &self.corners, most, self.step, self.size);
+            if found.is_ok() {
+                break;
+            }
+        }
+        found
+    }
+}

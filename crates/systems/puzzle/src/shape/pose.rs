@@ -1,0 +1,72 @@
+//! Where a copy of a shape lies.
+
+use super::map::Map;
+use pompeiu_planar::{Outline, OutlineError, Point};
+
+/// Where a copy of the shape lies: mirrored or not, then turned, then moved.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pose {
+    /// Where its centroid lies.
+    pub place: Point,
+    /// By how much it is turned, in radians.
+    pub angle: f64,
+    /// Whether its first coordinate is negated before that.
+    pub is_mirrored: bool,
+}
+
+impl Pose {
+    pub(super) fn turn(&self) -> Turned {
+        let (sine, cosine) = libm::sincos(self.angle);
+        Turned { place: self.place, cosine, sine, hand: if self.is_mirrored { -1.0 } else { 1.0 } }
+    }
+
+    /// The shape at this place, times a scale.
+    pub(crate) fn apply(&self, shape: &Outline, scale: f64) -> Result<Outline, OutlineError> {
+        let turned = self.turn();
+        shape.map(|p| turned.to_place(p.map(|x| scale * x)))
+    }
+}
+
+/// A pose with its sine and cosine.
+#[derive(Clone, Copy)]
+pub(super) struct Turned {
+    pub(super) place: Point,
+    pub(super) cosine: f64,
+    pub(super) sine: f64,
+    pub(super) hand: f64,
+}
+
+impl Turned {
+    /// The point of the shape that lies at p.
+    #[inline]
+    pub(super) fn to_shape(self, p: Point) -> Point {
+        let [x, y] = self.turned_back(p);
+        [self.hand * x, y]
+    }
+
+    #[inline]
+    fn turned_back(self, p: Point) -> Point {
+        let [x, y] = [p[0] - self.place[0], p[1] - self.place[1]];
+        [self.cosine * x + self.sine * y, self.cosine * y - self.sine * x]
+    }
+
+    fn to_place(self, [x, y]: Point) -> Point {
+        let x = self.hand * x;
+        [self.place[0] + self.cosine * x - self.sine * y, self.place[1] + self.sine * x + self.cosine * y]
+    }
+
+    /// A vector of the shape as one of the plane.
+    #[inline]
+    pub(super) fn vector(self, [x, y]: Point) -> Point {
+        let x = self.hand * x;
+        [self.cosine * x - self.sine * y, self.sine * x + self.cosine * y]
+    }
+
+    /// The value of a map at p, with its derivatives by place and angle.
+    pub(super) fn with_gradient(self, map: &Map, p: Point) -> (f64, [f64; 3]) {
+        let [x, y] = self.turned_back(p);
+        let (value, g) = map.with_gradient([self.hand * x, y]);
+        let [u, v] = self.vector(g);
+        (value, [-u, -v, g[0] * self.hand * y - g[1] * x])
+    }
+}

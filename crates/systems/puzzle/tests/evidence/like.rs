@@ -1,0 +1,99 @@
+//! Pieces like a shape: how like they are, that they tile exactly, and what Lloyd's method does.
+
+use pompeiu_planar::{Outline, first_crossing};
+use pompeiu_puzzle::{
+    Answer, Like, LikeOptions, Method, PieceName, PieceShape, PuzzleOptions, Tab, Variant, lock, make_like,
+    report_like,
+};
+
+pub(super) fn like(shape: PieceName, pieces: usize, tab: Tab, seed: u64) -> Like {
+    let options = PuzzleOptions { pieces, tab, seed, ..PuzzleOptions::default() };
+    make_like(&options, &LikeOptions { shape: PieceShape::Built(shape), ..LikeOptions::default() }).unwrap()
+}
+
+pub(super) fn mean_iou(like: &Like) -> f64 {
+    let fits: Vec<f64> = like.fits.iter().flatten().map(|fit| fit.iou).collect();
+    fits.iter().sum::<f64>() / fits.len() as f64
+}
+
+/// The likeness of each built-in shape, for people: `POMPEIU_SHAPES=bird,star cargo test -p pompeiu-puzzle -- table --ignored --nocapture`.
+#[test]
+#[ignore = "a table, for people"]
+fn table() {
+    let wanted = std::env::var("POMPEIU_SHAPES").unwrap_or_default();
+    for shape in PieceName::ALL.into_iter().filter(|s| wanted.is_empty() || wanted.contains(s.name())) {
+        for seed in 0..1 {
+            let started = std::time::Instant::now();
+            let plain = like(shape, 24, Tab::None, seed);
+            let took = started.elapsed().as_secs_f64();
+            let held = like(shape, 24, Tab::Knob, seed);
+            println!(
+                "{:8} {seed}: {:.3} tabs {:.3} energy {:.4} pieces {} locked {} in {took:.1} s",
+                shape.name(),
+                mean_iou(&plain),
+                mean_iou(&held),
+                plain.energy.last().unwrap(),
+                plain.puzzle.pieces(),
+                lock(&held.puzzle).is_locked(),
+            );
+        }
+    }
+}
+
+#[test]
+fn pieces_are_like_the_shape_and_tile_exactly() {
+    let made = like(PieceName::Square, 6, Tab::Dovetail, 1);
+    assert!(made.energy.windows(2).all(|pair| pair[1] < pair[0]), "the energy rises");
+    assert_eq!(made.puzzle.pieces(), 6);
+    let sum: f64 = (0..6).map(|piece| made.puzzle.area(piece)).sum();
+    assert!((sum / 60_000.0 - 1.0).abs() < 1e-12, "{sum}");
+    for piece in 0..6 {
+        let outline = Outline::new(made.puzzle.outline(piece)).unwrap();
+        assert_eq!(first_crossing(&outline), None);
+    }
+    assert!(lock(&made.puzzle).is_locked());
+    assert!(mean_iou(&made) > 0.95, "{}", mean_iou(&made));
+}
+
+#[test]
+fn a_motif_inside_a_free_outline_and_the_same_bits_at_any_number_of_threads() {
+    let circle = (0..90).map(|i| f64::from(i) * std::f64::consts::TAU / 90.0);
+    let outline = Outline::new(circle.map(|a| [a.cos(), a.sin()]).collect()).unwrap();
+    let options = PuzzleOptions {
+        outline: Some(outline),
+        size: [200.0, 200.0],
+        pieces: 7,
+        seed: 4,
+        ..PuzzleOptions::default()
+    };
+    let like = LikeOptions { shape: PieceShape::Built(PieceName::Hexagon), ..LikeOptions::default() };
+    let one = pompeiu_core::run::on_threads(std::num::NonZeroUsize::new(1), || make_like(&options, &like));
+    let (one, two) = (one.unwrap(), make_like(&options, &like).unwrap());
+    assert!(one.puzzle == two.puzzle && one.energy == two.energy && one.fits == two.fits);
+    let report = report_like(&one);
+    assert!(report.area.is_exact && report.locked && one.puzzle.pieces() == 7);
+    assert!(report.pieces.iter().all(|piece| piece.similarity.unwrap().iou > 0.75));
+}
+
+#[test]
+fn lloyd_with_each_metric_tiles_and_rises_now_and_then() {
+    let mut rises = 0;
+    for (answer, variant, feedback) in [
+        (Answer::Least, Variant::Edges, false),
+        (Answer::Greatest, Variant::Points, true),
+        (Answer::SignedDistance, Variant::Edges, true),
+    ] {
+        let options = PuzzleOptions { pieces: 9, tab: Tab::None, seed: 2, ..PuzzleOptions::default() };
+        let like = LikeOptions {
+            shape: PieceShape::Built(PieceName::Bird),
+            method: Method::Lloyd { answer, variant, feedback },
+            ..LikeOptions::default()
+        };
+        let made = make_like(&options, &like).unwrap();
+        let sum: f64 = (0..made.puzzle.pieces()).map(|piece| made.puzzle.area(piece)).sum();
+        assert!((sum / 60_000.0 - 1.0).abs() < 1e-12 && made.puzzle.pieces() == 9);
+        rises += made.energy.windows(2).filter(|pair| pair[1] > pair[0]).count();
+    }
+    // The source expects it to settle; the centroid does not minimise the metric.
+    assert!(rises > 0);
+}
