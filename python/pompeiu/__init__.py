@@ -14,6 +14,7 @@ Meshes are paths, pairs of arrays, or objects of trimesh, meshio, Open3D or PyVi
 from .alignment import Registration, align
 from . import shapes
 from ._native import Mesh, __version__
+from .bands import BandReport, DirectedBands
 from .deviations import (
     Deviation,
     DeviationWork,
@@ -62,12 +63,14 @@ from .sources import MeshLike, as_mesh, read_mesh
 from .surfaces import Flow, Intersections, Remeshed, Simplified, flow, intersections, remesh, simplify
 
 __all__ = [
+    "BandReport",
     "DEFAULT_TOLERANCE",
     "Complexity",
     "Cut",
     "DegreesOfFreedom",
     "Deviation",
     "DeviationWork",
+    "DirectedBands",
     "DirectedDeviation",
     "DirectedReport",
     "DistanceMatrix",

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _native
+from .bands import BandReport
 from .errors import OptionError
 from .progress import ProgressLike, watching
 from .results import (
@@ -350,6 +351,8 @@ class Deviation(_Arrays, _Interval):
         For each share the greater of both directions' percentiles; none if a mesh has no area.
     pooled : Statistics, optional
         Over the areas of both together; none if neither has any.
+    bands : BandReport, optional
+        How much lies in which tolerance band, if some were given.
     """
 
     lower: float
@@ -358,6 +361,7 @@ class Deviation(_Arrays, _Interval):
     b_to_a: DirectedDeviation
     greater_percentiles: Optional[Tuple[Percentile, ...]]
     pooled: Optional[Statistics]
+    bands: Optional[BandReport] = None
     _page: Optional[_native.DeviationPage] = field(default=None, compare=False, repr=False)
     _names: Tuple[str, str] = field(default=("A", "B"), compare=False, repr=False)
 
@@ -427,6 +431,42 @@ class Deviation(_Arrays, _Interval):
         """
         return self._shown().png(self._look(names, unit, up), direction_to_eye, size, theme)
 
+    def save_pdf(
+        self,
+        path: "str | os.PathLike[str]",
+        *,
+        names: Optional[Tuple[str, str]] = None,
+        unit: str = "",
+        up: "str | Vec3" = "y",
+        direction_to_eye: Optional[Vec3] = None,
+        verdict: Optional[str] = None,
+        paper: Literal["a4", "letter"] = "a4",
+    ) -> None:
+        """Writes a document for printing: the picture, the numbers, the worst places and what was measured. It appears whole or not at all.
+
+        Parameters
+        ----------
+        path : str or path-like
+            The file.
+        names, unit, up, direction_to_eye
+            As for :meth:`image`.
+        verdict : str, optional
+            A sentence above all.
+        paper : {"a4", "letter"}
+            The size of the paper.
+
+        Raises
+        ------
+        OptionError
+            If the paper is none of these.
+        ValueError
+            If this answer was pickled: the meshes do not travel with it.
+        OSError
+            If the file cannot be written.
+        """
+        look = self._look(names, unit, up)
+        _save(path, self._shown().pdf(look, direction_to_eye, verdict, paper))
+
     def save_image(self, path: "str | os.PathLike[str]", **options: Any) -> None:
         """Writes :meth:`image`, with its options, to a file, which appears whole or not at all."""
         _save(path, self.image(**options))
@@ -455,11 +495,11 @@ class Deviation(_Arrays, _Interval):
     def _of(
         cls,
         data: Mapping[str, Any],
-        beside: "tuple[Mapping[str, Any], Mapping[str, Any], _native.DeviationPage]",
+        beside: "tuple[Mapping[str, Any], Mapping[str, Any], _native.DeviationPage, Optional[str]]",
         threshold: Optional[float],
         names: Tuple[str, str],
     ) -> "Deviation":
-        there, back, page = beside
+        there, back, page, bands = beside
         greater = data["greater_percentiles"]
         return cls(
             **data["distance"],
@@ -467,6 +507,7 @@ class Deviation(_Arrays, _Interval):
             b_to_a=DirectedDeviation._of(data["b_to_a"], back, threshold),
             greater_percentiles=None if greater is None else _percentiles(greater),
             pooled=Statistics._of(data["pooled"], threshold),
+            bands=None if bands is None else BandReport._of(json.loads(bands)),
             _page=page,
             _names=names,
         )
@@ -525,6 +566,7 @@ def deviation(
     bins: int = DEFAULT_BINS,
     regions: int = DEFAULT_REGIONS,
     signed: bool = False,
+    bands: Sequence[Tuple[float, float]] = (),
     most_pieces: int = DEFAULT_PIECES,
     threads: Optional[int] = None,
     time_limit: Optional[float] = None,
@@ -551,6 +593,9 @@ def deviation(
         How many regions are listed, of each kind.
     signed : bool
         Whether to find out on which side of the other mesh vertices and faces lie.
+    bands : sequence of pairs of float
+        Tolerance bands of the deviation of B from A, negative where B lacks something and positive where it has more: the share of the
+        area of each surface in each is enclosed.
     most_pieces : int
         Refining stops at about so many pieces, with wider enclosures.
     threads, time_limit, memory_limit, progress
@@ -582,6 +627,7 @@ def deviation(
     options = _options(
         accuracy, threshold, percentiles, bins, regions, signed, most_pieces, threads, time_limit, memory_limit
     )
+    options["bands"] = [(float(low), float(high)) for low, high in bands]
     names = (_name(a, "A"), _name(b, "B"))
     a, b = as_mesh(a), as_mesh(b)
     with watching(progress) as watch:
@@ -644,6 +690,7 @@ def _options(
         "bins": bins,
         "regions": regions,
         "signed": signed,
+        "bands": [],
         "most_pieces": most_pieces,
         "threads": threads,
         "time_limit": time_limit,

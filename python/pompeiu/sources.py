@@ -34,7 +34,8 @@ def as_mesh(source: MeshLike) -> Mesh:
         A path is read, see :func:`read_mesh`. A pair is ``vertices`` of shape (n, 3) and ``faces`` of shape (m, 3). Of
         other libraries' objects these are taken: ``vertices`` and ``faces`` (trimesh), ``points`` and ``cells``
         (meshio), ``vertices`` and ``triangles`` or ``vertex.positions`` and ``triangle.indices`` (Open3D), ``points``
-        and ``faces`` with counts (PyVista).
+        and ``faces`` with counts (PyVista). A scene of trimesh is taken with all its meshes where they are placed; of a grid of
+        PyVista its surface; faces of PyVista with more than three corners are cut by its own ``triangulate``.
 
     Returns
     -------
@@ -56,7 +57,7 @@ def as_mesh(source: MeshLike) -> Mesh:
         return read_mesh(source)
     if isinstance(source, (tuple, list)) and len(source) == 2:
         return Mesh(source[0], source[1])
-    for recognise in (_trimesh, _open3d, _open3d_tensor, _pyvista, _meshio):
+    for recognise in (_trimesh_scene, _trimesh, _open3d, _open3d_tensor, _pyvista, _meshio):
         mesh = recognise(source)
         if mesh is not None:
             return mesh
@@ -107,6 +108,16 @@ def _triangles(faces: Any, what: str) -> np.ndarray:
     raise MeshError(f"{what} have shape {faces.shape}, expected triangles, (m, 3); triangulate the mesh first")
 
 
+def _trimesh_scene(source: Any) -> "Mesh | None":
+    if not isinstance(getattr(source, "geometry", None), dict) or not hasattr(source, "graph"):
+        return None
+    if not any(hasattr(one, "faces") for one in source.geometry.values()):
+        raise MeshError("the scene has no mesh")
+    # Newer releases have a method for it.
+    merged = source.to_mesh() if hasattr(source, "to_mesh") else source.dump(concatenate=True)
+    return _trimesh(merged)
+
+
 def _trimesh(source: Any) -> "Mesh | None":
     vertices, faces = getattr(source, "vertices", None), getattr(source, "faces", None)
     if vertices is None or faces is None:
@@ -131,18 +142,24 @@ def _open3d_tensor(source: Any) -> "Mesh | None":
     return Mesh(arrays[0], _triangles(arrays[1], "indices of triangles"))
 
 
-def _pyvista(source: Any) -> "Mesh | None":
+def _pyvista(source: Any, triangulated: bool = False) -> "Mesh | None":
     points, faces = getattr(source, "points", None), getattr(source, "faces", None)
+    if points is not None and faces is None and hasattr(source, "extract_surface"):
+        return _pyvista(source.extract_surface())
     if points is None or faces is None:
         return None
     strips = getattr(source, "strips", None)
     if strips is not None and len(strips):
-        raise MeshError("the mesh has strips of triangles; call its triangulate() first")
+        if triangulated or not hasattr(source, "triangulate"):
+            raise MeshError("the mesh has strips of triangles; call its triangulate() first")
+        return _pyvista(source.triangulate(), triangulated=True)
     faces = np.asarray(faces)
     if faces.ndim == 2:
         return Mesh(points, _triangles(faces, "faces"))
     # Each face is its number of corners, then their indices.
     if faces.size % 4 or (counts := faces.reshape(-1, 4)[:, 0]).size and np.any(counts != 3):
+        if not triangulated and hasattr(source, "triangulate"):
+            return _pyvista(source.triangulate(), triangulated=True)
         raise MeshError("the mesh has faces that are no triangles; call its triangulate() first")
     return Mesh(points, faces.reshape(-1, 4)[:, 1:])
 

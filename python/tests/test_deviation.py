@@ -175,3 +175,28 @@ def test_pages_and_pictures(tmp_path):
     assert again == report and "_page" not in report.to_dict()
     with pytest.raises(ValueError, match="pickled"):
         again.save_html(page)
+
+
+def test_tolerance_bands():
+    cube = pompeiu.shapes.cube(2.0)
+    raised = (np.asarray(cube.vertices) + [0, 0, 0.1], cube.faces)
+    found = pompeiu.deviation(cube, raised, bands=[(-0.05, 0.05)]).bands
+    # The lid stands out and so do the walls along it; the floor is inside, and nearer beside the walls.
+    low, high = 1.9**2 / 24, (4 + 8 * 0.05) / 24
+    shares = found.b_to_a.shares
+    assert found.edges == (-0.05, 0.05) and low in shares[0] and high in shares[2]
+    assert found.b_to_a.closed and found.b_to_a.lowest.lower <= -0.1 <= found.b_to_a.lowest.upper + 1e-12
+    assert high in found.a_to_b.shares[0] and low in found.a_to_b.shares[2]
+    assert pompeiu.deviation(cube, raised).bands is None
+    with pytest.raises(pompeiu.OptionError, match="bands leave out"):
+        pompeiu.deviation(cube, raised, bands=[(-1, 0), (0.5, 1)])
+
+
+def test_documents_for_printing(tmp_path):
+    report = pompeiu.deviation(LEANING, FLAT)
+    report.save_pdf(tmp_path / "found.pdf", verdict="WITHIN", paper="letter", unit="mm")
+    content = (tmp_path / "found.pdf").read_bytes()
+    assert content.startswith(b"%PDF-") and content.rstrip().endswith(b"%%EOF")
+    with pytest.raises(pompeiu.OptionError, match="paper"):
+        report.save_pdf(tmp_path / "no.pdf", paper="a3")
+    assert not (tmp_path / "no.pdf").exists()

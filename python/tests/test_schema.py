@@ -20,6 +20,7 @@ COMMANDS = {
     "deviation": [
         "deviation tent.obj square.obj",
         "deviation tent.obj square.obj --threshold 0.3 --signed --regions 2 --percentiles 5,50 --unit mm",
+        "deviation tent.obj square.obj --band -0.1..0.3 --band -0.2..0 --allow 10%",
         "deviation points.obj square.obj",
         "deviation huge.obj square.obj",
         "deviation rough.obj square.obj --time-limit 1ns",

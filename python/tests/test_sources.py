@@ -165,6 +165,31 @@ def test_objects_like_those_of_open3d():
     assert pompeiu.as_mesh(tensors) == EXPECTED
 
 
+def test_a_scene_of_trimesh_is_taken_as_it_is_placed():
+    scene = trimesh.Scene()
+    box = trimesh.Trimesh(VERTICES, FACES, process=False)
+    scene.add_geometry(box)
+    scene.add_geometry(box, transform=trimesh.transformations.translation_matrix([5, 0, 0]))
+    mesh = pompeiu.as_mesh(scene)
+    assert (mesh.n_vertices, mesh.n_faces) == (16, 24)
+    assert mesh.vertices[:, 0].max() == VERTICES[:, 0].max() + 5
+    with pytest.raises(pompeiu.MeshError, match="no mesh"):
+        pompeiu.as_mesh(trimesh.Scene())
+
+
+def test_grids_and_quadrangles_like_those_of_pyvista():
+    counted = np.hstack([np.full((len(FACES), 1), 3), FACES]).ravel()
+    surface = SimpleNamespace(points=VERTICES, faces=counted)
+    grid = SimpleNamespace(points=VERTICES, cells=np.array([8, *range(8)]), extract_surface=lambda: surface)
+    assert pompeiu.as_mesh(grid) == EXPECTED
+    quadrangles = SimpleNamespace(points=VERTICES, faces=np.array([4, 0, 1, 3, 2]), triangulate=lambda: surface)
+    assert pompeiu.as_mesh(quadrangles) == EXPECTED
+    with pytest.raises(pompeiu.MeshError, match="no triangles"):
+        stubborn = SimpleNamespace(points=VERTICES, faces=np.array([4, 0, 1, 3, 2]))
+        stubborn.triangulate = lambda: stubborn
+        pompeiu.as_mesh(stubborn)
+
+
 def test_objects_like_those_of_pyvista():
     counted = np.column_stack([np.full(len(FACES), 3), FACES]).ravel()
     assert pompeiu.as_mesh(SimpleNamespace(points=VERTICES, faces=counted, strips=np.array([], int))) == EXPECTED

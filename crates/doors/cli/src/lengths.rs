@@ -28,6 +28,38 @@ pub(crate) struct Length {
     unit: Option<String>,
 }
 
+/// A tolerance band as it was given: two lengths, negative for what is missing.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Band([Length; 2]);
+
+/// Parses a band, such as `-0.05..0.1` or `-50um..0.1mm`. A unit after the second number holds for the first, too.
+pub(crate) fn band(text: &str) -> Result<Band, String> {
+    let ends = text.split_once("..").map(|(low, high)| (signed(low), signed(high)));
+    let Some((Ok(mut low), Ok(high))) = ends else {
+        return Err("expected two lengths with two dots between them, such as -0.05..0.1".to_owned());
+    };
+    low.unit = low.unit.or_else(|| high.unit.clone());
+    Ok(Band([low, high]))
+}
+
+impl Band {
+    /// Its ends in the unit of the files.
+    pub(crate) fn in_unit(&self, files: &str) -> anyhow::Result<[f64; 2]> {
+        Ok([self.0[0].in_unit(files)?, self.0[1].in_unit(files)?])
+    }
+}
+
+/// Parses a length that may be negative.
+fn signed(text: &str) -> Result<Length, String> {
+    let text = text.trim();
+    match text.strip_prefix(['-', '\u{2212}']) {
+        Some(size) if size.starts_with(|c: char| c.is_ascii_digit() || c == '.') => {
+            length(size).map(|length| Length { value: -length.value, ..length })
+        }
+        _ => length(text.strip_prefix('+').unwrap_or(text)),
+    }
+}
+
 /// Parses a length that is not negative, such as 0.1, `0.1mm` or `2 in`.
 pub(crate) fn length(text: &str) -> Result<Length, String> {
     let text = text.trim();
@@ -85,6 +117,18 @@ mod tests {
             (0.1, 1e-3, 0.1, 50.8)
         );
         assert_eq!((of("1e3um", "mm"), of("50 µm", "mm"), of("1m", "in")), (1.0, 0.05, 1e9 / 25.4e6));
+    }
+
+    #[test]
+    fn bands_have_two_ends() {
+        let of = |text: &str, unit: &str| band(text).map(|band| band.in_unit(unit).unwrap());
+        assert_eq!(of("-0.05..0.1", ""), Ok([-0.05, 0.1]));
+        assert_eq!(of("-50um .. +0.1mm", "mm"), Ok([-0.05, 0.1]));
+        assert_eq!(of("-1..2in", "mm"), Ok([-25.4, 50.8]));
+        assert_eq!(of("0..1e-3", ""), Ok([0.0, 1e-3]));
+        for wrong in ["", "0.1", "..0.1", "--1..1", "-0.1..", "a..b", "1,2"] {
+            assert!(band(wrong).is_err(), "{wrong}");
+        }
     }
 
     #[test]

@@ -34,6 +34,8 @@ fn main() -> anyhow::Result<()> {
         unit: "",
         up: [0.0, 0.0, 1.0],
         threshold: None,
+        bands: None,
+        verdict: None,
         command: None,
     };
     pompeiu::io::write_whole(page, shown.html()?.as_bytes())?;

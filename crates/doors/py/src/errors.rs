@@ -10,6 +10,7 @@ use pompeiu::flow::FlowError;
 use pompeiu::flow::remesh::{RemeshError, SimplifyError};
 use pompeiu::fluid::FluidError;
 use pompeiu::hausdorff::OptionError;
+use pompeiu::hausdorff::deviation::BandError;
 use pompeiu::io::{AttributeError, ReadError, WriteError};
 use pompeiu::matching::align::AlignError;
 use pompeiu::matching::rank::RankError;
@@ -63,6 +64,7 @@ raise_as! {
     AlignError => OptionError,
     ArrayError => MeshError,
     AttributeError => WriteError,
+    BandError => OptionError,
     ComplexityError => OptionError,
     FigureError => OptionError,
     GeometryError => SurfaceError,

@@ -99,7 +99,7 @@ impl Showcase {
             unit: "mm".into(),
             colors: ColorMap::Batlow,
             span: Span::Between(-0.45, 0.45),
-            threshold: None,
+            ..ValueScale::default()
         };
         let height = page.add_scale(curvature)?;
         let speed = ValueScale { title: "speed".into(), unit: "mm/s".into(), ..ValueScale::default() };

@@ -73,6 +73,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         up: Axis::Z,
         signed,
         threshold: Some(0.25),
+        bands: Vec::new(),
+        verdict: None,
+        still: None,
         distance: Some([0, 1].map(|end| if there[end] > back[end] { there[end] } else { back[end] })),
         surfaces,
         proof: vec![
@@ -218,6 +221,7 @@ fn measured(
             stop: "as narrow as asked".into(),
             witness: PointPair { from: shift(farthest), to: shift(nearest(farthest)) },
             statistics,
+            bands: Vec::new(),
             histogram,
             exceedance,
             stages,

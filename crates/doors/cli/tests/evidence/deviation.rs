@@ -98,6 +98,39 @@ fn a_threshold_is_answered_first_and_by_the_exit_code() {
 }
 
 #[test]
+fn bands_tell_too_low_from_too_high() {
+    let folder = Folder::new();
+    folder.transcript("generate cube --side 2 -o model.obj");
+    folder.transcript("generate cube --side 2.2 -o scan.obj");
+    // The scan stands out by 0.1 on all sides, by more at its edges; no point of the model is farther than 0.1 from it.
+    let found = json_with(&folder, 1, "deviation model.obj scan.obj --json --band -0.05..0.05");
+    assert_eq!(found["verdict"]["answer"], "out");
+    let shares = &found["bands"]["b_to_a"]["shares"];
+    check_encloses(&shares[2], 1.0, 1e-9);
+    check_encloses(&found["bands"]["a_to_b"]["shares"][2], 1.0, 1e-9);
+    check_encloses(&found["bands"]["b_to_a"]["highest"], 0.1 * 3.0_f64.sqrt(), 1e-9);
+    let answer = |code, options: &str| {
+        let found = json_with(&folder, code, &format!("deviation model.obj scan.obj --json {options}"));
+        found["verdict"]["answer"].as_str().unwrap().to_owned()
+    };
+    assert_eq!(answer(0, "--band -0.05..0.2"), "within");
+    // The other way round something is missing.
+    let found = json_with(&folder, 1, "deviation scan.obj model.obj --json --band -0.05..0.2");
+    check_encloses(&found["bands"]["b_to_a"]["shares"][0], 1.0, 1e-9);
+    assert_eq!(answer(0, "--band 50um..150um --unit mm --allow 100%").as_str(), "within");
+    assert_eq!(answer(0, "--band -0.05..0.12 --band 0..0.15 --allow 5%"), "within");
+    assert_eq!(answer(1, "--band -0.05..0.12 --allow 1e-6").as_str(), "out");
+    let (code, text, _) = folder.transcript("deviation model.obj scan.obj --band -0.05..0.12 --unit mm");
+    let first = text.lines().next().unwrap();
+    assert_eq!(code, Some(1), "{text}");
+    assert!(first.contains("OUT OF TOLERANCE -0.05..0.12 mm: too low nothing of A's area"), "{text}");
+    let (code, _, errors) = folder.transcript("deviation model.obj scan.obj --band -1..0 --band 0.1..1");
+    assert!(code == Some(2) && errors.contains("leave out"), "{errors}");
+    let (code, _, errors) = folder.transcript("deviation model.obj scan.obj --band -1..0 --threshold 1");
+    assert!(code == Some(2) && errors.contains("cannot be used with"), "{errors}");
+}
+
+#[test]
 fn files_hold_what_the_answer_says() {
     let folder = plates();
     let files = "-a a.ply -b b.vtu --csv s.csv --report r.html --image p.png --image-size 320x200 --unit mm --pdf p.pdf";

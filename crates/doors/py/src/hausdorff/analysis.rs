@@ -9,10 +9,11 @@ use crate::mesh::Mesh;
 use crate::wait;
 use numpy::{IntoPyArray, PyArray1, PyArray2};
 use pompeiu::core::run::Limits;
-use pompeiu::hausdorff::Enclosure;
-use pompeiu::hausdorff::deviation::{DeviationOptions, DirectedDeviation, FaceDeviation, Region};
+use pompeiu::hausdorff::deviation::{Bands, DeviationOptions, DirectedDeviation, FaceDeviation, Region};
+use pompeiu::hausdorff::{Enclosure, OptionError};
 use pyo3::prelude::*;
 use std::mem;
+use std::time::Instant;
 
 /// The options of a question, from a dictionary.
 #[derive(FromPyObject)]
@@ -24,6 +25,7 @@ pub(crate) struct Options {
     bins: usize,
     regions: usize,
     signed: bool,
+    bands: Vec<[f64; 2]>,
     most_pieces: usize,
     threads: Option<usize>,
     /// In seconds.
@@ -33,6 +35,14 @@ pub(crate) struct Options {
 }
 
 impl Options {
+    /// The tolerance bands, if there are any.
+    fn bands(&self) -> PyResult<Option<Bands>> {
+        if self.bands.is_empty() {
+            return Ok(None);
+        }
+        Bands::new(&self.bands).map(Some).map_err(Raise::raise)
+    }
+
     fn options(self) -> PyResult<DeviationOptions<'static>> {
         let options = DeviationOptions {
             accuracy: self.accuracy,
@@ -40,7 +50,8 @@ impl Options {
             percentiles: self.percentiles,
             bins: self.bins,
             regions: self.regions,
-            signed: self.signed,
+            // Pages show signs with bands.
+            signed: self.signed || !self.bands.is_empty(),
             limits: Limits {
                 pieces: Some(self.most_pieces),
                 ..limits(self.threads, self.time_limit, self.memory_limit)?
@@ -144,25 +155,36 @@ pub(crate) fn directed_deviation<'py>(
     Ok((written(&report)?, Beside::new(py, report, faces)?))
 }
 
-/// How far A and B deviate from each other.
+/// How far A and B deviate from each other, and if bands were given, how much lies in which, as JSON.
 #[pyfunction]
+#[allow(clippy::type_complexity, reason = "what Python unpacks")]
 pub(crate) fn deviation<'py>(
     py: Python<'py>,
     a: &Bound<'py, Mesh>,
     b: &Bound<'py, Mesh>,
     options: Options,
     progress: Option<&Bound<'py, PyAny>>,
-) -> PyResult<(String, Beside<'py>, Beside<'py>, DeviationPage)> {
+) -> PyResult<(String, Beside<'py>, Beside<'py>, DeviationPage, Option<String>)> {
+    let bands = options.bands()?;
     let options = options.options()?;
     let threshold = options.threshold;
     let meshes = [a, b];
     let (a, b) = (a.get(), b.get());
-    let report = wait::run(py, progress, |watch| {
-        DeviationOptions { observer: Some(watch), ..options }.symmetric(a.inner(), b.inner())
+    let found = wait::run(py, progress, |watch| {
+        let started = Instant::now();
+        let options = DeviationOptions { observer: Some(watch), ..options };
+        let (a, b) = (a.inner(), b.inner());
+        let report = options.symmetric(a, b)?;
+        let time = options.limits.time.map(|time| time.saturating_sub(started.elapsed()));
+        let limits = Limits { time, ..options.limits.clone() };
+        let bands = bands.map(|bands| report.bands(a, b, &bands, options.accuracy, &limits, Some(watch)));
+        Ok((report, bands))
     })?;
-    let mut report = report.map_err(Raise::raise)?;
-    let page = DeviationPage::new(meshes, report.clone(), threshold);
+    let (mut report, bands) = found.map_err(|error: OptionError| error.raise())?;
+    let text_of_bands = bands.as_ref().map(written).transpose()?;
+    let page = DeviationPage::new(meshes, report.clone(), threshold, bands);
     let [there, back] = [faces_of(py, &mut report.a_to_b), faces_of(py, &mut report.b_to_a)];
     let text = written(&report)?;
-    Ok((text, Beside::new(py, report.a_to_b, there)?, Beside::new(py, report.b_to_a, back)?, page))
+    let [there, back] = [Beside::new(py, report.a_to_b, there)?, Beside::new(py, report.b_to_a, back)?];
+    Ok((text, there, back, page, text_of_bands))
 }

@@ -2,8 +2,10 @@
 
 use crate::errors::{Raise, unknown};
 use crate::mesh::Mesh;
+use pompeiu::core::TriMesh;
+use pompeiu::figures::paper::Paper;
 use pompeiu::figures::{Theme, View};
-use pompeiu::hausdorff::deviation::Deviation;
+use pompeiu::hausdorff::deviation::{BandReport, Deviation};
 use pompeiu::hausdorff::show::{self, NamedMesh, search_stages};
 use pyo3::prelude::*;
 
@@ -14,6 +16,7 @@ pub(crate) struct DeviationPage {
     b: Py<Mesh>,
     deviation: Deviation,
     threshold: Option<f64>,
+    bands: Option<BandReport>,
 }
 
 /// How the meshes are called and shown, from a dictionary.
@@ -26,8 +29,13 @@ pub(crate) struct Look {
 }
 
 impl DeviationPage {
-    pub(super) fn new([a, b]: [&Bound<'_, Mesh>; 2], deviation: Deviation, threshold: Option<f64>) -> Self {
-        Self { a: a.clone().unbind(), b: b.clone().unbind(), deviation, threshold }
+    pub(super) fn new(
+        [a, b]: [&Bound<'_, Mesh>; 2],
+        deviation: Deviation,
+        threshold: Option<f64>,
+        bands: Option<BandReport>,
+    ) -> Self {
+        Self { a: a.clone().unbind(), b: b.clone().unbind(), deviation, threshold, bands }
     }
 
     fn page<'r>(&'r self, [a, b]: &'r [String; 2], unit: &'r str, up: [f64; 3]) -> show::DeviationPage<'r> {
@@ -39,9 +47,16 @@ impl DeviationPage {
             unit,
             up,
             threshold: self.threshold,
+            bands: self.bands.as_ref(),
+            verdict: None,
             command: None,
         }
     }
+}
+
+fn looking(up: [f64; 3], direction_to_eye: Option<[f64; 3]>) -> View {
+    let view = View::default().with_up(up);
+    direction_to_eye.map_or(view, |direction| view.with_direction_to_eye(direction))
 }
 
 #[pymethods]
@@ -54,6 +69,35 @@ impl DeviationPage {
             show::DeviationPage { stages: &stages, ..self.page(&names, &unit, up) }.html()
         });
         html.map_err(Raise::raise)
+    }
+
+    /// A document for printing, as the bytes of a PDF file.
+    fn pdf(
+        &self,
+        py: Python<'_>,
+        look: Look,
+        direction_to_eye: Option<[f64; 3]>,
+        verdict: Option<String>,
+        paper: &str,
+    ) -> PyResult<Vec<u8>> {
+        let Look { names, unit, up } = look;
+        let paper = match paper {
+            "a4" => Paper::A4,
+            "letter" => Paper::Letter,
+            other => return Err(unknown("paper", other, "\"a4\" or \"letter\"")),
+        };
+        let view = looking(up, direction_to_eye);
+        let measured = |name: &str, mesh: &TriMesh| {
+            let (vertices, faces) = (mesh.positions().len(), mesh.faces().len());
+            [name.to_owned(), format!("{vertices} vertices, {faces} faces")]
+        };
+        let provenance = [
+            measured(&names[0], self.a.get().inner()),
+            measured(&names[1], self.b.get().inner()),
+            ["program".to_owned(), format!("pompeiu {} in Python", env!("CARGO_PKG_VERSION"))],
+        ];
+        let document = py.detach(|| self.page(&names, &unit, up).document(verdict, &provenance, view, paper));
+        Ok(document.map_err(Raise::raise)?.pdf())
     }
 
     /// The picture as the bytes of a PNG file.
@@ -71,8 +115,7 @@ impl DeviationPage {
             "dark" => Theme::Dark,
             other => return Err(unknown("theme", other, "\"light\" or \"dark\"")),
         };
-        let view = View::default().with_up(up);
-        let view = direction_to_eye.map_or(view, |direction| view.with_direction_to_eye(direction));
+        let view = looking(up, direction_to_eye);
         let (width, height) = size;
         let image = py.detach(|| self.page(&names, &unit, up).image(width, height, theme, view));
         let mut png = Vec::new();

@@ -1,5 +1,6 @@
 //! Arrays as text: little-endian numbers, bytes sorted by significance, compressed, in base64.
 
+use crate::Image;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use flate2::Compression;
@@ -39,6 +40,12 @@ pub(super) fn first_use_indices(indices: &[u32]) -> Value {
         })
         .collect();
     array("u32", "highwater", codes.into_iter().map(u32::to_le_bytes))
+}
+
+/// A picture as PNG; nothing if it cannot be encoded.
+pub(super) fn png(image: &Image) -> Option<String> {
+    let mut bytes = Vec::new();
+    image.write_png(&mut bytes).ok().map(|()| STANDARD.encode(bytes))
 }
 
 fn array<const WIDTH: usize>(

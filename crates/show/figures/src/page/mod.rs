@@ -75,6 +75,7 @@ pub use table::{Cell, Row, Table};
 pub use text::Text;
 pub use values::{MeshValues, Range, RangeEnd, Span, ValueScale};
 
+use crate::Image;
 use encode::doubles;
 use error::{check_bounds, check_faces, check_finite, check_length};
 use mesh::{Geometry, PlacedMesh, SharedCorners};
@@ -99,6 +100,8 @@ pub struct Page {
     pub command: Option<String>,
     /// The version of the program.
     pub version: String,
+    /// A picture to show where a browser cannot draw the scenes.
+    pub still: Option<Image>,
     spaces: Vec<Space>,
     meshes: Vec<PlacedMesh>,
     values: Vec<PlacedValues>,
@@ -500,6 +503,7 @@ impl Page {
         json!({
             "title": self.title, "subtitle": self.subtitle, "picture": self.picture,
             "command": self.command, "version": self.version,
+            "still": self.still.as_ref().and_then(encode::png),
             "spaces": self.spaces.iter().zip(&placements).map(space).collect::<Vec<_>>(),
             "meshes": self.meshes.iter().enumerate().map(mesh).collect::<Vec<_>>(),
             "values": self.values.iter().map(|values| values.data(of(values.mesh))).collect::<Vec<_>>(),

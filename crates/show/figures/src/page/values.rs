@@ -149,6 +149,9 @@ pub struct ValueScale {
     pub span: Span,
     /// Where a threshold stands at first.
     pub threshold: Option<f64>,
+    /// Ends of classes, ascending, at least two or none: each class then has one colour at first, and what is below the first end or
+    /// above the last is a class, too. An end belongs to the class below it, the first to the one above it.
+    pub bands: Vec<f64>,
 }
 
 impl Default for ValueScale {
@@ -159,6 +162,7 @@ impl Default for ValueScale {
             colors: ColorMap::Viridis,
             span: Span::default(),
             threshold: None,
+            bands: Vec::new(),
         }
     }
 }
@@ -191,6 +195,11 @@ pub(super) struct RangedScale {
 impl RangedScale {
     pub(super) fn check(&self) -> Result<(), PageError> {
         check_finite("the threshold", &self.scale.threshold)?;
+        check_finite("the ends of bands", &self.scale.bands)?;
+        if let Some(index) = self.scale.bands.windows(2).position(|ends| ends[0] >= ends[1]) {
+            let [lower, upper] = [self.scale.bands[index], self.scale.bands[index + 1]];
+            return Err(PageError::Crossed { what: "the ends of bands", index, lower, upper });
+        }
         if let Span::Between(low, high) = self.scale.span {
             check_finite("the span of a scale", [&low, &high])?;
             if low > high {
@@ -207,7 +216,7 @@ impl RangedScale {
 
     /// `largest` is the greatest size of all values on this scale.
     pub(super) fn data(&self, largest: f64) -> Value {
-        let ValueScale { title, unit, colors, span, threshold } = &self.scale;
+        let ValueScale { title, unit, colors, span, threshold, bands } = &self.scale;
         let (low, end) = match span {
             Span::Between(low, high) => (Some(low), high - low),
             Span::Size | Span::Signed => (None, largest),
@@ -219,7 +228,7 @@ impl RangedScale {
         json!({
             "title": title, "unit": unit, "signed": *span == Span::Signed, "low": low, "end": end,
             "colors": { "name": colors.name(), "table": colors.table().as_flattened(), "contrast": colors.contrast() },
-            "threshold": threshold, "ranges": self.ranges.iter().map(range).collect::<Vec<_>>(),
+            "threshold": threshold, "bands": bands, "ranges": self.ranges.iter().map(range).collect::<Vec<_>>(),
         })
     }
 }

@@ -9,8 +9,10 @@ import { h, say } from "./dom.js";
 import { textOf } from "./format.js";
 import { acrossPair } from "./layers/marks.js";
 import { Legend } from "./legend.js";
+import { Pins } from "./pins.js";
 import { Reading } from "./reading.js";
 import { SceneView } from "./scene.js";
+import { Section } from "./section.js";
 import { shell, themeColor } from "./shell.js";
 import { toolbar } from "./toolbar.js";
 import { View } from "./view.js";
@@ -27,8 +29,10 @@ export class App {
     this.phase = 0;
     this.place = null;
     this.scenes = [];
+    this.flags = true;
+    this.pins = new Pins(this);
     this.spoken = h("div", { class: "hidden", id: "spoken", role: "status", "aria-live": "polite" });
-    if (data.scenes.length) this.#buildView();
+    if (data.scenes.length) this.#tryView();
     this.#buildPage();
     for (const player of players) player.onchange = () => this.update();
     this.update();
@@ -36,8 +40,21 @@ export class App {
 
   // ---- scenes
 
+  /** Without WebGL there is a picture, and all the numbers. */
+  #tryView() {
+    try {
+      this.view = new View();
+    } catch {
+      this.scenes = this.data.scenes.map(({ name, places }) => ({ name, places, scales: this.scales }));
+      this.scene = this.data.arrangements[0].scenes[0];
+      this.arrangement = null;
+      for (const scale of this.scales) scale.update(this.data.scenes.map((_, i) => i));
+      return;
+    }
+    this.#buildView();
+  }
+
   #buildView() {
-    this.view = new View();
     this.cameras = this.data.spaces.map((space, i) => {
       const shapes = this.data.scenes.filter((scene) => scene.space === i).flatMap(({ layers }) => layers).flatMap(({ frames }) => frames);
       const arrays = [...this.meshes.filter((mesh) => mesh.space === i).map(({ positions }) => positions),
@@ -48,8 +65,13 @@ export class App {
     this.scenes = this.data.scenes.map((scene) => new SceneView(this, scene, this.cameras[scene.space]));
     this.arrangement = this.data.arrangements[0];
     this.scene = this.arrangement.scenes[0];
-    this.legends = this.scales.map((scale) => new Legend(scale));
+    this.legends = this.scales.map((scale, i) => new Legend(scale, () => this.#spread(i), () => this.update()));
     this.reading = new Reading(this);
+    if (this.cameras.filter(({ flat }) => !flat).length === 1) this.section = new Section(this);
+    this.view.onclick = ({ x, y }) => this.pins.toggle(this.pick(x, y), { x, y });
+    addEventListener("keydown", (event) => {
+      if (event.key === "Escape") this.#takeBack();
+    });
     this.view.element.append(h("div", { class: "legends" }, this.legends.map(({ element }) => element)), this.reading.element, this.spoken);
     this.view.onframe = () => this.#move();
   }
@@ -81,10 +103,29 @@ export class App {
     this.below = data.below && playerControls(this, data.below);
     const below = this.below && h("div", { class: "below" }, this.below.element);
     this.shell = shell({
-      title: data.title, subtitle: textOf(data.subtitle), toolbar: this.toolbar?.elements, view: this.view?.element,
+      title: data.title, subtitle: textOf(data.subtitle), toolbar: this.toolbar?.elements ?? [], view: this.view?.element ?? this.#still(),
       below, panel: this.panel.element, onTheme: () => this.update(),
     });
     if (!this.view) document.body.append(this.spoken);
+  }
+
+  /** Instead of the view. */
+  #still() {
+    if (!this.data.scenes.length) return undefined;
+    const note = h("p", { class: "note", role: "alert", id: "no-view" }, "This browser has no WebGL, so nothing can be turned here. All numbers are beside or below.");
+    const { still } = this.data;
+    return h("div", { class: "still" }, note, still && h("img", { src: `data:image/png;base64,${still}`, alt: this.data.title }));
+  }
+
+  /** Escape: the chosen place, or else the last pinned point. */
+  #takeBack() {
+    if (this.place) {
+      this.place = null;
+      this.update();
+    } else if (!this.pins.removeLast()) {
+      for (const scale of this.scales) scale.painting = false;
+      this.update();
+    }
   }
 
   setArrangement(arrangement) {
@@ -96,6 +137,10 @@ export class App {
   /** Chooses a scene: its numbers are told. Where it is not shown, an arrangement that has it is. */
   setScene(scene) {
     this.#turnTo(scene);
+    if (!this.view) {
+      this.update();
+      return;
+    }
     const { arrangements } = this.data;
     const alone = arrangements.find(({ scenes }) => scenes.length === 1 && scenes[0] === scene);
     if (this.arrangement.scenes.length === 1 || !this.arrangement.scenes.includes(scene)) {
@@ -119,12 +164,13 @@ export class App {
   showAll() {
     this.place = null;
     this.update();
-    this.view.flyHome();
+    this.view?.flyHome();
   }
 
   lookAtPair() {
     this.place = null;
     this.update();
+    if (!this.view) return;
     const scene = this.scenes[this.scene];
     const { pair, camera } = scene;
     if (!pair) return;
@@ -153,6 +199,10 @@ export class App {
     }
     if (id.scene !== this.scene) this.setScene(id.scene);
     this.place = id;
+    if (!this.view) {
+      this.update();
+      return;
+    }
     const scene = this.scenes[id.scene];
     const place = scene.places[id.place];
     const { camera } = scene;
@@ -193,6 +243,7 @@ export class App {
       const scene = this.scenes[i];
       scene.update(look, this.place?.scene === i ? scene.places[this.place.place] : null);
     }
+    this.section?.update(look);
     this.view.element.dataset.arrangement = arrangement.key;
     if (this.panes !== arrangement) {
       this.panes = arrangement;
@@ -204,6 +255,18 @@ export class App {
       this.legends[i].element.hidden = !shown.some(({ scales }) => scales.includes(scale));
       this.legends[i].update();
     });
+  }
+
+  /** Shares of the area of the chosen scene between values: as proven where sizes are shown, from what is drawn where signs are. */
+  #spread(index) {
+    const scale = this.scales[index];
+    if (!scale.signed) {
+      const cards = this.data.cards.filter(({ scene }) => scene === this.scene).flatMap(({ blocks }) => blocks);
+      const series = cards.filter(({ kind, of }) => kind === "chart" && of.scale === index).flatMap(({ of }) => of.series).find(({ kind }) => kind === "histogram");
+      return series ? series.shares.map(([lower, upper], i) => [series.edges[i], series.edges[i + 1], (lower + upper) / 2]) : [];
+    }
+    const surface = this.scenes[this.scene].surfaces.find(({ values }) => values?.scale === scale);
+    return surface ? surface.values.spread(surface.mesh) : [];
   }
 
   /** What is under a place of the canvas: the triangle, its face, the value there, and what is proven of the face. */

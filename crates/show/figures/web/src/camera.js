@@ -64,7 +64,10 @@ export class SpaceCamera {
       this.controls.zoomToCursor = true;
     }
     this.controls.addEventListener("change", () => this.onchange());
-    this.controls.addEventListener("start", () => (this.flight = null));
+    this.controls.addEventListener("start", () => {
+      this.flight = null;
+      this.onstart?.();
+    });
     this.home();
   }
 
@@ -84,6 +87,12 @@ export class SpaceCamera {
 
   flyHome() {
     this.flyTo(this.sphere.center, this.fittingAll(this.direction));
+  }
+
+  /** All of it, seen from a direction. */
+  flyFrom(direction) {
+    const to = new Vector3(...direction).normalize();
+    this.flyTo(this.sphere.center, this.fittingAll(to), to);
   }
 
   /** How far from a ball of that radius the camera has to be to see it whole. */

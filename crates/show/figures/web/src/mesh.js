@@ -2,6 +2,7 @@
 
 import { BufferAttribute, BufferGeometry, DoubleSide, Ray, Vector3 } from "three";
 import { MeshBVH } from "three-mesh-bvh/src/core/MeshBVH.js";
+import { isCut, SECTION } from "./section.js";
 import { CENTER } from "three-mesh-bvh/src/core/Constants.js";
 
 export class Mesh {
@@ -62,12 +63,24 @@ export class Mesh {
 
   /** What a ray meets first: the triangle, its face, and weights of its corners. */
   trace(ray) {
-    const hit = this.tree.raycastFirst(ray, DoubleSide);
+    const hit = this.#firstHit(ray);
     if (!hit) return null;
     return {
       mesh: this, triangle: hit.faceIndex, face: this.faceOf(hit.faceIndex), distance: hit.distance, point: hit.point.toArray(),
       weights: this.weights(hit.faceIndex, ray),
     };
+  }
+
+  /** The first hit that is not cut away. */
+  #firstHit(ray) {
+    if (SECTION.value.lengthSq() === 0) return this.tree.raycastFirst(ray, DoubleSide);
+    const hits = this.tree.raycast(ray, DoubleSide).filter(({ point }) => !isCut(point.toArray()));
+    return hits.reduce((first, hit) => (first && first.distance <= hit.distance ? first : hit), null);
+  }
+
+  /** The nearest point of what is drawn. */
+  nearest(point) {
+    return this.tree.closestPointToPoint(point)?.point.clone() ?? null;
   }
 
   blocked(from, to) {

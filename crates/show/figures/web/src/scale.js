@@ -5,7 +5,13 @@ import { ticks } from "./format.js";
 
 /** Decades that the logarithmic scale shows below its end. */
 const DECADES = 4;
-export const KINDS = ["linear", "root", "logarithmic"];
+export const KINDS = ["linear", "root", "logarithmic", "steps", "bands"];
+/** Steps of a discrete scale. */
+const STEPS = 10;
+/** Ends of classes that the card knows at most. */
+const MOST_EDGES = 15;
+/** The part of the colour map that classes take: its ends are too dark to be told apart when lit. */
+const CLASSES = [0.12, 0.88];
 
 /** Places are from 0 to 1; signed values have theirs on both sides of the middle. */
 export class Scale {
@@ -14,7 +20,11 @@ export class Scale {
     this.signed = data.signed;
     /** The lowest value, where it is not zero by nature. */
     this.low = data.low;
-    this.kind = "linear";
+    /** Ends of classes, ascending: each class has one colour. */
+    this.edges = (data.bands ?? []).slice(0, MOST_EDGES);
+    this.kind = this.edges.length ? "bands" : "linear";
+    /** An end that was dragged to; a choice of the list takes it back. */
+    this.custom = null;
     /** All values are divided by it for the card, so that very small and very large units fit into single precision. */
     this.whole = data.end || 1;
     this.end = this.whole;
@@ -25,7 +35,8 @@ export class Scale {
     this.contrast = `rgb(${data.colors.contrast.join(", ")})`;
     this.uniforms = {
       colors: { value: colorTexture(this.table) }, scaleKind: { value: 0 }, scaleSigned: { value: this.signed }, scaleGain: { value: 1 },
-      threshold: { value: 1 }, painting: { value: false }, contrast: { value: raw(this.contrast) },
+      threshold: { value: 1 }, painting: { value: false }, contrast: { value: raw(this.contrast) }, banded: { value: false },
+      edgeCount: { value: this.edges.length }, edges: { value: Float32Array.from({ length: MOST_EDGES }, (_, i) => (this.edges[i] ?? 0) / this.whole) },
     };
   }
 
@@ -36,6 +47,7 @@ export class Scale {
 
   /** Where the scale of these scenes ends by one of the choices. */
   endOf(range, scenes) {
+    if (range === this.range && this.custom !== null) return this.custom;
     const choice = this.data.ranges[range];
     if (!choice) return this.whole;
     if (!choice.ends) return this.threshold;
@@ -45,6 +57,8 @@ export class Scale {
   /** Brings the end and the card up to date for the scenes that are shown. */
   update(scenes) {
     this.largest = this.endOf(0, scenes);
+    if (this.range === 0 && this.custom !== null) this.largest = Math.max(this.custom, this.whole);
+    this.uniforms.banded.value = this.kind === "bands";
     this.end = this.endOf(this.range, scenes) || 1;
     this.uniforms.scaleKind.value = KINDS.indexOf(this.kind);
     this.uniforms.scaleGain.value = this.whole / this.end;
@@ -57,7 +71,30 @@ export class Scale {
     const part = size / this.end;
     if (this.kind === "root") return Math.sqrt(part);
     if (this.kind === "logarithmic") return 1 + Math.log10(Math.max(part, 1e-300)) / DECADES;
+    if (this.kind === "steps") return (Math.min(STEPS - 1, Math.floor(part * STEPS)) + 0.5) / STEPS;
     return part;
+  }
+
+  /** Where a value stands on the bar when colours go by steps. */
+  linear(value) {
+    const part = Math.min(1, Math.abs(value) / this.end);
+    return this.signed ? 0.5 + 0.5 * Math.sign(value) * part : part;
+  }
+
+  /** The class of a value: the first end belongs to the class above it, the others to those below. */
+  classOf(value) {
+    return value < this.edges[0] ? 0 : 1 + this.edges.slice(1).filter((edge) => value > edge).length;
+  }
+
+  /** Where the colour of a class is on the map. */
+  classPlace(index) {
+    return CLASSES[0] + ((CLASSES[1] - CLASSES[0]) * index) / this.edges.length;
+  }
+
+  /** What classes are called, from the lowest. */
+  classNames(name) {
+    const all = this.edges.map(name);
+    return [`< ${all[0]}`, ...all.slice(1).map((edge, i) => `${all[i]} \u2026 ${edge}`), `> ${all.at(-1)}`];
   }
 
   place(value) {
@@ -67,7 +104,11 @@ export class Scale {
   }
 
   colorOf(value) {
-    const at = Math.round(this.place(value) * 255) * 3;
+    return this.colorAt(this.kind === "bands" ? this.classPlace(this.classOf(value)) : this.place(value));
+  }
+
+  colorAt(place) {
+    const at = Math.round(place * 255) * 3;
     return `rgb(${this.table[at]} ${this.table[at + 1]} ${this.table[at + 2]})`;
   }
 
@@ -90,9 +131,25 @@ export const SCALE_GLSL = `
 float place(float part) {
   float size = abs(part);
   if (scaleKind == 1) size = sqrt(size);
+  if (scaleKind == 3) size = (min(floor(size * ${STEPS}.0), ${STEPS - 1}.0) + 0.5) / ${STEPS}.0;
   if (scaleKind == 2) size = 1.0 + log2(max(size, 1e-30)) * ${(Math.log10(2) / DECADES).toFixed(9)};
   size = clamp(size, 0.0, 1.0);
   return scaleSigned ? 0.5 + 0.5 * sign(part) * size : size;
+}`;
+
+/** The colour of the class of a value, with the same ends divided by the whole. */
+export const CLASSES_GLSL = `
+uniform bool banded;
+uniform int edgeCount;
+uniform float edges[${MOST_EDGES}];
+vec3 classColor(float part) {
+  float index = 0.0;
+  for (int i = 0; i < ${MOST_EDGES}; i++) {
+    if (i >= edgeCount) break;
+    if (i == 0 ? part >= edges[i] : part > edges[i]) index += 1.0;
+  }
+  float at = ${CLASSES[0]} + ${CLASSES[1] - CLASSES[0]} * index / float(edgeCount);
+  return texture2D(colors, vec2((at * 255.0 + 0.5) / 256.0, 0.5)).rgb;
 }`;
 
 /** The table as a gradient for style sheets. */

@@ -3,12 +3,16 @@
 import { Scene, Vector3 } from "three";
 import { ArrowsLayer } from "./layers/arrows.js";
 import { LinesLayer } from "./layers/lines.js";
-import { DotMark, PairsLayer, RingMark } from "./layers/marks.js";
+import { DotMark, FlagMark, PairsLayer, RingMark } from "./layers/marks.js";
 import { PointsLayer } from "./layers/points.js";
 import { PiecesLayer, SurfaceLayer } from "./layers/surface.js";
 import { raw } from "./color.js";
+import { isCut } from "./section.js";
 
 const LAYERS = { surface: SurfaceLayer, arrows: ArrowsLayer, pieces: PiecesLayer, lines: LinesLayer, points: PointsLayer, pairs: PairsLayer };
+
+/** Places that are marked with numbers at most: more hide what they point at. */
+const FLAGS = 12;
 
 export class SceneView {
   constructor(app, data, camera) {
@@ -19,6 +23,12 @@ export class SceneView {
       [shape.scale ?? null, typeof shape.values === "number" ? app.data.values[shape.values].scale : null, shape.vectors === undefined ? null : app.data.values[shape.vectors].scale])
       .filter((scale) => scale !== null))].map((scale) => app.scales[scale]);
     this.contrast = raw(values === undefined ? "rgb(220, 30, 30)" : app.values[values].scale.contrast);
+    // Numbers on poles are for places that have a point of their own.
+    const flagged = data.places.map((place, i) => [place, i]).filter(([{ pair, label }]) => pair && label);
+    this.flags = flagged.slice(0, FLAGS).map(([{ pair, label }, i]) => {
+      const point = this.point(pair.from);
+      return new FlagMark(point, label, () => this.#isBehind(point), () => app.choosePlace({ scene: app.scenes.indexOf(this), place: i }, `place ${label}`));
+    });
     this.layers = data.layers.map((layer) => ({ ...layer, built: [], shown: null }));
     /** Marks of what is chosen and of what the cursor points at in another pane. */
     this.ring = null;
@@ -68,7 +78,7 @@ export class SceneView {
       this.place = place;
       this.ring = place && new RingMark("region", this.point(place.center), place.radius / this.camera.space.scale, { label: place.label, always: place.faces.length === 0 });
     }
-    const marks = [...this.layers.flatMap(({ shown }) => shown?.marks ?? []), this.ring, this.dot].filter((mark) => mark);
+    const marks = [...(this.app.flags && !place ? this.flags : []), ...this.app.pins.marks(this), ...this.layers.flatMap(({ shown }) => shown?.marks ?? []), this.ring, this.dot].filter((mark) => mark);
     for (const mark of this.shownMarks) if (!marks.includes(mark)) mark.remove();
     this.shownMarks = marks;
   }
@@ -80,6 +90,13 @@ export class SceneView {
     this.dot = point && new DotMark(point);
     this.shownMarks = this.shownMarks.filter((mark) => !(mark instanceof DotMark)).concat(this.dot ?? []);
     this.app.view.invalidate();
+  }
+
+  /** Whether something hides a point, or it is cut away. */
+  #isBehind(point) {
+    if (isCut(point.toArray())) return true;
+    const eye = this.camera.camera.position;
+    return this.surfaces.some((surface) => surface.readable && surface.mesh.blocked(eye, point));
   }
 
   draw(pane, project) {

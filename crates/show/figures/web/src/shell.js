@@ -42,12 +42,19 @@ export function failure(error) {
   document.body.prepend(h("p", { class: "failure", role: "alert", id: "failure" }, `This page cannot be shown in this browser: ${error.message}`));
 }
 
+function save(blob, name) {
+  const link = h("a", { href: URL.createObjectURL(blob), download: name });
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+}
+
 /** Saves what the canvas shows as a picture. */
 export function savePicture(view, name) {
   view.drawNow();
-  view.canvas.toBlob((blob) => {
-    const link = h("a", { href: URL.createObjectURL(blob), download: `${name}.png` });
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(link.href), 1000);
-  });
+  view.canvas.toBlob((blob) => save(blob, `${name}.png`));
+}
+
+/** Saves a text as a file. */
+export function saveText(text, name, type) {
+  save(new Blob([text], { type }), name);
 }

@@ -4,13 +4,13 @@ import { checkbox, choice, h, select } from "./dom.js";
 import { savePicture } from "./shell.js";
 
 /** The kinds of scales, and what they are called. */
-const KINDS = [["linear", "linear"], ["root", "square root"], ["logarithmic", "logarithmic"]];
+const KINDS = [["linear", "linear"], ["root", "square root"], ["logarithmic", "logarithmic"], ["steps", "ten steps"]];
 
 export function toolbar(app) {
   const { data, view } = app;
   const home = !hasHome(data) && h("button", { type: "button", "data-control": "show-all", onclick: () => app.showAll() }, "Show all");
   const save = h("button", { type: "button", "data-control": "save", onclick: () => savePicture(view, data.picture) }, "Save picture");
-  const options = [...app.scales.flatMap((scale) => scaleControls(app, scale)), ...toggleControls(app), ...arrowControls(app), ...motionControls(app), ...upwardControls(app)];
+  const options = [...app.scales.flatMap((scale) => scaleControls(app, scale)), ...toggleControls(app), ...arrowControls(app), ...motionControls(app), ...spaceControls(app), ...upwardControls(app)];
   const arrangements = data.arrangements.length > 1 &&
     choice("arrangement", "What is shown", data.arrangements.map(({ key, text, hint }) => ({ value: key, text, hint })), app.arrangement.key,
       (key) => app.setArrangement(data.arrangements.find((arrangement) => arrangement.key === key)));
@@ -28,13 +28,14 @@ const hasHome = (data) => data.cards.flatMap(({ blocks }) => blocks).some(({ kin
 function scaleControls(app, scale) {
   const suffix = app.scales.length > 1 ? `, ${scale.data.title}` : "";
   const serves = (scene) => scene.scales.includes(scale);
-  const kind = scale.low === null && select("scale", `Colours${suffix}`, KINDS, "linear", (kind) => {
+  const kind = scale.low === null && select("scale", `Colours${suffix}`, scale.edges.length ? [["bands", "tolerance bands"], ...KINDS] : KINDS, scale.kind, (kind) => {
     scale.kind = kind;
     app.update();
   });
   const ranges = scale.data.ranges.map(({ text }, i) => [String(i), text]);
   const range = ranges.length > 1 && select("range", `up to${suffix}`, ranges, "0", (i) => {
     scale.range = Number(i);
+    scale.custom = null;
     app.update();
   });
   return [kind, range].filter((control) => control).map((control) => ({ control, serves }));
@@ -77,6 +78,34 @@ function motionControls(app) {
     app.motion = on;
     app.update();
   }), serves }];
+}
+
+/** The directions of the usual views, from the meshes to the eye, for each axis that points up. */
+const VIEWS = {
+  x: { front: [0, 1, 0], back: [0, -1, 0], left: [0, 0, -1], right: [0, 0, 1], top: [1, 1e-3, 0], bottom: [-1, 1e-3, 0] },
+  y: { front: [0, 0, 1], back: [0, 0, -1], left: [-1, 0, 0], right: [1, 0, 0], top: [0, 1, 1e-3], bottom: [0, -1, 1e-3] },
+  z: { front: [0, -1, 0], back: [0, 1, 0], left: [-1, 0, 0], right: [1, 0, 0], top: [0, -1e-3, 1], bottom: [0, -1e-3, -1] },
+};
+
+/** Views from the sides, numbers at places, and a section, where there is one space. */
+function spaceControls(app) {
+  const cameras = app.cameras.filter(({ flat }) => !flat);
+  if (cameras.length !== 1) return [];
+  const [camera] = cameras;
+  const serves = (scene) => scene.camera === camera;
+  const views = select("direction", "View", [["", "free"], ...Object.keys(VIEWS.y).map((name) => [name, name])], "", (name) => {
+    if (name) camera.flyFrom(VIEWS[camera.upward][name]);
+  });
+  camera.onstart = () => { views.input.value = ""; };
+  const all = [{ control: views, serves }];
+  if (app.scenes.some(({ flags }) => flags.length)) {
+    all.push({ control: checkbox("flags", "Numbers", app.flags, (on) => {
+      app.flags = on;
+      app.update();
+    }), serves: (scene) => scene.flags.length > 0 });
+  }
+  if (app.section) all.push({ control: app.section.control, serves });
+  return all;
 }
 
 function upwardControls(app) {

@@ -1,6 +1,9 @@
 // Numbers or vectors on a mesh: at corners, vertices or faces.
 
-import { BufferAttribute } from "three";
+import { BufferAttribute, Vector3 } from "three";
+
+/** Columns that sizes are counted in. */
+const FINE = 200;
 
 export class Values {
   constructor({ mesh, scale, on, width, data }) {
@@ -31,6 +34,23 @@ export class Values {
       return new BufferAttribute(parts, 1);
     }
     return new BufferAttribute(Float32Array.from(mesh.places, (place, i) => part(this.on === "vertex" ? place : i)), 1);
+  }
+
+  /** Areas of the triangles of a mesh, each between its least and its greatest value; made once. */
+  spread(mesh) {
+    if (this.spreadOver) return this.spreadOver;
+    const [a, b, c] = [new Vector3(), new Vector3(), new Vector3()];
+    const columns = new Map();
+    for (let t = 0; t < mesh.triangles; t++) {
+      [a, b, c].forEach((corner, k) => corner.fromArray(mesh.positions, 3 * mesh.indices[3 * t + k]));
+      const area = b.sub(a).cross(c.sub(a)).length();
+      const value = [0, 1, 2].reduce((sum, k) => sum + this.sizes[this.#element(mesh, t, k)] / 3, 0);
+      const column = Math.floor((value / this.scale.whole) * FINE);
+      columns.set(column, (columns.get(column) ?? 0) + area);
+    }
+    const width = this.scale.whole / FINE;
+    this.spreadOver = [...columns].map(([column, area]) => [column * width, (column + 1) * width, area]);
+    return this.spreadOver;
   }
 
   /** At a point of a triangle: the value, those of the corners, and the vector if there is one. */

@@ -5,7 +5,7 @@ import { LinearSRGBColorSpace, MathUtils, Vector3, WebGLRenderer } from "three";
 import { h, s } from "./dom.js";
 
 const STEP = MathUtils.degToRad(5);
-const KEYS = "Arrow keys orbit, with Shift they move; plus and minus zoom; Home shows all; Enter reads the value in the middle.";
+const KEYS = "Arrow keys orbit, with Shift they move; plus and minus zoom; Home shows all; Enter reads the value in the middle, P pins it; Escape takes the last choice back.";
 
 export class View {
   constructor() {
@@ -33,6 +33,12 @@ export class View {
     for (const type of ["pointermove", "pointerleave", "pointerdown"]) {
       this.canvas.addEventListener(type, (event) => this.onpointer?.(type, this.#at(event), event));
     }
+    // A click is a press that did not become a turn.
+    let pressed = null;
+    this.canvas.addEventListener("pointerdown", ({ clientX, clientY, button }) => (pressed = button === 0 ? [clientX, clientY] : null));
+    this.canvas.addEventListener("click", (event) => {
+      if (pressed && Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) < 4) this.onclick?.(this.#at(event));
+    });
     this.canvas.addEventListener("dblclick", (event) => {
       const { pane, ray } = this.#at(event);
       const hit = ray && pane?.scene.trace(ray);
@@ -168,6 +174,7 @@ export class View {
     else if (event.key === "-") camera.zoom(1.15);
     else if (event.key === "Home" || event.key === "0") camera.flyHome();
     else if (event.key === "Enter" || event.key === " ") this.onread?.();
+    else if (event.key === "p" || event.key === "P") this.onclick?.(this.middle(this.active));
     else return;
     event.preventDefault();
   }

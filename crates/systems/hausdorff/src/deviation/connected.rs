@@ -48,7 +48,7 @@ impl<'t> Touching<'t> {
 }
 
 /// For each vertex the least vertex at the same position.
-fn places(mesh: &TriMesh) -> Vec<u32> {
+pub(super) fn places(mesh: &TriMesh) -> Vec<u32> {
     // Adding zero makes both zeros one.
     let key = |v: u32| mesh.positions()[v as usize].map(|x| (x + 0.0).to_bits());
     let mut sorted: Vec<u32> = (0..mesh.positions().len() as u32).collect();

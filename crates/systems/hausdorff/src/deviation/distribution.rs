@@ -626,8 +626,8 @@ pub(super) fn level(largest: f64, k: usize, bins: usize) -> f64 {
 }
 
 /// Factors that outweigh the rounding of a few products.
-const MORE: f64 = 1.0 + 8.0 * f64::EPSILON;
-const LESS: f64 = 1.0 - 8.0 * f64::EPSILON;
+pub(super) const MORE: f64 = 1.0 + 8.0 * f64::EPSILON;
+pub(super) const LESS: f64 = 1.0 - 8.0 * f64::EPSILON;
 /// Portions summed at a time; fixed, so that sums do not depend on the number of threads.
 const PORTIONS: usize = 16;
 /// Entries of which the distribution is forecast, about.

@@ -10,6 +10,7 @@
 //! A report holds no pieces: whoever draws the surface cuts its faces again (`tessellation`).
 
 mod analysis;
+mod bands;
 mod behind;
 mod candidates;
 mod cells;
@@ -35,6 +36,7 @@ mod run;
 mod statistics;
 mod tessellation;
 
+pub use bands::{BandError, BandReport, Bands, DirectedBands, Extreme};
 pub use options::DeviationOptions;
 pub use regions::Region;
 pub use report::{Deviation, DeviationWork, DirectedDeviation, FaceDeviation, Sides};

@@ -51,6 +51,7 @@ impl DeviationContent {
         page.picture = "deviation".into();
         page.command.clone_from(&self.command);
         page.version.clone_from(&self.version);
+        page.still.clone_from(&self.still);
 
         let space = page.add_space(Space::Spatial(self.up));
         let mesh = |page: &mut Page, i: usize| {
@@ -60,11 +61,12 @@ impl DeviationContent {
         };
         let meshes = [mesh(&mut page, 0)?, mesh(&mut page, 1)?];
         let scale = page.add_scale(ValueScale {
-            title: if self.signed { "signed distance" } else { "distance" }.into(),
+            title: self.quantity().into(),
             unit: self.unit.clone(),
             colors: if self.signed { ColorMap::Vik } else { ColorMap::Viridis },
             span: if self.signed { Span::Signed } else { Span::Size },
             threshold: Some(self.threshold.unwrap_or_else(|| first.distance_covering(0.05))),
+            bands: self.bands.clone(),
         })?;
         let steps = directions.iter().map(|(_, deviation)| deviation.stages.len()).max().unwrap_or(0);
         let player = Player {
@@ -100,8 +102,12 @@ impl DeviationContent {
         let values = page.add_values(mesh, shared.scale, values)?;
         let bounds = page.add_bounds(mesh, deviation.face_bounds.clone())?;
         let [from, to] = [LABELS[index], LABELS[1 - index]];
-        let sign = if self.signed { "signed " } else { "" };
-        let mut scene = Scene::new(format!("{from}, {sign}distance from {to}"), shared.space);
+        let label = if self.bands.is_empty() {
+            format!("{from}, {} from {to}", self.quantity())
+        } else {
+            format!("{from}, deviation of B from A")
+        };
+        let mut scene = Scene::new(label, shared.space);
         scene.name = format!("{from} \u{2192} {to}");
         let painted = Shape::Surface { mesh, paint: Paint::Values(values), bounds: Some(bounds) };
         let ghost = Shape::Surface { mesh: shared.meshes[1 - index], paint: Paint::Ghost, bounds: None };
@@ -165,6 +171,9 @@ impl DeviationContent {
     }
 
     fn add_cards(&self, page: &mut Page, shared: &Shared, sides: &[Side<'_>]) -> Result<(), PageError> {
+        if let Some(verdict) = &self.verdict {
+            page.add_card(Card::new("Verdict", vec![Block::Text(verdict.as_str().into())]))?;
+        }
         page.add_card(self.distance(sides))?;
         let most = largest(sides);
         for side in sides {
@@ -172,6 +181,9 @@ impl DeviationContent {
                 Card::new("Out of tolerance", vec![side.threshold(shared.scale, most)])
                     .with_scene(side.scene),
             )?;
+            if !side.deviation.bands.is_empty() {
+                page.add_card(Card::new("Tolerance bands", vec![self.classes(side)]).with_scene(side.scene))?;
+            }
             if sides.iter().any(|side| !side.deviation.regions.is_empty()) {
                 page.add_card(
                     Card::new("Worst regions", vec![self.regions(side, shared.scale)]).with_scene(side.scene),
@@ -222,6 +234,34 @@ impl DeviationContent {
             Button::ShowAll("Show all".into()),
         ]));
         Card::new("Distance", blocks)
+    }
+
+    /// The share of the area in each tolerance band, in percent.
+    fn classes(&self, side: &Side<'_>) -> Block {
+        let ends: Vec<String> = self.bands.iter().map(f64::to_string).collect();
+        let names = class_names(&ends);
+        let row = |(name, share): (String, &Bounds)| {
+            // A step outwards makes up for the product.
+            let [low, high] = [(share[0] * 100.0).next_down(), (share[1] * 100.0).next_up()];
+            let ends = [if share[0] > 0.0 { low } else { 0.0 }, if share[1] > 0.0 { high } else { 0.0 }];
+            Row { cells: vec![Cell::text(name), Cell::Lower { ends }, Cell::Upper { ends }], place: None }
+        };
+        Block::Table(Table {
+            key: "bands".into(),
+            caption: format!("Shares of the area of {} in each tolerance band", LABELS[side.index]),
+            columns: ["% of the area", "lower", "upper"].map(str::to_owned).to_vec(),
+            rows: names.into_iter().zip(&side.deviation.bands).map(row).collect(),
+            sortable: false,
+        })
+    }
+
+    /// What colours show.
+    fn quantity(&self) -> &'static str {
+        match (self.bands.is_empty(), self.signed) {
+            (false, _) => "deviation of B",
+            (true, true) => "signed distance",
+            (true, false) => "distance",
+        }
     }
 
     fn regions(&self, side: &Side<'_>, scale: ScaleId) -> Block {
@@ -386,6 +426,16 @@ impl Side<'_> {
             sortable: false,
         })
     }
+}
+
+/// What the classes between some ends are called, from the lowest.
+pub(super) fn class_names(ends: &[String]) -> Vec<String> {
+    let [Some(first), Some(last)] = [ends.first(), ends.last()] else { return Vec::new() };
+    let inner = ends.windows(2).map(|ends| format!("{} to {}", ends[0], ends[1]));
+    std::iter::once(format!("too low, below {first}"))
+        .chain(inner)
+        .chain([format!("too high, above {last}")])
+        .collect()
 }
 
 /// The largest distance of all directions; 1 where all are zero.

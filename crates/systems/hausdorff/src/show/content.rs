@@ -1,5 +1,6 @@
 //! What a page of two surfaces shows, as plain data: from this engine, from closed forms, or from elsewhere.
 
+use pompeiu_figures::Image;
 use pompeiu_figures::page::{Axis, Bounds, PointPair};
 
 /// Two surfaces, A and B, how far the points of each are from the other one, where it is farthest, and how sure that is.
@@ -55,6 +56,12 @@ pub struct DeviationContent {
     pub signed: bool,
     /// Where the threshold stands at first; without one, at what all but a twentieth of the area is within.
     pub threshold: Option<f64>,
+    /// Ends of tolerance bands, ascending: values are deviations of B from A, negative where it lacks something. May be empty.
+    pub bands: Vec<f64>,
+    /// The sentence that a person acts on, if there is one.
+    pub verdict: Option<String>,
+    /// A picture for browsers that cannot draw the surfaces.
+    pub still: Option<Image>,
     /// Encloses the greater of both directed distances, if both were measured.
     pub distance: Option<Bounds>,
     /// A and B.
@@ -110,6 +117,8 @@ pub struct SurfaceDeviation {
     pub witness: PointPair,
     /// Numbers about the whole surface, with their names.
     pub statistics: Vec<(String, Bounds)>,
+    /// The share of the area in each class of the tolerance bands, from too low to too high; may be empty.
+    pub bands: Vec<Bounds>,
     /// How values are spread over the area.
     pub histogram: Histogram,
     /// How much of the area is farther than a distance.

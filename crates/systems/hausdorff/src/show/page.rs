@@ -4,7 +4,9 @@ use super::content::{
     self, DeviationContent, DisplayTriangles, Exceedance, Histogram, MeasuredSurface, SearchStage,
     SurfaceDeviation,
 };
-use crate::deviation::{Deviation, DirectedDeviation, DisplayTriangle, Region, Sides, Statistics};
+use crate::deviation::{
+    BandReport, Deviation, DirectedDeviation, DisplayTriangle, Region, Sides, Statistics,
+};
 use crate::{Direction, Enclosure, Stage, StopReason, Witness};
 use pompeiu_core::spatial::{Winding, WindingNumber};
 use pompeiu_core::{FaceId, MeshError, TriMesh};
@@ -38,6 +40,8 @@ pub struct NamedMesh<'m> {
 ///     unit: "mm",
 ///     up: [0.0, 0.0, 1.0],
 ///     threshold: Some(0.25),
+///     bands: None,
+///     verdict: None,
 ///     command: None,
 /// };
 /// assert!(page.html()?.contains("torus.obj"));
@@ -60,9 +64,16 @@ pub struct DeviationPage<'r> {
     pub up: [f64; 3],
     /// What counts as out of tolerance.
     pub threshold: Option<f64>,
+    /// How much lies in which tolerance band. Sides must have been asked for with the analysis.
+    pub bands: Option<&'r BandReport>,
+    /// The sentence that a person acts on, above all others.
+    pub verdict: Option<&'r str>,
     /// The command that makes the page again.
     pub command: Option<&'r str>,
 }
+
+/// Pixels of the picture for browsers that cannot draw the surfaces.
+const STILL: [u32; 2] = [1200, 560];
 
 /// The part of the colour scale that a drawn distance may be off by.
 const COLOR_TOLERANCE: f64 = 1.0 / 256.0;
@@ -85,6 +96,12 @@ impl<'r> DeviationPage<'r> {
             let mut triangles = found.tessellation(measured.mesh, other.mesh, tolerance, MOST_TRIANGLES);
             if let Some(sides) = &found.sides {
                 give_signs(&mut triangles, measured.mesh, other.mesh, sides);
+                // Where B has more, points of A are inside of it.
+                if self.bands.is_some() && found.direction == Direction::AToB {
+                    for distance in triangles.iter_mut().flat_map(|triangle| &mut triangle.distances) {
+                        *distance = -*distance;
+                    }
+                }
             }
             Side { measured, found, triangles }
         })
@@ -105,12 +122,17 @@ impl<'r> DeviationPage<'r> {
     /// What the page shows.
     fn content(&self) -> DeviationContent {
         let sides = self.sides();
+        let view = View::default().with_up(self.up);
+        let bands = self.bands.filter(|_| self.is_signed());
         DeviationContent {
             title: format!("{} and {}", name(self.a.path), name(self.b.path)),
             unit: self.unit.to_owned(),
             up: axis(self.up),
             signed: self.is_signed(),
             threshold: self.threshold,
+            bands: bands.map(|bands| bands.edges.clone()).unwrap_or_default(),
+            verdict: self.verdict.map(str::to_owned),
+            still: self.picture(&sides, STILL, Theme::Light, view).ok(),
             distance: Some(bounds(self.deviation.distance)),
             surfaces: sides.each_ref().map(|side| self.surface(side)),
             proof: proof(),
@@ -139,12 +161,22 @@ impl<'r> DeviationPage<'r> {
                 stop: stop(found).to_owned(),
                 witness: pair(&found.distance.witness),
                 statistics: found.statistics.as_ref().map(statistics).unwrap_or_default(),
+                bands: self.shares(found.direction),
                 histogram: found.statistics.as_ref().map(histogram).unwrap_or_default(),
                 exceedance: found.statistics.as_ref().map(exceedance).unwrap_or_default(),
                 regions: found.regions.iter().map(region).collect(),
                 stages: stages.map(search_stage).collect(),
             }),
         }
+    }
+
+    /// Shares of the area in the tolerance bands.
+    pub(super) fn shares(&self, direction: Direction) -> Vec<Bounds> {
+        let found = self.bands.and_then(|bands| match direction {
+            Direction::AToB => bands.a_to_b.shares.as_ref(),
+            Direction::BToA => bands.b_to_a.shares.as_ref(),
+        });
+        found.map(|shares| shares.iter().copied().map(bounds).collect()).unwrap_or_default()
     }
 
     fn facts(&self) -> Vec<[String; 2]> {
@@ -171,7 +203,16 @@ impl<'r> DeviationPage<'r> {
     /// # Errors
     /// [`FigureError`] for a size that is none.
     pub fn image(&self, width: u32, height: u32, theme: Theme, view: View) -> Result<Image, FigureError> {
-        let sides = self.sides();
+        self.picture(&self.sides(), [width, height], theme, view)
+    }
+
+    fn picture(
+        &self,
+        sides: &[Side<'_>; 2],
+        [width, height]: [u32; 2],
+        theme: Theme,
+        view: View,
+    ) -> Result<Image, FigureError> {
         let extent = self.deviation.distance.upper();
         let scale = if self.is_signed() {
             Scale::symmetric(ColorMap::Vik, extent)?
@@ -180,8 +221,9 @@ impl<'r> DeviationPage<'r> {
         };
         let scale = self.threshold.map_or(scale, |threshold| scale.with_limit(threshold));
         let drawn = sides.each_ref().map(|side| (soup(&side.triangles), side));
+        let quantity = if self.bands.is_some() { "deviation of B" } else { "distance" };
         let label =
-            if self.unit.is_empty() { "distance".to_owned() } else { format!("distance ({})", self.unit) };
+            if self.unit.is_empty() { quantity.to_owned() } else { format!("{quantity} ({})", self.unit) };
         let mut figure =
             Figure::new(width, height).with_theme(theme).with_view(view).with_scale(scale, label);
         let values =
@@ -298,10 +340,19 @@ fn exceedance(found: &Statistics) -> Exceedance {
     if !has_width(histogram) {
         return Exceedance::default();
     }
-    Exceedance {
-        distances: histogram.edges.clone(),
-        fractions: histogram.cumulative.iter().map(beyond).collect(),
+    let mut distances = histogram.edges.clone();
+    let mut fractions: Vec<Bounds> = histogram.cumulative.iter().map(beyond).collect();
+    // At the threshold that was asked for, the share is known better than between two bins.
+    if let Some(above) = &found.above {
+        let place = distances.partition_point(|distance| *distance < above.threshold);
+        if distances.get(place) == Some(&above.threshold) {
+            fractions[place] = bounds(above.share);
+        } else if place < distances.len() {
+            distances.insert(place, above.threshold);
+            fractions.insert(place, bounds(above.share));
+        }
     }
+    Exceedance { distances, fractions }
 }
 
 fn region(found: &Region) -> content::Region {

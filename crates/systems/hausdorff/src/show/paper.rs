@@ -1,9 +1,11 @@
 //! A deviation on paper.
 
+use super::compose::class_names;
 use super::page::{DeviationPage, percent};
 use crate::deviation::{DirectedDeviation, Region};
-use crate::report::Enclosure;
+use crate::report::{Direction, Enclosure};
 use pompeiu_figures::names::name;
+use pompeiu_figures::page::Bounds;
 use pompeiu_figures::paper::{Block, Document, Paper};
 use pompeiu_figures::{FigureError, Theme, View};
 
@@ -39,6 +41,10 @@ impl DeviationPage<'_> {
         blocks.push(Block::Picture { image, caption });
         blocks.push(Block::Heading("How far, over the area".to_owned()));
         blocks.push(self.numbers(names));
+        if let Some(bands) = self.bands {
+            blocks.push(Block::Heading("Tolerance bands".to_owned()));
+            blocks.push(self.classes(&bands.edges, names));
+        }
         blocks.push(Block::Heading("Where".to_owned()));
         blocks.push(self.places(names));
         blocks.push(Block::Paragraph(
@@ -79,12 +85,7 @@ impl DeviationPage<'_> {
         if let Some(threshold) = self.threshold {
             row(&format!("share of the area beyond {threshold}"), &|directed| {
                 let share = directed.statistics.as_ref()?.above.as_ref()?.share;
-                let ends = [(share.lower() * 1e4).floor() / 1e2, (share.upper() * 1e4).ceil() / 1e2];
-                Some(if ends[0] == ends[1] {
-                    format!("{} %", ends[0])
-                } else {
-                    format!("{} to {} %", ends[0], ends[1])
-                })
+                Some(percentage([share.lower(), share.upper()]))
             });
         }
         let columns = vec![
@@ -93,6 +94,23 @@ impl DeviationPage<'_> {
             (format!("{b} to {a}: invented"), 1.4),
         ];
         Block::Table { columns, rows }
+    }
+
+    /// Shares of both areas in each class.
+    fn classes(&self, edges: &[f64], [a, b]: [&str; 2]) -> Block {
+        let ends: Vec<String> = edges.iter().map(f64::to_string).collect();
+        let [there, back] = [Direction::AToB, Direction::BToA].map(|direction| self.shares(direction));
+        let cell = |shares: &[Bounds], i: usize| {
+            shares.get(i).map_or_else(|| "no area".to_owned(), |share| percentage(*share))
+        };
+        let row = |(i, name)| vec![name, cell(&there, i), cell(&back, i)];
+        let unit = if self.unit.is_empty() { String::new() } else { format!(", in {}", self.unit) };
+        let columns = vec![
+            (format!("deviation of {b}{unit}"), 1.6),
+            (format!("share of {a}'s area"), 1.2),
+            (format!("share of {b}'s area"), 1.2),
+        ];
+        Block::Table { columns, rows: class_names(&ends).into_iter().enumerate().map(row).collect() }
     }
 
     fn places(&self, [_, b]: [&str; 2]) -> Block {
@@ -106,6 +124,12 @@ impl DeviationPage<'_> {
         let columns = [("", 1.2), ("largest", 1.0), ("at (x, y, z)", 2.0), ("area", 0.8), ("faces", 0.6)];
         Block::Table { columns: columns.map(|(name, share)| (name.to_owned(), share)).to_vec(), rows }
     }
+}
+
+/// A share of the area in percent, rounded outwards to two decimals.
+fn percentage(share: Bounds) -> String {
+    let ends = [(share[0] * 1e4).floor() / 1e2, (share[1] * 1e4).ceil() / 1e2];
+    if ends[0] == ends[1] { format!("{} %", ends[0]) } else { format!("{} to {} %", ends[0], ends[1]) }
 }
 
 fn place(region: &Region, name: &str) -> Vec<String> {

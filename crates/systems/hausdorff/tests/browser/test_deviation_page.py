@@ -6,6 +6,7 @@ import re
 import sys
 import time
 import unittest
+from pathlib import Path
 
 from pages import FOLDER, Browser, PageTest, count_of, data, is_contrast, make, pixels, settle, shown
 
@@ -322,6 +323,114 @@ class DeviationPage(PageTest):
         values = [value for corner in self.truth["surfaces"][0]["values"] for value in corner]
         self.assertTrue(min(values) < 0 < max(values))
         self.assertIn("signed", shown(page, ".pane-label"))
+
+    def test_classes_and_steps_are_colours_of_their_own(self):
+        page = self.open("signed")
+        end = page.evaluate("pompeiu.app.scales[0].whole")
+        page.select_option("[data-control=scale]", "steps")
+        seen = page.evaluate("""(end) => new Set(Array.from({ length: 1001 }, (_, i) =>
+            pompeiu.app.scales[0].colorOf(end * (i / 500 - 1)))).size""", end)
+        # Ten on each side, and zero.
+        self.assertTrue(10 <= seen <= 21, seen)
+        page.evaluate("(end) => { const scale = pompeiu.app.scales[0]; scale.edges = [-end / 4, end / 4]; scale.kind = 'bands'; pompeiu.app.update(); }", end)
+        colours = page.evaluate("(end) => [-end, -end / 4, 0, end / 4, end].map((x) => pompeiu.app.scales[0].colorOf(x))", end)
+        self.assertEqual(len(set(colours)), 3)
+        self.assertEqual(colours[1], colours[2])
+        self.assertEqual(page.locator(".classes .swatch").count(), 3)
+
+    def test_the_end_of_the_legend_is_dragged(self):
+        page = self.open()
+        before = page.evaluate("pompeiu.app.scales[0].end")
+        handle = page.locator("[data-control=scale-end]").bounding_box()
+        bar = page.locator(".legend .bar").bounding_box()
+        page.mouse.move(handle["x"] + 7, handle["y"] + 8)
+        page.mouse.down()
+        page.mouse.move(handle["x"] + 7 - bar["width"] / 2, handle["y"] + 8, steps=4)
+        page.mouse.up()
+        after = page.evaluate("pompeiu.app.scales[0].end")
+        self.assertTrue(0.1 * before < after < 0.7 * before, (before, after))
+        page.select_option("[data-control=range]", "1")
+        self.assertEqual(page.evaluate("pompeiu.app.scales[0].custom"), None)
+        heights = page.evaluate("Array.from(document.querySelectorAll('.spread rect'), (bar) => Number(bar.getAttribute('height')))")
+        self.assertGreater(max(heights), 25, "how values are spread stands over the bar")
+
+    def test_points_are_pinned_measured_and_taken_back(self):
+        page = self.open()
+        canvas = page.locator("#view").bounding_box()
+        hits = []
+        for x, y in [(0.5, 0.5), (0.45, 0.4)]:
+            at = [canvas["width"] * x, canvas["height"] * y]
+            hits.append(page.evaluate("([x, y]) => { const hit = pompeiu.app.pick(x, y); return { ...hit, mesh: null, scale: null }; }", at))
+            page.mouse.click(canvas["x"] + at[0], canvas["y"] + at[1])
+        pins = page.evaluate("pompeiu.app.pins.all.map(({ value, face, position, nearest }) => ({ value, face, position, nearest }))")
+        self.assertEqual([pin["face"] for pin in pins], [hit["face"] for hit in hits])
+        for pin in pins:
+            # The nearest point that is drawn of the other surface is as far away as the value says, but for how both are drawn.
+            self.assertLess(abs(math.dist(pin["position"], pin["nearest"]) - pin["value"]), 0.05)
+        measured = float(data(page, "[data-key=measured] output", "exact"))
+        self.assertAlmostEqual(measured, math.dist(pins[0]["position"], pins[1]["position"]), places=9)
+        with page.expect_download() as download:
+            page.click("[data-control=pins-csv]")
+        rows = Path(download.value.path()).read_text().splitlines()
+        self.assertEqual(len(rows), 3)
+        self.assertEqual(float(rows[1].split(",")[3]), pins[0]["value"])
+        page.keyboard.press("Escape")
+        self.assertEqual(page.evaluate("pompeiu.app.pins.all.length"), 1)
+        page.keyboard.press("Escape")
+        self.assertEqual(page.locator("[data-key=pins]").count(), 0)
+
+    def test_places_are_numbered_on_the_surface(self):
+        page = self.open()
+        regions = self.truth["surfaces"][0]["regions"]
+        self.assertEqual(page.locator(".flag").count(), len(regions))
+        page.locator(".flag").first.dispatch_event("click")
+        settle(page)
+        self.assertNotEqual(page.evaluate("pompeiu.app.place"), None)
+        page.keyboard.press("Escape")
+        self.assertEqual(page.evaluate("pompeiu.app.place"), None)
+        page.uncheck("[data-control=flags]")
+        self.assertEqual(page.locator(".flag").count(), 0)
+        with page.expect_download() as download:
+            page.click("[data-control=regions-csv]")
+        rows = Path(download.value.path()).read_text().splitlines()
+        point = page.evaluate("pompeiu.app.data.scenes[0].places[0].pair.from")
+        self.assertEqual([float(x) for x in rows[1].split(",")[3:6]], point)
+
+    def test_a_section_cuts_surfaces_and_shows_their_curves(self):
+        page = self.open()
+        whole = count_of(pixels(page)[2], lambda *color: True)
+        before = pixels(page)[2]
+        page.check("[data-control=section]")
+        settle(page)
+        cut = pixels(page)[2]
+        self.assertNotEqual(before, cut)
+        self.assertEqual(count_of(cut, lambda *color: True), whole)
+        curves = page.evaluate("""() => {
+            const { section, meshes } = pompeiu.app;
+            const [group] = section.curves.values();
+            const at = section.low[section.axis] + section.part * (section.high[section.axis] - section.low[section.axis]);
+            return group.userData.lines.map(({ object }) => {
+                const points = Array.from(object.geometry.getAttribute("start").array);
+                return { count: points.length / 3, off: Math.max(...points.map((x, i) => i % 3 === section.axis ? Math.abs(x - at) : 0)) };
+            });
+        }""")
+        self.assertEqual(len(curves), 2)
+        for curve in curves:
+            self.assertGreater(curve["count"], 8)
+            self.assertLess(curve["off"], 1e-6)
+        page.fill("[data-control=section-at]", "900")
+        self.assertNotEqual(pixels(page)[2], cut)
+        page.uncheck("[data-control=section]")
+        self.assertEqual(pixels(page)[2], before)
+
+    def test_usual_views(self):
+        page = self.open()
+        seen = set()
+        for name in ["front", "back", "left", "right", "top", "bottom"]:
+            page.select_option("[data-control=direction]", name)
+            settle(page)
+            seen.add(tuple(round(x, 2) for x in page.evaluate("pompeiu.app.cameras[0].direction.toArray()")))
+        self.assertEqual(len(seen), 6)
 
     def test_the_upward_axis_and_the_picture(self):
         page = self.open()

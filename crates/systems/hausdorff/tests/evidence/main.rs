@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "helpers of tests, too, fail and report")]
 
 mod analytic;
+mod bands;
 mod classic;
 mod determinism;
 mod deviation;

@@ -27,6 +27,7 @@ fn page() -> DeviationContent {
         stop: "done".into(),
         witness: pair,
         statistics: vec![("mean".into(), [1.0, 1.0])],
+        bands: vec![[0.0, 0.0], [0.0, 0.0], [1.0, 1.0]],
         histogram: Histogram { edges: vec![0.0, 1.0], fractions: vec![[1.0, 1.0]] },
         exceedance: Exceedance { distances: vec![0.0, 1.0], fractions: vec![[1.0, 1.0], [0.0, 0.0]] },
         regions: vec![Region {
@@ -41,6 +42,7 @@ fn page() -> DeviationContent {
     };
     DeviationContent {
         title: "Two triangles".into(),
+        bands: vec![-0.5, 0.5],
         surfaces: [surface("a.obj", UPPER, Some(deviation)), surface("b.obj", LOWER, None)],
         ..DeviationContent::default()
     }
@@ -88,7 +90,8 @@ fn data_that_do_not_belong_together_are_refused() {
         spoil(&mut page);
         page.page().unwrap_err()
     };
-    let not_finite: [Spoil; 12] = [
+    let not_finite: [Spoil; 13] = [
+        |p| p.bands[1] = f64::NAN,
         |p| p.threshold = Some(f64::NAN),
         |p| p.distance = Some([0.0, f64::INFINITY]),
         |p| p.surfaces[1].triangles.corners[0][2][1] = f64::NAN,
@@ -117,6 +120,8 @@ fn data_that_do_not_belong_together_are_refused() {
     }
     let crossed = refused(&|p| measured(p).distance = [1.0, 0.5]);
     assert!(matches!(crossed, PageError::Crossed { lower: 1.0, upper: 0.5, .. }));
+    let bands = refused(&|p| p.bands = vec![-1.0, 0.5, 0.5]);
+    assert!(matches!(bands, PageError::Crossed { index: 1, lower: 0.5, .. }));
     let falling = refused(&|p| measured(p).exceedance.distances = vec![1.0, 1.0]);
     assert!(matches!(falling, PageError::NotIncreasing { index: 1, .. }));
     let unknown = refused(&|p| measured(p).regions[0].faces = vec![0, 7]);

@@ -2,13 +2,14 @@
 
 use crate::aligned::Before;
 use crate::args::{Limits, Meshes, Picture};
-use crate::lengths::{Length, length};
+use crate::lengths::{Band, Length, band, length};
 use crate::numbers::{magnitude, share};
-use clap::{Args, ValueEnum};
+use clap::{ArgGroup, Args, ValueEnum};
 use std::path::PathBuf;
 
 /// Show how far two meshes deviate: where, on which side, over how much of the area
 #[derive(Args)]
+#[command(group(ArgGroup::new("tolerance").args(["threshold", "band"])))]
 #[command(after_help = "\
 With A as it should be and B as it is: what of A is far from B is missing in B (A to B), what of B is far from
 A was invented by it (B to A). Percentiles, mean and root mean square weigh by area; every number is an interval
@@ -18,15 +19,16 @@ Meshes written with -a and -b carry the distance of each vertex, and for each fa
 and its mean distance, where the format has a place for them: PLY, VTP and VTU. GLB, OBJ and OFF hold colours.
 
 Exit codes:
-  0  done; with --threshold: proven to be within it
-  1  with --threshold: proven to be out of it
+  0  done; with --threshold or --band: proven to be within tolerance
+  1  with --threshold or --band: proven to be out of tolerance
   2  a file or an argument cannot be used
-  3  the time or memory limit ran out first, or the threshold is undecided; what is printed holds, but is wider than asked
+  3  the time or memory limit ran out first, or the tolerance is undecided; what is printed holds, but is wider than asked
 
 Examples:
   pompeiu deviation model.obj scan.ply
   pompeiu deviation --model part.stl --scan part.ply --align rigid --threshold 0.05 --report scan.html
   pompeiu deviation model.obj scan.ply --threshold 0.1mm --unit mm --allow 1%
+  pompeiu deviation model.obj scan.ply --unit mm --band -0.05..0.1 --band -0.2..0.3
   pompeiu deviation model.obj scan.ply --signed -a model.vtp -b scan.vtp
   pompeiu deviation model.obj scan.ply --json")]
 pub(crate) struct Deviation {
@@ -39,8 +41,12 @@ pub(crate) struct Deviation {
     /// area that is farther, and list the regions beyond it
     #[arg(long, value_parser = length, allow_negative_numbers = true, value_name = "LENGTH")]
     pub(crate) threshold: Option<Length>,
-    /// The share of each area that may be farther than the threshold, such as 0.01 or 1%
-    #[arg(long, value_parser = share, requires = "threshold", value_name = "SHARE")]
+    /// Say whether B deviates from A by no less and no more than this, such as -0.05..0.1: negative where B lacks something,
+    /// positive where it has more. Several bands make classes; what is in none is too low or too high
+    #[arg(long, value_parser = band, allow_hyphen_values = true, value_name = "LOW..HIGH")]
+    pub(crate) band: Vec<Band>,
+    /// The share of each area that may be farther than the threshold, or outside of all bands, such as 0.01 or 1%
+    #[arg(long, value_parser = share, requires = "tolerance", value_name = "SHARE")]
     pub(crate) allow: Option<f64>,
     /// Tell inside from outside, by generalised winding numbers: distances inside the other mesh are shown negative
     #[arg(long)]

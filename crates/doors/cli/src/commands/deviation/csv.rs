@@ -1,5 +1,6 @@
 //! The statistics as comma-separated values: one row for each number, with both ends of what is proven of it.
 
+use super::bands;
 use super::run::{Outcome, directions, percent};
 use crate::numbers::shortest;
 use pompeiu::hausdorff::Enclosure;
@@ -22,6 +23,15 @@ pub(super) fn csv(outcome: &Outcome) -> String {
     if let Some(statistics) = &deviation.pooled {
         rows.statistics("pooled", statistics);
     }
+    if let Some(report) = &outcome.bands {
+        for (name, found) in [("a_to_b", &report.a_to_b), ("b_to_a", &report.b_to_a)] {
+            rows.ends(name, "lowest", [found.lowest.lower, found.lowest.upper]);
+            rows.ends(name, "highest", [found.highest.lower, found.highest.upper]);
+            for (share, class) in found.shares.iter().flatten().zip(bands::names(&report.edges)) {
+                rows.push(name, &format!("share {class}").replace(' ', "_"), *share);
+            }
+        }
+    }
     rows.0
 }
 
@@ -29,7 +39,11 @@ struct Rows(String);
 
 impl Rows {
     fn push(&mut self, direction: &str, statistic: &str, value: Enclosure) {
-        let [lower, upper] = [value.lower(), value.upper()].map(shortest);
+        self.ends(direction, statistic, [value.lower(), value.upper()]);
+    }
+
+    fn ends(&mut self, direction: &str, statistic: &str, ends: [f64; 2]) {
+        let [lower, upper] = ends.map(shortest);
         let _ = writeln!(self.0, "{direction},{statistic},{lower},{upper}");
     }
 

@@ -1,18 +1,19 @@
 //! The whole outcome for people. Digits are shown only as far as they are proven.
 
+use super::bands;
 use super::run::{Outcome, percent};
 use crate::aligned::verdict as alignment;
 use crate::exit::stopped_by;
 use crate::numbers::{few, grouped, point, rounded, shortest, time};
 use crate::page::{Page, value};
-use pompeiu::hausdorff::Enclosure;
 use pompeiu::hausdorff::deviation::{DirectedDeviation, Percentile, Region, Statistics};
+use pompeiu::hausdorff::{Direction, Enclosure};
 
 pub(super) fn text(outcome: &Outcome) -> String {
     let deviation = &outcome.deviation;
     let mut page = Page::new();
-    if let (Some(threshold), Some(verdict)) = (outcome.threshold, outcome.verdict()) {
-        page.row("verdict", &verdict.sentence(deviation, threshold, &outcome.unit, outcome.names));
+    if let Some(verdict) = outcome.verdict() {
+        page.row("verdict", &verdict.sentence(outcome));
         page.gap();
     }
     let [a, b] = outcome.names;
@@ -70,6 +71,20 @@ fn directed(
     match &directed.statistics {
         Some(found) => statistics(page, found),
         None => page.row("", "no face has an area to take a mean over"),
+    }
+    if let Some(report) = &outcome.bands {
+        let found = if directed.direction == Direction::AToB { &report.a_to_b } else { &report.b_to_a };
+        let extremes = [found.lowest, found.highest].map(bands::extreme);
+        page.row("  signed", &format!("from {} to {}", extremes[0], extremes[1]));
+        for (share, class) in found.shares.iter().flatten().zip(bands::names(&report.edges)) {
+            page.row("  band", &format!("{} of the area {class}", percentage(*share)));
+        }
+        if !found.closed {
+            page.row(
+                "",
+                &format!("{to} is not closed: beside its boundary, which side is inside is a choice"),
+            );
+        }
     }
     if let Some(sides) = &directed.sides {
         let inside = grouped(sides.vertices_inside() as u64);

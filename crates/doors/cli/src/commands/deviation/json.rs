@@ -4,7 +4,7 @@ use super::run::{Outcome, directions};
 use super::verdict::Verdict;
 use crate::json::{line, milliseconds};
 use crate::pair::File;
-use pompeiu::hausdorff::deviation::{Deviation, DirectedDeviation};
+use pompeiu::hausdorff::deviation::{BandReport, Deviation, DirectedDeviation};
 use pompeiu::matching::align::Registration;
 use serde::Serialize;
 use std::time::Duration;
@@ -22,6 +22,7 @@ pub(super) fn json(outcome: &Outcome) -> serde_json::Result<String> {
         accuracy: outcome.accuracy,
         threshold: outcome.threshold,
         verdict: outcome.verdict(),
+        bands: outcome.bands.as_ref(),
         deviation: &outcome.deviation,
         timing_ms: Timing {
             read: milliseconds(outcome.read),
@@ -49,9 +50,12 @@ pub(crate) struct Json<'o> {
     /// The length beyond which shares and regions were asked for; absent if none was.
     #[serde(skip_serializing_if = "Option::is_none")]
     threshold: Option<f64>,
-    /// Whether both surfaces are within the threshold; absent without one.
+    /// Whether both surfaces are within the threshold or the bands; absent without either.
     #[serde(skip_serializing_if = "Option::is_none")]
     verdict: Option<Verdict>,
+    /// How much lies in which tolerance band; absent if there is none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    bands: Option<&'o BandReport>,
     #[serde(flatten)]
     deviation: &'o Deviation,
     timing_ms: Timing,

@@ -1,6 +1,7 @@
 //! `pompeiu deviation`.
 
 mod args;
+mod bands;
 mod csv;
 mod full;
 mod json;

@@ -2,7 +2,7 @@
 
 use super::args::Deviation;
 use super::verdict::Verdict;
-use super::{csv, full, json, meshes, text};
+use super::{bands, csv, full, json, meshes, text};
 use crate::aligned;
 use crate::called::called;
 use crate::exit::Exit;
@@ -14,7 +14,7 @@ use crate::printer::Printer;
 use crate::wait::Wait;
 use pompeiu::core::TriMesh;
 use pompeiu::figures::paper::Paper;
-use pompeiu::hausdorff::deviation::{self, DeviationOptions, DirectedDeviation};
+use pompeiu::hausdorff::deviation::{self, BandReport, Bands, DeviationOptions, DirectedDeviation};
 use pompeiu::hausdorff::show::{DeviationPage, NamedMesh, search_stages};
 use pompeiu::hausdorff::{Direction, Observer, Progress};
 use pompeiu::matching::align::Registration;
@@ -33,16 +33,21 @@ pub(super) struct Outcome {
     pub(super) unit: String,
     pub(super) accuracy: f64,
     pub(super) threshold: Option<f64>,
-    /// The share of each area that may be farther.
+    /// The share of each area that may be farther, or outside of all bands.
     pub(super) allowed: f64,
+    /// How much lies in which tolerance band, if there are some.
+    pub(super) bands: Option<BandReport>,
     pub(super) deviation: deviation::Deviation,
     pub(super) read: Duration,
     pub(super) total: Duration,
 }
 
 impl Outcome {
-    /// Whether both are within the threshold, if there is one.
+    /// Whether both are within the threshold or the bands, if there are any.
     pub(super) fn verdict(&self) -> Option<Verdict> {
+        if let Some(found) = &self.bands {
+            return Some(bands::verdict(found, self.allowed));
+        }
         self.threshold.map(|threshold| Verdict::of(&self.deviation, threshold, self.allowed))
     }
 }
@@ -50,6 +55,7 @@ impl Outcome {
 pub(crate) fn run(args: &Deviation, printer: &Printer) -> anyhow::Result<Exit> {
     let started = Instant::now();
     let threshold = args.threshold.as_ref().map(|length| length.in_unit(&args.unit)).transpose()?;
+    let bands = tolerated(args)?;
     let paths = args.meshes.paths();
     pair::check(paths[0], paths[1], printer)?;
     if args.meshes.look_swapped() {
@@ -79,6 +85,11 @@ pub(crate) fn run(args: &Deviation, printer: &Printer) -> anyhow::Result<Exit> {
     let deviation =
         DeviationOptions { observer: Some(&Watch(&wait)), ..options(args, threshold, started.elapsed()) }
             .symmetric(&a, &b)?;
+    let bands = bands.map(|bands| {
+        wait.restart();
+        let limits = args.limits.after(started.elapsed());
+        deviation.bands(&a, &b, &bands, args.accuracy, &limits, Some(&Watch(&wait)))
+    });
     drop(wait);
     let outcome = Outcome {
         names: args.meshes.names(),
@@ -89,6 +100,7 @@ pub(crate) fn run(args: &Deviation, printer: &Printer) -> anyhow::Result<Exit> {
         accuracy: args.accuracy,
         threshold,
         allowed: args.allow.unwrap_or(0.0),
+        bands,
         deviation,
         read,
         total: started.elapsed(),
@@ -108,13 +120,23 @@ pub(crate) fn run(args: &Deviation, printer: &Printer) -> anyhow::Result<Exit> {
     })
 }
 
+/// The tolerance bands that were given.
+fn tolerated(args: &Deviation) -> anyhow::Result<Option<Bands>> {
+    if args.band.is_empty() {
+        return Ok(None);
+    }
+    let ends: Vec<[f64; 2]> =
+        args.band.iter().map(|band| band.in_unit(&args.unit)).collect::<anyhow::Result<_>>()?;
+    Ok(Some(Bands::new(&ends)?))
+}
+
 fn options(args: &Deviation, threshold: Option<f64>, spent: Duration) -> DeviationOptions<'static> {
     DeviationOptions {
         accuracy: args.accuracy,
         threshold,
         percentiles: args.percentiles.0.clone(),
         regions: args.regions,
-        signed: args.signed,
+        signed: args.signed || !args.band.is_empty(),
         limits: args.limits.after(spent),
         ..DeviationOptions::default()
     }
@@ -154,6 +176,7 @@ fn show(
     printer: &Printer,
 ) -> anyhow::Result<()> {
     let stages = if args.picture.report.is_some() { search_stages(a, b) } else { Vec::new() };
+    let verdict = outcome.verdict().map(|verdict| verdict.sentence(outcome));
     let shown = DeviationPage {
         a: NamedMesh { path: &outcome.a.path, mesh: a },
         b: NamedMesh { path: &outcome.b.path, mesh: b },
@@ -161,6 +184,8 @@ fn show(
         stages: &stages,
         unit: &outcome.unit,
         threshold: outcome.threshold,
+        bands: outcome.bands.as_ref(),
+        verdict: verdict.as_deref(),
         up: args.picture.up.axis(),
         command: Some(&called()),
     };
@@ -182,10 +207,7 @@ fn print(
     path: &Path,
     printer: &Printer,
 ) -> anyhow::Result<()> {
-    let verdict = outcome.threshold.zip(outcome.verdict());
-    let verdict = verdict.map(|(threshold, verdict)| {
-        verdict.sentence(&outcome.deviation, threshold, &outcome.unit, outcome.names)
-    });
+    let verdict = shown.verdict.map(str::to_owned);
     let mut provenance = Vec::new();
     for (name, (file, path)) in
         outcome.names.into_iter().zip([&outcome.a, &outcome.b].into_iter().zip(args.meshes.paths()))

@@ -1,12 +1,13 @@
 //! A screenful of the outcome for people: the verdict, both directions beside each other, the worst regions.
 
+use super::bands;
 use super::full::{faces, percentage};
 use super::run::{Outcome, directions, percent};
 use crate::aligned;
 use crate::exit::stopped_by;
 use crate::numbers::{few, grouped, point, rounded, time};
 use crate::page::{Page, brief};
-use pompeiu::hausdorff::deviation::{DirectedDeviation, Region, Statistics};
+use pompeiu::hausdorff::deviation::{DirectedBands, DirectedDeviation, Region, Statistics};
 use std::time::Duration;
 
 /// Regions that are listed at most.
@@ -15,8 +16,8 @@ const REGIONS: usize = 3;
 pub(super) fn text(outcome: &Outcome) -> String {
     let deviation = &outcome.deviation;
     let mut page = Page::new();
-    if let (Some(threshold), Some(verdict)) = (outcome.threshold, outcome.verdict()) {
-        page.row("verdict", &verdict.sentence(deviation, threshold, &outcome.unit, outcome.names));
+    if let Some(verdict) = outcome.verdict() {
+        page.row("verdict", &verdict.sentence(outcome));
         page.gap();
     }
     page.files(outcome.names, &outcome.a, &outcome.b);
@@ -69,6 +70,20 @@ fn both(page: &mut Page, outcome: &Outcome) {
             Some(format!("{} of the area", percentage(statistics.above.as_ref()?.share)))
         });
     }
+    if let Some(report) = &outcome.bands {
+        for (i, class) in bands::names(&report.edges).iter().enumerate() {
+            let cell = |found: &DirectedBands| match &found.shares {
+                Some(shares) => format!("{} {class}", percentage(shares[i])),
+                None => "no area".to_owned(),
+            };
+            let name = if i == 0 { "bands" } else { "" };
+            page.columns(name, [&cell(&report.a_to_b), &cell(&report.b_to_a)]);
+        }
+    }
+    let mut row = |name: &str, cell: &dyn Fn(&DirectedDeviation) -> String| {
+        let [left, right] = found.map(cell);
+        page.columns(name, [&left, &right]);
+    };
     if found.iter().any(|directed| directed.sides.is_some()) {
         row("inside", &|directed| inside(directed).unwrap_or_default());
     }

@@ -1,7 +1,8 @@
 //! Whether two meshes are within a tolerance.
 
+use super::bands;
 use super::full::percentage;
-use super::run::{directions, percent};
+use super::run::{Outcome, directions, percent};
 use crate::exit::Exit;
 use crate::numbers::shortest;
 use crate::page::brief;
@@ -22,13 +23,24 @@ pub(super) enum Answer {
     Undecided,
 }
 
+impl Answer {
+    /// Of both surfaces.
+    pub(super) fn of_both(answers: [Self; 2]) -> Self {
+        match answers {
+            [Self::Within, Self::Within] => Self::Within,
+            both if both.contains(&Self::Out) => Self::Out,
+            _ => Self::Undecided,
+        }
+    }
+}
+
 /// The question and its answer.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub(super) struct Verdict {
-    /// Whether both surfaces are within the threshold of each other, but for the share of each that is allowed.
+    /// Whether both surfaces are within the threshold of each other, or in the bands, but for the share of each that is allowed.
     pub(super) answer: Answer,
-    /// The share of the area of each surface that may be farther.
+    /// The share of the area of each surface that may be outside.
     pub(super) allowed: f64,
 }
 
@@ -41,11 +53,7 @@ impl Verdict {
         } else {
             let shares = directions(deviation)
                 .map(|(_, directed)| share(directed).map_or(Answer::Within, |share| answer(share, allowed)));
-            match shares {
-                [Answer::Within, Answer::Within] => Answer::Within,
-                both if both.contains(&Answer::Out) => Answer::Out,
-                _ => Answer::Undecided,
-            }
+            Answer::of_both(shares)
         };
         Self { answer, allowed }
     }
@@ -59,23 +67,38 @@ impl Verdict {
     }
 
     /// The sentence that a person acts on.
-    pub(super) fn sentence(
-        self,
-        deviation: &Deviation,
-        threshold: f64,
-        unit: &str,
-        names: [&str; 2],
-    ) -> String {
+    pub(super) fn sentence(self, outcome: &Outcome) -> String {
         let head = match self.answer {
             Answer::Within => "WITHIN TOLERANCE",
             Answer::Out => "OUT OF TOLERANCE",
             Answer::Undecided => "UNDECIDED AT TOLERANCE",
         };
+        let unit = &outcome.unit;
         let length = |text: String| if unit.is_empty() { text } else { format!("{text} {unit}") };
         let allowed = match self.allowed {
             0.0 => String::new(),
             share => format!(" ({} % of each area may be)", percent(share)),
         };
+        match (&outcome.bands, outcome.threshold) {
+            (Some(found), _) => {
+                let is_within = self.answer == Answer::Within && self.allowed == 0.0;
+                format!("{head} {}{allowed}", bands::sentence(found, outcome.names, &length, is_within))
+            }
+            (None, threshold) => {
+                let threshold = threshold.unwrap_or(0.0);
+                format!("{head} {}", self.beyond(outcome, threshold, &length, &allowed))
+            }
+        }
+    }
+
+    /// What is farther than the threshold.
+    fn beyond(
+        self,
+        Outcome { deviation, names, .. }: &Outcome,
+        threshold: f64,
+        length: &dyn Fn(String) -> String,
+        allowed: &str,
+    ) -> String {
         let of = |name: &str, (_, directed): (&str, &DirectedDeviation)| match share(directed) {
             Some(share) => format!("{} of {name}'s area", percentage(share)),
             None => format!("{name} has no area"),
@@ -84,20 +107,12 @@ impl Verdict {
         let is_free = |(_, directed): (&str, &DirectedDeviation)| {
             share(directed).is_none_or(|share| share.upper() == 0.0)
         };
+        let (threshold, worst) = (length(shortest(threshold)), length(brief(deviation.distance)));
         if self.answer == Answer::Within && is_free(a) && is_free(b) {
-            return format!(
-                "{head} {}: nothing is beyond it; worst {}",
-                length(shortest(threshold)),
-                length(brief(deviation.distance))
-            );
+            return format!("{threshold}: nothing is beyond it; worst {worst}");
         }
-        format!(
-            "{head} {}: beyond it {}, {}{allowed}; worst {}",
-            length(shortest(threshold)),
-            of(names[0], a),
-            of(names[1], b),
-            length(brief(deviation.distance))
-        )
+        let [left, right] = [of(names[0], a), of(names[1], b)];
+        format!("{threshold}: beyond it {left}, {right}{allowed}; worst {worst}")
     }
 }
 
@@ -106,7 +121,7 @@ fn share(directed: &DirectedDeviation) -> Option<Enclosure> {
 }
 
 /// Whether an enclosed value is at most a bound.
-fn answer(found: Enclosure, most: f64) -> Answer {
+pub(super) fn answer(found: Enclosure, most: f64) -> Answer {
     if found.upper() <= most {
         Answer::Within
     } else if found.lower() > most {

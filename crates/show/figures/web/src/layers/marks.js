@@ -64,6 +64,80 @@ export class RingMark {
   }
 }
 
+/** A number on a pole over a place, fainter where something is in front of it. */
+export class FlagMark {
+  constructor(point, label, isHidden, choose) {
+    Object.assign(this, { point, label, isHidden, choose });
+  }
+
+  draw(pane, project) {
+    this.element ??= s("g", { class: "flag", onclick: this.choose }, s("line", { class: "halo" }), s("line", {}), s("circle", { class: "foot", r: 2.6 }), s("circle", { class: "head", r: 10 }), s("text", {}, this.label));
+    if (this.element.parentNode !== pane.marks) pane.marks.append(this.element);
+    const at = project(this.point);
+    this.element.style.display = at ? "" : "none";
+    if (!at) return;
+    const [halo, pole, foot, head, text] = this.element.children;
+    const top = at.y - 26;
+    for (const line of [halo, pole]) place(line, { x1: at.x, y1: at.y, x2: at.x, y2: top });
+    place(foot, { cx: at.x, cy: at.y });
+    place(head, { cx: at.x, cy: top });
+    place(text, { x: at.x, y: top + 4.2, "text-anchor": "middle" });
+    this.element.classList.toggle("behind", this.isHidden());
+  }
+
+  remove() {
+    this.element?.remove();
+  }
+}
+
+/** A point that was pinned, with its value, and the way to the nearest point of the other surface. */
+export class PinMark {
+  constructor(point, nearest, number, label) {
+    Object.assign(this, { point, nearest, number, label });
+  }
+
+  draw(pane, project) {
+    this.element ??= s("g", { class: "pin" }, s("line", {}), s("circle", { class: "halo", r: 6 }), s("circle", { class: "at", r: 4 }), s("text", {}, `${this.number}: ${this.label}`));
+    if (this.element.parentNode !== pane.marks) pane.marks.append(this.element);
+    const at = project(this.point);
+    const to = this.nearest && project(this.nearest);
+    this.element.style.display = at ? "" : "none";
+    if (!at) return;
+    const [way, halo, dot, text] = this.element.children;
+    place(way, { x1: at.x, y1: at.y, x2: (to ?? at).x, y2: (to ?? at).y });
+    for (const circle of [halo, dot]) place(circle, { cx: at.x, cy: at.y });
+    const right = Number(pane.clip.getAttribute("x")) + Number(pane.clip.getAttribute("width"));
+    const fits = at.x + 12 + 8.2 * text.textContent.length < right;
+    place(text, { x: at.x + (fits ? 10 : -10), y: at.y - 9, "text-anchor": fits ? "start" : "end" });
+  }
+
+  remove() {
+    this.element?.remove();
+  }
+}
+
+/** The way between two points, with its length. */
+export class MeasureMark {
+  constructor(from, to, label) {
+    Object.assign(this, { from, to, label });
+  }
+
+  draw(pane, project) {
+    this.element ??= s("g", { class: "measure" }, s("line", { class: "halo" }), s("line", {}), s("text", {}, this.label));
+    if (this.element.parentNode !== pane.marks) pane.marks.append(this.element);
+    const [from, to] = [project(this.from), project(this.to)];
+    this.element.style.display = from && to ? "" : "none";
+    if (!from || !to) return;
+    const [halo, line, text] = this.element.children;
+    for (const one of [halo, line]) place(one, { x1: from.x, y1: from.y, x2: to.x, y2: to.y });
+    place(text, { x: (from.x + to.x) / 2, y: (from.y + to.y) / 2 + 18, "text-anchor": "middle" });
+  }
+
+  remove() {
+    this.element?.remove();
+  }
+}
+
 /** Pairs of points of a scene. */
 export class PairsLayer {
   constructor(app, { pairs }, scene) {

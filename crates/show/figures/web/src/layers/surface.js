@@ -2,14 +2,17 @@
 
 import { Box3, BufferAttribute, BufferGeometry, Color, DoubleSide, Mesh as Drawn, ShaderMaterial, Vector3 } from "three";
 import { RingMark } from "./marks.js";
-import { SCALE_GLSL } from "../scale.js";
+import { CLASSES_GLSL, SCALE_GLSL } from "../scale.js";
+import { SECTION } from "../section.js";
 
 export const SURFACE_VERTEX = `
 attribute float part;
 varying float vPart;
 varying vec3 vPosition;
+varying vec3 vPlace;
 void main() {
   vPart = part;
+  vPlace = position;
   vec4 seen = modelViewMatrix * vec4(position, 1.0);
   vPosition = seen.xyz;
   gl_Position = projectionMatrix * seen;
@@ -19,6 +22,9 @@ void main() {
 // the camera and is weak, so that colours stay comparable with the legend.
 const LIT = `
 varying vec3 vPosition;
+varying vec3 vPlace;
+uniform vec4 section;
+void cut() { if (dot(vPlace, section.xyz) > section.w) discard; }
 vec3 facing() { return normalize(cross(dFdx(vPosition), dFdy(vPosition))); }
 float light() { return 0.68 + 0.36 * max(0.0, dot(facing(), normalize(vec3(0.25, 0.4, 1.0)))); }
 `;
@@ -37,8 +43,10 @@ uniform vec3 contrast;
 varying float vPart;
 ${LIT}
 ${SCALE_GLSL}
+${CLASSES_GLSL}
 void main() {
-  vec3 color = texture2D(colors, vec2((place(vPart * scaleGain) * 255.0 + 0.5) / 256.0, 0.5)).rgb;
+  cut();
+  vec3 color = banded ? classColor(vPart) : texture2D(colors, vec2((place(vPart * scaleGain) * 255.0 + 0.5) / 256.0, 0.5)).rgb;
   if (painting) color = abs(vPart) > threshold ? contrast : mix(neutral, color, 0.12);
   if (plain) color = neutral;
   color = mix(color, neutral, fade);
@@ -50,6 +58,7 @@ uniform vec3 neutral;
 uniform float opacity;
 ${LIT}
 void main() {
+  cut();
   float rim = 1.0 - abs(dot(facing(), normalize(vPosition)));
   gl_FragColor = vec4(neutral, opacity * (0.35 + 1.4 * rim * rim));
 }`;
@@ -57,11 +66,14 @@ void main() {
 const SOLID = `
 uniform vec3 neutral;
 ${LIT}
-void main() { gl_FragColor = vec4(neutral * light(), 1.0); }`;
+void main() {
+  cut();
+  gl_FragColor = vec4(neutral * light(), 1.0);
+}`;
 
 export function solidMaterial(color, inFront = 0) {
   return new ShaderMaterial({
-    vertexShader: SURFACE_VERTEX, fragmentShader: SOLID, side: DoubleSide, uniforms: { neutral: { value: color } },
+    vertexShader: SURFACE_VERTEX, fragmentShader: SOLID, side: DoubleSide, uniforms: { neutral: { value: color }, section: SECTION },
     polygonOffset: inFront !== 0, polygonOffsetFactor: -inFront, polygonOffsetUnits: -4 * inFront,
   });
 }
@@ -86,12 +98,12 @@ export class SurfaceLayer {
     this.bounds = bounds === null ? null : app.bounds[bounds];
     this.neutral = { value: new Color() };
     if (this.values) {
-      this.uniforms = { ...this.values.scale.uniforms, plain: { value: false }, fade: { value: 0 }, neutral: this.neutral };
+      this.uniforms = { ...this.values.scale.uniforms, plain: { value: false }, fade: { value: 0 }, neutral: this.neutral, section: SECTION };
       this.object = drawn(this.mesh.withValues(this.values), this.#material(this.uniforms));
     } else if (paint === "ghost") {
       this.object = drawn(this.mesh.geometry, new ShaderMaterial({
         vertexShader: SURFACE_VERTEX, fragmentShader: GHOST, side: DoubleSide, transparent: true, depthWrite: false,
-        uniforms: { neutral: this.neutral, opacity: { value: 0.42 } },
+        uniforms: { neutral: this.neutral, opacity: { value: 0.42 }, section: SECTION },
       }));
       this.object.renderOrder = 2;
     } else {

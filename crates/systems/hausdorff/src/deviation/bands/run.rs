@@ -1,0 +1,260 @@
+//! The classes of all faces of both surfaces.
+
+use super::super::connected::{Sets, Touching};
+use super::super::face::Cutter;
+use super::super::linear::{greater, lesser};
+use super::super::measure::{self, VertexDistances};
+use super::super::refine::Faces;
+use super::super::report::{Deviation, DirectedDeviation};
+use super::super::statistics::share_of;
+use super::cut::Cutting;
+use super::share::{Reach, Sign, Tally};
+use super::side::SideOf;
+use super::{BandReport, Bands, DirectedBands, Extreme};
+use crate::engine::joint_frame;
+use crate::observer::{Observer, Progress};
+use crate::report::{Direction, Enclosure, StopReason};
+use crate::target::Target;
+use glam::DVec3;
+use pompeiu_core::geom::{Aabb, Frame};
+use pompeiu_core::run::{Control, Limits, on_threads};
+use pompeiu_core::spatial::{Neighbours, morton_order};
+use pompeiu_core::{FaceId, TriMesh};
+use rayon::prelude::*;
+use std::ops::ControlFlow;
+use std::sync::Mutex;
+use std::time::Instant;
+
+/// Faces of a task, and tasks between two looks at the limits.
+const TASK: usize = 16;
+const TASKS_PER_ROUND: usize = 64;
+/// At most this part of a face is allowed to stay in doubt.
+const MOST_DOUBT: f64 = 0.5;
+/// Part of the doubt that is asked for that cutting aims at.
+const SPARE: f64 = 0.5;
+/// Distances up to so many units of rounding may be zero.
+const TOUCHING: f64 = 8.0;
+
+impl Deviation {
+    /// How much of both surfaces lies in which tolerance band, on which side. `a` and `b` must be the meshes that were measured.
+    ///
+    /// Shares are narrowed to `accuracy`, absolutely. Time and threads of the limits are kept; shares hold, wider, when they end the
+    /// work, or when the observer does.
+    ///
+    /// # Accuracy
+    /// All points of all faces count, and rounding is accounted for. Faces that lie in one class as a whole are not cut. A part that
+    /// does not meet the other surface lies on one side of it if that is closed; beside an open one the change of the winding number over
+    /// the part is bounded. Where the side is not known for certain, both are reckoned with.
+    pub fn bands(
+        &self,
+        a: &TriMesh,
+        b: &TriMesh,
+        bands: &Bands,
+        accuracy: f64,
+        limits: &Limits,
+        observer: Option<&dyn Observer>,
+    ) -> BandReport {
+        on_threads(limits.threads, || {
+            let now = Instant::now();
+            let until = |part: u32| limits.time.and_then(|time| now.checked_add(time / part));
+            let question =
+                |part| Question { bands, accuracy, deadline: until(part), observer: observer.unwrap_or(&()) };
+            BandReport {
+                edges: bands.edges().to_vec(),
+                a_to_b: question(2).ask(&self.a_to_b, a, b),
+                b_to_a: question(1).ask(&self.b_to_a, b, a),
+            }
+        })
+    }
+}
+
+struct Question<'q> {
+    bands: &'q Bands,
+    accuracy: f64,
+    deadline: Option<Instant>,
+    observer: &'q dyn Observer,
+}
+
+impl Question<'_> {
+    fn ask(&self, found: &DirectedDeviation, mesh: &TriMesh, other: &TriMesh) -> DirectedBands {
+        let (frame, _, rounding) = joint_frame(mesh, other);
+        let target = Target::in_frame(other, frame);
+        let order = morton_order(mesh, &Aabb::of_faces(mesh));
+        let vertices = VertexDistances::new(mesh, &frame, target.bvh(), &order);
+        let neighbours = Neighbours::new(other, target.bvh());
+        let control = Control::default().until(self.deadline);
+        let largest = frame.length_in(found.distance.distance.upper()).next_up();
+        let faces = Faces {
+            mesh,
+            frame: &frame,
+            vertices: &vertices,
+            bvh: target.bvh(),
+            neighbours: Some(&neighbours),
+            rounding,
+            control: &control,
+            largest,
+            scale: largest,
+            idle: Mutex::default(),
+        };
+        let edges = self.bands.edges().iter().map(|edge| frame.length_in(*edge)).collect();
+        let bands = Bands { edges };
+        let sides = SideOf::new(other, &frame);
+        let mut cutting = Cutting {
+            faces: &faces,
+            sides: &sides,
+            bands: &bands,
+            inside_is_positive: found.direction == Direction::AToB,
+            touching: TOUCHING * rounding.bound(0),
+            allowed: MOST_DOUBT,
+            floor: frame.length_in(found.floor),
+        };
+        let reaches: Vec<Reach> = found.faces.iter().map(|face| reach(&frame, face.min, face.max)).collect();
+        let signs = Self::signs(&cutting, &reaches);
+
+        // Whole faces first; the others are cut, neighbours together.
+        let mut sum = Tally::new(&bands);
+        let mut to_cut = Vec::new();
+        let mut area_to_cut = 0.0;
+        let mut total = 0.0;
+        for &face in &order {
+            let (reach, sign) = (&reaches[face as usize], signs[face as usize]);
+            let area = measure::area(mesh, &frame, face);
+            total += area.1;
+            if let Some(class) = reach.class(sign, &bands) {
+                sum.reach(reach, sign);
+                sum.whole(class, area);
+            } else {
+                to_cut.push(face);
+                area_to_cut += area.1;
+            }
+        }
+        if area_to_cut > 0.0 {
+            cutting.allowed = lesser(SPARE * self.accuracy * total / area_to_cut, MOST_DOUBT);
+        }
+        self.cut_all(&cutting, found, &to_cut, (&reaches, &signs), &mut sum);
+        self.publish(&sum, &frame, sides.is_closed(), control.reason())
+    }
+
+    /// The signs of faces as a whole, where classes depend on them.
+    fn signs(cutting: &Cutting<'_>, reaches: &[Reach]) -> Vec<Sign> {
+        let mesh = cutting.faces.mesh;
+        let is_wanted = |face: usize| {
+            reaches[face].least.0 > cutting.touching
+                && reaches[face].class(Sign::Unknown, cutting.bands).is_none()
+        };
+        let inside = |face: usize| {
+            let corners = mesh.corners(FaceId(face as u32)).map(|p| cutting.faces.frame.map(p));
+            let centre = [0, 1, 2].map(|k| (corners[0][k] + corners[1][k] + corners[2][k]) * (1.0 / 3.0));
+            let away = |p: &[f64; 3]| DVec3::from_array(*p).distance(DVec3::from_array(centre));
+            let radius = corners.iter().map(away).fold(cutting.touching, greater);
+            cutting.sign_of(cutting.sides.is_inside(centre, radius))
+        };
+        let count = reaches.len();
+        if !cutting.sides.is_closed() {
+            return (0..count)
+                .into_par_iter()
+                .map(|face| if is_wanted(face) { inside(face) } else { Sign::Unknown })
+                .collect();
+        }
+        // Faces that touch each other and not the other surface lie on one side of it.
+        let touching = Touching::new(mesh);
+        let mut sets = Sets::new(count);
+        for face in 0..count as u32 {
+            if reaches[face as usize].least.0 > cutting.touching {
+                sets.enter(face);
+                touching.for_neighbours(face, |other| sets.join(face, other));
+            }
+        }
+        let mut known = vec![None; count];
+        (0..count)
+            .map(|face| {
+                if !is_wanted(face) {
+                    return Sign::Unknown;
+                }
+                let first = sets.first(face as u32) as usize;
+                *known[first].get_or_insert_with(|| inside(first))
+            })
+            .collect()
+    }
+
+    fn cut_all(
+        &self,
+        cutting: &Cutting<'_>,
+        found: &DirectedDeviation,
+        to_cut: &[u32],
+        (reaches, signs): (&[Reach], &[Sign]),
+        sum: &mut Tally,
+    ) {
+        let control = cutting.faces.control;
+        let mut left = to_cut.len();
+        for round in to_cut.chunks(TASK * TASKS_PER_ROUND) {
+            let of_task = |task: &[u32]| {
+                let faces = cutting.faces;
+                let idle = faces.idle.lock().map_or(None, |mut idle| idle.pop());
+                let (mut cutter, entries): (Cutter<'_>, _) =
+                    idle.unwrap_or_else(|| (faces.cutter(true), Vec::new()));
+                let mut sum = Tally::new(cutting.bands);
+                for &face in task {
+                    let (reach, sign) = (&reaches[face as usize], signs[face as usize]);
+                    if control.is_stopped() {
+                        sum.reach(reach, sign);
+                        let area = measure::area(faces.mesh, faces.frame, face);
+                        sum.anywhere(reach.range(sign), cutting.bands, area);
+                    } else {
+                        sum.add(&cutting.face(&mut cutter, face, reach, sign));
+                    }
+                }
+                if let Ok(mut idle) = faces.idle.lock() {
+                    idle.push((cutter, entries));
+                }
+                sum
+            };
+            let made: Vec<Tally> = round.par_chunks(TASK).with_max_len(1).map(of_task).collect();
+            for of_task in &made {
+                sum.add(of_task);
+            }
+            left -= round.len();
+            let progress = Progress {
+                direction: found.direction,
+                lower: found.distance.distance.lower(),
+                upper: found.distance.distance.upper(),
+                examined: (to_cut.len() - left) as u64,
+                left: left as u64,
+            };
+            if self.observer.progress(&progress) == ControlFlow::Break(()) {
+                control.stop(StopReason::Cancelled);
+            }
+        }
+    }
+
+    fn publish(&self, sum: &Tally, frame: &Frame, closed: bool, reason: Option<StopReason>) -> DirectedBands {
+        let area = sum.area.enclosure();
+        let share = |class: &super::super::distribution::Sum| {
+            let part = class.enclosure();
+            if part.upper() == 0.0 {
+                return share_of((0.0, 0.0));
+            }
+            let share = part.divide_by_positive(area);
+            share_of((lesser(share.lower(), 1.0), share.upper()))
+        };
+        let shares = (area.lower() > 0.0).then(|| sum.classes.iter().map(share).collect::<Vec<_>>());
+        let is_narrow = |share: &Enclosure| share.upper() - share.lower() <= self.accuracy;
+        let stop = match reason {
+            Some(reason) => reason,
+            None if shares.iter().flatten().all(is_narrow) => StopReason::Tolerance,
+            None => StopReason::Rounding,
+        };
+        let extreme = |(low, high): (f64, f64)| {
+            let [lower, upper] = [low, high].map(|x| frame.length_out(x));
+            Extreme { lower, upper }
+        };
+        DirectedBands { lowest: extreme(sum.lowest), highest: extreme(sum.highest), shares, closed, stop }
+    }
+}
+
+fn reach(frame: &Frame, min: Enclosure, max: Enclosure) -> Reach {
+    let ends =
+        |enclosure: Enclosure| (frame.length_in(enclosure.lower()), frame.length_in(enclosure.upper()));
+    let (least, greatest) = (ends(min), ends(max));
+    Reach { least: (lesser(least.0, greatest.1), lesser(least.1, greatest.1)), greatest, unsigned: 0.0 }
+}
