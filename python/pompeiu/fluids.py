@@ -49,6 +49,9 @@ class Simulation:
         Gravity, felt by densities with a weight; angular velocity of the surface; an acceleration everywhere.
     confinement : float
         Strength of vorticity confinement.
+    inflow : sequence of (v, w, speed), optional
+        At what speed the fluid flows in through boundary edges between vertices ``v`` and ``w``, below zero where it flows out; as much
+        must flow out of each component as into it.
     densities : mapping, optional
         For each name an array of values at vertices, or a mapping with ``initial`` and any of ``diffusivity``, ``weight``, ``source``.
 
@@ -89,6 +92,7 @@ class Simulation:
         rotation: Optional[Sequence[float]] = None,
         acceleration: Optional[Sequence[float]] = None,
         confinement: float = 0.0,
+        inflow: Optional[Sequence[Any]] = None,
         densities: Optional[Mapping[str, Any]] = None,
     ) -> None:
         mesh = as_mesh(mesh)
@@ -111,6 +115,7 @@ class Simulation:
                 "rotation": vector(rotation),
                 "acceleration": vector(acceleration),
                 "confinement": float(confinement),
+                "inflow": None if inflow is None else [(int(v), int(w), float(s)) for v, w, s in inflow],
                 "densities": [_density(name, given) for name, given in (densities or {}).items()],
             },
         )

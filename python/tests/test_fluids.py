@@ -100,3 +100,20 @@ def test_the_square_has_the_same_methods(tmp_path):
             pompeiu.SquareSimulation(n, 0.1, **wrong)
     with pytest.raises(pompeiu.OptionError):
         pompeiu.SquareSimulation(100_000, 0.1)
+
+
+def test_what_flows_in_flows_out():
+    channel = pompeiu.shapes.grid((3.0, 1.0), (12, 4))
+    x, y, _ = channel.vertices.T
+    edges = {}
+    for a, b in channel.faces[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2):
+        key = (min(a, b), max(a, b))
+        edges[key] = edges.get(key, 0) + 1
+    ends = [(v, w) for (v, w), count in edges.items() if count == 1 and x[v] == x[w]]
+    inflow = [(v, w, 0.5 if x[v] < x.mean() else -0.5) for v, w in ends]
+    fluid = pompeiu.Simulation(channel, 0.1, wall="free-slip", inflow=inflow)
+    step = fluid.step(2)[-1]
+    assert abs(step["energy"] - 0.375) < 1e-9 and step["divergence"] < 1e-12
+    for wrong in [inflow[1:], [(0, 10_000, 1.0)]]:
+        with pytest.raises(pompeiu.OptionError):
+            pompeiu.Simulation(channel, 0.1, inflow=wrong)

@@ -42,6 +42,7 @@ pub(crate) struct Options {
     rotation: Option<[f64; 3]>,
     acceleration: Option<[f64; 3]>,
     confinement: f64,
+    inflow: Option<Vec<(u32, u32, f64)>>,
     densities: Vec<DensityOptions>,
 }
 
@@ -78,6 +79,23 @@ fn on_faces(surface: &EmbeddedSurface, values: Vec<f64>) -> PyResult<FaceData<f6
         let (what, element, found, expected) = ("density on faces", "face", error.found, error.expected);
         FluidError::Length { what, element, found, expected }.raise()
     })
+}
+
+/// Speeds of edges that are named by their ends.
+fn through_edges(surface: &EmbeddedSurface, inflow: &[(u32, u32, f64)]) -> PyResult<EdgeData<f64>> {
+    let mesh = surface.mesh();
+    let mut number = std::collections::HashMap::new();
+    for edge in mesh.edge_ids().filter(|&edge| mesh.is_boundary_edge(edge)) {
+        let [v, w] = mesh.ends(edge).map(|v| v.0);
+        number.insert([v.min(w), v.max(w)], edge);
+    }
+    let mut speeds = EdgeData::filled(mesh.edges(), 0.0);
+    for &(v, w, speed) in inflow {
+        let edge = number.get(&[v.min(w), v.max(w)]);
+        let edge = edge.ok_or_else(|| unknown("inflow", format!("({v}, {w})"), "ends of a boundary edge"))?;
+        speeds[*edge] = speed;
+    }
+    Ok(speeds)
 }
 
 /// Velocities at midpoints of edges, and densities on faces.
@@ -117,6 +135,7 @@ impl Options {
             viscosity_model: choice("viscosity_model", &self.viscosity_model, ViscosityModel::named, models)?,
             wall: choice("wall", &self.wall, Wall::named, "\"no-slip\" or \"free-slip\"")?,
             transport: choice("transport", &self.transport, Transport::named, transports)?,
+            inflow: self.inflow.map(|inflow| through_edges(surface, &inflow)).transpose()?,
             gravity: self.gravity.map(|gravity| tangential(surface, gravity)),
             coriolis: self.rotation.map(|rotation| coriolis(surface, rotation)),
             force: self.acceleration.map(|acceleration| tangential(surface, acceleration)),

@@ -35,7 +35,7 @@ impl Unknowns {
 ///
 /// # Definition
 /// `M ω' = G_vᵀ (A u ω̄)` and `c_k' = −Σ A ω̄ (J u)·h_k`, sums over faces of area A, ω̄ the mean of the corners plus the rotation of
-/// the surface. With exact solves the energy, the enstrophy and the sum of M ω do not change.
+/// the surface; what leaves through the boundary is taken off. Without such a flow and with exact solves the energy, the enstrophy and the sum of M ω do not change.
 pub(crate) fn rates(
     space: &Space<'_>,
     unknowns: &Unknowns,
@@ -71,8 +71,27 @@ pub(crate) fn rates_at(
             *rate += dot(crate::space::to_the_right(weighted, u), field[face]);
         }
     }
+    leave(space, vorticity, coriolis, &mut rate);
     space.solve_mass(&mut rate)?;
     Ok(Unknowns { vorticity: rate, harmonic })
+}
+
+/// Takes off the vorticity that leaves through the boundary, `∮ φ ω u·n`. What flows in has none, but that of the rotation of the surface.
+fn leave(
+    space: &Space<'_>,
+    vorticity: &VertexData<f64>,
+    coriolis: Option<&FaceData<f64>>,
+    rate: &mut VertexData<f64>,
+) {
+    let Some(inflow) = &space.inflow else { return };
+    let mesh = space.mesh();
+    for (edge, &into) in inflow.through_edges().entries().filter(|(_, into)| **into != 0.0) {
+        let [v, w] = mesh.ends(edge);
+        let own = if into < 0.0 { 1.0 } else { 0.0 };
+        let rotation = coriolis.map_or(0.0, |f| f[mesh.edge_halfedge(edge).face()]);
+        rate[v] += into * (own * (vorticity[v] / 3.0 + vorticity[w] / 6.0) + 0.5 * rotation);
+        rate[w] += into * (own * (vorticity[w] / 3.0 + vorticity[v] / 6.0) + 0.5 * rotation);
+    }
 }
 
 /// Courant numbers of dual cells up to which a substep is stable.

@@ -6,8 +6,8 @@ use crate::{FluidError, ViscosityModel, Wall};
 use pompeiu_core::mesh::FaceData;
 use pompeiu_operators::FaceField;
 use pompeiu_solve::{Cholesky, LinearSolver, SemidefiniteCholesky, SolveError, SparseMatrix};
-use pompeiu_surface::plane::{Vec2, add, dot, inverse, norm, rotate, scale};
-use pompeiu_surface::{EdgeData, HalfedgeId, SurfaceMesh};
+use pompeiu_surface::plane::{Vec2, add, dot, inverse, norm, rotate, scale, sub};
+use pompeiu_surface::{EdgeData, EdgeId, HalfedgeId, SurfaceMesh};
 
 /// A velocity at the midpoint of each edge: along its first half-edge, and to the left of it.
 pub(crate) type EdgeField = EdgeData<Vec2>;
@@ -19,8 +19,11 @@ pub(crate) type EdgeField = EdgeData<Vec2>;
 /// `∫ |∇u|²` (the connection Laplacian of Bochner), K that of the Gaussian curvature on faces, M the areas of edges. One step solves
 /// `(M + νΔt (B + (1 − χ) K)) u' = M u`, with χ = 0, 1, 2 for the Hodge, Bochner and physical viscosity. At a boundary that holds
 /// the fluid `u'` is the velocity of the wall; at one along which it slips, the component across is zero and the geodesic curvature
-/// is taken off the matrix for the component along. Then the nearest velocity with as much flow into each face as out of it is
-/// taken; the components along edges stay.
+/// is taken off the matrix for the component along. Then the gradient of a pressure, constant on faces, is taken off, so that as much
+/// flows into each face as out of it.
+///
+/// # Accuracy
+/// Of second order in the length of edges, of first order in the step.
 #[derive(Debug)]
 pub(crate) struct EdgeViscosity {
     product: f64,
@@ -43,9 +46,13 @@ impl EdgeViscosity {
         product: f64,
     ) -> Result<Self, FluidError> {
         let mesh = space.mesh();
-        let given = EdgeField::from_fn(mesh.edges(), |edge| match wall_velocity {
-            Some(velocity) if mesh.is_boundary_edge(edge) => [velocity[edge], 0.0],
-            _ => [0.0; 2],
+        let given = EdgeField::from_fn(mesh.edges(), |edge| {
+            if !mesh.is_boundary_edge(edge) {
+                return [0.0; 2];
+            }
+            let through = space.inflow.as_ref().map_or(0.0, |inflow| inflow.through_edges()[edge]);
+            // The surface lies to the left of its boundary.
+            [wall_velocity.map_or(0.0, |velocity| velocity[edge]), through / space.surface.edge_length(edge)]
         });
         let mut count = 0;
         let mut number = |free: bool| {
@@ -113,21 +120,50 @@ impl EdgeViscosity {
         Ok(after)
     }
 
-    /// Takes off what flows out of faces more than into them.
+    /// Takes off what flows out of faces more than into them: the gradient of a pressure.
+    ///
+    /// The component of that gradient along an edge is that of the lowest-order Raviart–Thomas fields beside it.
     fn project(&self, space: &Space<'_>, field: &mut EdgeField) -> Result<(), FluidError> {
         let mesh = space.mesh();
         let mut pressure: Vec<f64> =
             mesh.face_ids().map(|face| outflows(space, face, field).iter().sum()).collect();
         self.pressure.solve_in_place(&mut pressure)?;
-        for edge in mesh.edge_ids() {
+        let change = EdgeField::from_fn(mesh.edges(), |edge| {
             let h = mesh.edge_halfedge(edge);
-            if let Some(twin) = mesh.twin(h) {
+            let across = mesh.twin(h).map_or(0.0, |twin| {
                 let difference = pressure[h.face().index()] - pressure[twin.face().index()];
-                field[edge][1] += space.surface.edge_length(edge) / self.mass[edge] * difference;
+                space.surface.edge_length(edge) / self.mass[edge] * difference
+            });
+            [0.0, across]
+        });
+        for edge in mesh.edge_ids() {
+            field[edge][1] += change[edge][1];
+            if self.unknown[edge.index()][0].is_some() {
+                field[edge][0] += along_edge(space, edge, &change);
             }
         }
         Ok(())
     }
+}
+
+/// The component along an edge, at its midpoint, of the Raviart–Thomas fields of the faces beside it; their mean by area.
+fn along_edge(space: &Space<'_>, edge: EdgeId, field: &EdgeField) -> f64 {
+    let (mesh, surface) = (space.mesh(), space.surface);
+    let h = mesh.edge_halfedge(edge);
+    let (mut sum, mut area) = (0.0, 0.0);
+    for h in [Some(h), mesh.twin(h)].into_iter().flatten() {
+        let corners = surface.corners(h.face());
+        let middle = scale(0.5, add(corners[h.corner()], corners[(h.corner() + 1) % 3]));
+        let flows = outflows(space, h.face(), field);
+        // The field of a side is its flow times the way from the opposite corner, over twice the area.
+        let mut twice = [0.0; 2];
+        for (i, flow) in flows.into_iter().enumerate() {
+            twice = add(twice, scale(flow, sub(middle, corners[(i + 2) % 3])));
+        }
+        sum += 0.5 * dot(along(space, h), twice);
+        area += surface.face_area(h.face());
+    }
+    sum / area
 }
 
 /// What flows out of a face through each of its sides.
@@ -200,6 +236,9 @@ fn energy(space: &Space<'_>, curvatures: f64, factor: f64) -> Vec<(usize, usize,
     entries
 }
 
+/// A boundary that turns by more than this at a vertex, in radians, has a corner there, which is no curvature.
+const CORNER: f64 = 0.6;
+
 /// The geodesic curvature of each boundary edge times its length; zero inside.
 fn slip(space: &Space<'_>) -> EdgeData<f64> {
     let mesh = space.mesh();
@@ -209,7 +248,8 @@ fn slip(space: &Space<'_>) -> EdgeData<f64> {
             return 0.0;
         }
         let half = 0.5 * space.surface.edge_length(edge);
-        mesh.ends(edge).into_iter().map(|v| half * bend[v] / lengths[v]).sum()
+        let smooth = mesh.ends(edge).into_iter().filter(|&v| bend[v].abs() <= CORNER);
+        smooth.map(|v| half * bend[v] / lengths[v]).sum()
     })
 }
 

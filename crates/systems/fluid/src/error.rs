@@ -41,6 +41,18 @@ pub enum FluidError {
         /// The value.
         value: f64,
     },
+    /// More flows into a component than out of it, or less.
+    #[error(
+        "{into} flows into component {component} and {out} out of it per time; as much must flow out as in"
+    )]
+    Imbalance {
+        /// The component, from 0.
+        component: usize,
+        /// What flows in.
+        into: f64,
+        /// What flows out.
+        out: f64,
+    },
     /// Weights for faces where nothing is stored on faces.
     #[error(
         "diffusion by edge-length is for what is stored on faces; choose the scheme faces, the transport faces, or both"

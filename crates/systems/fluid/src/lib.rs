@@ -47,6 +47,7 @@ mod edges;
 mod error;
 mod faces;
 mod force;
+mod inflow;
 mod options;
 mod report;
 #[cfg(feature = "figures")]

@@ -312,6 +312,10 @@ pub struct FluidOptions {
     /// The velocity of the boundary along each of its edges, in the direction of its face's half-edge, for [`Wall::NoSlip`]:
     /// one value for each edge, those inside unused. At rest by default.
     pub wall_velocity: Option<pompeiu_surface::EdgeData<f64>>,
+    /// The speed at which the fluid flows in through each boundary edge, across it, below zero where it flows out; one value for each
+    /// edge, those inside unused. As much must flow into each component as out of it. What flows in brings no vorticity and no
+    /// density along; what is traced back to the boundary takes what is there.
+    pub inflow: Option<pompeiu_surface::EdgeData<f64>>,
     /// The gravity along the surface, felt by densities that weigh something; see [`tangential`](crate::tangential).
     pub gravity: Option<FaceField>,
     /// Twice the normal component of a rotation of the whole surface; see [`coriolis`](crate::coriolis).
@@ -340,6 +344,7 @@ impl FluidOptions {
             viscosity_model: ViscosityModel::default(),
             wall: Wall::default(),
             wall_velocity: None,
+            inflow: None,
             gravity: None,
             coriolis: None,
             force: None,
@@ -403,6 +408,9 @@ impl FluidOptions {
         }
         if let Some(velocity) = &self.wall_velocity {
             finite("velocity of the boundary", "edge", velocity, surface.edges())?;
+        }
+        if let Some(inflow) = &self.inflow {
+            finite("inflow", "edge", inflow, surface.edges())?;
         }
         for density in &self.densities {
             not_negative("diffusivity", density.diffusivity)?;

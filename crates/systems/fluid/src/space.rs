@@ -1,22 +1,23 @@
 //! Velocities that are free of divergence: stream functions at vertices and harmonic fields.
 
 use crate::FluidError;
+use crate::inflow::Inflow;
 use crate::transport::Cells;
 use pompeiu_core::FaceId;
 use pompeiu_core::mesh::VertexData;
 use pompeiu_operators::hodge::{DirichletPotential, conforming_system};
 use pompeiu_operators::{
-    FaceField, HarmonicBasis, crouzeix_raviart_divergence, curl, field_norm, mass_matrix,
+    FaceField, HarmonicBasis, add_scaled, crouzeix_raviart_divergence, curl, field_norm, mass_matrix,
 };
 use pompeiu_solve::{Cholesky, LinearSolver, SemidefiniteCholesky, SparseMatrix};
-use pompeiu_surface::plane::{Vec2, dot, quarter_turn, scale};
+use pompeiu_surface::plane::{Vec2, add, dot, quarter_turn, scale};
 use pompeiu_surface::{Surface, SurfaceMesh};
 use rayon::prelude::*;
 
 /// A surface with the systems that are factored once.
 ///
 /// # Definition
-/// A velocity is `u = J G_v ψ + Σ c_k h_k`: ψ linear on faces, zero at boundary vertices, `h_k` the harmonic fields of the dual
+/// A velocity is `u = u_0 + J G_v ψ + Σ c_k h_k`: `u_0` what flows through the boundary without vorticity, ψ linear on faces, zero at boundary vertices, `h_k` the harmonic fields of the dual
 /// splitting, orthonormal and tangential at the boundary. What flows across an edge is the same on both sides of it. The vorticity
 /// ω, linear on faces, satisfies `M ω = −L ψ` at inner vertices, M the consistent mass matrix, L the cotangent Laplacian.
 #[derive(Debug)]
@@ -27,8 +28,11 @@ pub(crate) struct Space<'s> {
     pub(crate) areas: VertexData<f64>,
     pub(crate) basis: HarmonicBasis,
     pub(crate) edge_length: f64,
-    /// The ends of each edge.
+    /// What flows through the boundary.
+    pub(crate) inflow: Option<Inflow>,
+    /// The two dual cells at each edge, then those at the boundary where something flows through it, with the outside as last cell.
     ends: Vec<[u32; 2]>,
+    cell_areas: Vec<f64>,
 }
 
 /// A velocity by its parts.
@@ -39,7 +43,10 @@ pub(crate) struct Parts {
 }
 
 impl<'s> Space<'s> {
-    pub(crate) fn new(surface: &'s Surface) -> Result<Self, FluidError> {
+    pub(crate) fn new(
+        surface: &'s Surface,
+        inflow: Option<&pompeiu_surface::EdgeData<f64>>,
+    ) -> Result<Self, FluidError> {
         let (poisson, mass) = rayon::join(
             || conforming_system(surface, true),
             || Ok::<_, FluidError>(Cholesky::new(&mass_matrix(surface)?)?),
@@ -48,8 +55,17 @@ impl<'s> Space<'s> {
         let basis = HarmonicBasis::primal(surface, DirichletPotential::Conforming, &poisson)?.turned();
         let lengths = surface.edge_lengths();
         let edge_length = lengths.iter().sum::<f64>() / lengths.len() as f64;
-        let ends = surface.mesh().edge_ids().map(|edge| surface.mesh().ends(edge).map(|v| v.0)).collect();
-        Ok(Self { surface, poisson, mass, areas: surface.vertex_areas(), basis, edge_length, ends })
+        let mut ends: Vec<[u32; 2]> =
+            surface.mesh().edge_ids().map(|edge| surface.mesh().ends(edge).map(|v| v.0)).collect();
+        let areas = surface.vertex_areas();
+        let mut cell_areas = areas.to_vec();
+        let inflow = inflow.map(|inflow| Inflow::new(surface, inflow)).transpose()?;
+        if let Some(inflow) = &inflow {
+            ends.extend(inflow.at_vertices().iter().map(|&(v, _)| [v.0, areas.len() as u32]));
+            // So large that nothing changes outside.
+            cell_areas.push(f64::MAX);
+        }
+        Ok(Self { surface, poisson, mass, areas, basis, edge_length, inflow, ends, cell_areas })
     }
 
     pub(crate) fn mesh(&self) -> &'s SurfaceMesh {
@@ -58,7 +74,16 @@ impl<'s> Space<'s> {
 
     /// The dual cells of the vertices with what flows between them.
     pub(crate) fn cells(&self, velocity: &FaceField) -> Cells<'_> {
-        Cells::dual(self.surface, &self.ends, &self.areas, velocity)
+        let through = self.inflow.as_ref().map_or(&[][..], Inflow::at_vertices);
+        Cells::dual(self.surface, &self.ends, &self.cell_areas, velocity, through)
+    }
+
+    /// Carries values at vertices along with flows between dual cells; what flows in brings nothing along.
+    pub(crate) fn carry(&self, cells: &Cells<'_>, values: &mut VertexData<f64>, time: f64) {
+        let mut held = values.to_vec();
+        held.resize(self.cell_areas.len(), 0.0);
+        cells.carry(&mut held, time);
+        values.iter_mut().zip(held).for_each(|(x, held)| *x = held);
     }
 
     /// A system with the kernel and the boundary conditions of the Laplacian.
@@ -121,6 +146,9 @@ impl<'s> Space<'s> {
         velocity.as_mut_slice().par_iter_mut().with_min_len(4096).enumerate().for_each(|(f, u)| {
             let face = FaceId(f as u32);
             *u = self.rotated_gradient(face, self.mesh().face(face).map(|v| stream[v]));
+            if let Some(inflow) = &self.inflow {
+                *u = add(*u, inflow.field()[face]);
+            }
             for (field, c) in fields.iter().zip(harmonic) {
                 let h = field[face];
                 u[0] += c * h[0];
@@ -160,9 +188,13 @@ impl<'s> Space<'s> {
                 sums.as_mut_slice()[i] -= entry * value;
             }
         }
-        if !self.mesh().boundary_loops().is_empty() && !parts.harmonic.is_empty() {
-            let field = self.basis.combination(self.mesh().faces(), &parts.harmonic);
-            // At inner vertices a harmonic field has none, but for rounding.
+        let still = parts.harmonic.is_empty() && self.inflow.is_none();
+        if !self.mesh().boundary_loops().is_empty() && !still {
+            let mut field = self.basis.combination(self.mesh().faces(), &parts.harmonic);
+            if let Some(inflow) = &self.inflow {
+                add_scaled(&mut field, 1.0, inflow.field());
+            }
+            // At inner vertices such a field has none, but for rounding.
             if let Ok(curl) = curl(self.surface, &field) {
                 for (v, value) in curl.entries().filter(|(v, _)| self.mesh().is_boundary_vertex(*v)) {
                     sums[v] -= value;
@@ -209,7 +241,10 @@ impl<'s> Space<'s> {
     /// How much more flows into edges than out of them, against the velocity: `(Σ d_e²)^½ / ‖u‖`, without unit.
     pub(crate) fn divergence(&self, velocity: &FaceField) -> Result<f64, FluidError> {
         let norm = field_norm(self.surface, velocity);
-        let flow = crouzeix_raviart_divergence(self.surface, velocity)?;
+        let mut flow = crouzeix_raviart_divergence(self.surface, velocity)?;
+        if let Some(inflow) = &self.inflow {
+            flow.iter_mut().zip(inflow.through_edges()).for_each(|(d, through)| *d -= through);
+        }
         let sum: f64 = flow.iter().map(|d| d * d).sum();
         Ok(if norm > 0.0 { sum.sqrt() / norm } else { 0.0 })
     }

@@ -4,7 +4,7 @@ use crate::space::{Parts, Space};
 use crate::{FluidError, ViscosityModel, Wall};
 use pompeiu_core::VertexId;
 use pompeiu_core::mesh::{FaceData, VertexData};
-use pompeiu_operators::{FaceField, curl};
+use pompeiu_operators::{FaceField, curl, field_inner_product};
 use pompeiu_solve::{DenseCholesky, LinearSolver, SemidefiniteCholesky, SolveError, SparseMatrix};
 use pompeiu_surface::plane::{dot, scale};
 use pompeiu_surface::{Surface, SurfaceMesh};
@@ -65,7 +65,22 @@ impl ViscousPower {
             Ok(column)
         };
         let columns = fields.iter().map(at_boundary).collect::<Result<Vec<_>, _>>()?;
+        let mut circulation = circulation.clone();
+        let mut curved_inflow = None;
+        if let Some(inflow) = &space.inflow {
+            // The wall holds what flows through it as well.
+            let slipping = at_boundary(inflow.field())?;
+            circulation.iter_mut().zip(&slipping).for_each(|(x, y)| *x -= y);
+            let chi = model.curvatures();
+            curved_inflow =
+                Some(FaceField::from_fn(curvature.len(), |f| scale(chi * curvature[f], inflow.field()[f])));
+        }
+        let circulation = &circulation;
         let mut drive = (apply(laplacian, &weights, circulation), Vec::with_capacity(fields.len()));
+        if let Some(curved) = &curved_inflow {
+            let turned = curl(space.surface, curved)?;
+            drive.0.iter_mut().zip(&turned).for_each(|(x, y)| *x += y);
+        }
         for (k, field) in fields.iter().enumerate() {
             let curved = FaceField::from_fn(field.len(), |f| scale(curvature[f], field[f]));
             let turned = curl(space.surface, &curved)?;
@@ -80,7 +95,10 @@ impl ViscousPower {
                 let walls = product(&columns[k], &weights, &columns[j]);
                 corner[k * fields.len() + j] = walls - model.curvatures() * curved;
             }
-            drive.1.push(product(&columns[k], &weights, circulation));
+            let curved = curved_inflow
+                .as_ref()
+                .map_or(0.0, |curved| field_inner_product(space.surface, curved, field));
+            drive.1.push(product(&columns[k], &weights, circulation) + curved);
         }
         Ok(Self { matrix, border, corner, drive })
     }

@@ -815,6 +815,14 @@ fn fluid_measures_what_is_conserved_and_writes_its_steps() {
         assert_eq!(wrong.status.code(), Some(2), "{scene}");
         assert!(stderr.contains(said), "{stderr}");
     }
+    let tube = "dt = 0.1\nsteps = 2\nwall = \"free-slip\"\n[[inflow]]\nat = [0, 0, -1]\nradius = 1.01\nspeed = 0.5\n\
+                [[outflow]]\nat = [0, 0, 1]\nradius = 1.01\n";
+    std::fs::write(folder.path().join("tube.toml"), tube).unwrap();
+    folder.ok("generate schwarz-lantern --radius 1 --height 2 --segments 24 --bands 6 -o tube.obj");
+    let report = json(&folder, "fluid tube.obj tube.toml --json");
+    let last = report["steps"].as_array().unwrap().last().unwrap();
+    assert!((last["max_speed"].as_f64().unwrap() / 0.5 - 1.0).abs() < 0.05, "{last}");
+    assert!(last["divergence"].as_f64().unwrap() < 1e-12);
     let late = folder.run("fluid torus.obj --velocity rotation:z --steps 3 --dt 0.1 --time-limit 0s");
     assert_eq!(late.status.code(), Some(3));
 }

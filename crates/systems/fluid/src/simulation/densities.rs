@@ -93,7 +93,7 @@ impl Simulation<'_> {
             self.state.densities = self.trace_back(backtrace, &velocity, step);
         } else {
             let cells = self.space.cells(&velocity);
-            self.state.densities.iter_mut().for_each(|values| cells.carry(values, step));
+            self.state.densities.iter_mut().for_each(|values| self.space.carry(&cells, values, step));
         }
         Ok(())
     }

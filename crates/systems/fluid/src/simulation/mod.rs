@@ -85,7 +85,7 @@ impl<'s> Simulation<'s> {
     pub fn new(surface: &'s Surface, options: FluidOptions) -> Result<Self, FluidError> {
         let start = Instant::now();
         options.check(surface.mesh())?;
-        let space = Space::new(surface)?;
+        let space = Space::new(surface, options.inflow.as_ref())?;
         let vertices = surface.mesh().vertices();
         let circulation = match &options.wall_velocity {
             Some(velocity) => space.along_boundary(|h| {

@@ -119,7 +119,7 @@ impl Simulation<'_> {
         };
         let energy = |parts: &Parts| self.space.energy(&self.space.velocity(&parts.stream, &parts.harmonic));
         let [old, new] = [&before, &parts].map(energy);
-        let driven = self.options.wall_velocity.is_some();
+        let driven = self.options.wall_velocity.is_some() || self.options.inflow.is_some();
         let guarded = new > old && !driven;
         if guarded {
             let factor = (old / new).sqrt();

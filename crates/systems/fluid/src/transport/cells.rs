@@ -1,6 +1,6 @@
 //! Flows between cells.
 
-use pompeiu_core::mesh::VertexData;
+use pompeiu_core::VertexId;
 use pompeiu_operators::FaceField;
 use pompeiu_surface::plane::{add, cross, scale, sub};
 use pompeiu_surface::{Surface, SurfaceMesh};
@@ -32,14 +32,15 @@ impl<'c> Cells<'c> {
     }
 
     /// The dual cells of vertices: barycentric ones, which meet along the segments from midpoints of edges to centroids of faces.
-    /// `ends` are those of the edges.
+    /// `ends` are those of the edges, then one for each vertex with a flow through the boundary, `through`.
     ///
     /// What is free of divergence against hat functions has no net flow into a cell.
     pub(crate) fn dual(
         surface: &Surface,
         ends: &'c [[u32; 2]],
-        areas: &'c VertexData<f64>,
+        areas: &'c [f64],
         velocity: &FaceField,
+        through: &[(VertexId, f64)],
     ) -> Self {
         let mesh = surface.mesh();
         let mut flows = vec![0.0; mesh.edges()];
@@ -54,7 +55,8 @@ impl<'c> Cells<'c> {
                 flows[mesh.edge(h).index()] += if mesh.is_along(h) { flow } else { -flow };
             }
         }
-        Self::new(ends, areas.as_slice(), flows)
+        flows.extend(through.iter().map(|(_, flow)| flow));
+        Self::new(ends, areas, flows)
     }
 
     /// The greatest share of its content that flows out of a cell in a step: the Courant number.

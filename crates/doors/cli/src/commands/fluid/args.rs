@@ -14,7 +14,7 @@ use std::path::PathBuf;
 #[command(after_help = "\
 The mesh must be an oriented manifold, with or without boundary, of any genus. A scene is a TOML file with the options below, under
 their names with `_` for `-`, and with vortices, densities, sources, forces and moving walls; options on the command line come first.
-Nothing flows through the boundary.
+Nothing flows through the boundary but where a scene says so.
 
 Scenes:
   steps = 200
@@ -44,6 +44,11 @@ Scenes:
 
   [[moving_wall]]                # boundary edges in a ball move along themselves
   at = [0, 1, 0]
+  radius = 0.5
+  speed = 1
+
+  [[inflow]]                     # through boundary edges in a ball; beside it [[outflow]] with `at` and `radius`
+  at = [-1, 0, 0]
   radius = 0.5
   speed = 1
 

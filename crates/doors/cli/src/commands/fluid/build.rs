@@ -10,7 +10,7 @@ use pompeiu::core::mesh::VertexData;
 use pompeiu::fluid::{Density, FluidOptions, Simulation, TimeStep, coriolis, tangential};
 use pompeiu::operators::FaceField;
 use pompeiu::planar::picture::Picture;
-use pompeiu::surface::{EdgeData, EmbeddedSurface};
+use pompeiu::surface::{EdgeData, EdgeId, EmbeddedSurface};
 
 /// The simulation of a scene, with its velocity at first.
 pub(super) fn simulation<'s>(
@@ -82,6 +82,7 @@ fn options(scene: &Scene, mesh: &TriMesh, surface: &EmbeddedSurface) -> anyhow::
         viscosity_model: scene.viscosity_model.unwrap_or_default(),
         wall: scene.wall.unwrap_or_default(),
         wall_velocity: wall_velocity(scene, surface)?,
+        inflow: inflow(scene, surface)?,
         gravity: scene.gravity.map(|gravity| tangential(surface, gravity)),
         coriolis: scene.rotation.map(|rotation| coriolis(surface, rotation)),
         force: force(scene, surface)?,
@@ -137,23 +138,63 @@ fn wall_velocity(scene: &Scene, surface: &EmbeddedSurface) -> anyhow::Result<Opt
     if scene.walls.is_empty() {
         return Ok(None);
     }
-    let mesh = surface.mesh();
-    let mut speeds = EdgeData::filled(mesh.edges(), 0.0);
+    let mut speeds = EdgeData::filled(surface.mesh().edges(), 0.0);
     for wall in &scene.walls {
-        let mut touched = false;
-        for edge in mesh.edge_ids().filter(|&edge| mesh.is_boundary_edge(edge)) {
-            let [a, b] = mesh.ends(edge).map(|v| surface.positions()[v]);
-            let middle = [0, 1, 2].map(|i| 0.5 * (a[i] + b[i]));
-            if distance_sq(middle, wall.ball.at) <= wall.ball.radius.powi(2) {
-                touched = true;
-                speeds[edge] = wall.speed;
-            }
-        }
-        if !touched {
-            bail!("{}", nothing_in("moving wall", "boundary edge", wall.ball));
+        for edge in boundary_edges(surface, "moving wall", wall.ball)? {
+            speeds[edge] = wall.speed;
         }
     }
     Ok(Some(speeds))
+}
+
+/// How fast the fluid flows in through each boundary edge; out of each component it flows at one speed.
+fn inflow(scene: &Scene, surface: &EmbeddedSurface) -> anyhow::Result<Option<EdgeData<f64>>> {
+    if scene.inflows.is_empty() && scene.outflows.is_empty() {
+        return Ok(None);
+    }
+    let mesh = surface.mesh();
+    let mut speeds = EdgeData::filled(mesh.edges(), 0.0);
+    let mut out = vec![false; mesh.edges()];
+    for inflow in &scene.inflows {
+        for edge in boundary_edges(surface, "inflow", inflow.ball)? {
+            speeds[edge] = inflow.speed;
+        }
+    }
+    for ball in &scene.outflows {
+        for edge in boundary_edges(surface, "outflow", *ball)? {
+            out[edge.index()] = true;
+            speeds[edge] = 0.0;
+        }
+    }
+    let component = |edge| mesh.component(mesh.ends(edge)[0]);
+    // What flows in, and the length through which it flows out.
+    let mut sums = vec![[0.0; 2]; mesh.components()];
+    for edge in mesh.edge_ids() {
+        let length = surface.surface().edge_length(edge);
+        let [into, outlet] = &mut sums[component(edge)];
+        *into += length * speeds[edge];
+        *outlet += if out[edge.index()] { length } else { 0.0 };
+    }
+    for edge in mesh.edge_ids().filter(|edge| out[edge.index()]) {
+        let [into, outlet] = sums[component(edge)];
+        speeds[edge] = -into / outlet;
+    }
+    Ok(Some(speeds))
+}
+
+/// The boundary edges whose midpoints lie in a ball; at least one.
+fn boundary_edges(surface: &EmbeddedSurface, what: &str, ball: Ball) -> anyhow::Result<Vec<EdgeId>> {
+    let mesh = surface.mesh();
+    let inside = |&edge: &EdgeId| {
+        let [a, b] = mesh.ends(edge).map(|v| surface.positions()[v]);
+        let middle = [0, 1, 2].map(|i| 0.5 * (a[i] + b[i]));
+        mesh.is_boundary_edge(edge) && distance_sq(middle, ball.at) <= ball.radius.powi(2)
+    };
+    let found: Vec<EdgeId> = mesh.edge_ids().filter(inside).collect();
+    if found.is_empty() {
+        bail!("{}", nothing_in(what, "boundary edge", ball));
+    }
+    Ok(found)
 }
 
 fn nothing_in(what: &str, element: &str, ball: Ball) -> String {

@@ -36,6 +36,9 @@ pub(super) struct Scene {
     pub(super) densities: Vec<DensityScene>,
     pub(super) forces: Vec<LocalForce>,
     pub(super) walls: Vec<MovingWall>,
+    pub(super) inflows: Vec<InflowScene>,
+    /// Where what flows in flows out.
+    pub(super) outflows: Vec<Ball>,
 }
 
 /// A ball in space.
@@ -78,6 +81,11 @@ pub(super) struct LocalForce {
 }
 
 pub(super) struct MovingWall {
+    pub(super) ball: Ball,
+    pub(super) speed: f64,
+}
+
+pub(super) struct InflowScene {
     pub(super) ball: Ball,
     pub(super) speed: f64,
 }
@@ -163,6 +171,8 @@ impl Scene {
             densities: each(&mut top, "density", density)?,
             forces: each(&mut top, "force", force)?,
             walls: each(&mut top, "moving_wall", moving_wall)?,
+            inflows: each(&mut top, "inflow", inflow)?,
+            outflows: each(&mut top, "outflow", ball)?,
         };
         top.finish()?;
         Ok(scene)
@@ -255,4 +265,9 @@ fn force(table: &mut Reader<'_>) -> anyhow::Result<LocalForce> {
 fn moving_wall(table: &mut Reader<'_>) -> anyhow::Result<MovingWall> {
     let (ball, speed) = (ball(table)?, table.number("speed")?);
     Ok(MovingWall { ball, speed: table.required("speed", speed)? })
+}
+
+fn inflow(table: &mut Reader<'_>) -> anyhow::Result<InflowScene> {
+    let (ball, speed) = (ball(table)?, table.number("speed")?);
+    Ok(InflowScene { ball, speed: table.required("speed", speed)? })
 }

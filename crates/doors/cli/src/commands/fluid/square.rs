@@ -44,6 +44,8 @@ pub(super) fn simulation(scene: &Scene, cells: usize, mesh: &TriMesh) -> anyhow:
         ("vorticity", scene.vorticity.is_some()),
         ("harmonic", scene.harmonic.is_some()),
         ("moving_wall", !scene.walls.is_empty()),
+        ("inflow", !scene.inflows.is_empty()),
+        ("outflow", !scene.outflows.is_empty()),
     ] {
         if given {
             bail!("`{what}` is for surfaces; in the square leave it out");
