@@ -12,7 +12,7 @@
 //! | [`mesh_neuron`], [`MeshOptions`], [`NeuronMesh`] | a conforming hexahedral mesh, every cell proven unfolded |
 //! | [`cubic_neuron`], [`CubicMesh`], [`SplineReport`] | the same with tricubic cells, and splines over them |
 //! | [`neuron_flow`], [`FlowParameters`], [`Flow`] | steady viscous flow, conservative cell by cell |
-//! | [`transport`], [`Parameters`], [`read_transport_config`] | diffusion and motors in both directions, conservative and without negative concentrations |
+//! | [`transport`], [`transport_in_flow`], [`Parameters`], [`read_transport_config`] | diffusion and motors in both directions, conservative and without negative concentrations |
 //! | [`NeuronReport`], [`SkeletonReport`] | what is said of a neuron and of its skeleton |
 //! | [`RoundCone`], [`Curve`] | the tubes and their smooth axes |
 //!
@@ -32,6 +32,7 @@ mod curve;
 mod error;
 mod flow;
 mod mesh;
+mod prepare;
 mod problems;
 mod report;
 mod skeleton;
@@ -51,6 +52,7 @@ pub use mesh::{
     Cap, CubicMesh, MeshError, MeshOptions, MeshReport, NeuronMesh, SurfaceDistance, cubic_neuron,
     mesh_neuron,
 };
+pub use prepare::{Preparation, prepare};
 pub use problems::{MOST_TURN, Problem, ProblemKind, problems};
 pub use report::{NeuronReport, SkeletonReport, Timing};
 pub use skeleton::{Repair, RepairAction, SOMA, Sample, Skeleton, Soma};
@@ -58,6 +60,6 @@ pub use smooth::{SkeletonDeviation, SmoothOptions, smooth};
 pub use spline::SplineReport;
 pub use swc::{SwcRow, read_swc, write_swc};
 pub use transport::{
-    Discretisation, FlowField, Frame, Parameters, TipReport, Transport, TransportError, TransportOptions,
-    TransportReport, potential_flow, read_transport_config, transport,
+    Discretisation, FlowCells, FlowField, Frame, Parameters, TipReport, Transport, TransportError,
+    TransportOptions, TransportReport, potential_flow, read_transport_config, transport, transport_in_flow,
 };

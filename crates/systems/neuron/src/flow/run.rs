@@ -4,7 +4,8 @@ use super::element::{Cell, PRESSURES, Tables};
 use super::error::FlowError;
 use super::problem::{Drive, FlowOptions, FlowParameters};
 use super::system::FlowSystem;
-use crate::mesh::cubic_vtu;
+use crate::mesh::{LINEAR_PARTS, cubic_vtu};
+use crate::transport::labels_of_parts;
 use crate::{Cap, CubicMesh};
 use glam::DVec3;
 use pompeiu_core::run::{Control, Progress, StopReason, on_threads};
@@ -124,7 +125,7 @@ fn solve(
     let n = options.elements;
     let (cells, _) = mesh.mesh.subdivided(n, &[])?;
     let faces = Faces::new(&cells.corner_mesh()?)?;
-    let labels = labels(mesh, &faces, n);
+    let labels = labels_of_parts(&mesh.faces, &mesh.labels, &faces, n);
     let parts: Vec<i32> = mesh.parts.iter().flat_map(|&part| std::iter::repeat_n(part, n.pow(3))).collect();
     let tree = Tree::new(mesh, &faces, &labels, inlet, n);
     let mut given: Vec<Option<DVec3>> = vec![None; cells.points().len()];
@@ -194,19 +195,6 @@ fn solve(
     };
     flow.measure(&tree, &scaled, parameters);
     Ok(flow)
-}
-
-/// The labels of the boundary of patches cut into parts.
-fn labels(mesh: &CubicMesh, faces: &Faces, n: usize) -> Vec<u32> {
-    let of: std::collections::HashMap<(u32, u8), u32> = mesh
-        .faces
-        .boundary()
-        .iter()
-        .zip(&mesh.labels)
-        .map(|(face, &label)| ((face.cell, face.place), label))
-        .collect();
-    let label = |cell: u32, place: u8| of.get(&(cell / n.pow(3) as u32, place)).copied().unwrap_or(0);
-    faces.boundary().iter().map(|face| label(face.cell, face.place)).collect()
 }
 
 /// The control points on a face of a cell, with their places among the 64.
@@ -423,7 +411,7 @@ impl Flow {
     pub fn vtu(&self, linear: bool) -> std::io::Result<Vec<u8>> {
         let branches: Vec<f64> = self.parts.iter().map(|&part| f64::from(part)).collect();
         let cells = [("pressure", self.pressure.as_slice()), ("branch", &branches)];
-        cubic_vtu(&self.mesh, linear, &[("velocity", &self.velocity, 3)], &cells)
+        cubic_vtu(&self.mesh, linear.then_some(LINEAR_PARTS), &[("velocity", &self.velocity, 3)], &cells)
     }
 
     /// The pressure in the middle of each cell, in Pa.

@@ -40,7 +40,7 @@ impl CubicMesh {
     /// # Errors
     /// None but those of an allocation.
     pub fn vtu(&self, linear: bool) -> std::io::Result<Vec<u8>> {
-        cubic_vtu(&self.mesh, linear, &[], &[("branch", &self.branches())])
+        cubic_vtu(&self.mesh, linear.then_some(LINEAR_PARTS), &[], &[("branch", &self.branches())])
     }
 
     /// The branch of each patch as a number.
@@ -50,13 +50,13 @@ impl CubicMesh {
 }
 
 /// Trilinear cells along each axis of a patch, in files of trilinear cells.
-const LINEAR_PARTS: usize = 3;
+pub(crate) const LINEAR_PARTS: usize = 3;
 
-/// A file of tricubic cells with vectors and values at control points, of which the latter are the first components, and values of
-/// cells.
+/// A file of tricubic cells, or of this many trilinear ones along each of their axes, with the first components of vectors at control
+/// points, and values of cells.
 pub(crate) fn cubic_vtu(
     mesh: &BezierMesh,
-    linear: bool,
+    linear: Option<usize>,
     fields: &[(&str, &[DVec3], usize)],
     cells: &[(&str, &[f64])],
 ) -> std::io::Result<Vec<u8>> {
@@ -64,7 +64,7 @@ pub(crate) fn cubic_vtu(
     let columns = |field: &[DVec3], components: usize| -> Vec<f64> {
         field.iter().flat_map(|v| v.to_array().into_iter().take(components)).collect()
     };
-    if !linear {
+    let Some(parts) = linear else {
         let values: Vec<Vec<f64>> = fields.iter().map(|(_, field, n)| columns(field, *n)).collect();
         let points: Vec<PointData<'_>> = fields
             .iter()
@@ -75,10 +75,10 @@ pub(crate) fn cubic_vtu(
             cells.iter().map(|&(name, values)| CellData { name, values, components: 1 }).collect();
         write_bezier_vtu(&mut bytes, mesh, &points, &cells)?;
         return Ok(bytes);
-    }
+    };
     let raw: Vec<&[DVec3]> = fields.iter().map(|(_, field, _)| *field).collect();
     let wrong = |error| std::io::Error::new(std::io::ErrorKind::InvalidInput, error);
-    let (fine, fine_fields) = mesh.subdivided(LINEAR_PARTS, &raw).map_err(wrong)?;
+    let (fine, fine_fields) = mesh.subdivided(parts, &raw).map_err(wrong)?;
     // Corners are points of the field; other control points are left out.
     let corners = fine.corner_mesh().map_err(wrong)?;
     let mut number = vec![u32::MAX; corners.positions().len()];
@@ -99,7 +99,7 @@ pub(crate) fn cubic_vtu(
         .zip(&values)
         .map(|(&(name, _, components), values)| CellData { name, values, components })
         .collect();
-    let per_cell = LINEAR_PARTS.pow(3);
+    let per_cell = parts.pow(3);
     let repeated: Vec<Vec<f64>> = cells
         .iter()
         .map(|(_, values)| values.iter().flat_map(|&x| std::iter::repeat_n(x, per_cell)).collect())

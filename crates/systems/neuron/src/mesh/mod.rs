@@ -23,6 +23,6 @@ mod tube;
 mod wall;
 
 pub use build::{Cap, NeuronMesh, mesh_neuron};
-pub(crate) use cubic::cubic_vtu;
 pub use cubic::{CubicMesh, cubic_neuron};
+pub(crate) use cubic::{LINEAR_PARTS, cubic_vtu};
 pub use options::{MeshError, MeshOptions, MeshReport, SurfaceDistance};

@@ -3,6 +3,7 @@
 use super::error::TransportError;
 use super::problem::Parameters;
 use super::units::Kind;
+use crate::{Drive, FlowParameters};
 use toml_edit::{Document, Item, TableLike, Value};
 
 /// Reads a configuration: TOML, or the pairs of names and values of `NeuronTransportIGA`, whose lengths are micrometres here and whose times
@@ -32,13 +33,15 @@ fn read_toml(text: &str) -> Result<Parameters, TransportError> {
         match table {
             "transport" => reader.transport(entries, &mut parameters)?,
             "inlet" | "tips" | "initial" => reader.place(table, entries, &mut parameters)?,
+            "flow" => reader.flow(entries, &mut parameters.flow)?,
             _ => return Err(reader.unknown("the file", table, item, TABLES)),
         }
     }
+    parameters.flow.inlet = parameters.inlet;
     Ok(parameters)
 }
 
-const TABLES: &str = "transport, inlet, tips, initial";
+const TABLES: &str = "transport, inlet, tips, initial, flow";
 
 /// A configuration being read.
 struct Reader<'t> {
@@ -104,6 +107,43 @@ impl Reader<'_> {
                 }
             };
             *target.0 = self.quantity(key, item, target.1)?;
+        }
+        Ok(())
+    }
+
+    fn flow(&self, entries: &dyn TableLike, p: &mut FlowParameters) -> Result<(), TransportError> {
+        let mut is_driven = false;
+        for (key, item) in entries.iter() {
+            let value = |kind| self.quantity(key, item, kind);
+            match key {
+                "viscosity" => p.viscosity = value(Kind::Viscosity)?,
+                "density" => p.density = value(Kind::Density)?,
+                "speed" | "pressure" if is_driven => {
+                    return Err(self.wrong(key, item, "either a speed or a pressure, not both"));
+                }
+                "speed" => p.drive = Drive::Speed(value(Kind::Speed)?),
+                "pressure" => p.drive = Drive::Pressure(value(Kind::Pressure)?),
+                "pressures" => {
+                    let Some(list) = item.as_table_like() else {
+                        return Err(self.wrong(key, item, "a table of samples and pressures"));
+                    };
+                    for (sample, item) in list.iter() {
+                        let number = sample
+                            .parse()
+                            .map_err(|_| self.wrong(sample, item, "the number of a sample as key"))?;
+                        p.pressures.push((number, self.quantity(sample, item, Kind::Pressure)?));
+                    }
+                }
+                _ => {
+                    return Err(self.unknown(
+                        "flow",
+                        key,
+                        item,
+                        "viscosity, density, speed, pressure, pressures",
+                    ));
+                }
+            }
+            is_driven |= matches!(key, "speed" | "pressure");
         }
         Ok(())
     }

@@ -1,6 +1,7 @@
 //! Why nothing is transported.
 
 use pompeiu_solve::SolveError;
+use pompeiu_volume::VolumeError;
 
 /// Why nothing is transported.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -72,4 +73,7 @@ pub enum TransportError {
     /// A linear system cannot be solved.
     #[error("a linear system of the transport cannot be solved: {0}")]
     Solve(#[from] SolveError),
+    /// Cells cannot be cut.
+    #[error("the mesh is wrong: {0}")]
+    Volume(#[from] VolumeError),
 }

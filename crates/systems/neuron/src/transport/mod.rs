@@ -11,10 +11,13 @@ mod flow;
 mod problem;
 mod run;
 mod units;
+mod viscous;
 
 pub use config::read_transport_config;
 pub use discretisation::Discretisation;
 pub use error::TransportError;
 pub use flow::{FlowField, potential_flow};
 pub use problem::{Parameters, TransportOptions};
-pub use run::{Frame, TipReport, Transport, TransportReport, transport};
+pub use run::{Frame, TipReport, Transport, TransportReport, transport, transport_in_flow};
+pub use viscous::FlowCells;
+pub(crate) use viscous::labels_of_parts;

@@ -1,6 +1,7 @@
 //! What is transported, and how.
 
 use super::error::TransportError;
+use crate::FlowParameters;
 use pompeiu_core::run::{Limits, ProgressObserver};
 
 /// Material that diffuses freely, n₀, and material on motors that move away from the root, n₊, and towards it, n₋. Micrometres and
@@ -42,6 +43,8 @@ pub struct Parameters {
     pub steps: usize,
     /// The sample of the inlet, by its number in the file; the root's flat end where none is given.
     pub inlet: Option<i64>,
+    /// The fluid that flows, where its flow is solved for.
+    pub flow: FlowParameters,
 }
 
 impl Default for Parameters {
@@ -62,6 +65,7 @@ impl Default for Parameters {
             step: 0.1,
             steps: 100,
             inlet: None,
+            flow: FlowParameters::default(),
         }
     }
 }

@@ -4,7 +4,8 @@ use super::discretisation::Discretisation;
 use super::error::TransportError;
 use super::flow::{FlowField, potential_flow};
 use super::problem::{Parameters, TransportOptions};
-use crate::NeuronMesh;
+use super::viscous::FlowCells;
+use crate::{Cap, NeuronMesh};
 use pompeiu_core::run::{Control, Progress, StopReason};
 use pompeiu_solve::{LinearSolver, Lu, SparseMatrix};
 use std::ops::ControlFlow;
@@ -94,22 +95,60 @@ pub fn transport(
 ) -> Result<Transport, TransportError> {
     parameters.check()?;
     let inlet = inlet(mesh, parameters)?;
-    let cells = mesh.mesh.cells().len();
-    let (needed, limit) = (cells.saturating_mul(BYTES_PER_CELL), options.limits.memory.unwrap_or(MOST_BYTES));
-    if needed > limit {
-        return Err(TransportError::Memory { cells, needed: needed.div_ceil(1 << 20), limit: limit >> 20 });
-    }
+    check_memory(mesh.mesh.cells().len(), options)?;
     let control = Control::start(&options.limits);
     let volumes = Discretisation::new(&mesh.mesh, &mesh.faces, &mesh.labels);
     let flow = potential_flow(&volumes, inlet)?;
     let system = System { mesh: &volumes, flow: &flow, parameters, inlet };
+    run(&system, &mesh.caps, frames, options, &control)
+}
+
+/// Transports material along a viscous flow, at the speeds of the parameters, and keeps the field at this many steps, the first and the
+/// last among them. The inlet is that of the flow.
+///
+/// # Definition
+/// That of [`transport`], with the velocity of the flow at a mean speed of one at the inlet times that of the motors.
+/// # Errors
+/// [`TransportError`].
+/// # Cost
+/// That of [`transport`].
+pub fn transport_in_flow(
+    cells: &FlowCells,
+    parameters: &Parameters,
+    frames: usize,
+    options: &TransportOptions<'_>,
+) -> Result<Transport, TransportError> {
+    parameters.check()?;
+    check_memory(cells.volumes.volumes.len(), options)?;
+    let control = Control::start(&options.limits);
+    let system = System { mesh: &cells.volumes, flow: &cells.field, parameters, inlet: cells.inlet };
+    run(&system, &cells.caps, frames, options, &control)
+}
+
+fn check_memory(cells: usize, options: &TransportOptions<'_>) -> Result<(), TransportError> {
+    let (needed, limit) = (cells.saturating_mul(BYTES_PER_CELL), options.limits.memory.unwrap_or(MOST_BYTES));
+    if needed > limit {
+        return Err(TransportError::Memory { cells, needed: needed.div_ceil(1 << 20), limit: limit >> 20 });
+    }
+    Ok(())
+}
+
+fn run(
+    system: &System<'_>,
+    caps: &[Cap],
+    frames: usize,
+    options: &TransportOptions<'_>,
+    control: &Control,
+) -> Result<Transport, TransportError> {
+    let (parameters, inlet) = (system.parameters, system.inlet);
+    let cells = system.mesh.volumes.len();
     let solver = Lu::new(&system.matrix()?)?;
     let mut values: Vec<f64> = parameters.initial.repeat(cells);
-    let mut book = Book::new(&system, &values);
+    let mut book = Book::new(system, &values);
     let mut result = Transport {
         report: TransportReport { steps: 0, mass_balance: 0.0, minimum: 0.0, maximum: 0.0, tips: Vec::new() },
         stop: StopReason::Steps,
-        ends: vec![system.at_ends(&values, mesh.caps.len())],
+        ends: vec![system.at_ends(&values, caps.len())],
         frames: vec![system.frame(0, &values)],
     };
     let keep = |step: usize| {
@@ -124,9 +163,9 @@ pub fn transport(
         let mut next = system.right_hand_side(&values, &source);
         solver.solve_in_place(&mut next)?;
         values = next;
-        book.enter(&system, &values);
+        book.enter(system, &values);
         result.report.steps = step;
-        result.ends.push(system.at_ends(&values, mesh.caps.len()));
+        result.ends.push(system.at_ends(&values, caps.len()));
         if keep(step) {
             result.frames.push(system.frame(step, &values));
         }
@@ -144,7 +183,7 @@ pub fn transport(
     result.report.mass_balance = book.error;
     (result.report.minimum, result.report.maximum) = (book.range[0], book.range[1]);
     let last = &result.ends[result.ends.len() - 1];
-    let tips = mesh.caps.iter().zip(last).enumerate().filter(|(cap, _)| *cap as u32 != inlet);
+    let tips = caps.iter().zip(last).enumerate().filter(|(cap, _)| *cap as u32 != inlet);
     result.report.tips = tips
         .map(|(_, (cap, &[free, plus, minus]))| TipReport { sample: cap.sample, free, plus, minus })
         .collect();

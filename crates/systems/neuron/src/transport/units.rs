@@ -8,6 +8,12 @@ pub(super) enum Kind {
     Rate,
     Time,
     Concentration,
+    /// In Pa s.
+    Viscosity,
+    /// In kg/m³.
+    Density,
+    /// In Pa.
+    Pressure,
 }
 
 /// Units of length in micrometres.
@@ -20,6 +26,16 @@ const TIMES: [(&str, f64); 5] = [("ms", 1e-3), ("s", 1.0), ("min", 60.0), ("h", 
 /// Units of concentration in those of the results, millimoles per litre.
 const CONCENTRATIONS: [(&str, f64); 4] = [("nM", 1e-6), ("uM", 1e-3), ("µM", 1e-3), ("mM", 1.0)];
 
+/// Units of viscosity in Pa s, without blanks.
+const VISCOSITIES: [(&str, f64); 5] =
+    [("Pas", 1.0), ("mPas", 1e-3), ("Pa*s", 1.0), ("mPa*s", 1e-3), ("cP", 1e-3)];
+
+/// Units of density in kg/m³.
+const DENSITIES: [(&str, f64); 4] = [("kg/m^3", 1.0), ("kg/m³", 1.0), ("g/cm^3", 1e3), ("g/ml", 1e3)];
+
+/// Units of pressure in Pa.
+const PRESSURES: [(&str, f64); 4] = [("mPa", 1e-3), ("Pa", 1.0), ("kPa", 1e3), ("mmHg", 133.322)];
+
 impl Kind {
     pub(super) const fn expected(self) -> &'static str {
         match self {
@@ -28,6 +44,9 @@ impl Kind {
             Self::Rate => "a rate such as \"0.1 /s\"",
             Self::Time => "a time such as \"0.1 s\"",
             Self::Concentration => "a concentration such as 1.0 or \"1 mM\"",
+            Self::Viscosity => "a viscosity such as \"1 mPa s\"",
+            Self::Density => "a density such as \"1000 kg/m^3\"",
+            Self::Pressure => "a pressure such as \"10 Pa\"",
         }
     }
 
@@ -52,6 +71,9 @@ impl Kind {
             },
             Self::Time => time(unit),
             Self::Concentration => find(&CONCENTRATIONS, unit),
+            Self::Viscosity => find(&VISCOSITIES, unit),
+            Self::Density => find(&DENSITIES, unit),
+            Self::Pressure => find(&PRESSURES, unit),
         }
     }
 
@@ -93,7 +115,14 @@ mod tests {
             [Kind::Time.parse("2 min"), Kind::Concentration.parse("2"), Kind::Concentration.parse("2 uM")],
             [Some(120.0), Some(2.0), Some(2e-3)]
         );
+        assert_eq!(
+            [Kind::Viscosity.parse("1 mPa s"), Kind::Density.parse("1 g/cm^3"), Kind::Pressure.parse("2kPa")],
+            [Some(1e-3), Some(1e3), Some(2e3)]
+        );
         for (kind, text) in [
+            (Kind::Viscosity, "1 Pa"),
+            (Kind::Pressure, "1 mPa s"),
+            (Kind::Density, "1"),
             (Kind::Speed, "1 um"),
             (Kind::Speed, "1"),
             (Kind::Time, "1 um"),

@@ -3,8 +3,9 @@
 use glam::DVec3;
 use pompeiu_core::run::{Control, Limits};
 use pompeiu_neuron::{
-    CubicMesh, Drive, Flow, FlowError, FlowOptions, FlowParameters, FlowSystem, MeshOptions, Skeleton,
-    cubic_neuron, neuron_flow, read_swc,
+    CubicMesh, Drive, Flow, FlowCells, FlowError, FlowOptions, FlowParameters, FlowSystem, MeshOptions,
+    Parameters, Skeleton, TransportOptions, cubic_neuron, neuron_flow, read_swc, read_transport_config,
+    transport_in_flow,
 };
 use pompeiu_volume::bernstein::{GAUSS_5, derivatives, interpolate_lattice, value};
 use pompeiu_volume::{BezierMesh, HexMesh, face_flux, place_of_64};
@@ -234,4 +235,33 @@ fn what_cannot_flow_is_refused() {
     let now = Limits { time: Some(std::time::Duration::ZERO), ..Limits::default() };
     let at_once = FlowOptions { limits: now, ..FlowOptions::default() };
     assert!(matches!(refused(&FlowParameters::default(), &at_once), FlowError::Stopped(_)));
+}
+
+#[test]
+fn transport_along_a_viscous_flow_keeps_mass_and_bounds() {
+    let config = "[transport]\ndiffusion = \"0.5 um^2/s\"\nspeed_plus = \"2 um/s\"\nspeed_minus = \"0.5 um/s\"\nattach_minus = \"0.2 /s\"\nstep = \"0.5 s\"\nsteps = 20\n[inlet]\nfree = 1.0\nplus = 2.0\n[flow]\nviscosity = \"2 mPa s\"\npressure = \"1 Pa\"\npressures = { 4 = \"10 mPa\" }\n";
+    let parameters = read_transport_config(config).unwrap();
+    assert_eq!((parameters.flow.viscosity, parameters.flow.drive), (2e-3, Drive::Pressure(1.0)));
+    assert_eq!(parameters.flow.pressures, [(4, 0.01)]);
+    assert!(read_transport_config("[flow]\nspeed = \"1 um/s\"\npressure = \"1 Pa\"\n").is_err());
+    let found = flow(&cubic(FORK), &parameters.flow);
+    let cells = FlowCells::new(&found, 2).unwrap();
+    let moved = transport_in_flow(&cells, &parameters, 3, &TransportOptions::default()).unwrap();
+    assert_eq!((moved.report.steps, moved.report.tips.len()), (20, 2));
+    assert!(moved.report.mass_balance < 1e-10 && moved.report.minimum >= -1e-10, "{:?}", moved.report);
+    assert!(moved.report.maximum < 4.0 && moved.report.maximum > 1.0, "{:?}", moved.report);
+    assert_eq!(moved.frames[2].values.len(), cells.cells());
+    // Nothing but motors, which fill what they reach and no more: bounds, as the fluxes balance.
+    let only = Parameters {
+        diffusion: 0.0,
+        attach_plus: 0.0,
+        attach_minus: 0.0,
+        detach_plus: 0.0,
+        inlet_free: None,
+        step: 1.0,
+        steps: 40,
+        ..parameters
+    };
+    let moved = transport_in_flow(&cells, &only, 2, &TransportOptions::default()).unwrap();
+    assert!((moved.report.maximum - 2.0).abs() < 1e-9 && moved.report.minimum > -1e-12, "{:?}", moved.report);
 }

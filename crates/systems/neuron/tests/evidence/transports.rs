@@ -215,7 +215,7 @@ fn configurations_have_units_and_no_unknown_keys() {
     );
     assert!(error("[transport]\nstep = \"1 um\"\n").contains("expected a time"));
     assert!(error("[transport]\nspeed_plus = \"-1 um/s\"\n").contains("must be finite and at least 0"));
-    assert!(error("[flow]\n").contains("transport, inlet, tips, initial"));
+    assert!(error("[fluid]\n").contains("transport, inlet, tips, initial, flow"));
     assert!(error("[transport\n").contains('1'));
     assert!(error("D 1.0\nvplus one\n").starts_with("line 2: vplus is one"));
     assert!(error("D 1.0\nviscosity 3\n").starts_with("line 2: there is no key \"viscosity\""));

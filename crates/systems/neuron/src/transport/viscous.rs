@@ -1,0 +1,183 @@
+//! Transport along a viscous flow, in the parts of its cells.
+
+use super::discretisation::{Discretisation, EndFace};
+use super::error::TransportError;
+use super::flow::FlowField;
+use crate::mesh::cubic_vtu;
+use crate::{Cap, Flow};
+use glam::DVec3;
+use pompeiu_solve::{Cholesky, LinearSolver, SparseMatrix};
+use pompeiu_volume::bernstein::value;
+use pompeiu_volume::{BezierMesh, FACE_AXES, Faces, bezier_volume, face_flux, face_points};
+use rayon::prelude::*;
+
+/// The cells of a flow, cut into parts, with what flows through their faces.
+#[derive(Clone, Debug)]
+pub struct FlowCells {
+    mesh: BezierMesh,
+    pub(super) volumes: Discretisation,
+    pub(super) field: FlowField,
+    pub(super) caps: Vec<Cap>,
+    pub(super) inlet: u32,
+}
+
+impl FlowCells {
+    /// Cuts each cell of the flow into `parts` along each edge, 1 to 8.
+    ///
+    /// # Accuracy
+    /// Volumes, areas and fluxes are those of the tricubic cells, exact but for rounding. Parts of a cell of the flow keep their volume
+    /// up to what the pressure does not resolve; the least change of fluxes, weighted by conductances, makes up for that.
+    /// # Errors
+    /// [`TransportError::Parameter`] for other parts, or where nothing flows through the inlet; [`TransportError::Solve`].
+    pub fn new(flow: &Flow, parts: usize) -> Result<Self, TransportError> {
+        if !(1..=8).contains(&parts) {
+            let value = parts as f64;
+            return Err(TransportError::Parameter { what: "the number of parts", value, expected: "1 to 8" });
+        }
+        let (mesh, mut fields) = flow.mesh.subdivided(parts, &[&flow.velocity])?;
+        let velocity = fields.pop().unwrap_or_default();
+        let faces = Faces::new(&mesh.corner_mesh()?)?;
+        let labels = labels_of_parts(&flow.faces, &flow.labels, &faces, parts);
+        let cells: Vec<(f64, DVec3)> = (0..mesh.cells().len())
+            .into_par_iter()
+            .map(|cell| {
+                let points = mesh.control(cell);
+                (bezier_volume(&points), value(&points, [0.5; 3]))
+            })
+            .collect();
+        // The middle of a face, its area, and what flows out there.
+        let face = |cell: u32, place: u8| {
+            let points = mesh.control(cell as usize);
+            let (axis, side, _) = FACE_AXES[place as usize];
+            let middle = std::array::from_fn(|k| if k == axis { side as f64 } else { 0.5 });
+            let area: DVec3 = face_points(&points, place.into()).iter().map(|(_, area)| *area).sum();
+            let field = mesh.cells()[cell as usize].map(|v| velocity[v as usize]);
+            (value(&points, middle), area, face_flux(&points, &field, place.into()))
+        };
+        let half = |cell: u32, centre: DVec3, area: DVec3| {
+            let d = centre - cells[cell as usize].1;
+            area.dot(d).abs().max(1e-3 * area.length() * d.length()) / d.length_squared()
+        };
+        let inner: Vec<(([u32; 2], f64), f64)> = faces
+            .inner()
+            .par_iter()
+            .map(|inner| {
+                let (centre, area, flux) = face(inner.cells[0], inner.places[0]);
+                let [a, b] = inner.cells.map(|cell| half(cell, centre, area));
+                ((inner.cells, a * b / (a + b)), flux)
+            })
+            .collect();
+        let ends: Vec<(EndFace, f64)> = faces
+            .boundary()
+            .iter()
+            .zip(&labels)
+            .filter(|(_, label)| **label > 0)
+            .map(|(end, label)| {
+                let (centre, area, flux) = face(end.cell, end.place);
+                let conductance = half(end.cell, centre, area);
+                (EndFace { cap: label - 1, cell: end.cell, area: area.length(), conductance }, flux)
+            })
+            .collect();
+        let (links, through): (Vec<_>, Vec<f64>) = inner.into_iter().unzip();
+        let (ends, out): (Vec<EndFace>, Vec<f64>) = ends.into_iter().unzip();
+        let volumes = Discretisation { volumes: cells.iter().map(|c| c.0).collect(), links, ends };
+        let field = balanced(&volumes, through, out, flow.inlet)?;
+        Ok(Self { mesh, volumes, field, caps: flow.caps.clone(), inlet: flow.inlet })
+    }
+
+    /// Number of cells.
+    pub fn cells(&self) -> usize {
+        self.mesh.cells().len()
+    }
+
+    /// The flat ends.
+    pub fn caps(&self) -> &[Cap] {
+        &self.caps
+    }
+
+    /// Concentrations of each cell as a VTK XML unstructured grid: `total`, `free`, `plus` and `minus`, of Bézier hexahedra, or of
+    /// trilinear cells.
+    ///
+    /// # Errors
+    /// [`std::io::ErrorKind::InvalidInput`] unless there are concentrations for each cell.
+    pub fn vtu(&self, values: &[[f64; 3]], linear: bool) -> std::io::Result<Vec<u8>> {
+        let column = |kind: usize| values.iter().map(|v| v[kind]).collect::<Vec<f64>>();
+        let total: Vec<f64> = values.iter().map(|v| v.iter().sum()).collect();
+        let [free, plus, minus] = [0, 1, 2].map(column);
+        let cells = [("total", total.as_slice()), ("free", &free), ("plus", &plus), ("minus", &minus)];
+        cubic_vtu(&self.mesh, linear.then_some(1), &[], &cells)
+    }
+}
+
+/// The labels of boundary faces of cells cut into parts, from those of the cells.
+pub(crate) fn labels_of_parts(faces: &Faces, labels: &[u32], fine: &Faces, parts: usize) -> Vec<u32> {
+    let of: std::collections::HashMap<(u32, u8), u32> =
+        faces.boundary().iter().zip(labels).map(|(face, &label)| ((face.cell, face.place), label)).collect();
+    let per_cell = parts.pow(3) as u32;
+    let label = |cell: u32, place: u8| of.get(&(cell / per_cell, place)).copied().unwrap_or(0);
+    fine.boundary().iter().map(|face| label(face.cell, face.place)).collect()
+}
+
+/// Fluxes that balance in every cell, with a mean speed of one at the inlet: what flows at the ends stays, and differences of a potential
+/// are added between cells.
+fn balanced(
+    mesh: &Discretisation,
+    mut through: Vec<f64>,
+    mut out: Vec<f64>,
+    inlet: u32,
+) -> Result<FlowField, TransportError> {
+    let at_inlet = mesh.ends.iter().zip(&out).filter(|(end, _)| end.cap == inlet);
+    let (area, entering) = at_inlet.fold((0.0, 0.0), |(a, q), (end, out)| (a + end.area, q - out));
+    if entering == 0.0 || !entering.is_finite() {
+        return Err(TransportError::Parameter {
+            what: "what flows in at the inlet",
+            value: entering,
+            expected: "not 0",
+        });
+    }
+    let factor = area / entering;
+    through.iter_mut().chain(&mut out).for_each(|q| *q *= factor);
+    let n = mesh.volumes.len();
+    let net = |through: &[f64]| {
+        let mut net = vec![0.0; n];
+        for (&([a, b], _), q) in mesh.links.iter().zip(through) {
+            net[a as usize] += q;
+            net[b as usize] -= q;
+        }
+        for (end, q) in mesh.ends.iter().zip(&out) {
+            net[end.cell as usize] += q;
+        }
+        net
+    };
+    let mut entries = Vec::with_capacity(4 * mesh.links.len() + 1);
+    for &([a, b], c) in &mesh.links {
+        let (a, b) = (a as usize, b as usize);
+        entries.extend([(a, a, c), (b, b, c), (a, b, -c), (b, a, -c)]);
+    }
+    // One cell of each part that hangs together holds the potential.
+    let mut leader: Vec<usize> = (0..n).collect();
+    for &([a, b], _) in &mesh.links {
+        let (a, b) = (find(&mut leader, a as usize), find(&mut leader, b as usize));
+        leader[a.max(b)] = a.min(b);
+    }
+    entries.extend((0..n).filter(|&k| leader[k] == k).map(|k| (k, k, 1.0)));
+    let solver = Cholesky::new(&SparseMatrix::from_triplets(n, n, &entries)?)?;
+    // The second time for what rounding left.
+    for _ in 0..2 {
+        let mut potential: Vec<f64> = net(&through).iter().map(|x| -x).collect();
+        solver.solve_in_place(&mut potential)?;
+        for (&([a, b], c), q) in mesh.links.iter().zip(&mut through) {
+            *q += c * (potential[a as usize] - potential[b as usize]);
+        }
+    }
+    let imbalance = net(&through).iter().fold(0.0, |most: f64, x| most.max(x.abs())) / area;
+    Ok(FlowField { through, out, imbalance })
+}
+
+fn find(leader: &mut [usize], mut k: usize) -> usize {
+    while leader[k] != k {
+        leader[k] = leader[leader[k]];
+        k = leader[k];
+    }
+    k
+}
