@@ -15,7 +15,7 @@ pub struct PuzzleReport {
     /// Whether no piece can move against another one, over all motions at once.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub locked: bool,
-    /// How that is known: `merging` and `one_moves` in integers, `multipliers` and `several_move` in double precision, `undecided`.
+    /// How that is known: `merging`, `one_moves` and `multipliers` in integers, `several_move` in double precision, `undecided`.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub proof: Proof,
     /// The greatest length tried below which all detail of the borders may be lost while the puzzle stays locked, relative to the root of

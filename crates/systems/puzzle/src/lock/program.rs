@@ -1,11 +1,13 @@
-//! Motions of several clusters at once, in double precision.
+//! Motions of several clusters at once: a program whose multipliers are checked in integers.
 
-use super::rows;
+use super::exact::proves;
+use super::{least, rows};
 use crate::Puzzle;
+use pompeiu_solve::{Cholesky, LinearSolver, SparseMatrix};
 
 /// What the program finds.
 pub(super) enum Verdict {
-    /// Multipliers greater than 0 whose combination of all rows is 0, and rows of full rank: no motion.
+    /// Multipliers greater than 0 whose combination of all rows is 0, and rows of full rank: no motion. Proven.
     Locked,
     /// A twist for each cluster, about the origin, in units of the outline.
     Moves(Vec<[f64; 3]>),
@@ -13,224 +15,223 @@ pub(super) enum Verdict {
     Unclear,
 }
 
-/// Relative size below which a combination of unit rows is 0, and above which it is not. Between them nothing is claimed.
+/// A condition on the twist of one cluster against another: exact, and of length 1.
+pub(super) struct Contact {
+    pub(super) pair: [usize; 2],
+    pub(super) exact: [i128; 3],
+    pub(super) length: f64,
+    pub(super) unit: [f64; 3],
+}
+
+/// Steps of Newton's method at most.
+const STEPS: usize = 400;
+
+/// The greatest change of an exponent in a step: the sum of exponentials then falls.
+const REACH: f64 = 0.7;
+
+/// The combination of rows is 0 up to this share of the sum of multipliers.
+const SETTLED: f64 = 1e-13;
+
+/// Steps between two looks at where the twists go.
+const LOOK: usize = 15;
+
+/// Contacts are taken to stay closed where they open by less than these shares of what opens most.
+const CLOSED: [f64; 4] = [0.03, 0.003, 3e-4, 3e-5];
+
+/// Most clusters for the other program where this one does not find a motion.
+const FEW: usize = 60;
+
+/// A contact may close by this share of the greatest opening: rounding of the projection.
 const ZERO: f64 = 1e-9;
-const NOT_ZERO: f64 = 1e-6;
 
-/// Solves min |Aᵀλ| over λ ≥ 1, with A the rows of all contacts on the twists of all clusters but the first.
+/// Added to the diagonal, relative to it.
+const SHIFT: f64 = 1e-13;
+
+/// Minimises F(x) = Σ exp(−a·x) over the twists x of all clusters but the first, a the unit rows of all contacts.
 ///
-/// By Stiemke's lemma either some λ > 0 has Aᵀλ = 0, and then A x ≥ 0 implies A x = 0; or x = Aᵀλ at the minimum has A x ≥ 0 and is not 0: it
-/// is a motion that opens a contact. Where all motions keep all contacts, the rank tells whether there is one.
+/// By Stiemke's lemma either some λ > 0 has Σ λ a = 0, or some x has a·x ≥ 0 for all rows and more than 0 for one. In the first case, if the
+/// rows span the space, F has a minimum, and λ = exp(−a·x) there; that these multipliers prove the lock is checked in integers (`exact.rs`).
+/// In the second case x grows without bound along a motion, which is freed of rounding by a projection on what stays closed.
 pub(super) fn solve(puzzle: &Puzzle, clusters: &[usize], count: usize) -> Verdict {
+    match by_exponentials(puzzle, clusters, count) {
+        Verdict::Unclear if count <= FEW => {
+            least::motion(puzzle, clusters, count).map_or(Verdict::Unclear, Verdict::Moves)
+        }
+        found => found,
+    }
+}
+
+fn by_exponentials(puzzle: &Puzzle, clusters: &[usize], count: usize) -> Verdict {
+    let contacts = contacts(puzzle, clusters);
     let columns = 3 * (count - 1);
-    let matrix = matrix(puzzle, clusters, columns);
-    let combination = least_combination(&matrix, columns);
-    let Some(combination) = combination else { return Verdict::Unclear };
-    let size = norm(&combination) / (matrix.len() as f64).sqrt();
-    let twists = |x: &[f64]| -> Vec<[f64; 3]> {
-        let largest = x.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
-        let (center, unit) = (centre(puzzle), scale(puzzle));
-        (0..count)
-            .map(|cluster| {
-                if cluster == 0 {
-                    return [0.0; 3];
-                }
-                let [vx, vy, w] = [0, 1, 2].map(|k| x[3 * (cluster - 1) + k] / largest);
-                let w = w / unit;
-                [vx + w * center[1], vy - w * center[0], w]
-            })
-            .collect()
-    };
-    if size > NOT_ZERO {
-        let least = matrix.iter().map(|row| dot(row, &combination)).fold(f64::INFINITY, f64::min);
-        return if least >= -ZERO * norm(&combination) {
-            Verdict::Moves(twists(&combination))
-        } else {
-            Verdict::Unclear
+    let mut x = vec![0.0; columns];
+    let mut before = x.clone();
+    for round in 0..STEPS {
+        let exponents: Vec<f64> = contacts.iter().map(|c| opening(c, &x)).collect();
+        if round > 0 && round % LOOK == 0 {
+            // Where nothing moves, the twists settle; else their change tends to a motion.
+            let change: Vec<f64> = x.iter().zip(&before).map(|(now, then)| now - then).collect();
+            if let Some(motion) = CLOSED.iter().find_map(|closed| motion(&contacts, *closed, &change)) {
+                return Verdict::Moves(twists(puzzle, count, &motion));
+            }
+            before.clone_from(&x);
+        }
+        let weights: Vec<f64> = exponents.iter().map(|z| libm::exp(-z)).collect();
+        let mut gradient = vec![0.0; columns];
+        for (contact, weight) in contacts.iter().zip(&weights) {
+            add(contact, *weight, &mut gradient);
+        }
+        let Some(mut step) = solved(&contacts, &weights, columns, SHIFT, &gradient) else {
+            return Verdict::Unclear;
         };
+        let total: f64 = weights.iter().sum();
+        let reach = contacts.iter().map(|c| opening(c, &step).abs()).fold(0.0, f64::max);
+        if norm(&gradient) <= SETTLED * total || reach < 1e-11 {
+            if proves(&contacts, &weights, columns) {
+                return Verdict::Locked;
+            }
+            return slide(puzzle, &contacts, columns, count).unwrap_or(Verdict::Unclear);
+        }
+        let factor = (REACH / reach).min(1.0);
+        step.iter_mut().zip(&mut x).for_each(|(s, x)| *x += factor * *s);
     }
-    if size > ZERO {
-        return Verdict::Unclear;
-    }
-    match null_vector(&matrix, columns) {
-        None => Verdict::Locked,
-        Some(x) => Verdict::Moves(twists(&x)),
-    }
+    Verdict::Unclear
 }
 
-fn centre(puzzle: &Puzzle) -> [f64; 2] {
-    puzzle.size().map(|side| 0.5 * side)
-}
-
-/// The length that makes turning and moving comparable.
-fn scale(puzzle: &Puzzle) -> f64 {
-    puzzle.unit()
-}
-
-/// Unit rows on the twists about the middle of the puzzle, lengths over the mean side of a piece.
-fn matrix(puzzle: &Puzzle, clusters: &[usize], columns: usize) -> Vec<Vec<f64>> {
+/// The rows of all contacts: twists about the middle of the puzzle, the angular velocity times the mean side of a piece.
+fn contacts(puzzle: &Puzzle, clusters: &[usize]) -> Vec<Contact> {
     let origin = puzzle.size.map(|x| x / 2);
-    let unit = scale(puzzle) / puzzle.step;
-    let mut matrix: Vec<Vec<f64>> = Vec::new();
+    let unit = side(puzzle);
+    let mut found = Vec::new();
     for (i, border) in puzzle.borders.iter().enumerate() {
         let Some(right) = border.right else { continue };
-        let [a, b] = [clusters[border.left], clusters[right]];
-        if a == b {
+        let pair = [clusters[border.left], clusters[right]];
+        if pair[0] == pair[1] {
             continue;
         }
-        for row in rows(puzzle, i, origin) {
-            let [x, y, w] = [row[0] as f64, row[1] as f64, row[2] as f64 / unit];
-            let length = (x * x + y * y + w * w).sqrt();
-            let mut full = vec![0.0; columns];
-            for (cluster, sign) in [(a, 1.0), (b, -1.0)] {
-                if cluster > 0 {
-                    for (k, v) in [x, y, w].into_iter().enumerate() {
-                        full[3 * (cluster - 1) + k] += sign * v / length;
+        for [x, y, turn] in rows(puzzle, i, origin) {
+            let exact = [x * unit, y * unit, turn];
+            let [a, b, c] = exact.map(|v| v as f64);
+            let length = (a * a + b * b + c * c).sqrt();
+            if length > 0.0 {
+                found.push(Contact { pair, exact, length, unit: [a / length, b / length, c / length] });
+            }
+        }
+    }
+    found
+}
+
+/// The mean side of a piece in steps, at least 1.
+fn side(puzzle: &Puzzle) -> i128 {
+    (puzzle.unit() / puzzle.step).round().max(1.0) as i128
+}
+
+/// The product of a row with the twists: what opens.
+fn opening(contact: &Contact, x: &[f64]) -> f64 {
+    let part = |cluster: usize| {
+        if cluster == 0 {
+            return 0.0;
+        }
+        let at = 3 * (cluster - 1);
+        let u = &contact.unit;
+        u[0] * x[at] + u[1] * x[at + 1] + u[2] * x[at + 2]
+    };
+    part(contact.pair[0]) - part(contact.pair[1])
+}
+
+/// Adds a row times a factor.
+fn add(contact: &Contact, factor: f64, to: &mut [f64]) {
+    for (cluster, sign) in contact.pair.into_iter().zip([factor, -factor]) {
+        if cluster > 0 {
+            let at = 3 * (cluster - 1);
+            (0..3).for_each(|k| to[at + k] += sign * contact.unit[k]);
+        }
+    }
+}
+
+/// The sum of weight times row times row, as entries of its lower and upper triangle.
+pub(super) fn square(contacts: &[Contact], weights: &[f64]) -> Vec<(usize, usize, f64)> {
+    let mut entries = Vec::with_capacity(36 * contacts.len());
+    for (contact, weight) in contacts.iter().zip(weights) {
+        for (a, first) in contact.pair.into_iter().zip([1.0, -1.0]) {
+            for (b, second) in contact.pair.into_iter().zip([1.0, -1.0]) {
+                if a == 0 || b == 0 {
+                    continue;
+                }
+                for i in 0..3 {
+                    for k in 0..3 {
+                        let value = first * second * weight * contact.unit[i] * contact.unit[k];
+                        entries.push((3 * (a - 1) + i, 3 * (b - 1) + k, value));
                     }
                 }
             }
-            matrix.push(full);
         }
     }
-    matrix
+    entries
 }
 
-/// Aᵀλ of least length over λ ≥ 1: with λ = 1 + μ a problem of non-negative least squares (`lawson_solving_1974`, chapter 23).
-fn least_combination(rows: &[Vec<f64>], columns: usize) -> Option<Vec<f64>> {
-    let mut start = vec![0.0; columns];
-    for row in rows {
-        add(&mut start, row, 1.0);
-    }
-    let mut multipliers = vec![0.0; rows.len()];
-    let mut passive: Vec<usize> = Vec::new();
-    let tolerance = 1e-12 * rows.len() as f64;
-    for _ in 0..20 * (columns + 10) {
-        let mut combination = start.clone();
-        for i in &passive {
-            add(&mut combination, &rows[*i], multipliers[*i]);
-        }
-        // The row along which the combination becomes shorter fastest.
-        let free = (0..rows.len()).filter(|i| !passive.contains(i));
-        let best = free.map(|i| (dot(&rows[i], &combination), i)).min_by(|a, b| a.0.total_cmp(&b.0));
-        match best {
-            Some((slope, i)) if slope < -tolerance => passive.push(i),
-            _ => return Some(combination),
-        }
-        loop {
-            let Some(target) = least_squares(rows, &passive, &start) else {
-                // The new row depends on the others.
-                let dropped = passive.pop()?;
-                multipliers[dropped] = 0.0;
-                let mut combination = start.clone();
-                for i in &passive {
-                    add(&mut combination, &rows[*i], multipliers[*i]);
-                }
-                return Some(combination);
-            };
-            if target.iter().all(|m| *m > 0.0) {
-                for (i, m) in passive.iter().zip(target) {
-                    multipliers[*i] = m;
-                }
-                break;
-            }
-            // As far towards the target as no multiplier becomes negative.
-            let steps = passive.iter().zip(&target).filter(|(_, m)| **m <= 0.0);
-            let step = steps.map(|(i, m)| multipliers[*i] / (multipliers[*i] - m)).fold(1.0, f64::min);
-            for (i, m) in passive.iter().zip(&target) {
-                multipliers[*i] += step * (m - multipliers[*i]);
-            }
-            let out: Vec<usize> = passive
-                .iter()
-                .zip(&target)
-                .filter(|(i, m)| **m <= 0.0 && multipliers[**i] <= 1e-12)
-                .map(|(i, _)| *i)
-                .collect();
-            if out.is_empty() {
-                return None;
-            }
-            for i in &out {
-                multipliers[*i] = 0.0;
-            }
-            passive.retain(|i| !out.contains(i));
-        }
-    }
-    None
+/// The solution for the sum of weighted squares of rows with a share of the largest weight added to its diagonal.
+fn solved(
+    contacts: &[Contact],
+    weights: &[f64],
+    columns: usize,
+    shift: f64,
+    right: &[f64],
+) -> Option<Vec<f64>> {
+    let mut entries = square(contacts, weights);
+    let largest = weights.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
+    entries.extend((0..columns).map(|k| (k, k, shift * largest)));
+    let matrix = SparseMatrix::from_triplets(columns, columns, &entries).ok()?;
+    Cholesky::new(&matrix).ok()?.solve(right).ok()
 }
 
-/// The multipliers of some rows that make the sum with a start shortest, by orthogonalising them twice; none where they are dependent.
-fn least_squares(rows: &[Vec<f64>], which: &[usize], start: &[f64]) -> Option<Vec<f64>> {
-    let n = which.len();
-    let mut basis: Vec<Vec<f64>> = Vec::with_capacity(n);
-    let mut upper = vec![vec![0.0; n]; n];
-    for (j, i) in which.iter().enumerate() {
-        let mut v = rows[*i].clone();
-        let before = norm(&v);
-        for _ in 0..2 {
-            for (k, q) in basis.iter().enumerate() {
-                let part = dot(q, &v);
-                upper[k][j] += part;
-                add(&mut v, q, -part);
-            }
-        }
-        let left = norm(&v);
-        if left <= 1e-10 * before {
-            return None;
-        }
-        upper[j][j] = left;
-        basis.push(v.iter().map(|x| x / left).collect());
+/// The motion nearest to x that keeps contacts closed that open by less than a share of the most; none if it closes others.
+fn motion(contacts: &[Contact], closed: f64, x: &[f64]) -> Option<Vec<f64>> {
+    let openings: Vec<f64> = contacts.iter().map(|c| opening(c, x)).collect();
+    let most = openings.iter().copied().fold(0.0, f64::max);
+    let weights: Vec<f64> = openings.iter().map(|z| if *z <= closed * most { 1.0 } else { 0.0 }).collect();
+    let size = norm(x);
+    let mut found: Vec<f64> = x.iter().map(|v| v / size).collect();
+    // Each round makes what would open closed contacts smaller by the shift.
+    let shift = 1e-9;
+    for _ in 0..3 {
+        let right: Vec<f64> = found.iter().map(|v| shift * v).collect();
+        found = solved(contacts, &weights, x.len(), shift, &right)?;
     }
-    let mut found: Vec<f64> = basis.iter().map(|q| -dot(q, start)).collect();
-    for j in (0..n).rev() {
-        for k in j + 1..n {
-            found[j] -= upper[j][k] * found[k];
-        }
-        found[j] /= upper[j][j];
-    }
-    Some(found)
+    let openings = || contacts.iter().map(|c| opening(c, &found));
+    let (least, most) =
+        openings().fold((f64::INFINITY, 0.0), |(low, high): (f64, f64), z| (low.min(z), high.max(z)));
+    (most > 1e-6 * norm(&found) && least >= -ZERO * most).then_some(found)
 }
 
-/// A vector that all rows are orthogonal to; none if they span the space.
-fn null_vector(rows: &[Vec<f64>], columns: usize) -> Option<Vec<f64>> {
-    let mut basis: Vec<Vec<f64>> = Vec::new();
-    for row in rows {
-        let left = remainder(&basis, row);
-        if norm(&left) > NOT_ZERO {
-            let length = norm(&left);
-            basis.push(left.iter().map(|x| x / length).collect());
-            if basis.len() == columns {
-                return None;
-            }
+/// A motion that keeps all contacts closed, where there is one.
+fn slide(puzzle: &Puzzle, contacts: &[Contact], columns: usize, count: usize) -> Option<Verdict> {
+    let weights = vec![1.0; contacts.len()];
+    let mut x: Vec<f64> = (0..columns).map(|k| libm::sin(1.0 + k as f64)).collect();
+    for _ in 0..4 {
+        x = solved(contacts, &weights, columns, 1e-11, &x)?;
+        let size = norm(&x);
+        for v in &mut x {
+            *v /= size;
         }
     }
-    let units = (0..columns).map(|k| {
-        let mut unit = vec![0.0; columns];
-        unit[k] = 1.0;
-        remainder(&basis, &unit)
-    });
-    units.max_by(|a, b| norm(a).total_cmp(&norm(b)))
+    let most = contacts.iter().map(|c| opening(c, &x).abs()).fold(0.0, f64::max);
+    (most <= ZERO).then(|| Verdict::Moves(twists(puzzle, count, &x)))
 }
 
-fn remainder(basis: &[Vec<f64>], v: &[f64]) -> Vec<f64> {
-    let mut left = v.to_vec();
-    for _ in 0..2 {
-        for q in basis {
-            let part = dot(q, &left);
-            add(&mut left, q, -part);
-        }
-    }
-    left
-}
-
-fn add(to: &mut [f64], v: &[f64], factor: f64) {
-    for (x, y) in to.iter_mut().zip(v) {
-        *x += factor * y;
-    }
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(x, y)| x * y).sum()
+/// Twists about the middle, in units of the mean side, as those about the origin in the unit of the outline.
+fn twists(puzzle: &Puzzle, count: usize, x: &[f64]) -> Vec<[f64; 3]> {
+    let largest = x.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
+    let middle = puzzle.size.map(|s| (s / 2) as f64 * puzzle.step);
+    let unit = side(puzzle) as f64 * puzzle.step;
+    let twist = |cluster: usize| {
+        let at = 3 * (cluster - 1);
+        let (vx, vy, w) = (x[at] / largest, x[at + 1] / largest, x[at + 2] / largest / unit);
+        [vx + w * middle[1], vy - w * middle[0], w]
+    };
+    (0..count).map(|cluster| if cluster == 0 { [0.0; 3] } else { twist(cluster) }).collect()
 }
 
 fn norm(v: &[f64]) -> f64 {
-    dot(v, v).sqrt()
+    v.iter().map(|x| x * x).sum::<f64>().sqrt()
 }

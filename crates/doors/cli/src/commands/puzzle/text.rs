@@ -15,12 +15,12 @@ pub(super) fn text(outcome: &Outcome) -> String {
             "locked: no motion of any pieces against each other is possible, decided in integers"
         }
         Proof::Multipliers => {
-            "locked: no motion of any pieces against each other is possible, in double precision"
+            "locked: no motion of any pieces against each other is possible, by multipliers checked in integers"
         }
         Proof::OneMoves => "not locked: pieces can move while all others stay, decided in integers",
         Proof::SeveralMove => "not locked: several pieces can move at once, in double precision",
         Proof::Undecided => {
-            "undecided: no cluster can move alone, and there are too many to test all motions"
+            "undecided: no cluster can move alone, and rounding does not let tell whether several can"
         }
     };
     page.row("result", verdict);
