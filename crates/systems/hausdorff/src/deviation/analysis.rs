@@ -10,8 +10,18 @@ use crate::report::Direction;
 use crate::target::Target;
 use crate::tolerance::OptionError;
 use pompeiu_core::TriMesh;
+use pompeiu_core::geom::Frame;
 use pompeiu_core::run::on_threads;
 use std::time::Instant;
+
+/// Two meshes, and the parts of them that are measured.
+#[derive(Clone, Copy)]
+pub(super) struct Ends<'e> {
+    pub(super) a_part: &'e TriMesh,
+    pub(super) a: &'e TriMesh,
+    pub(super) b_part: &'e TriMesh,
+    pub(super) b: &'e TriMesh,
+}
 
 impl DeviationOptions<'_> {
     /// How far A is from B.
@@ -21,7 +31,8 @@ impl DeviationOptions<'_> {
     pub fn directed(&self, a: &TriMesh, b: &TriMesh) -> Result<DirectedDeviation, OptionError> {
         self.check()?;
         Ok(on_threads(self.limits.threads, || {
-            self.one_direction(a, b, Direction::AToB, self.deadline(1), 0).report
+            let frame = joint_frame(a, b).0;
+            self.one_direction([a, b], frame, Direction::AToB, self.deadline(1), 0).report
         }))
     }
 
@@ -30,13 +41,15 @@ impl DeviationOptions<'_> {
     /// # Errors
     /// [`DeviationOptions::check`].
     pub fn symmetric(&self, a: &TriMesh, b: &TriMesh) -> Result<Deviation, OptionError> {
-        self.check()?;
-        Ok(on_threads(self.limits.threads, || {
-            let (half, whole) = (self.deadline(2), self.deadline(1));
-            let there = self.one_direction(a, b, Direction::AToB, half, 0);
-            let back = self.one_direction(b, a, Direction::BToA, whole, there.bytes());
-            self.both(a, b, there, back)
-        }))
+        self.symmetric_of_parts([a, a], [b, b])
+    }
+
+    pub(super) fn of_ends(&self, Ends { a_part, a, b_part, b }: Ends<'_>) -> Deviation {
+        let frame = joint_frame(a, b).0;
+        let (half, whole) = (self.deadline(2), self.deadline(1));
+        let there = self.one_direction([a_part, b], frame, Direction::AToB, half, 0);
+        let back = self.one_direction([b_part, a], frame, Direction::BToA, whole, there.bytes());
+        self.both(a, b, there, back)
     }
 
     fn both(&self, a: &TriMesh, b: &TriMesh, there: Outcome, back: Outcome) -> Deviation {
@@ -80,14 +93,14 @@ impl DeviationOptions<'_> {
 
     fn one_direction(
         &self,
-        from: &TriMesh,
-        to: &TriMesh,
+        [from, to]: [&TriMesh; 2],
+        frame: Frame,
         direction: Direction,
         deadline: Option<Instant>,
         held: usize,
     ) -> Outcome {
         let started = Instant::now();
-        let target = Target::in_frame(to, joint_frame(from, to).0);
+        let target = Target::in_frame(to, frame);
         let build = started.elapsed();
         let pair = Pair { from, to, target: &target, direction, deadline, held };
         let mut outcome = run(self, &pair);

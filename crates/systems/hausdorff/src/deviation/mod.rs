@@ -28,6 +28,7 @@ mod linear;
 mod maxima;
 mod measure;
 mod options;
+mod part;
 mod polygon;
 mod refine;
 mod regions;
@@ -38,6 +39,7 @@ mod tessellation;
 
 pub use bands::{BandError, BandReport, Bands, DirectedBands, Extreme};
 pub use options::DeviationOptions;
+pub use part::{LeftOut, Part, component_shares, overlapping};
 pub use regions::Region;
 pub use report::{Deviation, DeviationWork, DirectedDeviation, FaceDeviation, Sides};
 pub use statistics::{Histogram, Percentile, ShareAbove, Statistics};

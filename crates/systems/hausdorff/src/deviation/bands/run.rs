@@ -54,6 +54,20 @@ impl Deviation {
         limits: &Limits,
         observer: Option<&dyn Observer>,
     ) -> BandReport {
+        self.bands_of_parts([a, a], [b, b], bands, accuracy, limits, observer)
+    }
+
+    /// The same of parts that were measured to the other mesh as a whole
+    /// ([`DeviationOptions::symmetric_of_parts`](crate::DeviationOptions::symmetric_of_parts)).
+    pub fn bands_of_parts(
+        &self,
+        [a_part, a]: [&TriMesh; 2],
+        [b_part, b]: [&TriMesh; 2],
+        bands: &Bands,
+        accuracy: f64,
+        limits: &Limits,
+        observer: Option<&dyn Observer>,
+    ) -> BandReport {
         on_threads(limits.threads, || {
             let now = Instant::now();
             let until = |part: u32| limits.time.and_then(|time| now.checked_add(time / part));
@@ -61,8 +75,8 @@ impl Deviation {
                 |part| Question { bands, accuracy, deadline: until(part), observer: observer.unwrap_or(&()) };
             BandReport {
                 edges: bands.edges().to_vec(),
-                a_to_b: question(2).ask(&self.a_to_b, a, b),
-                b_to_a: question(1).ask(&self.b_to_a, b, a),
+                a_to_b: question(2).ask(&self.a_to_b, a_part, b),
+                b_to_a: question(1).ask(&self.b_to_a, b_part, a),
             }
         })
     }
