@@ -43,7 +43,7 @@ from .errors import (
 )
 from .fields import DegreesOfFreedom, FieldParts, FieldQuality, HodgeDecomposition, Ranks, field_degrees_of_freedom
 from .files import mesh_summary, write_mesh
-from .flattening import Cut, Flattening, cut, flatten
+from .flattening import Cut, Flattening, Medial, cut, flatten, medial
 from .fluids import Simulation, SquareSimulation
 from .many import DistanceMatrix, RankReport, RankWork, Standing, distance_matrix, rank
 from .neurons import NeuronMesh, NeuronTransport, Skeleton, read_skeleton
@@ -83,6 +83,7 @@ __all__ = [
     "Histogram",
     "HodgeDecomposition",
     "Intersections",
+    "Medial",
     "Mesh",
     "MeshError",
     "MeshLike",
@@ -133,6 +134,7 @@ __all__ = [
     "flow",
     "hausdorff",
     "intersections",
+    "medial",
     "mesh_summary",
     "noisy_circle",
     "polyline",

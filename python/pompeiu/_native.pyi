@@ -158,6 +158,16 @@ def distance_matrix(
 ) -> _Matrix: ...
 def matrix_entries(to: Mesh, from_: list[Mesh], width: tuple[float, str], threads: int) -> list[str]: ...
 def cut(mesh: Mesh, cutting: _Options) -> tuple[Mesh, tuple[NDArray[np.uint32], NDArray[np.uint32]]]: ...
+def medial(
+    mesh: Mesh, filling: _Options
+) -> tuple[
+    NDArray[np.float64],
+    NDArray[np.float64],
+    NDArray[np.uint32],
+    NDArray[np.uint32],
+    tuple[list[float], float],
+    str,
+]: ...
 def read_outlines(
     path: str, level: Optional[float], foreground: str, staircase: bool
 ) -> list[NDArray[np.float64]]: ...

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass
-from typing import Any, Callable, Dict, Optional, Sequence, Union
+from typing import Any, Callable, Dict, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -12,7 +12,7 @@ from . import _native
 from .errors import OptionError
 from .sources import Mesh, MeshLike, as_mesh
 
-__all__ = ["Cut", "Flattening", "cut", "flatten"]
+__all__ = ["Cut", "Flattening", "Medial", "cut", "flatten", "medial"]
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -95,18 +95,25 @@ def _cutting(
     cuts: int,
     through: Optional[Sequence[int]],
     along: Optional[Sequence[Sequence[int]]],
+    balls: int,
+    sections: bool,
     forbidden: Sequence[int],
+    forbidden_edges: Sequence[Sequence[int]],
+    forbidden_faces: Sequence[int],
+    curvature: float,
 ) -> Dict[str, Any]:
     if through is not None and along is not None:
         raise OptionError("through and along are both given; choose one")
     if cuts < 1:
         raise OptionError(f"the number of cuts is {cuts}; at least 1 is needed")
+    if balls < 1:
+        raise OptionError(f"the number of balls is {balls}; at least 1 is needed")
 
-    def indices(list_: Sequence[int]) -> list[int]:
+    def indices(list_: Sequence[int], of: str = "vertex") -> list[int]:
         found = [int(i) for i in list_]
         for i in found:
             if not 0 <= i < 2**32:
-                raise OptionError(f"there is no vertex {i}")
+                raise OptionError(f"there is no {of} {i}")
         return found
 
     if through is not None:
@@ -120,7 +127,12 @@ def _cutting(
         "cuts": int(cuts),
         "through": indices(through or []),
         "along": [indices(path) for path in along or []],
+        "balls": int(balls),
+        "sections": bool(sections),
         "forbidden": indices(forbidden),
+        "forbidden_edges": [indices(ends) for ends in forbidden_edges],
+        "forbidden_faces": indices(forbidden_faces, "face"),
+        "curvature": float(curvature),
     }
 
 
@@ -131,7 +143,12 @@ def cut(
     cuts: int = 1,
     through: Optional[Sequence[int]] = None,
     along: Optional[Sequence[Sequence[int]]] = None,
+    balls: int = 30,
+    sections: bool = False,
     forbidden: Sequence[int] = (),
+    forbidden_edges: Sequence[Sequence[int]] = (),
+    forbidden_faces: Sequence[int] = (),
+    curvature: float = 0.0,
 ) -> Cut:
     """Opens a surface along edges, so that each of its parts becomes a disk.
 
@@ -142,15 +159,26 @@ def cut(
     strategy : str
         ``"auto"``: what leaves disks; ``"genus"``: the least that makes disks of what are neither disks nor spheres;
         ``"euclidean"``: the farthest pair of vertices joined, then the vertex farthest from the cut; ``"tips"``: what leaves disks,
-        joined with the tips.
+        joined with the tips; ``"medial"``, ``"medial-tree"`` and ``"bones"`` follow the balls that :func:`medial` finds: from end to
+        end of the longest path between them, through the vertices nearest to their centres, along the edges of their shortest tree.
     cuts : int
         Number of cuts of ``"euclidean"``.
     through : sequence of int, optional
         Join these vertices by shortest paths instead.
     along : sequence of sequences of int, optional
         Cut along these paths of vertices instead, and along nothing else.
+    balls : int
+        Number of balls of ``"medial"``, ``"medial-tree"`` and ``"bones"``.
+    sections : bool
+        With ``"bones"``, an arc around the surface where each bone begins.
     forbidden : sequence of int
         Vertices that no cut may touch.
+    forbidden_edges : sequence of pairs of int
+        Edges that no cut may take, by their ends.
+    forbidden_faces : sequence of int
+        Faces that no cut may enter; it may run along their border.
+    curvature : float
+        Paths keep away from curvature: an edge costs its length times 1 + this |κ| √area.
 
     Raises
     ------
@@ -166,7 +194,19 @@ def cut(
     >>> opened.mesh.n_vertices - 24 * 16 == len(opened.edges) + 1
     True
     """
-    opened, seams = _native.cut(as_mesh(mesh), _cutting(strategy, cuts, through, along, forbidden))
+    cutting = _cutting(
+        strategy,
+        cuts,
+        through,
+        along,
+        balls,
+        sections,
+        forbidden,
+        forbidden_edges,
+        forbidden_faces,
+        curvature,
+    )
+    opened, seams = _native.cut(as_mesh(mesh), cutting)
     return Cut(opened, *seams)
 
 
@@ -179,7 +219,12 @@ def flatten(
     cuts: int = 1,
     through: Optional[Sequence[int]] = None,
     along: Optional[Sequence[Sequence[int]]] = None,
+    balls: int = 30,
+    sections: bool = False,
     forbidden: Sequence[int] = (),
+    forbidden_edges: Sequence[Sequence[int]] = (),
+    forbidden_faces: Sequence[int] = (),
+    curvature: float = 0.0,
     target: float = 4.25,
     most_cuts: int = 6,
     pack: bool = True,
@@ -198,7 +243,7 @@ def flatten(
         the corners of a convex polygon, counter-clockwise.
     weights : str
         Where the boundary goes to a convex curve: ``"uniform"``, ``"cotangent"`` or ``"mean-value"``.
-    strategy, cuts, through, along, forbidden
+    strategy, cuts, through, along, balls, sections, forbidden, forbidden_edges, forbidden_faces, curvature
         Where to cut: see :func:`cut`.
     target : float
         With a free boundary and the strategy ``"auto"``, cuts are added until the mean symmetric Dirichlet energy is at most this.
@@ -240,6 +285,102 @@ def flatten(
         "threads": threads,
         "time_limit": time_limit,
     }
-    cutting = _cutting(strategy, cuts, through, along, forbidden)
+    cutting = _cutting(
+        strategy,
+        cuts,
+        through,
+        along,
+        balls,
+        sections,
+        forbidden,
+        forbidden_edges,
+        forbidden_faces,
+        curvature,
+    )
     *arrays, report = _native.flatten(as_mesh(mesh), cutting, mapping, progress)
     return Flattening(*arrays, json.loads(report))
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Medial:
+    """Balls that fill a closed surface.
+
+    Attributes
+    ----------
+    centres : numpy.ndarray of float, shape (n, 3)
+        Their centres.
+    radii : numpy.ndarray of float, shape (n,)
+        Their radii.
+    edges : numpy.ndarray of int, shape (e, 2)
+        Pairs of balls that lie beside each other along the medial axis.
+    overlaps : numpy.ndarray of int, shape (o, 2)
+        Pairs of balls that overlap.
+    surface_to_balls : pair of floats
+        Bounds of the greatest distance of a point of the surface from the union of the balls.
+    balls_to_surface : float
+        The balls reach out of the surface by this at most.
+    stop : str
+        Why it stopped.
+    """
+
+    centres: np.ndarray
+    radii: np.ndarray
+    edges: np.ndarray
+    overlaps: np.ndarray
+    surface_to_balls: Tuple[float, float]
+    balls_to_surface: float
+    stop: str
+
+    def __repr__(self) -> str:
+        return f"Medial({len(self.radii)} balls)"
+
+
+def medial(
+    mesh: MeshLike,
+    *,
+    balls: int = 30,
+    samples: int = 2000,
+    tolerance: float = 1e-3,
+    threads: Optional[int] = None,
+    time_limit: Optional[float] = None,
+) -> Medial:
+    """Fills a closed surface with few balls, and bounds how far they are from it.
+
+    Parameters
+    ----------
+    mesh : MeshLike
+        An oriented manifold without boundary.
+    balls : int
+        Number of balls in the end.
+    samples : int
+        Points of the surface from which balls are shrunk.
+    tolerance : float
+        Width of the interval ``surface_to_balls``, over the diagonal of the box around the surface.
+    threads, time_limit : optional
+        Limits; more balls are returned when the time is over.
+
+    Raises
+    ------
+    SurfaceError
+        If the mesh is no oriented manifold, or has a boundary.
+    OptionError
+        If options make no sense.
+
+    Examples
+    --------
+    >>> import pompeiu
+    >>> ball = pompeiu.medial(pompeiu.shapes.icosphere(1.0, 3), balls=1)
+    >>> round(float(ball.radii[0]), 1)
+    1.0
+    """
+    if balls < 1 or samples < 1:
+        raise OptionError(f"balls is {balls} and samples is {samples}; at least 1 of each is needed")
+    filling = {
+        "balls": int(balls),
+        "samples": int(samples),
+        "tolerance": float(tolerance),
+        "threads": threads,
+        "time_limit": time_limit,
+    }
+    centres, radii, edges, overlaps, (bounds, out), stop = _native.medial(as_mesh(mesh), filling)
+    return Medial(centres, radii, edges, overlaps, (bounds[0], bounds[1]), out, json.loads(stop))

@@ -58,6 +58,9 @@ def test_a_planar_grid_stays_as_it_is():
         ({"target": 4.0}, "greater than 4"),
         ({"through": [0], "along": [[0, 1]]}, "choose one"),
         ({"through": [-1]}, "no vertex -1"),
+        ({"forbidden_faces": [-1]}, "no face -1"),
+        ({"curvature": -1.0}, "weight of curvature is -1"),
+        ({"strategy": "medial", "balls": 0}, "number of balls is 0"),
     ],
 )
 def test_options_that_make_no_sense(options, words):
@@ -72,3 +75,31 @@ def test_what_cannot_be_cut():
     folded = ([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [0, -1, 0]], [[0, 1, 2], [0, 1, 3], [0, 1, 4]])
     with pytest.raises(pompeiu.SurfaceError, match="faces"):
         pompeiu.flatten(folded)
+
+
+def test_balls_fill_a_sphere_and_guide_cuts():
+    sphere = pompeiu.shapes.icosphere(2.0, 3)
+    one = pompeiu.medial(sphere, balls=1)
+    assert one.radii == pytest.approx([2.0], rel=0.02) and np.abs(one.centres).max() < 0.02
+    assert one.surface_to_balls[0] <= one.surface_to_balls[1] < 0.05 and one.stop == "tolerance"
+    torus = pompeiu.shapes.torus(2.0, 0.7, 24, 16)
+    ring = pompeiu.medial(torus, balls=12)
+    assert np.linalg.norm(ring.centres, axis=1) == pytest.approx(2.0, rel=0.1)
+    assert len(ring.edges) >= 11 and ring.overlaps.shape[1] == 2
+    for strategy in ("medial", "medial-tree", "bones"):
+        opened = pompeiu.cut(torus, strategy=strategy, balls=12)
+        # Vertices minus edges plus faces of a disk.
+        summary = pompeiu.mesh_summary(opened.mesh)
+        assert summary.euler_characteristic == 1
+    with pytest.raises(pompeiu.SurfaceError, match="boundary loops"):
+        pompeiu.medial(opened.mesh)
+    with pytest.raises(pompeiu.OptionError, match="tolerance"):
+        pompeiu.medial(sphere, tolerance=0.0)
+
+
+def test_forbidden_edges_are_not_cut():
+    sphere = pompeiu.shapes.icosphere(1.0, 3)
+    free = pompeiu.cut(sphere, through=[0, 100])
+    edge = sorted(free.edges[0].tolist())
+    around = pompeiu.cut(sphere, through=[0, 100], forbidden_edges=[edge])
+    assert edge not in np.sort(around.edges, axis=1).tolist()

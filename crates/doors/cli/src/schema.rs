@@ -41,6 +41,7 @@ fn published_schemas_are_those_of_the_types() {
     check("fluid", schema::<answers::Fluid<'static>>());
     check("info", schema::<answers::Info<'static>>());
     check("matrix", schema::<answers::Matrix<'static>>());
+    check("medial", schema::<answers::Medial<'static>>());
     check("neuron", schema::<answers::Neuron<'static>>());
     check("puzzle", schema::<answers::Puzzle<'static>>());
     check("rank", schema::<answers::Rank<'static>>());

@@ -5,7 +5,7 @@ use pompeiu::core::MeshError;
 use pompeiu::core::mesh::shapes::ShapeError;
 use pompeiu::figures::FigureError;
 use pompeiu::figures::page::PageError;
-use pompeiu::flatten::FlattenError;
+use pompeiu::flatten::{CutError, FlattenError, MedialError};
 use pompeiu::flow::FlowError;
 use pompeiu::flow::remesh::{RemeshError, SimplifyError};
 use pompeiu::fluid::FluidError;
@@ -131,9 +131,19 @@ impl Raise for RemeshError {
 impl Raise for FlattenError {
     fn exception(&self, sentence: String) -> PyErr {
         match self {
-            Self::Polygon { .. } | Self::FewVertices { .. } | Self::Option { .. } => {
-                classes::OptionError::new_err(sentence)
-            }
+            Self::Polygon { .. }
+            | Self::FewVertices { .. }
+            | Self::Option { .. }
+            | Self::Cut(CutError::Curvature { .. }) => classes::OptionError::new_err(sentence),
+            _ => classes::SurfaceError::new_err(sentence),
+        }
+    }
+}
+
+impl Raise for MedialError {
+    fn exception(&self, sentence: String) -> PyErr {
+        match self {
+            Self::Tolerance { .. } => classes::OptionError::new_err(sentence),
             _ => classes::SurfaceError::new_err(sentence),
         }
     }

@@ -7,12 +7,14 @@ use crate::json::written;
 use crate::mesh::Mesh;
 use crate::wait::{self, Share, Watch};
 use numpy::{IntoPyArray, PyArray1, PyArray2};
-use pompeiu::core::{TriMesh, VertexId};
+use pompeiu::core::{FaceId, TriMesh, VertexId};
 use pompeiu::flatten::{
-    ConvexBoundary, CutOptions, CutStrategy, FlattenError, FlattenOptions, Method, Opened, Weights,
+    ConvexBoundary, CutOptions, CutStrategy, FlattenError, FlattenOptions, MedialOptions, Method, Opened,
+    Weights, medial_balls,
 };
 use pompeiu::surface::{EdgeData, EmbeddedSurface};
 use pyo3::prelude::*;
+use std::num::NonZeroUsize;
 
 /// Where to cut, as the Python half hands it over.
 #[derive(FromPyObject)]
@@ -22,7 +24,12 @@ pub(crate) struct Cutting {
     cuts: usize,
     through: Vec<u32>,
     along: Vec<Vec<u32>>,
+    balls: NonZeroUsize,
+    sections: bool,
     forbidden: Vec<u32>,
+    forbidden_edges: Vec<[u32; 2]>,
+    forbidden_faces: Vec<u32>,
+    curvature: f64,
 }
 
 /// What map to make of it.
@@ -47,14 +54,24 @@ impl Cutting {
             "genus" => CutStrategy::Genus,
             "euclidean" => CutStrategy::Euclidean { cuts: self.cuts },
             "tips" => CutStrategy::Tips,
+            "medial" => CutStrategy::Medial { balls: self.balls },
+            "medial-tree" => CutStrategy::MedialTree { balls: self.balls },
+            "bones" => CutStrategy::Bones { balls: self.balls, sections: self.sections },
             "through" => CutStrategy::Through(ids(self.through)),
             "along" => CutStrategy::Along(self.along.into_iter().map(ids).collect()),
             _ => {
-                let expected = "\"auto\", \"genus\", \"euclidean\" or \"tips\"";
+                let expected =
+                    "\"auto\", \"genus\", \"euclidean\", \"tips\", \"medial\", \"medial-tree\" or \"bones\"";
                 return Err(unknown("strategy", self.strategy, expected));
             }
         };
-        Ok(CutOptions { strategy, forbidden: ids(self.forbidden) })
+        Ok(CutOptions {
+            strategy,
+            forbidden: ids(self.forbidden),
+            forbidden_edges: self.forbidden_edges.into_iter().map(|ends| ends.map(VertexId)).collect(),
+            forbidden_faces: self.forbidden_faces.into_iter().map(FaceId).collect(),
+            curvature: self.curvature,
+        })
     }
 }
 
@@ -159,4 +176,54 @@ pub(crate) fn flatten<'py>(
     let distortion = flat.face_distortion().into_vec().into_pyarray(py);
     let corners = array_of_rows(py, flat.opened.faces().to_vec())?;
     Ok((array_of_rows(py, flat.uv.into_vec())?, corners, copies, edges, distortion, report))
+}
+
+/// How a surface is to be filled, as the Python half hands it over.
+#[derive(Clone, Copy, FromPyObject)]
+#[pyo3(from_item_all)]
+pub(crate) struct Filling {
+    balls: NonZeroUsize,
+    samples: NonZeroUsize,
+    tolerance: f64,
+    threads: Option<usize>,
+    time_limit: Option<f64>,
+}
+
+/// Balls: centres, radii, pairs beside each other, pairs that overlap, bounds, why it stopped.
+type Balls<'py> = (
+    Bound<'py, PyArray2<f64>>,
+    Bound<'py, PyArray1<f64>>,
+    Bound<'py, PyArray2<u32>>,
+    Bound<'py, PyArray2<u32>>,
+    ([f64; 2], f64),
+    String,
+);
+
+/// Fills a closed surface with balls.
+#[pyfunction]
+pub(crate) fn medial<'py>(
+    py: Python<'py>,
+    mesh: &Bound<'py, Mesh>,
+    filling: Filling,
+) -> PyResult<Balls<'py>> {
+    let options = MedialOptions {
+        balls: filling.balls,
+        samples: filling.samples,
+        tolerance: filling.tolerance,
+        limits: limits(filling.threads, filling.time_limit, None)?,
+    };
+    let mesh = mesh.get().inner();
+    let surface = py.detach(|| EmbeddedSurface::new(mesh)).map_err(Raise::raise)?;
+    let found = py.detach(|| medial_balls(&surface, &options)).map_err(Raise::raise)?;
+    let centres: Vec<[f64; 3]> = found.balls.iter().map(|ball| ball.centre).collect();
+    let radii: Vec<f64> = found.balls.iter().map(|ball| ball.radius).collect();
+    let overlaps = found.overlaps();
+    Ok((
+        array_of_rows(py, centres)?,
+        radii.into_pyarray(py),
+        array_of_rows(py, found.edges)?,
+        array_of_rows(py, overlaps)?,
+        (found.deviation.surface_to_balls, found.deviation.balls_to_surface),
+        written(&found.stop)?,
+    ))
 }

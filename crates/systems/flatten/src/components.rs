@@ -35,17 +35,21 @@ impl Component {
 
     /// What is asked of this component.
     pub(crate) fn options(&self, options: &CutOptions) -> CutOptions {
-        let here = |all: &[VertexId]| -> Vec<VertexId> {
-            all.iter()
-                .filter_map(|v| self.vertices.binary_search(v).ok())
-                .map(|v| VertexId(v as u32))
-                .collect()
-        };
+        let vertex = |v: &VertexId| self.vertices.binary_search(v).ok().map(|v| VertexId(v as u32));
+        let here = |all: &[VertexId]| -> Vec<VertexId> { all.iter().filter_map(vertex).collect() };
+        let edge = |[a, b]: &[VertexId; 2]| Some([vertex(a)?, vertex(b)?]);
+        let face = |face: &FaceId| self.faces.binary_search(face).ok().map(|f| FaceId(f as u32));
         let strategy = match &options.strategy {
             CutStrategy::Through(vertices) => CutStrategy::Through(here(vertices)),
             other => other.clone(),
         };
-        CutOptions { strategy, forbidden: here(&options.forbidden) }
+        CutOptions {
+            strategy,
+            forbidden: here(&options.forbidden),
+            forbidden_edges: options.forbidden_edges.iter().filter_map(edge).collect(),
+            forbidden_faces: options.forbidden_faces.iter().filter_map(face).collect(),
+            curvature: options.curvature,
+        }
     }
 }
 
@@ -75,12 +79,14 @@ pub(crate) fn split(surface: &EmbeddedSurface) -> Result<Vec<Component>, Geometr
 
 /// An error of a component with the numbers of the whole surface.
 pub(crate) fn in_whole(error: crate::CutError, component: &Component) -> crate::CutError {
-    use crate::CutError::{Forbidden, NoDisk, SingleEdge};
+    use crate::CutError::{Forbidden, Medial, NoDisk, SingleEdge};
+    use crate::MedialError::Open;
     match error {
         NoDisk { face, euler_characteristic, boundary_loops } => {
             NoDisk { face: component.faces[face.index()], euler_characteristic, boundary_loops }
         }
         Forbidden { face } => Forbidden { face: component.faces[face.index()] },
+        Medial(Open { loops, vertex }) => Medial(Open { loops, vertex: component.vertices[vertex.index()] }),
         SingleEdge { ends } => SingleEdge { ends: ends.map(|v| component.vertices[v.index()]) },
         other => other,
     }

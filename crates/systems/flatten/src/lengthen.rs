@@ -23,7 +23,7 @@ pub(crate) fn with_tips(
     options: &CutOptions,
 ) -> Option<EdgeData<bool>> {
     let surface = component.surface.surface();
-    let costs = Costs::new(surface, &options.forbidden);
+    let costs = Costs::new(&component.surface, options);
     let mut growing = GrowingCut::new(surface, &costs, cut.clone());
     let distances = EdgeDistances::from(surface, &growing.reached()).distances;
     let near = NEAR * surface.area().sqrt();
@@ -65,7 +65,7 @@ pub(crate) fn lengthened(
         density = mesh.vertex_ids().map(mean).collect();
     }
     let lengths = surface.edge_lengths();
-    let costs = Costs::new(surface, &options.forbidden);
+    let costs = Costs::new(&component.surface, options);
     let mut growing = GrowingCut::new(surface, &costs, cut.clone());
     for _ in 0..count {
         let distances = EdgeDistances::along(surface, &growing.reached(), |edge| lengths[edge]).distances;

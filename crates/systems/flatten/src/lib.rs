@@ -12,6 +12,7 @@
 //! | [`FlattenReport`], [`Distortion`] | what is said of it |
 //! | [`choose_cut`], [`CutOptions`], [`CutStrategy`] | which edges to cut |
 //! | [`open`], [`Opened`] | the surface after the cut, and which vertex is a copy of which |
+//! | [`medial_balls`], [`MedialOptions`], [`Medial`] | balls that fill a closed surface |
 //! | [`farthest_pair`] | the two points of a set that are farthest apart |
 //!
 //! ```
@@ -38,6 +39,7 @@ mod error;
 mod flatten;
 mod lengthen;
 mod map;
+mod medial;
 mod options;
 mod pack;
 mod report;
@@ -50,5 +52,6 @@ pub use distortion::{Distortion, MeanMax, Spread};
 pub use error::FlattenError;
 pub use flatten::{Flattening, flatten};
 pub use map::{ConvexBoundary, Weights};
+pub use medial::{Ball, Deviation, Medial, MedialError, MedialOptions, medial_balls};
 pub use options::{FlattenOptions, Method};
 pub use report::{CutReport, FlattenReport, Timing};

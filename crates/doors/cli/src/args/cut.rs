@@ -1,11 +1,13 @@
 //! Options of where a surface is cut.
 
 use crate::numbers::tuple;
+use anyhow::Context;
 use clap::{Args, ValueEnum};
-use pompeiu::core::VertexId;
+use pompeiu::core::{FaceId, VertexId};
 use pompeiu::flatten::{CutOptions, CutStrategy};
 use pompeiu::surface::EmbeddedSurface;
 use std::num::NonZeroUsize;
+use std::path::{Path as FilePath, PathBuf};
 
 #[derive(Args)]
 pub(crate) struct CutChoice {
@@ -15,6 +17,12 @@ pub(crate) struct CutChoice {
     /// Number of cuts of the strategy euclidean
     #[arg(long, default_value = "1", value_name = "N")]
     pub(crate) cuts: NonZeroUsize,
+    /// Number of balls of the strategies medial, medial-tree and bones
+    #[arg(long, default_value = "30", value_name = "N")]
+    pub(crate) balls: NonZeroUsize,
+    /// With the strategy bones, cut along an arc around the surface where each bone begins, too
+    #[arg(long)]
+    pub(crate) sections: bool,
     /// Join these vertices, counted from 0, by shortest paths
     #[arg(long, value_delimiter = ',', value_name = "V,V,…", conflicts_with = "strategy")]
     pub(crate) through: Vec<u32>,
@@ -27,6 +35,12 @@ pub(crate) struct CutChoice {
     /// Let no cut touch the vertices in this box, given by its least and its greatest coordinates
     #[arg(long, value_parser = tuple::<6>, allow_hyphen_values = true, value_name = "X,Y,Z,X,Y,Z")]
     pub(crate) forbid_box: Option<[f64; 6]>,
+    /// Let no cut enter what this text file names, one on each line: v I a vertex, e I J an edge, f I a face
+    #[arg(long, value_name = "FILE")]
+    pub(crate) forbid_file: Option<PathBuf>,
+    /// Let paths keep away from curvature: an edge costs its length times 1 + W |κ| √area
+    #[arg(long, default_value = "0", value_name = "W")]
+    pub(crate) avoid_curvature: f64,
 }
 
 #[derive(Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
@@ -40,6 +54,12 @@ pub(crate) enum Strategy {
     Euclidean,
     /// What leaves a disk, and all tips
     Tips,
+    /// The touched vertices farthest apart of the balls at the ends of the longest path between balls
+    Medial,
+    /// What leaves a disk, and the vertices nearest to the centres of balls
+    MedialTree,
+    /// A path along each edge of the shortest tree between balls
+    Bones,
 }
 
 /// The vertices of a path.
@@ -56,7 +76,10 @@ fn path(text: &str) -> Result<Path, String> {
 
 impl CutChoice {
     /// What the library is asked for.
-    pub(crate) fn options(&self, surface: &EmbeddedSurface) -> CutOptions {
+    ///
+    /// # Errors
+    /// If the selection file cannot be read.
+    pub(crate) fn options(&self, surface: &EmbeddedSurface) -> anyhow::Result<CutOptions> {
         let ids = |list: &[u32]| -> Vec<VertexId> { list.iter().copied().map(VertexId).collect() };
         let strategy = if !self.through.is_empty() {
             CutStrategy::Through(ids(&self.through))
@@ -68,6 +91,9 @@ impl CutChoice {
                 Strategy::Genus => CutStrategy::Genus,
                 Strategy::Euclidean => CutStrategy::Euclidean { cuts: self.cuts.get() },
                 Strategy::Tips => CutStrategy::Tips,
+                Strategy::Medial => CutStrategy::Medial { balls: self.balls },
+                Strategy::MedialTree => CutStrategy::MedialTree { balls: self.balls },
+                Strategy::Bones => CutStrategy::Bones { balls: self.balls, sections: self.sections },
             }
         };
         let mut forbidden = ids(&self.forbid);
@@ -75,13 +101,72 @@ impl CutChoice {
             let is_inside = |p: &[f64; 3]| (0..3).all(|k| b[k] <= p[k] && p[k] <= b[k + 3]);
             forbidden.extend(surface.positions().entries().filter(|(_, p)| is_inside(p)).map(|(v, _)| v));
         }
-        CutOptions { strategy, forbidden }
+        let mut selection = match &self.forbid_file {
+            Some(path) => read_selection(path)?,
+            None => Selection::default(),
+        };
+        forbidden.append(&mut selection.vertices);
+        Ok(CutOptions {
+            strategy,
+            forbidden,
+            forbidden_edges: selection.edges,
+            forbidden_faces: selection.faces,
+            curvature: self.avoid_curvature,
+        })
     }
+}
+
+/// Vertices, edges and faces that a file names.
+#[derive(Debug, Default, PartialEq)]
+struct Selection {
+    vertices: Vec<VertexId>,
+    edges: Vec<[VertexId; 2]>,
+    faces: Vec<FaceId>,
+}
+
+fn read_selection(path: &FilePath) -> anyhow::Result<Selection> {
+    let text = std::fs::read_to_string(path).with_context(|| path.display().to_string())?;
+    selection(&text).map_err(|line| {
+        let shown = path.display();
+        anyhow::anyhow!("{shown}: line {line} is none of `v I`, `e I J` and `f I`; empty lines and lines after # are left out")
+    })
+}
+
+/// What lines name; the number of the first line that names nothing.
+fn selection(text: &str) -> Result<Selection, usize> {
+    let mut selection = Selection::default();
+    for (number, line) in text.lines().enumerate() {
+        let line = line.split('#').next().unwrap_or_default();
+        let parts: Vec<&str> = line.split_whitespace().collect();
+        let index = |text: &str| text.parse::<u32>().map_err(|_| number + 1);
+        match parts[..] {
+            [] => {}
+            ["v", i] => selection.vertices.push(VertexId(index(i)?)),
+            ["e", i, j] => selection.edges.push([VertexId(index(i)?), VertexId(index(j)?)]),
+            ["f", i] => selection.faces.push(FaceId(index(i)?)),
+            _ => return Err(number + 1),
+        }
+    }
+    Ok(selection)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn selections_name_vertices_edges_and_faces() {
+        let found = selection("v 3\n# all of it\n\ne 4 5 # one\nf 6").unwrap();
+        let expected = Selection {
+            vertices: vec![VertexId(3)],
+            edges: vec![[VertexId(4), VertexId(5)]],
+            faces: vec![FaceId(6)],
+        };
+        assert_eq!(found, expected);
+        for (wrong, line) in [("v", 1), ("v 1\ne 2", 2), ("x 1", 1), ("\n\nv -1", 3)] {
+            assert_eq!(selection(wrong), Err(line), "{wrong}");
+        }
+    }
 
     #[test]
     fn paths_are_lists_of_vertices() {

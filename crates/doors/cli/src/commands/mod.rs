@@ -16,6 +16,7 @@ mod generate;
 mod info;
 mod man;
 mod matrix;
+mod medial;
 mod neuron;
 mod puzzle;
 mod rank;
@@ -58,6 +59,7 @@ commands! {
     fluid::Fluid,
     flatten::Flatten,
     cut::Cut,
+    medial::Medial,
     neuron::Neuron,
     complexity::Complexity,
     puzzle::Puzzle,
@@ -83,6 +85,7 @@ pub(crate) mod answers {
     pub(crate) use super::fluid::Json as Fluid;
     pub(crate) use super::info::Json as Info;
     pub(crate) use super::matrix::Json as Matrix;
+    pub(crate) use super::medial::Json as Medial;
     pub(crate) use super::neuron::Json as Neuron;
     pub(crate) use super::puzzle::Json as Puzzle;
     pub(crate) use super::rank::Json as Rank;

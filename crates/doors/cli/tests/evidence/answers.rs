@@ -602,6 +602,37 @@ fn cut_answers_with_what_glues_back() {
 }
 
 #[test]
+fn medial_fills_a_surface_with_balls_and_writes_them() {
+    let folder = Folder::new();
+    folder.ok("generate torus --major-segments 24 --minor-segments 16 -o torus.obj");
+    let report =
+        json(&folder, "medial torus.obj --balls 10 --samples 400 -o balls.ma --report balls.html --json");
+    let all = ["input", "balls", "edges", "overlaps", "shrunk", "deviation", "stop", "timing_ms"];
+    assert_eq!(keys(&report), sorted(&all));
+    let balls = report["balls"].as_array().unwrap();
+    let read = |name: &str| std::fs::read_to_string(folder.path().join(name)).unwrap();
+    let text = read("balls.ma");
+    assert_eq!(text.lines().filter(|line| line.starts_with("v ")).count(), balls.len());
+    assert_eq!(
+        text.lines().filter(|line| line.starts_with("e ")).count(),
+        report["edges"].as_array().unwrap().len()
+    );
+    assert!(read("balls.html").contains("Balls in torus.obj"));
+    let spheres = "medial torus.obj --balls 3 --samples 400 -o spheres.ply";
+    assert!(folder.ok(spheres).contains("from the surface to the balls between"));
+    assert_eq!(pompeiu::io::read_mesh(folder.path().join("spheres.ply")).unwrap().faces().len(), 3 * 1280);
+    folder.ok("medial torus.obj --balls 3 --samples 400 -o balls.png --image-size 320x200");
+    folder.ok("cut torus.obj --strategy bones --balls 8 --sections -o bones.obj");
+    std::fs::write(folder.path().join("closed.txt"), "v 0\ne 5 6\nf 7\n").unwrap();
+    folder.ok("cut torus.obj --strategy genus --forbid-file closed.txt --avoid-curvature 0.5 -o away.obj");
+    std::fs::write(folder.path().join("wrong.txt"), "v 0\nnothing\n").unwrap();
+    let refused = folder.run("cut torus.obj --forbid-file wrong.txt -o away.obj");
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&refused.stderr).contains("line 2"));
+    assert!(folder.run("medial torus.obj").stdout.is_empty());
+}
+
+#[test]
 fn complexity_measures_a_folder_and_goes_on_after_files_that_cannot_be_used() {
     let folder = Folder::new();
     std::fs::create_dir(folder.path().join("shapes")).unwrap();

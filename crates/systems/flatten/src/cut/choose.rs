@@ -1,13 +1,16 @@
 //! Which edges to cut.
 
-use super::costs::Costs;
+use super::costs::{Closed, Costs};
 use super::disk::disk_cut;
 use super::farthest::farthest_pair;
+use super::skeleton::Skeleton;
 use super::tips::tips;
 use super::tree::GrowingCut;
 use super::{CutError, largest, open};
+use pompeiu_core::mesh::UnionFind;
 use pompeiu_core::{FaceId, VertexId};
 use pompeiu_surface::{EdgeData, EdgeDistances, EdgeId, EmbeddedSurface, SurfaceMesh};
+use std::num::NonZeroUsize;
 
 /// How the edges to cut are chosen.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -26,6 +29,24 @@ pub enum CutStrategy {
     },
     /// What leaves a disk, joined with the tips: vertices that are farther from the rest of the surface than all around.
     Tips,
+    /// The balls that fill a closed surface: of those that are farthest from each other along their edges, the touched vertices that
+    /// are farthest apart, joined.
+    Medial {
+        /// Number of balls.
+        balls: NonZeroUsize,
+    },
+    /// What leaves a disk, joined with the vertices nearest to the centres of the balls that fill a closed surface.
+    MedialTree {
+        /// Number of balls.
+        balls: NonZeroUsize,
+    },
+    /// What leaves a disk, joined with a path along each bone: the edges of the shortest tree that joins the balls.
+    Bones {
+        /// Number of balls.
+        balls: NonZeroUsize,
+        /// Whether an arc goes around the surface where each bone begins.
+        sections: bool,
+    },
     /// What leaves a disk, joined with these vertices by shortest paths.
     Through(Vec<VertexId>),
     /// These paths of edges, each given by its vertices, and nothing else.
@@ -33,6 +54,10 @@ pub enum CutStrategy {
 }
 
 impl CutStrategy {
+    fn follows_balls(&self) -> bool {
+        matches!(self, Self::Medial { .. } | Self::MedialTree { .. } | Self::Bones { .. })
+    }
+
     /// The name of the strategy, as in the command and in reports.
     pub fn name(&self) -> &'static str {
         match self {
@@ -40,6 +65,9 @@ impl CutStrategy {
             Self::Genus => "genus",
             Self::Euclidean { .. } => "euclidean",
             Self::Tips => "tips",
+            Self::Medial { .. } => "medial",
+            Self::MedialTree { .. } => "medial-tree",
+            Self::Bones { .. } => "bones",
             Self::Through(_) => "through",
             Self::Along(_) => "along",
         }
@@ -47,12 +75,26 @@ impl CutStrategy {
 }
 
 /// How a surface is cut.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct CutOptions {
     /// How edges are chosen.
     pub strategy: CutStrategy,
     /// Vertices that no cut may touch.
     pub forbidden: Vec<VertexId>,
+    /// Edges that no cut may take, by their ends.
+    pub forbidden_edges: Vec<[VertexId; 2]>,
+    /// Faces that no cut may enter: it may run along the border of them.
+    pub forbidden_faces: Vec<FaceId>,
+    /// By how much paths keep away from curvature: an edge costs its length times 1 + this times |κ| √area, with κ the mean of the
+    /// absolute mean curvatures of both ends. At least 0.
+    pub curvature: f64,
+}
+
+impl CutOptions {
+    /// Whether anything is forbidden.
+    fn forbids(&self) -> bool {
+        !(self.forbidden.is_empty() && self.forbidden_edges.is_empty() && self.forbidden_faces.is_empty())
+    }
 }
 
 /// Chooses the edges that open a surface, so that each of its components becomes a disk.
@@ -88,9 +130,18 @@ pub(crate) fn requested_edges(
     options: &CutOptions,
 ) -> Result<Option<EdgeData<bool>>, CutError> {
     let vertices = mesh.vertices();
-    let mut named = options.forbidden.iter();
+    let mut named = options.forbidden.iter().chain(options.forbidden_edges.iter().flatten());
     if let Some(&vertex) = named.find(|v| v.index() >= vertices) {
         return Err(CutError::NoVertex { vertex, vertices });
+    }
+    if let Some(&ends) = options.forbidden_edges.iter().find(|&&ends| edge_between(mesh, ends).is_none()) {
+        return Err(CutError::NoEdge { ends });
+    }
+    if let Some(&face) = options.forbidden_faces.iter().find(|face| face.index() >= mesh.faces()) {
+        return Err(CutError::NoFace { face, faces: mesh.faces() });
+    }
+    if !options.curvature.is_finite() || options.curvature < 0.0 {
+        return Err(CutError::Curvature { weight: options.curvature });
     }
     match &options.strategy {
         CutStrategy::Through(through) => match through.iter().find(|v| v.index() >= vertices) {
@@ -99,13 +150,14 @@ pub(crate) fn requested_edges(
         },
         CutStrategy::Along(paths) => {
             let mut cut = EdgeData::filled(mesh.edges(), false);
+            let closed = Closed::new(mesh, options);
             for step in paths.iter().flat_map(|path| path.windows(2)) {
                 let ends = [step[0], step[1]];
                 if let Some(&vertex) = ends.iter().find(|v| v.index() >= vertices) {
                     return Err(CutError::NoVertex { vertex, vertices });
                 }
                 let edge = edge_between(mesh, ends).ok_or(CutError::NoEdge { ends })?;
-                if ends.iter().any(|v| options.forbidden.contains(v)) {
+                if closed.forbid_edge(edge) {
                     return Err(CutError::ForbiddenEdge { ends });
                 }
                 cut[edge] = true;
@@ -117,15 +169,15 @@ pub(crate) fn requested_edges(
 }
 
 /// The edge between two vertices.
-fn edge_between(mesh: &SurfaceMesh, [a, b]: [VertexId; 2]) -> Option<EdgeId> {
+pub(super) fn edge_between(mesh: &SurfaceMesh, [a, b]: [VertexId; 2]) -> Option<EdgeId> {
     let around = mesh.outgoing(a).flat_map(|h| [h, h.previous()]);
-    around.into_iter().find(|&h| [mesh.tail(h), mesh.head(h)].contains(&b)).map(|h| mesh.edge(h))
+    around.into_iter().find(|&h| a != b && [mesh.tail(h), mesh.head(h)].contains(&b)).map(|h| mesh.edge(h))
 }
 
 /// The cut of a connected surface, before any is added for the sake of distortion.
 pub(crate) fn first_cut(surface: &EmbeddedSurface, options: &CutOptions) -> Result<EdgeData<bool>, CutError> {
     let mesh = surface.mesh();
-    let costs = Costs::new(surface.surface(), &options.forbidden);
+    let costs = Costs::new(surface, options);
     let nowhere = || CutError::Forbidden { face: FaceId(0) };
     let base = disk_cut(surface.surface(), &costs);
     if !costs.total(&base).is_finite() {
@@ -147,16 +199,39 @@ pub(crate) fn first_cut(surface: &EmbeddedSurface, options: &CutOptions) -> Resu
             }
         }
         CutStrategy::Euclidean { cuts } => euclidean(surface, &costs, &mut cut, *cuts),
+        CutStrategy::Medial { balls } => {
+            let ends = Skeleton::new(surface, &costs, *balls)?.ends();
+            cut.join(&ends);
+        }
+        CutStrategy::MedialTree { balls } => {
+            let joints = Skeleton::new(surface, &costs, *balls)?.joints();
+            cut.join(&joints.into_iter().flatten().collect::<Vec<_>>());
+        }
+        CutStrategy::Bones { balls, sections } => {
+            let skeleton = Skeleton::new(surface, &costs, *balls)?;
+            cut.edges = skeleton.bones(&cut.edges);
+            if *sections {
+                cut.edges = skeleton.with_sections(cut.edges);
+            }
+        }
         CutStrategy::Through(vertices) => {
             if !cut.join(vertices).is_empty() {
                 return Err(nowhere());
             }
         }
     }
+    if is_sphere && !cut.edges.contains(&true) && options.strategy.follows_balls() {
+        // All balls lie beside one vertex.
+        cut = GrowingCut::new(surface.surface(), &costs, cut.edges);
+        euclidean(surface, &costs, &mut cut, 1);
+    }
     if is_sphere {
         lengthen(surface, &costs, &mut cut.edges);
     }
-    if open(mesh, &cut.edges)?.check_disks().is_err() && !options.forbidden.is_empty() {
+    if !costs.total(&cut.edges).is_finite() {
+        return Err(nowhere());
+    }
+    if open(mesh, &cut.edges)?.check_disks().is_err() && options.forbids() {
         return Err(nowhere());
     }
     Ok(cut.edges)
@@ -179,6 +254,24 @@ fn euclidean(surface: &EmbeddedSurface, costs: &Costs, cut: &mut GrowingCut<'_>,
         let far: Vec<f64> = mesh.vertex_ids().map(allowed).collect();
         cut.join(&[VertexId(largest(&far) as u32)]);
     }
+}
+
+/// A cut with those of some edges that join what is not yet joined, one after the other: no loop is closed that is not there already.
+pub(super) fn joined_edges(mesh: &SurfaceMesh, cut: &EdgeData<bool>, edges: &[EdgeId]) -> EdgeData<bool> {
+    let mut joined = UnionFind::new(mesh.vertices());
+    let of_cut = mesh.edge_ids().filter(|&edge| cut[edge] || mesh.is_boundary_edge(edge));
+    for edge in of_cut {
+        let [a, b] = mesh.ends(edge);
+        joined.union(a.index(), b.index());
+    }
+    let mut cut = cut.clone();
+    for &edge in edges {
+        let [a, b] = mesh.ends(edge);
+        if joined.union(a.index(), b.index()) {
+            cut[edge] = true;
+        }
+    }
+    cut
 }
 
 /// Makes two edges of the cut of a sphere that is a single one, which would open nothing.

@@ -75,12 +75,12 @@ fn cut_from(surface: &Surface, costs: &Costs, sources: &[VertexId]) -> EdgeData<
         let across = mesh.twin(h).map_or(h.face(), HalfedgeId::face);
         cut[edge] = !faces.union(h.face().index(), across.index());
     }
-    prune(surface, &mut cut);
+    prune(surface, &mut cut, |_| false);
     cut
 }
 
-/// Takes edges that end nowhere off a cut until there are none.
-fn prune(surface: &Surface, cut: &mut EdgeData<bool>) {
+/// Takes edges that end nowhere off a cut until there are none; vertices that are kept are somewhere.
+pub(super) fn prune(surface: &Surface, cut: &mut EdgeData<bool>, is_kept: impl Fn(VertexId) -> bool) {
     let mesh = surface.mesh();
     let mut degrees = vec![0_u32; mesh.vertices()];
     for edge in mesh.edge_ids().filter(|&edge| cut[edge]) {
@@ -88,7 +88,8 @@ fn prune(surface: &Surface, cut: &mut EdgeData<bool>) {
             degrees[v.index()] += 1;
         }
     }
-    let is_leaf = |degrees: &[u32], v: VertexId| degrees[v.index()] == 1 && !mesh.is_boundary_vertex(v);
+    let is_leaf =
+        |degrees: &[u32], v: VertexId| degrees[v.index()] == 1 && !mesh.is_boundary_vertex(v) && !is_kept(v);
     let mut leaves: Vec<VertexId> = mesh.vertex_ids().filter(|&v| is_leaf(&degrees, v)).collect();
     while let Some(v) = leaves.pop() {
         if degrees[v.index()] != 1 {

@@ -1,5 +1,6 @@
 //! Why a surface cannot be cut.
 
+use crate::MedialError;
 use pompeiu_core::{FaceId, VertexId};
 use pompeiu_surface::{GeometryError, SurfaceError};
 
@@ -47,6 +48,23 @@ pub enum CutError {
         /// Number of vertices.
         vertices: usize,
     },
+    /// A face does not exist.
+    #[error("there is no face {face}; there are {faces} (the first is 0)")]
+    NoFace {
+        /// The index.
+        face: FaceId,
+        /// Number of faces.
+        faces: usize,
+    },
+    /// The weight of curvature is no number from 0 on.
+    #[error("the weight of curvature is {weight}; it must be a number, 0 or more")]
+    Curvature {
+        /// The weight.
+        weight: f64,
+    },
+    /// The surface cannot be filled with balls, which the strategy follows.
+    #[error(transparent)]
+    Medial(#[from] MedialError),
     /// Every cut would enter what is forbidden.
     #[error(
         "no admissible cut opens the part that holds face {face}: every one enters a forbidden edge or vertex"

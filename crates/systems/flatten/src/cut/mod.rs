@@ -6,6 +6,7 @@ mod disk;
 mod error;
 mod farthest;
 mod open;
+mod skeleton;
 mod tips;
 mod tree;
 

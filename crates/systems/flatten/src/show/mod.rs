@@ -1,8 +1,10 @@
-//! A flat map as a page, a picture, a drawing and a texture.
+//! A flat map as a page, a picture, a drawing and a texture; balls as a page and a picture.
 
+mod medial;
 mod page;
 mod svg;
 
+pub use medial::MedialPage;
 pub use page::FlattenPage;
 pub use svg::layout_svg;
 

@@ -141,15 +141,21 @@ fn named_vertices_and_paths_are_on_the_cut_and_forbidden_ones_are_not() {
         let through: Vec<VertexId> = (0..5).map(|_| VertexId(random.below(642))).collect();
         let forbidden: Vec<VertexId> =
             (0..60).map(|_| VertexId(random.below(642))).filter(|v| !through.contains(v)).collect();
-        let options =
-            CutOptions { strategy: CutStrategy::Through(through.clone()), forbidden: forbidden.clone() };
+        let options = CutOptions {
+            strategy: CutStrategy::Through(through.clone()),
+            forbidden: forbidden.clone(),
+            ..CutOptions::default()
+        };
         let cut = choose_cut(&surface, &options).unwrap();
         assert!(through.iter().all(|v| on_cut(&cut, v.0)) && !forbidden.iter().any(|v| on_cut(&cut, v.0)));
     }
     // A fence around a vertex.
     let around = mesh.outgoing(VertexId(0)).map(|h| mesh.head(h)).collect();
-    let options =
-        CutOptions { strategy: CutStrategy::Through(vec![VertexId(0), VertexId(400)]), forbidden: around };
+    let options = CutOptions {
+        strategy: CutStrategy::Through(vec![VertexId(0), VertexId(400)]),
+        forbidden: around,
+        ..CutOptions::default()
+    };
     assert!(matches!(choose_cut(&surface, &options), Err(CutError::Forbidden { .. })));
     let far = CutOptions { strategy: CutStrategy::Along(vec![vec![VertexId(0), VertexId(400)]]), ..options };
     let error = choose_cut(&surface, &far).unwrap_err();
@@ -250,4 +256,101 @@ fn what_is_no_surface_is_refused() {
     let options = CutOptions { forbidden: vec![VertexId(42)], ..CutOptions::default() };
     let error = choose_cut(&sphere, &options).unwrap_err();
     assert_eq!(error.to_string(), "there is no vertex 42; there are 42 (the first is 0)");
+}
+
+fn follows(strategy: CutStrategy) -> CutOptions {
+    CutOptions { strategy, ..CutOptions::default() }
+}
+
+#[test]
+fn cuts_that_follow_balls_open_surfaces_into_disks() {
+    let balls = std::num::NonZeroUsize::new(8).unwrap();
+    let strategies = [
+        CutStrategy::Medial { balls },
+        CutStrategy::MedialTree { balls },
+        CutStrategy::Bones { balls, sections: false },
+        CutStrategy::Bones { balls, sections: true },
+    ];
+    for genus in [0, 2] {
+        let surface = surface(&zoo(genus, 0));
+        for strategy in &strategies {
+            let cut = choose_cut(&surface, &follows(strategy.clone())).unwrap();
+            let opened = open(surface.mesh(), &cut).unwrap();
+            opened.check_disks().unwrap();
+            assert_eq!((opened.mesh().components(), opened.mesh().boundary_loops().len()), (1, 1));
+        }
+    }
+    let error = choose_cut(&surface(&zoo(0, 1)), &follows(CutStrategy::Medial { balls })).unwrap_err();
+    assert!(matches!(error, CutError::Medial(_)), "{error}");
+}
+
+#[test]
+fn the_medial_cut_of_a_long_body_runs_from_end_to_end() {
+    let balls = std::num::NonZeroUsize::new(6).unwrap();
+    let mesh = shapes::uv_sphere(1.0, 24, 32).unwrap();
+    let long = TriMesh::new(
+        mesh.positions().iter().map(|&[x, y, z]| [x, y, 5.0 * z]).collect(),
+        mesh.faces().to_vec(),
+    )
+    .unwrap();
+    let surface = surface(&long);
+    let reach = |strategy: CutStrategy| {
+        let cut = choose_cut(&surface, &follows(strategy)).unwrap();
+        let edges = surface.mesh().edge_ids().filter(|&edge| cut[edge]);
+        let heights = edges.flat_map(|edge| surface.mesh().ends(edge)).map(|v| surface.positions()[v][2]);
+        let (low, high) = heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), z| (l.min(z), h.max(z)));
+        high - low
+    };
+    assert!(reach(CutStrategy::Medial { balls }) > 9.0);
+    // Bones end at the centres of the last balls.
+    let bones = reach(CutStrategy::Bones { balls, sections: false });
+    assert!(bones > 6.0 && bones < 9.9, "{bones}");
+}
+
+#[test]
+fn curvature_is_avoided_and_forbidden_edges_and_faces_are_not_entered() {
+    let cube = surface(&shapes::cube(1.0, 8).unwrap());
+    let mesh = cube.mesh();
+    let [low, high] =
+        [f64::min, f64::max].map(|least| cube.positions().iter().flatten().copied().reduce(least).unwrap());
+    let extremes = |v: VertexId| cube.positions()[v].iter().filter(|x| [low, high].contains(*x)).count();
+    let on_ridge = |v: VertexId| extremes(v) >= 2;
+    let at_corner = |v: VertexId| extremes(v) == 3;
+    // Two vertices of one ridge, neither a corner of the cube.
+    let ridge: Vec<VertexId> = mesh.vertex_ids().filter(|&v| on_ridge(v)).collect();
+    let far = |v: VertexId, w: VertexId| {
+        let (p, q) = (cube.positions()[v], cube.positions()[w]);
+        let same = (0..3).filter(|&k| p[k] == q[k]).count();
+        let d = (0..3).map(|k| (p[k] - q[k]).abs()).sum::<f64>();
+        same == 2 && (d - 0.5).abs() < 1e-12 && !at_corner(v) && !at_corner(w)
+    };
+    let pair =
+        ridge.iter().flat_map(|&v| ridge.iter().map(move |&w| [v, w])).find(|[v, w]| far(*v, *w)).unwrap();
+    let options = |curvature: f64| CutOptions {
+        strategy: CutStrategy::Through(pair.to_vec()),
+        curvature,
+        ..CutOptions::default()
+    };
+    let touched = |cut: &EdgeData<bool>| {
+        let edges = mesh.edge_ids().filter(|&edge| cut[edge]);
+        let mut ends: Vec<VertexId> = edges.flat_map(|edge| mesh.ends(edge)).collect();
+        ends.sort_unstable();
+        ends.dedup();
+        ends
+    };
+    let straight = choose_cut(&cube, &options(0.0)).unwrap();
+    assert!(touched(&straight).into_iter().all(on_ridge));
+    let bent = choose_cut(&cube, &options(1.0)).unwrap();
+    assert_eq!(touched(&bent).into_iter().filter(|&v| on_ridge(v)).count(), 2);
+    // One edge of the straight cut closed, and then all faces around its middle.
+    let edge = mesh.edge_ids().find(|&edge| straight[edge]).unwrap();
+    let around = CutOptions { forbidden_edges: vec![mesh.ends(edge)], ..options(0.0) };
+    assert!(!choose_cut(&cube, &around).unwrap()[edge]);
+    let inner = mesh.ends(edge).into_iter().find(|v| !pair.contains(v)).unwrap();
+    let faces = mesh.outgoing(inner).map(pompeiu_surface::HalfedgeId::face).collect();
+    let closed = CutOptions { forbidden_faces: faces, ..options(0.0) };
+    assert!(!touched(&choose_cut(&cube, &closed).unwrap()).contains(&inner));
+    let wrong = CutOptions { forbidden_edges: vec![[VertexId(0), VertexId(0)]], ..options(0.0) };
+    assert!(matches!(choose_cut(&cube, &wrong), Err(CutError::NoEdge { .. })));
+    assert!(matches!(choose_cut(&cube, &options(f64::NAN)), Err(CutError::Curvature { .. })));
 }

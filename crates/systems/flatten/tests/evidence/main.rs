@@ -4,6 +4,7 @@
 
 mod cuts;
 mod maps;
+mod medial;
 
 use pompeiu_core::TriMesh;
 use pompeiu_core::mesh::shapes;

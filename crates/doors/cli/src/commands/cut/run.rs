@@ -36,7 +36,7 @@ pub(crate) fn run(args: &Args, printer: &Printer) -> anyhow::Result<Exit> {
     let wait = Wait::new(printer);
     let (mesh, surface) = surface::read(&args.mesh, &wait, printer)?;
     wait.show("choosing edges".to_owned());
-    let options = args.choice.options(&surface);
+    let options = args.choice.options(&surface)?;
     let cut = choose_cut(&surface, &options).with_context(shown)?;
     let opened = open(surface.mesh(), &cut).with_context(shown)?;
     drop(wait);

@@ -42,7 +42,7 @@ pub(crate) fn run(args: &Args, printer: &Printer) -> anyhow::Result<Exit> {
         interrupt::flow()
     };
     let options = FlattenOptions {
-        cut: args.cut.options(&surface),
+        cut: args.cut.options(&surface)?,
         method: match args.boundary.0.clone() {
             None => Method::default(),
             Some(boundary) => Method::Convex { boundary, weights: args.weights.into() },
