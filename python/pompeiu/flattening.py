@@ -215,6 +215,10 @@ def flatten(
     *,
     boundary: Union[str, Sequence[Sequence[float]]] = "free",
     weights: str = "mean-value",
+    energy: str = "symmetric-dirichlet",
+    virtual_layers: int = 0,
+    virtual_scale: float = 1.2,
+    virtual_kind: str = "intrinsic",
     strategy: str = "auto",
     cuts: int = 1,
     through: Optional[Sequence[int]] = None,
@@ -243,6 +247,15 @@ def flatten(
         the corners of a convex polygon, counter-clockwise.
     weights : str
         Where the boundary goes to a convex curve: ``"uniform"``, ``"cotangent"`` or ``"mean-value"``.
+    energy : str
+        What is least where the boundary is free: ``"symmetric-dirichlet"``, without flips and overlaps; ``"lscm"`` or
+        ``"spectral"``, which keep angles, and ``"arap"``, which may flip faces.
+    virtual_layers : int
+        Layers of faces that are mapped around the disk of a convex boundary and then dropped.
+    virtual_scale : float
+        How much wider each of these layers is than the one before.
+    virtual_kind : str
+        Where the lengths of their edges come from: ``"intrinsic"`` from circles, ``"extrinsic"`` from places in space.
     strategy, cuts, through, along, balls, sections, forbidden, forbidden_edges, forbidden_faces, curvature
         Where to cut: see :func:`cut`.
     target : float
@@ -272,6 +285,8 @@ def flatten(
     """
     if most_cuts < 0:
         raise OptionError(f"the number of cuts to add is {most_cuts}; it must not be negative")
+    if virtual_layers < 0:
+        raise OptionError(f"the number of virtual layers is {virtual_layers}; it must not be negative")
     polygon = [] if isinstance(boundary, str) else [[float(x) for x in corner] for corner in boundary]
     if isinstance(boundary, str) and boundary == "polygon":
         raise OptionError("boundary is 'polygon'; give its corners")
@@ -279,6 +294,10 @@ def flatten(
         "boundary": boundary if isinstance(boundary, str) else "polygon",
         "polygon": polygon,
         "weights": weights,
+        "energy": energy,
+        "virtual_layers": int(virtual_layers),
+        "virtual_scale": float(virtual_scale),
+        "virtual_kind": virtual_kind,
         "target": float(target),
         "most_cuts": int(most_cuts),
         "pack": bool(pack),

@@ -59,6 +59,8 @@ def test_a_planar_grid_stays_as_it_is():
         ({"through": [0], "along": [[0, 1]]}, "choose one"),
         ({"through": [-1]}, "no vertex -1"),
         ({"forbidden_faces": [-1]}, "no face -1"),
+        ({"energy": "none"}, "expected \"symmetric-dirichlet\""),
+        ({"boundary": "circle", "virtual_layers": 1, "virtual_scale": 1.0}, "above 1"),
         ({"curvature": -1.0}, "weight of curvature is -1"),
         ({"strategy": "medial", "balls": 0}, "number of balls is 0"),
     ],
@@ -75,6 +77,18 @@ def test_what_cannot_be_cut():
     folded = ([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [0, -1, 0]], [[0, 1, 2], [0, 1, 3], [0, 1, 4]])
     with pytest.raises(pompeiu.SurfaceError, match="faces"):
         pompeiu.flatten(folded)
+
+
+def test_free_boundaries_and_virtual_ones():
+    grid = pompeiu.shapes.grid((1.0, 1.0), (8, 8))
+    for energy in ("lscm", "spectral"):
+        flat = pompeiu.flatten(grid, energy=energy)
+        assert flat.is_one_to_one and flat.distortion["angle"]["max"] == pytest.approx(1.0, abs=1e-6)
+    assert pompeiu.flatten(grid, energy="arap").report["method"] == "arap"
+    stretch = [
+        pompeiu.flatten(grid, boundary="circle", virtual_layers=layers).distortion["stretch_l2"] for layers in (0, 2)
+    ]
+    assert stretch[1] < stretch[0]
 
 
 def test_balls_fill_a_sphere_and_guide_cuts():

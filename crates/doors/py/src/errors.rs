@@ -134,6 +134,7 @@ impl Raise for FlattenError {
             Self::Polygon { .. }
             | Self::FewVertices { .. }
             | Self::Option { .. }
+            | Self::VirtualOwn
             | Self::Cut(CutError::Curvature { .. }) => classes::OptionError::new_err(sentence),
             _ => classes::SurfaceError::new_err(sentence),
         }

@@ -9,8 +9,8 @@ use crate::wait::{self, Share, Watch};
 use numpy::{IntoPyArray, PyArray1, PyArray2};
 use pompeiu::core::{FaceId, TriMesh, VertexId};
 use pompeiu::flatten::{
-    ConvexBoundary, CutOptions, CutStrategy, FlattenError, FlattenOptions, MedialOptions, Method, Opened,
-    Weights, medial_balls,
+    Conformal, ConvexBoundary, CutOptions, CutStrategy, FlattenError, FlattenOptions, MedialOptions, Method,
+    Opened, RingKind, VirtualBoundary, Weights, medial_balls,
 };
 use pompeiu::surface::{EdgeData, EmbeddedSurface};
 use pyo3::prelude::*;
@@ -39,6 +39,10 @@ pub(crate) struct Mapping {
     boundary: String,
     polygon: Vec<[f64; 2]>,
     weights: String,
+    energy: String,
+    virtual_layers: usize,
+    virtual_scale: f64,
+    virtual_kind: String,
     target: f64,
     most_cuts: usize,
     pack: bool,
@@ -85,6 +89,23 @@ impl Mapping {
                 return Err(unknown("weights", self.weights, "\"uniform\", \"cotangent\" or \"mean-value\""));
             }
         };
+        let free = match self.energy.as_str() {
+            "symmetric-dirichlet" => Method::default(),
+            "lscm" => Method::Conformal(Conformal::LeastSquares),
+            "spectral" => Method::Conformal(Conformal::Spectral),
+            "arap" => Method::Rigid { steps: 100 },
+            _ => {
+                let expected = "\"symmetric-dirichlet\", \"lscm\", \"spectral\" or \"arap\"";
+                return Err(unknown("energy", self.energy, expected));
+            }
+        };
+        let kind = match self.virtual_kind.as_str() {
+            "intrinsic" => RingKind::Intrinsic,
+            "extrinsic" => RingKind::Extrinsic,
+            _ => return Err(unknown("virtual_kind", self.virtual_kind, "\"intrinsic\" or \"extrinsic\"")),
+        };
+        let layers = NonZeroUsize::new(self.virtual_layers);
+        let around = layers.map(|layers| VirtualBoundary { layers, scale: self.virtual_scale, kind });
         let boundary = match self.boundary.as_str() {
             "free" => None,
             "circle" => Some(ConvexBoundary::Circle),
@@ -98,7 +119,7 @@ impl Mapping {
         };
         Ok(FlattenOptions {
             cut,
-            method: boundary.map_or_else(Method::default, |boundary| Method::Convex { boundary, weights }),
+            method: boundary.map_or(free, |boundary| Method::Convex { boundary, weights, around }),
             target: self.target,
             most_cuts: self.most_cuts,
             pack: self.pack,

@@ -4,7 +4,10 @@ use crate::components::{Component, error_in_whole, in_whole};
 use crate::cut::{CutStrategy, Opened, first_cut, open};
 use crate::distortion::{all_singular_values, best_scale};
 use crate::lengthen::{lengthened, with_tips};
-use crate::map::{ConvexBoundary, Descender, Descent, Start, Weights, start_map};
+use crate::map::{
+    ConvexBoundary, Descender, Descent, Start, VirtualBoundary, Weights, as_rigid_as_possible, conformal,
+    start_map,
+};
 use crate::report::Timing;
 use crate::watch::Watch;
 use crate::{FlattenError, FlattenOptions, Method};
@@ -78,11 +81,28 @@ pub(crate) fn flatten_component(
     let disk = Disk::new(component, &cut).map_err(|error| error_in_whole(error, component))?;
     let timing = Timing { cut: began.elapsed(), ..Timing::default() };
     match &options.method {
-        Method::Convex { boundary, weights } => {
+        Method::Convex { boundary, weights, around } => {
             let mut timing = timing;
-            let start = start(&disk, boundary, *weights, false, component, &mut timing)?;
+            let start = start(&disk, boundary, *weights, around.as_ref(), false, component, &mut timing)?;
             let Start { uv, weights, rounds, .. } = start;
             Ok(Chart { cut, opened: disk.opened, uv: uv.into_vec(), weights, rounds, steps: 0, timing })
+        }
+        Method::Conformal(kind) => {
+            let began = Instant::now();
+            let uv = conformal(&disk.surface, *kind)?;
+            let timing = Timing { solve: began.elapsed(), ..timing };
+            let weights = Weights::Cotangent;
+            Ok(Chart { cut, opened: disk.opened, uv, weights, rounds: 0, steps: 0, timing })
+        }
+        Method::Rigid { steps } => {
+            let mut timing = timing;
+            let (circle, weights) = (&ConvexBoundary::Circle, Weights::MeanValue);
+            let start = start(&disk, circle, weights, None, true, component, &mut timing)?;
+            let began = Instant::now();
+            let (uv, steps) = as_rigid_as_possible(disk.surface.surface(), &start.uv, *steps, watch)?;
+            timing.solve += began.elapsed();
+            let (weights, rounds) = (Weights::Cotangent, start.rounds);
+            Ok(Chart { cut, opened: disk.opened, uv, weights, rounds, steps, timing })
         }
         Method::Free { steps } => {
             let search =
@@ -196,7 +216,7 @@ impl Search<'_, '_, '_> {
     /// A map of the disk to a circle, one-to-one.
     fn start(&mut self) -> Result<Start, FlattenError> {
         let (circle, weights) = (&ConvexBoundary::Circle, Weights::MeanValue);
-        let found = start(&self.disk, circle, weights, true, self.component, &mut self.timing)?;
+        let found = start(&self.disk, circle, weights, None, true, self.component, &mut self.timing)?;
         self.rounds += found.rounds;
         Ok(found)
     }
@@ -221,11 +241,12 @@ fn start(
     disk: &Disk,
     boundary: &ConvexBoundary,
     weights: Weights,
+    around: Option<&VirtualBoundary>,
     goes_on: bool,
     component: &Component,
     timing: &mut Timing,
 ) -> Result<Start, FlattenError> {
-    let found = start_map(&disk.surface, disk.opened.faces(), boundary, weights, goes_on);
+    let found = start_map(&disk.surface, disk.opened.faces(), boundary, weights, around, goes_on);
     let mut found = found.map_err(|error| error_in_whole(error, component))?;
     timing.factor += found.factor;
     timing.solve += found.solve;

@@ -55,6 +55,9 @@ pub enum FlattenError {
         /// Greatest distance allowed.
         most: f64,
     },
+    /// A boundary that stays as it is has no virtual one around it.
+    #[error("the boundary cannot stay as it is and have a virtual boundary around it; choose another curve")]
+    VirtualOwn,
     /// An option is out of range.
     #[error("the {what} is {value}; {expected}")]
     Option {

@@ -146,7 +146,7 @@ fn arrange(parts: &[Component], charts: &[Chart], options: &FlattenOptions<'_>) 
         for p in places.iter_mut() {
             *p = scale(factor, *p);
         }
-        if matches!(options.method, Method::Free { .. }) {
+        if !matches!(options.method, Method::Convex { .. }) {
             turn(places);
         }
     }

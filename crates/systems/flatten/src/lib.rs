@@ -51,7 +51,7 @@ pub use cut::{CutError, CutOptions, CutStrategy, Opened, choose_cut, farthest_pa
 pub use distortion::{Distortion, MeanMax, Spread};
 pub use error::FlattenError;
 pub use flatten::{Flattening, flatten};
-pub use map::{ConvexBoundary, Weights};
+pub use map::{Conformal, ConvexBoundary, RingKind, VirtualBoundary, Weights};
 pub use medial::{Ball, Deviation, Medial, MedialError, MedialOptions, medial_balls};
 pub use options::{FlattenOptions, Method};
 pub use report::{CutReport, FlattenReport, Timing};

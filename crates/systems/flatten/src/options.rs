@@ -1,6 +1,6 @@
 //! How a surface is flattened.
 
-use crate::{ConvexBoundary, CutOptions, FlattenError, Weights};
+use crate::{Conformal, ConvexBoundary, CutOptions, FlattenError, VirtualBoundary, Weights};
 use pompeiu_core::run::{Limits, ProgressObserver};
 
 /// The kind of map.
@@ -18,6 +18,16 @@ pub enum Method {
         boundary: ConvexBoundary,
         /// The weights.
         weights: Weights,
+        /// Faces that are mapped around the disk and then dropped, so that its own boundary is free to some extent.
+        around: Option<VirtualBoundary>,
+    },
+    /// The boundary is free, and angles are kept as well as they can. Faces may flip and overlap, which the report says.
+    Conformal(Conformal),
+    /// The boundary is free, and each face is turned as rigidly as it can, from a map onto a circle. Faces may flip and overlap, which the
+    /// report says.
+    Rigid {
+        /// Most turns of fitting rotations and places.
+        steps: usize,
     },
 }
 
@@ -27,6 +37,9 @@ impl Method {
         match self {
             Self::Free { .. } => "free",
             Self::Convex { .. } => "convex",
+            Self::Conformal(Conformal::LeastSquares) => "lscm",
+            Self::Conformal(Conformal::Spectral) => "spectral",
+            Self::Rigid { .. } => "arap",
         }
     }
 }

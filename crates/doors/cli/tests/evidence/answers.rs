@@ -630,6 +630,12 @@ fn medial_fills_a_surface_with_balls_and_writes_them() {
     assert_eq!(refused.status.code(), Some(2));
     assert!(String::from_utf8_lossy(&refused.stderr).contains("line 2"));
     assert!(folder.run("medial torus.obj").stdout.is_empty());
+    for options in
+        ["--energy lscm", "--energy spectral", "--energy arap", "--boundary circle --virtual-layers 3"]
+    {
+        let report = folder.run(&format!("flatten torus.obj {options} --json"));
+        assert!(matches!(report.status.code(), Some(0 | 3)), "{options}");
+    }
 }
 
 #[test]

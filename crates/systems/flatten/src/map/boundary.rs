@@ -5,7 +5,7 @@ use crate::check::orientation;
 use glam::DVec3;
 use pompeiu_core::VertexId;
 use pompeiu_surface::plane::{Vec2, add, norm, scale, sub};
-use pompeiu_surface::{EmbeddedSurface, HalfedgeId};
+use pompeiu_surface::{EmbeddedSurface, HalfedgeId, Surface};
 
 /// The convex curve that the boundary of a disk is mapped to.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -28,14 +28,16 @@ const PLANAR: f64 = 1e-9;
 impl ConvexBoundary {
     /// The places of the vertices of a boundary loop, in its order, counter-clockwise. The disk inside a circle and a square has the
     /// area of the surface; lengths along the curve are in proportion to those of the boundary (chord length).
+    ///
+    /// The surface is that of the disk, or has faces around it; then its boundary has no places of its own.
     pub(crate) fn places(
         &self,
-        surface: &EmbeddedSurface,
+        disk: &EmbeddedSurface,
+        surface: &Surface,
         along: &[HalfedgeId],
     ) -> Result<Vec<Vec2>, FlattenError> {
-        let area = surface.surface().area();
-        let lengths: Vec<f64> =
-            along.iter().map(|&h| surface.surface().edge_length(surface.mesh().edge(h))).collect();
+        let area = surface.area();
+        let lengths: Vec<f64> = along.iter().map(|&h| surface.edge_length(surface.mesh().edge(h))).collect();
         match self {
             Self::Circle => Ok(on_circle(&lengths, (area / std::f64::consts::PI).sqrt())),
             Self::Square => {
@@ -46,7 +48,8 @@ impl ConvexBoundary {
                 check_convex(corners)?;
                 on_polygon(&lengths, corners)
             }
-            Self::Own => in_plane(surface, along),
+            Self::Own if surface.mesh().faces() > disk.mesh().faces() => Err(FlattenError::VirtualOwn),
+            Self::Own => in_plane(disk, along),
         }
     }
 }

@@ -49,11 +49,9 @@ impl Elements {
         elements
     }
 
-    fn push(&mut self, corners: [u32; 3], [a, b, c]: [Vec2; 3], weight: f64) {
-        let twice = cross(sub(b, a), sub(c, a));
-        let across = |from: Vec2, to: Vec2| [-(to[1] - from[1]) / twice, (to[0] - from[0]) / twice];
+    fn push(&mut self, corners: [u32; 3], places: [Vec2; 3], weight: f64) {
         self.corners.push(corners);
-        self.gradients.push([across(b, c), across(c, a), across(a, b)]);
+        self.gradients.push(gradients(places));
         self.weights.push(weight);
     }
 
@@ -182,6 +180,13 @@ fn first_root(a: f64, b: f64, c: f64) -> f64 {
     let half = -0.5 * (b + if b < 0.0 { -root } else { root });
     let roots = [half / c, a / half];
     roots.into_iter().filter(|t| *t > 0.0).fold(f64::INFINITY, f64::min)
+}
+
+/// The gradients of the functions that are linear on a triangle and 1 at one corner.
+pub(super) fn gradients([a, b, c]: [Vec2; 3]) -> [Vec2; 3] {
+    let twice = cross(sub(b, a), sub(c, a));
+    let across = |from: Vec2, to: Vec2| [-(to[1] - from[1]) / twice, (to[0] - from[0]) / twice];
+    [across(b, c), across(c, a), across(a, b)]
 }
 
 /// A point moved along a direction.

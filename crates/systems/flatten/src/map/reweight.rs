@@ -2,14 +2,15 @@
 
 use super::boundary::ConvexBoundary;
 use super::convex::ConvexSystem;
+use super::ring::{VirtualBoundary, surrounded};
 use super::weights::{Link, Weights, links};
 use crate::FlattenError;
 use crate::check::flipped_faces;
 use crate::distortion::{all_singular_values, best_scale, symmetric_dirichlet};
-use pompeiu_core::FaceId;
 use pompeiu_core::mesh::VertexData;
-use pompeiu_surface::EmbeddedSurface;
+use pompeiu_core::{FaceId, VertexId};
 use pompeiu_surface::plane::Vec2;
+use pompeiu_surface::{EmbeddedSurface, Surface};
 use std::time::{Duration, Instant};
 
 /// Least ratio of the least and the greatest singular value of a map that is taken for sound.
@@ -47,9 +48,9 @@ struct Measured {
 }
 
 impl Measured {
-    fn of(surface: &EmbeddedSurface, faces: &[[u32; 3]], uv: &VertexData<Vec2>) -> Self {
-        let areas = surface.surface().face_areas();
-        let singular = all_singular_values(surface.surface(), uv);
+    fn of(surface: &Surface, faces: &[[u32; 3]], uv: &VertexData<Vec2>) -> Self {
+        let areas = surface.face_areas();
+        let singular = all_singular_values(surface, uv);
         let values: Vec<([f64; 2], f64)> = singular.into_iter().zip(areas).collect();
         let scale = best_scale(&values);
         let total: f64 = values.iter().map(|value| value.1).sum();
@@ -77,12 +78,18 @@ impl Measured {
 /// # Errors
 /// [`FlattenError::Crowded`] if faces are still flipped, or nearly so, after 20 rounds.
 pub(crate) fn start_map(
-    surface: &EmbeddedSurface,
+    disk: &EmbeddedSurface,
     faces: &[[u32; 3]],
     boundary: &ConvexBoundary,
     weights: Weights,
+    around: Option<&VirtualBoundary>,
     lessens_distortion: bool,
 ) -> Result<Start, FlattenError> {
+    let surrounded = around.map(|ring| surrounded(disk, ring)).transpose()?;
+    let (surface, faces) = match &surrounded {
+        Some((surface, faces)) => (surface, &faces[..]),
+        None => (disk.surface(), faces),
+    };
     let mesh = surface.mesh();
     let Some(&first) = mesh.boundary_loops().first() else {
         return Err(FlattenError::Cut(crate::CutError::NoDisk {
@@ -92,12 +99,12 @@ pub(crate) fn start_map(
         }));
     };
     let along: Vec<_> = mesh.boundary_loop(first).collect();
-    let places = boundary.places(surface, &along)?;
+    let places = boundary.places(disk, surface, &along)?;
     let mut uv = VertexData::filled(mesh.vertices(), [0.0; 2]);
     for (&h, &place) in along.iter().zip(&places) {
         uv[mesh.tail(h)] = place;
     }
-    let (mut used, mut these) = (weights, links(surface.surface(), weights)?);
+    let (mut used, mut these) = (weights, links(surface, weights)?);
     let mut system = ConvexSystem::new(mesh, &these)?;
     let mut check = Duration::ZERO;
     let mut measure = |uv: &VertexData<Vec2>| {
@@ -112,9 +119,10 @@ pub(crate) fn start_map(
         let measured = measure(&uv);
         if solved.is_ok() && measured.flipped.is_empty() && !lessens_distortion {
             let (factor, solve) = (system.factor, system.solve);
+            let uv = uv_of_disk(disk, &uv);
             return Ok(Start { uv, weights: used, rounds: 0, factor, solve, check });
         }
-        (used, these) = (Weights::MeanValue, links(surface.surface(), Weights::MeanValue)?);
+        (used, these) = (Weights::MeanValue, links(surface, Weights::MeanValue)?);
         system = ConvexSystem::new(mesh, &these)?;
     }
     let mut symmetric: Vec<f64> = these.iter().map(Link::symmetric).collect();
@@ -154,13 +162,21 @@ pub(crate) fn start_map(
         if crowded.is_empty() {
             crowded = (0..faces.len()).filter(is_thin).map(|f| FaceId(f as u32)).collect();
         }
+        // Faces around the disk have no name.
+        crowded.retain(|face| face.index() < disk.mesh().faces());
         return Err(FlattenError::Crowded { faces: crowded, ratio: measured.ratio });
     }
+    let uv = uv_of_disk(disk, &uv);
     Ok(Start { uv, weights: used, rounds, factor: system.factor, solve: system.solve, check })
 }
 
+/// The places of the vertices of the disk itself, which are the first ones.
+fn uv_of_disk(disk: &EmbeddedSurface, uv: &VertexData<Vec2>) -> VertexData<Vec2> {
+    VertexData::from_fn(disk.mesh().vertices(), |v: VertexId| uv[v])
+}
+
 /// By how much the pull of each vertex is lessened.
-fn factors(surface: &EmbeddedSurface, values: &[([f64; 2], f64)]) -> Vec<f64> {
+fn factors(surface: &Surface, values: &[([f64; 2], f64)]) -> Vec<f64> {
     let mesh = surface.mesh();
     let mut sums = vec![(0.0, 0.0); mesh.vertices()];
     for (face, ([s, t], _)) in mesh.face_ids().zip(values) {

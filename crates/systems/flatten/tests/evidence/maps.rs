@@ -5,12 +5,16 @@ use pompeiu_core::mesh::shapes::{self, Diagonal, Ends};
 use pompeiu_core::mesh::{displace_at_random, merge};
 use pompeiu_core::{TriMesh, VertexId};
 use pompeiu_flatten::{
-    ConvexBoundary, CutOptions, CutStrategy, FlattenError, FlattenOptions, Flattening, Method, Weights,
-    flatten,
+    Conformal, ConvexBoundary, CutOptions, CutStrategy, FlattenError, FlattenOptions, Flattening, Method,
+    RingKind, VirtualBoundary, Weights, flatten,
 };
 
 fn convex(boundary: ConvexBoundary, weights: Weights) -> FlattenOptions<'static> {
-    FlattenOptions { method: Method::Convex { boundary, weights }, pack: false, ..FlattenOptions::default() }
+    FlattenOptions {
+        method: Method::Convex { boundary, weights, around: None },
+        pack: false,
+        ..FlattenOptions::default()
+    }
 }
 
 /// Twice the area of each face in the map.
@@ -201,5 +205,88 @@ fn real_meshes_flatten_well_with_a_short_seam() {
             "{name}: {energy} {}",
             report.cut.relative_length
         );
+    }
+}
+
+fn with(method: Method) -> FlattenOptions<'static> {
+    FlattenOptions { method, pack: false, ..FlattenOptions::default() }
+}
+
+#[test]
+fn conformal_maps_keep_the_angles_of_planar_disks_and_rigid_ones_the_lengths_of_cylinders() {
+    let disk = surface(&planar_disk());
+    for kind in [Conformal::LeastSquares, Conformal::Spectral] {
+        let flat = flatten(&disk, &with(Method::Conformal(kind))).unwrap();
+        let distortion = flat.report.distortion;
+        assert!(flat.report.is_one_to_one() && distortion.angle.max - 1.0 < 1e-6, "{kind:?}: {distortion:?}");
+        assert!((distortion.scale - 1.0).abs() < 1e-6, "{}", distortion.scale);
+    }
+    let cylinder = surface(&shapes::cylinder(1.0, 2.0, 24, 6, Ends::Open).unwrap());
+    let flat = flatten(&cylinder, &with(Method::Rigid { steps: 2000 })).unwrap();
+    assert!(
+        flat.report.is_one_to_one() && flat.report.distortion.isometric.max < 1.02,
+        "{:?}",
+        flat.report.distortion
+    );
+    assert!(flat.report.steps > 3);
+}
+
+#[test]
+fn conformal_maps_have_less_angle_error_than_any_other() {
+    let cap = {
+        let (positions, faces) = shapes::icosphere(1.0, 4).unwrap().into_parts();
+        let kept = faces.iter().filter(|face| face.iter().all(|&v| positions[v as usize][2] > -0.2));
+        let mesh = TriMesh::new(positions.clone(), kept.copied().collect()).unwrap();
+        surface(&pompeiu_core::mesh::without_unreferenced(&mesh))
+    };
+    let angle = |method: Method| {
+        let report = flatten(&cap, &with(method)).unwrap().report;
+        assert!(report.is_one_to_one());
+        report.distortion.angle.mean
+    };
+    let free = angle(Method::default());
+    let rigid = angle(Method::Rigid { steps: 100 });
+    for kind in [Conformal::LeastSquares, Conformal::Spectral] {
+        let conformal = angle(Method::Conformal(kind));
+        assert!(
+            conformal < 1.05 && conformal < free && conformal < rigid,
+            "{kind:?}: {conformal} {free} {rigid}"
+        );
+    }
+}
+
+#[test]
+fn faces_around_the_disk_lessen_stretch_and_are_dropped() {
+    let stretch = |mesh: &TriMesh, around: Option<VirtualBoundary>| {
+        let method = Method::Convex { boundary: ConvexBoundary::Circle, weights: Weights::MeanValue, around };
+        let flat = flatten(&surface(mesh), &with(method)).unwrap();
+        assert_eq!(flat.uv.len(), mesh.positions().len());
+        assert!(flat.report.is_one_to_one());
+        flat.report.distortion.stretch_l2
+    };
+    let layers = |n: usize, scale: f64, kind: RingKind| {
+        Some(VirtualBoundary { layers: std::num::NonZeroUsize::new(n).unwrap(), scale, kind })
+    };
+    // A square is not round, and may stay one.
+    let square = shapes::grid([1.0, 1.0], [12, 12], Diagonal::Rising).unwrap();
+    let none = stretch(&square, None);
+    for kind in [RingKind::Intrinsic, RingKind::Extrinsic] {
+        let one = stretch(&square, layers(1, 1.2, kind));
+        let ten = stretch(&square, layers(10, 1.2, kind));
+        assert!(one < none - 0.005 && ten < none - 0.005, "{none} {one} {ten}");
+    }
+    if let Some(mountain) = real_mesh("mountain.obj") {
+        let (none, one) = (stretch(&mountain, None), stretch(&mountain, layers(1, 1.2, RingKind::Intrinsic)));
+        assert!((none - 1.29).abs() < 0.01 && (one - 1.07).abs() < 0.01, "{none} {one}");
+    }
+    let refused = |boundary: ConvexBoundary, around: Option<VirtualBoundary>| {
+        let method = Method::Convex { boundary, weights: Weights::MeanValue, around };
+        flatten(&surface(&square), &with(method)).unwrap_err()
+    };
+    let one = layers(1, 1.2, RingKind::Intrinsic);
+    assert_eq!(refused(ConvexBoundary::Own, one), FlattenError::VirtualOwn);
+    for scale in [1.0, f64::NAN, f64::INFINITY] {
+        let error = refused(ConvexBoundary::Circle, layers(1, scale, RingKind::Intrinsic));
+        assert!(matches!(error, FlattenError::Option { .. }), "{error}");
     }
 }

@@ -2,7 +2,8 @@
 
 use crate::args::{CutChoice, Limits, Picture};
 use clap::{Args, ValueEnum};
-use pompeiu::flatten::{ConvexBoundary, Weights};
+use pompeiu::flatten::{Conformal, ConvexBoundary, Method, RingKind, VirtualBoundary, Weights};
+use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 /// Cut a surface open and lay it flat, one-to-one
@@ -39,6 +40,18 @@ pub(crate) struct Flatten {
     /// Weights of edges where the boundary goes to a convex curve
     #[arg(long, value_enum, default_value_t)]
     pub(crate) weights: WeightsName,
+    /// What is least where the boundary is free
+    #[arg(long, value_enum, default_value_t)]
+    pub(crate) energy: Energy,
+    /// Layers of faces that are mapped around a convex boundary's disk and then dropped, so that its own boundary is freer
+    #[arg(long, default_value = "0", value_name = "N")]
+    pub(crate) virtual_layers: usize,
+    /// How much wider each of these layers is than the one before
+    #[arg(long, default_value = "1.2", value_name = "FACTOR")]
+    pub(crate) virtual_scale: f64,
+    /// Where the lengths of their edges come from
+    #[arg(long, value_enum, default_value_t)]
+    pub(crate) virtual_kind: VirtualKind,
     /// Add cuts until the mean symmetric Dirichlet energy is at most this (isometry: 4)
     #[arg(long, default_value = "4.25", value_name = "ENERGY")]
     pub(crate) target: f64,
@@ -73,6 +86,54 @@ pub(crate) enum WeightsName {
     /// Mean value coordinates
     #[default]
     MeanValue,
+}
+
+#[derive(Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Energy {
+    /// Lengths, without flips and overlaps
+    #[default]
+    SymmetricDirichlet,
+    /// Angles, two vertices held; faces may flip
+    Lscm,
+    /// Angles, by an eigenvector; faces may flip
+    Spectral,
+    /// Lengths, as rigid as possible; faces may flip
+    Arap,
+}
+
+impl Energy {
+    /// The method with a free boundary.
+    pub(crate) fn method(self) -> Method {
+        match self {
+            Self::SymmetricDirichlet => Method::default(),
+            Self::Lscm => Method::Conformal(Conformal::LeastSquares),
+            Self::Spectral => Method::Conformal(Conformal::Spectral),
+            Self::Arap => Method::Rigid { steps: 100 },
+        }
+    }
+}
+
+#[derive(Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum VirtualKind {
+    /// Circles around the circle as long as the boundary
+    #[default]
+    Intrinsic,
+    /// The boundary moved away from its centroid in space
+    Extrinsic,
+}
+
+impl Flatten {
+    /// The kind of map that is asked for.
+    pub(crate) fn method(&self) -> Method {
+        let Some(boundary) = self.boundary.0.clone() else { return self.energy.method() };
+        let kind = match self.virtual_kind {
+            VirtualKind::Intrinsic => RingKind::Intrinsic,
+            VirtualKind::Extrinsic => RingKind::Extrinsic,
+        };
+        let layers = NonZeroUsize::new(self.virtual_layers);
+        let around = layers.map(|layers| VirtualBoundary { layers, scale: self.virtual_scale, kind });
+        Method::Convex { boundary, weights: self.weights.into(), around }
+    }
 }
 
 impl From<WeightsName> for Weights {

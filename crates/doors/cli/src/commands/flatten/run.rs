@@ -12,7 +12,7 @@ use crate::{files, interrupt, surface};
 use anyhow::{Context, bail};
 use pompeiu::core::run::{Limits, Progress};
 use pompeiu::flatten::show::{FlattenPage, layout_svg};
-use pompeiu::flatten::{FlattenOptions, FlattenReport, Method, flatten};
+use pompeiu::flatten::{FlattenOptions, FlattenReport, flatten};
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
@@ -43,10 +43,7 @@ pub(crate) fn run(args: &Args, printer: &Printer) -> anyhow::Result<Exit> {
     };
     let options = FlattenOptions {
         cut: args.cut.options(&surface)?,
-        method: match args.boundary.0.clone() {
-            None => Method::default(),
-            Some(boundary) => Method::Convex { boundary, weights: args.weights.into() },
-        },
+        method: args.method(),
         target: args.target,
         most_cuts: args.most_cuts,
         pack: !args.no_pack,
