@@ -1,6 +1,6 @@
 //! Both directions, and what they say together.
 
-use super::distribution::Sum;
+use super::entry::Sum;
 use super::options::DeviationOptions;
 use super::report::{Deviation, DirectedDeviation};
 use super::run::{Outcome, Pair, run};

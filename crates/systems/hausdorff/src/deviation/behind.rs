@@ -41,7 +41,12 @@ fn rising_over(bvh: &Bvh, leaves: &[(Leaf, Aabb)], plane: &Plane, list: &mut Vec
         if plane.is_out_of_reach(aabb) {
             continue;
         }
-        let ([rise, _], near) = rises(bvh.triangles(*leaf), plane);
+        let block = bvh.triangles(*leaf);
+        let near = meets(block, plane);
+        if near == [0; LANES] {
+            continue;
+        }
+        let [rise, _] = rises(block, plane);
         for lane in 0..LANES {
             if near[lane] != 0 {
                 sort(bvh, *leaf, lane, rise[lane], plane.rise, &mut highest, list);
@@ -63,7 +68,12 @@ fn rising_and_falling(
         if plane.is_out_of_reach(aabb) {
             continue;
         }
-        let (rises, near) = rises(bvh.triangles(*leaf), plane);
+        let block = bvh.triangles(*leaf);
+        let near = meets(block, plane);
+        if near == [0; LANES] {
+            continue;
+        }
+        let rises = rises(block, plane);
         for lane in 0..LANES {
             if near[lane] == 0 {
                 continue;
@@ -101,14 +111,13 @@ fn sort(bvh: &Bvh, leaf: Leaf, lane: usize, rise: f64, most: f64, highest: &mut 
     }
 }
 
-/// How high each of eight triangles rises above a plane and below it, and whether it meets the box.
+/// How high each of eight triangles rises above a plane, and below it.
 #[inline(always)]
 #[allow(clippy::inline_always, reason = "compiled once per instruction set of its caller")]
-fn rises(block: &TriangleBlock, plane: &Plane) -> ([[f64; LANES]; 2], [u64; LANES]) {
+fn rises(block: &TriangleBlock, plane: &Plane) -> [[f64; LANES]; 2] {
     let g = plane.normal.to_array();
     let y = plane.through.to_array();
     let mut rise = [[f64::NEG_INFINITY; LANES]; 2];
-    let mut near = [1; LANES];
     for corner in block {
         for l in 0..LANES {
             let height =
@@ -117,7 +126,14 @@ fn rises(block: &TriangleBlock, plane: &Plane) -> ([[f64; LANES]; 2], [u64; LANE
             rise[1][l] = if -height > rise[1][l] { -height } else { rise[1][l] };
         }
     }
-    let [a, b, c] = block;
+    rise
+}
+
+/// Whether each of eight triangles meets the box of a plane, as far as the box around it says.
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "compiled once per instruction set of its caller")]
+fn meets([a, b, c]: &TriangleBlock, plane: &Plane) -> [u64; LANES] {
+    let mut near = [1; LANES];
     for k in 0..3 {
         for l in 0..LANES {
             let low = if a[k][l] < b[k][l] { a[k][l] } else { b[k][l] };
@@ -127,7 +143,7 @@ fn rises(block: &TriangleBlock, plane: &Plane) -> ([[f64; LANES]; 2], [u64; LANE
             near[l] &= u64::from(low <= plane.upper[k]) & u64::from(high >= plane.lower[k]);
         }
     }
-    (rise, near)
+    near
 }
 
 /// Ways that lead away from a plane by less than this part of their length, squared, lead along it.

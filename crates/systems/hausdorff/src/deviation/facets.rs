@@ -119,7 +119,7 @@ const FAR_SHORT: f64 = 2e-2;
 const LEAST_OPENING: f64 = 0.5;
 
 impl<'b> Facets<'b> {
-    /// `mean` is about the mean distance.
+    /// `mean` is about the usual distance.
     pub(super) fn new(bvh: &'b Bvh, neighbours: &'b Neighbours, rounding: Rounding, mean: f64) -> Self {
         let rise = 4.0 * rounding.bound(0);
         let least_reach = LEAST_REACH * mean;

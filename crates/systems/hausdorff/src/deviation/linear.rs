@@ -106,7 +106,8 @@ impl PartUpTo {
     #[inline]
     pub(super) fn new(v: Corners) -> Self {
         let [a, b, c] = ascending(v);
-        let curvature = |d: f64| if d > 0.0 { (1.0 / d) * (1.0 / (c - a)) } else { 0.0 };
+        // A product that underflows makes it infinite, which the parts below allow for.
+        let curvature = |d: f64| if d > 0.0 { 1.0 / (d * (c - a)) } else { 0.0 };
         Self { least: a, middle: b, greatest: c, rising: curvature(b - a), falling: curvature(c - b) }
     }
 
@@ -169,14 +170,6 @@ impl PartUpTo {
         let (x, y) = (level - self.least, self.greatest - level);
         let (rising, falling) = ((x * self.rising) * x, 1.0 - (y * self.falling) * y);
         if level < self.middle { rising } else { falling }
-    }
-
-    pub(super) fn least(&self) -> f64 {
-        self.least
-    }
-
-    pub(super) fn greatest(&self) -> f64 {
-        self.greatest
     }
 }
 

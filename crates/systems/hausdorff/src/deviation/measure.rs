@@ -70,4 +70,15 @@ impl VertexDistances {
         }
         Self { distances, near }
     }
+
+    /// The distance that this part of the vertices does not exceed; zero if no vertex belongs to a face.
+    pub(super) fn quantile(&self, part: f64) -> f64 {
+        let mut known: Vec<f64> =
+            self.distances.iter().copied().filter(|distance| !distance.is_nan()).collect();
+        let place = (part * known.len() as f64) as usize;
+        if place >= known.len() {
+            return 0.0;
+        }
+        *known.select_nth_unstable_by(place, f64::total_cmp).1
+    }
 }

@@ -2,7 +2,7 @@
 
 use super::analysis::Ends;
 use super::connected::{Sets, Touching, places};
-use super::distribution::Sum;
+use super::entry::Sum;
 use super::measure;
 use super::options::DeviationOptions;
 use super::report::{Deviation, DirectedDeviation};

@@ -109,9 +109,53 @@ impl Outline {
     /// Cuts where a linear function with these values at the corners vanishes, if that leaves something on both sides: where it is
     /// positive, and where it is negative. Any values give a partition: the cut leads from one place on the boundary to another.
     pub(super) fn cut(&self, side: &Row) -> Option<[Self; 2]> {
-        Some(self.cut_at(side)?.map(|(_, outline)| outline))
+        let n = self.count;
+        let empty = Self { count: 0, v: [0.0; MOST_CORNERS], w: [0.0; MOST_CORNERS], depth: self.depth + 1 };
+        let mut parts = [empty; 2];
+        let mut places = 0;
+        for i in 0..n {
+            let j = if i + 1 == n { 0 } else { i + 1 };
+            let (here, next) = (side[i], side[j]);
+            places += usize::from(here == 0.0);
+            let at = [self.v[i], self.w[i]];
+            // A value that is no number counts to neither side, and then too few places are found.
+            if here >= 0.0 {
+                parts[0].push(at)?;
+            }
+            if here <= 0.0 {
+                parts[1].push(at)?;
+            }
+            if here > 0.0 && next < 0.0 || here < 0.0 && next > 0.0 {
+                places += 1;
+                let t = here / (here - next);
+                let at = [at[0] + t * (self.v[j] - at[0]), at[1] + t * (self.w[j] - at[1])];
+                parts[0].push(at)?;
+                parts[1].push(at)?;
+            }
+        }
+        if places != 2 || parts[0].count < 3 || parts[1].count < 3 {
+            return None;
+        }
+        for part in &mut parts {
+            let (last, rest) = (part.count - 1, part.count..MOST_CORNERS);
+            let (v, w) = (part.v[last], part.w[last]);
+            part.v[rest.clone()].fill(v);
+            part.w[rest].fill(w);
+        }
+        let (s, t) = (parts[0].share(), parts[1].share());
+        let least = LEAST_PART * (s + t);
+        (s > least && t > least).then_some(parts)
     }
 
+    /// None where there is no room.
+    fn push(&mut self, [v, w]: [f64; 2]) -> Option<()> {
+        *self.v.get_mut(self.count)? = v;
+        self.w[self.count] = w;
+        self.count += 1;
+        Some(())
+    }
+
+    /// The same as [`Outline::cut`], with where the corners come from.
     fn cut_at(&self, side: &Row) -> Option<[(Part, Self); 2]> {
         let n = self.count;
         let mut places = 0;
@@ -299,10 +343,10 @@ mod tests {
             (whole.lower, whole.upper) = (row, row);
             let mut parts = vec![whole];
             let mut turn = 0;
-            for side in sides {
+            for side in &sides {
                 let part = parts.swap_remove(turn % parts.len());
                 turn += 7;
-                match part.cut(&side).or_else(|| part.cut_along_diagonal()) {
+                match part.cut(side).or_else(|| part.cut_along_diagonal()) {
                     Some(two) => parts.extend(two),
                     None if part.outline.count == 3 => parts.extend(part.halve(turn % 3)),
                     None => parts.push(part),
@@ -312,6 +356,7 @@ mod tests {
             let error: f64 = parts.iter().map(|part| 6.0 * part.outline.share_error()).sum();
             prop_assert!((total - 1.0).abs() <= error, "{total} {error}");
             for part in &parts {
+                prop_assert_eq!(format!("{:?}", part.outline.cut(&sides[0])), format!("{:?}", part.cut(&sides[0]).map(|parts| parts.map(|part| part.outline))));
                 prop_assert!((3..=MOST_CORNERS).contains(&part.outline.count));
                 for j in 0..MOST_CORNERS {
                     let exact = value(part.outline.v[j], part.outline.w[j]);

@@ -3,7 +3,8 @@
 //! Faces are cut anew for each goal, from nothing: so nothing is kept of them but what statistics need. Work is dealt out in tasks of
 //! fixed sizes, whose outcomes are put together in task order, so that the pieces are the same at any number of threads.
 
-use super::distribution::{Distribution, Entry, Moments, Portion};
+use super::distribution::Distribution;
+use super::entry::{Entry, Moments, Portion};
 use super::face::{Cutter, Start};
 use super::goal::Goal;
 use super::linear::{Corners, greater, greatest, least, lesser};
@@ -28,11 +29,11 @@ const LEAST_CALIBRATED: usize = 4 * SAMPLES * FACES_OF_SAMPLE.0;
 /// Part of the faces that samples should have.
 const SAMPLED: f64 = 0.01;
 const CALIBRATIONS: usize = 3;
-const AIMED: (f64, f64) = (0.4, 0.75);
+const AIMED: (f64, f64) = (0.3, 0.6);
 const MOST_FACTOR: f64 = 5.0;
 /// The same of percentiles, which a few faces show less well: the greatest part of the allowed width; how far around one pieces are
 /// made narrower, as a factor, and what more than in proportion.
-const AIMED_AT_PERCENTILES: f64 = 0.75;
+const AIMED_AT_PERCENTILES: f64 = 0.55;
 const BESIDE_PERCENTILES: f64 = 1.2;
 const NARROWER: f64 = 0.7;
 /// How much finer each round is.
@@ -68,7 +69,7 @@ pub(super) struct Faces<'f> {
     pub(super) control: &'f Control,
     /// No distance is greater.
     pub(super) largest: f64,
-    /// About the mean distance.
+    /// About how far most of the surface is away.
     pub(super) scale: f64,
     /// Cutters that no task uses, with what they remember of B, and memory for entries.
     pub(super) idle: Mutex<Vec<(Cutter<'f>, Vec<Entry>)>>,
@@ -194,6 +195,8 @@ impl FaceBounds {
 pub(super) struct Aim<'a> {
     pub(super) wanted: &'a Wanted<'a>,
     pub(super) accuracy: f64,
+    /// About the mean distance.
+    pub(super) mean: f64,
     /// Widths that never matter.
     pub(super) floor: f64,
     /// Area of all faces.
@@ -239,7 +242,7 @@ pub(super) struct Refinement<'r> {
 impl Refinement<'_> {
     pub(super) fn run(mut self) -> Refined {
         let Aim { accuracy, floor, total, wanted, .. } = *self.aim;
-        let width = accuracy * self.faces.scale + floor;
+        let width = accuracy * self.aim.mean + floor;
         let first = FIRST_PART * width * total / self.aim.cells as f64;
         let mut goal = Goal { mass: first, focus: Vec::new(), focus_mass: f64::INFINITY, floor };
         let mut refined = Refined::default();

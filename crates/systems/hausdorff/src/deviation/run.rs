@@ -1,6 +1,7 @@
 //! One direction, from meshes to report.
 
-use super::distribution::{Distribution, Entry, Sum};
+use super::distribution::Distribution;
+use super::entry::{Entry, Sum};
 use super::faces;
 use super::linear::{greater, lesser};
 use super::maxima::{Maxima, Maximum, Precision};
@@ -36,6 +37,9 @@ pub(super) struct Pair<'p> {
     /// Bytes taken by what was found before.
     pub(super) held: usize,
 }
+
+/// The part of the vertices that must be no farther than what distances are compared with: a few that are far away do not matter.
+const MOST_VERTICES: f64 = 0.75;
 
 /// A report, and what it takes to put two together.
 pub(super) struct Outcome {
@@ -102,6 +106,8 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
         };
         observer.progress(&progress)
     };
+    let mean = if total > 0.0 { moment / total } else { 0.0 };
+    let usual = vertices.quantile(MOST_VERTICES);
     let scene = Faces {
         mesh: from,
         frame: &frame,
@@ -111,10 +117,10 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
         rounding,
         control: &control,
         largest,
-        scale: if total > 0.0 { moment / total } else { 0.0 },
+        scale: if usual > 0.0 { lesser(usual, mean) } else { mean },
         idle: Mutex::default(),
     };
-    let aim = Aim { wanted: &wanted, accuracy: query.accuracy, floor, total, cells, most_pieces };
+    let aim = Aim { wanted: &wanted, accuracy: query.accuracy, mean, floor, total, cells, most_pieces };
     let mut watch = |looks: u64, pieces: usize, left: usize| {
         control.check_memory(pieces * size_of::<Entry>());
         if pieces + left >= most_pieces {

@@ -1,6 +1,7 @@
 //! What is said about an area as a whole.
 
-use super::distribution::{Distribution, Moments, Sum, level};
+use super::distribution::{Distribution, level};
+use super::entry::{Moments, Sum};
 use super::linear::{greater, lesser};
 use crate::report::Enclosure;
 use pompeiu_core::exact::Interval;

@@ -1,6 +1,6 @@
 //! One face that reaches into several classes, cut until little of it is in doubt.
 
-use super::super::distribution::Entry;
+use super::super::entry::Entry;
 use super::super::face::Cutter;
 use super::super::goal::Goal;
 use super::super::linear::{greater, lesser};

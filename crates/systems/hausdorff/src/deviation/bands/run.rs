@@ -243,7 +243,7 @@ impl Question<'_> {
 
     fn publish(&self, sum: &Tally, frame: &Frame, closed: bool, reason: Option<StopReason>) -> DirectedBands {
         let area = sum.area.enclosure();
-        let share = |class: &super::super::distribution::Sum| {
+        let share = |class: &super::super::entry::Sum| {
             let part = class.enclosure();
             if part.upper() == 0.0 {
                 return share_of((0.0, 0.0));

@@ -1,6 +1,6 @@
 //! How much of a piece lies in which class, and what all pieces come to.
 
-use super::super::distribution::{Entry, LESS, MORE, Sum};
+use super::super::entry::{Entry, LESS, MORE, Sum};
 use super::super::linear::{PartUpTo, greater, lesser};
 use super::Bands;
 

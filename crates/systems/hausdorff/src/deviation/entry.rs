@@ -1,0 +1,162 @@
+//! The triangles that statistics are made of, and sums over them, rounded outwards.
+
+use super::linear::{
+    Corners, greater, mean_enclosure, mean_of_positive, mean_square_enclosure, mean_square_of_positive,
+};
+use super::polygon::Polygon;
+use pompeiu_core::exact::Interval;
+
+/// Factors that outweigh the rounding of a few products.
+pub(super) const MORE: f64 = 1.0 + 8.0 * f64::EPSILON;
+pub(super) const LESS: f64 = 1.0 - 8.0 * f64::EPSILON;
+
+/// A triangle of a piece as statistics see it: the distance lies between two linear functions with these values at the corners. The one
+/// above is given by how much greater it is; it and the area are stored so that they are not rounded the wrong way.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Entry {
+    lower: Corners,
+    width: [f32; 3],
+    /// The area is at least this, and at most `more` greater.
+    area: f64,
+    more: f32,
+}
+
+impl Entry {
+    /// A triangle of the fan of a polygon, of a face with an area in these bounds.
+    pub(super) fn new(polygon: &Polygon, triangle: [usize; 3], (low, high): (f64, f64)) -> Self {
+        let [i, j, k] = triangle;
+        let (low_at, width) =
+            (&polygon.lower, |j: usize| at_least(polygon.upper[j] - polygon.lower[j], polygon.upper[j]));
+        let (share, error) = (polygon.outline.share_of(triangle), polygon.outline.share_error());
+        let area = greater((share - error) * low * LESS, 0.0);
+        let most = (share + error) * high * MORE + f64::MIN_POSITIVE;
+        Self {
+            lower: [low_at[i], low_at[j], low_at[k]],
+            width: [width(i), width(j), width(k)],
+            area,
+            more: at_least(most - area, most),
+        }
+    }
+
+    pub(super) fn lower(&self) -> Corners {
+        self.lower
+    }
+
+    /// The sum is rounded once, relative to itself; it is not negative, so the factor makes up for it.
+    #[inline]
+    pub(super) fn upper(&self) -> Corners {
+        let at = |j: usize| (self.lower[j] + f64::from(self.width[j])) * MORE;
+        [at(0), at(1), at(2)]
+    }
+
+    /// The area from below and from above.
+    pub(super) fn area(&self) -> (f64, f64) {
+        (self.area, (self.area + f64::from(self.more)) * MORE)
+    }
+
+    /// Area times mean width, rounded.
+    pub(super) fn mass(&self) -> f64 {
+        let width = |j: usize| {
+            // As far as the function below is not negative.
+            let cut = if self.lower[j] < 0.0 { self.lower[j] } else { 0.0 };
+            f64::from(self.width[j]) + cut
+        };
+        self.area * (width(0) + width(1) + width(2)) * (1.0 / 3.0)
+    }
+}
+
+/// A difference rounded up to fewer digits: at least the exact one, which is off by no more than the last digit of what it was
+/// taken from.
+fn at_least(difference: f64, from: f64) -> f32 {
+    let wanted = difference + f64::EPSILON * (difference.abs() + from.abs());
+    let rounded = wanted as f32;
+    if f64::from(rounded) < wanted { rounded.next_up() } else { rounded }
+}
+
+/// The entries of the faces of one task, face by face.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Portion {
+    pub(super) entries: Vec<Entry>,
+    /// Where those of each face start, and one end more.
+    pub(super) starts: Vec<u32>,
+    /// Of all of them.
+    pub(super) moments: Moments,
+}
+
+impl Portion {
+    /// The entries of one of the faces.
+    pub(super) fn of_face(&self, face: usize) -> &[Entry] {
+        &self.entries[self.starts[face] as usize..self.starts[face + 1] as usize]
+    }
+}
+
+/// A sum of numbers that are not negative, from below and from above.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Sum {
+    lower: f64,
+    upper: f64,
+    terms: f64,
+}
+
+impl Sum {
+    pub(super) fn add(&mut self, lower: f64, upper: f64) {
+        self.lower += lower;
+        self.upper += upper;
+        self.terms += 1.0;
+    }
+
+    /// Of so many numbers that were summed up.
+    pub(super) fn of(lower: f64, upper: f64, terms: f64) -> Self {
+        Self { lower, upper, terms }
+    }
+
+    pub(super) fn plus(mut self, other: Self) -> Self {
+        self.lower += other.lower;
+        self.upper += other.upper;
+        self.terms += other.terms + 1.0;
+        self
+    }
+
+    /// Encloses the sum: adding `n` numbers of one sign is off by at most `n` roundings of the result.
+    pub(super) fn enclosure(&self) -> Interval {
+        let slack = (self.terms + 2.0) * f64::EPSILON;
+        Interval::spanning(greater(self.lower * (1.0 - slack), 0.0), self.upper * (1.0 + slack))
+    }
+}
+
+/// Sums that means are made of.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Moments {
+    pub(super) area: Sum,
+    pub(super) first: Sum,
+    pub(super) second: Sum,
+}
+
+impl Moments {
+    pub(super) fn of(entries: &[Entry]) -> Self {
+        let mut sums = Self::default();
+        for entry in entries {
+            let (low, high) = entry.area();
+            let (lower, upper) = (entry.lower(), entry.upper());
+            sums.area.add(low, high);
+            let (below, above) = mean_of(lower, upper);
+            sums.first.add(low * below * LESS, high * above * MORE);
+            let above = mean_square_enclosure(upper).upper();
+            sums.second.add(low * mean_square_of_positive(lower) * LESS, high * above * MORE);
+        }
+        sums
+    }
+
+    pub(super) fn plus(self, other: Self) -> Self {
+        Self {
+            area: self.area.plus(other.area),
+            first: self.first.plus(other.first),
+            second: self.second.plus(other.second),
+        }
+    }
+}
+
+/// Encloses the mean of the distance over a piece.
+pub(super) fn mean_of(lower: Corners, upper: Corners) -> (f64, f64) {
+    (mean_of_positive(lower), mean_enclosure(upper).upper())
+}
