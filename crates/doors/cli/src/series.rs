@@ -13,6 +13,7 @@ use std::sync::{Mutex, PoisonError};
 pub(crate) struct Series {
     list: PathBuf,
     folder: PathBuf,
+    suffix: &'static str,
     state: Mutex<State>,
 }
 
@@ -26,6 +27,11 @@ struct State {
 impl Series {
     /// A series with this list; its steps go into a folder of the same name beside it, which must not exist.
     pub(crate) fn new(list: &Path) -> anyhow::Result<Self> {
+        Self::of(list, "vtp")
+    }
+
+    /// The same with another suffix of the steps' files.
+    pub(crate) fn of(list: &Path, suffix: &'static str) -> anyhow::Result<Self> {
         if !list.extension().is_some_and(|suffix| suffix.eq_ignore_ascii_case("pvd")) {
             bail!("{}: a series is a list of files; give it the suffix .pvd", list.display());
         }
@@ -36,7 +42,7 @@ impl Series {
                 folder.display()
             );
         }
-        Ok(Self { list: list.to_owned(), folder, state: Mutex::default() })
+        Ok(Self { list: list.to_owned(), folder, suffix, state: Mutex::default() })
     }
 
     /// Writes a step by a function that writes a file. The computation should end where that fails; [`Series::finish`] says why.
@@ -53,7 +59,7 @@ impl Series {
         } else {
             Ok(())
         };
-        match made.and_then(|()| write(&self.folder.join(name(step)))) {
+        match made.and_then(|()| write(&self.folder.join(name(step, self.suffix)))) {
             Ok(()) => {
                 state.written.push((step, time));
                 ControlFlow::Continue(())
@@ -67,28 +73,33 @@ impl Series {
 
     /// Writes the list of what was written, then says what went wrong if something did.
     pub(crate) fn finish(self, printer: &Printer) -> anyhow::Result<()> {
-        let State { written, error } = self.state.into_inner().unwrap_or_else(PoisonError::into_inner);
+        let Self { list: place, folder: steps, suffix, state } = self;
+        let State { written, error } = state.into_inner().unwrap_or_else(PoisonError::into_inner);
         if written.is_empty() {
             return error.map_or(Ok(()), Err);
         }
-        let folder = self.folder.file_name().unwrap_or_default().to_string_lossy();
+        let folder = steps.file_name().unwrap_or_default().to_string_lossy();
         let escaped = folder.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;");
         let mut list = String::from(
             "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n",
         );
         for &(step, time) in &written {
-            let _ = writeln!(list, "    <DataSet timestep=\"{time}\" file=\"{escaped}/{}\"/>", name(step));
+            let _ = writeln!(
+                list,
+                "    <DataSet timestep=\"{time}\" file=\"{escaped}/{}\"/>",
+                name(step, suffix)
+            );
         }
         list.push_str("  </Collection>\n</VTKFile>\n");
-        let listed = files::write_whole(&self.list, list.as_bytes(), printer);
+        let listed = files::write_whole(&place, list.as_bytes(), printer);
         // What failed first is told first.
         error.map_or(Ok(()), Err)?;
         listed?;
-        printer.note(format_args!("{}: {} steps", self.folder.display(), grouped(written.len() as u64)));
+        printer.note(format_args!("{}: {} steps", steps.display(), grouped(written.len() as u64)));
         Ok(())
     }
 }
 
-fn name(step: usize) -> String {
-    format!("step-{step:05}.vtp")
+fn name(step: usize, suffix: &str) -> String {
+    format!("step-{step:05}.{suffix}")
 }

@@ -7,8 +7,8 @@ use crate::json::written;
 use crate::wait::{self, Share, Watch};
 use numpy::{IntoPyArray, PyArray1, PyArray2};
 use pompeiu::neuron::{
-    MeshError, MeshOptions, NeuronMesh, Skeleton, SkeletonReport, SmoothOptions, SwcError, SwcRow,
-    TransportOptions, mesh_neuron, read_swc, read_transport_config, smooth, transport, write_swc,
+    MeshError, MeshOptions, NeuronMesh, Preparation, Skeleton, SmoothOptions, SwcError, SwcRow,
+    TransportOptions, mesh_neuron, prepare, read_transport_config, transport, write_swc,
 };
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
@@ -39,22 +39,7 @@ pub(crate) fn read_skeleton<'py>(
     spacing: Option<f64>,
 ) -> PyResult<Parts<'py>> {
     let (skeleton, report) = py
-        .detach(|| {
-            let rows = read_swc(bytes)?;
-            let (mut skeleton, repairs) = if repair {
-                let (skeleton, repairs) = Skeleton::repaired(&rows)?;
-                (skeleton, Some(repairs))
-            } else {
-                (Skeleton::new(&rows)?, None)
-            };
-            let mut deviation = None;
-            if steps > 0 || spacing.is_some() {
-                let (smoothed, moved) = smooth(&skeleton, &SmoothOptions { steps, spacing });
-                (skeleton, deviation) = (smoothed, Some(moved));
-            }
-            let report = SkeletonReport::new(&skeleton, repairs.as_deref(), deviation);
-            Ok((skeleton, report))
-        })
+        .detach(|| prepare(bytes, &Preparation { repair, smooth: SmoothOptions { steps, spacing } }))
         .map_err(|error: SwcError| error.raise())?;
     let rows = skeleton.rows();
     let column = |of: fn(&SwcRow) -> i64| rows.iter().map(of).collect::<Vec<_>>().into_pyarray(py);

@@ -1,6 +1,9 @@
 //! What is said of a neuron.
 
-use crate::{MeshReport, Problem, Repair, Skeleton, SkeletonDeviation, TransportReport, problems};
+use crate::{
+    FlowReport, MeshReport, Problem, Repair, Skeleton, SkeletonDeviation, SplineReport, TransportReport,
+    problems,
+};
 
 /// What is said of a skeleton.
 #[derive(Clone, Debug, PartialEq)]
@@ -51,6 +54,12 @@ pub struct NeuronReport {
     /// The mesh.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub mesh: Option<MeshReport>,
+    /// Splines over the mesh.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub spline: Option<SplineReport>,
+    /// The flow.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub flow: Option<FlowReport>,
     /// The transport.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub transport: Option<TransportReport>,
@@ -69,6 +78,12 @@ pub struct Timing {
     /// Meshing.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub mesh: Option<f64>,
+    /// Splines.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub spline: Option<f64>,
+    /// Flow.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub flow: Option<f64>,
     /// Transport.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub transport: Option<f64>,

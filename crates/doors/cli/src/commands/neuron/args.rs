@@ -12,13 +12,16 @@ use std::path::PathBuf;
     subcommand_negates_reqs = true,
     after_help = "\
 Skeletons are SWC files, in micrometres: comments, ids in any order, several trees, a soma of one, three or many samples, any line
-ends. Without the name of a stage the skeleton is meshed and material transported through the mesh, as by `transport`.
+ends. Without the name of a stage all of them follow each other: the skeleton is checked and filled with tricubic cells, the flow through
+them is solved for, and material is transported along it. The output is a collection (.pvd) of grids of Bezier hexahedra in a folder
+beside it. The configuration is that of `transport`, and [flow] as in `flow`.
 
 Examples:
   pompeiu neuron cell.swc --config run.toml -o run.pvd
   pompeiu neuron check cell.swc
   pompeiu neuron check cell.swc --repair --smooth 20 --spacing 0.5 -o smooth.swc
-  pompeiu neuron mesh smooth.swc -o cell.vtu"
+  pompeiu neuron mesh smooth.swc -o cell.vtu
+  pompeiu neuron flow smooth.swc --config run.toml -o flow.vtu"
 )]
 pub(crate) struct Neuron {
     #[command(subcommand)]
@@ -28,22 +31,22 @@ pub(crate) struct Neuron {
 }
 
 /// All stages at once, where no stage is named. The derived option of a flattened struct is none for a struct that flattens others.
-pub(crate) struct Whole(pub(crate) Option<Transport>);
+pub(crate) struct Whole(pub(crate) Option<Everything>);
 
 impl Args for Whole {
     fn augment_args(command: Command) -> Command {
-        Transport::augment_args(command)
+        Everything::augment_args(command)
     }
 
     fn augment_args_for_update(command: Command) -> Command {
-        Transport::augment_args_for_update(command)
+        Everything::augment_args_for_update(command)
     }
 }
 
 impl FromArgMatches for Whole {
     fn from_arg_matches(matches: &ArgMatches) -> Result<Self, Error> {
         let is_given = matches.contains_id("skeleton");
-        is_given.then(|| Transport::from_arg_matches(matches)).transpose().map(Self)
+        is_given.then(|| Everything::from_arg_matches(matches)).transpose().map(Self)
     }
 
     fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), Error> {
@@ -76,6 +79,34 @@ Examples:
   pompeiu neuron mesh cell.swc -o cell.vtu
   pompeiu neuron mesh cell.swc --repair --parts 3 --layer 1 --json -o fine.vtu")]
     Mesh(Mesh),
+    /// Fill the neuron with tricubic cells, and count the splines over them
+    #[command(after_help = "\
+Each block is one cell, a patch of cubic splines: twice continuously differentiable within patches, continuous across them. Sections
+have five patches, whose rim is a circle but for 3e-4 of the radius. The exit code is 3 if a patch is not proven valid.
+
+Examples:
+  pompeiu neuron spline cell.swc -o cell.vtu
+  pompeiu neuron spline cell.swc --elements 3 --json")]
+    Spline(Spline),
+    /// Solve for the steady viscous flow through the neuron
+    #[command(after_help = "\
+The fluid is at rest at the wall; it is driven at the inlet, the root's flat end, by a speed or a pressure, and all other flat ends have
+a pressure. Newton's method for the equations of Navier and Stokes ends at 1e-8 of the first residual. Its table in the configuration:
+
+  [flow]
+  viscosity = \"1 mPa s\"
+  density = \"1000 kg/m^3\"
+  speed = \"1 um/s\"             # the mean at the inlet; or: pressure = \"10 Pa\"
+  pressures = { 57 = \"1 Pa\" }  # at the ends of these samples; 0 Pa elsewhere
+  [inlet]
+  sample = 1
+
+The output has the velocity at control points, in um/s, and the pressure and the branch of each cell, in Pa.
+
+Examples:
+  pompeiu neuron flow cell.swc -o flow.vtu
+  pompeiu neuron flow cell.swc --config run.toml --elements 2 --json")]
+    Flow(Flow),
     /// Mesh the neuron, and let material diffuse and be carried through it
     #[command(after_help = "\
 Free material diffuses, attaches to motors that move away from the inlet or towards it, and detaches. Motors follow the potential flow
@@ -96,7 +127,7 @@ from the inlet, the root's flat end, to the tips. The configuration is TOML with
   [initial]
   free = 0.0                   # plus, minus
 
-The output is a collection (.pvd) of grids beside it. The exit code is 3 if the time limit or Ctrl-C ended it early.
+The output is a collection (.pvd) of grids in a folder beside it. The exit code is 3 if the time limit or Ctrl-C ended it early.
 
 Examples:
   pompeiu neuron transport cell.swc --config run.toml -o run.pvd --tips tips.csv
@@ -130,6 +161,68 @@ pub(crate) struct Mesh {
     pub(crate) json: bool,
     #[command(flatten)]
     pub(crate) limits: Limits,
+}
+
+#[derive(Args)]
+pub(crate) struct Spline {
+    #[command(flatten)]
+    pub(crate) skeleton: SkeletonChoice,
+    #[command(flatten)]
+    pub(crate) patches: Patches,
+    /// The file to write (.vtu)
+    #[arg(long, short, value_name = "OUT")]
+    pub(crate) output: Option<PathBuf>,
+    /// Print one JSON object
+    #[arg(long)]
+    pub(crate) json: bool,
+    #[command(flatten)]
+    pub(crate) limits: Limits,
+}
+
+#[derive(Args)]
+pub(crate) struct Flow {
+    #[command(flatten)]
+    pub(crate) skeleton: SkeletonChoice,
+    #[command(flatten)]
+    pub(crate) patches: Patches,
+    /// Parameters: TOML with units
+    #[arg(long, value_name = "FILE")]
+    pub(crate) config: Option<PathBuf>,
+    /// The file to write (.vtu)
+    #[arg(long, short, value_name = "OUT")]
+    pub(crate) output: Option<PathBuf>,
+    /// Print one JSON object
+    #[arg(long)]
+    pub(crate) json: bool,
+    #[command(flatten)]
+    pub(crate) limits: Limits,
+}
+
+/// How patches are cut and written.
+#[derive(Args)]
+pub(crate) struct Patches {
+    /// Elements of each patch along each edge
+    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=4), value_name = "N")]
+    pub(crate) elements: u8,
+    /// Length of a patch along a branch, in radii
+    #[arg(long, default_value = "2", value_parser = magnitude, value_name = "RADII")]
+    pub(crate) layer: f64,
+    /// Write trilinear cells, 27 for each tricubic one, instead of Bezier hexahedra
+    #[arg(long)]
+    pub(crate) linear: bool,
+}
+
+/// All stages.
+#[derive(Args)]
+pub(crate) struct Everything {
+    #[command(flatten)]
+    pub(crate) transport: Transport,
+    /// Elements of each patch along each edge, for the flow; transport cuts each into parts
+    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=4), value_name = "N")]
+    pub(crate) elements: u8,
+    /// Write trilinear cells instead of Bezier hexahedra
+    #[arg(long)]
+    pub(crate) linear: bool,
 }
 
 #[derive(Args)]

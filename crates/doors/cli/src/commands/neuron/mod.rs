@@ -1,6 +1,7 @@
 //! `pompeiu neuron`.
 
 mod args;
+mod everything;
 mod json;
 mod run;
 mod text;

@@ -1,7 +1,7 @@
 //! Runs the command.
 
 use super::args::{Blocks, Check, Mesh, Neuron as Args, SkeletonChoice, Stage};
-use super::{json, text, transport};
+use super::{everything, json, text, transport};
 use crate::exit::Exit;
 use crate::json::milliseconds;
 use crate::printer::Printer;
@@ -10,8 +10,8 @@ use crate::{files, interrupt};
 use anyhow::{Context, bail};
 use pompeiu::core::run::{Limits, Progress, ProgressObserver};
 use pompeiu::neuron::{
-    MeshError, MeshOptions, NeuronMesh, NeuronReport, Skeleton, SkeletonReport, SmoothOptions, Timing,
-    mesh_neuron, read_swc, smooth, write_swc,
+    MeshError, MeshOptions, NeuronMesh, NeuronReport, Preparation, Skeleton, SkeletonReport, SmoothOptions,
+    Timing, mesh_neuron, prepare, write_swc,
 };
 use std::ffi::OsStr;
 use std::path::Path;
@@ -21,8 +21,13 @@ pub(crate) fn run(args: &Args, printer: &Printer) -> anyhow::Result<Exit> {
     match (&args.stage, &args.whole.0) {
         (Some(Stage::Check(args)), _) => check(args, printer),
         (Some(Stage::Mesh(args)), _) => mesh(args, printer),
-        (Some(Stage::Transport(args)), _) | (None, Some(args)) => transport::run(args, printer),
-        (None, None) => bail!("name a skeleton file (.swc), or a stage: check, mesh or transport"),
+        (Some(Stage::Spline(args)), _) => everything::spline(args, printer),
+        (Some(Stage::Flow(args)), _) => everything::flow(args, printer),
+        (Some(Stage::Transport(args)), _) => transport::run(args, printer),
+        (None, Some(args)) => everything::run(args, printer),
+        (None, None) => {
+            bail!("name a skeleton file (.swc), or a stage: check, mesh, spline, flow or transport")
+        }
     }
 }
 
@@ -36,13 +41,10 @@ fn check(args: &Check, printer: &Printer) -> anyhow::Result<Exit> {
     if let Some(output) = &args.output {
         files::write_whole(output, write_swc(&skeleton.rows()).as_bytes(), printer)?;
     }
-    let timing = Timing {
-        skeleton: skeleton_time,
-        mesh: None,
-        transport: None,
-        total: milliseconds(started.elapsed()),
-    };
-    let report = NeuronReport { skeleton: report, mesh: None, transport: None, timing };
+    let timing =
+        Timing { skeleton: skeleton_time, total: milliseconds(started.elapsed()), ..Timing::default() };
+    let report =
+        NeuronReport { skeleton: report, mesh: None, spline: None, flow: None, transport: None, timing };
     let path = args.skeleton.skeleton.display().to_string();
     Printer::answer(&if args.json { json::json(&report)? } else { text::text(&path, &report) })?;
     Ok(if report.skeleton.problems.is_empty() { Exit::Done } else { Exit::Above })
@@ -76,11 +78,18 @@ fn mesh(args: &Mesh, printer: &Printer) -> anyhow::Result<Exit> {
     let timing = Timing {
         skeleton: skeleton_time,
         mesh: Some(mesh_time),
-        transport: None,
         total: milliseconds(started.elapsed()),
+        ..Timing::default()
     };
     let certified = mesh.report.certified;
-    let report = NeuronReport { skeleton: skeleton_report, mesh: Some(mesh.report), transport: None, timing };
+    let report = NeuronReport {
+        skeleton: skeleton_report,
+        mesh: Some(mesh.report),
+        spline: None,
+        flow: None,
+        transport: None,
+        timing,
+    };
     Printer::answer(&if args.json { json::json(&report)? } else { text::text(&path, &report) })?;
     Ok(if certified { Exit::Done } else { Exit::Undecided })
 }
@@ -115,19 +124,6 @@ pub(super) fn read(choice: &SkeletonChoice) -> anyhow::Result<(Skeleton, Skeleto
     let shown = || choice.skeleton.display().to_string();
     files::check_readable(&choice.skeleton)?;
     let bytes = std::fs::read(&choice.skeleton).with_context(shown)?;
-    let rows = read_swc(&bytes).with_context(shown)?;
-    let (mut skeleton, repairs) = if choice.repair {
-        let (skeleton, repairs) = Skeleton::repaired(&rows).with_context(shown)?;
-        (skeleton, Some(repairs))
-    } else {
-        (Skeleton::new(&rows).with_context(shown)?, None)
-    };
-    let mut deviation = None;
-    if choice.smooth > 0 || choice.spacing.is_some() {
-        let options = SmoothOptions { steps: choice.smooth as usize, spacing: choice.spacing };
-        let (smoothed, moved) = smooth(&skeleton, &options);
-        (skeleton, deviation) = (smoothed, Some(moved));
-    }
-    let report = SkeletonReport::new(&skeleton, repairs.as_deref(), deviation);
-    Ok((skeleton, report))
+    let smooth = SmoothOptions { steps: choice.smooth as usize, spacing: choice.spacing };
+    prepare(&bytes, &Preparation { repair: choice.repair, smooth }).with_context(shown)
 }

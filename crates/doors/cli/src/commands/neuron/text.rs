@@ -71,6 +71,26 @@ pub(super) fn text(path: &str, report: &NeuronReport) -> String {
             page.row(if i == 0 { "left out" } else { "" }, branch);
         }
     }
+    if let Some(spline) = &report.spline {
+        let off = spline.partition_of_unity_error;
+        page.row("splines", &format!("{} functions, whose sum is 1 to {off:.1e}", number(spline.functions)));
+    }
+    if let Some(flow) = &report.flow {
+        let steps = flow.newton.len().saturating_sub(1);
+        let last = flow.newton.last().copied().unwrap_or(0.0);
+        page.row(
+            "flow",
+            &format!("Reynolds number {}, pressure drop {} Pa", few(flow.reynolds), few(flow.pressure_drop)),
+        );
+        page.row("Newton", &format!("{steps} steps to {last:.1e} of the first residual"));
+        page.row(
+            "fluxes",
+            &format!(
+                "through sections constant to {:.1e} of the inlet, in all {:.1e}, through the wall {:.1e}",
+                flow.section_flux_drift, flow.imbalance, flow.wall_leak
+            ),
+        );
+    }
     if let Some(transport) = &report.transport {
         page.row(
             "transport",
@@ -98,14 +118,17 @@ pub(super) fn text(path: &str, report: &NeuronReport) -> String {
     }
     let span = |milliseconds: f64| time(Duration::from_secs_f64(milliseconds / 1e3));
     let timing = &report.timing;
-    let stages = match (timing.mesh, timing.transport) {
-        (None, _) => String::new(),
-        (Some(mesh), None) => format!("skeleton {}, mesh {}, ", span(timing.skeleton), span(mesh)),
-        (Some(mesh), Some(transport)) => {
-            let [skeleton, mesh, transport] = [timing.skeleton, mesh, transport].map(span);
-            format!("skeleton {skeleton}, mesh {mesh}, transport {transport}, ")
-        }
-    };
+    let stages: String = [
+        ("mesh", timing.mesh),
+        ("splines", timing.spline),
+        ("flow", timing.flow),
+        ("transport", timing.transport),
+    ]
+    .into_iter()
+    .filter_map(|(name, time)| Some(format!("{name} {}, ", span(time?))))
+    .collect();
+    let stages =
+        if stages.is_empty() { stages } else { format!("skeleton {}, {stages}", span(timing.skeleton)) };
     page.row("time", &format!("{stages}total {}", span(report.timing.total)));
     page.into_text()
 }

@@ -1,17 +1,18 @@
 //! Runs the stage of transport, and the whole.
 
 use super::args::Transport as Args;
-use super::run::{check_output, meshed, read};
+use super::run::{meshed, read};
 use super::{json, text};
 use crate::exit::{Exit, stopped_by};
 use crate::json::milliseconds;
 use crate::printer::Printer;
+use crate::series::Series;
 use crate::wait::Wait;
 use crate::{files, interrupt};
 use anyhow::{Context, bail};
 use pompeiu::core::run::{Progress, StopReason};
 use pompeiu::neuron::{
-    Frame, NeuronMesh, NeuronReport, Parameters, Timing, Transport, TransportOptions, read_transport_config,
+    Cap, Frame, NeuronReport, Parameters, Timing, Transport, TransportOptions, read_transport_config,
     transport,
 };
 use std::fmt::Write;
@@ -25,9 +26,7 @@ pub(super) fn run(args: &Args, printer: &Printer) -> anyhow::Result<Exit> {
     }
     let input = args.skeleton.skeleton.as_path();
     files::check_places(args.output.iter().chain(&args.tips).map(PathBuf::as_path), &[input])?;
-    if let Some(output) = &args.output {
-        check_output(output, input, "pvd", "a collection")?;
-    }
+    let series = args.output.as_deref().map(|list| Series::of(list, "vtu")).transpose()?;
     let parameters = parameters(args.config.as_deref())?;
     args.limits.apply_threads()?;
     interrupt::listen();
@@ -48,11 +47,11 @@ pub(super) fn run(args: &Args, printer: &Printer) -> anyhow::Result<Exit> {
         transport(&mesh, &parameters, args.frames as usize, &options).with_context(|| path.clone())?;
     drop(wait);
     let transport_time = milliseconds(started.elapsed()) - skeleton_time - mesh_time;
-    if let Some(output) = &args.output {
-        write_frames(output, &mesh, &found.frames, printer)?;
+    if let Some(series) = series {
+        write_frames(series, &found.frames, printer, |frame| mesh.vtu_with(&frame.values))?;
     }
     if let Some(tips) = &args.tips {
-        files::write_whole(tips, table(&mesh, &parameters, &found).as_bytes(), printer)?;
+        files::write_whole(tips, table(&mesh.caps, &parameters, &found).as_bytes(), printer)?;
     }
     let complete = found.stop == StopReason::Steps;
     if !complete {
@@ -64,11 +63,14 @@ pub(super) fn run(args: &Args, printer: &Printer) -> anyhow::Result<Exit> {
         mesh: Some(mesh_time),
         transport: Some(transport_time),
         total: milliseconds(started.elapsed()),
+        ..Timing::default()
     };
     let certified = mesh.report.certified;
     let report = NeuronReport {
         skeleton: skeleton_report,
         mesh: Some(mesh.report),
+        spline: None,
+        flow: None,
         transport: Some(found.report),
         timing,
     };
@@ -76,7 +78,7 @@ pub(super) fn run(args: &Args, printer: &Printer) -> anyhow::Result<Exit> {
     Ok(if certified && complete { Exit::Done } else { Exit::Undecided })
 }
 
-fn parameters(config: Option<&Path>) -> anyhow::Result<Parameters> {
+pub(super) fn parameters(config: Option<&Path>) -> anyhow::Result<Parameters> {
     let Some(config) = config else { return Ok(Parameters::default()) };
     files::check_readable(config)?;
     let shown = || config.display().to_string();
@@ -84,30 +86,31 @@ fn parameters(config: Option<&Path>) -> anyhow::Result<Parameters> {
     read_transport_config(&text).with_context(shown)
 }
 
-/// Writes a grid for each frame, then the collection that names them.
-fn write_frames(output: &Path, mesh: &NeuronMesh, frames: &[Frame], printer: &Printer) -> anyhow::Result<()> {
-    let stem = output.file_stem().unwrap_or_default().to_string_lossy();
-    let mut collection = String::from(
-        "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n<Collection>\n",
-    );
-    for (index, frame) in frames.iter().enumerate() {
-        let name = format!("{stem}_{index:04}.vtu");
-        let path = output.with_file_name(&name);
-        let bytes = mesh.vtu_with(&frame.values).with_context(|| path.display().to_string())?;
-        pompeiu::io::write_whole(&path, &bytes)?;
-        let escaped = name.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;");
-        let _ = writeln!(collection, "<DataSet timestep=\"{}\" part=\"0\" file=\"{escaped}\"/>", frame.time);
+/// Writes a grid for each frame, and the collection that names them.
+pub(super) fn write_frames(
+    series: Series,
+    frames: &[Frame],
+    printer: &Printer,
+    bytes: impl Fn(&Frame) -> std::io::Result<Vec<u8>>,
+) -> anyhow::Result<()> {
+    for frame in frames {
+        let write = |path: &Path| {
+            let bytes = bytes(frame).with_context(|| path.display().to_string())?;
+            Ok(pompeiu::io::write_whole(path, &bytes)?)
+        };
+        if series.add(frame.step, frame.time, write).is_break() {
+            break;
+        }
     }
-    collection.push_str("</Collection>\n</VTKFile>\n");
-    files::write_whole(output, collection.as_bytes(), printer)
+    series.finish(printer)
 }
 
 /// Concentrations at the flat ends after each step.
-fn table(mesh: &NeuronMesh, parameters: &Parameters, found: &Transport) -> String {
+pub(super) fn table(caps: &[Cap], parameters: &Parameters, found: &Transport) -> String {
     let mut table = String::from("time,sample,free,plus,minus,total\n");
     for (step, ends) in found.ends.iter().enumerate() {
         let time = step as f64 * parameters.step;
-        for (cap, [free, plus, minus]) in mesh.caps.iter().zip(ends) {
+        for (cap, [free, plus, minus]) in caps.iter().zip(ends) {
             let total = free + plus + minus;
             let _ = writeln!(table, "{time},{},{free},{plus},{minus},{total}", cap.sample);
         }
