@@ -21,6 +21,7 @@ COMMANDS = {
         "deviation tent.obj square.obj",
         "deviation tent.obj square.obj --threshold 0.3 --signed --regions 2 --percentiles 5,50 --unit mm",
         "deviation tent.obj square.obj --band -0.1..0.3 --band -0.2..0 --allow 10%",
+        "deviation tent.obj square.obj --only-overlap --ignore-components 0.1%",
         "deviation points.obj square.obj",
         "deviation huge.obj square.obj",
         "deviation rough.obj square.obj --time-limit 1ns",

@@ -27,8 +27,8 @@ fn main() -> anyhow::Result<()> {
         }
     }
     let shown = DeviationPage {
-        a: NamedMesh { path: a_path, mesh: &a },
-        b: NamedMesh { path: b_path, mesh: &b },
+        a: NamedMesh { path: a_path, mesh: &a, whole: &a },
+        b: NamedMesh { path: b_path, mesh: &b, whole: &b },
         deviation: &deviation,
         stages: &search_stages(&a, &b),
         unit: "",

@@ -40,8 +40,8 @@ impl DeviationPage {
 
     fn page<'r>(&'r self, [a, b]: &'r [String; 2], unit: &'r str, up: [f64; 3]) -> show::DeviationPage<'r> {
         show::DeviationPage {
-            a: NamedMesh { path: a, mesh: self.a.get().inner() },
-            b: NamedMesh { path: b, mesh: self.b.get().inner() },
+            a: named(a, self.a.get().inner()),
+            b: named(b, self.b.get().inner()),
             deviation: &self.deviation,
             stages: &[],
             unit,
@@ -52,6 +52,10 @@ impl DeviationPage {
             command: None,
         }
     }
+}
+
+fn named<'m>(path: &'m str, mesh: &'m TriMesh) -> NamedMesh<'m> {
+    NamedMesh { path, mesh, whole: mesh }
 }
 
 fn looking(up: [f64; 3], direction_to_eye: Option<[f64; 3]>) -> View {

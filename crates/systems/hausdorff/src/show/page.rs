@@ -19,8 +19,10 @@ use pompeiu_figures::{ColorMap, Figure, FigureError, Image, Mark, Panel, Scale, 
 pub struct NamedMesh<'m> {
     /// The file, or whatever else tells it from the other one.
     pub path: &'m str,
-    /// The mesh that was measured.
+    /// The mesh that was measured, or the part of it.
     pub mesh: &'m TriMesh,
+    /// The mesh that the other one was measured to: the same, or that of which it is a part.
+    pub whole: &'m TriMesh,
 }
 
 /// A deviation analysis to be shown, as a page to explore or as a picture.
@@ -33,8 +35,8 @@ pub struct NamedMesh<'m> {
 ///
 /// let (a, b) = (icosphere(1.0, 2)?, torus(0.75, 0.25, 32, 16)?);
 /// let page = DeviationPage {
-///     a: NamedMesh { path: "sphere.obj", mesh: &a },
-///     b: NamedMesh { path: "torus.obj", mesh: &b },
+///     a: NamedMesh { path: "sphere.obj", mesh: &a, whole: &a },
+///     b: NamedMesh { path: "torus.obj", mesh: &b, whole: &b },
 ///     deviation: &DeviationOptions::default().symmetric(&a, &b)?,
 ///     stages: &search_stages(&a, &b),
 ///     unit: "mm",
@@ -93,9 +95,9 @@ impl<'r> DeviationPage<'r> {
         let tolerance = COLOR_TOLERANCE * self.deviation.distance.upper();
         let ways = [(self.a, self.b, &self.deviation.a_to_b), (self.b, self.a, &self.deviation.b_to_a)];
         ways.map(|(measured, other, found)| {
-            let mut triangles = found.tessellation(measured.mesh, other.mesh, tolerance, MOST_TRIANGLES);
+            let mut triangles = found.tessellation(measured.mesh, other.whole, tolerance, MOST_TRIANGLES);
             if let Some(sides) = &found.sides {
-                give_signs(&mut triangles, measured.mesh, other.mesh, sides);
+                give_signs(&mut triangles, measured.mesh, other.whole, sides);
                 // Where B has more, points of A are inside of it.
                 if self.bands.is_some() && found.direction == Direction::AToB {
                     for distance in triangles.iter_mut().flat_map(|triangle| &mut triangle.distances) {

@@ -1,5 +1,6 @@
 //! Options of the deviation command.
 
+use super::parts::Parts;
 use crate::aligned::Before;
 use crate::args::{Limits, Meshes, Picture};
 use crate::lengths::{Band, Length, band, length};
@@ -29,6 +30,7 @@ Examples:
   pompeiu deviation --model part.stl --scan part.ply --align rigid --threshold 0.05 --report scan.html
   pompeiu deviation model.obj scan.ply --threshold 0.1mm --unit mm --allow 1%
   pompeiu deviation model.obj scan.ply --unit mm --band -0.05..0.1 --band -0.2..0.3
+  pompeiu deviation model.obj partial-scan.ply --only-overlap --ignore-components 0.1% --threshold 0.05
   pompeiu deviation model.obj scan.ply --signed -a model.vtp -b scan.vtp
   pompeiu deviation model.obj scan.ply --json")]
 pub(crate) struct Deviation {
@@ -63,6 +65,8 @@ pub(crate) struct Deviation {
     /// The unit of the coordinates, such as mm; files have none. Shown with numbers in verdicts, reports and pictures
     #[arg(long, default_value = "", value_name = "NAME")]
     pub(crate) unit: String,
+    #[command(flatten)]
+    pub(crate) parts: Parts,
     #[command(flatten)]
     pub(crate) picture: Picture,
     /// Write the verdict, the picture, the numbers and what was measured for printing

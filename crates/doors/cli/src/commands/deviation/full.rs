@@ -1,6 +1,7 @@
 //! The whole outcome for people. Digits are shown only as far as they are proven.
 
 use super::bands;
+use super::parts;
 use super::run::{Outcome, percent};
 use crate::aligned::verdict as alignment;
 use crate::exit::stopped_by;
@@ -18,6 +19,11 @@ pub(super) fn text(outcome: &Outcome) -> String {
     }
     let [a, b] = outcome.names;
     page.files(outcome.names, &outcome.a, &outcome.b);
+    if let Some(left_out) = &outcome.left_out {
+        for (i, (name, left_out)) in outcome.names.into_iter().zip(left_out).enumerate() {
+            page.row(if i == 0 { "left out" } else { "" }, &parts::described(name, left_out));
+        }
+    }
     if let Some(found) = &outcome.alignment {
         page.row("moved", &alignment(found));
     }

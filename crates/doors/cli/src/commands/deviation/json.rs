@@ -4,7 +4,7 @@ use super::run::{Outcome, directions};
 use super::verdict::Verdict;
 use crate::json::{line, milliseconds};
 use crate::pair::File;
-use pompeiu::hausdorff::deviation::{BandReport, Deviation, DirectedDeviation};
+use pompeiu::hausdorff::deviation::{BandReport, Deviation, DirectedDeviation, LeftOut};
 use pompeiu::matching::align::Registration;
 use serde::Serialize;
 use std::time::Duration;
@@ -23,6 +23,7 @@ pub(super) fn json(outcome: &Outcome) -> serde_json::Result<String> {
         threshold: outcome.threshold,
         verdict: outcome.verdict(),
         bands: outcome.bands.as_ref(),
+        left_out: outcome.left_out.as_ref().map(|[a, b]| Rest { a, b }),
         deviation: &outcome.deviation,
         timing_ms: Timing {
             read: milliseconds(outcome.read),
@@ -56,9 +57,20 @@ pub(crate) struct Json<'o> {
     /// How much lies in which tolerance band; absent if there is none.
     #[serde(skip_serializing_if = "Option::is_none")]
     bands: Option<&'o BandReport>,
+    /// What was left out of both; absent if nothing was to be. Faces keep the numbers that they have in the files.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    left_out: Option<Rest<'o>>,
     #[serde(flatten)]
     deviation: &'o Deviation,
     timing_ms: Timing,
+}
+
+/// What was left out of each mesh.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+struct Rest<'o> {
+    a: &'o LeftOut,
+    b: &'o LeftOut,
 }
 
 /// Milliseconds spent on each part, both directions together.

@@ -6,6 +6,7 @@ mod csv;
 mod full;
 mod json;
 mod meshes;
+mod parts;
 mod run;
 mod text;
 mod verdict;

@@ -2,19 +2,19 @@
 
 use super::args::Deviation;
 use super::verdict::Verdict;
-use super::{bands, csv, full, json, meshes, text};
+use super::{bands, csv, full, json, meshes, parts, text};
 use crate::aligned;
 use crate::called::called;
 use crate::exit::Exit;
 use crate::files;
 use crate::interrupt;
-use crate::numbers::between;
+use crate::numbers::{between, few};
 use crate::pair::{self, File};
 use crate::printer::Printer;
 use crate::wait::Wait;
 use pompeiu::core::TriMesh;
 use pompeiu::figures::paper::Paper;
-use pompeiu::hausdorff::deviation::{self, BandReport, Bands, DeviationOptions, DirectedDeviation};
+use pompeiu::hausdorff::deviation::{self, BandReport, Bands, DeviationOptions, DirectedDeviation, LeftOut};
 use pompeiu::hausdorff::show::{DeviationPage, NamedMesh, search_stages};
 use pompeiu::hausdorff::{Direction, Observer, Progress};
 use pompeiu::matching::align::Registration;
@@ -35,6 +35,8 @@ pub(super) struct Outcome {
     pub(super) threshold: Option<f64>,
     /// The share of each area that may be farther, or outside of all bands.
     pub(super) allowed: f64,
+    /// What was left out of A and of B, if something was to be.
+    pub(super) left_out: Option<[LeftOut; 2]>,
     /// How much lies in which tolerance band, if there are some.
     pub(super) bands: Option<BandReport>,
     pub(super) deviation: deviation::Deviation,
@@ -82,16 +84,29 @@ pub(crate) fn run(args: &Deviation, printer: &Printer) -> anyhow::Result<Exit> {
         (b, alignment) = (moved, Some(found));
     }
     wait.show("building trees".to_owned());
+    let chosen = args.parts.choose([&a, &b], &args.unit, &args.limits.after(started.elapsed()))?;
+    let [a_part, b_part] = match &chosen {
+        Some([a_part, b_part]) => [&a_part.mesh, &b_part.mesh],
+        None => [&a, &b],
+    };
     let deviation =
         DeviationOptions { observer: Some(&Watch(&wait)), ..options(args, threshold, started.elapsed()) }
-            .symmetric(&a, &b)?;
+            .symmetric_of_parts([a_part, &a], [b_part, &b])?;
     let bands = bands.map(|bands| {
         wait.restart();
         let limits = args.limits.after(started.elapsed());
-        deviation.bands(&a, &b, &bands, args.accuracy, &limits, Some(&Watch(&wait)))
+        deviation.bands_of_parts(
+            [a_part, &a],
+            [b_part, &b],
+            &bands,
+            args.accuracy,
+            &limits,
+            Some(&Watch(&wait)),
+        )
     });
     drop(wait);
-    let outcome = Outcome {
+    warn(&deviation, [a_part, b_part], args.meshes.names(), printer);
+    let mut outcome = Outcome {
         names: args.meshes.names(),
         a: File::new(paths[0], &a),
         b: File::new(paths[1], &b),
@@ -100,12 +115,18 @@ pub(crate) fn run(args: &Deviation, printer: &Printer) -> anyhow::Result<Exit> {
         accuracy: args.accuracy,
         threshold,
         allowed: args.allow.unwrap_or(0.0),
+        left_out: chosen.as_ref().map(|[a, b]| [a.left_out, b.left_out]),
         bands,
         deviation,
         read,
         total: started.elapsed(),
     };
-    write(args, &outcome, &a, &b, printer)?;
+    let measured = [NamedPart { part: a_part, whole: &a }, NamedPart { part: b_part, whole: &b }];
+    write(args, &outcome, measured, printer)?;
+    if let Some([a, b]) = &chosen {
+        outcome.deviation.a_to_b.renumber(&a.faces);
+        outcome.deviation.b_to_a.renumber(&b.faces);
+    }
     Printer::answer(&match (args.json, args.full) {
         (true, _) => json::json(&outcome)?,
         (false, true) => full::text(&outcome),
@@ -142,13 +163,46 @@ fn options(args: &Deviation, threshold: Option<f64>, spent: Duration) -> Deviati
     }
 }
 
+/// A part that was measured, and the mesh that the other one was measured to.
+#[derive(Clone, Copy)]
+struct NamedPart<'p> {
+    part: &'p TriMesh,
+    whole: &'p TriMesh,
+}
+
+/// Shares of the area below which a component is junk, and above which two meshes are probably not aligned.
+const JUNK: f64 = 0.01;
+const NEARLY_ALL: f64 = 0.9;
+
+/// Warns of what makes an answer useless more often than not.
+fn warn(deviation: &deviation::Deviation, parts: [&TriMesh; 2], names: [&str; 2], printer: &Printer) {
+    let mut beyond = true;
+    for ((_, directed), (mesh, name)) in directions(deviation).into_iter().zip(parts.into_iter().zip(names)) {
+        if let Some((share, within)) = directed.outlying_component(mesh, JUNK) {
+            printer.warning(format_args!(
+                "the largest distance is that of a part with {} % of {name}'s area; all larger parts are within {}. \
+                 --ignore-components 1% leaves such parts out",
+                few(100.0 * share),
+                few(within)
+            ));
+        }
+        let above = directed.statistics.as_ref().and_then(|statistics| statistics.above.as_ref());
+        beyond &= above.is_some_and(|above| above.share.lower() > NEARLY_ALL);
+    }
+    if beyond {
+        printer.warning(format_args!(
+            "more than 90 % of both areas are beyond the threshold; if the meshes are not aligned, --align rigid moves B onto A first"
+        ));
+    }
+}
+
 fn write(
     args: &Deviation,
     outcome: &Outcome,
-    a: &TriMesh,
-    b: &TriMesh,
+    measured: [NamedPart<'_>; 2],
     printer: &Printer,
 ) -> anyhow::Result<()> {
+    let [a, b] = measured.map(|measured| measured.part);
     let Outcome { deviation, .. } = outcome;
     let extent = deviation.distance.upper();
     let sides: [(&Option<_>, _, _); 2] =
@@ -159,7 +213,7 @@ fn write(
         }
     }
     if args.picture.outputs().next().is_some() || args.pdf.is_some() {
-        show(args, outcome, a, b, printer)?;
+        show(args, outcome, measured, printer)?;
     }
     if let Some(path) = &args.csv {
         files::write_whole(path, csv::csv(outcome).as_bytes(), printer)?;
@@ -171,15 +225,16 @@ fn write(
 fn show(
     args: &Deviation,
     outcome: &Outcome,
-    a: &TriMesh,
-    b: &TriMesh,
+    [a, b]: [NamedPart<'_>; 2],
     printer: &Printer,
 ) -> anyhow::Result<()> {
-    let stages = if args.picture.report.is_some() { search_stages(a, b) } else { Vec::new() };
+    // The search is that of whole meshes.
+    let is_wanted = args.picture.report.is_some() && outcome.left_out.is_none();
+    let stages = if is_wanted { search_stages(a.whole, b.whole) } else { Vec::new() };
     let verdict = outcome.verdict().map(|verdict| verdict.sentence(outcome));
     let shown = DeviationPage {
-        a: NamedMesh { path: &outcome.a.path, mesh: a },
-        b: NamedMesh { path: &outcome.b.path, mesh: b },
+        a: NamedMesh { path: &outcome.a.path, mesh: a.part, whole: a.whole },
+        b: NamedMesh { path: &outcome.b.path, mesh: b.part, whole: b.whole },
         deviation: &outcome.deviation,
         stages: &stages,
         unit: &outcome.unit,
@@ -216,6 +271,9 @@ fn print(
         if let Ok(sum) = files::sha256(path) {
             provenance.push([String::new(), format!("SHA-256 {sum}")]);
         }
+    }
+    for (name, left_out) in outcome.names.into_iter().zip(outcome.left_out.iter().flatten()) {
+        provenance.push(["left out".to_owned(), parts::described(name, left_out)]);
     }
     if let Some(found) = &outcome.alignment {
         provenance.push(["moved".to_owned(), aligned::verdict(found)]);

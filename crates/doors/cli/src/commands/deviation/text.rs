@@ -2,6 +2,7 @@
 
 use super::bands;
 use super::full::{faces, percentage};
+use super::parts;
 use super::run::{Outcome, directions, percent};
 use crate::aligned;
 use crate::exit::stopped_by;
@@ -21,6 +22,11 @@ pub(super) fn text(outcome: &Outcome) -> String {
         page.gap();
     }
     page.files(outcome.names, &outcome.a, &outcome.b);
+    if let Some(left_out) = &outcome.left_out {
+        for (i, (name, left_out)) in outcome.names.into_iter().zip(left_out).enumerate() {
+            page.row(if i == 0 { "left out" } else { "" }, &parts::described(name, left_out));
+        }
+    }
     if let Some(found) = &outcome.alignment {
         page.row("moved", &aligned::verdict(found));
     }

@@ -1,0 +1,121 @@
+//! Which faces are measured, and what is left out.
+
+use super::full::percentage;
+use crate::interrupt;
+use crate::lengths::{Length, length};
+use crate::numbers::{grouped, share, tuple};
+use anyhow::Context;
+use clap::Args;
+use pompeiu::core::run::Limits;
+use pompeiu::core::{FaceId, TriMesh};
+use pompeiu::hausdorff::deviation::{DeviationOptions, LeftOut, Part, component_shares, overlapping};
+use pompeiu::hausdorff::{Observer, Progress};
+use std::ops::ControlFlow;
+
+#[derive(Args)]
+#[command(next_help_heading = "What is measured")]
+pub(crate) struct Parts {
+    /// Leave out the faces of both that reach farther than this from the other mesh: what has no counterpart, such as a
+    /// fixture, or what was not scanned. What is kept is proven to be within
+    #[arg(long, value_parser = length, allow_negative_numbers = true, value_name = "LENGTH")]
+    ignore_beyond: Option<Length>,
+    /// Leave out the faces beside the other mesh: those whose nearest point lies on its boundary, as of the part of a model
+    /// that a partial scan does not show
+    #[arg(long)]
+    only_overlap: bool,
+    /// Measure only faces that lie in this box as a whole: its least and its greatest coordinates
+    #[arg(long = "box", value_parser = tuple::<6>, allow_hyphen_values = true, value_name = "X,Y,Z,X,Y,Z")]
+    within: Option<[f64; 6]>,
+    /// Leave out connected parts with less than this share of the area of their mesh, such as 0.001 or 0.1%
+    #[arg(long, value_parser = share, value_name = "SHARE")]
+    ignore_components: Option<f64>,
+}
+
+/// The parts of both meshes that are measured.
+pub(super) type Chosen = [Part; 2];
+
+impl Parts {
+    fn is_empty(&self) -> bool {
+        self.ignore_beyond.is_none()
+            && !self.only_overlap
+            && self.within.is_none()
+            && self.ignore_components.is_none()
+    }
+
+    /// The faces of both that are measured; none if that is all of them because nothing was asked.
+    pub(super) fn choose(
+        &self,
+        [a, b]: [&TriMesh; 2],
+        unit: &str,
+        limits: &Limits,
+    ) -> anyhow::Result<Option<Chosen>> {
+        if self.is_empty() {
+            return Ok(None);
+        }
+        let beyond = self.ignore_beyond.as_ref().map(|length| length.in_unit(unit)).transpose()?;
+        let choose = |name: &str, mesh: &TriMesh, other: &TriMesh| {
+            self.part(mesh, other, beyond, limits)?
+                .with_context(|| format!("nothing of {name} is left to be measured"))
+        };
+        Ok(Some([choose("A", a, b)?, choose("B", b, a)?]))
+    }
+
+    fn part(
+        &self,
+        mesh: &TriMesh,
+        other: &TriMesh,
+        beyond: Option<f64>,
+        limits: &Limits,
+    ) -> anyhow::Result<Option<Part>> {
+        let mut kept = vec![true; mesh.faces().len()];
+        let mut keep = |wanted: &dyn Fn(FaceId) -> bool| {
+            for (face, kept) in mesh.face_ids().zip(&mut kept) {
+                *kept &= wanted(face);
+            }
+        };
+        if let Some(least) = self.ignore_components {
+            let shares = component_shares(mesh);
+            keep(&|face| shares[face.index()] >= least);
+        }
+        if let Some(ends) = self.within {
+            let inside = |p: [f64; 3]| (0..3).all(|k| ends[k] <= p[k] && p[k] <= ends[k + 3]);
+            keep(&|face| mesh.corners(face).into_iter().all(inside));
+        }
+        if self.only_overlap {
+            let over = overlapping(mesh, other);
+            keep(&|face| over[face.index()]);
+        }
+        let Some(part) = Part::of(mesh, |face| kept[face.index()]) else { return Ok(None) };
+        let Some(beyond) = beyond else { return Ok(Some(part)) };
+        let options =
+            DeviationOptions { limits: limits.clone(), observer: Some(&Stop), ..DeviationOptions::default() };
+        let farthest = options.farthest_of_faces(&part.mesh, other)?;
+        let mut within = vec![false; mesh.faces().len()];
+        for (face, farthest) in part.faces.iter().zip(farthest) {
+            within[face.index()] = farthest.upper() <= beyond;
+        }
+        Ok(part.and(mesh, |face| within[face.index()]))
+    }
+}
+
+/// Ends the work on Ctrl-C.
+struct Stop;
+
+impl Observer for Stop {
+    fn progress(&self, _: &Progress) -> ControlFlow<()> {
+        interrupt::flow()
+    }
+}
+
+/// What is left out of a mesh, for people.
+pub(super) fn described(name: &str, left_out: &LeftOut) -> String {
+    if left_out.faces == 0 {
+        return format!("nothing of {name}");
+    }
+    let parts = match left_out.components {
+        1 => "1 connected part".to_owned(),
+        n => format!("{} connected parts", grouped(n as u64)),
+    };
+    let faces = grouped(left_out.faces as u64);
+    format!("{} of {name}'s area, {faces} faces in {parts}", percentage(left_out.share))
+}
