@@ -13,7 +13,6 @@ use pompeiu::hausdorff::{Observer, Progress};
 use std::ops::ControlFlow;
 
 #[derive(Args)]
-#[command(next_help_heading = "What is measured")]
 pub(crate) struct Parts {
     /// Leave out the faces of both that reach farther than this from the other mesh: what has no counterpart, such as a
     /// fixture, or what was not scanned. What is kept is proven to be within
@@ -116,6 +115,9 @@ pub(super) fn described(name: &str, left_out: &LeftOut) -> String {
         1 => "1 connected part".to_owned(),
         n => format!("{} connected parts", grouped(n as u64)),
     };
-    let faces = grouped(left_out.faces as u64);
-    format!("{} of {name}'s area, {faces} faces in {parts}", percentage(left_out.share))
+    let faces = match left_out.faces {
+        1 => "1 face".to_owned(),
+        n => format!("{} faces", grouped(n as u64)),
+    };
+    format!("{} of {name}'s area, {faces} in {parts}", percentage(left_out.share))
 }

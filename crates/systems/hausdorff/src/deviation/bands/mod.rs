@@ -31,7 +31,7 @@ use crate::report::{Enclosure, StopReason};
 /// let bands = Bands::new(&[[-0.05, 0.05]])?;
 /// let found = deviation.bands(&a, &b, &bands, 0.01, &Limits::default(), None);
 /// assert!(found.b_to_a.shares.unwrap()[2].lower() > 0.99);
-/// assert!(found.b_to_a.lowest.lower > 0.0999);
+/// assert!(found.b_to_a.lowest.lower > 0.08 && found.b_to_a.lowest.upper < 0.1001);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
