@@ -85,7 +85,11 @@ def square(session, cells, steps):
     for grid in ["stam:20", "stam", "mac"]:
         answer = session.pompeiu("fluid", "--square", cells, scene, "--grid", grid, "--wall", "free-slip" if grid == "mac" else "no-slip")
         session.add("square", cells, f"pompeiu, {grid}", per_step(answer), answer["steps"][-1]["energy"])
-    phiflow(session, cells, max(1, steps // 5))
+    try:
+        phiflow(session, cells, max(1, steps // 5))
+    except ValueError as error:
+        # Indices of its sparse matrices overflow on larger squares.
+        print(f"square, size {cells}, PhiFlow 3.4.0: no answer, {error}", flush=True)
 
 
 def phiflow(session, cells, steps):
@@ -94,15 +98,16 @@ def phiflow(session, cells, steps):
 
     math.set_global_precision(64)
 
-    def start(x, y):
-        return math.stack(
-            [16 * x**2 * (1 - x) ** 2 * y * (1 - y) * (1 - 2 * y), -16 * x * (1 - x) * y**2 * (1 - y) ** 2 * (1 - 2 * x)],
-            math.channel(vector="x,y"),
-        )
+    def start(place):
+        x, y = place.vector["x"], place.vector["y"]
+        u = 16 * x**2 * (1 - x) ** 2 * y * (1 - y) * (1 - 2 * y)
+        v = -16 * x * (1 - x) * y**2 * (1 - y) ** 2 * (1 - 2 * x)
+        return math.stack([u, v], math.channel(vector="x,y"))
 
     box = Box(x=1, y=1)
-    u = StaggeredGrid(lambda p: start(p["x"], p["y"]), 0, box, x=cells, y=cells)
-    dye = CenteredGrid(lambda p: p["x"] * p["y"], extrapolation.BOUNDARY, box, x=cells, y=cells)
+    u = StaggeredGrid(CenteredGrid(start, 0, box, x=cells, y=cells), 0, box, x=cells, y=cells)
+    product = lambda place: place.vector["x"] * place.vector["y"]
+    dye = CenteredGrid(product, extrapolation.BOUNDARY, box, x=cells, y=cells)
     spent = 0.0
     for step in range(steps + 1):
         before = time.process_time()
