@@ -5,13 +5,13 @@ step on one thread, and the kinetic energy at the end.
 """
 
 import argparse
-import csv
 import datetime
 import json
 import os
 import pathlib
 import shutil
 import subprocess
+import sys
 import tempfile
 import time
 
@@ -19,6 +19,10 @@ for name in ["OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "RAYON_NUM_THREADS", "MK
     os.environ[name] = "1"
 
 HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent / "peers"))
+
+import record  # noqa: E402
+
 FIELDS = ["date", "commit", "cpu", "load", "task", "size", "program", "ms_per_step", "energy"]
 VISCOSITY, DIFFUSIVITY, DT = 1e-4, 1e-4, 0.02
 VELOCITY = "16*x^2*(1-x)^2*y*(1-y)*(1-2*y); -16*x*(1-x)*y^2*(1-y)^2*(1-2*x)"
@@ -38,8 +42,8 @@ class Session:
     def add(self, task, size, program, milliseconds, energy):
         row = {
             "date": datetime.date.today().isoformat(),
-            "commit": git("rev-parse", "--short=10", "HEAD"),
-            "cpu": processor(),
+            "commit": record.git("rev-parse", "--short=10", "HEAD"),
+            "cpu": record.cpu(),
             "load": f"{os.getloadavg()[0]:.1f}",
             "task": task,
             "size": size,
@@ -48,23 +52,7 @@ class Session:
             "energy": f"{energy:.6g}",
         }
         print(", ".join(f"{key} {row[key]}" for key in FIELDS[4:]), flush=True)
-        exists = self.record.exists()
-        with self.record.open("a", newline="") as file:
-            writer = csv.DictWriter(file, FIELDS)
-            if not exists:
-                writer.writeheader()
-            writer.writerow(row)
-
-
-def git(*words):
-    return subprocess.run(["git", "-C", HERE, *words], check=True, capture_output=True, text=True).stdout.strip()
-
-
-def processor():
-    for line in open("/proc/cpuinfo"):
-        if line.startswith("model name"):
-            return line.split(":")[1].strip()
-    return "?"
+        record.append(self.record, FIELDS, row)
 
 
 def per_step(answer):

@@ -68,3 +68,14 @@ def read(from_):
 def latest(name):
     """The newest record of a kind, or None. Names begin with the date."""
     return max(FOLDER.glob(f"*-{name}.csv"), default=None)
+
+
+def append(to, fields, row):
+    """Adds a row to a record, which is made with its first row."""
+    to.parent.mkdir(parents=True, exist_ok=True)
+    is_new = not to.exists()
+    with open(to, "a", newline="") as file:
+        writer = csv.DictWriter(file, fields)
+        if is_new:
+            writer.writeheader()
+        writer.writerow(row)

@@ -5,7 +5,6 @@ processor seconds, wall-clock seconds, threads, and what the judge says of the r
 """
 
 import argparse
-import csv
 import datetime
 import json
 import math
@@ -15,6 +14,7 @@ import re
 import resource
 import shutil
 import subprocess
+import sys
 import tempfile
 import time
 
@@ -27,6 +27,10 @@ import numpy as np
 import pymeshlab
 
 HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent / "peers"))
+
+import record  # noqa: E402
+
 ITERATIONS = 10
 SHARES = [0.001, 0.005, 0.01]
 HALVINGS = 9
@@ -63,8 +67,8 @@ class Session:
     def add(self, task, mesh, asked, program, faces, cpu, wall, judged, threads=1):
         row = {
             "date": datetime.date.today().isoformat(),
-            "commit": commit(),
-            "cpu": processor(),
+            "commit": record.git("rev-parse", "--short=10", "HEAD"),
+            "cpu": record.cpu(),
             "load": f"{os.getloadavg()[0]:.1f}",
             "task": task,
             "mesh": mesh,
@@ -77,26 +81,7 @@ class Session:
             "judged": judged,
         }
         print(", ".join(f"{key} {row[key]}" for key in FIELDS[4:]), flush=True)
-        exists = self.record.exists()
-        with self.record.open("a", newline="") as file:
-            writer = csv.DictWriter(file, FIELDS)
-            if not exists:
-                writer.writeheader()
-            writer.writerow(row)
-
-
-def commit():
-    def git(*words):
-        return subprocess.run(["git", "-C", HERE, *words], check=True, capture_output=True, text=True).stdout.strip()
-
-    return git("rev-parse", "--short=10", "HEAD")
-
-
-def processor():
-    for line in open("/proc/cpuinfo"):
-        if line.startswith("model name"):
-            return line.split(":")[1].strip()
-    return "?"
+        record.append(self.record, FIELDS, row)
 
 
 def read_obj(path):

@@ -17,7 +17,55 @@ __all__ = ["Simulation", "SquareSimulation"]
 Force = Union[None, np.ndarray, Callable[[Any], np.ndarray]]
 
 
-class Simulation:
+class _Stepped:
+    """What both simulations have."""
+
+    _native: Any
+    _names: List[str]
+
+    def measure(self) -> Dict[str, Any]:
+        """What is measured of the flow as it is."""
+        return json.loads(self._native.measure())
+
+    @property
+    def scheme(self) -> Dict[str, Any]:
+        """How the flow is computed."""
+        return json.loads(self._native.scheme())
+
+    @property
+    def steps(self) -> int:
+        """Number of steps so far."""
+        return self._native.steps
+
+    @property
+    def time(self) -> float:
+        """Time so far."""
+        return self._native.time
+
+    def _step(self, steps: int, force: Force, shaped: Callable[[Any], Any] = lambda pushed: pushed) -> List[Dict[str, Any]]:
+        """Steps, and reads what was measured."""
+        if steps < 0:
+            raise OptionError(f"the number of steps is {steps}; it must not be negative")
+        measured = []
+        for _ in range(steps):
+            pushed = force(self) if callable(force) else force
+            measured.append(json.loads(self._native.step(None if pushed is None else shaped(pushed))))
+        return measured
+
+    def _index(self, name: str) -> int:
+        """The number of a density."""
+        if name not in self._names:
+            raise OptionError(f"there is no density {name!r}; there are {self._names}")
+        return self._names.index(name)
+
+    def _check_names(self, path: Any, saved: Any) -> None:
+        """Refuses a state with other densities."""
+        names = [str(name) for name in saved["names"]]
+        if names != self._names:
+            raise OptionError(f"{path}: has the densities {names}, expected {self._names}")
+
+
+class Simulation(_Stepped):
     """An incompressible fluid on a surface, with densities that it carries.
 
     Parameters
@@ -96,7 +144,7 @@ class Simulation:
         densities: Optional[Mapping[str, Any]] = None,
     ) -> None:
         mesh = as_mesh(mesh)
-        self._names: List[str] = list(densities or {})
+        self._names = list(densities or {})
         vector = lambda v: None if v is None else [float(x) for x in v]  # noqa: E731
         self._native = _native.Simulation(
             mesh,
@@ -130,26 +178,7 @@ class Simulation:
         force : array of shape (m, 3), or callable, optional
             An acceleration on faces, or a function that is called with the simulation before each step and returns one.
         """
-        return _stepped(self, steps, force)
-
-    def measure(self) -> Dict[str, Any]:
-        """What is measured of the flow as it is."""
-        return json.loads(self._native.measure())
-
-    @property
-    def scheme(self) -> Dict[str, Any]:
-        """How the flow is computed."""
-        return json.loads(self._native.scheme())
-
-    @property
-    def steps(self) -> int:
-        """Number of steps so far."""
-        return self._native.steps
-
-    @property
-    def time(self) -> float:
-        """Time so far."""
-        return self._native.time
+        return self._step(steps, force)
 
     @property
     def velocity(self) -> np.ndarray:
@@ -191,9 +220,7 @@ class Simulation:
 
     def set_density(self, name: str, values: Any) -> None:
         """Replaces a density."""
-        if name not in self._names:
-            raise OptionError(f"there is no density {name!r}; there are {self._names}")
-        self._native.set_density(self._names.index(name), values)
+        self._native.set_density(self._index(name), values)
 
     def save(self, path: Union[str, PathLike]) -> None:
         """Writes the state to a file of NumPy (``.npz``), from which :meth:`load` goes on bit for bit."""
@@ -214,7 +241,7 @@ class Simulation:
     def load(self, path: Union[str, PathLike]) -> None:
         """Goes on from a state that :meth:`save` wrote, of the same mesh and options."""
         with np.load(path, allow_pickle=False) as saved:
-            _same_names(path, saved, self._names)
+            self._check_names(path, saved)
             self._native.restore(
                 (int(saved["steps"]), float(saved["time"])),
                 saved["vorticity"],
@@ -228,7 +255,7 @@ class Simulation:
         return f"Simulation(step {self.steps}, time {self.time:g})"
 
 
-class SquareSimulation:
+class SquareSimulation(_Stepped):
     """An incompressible fluid in the unit square of ``cells`` x ``cells`` cells, with densities that it carries.
 
     Arrays have a row for each row of cells, from below: ``array[j, i]`` is at ``((i + 0.5) / cells, (j + 0.5) / cells)``.
@@ -291,7 +318,7 @@ class SquareSimulation:
         if cells < 2:
             raise OptionError(f"the square has {cells} cells on a side; expected 2 to 4096")
         self._cells = int(cells)
-        self._names: List[str] = list(densities or {})
+        self._names = list(densities or {})
         solid = None if obstacles is None else np.asarray(obstacles, dtype=bool).ravel().tolist()
         self._native = _native.SquareSimulation(
             {
@@ -319,26 +346,7 @@ class SquareSimulation:
         force : array of shape (cells, cells, 2), or callable, optional
             An acceleration in cells, or a function that is called with the simulation before each step and returns one.
         """
-        return _stepped(self, steps, force, lambda pushed: np.asarray(pushed, dtype=float).reshape(-1, 2))
-
-    def measure(self) -> Dict[str, Any]:
-        """What is measured of the flow as it is."""
-        return json.loads(self._native.measure())
-
-    @property
-    def scheme(self) -> Dict[str, Any]:
-        """How the flow is computed."""
-        return json.loads(self._native.scheme())
-
-    @property
-    def steps(self) -> int:
-        """Number of steps so far."""
-        return self._native.steps
-
-    @property
-    def time(self) -> float:
-        """Time so far."""
-        return self._native.time
+        return self._step(steps, force, lambda pushed: np.asarray(pushed, dtype=float).reshape(-1, 2))
 
     @property
     def velocity(self) -> np.ndarray:
@@ -362,9 +370,7 @@ class SquareSimulation:
 
     def set_density(self, name: str, values: Any) -> None:
         """Replaces a density."""
-        if name not in self._names:
-            raise OptionError(f"there is no density {name!r}; there are {self._names}")
-        self._native.set_density(self._names.index(name), np.asarray(values, dtype=float).ravel())
+        self._native.set_density(self._index(name), np.asarray(values, dtype=float).ravel())
 
     def save(self, path: Union[str, PathLike]) -> None:
         """Writes the state to a file of NumPy (``.npz``), from which :meth:`load` goes on bit for bit."""
@@ -377,31 +383,12 @@ class SquareSimulation:
     def load(self, path: Union[str, PathLike]) -> None:
         """Goes on from a state that :meth:`save` wrote, with the same options."""
         with np.load(path, allow_pickle=False) as saved:
-            _same_names(path, saved, self._names)
+            self._check_names(path, saved)
             densities = [values.ravel() for values in saved["densities"]]
             self._native.restore((int(saved["steps"]), float(saved["time"])), (saved["u"], saved["v"]), densities)
 
     def __repr__(self) -> str:
         return f"SquareSimulation({self._cells} x {self._cells}, step {self.steps}, time {self.time:g})"
-
-
-def _stepped(
-    simulation: Any, steps: int, force: Force, shaped: Callable[[Any], Any] = lambda pushed: pushed
-) -> List[Dict[str, Any]]:
-    """Steps a simulation, and reads what was measured."""
-    if steps < 0:
-        raise OptionError(f"the number of steps is {steps}; it must not be negative")
-    measured = []
-    for _ in range(steps):
-        pushed = force(simulation) if callable(force) else force
-        measured.append(json.loads(simulation._native.step(None if pushed is None else shaped(pushed))))
-    return measured
-
-
-def _same_names(path: Any, saved: Any, expected: List[str]) -> None:
-    names = [str(name) for name in saved["names"]]
-    if names != expected:
-        raise OptionError(f"{path}: has the densities {names}, expected {expected}")
 
 
 def _density(name: str, given: Any) -> Dict[str, Any]:

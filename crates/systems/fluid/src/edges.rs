@@ -44,6 +44,7 @@ impl EdgeViscosity {
         wall: Wall,
         wall_velocity: Option<&EdgeData<f64>>,
         product: f64,
+        pressure: Option<SemidefiniteCholesky>,
     ) -> Result<Self, FluidError> {
         let mesh = space.mesh();
         let given = EdgeField::from_fn(mesh.edges(), |edge| {
@@ -92,8 +93,16 @@ impl EdgeViscosity {
                     other => other.into(),
                 },
             )?;
-        let pressure = pressure_system(space, &mass)?;
+        let pressure = match pressure {
+            Some(pressure) => pressure,
+            None => pressure_system(space, &mass)?,
+        };
         Ok(Self { product, factor, unknown, drive, given, mass, pressure })
+    }
+
+    /// The system of pressures, which is the same for any step.
+    pub(crate) fn into_pressure(self) -> SemidefiniteCholesky {
+        self.pressure
     }
 
     /// Viscosity times time.

@@ -38,6 +38,13 @@ pub struct FluidStep {
     pub energy_guarded: bool,
 }
 
+/// The least and the greatest of some values.
+pub(crate) fn range(values: impl IntoIterator<Item = f64>) -> [f64; 2] {
+    values.into_iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], x| {
+        [if x < least { x } else { least }, if x > most { x } else { most }]
+    })
+}
+
 /// How a flow was computed.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]

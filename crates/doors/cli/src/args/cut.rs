@@ -125,6 +125,7 @@ struct Selection {
 }
 
 fn read_selection(path: &FilePath) -> anyhow::Result<Selection> {
+    crate::files::check_readable(path)?;
     let text = std::fs::read_to_string(path).with_context(|| path.display().to_string())?;
     selection(&text).map_err(|line| {
         let shown = path.display();

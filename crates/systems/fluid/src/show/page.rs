@@ -1,6 +1,7 @@
 //! The page and the picture of a flow.
 
 use super::FluidFrame;
+use crate::report::range;
 use crate::{FluidStep, SchemeReport};
 use pompeiu_core::TriMesh;
 use pompeiu_figures::names::{axis, name};
@@ -99,7 +100,7 @@ impl<'r> FluidPage<'r> {
         for (i, density) in self.scheme.densities.iter().enumerate() {
             let values: Vec<&[f64]> =
                 self.frames.iter().filter_map(|frame| frame.densities.get(i).map(Vec::as_slice)).collect();
-            let [least, most] = range(&values);
+            let [least, most] = range(values.iter().copied().flatten().copied());
             let most = if most > least { most } else { least + 1.0 };
             quantities.push(Quantity {
                 name: density,
@@ -236,7 +237,7 @@ impl<'r> FluidPage<'r> {
             let scale = if let Span::Between(least, most) = quantity.span {
                 Scale::new(quantity.colors, least, most)?
             } else {
-                let [least, most] = range(&quantity.values);
+                let [least, most] = range(quantity.values.iter().copied().flatten().copied());
                 let extent = if -least > most { -least } else { most };
                 Scale::symmetric(quantity.colors, if extent > 0.0 { extent } else { 1.0 })?
             };
@@ -273,10 +274,4 @@ fn arrange(page: &mut Page, quantities: &[Quantity<'_>], scenes: &[SceneId]) -> 
         })?;
     }
     Ok(())
-}
-
-fn range(values: &[&[f64]]) -> [f64; 2] {
-    values.iter().copied().flatten().fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], &x| {
-        [if x < least { x } else { least }, if x > most { x } else { most }]
-    })
 }

@@ -5,7 +5,7 @@ use super::{MOST_SUBSTEPS, Simulation};
 use crate::faces::FaceDiffusion;
 use crate::space::Space;
 use crate::transport::{Backtrace, restore_mass};
-use crate::{Correction, FluidError, Transport};
+use crate::{FluidError, Transport};
 use pompeiu_core::mesh::{FaceData, VertexData};
 use pompeiu_operators::FaceField;
 use pompeiu_solve::{Cholesky, LinearSolver, SparseMatrix};
@@ -102,12 +102,12 @@ impl Simulation<'_> {
     fn trace_back(&self, backtrace: &Backtrace<'_>, velocity: &FaceField, step: f64) -> Vec<VertexData<f64>> {
         let areas = &self.space.areas;
         let at_vertices = backtrace.at_vertices(velocity);
-        let [from, to] = [-step, step].map(|time| backtrace.follow(&at_vertices, time));
+        let passage = backtrace.passage(&at_vertices, step, self.options.correction);
         let carry = |values: &VertexData<f64>| {
-            let mut carried = backtrace.carry([&from, &to], values, self.options.correction);
+            let mut carried = backtrace.carry(&passage, values);
             if self.options.transport == Transport::SemiLagrangianCorrected {
                 let mass = values.iter().zip(areas).map(|(x, a)| x * a).sum();
-                restore_mass(areas, &mut carried, mass, |v| backtrace.range(&from, values, v));
+                restore_mass(areas, &mut carried, mass, |v| backtrace.range(&passage.from, values, v));
             }
             carried
         };
@@ -117,9 +117,7 @@ impl Simulation<'_> {
     /// Sources, diffusion and transport of densities on faces; those at vertices are their means.
     fn move_on_faces(&mut self, velocity: &FaceField, step: f64) -> Result<(), FluidError> {
         let Some(backtrace) = &self.backtrace else { return Ok(()) };
-        let correction = self.options.correction;
-        let midpoint = correction != Correction::Linear;
-        let [from, to] = [-step, step].map(|time| backtrace.follow_centroids(velocity, time, midpoint));
+        let passage = backtrace.passage_of_centroids(velocity, step, self.options.correction);
         let options = self.options.densities.iter().zip(&self.heat);
         let densities = self.state.face_densities.iter_mut().zip(&mut self.state.densities);
         for ((values, at_vertices), (density, heat)) in densities.zip(options) {
@@ -129,7 +127,7 @@ impl Simulation<'_> {
             if let Some(Heat::Faces(diffusion)) = heat {
                 diffusion.values(self.space.surface, values)?;
             }
-            *values = backtrace.carry_on_faces([&from, &to], values, correction);
+            *values = backtrace.carry_on_faces(&passage, values);
             *at_vertices = backtrace.vertex_means(values);
         }
         Ok(())

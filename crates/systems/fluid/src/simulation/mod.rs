@@ -9,7 +9,7 @@ use crate::FluidError;
 use crate::advection::Unknowns;
 use crate::edges::EdgeField;
 use crate::options::{Diffusion, FluidOptions, Scheme, TimeStep, Transport};
-use crate::report::{FluidStep, FluidTiming, SchemeReport};
+use crate::report::{FluidStep, FluidTiming, SchemeReport, range};
 use crate::space::{Parts, Space};
 use crate::transport::Backtrace;
 use crate::viscosity::ViscousPower;
@@ -286,19 +286,23 @@ impl<'s> Simulation<'s> {
         self.factor(step)?;
         let before = self.state.velocity.clone();
         self.push(pushed, step)?;
-        self.move_edges(&before);
+        if self.moves_edges() {
+            self.move_edges(&before);
+        }
         let energy_guarded = self.diffuse()?;
         let diffused = Instant::now();
         self.timing.diffuse += diffused - start;
         let cells = self.space.cells(&self.state.velocity);
         let cfl = cells.cfl(step);
-        let diffused_velocity = self.state.velocity.clone();
+        let diffused_velocity = self.moves_edges().then(|| self.state.velocity.clone());
         let (unknowns, substeps) = self.advect(step, cfl)?;
         let advected = Instant::now();
         self.timing.advect += advected - diffused;
         self.adopt(unknowns)?;
         self.check_finite(&before)?;
-        self.move_edges(&diffused_velocity);
+        if let Some(diffused) = diffused_velocity {
+            self.move_edges(&diffused);
+        }
         let projected = Instant::now();
         self.timing.project += projected - advected;
         self.move_densities(&before, step)?;
@@ -318,11 +322,6 @@ impl<'s> Simulation<'s> {
     pub fn measure(&self) -> Result<FluidStep, FluidError> {
         let state = &self.state;
         let sum = |values: &VertexData<f64>| values.iter().zip(&self.space.areas).map(|(x, a)| x * a).sum();
-        let range = |values: &VertexData<f64>| {
-            values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], &x| {
-                [if x < least { x } else { least }, if x > most { x } else { most }]
-            })
-        };
         Ok(FluidStep {
             time: state.time,
             energy: self.space.energy(&state.velocity),
@@ -330,7 +329,7 @@ impl<'s> Simulation<'s> {
             total_vorticity: self.space.integrated(&state.vorticity).iter().sum(),
             divergence: self.space.divergence(&state.velocity)?,
             mass: state.densities.iter().map(sum).collect(),
-            range: state.densities.iter().map(range).collect(),
+            range: state.densities.iter().map(|values| range(values.iter().copied())).collect(),
             harmonic: state.harmonic.clone(),
             max_speed: greatest(&state.velocity),
             cfl: 0.0,

@@ -55,11 +55,16 @@ impl Simulation<'_> {
         let (options, space) = (&self.options, &self.space);
         let product = options.viscosity * step;
         if product > 0.0 && self.viscosity.as_ref().is_none_or(|ready| ready.product() != product) {
+            let pressure = match self.viscosity.take() {
+                Some(Viscous::Edges(edges)) => Some(edges.into_pressure()),
+                _ => None,
+            };
             self.viscosity = Some(match (&self.power, options.scheme) {
                 (Some(power), _) => Viscous::Stream(Viscosity::new(space, power, product)?),
                 (None, Scheme::CrouzeixRaviart) => {
-                    let (model, velocity) = (options.viscosity_model, options.wall_velocity.as_ref());
-                    Viscous::Edges(EdgeViscosity::new(space, model, options.wall, velocity, product)?)
+                    let (model, wall) = (options.viscosity_model, options.wall_velocity.as_ref());
+                    let edges = EdgeViscosity::new(space, model, options.wall, wall, product, pressure)?;
+                    Viscous::Edges(edges)
                 }
                 (None, _) => {
                     Viscous::Faces(FaceDiffusion::of_vectors(space.surface, options.diffusion, product)?)
@@ -141,18 +146,21 @@ impl Simulation<'_> {
 
     /// Adds the change of the velocity on faces to that at midpoints of edges.
     pub(super) fn move_edges(&mut self, before: &FaceField) {
-        if !self.state.edge_velocity.is_empty() {
-            let change = pompeiu_operators::difference(&self.state.velocity, before);
-            let change = edges::at_edges(&self.space, &change);
-            for (u, change) in self.state.edge_velocity.iter_mut().zip(&change) {
-                *u = add(*u, *change);
-            }
+        let change = pompeiu_operators::difference(&self.state.velocity, before);
+        let change = edges::at_edges(&self.space, &change);
+        for (u, change) in self.state.edge_velocity.iter_mut().zip(&change) {
+            *u = add(*u, *change);
         }
+    }
+
+    /// Whether there is a velocity at midpoints of edges.
+    pub(super) fn moves_edges(&self) -> bool {
+        !self.state.edge_velocity.is_empty()
     }
 
     /// Makes the velocity at midpoints of edges that of the faces.
     pub(super) fn take_edges(&mut self) {
-        if !self.state.edge_velocity.is_empty() {
+        if self.moves_edges() {
             self.state.edge_velocity = edges::at_edges(&self.space, &self.state.velocity);
         }
     }
@@ -205,8 +213,8 @@ impl Simulation<'_> {
         let mut after = before.clone();
         for _ in 0..2 {
             let at_vertices = backtrace.at_vertices(&velocity);
-            let places = [-step, step].map(|time| backtrace.follow(&at_vertices, time));
-            after.vorticity = backtrace.carry([&places[0], &places[1]], &absolute, self.options.correction);
+            let passage = backtrace.passage(&at_vertices, step, self.options.correction);
+            after.vorticity = backtrace.carry(&passage, &absolute);
             if let Some(rotation) = &rotation {
                 after.vorticity.iter_mut().zip(rotation).for_each(|(w, f)| *w -= f);
             }
@@ -259,10 +267,8 @@ impl Simulation<'_> {
         coriolis: Option<&FaceData<f64>>,
         time: f64,
     ) -> FaceField {
-        let correction = self.options.correction;
-        let midpoint = correction != Correction::Linear;
-        let [from, to] = [-time, time].map(|time| backtrace.follow_centroids(velocity, time, midpoint));
-        let mut carried = backtrace.carry_vectors([&from, &to], field, correction);
+        let passage = backtrace.passage_of_centroids(velocity, time, self.options.correction);
+        let mut carried = backtrace.carry_vectors(&passage, field);
         for (u, f) in carried.iter_mut().zip(coriolis.into_iter().flatten()) {
             *u = rotate([libm::cos(time * f), -libm::sin(time * f)], *u);
         }

@@ -1,5 +1,7 @@
 //! Values on a lattice, interpolated.
 
+use crate::report::range;
+
 /// Values at the points `(origin + index) · spacing` of a lattice, bilinear between them.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Lattice {
@@ -58,12 +60,6 @@ impl Lattice {
 
     /// The least and the greatest of the values around a place.
     pub(super) fn range(&self, values: &[f64], place: [f64; 2]) -> [f64; 2] {
-        self.around(place).into_iter().fold(
-            [f64::INFINITY, f64::NEG_INFINITY],
-            |[least, most], (index, _)| {
-                let x = values[index];
-                [if x < least { x } else { least }, if x > most { x } else { most }]
-            },
-        )
+        range(self.around(place).into_iter().map(|(index, _)| values[index]))
     }
 }

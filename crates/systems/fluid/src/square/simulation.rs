@@ -3,6 +3,7 @@
 use super::mac::Mac;
 use super::options::{MOST_CELLS, SquareOptions, SquareScheme};
 use super::stam::{Ghosts, Stam};
+use crate::report::range;
 use crate::{FluidError, FluidStep, FluidTiming, SchemeReport};
 use pompeiu_solve::Cholesky;
 use std::time::Instant;
@@ -321,11 +322,6 @@ impl Square {
             .iter()
             .map(|[u, v]| u.hypot(*v))
             .fold(0.0, |m, x| if x > m || x.is_nan() { x } else { m });
-        let range = |values: &Vec<f64>| {
-            values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], &x| {
-                [if x < least { x } else { least }, if x > most { x } else { most }]
-            })
-        };
         Ok(FluidStep {
             time: self.time,
             energy,
@@ -333,7 +329,7 @@ impl Square {
             total_vorticity: h * h * vorticity.iter().sum::<f64>(),
             divergence: if norm > 0.0 { outflow.sqrt() / norm } else { 0.0 },
             mass: self.densities.iter().map(|values| h * h * values.iter().sum::<f64>()).collect(),
-            range: self.densities.iter().map(range).collect(),
+            range: self.densities.iter().map(|values| range(values.iter().copied())).collect(),
             max_speed: greatest,
             ..FluidStep::default()
         })

@@ -1,6 +1,7 @@
 //! Semi-Lagrangian transport: where what arrives at a vertex comes from.
 
 use crate::Correction;
+use crate::report::range;
 use pompeiu_core::mesh::VertexData;
 use pompeiu_core::{FaceId, VertexId};
 use pompeiu_operators::FaceField;
@@ -24,6 +25,22 @@ pub(crate) struct Backtrace<'s> {
 
 /// Where values come from: a face and barycentric coordinates for each vertex.
 pub(crate) type Departures = VertexData<(FaceId, [f64; 3])>;
+
+/// Where what arrives comes from and, where what is missed is corrected, where what is there goes.
+#[derive(Debug)]
+pub(crate) struct Passage<P> {
+    pub(crate) from: P,
+    pub(super) to: Option<P>,
+    pub(super) correction: Correction,
+}
+
+impl<P> Passage<P> {
+    /// Of a function that says where a flow carries things in a time.
+    pub(super) fn new(correction: Correction, step: f64, follow: impl Fn(f64) -> P) -> Self {
+        let to = (correction != Correction::Linear).then(|| follow(step));
+        Self { from: follow(-step), to, correction }
+    }
+}
 
 impl<'s> Backtrace<'s> {
     pub(crate) fn new(surface: &'s Surface) -> Self {
@@ -130,22 +147,26 @@ impl<'s> Backtrace<'s> {
         places
     }
 
+    /// What a velocity does to the vertices in a step.
+    pub(crate) fn passage(
+        &self,
+        velocity: &VertexData<Vec2>,
+        step: f64,
+        correction: Correction,
+    ) -> Passage<Departures> {
+        Passage::new(correction, step, |time| self.follow(velocity, time))
+    }
+
     /// Values carried along for a step: from where they come, corrected by what a step forth and back misses, within the values of the
     /// face they come from.
-    pub(crate) fn carry(
-        &self,
-        [from, to]: [&Departures; 2],
-        values: &VertexData<f64>,
-        correction: Correction,
-    ) -> VertexData<f64> {
+    pub(crate) fn carry(&self, passage: &Passage<Departures>, values: &VertexData<f64>) -> VertexData<f64> {
+        let from = &passage.from;
         let carried = self.sample(from, values);
-        if correction == Correction::Linear {
-            return carried;
-        }
+        let Some(to) = &passage.to else { return carried };
         let returned = self.sample(to, &carried);
         let missed = VertexData::from_fn(values.len(), |v| 0.5 * (values[v] - returned[v]));
         let sum = |a: &VertexData<f64>| VertexData::from_fn(a.len(), |v| a[v] + missed[v]);
-        let corrected = match correction {
+        let corrected = match passage.correction {
             Correction::Bfecc => self.sample(from, &sum(values)),
             _ => sum(&carried),
         };
@@ -155,9 +176,7 @@ impl<'s> Backtrace<'s> {
     /// The least and the greatest value of the face that a value comes from.
     pub(crate) fn range(&self, from: &Departures, values: &VertexData<f64>, v: VertexId) -> [f64; 2] {
         let corners = self.surface.mesh().face(from[v].0).map(|w| values[w]);
-        corners.into_iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], x| {
-            [if x < least { x } else { least }, if x > most { x } else { most }]
-        })
+        range(corners)
     }
 
     /// Values interpolated where they come from.

@@ -1,7 +1,8 @@
 //! Semi-Lagrangian transport of what is stored on faces.
 
-use super::backtrace::{Backtrace, inside, within};
+use super::backtrace::{Backtrace, Passage, inside, within};
 use crate::Correction;
+use crate::report::range;
 use pompeiu_core::FaceId;
 use pompeiu_core::mesh::{FaceData, VertexData};
 use pompeiu_operators::FaceField;
@@ -19,17 +20,27 @@ pub(crate) struct FaceDeparture {
 }
 
 impl Backtrace<'_> {
-    /// Where a flow carries the centroid of each face in a time; a negative time asks where what is there came from.
-    ///
-    /// Straight ahead with the velocity of the face, or by the midpoint rule.
-    pub(crate) fn follow_centroids(
+    /// What a velocity does to the centroids of faces in a step: straight ahead, or by the midpoint rule where it is corrected.
+    pub(crate) fn passage_of_centroids(
         &self,
         field: &FaceField,
+        step: f64,
+        correction: Correction,
+    ) -> Passage<FaceData<FaceDeparture>> {
+        let at_vertices = (correction != Correction::Linear).then(|| self.at_vertices(field));
+        Passage::new(correction, step, |time| self.follow_centroids(field, at_vertices.as_ref(), time))
+    }
+
+    /// Where a flow carries the centroid of each face in a time; a negative time asks where what is there came from.
+    ///
+    /// Straight ahead with the velocity of the face, or by the midpoint rule if that at vertices is given.
+    fn follow_centroids(
+        &self,
+        field: &FaceField,
+        at_vertices: Option<&VertexData<Vec2>>,
         time: f64,
-        midpoint: bool,
     ) -> FaceData<FaceDeparture> {
         const CENTRE: [f64; 3] = [1.0 / 3.0; 3];
-        let at_vertices = self.at_vertices(field);
         let stay = FaceDeparture { face: FaceId(0), barycentric: CENTRE, back: [1.0, 0.0] };
         let mut places = FaceData::filled(field.len(), stay);
         places.as_mut_slice().par_iter_mut().with_min_len(256).enumerate().for_each(|(f, place)| {
@@ -42,11 +53,11 @@ impl Backtrace<'_> {
                 length: norm(vector),
             };
             let mut velocity = field[face];
-            if midpoint && norm(velocity) > 0.0 {
+            if let Some(at_vertices) = at_vertices.filter(|_| norm(velocity) > 0.0) {
                 let half = ray(scale(0.5 * time, velocity));
                 let end = self.tracer().trace(&half);
                 let there =
-                    self.at_point(&at_vertices, end.face, self.surface().barycentric(end.face, end.point));
+                    self.at_point(at_vertices, end.face, self.surface().barycentric(end.face, end.point));
                 velocity = rotate(inverse(end.transport(&half)), there);
             }
             if norm(velocity) > 0.0 {
@@ -63,29 +74,26 @@ impl Backtrace<'_> {
     /// Vectors on faces carried along for a step, with parallel transport.
     pub(crate) fn carry_vectors(
         &self,
-        [from, to]: [&FaceData<FaceDeparture>; 2],
+        passage: &Passage<FaceData<FaceDeparture>>,
         field: &FaceField,
-        correction: Correction,
     ) -> FaceField {
-        let sample = |places: &FaceData<FaceDeparture>, field: &FaceField| {
-            let at_vertices = self.at_vertices(field);
-            FaceField::from_fn(field.len(), |face| {
+        let sample = |places: &FaceData<FaceDeparture>, at_vertices: &VertexData<Vec2>| {
+            FaceField::from_fn(places.len(), |face| {
                 let place = &places[face];
-                rotate(place.back, self.at_point(&at_vertices, place.face, place.barycentric))
+                rotate(place.back, self.at_point(at_vertices, place.face, place.barycentric))
             })
         };
-        let carried = sample(from, field);
-        if correction == Correction::Linear {
-            return carried;
-        }
-        let returned = sample(to, &carried);
+        let from = &passage.from;
+        let at_vertices = self.at_vertices(field);
+        let carried = sample(from, &at_vertices);
+        let Some(to) = &passage.to else { return carried };
+        let returned = sample(to, &self.at_vertices(&carried));
         let missed = FaceField::from_fn(field.len(), |face| scale(0.5, sub(field[face], returned[face])));
         let sum = |a: &FaceField| FaceField::from_fn(a.len(), |face| add(a[face], missed[face]));
-        let corrected = match correction {
-            Correction::Bfecc => sample(from, &sum(field)),
+        let corrected = match passage.correction {
+            Correction::Bfecc => sample(from, &self.at_vertices(&sum(field))),
             _ => sum(&carried),
         };
-        let at_vertices = self.at_vertices(field);
         FaceField::from_fn(field.len(), |face| {
             let u = corrected[face];
             let bound = self.greatest_speed(field, &at_vertices, from[face].face);
@@ -103,14 +111,12 @@ impl Backtrace<'_> {
     /// Values on faces carried along for a step.
     pub(crate) fn carry_on_faces(
         &self,
-        [from, to]: [&FaceData<FaceDeparture>; 2],
+        passage: &Passage<FaceData<FaceDeparture>>,
         values: &FaceData<f64>,
-        correction: Correction,
     ) -> FaceData<f64> {
         let mesh = self.surface().mesh();
-        let sample = |places: &FaceData<FaceDeparture>, values: &FaceData<f64>| {
-            let at_vertices = self.vertex_means(values);
-            FaceData::from_fn(values.len(), |face| {
+        let sample = |places: &FaceData<FaceDeparture>, at_vertices: &VertexData<f64>| {
+            FaceData::from_fn(places.len(), |face| {
                 let place = &places[face];
                 mesh.face(place.face)
                     .into_iter()
@@ -119,23 +125,21 @@ impl Backtrace<'_> {
                     .sum()
             })
         };
-        let carried: FaceData<f64> = sample(from, values);
-        if correction == Correction::Linear {
-            return carried;
-        }
-        let returned: FaceData<f64> = sample(to, &carried);
+        let from = &passage.from;
+        let at_vertices = self.vertex_means(values);
+        let carried: FaceData<f64> = sample(from, &at_vertices);
+        let Some(to) = &passage.to else { return carried };
+        let returned: FaceData<f64> = sample(to, &self.vertex_means(&carried));
         let missed = FaceData::from_fn(values.len(), |face| 0.5 * (values[face] - returned[face]));
         let sum = |a: &FaceData<f64>| FaceData::from_fn(a.len(), |face| a[face] + missed[face]);
-        let corrected = match correction {
-            Correction::Bfecc => sample(from, &sum(values)),
+        let corrected = match passage.correction {
+            Correction::Bfecc => sample(from, &self.vertex_means(&sum(values))),
             _ => sum(&carried),
         };
-        let at_vertices = self.vertex_means(values);
         FaceData::from_fn(values.len(), |face| {
             let place = from[face].face;
-            let range =
-                mesh.face(place).into_iter().map(|v| at_vertices[v]).fold([values[place]; 2], widened);
-            within(corrected[face], range)
+            let corners = mesh.face(place).map(|v| at_vertices[v]);
+            within(corrected[face], range(corners.into_iter().chain([values[place]])))
         })
     }
 
@@ -149,8 +153,4 @@ impl Backtrace<'_> {
             sum / area
         })
     }
-}
-
-fn widened([least, most]: [f64; 2], x: f64) -> [f64; 2] {
-    [if x < least { x } else { least }, if x > most { x } else { most }]
 }

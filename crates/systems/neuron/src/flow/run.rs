@@ -102,10 +102,7 @@ pub fn neuron_flow(
 }
 
 fn cap_of(caps: &[Cap], sample: i64) -> Result<u32, FlowError> {
-    caps.iter().position(|cap| cap.sample == sample).map(|k| k as u32).ok_or_else(|| {
-        let ends: Vec<String> = caps.iter().map(|cap| cap.sample.to_string()).collect();
-        FlowError::NotAnEnd { sample, ends: ends.join(", ") }
-    })
+    Cap::at(caps, sample).map_err(|ends| FlowError::NotAnEnd { sample, ends })
 }
 
 fn solve(
@@ -115,7 +112,7 @@ fn solve(
 ) -> Result<Flow, FlowError> {
     let control = Control::start(&options.limits);
     let inlet = match parameters.inlet {
-        None => mesh.caps.iter().position(|cap| cap.is_root).ok_or(FlowError::NoInlet)? as u32,
+        None => Cap::of_root(&mesh.caps).ok_or(FlowError::NoInlet)?,
         Some(sample) => cap_of(&mesh.caps, sample)?,
     };
     let mut outside = vec![0.0; mesh.caps.len()];

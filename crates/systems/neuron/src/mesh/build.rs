@@ -56,15 +56,19 @@ impl NeuronMesh {
     /// # Errors
     /// [`std::io::ErrorKind::InvalidInput`] unless there are concentrations for each cell.
     pub fn vtu_with(&self, values: &[[f64; 3]]) -> std::io::Result<Vec<u8>> {
-        let columns: Vec<Vec<f64>> = (0..3).map(|kind| values.iter().map(|v| v[kind]).collect()).collect();
-        let total: Vec<f64> = values.iter().map(|v| v.iter().sum()).collect();
-        let of = |name, values| CellData { name, values, components: 1 };
-        let data =
-            [of("total", &total), of("free", &columns[0]), of("plus", &columns[1]), of("minus", &columns[2])];
+        let columns = concentrations(values);
+        let data = columns.each_ref().map(|(name, values)| CellData { name, values, components: 1 });
         let mut bytes = Vec::new();
         write_vtu(&mut bytes, &self.mesh, &[], &data)?;
         Ok(bytes)
     }
+}
+
+/// Concentrations of cells as columns of a file, their sum first.
+pub(crate) fn concentrations(values: &[[f64; 3]]) -> [(&'static str, Vec<f64>); 4] {
+    let column = |kind: usize| values.iter().map(|v| v[kind]).collect();
+    let total = values.iter().map(|v| v.iter().sum()).collect();
+    [("total", total), ("free", column(0)), ("plus", column(1)), ("minus", column(2))]
 }
 
 /// The flat end of a tube.
@@ -80,6 +84,21 @@ pub struct Cap {
     pub normal: DVec3,
     /// Radius of the tube in the skeleton.
     pub radius: f64,
+}
+
+impl Cap {
+    /// The number of the cap at a sample, or the samples that have one.
+    pub(crate) fn at(caps: &[Self], sample: i64) -> Result<u32, String> {
+        caps.iter().position(|cap| cap.sample == sample).map(|k| k as u32).ok_or_else(|| {
+            let ends: Vec<String> = caps.iter().map(|cap| cap.sample.to_string()).collect();
+            ends.join(", ")
+        })
+    }
+
+    /// The number of the first cap at a root.
+    pub(crate) fn of_root(caps: &[Self]) -> Option<u32> {
+        caps.iter().position(|cap| cap.is_root).map(|k| k as u32)
+    }
 }
 
 /// Bytes of memory for each cell, while faces are found and files are written.

@@ -59,12 +59,7 @@ impl CubicEnergy<'_> {
             }
         }
         if let Some((wall, places, weight)) = self.wall {
-            for &v in places {
-                let (distance, slope) = wall.distance(positions[v as usize]);
-                let relative = distance / self.scale;
-                total += weight * relative * relative;
-                at[v as usize] += slope * (2.0 * weight * relative / self.scale);
-            }
+            wall.add_cost((places, weight), self.scale, positions, &mut total, at);
         }
         for (g, &v) in gradient.iter_mut().zip(self.free) {
             *g = at[v as usize];

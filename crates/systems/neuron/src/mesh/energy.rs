@@ -125,12 +125,7 @@ impl Energy<'_> {
             }
         }
         if let Some((wall, vertices, weight)) = self.wall {
-            for &v in vertices {
-                let (distance, slope) = wall.distance(positions[v as usize]);
-                let relative = distance / self.scale;
-                total += weight * relative * relative;
-                at[v as usize] += slope * (2.0 * weight * relative / self.scale);
-            }
+            wall.add_cost((vertices, weight), self.scale, positions, &mut total, at);
         }
         for (g, &v) in gradient.iter_mut().zip(self.free) {
             *g = at[v as usize];

@@ -22,6 +22,7 @@ mod sweep;
 mod tube;
 mod wall;
 
+pub(crate) use build::concentrations;
 pub use build::{Cap, NeuronMesh, mesh_neuron};
 pub use cubic::{CubicMesh, cubic_neuron};
 pub(crate) use cubic::{LINEAR_PARTS, cubic_vtu};

@@ -38,6 +38,24 @@ impl Wall {
         (nearest - self.blend * libm::log(sum), gradient / sum)
     }
 
+    /// Adds to an energy what leaving the wall costs some vertices, `weight` times the square of the distance over `scale`, and to its
+    /// gradient by all vertices.
+    pub(super) fn add_cost(
+        &self,
+        (vertices, weight): (&[u32], f64),
+        scale: f64,
+        positions: &[DVec3],
+        energy: &mut f64,
+        gradient: &mut [DVec3],
+    ) {
+        for &v in vertices {
+            let (distance, slope) = self.distance(positions[v as usize]);
+            let relative = distance / scale;
+            *energy += weight * relative * relative;
+            gradient[v as usize] += slope * (2.0 * weight * relative / scale);
+        }
+    }
+
     /// Where a ray from inside leaves the wall.
     pub(super) fn leave(&self, from: DVec3, direction: DVec3, scale: f64) -> DVec3 {
         let inside = |t: f64| self.distance(from + direction * t).0 < 0.0;

@@ -191,14 +191,10 @@ fn run(
 }
 
 fn inlet(mesh: &NeuronMesh, parameters: &Parameters) -> Result<u32, TransportError> {
-    let found = match parameters.inlet {
-        None => mesh.caps.iter().position(|cap| cap.is_root).ok_or(TransportError::NoInlet)?,
-        Some(sample) => mesh.caps.iter().position(|cap| cap.sample == sample).ok_or_else(|| {
-            let ends: Vec<String> = mesh.caps.iter().map(|cap| cap.sample.to_string()).collect();
-            TransportError::NotAnEnd { sample, ends: ends.join(", ") }
-        })?,
-    };
-    Ok(found as u32)
+    match parameters.inlet {
+        None => Cap::of_root(&mesh.caps).ok_or(TransportError::NoInlet),
+        Some(sample) => Cap::at(&mesh.caps, sample).map_err(|ends| TransportError::NotAnEnd { sample, ends }),
+    }
 }
 
 /// The equations: unknown `3 i + s` is kind s in cell i.

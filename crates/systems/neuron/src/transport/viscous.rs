@@ -3,9 +3,10 @@
 use super::discretisation::{Discretisation, EndFace};
 use super::error::TransportError;
 use super::flow::FlowField;
-use crate::mesh::cubic_vtu;
+use crate::mesh::{concentrations, cubic_vtu};
 use crate::{Cap, Flow};
 use glam::DVec3;
+use pompeiu_core::mesh::UnionFind;
 use pompeiu_solve::{Cholesky, LinearSolver, SparseMatrix};
 use pompeiu_volume::bernstein::value;
 use pompeiu_volume::{BezierMesh, FACE_AXES, Faces, bezier_volume, face_flux, face_points};
@@ -101,10 +102,8 @@ impl FlowCells {
     /// # Errors
     /// [`std::io::ErrorKind::InvalidInput`] unless there are concentrations for each cell.
     pub fn vtu(&self, values: &[[f64; 3]], linear: bool) -> std::io::Result<Vec<u8>> {
-        let column = |kind: usize| values.iter().map(|v| v[kind]).collect::<Vec<f64>>();
-        let total: Vec<f64> = values.iter().map(|v| v.iter().sum()).collect();
-        let [free, plus, minus] = [0, 1, 2].map(column);
-        let cells = [("total", total.as_slice()), ("free", &free), ("plus", &plus), ("minus", &minus)];
+        let columns = concentrations(values);
+        let cells = columns.each_ref().map(|(name, column)| (*name, column.as_slice()));
         cubic_vtu(&self.mesh, linear.then_some(1), &[], &cells)
     }
 }
@@ -155,12 +154,11 @@ fn balanced(
         entries.extend([(a, a, c), (b, b, c), (a, b, -c), (b, a, -c)]);
     }
     // One cell of each part that hangs together holds the potential.
-    let mut leader: Vec<usize> = (0..n).collect();
+    let mut joined = UnionFind::new(n);
     for &([a, b], _) in &mesh.links {
-        let (a, b) = (find(&mut leader, a as usize), find(&mut leader, b as usize));
-        leader[a.max(b)] = a.min(b);
+        joined.union(a as usize, b as usize);
     }
-    entries.extend((0..n).filter(|&k| leader[k] == k).map(|k| (k, k, 1.0)));
+    entries.extend((0..n).filter(|&k| joined.find(k) == k).map(|k| (k, k, 1.0)));
     let solver = Cholesky::new(&SparseMatrix::from_triplets(n, n, &entries)?)?;
     // The second time for what rounding left.
     for _ in 0..2 {
@@ -172,12 +170,4 @@ fn balanced(
     }
     let imbalance = net(&through).iter().fold(0.0, |most: f64, x| most.max(x.abs())) / area;
     Ok(FlowField { through, out, imbalance })
-}
-
-fn find(leader: &mut [usize], mut k: usize) -> usize {
-    while leader[k] != k {
-        leader[k] = leader[leader[k]];
-        k = leader[k];
-    }
-    k
 }

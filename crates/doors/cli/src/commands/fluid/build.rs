@@ -6,6 +6,7 @@ use crate::field::{self, FieldSource};
 use crate::printer::Printer;
 use anyhow::{Context, bail};
 use pompeiu::core::TriMesh;
+use pompeiu::core::geom::Aabb;
 use pompeiu::core::mesh::VertexData;
 use pompeiu::fluid::{Density, FluidOptions, Simulation, TimeStep, coriolis, tangential};
 use pompeiu::operators::FaceField;
@@ -56,13 +57,9 @@ const NOTABLE: f64 = 1e-3;
 
 fn options(scene: &Scene, mesh: &TriMesh, surface: &EmbeddedSurface) -> anyhow::Result<FluidOptions> {
     let Some(dt) = scene.dt else { bail!("no length of a step is given; name one with --dt") };
-    let bounds = [0, 1, 2].map(|k| {
-        mesh.positions().iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], p| {
-            [if p[k] < low { p[k] } else { low }, if p[k] > high { p[k] } else { high }]
-        })
-    });
+    let around = Aabb::of_points(mesh.positions());
     let densities = scene.densities.iter().map(|density| {
-        let Amounts { initial, source } = amounts(density, mesh, bounds)?;
+        let Amounts { initial, source } = amounts(density, mesh, &around)?;
         let count = mesh.positions().len();
         Ok(Density {
             name: density.name.clone(),
@@ -208,18 +205,14 @@ pub(super) struct Amounts {
     pub(super) source: Option<Vec<f64>>,
 }
 
-pub(super) fn amounts(
-    density: &DensityScene,
-    mesh: &TriMesh,
-    bounds: [[f64; 2]; 3],
-) -> anyhow::Result<Amounts> {
+pub(super) fn amounts(density: &DensityScene, mesh: &TriMesh, around: &Aabb) -> anyhow::Result<Amounts> {
     let count = mesh.positions().len();
     let mut initial = match &density.initial {
         Some(expression) => values(expression, &format!("density \"{}\"", density.name), mesh)?,
         None => vec![0.0; count],
     };
     if let Some(picture) = &density.picture {
-        initial.iter_mut().zip(darkness(picture, mesh, bounds)?).for_each(|(x, dark)| *x += dark);
+        initial.iter_mut().zip(darkness(picture, mesh, around)?).for_each(|(x, dark)| *x += dark);
     }
     let mut source = (!density.sources.is_empty()).then(|| vec![0.0; count]);
     for (region, rate) in &density.sources {
@@ -227,7 +220,7 @@ pub(super) fn amounts(
             Region::Ball(ball) => {
                 within(mesh, *ball).into_iter().map(|inside| f64::from(u8::from(inside))).collect()
             }
-            Region::Picture(picture) => darkness(picture, mesh, bounds)?,
+            Region::Picture(picture) => darkness(picture, mesh, around)?,
         };
         source.iter_mut().flatten().zip(shares).for_each(|(x, share)| *x += rate * share);
     }
@@ -235,13 +228,13 @@ pub(super) fn amounts(
 }
 
 /// How dark a picture is over each vertex, from 0 to 1, laid over a box as seen along an axis.
-pub(super) fn darkness(picture: &Overlay, mesh: &TriMesh, bounds: [[f64; 2]; 3]) -> anyhow::Result<Vec<f64>> {
+pub(super) fn darkness(picture: &Overlay, mesh: &TriMesh, around: &Aabb) -> anyhow::Result<Vec<f64>> {
     crate::files::check_readable(&picture.path)?;
     let shown = || picture.path.display().to_string();
     let pixels = Picture::read(&std::fs::read(&picture.path).with_context(shown)?).with_context(shown)?;
     // Right and up, as one looks against the axis.
     let [right, up] = [[1, 2], [2, 0], [0, 1]][picture.axis];
-    let [across, along] = [right, up].map(|k| bounds[k]);
+    let [across, along] = [right, up].map(|k| [around.lower[k], around.upper[k]]);
     let pixel = |x: f64, [low, high]: [f64; 2], count: usize| {
         let share = if high > low { (x - low) / (high - low) } else { 0.5 };
         ((share * count as f64) as usize).min(count - 1)

@@ -5,6 +5,7 @@ use super::scene::{Ball, Overlay, Scene};
 use crate::expression::values;
 use anyhow::{anyhow, bail};
 use pompeiu::core::TriMesh;
+use pompeiu::core::geom::Aabb;
 use pompeiu::core::mesh::shapes::{Diagonal, grid};
 use pompeiu::fluid::square::{Square, SquareDensity, SquareOptions};
 use std::path::Path;
@@ -13,7 +14,7 @@ use std::path::Path;
 const MOST_CELLS: usize = 4096;
 
 /// The unit square.
-const UNIT: [[f64; 2]; 3] = [[0.0, 1.0]; 3];
+const UNIT: Aabb = Aabb { lower: [0.0; 3], upper: [1.0; 3] };
 
 /// The centres of the cells as vertices.
 pub(super) fn centres(cells: usize) -> anyhow::Result<TriMesh> {
@@ -68,7 +69,7 @@ fn options(scene: &Scene, cells: usize, mesh: &TriMesh) -> anyhow::Result<Square
     let Some(dt) = scene.dt else { bail!("no length of a step is given; name one with --dt") };
     let count = cells * cells;
     let densities = scene.densities.iter().map(|density| {
-        let Amounts { initial, source } = amounts(density, mesh, UNIT)?;
+        let Amounts { initial, source } = amounts(density, mesh, &UNIT)?;
         Ok(SquareDensity {
             name: density.name.clone(),
             initial,
@@ -105,7 +106,7 @@ fn options(scene: &Scene, cells: usize, mesh: &TriMesh) -> anyhow::Result<Square
 fn obstacles(path: &Path, mesh: &TriMesh) -> anyhow::Result<Vec<bool>> {
     /// What is darker than this is dark.
     const DARK: f64 = 0.5;
-    let shares = darkness(&Overlay { path: path.to_owned(), axis: 2 }, mesh, UNIT)?;
+    let shares = darkness(&Overlay { path: path.to_owned(), axis: 2 }, mesh, &UNIT)?;
     Ok(shares.into_iter().map(|share| share > DARK).collect())
 }
 

@@ -102,45 +102,57 @@ fn check(output: Option<&Path>, as_json: bool, skeleton: &Path, what: &str) -> a
     }
 }
 
-pub(super) fn spline(args: &SplineArgs, printer: &Printer) -> anyhow::Result<Exit> {
-    let started = Instant::now();
-    check(args.output.as_deref(), args.json, &args.skeleton.skeleton, "a mesh")?;
-    let (mut run, skeleton) = Run::new(&args.skeleton, &args.limits, started)?;
+/// Meshes a skeleton with patches, and does what comes then.
+fn patched<'r, T>(
+    (choice, limits, patches): (&SkeletonChoice, &'r Limits, &Patches),
+    started: Instant,
+    printer: &Printer,
+    then: impl FnOnce(&mut Run<'r>, CubicMesh, &Wait, &dyn ProgressObserver) -> anyhow::Result<T>,
+) -> anyhow::Result<(Run<'r>, T)> {
+    let (mut run, skeleton) = Run::new(choice, limits, started)?;
     let wait = Wait::new(printer);
     let watch = |progress: &Progress<'_>| {
         wait.progress(progress);
         interrupt::flow()
     };
-    let Patches { elements, layer, linear } = args.patches;
-    let mesh = run.spline(&skeleton, layer, elements, &watch)?;
-    drop(wait);
-    if let Some(output) = &args.output {
-        let bytes = mesh.vtu(linear).with_context(|| output.display().to_string())?;
-        files::write_whole(output, &bytes, printer)?;
+    let mesh = run.spline(&skeleton, patches.layer, patches.elements, &watch)?;
+    let found = then(&mut run, mesh, &wait, &watch)?;
+    Ok((run, found))
+}
+
+/// Writes a file where one is named, answers, and ends.
+fn finish(
+    run: Run<'_>,
+    (output, as_json): (Option<&Path>, bool),
+    printer: &Printer,
+    bytes: impl FnOnce() -> std::io::Result<Vec<u8>>,
+) -> anyhow::Result<Exit> {
+    if let Some(output) = output {
+        files::write_whole(output, &bytes().with_context(|| output.display().to_string())?, printer)?;
     }
-    Ok(if run.answer(args.json)? { Exit::Done } else { Exit::Undecided })
+    Ok(if run.answer(as_json)? { Exit::Done } else { Exit::Undecided })
+}
+
+pub(super) fn spline(args: &SplineArgs, printer: &Printer) -> anyhow::Result<Exit> {
+    let started = Instant::now();
+    let output = args.output.as_deref();
+    check(output, args.json, &args.skeleton.skeleton, "a mesh")?;
+    let chosen = (&args.skeleton, &args.limits, &args.patches);
+    let (run, mesh) = patched(chosen, started, printer, |_, mesh, _, _| Ok(mesh))?;
+    finish(run, (output, args.json), printer, || mesh.vtu(args.patches.linear))
 }
 
 pub(super) fn flow(args: &FlowArgs, printer: &Printer) -> anyhow::Result<Exit> {
     let started = Instant::now();
-    check(args.output.as_deref(), args.json, &args.skeleton.skeleton, "a flow")?;
-    let parameters = parameters(args.config.as_deref())?;
-    let (mut run, skeleton) = Run::new(&args.skeleton, &args.limits, started)?;
-    let wait = Wait::new(printer);
-    let watch = |progress: &Progress<'_>| {
-        wait.progress(progress);
-        interrupt::flow()
-    };
-    let Patches { elements, layer, linear } = args.patches;
-    let mesh = run.spline(&skeleton, layer, elements, &watch)?;
-    wait.restart();
-    let flow = run.flow(&mesh, &parameters.flow, elements, &watch)?;
-    drop(wait);
-    if let Some(output) = &args.output {
-        let bytes = flow.vtu(linear).with_context(|| output.display().to_string())?;
-        files::write_whole(output, &bytes, printer)?;
-    }
-    Ok(if run.answer(args.json)? { Exit::Done } else { Exit::Undecided })
+    let output = args.output.as_deref();
+    check(output, args.json, &args.skeleton.skeleton, "a flow")?;
+    let parameters = parameters(args.config.as_deref())?.flow;
+    let chosen = (&args.skeleton, &args.limits, &args.patches);
+    let (run, flow) = patched(chosen, started, printer, |run, mesh, wait, watch| {
+        wait.restart();
+        run.flow(&mesh, &parameters, args.patches.elements, watch)
+    })?;
+    finish(run, (output, args.json), printer, || flow.vtu(args.patches.linear))
 }
 
 pub(super) fn run(args: &Everything, printer: &Printer) -> anyhow::Result<Exit> {
