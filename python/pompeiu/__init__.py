@@ -46,7 +46,16 @@ from .files import mesh_summary, write_mesh
 from .flattening import Cut, Flattening, Medial, cut, flatten, medial
 from .fluids import Simulation, SquareSimulation
 from .many import DistanceMatrix, RankReport, RankWork, Standing, distance_matrix, rank
-from .neurons import NeuronMesh, NeuronTransport, Skeleton, read_skeleton
+from .neurons import (
+    NeuronFlow,
+    NeuronMesh,
+    NeuronSplines,
+    NeuronTransport,
+    Skeleton,
+    read_neuron_mesh,
+    read_skeleton,
+    sweep_neurons,
+)
 from .outlines import Complexity, complexity, noisy_circle, polyline, read_outlines
 from .puzzles import Puzzle, puzzle
 from .results import (
@@ -90,7 +99,9 @@ __all__ = [
     "MeshSummary",
     "MeshWarning",
     "MissingFileError",
+    "NeuronFlow",
     "NeuronMesh",
+    "NeuronSplines",
     "NeuronTransport",
     "OptionError",
     "OutlineError",
@@ -141,10 +152,12 @@ __all__ = [
     "puzzle",
     "rank",
     "read_mesh",
+    "read_neuron_mesh",
     "read_outlines",
     "read_skeleton",
     "remesh",
     "shapes",
     "simplify",
+    "sweep_neurons",
     "write_mesh",
 ]

@@ -42,6 +42,17 @@ class Target:
     def bounds(self) -> list[_Vec3]: ...
     def directed_from(self, a: Mesh, options: _Options, progress: _Watch) -> str: ...
 
+class NeuronFlow:
+    def transport(
+        self,
+        parts: int,
+        config: str,
+        frames: int,
+        time_limit: Optional[float],
+        memory_limit: Optional[int],
+        progress: Optional[Callable[[float], Optional[bool]]],
+    ) -> tuple[NDArray[np.float64], list[int], NDArray[np.float64], float, str]: ...
+
 class NeuronHexahedra:
     def transport(
         self,
@@ -64,6 +75,24 @@ class NeuronSkeleton:
         NDArray[np.int32],
         NDArray[np.int64],
         bytes,
+        str,
+    ]: ...
+    def splines(
+        self, meshing: _Options, progress: Optional[Callable[[float], Optional[bool]]]
+    ) -> tuple[NDArray[np.float64], NDArray[np.uint32], NDArray[np.int32], bytes, str, str]: ...
+    def flow(
+        self, meshing: _Options, config: str, progress: Optional[Callable[[float], Optional[bool]]]
+    ) -> tuple[
+        NeuronFlow,
+        NDArray[np.float64],
+        NDArray[np.uint32],
+        NDArray[np.int32],
+        NDArray[np.float64],
+        NDArray[np.float64],
+        NDArray[np.int64],
+        NDArray[np.float64],
+        bytes,
+        str,
         str,
     ]: ...
 
@@ -194,6 +223,17 @@ def flatten(
     NDArray[np.uint32],
     NDArray[np.uint32],
     NDArray[np.float64],
+    str,
+]: ...
+def read_neuron_mesh(path: str, sides: list[str]) -> tuple[
+    NeuronHexahedra,
+    NDArray[np.float64],
+    NDArray[np.uint32],
+    NDArray[np.int32],
+    NDArray[np.uint32],
+    NDArray[np.int32],
+    NDArray[np.int64],
+    bytes,
     str,
 ]: ...
 def read_skeleton(

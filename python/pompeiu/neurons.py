@@ -1,4 +1,4 @@
-"""Neurons: skeletons read in all dialects of SWC, what is wrong with them, hexahedral meshes, and transport through them."""
+"""Neurons: skeletons read in all dialects of SWC, what is wrong with them, hexahedral meshes, flow and transport through them."""
 
 from __future__ import annotations
 
@@ -6,14 +6,24 @@ import json
 import math
 import os
 from dataclasses import dataclass
-from typing import Any, Callable, Dict, List, Optional, Union
+from functools import lru_cache
+from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
 from . import _native
 from .errors import MissingFileError, OptionError, ReadError, WriteError
 
-__all__ = ["NeuronMesh", "NeuronTransport", "Skeleton", "read_skeleton"]
+__all__ = [
+    "NeuronFlow",
+    "NeuronMesh",
+    "NeuronSplines",
+    "NeuronTransport",
+    "Skeleton",
+    "read_neuron_mesh",
+    "read_skeleton",
+    "sweep_neurons",
+]
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -44,6 +54,172 @@ class NeuronTransport:
     def __repr__(self) -> str:
         steps, balance = self.report["steps"], self.report["mass_balance"]
         return f"NeuronTransport({steps} steps, mass kept to {balance:.1e})"
+
+
+def _check_frames(frames: int) -> None:
+    if frames < 2:
+        raise OptionError(f"the number of frames is {frames}; at least 2 are needed")
+
+
+def _config(config: Union[str, "os.PathLike[str]"]) -> str:
+    """The text of a configuration, or of the file of one."""
+    if isinstance(config, str):
+        return config
+    name = os.fspath(config)
+    try:
+        with open(name, encoding="utf-8") as file:
+            return file.read()
+    except FileNotFoundError as error:
+        raise MissingFileError(f"{name}: there is no such file; check the name and the folder") from error
+    except (OSError, UnicodeDecodeError) as error:
+        raise ReadError(f"{name}: {error}") from error
+
+
+def _transport(found: Any, ends: int) -> NeuronTransport:
+    rows, steps, values, step, report = found
+    count = len(rows) // ends
+    return NeuronTransport(
+        step * np.arange(count),
+        rows.reshape(count, ends, 3),
+        step * np.array(steps),
+        values.reshape(len(steps), -1, 3),
+        json.loads(report),
+    )
+
+
+def _write_vtu(path: Union[str, "os.PathLike[str]"], content: bytes, what: str) -> None:
+    name = os.fspath(path)
+    if not name.lower().endswith(".vtu"):
+        raise WriteError(f"{name}: {what} is written as .vtu")
+    try:
+        with open(name, "wb") as file:
+            file.write(content)
+    except OSError as error:
+        raise WriteError(f"{name}: {error.strerror}") from error
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class NeuronSplines:
+    """A mesh of a neuron of tricubic cells, patches of cubic splines. Lengths are in micrometres.
+
+    Attributes
+    ----------
+    control_points : numpy.ndarray of float, shape (n, 3)
+        Places.
+    cells : numpy.ndarray of int, shape (m, 64)
+        The control points of each cell, the first axis fastest.
+    branches : numpy.ndarray of int, shape (m,)
+        The branch of each cell; -1, -2, … at nodes.
+    vtu : bytes
+        The mesh as a VTK unstructured grid of Bézier hexahedra.
+    report : dict
+        What ``pompeiu neuron spline --json`` says of it under ``mesh`` and ``spline``.
+    """
+
+    control_points: np.ndarray
+    cells: np.ndarray
+    branches: np.ndarray
+    vtu: bytes
+    report: Dict[str, Any]
+
+    @property
+    def certified(self) -> bool:
+        """Whether the Jacobian determinant is proven positive over every cell."""
+        return self.report["mesh"]["certified"]
+
+    def write(self, path: Union[str, "os.PathLike[str]"]) -> None:
+        """Writes the mesh as a ``.vtu`` file."""
+        _write_vtu(path, self.vtu, "a mesh of a neuron")
+
+    def __repr__(self) -> str:
+        verdict = "certified" if self.certified else "not certified"
+        return f"NeuronSplines({len(self.cells)} cells, {self.report['spline']['functions']} functions, {verdict})"
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class NeuronFlow:
+    """The steady viscous flow through a neuron. Lengths are in micrometres, times in seconds, pressures in pascals.
+
+    Attributes
+    ----------
+    control_points : numpy.ndarray of float, shape (n, 3)
+        Places.
+    cells : numpy.ndarray of int, shape (m, 64)
+        The control points of each cell, the first axis fastest.
+    branches : numpy.ndarray of int, shape (m,)
+        The branch of each cell; -1, -2, … at nodes.
+    velocity : numpy.ndarray of float, shape (n, 3)
+        Bézier coefficients of the velocity.
+    pressure : numpy.ndarray of float, shape (m,)
+        In the middle of each cell.
+    end_samples : numpy.ndarray of int, shape (c,)
+        For each flat end the number of its sample.
+    end_fluxes : numpy.ndarray of float, shape (c,)
+        What flows out there.
+    end_pressures : numpy.ndarray of float, shape (c,)
+        The mean pressure there.
+    vtu : bytes
+        The flow as a VTK unstructured grid of Bézier hexahedra.
+    report : dict
+        What ``pompeiu neuron flow --json`` says of it under ``mesh`` and ``flow``.
+    """
+
+    control_points: np.ndarray
+    cells: np.ndarray
+    branches: np.ndarray
+    velocity: np.ndarray
+    pressure: np.ndarray
+    end_samples: np.ndarray
+    end_fluxes: np.ndarray
+    end_pressures: np.ndarray
+    vtu: bytes
+    report: Dict[str, Any]
+    _flow: _native.NeuronFlow
+
+    def write(self, path: Union[str, "os.PathLike[str]"]) -> None:
+        """Writes the flow as a ``.vtu`` file."""
+        _write_vtu(path, self.vtu, "a flow")
+
+    def transport(
+        self,
+        config: Union[str, "os.PathLike[str]"] = "",
+        *,
+        parts: int = 2,
+        frames: int = 20,
+        time_limit: Optional[float] = None,
+        memory_limit: Optional[int] = None,
+        progress: Optional[Callable[[float], Optional[bool]]] = None,
+    ) -> NeuronTransport:
+        """Lets material diffuse and be carried along the flow: conservative, and without negative concentrations.
+
+        Parameters
+        ----------
+        config : str or path
+            Parameters as text (TOML with units, or pairs of names and values), or the path of a file of them. The flow stays as it is.
+        parts : int
+            Parts of each cell of the flow along each edge, 1 to 8.
+        frames : int
+            Fields that are kept, the first and the last among them.
+        time_limit, memory_limit : optional
+            Limits; with the first, the steps that are done are returned.
+        progress : callable, optional
+            Called with the share of steps that are done; ``False`` ends it.
+
+        Raises
+        ------
+        OptionError
+            As for :meth:`NeuronMesh.transport`.
+        """
+        _check_frames(frames)
+        if parts < 1:
+            raise OptionError(f"the number of parts of a cell is {parts}; expected 1 to 8")
+        text = _config(config)
+        found = self._flow.transport(int(parts), text, int(frames), time_limit, memory_limit, progress)
+        return _transport(found, len(self.end_samples))
+
+    def __repr__(self) -> str:
+        reynolds, drift = self.report["flow"]["reynolds"], self.report["flow"]["section_flux_drift"]
+        return f"NeuronFlow({len(self.cells)} cells, Reynolds number {reynolds:.3g}, fluxes kept to {drift:.1e})"
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -87,14 +263,7 @@ class NeuronMesh:
 
     def write(self, path: Union[str, "os.PathLike[str]"]) -> None:
         """Writes the mesh as a ``.vtu`` file."""
-        name = os.fspath(path)
-        if not name.lower().endswith(".vtu"):
-            raise WriteError(f"{name}: a mesh of a neuron is written as .vtu")
-        try:
-            with open(name, "wb") as file:
-                file.write(self.vtu)
-        except OSError as error:
-            raise WriteError(f"{name}: {error.strerror}") from error
+        _write_vtu(path, self.vtu, "a mesh of a neuron")
 
     def transport(
         self,
@@ -130,32 +299,31 @@ class NeuronMesh:
         >>> mesh.transport("[transport]\\nsteps = 5").ends.shape
         (6, 2, 3)
         """
-        if frames < 2:
-            raise OptionError(f"the number of frames is {frames}; at least 2 are needed")
-        text = config if isinstance(config, str) else ""
-        if not isinstance(config, str):
-            name = os.fspath(config)
-            try:
-                with open(name, encoding="utf-8") as file:
-                    text = file.read()
-            except FileNotFoundError as error:
-                raise MissingFileError(f"{name}: there is no such file; check the name and the folder") from error
-            except (OSError, UnicodeDecodeError) as error:
-                raise ReadError(f"{name}: {error}") from error
-        found = self._mesh.transport(text, int(frames), time_limit, memory_limit, progress)
-        ends, steps, values, step, report = found
-        count = len(ends) // len(self.cap_samples)
-        return NeuronTransport(
-            step * np.arange(count),
-            ends.reshape(count, len(self.cap_samples), 3),
-            step * np.array(steps),
-            values.reshape(len(steps), len(self.cells), 3),
-            json.loads(report),
-        )
+        _check_frames(frames)
+        found = self._mesh.transport(_config(config), int(frames), time_limit, memory_limit, progress)
+        return _transport(found, len(self.cap_samples))
 
     def __repr__(self) -> str:
         verdict = "certified" if self.certified else "not certified"
         return f"NeuronMesh({len(self.vertices)} vertices, {len(self.cells)} hexahedra, {verdict})"
+
+
+def _meshing(
+    elements: int,
+    layer: float,
+    threads: Optional[int],
+    time_limit: Optional[float],
+    memory_limit: Optional[int],
+) -> Dict[str, Any]:
+    if not 1 <= elements <= 4:
+        raise OptionError(f"the number of elements of a patch is {elements}; expected 1 to 4")
+    return {
+        "parts": int(elements),
+        "layer": float(layer),
+        "threads": threads,
+        "time_limit": time_limit,
+        "memory_limit": memory_limit,
+    }
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -240,6 +408,72 @@ class Skeleton:
         native, *found, report = self._skeleton.mesh(meshing, progress)
         return NeuronMesh(*found, json.loads(report), native)
 
+    def splines(
+        self,
+        *,
+        elements: int = 1,
+        layer: float = 2.0,
+        threads: Optional[int] = None,
+        time_limit: Optional[float] = None,
+        memory_limit: Optional[int] = None,
+        progress: Optional[Callable[[float], Optional[bool]]] = None,
+    ) -> NeuronSplines:
+        """Fills the neuron with tricubic cells, patches of cubic splines, every cell proven valid.
+
+        Parameters
+        ----------
+        elements : int
+            Elements of splines of each patch along each edge, 1 to 4.
+        layer : float
+            Length of a patch along a branch, in radii.
+        threads, time_limit, memory_limit, progress : optional
+            As for :meth:`mesh`.
+
+        Raises
+        ------
+        OptionError
+            As for :meth:`mesh`.
+
+        Examples
+        --------
+        >>> import pompeiu
+        >>> pompeiu.read_skeleton(b"1 2 0 0 0 1 -1\\n2 2 8 0 0 1 1\\n").splines()
+        NeuronSplines(20 cells, 849 functions, certified)
+        """
+        meshing = _meshing(elements, layer, threads, time_limit, memory_limit)
+        *found, mesh, spline = self._skeleton.splines(meshing, progress)
+        return NeuronSplines(*found, {"mesh": json.loads(mesh), "spline": json.loads(spline)})
+
+    def flow(
+        self,
+        config: Union[str, "os.PathLike[str]"] = "",
+        *,
+        elements: int = 1,
+        layer: float = 2.0,
+        threads: Optional[int] = None,
+        time_limit: Optional[float] = None,
+        memory_limit: Optional[int] = None,
+        progress: Optional[Callable[[float], Optional[bool]]] = None,
+    ) -> NeuronFlow:
+        """Fills the neuron with tricubic cells and solves for the steady viscous flow through them.
+
+        Parameters
+        ----------
+        config : str or path
+            Parameters as text in TOML with units, or the path of a file of them: the tables ``[flow]`` and ``[inlet]``.
+        elements, layer, threads, time_limit, memory_limit, progress
+            As for :meth:`splines`; the flow has the elements as cells.
+
+        Raises
+        ------
+        OptionError
+            As for :meth:`mesh`, and where nothing can flow.
+        """
+        meshing = _meshing(elements, layer, threads, time_limit, memory_limit)
+        native, *found, samples, ends, vtu, mesh, flow = self._skeleton.flow(meshing, _config(config), progress)
+        report = {"mesh": json.loads(mesh), "flow": json.loads(flow)}
+        return NeuronFlow(*found, samples, ends[:, 0], ends[:, 1], vtu, report, native)
+
     def __repr__(self) -> str:
         branches, tips = self.report["branches"], self.report["tips"]
         return f"Skeleton({len(self.ids)} samples, {branches} branches, {tips} tips, {len(self.problems)} problems)"
@@ -302,3 +536,110 @@ def read_skeleton(
             raise
         raise ReadError(f"{name}: {error}") from None
     return Skeleton(*parts, json.loads(report), native)
+
+
+def read_neuron_mesh(source: Union[str, "os.PathLike[str]"], *, sides: Sequence[str] = ()) -> NeuronMesh:
+    """Reads a hexahedral mesh from a ``.vtk`` or ``.vtu`` file, for transport through it: heat in a block, for instance.
+
+    Parameters
+    ----------
+    source : path
+        An unstructured grid of hexahedra.
+    sides : sequence of str
+        Sides of the box around the mesh that are its ends, such as ``["-x", "+x"]``: the inlet first. Without them, the ends are where
+        the file's point data ``label`` says so: 1 at the inlet, 2 and more at other ends.
+
+    Raises
+    ------
+    ReadError
+        If the file holds no hexahedra.
+    OptionError
+        If a cell is folded, cells do not meet face to face, or a side is no end.
+    """
+    name = os.fspath(source)
+    if not os.path.exists(name):
+        raise MissingFileError(f"{name}: there is no such file; check the name and the folder")
+    native, *found, report = _native.read_neuron_mesh(name, list(sides))
+    return NeuronMesh(*found, json.loads(report), native)
+
+
+@lru_cache(maxsize=2)
+def _sweep_mesh(content: bytes, options: Tuple[bool, int, float, int]) -> NeuronMesh:
+    """The mesh of a skeleton, made once for each process that works on a sweep."""
+    repair, parts, layer, threads = options
+    return read_skeleton(content, repair=repair).mesh(parts=parts, layer=layer, threads=threads)
+
+
+@lru_cache(maxsize=2)
+def _sweep_flow(content: bytes, config: str, options: Tuple[bool, int, float, int]) -> NeuronFlow:
+    repair, _, layer, threads = options
+    return read_skeleton(content, repair=repair).flow(config, layer=layer, threads=threads)
+
+
+def _sweep_task(
+    content: bytes, config: str, viscous: bool, frames: int, options: Tuple[bool, int, float, int]
+) -> NeuronTransport:
+    """Transport through one neuron with one configuration: a pure function of its arguments."""
+    if viscous:
+        return _sweep_flow(content, config, options).transport(config, parts=options[1], frames=frames)
+    return _sweep_mesh(content, options).transport(config, frames=frames)
+
+
+def _sweep_inputs(
+    skeletons: Sequence[Union[str, "os.PathLike[str]", bytes]],
+    configs: Sequence[Union[str, "os.PathLike[str]"]],
+    frames: int,
+) -> Tuple[List[bytes], List[str]]:
+    """The contents of files; what is wrong with one is an error before anything is computed."""
+    _check_frames(frames)
+    contents = []
+    for skeleton in skeletons:
+        if not isinstance(skeleton, bytes):
+            name = os.fspath(skeleton)
+            read_skeleton(name, repair=True)
+            with open(name, "rb") as file:
+                skeleton = file.read()
+        contents.append(skeleton)
+    return contents, [_config(config) for config in configs]
+
+
+def sweep_neurons(
+    skeletons: Sequence[Union[str, "os.PathLike[str]", bytes]],
+    configs: Sequence[Union[str, "os.PathLike[str]"]],
+    *,
+    viscous: bool = False,
+    repair: bool = False,
+    parts: int = 2,
+    layer: float = 2.0,
+    frames: int = 2,
+    threads: int = 1,
+) -> List[List[NeuronTransport]]:
+    """Transport through several neurons with several configurations; :func:`pompeiu.ray.sweep_neurons` does it on many machines.
+
+    Parameters
+    ----------
+    skeletons : sequence of path or bytes
+        SWC files, or what is in them.
+    configs : sequence of str or path
+        Configurations as text, or paths of files of them: velocities, rates, ends.
+    viscous : bool
+        Solve for the viscous flow of each neuron and configuration, and move along it, as ``pompeiu neuron`` does; without it motors
+        follow the potential flow, as with ``pompeiu neuron transport``.
+    repair, parts, layer, frames
+        As for :func:`read_skeleton`, :meth:`Skeleton.mesh` and :meth:`NeuronMesh.transport`.
+    threads : int
+        Processors for meshing and for the flow. Results are the same for any number.
+
+    Returns
+    -------
+    list of list of NeuronTransport
+        For each skeleton, one for each configuration.
+
+    Raises
+    ------
+    ReadError, OptionError
+        For the first skeleton or configuration that makes no sense.
+    """
+    contents, texts = _sweep_inputs(skeletons, configs, frames)
+    options = (bool(repair), int(parts), float(layer), int(threads))
+    return [[_sweep_task(content, text, viscous, frames, options) for text in texts] for content in contents]

@@ -1,4 +1,4 @@
-"""The same ranking and the same matrix on a Ray cluster; needs ``pip install pompeiu[ray]``.
+"""The same ranking, the same matrix and the same sweep on a Ray cluster; needs ``pip install pompeiu[ray]``.
 
 Tasks are pure functions of meshes, and the driver takes the results of a round in the order of its tasks: so the same bits come out
 as on one machine, whichever worker did what, and however often.
@@ -15,7 +15,7 @@ from __future__ import annotations
 import json
 import os
 from functools import lru_cache
-from typing import Any, Callable, Iterable, Iterator, List, Optional, Sequence
+from typing import Any, Callable, Iterable, Iterator, List, Optional, Sequence, Union
 
 import ray
 
@@ -24,10 +24,11 @@ from ._native import Mesh
 from .distance import DEFAULT_TOLERANCE, ToleranceKind
 from .errors import OptionError, ReadError
 from .many import Alignment, DistanceMatrix, Measure, RankReport, Targets, named, rank_options
+from .neurons import NeuronTransport, _sweep_inputs, _sweep_task
 from .progress import StepsLike, watching_steps
 from .sources import MeshLike, as_mesh
 
-__all__ = ["distance_matrix", "rank"]
+__all__ = ["distance_matrix", "rank", "sweep_neurons"]
 
 #: How often a task is tried again when the worker that did it is lost.
 RETRIES = 5
@@ -55,6 +56,12 @@ def _perform(template: "list[ray.ObjectRef]", options: str, mesh: Mesh, action: 
 def _measure(to: Mesh, sources: "list[ray.ObjectRef]", width: "tuple[float, str]", threads: int) -> List[str]:
     """A task of a matrix: how far some meshes are from another."""
     return _native.matrix_entries(to, ray.get(sources), width, threads)
+
+
+@ray.remote(max_retries=RETRIES)
+def _move(content: bytes, config: str, viscous: bool, frames: int, options: Any) -> NeuronTransport:
+    """A task of a sweep: transport through one neuron with one configuration."""
+    return _sweep_task(content, config, viscous, frames, options)
 
 
 class _Stopped(Exception):
@@ -239,3 +246,50 @@ def distance_matrix(
     for (to, sources), found in zip(blocks, results):
         entries.set(to, list(zip(sources, found)))
     return DistanceMatrix._of(*entries.arrays())
+
+
+def sweep_neurons(
+    skeletons: Sequence[Union[str, "os.PathLike[str]", bytes]],
+    configs: Sequence[Union[str, "os.PathLike[str]"]],
+    *,
+    viscous: bool = False,
+    repair: bool = False,
+    parts: int = 2,
+    layer: float = 2.0,
+    frames: int = 2,
+    threads: int = 1,
+) -> List[List[NeuronTransport]]:
+    """Transport through several neurons as :func:`pompeiu.sweep_neurons` has it, on a Ray cluster; the same to the last bit.
+
+    Each pair of a skeleton and a configuration is a task; a worker that has meshed a skeleton keeps the mesh for the next.
+
+    Parameters
+    ----------
+    skeletons, configs, viscous, repair, parts, layer, frames
+        As for :func:`pompeiu.sweep_neurons`.
+    threads : int
+        Processors that one task takes.
+
+    Returns
+    -------
+    list of list of NeuronTransport
+        For each skeleton, one for each configuration.
+
+    Raises
+    ------
+    ReadError, OptionError, ray.exceptions.RayError
+        As for :func:`rank`; what is wrong with a configuration is said by the task that comes to it.
+    """
+    contents, texts = _sweep_inputs(skeletons, configs, frames)
+    places = _places(threads)
+    store = [ray.put(content) for content in contents]
+    options = (bool(repair), int(parts), float(layer), int(threads))
+    task = _move.options(num_cpus=threads)
+
+    def submission(content: "ray.ObjectRef", text: str) -> Callable[[], Any]:
+        return lambda: task.remote(content, text, viscous, frames, options)
+
+    pairs = [submission(content, text) for content in store for text in texts]
+    results = _in_order(pairs, places, lambda: None)
+    count = len(texts)
+    return [results[count * k : count * (k + 1)] for k in range(len(store))]

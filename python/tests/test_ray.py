@@ -100,3 +100,12 @@ def test_what_is_wrong_is_said_before_anything_is_sent(cluster):
         distributed.rank(([[0, 0, 0]], [[0, 0, 0]]), TORI, alignment="rigid")
     with pytest.raises(pompeiu.OptionError, match="the tolerance is -1"):
         distributed.distance_matrix(TORI, tolerance=-1)
+
+
+def test_a_sweep_over_neurons_is_the_same_to_the_last_bit(cluster):
+    tube = b"1 2 0 0 0 1 -1\n2 2 8 0 0 1 1\n"
+    configs = [f'[transport]\nspeed_plus = "{speed} um/s"\nsteps = 3\n' for speed in (0.5, 1)]
+    there = pompeiu.ray.sweep_neurons([tube, tube], configs, parts=1)
+    here = pompeiu.sweep_neurons([tube, tube], configs, parts=1)
+    assert [[found.report for found in row] for row in there] == [[found.report for found in row] for row in here]
+    assert all((a.ends == b.ends).all() for rows in zip(there, here) for a, b in zip(*rows))

@@ -1,6 +1,7 @@
 //! How cells meet: conformity, boundary, components.
 
 use crate::{HexMesh, VolumeError};
+use pompeiu_core::mesh::UnionFind;
 use rayon::prelude::*;
 
 /// The corners of the six faces of a cell, counter-clockwise seen from outside.
@@ -60,7 +61,8 @@ impl Faces {
         all.par_sort_unstable();
         let vertices = |cell: u32, place: u8| FACES[place as usize].map(|k| cells[cell as usize][k]);
         let (mut inner, mut boundary) = (Vec::new(), Vec::new());
-        let mut leader: Vec<u32> = (0..cells.len() as u32).collect();
+        let mut joined = UnionFind::new(cells.len());
+        let mut components = cells.len();
         for run in all.chunk_by(|a, b| a.0 == b.0) {
             match *run {
                 [(_, cell, place)] => {
@@ -68,8 +70,7 @@ impl Faces {
                 }
                 [(_, a, p), (_, b, q)] if are_opposite(vertices(a, p), vertices(b, q)) => {
                     inner.push(InnerFace { vertices: vertices(a, p), cells: [a, b], places: [p, q] });
-                    let (a, b) = (find(&mut leader, a), find(&mut leader, b));
-                    leader[a.max(b) as usize] = a.min(b);
+                    components -= usize::from(joined.union(a as usize, b as usize));
                 }
                 _ => {
                     return Err(VolumeError::NotConforming { cells: [run[0].1 as usize, run[1].1 as usize] });
@@ -78,7 +79,6 @@ impl Faces {
         }
         inner.sort_unstable_by_key(|face| (face.cells[0], face.places[0]));
         boundary.sort_unstable_by_key(|face| (face.cell, face.place));
-        let components = (0..cells.len() as u32).filter(|&cell| leader[cell as usize] == cell).count();
         Ok(Self { inner, boundary, components })
     }
 
@@ -96,14 +96,6 @@ impl Faces {
     pub fn components(&self) -> usize {
         self.components
     }
-}
-
-fn find(leader: &mut [u32], mut cell: u32) -> u32 {
-    while leader[cell as usize] != cell {
-        leader[cell as usize] = leader[leader[cell as usize] as usize];
-        cell = leader[cell as usize];
-    }
-    cell
 }
 
 /// Whether two rounds of the same four vertices run against each other.

@@ -11,6 +11,8 @@
 //! | [`Faces`] | conformity, boundary, components |
 //! | [`BezierMesh`], [`certify_bezier`] | tricubic cells, and the same proof for them |
 //! | [`SplineSpace`] | cubic splines over patches, continuous across them |
+//! | [`UnstructuredSplines`], [`read_bzpt`], [`controlmesh`] | splines with a function for each vertex, and the files of `NeuronTransportIGA` |
+//! | [`partition`], [`epart`] | cells dealt out to processes, as METIS writes it |
 //! | [`Refinement`] | lattices in cells that conform where cells do |
 //! | [`write_vtu`], [`write_bezier_vtu`], [`CellData`] | unstructured grids of VTK |
 //!
@@ -29,18 +31,24 @@ mod bezier;
 mod bezier_jacobian;
 mod error;
 mod faces;
+mod iga_files;
 mod jacobian;
 mod mesh;
+mod partition;
 mod refinement;
 mod spline;
+mod unstructured;
 mod vtu;
 
 pub use bezier::{BezierMesh, CORNERS_OF_64, FACE_AXES, bezier_volume, face_flux, face_points, place_of_64};
 pub use bezier_jacobian::{QUALITY_PLACES, certify_bezier, scaled_jacobian_bezier, slopes_at};
 pub use error::VolumeError;
 pub use faces::{BoundaryFace, FACES, Faces, InnerFace};
+pub use iga_files::{IgaFileError, controlmesh, iga_units, read_bzmeshinfo, read_bzpt};
 pub use jacobian::{Jacobian, certify, scaled_jacobian, volume};
 pub use mesh::HexMesh;
+pub use partition::{PartitionQuality, epart, partition, partition_quality};
 pub use refinement::{CORNER_PLACES, Refinement, RefinementKey, key_weights};
 pub use spline::{Line, SplineSpace};
+pub use unstructured::{CellKind, CellSplines, UnstructuredSplines};
 pub use vtu::{CellData, PointData, write_bezier_vtu, write_vtu};

@@ -14,7 +14,7 @@ use pompeiu::hausdorff::deviation::BandError;
 use pompeiu::io::{AttributeError, ReadError, WriteError};
 use pompeiu::matching::align::AlignError;
 use pompeiu::matching::rank::RankError;
-use pompeiu::neuron::{MeshError as NeuronMeshError, SwcError, TransportError};
+use pompeiu::neuron::{FlowError as NeuronFlowError, MeshError as NeuronMeshError, SwcError, TransportError};
 use pompeiu::operators::OperatorError;
 use pompeiu::planar::OutlineError;
 use pompeiu::puzzle::PuzzleError;
@@ -70,6 +70,7 @@ raise_as! {
     GeometryError => SurfaceError,
     InternalError => OptionError,
     MeshError => MeshError,
+    NeuronFlowError => OptionError,
     NeuronMeshError => OptionError,
     OperatorError => FieldError,
     OptionError => OptionError,

@@ -16,6 +16,7 @@ mod json;
 mod matching;
 mod mesh;
 mod neuron;
+mod neuron_flow;
 mod puzzle;
 mod shapes;
 mod square;
@@ -47,7 +48,9 @@ mod _native {
     #[pymodule_export]
     use crate::mesh::Mesh;
     #[pymodule_export]
-    use crate::neuron::{NeuronHexahedra, NeuronSkeleton, read_skeleton};
+    use crate::neuron::{NeuronHexahedra, NeuronSkeleton, read_neuron_mesh, read_skeleton};
+    #[pymodule_export]
+    use crate::neuron_flow::NeuronFlow;
     #[pymodule_export]
     use crate::puzzle::puzzle;
     #[pymodule_export]

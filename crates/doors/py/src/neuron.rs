@@ -4,12 +4,15 @@ use crate::arrays::array_of_rows;
 use crate::errors::Raise;
 use crate::hausdorff::limits;
 use crate::json::written;
+use crate::neuron_flow::{self, FlowParts, SplineParts};
 use crate::wait::{self, Share, Watch};
 use numpy::{IntoPyArray, PyArray1, PyArray2};
 use pompeiu::neuron::{
-    MeshError, MeshOptions, NeuronMesh, Preparation, Skeleton, SmoothOptions, SwcError, SwcRow,
-    TransportOptions, mesh_neuron, prepare, read_transport_config, transport, write_swc,
+    Ends, MeshError, MeshOptions, NeuronMesh, Parameters, Preparation, Side, Skeleton, SmoothOptions,
+    SwcError, SwcRow, Transport, TransportOptions, mesh_neuron, prepare, read_transport_config, transport,
+    write_swc,
 };
+use pompeiu::volume::HexMesh;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
@@ -69,6 +72,11 @@ pub(crate) struct Meshing {
 }
 
 impl Meshing {
+    /// Elements of patches, and how to mesh with tricubic cells.
+    pub(crate) fn of_patches(self) -> PyResult<(usize, MeshOptions<'static>)> {
+        Ok((self.parts, Self { parts: 1, ..self }.options()?))
+    }
+
     fn options(self) -> PyResult<MeshOptions<'static>> {
         Ok(MeshOptions {
             parts: self.parts,
@@ -108,35 +116,78 @@ impl NeuronSkeleton {
     ) -> PyResult<MeshParts<'py>> {
         let options = meshing.options()?;
         let found = wait::run(py, progress, |watch: &mut Watch<'_, Share>| {
-            let found = mesh_neuron(&self.0, &MeshOptions { progress: Some(&*watch), ..options })?;
-            let file = found.vtu().map_err(|_| MeshError::Stopped)?;
-            Ok::<_, MeshError>((found, file))
+            mesh_neuron(&self.0, &MeshOptions { progress: Some(&*watch), ..options })
         })?;
-        let (found, file) = found.map_err(Raise::raise)?;
-        let caps = found.labels.iter().map(|&label| label.cast_signed() - 1).collect::<Vec<_>>();
-        let branches = found.parts.clone().into_pyarray(py);
-        let positions = found.mesh.positions().iter().copied().map(<[f64; 3]>::from).collect();
-        let cells = array_of_rows(py, found.mesh.cells().to_vec())?;
-        let boundary = found.faces.boundary().iter().map(|face| face.vertices).collect();
-        let samples = found.caps.iter().map(|cap| cap.sample).collect::<Vec<_>>().into_pyarray(py);
-        let report = written(&found.report)?;
-        Ok((
-            NeuronHexahedra(found),
-            array_of_rows(py, positions)?,
-            cells,
-            branches,
-            array_of_rows(py, boundary)?,
-            caps.into_pyarray(py),
-            samples,
-            PyBytes::new(py, &file),
-            report,
-        ))
+        mesh_parts(py, found.map_err(Raise::raise)?)
     }
+
+    /// Fills the neuron with tricubic cells, each cut into this many spline elements along each edge.
+    fn splines<'py>(
+        &self,
+        py: Python<'py>,
+        meshing: Meshing,
+        progress: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<SplineParts<'py>> {
+        neuron_flow::splines(py, &self.0, meshing, progress)
+    }
+
+    /// Fills the neuron with tricubic cells and solves for the flow through them.
+    fn flow<'py>(
+        &self,
+        py: Python<'py>,
+        meshing: Meshing,
+        config: &str,
+        progress: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<FlowParts<'py>> {
+        neuron_flow::flow(py, &self.0, meshing, config, progress)
+    }
+}
+
+/// A mesh as the Python half takes it.
+fn mesh_parts(py: Python<'_>, found: NeuronMesh) -> PyResult<MeshParts<'_>> {
+    let file = found.vtu().map_err(|_| MeshError::Stopped.raise())?;
+    let caps = found.labels.iter().map(|&label| label.cast_signed() - 1).collect::<Vec<_>>();
+    let branches = found.parts.clone().into_pyarray(py);
+    let positions = found.mesh.positions().iter().copied().map(<[f64; 3]>::from).collect();
+    let cells = array_of_rows(py, found.mesh.cells().to_vec())?;
+    let boundary = found.faces.boundary().iter().map(|face| face.vertices).collect();
+    let samples = found.caps.iter().map(|cap| cap.sample).collect::<Vec<_>>().into_pyarray(py);
+    let report = written(&found.report)?;
+    Ok((
+        NeuronHexahedra(found),
+        array_of_rows(py, positions)?,
+        cells,
+        branches,
+        array_of_rows(py, boundary)?,
+        caps.into_pyarray(py),
+        samples,
+        PyBytes::new(py, &file),
+        report,
+    ))
 }
 
 /// What became of material: concentrations at the flat ends after each step, one row for each end and step; steps, times and
 /// concentrations of frames; how many seconds a step takes; what is said of it.
-type TransportParts<'py> = (Bound<'py, PyArray2<f64>>, Vec<usize>, Bound<'py, PyArray2<f64>>, f64, String);
+pub(crate) type TransportParts<'py> =
+    (Bound<'py, PyArray2<f64>>, Vec<usize>, Bound<'py, PyArray2<f64>>, f64, String);
+
+/// What became of material, as the Python half takes it.
+pub(crate) fn transport_parts<'py>(
+    py: Python<'py>,
+    found: Transport,
+    parameters: &Parameters,
+) -> PyResult<TransportParts<'py>> {
+    let state = found.state;
+    let steps = state.frames.iter().map(|frame| frame.step).collect();
+    let values = state.frames.into_iter().flat_map(|frame| frame.values).collect();
+    Ok((
+        array_of_rows(py, state.ends.into_iter().flatten().collect())?,
+        steps,
+        array_of_rows(py, values)?,
+        parameters.step,
+        written(&found.report)?,
+    ))
+}
 
 #[pymethods]
 impl NeuronHexahedra {
@@ -153,19 +204,36 @@ impl NeuronHexahedra {
         let parameters = read_transport_config(config).map_err(Raise::raise)?;
         let limits = limits(None, time_limit, memory_limit)?;
         let found = wait::run(py, progress, |watch: &mut Watch<'_, Share>| {
-            let options = TransportOptions { limits, progress: Some(&*watch) };
+            let options = TransportOptions { limits, progress: Some(&*watch), resume: None };
             transport(&self.0, &parameters, frames, &options)
         })?;
-        let found = found.map_err(Raise::raise)?;
-        let ends = found.ends.into_iter().flatten().collect();
-        let steps = found.frames.iter().map(|frame| frame.step).collect();
-        let values = found.frames.into_iter().flat_map(|frame| frame.values).collect();
-        Ok((
-            array_of_rows(py, ends)?,
-            steps,
-            array_of_rows(py, values)?,
-            parameters.step,
-            written(&found.report)?,
-        ))
+        transport_parts(py, found.map_err(Raise::raise)?, &parameters)
     }
+}
+
+/// Reads a hexahedral mesh with ends at the sides of the box around it, or where labels of its vertices are.
+#[pyfunction]
+#[expect(clippy::needless_pass_by_value, reason = "arguments come from Python")]
+pub(crate) fn read_neuron_mesh(
+    py: Python<'_>,
+    path: std::path::PathBuf,
+    sides: Vec<String>,
+) -> PyResult<MeshParts<'_>> {
+    let sides = sides.iter().map(|name| {
+        let side = Side::from_name(name).ok_or(MeshError::UnknownSide { name: name.clone() });
+        side.map_err(Raise::raise)
+    });
+    let sides = sides.collect::<PyResult<Vec<_>>>()?;
+    let read = py.detach(|| pompeiu::io::read_hexahedra(&path)).map_err(Raise::raise)?;
+    let positions = read.positions.into_iter().map(Into::into).collect();
+    let found = py.detach(|| {
+        let mesh = HexMesh::new(positions, read.cells)?;
+        let ends = match &read.labels {
+            _ if !sides.is_empty() => Ends::Sides(&sides),
+            Some(labels) => Ends::Labels(labels),
+            None => Ends::None,
+        };
+        NeuronMesh::from_hexahedra(mesh, ends)
+    });
+    mesh_parts(py, found.map_err(Raise::raise)?)
 }

@@ -17,6 +17,7 @@ mod expansion;
 mod face_vectors;
 mod format;
 mod formats;
+mod hexahedra;
 mod loops;
 mod polygon;
 mod raw;
@@ -31,6 +32,7 @@ mod write;
 pub use error::{FormatError, Location, ReadError};
 pub use face_vectors::read_face_vectors;
 pub use format::Format;
+pub use hexahedra::{Hexahedra, read_hexahedra};
 pub use loops::read_loops;
 pub use read::{ReadMesh, read, read_bytes, read_mesh, referenced_files};
 pub use write::{

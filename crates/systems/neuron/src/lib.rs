@@ -13,6 +13,7 @@
 //! | [`cubic_neuron`], [`CubicMesh`], [`SplineReport`] | the same with tricubic cells, and splines over them |
 //! | [`neuron_flow`], [`FlowParameters`], [`Flow`] | steady viscous flow, conservative cell by cell |
 //! | [`transport`], [`transport_in_flow`], [`Parameters`], [`read_transport_config`] | diffusion and motors in both directions, conservative and without negative concentrations |
+//! | [`NeuronMesh::from_hexahedra`], [`CubicMesh::from_hexahedra`], [`Ends`] | the same for meshes from elsewhere |
 //! | [`NeuronReport`], [`SkeletonReport`] | what is said of a neuron and of its skeleton |
 //! | [`RoundCone`], [`Curve`] | the tubes and their smooth axes |
 //!
@@ -35,6 +36,8 @@ mod mesh;
 mod prepare;
 mod problems;
 mod report;
+#[cfg(feature = "figures")]
+mod show;
 mod skeleton;
 mod smooth;
 mod spline;
@@ -49,17 +52,20 @@ pub use flow::{
     NEWTON_TOLERANCE, neuron_flow,
 };
 pub use mesh::{
-    Cap, CubicMesh, MeshError, MeshOptions, MeshReport, NeuronMesh, SurfaceDistance, cubic_neuron,
-    mesh_neuron,
+    Cap, CubicMesh, Ends, MeshError, MeshOptions, MeshReport, NeuronMesh, Side, SurfaceDistance,
+    cubic_neuron, mesh_neuron,
 };
 pub use prepare::{Preparation, prepare};
 pub use problems::{MOST_TURN, Problem, ProblemKind, problems};
 pub use report::{NeuronReport, SkeletonReport, Timing};
+#[cfg(feature = "figures")]
+pub use show::{NeuronPage, NeuronSurface};
 pub use skeleton::{Repair, RepairAction, SOMA, Sample, Skeleton, Soma};
 pub use smooth::{SkeletonDeviation, SmoothOptions, smooth};
 pub use spline::SplineReport;
 pub use swc::{SwcRow, read_swc, write_swc};
 pub use transport::{
-    Discretisation, FlowCells, FlowField, Frame, Parameters, TipReport, Transport, TransportError,
-    TransportOptions, TransportReport, potential_flow, read_transport_config, transport, transport_in_flow,
+    Discretisation, FlowCells, FlowField, Frame, Parameters, TimeScheme, TipReport, Transport,
+    TransportError, TransportOptions, TransportReport, TransportState, potential_flow, read_transport_config,
+    transport, transport_in_flow,
 };

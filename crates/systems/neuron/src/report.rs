@@ -49,8 +49,9 @@ impl SkeletonReport {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct NeuronReport {
-    /// The skeleton.
-    pub skeleton: SkeletonReport,
+    /// The skeleton; left out where a mesh was given.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub skeleton: Option<SkeletonReport>,
     /// The mesh.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub mesh: Option<MeshReport>,
@@ -73,7 +74,7 @@ pub struct NeuronReport {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Timing {
-    /// Reading and looking at the skeleton.
+    /// Reading and looking at the skeleton or mesh.
     pub skeleton: f64,
     /// Meshing.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "tests may panic")]
 
 mod splines;
+mod unstructured;
 
 use glam::DVec3;
 use pompeiu_volume::{

@@ -10,6 +10,7 @@ mod vtk;
 
 use crate::error::FormatError;
 use crate::format::Format;
+use crate::hexahedra::Hexahedra;
 use crate::raw::RawMesh;
 use std::path::{Path, PathBuf};
 
@@ -43,6 +44,18 @@ pub(crate) fn referenced_files(format: Format, input: Input<'_>) -> Vec<PathBuf>
     match format {
         Format::Gltf | Format::Glb => gltf::referenced_files(input),
         _ => Vec::new(),
+    }
+}
+
+/// Reads the hexahedra of `input`; `None` if the format has none.
+pub(crate) fn read_hexahedra(
+    format: Option<Format>,
+    input: Input<'_>,
+) -> Option<Result<Hexahedra, FormatError>> {
+    match format {
+        Some(Format::VtkLegacy) => Some(vtk::read_legacy_hexahedra(input.bytes)),
+        Some(Format::Vtu) => Some(vtk::read_hexahedra(input)),
+        _ => None,
     }
 }
 

@@ -20,7 +20,7 @@ pub enum FlowError {
     },
     /// Nothing can come in.
     #[error(
-        "no root of the skeleton is a flat end, so that there is no inlet: the root is inside the neuron or is a soma; name the sample of a tip with [inlet] sample"
+        "no root of the skeleton is a flat end, so that there is no inlet: the root is inside the neuron or is a soma; name the sample of a tip with [inlet] sample, or for a mesh a side of it with [inlet] side"
     )]
     NoInlet,
     /// A sample that is named is no flat end.

@@ -126,6 +126,41 @@ pub enum MeshError {
         /// What it must be.
         expected: &'static str,
     },
+    /// There is no cell.
+    #[error("the mesh has no hexahedron")]
+    NoCell,
+    /// A cell of a mesh from elsewhere is folded.
+    #[error(
+        "cell {cell} (the first is 0) is folded or stands on its head: its scaled Jacobian is {quality:.3}"
+    )]
+    Folded {
+        /// The worst cell.
+        cell: usize,
+        /// Its scaled Jacobian.
+        quality: f64,
+    },
+    /// A side of the box around a mesh is no end.
+    #[error("the side {side} is no end of the mesh: {problem}")]
+    Side {
+        /// The side.
+        side: &'static str,
+        /// Why.
+        problem: &'static str,
+    },
+    /// A name that is no side of a box.
+    #[error("{name:?} is no side of a box; expected -x, +x, -y, +y, -z or +z")]
+    UnknownSide {
+        /// The name.
+        name: String,
+    },
+    /// Numbers of ends are not those of vertices.
+    #[error("there are {found} labels of ends for {vertices} vertices")]
+    Labels {
+        /// Labels there are.
+        found: usize,
+        /// Vertices there are.
+        vertices: usize,
+    },
     /// Cells do not fit together.
     #[error("the mesh is wrong: {0}")]
     Volume(#[from] VolumeError),

@@ -1,7 +1,7 @@
 //! Tubes that meet where they should not.
 
 use super::{Problem, ProblemKind};
-use crate::{RoundCone, Skeleton};
+use crate::{RoundCone, Sample, Skeleton};
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
@@ -48,19 +48,23 @@ pub(super) fn problems(skeleton: &Skeleton, branches: &[Vec<usize>]) -> Vec<Prob
                 samples[first].id, samples[second].id
             )
         };
-        found.push(Problem {
-            kind: ProblemKind::Overlap,
-            branch: Some(a),
-            sample: samples[first].id,
-            line: samples[first].line,
-            other_branch: Some(b),
-            other_sample: Some(samples[second].id),
-            value: depth,
-            limit: 0.0,
-            message,
-        });
+        let other = (b, Some(samples[second].id));
+        found.push(of_pair(ProblemKind::Overlap, (a, &samples[first]), other, [depth, 0.0], message));
     }
     found
+}
+
+/// A problem of two branches: where it is on each, what was measured and its limit.
+fn of_pair(
+    kind: ProblemKind,
+    (branch, sample): (usize, &Sample),
+    (other_branch, other_sample): (usize, Option<i64>),
+    [value, limit]: [f64; 2],
+    message: String,
+) -> Problem {
+    let (branch, other_branch) = (Some(branch), Some(other_branch));
+    let (sample, line) = (sample.id, sample.line);
+    Problem { kind, branch, sample, line, other_branch, other_sample, value, limit, message }
 }
 
 fn links(skeleton: &Skeleton, branches: &[Vec<usize>]) -> Vec<Link> {
@@ -218,17 +222,8 @@ fn inside(skeleton: &Skeleton, branches: &[Vec<usize>]) -> Vec<Problem> {
                 "branch {index} from sample {} to {} runs inside branch {other}",
                 samples[node].id, samples[tip].id
             );
-            found.push(Problem {
-                kind: ProblemKind::Inside,
-                branch: Some(index),
-                sample: samples[tip].id,
-                line: samples[tip].line,
-                other_branch: Some(other),
-                other_sample: None,
-                value: depth,
-                limit: samples[node].radius,
-                message,
-            });
+            let values = [depth, samples[node].radius];
+            found.push(of_pair(ProblemKind::Inside, (index, &samples[tip]), (other, None), values, message));
             break;
         }
     }

@@ -1,9 +1,9 @@
 //! Configurations: TOML with units, and the parameter files of `NeuronTransportIGA`.
 
 use super::error::TransportError;
-use super::problem::Parameters;
+use super::problem::{Parameters, TimeScheme};
 use super::units::Kind;
-use crate::{Drive, FlowParameters};
+use crate::{Drive, FlowParameters, Side};
 use toml_edit::{Document, Item, TableLike, Value};
 
 /// Reads a configuration: TOML, or the pairs of names and values of `NeuronTransportIGA`, whose lengths are micrometres here and whose times
@@ -38,6 +38,10 @@ fn read_toml(text: &str) -> Result<Parameters, TransportError> {
         }
     }
     parameters.flow.inlet = parameters.inlet;
+    let has_inlet = document.get("inlet").and_then(|table| table.get("side")).is_some();
+    if let Some(item) = document.get("tips").and_then(|table| table.get("sides")).filter(|_| !has_inlet) {
+        return Err(reader.wrong("sides", item, "the side of the inlet, too: [inlet] side = \"-x\""));
+    }
     Ok(parameters)
 }
 
@@ -101,8 +105,16 @@ impl Reader<'_> {
                     p.steps = count.ok_or_else(|| self.wrong(key, item, "a whole number above 0"))?;
                     continue;
                 }
+                "order" => {
+                    p.scheme = match item.as_integer() {
+                        Some(1) => TimeScheme::First,
+                        Some(2) => TimeScheme::Second,
+                        _ => return Err(self.wrong(key, item, "1 or 2")),
+                    };
+                    continue;
+                }
                 _ => {
-                    let expected = "diffusion, speed_plus, speed_minus, attach_plus, attach_minus, detach_plus, detach_minus, step, steps";
+                    let expected = "diffusion, speed_plus, speed_minus, attach_plus, attach_minus, detach_plus, detach_minus, step, steps, order";
                     return Err(self.unknown("transport", key, item, expected));
                 }
             };
@@ -148,6 +160,13 @@ impl Reader<'_> {
         Ok(())
     }
 
+    fn side(&self, key: &str, name: Option<&str>, item: &Item) -> Result<Side, TransportError> {
+        let side = name.and_then(Side::from_name);
+        side.ok_or_else(|| {
+            self.wrong(key, item, "a side of the box around the mesh: -x, +x, -y, +y, -z or +z")
+        })
+    }
+
     fn place(&self, table: &str, entries: &dyn TableLike, p: &mut Parameters) -> Result<(), TransportError> {
         for (key, item) in entries.iter() {
             let is_closed = item.as_str() == Some("closed");
@@ -160,12 +179,22 @@ impl Reader<'_> {
                     let sample = item.as_integer();
                     p.inlet = Some(sample.ok_or_else(|| self.wrong(key, item, "the number of a sample"))?);
                 }
+                // The inlet comes first.
+                ("inlet", "side") => p.sides.insert(0, self.side(key, item.as_str(), item)?),
+                ("tips", "sides") => {
+                    let Some(list) = item.as_array() else {
+                        return Err(self.wrong(key, item, "a list of sides such as [\"+x\"]"));
+                    };
+                    for name in list {
+                        p.sides.push(self.side(key, name.as_str(), item)?);
+                    }
+                }
                 ("tips", "minus") => p.tips_minus = value()?,
                 ("initial", "free") => p.initial[0] = value()?,
                 ("initial", "plus") => p.initial[1] = value()?,
                 ("initial", "minus") => p.initial[2] = value()?,
-                ("inlet", _) => return Err(self.unknown(table, key, item, "free, plus, sample")),
-                ("tips", _) => return Err(self.unknown(table, key, item, "free, minus")),
+                ("inlet", _) => return Err(self.unknown(table, key, item, "free, plus, sample, side")),
+                ("tips", _) => return Err(self.unknown(table, key, item, "free, minus, sides")),
                 _ => return Err(self.unknown(table, key, item, "free, plus, minus")),
             }
         }

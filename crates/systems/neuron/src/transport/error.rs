@@ -44,9 +44,19 @@ pub enum TransportError {
         /// What it must be.
         expected: &'static str,
     },
+    /// A state that is not of this mesh or run.
+    #[error("the state to go on from has {found} {what}, expected {expected}: it is of another mesh or run")]
+    State {
+        /// What is counted.
+        what: &'static str,
+        /// How many there are.
+        found: usize,
+        /// How many there should be.
+        expected: usize,
+    },
     /// Nothing can come in.
     #[error(
-        "no root of the skeleton is a flat end, so that there is no inlet: the root is inside the neuron or is a soma; name the sample of a tip with [inlet] sample"
+        "no root of the skeleton is a flat end, so that there is no inlet: the root is inside the neuron or is a soma; name the sample of a tip with [inlet] sample, or for a mesh a side of it with [inlet] side"
     )]
     NoInlet,
     /// The sample is no flat end.

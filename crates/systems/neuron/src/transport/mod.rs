@@ -10,6 +10,8 @@ mod error;
 mod flow;
 mod problem;
 mod run;
+mod step;
+mod system;
 mod units;
 mod viscous;
 
@@ -17,7 +19,7 @@ pub use config::read_transport_config;
 pub use discretisation::Discretisation;
 pub use error::TransportError;
 pub use flow::{FlowField, potential_flow};
-pub use problem::{Parameters, TransportOptions};
-pub use run::{Frame, TipReport, Transport, TransportReport, transport, transport_in_flow};
+pub use problem::{Parameters, TimeScheme, TransportOptions};
+pub use run::{Frame, TipReport, Transport, TransportReport, TransportState, transport, transport_in_flow};
 pub use viscous::FlowCells;
 pub(crate) use viscous::labels_of_parts;

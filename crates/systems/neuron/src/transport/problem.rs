@@ -1,7 +1,8 @@
 //! What is transported, and how.
 
 use super::error::TransportError;
-use crate::FlowParameters;
+use super::run::TransportState;
+use crate::{FlowParameters, Side};
 use pompeiu_core::run::{Limits, ProgressObserver};
 
 /// Material that diffuses freely, n₀, and material on motors that move away from the root, n₊, and towards it, n₋. Micrometres and
@@ -41,10 +42,24 @@ pub struct Parameters {
     pub step: f64,
     /// Number of steps.
     pub steps: usize,
+    /// How steps are made.
+    pub scheme: TimeScheme,
     /// The sample of the inlet, by its number in the file; the root's flat end where none is given.
     pub inlet: Option<i64>,
+    /// For a mesh without numbered ends, the sides of the box around it that are ends: the inlet first.
+    pub sides: Vec<Side>,
     /// The fluid that flows, where its flow is solved for.
     pub flow: FlowParameters,
+}
+
+/// How steps in time are made.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum TimeScheme {
+    /// Backward Euler.
+    #[default]
+    First,
+    /// Two stages of second order, limited where they would leave something below zero.
+    Second,
 }
 
 impl Default for Parameters {
@@ -64,7 +79,9 @@ impl Default for Parameters {
             initial: [0.0; 3],
             step: 0.1,
             steps: 100,
+            scheme: TimeScheme::First,
             inlet: None,
+            sides: Vec::new(),
             flow: FlowParameters::default(),
         }
     }
@@ -126,4 +143,6 @@ pub struct TransportOptions<'o> {
     pub limits: Limits,
     /// Is told how many steps are done.
     pub progress: Option<&'o dyn ProgressObserver>,
+    /// Where to go on: the state at which a run with the same mesh and parameters was ended.
+    pub resume: Option<&'o TransportState>,
 }

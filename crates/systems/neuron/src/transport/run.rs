@@ -2,12 +2,13 @@
 
 use super::discretisation::Discretisation;
 use super::error::TransportError;
-use super::flow::{FlowField, potential_flow};
-use super::problem::{Parameters, TransportOptions};
+use super::flow::potential_flow;
+use super::problem::{Parameters, TimeScheme, TransportOptions};
+use super::step::{Stepped, Stepper};
+use super::system::System;
 use super::viscous::FlowCells;
 use crate::{Cap, NeuronMesh};
 use pompeiu_core::run::{Control, Progress, StopReason};
-use pompeiu_solve::{LinearSolver, Lu, SparseMatrix};
 use std::ops::ControlFlow;
 
 /// What became of the material.
@@ -17,14 +18,53 @@ pub struct Transport {
     pub report: TransportReport,
     /// Why it ended: [`StopReason::Steps`] is all steps.
     pub stop: StopReason,
+    /// The cap that is the inlet.
+    pub inlet: u32,
+    /// What there is after the last step, and on the way to it.
+    pub state: TransportState,
+}
+
+/// What there is after a step: a run goes on from it to the same bits ([`TransportOptions::resume`]).
+#[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct TransportState {
+    /// The step, from 0 for the beginning.
+    pub step: usize,
     /// For each step, the beginning included, and each flat end the mean concentrations n₀, n₊, n₋ over the face.
     pub ends: Vec<Vec<[f64; 3]>>,
     /// The whole field at some steps.
     pub frames: Vec<Frame>,
+    /// The field, kinds of a cell beside each other.
+    values: Vec<f64>,
+    book: Book,
+}
+
+impl TransportState {
+    /// Whether it belongs to a mesh with this many cells and ends, and is not beyond the last step.
+    fn check(&self, cells: usize, caps: usize, steps: usize) -> Result<(), TransportError> {
+        let wrong = |what, found, expected| Err(TransportError::State { what, found, expected });
+        if self.values.len() != 3 * cells {
+            return wrong("cells", self.values.len() / 3, cells);
+        }
+        if self.step > steps {
+            return wrong("steps", self.step, steps);
+        }
+        if self.ends.len() != self.step + 1 {
+            return wrong("rows of ends", self.ends.len(), self.step + 1);
+        }
+        if let Some(row) = self.ends.iter().find(|row| row.len() != caps) {
+            return wrong("flat ends", row.len(), caps);
+        }
+        if let Some(frame) = self.frames.iter().find(|frame| frame.values.len() != cells) {
+            return wrong("cells in a frame", frame.values.len(), cells);
+        }
+        Ok(())
+    }
 }
 
 /// The field at a step.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Frame {
     /// The step, from 0 for the beginning.
     pub step: usize,
@@ -81,12 +121,15 @@ const MOST_BYTES: usize = 8 << 30;
 /// See [`Parameters`]. Motors follow the potential flow from the inlet to the tips, [`potential_flow`], at their own speeds. The wall is
 /// closed. At the inlet and the tips material on motors leaves with the concentration of the last cell.
 /// # Accuracy
-/// Backward Euler and upwind: of first order in the step and in the length of cells. No concentration is negative but for the rounding
-/// of one solve, and mass is conserved to that.
+/// Upwind: of first order in the length of cells. Of first order in the step (backward Euler), or of second: the two stages of Alexander,
+/// damped for all rates; where they leave something below zero, fluxes are mixed with those of first order. No concentration is negative
+/// but for the rounding of one solve, and mass is conserved to that.
 /// # Errors
 /// [`TransportError`].
 /// # Cost
-/// One factorization of three unknowns a cell, then one solve a step.
+/// One factorization of three unknowns a cell, then one solve a step; two of each of second order.
+/// # Source
+/// Stages: `alexander_diagonally_1977`. Limited fluxes: `zalesak_fully_1979`.
 pub fn transport(
     mesh: &NeuronMesh,
     parameters: &Parameters,
@@ -95,7 +138,7 @@ pub fn transport(
 ) -> Result<Transport, TransportError> {
     parameters.check()?;
     let inlet = inlet(mesh, parameters)?;
-    check_memory(mesh.mesh.cells().len(), options)?;
+    check_memory(mesh.mesh.cells().len(), parameters, options)?;
     let control = Control::start(&options.limits);
     let volumes = Discretisation::new(&mesh.mesh, &mesh.faces, &mesh.labels);
     let flow = potential_flow(&volumes, inlet)?;
@@ -119,14 +162,20 @@ pub fn transport_in_flow(
     options: &TransportOptions<'_>,
 ) -> Result<Transport, TransportError> {
     parameters.check()?;
-    check_memory(cells.volumes.volumes.len(), options)?;
+    check_memory(cells.volumes.volumes.len(), parameters, options)?;
     let control = Control::start(&options.limits);
     let system = System { mesh: &cells.volumes, flow: &cells.field, parameters, inlet: cells.inlet };
     run(&system, &cells.caps, frames, options, &control)
 }
 
-fn check_memory(cells: usize, options: &TransportOptions<'_>) -> Result<(), TransportError> {
-    let (needed, limit) = (cells.saturating_mul(BYTES_PER_CELL), options.limits.memory.unwrap_or(MOST_BYTES));
+fn check_memory(
+    cells: usize,
+    parameters: &Parameters,
+    options: &TransportOptions<'_>,
+) -> Result<(), TransportError> {
+    let matrices = if parameters.scheme == TimeScheme::Second { 2 } else { 1 };
+    let needed = cells.saturating_mul(matrices * BYTES_PER_CELL);
+    let limit = options.limits.memory.unwrap_or(MOST_BYTES);
     if needed > limit {
         return Err(TransportError::Memory { cells, needed: needed.div_ceil(1 << 20), limit: limit >> 20 });
     }
@@ -142,32 +191,38 @@ fn run(
 ) -> Result<Transport, TransportError> {
     let (parameters, inlet) = (system.parameters, system.inlet);
     let cells = system.mesh.volumes.len();
-    let solver = Lu::new(&system.matrix()?)?;
-    let mut values: Vec<f64> = parameters.initial.repeat(cells);
-    let mut book = Book::new(system, &values);
-    let mut result = Transport {
-        report: TransportReport { steps: 0, mass_balance: 0.0, minimum: 0.0, maximum: 0.0, tips: Vec::new() },
-        stop: StopReason::Steps,
-        ends: vec![system.at_ends(&values, caps.len())],
-        frames: vec![system.frame(0, &values)],
-    };
     let keep = |step: usize| {
-        frames > 1
-            && (step * (frames - 1)) / parameters.steps > ((step - 1) * (frames - 1)) / parameters.steps
+        let share = |step: usize| step * frames.saturating_sub(1) / parameters.steps;
+        step == 0 || share(step) > share(step - 1)
     };
-    let source = system.source();
-    for step in 1..=parameters.steps {
+    let mut state = if let Some(state) = options.resume {
+        state.check(cells, caps.len(), parameters.steps)?;
+        let mut state = state.clone();
+        // The last one of a run that was ended early may be none of those asked for.
+        state.frames.retain(|frame| keep(frame.step));
+        state
+    } else {
+        let values = parameters.initial.repeat(cells);
+        TransportState {
+            step: 0,
+            book: Book::new(system, &values),
+            ends: vec![system.at_ends(&values, caps.len())],
+            frames: vec![frame(system, 0, &values)],
+            values,
+        }
+    };
+    let mut stepper = Stepper::new(system)?;
+    for step in state.step + 1..=parameters.steps {
         if control.is_stopped() {
             break;
         }
-        let mut next = system.right_hand_side(&values, &source);
-        solver.solve_in_place(&mut next)?;
-        values = next;
-        book.enter(system, &values);
-        result.report.steps = step;
-        result.ends.push(system.at_ends(&values, caps.len()));
+        let stepped = stepper.step(&state.values)?;
+        state.book.enter(system, &stepped);
+        state.values = stepped.values;
+        state.step = step;
+        state.ends.push(system.at_ends(&state.values, caps.len()));
         if keep(step) {
-            result.frames.push(system.frame(step, &values));
+            state.frames.push(frame(system, step, &state.values));
         }
         let share = Some(step as f64 / parameters.steps as f64);
         let told =
@@ -176,18 +231,23 @@ fn run(
             control.stop(StopReason::Cancelled);
         }
     }
-    result.stop = control.reason().unwrap_or(StopReason::Steps);
-    if result.frames.last().is_some_and(|frame| frame.step < result.report.steps) {
-        result.frames.push(system.frame(result.report.steps, &values));
+    if state.frames.last().is_some_and(|frame| frame.step < state.step) {
+        state.frames.push(frame(system, state.step, &state.values));
     }
-    result.report.mass_balance = book.error;
-    (result.report.minimum, result.report.maximum) = (book.range[0], book.range[1]);
-    let last = &result.ends[result.ends.len() - 1];
+    let last = &state.ends[state.ends.len() - 1];
     let tips = caps.iter().zip(last).enumerate().filter(|(cap, _)| *cap as u32 != inlet);
-    result.report.tips = tips
-        .map(|(_, (cap, &[free, plus, minus]))| TipReport { sample: cap.sample, free, plus, minus })
-        .collect();
-    Ok(result)
+    let report = TransportReport {
+        steps: state.step,
+        mass_balance: state.book.error,
+        minimum: state.book.range[0],
+        maximum: state.book.range[1],
+        tips: tips
+            .map(|(_, (cap, &[free, plus, minus]))| TipReport { sample: cap.sample, free, plus, minus })
+            .collect(),
+    };
+    let done = state.step == parameters.steps;
+    let stop = control.reason().filter(|_| !done).unwrap_or(StopReason::Steps);
+    Ok(Transport { report, stop, inlet, state })
 }
 
 fn inlet(mesh: &NeuronMesh, parameters: &Parameters) -> Result<u32, TransportError> {
@@ -197,139 +257,9 @@ fn inlet(mesh: &NeuronMesh, parameters: &Parameters) -> Result<u32, TransportErr
     }
 }
 
-/// The equations: unknown `3 i + s` is kind s in cell i.
-struct System<'s> {
-    mesh: &'s Discretisation,
-    flow: &'s FlowField,
-    parameters: &'s Parameters,
-    inlet: u32,
-}
-
-impl System<'_> {
-    /// Signed speeds of the two kinds on motors.
-    fn speeds(&self) -> [(usize, f64); 2] {
-        [(1, self.parameters.speed_plus), (2, -self.parameters.speed_minus)]
-    }
-
-    /// Free material at an end, and what comes in on motors.
-    fn given(&self, cap: u32) -> (Option<f64>, [f64; 3]) {
-        let p = self.parameters;
-        if cap == self.inlet {
-            (p.inlet_free, [0.0, p.inlet_plus, 0.0])
-        } else {
-            (p.tips_free, [0.0, 0.0, p.tips_minus])
-        }
-    }
-
-    fn matrix(&self) -> Result<SparseMatrix, TransportError> {
-        let p = self.parameters;
-        let n = 3 * self.mesh.volumes.len();
-        let mut entries = Vec::with_capacity(7 * self.mesh.volumes.len() + 12 * self.mesh.links.len());
-        for (i, &volume) in self.mesh.volumes.iter().enumerate() {
-            let at = 3 * i;
-            entries.extend([
-                (at, at, volume * (1.0 / p.step + p.attach_plus + p.attach_minus)),
-                (at, at + 1, -volume * p.detach_plus),
-                (at, at + 2, -volume * p.detach_minus),
-                (at + 1, at + 1, volume * (1.0 / p.step + p.detach_plus)),
-                (at + 1, at, -volume * p.attach_plus),
-                (at + 2, at + 2, volume * (1.0 / p.step + p.detach_minus)),
-                (at + 2, at, -volume * p.attach_minus),
-            ]);
-        }
-        for (&([a, b], conductance), &through) in self.mesh.links.iter().zip(&self.flow.through) {
-            let (a, b) = (3 * a as usize, 3 * b as usize);
-            let d = p.diffusion * conductance;
-            entries.extend([(a, a, d), (a, b, -d), (b, b, d), (b, a, -d)]);
-            for (kind, speed) in self.speeds() {
-                let q = speed * through;
-                // From where it comes to where it goes.
-                let (from, to) = if q > 0.0 { (a + kind, b + kind) } else { (b + kind, a + kind) };
-                entries.extend([(from, from, q.abs()), (to, from, -q.abs())]);
-            }
-        }
-        for (end, &out) in self.mesh.ends.iter().zip(&self.flow.out) {
-            let at = 3 * end.cell as usize;
-            if self.given(end.cap).0.is_some() {
-                entries.push((at, at, p.diffusion * end.conductance));
-            }
-            for (kind, speed) in self.speeds() {
-                entries.push((at + kind, at + kind, (speed * out).max(0.0)));
-            }
-        }
-        Ok(SparseMatrix::from_triplets(n, n, &entries)?)
-    }
-
-    /// What comes in through the ends whatever is there.
-    fn source(&self) -> Vec<f64> {
-        let mut source = vec![0.0; 3 * self.mesh.volumes.len()];
-        for (end, &out) in self.mesh.ends.iter().zip(&self.flow.out) {
-            let at = 3 * end.cell as usize;
-            let (free, carried) = self.given(end.cap);
-            if let Some(free) = free {
-                source[at] += self.parameters.diffusion * end.conductance * free;
-            }
-            for (kind, speed) in self.speeds() {
-                source[at + kind] += (-speed * out).max(0.0) * carried[kind];
-            }
-        }
-        source
-    }
-
-    fn right_hand_side(&self, values: &[f64], source: &[f64]) -> Vec<f64> {
-        let step = self.parameters.step;
-        values
-            .iter()
-            .zip(source)
-            .enumerate()
-            .map(|(k, (x, s))| self.mesh.volumes[k / 3] / step * x + s)
-            .collect()
-    }
-
-    /// What comes in through all ends in a second, and what goes through them either way.
-    fn inflow(&self, values: &[f64]) -> (f64, f64) {
-        let (mut net, mut gross) = (0.0, 0.0);
-        let mut add = |flux: f64| {
-            net += flux;
-            gross += flux.abs();
-        };
-        for (end, &out) in self.mesh.ends.iter().zip(&self.flow.out) {
-            let at = 3 * end.cell as usize;
-            let (free, carried) = self.given(end.cap);
-            if let Some(free) = free {
-                add(self.parameters.diffusion * end.conductance * (free - values[at]));
-            }
-            for (kind, speed) in self.speeds() {
-                let q = speed * out;
-                add(-q * if q > 0.0 { values[at + kind] } else { carried[kind] });
-            }
-        }
-        (net, gross)
-    }
-
-    fn mass(&self, values: &[f64]) -> f64 {
-        values.iter().enumerate().map(|(k, x)| self.mesh.volumes[k / 3] * x).sum()
-    }
-
-    fn at_ends(&self, values: &[f64], caps: usize) -> Vec<[f64; 3]> {
-        let mut sums = vec![([0.0; 3], 0.0); caps];
-        for end in &self.mesh.ends {
-            let (sum, area) = &mut sums[end.cap as usize];
-            *area += end.area;
-            for (kind, sum) in sum.iter_mut().enumerate() {
-                *sum += end.area * values[3 * end.cell as usize + kind];
-            }
-        }
-        sums.into_iter().map(|(sum, area)| sum.map(|x| x / area)).collect()
-    }
-
-    fn frame(&self, step: usize, values: &[f64]) -> Frame {
-        let values = values.chunks_exact(3).map(|v| [v[0], v[1], v[2]]).collect();
-        Frame { step, time: step as f64 * self.parameters.step, values }
-    }
-}
-
 /// The balance of mass, step by step.
+#[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 struct Book {
     mass: f64,
     turnover: f64,
@@ -348,16 +278,20 @@ impl Book {
         Self { mass, turnover: mass, error: 0.0, range: [low, high] }
     }
 
-    fn enter(&mut self, system: &System<'_>, values: &[f64]) {
-        let (mass, step) = (system.mass(values), system.parameters.step);
-        let (net, gross) = system.inflow(values);
-        let came = net * step;
-        self.turnover += gross * step;
-        let error = (mass - self.mass - came).abs() / self.turnover.max(mass).max(f64::MIN_POSITIVE);
+    fn enter(&mut self, system: &System<'_>, stepped: &Stepped) {
+        let mass = system.mass(&stepped.values);
+        self.turnover += stepped.gross;
+        let scale = self.turnover.max(mass).max(f64::MIN_POSITIVE);
+        let error = (mass - self.mass - stepped.net).abs() / scale;
         self.error = if error > self.error || error.is_nan() { error } else { self.error };
         self.mass = mass;
-        for &x in values {
+        for &x in &stepped.values {
             self.range = [self.range[0].min(x), self.range[1].max(x)];
         }
     }
+}
+
+fn frame(system: &System<'_>, step: usize, values: &[f64]) -> Frame {
+    let values = values.chunks_exact(3).map(|v| [v[0], v[1], v[2]]).collect();
+    Frame { step, time: step as f64 * system.parameters.step, values }
 }

@@ -16,6 +16,7 @@ use rayon::prelude::*;
 #[derive(Clone, Debug)]
 pub struct FlowCells {
     mesh: BezierMesh,
+    faces: Faces,
     pub(super) volumes: Discretisation,
     pub(super) field: FlowField,
     pub(super) caps: Vec<Cap>,
@@ -83,7 +84,7 @@ impl FlowCells {
         let (ends, out): (Vec<EndFace>, Vec<f64>) = ends.into_iter().unzip();
         let volumes = Discretisation { volumes: cells.iter().map(|c| c.0).collect(), links, ends };
         let field = balanced(&volumes, through, out, flow.inlet)?;
-        Ok(Self { mesh, volumes, field, caps: flow.caps.clone(), inlet: flow.inlet })
+        Ok(Self { mesh, faces, volumes, field, caps: flow.caps.clone(), inlet: flow.inlet })
     }
 
     /// Number of cells.
@@ -94,6 +95,16 @@ impl FlowCells {
     /// The flat ends.
     pub fn caps(&self) -> &[Cap] {
         &self.caps
+    }
+
+    /// The cells.
+    pub fn mesh(&self) -> &BezierMesh {
+        &self.mesh
+    }
+
+    /// Their faces.
+    pub fn faces(&self) -> &Faces {
+        &self.faces
     }
 
     /// Concentrations of each cell as a VTK XML unstructured grid: `total`, `free`, `plus` and `minus`, of Bézier hexahedra, or of

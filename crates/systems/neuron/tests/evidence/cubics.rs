@@ -1,12 +1,11 @@
 //! Tricubic meshes: closed forms, certificates, quality, distance from the tubes, the same bits at any number of threads.
 
+use crate::flows::{FORK, FORKED};
 use pompeiu_core::run::Limits;
 use pompeiu_neuron::{CubicMesh, MeshOptions, Skeleton, cubic_neuron, read_swc};
 use std::f64::consts::PI;
 use std::num::NonZeroUsize;
 use std::path::Path;
-
-const FORK: &str = "1 2 0 0 0 1 -1\n2 2 8 0 0 1 1\n3 2 16 6 0 0.8 2\n4 2 16 -6 2 0.7 2\n";
 
 fn cubic(text: &str, options: &MeshOptions<'_>) -> CubicMesh {
     let skeleton = Skeleton::new(&read_swc(text.as_bytes()).unwrap()).unwrap();
@@ -37,7 +36,8 @@ fn straight_tubes_have_the_volume_and_the_wall_of_the_cylinder() {
 
 #[test]
 fn furcations_are_certified_and_conform() {
-    let found = cubic(FORK, &quick());
+    let found = &*FORKED;
+    assert!(found.report.certified, "{:?}", found.report);
     assert!(found.report.min_scaled_jacobian >= 0.5, "{:?}", found.report);
     assert_eq!((found.faces.components(), found.caps.len()), (1, 3));
     let one = Limits { threads: NonZeroUsize::new(1), ..Limits::default() };

@@ -10,9 +10,13 @@ use pompeiu_neuron::{
 use pompeiu_volume::bernstein::{GAUSS_5, derivatives, interpolate_lattice, value};
 use pompeiu_volume::{BezierMesh, HexMesh, face_flux, place_of_64};
 use std::f64::consts::PI;
+use std::sync::LazyLock;
 
 const TUBE: &str = "1 2 0 0 0 0.5 -1\n2 2 10 0 0 0.5 1\n";
-const FORK: &str = "1 2 0 0 0 1 -1\n2 2 12 0 0 1 1\n3 2 24 8 0 0.8 2\n4 2 22 -9 2 0.7 2\n";
+pub(crate) const FORK: &str = "1 2 0 0 0 1 -1\n2 2 12 0 0 1 1\n3 2 24 8 0 0.8 2\n4 2 22 -9 2 0.7 2\n";
+
+/// The furcation of several tests, meshed once.
+pub(crate) static FORKED: LazyLock<CubicMesh> = LazyLock::new(|| cubic(FORK));
 
 fn cubic(text: &str) -> CubicMesh {
     let skeleton = Skeleton::new(&read_swc(text.as_bytes()).unwrap()).unwrap();
@@ -73,8 +77,7 @@ fn cells_of_any_size_keep_the_pressure_and_the_balance() {
 
 #[test]
 fn a_furcation_divides_the_flow_as_a_network_of_tubes_does() {
-    let mesh = cubic(FORK);
-    let found = flow(&mesh, &FlowParameters::default());
+    let found = flow(&FORKED, &FlowParameters::default());
     // Tubes of Hagen and Poiseuille, whose radii change along them: ∫ ds / R⁴.
     let tube = |from: [f64; 4], to: [f64; 4]| -> f64 {
         let length = (0..3).map(|k| (to[k] - from[k]).powi(2)).sum::<f64>().sqrt();
@@ -98,7 +101,7 @@ fn a_furcation_divides_the_flow_as_a_network_of_tubes_does() {
 fn fast_flow_needs_newton_and_converges_quadratically() {
     // Reynolds 40 in the inlet.
     let parameters = FlowParameters { drive: Drive::Speed(2e7), ..FlowParameters::default() };
-    let found = flow(&cubic(FORK), &parameters);
+    let found = flow(&FORKED, &parameters);
     let newton = &found.report.newton;
     assert!((found.report.reynolds - 40.0).abs() < 0.1 && newton.len() >= 4, "{newton:?}");
     let [.., before, last] = newton[..] else { panic!("{newton:?}") };
@@ -244,13 +247,13 @@ fn transport_along_a_viscous_flow_keeps_mass_and_bounds() {
     assert_eq!((parameters.flow.viscosity, parameters.flow.drive), (2e-3, Drive::Pressure(1.0)));
     assert_eq!(parameters.flow.pressures, [(4, 0.01)]);
     assert!(read_transport_config("[flow]\nspeed = \"1 um/s\"\npressure = \"1 Pa\"\n").is_err());
-    let found = flow(&cubic(FORK), &parameters.flow);
+    let found = flow(&FORKED, &parameters.flow);
     let cells = FlowCells::new(&found, 2).unwrap();
     let moved = transport_in_flow(&cells, &parameters, 3, &TransportOptions::default()).unwrap();
     assert_eq!((moved.report.steps, moved.report.tips.len()), (20, 2));
     assert!(moved.report.mass_balance < 1e-10 && moved.report.minimum >= -1e-10, "{:?}", moved.report);
     assert!(moved.report.maximum < 4.0 && moved.report.maximum > 1.0, "{:?}", moved.report);
-    assert_eq!(moved.frames[2].values.len(), cells.cells());
+    assert_eq!(moved.state.frames[2].values.len(), cells.cells());
     // Nothing but motors, which fill what they reach and no more: bounds, as the fluxes balance.
     let only = Parameters {
         diffusion: 0.0,

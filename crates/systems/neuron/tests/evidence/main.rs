@@ -4,6 +4,8 @@
 
 mod cubics;
 mod flows;
+mod imports;
 mod meshes;
 mod skeletons;
+mod steps;
 mod transports;

@@ -6,6 +6,7 @@ use pompeiu_neuron::{
     TransportOptions, mesh_neuron, potential_flow, read_swc, read_transport_config, transport,
 };
 use pompeiu_volume::HexMesh;
+use std::sync::LazyLock;
 
 fn mesh(text: &str, layer: f64) -> NeuronMesh {
     let skeleton = Skeleton::new(&read_swc(text.as_bytes()).unwrap()).unwrap();
@@ -17,6 +18,9 @@ fn mesh(text: &str, layer: f64) -> NeuronMesh {
 fn tube(layer: f64) -> NeuronMesh {
     mesh("1 2 0 0 0 0.5 -1\n2 2 10 0 0 0.5 1\n", layer)
 }
+
+/// The furcation of several tests, meshed once.
+static FORKED: LazyLock<NeuronMesh> = LazyLock::new(|| mesh(FORK, 1.0));
 
 const FORK: &str = "1 2 0 0 0 1 -1\n2 2 8 0 0 1 1\n3 2 16 6 0 0.8 2\n4 2 16 -6 2 0.7 2\n";
 
@@ -51,7 +55,7 @@ fn diffusion_between_two_ends_is_linear() {
     let parameters =
         Parameters { inlet_free: Some(3.0), tips_free: Some(1.0), step: 1e6, steps: 3, ..still() };
     let found = run(&mesh, &parameters);
-    for (x, n) in along(&mesh, &found.frames.last().unwrap().values, 0) {
+    for (x, n) in along(&mesh, &found.state.frames.last().unwrap().values, 0) {
         assert!((n - (3.0 - 0.2 * x)).abs() < 1e-9, "{x} {n}");
     }
 }
@@ -64,7 +68,7 @@ fn diffusion_from_one_end_follows_the_error_function() {
             Parameters { inlet_free: Some(1.0), diffusion: 0.5, step: 2.0 / steps as f64, steps, ..still() };
         let found = run(&mesh, &parameters);
         let error = |(x, n): (f64, f64)| (n - libm::erfc(x / 2.0)).abs();
-        along(&mesh, &found.frames.last().unwrap().values, 0).into_iter().map(error).fold(0.0, f64::max)
+        along(&mesh, &found.state.frames.last().unwrap().values, 0).into_iter().map(error).fold(0.0, f64::max)
     };
     let (coarse, fine) = (error_at(0.8, 20), error_at(0.4, 80));
     // The step is quartered where the layer is halved: both errors fall by four.
@@ -78,7 +82,7 @@ fn fronts_move_with_the_motors_and_never_undershoot() {
     let found = run(&mesh, &parameters);
     assert!(found.report.minimum >= -1e-12 && found.report.maximum <= 2.0 + 1e-12, "{:?}", found.report);
     // After 5 s what is in the tube is what came in: half of its length is full, and the front is in the middle.
-    let values = along(&mesh, &found.frames.last().unwrap().values, 1);
+    let values = along(&mesh, &found.state.frames.last().unwrap().values, 1);
     let mean: f64 = values.iter().map(|v| v.1).sum::<f64>() / values.len() as f64;
     assert!((mean - 1.0).abs() < 0.01, "{mean}");
     let at = |place: f64| values.iter().find(|(x, _)| *x > place).unwrap().1;
@@ -130,14 +134,14 @@ fn fast_exchange_moves_at_the_mean_speed() {
     };
     let found = run(&mesh, &parameters);
     // A third is on motors: a front at 1/3 µm/s is in the middle after 15 s; half of the tube is filled.
-    let values = &found.frames.last().unwrap().values;
+    let values = &found.state.frames.last().unwrap().values;
     let mean = values.iter().map(|v| v[0] + v[1]).sum::<f64>() / values.len() as f64;
     assert!((mean / 3.0 - 0.5).abs() < 0.03, "{mean}");
 }
 
 #[test]
 fn mass_is_kept_through_a_furcation_in_both_directions() {
-    let mesh = mesh(FORK, 1.0);
+    let mesh = &*FORKED;
     let parameters = Parameters {
         speed_minus: 0.5,
         attach_minus: 0.3,
@@ -148,10 +152,10 @@ fn mass_is_kept_through_a_furcation_in_both_directions() {
         steps: 40,
         ..Parameters::default()
     };
-    let found = run(&mesh, &parameters);
+    let found = run(mesh, &parameters);
     assert!(found.report.minimum >= 0.0, "{:e}", found.report.minimum);
     assert_eq!(found.report.tips.iter().map(|tip| tip.sample).collect::<Vec<_>>(), [3, 4]);
-    assert_eq!((found.ends.len(), found.frames.len()), (41, 3));
+    assert_eq!((found.state.ends.len(), found.state.frames.len()), (41, 3));
     // A closed neuron keeps what it has.
     let closed = Parameters {
         diffusion: 2.0,
@@ -161,14 +165,14 @@ fn mass_is_kept_through_a_furcation_in_both_directions() {
         attach_plus: 0.0,
         ..still()
     };
-    let found = run(&mesh, &closed);
-    let free = found.frames.iter().flat_map(|frame| &frame.values).map(|v| (v[0] - 1.0).abs());
+    let found = run(mesh, &closed);
+    let free = found.state.frames.iter().flat_map(|frame| &frame.values).map(|v| (v[0] - 1.0).abs());
     assert!(free.fold(0.0, f64::max) < 1e-11);
 }
 
 #[test]
 fn the_flow_is_the_same_through_every_section_and_splits_at_furcations() {
-    let mesh = mesh(FORK, 1.0);
+    let mesh = &*FORKED;
     let volumes = Discretisation::new(&mesh.mesh, &mesh.faces, &mesh.labels);
     let flow = potential_flow(&volumes, 0).unwrap();
     assert!(flow.imbalance < 1e-12, "{:e}", flow.imbalance);
@@ -239,5 +243,5 @@ fn what_cannot_be_transported_is_refused() {
     let now = Limits { time: Some(std::time::Duration::ZERO), ..Limits::default() };
     let options = TransportOptions { limits: now, ..TransportOptions::default() };
     let found = transport(&mesh, &Parameters::default(), 2, &options).unwrap();
-    assert_eq!((found.stop, found.report.steps, found.frames.len()), (StopReason::Time, 0, 1));
+    assert_eq!((found.stop, found.report.steps, found.state.frames.len()), (StopReason::Time, 0, 1));
 }

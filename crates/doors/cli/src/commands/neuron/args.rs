@@ -17,7 +17,7 @@ them is solved for, and material is transported along it. The output is a collec
 beside it. The configuration is that of `transport`, and [flow] as in `flow`.
 
 Examples:
-  pompeiu neuron cell.swc --config run.toml -o run.pvd
+  pompeiu neuron cell.swc --config run.toml -o run.pvd --report run.html
   pompeiu neuron check cell.swc
   pompeiu neuron check cell.swc --repair --smooth 20 --spacing 0.5 -o smooth.swc
   pompeiu neuron mesh smooth.swc -o cell.vtu
@@ -73,11 +73,14 @@ Sections are discs of five blocks, each cut into parts; around nodes there are c
 smooth union of the tubes. Tips, and roots with one branch, end with flat caps. Sections keep the area of the discs. The exit code is
 3 if a cell is not proven valid.
 
-The output has cell data: branch (from 0; -1, -2, ... at nodes).
+The output has cell data: branch (from 0; -1, -2, ... at nodes). --extraction writes the files of NeuronTransportIGA for the splines with
+one function for each vertex, whose order is 2.5 only; --compare reads such files, and the exit code is 1 if they differ by more
+than 1e-6. --partition writes which process works on which cell, as METIS does.
 
 Examples:
   pompeiu neuron mesh cell.swc -o cell.vtu
-  pompeiu neuron mesh cell.swc --repair --parts 3 --layer 1 --json -o fine.vtu")]
+  pompeiu neuron mesh cell.swc --repair --parts 3 --layer 1 --json -o fine.vtu
+  pompeiu neuron mesh controlmesh.vtk --extraction splines --partition 28")]
     Mesh(Mesh),
     /// Fill the neuron with tricubic cells, and count the splines over them
     #[command(after_help = "\
@@ -127,7 +130,11 @@ from the inlet, the root's flat end, to the tips. The configuration is TOML with
   [initial]
   free = 0.0                   # plus, minus
 
-The output is a collection (.pvd) of grids in a folder beside it. The exit code is 3 if the time limit or Ctrl-C ended it early.
+The ends of a mesh are where the \"label\" of its vertices says so, 1 for the inlet, 2 and more for others, or sides of the box around
+it: side = \"-x\" in [inlet], sides = [\"+x\"] in [tips]. Heat is free material, with all speeds and rates 0.
+
+The output is a collection (.pvd) of grids in a folder beside it. The exit code is 3 if the time limit or Ctrl-C ended it early; with
+--checkpoint FILE, --resume FILE goes on from there, bit for bit.
 
 Examples:
   pompeiu neuron transport cell.swc --config run.toml -o run.pvd --tips tips.csv
@@ -156,6 +163,15 @@ pub(crate) struct Mesh {
     /// The mesh file to write (.vtu)
     #[arg(long, short, value_name = "OUT")]
     pub(crate) output: Option<PathBuf>,
+    /// Write controlmesh.vtk, bzmeshinfo.txt, bzpt.txt and cmat.txt into this folder
+    #[arg(long, value_name = "FOLDER")]
+    pub(crate) extraction: Option<PathBuf>,
+    /// Compare with bzmeshinfo.txt, bzpt.txt and cmat.txt in this folder, those there are
+    #[arg(long, value_name = "FOLDER")]
+    pub(crate) compare: Option<PathBuf>,
+    /// Deal the cells out to N processes, in a file .epart.N beside OUT or beside bzmeshinfo.txt
+    #[arg(long, value_parser = clap::value_parser!(u32).range(2..=1_000_000), value_name = "N")]
+    pub(crate) partition: Option<u32>,
     /// Print one JSON object
     #[arg(long)]
     pub(crate) json: bool,
@@ -243,6 +259,15 @@ pub(crate) struct Transport {
     /// Concentrations at the flat ends after each step, as CSV
     #[arg(long, value_name = "OUT")]
     pub(crate) tips: Option<PathBuf>,
+    /// Write a page that plays the transport, with concentrations at the ends over time: one file that needs no network
+    #[arg(long, value_name = "FILE.html")]
+    pub(crate) report: Option<PathBuf>,
+    /// Write the state in the end, however it ended
+    #[arg(long, value_name = "FILE")]
+    pub(crate) checkpoint: Option<PathBuf>,
+    /// Go on from a state that --checkpoint wrote, with the same options; steps count from the beginning
+    #[arg(long, value_name = "FILE")]
+    pub(crate) resume: Option<PathBuf>,
     /// Print one JSON object
     #[arg(long)]
     pub(crate) json: bool,
@@ -264,7 +289,7 @@ pub(crate) struct Blocks {
 /// The skeleton, and what is done to it before anything else.
 #[derive(Args)]
 pub(crate) struct SkeletonChoice {
-    /// The skeleton file (SWC)
+    /// The skeleton file (SWC), or a hexahedral mesh (.vtk, .vtu)
     pub(crate) skeleton: PathBuf,
     /// Repair what can be repaired: missing parents, cycles, missing radii, coincident samples, branches within the ball of their
     /// node; each repair is told

@@ -1,22 +1,22 @@
 //! Runs the stages with tricubic cells: splines, flow, and all of them after each other.
 
 use super::args::{Everything, Flow as FlowArgs, Patches, SkeletonChoice, Spline as SplineArgs};
-use super::run::{check_output, read};
-use super::transport::{parameters, table, write_frames};
+use super::run::check_output;
+use super::source::Source;
+use super::transport::{self, Moved, fingerprint, outputs, parameters, resumed};
 use super::{json, text};
-use crate::exit::{Exit, stopped_by};
+use crate::exit::Exit;
 use crate::json::milliseconds;
 use crate::printer::Printer;
-use crate::series::Series;
 use crate::wait::Wait;
 use crate::{args::Limits, files, interrupt};
 use anyhow::{Context, bail};
-use pompeiu::core::run::{Progress, ProgressObserver, StopReason};
+use pompeiu::core::run::{Progress, ProgressObserver};
 use pompeiu::neuron::{
-    CubicMesh, Flow, FlowCells, FlowOptions, FlowParameters, MeshOptions, NeuronReport, Parameters, Skeleton,
-    SplineReport, Timing, TransportOptions, cubic_neuron, neuron_flow, transport_in_flow,
+    CubicMesh, Flow, FlowCells, FlowOptions, FlowParameters, NeuronReport, NeuronSurface, Parameters, Side,
+    SplineReport, Timing, TransportOptions, neuron_flow, transport_in_flow,
 };
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::time::Instant;
 
 /// The stages so far.
@@ -31,20 +31,15 @@ struct Run<'r> {
 
 impl<'r> Run<'r> {
     /// Reads the skeleton.
-    fn new(
-        choice: &SkeletonChoice,
-        limits: &'r Limits,
-        started: Instant,
-    ) -> anyhow::Result<(Self, Skeleton)> {
+    fn new(choice: &SkeletonChoice, limits: &'r Limits, started: Instant) -> anyhow::Result<(Self, Source)> {
         limits.apply_threads()?;
         interrupt::listen();
         let path = choice.skeleton.display().to_string();
-        let (skeleton, report) = read(choice)?;
+        let (source, skeleton) = Source::read(choice)?;
         let until = milliseconds(started.elapsed());
         let timing = Timing { skeleton: until, ..Timing::default() };
-        let report =
-            NeuronReport { skeleton: report, mesh: None, spline: None, flow: None, transport: None, timing };
-        Ok((Self { started, path, limits, report, until }, skeleton))
+        let report = NeuronReport { skeleton, mesh: None, spline: None, flow: None, transport: None, timing };
+        Ok((Self { started, path, limits, report, until }, source))
     }
 
     /// Milliseconds since the last stage ended.
@@ -55,14 +50,14 @@ impl<'r> Run<'r> {
 
     fn spline(
         &mut self,
-        skeleton: &Skeleton,
+        source: Source,
         layer: f64,
+        sides: &[Side],
         elements: u8,
         watch: &dyn ProgressObserver,
     ) -> anyhow::Result<CubicMesh> {
         let limits = self.limits.after(self.started.elapsed());
-        let options = MeshOptions { layer, limits, progress: Some(watch), ..MeshOptions::default() };
-        let mesh = cubic_neuron(skeleton, &options).with_context(|| self.path.clone())?;
+        let mesh = source.patches(layer, sides, limits, watch).with_context(|| self.path.clone())?;
         self.report.timing.mesh = Some(self.lap());
         self.report.mesh = Some(mesh.report.clone());
         self.report.spline = Some(SplineReport::new(&mesh.mesh, elements.into()));
@@ -104,18 +99,18 @@ fn check(output: Option<&Path>, as_json: bool, skeleton: &Path, what: &str) -> a
 
 /// Meshes a skeleton with patches, and does what comes then.
 fn patched<'r, T>(
-    (choice, limits, patches): (&SkeletonChoice, &'r Limits, &Patches),
+    (choice, limits, patches, sides): (&SkeletonChoice, &'r Limits, &Patches, &[Side]),
     started: Instant,
     printer: &Printer,
     then: impl FnOnce(&mut Run<'r>, CubicMesh, &Wait, &dyn ProgressObserver) -> anyhow::Result<T>,
 ) -> anyhow::Result<(Run<'r>, T)> {
-    let (mut run, skeleton) = Run::new(choice, limits, started)?;
+    let (mut run, source) = Run::new(choice, limits, started)?;
     let wait = Wait::new(printer);
     let watch = |progress: &Progress<'_>| {
         wait.progress(progress);
         interrupt::flow()
     };
-    let mesh = run.spline(&skeleton, patches.layer, patches.elements, &watch)?;
+    let mesh = run.spline(source, patches.layer, sides, patches.elements, &watch)?;
     let found = then(&mut run, mesh, &wait, &watch)?;
     Ok((run, found))
 }
@@ -137,7 +132,7 @@ pub(super) fn spline(args: &SplineArgs, printer: &Printer) -> anyhow::Result<Exi
     let started = Instant::now();
     let output = args.output.as_deref();
     check(output, args.json, &args.skeleton.skeleton, "a mesh")?;
-    let chosen = (&args.skeleton, &args.limits, &args.patches);
+    let chosen = (&args.skeleton, &args.limits, &args.patches, [].as_slice());
     let (run, mesh) = patched(chosen, started, printer, |_, mesh, _, _| Ok(mesh))?;
     finish(run, (output, args.json), printer, || mesh.vtu(args.patches.linear))
 }
@@ -146,11 +141,11 @@ pub(super) fn flow(args: &FlowArgs, printer: &Printer) -> anyhow::Result<Exit> {
     let started = Instant::now();
     let output = args.output.as_deref();
     check(output, args.json, &args.skeleton.skeleton, "a flow")?;
-    let parameters = parameters(args.config.as_deref())?.flow;
-    let chosen = (&args.skeleton, &args.limits, &args.patches);
+    let parameters = parameters(args.config.as_deref())?;
+    let chosen = (&args.skeleton, &args.limits, &args.patches, parameters.sides.as_slice());
     let (run, flow) = patched(chosen, started, printer, |run, mesh, wait, watch| {
         wait.restart();
-        run.flow(&mesh, &parameters, args.patches.elements, watch)
+        run.flow(&mesh, &parameters.flow, args.patches.elements, watch)
     })?;
     finish(run, (output, args.json), printer, || flow.vtu(args.patches.linear))
 }
@@ -158,41 +153,34 @@ pub(super) fn flow(args: &FlowArgs, printer: &Printer) -> anyhow::Result<Exit> {
 pub(super) fn run(args: &Everything, printer: &Printer) -> anyhow::Result<Exit> {
     let started = Instant::now();
     let asked = &args.transport;
-    if asked.output.is_none() && asked.tips.is_none() && !asked.json {
-        bail!("nothing would be written; name the result with -o, or ask for --tips or --json");
-    }
-    let input = asked.skeleton.skeleton.as_path();
-    files::check_places(asked.output.iter().chain(&asked.tips).map(PathBuf::as_path), &[input])?;
-    let series = asked.output.as_deref().map(|list| Series::of(list, "vtu")).transpose()?;
+    let (_, series) = outputs(asked)?;
     let parameters: Parameters = parameters(asked.config.as_deref())?;
-    let (mut run, skeleton) = Run::new(&asked.skeleton, &asked.limits, started)?;
+    let fingerprint = fingerprint(asked, &format!("all {}", args.elements))?;
+    let resumed = resumed(asked, &fingerprint, &parameters)?;
+    let (mut run, source) = Run::new(&asked.skeleton, &asked.limits, started)?;
     let wait = Wait::new(printer);
     let watch = |progress: &Progress<'_>| {
         wait.progress(progress);
         interrupt::flow()
     };
-    let mesh = run.spline(&skeleton, asked.blocks.layer, args.elements, &watch)?;
+    let mesh = run.spline(source, asked.blocks.layer, &parameters.sides, args.elements, &watch)?;
     wait.restart();
     let flow = run.flow(&mesh, &parameters.flow, args.elements, &watch)?;
     wait.restart();
     let cells = FlowCells::new(&flow, asked.blocks.parts.into()).with_context(|| run.path.clone())?;
-    let options = TransportOptions { limits: asked.limits.after(started.elapsed()), progress: Some(&watch) };
+    let limits = asked.limits.after(started.elapsed());
+    let options = TransportOptions { limits, progress: Some(&watch), resume: resumed.as_ref() };
     let found = transport_in_flow(&cells, &parameters, asked.frames as usize, &options)
         .with_context(|| run.path.clone())?;
     drop(wait);
     run.report.timing.transport = Some(run.lap());
-    if let Some(series) = series {
-        write_frames(series, &found.frames, printer, |frame| cells.vtu(&frame.values, args.linear))?;
-    }
-    if let Some(tips) = &asked.tips {
-        files::write_whole(tips, table(cells.caps(), &parameters, &found).as_bytes(), printer)?;
-    }
-    let complete = found.stop == StopReason::Steps;
-    if !complete {
-        let done = found.report.steps;
-        printer.warning(format_args!("stopped early by {} after {done} steps", stopped_by(found.stop)));
-    }
-    run.report.transport = Some(found.report);
-    let certified = run.answer(asked.json)?;
-    Ok(if certified && complete { Exit::Done } else { Exit::Undecided })
+    run.report.transport = Some(found.report.clone());
+    let moved = Moved {
+        caps: cells.caps(),
+        inlet: found.inlet,
+        surface: &|| NeuronSurface::of_flow(&cells),
+        bytes: &|frame| cells.vtu(&frame.values, args.linear),
+    };
+    let settings = (started, parameters, fingerprint);
+    transport::finish(asked, series, settings, &moved, found, run.report, printer)
 }

@@ -1,9 +1,12 @@
 //! `pompeiu neuron`.
 
 mod args;
+mod checkpoint;
 mod everything;
+mod extraction;
 mod json;
 mod run;
+mod source;
 mod text;
 mod transport;
 

@@ -1,18 +1,16 @@
 //! Runs the command.
 
-use super::args::{Blocks, Check, Mesh, Neuron as Args, SkeletonChoice, Stage};
-use super::{everything, json, text, transport};
+use super::args::{Check, Mesh, Neuron as Args, Stage};
+use super::source::{Source, is_mesh, skeleton};
+use super::{everything, extraction, json, text, transport};
 use crate::exit::Exit;
 use crate::json::milliseconds;
 use crate::printer::Printer;
 use crate::wait::Wait;
 use crate::{files, interrupt};
 use anyhow::{Context, bail};
-use pompeiu::core::run::{Limits, Progress, ProgressObserver};
-use pompeiu::neuron::{
-    MeshError, MeshOptions, NeuronMesh, NeuronReport, Preparation, Skeleton, SkeletonReport, SmoothOptions,
-    Timing, mesh_neuron, prepare, write_swc,
-};
+use pompeiu::core::run::Progress;
+use pompeiu::neuron::{NeuronReport, Timing, write_swc};
 use std::ffi::OsStr;
 use std::path::Path;
 use std::time::Instant;
@@ -36,24 +34,42 @@ fn check(args: &Check, printer: &Printer) -> anyhow::Result<Exit> {
     if let Some(output) = &args.output {
         check_output(output, &args.skeleton.skeleton, "swc", "a skeleton")?;
     }
-    let (skeleton, report) = read(&args.skeleton)?;
+    if is_mesh(&args.skeleton.skeleton) {
+        bail!("{}: is a mesh; `pompeiu neuron mesh` checks it", args.skeleton.skeleton.display());
+    }
+    let (skeleton, report) = skeleton(&args.skeleton)?;
+    let has_problems = !report.problems.is_empty();
     let skeleton_time = milliseconds(started.elapsed());
     if let Some(output) = &args.output {
         files::write_whole(output, write_swc(&skeleton.rows()).as_bytes(), printer)?;
     }
     let timing =
         Timing { skeleton: skeleton_time, total: milliseconds(started.elapsed()), ..Timing::default() };
-    let report =
-        NeuronReport { skeleton: report, mesh: None, spline: None, flow: None, transport: None, timing };
+    let report = NeuronReport {
+        skeleton: Some(report),
+        mesh: None,
+        spline: None,
+        flow: None,
+        transport: None,
+        timing,
+    };
     let path = args.skeleton.skeleton.display().to_string();
     Printer::answer(&if args.json { json::json(&report)? } else { text::text(&path, &report) })?;
-    Ok(if report.skeleton.problems.is_empty() { Exit::Done } else { Exit::Above })
+    Ok(if has_problems { Exit::Above } else { Exit::Done })
 }
 
 fn mesh(args: &Mesh, printer: &Printer) -> anyhow::Result<Exit> {
     let started = Instant::now();
-    if args.output.is_none() && !args.json {
+    let folders = || args.extraction.iter().chain(&args.compare);
+    if args.output.is_none() && folders().next().is_none() && !args.json {
         bail!("nothing would be written; name the result with -o, or ask for --json");
+    }
+    let beside = match (&args.output, &args.extraction) {
+        (_, Some(folder)) => Some(folder.join("bzmeshinfo.txt")),
+        (output, None) => output.clone(),
+    };
+    if args.partition.is_some() && beside.is_none() {
+        bail!("a partition is written beside a mesh: name one with -o, or a folder with --extraction");
     }
     if let Some(output) = &args.output {
         check_output(output, &args.skeleton.skeleton, "vtu", "a mesh")?;
@@ -61,7 +77,7 @@ fn mesh(args: &Mesh, printer: &Printer) -> anyhow::Result<Exit> {
     args.limits.apply_threads()?;
     interrupt::listen();
     let path = args.skeleton.skeleton.display().to_string();
-    let (skeleton, skeleton_report) = read(&args.skeleton)?;
+    let (source, skeleton) = Source::read(&args.skeleton)?;
     let skeleton_time = milliseconds(started.elapsed());
     let wait = Wait::new(printer);
     let watch = |progress: &Progress<'_>| {
@@ -69,12 +85,22 @@ fn mesh(args: &Mesh, printer: &Printer) -> anyhow::Result<Exit> {
         interrupt::flow()
     };
     let limits = args.limits.after(started.elapsed());
-    let mesh = meshed(&skeleton, &args.blocks, limits, &watch).with_context(|| path.clone())?;
+    let mesh = source.hexahedra(&args.blocks, &[], limits, &watch).with_context(|| path.clone())?;
     drop(wait);
     let mesh_time = milliseconds(started.elapsed()) - skeleton_time;
     if let Some(output) = &args.output {
         files::write_whole(output, &mesh.vtu().with_context(|| output.display().to_string())?, printer)?;
     }
+    if let Some(folder) = &args.extraction {
+        extraction::write(folder, &mesh, printer)?;
+    }
+    if let Some((parts, beside)) = args.partition.zip(beside) {
+        extraction::write_partition(&beside, &mesh, parts as usize, printer)?;
+    }
+    let agrees = match &args.compare {
+        Some(folder) => extraction::compare(folder, &mesh, printer)?,
+        None => true,
+    };
     let timing = Timing {
         skeleton: skeleton_time,
         mesh: Some(mesh_time),
@@ -82,33 +108,14 @@ fn mesh(args: &Mesh, printer: &Printer) -> anyhow::Result<Exit> {
         ..Timing::default()
     };
     let certified = mesh.report.certified;
-    let report = NeuronReport {
-        skeleton: skeleton_report,
-        mesh: Some(mesh.report),
-        spline: None,
-        flow: None,
-        transport: None,
-        timing,
-    };
+    let report =
+        NeuronReport { skeleton, mesh: Some(mesh.report), spline: None, flow: None, transport: None, timing };
     Printer::answer(&if args.json { json::json(&report)? } else { text::text(&path, &report) })?;
-    Ok(if certified { Exit::Done } else { Exit::Undecided })
-}
-
-/// Fills a skeleton with hexahedra as asked.
-pub(super) fn meshed(
-    skeleton: &Skeleton,
-    blocks: &Blocks,
-    limits: Limits,
-    progress: &dyn ProgressObserver,
-) -> Result<NeuronMesh, MeshError> {
-    let options = MeshOptions {
-        parts: blocks.parts.into(),
-        layer: blocks.layer,
-        limits,
-        progress: Some(progress),
-        ..MeshOptions::default()
-    };
-    mesh_neuron(skeleton, &options)
+    Ok(match (certified, agrees) {
+        (false, _) => Exit::Undecided,
+        (true, false) => Exit::Above,
+        (true, true) => Exit::Done,
+    })
 }
 
 pub(super) fn check_output(output: &Path, input: &Path, suffix: &str, what: &str) -> anyhow::Result<()> {
@@ -117,13 +124,4 @@ pub(super) fn check_output(output: &Path, input: &Path, suffix: &str, what: &str
         bail!("{}: {what} is written as .{suffix}", output.display());
     }
     Ok(())
-}
-
-/// Reads a skeleton and does what is asked to it.
-pub(super) fn read(choice: &SkeletonChoice) -> anyhow::Result<(Skeleton, SkeletonReport)> {
-    let shown = || choice.skeleton.display().to_string();
-    files::check_readable(&choice.skeleton)?;
-    let bytes = std::fs::read(&choice.skeleton).with_context(shown)?;
-    let smooth = SmoothOptions { steps: choice.smooth as usize, spacing: choice.spacing };
-    prepare(&bytes, &Preparation { repair: choice.repair, smooth }).with_context(shown)
 }

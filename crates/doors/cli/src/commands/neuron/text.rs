@@ -2,29 +2,16 @@
 
 use crate::numbers::{agreed, between, few, grouped, time};
 use crate::page::Page;
-use pompeiu::neuron::NeuronReport;
+use pompeiu::neuron::{NeuronReport, SkeletonReport};
 use std::time::Duration;
 
 /// Problems that are listed; JSON lists all.
 const LISTED: usize = 12;
 
-/// The verdict first, then a row for each quantity.
-pub(super) fn text(path: &str, report: &NeuronReport) -> String {
-    let mut page = Page::new();
+/// What is said of a skeleton.
+fn add_skeleton(page: &mut Page, path: &str, skeleton: &SkeletonReport) {
     let number = |n: usize| grouped(n as u64);
-    let skeleton = &report.skeleton;
     let problems = &skeleton.problems;
-    let of_skeleton = match problems.len() {
-        0 => "no problems".to_owned(),
-        1 => "1 problem".to_owned(),
-        n => format!("{} problems", number(n)),
-    };
-    let verdict = match &report.mesh {
-        None => of_skeleton,
-        Some(mesh) if mesh.certified => format!("every cell is proven valid; the skeleton has {of_skeleton}"),
-        Some(_) => format!("not every cell is proven valid; the skeleton has {of_skeleton}"),
-    };
-    page.row("result", &verdict);
     page.row(
         "skeleton",
         &format!(
@@ -55,6 +42,30 @@ pub(super) fn text(path: &str, report: &NeuronReport) -> String {
     }
     if problems.len() > LISTED {
         page.row("", &format!("and {} more, all in --json", number(problems.len() - LISTED)));
+    }
+}
+
+/// The verdict first, then a row for each quantity.
+pub(super) fn text(path: &str, report: &NeuronReport) -> String {
+    let mut page = Page::new();
+    let number = |n: usize| grouped(n as u64);
+    let of_skeleton = report.skeleton.as_ref().map(|skeleton| match skeleton.problems.len() {
+        0 => "no problems".to_owned(),
+        1 => "1 problem".to_owned(),
+        n => format!("{} problems", number(n)),
+    });
+    let of_cells = report.mesh.as_ref().map(|mesh| {
+        if mesh.certified { "every cell is proven valid" } else { "not every cell is proven valid" }
+            .to_owned()
+    });
+    let verdict = match (of_cells, of_skeleton) {
+        (Some(cells), Some(skeleton)) => format!("{cells}; the skeleton has {skeleton}"),
+        (cells, skeleton) => cells.or(skeleton).unwrap_or_default(),
+    };
+    page.row("result", &verdict);
+    match &report.skeleton {
+        Some(skeleton) => add_skeleton(&mut page, path, skeleton),
+        None => page.row("from", path),
     }
     if let Some(mesh) = &report.mesh {
         page.row(

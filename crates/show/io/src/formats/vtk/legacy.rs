@@ -3,18 +3,13 @@
 use super::cells::{self, CellArray, CellKind};
 use super::numbers::{ByteOrder, NumberType};
 use crate::error::{FormatError, Location};
+use crate::hexahedra::Hexahedra;
 use crate::raw::RawMesh;
 use crate::text::{self, Problem, quoted};
 
 pub(crate) fn read(bytes: &[u8]) -> Result<RawMesh, FormatError> {
-    let mut scanner = Scanner { bytes, at: 0, binary: false };
-    let parts = read_parts(&mut scanner).map_err(|problem| {
-        if scanner.binary {
-            FormatError::new(Location::Byte(problem.offset as u64), problem.text)
-        } else {
-            problem.in_text(bytes)
-        }
-    })?;
+    let mut scanner = Scanner { bytes, at: 0, binary: false, last: Vec::new() };
+    let parts = read_parts(&mut scanner).map_err(|problem| scanner.error(problem))?;
     cells::check_point_count(parts.positions.len())?;
     let mut raw = RawMesh { positions: parts.positions, ..RawMesh::default() };
     match parts.types {
@@ -34,6 +29,57 @@ pub(crate) fn read(bytes: &[u8]) -> Result<RawMesh, FormatError> {
         }
     }
     Ok(raw)
+}
+
+/// Reads the hexahedra of an unstructured grid, and the numbers of its points that are called `label`.
+pub(crate) fn read_hexahedra(bytes: &[u8]) -> Result<Hexahedra, FormatError> {
+    let mut scanner = Scanner { bytes, at: 0, binary: false, last: Vec::new() };
+    let read = |scanner: &mut Scanner<'_>| {
+        let parts = read_parts(scanner)?;
+        let labels = read_labels(scanner, parts.positions.len() as u64)?;
+        Ok((parts, labels))
+    };
+    let (parts, labels) = read(&mut scanner).map_err(|problem| scanner.error(problem))?;
+    cells::check_point_count(parts.positions.len())?;
+    let Some(types) = parts.types else {
+        let problem = "found POLYDATA, expected an unstructured grid";
+        return Err(FormatError::new(Location::File, problem));
+    };
+    let mut grid = Hexahedra { positions: parts.positions, labels, ..Hexahedra::default() };
+    for (_, array) in &parts.arrays {
+        if types.len() != array.ends.len() {
+            let problem = format!("{} cell types for {} cells", types.len(), array.ends.len());
+            return Err(FormatError::new(Location::File, problem));
+        }
+        grid.add(0, (&array.corners, &array.ends), &types)?;
+    }
+    Ok(grid)
+}
+
+/// Numbers of points that are called `label`, where they come first; other data are left out.
+fn read_labels(scanner: &mut Scanner<'_>, points: u64) -> Result<Option<Vec<f64>>, Problem> {
+    if scanner.last != b"point_data" {
+        return Ok(None);
+    }
+    let (at, count) = (scanner.at, scanner.count()?);
+    if scanner.keyword().1 != b"scalars" || scanner.keyword().1 != b"label" {
+        return Ok(None);
+    }
+    if count != points {
+        return Err(Problem::new(at, format!("found data for {count} points, expected {points}")));
+    }
+    let number_type = scanner.number_type()?;
+    let mut next = scanner.keyword();
+    if next.1 == b"1" {
+        next = scanner.keyword();
+    }
+    if next.1 != b"lookup_table" {
+        let problem = format!("found {}, expected LOOKUP_TABLE", quoted(&next.1));
+        return Err(Problem::new(next.0, problem));
+    }
+    scanner.keyword();
+    scanner.end_header_line();
+    scanner.reals(count, number_type).map(Some)
 }
 
 #[derive(Default)]
@@ -71,7 +117,10 @@ fn read_parts(scanner: &mut Scanner<'_>) -> Result<Parts, Problem> {
         let (at, keyword) = scanner.keyword();
         let kind = match keyword.as_slice() {
             // What follows belongs to points and cells and makes none.
-            b"" | b"point_data" | b"cell_data" => return Ok(parts),
+            b"" | b"point_data" | b"cell_data" => {
+                scanner.last = keyword;
+                return Ok(parts);
+            }
             b"points" => {
                 parts.positions = read_points(scanner)?;
                 continue;
@@ -208,9 +257,19 @@ struct Scanner<'a> {
     bytes: &'a [u8],
     at: usize,
     binary: bool,
+    /// The word that ended points and cells.
+    last: Vec<u8>,
 }
 
 impl<'a> Scanner<'a> {
+    fn error(&self, problem: Problem) -> FormatError {
+        if self.binary {
+            FormatError::new(Location::Byte(problem.offset as u64), problem.text)
+        } else {
+            problem.in_text(self.bytes)
+        }
+    }
+
     /// The rest of the line, without its end.
     fn line(&mut self) -> &'a [u8] {
         let (start, next) = (self.at, text::next_line(self.bytes, self.at));

@@ -7,6 +7,7 @@ use super::stream::{Packing, Stream};
 use crate::error::{FormatError, Location};
 use crate::expansion::Allowance;
 use crate::formats::Input;
+use crate::hexahedra::Hexahedra;
 use crate::raw::RawMesh;
 use crate::text::line_of;
 use memchr::memmem;
@@ -46,6 +47,31 @@ pub(crate) fn read_unstructured_grid(input: Input<'_>) -> Result<RawMesh, Format
         let cells = file.cells(element, count)?;
         let types = file.counts(array(file, element, "types")?, Some(count))?;
         cells::add(raw, base, &cells, |cell| CellKind::from_number(types[cell]))
+    })
+}
+
+/// Reads the hexahedra of an `UnstructuredGrid`, and the labels of its points.
+pub(crate) fn read_hexahedra(input: Input<'_>) -> Result<Hexahedra, FormatError> {
+    read(input, "UnstructuredGrid", |file, piece, grid: &mut Hexahedra| {
+        let base = grid.positions.len();
+        grid.positions.extend(file.points(piece)?);
+        cells::check_point_count(grid.positions.len())?;
+        let data = piece.children().find(|node| node.has_tag_name("PointData"));
+        let label = |data: Node<'_, '_>| {
+            data.children().find(|node| node.attribute("Name") == Some("label")).map(|node| node.id())
+        };
+        if let Some(label) = data.and_then(label).and_then(|id| piece.document().get_node(id)) {
+            let points = (grid.positions.len() - base) as u64;
+            grid.labels.get_or_insert_default().extend(file.reals(label, points)?);
+        }
+        let count = file.count(piece, "NumberOfCells")?;
+        if count == 0 {
+            return Ok(());
+        }
+        let element = child(file, piece, "Cells")?;
+        let cells = file.cells(element, count)?;
+        let types = file.counts(array(file, element, "types")?, Some(count))?;
+        grid.add(base, (&cells.corners, &cells.ends), &types)
     })
 }
 
@@ -203,17 +229,22 @@ impl File<'_, '_> {
     /// Adds the points of a piece; gives the number of the first.
     fn add_points(&self, piece: Node<'_, '_>, raw: &mut RawMesh) -> Result<usize, FormatError> {
         let base = raw.positions.len();
-        let count = self.count(piece, "NumberOfPoints")?;
-        if count > 0 {
-            let points = child(self, piece, "Points")?;
-            let Some(array) = points.children().find(|node| node.has_tag_name("DataArray")) else {
-                return Err(self.wrong(points, "no DataArray of points"));
-            };
-            let values = self.reals(array, count.saturating_mul(3))?;
-            raw.positions.extend_from_slice(values.as_chunks().0);
-            cells::check_point_count(raw.positions.len())?;
-        }
+        raw.positions.extend(self.points(piece)?);
+        cells::check_point_count(raw.positions.len())?;
         Ok(base)
+    }
+
+    /// The points of a piece.
+    fn points(&self, piece: Node<'_, '_>) -> Result<Vec<[f64; 3]>, FormatError> {
+        let count = self.count(piece, "NumberOfPoints")?;
+        if count == 0 {
+            return Ok(Vec::new());
+        }
+        let points = child(self, piece, "Points")?;
+        let Some(array) = points.children().find(|node| node.has_tag_name("DataArray")) else {
+            return Err(self.wrong(points, "no DataArray of points"));
+        };
+        Ok(self.reals(array, count.saturating_mul(3))?.as_chunks().0.to_vec())
     }
 
     fn cells(&self, element: Node<'_, '_>, count: u64) -> Result<CellArray, FormatError> {

@@ -1,0 +1,133 @@
+//! Tricubic cells of neurons, and flow through them.
+
+use crate::arrays::array_of_rows;
+use crate::errors::Raise;
+use crate::hausdorff::limits;
+use crate::json::written;
+use crate::neuron::{Meshing, TransportParts, transport_parts};
+use crate::wait::{self, Share, Watch};
+use numpy::{IntoPyArray, PyArray1, PyArray2};
+use pompeiu::neuron::{
+    Flow, FlowCells, FlowOptions, MeshError, MeshOptions, Skeleton, SplineReport, TransportOptions,
+    cubic_neuron, neuron_flow, read_transport_config, transport_in_flow,
+};
+use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+
+/// A flow that was solved for.
+#[pyclass(frozen, module = "pompeiu._native")]
+pub(crate) struct NeuronFlow(Flow);
+
+/// A mesh of tricubic cells: places of control points, cells, branches, the file it would be, and what is said of it and of its splines.
+pub(crate) type SplineParts<'py> = (
+    Bound<'py, PyArray2<f64>>,
+    Bound<'py, PyArray2<u32>>,
+    Bound<'py, PyArray1<i32>>,
+    Bound<'py, PyBytes>,
+    String,
+    String,
+);
+
+/// A flow: itself, places of control points, cells, branches, velocities at control points, pressures of cells; samples of the flat ends,
+/// what flows out there and the pressure; the file it would be, and what is said of the mesh and of the flow.
+pub(crate) type FlowParts<'py> = (
+    NeuronFlow,
+    Bound<'py, PyArray2<f64>>,
+    Bound<'py, PyArray2<u32>>,
+    Bound<'py, PyArray1<i32>>,
+    Bound<'py, PyArray2<f64>>,
+    Bound<'py, PyArray1<f64>>,
+    Bound<'py, PyArray1<i64>>,
+    Bound<'py, PyArray2<f64>>,
+    Bound<'py, PyBytes>,
+    String,
+    String,
+);
+
+fn places<P: Copy + Into<[f64; 3]>>(points: &[P]) -> Vec<[f64; 3]> {
+    points.iter().copied().map(Into::into).collect()
+}
+
+/// Fills the neuron with tricubic cells, each cut into this many spline elements along each edge.
+pub(crate) fn splines<'py>(
+    py: Python<'py>,
+    skeleton: &Skeleton,
+    meshing: Meshing,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<SplineParts<'py>> {
+    let (elements, options) = meshing.of_patches()?;
+    let found = wait::run(py, progress, |watch: &mut Watch<'_, Share>| {
+        let found = cubic_neuron(skeleton, &MeshOptions { progress: Some(&*watch), ..options })?;
+        let file = found.vtu(false).map_err(|_| MeshError::Stopped)?;
+        let report = SplineReport::new(&found.mesh, elements);
+        Ok::<_, MeshError>((found, file, report))
+    })?;
+    let (found, file, report) = found.map_err(Raise::raise)?;
+    Ok((
+        array_of_rows(py, places(found.mesh.points()))?,
+        array_of_rows(py, found.mesh.cells().to_vec())?,
+        found.parts.into_pyarray(py),
+        PyBytes::new(py, &file),
+        written(&found.report)?,
+        written(&report)?,
+    ))
+}
+
+/// Fills the neuron with tricubic cells and solves for the flow through them.
+pub(crate) fn flow<'py>(
+    py: Python<'py>,
+    skeleton: &Skeleton,
+    meshing: Meshing,
+    config: &str,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<FlowParts<'py>> {
+    let parameters = read_transport_config(config).map_err(Raise::raise)?.flow;
+    let (elements, options) = meshing.of_patches()?;
+    let found = wait::run(py, progress, |watch: &mut Watch<'_, Share>| {
+        let limits = options.limits.clone();
+        let mesh = cubic_neuron(skeleton, &MeshOptions { progress: Some(&*watch), ..options })?;
+        let options = FlowOptions { elements, limits, progress: Some(&*watch) };
+        let flow = neuron_flow(&mesh, &parameters, &options);
+        Ok::<_, MeshError>((mesh.report, flow))
+    })?;
+    let (mesh, flow) = found.map_err(Raise::raise)?;
+    let flow = flow.map_err(Raise::raise)?;
+    let file = flow.vtu(false).map_err(|_| MeshError::Stopped.raise())?;
+    let ends = flow.ends.iter().map(|end| [end.flux, end.pressure]).collect();
+    let samples = flow.ends.iter().map(|end| end.sample).collect::<Vec<_>>();
+    let (mesh, report) = (written(&mesh)?, written(&flow.report)?);
+    let points = array_of_rows(py, places(flow.mesh.points()))?;
+    let cells = array_of_rows(py, flow.mesh.cells().to_vec())?;
+    let branches = flow.parts.clone().into_pyarray(py);
+    let velocity = array_of_rows(py, places(&flow.velocity))?;
+    let pressure = flow.pressure().to_vec().into_pyarray(py);
+    let (samples, ends) = (samples.into_pyarray(py), array_of_rows(py, ends)?);
+    let file = PyBytes::new(py, &file);
+    let flow = NeuronFlow(flow);
+    Ok((flow, points, cells, branches, velocity, pressure, samples, ends, file, mesh, report))
+}
+
+#[pymethods]
+impl NeuronFlow {
+    /// Lets material diffuse and be carried along the flow, through cells cut into this many parts along each edge.
+    #[expect(clippy::too_many_arguments, reason = "one for each option of the Python half")]
+    fn transport<'py>(
+        &self,
+        py: Python<'py>,
+        parts: usize,
+        config: &str,
+        frames: usize,
+        time_limit: Option<f64>,
+        memory_limit: Option<usize>,
+        progress: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<TransportParts<'py>> {
+        let parameters = read_transport_config(config).map_err(Raise::raise)?;
+        let limits = limits(None, time_limit, memory_limit)?;
+        let found = wait::run(py, progress, |watch: &mut Watch<'_, Share>| {
+            let cells = FlowCells::new(&self.0, parts)?;
+            let options = TransportOptions { limits, progress: Some(&*watch), resume: None };
+            transport_in_flow(&cells, &parameters, frames, &options)
+        })?;
+        transport_parts(py, found.map_err(Raise::raise)?, &parameters)
+    }
+}

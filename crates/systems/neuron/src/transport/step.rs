@@ -1,0 +1,142 @@
+//! A step in time: of first order, or of second order where that leaves no concentration below zero.
+
+use super::error::TransportError;
+use super::problem::TimeScheme;
+use super::system::System;
+use pompeiu_solve::{LinearSolver, Lu};
+
+/// γ of the two stages: 1 − 1/√2.
+const GAMMA: f64 = 1.0 - std::f64::consts::FRAC_1_SQRT_2;
+
+/// A step that was made.
+pub(super) struct Stepped {
+    pub(super) values: Vec<f64>,
+    /// What came in through all ends.
+    pub(super) net: f64,
+    /// What went through them either way.
+    pub(super) gross: f64,
+}
+
+/// Makes steps, with matrices that are factored once.
+pub(super) struct Stepper<'s> {
+    system: &'s System<'s>,
+    source: Vec<f64>,
+    scheme: Scheme,
+}
+
+enum Scheme {
+    First(Lu),
+    /// Both stages have one matrix. That of first order is factored when it is needed for the first time.
+    Second {
+        stages: Lu,
+        first: Option<Box<Lu>>,
+    },
+}
+
+impl<'s> Stepper<'s> {
+    pub(super) fn new(system: &'s System<'s>) -> Result<Self, TransportError> {
+        let rate = 1.0 / system.parameters.step;
+        let scheme = match system.parameters.scheme {
+            TimeScheme::First => Scheme::First(Lu::new(&system.matrix(rate)?)?),
+            TimeScheme::Second => {
+                Scheme::Second { stages: Lu::new(&system.matrix(rate / GAMMA)?)?, first: None }
+            }
+        };
+        Ok(Self { system, source: system.source(), scheme })
+    }
+
+    pub(super) fn step(&mut self, values: &[f64]) -> Result<Stepped, TransportError> {
+        let (system, step) = (self.system, self.system.parameters.step);
+        let solve = |solver: &Lu, rate: f64, values: &[f64]| -> Result<Vec<f64>, TransportError> {
+            let right = values.iter().zip(&self.source).enumerate();
+            let mut right: Vec<f64> = right.map(|(k, (x, s))| system.volume(k) * rate * x + s).collect();
+            solver.solve_in_place(&mut right)?;
+            Ok(right)
+        };
+        let through_ends = |parts: &[(&[f64], f64)]| {
+            let (mut net, mut gross) = (0.0, 0.0);
+            for (values, weight) in parts {
+                system.each_end_flux(values, |flux| {
+                    net += weight * step * flux.amount;
+                    gross += weight * step * flux.amount.abs();
+                });
+            }
+            (net, gross)
+        };
+        match &mut self.scheme {
+            Scheme::First(solver) => {
+                let next = solve(solver, 1.0 / step, values)?;
+                let (net, gross) = through_ends(&[(&next, 1.0)]);
+                Ok(Stepped { values: next, net, gross })
+            }
+            Scheme::Second { stages, first } => {
+                let rate = 1.0 / (GAMMA * step);
+                let one = solve(stages, rate, values)?;
+                let ahead = (1.0 - GAMMA) / GAMMA;
+                let from: Vec<f64> = values.iter().zip(&one).map(|(n, y)| n + ahead * (y - n)).collect();
+                let two = solve(stages, rate, &from)?;
+                if two.iter().all(|x| *x >= 0.0) {
+                    let (net, gross) = through_ends(&[(&one, 1.0 - GAMMA), (&two, GAMMA)]);
+                    return Ok(Stepped { values: two, net, gross });
+                }
+                let solver = match first {
+                    Some(solver) => solver,
+                    None => first.insert(Box::new(Lu::new(&system.matrix(1.0 / step)?)?)),
+                };
+                let low = solve(solver, 1.0 / step, values)?;
+                Ok(limited(system, &low, [(&one, 1.0 - GAMMA), (&two, GAMMA)]))
+            }
+        }
+    }
+}
+
+/// The step of first order, with as much of what the fluxes of second order differ from its own as leaves nothing below zero: the limiter
+/// of Zalesak, for the lower bound alone.
+fn limited(system: &System<'_>, low: &[f64], high: [(&[f64], f64); 2]) -> Stepped {
+    let step = system.parameters.step;
+    let mut fluxes = Vec::new();
+    system.each_flux(low, |flux| fluxes.push((flux, 0.0)));
+    for (values, weight) in high {
+        let mut k = 0;
+        system.each_flux(values, |flux| {
+            fluxes[k].1 += weight * flux.amount;
+            k += 1;
+        });
+    }
+    let mut taken = vec![0.0; low.len()];
+    for (flux, higher) in &fluxes {
+        let more = step * (higher - flux.amount);
+        let giver = if more > 0.0 { flux.from } else { flux.to };
+        if let Some(giver) = giver {
+            taken[giver] += more.abs();
+        }
+    }
+    let share: Vec<f64> = low
+        .iter()
+        .zip(&taken)
+        .enumerate()
+        .map(|(k, (x, taken))| {
+            let there = (system.volume(k) * x).max(0.0);
+            if *taken > there { there / taken } else { 1.0 }
+        })
+        .collect();
+    let mut values = low.to_vec();
+    let (mut net, mut gross) = (0.0, 0.0);
+    for (flux, higher) in &fluxes {
+        let more = step * (higher - flux.amount);
+        let giver = if more > 0.0 { flux.from } else { flux.to };
+        let more = giver.map_or(1.0, |giver| share[giver]) * more;
+        if let Some(from) = flux.from {
+            values[from] -= more / system.volume(from);
+        }
+        if let Some(to) = flux.to {
+            values[to] += more / system.volume(to);
+        }
+        if flux.from.is_none() {
+            let came = step * flux.amount + more;
+            net += came;
+            gross += came.abs();
+        }
+    }
+    Stepped { values, net, gross }
+}

@@ -1,0 +1,157 @@
+//! The equations of transport on finite volumes, and what flows between unknowns.
+
+use super::discretisation::Discretisation;
+use super::error::TransportError;
+use super::flow::FlowField;
+use super::problem::Parameters;
+use pompeiu_solve::SparseMatrix;
+
+/// The equations: unknown `3 i + s` is kind s in cell i.
+pub(super) struct System<'s> {
+    pub(super) mesh: &'s Discretisation,
+    pub(super) flow: &'s FlowField,
+    pub(super) parameters: &'s Parameters,
+    pub(super) inlet: u32,
+}
+
+/// What flows from one unknown to another in a second; none is outside of the mesh.
+pub(super) struct Flux {
+    pub(super) from: Option<usize>,
+    pub(super) to: Option<usize>,
+    pub(super) amount: f64,
+}
+
+impl System<'_> {
+    /// Signed speeds of the two kinds on motors.
+    fn speeds(&self) -> [(usize, f64); 2] {
+        [(1, self.parameters.speed_plus), (2, -self.parameters.speed_minus)]
+    }
+
+    /// Free material at an end, and what comes in on motors.
+    fn given(&self, cap: u32) -> (Option<f64>, [f64; 3]) {
+        let p = self.parameters;
+        if cap == self.inlet {
+            (p.inlet_free, [0.0, p.inlet_plus, 0.0])
+        } else {
+            (p.tips_free, [0.0, 0.0, p.tips_minus])
+        }
+    }
+
+    /// Volumes times a rate, in 1/s, and what leaves each unknown for others.
+    pub(super) fn matrix(&self, rate: f64) -> Result<SparseMatrix, TransportError> {
+        let p = self.parameters;
+        let n = 3 * self.mesh.volumes.len();
+        let mut entries = Vec::with_capacity(7 * self.mesh.volumes.len() + 12 * self.mesh.links.len());
+        for (i, &volume) in self.mesh.volumes.iter().enumerate() {
+            let at = 3 * i;
+            entries.extend([
+                (at, at, volume * (rate + p.attach_plus + p.attach_minus)),
+                (at, at + 1, -volume * p.detach_plus),
+                (at, at + 2, -volume * p.detach_minus),
+                (at + 1, at + 1, volume * (rate + p.detach_plus)),
+                (at + 1, at, -volume * p.attach_plus),
+                (at + 2, at + 2, volume * (rate + p.detach_minus)),
+                (at + 2, at, -volume * p.attach_minus),
+            ]);
+        }
+        for (&([a, b], conductance), &through) in self.mesh.links.iter().zip(&self.flow.through) {
+            let (a, b) = (3 * a as usize, 3 * b as usize);
+            let d = p.diffusion * conductance;
+            entries.extend([(a, a, d), (a, b, -d), (b, b, d), (b, a, -d)]);
+            for (kind, speed) in self.speeds() {
+                let q = speed * through;
+                // From where it comes to where it goes.
+                let (from, to) = if q > 0.0 { (a + kind, b + kind) } else { (b + kind, a + kind) };
+                entries.extend([(from, from, q.abs()), (to, from, -q.abs())]);
+            }
+        }
+        for (end, &out) in self.mesh.ends.iter().zip(&self.flow.out) {
+            let at = 3 * end.cell as usize;
+            if self.given(end.cap).0.is_some() {
+                entries.push((at, at, p.diffusion * end.conductance));
+            }
+            for (kind, speed) in self.speeds() {
+                entries.push((at + kind, at + kind, (speed * out).max(0.0)));
+            }
+        }
+        Ok(SparseMatrix::from_triplets(n, n, &entries)?)
+    }
+
+    /// What comes in through the ends whatever is there.
+    pub(super) fn source(&self) -> Vec<f64> {
+        let mut source = vec![0.0; 3 * self.mesh.volumes.len()];
+        for (end, &out) in self.mesh.ends.iter().zip(&self.flow.out) {
+            let at = 3 * end.cell as usize;
+            let (free, carried) = self.given(end.cap);
+            if let Some(free) = free {
+                source[at] += self.parameters.diffusion * end.conductance * free;
+            }
+            for (kind, speed) in self.speeds() {
+                source[at + kind] += (-speed * out).max(0.0) * carried[kind];
+            }
+        }
+        source
+    }
+
+    /// What flows between unknowns and through the ends: always the same list, in the same order.
+    pub(super) fn each_flux(&self, values: &[f64], mut act: impl FnMut(Flux)) {
+        let p = self.parameters;
+        let mut between = |from: usize, to: usize, amount: f64| {
+            act(Flux { from: Some(from), to: Some(to), amount });
+        };
+        for (i, &volume) in self.mesh.volumes.iter().enumerate() {
+            let at = 3 * i;
+            let [free, plus, minus] = [values[at], values[at + 1], values[at + 2]];
+            between(at, at + 1, volume * (p.attach_plus * free - p.detach_plus * plus));
+            between(at, at + 2, volume * (p.attach_minus * free - p.detach_minus * minus));
+        }
+        for (&([a, b], conductance), &through) in self.mesh.links.iter().zip(&self.flow.through) {
+            let (a, b) = (3 * a as usize, 3 * b as usize);
+            between(a, b, p.diffusion * conductance * (values[a] - values[b]));
+            for (kind, speed) in self.speeds() {
+                let q = speed * through;
+                between(a + kind, b + kind, q * values[if q > 0.0 { a } else { b } + kind]);
+            }
+        }
+        self.each_end_flux(values, act);
+    }
+
+    /// What flows through the ends.
+    pub(super) fn each_end_flux(&self, values: &[f64], mut act: impl FnMut(Flux)) {
+        for (end, &out) in self.mesh.ends.iter().zip(&self.flow.out) {
+            let at = 3 * end.cell as usize;
+            let (free, carried) = self.given(end.cap);
+            if let Some(free) = free {
+                let amount = self.parameters.diffusion * end.conductance * (free - values[at]);
+                act(Flux { from: None, to: Some(at), amount });
+            }
+            for (kind, speed) in self.speeds() {
+                let q = speed * out;
+                let amount = -q * if q > 0.0 { values[at + kind] } else { carried[kind] };
+                act(Flux { from: None, to: Some(at + kind), amount });
+            }
+        }
+    }
+
+    /// The volume of the cell of an unknown.
+    pub(super) fn volume(&self, unknown: usize) -> f64 {
+        self.mesh.volumes[unknown / 3]
+    }
+
+    pub(super) fn mass(&self, values: &[f64]) -> f64 {
+        values.iter().enumerate().map(|(k, x)| self.volume(k) * x).sum()
+    }
+
+    /// Mean concentrations over the faces on each flat end.
+    pub(super) fn at_ends(&self, values: &[f64], caps: usize) -> Vec<[f64; 3]> {
+        let mut sums = vec![([0.0; 3], 0.0); caps];
+        for end in &self.mesh.ends {
+            let (sum, area) = &mut sums[end.cap as usize];
+            *area += end.area;
+            for (kind, sum) in sum.iter_mut().enumerate() {
+                *sum += end.area * values[3 * end.cell as usize + kind];
+            }
+        }
+        sums.into_iter().map(|(sum, area)| sum.map(|x| x / area)).collect()
+    }
+}
