@@ -84,7 +84,7 @@ COMMANDS = {
         "neuron flow fork.swc -o flow.vtu --linear",
         "neuron transport cell.swc --repair --parts 1 --config run.toml -o run.pvd",
         "neuron fork.swc --parts 1 --config run.toml --tips tips.csv",
-        "neuron mesh cell.vtu --partition 3 --extraction splines",
+        "neuron mesh fork.swc --parts 1 --partition 3 --extraction splines",
     ],
     "decompose": ["decompose torus.ply.gz", "decompose torus.ply.gz --field rotation:z --splitting dual"],
 }
