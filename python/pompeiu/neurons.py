@@ -438,7 +438,7 @@ class Skeleton:
         --------
         >>> import pompeiu
         >>> pompeiu.read_skeleton(b"1 2 0 0 0 1 -1\\n2 2 8 0 0 1 1\\n").splines()
-        NeuronSplines(20 cells, 676 functions, certified)
+        NeuronSplines(25 cells, 832 functions, certified)
         """
         meshing = _meshing(elements, layer, threads, time_limit, memory_limit)
         *found, mesh, spline = self._skeleton.splines(meshing, progress)
