@@ -45,6 +45,11 @@ class Session:
         self.program, self.record = program, record
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="surfaces-"))
         self.count = 0
+        self.cgal = self.folder / "cgal"
+        compiler = ["g++", "-O3", "-DNDEBUG", "-std=c++17", HERE / "cgal.cpp", "-o", self.cgal, "-lgmp", "-lmpfr"]
+        if shutil.which("g++") is None or subprocess.run(compiler, capture_output=True, check=False).returncode != 0:
+            print("CGAL: not there (libcgal-dev and g++ of Debian), left out", flush=True)
+            self.cgal = None
 
     def path(self, suffix):
         self.count += 1
@@ -63,6 +68,13 @@ class Session:
         cpu = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
         answer = json.loads(done.stdout) if "--json" in words else None
         return answer, cpu, wall
+
+    def run_cgal(self, task, source, *words):
+        """What CGAL makes of a mesh, with the seconds of the operation alone by its own clocks."""
+        out = self.path("obj")
+        command = [self.cgal, task, source, *[str(word) for word in words], out]
+        cpu, wall = subprocess.run(command, capture_output=True, text=True, check=True).stdout.split()
+        return read_obj(out), float(cpu), float(wall)
 
     def add(self, task, mesh, asked, program, faces, cpu, wall, judged, threads=1):
         row = {
@@ -168,11 +180,18 @@ def remeshing(session, mesh):
         made = meshes.current_mesh()
         return made.vertex_matrix(), made.face_matrix()
 
-    for program, work in [("gpytoolbox", gpy), ("pymeshlab", meshlab)]:
+    def cgal(target):
+        return session.run_cgal("remesh", mesh, target, ITERATIONS)
+
+    for program, work in [
+        ("gpytoolbox", lambda target: timed(lambda: gpy(target))),
+        ("pymeshlab", lambda target: timed(lambda: meshlab(target))),
+        *([("cgal", cgal)] if session.cgal else []),
+    ]:
         # The first length gives too few faces or too many; the second is corrected by that.
-        first = work(length)
+        first, *_ = work(length)
         target = length * math.sqrt(len(first[1]) / len(ours[1]))
-        made, cpu, wall = timed(lambda: work(target))
+        made, cpu, wall = work(target)
         add(program, made, cpu, wall, target)
 
 
@@ -213,12 +232,17 @@ def simplification(session, mesh):
             judged = f"H {100 * distance(session, source, out) / diagonal:.5f} % of the diagonal"
             count = answer["output"]["faces"]
             session.add("simplify", name, asked, "pompeiu", count, cpu, wall, judged, threads)
-        for program, work in [("pymeshlab", meshlab), ("meshoptimizer", meshopt), ("gpytoolbox", gpy)]:
+        for program, work in [
+            ("pymeshlab", lambda count: timed(lambda: meshlab(count))),
+            ("meshoptimizer", lambda count: timed(lambda: meshopt(count))),
+            ("gpytoolbox", lambda count: timed(lambda: gpy(count))),
+            *([("cgal", lambda count: session.run_cgal("simplify", source, count))] if session.cgal else []),
+        ]:
             # The fewest faces whose distance, as the judge measures it, is at most the limit.
             low, high, best = 100, len(faces), None
             for _ in range(HALVINGS):
                 middle = round(math.sqrt(low * high))
-                made, cpu, wall = timed(lambda: work(middle))
+                made, cpu, wall = work(middle)
                 out = session.path("obj")
                 write_obj(out, *made)
                 upper = distance(session, source, out) if len(made[1]) else math.inf

@@ -260,8 +260,19 @@ def register(
     progress: Optional[Callable[[float], Optional[bool]]],
 ) -> tuple[Mesh, str, bool]: ...
 def simplify(
-    mesh: Mesh, options: _Options, progress: Optional[Callable[[float], Optional[bool]]]
-) -> tuple[Mesh, str, int, str]: ...
+    mesh: Mesh,
+    options: _Options,
+    texture: Optional[tuple[ArrayLike, ArrayLike]],
+    colors: Optional[ArrayLike],
+    progress: Optional[Callable[[float], Optional[bool]]],
+) -> tuple[
+    Mesh,
+    str,
+    int,
+    str,
+    Optional[tuple[NDArray[np.float64], NDArray[np.uint32]]],
+    Optional[NDArray[np.uint8]],
+]: ...
 def remesh(
     mesh: Mesh, options: _Options, progress: Optional[Callable[[float], Optional[bool]]]
 ) -> tuple[Mesh, list[str], int, str]: ...

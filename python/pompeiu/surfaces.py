@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from . import _native
 from .errors import OptionError
@@ -163,12 +163,18 @@ class Simplified:
         Number of edges collapsed.
     stop : str
         Why it ended.
+    texture : tuple of ndarray or None
+        Texture coordinates, shape (k, 2), and which of them each corner of each face has, shape (m, 3); ``None`` unless given.
+    colors : ndarray of uint8 or None
+        Colours of the vertices, shape (n, 3); ``None`` unless given.
     """
 
     mesh: Mesh
     distance: SymmetricReport
     collapses: int
     stop: str
+    texture: Optional[Tuple[NDArray[np.float64], NDArray[np.uint32]]] = None
+    colors: Optional[NDArray[np.uint8]] = None
 
     def __repr__(self) -> str:
         return f"Simplified({self.mesh.n_faces} faces, at most {self.distance.upper:.6g} from the input)"
@@ -181,6 +187,8 @@ def simplify(
     faces: Optional[int] = None,
     features: Optional[float] = None,
     repair: bool = False,
+    texture: Optional[Tuple[ArrayLike, ArrayLike]] = None,
+    colors: Optional[ArrayLike] = None,
     threads: Optional[int] = None,
     time_limit: Optional[float] = None,
     progress: Optional[Callable[[float], Optional[bool]]] = None,
@@ -199,6 +207,11 @@ def simplify(
         Keeps boundaries, and edges whose faces meet at more than this angle between their normals, in degrees.
     repair : bool
         Repairs the mesh first; the distance is measured from the mesh as it was.
+    texture : tuple of array_like, optional
+        Texture coordinates, shape (k, 2), and which of them each corner of each face has, shape (m, 3). Edges with other coordinates on both
+        sides stay curves, and the result has coordinates of its own.
+    colors : array_like of uint8, optional
+        Colours of the vertices, shape (n, 3), carried over to the result.
     threads, time_limit : optional
         Limits; the mesh reached is returned when the time is over.
     progress : callable, optional
@@ -209,7 +222,7 @@ def simplify(
     SurfaceError
         If the mesh is no oriented manifold.
     OptionError
-        If not exactly one of ``within`` and ``faces`` is given, or it makes no sense.
+        If not exactly one of ``within`` and ``faces`` is given, or it makes no sense; if a mesh with texture or colours is to be repaired.
 
     Examples
     --------
@@ -222,6 +235,8 @@ def simplify(
         raise OptionError("give either within, a length, or faces, a number")
     if faces is not None and faces < 0:
         raise OptionError(f"the number of faces is {faces}; at least 1 is needed")
+    if repair and not (texture is None and colors is None):
+        raise OptionError("texture and colours cannot be carried over from a mesh that is repaired first; repair it before")
     options = {
         "within": None if within is None else float(within),
         "faces": faces or 0,
@@ -230,8 +245,8 @@ def simplify(
         "threads": threads,
         "time_limit": time_limit,
     }
-    made, text, collapses, stop = _native.simplify(as_mesh(mesh), options, progress)
-    return Simplified(made, SymmetricReport._of(json.loads(text)), collapses, stop)
+    made, text, *rest = _native.simplify(as_mesh(mesh), options, texture, colors, progress)
+    return Simplified(made, SymmetricReport._of(json.loads(text)), *rest)
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -72,6 +72,33 @@ def test_features_and_repair():
         pompeiu.simplify(cube, within=0.1, features=-1.0)
 
 
+def test_texture_and_colours_are_carried_over():
+    mesh = pompeiu.shapes.grid((2.0, 1.0), (40, 20))
+    points = np.asarray(mesh.vertices)
+    # Two charts, side by side in space and apart in the picture.
+    right = points[mesh.faces][:, :, 0].mean(axis=1) > np.median(points[:, 0])
+    coordinates = np.concatenate([points[:, :2], points[:, :2] + 10.0])
+    corners = mesh.faces + len(points) * right[:, None]
+    colors = np.zeros((len(points), 3), np.uint8)
+    colors[:, 0] = np.round(100 * (points[:, 0] - points[:, 0].min()))
+    found = pompeiu.simplify(mesh, within=1e-3, texture=(coordinates, corners), colors=colors)
+    assert found.mesh.n_faces < 40
+    places, of_corners = found.texture
+    moved = places[of_corners] - found.mesh.vertices[found.mesh.faces][:, :, :2]
+    # Each face lies in one chart, and where it was in it.
+    assert np.allclose(moved, np.round(moved / 10.0) * 10.0, atol=1e-9)
+    assert (np.ptp(moved[:, :, 0], axis=1) < 1e-9).all() and set(np.round(moved[:, 0, 0])) == {0.0, 10.0}
+    expected = 100 * (found.mesh.vertices[:, 0] - points[:, 0].min())
+    assert np.abs(found.colors[:, 0] - expected).max() <= 0.5
+    assert pompeiu.simplify(mesh, within=1e-3).texture is None
+    with pytest.raises(pompeiu.OptionError, match="repair it before"):
+        pompeiu.simplify(mesh, within=1e-3, colors=colors, repair=True)
+    with pytest.raises(pompeiu.PompeiuError, match="vertices"):
+        pompeiu.simplify(mesh, within=1e-3, colors=colors[1:])
+    with pytest.raises(pompeiu.OptionError, match="names value"):
+        pompeiu.simplify(mesh, within=1e-3, texture=(coordinates[:5], corners))
+
+
 def test_nearly_equilateral_faces():
     told = []
     sphere = pompeiu.shapes.icosphere(1.0, 4)

@@ -5,7 +5,7 @@ use crate::printer::Printer;
 use crate::wait::Wait;
 use anyhow::{Context, bail};
 use pompeiu::core::TriMesh;
-use pompeiu::io::{OutputFormat, ReadMesh, WriteError};
+use pompeiu::io::{Attributes, OutputFormat, ReadMesh, WriteError};
 use sha2::{Digest, Sha256};
 use std::fmt::Write as _;
 use std::fs::File;
@@ -103,8 +103,18 @@ pub(crate) fn check_writable(path: &Path) -> anyhow::Result<()> {
 
 /// Writes a mesh in the format that the suffix names, and says so.
 pub(crate) fn write(path: &Path, mesh: &TriMesh, printer: &Printer) -> anyhow::Result<()> {
+    write_with(path, mesh, &Attributes::for_mesh(mesh), printer)
+}
+
+/// The same with attributes.
+pub(crate) fn write_with(
+    path: &Path,
+    mesh: &TriMesh,
+    attributes: &Attributes,
+    printer: &Printer,
+) -> anyhow::Result<()> {
     check_writable(path)?;
-    pompeiu::io::write(path, mesh)?;
+    pompeiu::io::write_with(path, mesh, attributes)?;
     let shown = path.display();
     let is_rounded = |x: &f64| f64::from(*x as f32) != *x;
     if OutputFormat::from_path(path) == Some(OutputFormat::Stl)

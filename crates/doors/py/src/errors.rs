@@ -7,7 +7,7 @@ use pompeiu::figures::FigureError;
 use pompeiu::figures::page::PageError;
 use pompeiu::flatten::{CutError, FlattenError, MedialError};
 use pompeiu::flow::FlowError;
-use pompeiu::flow::remesh::{RemeshError, SimplifyError};
+use pompeiu::flow::remesh::{CarryError, RemeshError, SimplifyError};
 use pompeiu::fluid::FluidError;
 use pompeiu::hausdorff::OptionError;
 use pompeiu::hausdorff::deviation::BandError;
@@ -166,6 +166,15 @@ impl Raise for FluidError {
 }
 
 impl Raise for SimplifyError {
+    fn exception(&self, sentence: String) -> PyErr {
+        match self {
+            Self::Connectivity(_) => classes::SurfaceError::new_err(sentence),
+            _ => classes::OptionError::new_err(sentence),
+        }
+    }
+}
+
+impl Raise for CarryError {
     fn exception(&self, sentence: String) -> PyErr {
         match self {
             Self::Connectivity(_) => classes::SurfaceError::new_err(sentence),

@@ -1,6 +1,6 @@
 //! Flow to least area, and simplification.
 
-use crate::arrays::array_of_rows;
+use crate::arrays::{array_of_rows, colors as rgb, faces, vectors};
 use crate::errors::{Raise, unknown};
 use crate::hausdorff::limits;
 use crate::json::written;
@@ -10,9 +10,10 @@ use numpy::PyArray2;
 use pompeiu::core::geom::Aabb;
 use pompeiu::core::spatial::self_intersections;
 use pompeiu::flow::remesh::{
-    Features, Intersections, RemeshOptions, SimplifyOptions, SimplifyTarget, Sizing,
+    Carrier, CornerValues, Features, Intersections, RemeshOptions, SimplifyOptions, SimplifyTarget, Sizing,
 };
 use pompeiu::flow::{BoundaryCondition, FlowOptions, FlowStep, Remeshing, Scheme, Until};
+use pompeiu::io::AttributeError;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 use std::num::NonZeroUsize;
@@ -105,20 +106,52 @@ pub(crate) struct SimplifyChoice {
     time_limit: Option<f64>,
 }
 
+/// Texture coordinates and which of them each corner of each face has.
+type Texture<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<u32>>);
+
+/// A simplified mesh: the mesh, its distance, the collapses, why it ended, texture coordinates and colours.
+type Simple<'py> =
+    (Mesh, String, usize, &'static str, Option<Texture<'py>>, Option<Bound<'py, PyArray2<u8>>>);
+
 /// Reduces the number of faces within a distance, or to a number of faces.
 #[pyfunction]
-pub(crate) fn simplify(
-    py: Python<'_>,
-    mesh: &Bound<'_, Mesh>,
+pub(crate) fn simplify<'py>(
+    py: Python<'py>,
+    mesh: &Bound<'py, Mesh>,
     options: SimplifyChoice,
-    progress: Option<&Bound<'_, PyAny>>,
-) -> PyResult<(Mesh, String, usize, &'static str)> {
+    texture: Option<(Bound<'py, PyAny>, Bound<'py, PyAny>)>,
+    colors: Option<&Bound<'py, PyAny>>,
+    progress: Option<&Bound<'py, PyAny>>,
+) -> PyResult<Simple<'py>> {
     let target = options.within.map_or(SimplifyTarget::Faces(options.faces), SimplifyTarget::Within);
     let limits = limits(options.threads, options.time_limit, None)?;
     let mesh = mesh.get();
+    let texture = texture.map(|(coordinates, corners)| {
+        let values: Vec<[f64; 2]> = vectors(&coordinates, "texture coordinates", "(k, 2)")?;
+        let corners = faces(&corners, values.len())?;
+        Carrier::new(mesh.inner(), CornerValues { values, corners }, &[]).map_err(Raise::raise)
+    });
+    let texture = texture.transpose()?;
+    let colors = colors.map(|given| {
+        let values: Vec<_> = rgb(given, "colors")?.into_iter().map(|color| color.map(f64::from)).collect();
+        let (found, expected) = (values.len(), mesh.inner().positions().len());
+        if found != expected {
+            return Err(AttributeError::Length {
+                name: "colors".into(),
+                elements: "vertices",
+                expected,
+                found,
+            }
+            .raise());
+        }
+        let corners = mesh.inner().faces().to_vec();
+        Carrier::new(mesh.inner(), CornerValues { values, corners }, &[]).map_err(Raise::raise)
+    });
+    let colors = colors.transpose()?;
+    let seams = texture.as_ref().map(Carrier::seams).unwrap_or_default();
     let found = wait::run(py, progress, |watch: &mut Watch<'_, Share>| {
         let options = SimplifyOptions {
-            features: Features { angle: options.features, ..Features::default() },
+            features: Features { angle: options.features, edges: &seams, ..Features::default() },
             repair: options.repair,
             limits,
             progress: Some(&*watch),
@@ -127,7 +160,17 @@ pub(crate) fn simplify(
         pompeiu::flow::remesh::simplify(mesh.inner(), &options)
     })?;
     let found = found.map_err(Raise::raise)?;
-    Ok((Mesh::from(found.mesh), written(&found.distance)?, found.collapses, found.stop.name()))
+    let texture = texture.map(|carrier| {
+        let carried = carrier.carry(&found.mesh, &found.kept).map_err(Raise::raise)?;
+        PyResult::Ok((array_of_rows(py, carried.values)?, array_of_rows(py, carried.corners)?))
+    });
+    let colors = colors.map(|carrier| {
+        let carried = carrier.at_vertices(&found.mesh).map_err(Raise::raise)?;
+        array_of_rows(py, carried.into_iter().map(|color| color.map(|x| x.round() as u8)).collect())
+    });
+    let (texture, colors) = (texture.transpose()?, colors.transpose()?);
+    let distance = written(&found.distance)?;
+    Ok((Mesh::from(found.mesh), distance, found.collapses, found.stop.name(), texture, colors))
 }
 
 /// Options of remeshing.

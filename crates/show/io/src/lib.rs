@@ -12,6 +12,7 @@
 //! header's word alone, and no input makes a reader panic: what cannot be read is a [`ReadError`] that names the file
 //! and the place.
 
+mod appearance;
 mod error;
 mod expansion;
 mod face_vectors;
@@ -29,6 +30,7 @@ mod waves;
 mod weld;
 mod write;
 
+pub use appearance::{Appearance, Materials, TextureCoordinates, read_appearance};
 pub use error::{FormatError, Location, ReadError};
 pub use face_vectors::read_face_vectors;
 pub use format::Format;

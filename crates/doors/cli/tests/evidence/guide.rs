@@ -4,7 +4,9 @@
 
 use crate::common::{Folder, repository};
 use std::fmt::Write;
+use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 fn pages() -> Vec<PathBuf> {
     let folder = repository().join("docs/guide/pages");
@@ -65,51 +67,65 @@ fn without_times(text: &str) -> String {
 #[test]
 fn what_the_guide_shows_is_what_the_program_says() {
     let update = std::env::var_os("GUIDE_UPDATE").is_some();
-    assert!(pages().len() >= 6, "pages are missing");
-    for path in pages() {
-        let page = path.file_name().unwrap().to_string_lossy().into_owned();
-        let text = std::fs::read_to_string(&path).unwrap();
-        let folder = folder_with_examples();
-        let (mut updated, mut printed) = (String::new(), None);
-        let mut lines = text.lines();
-        while let Some(line) = lines.next() {
-            let _ = writeln!(updated, "{line}");
-            let Some(tag) = line.strip_prefix("```") else {
-                if !line.trim().is_empty() {
-                    printed = None;
+    let pages = pages();
+    assert!(pages.len() >= 6, "pages are missing");
+    // Each page has a folder of its own, so pages need not wait for each other.
+    let next = AtomicUsize::new(0);
+    let threads = std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
+    std::thread::scope(|scope| {
+        for _ in 0..threads {
+            scope.spawn(|| {
+                while let Some(path) = pages.get(next.fetch_add(1, Ordering::Relaxed)) {
+                    check_page(path, update);
                 }
-                continue;
-            };
-            let block: Vec<_> = lines.by_ref().take_while(|line| *line != "```").collect();
-            let mut shown = block.join("\n");
-            match (tag, printed.take()) {
-                ("sh", _) => {
-                    for line in block.iter().filter(|line| !line.is_empty() && !line.starts_with('#')) {
-                        printed = Some(run(&folder, &page, line));
-                    }
-                }
-                ("text", Some(found)) => {
-                    if update {
-                        found.trim_end().clone_into(&mut shown);
-                    } else {
-                        assert_eq!(without_times(&shown), without_times(&found), "{page}");
-                    }
-                }
-                _ => {}
-            }
-            let _ = writeln!(updated, "{shown}\n```");
+            });
         }
+    });
+}
+
+fn check_page(path: &Path, update: bool) {
+    let page = path.file_name().unwrap().to_string_lossy().into_owned();
+    let text = std::fs::read_to_string(path).unwrap();
+    let folder = folder_with_examples();
+    let (mut updated, mut printed) = (String::new(), None);
+    let mut lines = text.lines();
+    while let Some(line) = lines.next() {
+        let _ = writeln!(updated, "{line}");
+        let Some(tag) = line.strip_prefix("```") else {
+            if !line.trim().is_empty() {
+                printed = None;
+            }
+            continue;
+        };
+        let block: Vec<_> = lines.by_ref().take_while(|line| *line != "```").collect();
+        let mut shown = block.join("\n");
+        match (tag, printed.take()) {
+            ("sh", _) => {
+                for line in block.iter().filter(|line| !line.is_empty() && !line.starts_with('#')) {
+                    printed = Some(run(&folder, &page, line));
+                }
+            }
+            ("text", Some(found)) => {
+                if update {
+                    found.trim_end().clone_into(&mut shown);
+                } else {
+                    assert_eq!(without_times(&shown), without_times(&found), "{page}");
+                }
+            }
+            _ => {}
+        }
+        let _ = writeln!(updated, "{shown}\n```");
+    }
+    if update {
+        std::fs::write(path, updated).unwrap();
+    }
+    for entry in std::fs::read_dir(folder.path().join("pictures")).unwrap() {
+        let made = entry.unwrap().path();
+        let shown = path.with_file_name("pictures").join(made.file_name().unwrap());
         if update {
-            std::fs::write(&path, updated).unwrap();
+            std::fs::copy(&made, &shown).unwrap();
         }
-        for entry in std::fs::read_dir(folder.path().join("pictures")).unwrap() {
-            let made = entry.unwrap().path();
-            let shown = path.with_file_name("pictures").join(made.file_name().unwrap());
-            if update {
-                std::fs::copy(&made, &shown).unwrap();
-            }
-            let same = std::fs::read(&made).unwrap() == std::fs::read(&shown).unwrap_or_default();
-            assert!(same, "{page}: {} is out of date", shown.display());
-        }
+        let same = std::fs::read(&made).unwrap() == std::fs::read(&shown).unwrap_or_default();
+        assert!(same, "{page}: {} is out of date", shown.display());
     }
 }

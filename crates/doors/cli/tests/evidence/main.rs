@@ -7,4 +7,5 @@ mod common;
 mod deviation;
 mod guide;
 mod many;
+mod simplify;
 mod transcripts;

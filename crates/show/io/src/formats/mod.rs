@@ -8,10 +8,12 @@ mod ply;
 pub(crate) mod stl;
 mod vtk;
 
+use crate::appearance::Appearance;
 use crate::error::FormatError;
 use crate::format::Format;
 use crate::hexahedra::Hexahedra;
 use crate::raw::RawMesh;
+use pompeiu_core::TriMesh;
 use std::path::{Path, PathBuf};
 
 /// The content of a file, decompressed.
@@ -56,6 +58,23 @@ pub(crate) fn read_hexahedra(
         Some(Format::VtkLegacy) => Some(vtk::read_legacy_hexahedra(input.bytes)),
         Some(Format::Vtu) => Some(vtk::read_hexahedra(input)),
         _ => None,
+    }
+}
+
+/// Reads what `input` says of how a mesh looks that was read from it; most formats say nothing.
+pub(crate) fn read_appearance(
+    format: Format,
+    input: Input<'_>,
+    mesh: &TriMesh,
+) -> Result<Appearance, FormatError> {
+    match format {
+        Format::Obj => obj::read_appearance(input.bytes, mesh),
+        Format::Ply => {
+            let colors = ply::read_vertex_colors(input.bytes)?;
+            let colors = colors.filter(|colors| colors.len() == mesh.positions().len());
+            Ok(Appearance { colors, ..Appearance::default() })
+        }
+        _ => Ok(Appearance::default()),
     }
 }
 

@@ -1,6 +1,7 @@
 //! Values that travel with a mesh into a file.
 
 use super::vtk_xml;
+use crate::appearance::Materials;
 use pompeiu_core::TriMesh;
 
 /// Why values cannot be attributes of a mesh.
@@ -37,6 +38,16 @@ pub enum AttributeError {
         /// Number of texture coordinates.
         coordinates: usize,
     },
+    /// A face names a material that does not exist.
+    #[error("face {face} names material {index}, but there are {names} (the first is 0)")]
+    Material {
+        /// The face.
+        face: usize,
+        /// The index it holds.
+        index: u32,
+        /// Number of materials.
+        names: usize,
+    },
     /// The name is taken.
     #[error("there are two attributes of the {elements} named {name:?}")]
     Duplicate {
@@ -57,6 +68,7 @@ pub struct Attributes {
     vertices: OfElements,
     faces: OfElements,
     texture: Option<Texture>,
+    materials: Option<Materials>,
 }
 
 /// Places in a picture, and which of them each corner of each face has.
@@ -90,6 +102,7 @@ impl Attributes {
             vertices: of("vertices", mesh.positions().len()),
             faces: of("faces", mesh.faces().len()),
             texture: None,
+            materials: None,
         }
     }
 
@@ -171,6 +184,24 @@ impl Attributes {
         }
         self.texture = Some(Texture { coordinates, corners, image });
         Ok(self)
+    }
+
+    /// Sets the materials of the faces.
+    ///
+    /// # Errors
+    /// [`AttributeError::Length`] unless there is one per face; [`AttributeError::Material`] for one without a name.
+    pub fn with_materials(mut self, materials: Materials) -> Result<Self, AttributeError> {
+        self.faces.check_length("materials", materials.faces.len())?;
+        if let Some(face) = materials.faces.iter().position(|m| *m as usize >= materials.names.len()) {
+            let (index, names) = (materials.faces[face], materials.names.len());
+            return Err(AttributeError::Material { face, index, names });
+        }
+        self.materials = Some(materials);
+        Ok(self)
+    }
+
+    pub(super) fn materials(&self) -> Option<&Materials> {
+        self.materials.as_ref()
     }
 
     pub(super) fn texture(&self) -> Option<&Texture> {

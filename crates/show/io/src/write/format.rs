@@ -77,12 +77,18 @@ impl OutputFormat {
         }
     }
 
-    const fn holds_vertex_colors(self) -> bool {
+    /// Whether it has room for colours of vertices.
+    pub const fn holds_vertex_colors(self) -> bool {
         !matches!(self, Self::Stl)
     }
 
     const fn holds_face_colors(self) -> bool {
         matches!(self, Self::Ply | Self::Off | Self::Vtp | Self::Vtu)
+    }
+
+    /// Whether it has room for texture coordinates.
+    pub const fn holds_texture(self) -> bool {
+        matches!(self, Self::Obj | Self::Glb)
     }
 
     /// Whether it has room for scalars of vertices and faces and for vectors of faces.
@@ -104,12 +110,14 @@ impl OutputFormat {
         if attributes.face_scalars().next().is_some() && !self.holds_scalars() {
             return no_room("face scalars");
         }
-        let holds_texture = matches!(self, Self::Obj | Self::Glb);
-        if attributes.texture().is_some() && !holds_texture {
+        if attributes.texture().is_some() && !self.holds_texture() {
             return no_room("texture coordinates");
         }
         if attributes.texture().is_some_and(|texture| texture.image.is_some()) && self != Self::Glb {
             return no_room("texture images");
+        }
+        if attributes.materials().is_some() && self != Self::Obj {
+            return no_room("materials");
         }
         if attributes.face_vectors().next().is_some() && !self.holds_scalars() {
             return no_room("face vectors");

@@ -7,6 +7,12 @@ use std::io::Write;
 
 pub(super) fn write(out: impl Write, mesh: &TriMesh, attributes: &Attributes) -> Result<(), EncodeError> {
     let mut text = TextWriter::new(out);
+    let materials = attributes.materials();
+    if let Some(library) = materials.and_then(|materials| materials.library.as_deref()) {
+        text.text("mtllib ");
+        text.text(&on_one_line(library));
+        text.end_line()?;
+    }
     for (v, position) in mesh.positions().iter().enumerate() {
         text.text("v");
         for &coordinate in position {
@@ -30,7 +36,14 @@ pub(super) fn write(out: impl Write, mesh: &TriMesh, attributes: &Attributes) ->
         }
         text.end_line()?;
     }
+    let mut material = 0;
     for (f, face) in mesh.faces().iter().enumerate() {
+        if let Some(materials) = materials.filter(|materials| materials.faces[f] != material) {
+            material = materials.faces[f];
+            text.text("usemtl ");
+            text.text(&on_one_line(&materials.names[material as usize]));
+            text.end_line()?;
+        }
         text.text("f");
         for (i, &v) in face.iter().enumerate() {
             text.text(" ");
@@ -43,4 +56,9 @@ pub(super) fn write(out: impl Write, mesh: &TriMesh, attributes: &Attributes) ->
         text.end_line()?;
     }
     Ok(text.flush()?)
+}
+
+/// A name without what would end the statement.
+fn on_one_line(name: &str) -> String {
+    name.chars().filter(|c| !c.is_control() && *c != '#').collect()
 }

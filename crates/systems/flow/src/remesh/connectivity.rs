@@ -276,17 +276,23 @@ impl DynamicMesh {
     /// # Errors
     /// [`MeshError`] if no face is left or a coordinate is not finite.
     pub fn to_mesh(&self) -> Result<TriMesh, MeshError> {
-        let mut number = vec![NONE; self.positions.len()];
-        let mut positions = Vec::new();
-        for (v, p) in self.positions.iter().enumerate() {
-            if self.outgoing[v] != NONE {
-                number[v] = positions.len() as u32;
-                positions.push(p.to_array());
-            }
-        }
+        let number = self.numbers();
+        let in_use = self.positions.iter().zip(&number).filter(|(_, number)| **number != NONE);
+        let positions = in_use.map(|(p, _)| p.to_array()).collect();
         let corners = self.origin.as_chunks::<3>().0.iter();
         let faces = corners.filter(|c| c[0] != NONE).map(|c| c.map(|v| number[v as usize])).collect();
         TriMesh::new(positions, faces)
+    }
+
+    /// The number that [`DynamicMesh::to_mesh`] gives each vertex; [`NONE`] for vertices without faces.
+    pub(super) fn numbers(&self) -> Vec<u32> {
+        let mut count = 0;
+        let mut number = |own: &u32| {
+            let exists = *own != NONE;
+            count += u32::from(exists);
+            if exists { count - 1 } else { NONE }
+        };
+        self.outgoing.iter().map(&mut number).collect()
     }
 
     /// Checks every invariant; for tests.

@@ -110,3 +110,51 @@ pub(super) fn flip_to_delaunay(surface: &mut Marked) -> usize {
     }
     flipped
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::features::{Curves, Features};
+    use super::*;
+    use pompeiu_core::TriMesh;
+    use pompeiu_core::geom::{Aabb, Frame};
+    use pompeiu_core::mesh::displace_at_random;
+    use pompeiu_core::mesh::shapes::{Diagonal, grid};
+    use pompeiu_core::spatial::bvh::Bvh;
+
+    /// A triangulation of a square with vertices moved about in its plane.
+    fn jittered() -> Marked {
+        let square =
+            displace_at_random(&grid([20.0, 20.0], [20, 20], Diagonal::Rising).expect("a grid"), 0.3, 5)
+                .expect("a mesh");
+        let flat = square.positions().iter().map(|p| [p[0], p[1], 0.0]).collect();
+        let flat = TriMesh::new(flat, square.faces().to_vec()).expect("a mesh");
+        let mesh = DynamicMesh::new(flat.positions(), flat.faces()).expect("a manifold");
+        let curves = Curves::find(&mesh, &Features::default());
+        let near =
+            vec![Bvh::build(&flat, &Frame::of(&Aabb::of_faces(&flat))).any_slot(); mesh.positions.len()];
+        Marked { curve: curves.of_halfedge, hold: curves.hold, length: vec![1.0; near.len()], near, mesh }
+    }
+
+    /// The sine of the sum of the angles opposite an edge: below 0 exactly where the edge is not Delaunay.
+    fn delaunay_sine(mesh: &DynamicMesh, h: u32, t: u32) -> f64 {
+        let [u, v, a, b] = hinge(mesh, h, t).map(|x| mesh.positions[x as usize]);
+        let angle = |apex: DVec3| (u - apex).angle_between(v - apex);
+        (angle(a) + angle(b)).sin()
+    }
+
+    #[test]
+    fn every_edge_in_a_plane_becomes_delaunay() {
+        let mut surface = jittered();
+        let worst = |surface: &Marked| {
+            let mesh = &surface.mesh;
+            let inner = mesh.edges().filter_map(|h| Some((h, mesh.twin_of(h)?)));
+            inner
+                .map(|(h, t)| delaunay_sine(mesh, h, t))
+                .fold(f64::INFINITY, |x, y| if y < x { y } else { x })
+        };
+        assert!(worst(&surface) < -0.1, "something is to be done");
+        assert!(flip_to_delaunay(&mut surface) > 20);
+        assert!(worst(&surface) >= -1e-12, "{:e}", worst(&surface));
+        surface.assert_valid();
+    }
+}

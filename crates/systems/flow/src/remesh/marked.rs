@@ -2,6 +2,7 @@
 
 use super::connectivity::{DynamicMesh, NONE, next, previous};
 use glam::DVec3;
+use pompeiu_core::VertexId;
 use pompeiu_core::spatial::Slot;
 
 /// What holds a vertex.
@@ -51,6 +52,14 @@ impl Marked {
     /// The positions of the corners of a face.
     pub(super) fn triangle(&self, f: u32) -> [DVec3; 3] {
         self.mesh.corners(f).map(|v| self.mesh.positions[v as usize])
+    }
+
+    /// The edges of curves, by the numbers of their ends in [`DynamicMesh::to_mesh`].
+    pub(super) fn kept(&self) -> Vec<[VertexId; 2]> {
+        let number = self.mesh.numbers();
+        let on_curve = self.mesh.edges().filter(|&h| self.curve[h as usize] != NONE);
+        let ends = |h| [self.mesh.from(h), self.mesh.to(h)].map(|v| VertexId(number[v as usize]));
+        on_curve.map(ends).collect()
     }
 
     /// The vector along a halfedge.

@@ -1,6 +1,7 @@
 //! Changing the triangles of a surface.
 
 mod candidates;
+mod carried;
 mod collapses;
 mod connectivity;
 mod cover;
@@ -27,6 +28,7 @@ mod smooth;
 mod trial;
 mod within;
 
+pub use carried::{Carrier, CarryError, CornerValues};
 pub(crate) use connectivity::NONE;
 pub use connectivity::{ConnectivityError, DynamicMesh};
 pub use edit::Illegal;

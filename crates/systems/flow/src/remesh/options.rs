@@ -6,7 +6,7 @@ use super::guard::{IntersectionCount, Intersections, Intersects};
 use super::lengths::{LengthError, NotWithin, check_length};
 use pompeiu_core::mesh::repair::RepairError;
 use pompeiu_core::run::{Limits, ProgressObserver, StopReason};
-use pompeiu_core::{MeshError, TriMesh};
+use pompeiu_core::{MeshError, TriMesh, VertexId};
 use pompeiu_hausdorff::SymmetricReport;
 use std::time::Duration;
 
@@ -79,6 +79,9 @@ impl SimplifyOptions<'_> {
 pub struct Simplified {
     /// The mesh; vertices without faces are left out.
     pub mesh: TriMesh,
+    /// The edges of the mesh that are on curves, if [features](SimplifyOptions::features) were asked for: boundaries, creases and
+    /// selected edges of the input.
+    pub kept: Vec<[VertexId; 2]>,
     /// What was asked for.
     pub target: SimplifyTarget,
     /// Both directed distances, enclosed: A is the input, B the result.

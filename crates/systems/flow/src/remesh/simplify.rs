@@ -108,6 +108,7 @@ fn simplify_here(
         }
         found.push(Simplified {
             mesh: result,
+            kept: work.surface.kept(),
             target,
             distance,
             intersections,

@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "tests may panic")]
 
+mod carried;
 mod flow;
 mod operations;
 mod remeshing;

@@ -11,7 +11,8 @@ use std::path::PathBuf;
 Edges are collapsed in order of their quadric error. With --within or --relative each collapse is tested on both sides, and the
 Pompeiu–Hausdorff distance of the result is proven to be at most that length; otherwise nothing is written. With --faces the
 distance follows, and is proven too. The mesh must be an oriented manifold, with or without boundary, or be repaired (--repair).
-Only positions and faces are read: colours, normals and texture coordinates are not in the output.
+Colours of vertices (PLY, OBJ), texture coordinates and materials (OBJ) are carried over, and seams are kept as curves, if the output has
+a place for them. Normals are not in the output.
 
 Examples:
   pompeiu simplify scan.ply --within 0.05 -o light.ply

@@ -1,5 +1,6 @@
 //! The outcome as one JSON object.
 
+use super::appearance::Kept;
 use super::run::{Outcome, within};
 use crate::json::{line, milliseconds};
 use crate::pair::File;
@@ -27,6 +28,7 @@ pub(super) fn json(outcome: &Outcome) -> serde_json::Result<String> {
         input_to_output: distance.a_to_b.distance,
         output_to_input: distance.b_to_a.distance,
         intersections: found.intersections,
+        kept: outcome.kept,
         collapses: found.collapses,
         stop: found.stop,
         finer: finer.collect(),
@@ -54,6 +56,7 @@ pub(crate) struct Json<'o> {
     output_to_input: Enclosure,
     /// How many pairs of faces of the output intersect; null where they were not looked for.
     intersections: Option<IntersectionCount>,
+    kept: Kept,
     /// Number of edges that were collapsed.
     collapses: usize,
     /// Why it ended.

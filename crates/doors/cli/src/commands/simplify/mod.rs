@@ -1,5 +1,6 @@
 //! `pompeiu simplify`.
 
+mod appearance;
 mod args;
 mod json;
 mod run;

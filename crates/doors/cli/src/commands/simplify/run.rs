@@ -1,5 +1,6 @@
 //! Runs the command.
 
+use super::appearance::{Appearance, Kept};
 use super::args::Simplify;
 use super::{json, text};
 use crate::exit::Exit;
@@ -20,6 +21,7 @@ pub(super) struct Outcome {
     pub(super) input: File,
     /// What was written, as asked for first, and then finer and finer.
     pub(super) levels: Vec<(File, Simplified)>,
+    pub(super) kept: Kept,
     pub(super) total: Duration,
 }
 
@@ -59,6 +61,7 @@ pub(crate) fn run(args: &Simplify, printer: &Printer) -> anyhow::Result<Exit> {
     interrupt::listen();
     let wait = Wait::new(printer);
     let mesh = files::read_shown(&args.mesh, &wait, printer)?;
+    let appearance = Appearance::read(&args.mesh, &mesh, &args.output, args.repair, printer)?;
     let within = args.within.or_else(|| args.relative.map(|share| share * Aabb::of_faces(&mesh).diagonal()));
     let target = within.map_or(SimplifyTarget::Faces(args.faces.unwrap_or(0)), SimplifyTarget::Within);
     let show = |progress: &Progress<'_>| {
@@ -67,7 +70,7 @@ pub(crate) fn run(args: &Simplify, printer: &Printer) -> anyhow::Result<Exit> {
     };
     let limits = Limits { time: args.limits.time_after(started.elapsed()), ..Limits::default() };
     let options = SimplifyOptions {
-        features: Features { angle: args.features, ..Features::default() },
+        features: Features { angle: args.features, edges: &appearance.seams, ..Features::default() },
         repair: args.repair,
         intersections: args.guard.intersections.into(),
         limits,
@@ -80,10 +83,11 @@ pub(crate) fn run(args: &Simplify, printer: &Printer) -> anyhow::Result<Exit> {
     found.reverse();
     let mut levels = Vec::new();
     for (place, level) in places.iter().zip(found) {
-        files::write(place, &level.mesh, printer)?;
+        appearance.write(place, &level, printer)?;
         levels.push((File::new(place, &level.mesh), level));
     }
-    let outcome = Outcome { input: File::new(&args.mesh, &mesh), levels, total: started.elapsed() };
+    let (input, kept) = (File::new(&args.mesh, &mesh), appearance.kept());
+    let outcome = Outcome { input, levels, kept, total: started.elapsed() };
     Printer::answer(&if args.json { json::json(&outcome)? } else { text::text(&outcome) })?;
     let cancelled = outcome.levels.iter().any(|(_, level)| level.stop == StopReason::Cancelled);
     Ok(if cancelled { Exit::Undecided } else { Exit::Done })

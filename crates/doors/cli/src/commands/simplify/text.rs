@@ -29,6 +29,9 @@ pub(super) fn text(outcome: &Outcome) -> String {
     if let Some(count) = found.intersections {
         row("intersect", pairs_that_intersect(count));
     }
+    if let Some(kept) = outcome.kept.text() {
+        row("kept", kept);
+    }
     let mut label = "finer";
     for (file, level) in &outcome.levels[1..] {
         row(

@@ -5,6 +5,7 @@
 //! other statements a backslash at the end of a line continues it. Every other statement whose keyword is a word of
 //! letters is skipped. Faces may name vertices that follow.
 
+mod appearance;
 mod piece;
 
 use crate::error::FormatError;
@@ -12,6 +13,7 @@ use crate::polygon::Polygon;
 use crate::raw::RawMesh;
 use crate::text::{Problem, is_line_end, past_line_end};
 use crate::waves;
+pub(crate) use appearance::read as read_appearance;
 use piece::Piece;
 use std::ops::Range;
 

@@ -62,16 +62,17 @@ pub(super) fn read(bytes: &[u8], header: &Header) -> Result<RawMesh, Problem> {
     Ok(mesh)
 }
 
-/// Reads three columns of element `face`.
-pub(super) fn read_face_vectors(
+/// Reads three columns of an element.
+pub(super) fn read_columns(
     bytes: &[u8],
     header: &Header,
+    name: &[u8],
     columns: [usize; 3],
 ) -> Result<Vec<[f64; 3]>, Problem> {
     let mut rows = Rows { text: bytes, at: header.body };
     let mut vectors = Vec::new();
     for element in &header.elements {
-        let wanted = element.name == b"face";
+        let wanted = element.name == name;
         rows.each(element, |row| {
             let mut vector = [0.0; 3];
             for (column, property) in element.properties.iter().enumerate() {

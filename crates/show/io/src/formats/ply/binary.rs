@@ -29,17 +29,18 @@ pub(super) fn read<const BIG: bool>(bytes: &[u8], header: &Header) -> Result<Raw
     Ok(mesh)
 }
 
-/// Reads three columns of element `face`.
-pub(super) fn read_face_vectors<const BIG: bool>(
+/// Reads three columns of an element.
+pub(super) fn read_columns<const BIG: bool>(
     bytes: &[u8],
     header: &Header,
+    name: &[u8],
     columns: [usize; 3],
 ) -> Result<Vec<[f64; 3]>, FormatError> {
     let mut vectors = Vec::new();
     let mut at = header.body;
     for element in &header.elements {
         let table = Table::<BIG>::new(element, bytes, at)?;
-        let wanted = element.name == b"face";
+        let wanted = element.name == name;
         if wanted {
             vectors.resize(table.rows, [0.0; 3]);
         }

@@ -241,6 +241,23 @@ impl Header {
         }
     }
 
+    /// The columns of the colours in element `vertex`, and the greatest value of each.
+    pub(super) fn vertex_colors(&self) -> Option<([usize; 3], [f64; 3])> {
+        let element = self.element(b"vertex")?;
+        let column = |name: &[u8]| {
+            let column = element.property(&[name, &[b"diffuse_", name].concat()])?;
+            let Kind::Scalar(scalar) = element.properties[column].kind else { return None };
+            let most = match scalar {
+                Scalar::I8 | Scalar::U8 | Scalar::I16 | Scalar::I32 | Scalar::U32 => 255.0,
+                Scalar::U16 => 65535.0,
+                Scalar::F32 | Scalar::F64 => 1.0,
+            };
+            Some((column, most))
+        };
+        let [red, green, blue] = [column(b"red")?, column(b"green")?, column(b"blue")?];
+        Some(([red.0, green.0, blue.0], [red.1, green.1, blue.1]))
+    }
+
     pub(super) fn element(&self, name: &[u8]) -> Option<&Element> {
         self.elements.iter().find(|element| element.name == name)
     }

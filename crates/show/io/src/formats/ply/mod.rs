@@ -11,6 +11,7 @@ mod ascii;
 mod binary;
 mod header;
 
+use crate::appearance::channel;
 use crate::error::FormatError;
 use crate::raw::RawMesh;
 use header::{Encoding, Header};
@@ -30,12 +31,30 @@ pub(crate) fn read(bytes: &[u8]) -> Result<RawMesh, FormatError> {
 pub(crate) fn read_face_vectors(bytes: &[u8], wanted: Option<&str>) -> Result<Vec<[f64; 3]>, FormatError> {
     let header = Header::parse(bytes).map_err(|problem| problem.in_text(bytes))?;
     let columns = header.face_vector(wanted).map_err(|problem| problem.in_text(bytes))?;
+    read_columns(bytes, &header, b"face", columns)
+}
+
+/// Reads the colours of element `vertex`, if there are any.
+pub(crate) fn read_vertex_colors(bytes: &[u8]) -> Result<Option<Vec<[u8; 3]>>, FormatError> {
+    let header = Header::parse(bytes).map_err(|problem| problem.in_text(bytes))?;
+    let Some((columns, most)) = header.vertex_colors() else { return Ok(None) };
+    let rows = read_columns(bytes, &header, b"vertex", columns)?;
+    Ok(Some(rows.into_iter().map(|row| [0, 1, 2].map(|i| channel(row[i] / most[i]))).collect()))
+}
+
+/// Reads three numbers of each row of an element.
+fn read_columns(
+    bytes: &[u8],
+    header: &Header,
+    element: &[u8],
+    columns: [usize; 3],
+) -> Result<Vec<[f64; 3]>, FormatError> {
     match header.encoding {
         Encoding::Ascii => {
-            ascii::read_face_vectors(bytes, &header, columns).map_err(|problem| problem.in_text(bytes))
+            ascii::read_columns(bytes, header, element, columns).map_err(|problem| problem.in_text(bytes))
         }
-        Encoding::LittleEndian => binary::read_face_vectors::<false>(bytes, &header, columns),
-        Encoding::BigEndian => binary::read_face_vectors::<true>(bytes, &header, columns),
+        Encoding::LittleEndian => binary::read_columns::<false>(bytes, header, element, columns),
+        Encoding::BigEndian => binary::read_columns::<true>(bytes, header, element, columns),
     }
 }
 

@@ -1,5 +1,6 @@
 //! Every writer against a reader that is not ours, and what happens to files when writing fails.
 
+mod appearance;
 mod files;
 mod glb;
 mod meshes;

@@ -1,0 +1,98 @@
+//! `pompeiu simplify`: what is carried over from the input.
+
+use crate::common::Folder;
+use serde_json::Value;
+use std::fmt::Write;
+
+/// Number of squares along each side.
+const SIDE: usize = 24;
+
+/// A flat square of side 1 with colours. Its left half is of oak, with texture coordinates equal to its coordinates; the right half of
+/// ash, with coordinates moved by 3.
+fn square() -> String {
+    let at = |i: usize| i as f64 / SIDE as f64;
+    let mut text = String::from("mtllib wood.mtl\n");
+    let nodes = || (0..=SIDE).flat_map(|j| (0..=SIDE).map(move |i| (i, j)));
+    for (i, j) in nodes() {
+        writeln!(text, "v {} {} 0 {} 0 1", at(i), at(j), at(i)).unwrap();
+    }
+    for moved in [0.0, 3.0] {
+        for (i, j) in nodes() {
+            writeln!(text, "vt {} {}", at(i) + moved, at(j)).unwrap();
+        }
+    }
+    for (name, columns) in [("oak", 0..SIDE / 2), ("ash", SIDE / 2..SIDE)] {
+        writeln!(text, "usemtl {name}").unwrap();
+        for i in columns {
+            for j in 0..SIDE {
+                let corner = |i: usize, j: usize| {
+                    let v = j * (SIDE + 1) + i + 1;
+                    let moved = if name == "ash" { (SIDE + 1) * (SIDE + 1) } else { 0 };
+                    format!("{v}/{}", v + moved)
+                };
+                let [a, b, c, d] = [corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)];
+                writeln!(text, "f {a} {b} {c}\nf {a} {c} {d}").unwrap();
+            }
+        }
+    }
+    text
+}
+
+#[test]
+fn texture_coordinates_materials_and_colours_are_carried_over() {
+    let folder = Folder::new();
+    folder.write("square.obj", square());
+    let report = folder.ok("simplify square.obj --within 0.001 -o few.obj --json");
+    let report: Value = serde_json::from_str(&report).unwrap();
+    let kept = serde_json::json!({ "texture": true, "seam_edges": SIDE, "materials": 2, "colors": true });
+    assert_eq!(report["kept"], kept);
+    let text = std::fs::read_to_string(folder.path().join("few.obj")).unwrap();
+    assert!(text.starts_with("mtllib wood.mtl\n"));
+    let rows = |keyword: &str| -> Vec<Vec<f64>> {
+        let rows = text.lines().filter_map(|line| line.strip_prefix(&format!("{keyword} ")));
+        rows.map(|row| row.split(' ').map(|x| x.parse().unwrap()).collect()).collect()
+    };
+    let (vertices, places) = (rows("v"), rows("vt"));
+    for vertex in &vertices {
+        assert!((vertex[3] - vertex[0]).abs() <= 0.5 / 255.0 + 1e-9 && vertex[5] == 1.0, "{vertex:?}");
+    }
+    let mut material = "";
+    let mut faces = 0;
+    for line in text.lines() {
+        match line.split_once(' ') {
+            Some(("usemtl", name)) => material = name,
+            Some(("f", corners)) => {
+                faces += 1;
+                for corner in corners.split(' ') {
+                    let (v, place) = corner.split_once('/').unwrap();
+                    let [v, place] = [(&vertices, v), (&places, place)]
+                        .map(|(rows, index)| &rows[index.parse::<usize>().unwrap() - 1]);
+                    let moved = if material == "ash" { 3.0 } else { 0.0 };
+                    assert!(
+                        (place[0] - v[0] - moved).abs() < 1e-9 && (place[1] - v[1]).abs() < 1e-9,
+                        "{line}"
+                    );
+                    assert!(
+                        if material == "ash" { v[0] > 0.499 } else { v[0] < 0.501 },
+                        "{material}: {line}"
+                    );
+                }
+            }
+            _ => {}
+        }
+    }
+    assert!(faces < 40, "{faces} faces");
+
+    // What a format has no place for is named; the rest is kept.
+    let (code, _, talk) = folder.transcript("simplify square.obj --within 0.001 -o few.ply");
+    assert_eq!(code, Some(0));
+    assert!(
+        talk.contains("texture coordinates are not in the output") && !talk.contains("colours are"),
+        "{talk}"
+    );
+    let report = folder.ok("simplify few.ply --faces 8 -o fewer.ply --json");
+    let report: Value = serde_json::from_str(&report).unwrap();
+    assert_eq!(report["kept"]["colors"], true);
+    let (_, _, talk) = folder.transcript("simplify square.obj --within 0.001 --repair -o repaired.obj");
+    assert!(talk.contains("repair the mesh first"), "{talk}");
+}
