@@ -80,7 +80,7 @@ def caterpillar(nodes):
 
 def growth(session):
     points = []
-    for nodes in [1, 2, 4, 8, 16]:
+    for nodes in [1, 2, 4, 8]:
         text, length = caterpillar(nodes)
         place = session.folder / f"caterpillar-{nodes}.swc"
         place.write_text(text)
