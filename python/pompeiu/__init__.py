@@ -43,7 +43,7 @@ from .errors import (
 )
 from .fields import DegreesOfFreedom, FieldParts, FieldQuality, HodgeDecomposition, Ranks, field_degrees_of_freedom
 from .files import mesh_summary, write_mesh
-from .flattening import Cut, Flattening, Medial, cut, flatten, medial
+from .flattening import Cut, Flattening, Medial, Straightened, cut, flatten, medial, straighten
 from .fluids import Simulation, SquareSimulation
 from .many import DistanceMatrix, RankReport, RankWork, Standing, distance_matrix, rank
 from .neurons import (
@@ -123,6 +123,7 @@ __all__ = [
     "Skeleton",
     "Standing",
     "Statistics",
+    "Straightened",
     "SurfaceError",
     "SurfacePoint",
     "SymmetricReport",
@@ -158,6 +159,7 @@ __all__ = [
     "remesh",
     "shapes",
     "simplify",
+    "straighten",
     "sweep_neurons",
     "write_mesh",
 ]

@@ -12,7 +12,7 @@ from . import _native
 from .errors import OptionError
 from .sources import Mesh, MeshLike, as_mesh
 
-__all__ = ["Cut", "Flattening", "Medial", "cut", "flatten", "medial"]
+__all__ = ["Cut", "Flattening", "Medial", "Straightened", "cut", "flatten", "medial", "straighten"]
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -85,6 +85,11 @@ class Flattening:
         """How far the map is from keeping angles, areas and lengths."""
         return self.report["distortion"]
 
+    @property
+    def parts(self) -> list[Dict[str, Any]]:
+        """What is said of each chart: its faces, its cut and its distortion."""
+        return self.report["parts"]
+
     def __repr__(self) -> str:
         verdict = "one-to-one" if self.is_one_to_one else "not one-to-one"
         return f"Flattening({verdict}, {self.charts} charts, {len(self.edges)} edges cut)"
@@ -92,7 +97,7 @@ class Flattening:
 
 def _cutting(
     strategy: str,
-    cuts: int,
+    cuts: Optional[int],
     through: Optional[Sequence[int]],
     along: Optional[Sequence[Sequence[int]]],
     balls: int,
@@ -101,13 +106,21 @@ def _cutting(
     forbidden_edges: Sequence[Sequence[int]],
     forbidden_faces: Sequence[int],
     curvature: float,
+    spread: Optional[float],
+    symmetry: Optional[Sequence[float]],
 ) -> Dict[str, Any]:
     if through is not None and along is not None:
         raise OptionError("through and along are both given; choose one")
+    if cuts is None:
+        cuts = 1 if spread is None else 100
     if cuts < 1:
         raise OptionError(f"the number of cuts is {cuts}; at least 1 is needed")
     if balls < 1:
         raise OptionError(f"the number of balls is {balls}; at least 1 is needed")
+
+    plane = None if symmetry is None else [float(x) for x in symmetry]
+    if plane is not None and len(plane) != 4:
+        raise OptionError(f"symmetry has {len(plane)} numbers; a plane is given by 4, its normal and its offset")
 
     def indices(list_: Sequence[int], of: str = "vertex") -> list[int]:
         found = [int(i) for i in list_]
@@ -133,6 +146,8 @@ def _cutting(
         "forbidden_edges": [indices(ends) for ends in forbidden_edges],
         "forbidden_faces": indices(forbidden_faces, "face"),
         "curvature": float(curvature),
+        "spread": None if spread is None else float(spread),
+        "symmetry": None if plane is None else (plane[:3], plane[3]),
     }
 
 
@@ -140,7 +155,7 @@ def cut(
     mesh: MeshLike,
     *,
     strategy: str = "auto",
-    cuts: int = 1,
+    cuts: Optional[int] = None,
     through: Optional[Sequence[int]] = None,
     along: Optional[Sequence[Sequence[int]]] = None,
     balls: int = 30,
@@ -149,6 +164,8 @@ def cut(
     forbidden_edges: Sequence[Sequence[int]] = (),
     forbidden_faces: Sequence[int] = (),
     curvature: float = 0.0,
+    spread: Optional[float] = None,
+    symmetry: Optional[Sequence[float]] = None,
 ) -> Cut:
     """Opens a surface along edges, so that each of its parts becomes a disk.
 
@@ -158,11 +175,11 @@ def cut(
         An oriented manifold.
     strategy : str
         ``"auto"``: what leaves disks; ``"genus"``: the least that makes disks of what are neither disks nor spheres;
-        ``"euclidean"``: the farthest pair of vertices joined, then the vertex farthest from the cut; ``"tips"``: what leaves disks,
-        joined with the tips; ``"medial"``, ``"medial-tree"`` and ``"bones"`` follow the balls that :func:`medial` finds: from end to
+        ``"euclidean"``: the farthest pair of vertices joined, then the vertex farthest from the cut, both in space; ``"geodesic"``: the
+        same along the surface; ``"tips"``: what leaves disks, joined with the tips; ``"medial"``, ``"medial-tree"`` and ``"bones"`` follow the balls that :func:`medial` finds: from end to
         end of the longest path between them, through the vertices nearest to their centres, along the edges of their shortest tree.
-    cuts : int
-        Number of cuts of ``"euclidean"``.
+    cuts : int, optional
+        Number of cuts of ``"euclidean"`` and ``"geodesic"``: 1 unless given; with ``spread`` the most, 100.
     through : sequence of int, optional
         Join these vertices by shortest paths instead.
     along : sequence of sequences of int, optional
@@ -179,6 +196,12 @@ def cut(
         Faces that no cut may enter; it may run along their border.
     curvature : float
         Paths keep away from curvature: an edge costs its length times 1 + this |κ| √area.
+    spread : float, optional
+        Go on with the cuts of ``"euclidean"`` and ``"geodesic"`` until the standard deviation of the distance from the cut is at most
+        this times √area.
+    symmetry : sequence of 4 floats, optional
+        A plane (nx, ny, nz, d) of all points p with n · p = d in which the surface is its own mirror image: the cut will be, too, and so
+        will the map. Edges must run along the plane. With ``"auto"``, ``"genus"``, ``"tips"`` and ``through``.
 
     Raises
     ------
@@ -205,6 +228,8 @@ def cut(
         forbidden_edges,
         forbidden_faces,
         curvature,
+        spread,
+        symmetry,
     )
     opened, seams = _native.cut(as_mesh(mesh), cutting)
     return Cut(opened, *seams)
@@ -220,7 +245,7 @@ def flatten(
     virtual_scale: float = 1.2,
     virtual_kind: str = "intrinsic",
     strategy: str = "auto",
-    cuts: int = 1,
+    cuts: Optional[int] = None,
     through: Optional[Sequence[int]] = None,
     along: Optional[Sequence[Sequence[int]]] = None,
     balls: int = 30,
@@ -229,6 +254,8 @@ def flatten(
     forbidden_edges: Sequence[Sequence[int]] = (),
     forbidden_faces: Sequence[int] = (),
     curvature: float = 0.0,
+    spread: Optional[float] = None,
+    symmetry: Optional[Sequence[float]] = None,
     target: float = 4.25,
     most_cuts: int = 6,
     pack: bool = True,
@@ -256,7 +283,7 @@ def flatten(
         How much wider each of these layers is than the one before.
     virtual_kind : str
         Where the lengths of their edges come from: ``"intrinsic"`` from circles, ``"extrinsic"`` from places in space.
-    strategy, cuts, through, along, balls, sections, forbidden, forbidden_edges, forbidden_faces, curvature
+    strategy, cuts, through, along, balls, sections, forbidden, forbidden_edges, forbidden_faces, curvature, spread, symmetry
         Where to cut: see :func:`cut`.
     target : float
         With a free boundary and the strategy ``"auto"``, cuts are added until the mean symmetric Dirichlet energy is at most this.
@@ -315,9 +342,66 @@ def flatten(
         forbidden_edges,
         forbidden_faces,
         curvature,
+        spread,
+        symmetry,
     )
     *arrays, report = _native.flatten(as_mesh(mesh), cutting, mapping, progress)
     return Flattening(*arrays, json.loads(report))
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Straightened:
+    """A surface into which a straightened cut was inserted.
+
+    Attributes
+    ----------
+    mesh : Mesh
+        The vertices of the input, those where the cut crosses its edges, and the parts of its faces.
+    edges : numpy.ndarray of int, shape (e, 2)
+        The edges of the cut, which :func:`flatten` and :func:`cut` take as ``along``.
+    faces : numpy.ndarray of int, shape (m,)
+        For each face the face of the input that it is a part of.
+    """
+
+    mesh: Mesh
+    edges: np.ndarray
+    faces: np.ndarray
+
+    def __repr__(self) -> str:
+        return f"Straightened({len(self.edges)} edges)"
+
+
+def straighten(mesh: MeshLike, edges: Sequence[Sequence[int]]) -> Straightened:
+    """Straightens the paths of a cut across faces by edge flips, and inserts them into the mesh.
+
+    Ends, branches and the surface stay as they are, and so do the pieces that the cut leaves. Where paths would touch each other or the
+    boundary, they are left as they are.
+
+    Parameters
+    ----------
+    mesh : MeshLike
+        An oriented manifold.
+    edges : sequence of pairs of int
+        The edges of the cut, by their ends: ``edges`` of :func:`cut` or :func:`flatten`.
+
+    Raises
+    ------
+    SurfaceError
+        If the mesh is no oriented manifold, or an edge does not exist.
+
+    Examples
+    --------
+    >>> import pompeiu
+    >>> torus = pompeiu.shapes.torus(2.0, 0.7, 24, 16)
+    >>> straight = pompeiu.straighten(torus, pompeiu.cut(torus).edges)
+    >>> pompeiu.flatten(straight.mesh, along=straight.edges).is_one_to_one
+    True
+    """
+    pairs = [[int(v) for v in pair] for pair in edges]
+    for pair in pairs:
+        if len(pair) != 2 or not all(0 <= v < 2**32 for v in pair):
+            raise OptionError(f"{pair} is no edge; give the numbers of its two ends")
+    return Straightened(*_native.straighten(as_mesh(mesh), pairs))
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -63,11 +63,49 @@ def test_a_planar_grid_stays_as_it_is():
         ({"boundary": "circle", "virtual_layers": 1, "virtual_scale": 1.0}, "above 1"),
         ({"curvature": -1.0}, "weight of curvature is -1"),
         ({"strategy": "medial", "balls": 0}, "number of balls is 0"),
+        ({"symmetry": (1, 0, 0)}, "3 numbers"),
     ],
 )
 def test_options_that_make_no_sense(options, words):
     with pytest.raises(pompeiu.OptionError, match=words):
         pompeiu.flatten(pompeiu.shapes.icosphere(1.0, 1), **options)
+
+
+def test_a_plane_of_symmetry_is_kept():
+    tube = pompeiu.shapes.cylinder(1.0, 2.0, 24, 6)
+    flat = pompeiu.flatten(tube, symmetry=(1, 0, 0, 0), pack=False)
+    at = {tuple(np.round(p, 9) + 0.0): i for i, p in enumerate(tube.vertices)}
+    image = np.array([at[tuple(np.round(p * [-1, 1, 1], 9) + 0.0)] for p in tube.vertices])
+    for v in np.flatnonzero(np.bincount(flat.vertex_map) == 1):
+        (here,), (there,) = (flat.coordinates[flat.vertex_map == w] for w in (v, image[v]))
+        assert (here * [-1, 1] == there).all()
+    with pytest.raises(pompeiu.SurfaceError, match="not symmetric"):
+        pompeiu.cut(tube, symmetry=(1, 0, 0, 0.25))
+
+
+def test_charts_are_reported_one_by_one():
+    sphere, tube = pompeiu.shapes.icosphere(1.0, 2), pompeiu.shapes.cylinder(1.0, 2.0, 24, 6)
+    both = (np.vstack([sphere.vertices, tube.vertices + 5]), np.vstack([sphere.faces, tube.faces + sphere.n_vertices]))
+    parts = pompeiu.flatten(both, strategy="geodesic", spread=0.1).parts
+    assert [part["faces"] for part in parts] == [len(sphere.faces), len(tube.faces)]
+    assert parts[1]["distortion"]["symmetric_dirichlet"]["max"] == pytest.approx(4.0, abs=1e-9)
+    assert parts[0]["cut_length"] > parts[1]["cut_length"] > 0
+
+
+def test_a_straightened_path_is_a_geodesic():
+    grid = pompeiu.shapes.grid((3.0, 2.0), (6, 4))
+    rows = {tuple(np.round(p[:2] * 2)): i for i, p in enumerate(grid.vertices)}
+    low = np.round(grid.vertices[:, :2].min(axis=0) * 2)
+    at = lambda x, y: rows[(low[0] + x, low[1] + y)]
+    path = [at(1, 1)] + [at(x, 1) for x in range(2, 6)] + [at(5, 2)]
+    straight = pompeiu.straighten(grid, list(zip(path, path[1:])))
+    ends = straight.mesh.vertices[straight.edges]
+    assert np.linalg.norm(ends[:, 0] - ends[:, 1], axis=1).sum() == pytest.approx(np.hypot(2.0, 0.5), rel=1e-12)
+    assert len(straight.faces) == straight.mesh.n_faces and (np.bincount(straight.faces) >= 1).all()
+    with pytest.raises(pompeiu.SurfaceError, match="no edge joins"):
+        pompeiu.straighten(grid, [(0, 0)])
+    with pytest.raises(pompeiu.OptionError, match="no edge"):
+        pompeiu.straighten(grid, [(0, -1)])
 
 
 def test_what_cannot_be_cut():

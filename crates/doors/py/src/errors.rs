@@ -136,7 +136,9 @@ impl Raise for FlattenError {
             | Self::FewVertices { .. }
             | Self::Option { .. }
             | Self::VirtualOwn
-            | Self::Cut(CutError::Curvature { .. }) => classes::OptionError::new_err(sentence),
+            | Self::Cut(CutError::Curvature { .. } | CutError::Spread { .. }) => {
+                classes::OptionError::new_err(sentence)
+            }
             _ => classes::SurfaceError::new_err(sentence),
         }
     }

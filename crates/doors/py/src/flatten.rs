@@ -9,11 +9,12 @@ use crate::wait::{self, Share, Watch};
 use numpy::{IntoPyArray, PyArray1, PyArray2};
 use pompeiu::core::{FaceId, TriMesh, VertexId};
 use pompeiu::flatten::{
-    Conformal, ConvexBoundary, CutOptions, CutStrategy, FlattenError, FlattenOptions, MedialOptions, Method,
-    Opened, RingKind, VirtualBoundary, Weights, medial_balls,
+    Conformal, ConvexBoundary, CutError, CutOptions, CutStrategy, FlattenError, FlattenOptions,
+    MedialOptions, Method, Opened, RingKind, SymmetryPlane, VirtualBoundary, Weights, medial_balls,
 };
 use pompeiu::surface::{EdgeData, EmbeddedSurface};
 use pyo3::prelude::*;
+use std::collections::BTreeMap;
 use std::num::NonZeroUsize;
 
 /// Where to cut, as the Python half hands it over.
@@ -30,6 +31,8 @@ pub(crate) struct Cutting {
     forbidden_edges: Vec<[u32; 2]>,
     forbidden_faces: Vec<u32>,
     curvature: f64,
+    spread: Option<f64>,
+    symmetry: Option<([f64; 3], f64)>,
 }
 
 /// What map to make of it.
@@ -57,6 +60,7 @@ impl Cutting {
             "auto" => CutStrategy::Auto,
             "genus" => CutStrategy::Genus,
             "euclidean" => CutStrategy::Euclidean { cuts: self.cuts },
+            "geodesic" => CutStrategy::Geodesic { cuts: self.cuts },
             "tips" => CutStrategy::Tips,
             "medial" => CutStrategy::Medial { balls: self.balls },
             "medial-tree" => CutStrategy::MedialTree { balls: self.balls },
@@ -64,8 +68,7 @@ impl Cutting {
             "through" => CutStrategy::Through(ids(self.through)),
             "along" => CutStrategy::Along(self.along.into_iter().map(ids).collect()),
             _ => {
-                let expected =
-                    "\"auto\", \"genus\", \"euclidean\", \"tips\", \"medial\", \"medial-tree\" or \"bones\"";
+                let expected = "\"auto\", \"genus\", \"euclidean\", \"geodesic\", \"tips\", \"medial\", \"medial-tree\" or \"bones\"";
                 return Err(unknown("strategy", self.strategy, expected));
             }
         };
@@ -75,6 +78,8 @@ impl Cutting {
             forbidden_edges: self.forbidden_edges.into_iter().map(|ends| ends.map(VertexId)).collect(),
             forbidden_faces: self.forbidden_faces.into_iter().map(FaceId).collect(),
             curvature: self.curvature,
+            spread: self.spread,
+            symmetry: self.symmetry.map(|(normal, offset)| SymmetryPlane { normal, offset }),
         })
     }
 }
@@ -164,6 +169,36 @@ pub(crate) fn cut<'py>(
     let whole =
         TriMesh::new(opened.spread(mesh.positions()), opened.faces().to_vec()).map_err(Raise::raise)?;
     Ok((Mesh::from(whole), seams(py, &surface, &cut, &opened)?))
+}
+
+/// A straightened cut: the mesh that it was inserted into, its edges, and the face of the input that each face is a part of.
+type Straight<'py> = (Mesh, Bound<'py, PyArray2<u32>>, Bound<'py, PyArray1<u32>>);
+
+/// Straightens a cut and inserts it into the mesh.
+#[pyfunction]
+pub(crate) fn straighten<'py>(
+    py: Python<'py>,
+    mesh: &Bound<'py, Mesh>,
+    edges: Vec<[u32; 2]>,
+) -> PyResult<Straight<'py>> {
+    let mesh = mesh.get().inner();
+    let surface = py.detach(|| EmbeddedSurface::new(mesh)).map_err(Raise::raise)?;
+    let sorted = |[a, b]: [u32; 2]| [a.min(b), a.max(b)];
+    let ends = |edge| sorted(surface.mesh().ends(edge).map(|v| v.0));
+    let by_ends: BTreeMap<[u32; 2], _> = surface.mesh().edge_ids().map(|edge| (ends(edge), edge)).collect();
+    let mut cut = EdgeData::filled(surface.mesh().edges(), false);
+    for ends in edges {
+        let missing = || CutError::NoEdge { ends: ends.map(VertexId) };
+        let edge = by_ends.get(&sorted(ends)).ok_or_else(missing);
+        cut[*edge.map_err(|error| FlattenError::from(error).raise())?] = true;
+    }
+    let straight = py.detach(|| pompeiu::flatten::straighten(&surface, &cut));
+    let straight = straight.map_err(|error| FlattenError::from(error).raise())?;
+    let of = straight.surface.mesh();
+    let edges: Vec<[u32; 2]> =
+        of.edge_ids().filter(|&edge| straight.cut[edge]).map(|edge| of.ends(edge).map(|v| v.0)).collect();
+    let faces: Vec<u32> = straight.faces.iter().map(|face| face.0).collect();
+    Ok((Mesh::from(straight.mesh), array_of_rows(py, edges)?, faces.into_pyarray(py)))
 }
 
 /// A flat map: places, which of them each corner has, the vertex that each is a copy of, the edges cut, the energy of each face.

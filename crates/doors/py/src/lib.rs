@@ -32,7 +32,7 @@ mod _native {
     #[pymodule_export]
     use crate::files::{read_mesh, write_mesh};
     #[pymodule_export]
-    use crate::flatten::{cut, flatten, medial};
+    use crate::flatten::{cut, flatten, medial, straighten};
     #[pymodule_export]
     use crate::flow::{intersections, mean_curvature_flow, remesh, simplify};
     #[pymodule_export]

@@ -1,7 +1,8 @@
 //! One component: cut into a disk and flattened.
 
+use crate::check::flipped_faces;
 use crate::components::{Component, error_in_whole, in_whole};
-use crate::cut::{CutStrategy, Opened, first_cut, open};
+use crate::cut::{CutError, CutStrategy, Opened, first_cut, open};
 use crate::distortion::{all_singular_values, best_scale};
 use crate::lengthen::{lengthened, with_tips};
 use crate::map::{
@@ -9,9 +10,10 @@ use crate::map::{
     start_map,
 };
 use crate::report::Timing;
+use crate::symmetry::{SymmetryError, partners, symmetrized};
 use crate::watch::Watch;
 use crate::{FlattenError, FlattenOptions, Method};
-use pompeiu_core::TriMesh;
+use pompeiu_core::{FaceId, TriMesh};
 use pompeiu_surface::plane::{Vec2, scale};
 use pompeiu_surface::{EdgeData, EmbeddedSurface, SurfaceError};
 use std::time::Instant;
@@ -41,16 +43,27 @@ pub(crate) struct Chart {
 pub(crate) struct Disk {
     pub(crate) opened: Opened,
     pub(crate) surface: EmbeddedSurface,
+    /// For each vertex the one that is its mirror image, if a plane is to be kept.
+    partners: Option<Vec<u32>>,
 }
 
 impl Disk {
     fn new(component: &Component, cut: &EdgeData<bool>) -> Result<Self, FlattenError> {
         let opened = open(component.surface.mesh(), cut)?;
         opened.check_disks()?;
-        let positions = opened.spread(component.surface.positions());
-        let mesh = TriMesh::new(positions, opened.faces().to_vec()).map_err(|_| SurfaceError::NoFaces);
-        let surface = EmbeddedSurface::new(&mesh.map_err(crate::CutError::from)?)?;
-        Ok(Self { opened, surface })
+        let surface = opened_surface(&opened, &component.surface)?;
+        let partners = component.images.as_ref().map(|images| partners(&opened, images));
+        let partners =
+            partners.map(|found| found.ok_or(SymmetryError::NoCut { face: FaceId(0) })).transpose();
+        Ok(Self { opened, surface, partners: partners.map_err(CutError::from)? })
+    }
+
+    /// The mean of a map of this disk and its mirror image, if a plane is to be kept.
+    fn symmetrized(&self, uv: Vec<Vec2>) -> Vec<Vec2> {
+        match &self.partners {
+            Some(partners) => symmetrized(&uv, partners),
+            None => uv,
+        }
     }
 
     /// The map of the same disk with less of it cut, as one of this disk: both sides of what is new lie on each other.
@@ -65,6 +78,16 @@ impl Disk {
     }
 }
 
+/// A surface after a cut, with its geometry.
+pub(crate) fn opened_surface(
+    opened: &Opened,
+    surface: &EmbeddedSurface,
+) -> Result<EmbeddedSurface, FlattenError> {
+    let positions = opened.spread(surface.positions());
+    let mesh = TriMesh::new(positions, opened.faces().to_vec()).map_err(|_| SurfaceError::NoFaces);
+    Ok(EmbeddedSurface::new(&mesh.map_err(CutError::from)?)?)
+}
+
 /// Flattens a component; `requested` are the edges to cut if the caller gave them.
 pub(crate) fn flatten_component(
     component: &Component,
@@ -75,7 +98,7 @@ pub(crate) fn flatten_component(
     let began = Instant::now();
     let cut = match requested {
         Some(cut) => cut,
-        None => first_cut(&component.surface, &component.options(&options.cut))
+        None => first_cut(component, &component.options(&options.cut))
             .map_err(|error| in_whole(error, component))?,
     };
     let disk = Disk::new(component, &cut).map_err(|error| error_in_whole(error, component))?;
@@ -85,11 +108,12 @@ pub(crate) fn flatten_component(
             let mut timing = timing;
             let start = start(&disk, boundary, *weights, around.as_ref(), false, component, &mut timing)?;
             let Start { uv, weights, rounds, .. } = start;
-            Ok(Chart { cut, opened: disk.opened, uv: uv.into_vec(), weights, rounds, steps: 0, timing })
+            let uv = disk.symmetrized(uv.into_vec());
+            Ok(Chart { cut, opened: disk.opened, uv, weights, rounds, steps: 0, timing })
         }
         Method::Conformal(kind) => {
             let began = Instant::now();
-            let uv = conformal(&disk.surface, *kind)?;
+            let uv = disk.symmetrized(conformal(&disk.surface, *kind)?);
             let timing = Timing { solve: began.elapsed(), ..timing };
             let weights = Weights::Cotangent;
             Ok(Chart { cut, opened: disk.opened, uv, weights, rounds: 0, steps: 0, timing })
@@ -100,6 +124,7 @@ pub(crate) fn flatten_component(
             let start = start(&disk, circle, weights, None, true, component, &mut timing)?;
             let began = Instant::now();
             let (uv, steps) = as_rigid_as_possible(disk.surface.surface(), &start.uv, *steps, watch)?;
+            let uv = disk.symmetrized(uv);
             timing.solve += began.elapsed();
             let (weights, rounds) = (Weights::Cotangent, start.rounds);
             Ok(Chart { cut, opened: disk.opened, uv, weights, rounds, steps, timing })
@@ -172,7 +197,7 @@ impl Search<'_, '_, '_> {
             };
             let energy;
             (energy, uv) = found;
-            let before = uv.clone();
+            let before = self.settled(&descender, uv.clone())?;
             if energy <= target || !self.add_cuts(most_cuts, &mut uv)? {
                 let Self { cut, disk, rounds, steps, timing, .. } = self;
                 let weights = Weights::MeanValue;
@@ -180,6 +205,20 @@ impl Search<'_, '_, '_> {
             }
             (descender, begin) = (self.descender()?, None);
         }
+    }
+
+    /// The map itself, or one that is its own mirror image if a plane is to be kept: the mean of both, and should that not be one-to-one,
+    /// the map to a circle.
+    fn settled(&mut self, descender: &Descender, uv: Vec<Vec2>) -> Result<Vec<Vec2>, FlattenError> {
+        if self.disk.partners.is_none() {
+            return Ok(uv);
+        }
+        let mean = self.disk.symmetrized(uv);
+        if flipped_faces(self.disk.opened.faces(), &mean).is_empty() && descender.is_simple(&mean) {
+            return Ok(mean);
+        }
+        let start = self.start()?;
+        Ok(self.disk.symmetrized(start.uv.into_vec()))
     }
 
     /// Adds as many cuts as there are already, at least one, up to a number; whether there are more than before.

@@ -1,7 +1,8 @@
 //! A surface taken apart into its connected components.
 
 use crate::FlattenError;
-use crate::cut::{CutOptions, CutStrategy};
+use crate::cut::{CutError, CutOptions, CutStrategy};
+use crate::symmetry::{Images, SymmetryError, SymmetryPlane};
 use pompeiu_core::{FaceId, TriMesh, VertexId};
 use pompeiu_surface::{EdgeData, EdgeId, EmbeddedSurface, GeometryError, HalfedgeId, SurfaceMesh};
 
@@ -13,6 +14,8 @@ pub(crate) struct Component {
     pub(crate) faces: Vec<FaceId>,
     /// Its vertices in the whole surface, increasing.
     pub(crate) vertices: Vec<VertexId>,
+    /// The mirror images of its vertices, if a plane is to be kept.
+    pub(crate) images: Option<Images>,
 }
 
 impl Component {
@@ -49,12 +52,32 @@ impl Component {
             forbidden_edges: options.forbidden_edges.iter().filter_map(edge).collect(),
             forbidden_faces: options.forbidden_faces.iter().filter_map(face).collect(),
             curvature: options.curvature,
+            spread: options.spread,
+            symmetry: options.symmetry,
         }
     }
 }
 
-/// The components of a surface, in the order of their first vertices.
-pub(crate) fn split(surface: &EmbeddedSurface) -> Result<Vec<Component>, GeometryError> {
+/// The components of a surface, in the order of their first vertices; with their mirror images if a plane is given.
+pub(crate) fn split(
+    surface: &EmbeddedSurface,
+    plane: Option<&SymmetryPlane>,
+) -> Result<Vec<Component>, CutError> {
+    let mut parts = components(surface)?;
+    let Some(plane) = plane else { return Ok(parts) };
+    let count = parts.len();
+    for part in &mut parts {
+        part.images = Some(Images::new(&part.surface, plane).map_err(|error| match error {
+            SymmetryError::NoImage { .. } if count > 1 && Images::new(surface, plane).is_ok() => {
+                SymmetryError::Parts { face: part.faces[0] }
+            }
+            error => symmetry_in_whole(error, part),
+        })?);
+    }
+    Ok(parts)
+}
+
+fn components(surface: &EmbeddedSurface) -> Result<Vec<Component>, GeometryError> {
     let mesh = surface.mesh();
     let mut vertices = vec![Vec::new(); mesh.components()];
     let mut faces = vec![Vec::new(); mesh.components()];
@@ -72,21 +95,34 @@ pub(crate) fn split(surface: &EmbeddedSurface) -> Result<Vec<Component>, Geometr
         let triples = faces.iter().map(|&face| mesh.face(face).map(|v| local[v.index()])).collect();
         // The same numbers as in the whole surface, fewer of them.
         let part = TriMesh::new(positions, triples).map_err(|_| pompeiu_surface::SurfaceError::NoFaces)?;
-        Ok(Component { surface: EmbeddedSurface::new(&part)?, faces, vertices })
+        Ok(Component { surface: EmbeddedSurface::new(&part)?, faces, vertices, images: None })
     };
     vertices.into_iter().zip(faces).map(part).collect()
 }
 
+fn symmetry_in_whole(error: SymmetryError, component: &Component) -> SymmetryError {
+    use SymmetryError::{Across, NoCut, NoImage};
+    match error {
+        NoImage { vertex, distance, most } => {
+            NoImage { vertex: component.vertices[vertex.index()], distance, most }
+        }
+        Across { face } => Across { face: component.faces[face.index()] },
+        NoCut { face } => NoCut { face: component.faces[face.index()] },
+        other => other,
+    }
+}
+
 /// An error of a component with the numbers of the whole surface.
-pub(crate) fn in_whole(error: crate::CutError, component: &Component) -> crate::CutError {
-    use crate::CutError::{Forbidden, Medial, NoDisk, SingleEdge};
+pub(crate) fn in_whole(error: CutError, component: &Component) -> CutError {
     use crate::MedialError::Open;
+    use CutError::{Forbidden, Medial, NoDisk, SingleEdge, Symmetry};
     match error {
         NoDisk { face, euler_characteristic, boundary_loops } => {
             NoDisk { face: component.faces[face.index()], euler_characteristic, boundary_loops }
         }
         Forbidden { face } => Forbidden { face: component.faces[face.index()] },
         Medial(Open { loops, vertex }) => Medial(Open { loops, vertex: component.vertices[vertex.index()] }),
+        Symmetry(error) => Symmetry(symmetry_in_whole(error, component)),
         SingleEdge { ends } => SingleEdge { ends: ends.map(|v| component.vertices[v.index()]) },
         other => other,
     }

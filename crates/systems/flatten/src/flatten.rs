@@ -1,19 +1,19 @@
 //! From a surface to a flat map and what can be said of it.
 
-use crate::chart::{Chart, flatten_component};
+use crate::chart::{Chart, flatten_component, opened_surface};
 use crate::check::{flipped_faces, outline, outline_crossings, overlapping_faces};
 use crate::components::{Component, split};
 use crate::cut::{Opened, open, requested_edges};
 use crate::distortion::{Distortion, best_scale, singular_values, symmetric_dirichlet};
 use crate::pack::{bounds, pack, turn};
-use crate::report::{CutReport, FlattenReport, Timing};
+use crate::report::{CutReport, FlattenReport, PartReport, Timing};
 use crate::watch::Watch;
 use crate::{FlattenError, FlattenOptions, Method};
 use pompeiu_core::FaceId;
 use pompeiu_core::mesh::{FaceData, VertexData};
 use pompeiu_core::run::{Control, StopReason, on_threads};
 use pompeiu_surface::plane::{Vec2, scale};
-use pompeiu_surface::{EdgeData, EmbeddedSurface};
+use pompeiu_surface::{EdgeData, EdgeId, EmbeddedSurface, SurfaceMesh};
 use rayon::prelude::*;
 use std::time::Instant;
 
@@ -87,13 +87,15 @@ fn run(
     let began = Instant::now();
     let mesh = surface.mesh();
     let requested = requested_edges(mesh, &options.cut)?;
-    let parts = split(surface)?;
+    // A cut that is given may make several disks of one component.
+    let parts = match &requested {
+        Some(cut) => disks(surface, cut)?,
+        None => split(surface, options.cut.symmetry.as_ref())?,
+    };
     let watch = Watch::new(control, options.progress, parts.len());
     let one = |part: &Component| {
-        let edges = requested.as_ref().map(|cut| {
-            let of_part = part.surface.mesh();
-            EdgeData::from_fn(of_part.edges(), |edge| cut[part.edge_in(mesh, edge)])
-        });
+        let nothing_more = || EdgeData::filled(part.surface.mesh().edges(), false);
+        let edges = requested.as_ref().map(|_| nothing_more());
         let chart = flatten_component(part, edges, options, &watch);
         watch.finish_one();
         chart
@@ -104,10 +106,13 @@ fn run(
         timing.add(&chart.timing);
     }
     let start = Instant::now();
-    let mut cut = EdgeData::filled(mesh.edges(), false);
-    for (part, chart) in parts.iter().zip(&charts) {
-        part.mark_in(mesh, &chart.cut, &mut cut);
-    }
+    let cut = requested.unwrap_or_else(|| {
+        let mut cut = EdgeData::filled(mesh.edges(), false);
+        for (part, chart) in parts.iter().zip(&charts) {
+            part.mark_in(mesh, &chart.cut, &mut cut);
+        }
+        cut
+    });
     let opened = open(mesh, &cut)?;
     timing.cut += start.elapsed();
     let places = arrange(&parts, &charts, options);
@@ -127,7 +132,44 @@ fn run(
     result.report.steps = charts.iter().map(|chart| chart.steps).sum();
     result.report.stop = control.reason().unwrap_or(StopReason::Tolerance);
     result.report.weights = charts.first().map_or("", |chart| chart.weights.name());
+    let of_parts =
+        parts.par_iter().zip(&charts).map(|(part, chart)| part_report(surface, part, chart, &result));
+    result.report.parts = of_parts.collect();
     Ok(result)
+}
+
+/// The disks that a cut leaves, as components of their own.
+fn disks(surface: &EmbeddedSurface, cut: &EdgeData<bool>) -> Result<Vec<Component>, FlattenError> {
+    let opened = open(surface.mesh(), cut)?;
+    opened.check_disks()?;
+    let mut disks = split(&opened_surface(&opened, surface)?, None)?;
+    for v in disks.iter_mut().flat_map(|disk| &mut disk.vertices) {
+        *v = opened.vertex_map()[*v];
+    }
+    Ok(disks)
+}
+
+/// What is said of one chart of a map.
+fn part_report(surface: &EmbeddedSurface, part: &Component, chart: &Chart, whole: &Flattening) -> PartReport {
+    let mesh = surface.mesh();
+    let among = |faces: &[FaceId]| part.faces.iter().filter(|face| faces.binary_search(face).is_ok()).count();
+    let sides = part.faces.iter().flat_map(|&face| SurfaceMesh::face_halfedges(face)).map(|h| mesh.edge(h));
+    let mut edges: Vec<EdgeId> = sides.filter(|&edge| whole.cut[edge]).collect();
+    edges.sort_unstable_by_key(|edge| edge.index());
+    edges.dedup();
+    let values = |&face: &FaceId| (whole.singular_values[face], surface.surface().face_area(face));
+    PartReport {
+        first_face: part.faces.first().map_or(0, |face| face.0),
+        faces: part.faces.len(),
+        flipped: among(&whole.flipped),
+        overlapping: among(&whole.overlapping),
+        cut_edges: edges.len(),
+        cut_length: edges.iter().fold(0.0, |sum, &edge| sum + surface.surface().edge_length(edge)),
+        weights: chart.weights.name(),
+        reweightings: chart.rounds,
+        steps: chart.steps,
+        distortion: Distortion::of(&part.faces.iter().map(values).collect::<Vec<_>>()),
+    }
 }
 
 /// The places of all vertices of all charts: at one scale, beside each other.
@@ -146,7 +188,7 @@ fn arrange(parts: &[Component], charts: &[Chart], options: &FlattenOptions<'_>) 
         for p in places.iter_mut() {
             *p = scale(factor, *p);
         }
-        if !matches!(options.method, Method::Convex { .. }) {
+        if !matches!(options.method, Method::Convex { .. }) && options.cut.symmetry.is_none() {
             turn(places);
         }
     }
@@ -197,6 +239,7 @@ fn judge(
         steps: 0,
         stop: StopReason::Tolerance,
         distortion,
+        parts: Vec::new(),
         timing: Timing { check: start.elapsed(), ..Timing::default() },
     };
     let singular_values =

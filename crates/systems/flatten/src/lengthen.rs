@@ -5,6 +5,7 @@ use crate::chart::Disk;
 use crate::components::Component;
 use crate::cut::{Costs, GrowingCut, largest, tips};
 use crate::distortion::{all_singular_values, symmetric_dirichlet};
+use crate::symmetry::SymmetricCut;
 use pompeiu_core::VertexId;
 use pompeiu_core::mesh::VertexData;
 use pompeiu_surface::plane::Vec2;
@@ -24,13 +25,13 @@ pub(crate) fn with_tips(
 ) -> Option<EdgeData<bool>> {
     let surface = component.surface.surface();
     let costs = Costs::new(&component.surface, options);
-    let mut growing = GrowingCut::new(surface, &costs, cut.clone());
+    let mut growing = Growth::new(component, &costs, cut.clone());
     let distances = EdgeDistances::from(surface, &growing.reached()).distances;
     let near = NEAR * surface.area().sqrt();
     let mut ends = tips(surface);
     ends.retain(|&v| !costs.forbid(v) && distances[v] > near);
     growing.join(&ends);
-    (growing.edges != *cut).then_some(growing.edges)
+    Some(growing.into_edges()).filter(|edges| edges != cut)
 }
 
 /// The cut with so many shortest paths more, each to where faces are distorted and far from what is cut; `None` if no path leads there.
@@ -66,7 +67,7 @@ pub(crate) fn lengthened(
     }
     let lengths = surface.edge_lengths();
     let costs = Costs::new(&component.surface, options);
-    let mut growing = GrowingCut::new(surface, &costs, cut.clone());
+    let mut growing = Growth::new(component, &costs, cut.clone());
     for _ in 0..count {
         let distances = EdgeDistances::along(surface, &growing.reached(), |edge| lengths[edge]).distances;
         let gain: Vec<f64> = mesh
@@ -78,5 +79,41 @@ pub(crate) fn lengthened(
             break;
         }
     }
-    (growing.edges != *cut).then_some(growing.edges)
+    Some(growing.into_edges()).filter(|edges| edges != cut)
+}
+
+/// A cut that grows, on both sides of a plane alike if one is to be kept.
+enum Growth<'s> {
+    Anywhere(GrowingCut<'s>),
+    Symmetric(SymmetricCut<'s>),
+}
+
+impl<'s> Growth<'s> {
+    fn new(component: &'s Component, costs: &'s Costs, edges: EdgeData<bool>) -> Self {
+        match &component.images {
+            Some(images) => Self::Symmetric(SymmetricCut::new(&component.surface, images, costs, edges)),
+            None => Self::Anywhere(GrowingCut::new(component.surface.surface(), costs, edges)),
+        }
+    }
+
+    fn reached(&self) -> Vec<VertexId> {
+        match self {
+            Self::Anywhere(cut) => cut.reached(),
+            Self::Symmetric(cut) => cut.reached(),
+        }
+    }
+
+    fn join(&mut self, terminals: &[VertexId]) -> Vec<VertexId> {
+        match self {
+            Self::Anywhere(cut) => cut.join(terminals),
+            Self::Symmetric(cut) => cut.join(terminals),
+        }
+    }
+
+    fn into_edges(self) -> EdgeData<bool> {
+        match self {
+            Self::Anywhere(cut) => cut.edges,
+            Self::Symmetric(cut) => cut.edges,
+        }
+    }
 }

@@ -12,6 +12,7 @@
 //! | [`FlattenReport`], [`Distortion`] | what is said of it |
 //! | [`choose_cut`], [`CutOptions`], [`CutStrategy`] | which edges to cut |
 //! | [`open`], [`Opened`] | the surface after the cut, and which vertex is a copy of which |
+//! | [`straighten`], [`Straightened`] | a cut that runs straight across faces, inserted into the mesh |
 //! | [`medial_balls`], [`MedialOptions`], [`Medial`] | balls that fill a closed surface |
 //! | [`farthest_pair`] | the two points of a set that are farthest apart |
 //!
@@ -45,6 +46,8 @@ mod pack;
 mod report;
 #[cfg(feature = "figures")]
 pub mod show;
+mod straight;
+mod symmetry;
 mod watch;
 
 pub use cut::{CutError, CutOptions, CutStrategy, Opened, choose_cut, farthest_pair, open};
@@ -54,4 +57,6 @@ pub use flatten::{Flattening, flatten};
 pub use map::{Conformal, ConvexBoundary, RingKind, VirtualBoundary, Weights};
 pub use medial::{Ball, Deviation, Medial, MedialError, MedialOptions, medial_balls};
 pub use options::{FlattenOptions, Method};
-pub use report::{CutReport, FlattenReport, Timing};
+pub use report::{CutReport, FlattenReport, PartReport, Timing};
+pub use straight::{Straightened, straighten};
+pub use symmetry::{SymmetryError, SymmetryPlane};

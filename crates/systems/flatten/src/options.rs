@@ -1,6 +1,8 @@
 //! How a surface is flattened.
 
-use crate::{Conformal, ConvexBoundary, CutOptions, FlattenError, VirtualBoundary, Weights};
+use crate::{
+    Conformal, ConvexBoundary, CutError, CutOptions, FlattenError, SymmetryError, VirtualBoundary, Weights,
+};
 use pompeiu_core::run::{Limits, ProgressObserver};
 
 /// The kind of map.
@@ -87,6 +89,12 @@ impl Default for FlattenOptions<'_> {
 
 impl FlattenOptions<'_> {
     pub(crate) fn check(&self) -> Result<(), FlattenError> {
+        use ConvexBoundary::{Polygon, Square};
+        if let Method::Convex { boundary: Square | Polygon(_), .. } = self.method
+            && self.cut.symmetry.is_some()
+        {
+            return Err(CutError::from(SymmetryError::Boundary).into());
+        }
         if self.target > 4.0 {
             return Ok(());
         }

@@ -34,6 +34,8 @@ pub struct FlattenReport {
     pub stop: StopReason,
     /// How much the map distorts.
     pub distortion: Distortion,
+    /// The same for each chart, in the order of their first faces.
+    pub parts: Vec<PartReport>,
     /// Time spent on each part.
     #[cfg_attr(feature = "serde", serde(rename = "timing_ms"))]
     pub timing: Timing,
@@ -44,6 +46,33 @@ impl FlattenReport {
     pub fn is_one_to_one(&self) -> bool {
         self.flipped == 0 && self.overlapping == 0
     }
+}
+
+/// What is said of one chart.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct PartReport {
+    /// The first of its faces, by which it is known.
+    pub first_face: u32,
+    /// Number of its faces.
+    pub faces: usize,
+    /// Number of faces that the map turns over or lays on a line.
+    pub flipped: usize,
+    /// Number of faces that lie on another face.
+    pub overlapping: usize,
+    /// Number of cut edges on its outline.
+    pub cut_edges: usize,
+    /// Their length, in the unit of the mesh; an edge with the chart on both sides counts once.
+    pub cut_length: f64,
+    /// The weights of the convex combination map that it is, or that it started from.
+    pub weights: &'static str,
+    /// How often weights were changed where the map was crowded.
+    pub reweightings: usize,
+    /// Newton steps.
+    pub steps: usize,
+    /// How much the map distorts, at the scale that is best for this chart.
+    pub distortion: Distortion,
 }
 
 /// What was cut.

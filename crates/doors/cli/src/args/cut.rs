@@ -4,19 +4,25 @@ use crate::numbers::tuple;
 use anyhow::Context;
 use clap::{Args, ValueEnum};
 use pompeiu::core::{FaceId, VertexId};
-use pompeiu::flatten::{CutOptions, CutStrategy};
+use pompeiu::flatten::{CutOptions, CutStrategy, SymmetryPlane};
 use pompeiu::surface::EmbeddedSurface;
 use std::num::NonZeroUsize;
 use std::path::{Path as FilePath, PathBuf};
+
+/// Most cuts where their number is left to the spread of distances.
+const MOST_CUTS: usize = 100;
 
 #[derive(Args)]
 pub(crate) struct CutChoice {
     /// How the edges to cut are chosen
     #[arg(long, value_enum, default_value_t)]
     pub(crate) strategy: Strategy,
-    /// Number of cuts of the strategy euclidean
-    #[arg(long, default_value = "1", value_name = "N")]
-    pub(crate) cuts: NonZeroUsize,
+    /// Number of cuts of the strategies euclidean and geodesic; with --spread the most, 1 and 100 unless given
+    #[arg(long, value_name = "N")]
+    pub(crate) cuts: Option<NonZeroUsize>,
+    /// With the strategies euclidean and geodesic, go on until the standard deviation of the distance from the cut is at most S √area
+    #[arg(long, value_name = "S")]
+    pub(crate) spread: Option<f64>,
     /// Number of balls of the strategies medial, medial-tree and bones
     #[arg(long, default_value = "30", value_name = "N")]
     pub(crate) balls: NonZeroUsize,
@@ -41,6 +47,13 @@ pub(crate) struct CutChoice {
     /// Let paths keep away from curvature: an edge costs its length times 1 + W |κ| √area
     #[arg(long, default_value = "0", value_name = "W")]
     pub(crate) avoid_curvature: f64,
+    /// Keep a plane in which the surface is its own mirror image: x, y or z for the plane across that axis through the origin, x=C through C,
+    /// or NX,NY,NZ,D for all points p with N · p = D; with the strategies auto, genus and tips, and --through
+    #[arg(long, value_parser = plane, allow_hyphen_values = true, value_name = "PLANE")]
+    pub(crate) symmetry: Option<SymmetryPlane>,
+    /// Straighten the cut across faces, and insert it into the mesh
+    #[arg(long, conflicts_with = "symmetry")]
+    pub(crate) straighten: bool,
 }
 
 #[derive(Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
@@ -50,8 +63,10 @@ pub(crate) enum Strategy {
     Auto,
     /// The least that makes a disk of what is neither a disk nor a sphere
     Genus,
-    /// The farthest pair of vertices joined, then the vertex farthest from the cut
+    /// The farthest pair of vertices in space joined, then the vertex farthest from the cut
     Euclidean,
+    /// The same with distances along the surface
+    Geodesic,
     /// What leaves a disk, and all tips
     Tips,
     /// The touched vertices farthest apart of the balls at the ends of the longest path between balls
@@ -74,6 +89,19 @@ fn path(text: &str) -> Result<Path, String> {
     if path.len() > 1 { Ok(Path(path)) } else { Err("a path has two vertices at least".to_owned()) }
 }
 
+fn plane(text: &str) -> Result<SymmetryPlane, String> {
+    let (name, offset) = text.split_once('=').unwrap_or((text, "0"));
+    if let Some(axis) = ["x", "y", "z"].iter().position(|axis| *axis == name) {
+        let mut normal = [0.0; 3];
+        normal[axis] = 1.0;
+        let [offset] = tuple::<1>(offset)?;
+        return Ok(SymmetryPlane { normal, offset });
+    }
+    let [x, y, z, offset] = tuple::<4>(text)
+        .map_err(|_| format!("`{text}` is no plane; expected x, y, z, x=C or the four numbers NX,NY,NZ,D"))?;
+    Ok(SymmetryPlane { normal: [x, y, z], offset })
+}
+
 impl CutChoice {
     /// What the library is asked for.
     ///
@@ -89,7 +117,8 @@ impl CutChoice {
             match self.strategy {
                 Strategy::Auto => CutStrategy::Auto,
                 Strategy::Genus => CutStrategy::Genus,
-                Strategy::Euclidean => CutStrategy::Euclidean { cuts: self.cuts.get() },
+                Strategy::Euclidean => CutStrategy::Euclidean { cuts: self.number() },
+                Strategy::Geodesic => CutStrategy::Geodesic { cuts: self.number() },
                 Strategy::Tips => CutStrategy::Tips,
                 Strategy::Medial => CutStrategy::Medial { balls: self.balls },
                 Strategy::MedialTree => CutStrategy::MedialTree { balls: self.balls },
@@ -112,7 +141,15 @@ impl CutChoice {
             forbidden_edges: selection.edges,
             forbidden_faces: selection.faces,
             curvature: self.avoid_curvature,
+            spread: self.spread,
+            symmetry: self.symmetry,
         })
+    }
+
+    /// The number of cuts.
+    fn number(&self) -> usize {
+        let unless_given = if self.spread.is_some() { MOST_CUTS } else { 1 };
+        self.cuts.map_or(unless_given, NonZeroUsize::get)
     }
 }
 
@@ -166,6 +203,17 @@ mod tests {
         assert_eq!(found, expected);
         for (wrong, line) in [("v", 1), ("v 1\ne 2", 2), ("x 1", 1), ("\n\nv -1", 3)] {
             assert_eq!(selection(wrong), Err(line), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn planes_are_named_or_given_by_numbers() {
+        let expected = |normal, offset| Ok(SymmetryPlane { normal, offset });
+        assert_eq!(plane("y"), expected([0.0, 1.0, 0.0], 0.0));
+        assert_eq!(plane("x=-0.5"), expected([1.0, 0.0, 0.0], -0.5));
+        assert_eq!(plane("0,3,4,-2"), expected([0.0, 3.0, 4.0], -2.0));
+        for wrong in ["", "w", "x=", "x=a", "1,2,3", "1,2,3,4,5"] {
+            assert!(plane(wrong).is_err(), "{wrong}");
         }
     }
 

@@ -2,14 +2,16 @@
 
 use super::costs::{Closed, Costs};
 use super::disk::disk_cut;
-use super::farthest::farthest_pair;
+use super::iterate::{Metric, iterate};
 use super::skeleton::Skeleton;
 use super::tips::tips;
 use super::tree::GrowingCut;
-use super::{CutError, largest, open};
+use super::{CutError, open};
+use crate::components::{Component, in_whole, split};
+use crate::symmetry::{self, SymmetryError, SymmetryPlane};
 use pompeiu_core::mesh::UnionFind;
 use pompeiu_core::{FaceId, VertexId};
-use pompeiu_surface::{EdgeData, EdgeDistances, EdgeId, EmbeddedSurface, SurfaceMesh};
+use pompeiu_surface::{EdgeData, EdgeId, EmbeddedSurface, SurfaceMesh};
 use std::num::NonZeroUsize;
 
 /// How the edges to cut are chosen.
@@ -21,9 +23,14 @@ pub enum CutStrategy {
     Auto,
     /// The least that makes a disk of a surface that is neither a disk nor a sphere: tree and cotree.
     Genus,
-    /// The pair of vertices that are farthest from each other, joined by a shortest path; further cuts, up to this number, from
-    /// the vertex farthest from what is cut.
+    /// The pair of vertices that are farthest from each other in space, joined by a shortest path; further cuts, up to this number, from
+    /// the vertex farthest in space from what is cut.
     Euclidean {
+        /// Number of cuts, at least 1.
+        cuts: usize,
+    },
+    /// The same with distances along edges; the pair is the vertex farthest from the first one, and the farthest from that.
+    Geodesic {
         /// Number of cuts, at least 1.
         cuts: usize,
     },
@@ -64,6 +71,7 @@ impl CutStrategy {
             Self::Auto => "auto",
             Self::Genus => "genus",
             Self::Euclidean { .. } => "euclidean",
+            Self::Geodesic { .. } => "geodesic",
             Self::Tips => "tips",
             Self::Medial { .. } => "medial",
             Self::MedialTree { .. } => "medial-tree",
@@ -88,6 +96,12 @@ pub struct CutOptions {
     /// By how much paths keep away from curvature: an edge costs its length times 1 + this times |κ| √area, with κ the mean of the
     /// absolute mean curvatures of both ends. At least 0.
     pub curvature: f64,
+    /// With the strategies that cut to the farthest vertex, no more cuts as soon as the standard deviation over the area of the distance
+    /// along edges from what is cut is at most this, over the square root of the area. Above 0.
+    pub spread: Option<f64>,
+    /// A plane in which each component is its own mirror image, as the cut will be, and the map of what it opens. Edges must run along
+    /// it.
+    pub symmetry: Option<SymmetryPlane>,
 }
 
 impl CutOptions {
@@ -115,8 +129,8 @@ pub fn choose_cut(surface: &EmbeddedSurface, options: &CutOptions) -> Result<Edg
     if let Some(requested) = requested {
         cut = requested;
     } else {
-        for part in crate::components::split(surface)? {
-            let chosen = first_cut(&part.surface, &part.options(options))?;
+        for part in split(surface, options.symmetry.as_ref())? {
+            let chosen = first_cut(&part, &part.options(options)).map_err(|error| in_whole(error, &part))?;
             part.mark_in(mesh, &chosen, &mut cut);
         }
     }
@@ -143,11 +157,17 @@ pub(crate) fn requested_edges(
     if !options.curvature.is_finite() || options.curvature < 0.0 {
         return Err(CutError::Curvature { weight: options.curvature });
     }
+    if let Some(spread) = options.spread.filter(|spread| !(spread.is_finite() && *spread > 0.0)) {
+        return Err(CutError::Spread { spread });
+    }
     match &options.strategy {
         CutStrategy::Through(through) => match through.iter().find(|v| v.index() >= vertices) {
             Some(&vertex) => Err(CutError::NoVertex { vertex, vertices }),
             None => Ok(None),
         },
+        CutStrategy::Along(_) if options.symmetry.is_some() => {
+            Err(SymmetryError::Strategy { strategy: options.strategy.name() }.into())
+        }
         CutStrategy::Along(paths) => {
             let mut cut = EdgeData::filled(mesh.edges(), false);
             let closed = Closed::new(mesh, options);
@@ -169,13 +189,17 @@ pub(crate) fn requested_edges(
 }
 
 /// The edge between two vertices.
-pub(super) fn edge_between(mesh: &SurfaceMesh, [a, b]: [VertexId; 2]) -> Option<EdgeId> {
+pub(crate) fn edge_between(mesh: &SurfaceMesh, [a, b]: [VertexId; 2]) -> Option<EdgeId> {
     let around = mesh.outgoing(a).flat_map(|h| [h, h.previous()]);
     around.into_iter().find(|&h| a != b && [mesh.tail(h), mesh.head(h)].contains(&b)).map(|h| mesh.edge(h))
 }
 
 /// The cut of a connected surface, before any is added for the sake of distortion.
-pub(crate) fn first_cut(surface: &EmbeddedSurface, options: &CutOptions) -> Result<EdgeData<bool>, CutError> {
+pub(crate) fn first_cut(part: &Component, options: &CutOptions) -> Result<EdgeData<bool>, CutError> {
+    if let Some(images) = &part.images {
+        return symmetry::first_cut(&part.surface, images, options);
+    }
+    let surface = &part.surface;
     let mesh = surface.mesh();
     let costs = Costs::new(surface, options);
     let nowhere = || CutError::Forbidden { face: FaceId(0) };
@@ -195,10 +219,15 @@ pub(crate) fn first_cut(surface: &EmbeddedSurface, options: &CutOptions) -> Resu
                 cut.join(&ends);
             }
             if is_sphere && !cut.edges.contains(&true) {
-                euclidean(surface, &costs, &mut cut, 1);
+                iterate(surface, &costs, &mut cut, Metric::Straight, 1, None);
             }
         }
-        CutStrategy::Euclidean { cuts } => euclidean(surface, &costs, &mut cut, *cuts),
+        CutStrategy::Euclidean { cuts } => {
+            iterate(surface, &costs, &mut cut, Metric::Straight, *cuts, options.spread);
+        }
+        CutStrategy::Geodesic { cuts } => {
+            iterate(surface, &costs, &mut cut, Metric::Surface, *cuts, options.spread);
+        }
         CutStrategy::Medial { balls } => {
             let ends = Skeleton::new(surface, &costs, *balls)?.ends();
             cut.join(&ends);
@@ -223,7 +252,7 @@ pub(crate) fn first_cut(surface: &EmbeddedSurface, options: &CutOptions) -> Resu
     if is_sphere && !cut.edges.contains(&true) && options.strategy.follows_balls() {
         // All balls lie beside one vertex.
         cut = GrowingCut::new(surface.surface(), &costs, cut.edges);
-        euclidean(surface, &costs, &mut cut, 1);
+        iterate(surface, &costs, &mut cut, Metric::Straight, 1, None);
     }
     if is_sphere {
         lengthen(surface, &costs, &mut cut.edges);
@@ -235,25 +264,6 @@ pub(crate) fn first_cut(surface: &EmbeddedSurface, options: &CutOptions) -> Resu
         return Err(nowhere());
     }
     Ok(cut.edges)
-}
-
-/// Joins the farthest pair of vertices, and the farthest vertices from what is cut, up to a number of cuts.
-fn euclidean(surface: &EmbeddedSurface, costs: &Costs, cut: &mut GrowingCut<'_>, cuts: usize) {
-    let mesh = surface.mesh();
-    let mut left = cuts;
-    if cut.is_empty() {
-        let allowed: Vec<VertexId> = mesh.vertex_ids().filter(|&v| !costs.forbid(v)).collect();
-        let points: Vec<[f64; 3]> = allowed.iter().map(|&v| surface.positions()[v]).collect();
-        let Some(pair) = farthest_pair(&points) else { return };
-        cut.join(&pair.map(|i| allowed[i]));
-        left = left.saturating_sub(1);
-    }
-    for _ in 0..left {
-        let from = EdgeDistances::from(surface.surface(), &cut.reached()).distances;
-        let allowed = |v: VertexId| if costs.forbid(v) { 0.0 } else { from[v] };
-        let far: Vec<f64> = mesh.vertex_ids().map(allowed).collect();
-        cut.join(&[VertexId(largest(&far) as u32)]);
-    }
 }
 
 /// A cut with those of some edges that join what is not yet joined, one after the other: no loop is closed that is not there already.

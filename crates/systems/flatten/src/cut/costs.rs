@@ -82,6 +82,18 @@ impl Costs {
         Self { of_edge, is_forbidden: self.is_forbidden.clone() }
     }
 
+    /// The costs of the edges of another mesh, whose vertices are some of these.
+    pub(crate) fn elsewhere(
+        &self,
+        mesh: &SurfaceMesh,
+        cost: impl Fn(EdgeId) -> f64,
+        vertex: impl Fn(VertexId) -> VertexId,
+    ) -> Self {
+        let of_edge = EdgeData::from_fn(mesh.edges(), cost);
+        let is_forbidden = VertexData::from_fn(mesh.vertices(), |v| self.is_forbidden[vertex(v)]);
+        Self { of_edge, is_forbidden }
+    }
+
     pub(crate) fn of(&self, edge: EdgeId) -> f64 {
         self.of_edge[edge]
     }

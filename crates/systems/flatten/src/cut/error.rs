@@ -1,6 +1,6 @@
 //! Why a surface cannot be cut.
 
-use crate::MedialError;
+use crate::{MedialError, SymmetryError};
 use pompeiu_core::{FaceId, VertexId};
 use pompeiu_surface::{GeometryError, SurfaceError};
 
@@ -62,9 +62,26 @@ pub enum CutError {
         /// The weight.
         weight: f64,
     },
+    /// The spread at which no more is cut is no number above 0.
+    #[error("the spread of distances is {spread}; it must be a number above 0")]
+    Spread {
+        /// The spread.
+        spread: f64,
+    },
     /// The surface cannot be filled with balls, which the strategy follows.
     #[error(transparent)]
     Medial(#[from] MedialError),
+    /// A straightened path was lost by rounding.
+    #[error(
+        "the straightened path from vertex {vertex} cannot be followed across faces, which are too thin there"
+    )]
+    Straight {
+        /// Where it begins.
+        vertex: VertexId,
+    },
+    /// The plane of symmetry cannot be kept.
+    #[error(transparent)]
+    Symmetry(#[from] SymmetryError),
     /// Every cut would enter what is forbidden.
     #[error(
         "no admissible cut opens the part that holds face {face}: every one enters a forbidden edge or vertex"

@@ -5,14 +5,16 @@ mod costs;
 mod disk;
 mod error;
 mod farthest;
+mod iterate;
 mod open;
 mod skeleton;
 mod tips;
 mod tree;
 
 pub use choose::{CutOptions, CutStrategy, choose_cut};
-pub(crate) use choose::{first_cut, requested_edges};
+pub(crate) use choose::{edge_between, first_cut, requested_edges};
 pub(crate) use costs::Costs;
+pub(crate) use disk::disk_cut;
 pub use error::CutError;
 pub use farthest::farthest_pair;
 pub use open::{Opened, open};

@@ -9,8 +9,9 @@ use pompeiu_surface::SurfaceMesh;
 use pompeiu_surface::plane::Vec2;
 use std::time::{Duration, Instant};
 
-/// Relative residual at which a system with weights that differ from end to end counts as solved.
-const RESIDUAL: f64 = 1e-15;
+/// Residual at which a system with weights that differ from end to end counts as solved, over that which rounding leaves of a place times
+/// the sum of the weights around it. Below, steps are lost.
+const RESIDUAL: f64 = 2.0 * f64::EPSILON;
 
 /// Steps of its iteration between restarts, and in all.
 const RESTART: usize = 40;
@@ -153,8 +154,12 @@ impl ConvexSystem {
                 .collect()
         };
         let mut columns = Vec::with_capacity(2);
-        for side in &right {
-            columns.push(gmres(apply, &factor, side, RESIDUAL, RESTART, MOST_STEPS)?);
+        let norm = |x: &[f64]| x.iter().map(|x| x * x).sum::<f64>().sqrt();
+        for (k, side) in right.iter().enumerate() {
+            // Means lie between the fixed places.
+            let farthest = uv.iter().map(|p| p[k].abs()).fold(0.0, |most, x| if x > most { x } else { most });
+            let tolerance = RESIDUAL * farthest * norm(&sums) / norm(side);
+            columns.push(gmres(apply, &factor, side, tolerance, RESTART, MOST_STEPS)?);
         }
         for (i, &v) in self.inside.iter().enumerate() {
             uv[v] = [columns[0][i], columns[1][i]];

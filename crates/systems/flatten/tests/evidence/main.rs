@@ -3,8 +3,11 @@
 #![allow(clippy::unwrap_used, reason = "tests may panic")]
 
 mod cuts;
+mod far;
 mod maps;
 mod medial;
+mod straight;
+mod symmetry;
 
 use pompeiu_core::TriMesh;
 use pompeiu_core::mesh::shapes;

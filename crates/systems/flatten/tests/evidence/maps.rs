@@ -152,11 +152,49 @@ fn several_components_share_one_square_at_one_scale() {
     let flat = flatten(&surface(&both), &FlattenOptions::default()).unwrap();
     assert!(flat.report.is_one_to_one());
     assert_eq!((flat.report.charts, flat.report.boundary_loops), (4, 4));
+    let parts = &flat.report.parts;
+    assert_eq!(parts.iter().map(|part| part.faces).collect::<Vec<_>>(), [24, 320, 4, 24]);
+    assert_eq!(parts.iter().map(|part| part.first_face).collect::<Vec<_>>(), [0, 24, 344, 348]);
+    assert!(parts.iter().all(|part| part.flipped == 0 && part.overlapping == 0));
+    // Nothing was cut of the grids, which stay as they are; lengths and edges of the others add up to the whole cut.
+    for grid in [&parts[0], &parts[3]] {
+        assert_eq!(grid.cut_edges, 0);
+        assert!((grid.distortion.symmetric_dirichlet.max - 4.0).abs() < 1e-9);
+    }
+    assert!(parts[1].distortion.symmetric_dirichlet.mean > 4.01);
+    let length: f64 = parts.iter().map(|part| part.cut_length).sum();
+    let edges: usize = parts.iter().map(|part| part.cut_edges).sum();
+    assert!((length / flat.report.cut.length - 1.0).abs() < 1e-12 && edges == flat.report.cut.edges);
     // Both grids are flat, and stay as they are.
     let singular = |face: usize| flat.singular_values.as_slice()[face];
     let last = both.faces().len() - 1;
     for k in 0..2 {
         assert!((singular(0)[k] / singular(last)[k] - 1.0).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn a_closed_path_makes_two_charts_of_a_sphere() {
+    let sphere = surface(&shapes::uv_sphere(1.0, 12, 6).unwrap());
+    let mut around: Vec<VertexId> =
+        sphere.mesh().vertex_ids().filter(|&v| sphere.positions()[v][2].abs() < 1e-9).collect();
+    let angle = |v: &VertexId| sphere.positions()[*v][1].atan2(sphere.positions()[*v][0]);
+    around.sort_by(|a, b| angle(a).total_cmp(&angle(b)));
+    around.push(around[0]);
+    let cut = CutOptions { strategy: CutStrategy::Along(vec![around]), ..CutOptions::default() };
+    let convex =
+        Method::Convex { boundary: ConvexBoundary::Circle, weights: Weights::MeanValue, around: None };
+    for method in [Method::default(), convex] {
+        let flat =
+            flatten(&sphere, &FlattenOptions { cut: cut.clone(), method, ..FlattenOptions::default() });
+        let report = flat.unwrap().report;
+        assert!(report.is_one_to_one());
+        assert_eq!((report.charts, report.cut.edges), (2, 12));
+        let parts = &report.parts;
+        assert_eq!(parts.iter().map(|part| (part.faces, part.cut_edges)).collect::<Vec<_>>(), [(60, 12); 2]);
+        // Both halves are alike.
+        let [one, other] = [0, 1].map(|k| parts[k].distortion.symmetric_dirichlet.mean);
+        assert!((one / other - 1.0).abs() < 1e-6, "{one} {other}");
     }
 }
 

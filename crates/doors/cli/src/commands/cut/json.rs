@@ -37,7 +37,8 @@ pub(crate) struct Json<'o> {
     euler_characteristic: isize,
     /// Number of boundary loops: 1 for each disk.
     boundary_loops: usize,
-    /// For each vertex the vertex of the input that it is a copy of, vertices without faces not counted.
+    /// For each vertex the vertex of the input that it is a copy of, vertices without faces not counted; those that a straightened cut
+    /// made follow behind.
     vertex_map: Vec<u32>,
     timing_ms: Timing,
 }

@@ -8,7 +8,7 @@ use crate::wait::Wait;
 use crate::{files, surface};
 use anyhow::{Context, bail};
 use pompeiu::core::TriMesh;
-use pompeiu::flatten::{Opened, choose_cut, open};
+use pompeiu::flatten::{Opened, choose_cut, open, straighten};
 use std::time::{Duration, Instant};
 
 /// What was done, for both kinds of answers.
@@ -34,10 +34,14 @@ pub(crate) fn run(args: &Args, printer: &Printer) -> anyhow::Result<Exit> {
     }
     let shown = || args.mesh.display().to_string();
     let wait = Wait::new(printer);
-    let (mesh, surface) = surface::read(&args.mesh, &wait, printer)?;
+    let (mut mesh, mut surface) = surface::read(&args.mesh, &wait, printer)?;
     wait.show("choosing edges".to_owned());
     let options = args.choice.options(&surface)?;
-    let cut = choose_cut(&surface, &options).with_context(shown)?;
+    let mut cut = choose_cut(&surface, &options).with_context(shown)?;
+    if args.choice.straighten {
+        let straight = straighten(&surface, &cut).with_context(shown)?;
+        (mesh, surface, cut) = (straight.mesh, straight.surface, straight.cut);
+    }
     let opened = open(surface.mesh(), &cut).with_context(shown)?;
     drop(wait);
     if let Some(output) = &args.output {

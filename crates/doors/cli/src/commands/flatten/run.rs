@@ -12,7 +12,7 @@ use crate::{files, interrupt, surface};
 use anyhow::{Context, bail};
 use pompeiu::core::run::{Limits, Progress};
 use pompeiu::flatten::show::{FlattenPage, layout_svg};
-use pompeiu::flatten::{FlattenOptions, FlattenReport, flatten};
+use pompeiu::flatten::{CutOptions, CutStrategy, FlattenOptions, FlattenReport, flatten, straighten};
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
@@ -36,7 +36,7 @@ pub(crate) fn run(args: &Args, printer: &Printer) -> anyhow::Result<Exit> {
     interrupt::listen();
     let shown = || args.mesh.display().to_string();
     let wait = Wait::new(printer);
-    let (mesh, surface) = surface::read(&args.mesh, &wait, printer)?;
+    let (mut mesh, mut surface) = surface::read(&args.mesh, &wait, printer)?;
     let watch = |progress: &Progress<'_>| {
         wait.progress(progress);
         interrupt::flow()
@@ -50,7 +50,17 @@ pub(crate) fn run(args: &Args, printer: &Printer) -> anyhow::Result<Exit> {
         limits: Limits { time: args.limits.time_after(started.elapsed()), ..Limits::default() },
         progress: Some(&watch),
     };
-    let flat = flatten(&surface, &options).with_context(shown)?;
+    let mut flat = flatten(&surface, &options).with_context(shown)?;
+    if args.cut.straighten {
+        let straight = straighten(&surface, &flat.cut).with_context(shown)?;
+        let strategy = CutStrategy::Along(straight.paths());
+        let options =
+            FlattenOptions { cut: CutOptions { strategy, ..CutOptions::default() }, ..options.clone() };
+        let chosen = flat.report.cut.strategy;
+        flat = flatten(&straight.surface, &options).with_context(shown)?;
+        flat.report.cut.strategy = chosen;
+        (mesh, surface) = (straight.mesh, straight.surface);
+    }
     drop(wait);
     let page = FlattenPage {
         path: &shown(),

@@ -4,6 +4,7 @@ use super::run::Outcome;
 use crate::exit::stopped_by;
 use crate::numbers::{grouped, shortest, time};
 use crate::page::Page;
+use pompeiu::flatten::PartReport;
 
 /// The verdict first, then a row for each quantity.
 pub(super) fn text(outcome: &Outcome) -> String {
@@ -35,6 +36,20 @@ pub(super) fn text(outcome: &Outcome) -> String {
             cut.strategy
         ),
     );
+    let mean = |part: &PartReport| part.distortion.symmetric_dirichlet.mean;
+    let worst = report.parts.iter().max_by(|a, b| mean(a).total_cmp(&mean(b)));
+    if let Some(worst) = worst.filter(|_| report.parts.len() > 1) {
+        page.row(
+            "worst",
+            &format!(
+                "the chart of face {}: {} faces, cut of length {}, symmetric Dirichlet energy {:.4}",
+                worst.first_face,
+                number(worst.faces),
+                shortest(worst.cut_length),
+                mean(worst)
+            ),
+        );
+    }
     let distortion = &report.distortion;
     let energy = distortion.symmetric_dirichlet;
     page.row(
