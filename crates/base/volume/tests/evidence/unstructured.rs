@@ -74,6 +74,9 @@ fn files_are_read_back_and_damage_is_located() {
     assert!(UnstructuredSplines::from_cmat(&(text + "7\n")).is_err());
 }
 
+/// Is called with the cell, the values of its functions, the weight and the place of each point of the rule.
+type Act<'a> = &'a mut dyn FnMut(usize, &[f64], f64, DVec3);
+
 /// The error of the projection of a function in L², relative to its norm.
 fn projection_error(n: u32) -> f64 {
     let mesh = HexMesh::grid([n, n, n], [1.0; 3]);
@@ -82,7 +85,7 @@ fn projection_error(n: u32) -> f64 {
     let exact = |p: DVec3| (p.x + 0.5 * p.y).exp() + p.z * p.z;
     let count = mesh.positions().len();
     let (mut entries, mut right) = (Vec::new(), vec![0.0; count]);
-    let each = |act: &mut dyn FnMut(usize, &[f64], f64, DVec3)| {
+    let each = |act: Act<'_>| {
         for (c, cell) in found.cells().iter().enumerate() {
             for q in 0..64 {
                 let rule = [GAUSS_4[q % 4], GAUSS_4[q / 4 % 4], GAUSS_4[q / 16]];
@@ -139,12 +142,7 @@ fn the_rule_at_the_boundary_costs_the_order_of_cubics() {
 }
 
 fn shipped(name: &str) -> Option<PathBuf> {
-    let folder = std::env::var("POMPEIU_DATA").unwrap_or_else(|_| "../../../../shared/data".to_owned());
-    let path = PathBuf::from(folder).join("neurons/bifurcation").join(name);
-    if !path.exists() {
-        println!("left out: {}", path.display());
-    }
-    path.exists().then_some(path)
+    pompeiu_testkit::data::file(&format!("neurons/bifurcation/{name}"))
 }
 
 fn text(name: &str) -> Option<String> {
