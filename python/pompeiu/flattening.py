@@ -138,8 +138,8 @@ def _cutting(
     return {
         "strategy": strategy,
         "cuts": int(cuts),
-        "through": indices(through or []),
-        "along": [indices(path) for path in along or []],
+        "through": indices([] if through is None else through),
+        "along": [indices(path) for path in ([] if along is None else along)],
         "balls": int(balls),
         "sections": bool(sections),
         "forbidden": indices(forbidden),
