@@ -254,7 +254,7 @@ class DirectedDeviation(_Arrays):
     beyond_threshold : tuple of Region
         The parts of the surface that are farther than the threshold, the worst first.
     stop : str
-        Why refining ended; enclosures hold in every case.
+        Why the work ended: ``"tolerance"`` where enclosures are as narrow as asked, else why they may be wider. They hold in every case.
     work : DeviationWork
         What it took.
     timing : dict

@@ -22,6 +22,26 @@ pub(crate) fn bound(
     b: &TriMesh,
     instead: StopReason,
 ) -> DirectedReport {
+    bound_by([FACES, POINTS], question, a, b, instead)
+}
+
+/// The same by the least work, where there is no time left: nothing is proven from below.
+pub(crate) fn bound_quickly(
+    question: &Question<'_>,
+    a: &TriMesh,
+    b: &TriMesh,
+    instead: StopReason,
+) -> DirectedReport {
+    bound_by([1; 2], question, a, b, instead)
+}
+
+fn bound_by(
+    [faces, points]: [usize; 2],
+    question: &Question<'_>,
+    a: &TriMesh,
+    b: &TriMesh,
+    instead: StopReason,
+) -> DirectedReport {
     let started = Instant::now();
     let (frame, joint, rounding) = joint_frame(a, b);
     let limits = question.limits(&joint, &frame, rounding);
@@ -29,7 +49,7 @@ pub(crate) fn bound(
     let distance = |p, [x, y, z]: [[f64; 3]; 3]| distance_sq(p, x, y, z).sqrt();
 
     let (m_a, m_b) = (a.faces().len(), b.faces().len());
-    let few: Vec<_> = (0..m_b).step_by(m_b.div_ceil(FACES)).map(|f| corners(b, f)).collect();
+    let few: Vec<_> = (0..m_b).step_by(m_b.div_ceil(faces)).map(|f| corners(b, f)).collect();
     let mut upper = 0.0;
     for f in 0..m_a {
         let piece = corners(a, f);
@@ -39,7 +59,7 @@ pub(crate) fn bound(
     }
 
     let mut best: Option<Farthest> = None;
-    for f in (0..m_a).step_by(m_a.div_ceil(POINTS)) {
+    for f in (0..m_a).step_by(m_a.div_ceil(points)) {
         let point = corners(a, f)[0];
         let (mut least, mut nearest) = (f64::INFINITY, 0);
         for g in 0..m_b {
@@ -60,13 +80,14 @@ pub(crate) fn bound(
     }
     let best = best.expect("a mesh has a face");
     let (witness, x) = best.witness(a, &frame);
-    let lower = certify::distance_lower_bound(x, (0..m_b).map(|g| corners(b, g)));
+    let lower =
+        if points > 1 { certify::distance_lower_bound(x, (0..m_b).map(|g| corners(b, g))) } else { 0.0 };
     let (distance, stop, tolerance) =
         conclude(question, &limits, &frame, lower, upper + rounding.bound(0), None);
     // A bound that is as good as asked needs no search.
     let stop = if stop == StopReason::Rounding { instead } else { stop };
     let work = WorkCount {
-        distances: (m_a * few.len() * 3 + POINTS * m_b) as u64,
+        distances: (m_a * few.len() * 3 + points * m_b) as u64,
         pieces: m_a as u64,
         ..WorkCount::default()
     };

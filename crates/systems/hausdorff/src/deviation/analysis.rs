@@ -1,18 +1,25 @@
 //! Both directions, and what they say together.
 
 use super::entry::Sum;
+use super::memory;
 use super::options::DeviationOptions;
+use super::packed::{Entries, are_packed};
 use super::report::{Deviation, DirectedDeviation};
 use super::run::{Outcome, Pair, run};
 use super::statistics::{Percentile, Summary, Wanted};
-use crate::engine::joint_frame;
-use crate::report::Direction;
+use super::unknown::unknown;
+use crate::coarse;
+use crate::engine::{Question, joint_frame};
+use crate::options::HausdorffOptions;
+use crate::report::{Direction, StopReason};
 use crate::target::Target;
 use crate::tolerance::OptionError;
 use pompeiu_core::TriMesh;
-use pompeiu_core::geom::Frame;
 use pompeiu_core::run::on_threads;
-use std::time::Instant;
+use std::time::{Duration, Instant};
+
+/// Trees are not built when there is less time for each face of both meshes.
+const LEAST_TIME: Duration = Duration::from_nanos(200);
 
 /// Two meshes, and the parts of them that are measured.
 #[derive(Clone, Copy)]
@@ -31,12 +38,13 @@ impl DeviationOptions<'_> {
     pub fn directed(&self, a: &TriMesh, b: &TriMesh) -> Result<DirectedDeviation, OptionError> {
         self.check()?;
         Ok(on_threads(self.limits.threads, || {
-            let frame = joint_frame(a, b).0;
-            self.one_direction([a, b], frame, Direction::AToB, self.deadline(1), 0).report
+            let room = self.limits.memory.map(|most| memory::room(most, a, b, 0));
+            self.one_direction([a, b], Direction::AToB, self.deadline(1), room).report
         }))
     }
 
-    /// How far A and B are from each other. The first direction takes at most half of the time limit.
+    /// How far A and B are from each other. The first direction takes at most half of the time limit, and half of what the memory
+    /// limit leaves for pieces.
     ///
     /// # Errors
     /// [`DeviationOptions::check`].
@@ -45,10 +53,13 @@ impl DeviationOptions<'_> {
     }
 
     pub(super) fn of_ends(&self, Ends { a_part, a, b_part, b }: Ends<'_>) -> Deviation {
-        let frame = joint_frame(a, b).0;
         let (half, whole) = (self.deadline(2), self.deadline(1));
-        let there = self.one_direction([a_part, b], frame, Direction::AToB, half, 0);
-        let back = self.one_direction([b_part, a], frame, Direction::BToA, whole, there.bytes());
+        let room = |from, to, held| self.limits.memory.map(|most| memory::room(most, from, to, held));
+        let both = room(a_part, b, 0).zip(room(b_part, a, memory::of_report(a_part)));
+        let first = both.map(|(there, back)| there.min(back) / 2);
+        let there = self.one_direction([a_part, b], Direction::AToB, half, first);
+        let rest = room(b_part, a, there.bytes());
+        let back = self.one_direction([b_part, a], Direction::BToA, whole, rest);
         self.both(a, b, there, back)
     }
 
@@ -73,11 +84,7 @@ impl DeviationOptions<'_> {
         let areas: Vec<Sum> = areas(&there).into_iter().zip(areas(&back)).map(|(x, y)| x.plus(y)).collect();
         let mut pooled = there.distribution;
         pooled.portions.extend(back.distribution.portions);
-        let wanted = Wanted {
-            percentiles: &self.percentiles,
-            threshold: self.threshold.map(|t| frame.length_in(t)),
-            fine: Wanted::FINE * self.accuracy,
-        };
+        let wanted = Wanted::of(self, &frame);
         let summary = match there.summary.as_ref().zip(back.summary.as_ref()) {
             Some((x, y)) => Summary::with(x.sums.plus(y.sums), &pooled, &wanted, largest),
             None => Summary::of(&pooled, &wanted, largest),
@@ -94,15 +101,28 @@ impl DeviationOptions<'_> {
     fn one_direction(
         &self,
         [from, to]: [&TriMesh; 2],
-        frame: Frame,
         direction: Direction,
         deadline: Option<Instant>,
-        held: usize,
+        room: Option<usize>,
     ) -> Outcome {
         let started = Instant::now();
+        let (frame, joint, rounding) = joint_frame(from, to);
+        let faces = from.faces().len() as u32;
+        let least_time = LEAST_TIME * faces.saturating_add(to.faces().len() as u32);
+        let size = Entries::size(are_packed(self.accuracy, faces as usize));
+        let too_small = room.is_some_and(|room| room / size < faces as usize);
+        let late = deadline.is_some_and(|end| end.saturating_duration_since(started) < least_time);
+        if too_small || late {
+            let stop = if too_small { StopReason::Memory } else { StopReason::Time };
+            let options = HausdorffOptions::default();
+            let question = Question { options: &options, direction, deadline };
+            let distance = coarse::bound_quickly(&question, from, to, stop);
+            let floor = Self::FLOOR * frame.length_in(joint.diagonal()) + 4.0 * rounding.bound(0);
+            return unknown(self, from, &frame, direction, floor, distance, stop);
+        }
         let target = Target::in_frame(to, frame);
         let build = started.elapsed();
-        let pair = Pair { from, to, target: &target, direction, deadline, held };
+        let pair = Pair { from, to, target: &target, direction, deadline, room };
         let mut outcome = run(self, &pair);
         outcome.report.work.build = build;
         outcome

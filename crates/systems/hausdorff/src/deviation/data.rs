@@ -47,9 +47,9 @@ struct Directed<'d> {
     /// The parts of the surface that are farther than the threshold, the worst first; absent if there are none.
     #[serde(skip_serializing_if = "<[Region]>::is_empty")]
     beyond_threshold: &'d [Region],
-    /// Why refining ended; what is enclosed holds in every case.
+    /// Why the work ended: `tolerance` where enclosures are as narrow as asked, else why they may be wider. They hold in every case.
     stop: StopReason,
-    /// Widths of lengths below this always suffice.
+    /// Widths of lengths below this always suffice: 1e-9 of the diagonal of both meshes, and what rounding adds.
     floor: f64,
     /// What it took.
     work: DeviationWork,

@@ -3,8 +3,10 @@
 use super::linear::{
     Corners, greater, mean_enclosure, mean_of_positive, mean_square_enclosure, mean_square_of_positive,
 };
+use super::packed::Entries;
 use super::polygon::Polygon;
 use pompeiu_core::exact::Interval;
+use std::ops::Range;
 
 /// Factors that outweigh the rounding of a few products.
 pub(super) const MORE: f64 = 1.0 + 8.0 * f64::EPSILON;
@@ -14,14 +16,20 @@ pub(super) const LESS: f64 = 1.0 - 8.0 * f64::EPSILON;
 /// above is given by how much greater it is; it and the area are stored so that they are not rounded the wrong way.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Entry {
-    lower: Corners,
-    width: [f32; 3],
+    pub(super) lower: Corners,
+    pub(super) width: [f32; 3],
     /// The area is at least this, and at most `more` greater.
-    area: f64,
-    more: f32,
+    pub(super) area: f64,
+    pub(super) more: f32,
 }
 
 impl Entry {
+    /// An area in these bounds of which no more is known than what no distance exceeds.
+    pub(super) fn unknown((low, high): (f64, f64), largest: f64) -> Self {
+        let (lower, width) = ([0.0; 3], [at_least(largest, largest); 3]);
+        Self { lower, width, area: low, more: at_least(high - low, high) }
+    }
+
     /// A triangle of the fan of a polygon, of a face with an area in these bounds.
     pub(super) fn new(polygon: &Polygon, triangle: [usize; 3], (low, high): (f64, f64)) -> Self {
         let [i, j, k] = triangle;
@@ -67,16 +75,16 @@ impl Entry {
 
 /// A difference rounded up to fewer digits: at least the exact one, which is off by no more than the last digit of what it was
 /// taken from.
-fn at_least(difference: f64, from: f64) -> f32 {
+pub(super) fn at_least(difference: f64, from: f64) -> f32 {
     let wanted = difference + f64::EPSILON * (difference.abs() + from.abs());
     let rounded = wanted as f32;
     if f64::from(rounded) < wanted { rounded.next_up() } else { rounded }
 }
 
 /// The entries of the faces of one task, face by face.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub(super) struct Portion {
-    pub(super) entries: Vec<Entry>,
+    pub(super) entries: Entries,
     /// Where those of each face start, and one end more.
     pub(super) starts: Vec<u32>,
     /// Of all of them.
@@ -84,9 +92,14 @@ pub(super) struct Portion {
 }
 
 impl Portion {
+    /// Where the entries of one of the faces are.
+    pub(super) fn places(&self, face: usize) -> Range<usize> {
+        self.starts[face] as usize..self.starts[face + 1] as usize
+    }
+
     /// The entries of one of the faces.
-    pub(super) fn of_face(&self, face: usize) -> &[Entry] {
-        &self.entries[self.starts[face] as usize..self.starts[face + 1] as usize]
+    pub(super) fn of_face(&self, face: usize) -> impl Iterator<Item = Entry> + '_ {
+        self.entries.range(self.places(face))
     }
 }
 
@@ -133,18 +146,22 @@ pub(super) struct Moments {
 }
 
 impl Moments {
-    pub(super) fn of(entries: &[Entry]) -> Self {
+    pub(super) fn of(entries: impl Iterator<Item = Entry>) -> Self {
         let mut sums = Self::default();
         for entry in entries {
-            let (low, high) = entry.area();
-            let (lower, upper) = (entry.lower(), entry.upper());
-            sums.area.add(low, high);
-            let (below, above) = mean_of(lower, upper);
-            sums.first.add(low * below * LESS, high * above * MORE);
-            let above = mean_square_enclosure(upper).upper();
-            sums.second.add(low * mean_square_of_positive(lower) * LESS, high * above * MORE);
+            sums.include(&entry);
         }
         sums
+    }
+
+    pub(super) fn include(&mut self, entry: &Entry) {
+        let (low, high) = entry.area();
+        let (lower, upper) = (entry.lower(), entry.upper());
+        self.area.add(low, high);
+        let (below, above) = mean_of(lower, upper);
+        self.first.add(low * below * LESS, high * above * MORE);
+        let above = mean_square_enclosure(upper).upper();
+        self.second.add(low * mean_square_of_positive(lower) * LESS, high * above * MORE);
     }
 
     pub(super) fn plus(self, other: Self) -> Self {

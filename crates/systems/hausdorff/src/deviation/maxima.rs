@@ -4,7 +4,7 @@
 //! search for the largest distance of all is asked again, for one face at a time.
 
 use super::linear::{greater, lesser};
-use super::refine::FaceBounds;
+use super::task::FaceBounds;
 use crate::rounding::Rounding;
 use crate::search::{Limits, Local, Scene, Start, search_each};
 use pompeiu_core::spatial::Slot;
@@ -62,7 +62,7 @@ pub(super) struct Maxima<'m> {
     /// No distance is greater.
     pub(super) largest: f64,
     /// By face.
-    pub(super) of_faces: Vec<Maximum>,
+    pub(super) of_faces: Vec<FaceBounds>,
     /// Faces searched, each time.
     pub(super) searched: u64,
 }
@@ -70,7 +70,7 @@ pub(super) struct Maxima<'m> {
 impl Maxima<'_> {
     /// Whether the maximum of a face is wider than it should be, and was not already asked to be so narrow.
     pub(super) fn is_wide(&self, face: u32, precision: Precision) -> bool {
-        let maximum = &self.of_faces[face as usize];
+        let maximum = &self.of_faces[face as usize].max;
         let allowed = greater(self.allowed(precision, maximum.upper), self.floor);
         maximum.asked < precision && maximum.upper - maximum.lower > allowed
     }
@@ -108,7 +108,7 @@ impl Maxima<'_> {
             }
             let of_task = |faces: &[u32]| {
                 let start = |face: &u32| {
-                    let Maximum { point, depth, near, .. } = self.of_faces[*face as usize];
+                    let Maximum { point, depth, near, .. } = self.of_faces[*face as usize].max;
                     Start { face: *face, point, depth, near }
                 };
                 let starts: Vec<Start> = faces.iter().map(start).collect();
@@ -116,7 +116,7 @@ impl Maxima<'_> {
             };
             let found: Vec<Vec<Local>> = round.par_chunks(TASK).with_max_len(1).map(of_task).collect();
             for (face, local) in round.iter().zip(found.into_iter().flatten()) {
-                let maximum = &mut self.of_faces[*face as usize];
+                let maximum = &mut self.of_faces[*face as usize].max;
                 maximum.asked = precision;
                 maximum.upper = lesser(maximum.upper, local.upper);
                 if local.lower > maximum.lower {
@@ -131,9 +131,9 @@ impl Maxima<'_> {
     }
 }
 
-impl From<&FaceBounds> for Maximum {
-    fn from(bounds: &FaceBounds) -> Self {
-        let FaceBounds { max: (lower, upper), farthest, near, .. } = *bounds;
-        Self { lower, upper, point: farthest, depth: CUTS_OF_POINT, near, asked: Precision::Pieces }
+impl Maximum {
+    /// As the pieces of a face have it.
+    pub(super) fn of_piece((lower, upper): (f64, f64), point: [f64; 3], near: Slot) -> Self {
+        Self { lower, upper, point, depth: CUTS_OF_POINT, near, asked: Precision::Pieces }
     }
 }

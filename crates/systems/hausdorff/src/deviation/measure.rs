@@ -3,6 +3,7 @@
 use super::linear::greater;
 use pompeiu_core::exact::Interval;
 use pompeiu_core::geom::Frame;
+use pompeiu_core::run::Control;
 use pompeiu_core::spatial::{Bvh, Slot, Workspace};
 use pompeiu_core::{FaceId, TriMesh};
 use rayon::prelude::*;
@@ -41,6 +42,30 @@ pub(super) struct VertexDistances {
 
 impl VertexDistances {
     pub(super) fn new(mesh: &TriMesh, frame: &Frame, bvh: &Bvh, order: &[u32]) -> Self {
+        let (referenced, found) = Self::found(mesh, frame, bvh, order, &Control::default());
+        Self::by_vertex(mesh, bvh, &referenced, found)
+    }
+
+    /// The same, or none if it was told to stop before all were known.
+    pub(super) fn limited(
+        mesh: &TriMesh,
+        frame: &Frame,
+        bvh: &Bvh,
+        order: &[u32],
+        control: &Control,
+    ) -> Option<Self> {
+        let (referenced, found) = Self::found(mesh, frame, bvh, order, control);
+        (!control.is_stopped()).then(|| Self::by_vertex(mesh, bvh, &referenced, found))
+    }
+
+    /// The vertices of faces, and for each task of them what was found.
+    fn found(
+        mesh: &TriMesh,
+        frame: &Frame,
+        bvh: &Bvh,
+        order: &[u32],
+        control: &Control,
+    ) -> (Vec<u32>, Vec<Vec<(f64, Slot)>>) {
         const TASK: usize = 256;
         // Each vertex with the first of its faces in the order, in which neighbours are close.
         let mut seen = vec![false; mesh.positions().len()];
@@ -53,6 +78,9 @@ impl VertexDistances {
             }
         }
         let of_task = |vertices: &[u32]| -> Vec<(f64, Slot)> {
+            if control.is_stopped() {
+                return Vec::new();
+            }
             let mut workspace = Workspace::default();
             let mut hint = bvh.any_slot();
             let of_vertex = |v: &u32| {
@@ -62,11 +90,15 @@ impl VertexDistances {
             };
             vertices.iter().map(of_vertex).collect()
         };
-        let found: Vec<Vec<(f64, Slot)>> = referenced.par_chunks(TASK).map(of_task).collect();
+        let found = referenced.par_chunks(TASK).map(of_task).collect();
+        (referenced, found)
+    }
+
+    fn by_vertex(mesh: &TriMesh, bvh: &Bvh, referenced: &[u32], found: Vec<Vec<(f64, Slot)>>) -> Self {
         let mut distances = vec![f64::NAN; mesh.positions().len()];
         let mut near = vec![bvh.any_slot(); mesh.positions().len()];
-        for (v, (distance, slot)) in referenced.into_iter().zip(found.into_iter().flatten()) {
-            (distances[v as usize], near[v as usize]) = (distance, slot);
+        for (v, (distance, slot)) in referenced.iter().zip(found.into_iter().flatten()) {
+            (distances[*v as usize], near[*v as usize]) = (distance, slot);
         }
         Self { distances, near }
     }

@@ -46,9 +46,12 @@ pub struct DeviationOptions<'o> {
     pub regions: usize,
     /// Whether to find out on which side of the other mesh vertices and faces lie.
     pub signed: bool,
-    /// Time, memory, pieces and threads. When a limit is reached, refining stops with wider enclosures. One piece for each face
-    /// is needed in any case; without a limit on pieces it is [`DeviationOptions::DEFAULT_PIECES`] in each direction, or
-    /// [`DeviationOptions::PIECES_PER_FACE`] if that is more. Building a tree is not interrupted.
+    /// Time, memory, pieces and threads. When a limit is reached, refining stops with wider enclosures, and
+    /// [`DirectedDeviation::stop`](super::DirectedDeviation::stop) says which it was. Where limits leave no room to look at faces at
+    /// all, no more is said than that no distance exceeds an upper end of the largest. One piece for each face is needed
+    /// otherwise; without a limit on pieces it is [`DeviationOptions::DEFAULT_PIECES`] in each direction, or
+    /// [`DeviationOptions::PIECES_PER_FACE`] if that is more. Building a tree is not interrupted; it is not begun where less time is
+    /// left than it takes.
     pub limits: Limits,
     /// Watches the work: of its methods only [`Observer::progress`] is called, first by the search for the largest distance, then
     /// by refining, with pieces looked at and left.

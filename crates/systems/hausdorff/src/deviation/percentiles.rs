@@ -145,9 +145,10 @@ impl Distribution {
         let new = || scales.each_ref().map(|scales| vec![Tally::default(); scales.len()]);
         let of_entries = |portions: &[Portion]| {
             let mut tallies = new();
-            for entry in portions.iter().flat_map(|portion| &portion.entries) {
+            // Not a loop: iterators of two parts are quicker from within.
+            portions.iter().flat_map(|portion| portion.entries.iter()).for_each(|entry| {
                 for (side, k) in [(Side::Lower, 0), (Side::Upper, 1)] {
-                    let (v, weight) = side.of(entry);
+                    let (v, weight) = side.of(&entry);
                     let (from, to) = (least(v), greatest(v));
                     let mut part = None;
                     for (scale, tally) in scales[k].iter().zip(&mut tallies[k]) {
@@ -159,7 +160,7 @@ impl Distribution {
                         }
                     }
                 }
-            }
+            });
             tallies
         };
         let chunks: Vec<[Vec<Tally>; 2]> = self.portions.par_chunks(PORTIONS).map(of_entries).collect();
@@ -181,8 +182,8 @@ impl Distribution {
         let mut inside = 0.0;
         let (mut low_is_crossed, mut high_is_crossed) = (false, false);
         let (mut next, mut last) = (high, low);
-        for entry in self.portions.iter().flat_map(|portion| &portion.entries) {
-            let (v, weight) = side.of(entry);
+        for entry in self.portions.iter().flat_map(|portion| portion.entries.iter()) {
+            let (v, weight) = side.of(&entry);
             let (from, to) = (least(v), greatest(v));
             if from > high || to <= low {
                 continue;
@@ -205,7 +206,7 @@ impl Distribution {
         let new = || [Forecast::new(largest), Forecast::new(largest)];
         let of_entries = |portions: &[Portion]| {
             let [mut lower, mut upper] = new();
-            for entry in portions.iter().flat_map(|portion| &portion.entries).step_by(step) {
+            for entry in portions.iter().flat_map(|portion| portion.entries.iter()).step_by(step) {
                 lower.add(entry.lower(), entry.area().0);
                 upper.add(entry.upper(), entry.area().0);
             }
@@ -288,6 +289,7 @@ impl Default for Tally {
 #[cfg(test)]
 mod tests {
     use super::super::entry::Moments;
+    use super::super::packed::Entries;
     use super::super::polygon::{MOST_CORNERS, Polygon};
     use super::*;
     use proptest::prelude::*;
@@ -303,8 +305,9 @@ mod tests {
 
     fn distribution(values: &[Corners]) -> Distribution {
         let entries: Vec<Entry> = values.iter().map(|v| known(*v)).collect();
-        let moments = Moments::of(&entries);
+        let moments = Moments::of(entries.iter().copied());
         let starts = vec![0, entries.len() as u32];
+        let entries = Entries::Full(entries);
         Distribution { portions: vec![Portion { entries, starts, moments }] }
     }
 

@@ -4,20 +4,13 @@
 //! fixed sizes, whose outcomes are put together in task order, so that the pieces are the same at any number of threads.
 
 use super::distribution::Distribution;
-use super::entry::{Entry, Moments, Portion};
-use super::face::{Cutter, Start};
 use super::goal::Goal;
-use super::linear::{Corners, greater, greatest, least, lesser};
-use super::measure::{self, VertexDistances};
-use super::polygon::Piece;
+use super::linear::{greater, lesser};
+use super::select::{flag, keep_the_worst, suffices};
 use super::statistics::{Summary, Wanted};
-use crate::rounding::Rounding;
-use pompeiu_core::geom::Frame;
-use pompeiu_core::run::Control;
-use pompeiu_core::spatial::{Bvh, Neighbours, Slot};
-use pompeiu_core::{FaceId, TriMesh};
+use super::task::{FaceBounds, Faces, Made};
+use pompeiu_core::spatial::Slot;
 use rayon::prelude::*;
-use std::sync::Mutex;
 
 /// The area times width that a piece may leave undecided at first: this part of what the mean may, shared out among all faces.
 const FIRST_PART: f64 = 1.0;
@@ -42,12 +35,6 @@ const FINER: f64 = 0.25;
 const FOCUSED_ROUNDS: u32 = 8;
 /// A focused round must narrow what is not yet narrow enough by this factor, or it was the last.
 const LEAST_PROGRESS: f64 = 0.95;
-/// What cutting a face again removes of its areas times widths, at least as a rule; and how far below the allowed width a mean should
-/// come to lie.
-const LEAST_GAIN: f64 = 0.5;
-const SPARE: f64 = 0.9;
-/// The part of the areas times widths in focus that pieces to be cut have, at most.
-const MOST_OF_FOCUS: f64 = 0.9;
 /// Goals are not made finer than this part of the first one.
 const FINEST: f64 = 1e-15;
 /// Faces of a task at most, and tasks that there should be.
@@ -57,139 +44,6 @@ const TASKS: usize = 256;
 const TASKS_PER_ROUND: usize = 64;
 /// Pieces of a face, at least and at most, whatever the limit on pieces leaves.
 const PIECES_OF_FACE: (usize, usize) = (16, 1 << 17);
-
-/// Faces of A, and B.
-pub(super) struct Faces<'f> {
-    pub(super) mesh: &'f TriMesh,
-    pub(super) frame: &'f Frame,
-    pub(super) vertices: &'f VertexDistances,
-    pub(super) bvh: &'f Bvh,
-    pub(super) neighbours: Option<&'f Neighbours>,
-    pub(super) rounding: Rounding,
-    pub(super) control: &'f Control,
-    /// No distance is greater.
-    pub(super) largest: f64,
-    /// About how far most of the surface is away.
-    pub(super) scale: f64,
-    /// Cutters that no task uses, with what they remember of B, and memory for entries.
-    pub(super) idle: Mutex<Vec<(Cutter<'f>, Vec<Entry>)>>,
-}
-
-impl<'f> Faces<'f> {
-    /// Cuts faces into cells first, or looks closely at all of them.
-    pub(super) fn cutter(&self, cells: bool) -> Cutter<'f> {
-        let neighbours = self.neighbours.filter(|_| cells);
-        Cutter::new(self.bvh, neighbours, self.rounding, self.control, self.largest, self.scale)
-    }
-
-    pub(super) fn start(&self, face: u32) -> (Start, (f64, f64)) {
-        let corners = self.mesh.corners(FaceId(face)).map(|p| self.frame.map(p));
-        let area = measure::area(self.mesh, self.frame, face);
-        let vertices = self.mesh.faces()[face as usize].map(|v| v as usize);
-        let start = Start {
-            corners,
-            area: 0.5 * (area.0 + area.1),
-            distances: vertices.map(|v| self.vertices.distances[v]),
-            near: self.vertices.near[vertices[0]],
-        };
-        (start, area)
-    }
-
-    /// Cuts the wanted ones of some faces; of the others, and of those that come out no narrower, what was before stays.
-    fn cut_task(
-        &self,
-        faces: &[u32],
-        goal: &Goal,
-        most: usize,
-        wanted: impl Fn(usize) -> bool,
-        before: Option<(&Portion, &[FaceBounds])>,
-    ) -> Made {
-        let idle = self.idle.lock().map_or(None, |mut idle| idle.pop());
-        let (mut cutter, mut entries) = idle.unwrap_or_else(|| (self.cutter(true), Vec::new()));
-        let (looks, distances) = (cutter.looks, cutter.distances());
-        let mut starts = vec![0];
-        let mut moments = Moments::default();
-        let mut bounds = Vec::with_capacity(faces.len());
-        for (i, &face) in faces.iter().enumerate() {
-            let start = entries.len();
-            let known = before.map(|(portion, bounds)| (portion.of_face(i), bounds[i]));
-            let mut keep = known;
-            if known.is_none() || wanted(i) {
-                let (from, area) = self.start(face);
-                cutter.cut(&from, goal, most);
-                for Piece { polygon, .. } in &cutter.pieces {
-                    entries.extend(polygon.outline.fan().map(|t| Entry::new(polygon, t, area)));
-                }
-                // What limits have cut short may be wider than what was known.
-                let mass = |entries: &[Entry]| entries.iter().map(Entry::mass).sum::<f64>();
-                keep = known.filter(|(known, _)| mass(known) < mass(&entries[start..]));
-            }
-            if let Some((known, _)) = keep {
-                entries.truncate(start);
-                entries.extend_from_slice(known);
-            }
-            let sums = Moments::of(&entries[start..]);
-            let new = || FaceBounds::new(&cutter, &sums, self.largest);
-            bounds.push(keep.map_or_else(new, |(_, bounds)| bounds));
-            moments = moments.plus(sums);
-            starts.push(entries.len() as u32);
-        }
-        let portion = Portion { entries: entries.clone(), starts, moments };
-        let (looks, distances) = (cutter.looks - looks, cutter.distances() - distances);
-        entries.clear();
-        if let Ok(mut idle) = self.idle.lock() {
-            idle.push((cutter, entries));
-        }
-        Made { portion, bounds, looks, distances }
-    }
-}
-
-/// What the pieces of a face say about it.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct FaceBounds {
-    pub(super) max: (f64, f64),
-    pub(super) min: (f64, f64),
-    pub(super) mean: (f64, f64),
-    /// Where the distance is at least the lower end of the greatest, but for rounding.
-    pub(super) farthest: [f64; 3],
-    /// A face of the other mesh near that point.
-    pub(super) near: Slot,
-}
-
-impl FaceBounds {
-    fn new(cutter: &Cutter<'_>, sums: &Moments, largest: f64) -> Self {
-        let (mut highest, mut at) = (f64::NEG_INFINITY, (&cutter.pieces[0], 0));
-        let mut upper = 0.0;
-        let mut min = (f64::INFINITY, f64::INFINITY);
-        for piece in &cutter.pieces {
-            let Piece { polygon, .. } = piece;
-            for j in 0..polygon.outline.count {
-                if polygon.lower[j] > highest {
-                    (highest, at) = (polygon.lower[j], (piece, j));
-                }
-                upper = greater(upper, polygon.upper[j]);
-                min = (lesser(min.0, polygon.lower[j]), lesser(min.1, polygon.upper[j]));
-            }
-        }
-        let area = sums.area.enclosure();
-        let upper = lesser(upper, largest);
-        // The mean over a face that may have no area is one of its distances.
-        let mean = if area.lower() > 0.0 {
-            let mean = sums.first.enclosure().divide_by_positive(area);
-            (greater(mean.lower(), 0.0), lesser(mean.upper(), upper))
-        } else {
-            (greater(min.0, 0.0), upper)
-        };
-        let (piece, j) = at;
-        Self {
-            max: (lesser(greater(highest, 0.0), upper), upper),
-            min: (lesser(greater(min.0, 0.0), upper), lesser(min.1, upper)),
-            mean: (lesser(mean.0, mean.1), mean.1),
-            farthest: cutter.point([piece.polygon.outline.v[j], piece.polygon.outline.w[j]]),
-            near: piece.near,
-        }
-    }
-}
 
 /// What statistics are wanted, and what pieces may take.
 pub(super) struct Aim<'a> {
@@ -210,7 +64,7 @@ pub(super) struct Aim<'a> {
 #[derive(Default)]
 pub(super) struct Refined {
     pub(super) distribution: Distribution,
-    /// In the order in which faces were looked at.
+    /// By face.
     pub(super) bounds: Vec<FaceBounds>,
     /// None where the area may be zero.
     pub(super) summary: Option<Summary>,
@@ -219,14 +73,6 @@ pub(super) struct Refined {
     pub(super) looks: u64,
     pub(super) distances: u64,
     pub(super) rounds: u32,
-}
-
-/// Pieces of some faces.
-struct Made {
-    portion: Portion,
-    bounds: Vec<FaceBounds>,
-    looks: u64,
-    distances: u64,
 }
 
 /// The rounds of one direction.
@@ -358,7 +204,8 @@ impl Refinement<'_> {
         refined.rounds += 1;
         let faces = self.faces;
         let task = self.task();
-        refined.bounds.reserve_exact(self.order.len());
+        let unknown = FaceBounds::unknown([0.0; 3], Slot::default(), faces.largest);
+        refined.bounds = vec![unknown; self.order.len()];
         let mut left = self.order.len();
         let mut pieces = 0;
         for round in self.order.chunks(task * TASKS_PER_ROUND) {
@@ -368,12 +215,14 @@ impl Refinement<'_> {
                 .with_max_len(1)
                 .map(|task| faces.cut_task(task, goal, most, |_| true, None))
                 .collect();
-            for made in made {
+            for (task, made) in round.chunks(task).zip(made) {
                 refined.looks += made.looks;
                 refined.distances += made.distances;
                 pieces += made.portion.entries.len();
                 refined.distribution.portions.push(made.portion);
-                refined.bounds.extend(made.bounds);
+                for (face, bounds) in task.iter().zip(made.bounds) {
+                    refined.bounds[*face as usize] = bounds;
+                }
             }
             left -= round.len();
             (self.watch)(refined.looks, pieces, left);
@@ -398,7 +247,7 @@ impl Refinement<'_> {
                 .with_max_len(1)
                 .map(|&i| {
                     let some = &order[i * task..order.len().min((i + 1) * task)];
-                    let before = (&refined.distribution.portions[i], &refined.bounds[i * task..]);
+                    let before = (&refined.distribution.portions[i], &refined.bounds[..]);
                     faces.cut_task(some, goal, most, |face| flags(i)[face], Some(before))
                 })
                 .collect();
@@ -408,7 +257,9 @@ impl Refinement<'_> {
                 let before = &mut refined.distribution.portions[*i];
                 pieces = pieces + made.portion.entries.len() - before.entries.len();
                 *before = made.portion;
-                refined.bounds[i * task..][..made.bounds.len()].copy_from_slice(&made.bounds);
+                for (face, bounds) in order[i * task..].iter().zip(made.bounds) {
+                    refined.bounds[*face as usize] = bounds;
+                }
             }
             left -= count;
             (self.watch)(refined.looks, pieces, left);
@@ -449,63 +300,4 @@ impl Refinement<'_> {
             percentiles.map(|(low, high)| excess(high - low, accuracy * low + floor)).sum();
         of_percentiles + summary.above.map_or(0.0, |(low, high)| excess(high - low, accuracy))
     }
-}
-
-/// Which faces have a piece that does not satisfy a goal, in their order.
-fn flag(goal: &Goal, distribution: &Distribution) -> Vec<bool> {
-    let of_face = |entries: &[Entry]| {
-        entries.iter().any(|entry| {
-            let mass = entry.mass();
-            let wide = || {
-                let (lower, upper): (Corners, Corners) = (entry.lower(), entry.upper());
-                let width = greatest([0, 1, 2].map(|j| upper[j] - greater(lower[j], 0.0)));
-                width > goal.floor && !goal.is_met(mass, least(lower), greatest(upper))
-            };
-            mass > 0.0 && wide()
-        })
-    };
-    let of_portion = |portion: &Portion| -> Vec<bool> {
-        (0..portion.starts.len() - 1).map(|face| of_face(portion.of_face(face))).collect()
-    };
-    let flags: Vec<Vec<bool>> = distribution.portions.par_iter().map(of_portion).collect();
-    flags.into_iter().flatten().collect()
-}
-
-/// Of the flagged faces leaves those with the greatest areas times widths flagged, so many that cutting them should be enough:
-/// `excess` is how many times too wide a mean is.
-fn keep_the_worst(flagged: &mut [bool], excess: f64, distribution: &Distribution) {
-    let of_portion = |portion: &Portion| -> Vec<f64> {
-        let mass = |face: usize| portion.of_face(face).iter().map(Entry::mass).sum();
-        (0..portion.starts.len() - 1).map(mass).collect()
-    };
-    let masses: Vec<Vec<f64>> = distribution.portions.par_iter().map(of_portion).collect();
-    let masses: Vec<f64> = masses.into_iter().flatten().collect();
-    let total: f64 = masses.iter().sum();
-    let mut left = total * (1.0 - SPARE / excess) / LEAST_GAIN;
-    let mut worst: Vec<usize> = (0..flagged.len()).filter(|face| flagged[*face]).collect();
-    worst.sort_by(|a, b| masses[*b].total_cmp(&masses[*a]).then(a.cmp(b)));
-    for face in worst {
-        flagged[face] = left > 0.0;
-        left -= masses[face];
-    }
-}
-
-/// Whether cutting the pieces that do not satisfy a goal should be enough for percentiles which are `excess` times too wide: whether
-/// they have most of the areas times widths in its focus.
-fn suffices(goal: &Goal, excess: f64, distribution: &Distribution) -> bool {
-    let of_portion = |portion: &Portion| {
-        let (mut inside, mut unmet) = (0.0, 0.0);
-        for entry in &portion.entries {
-            let (low, high) = (least(entry.lower()), greatest(entry.upper()));
-            if goal.is_in_focus(low, high) {
-                let mass = entry.mass();
-                inside += mass;
-                unmet += if goal.is_met(mass, low, high) { 0.0 } else { mass };
-            }
-        }
-        (inside, unmet)
-    };
-    let sums: Vec<(f64, f64)> = distribution.portions.par_iter().map(of_portion).collect();
-    let (inside, unmet) = sums.into_iter().fold((0.0, 0.0), |a, b| (a.0 + b.0, a.1 + b.1));
-    unmet >= lesser((1.0 - SPARE / excess) / LEAST_GAIN, MOST_OF_FOCUS) * inside
 }

@@ -5,6 +5,7 @@ use super::linear::greater;
 use super::maxima::{Maxima, Maximum, Precision};
 use super::measure;
 use super::statistics::length_out;
+use super::task::FaceBounds;
 use crate::engine::Farthest;
 use crate::report::{Enclosure, Witness};
 use pompeiu_core::geom::{Aabb, Frame};
@@ -72,12 +73,12 @@ impl<'l> Peaks<'l> {
     }
 
     fn sort(&mut self) {
-        let value = |face: &u32| self.maxima.of_faces[*face as usize].upper;
+        let value = |face: &u32| self.maxima.of_faces[*face as usize].max.upper;
         self.order.sort_by(|a, b| value(b).total_cmp(&value(a)).then(a.cmp(b)));
     }
 
     fn value(&self, face: u32) -> f64 {
-        self.maxima.of_faces[face as usize].upper
+        self.maxima.of_faces[face as usize].max.upper
     }
 
     /// Makes maxima narrower until those that decide about the worst regions, of each kind, are narrow.
@@ -87,7 +88,7 @@ impl<'l> Peaks<'l> {
             // Faces below all levels join no region, and split none from a greater one.
             let least = if parts.len() == count { parts[count - 1].level } else { 0.0 };
             let matters = |face: &u32| {
-                let Maximum { lower, upper, .. } = self.maxima.of_faces[*face as usize];
+                let Maximum { lower, upper, .. } = self.maxima.of_faces[*face as usize].max;
                 upper >= least || threshold.is_some_and(|t| lower <= t && t < upper)
             };
             let mut precision = Precision::Level;
@@ -99,7 +100,7 @@ impl<'l> Peaks<'l> {
                     parts.extend(self.above(threshold, count));
                 }
                 for part in &parts {
-                    let lower = |face: &u32| self.maxima.of_faces[*face as usize].lower;
+                    let lower = |face: &u32| self.maxima.of_faces[*face as usize].max.lower;
                     let peak = part.faces.iter().map(lower).fold(0.0, greater);
                     let may_be_peak = |face: &&u32| self.value(**face) >= peak;
                     let may_be_peak = part.faces.iter().filter(may_be_peak);
@@ -123,7 +124,7 @@ impl<'l> Peaks<'l> {
         (describe(self.peaks(count)), describe(above))
     }
 
-    pub(super) fn into_maxima(self) -> Vec<Maximum> {
+    pub(super) fn into_bounds(self) -> Vec<FaceBounds> {
         self.maxima.of_faces
     }
 
@@ -135,7 +136,7 @@ impl<'l> Peaks<'l> {
             if parts.len() == count {
                 break;
             }
-            if self.maxima.of_faces[peak as usize].lower <= 0.0 {
+            if self.maxima.of_faces[peak as usize].max.lower <= 0.0 {
                 continue;
             }
             // Levels descend with the peaks, so faces only ever come in.
@@ -193,7 +194,7 @@ impl<'l> Peaks<'l> {
         let mut aabb = Aabb::EMPTY;
         let (mut area, mut centre, mut plain) = (0.0, [0.0; 3], [0.0; 3]);
         for &face in faces {
-            let maximum = &self.maxima.of_faces[face as usize];
+            let maximum = &self.maxima.of_faces[face as usize].max;
             high = greater(high, maximum.upper);
             if maximum.lower > low {
                 (low, highest) = (maximum.lower, face);
@@ -225,7 +226,7 @@ impl<'l> Peaks<'l> {
 
     fn witness(&self, frame: &Frame, face: u32) -> Witness {
         let bvh = self.maxima.scene.bvh;
-        let point = self.maxima.of_faces[face as usize].point;
+        let point = self.maxima.of_faces[face as usize].max.point;
         let nearest = bvh.nearest(point, bvh.any_slot(), &mut Workspace::default());
         let farthest = Farthest {
             face: FaceId(face),

@@ -46,16 +46,16 @@ pub struct DirectedDeviation {
     pub vertices: Vec<f64>,
     /// The exact distance of each vertex differs by at most this from the one given.
     pub vertex_error: f64,
-    /// On which side of the other mesh vertices and faces lie, if that was asked.
+    /// On which side of the other mesh vertices and faces lie, if that was asked and limits left room for it.
     pub sides: Option<Sides>,
-    /// The worst regions, the worst first.
+    /// The worst regions, the worst first. None where limits ended the work before faces were looked at.
     pub regions: Vec<Region>,
     /// The parts of the surface that are farther than the threshold, the worst first, if one was given.
     pub beyond_threshold: Vec<Region>,
     /// Widths of statistics below this length always suffice: [`DeviationOptions::FLOOR`](super::DeviationOptions::FLOOR) of the diagonal
     /// of both meshes, and what rounding adds.
     pub floor: f64,
-    /// Why refining ended. [`StopReason::Tolerance`]: all statistics are as narrow as asked. [`StopReason::Rounding`]: what is
+    /// Why the work ended. [`StopReason::Tolerance`]: all statistics are as narrow as asked. [`StopReason::Rounding`]: what is
     /// wider cannot be made narrower, as a percentile where the distribution has a gap, or a share above a threshold at which much
     /// of the area lies. The enclosures are valid in every case.
     pub stop: StopReason,
@@ -137,7 +137,7 @@ impl DirectedDeviation {
 }
 
 /// Vertices that belong to no face.
-fn unreferenced(mesh: &TriMesh) -> impl Iterator<Item = usize> {
+pub(super) fn unreferenced(mesh: &TriMesh) -> impl Iterator<Item = usize> {
     let mut used = vec![false; mesh.positions().len()];
     for v in mesh.faces().iter().flatten() {
         used[*v as usize] = true;

@@ -1,16 +1,19 @@
 //! One direction, from meshes to report.
 
 use super::distribution::Distribution;
-use super::entry::{Entry, Sum};
+use super::entry::Sum;
 use super::faces;
 use super::linear::{greater, lesser};
 use super::maxima::{Maxima, Maximum, Precision};
 use super::measure::{self, VertexDistances};
 use super::options::DeviationOptions;
-use super::refine::{Aim, FaceBounds, Faces, Refined, Refinement};
+use super::packed::{Entries, are_packed};
+use super::refine::{Aim, Refined, Refinement};
 use super::regions::Peaks;
 use super::report::{DeviationWork, DirectedDeviation, FaceDeviation, Sides};
 use super::statistics::{Summary, Wanted};
+use super::task::Faces;
+use super::unknown::unknown;
 use crate::engine::{self, Question};
 use crate::observer::{Observer, Progress};
 use crate::options::HausdorffOptions;
@@ -20,26 +23,29 @@ use crate::search::Scene;
 use crate::target::Target;
 use pompeiu_core::TriMesh;
 use pompeiu_core::geom::Aabb;
-use pompeiu_core::run::{Control, Limits};
+use pompeiu_core::run::Control;
 use pompeiu_core::spatial::{Neighbours, morton_order};
 use std::ops::ControlFlow;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-/// Two meshes, and the frame of both.
+/// Two meshes, and what they may take.
 pub(super) struct Pair<'p> {
     pub(super) from: &'p TriMesh,
     pub(super) to: &'p TriMesh,
     pub(super) target: &'p Target,
     pub(super) direction: Direction,
     pub(super) deadline: Option<Instant>,
-    /// Bytes taken by what was found before.
-    pub(super) held: usize,
+    /// Bytes that entries may take.
+    pub(super) room: Option<usize>,
 }
 
 /// The part of the vertices that must be no farther than what distances are compared with: a few that are far away do not matter.
 const MOST_VERTICES: f64 = 0.75;
+
+/// What is left to do when cutting ends takes less than this many times what was done before it began.
+const FINISHING: u32 = 2;
 
 /// A report, and what it takes to put two together.
 pub(super) struct Outcome {
@@ -54,7 +60,7 @@ pub(super) struct Outcome {
 
 pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
     let started = Instant::now();
-    let Pair { from, to, target, direction, deadline, held } = *pair;
+    let Pair { from, to, target, direction, deadline, room } = *pair;
     let a_box = Aabb::of_faces(from);
     let frame = *target.frame();
     let bvh = target.bvh();
@@ -65,37 +71,40 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
     let half = deadline.map(|end| started + end.saturating_duration_since(started) / 2);
     let observer: &dyn Observer = query.observer.unwrap_or(&());
     let watched = Watched { observer, cancelled: AtomicBool::new(false) };
-    let memory = query.limits.memory.map(|most| most.saturating_sub(held));
-    let options = HausdorffOptions {
-        limits: Limits { memory, ..Limits::default() },
-        observer: Some(&watched),
-        ..HausdorffOptions::default()
-    };
+    // What a search takes is counted before (see `memory`).
+    let options = HausdorffOptions { observer: Some(&watched), ..HausdorffOptions::default() };
     let question = Question { options: &options, direction, deadline: half };
     let (distance, neighbours) = engine::search(&question, from, target, Some(to));
-    let neighbours = neighbours.unwrap_or_else(|| Neighbours::new(to, bvh));
     let search = started.elapsed();
     let largest = frame.length_in(distance.distance.upper()).next_up();
 
     let refining = Instant::now();
-    let order = morton_order(from, &a_box);
-    let vertices = VertexDistances::new(from, &frame, bvh, &order);
-    let (total, moment) = measure::area_and_moment(from, &frame, &vertices);
     let floor = DeviationOptions::FLOOR * diagonal + 4.0 * rounding.bound(0);
-    let wanted = Wanted {
-        percentiles: &query.percentiles,
-        threshold: query.threshold.map(|t| frame.length_in(t)),
-        fine: Wanted::FINE * query.accuracy,
+    let early = Control::default().until(deadline);
+    if watched.cancelled.load(Ordering::Relaxed) {
+        early.stop(StopReason::Cancelled);
+    }
+    let order = if early.is_stopped() { Vec::new() } else { morton_order(from, &a_box) };
+    let Some(vertices) = VertexDistances::limited(from, &frame, bvh, &order, &early) else {
+        let stop = early.reason().unwrap_or(StopReason::Time);
+        let mut outcome = unknown(query, from, &frame, direction, floor, distance, stop);
+        outcome.report.work.search = search;
+        outcome.report.work.refine = refining.elapsed();
+        return outcome;
     };
+    let neighbours = neighbours.unwrap_or_else(|| Neighbours::new(to, bvh));
+    let (total, moment) = measure::area_and_moment(from, &frame, &vertices);
+    let wanted = Wanted::of(query, &frame);
     let cells = from.faces().len() + to.faces().len();
     let by_default = DeviationOptions::DEFAULT_PIECES.max(DeviationOptions::PIECES_PER_FACE * cells);
     let most_pieces = query.limits.pieces.unwrap_or(by_default);
-    let control = Control::start(&query.limits)
-        .until(deadline)
-        .holding(held + bytes_held(from, to, target) + neighbours.bytes());
-    if watched.cancelled.into_inner() {
-        control.stop(StopReason::Cancelled);
-    }
+    let packed = are_packed(query.accuracy, from.faces().len());
+    let in_room = room.map_or(usize::MAX, |room| room / Entries::size(packed));
+    let (most_pieces, stop_of_pieces) =
+        if in_room < most_pieces { (in_room, StopReason::Memory) } else { (most_pieces, StopReason::Pieces) };
+    // Time is left for what follows.
+    let finishing = FINISHING * refining.elapsed();
+    let control = Control::default().until(deadline.map(|end| end.checked_sub(finishing).unwrap_or(end)));
     let progress = |examined: u64, left: usize| {
         let progress = Progress {
             direction,
@@ -118,13 +127,13 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
         control: &control,
         largest,
         scale: if usual > 0.0 { lesser(usual, mean) } else { mean },
+        packed,
         idle: Mutex::default(),
     };
     let aim = Aim { wanted: &wanted, accuracy: query.accuracy, mean, floor, total, cells, most_pieces };
     let mut watch = |looks: u64, pieces: usize, left: usize| {
-        control.check_memory(pieces * size_of::<Entry>());
         if pieces + left >= most_pieces {
-            control.stop(StopReason::Pieces);
+            control.stop(stop_of_pieces);
         }
         if progress(looks, left) == ControlFlow::Break(()) {
             control.stop(StopReason::Cancelled);
@@ -146,11 +155,7 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
         neighbours: Some(&neighbours),
         control: &control_of_maxima,
     };
-    let mut of_faces = vec![Maximum::from(&bounds[0]); order.len()];
-    for (face, bounds) in order.iter().zip(&bounds) {
-        of_faces[*face as usize] = Maximum::from(bounds);
-    }
-    let mut maxima = Maxima { scene: &scene, rounding, floor, largest, of_faces, searched: 0 };
+    let mut maxima = Maxima { scene: &scene, rounding, floor, largest, of_faces: bounds, searched: 0 };
     know_farthest(&mut maxima, &distance);
     let mut report_progress = |searched: u64, left: usize| {
         if progress(looks + searched, left) == ControlFlow::Break(()) {
@@ -159,27 +164,28 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
     };
     let wide: Vec<u32> = order.iter().copied().filter(|face| maxima.is_wide(*face, Precision::Map)).collect();
     maxima.narrow(&wide, Precision::Map, &mut report_progress);
-    let (regions, beyond_threshold, maxima) = if query.regions > 0 {
+    let (regions, beyond_threshold, bounds) = if query.regions > 0 && !control_of_maxima.is_stopped() {
         let mut peaks = Peaks::new(from, maxima);
         peaks.settle(query.regions, wanted.threshold, &mut report_progress);
         let (regions, beyond_threshold) = peaks.regions(query.regions, wanted.threshold);
-        (regions, beyond_threshold, peaks.into_maxima())
+        (regions, beyond_threshold, peaks.into_bounds())
     } else {
         (Vec::new(), Vec::new(), maxima.of_faces)
     };
-    let stop = match control.reason().or(control_of_maxima.reason()) {
+    let of_search = Some(distance.stop).filter(|stop| stop.is_early());
+    let stop = match control.reason().or(control_of_maxima.reason()).or(of_search) {
         Some(reason) => reason,
         _ if tight => StopReason::Tolerance,
         _ => StopReason::Rounding,
     };
-    let sides = query.signed.then(|| Sides::of(from, to));
+    let sides = (query.signed && !control_of_maxima.is_stopped()).then(|| Sides::of(from, to));
     let areas = if summary.is_some() { distribution.cumulative(largest, query.bins) } else { Vec::new() };
     let of_vertices = vertices.distances.iter().map(|distance| frame.length_out(*distance)).collect();
     let report = DirectedDeviation {
         direction,
         distance,
         statistics: summary.as_ref().map(|s| s.publish(&areas, &wanted, query.threshold, largest, &frame)),
-        faces: faces::faces(&frame, &bounds, &order, &maxima),
+        faces: faces::faces(&frame, &bounds),
         vertices: of_vertices,
         vertex_error: frame.length_out(rounding.lower()),
         sides,
@@ -203,7 +209,7 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
 impl Outcome {
     /// Bytes that it takes.
     pub(super) fn bytes(&self) -> usize {
-        self.distribution.len() * size_of::<Entry>()
+        self.distribution.bytes()
             + self.report.faces.len() * size_of::<FaceDeviation>()
             + size_of_val(&self.report.vertices[..])
     }
@@ -214,24 +220,11 @@ fn know_farthest(maxima: &mut Maxima<'_>, distance: &DirectedReport) {
     let frame = maxima.scene.frame;
     let witness = &distance.witness.from;
     let lower = frame.length_in(distance.distance.lower());
-    let maximum: &mut Maximum = &mut maxima.of_faces[witness.face.index()];
+    let maximum: &mut Maximum = &mut maxima.of_faces[witness.face.index()].max;
     if lower > maximum.lower {
         maximum.lower = lesser(lower, maximum.upper);
         maximum.point = frame.map(witness.position);
     }
-}
-
-/// Bytes held beside entries: meshes, the tree with neighbours, and for each face and vertex what is known about it.
-fn bytes_held(from: &TriMesh, to: &TriMesh, target: &Target) -> usize {
-    const PER_FACE: usize =
-        size_of::<FaceBounds>() + size_of::<Maximum>() + size_of::<FaceDeviation>() + 2 * size_of::<u32>();
-    const PER_VERTEX: usize = size_of::<f64>() + size_of::<u32>();
-    let of_mesh = |mesh: &TriMesh| size_of_val(mesh.positions()) + size_of_val(mesh.faces());
-    of_mesh(from)
-        + of_mesh(to)
-        + target.bytes()
-        + from.faces().len() * PER_FACE
-        + from.positions().len() * PER_VERTEX
 }
 
 /// Hears of a search being cancelled.

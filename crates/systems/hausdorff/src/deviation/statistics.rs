@@ -3,6 +3,7 @@
 use super::distribution::{Distribution, level};
 use super::entry::{Moments, Sum};
 use super::linear::{greater, lesser};
+use super::options::DeviationOptions;
 use crate::report::Enclosure;
 use pompeiu_core::exact::Interval;
 use pompeiu_core::geom::Frame;
@@ -105,9 +106,17 @@ pub(super) struct Wanted<'w> {
     pub(super) fine: f64,
 }
 
-impl Wanted<'_> {
+impl<'w> Wanted<'w> {
+    pub(super) fn of(query: &'w DeviationOptions<'_>, frame: &Frame) -> Self {
+        Self {
+            percentiles: &query.percentiles,
+            threshold: query.threshold.map(|t| frame.length_in(t)),
+            fine: Self::FINE * query.accuracy,
+        }
+    }
+
     /// See [`Wanted::fine`], as a part of the accuracy.
-    pub(super) const FINE: f64 = 0.1;
+    const FINE: f64 = 0.1;
 }
 
 /// The same in the frame, for deciding what to refine.

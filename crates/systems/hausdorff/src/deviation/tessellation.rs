@@ -5,8 +5,8 @@ use super::goal::Goal;
 use super::linear::{greater, lesser};
 use super::measure::VertexDistances;
 use super::polygon::Piece;
-use super::refine::Faces;
 use super::report::DirectedDeviation;
+use super::task::Faces;
 use crate::engine::joint_frame;
 use crate::target::Target;
 use pompeiu_core::geom::Aabb;
@@ -69,6 +69,7 @@ impl DirectedDeviation {
             control: &control,
             largest,
             scale: tolerance,
+            packed: false,
             idle: Mutex::default(),
         };
         let goal = Goal::of_width(WIDTH * tolerance + 4.0 * rounding.bound(0));

@@ -62,6 +62,23 @@ fn parallel_plates() {
     }
 }
 
+/// Where there are many faces, statistics are kept in fewer digits; what is said of them holds, and sums lose nothing.
+#[test]
+fn a_plate_of_many_faces_that_leans() {
+    let report = DeviationOptions { threshold: Some(0.1), ..DeviationOptions::default() }
+        .directed(&lifted(&plate(48), |[x, _, _]| 0.4 * (x + 0.5)), &plate(1))
+        .unwrap();
+    assert!(report.faces.len() > 4096);
+    let statistics = report.statistics.unwrap();
+    is_near(statistics.mean, 0.2, 1e-11);
+    is_near(statistics.rms, 0.4 / 3.0_f64.sqrt(), 1e-11);
+    for percentile in &statistics.percentiles {
+        let exact = 0.4 * percentile.share;
+        assert!(percentile.distance.contains(exact) && percentile.distance.gap() < 0.01 * exact);
+    }
+    is_near(statistics.above.unwrap().share, 0.75, 1e-6);
+}
+
 /// Over a plate that rises from 0 to h the distance from one beneath it is uniformly distributed.
 #[test]
 fn a_plate_that_leans() {

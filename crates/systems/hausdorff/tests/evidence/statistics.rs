@@ -8,6 +8,7 @@ use pompeiu_core::run::Limits;
 use pompeiu_hausdorff::deviation::Statistics;
 use pompeiu_hausdorff::{DeviationOptions, DirectedDeviation, Enclosure, Observer, Progress, StopReason};
 use pompeiu_testkit::strategies::scaled;
+use std::num::NonZeroUsize;
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::time::Duration;
@@ -142,10 +143,13 @@ impl Observer for Cancels {
 fn limits_leave_true_numbers_and_say_why() {
     let (a, b) = rough();
     let fine = DeviationOptions { accuracy: 1e-3, ..DeviationOptions::default() };
-    let truth = all(&fine.directed(&a, &b).unwrap());
+    let whole = fine.directed(&a, &b).unwrap();
+    let truth = all(&whole);
     let check = |report: DirectedDeviation, stop: StopReason| {
         assert_eq!(report.stop, stop);
         check_overlap(&all(&report), &truth, 0.0);
+        let off = report.vertex_error + whole.vertex_error;
+        assert!(report.vertices.iter().zip(&whole.vertices).all(|(x, y)| (x - y).abs() <= off));
         let largest = report.distance.distance.upper();
         assert!(report.regions.iter().all(|region| region.peak.lower() <= largest));
     };
@@ -156,6 +160,20 @@ fn limits_leave_true_numbers_and_say_why() {
     ] {
         check(DeviationOptions { limits, ..fine.clone() }.directed(&a, &b).unwrap(), stop);
     }
+    // From where there is no room to look at any face to where there is enough.
+    let threads = NonZeroUsize::new(1);
+    let (mut nothing_known, mut some_known) = (false, false);
+    for memory in (16 << 20..).step_by(192 << 10) {
+        let limits = Limits { memory: Some(memory), threads, ..Limits::default() };
+        let report = DeviationOptions { limits, accuracy: 5e-3, ..fine.clone() }.directed(&a, &b).unwrap();
+        if report.stop != StopReason::Memory {
+            break;
+        }
+        nothing_known |= report.pieces() == 1;
+        some_known |= report.pieces() > a.faces().len();
+        check(report, StopReason::Memory);
+    }
+    assert!(nothing_known && some_known);
     // At each of its chances, until it has one more than there are.
     let mut chances = 0;
     loop {

@@ -53,7 +53,8 @@ pub(crate) struct Deviation {
     /// Tell inside from outside, by generalised winding numbers: distances inside the other mesh are shown negative
     #[arg(long)]
     pub(crate) signed: bool,
-    /// Largest width of the intervals of mean, root mean square and percentiles, relative to their values
+    /// Largest width of the intervals of mean, root mean square and percentiles, relative to their values; widths below 1e-9 of
+    /// the diagonal of both meshes always suffice
     #[arg(long, value_parser = magnitude, allow_negative_numbers = true, default_value = "0.01", value_name = "X")]
     pub(crate) accuracy: f64,
     /// Percentiles to enclose, in percent of the area

@@ -5,7 +5,7 @@ use super::super::face::Cutter;
 use super::super::goal::Goal;
 use super::super::linear::{greater, lesser};
 use super::super::polygon::Piece;
-use super::super::refine::Faces;
+use super::super::task::Faces;
 use super::Bands;
 use super::share::{Reach, Sign, Tally};
 use super::side::SideOf;

@@ -4,9 +4,10 @@ use super::super::connected::{Sets, Touching};
 use super::super::face::Cutter;
 use super::super::linear::{greater, lesser};
 use super::super::measure::{self, VertexDistances};
-use super::super::refine::Faces;
+use super::super::packed::Entries;
 use super::super::report::{Deviation, DirectedDeviation};
 use super::super::statistics::share_of;
+use super::super::task::Faces;
 use super::cut::Cutting;
 use super::share::{Reach, Sign, Tally};
 use super::side::SideOf;
@@ -108,6 +109,7 @@ impl Question<'_> {
             control: &control,
             largest,
             scale: largest,
+            packed: false,
             idle: Mutex::default(),
         };
         let edges = self.bands.edges().iter().map(|edge| frame.length_in(*edge)).collect();
@@ -206,7 +208,7 @@ impl Question<'_> {
                 let faces = cutting.faces;
                 let idle = faces.idle.lock().map_or(None, |mut idle| idle.pop());
                 let (mut cutter, entries): (Cutter<'_>, _) =
-                    idle.unwrap_or_else(|| (faces.cutter(true), Vec::new()));
+                    idle.unwrap_or_else(|| (faces.cutter(true), Entries::new(faces.packed)));
                 let mut sum = Tally::new(cutting.bands);
                 for &face in task {
                     let (reach, sign) = (&reaches[face as usize], signs[face as usize]);

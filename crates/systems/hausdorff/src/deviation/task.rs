@@ -1,0 +1,170 @@
+//! Some faces of A, cut one after the other, and what their pieces say.
+
+use super::entry::{Entry, Moments, Portion};
+use super::face::{Cutter, Start};
+use super::goal::Goal;
+use super::linear::{greater, lesser};
+use super::maxima::Maximum;
+use super::measure::{self, VertexDistances};
+use super::packed::Entries;
+use super::polygon::Piece;
+use crate::rounding::Rounding;
+use pompeiu_core::geom::Frame;
+use pompeiu_core::run::Control;
+use pompeiu_core::spatial::{Bvh, Neighbours, Slot};
+use pompeiu_core::{FaceId, TriMesh};
+use std::sync::Mutex;
+
+/// Faces of A, and B.
+pub(super) struct Faces<'f> {
+    pub(super) mesh: &'f TriMesh,
+    pub(super) frame: &'f Frame,
+    pub(super) vertices: &'f VertexDistances,
+    pub(super) bvh: &'f Bvh,
+    pub(super) neighbours: Option<&'f Neighbours>,
+    pub(super) rounding: Rounding,
+    pub(super) control: &'f Control,
+    /// No distance is greater.
+    pub(super) largest: f64,
+    /// About how far most of the surface is away.
+    pub(super) scale: f64,
+    /// Whether entries are packed.
+    pub(super) packed: bool,
+    /// Cutters that no task uses, with what they remember of B, and memory for entries.
+    pub(super) idle: Mutex<Vec<(Cutter<'f>, Entries)>>,
+}
+
+impl<'f> Faces<'f> {
+    /// Cuts faces into cells first, or looks closely at all of them.
+    pub(super) fn cutter(&self, cells: bool) -> Cutter<'f> {
+        let neighbours = self.neighbours.filter(|_| cells);
+        Cutter::new(self.bvh, neighbours, self.rounding, self.control, self.largest, self.scale)
+    }
+
+    pub(super) fn start(&self, face: u32) -> (Start, (f64, f64)) {
+        let corners = self.mesh.corners(FaceId(face)).map(|p| self.frame.map(p));
+        let area = measure::area(self.mesh, self.frame, face);
+        let vertices = self.mesh.faces()[face as usize].map(|v| v as usize);
+        let start = Start {
+            corners,
+            area: 0.5 * (area.0 + area.1),
+            distances: vertices.map(|v| self.vertices.distances[v]),
+            near: self.vertices.near[vertices[0]],
+        };
+        (start, area)
+    }
+
+    /// Cuts the wanted ones of some faces; of the others, and of those that come out no narrower, what was before stays.
+    pub(super) fn cut_task(
+        &self,
+        faces: &[u32],
+        goal: &Goal,
+        most: usize,
+        wanted: impl Fn(usize) -> bool,
+        before: Option<(&Portion, &[FaceBounds])>,
+    ) -> Made {
+        let idle = self.idle.lock().map_or(None, |mut idle| idle.pop());
+        let (mut cutter, mut entries) =
+            idle.unwrap_or_else(|| (self.cutter(true), Entries::new(self.packed)));
+        let (looks, distances) = (cutter.looks, cutter.distances());
+        let mut starts = vec![0];
+        let mut moments = Moments::default();
+        let mut bounds = Vec::with_capacity(faces.len());
+        for (i, &face) in faces.iter().enumerate() {
+            let start = entries.len();
+            let known = before.map(|(portion, bounds)| (portion, portion.places(i), bounds[face as usize]));
+            let mut keep = known.clone();
+            let mut sums = Moments::default();
+            if known.is_none() || wanted(i) {
+                let (from, area) = self.start(face);
+                cutter.cut(&from, goal, most);
+                for Piece { polygon, .. } in &cutter.pieces {
+                    for triangle in polygon.outline.fan() {
+                        let entry = Entry::new(polygon, triangle, area);
+                        sums.include(&entry);
+                        entries.push(&entry);
+                    }
+                }
+                // What limits have cut short may be wider than what was known.
+                let mass = entries.mass(start..entries.len());
+                keep = known.filter(|(portion, places, _)| portion.entries.mass(places.clone()) < mass);
+            }
+            if let Some((portion, places, known)) = keep {
+                entries.truncate(start);
+                sums = Moments::of(portion.entries.range(places.clone()));
+                entries.extend_from(&portion.entries, places);
+                bounds.push(known);
+            } else {
+                bounds.push(FaceBounds::new(&cutter, &sums, self.largest));
+            }
+            moments = moments.plus(sums);
+            starts.push(entries.len() as u32);
+        }
+        let portion = Portion { entries: entries.clone(), starts, moments };
+        let (looks, distances) = (cutter.looks - looks, cutter.distances() - distances);
+        entries.truncate(0);
+        if let Ok(mut idle) = self.idle.lock() {
+            idle.push((cutter, entries));
+        }
+        Made { portion, bounds, looks, distances }
+    }
+}
+
+/// What the pieces of a face say about it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct FaceBounds {
+    pub(super) max: Maximum,
+    pub(super) min: (f64, f64),
+    pub(super) mean: (f64, f64),
+}
+
+impl FaceBounds {
+    /// Of a face of which no more is known than what no distance exceeds.
+    pub(super) fn unknown(point: [f64; 3], near: Slot, largest: f64) -> Self {
+        let all = (0.0, largest);
+        Self { max: Maximum::of_piece(all, point, near), min: all, mean: all }
+    }
+
+    fn new(cutter: &Cutter<'_>, sums: &Moments, largest: f64) -> Self {
+        let (mut highest, mut at) = (f64::NEG_INFINITY, (&cutter.pieces[0], 0));
+        let mut upper = 0.0;
+        let mut min = (f64::INFINITY, f64::INFINITY);
+        for piece in &cutter.pieces {
+            let Piece { polygon, .. } = piece;
+            for j in 0..polygon.outline.count {
+                if polygon.lower[j] > highest {
+                    (highest, at) = (polygon.lower[j], (piece, j));
+                }
+                upper = greater(upper, polygon.upper[j]);
+                min = (lesser(min.0, polygon.lower[j]), lesser(min.1, polygon.upper[j]));
+            }
+        }
+        let area = sums.area.enclosure();
+        let upper = lesser(upper, largest);
+        // The mean over a face that may have no area is one of its distances.
+        let mean = if area.lower() > 0.0 {
+            let mean = sums.first.enclosure().divide_by_positive(area);
+            (greater(mean.lower(), 0.0), lesser(mean.upper(), upper))
+        } else {
+            (greater(min.0, 0.0), upper)
+        };
+        let (piece, j) = at;
+        Self {
+            max: Maximum::of_piece(
+                (lesser(greater(highest, 0.0), upper), upper),
+                cutter.point([piece.polygon.outline.v[j], piece.polygon.outline.w[j]]),
+                piece.near,
+            ),
+            min: (lesser(greater(min.0, 0.0), upper), lesser(min.1, upper)),
+            mean: (lesser(mean.0, mean.1), mean.1),
+        }
+    }
+}
+
+/// Pieces of some faces.
+pub(super) struct Made {
+    pub(super) portion: Portion,
+    pub(super) bounds: Vec<FaceBounds>,
+    pub(super) looks: u64,
+    pub(super) distances: u64,
+}
