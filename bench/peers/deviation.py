@@ -10,20 +10,21 @@ import json
 import math
 import pathlib
 import statistics
+import subprocess
 import tempfile
 import time
 
+import deviation_chart
 import environment
 import growth
-import pairs
 import record
 import session
 
 FIELDS = [
     "family", "faces_a", "faces_b", "accuracy", "runs", "process_ms", "process_ms_min", "process_ms_max", "cpu_ms", "peak_mib",
-    "memory_over_start_mib", "mean_lower", "mean_upper", "stop",
+    "memory_over_start_mib", "build", "mean_lower", "mean_upper", "stop",
 ]
-SIZES = [10_000, 100_000, 1_000_000]
+SIZES = [10_000, 30_000, 100_000, 300_000, 1_000_000]
 ACCURACIES = ["0.01", "0.1"]
 # How far a vertex moves, as a share of an edge around the axis.
 NOISE = 0.1
@@ -60,24 +61,27 @@ def damaged(source, path):
             out.write(line)
 
 
-def make(family, faces, folder):
+def make(program, family, faces, folder):
     """The files of a pair."""
+    def generate(arguments, path):
+        subprocess.run([program, "--quiet", "generate", *arguments.split(), "-o", path], check=True)
+
     files = [folder / "a.obj", folder / "b.obj"]
     if family == "scan":
         whole = folder / "whole.obj"
-        pairs.generate(torus(faces, NOISE), whole)
+        generate(torus(faces, NOISE), whole)
         damaged(whole, files[0])
-        pairs.generate(torus(faces / 10), files[1])
+        generate(torus(faces / 10), files[1])
     else:
-        pairs.generate(torus(faces), files[0])
-        pairs.generate(torus(faces, NOISE), files[1])
+        generate(torus(faces), files[0])
+        generate(torus(faces, NOISE), files[1])
     return files
 
 
-def run(files, accuracy, count):
+def run(program, files, accuracy, count):
     """Medians of some runs of the whole command."""
-    command = [environment.pompeiu(), "deviation", *files, "--accuracy", accuracy, "--json", "--quiet"]
-    start_mib = session.measured([environment.pompeiu(), "--version"])[1]
+    command = [program, "deviation", *files, "--accuracy", accuracy, "--json", "--quiet"]
+    start_mib = session.measured([program, "--version"])[1]
     times, cpus, peaks = [], [], []
     for _ in range(count):
         began = time.perf_counter()
@@ -92,7 +96,7 @@ def run(files, accuracy, count):
         "faces_a": answer["a"]["faces"], "faces_b": answer["b"]["faces"], "accuracy": accuracy, "runs": count,
         "process_ms": round(statistics.median(times), 3), "process_ms_min": round(min(times), 3),
         "process_ms_max": round(max(times), 3), "cpu_ms": round(statistics.median(cpus), 3), "peak_mib": max(peaks),
-        "memory_over_start_mib": max(peaks) - start_mib, "mean_lower": mean["lower"], "mean_upper": mean["upper"],
+        "memory_over_start_mib": max(peaks) - start_mib, "build": pathlib.Path(program).parent.name, "mean_lower": mean["lower"], "mean_upper": mean["upper"],
         "stop": next((stop for stop in stops if stop != "tolerance"), "tolerance"),
     }
 
@@ -119,22 +123,27 @@ def main():
     parser.add_argument("--most", type=float, default=2e6, metavar="FACES", help="leave out meshes of more faces")
     parser.add_argument("--runs", type=int, default=3, help="of the command")
     parser.add_argument("--folder", type=pathlib.Path, help="where the files are made and removed; 300 MB of room")
+    parser.add_argument("--program", type=pathlib.Path, help="the program to measure instead of a release build of this repository")
+    parser.add_argument("--draw", action="store_true", help="draw the figure of the guide from the record")
     parser.add_argument("--record", type=pathlib.Path, help="the CSV file to write")
     options = parser.parse_args()
     rows = []
+    program = options.program or environment.pompeiu()
     for family in ("noisy", "scan"):
         for faces in SIZES:
             if faces > options.most:
                 continue
             with tempfile.TemporaryDirectory(prefix="deviation-", dir=options.folder) as folder:
-                files = make(family, faces, pathlib.Path(folder))
+                files = make(program, family, faces, pathlib.Path(folder))
                 for accuracy in ACCURACIES:
-                    rows.append({"family": family} | run(files, accuracy, options.runs))
+                    rows.append({"family": family} | run(program, files, accuracy, options.runs))
                     environment.say(f"{family:6} {faces:>9,} faces, accuracy {accuracy}: {rows[-1]['cpu_ms']:,.0f} ms of processors")
     print(*verdicts(rows), sep="\n")
     to = options.record or record.path("deviation")
     record.write(to, FIELDS, rows)
     print(to)
+    if options.draw:
+        deviation_chart.draw(record.read(to), environment.ROOT / "docs/guide/pages/pictures/deviation-growth.svg")
 
 
 if __name__ == "__main__":
