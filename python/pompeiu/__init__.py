@@ -56,7 +56,7 @@ from .neurons import (
     read_skeleton,
     sweep_neurons,
 )
-from .outlines import Complexity, complexity, noisy_circle, polyline, read_outlines
+from .outlines import Complexity, complexity, k_medoids, noisy_circle, polyline, read_outlines
 from .puzzles import Puzzle, puzzle
 from .results import (
     DirectedReport,
@@ -146,6 +146,7 @@ __all__ = [
     "flow",
     "hausdorff",
     "intersections",
+    "k_medoids",
     "medial",
     "mesh_summary",
     "noisy_circle",

@@ -206,6 +206,7 @@ def read_outlines(
 def complexity(
     shapes: list[tuple[str, Any]], analysis: _Options, progress: Optional[Callable[[float], Optional[bool]]]
 ) -> str: ...
+def k_medoids(distances: Any, start: list[int]) -> tuple[float, list[int]]: ...
 def polyline(points: int, seed: int, order: str) -> NDArray[np.float64]: ...
 def noisy_circle(radius: int, level: int, steps: int, seed: int) -> NDArray[np.float64]: ...
 def puzzle(
@@ -216,8 +217,11 @@ def puzzle(
     tab: str,
     seed: int,
     piece: Optional[_Options],
+    whimsies: Sequence[Any],
+    cut: float,
+    image: Optional[bytes],
     progress: Optional[Callable[[float], Optional[bool]]],
-) -> tuple[list[NDArray[np.float64]], str, list[str]]: ...
+) -> tuple[list[NDArray[np.float64]], str, list[bytes]]: ...
 def flatten(
     mesh: Mesh, cutting: _Options, mapping: _Options, progress: Optional[Callable[[float], Optional[bool]]]
 ) -> tuple[

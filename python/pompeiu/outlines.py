@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 from dataclasses import dataclass
-from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Union
+from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from . import _native
 from .errors import OptionError
 
-__all__ = ["Complexity", "complexity", "noisy_circle", "polyline", "read_outlines"]
+__all__ = ["Complexity", "complexity", "k_medoids", "noisy_circle", "polyline", "read_outlines"]
 
 ShapeLike = Union[str, "os.PathLike[str]", ArrayLike]
 
@@ -198,6 +198,46 @@ def complexity(
     }
     report = _native.complexity([(name, outline(shape)) for name, shape in named], analysis, progress)
     return Complexity(json.loads(report))
+
+
+def k_medoids(distances: Any, start: Sequence[int]) -> Tuple[float, List[int]]:
+    """Swaps medoids with other points while that makes the sum of distances to the nearest medoid less.
+
+    Parameters
+    ----------
+    distances : array of shape (n, n)
+        Distances of points, not negative.
+    start : sequence of int
+        Different points to start from, one for each cluster.
+
+    Returns
+    -------
+    loss : float
+        The sum of distances to the nearest medoid. No swap of one medoid makes it less.
+    medoids : list of int
+
+    Raises
+    ------
+    OptionError
+        If distances are no square array of finite numbers that are not negative, or the start is not one of different points.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import pompeiu
+    >>> at = np.array([0.0, 1.0, 2.0, 10.0, 11.0])
+    >>> loss, medoids = pompeiu.k_medoids(abs(at[:, None] - at), [0, 1])
+    >>> loss
+    3.0
+    """
+    table = np.asarray(distances, dtype=float)
+    if table.ndim != 2 or table.shape[0] != table.shape[1] or not (np.isfinite(table).all() and (table >= 0).all()):
+        raise OptionError("distances must be a square array of finite numbers that are not negative")
+    first = [int(index) for index in start]
+    if not first or len(set(first)) < len(first) or not all(0 <= index < len(table) for index in first):
+        raise OptionError(f"start must have different points below {len(table)}, at least one")
+    loss, medoids = _native.k_medoids(table.tolist(), first)
+    return loss, list(medoids)
 
 
 def polyline(points: int, *, seed: int = 0, order: str = "random") -> np.ndarray:

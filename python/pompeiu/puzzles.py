@@ -11,7 +11,7 @@ from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 import numpy as np
 
 from . import _native
-from .errors import OptionError, WriteError
+from .errors import OptionError, ReadError, WriteError
 
 __all__ = ["Puzzle", "puzzle"]
 
@@ -30,7 +30,7 @@ class Puzzle:
 
     outlines: List[np.ndarray]
     report: Dict[str, Any]
-    _drawings: Tuple[str, ...] = field(default=())
+    _drawings: Tuple[bytes, ...] = field(default=())
 
     @property
     def is_locked(self) -> bool:
@@ -42,27 +42,36 @@ class Puzzle:
         """Pieces that cannot move against each other."""
         return self.report["clusters"]
 
-    def write(self, path: Union[str, "os.PathLike[str]"], *, cuts: bool = False) -> None:
-        """Writes a drawing or a page.
+    @property
+    def holds(self) -> Optional[bool]:
+        """Whether no two pieces can part with the gap of the cut between them; none without a cut."""
+        return self.report["kerf"]["holds"] if "kerf" in self.report else None
+
+    def write(self, path: Union[str, "os.PathLike[str]"], *, cuts: bool = False, motion: bool = False) -> None:
+        """Writes a drawing, a picture or a page.
 
         Parameters
         ----------
         path : str or path
-            ``.svg`` or ``.dxf``: a drawing; ``.html``: a page on which pieces can be dragged.
+            ``.svg`` or ``.dxf``: a drawing; ``.png``: the pieces as a picture; ``.html``: a page on which pieces can be dragged.
         cuts : bool
             Each border once, in the order to cut them, instead of one closed path for each piece.
+        motion : bool
+            The motion that takes a puzzle apart which is not locked, as an SVG that plays it, instead of the pieces.
 
         Raises
         ------
         WriteError
-            If the file cannot be written, or its suffix is another one.
+            If the file cannot be written, its suffix is another one, or there is no motion.
         """
         suffix = Path(path).suffix.lower()
-        place = {".svg": 0, ".dxf": 2, ".html": 4}.get(suffix)
+        place = {".svg": 6 if motion else int(cuts), ".dxf": 2 + cuts, ".html": 4, ".png": 5}.get(suffix)
         if place is None:
-            raise WriteError(f"{path}: puzzles are written as .svg, .dxf or .html")
+            raise WriteError(f"{path}: puzzles are written as .svg, .dxf, .png or .html")
+        if not self._drawings[place]:
+            raise WriteError(f"{path}: no motion takes the puzzle apart")
         try:
-            Path(path).write_text(self._drawings[place + (cuts and place < 4)], encoding="utf-8")
+            Path(path).write_bytes(self._drawings[place])
         except OSError as error:
             raise WriteError(f"{path}: {error.strerror}") from error
 
@@ -84,8 +93,13 @@ def puzzle(
     corners: bool = False,
     feedback: bool = True,
     mirrors: bool = True,
+    free_outline: bool = False,
+    whimsies: Sequence[Any] = (),
+    kerf: float = 0.0,
+    image: Optional[Union[str, "os.PathLike[str]"]] = None,
     threads: Optional[int] = None,
     time_limit: Optional[float] = None,
+    memory_limit: Optional[int] = None,
     progress: Optional[Callable[[float], Optional[bool]]] = None,
 ) -> Puzzle:
     """Makes a jigsaw puzzle on a rectangle or within an outline, and tests whether it holds together.
@@ -114,8 +128,16 @@ def puzzle(
         to measure by corners instead of sides; whether copies turn as the registration on their regions says.
     mirrors : bool
         Whether copies may be mirrored.
-    threads, time_limit : optional
-        Limits on the placing of copies; the best pieces found by then are made.
+    free_outline : bool
+        Let the outline be what whole copies of the shape leave, so that it cuts no piece.
+    whimsies : sequence of arrays of shape (n, 2)
+        Outlines that become pieces of their own, each twice as large as the others; not with ``piece``.
+    kerf : float
+        Width of the cut. Paths are moved by half of it, and :attr:`Puzzle.holds` says whether the puzzle holds with the gap.
+    image : path, optional
+        A picture to lie on the pieces: PNG, JPEG, GIF or BMP.
+    threads, time_limit, memory_limit : optional
+        Limits on the placing of copies; the best pieces found by then are made. With fewer bytes, borders are drawn coarser.
     progress : callable, optional
         Called with the share of the placing that is done; ``False`` ends it.
 
@@ -123,6 +145,8 @@ def puzzle(
     ------
     OptionError
         If options make no sense.
+    ReadError
+        If the picture cannot be read.
 
     Examples
     --------
@@ -147,8 +171,22 @@ def puzzle(
             "corners": bool(corners),
             "feedback": bool(feedback),
             "mirrors": bool(mirrors),
+            "free_outline": bool(free_outline),
             "threads": threads,
             "time_limit": time_limit,
+            "memory_limit": memory_limit,
         }
-    outlines, report, drawings = _native.puzzle(outline, pieces, sides, layout, tab, seed, like, progress)
+    if piece is not None and len(whimsies) > 0:
+        raise OptionError("whimsies are for pieces without a shape; leave out piece or whimsies")
+    if not (kerf >= 0 and kerf < float("inf")):
+        raise OptionError(f"kerf is {kerf}; it must be a width, or 0")
+    picture = None
+    if image is not None:
+        try:
+            picture = Path(image).read_bytes()
+        except OSError as error:
+            raise ReadError(f"{os.fspath(image)}: {error.strerror}") from error
+    outlines, report, drawings = _native.puzzle(
+        outline, pieces, sides, layout, tab, seed, like, list(whimsies), float(kerf), picture, progress
+    )
     return Puzzle(outlines, json.loads(report), tuple(drawings))

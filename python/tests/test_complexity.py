@@ -2,6 +2,7 @@
 
 import math
 
+import kmedoids
 import numpy as np
 import pompeiu
 import pytest
@@ -56,3 +57,21 @@ def test_what_makes_no_sense(tmp_path):
         pompeiu.read_outlines(broken)
     with pytest.raises(pompeiu.MissingFileError):
         pompeiu.read_outlines(tmp_path / "none.svg")
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_medoids_have_the_loss_of_the_package_kmedoids_from_the_same_start(seed):
+    rng = np.random.default_rng(seed)
+    points = rng.normal(size=(40 + 10 * seed, 3))
+    distances = np.linalg.norm(points[:, None] - points, axis=2)
+    start = rng.choice(len(points), size=2 + seed % 7, replace=False)
+    loss, medoids = pompeiu.k_medoids(distances, start)
+    theirs = kmedoids.fasterpam(distances, start.astype(np.uint64), n_cpu=1)
+    assert loss == pytest.approx(theirs.loss, rel=1e-12)
+    assert loss == pytest.approx(distances[medoids].min(axis=0).sum(), rel=1e-12)
+
+
+def test_what_are_no_distances_is_refused():
+    for distances, start in [([[0, 1]], [0]), ([[0, -1], [1, 0]], [0]), ([[0.0]], [1]), ([[0, 1], [1, 0]], [1, 1]), ([[0.0]], [])]:
+        with pytest.raises(pompeiu.OptionError):
+            pompeiu.k_medoids(distances, start)

@@ -63,7 +63,27 @@ def test_drawings(tmp_path):
     made.write(tmp_path / "page.html")
     assert "</html>" in (tmp_path / "page.html").read_text()
     with pytest.raises(pompeiu.WriteError, match="puzzles are written as"):
-        made.write(tmp_path / "pieces.png")
+        made.write(tmp_path / "pieces.jpg")
+    made.write(tmp_path / "pieces.png")
+    assert (tmp_path / "pieces.png").read_bytes().startswith(b"\x89PNG")
+    with pytest.raises(pompeiu.WriteError, match="no motion"):
+        made.write(tmp_path / "motion.svg", motion=True)
+    free = pompeiu.puzzle(6, tab="none")
+    free.write(tmp_path / "motion.svg", motion=True)
+    assert "animateTransform" in (tmp_path / "motion.svg").read_text()
+
+
+def test_a_cut_leaves_a_gap_and_a_picture_lies_on_the_pieces(tmp_path):
+    pompeiu.puzzle(6).write(tmp_path / "any.png")
+    made = pompeiu.puzzle(6, kerf=0.2, image=tmp_path / "any.png")
+    assert made.holds and made.report["kerf"]["widest"] >= 0.2 and pompeiu.puzzle(6).holds is None
+    assert not pompeiu.puzzle(6, tab="none", kerf=0.2).holds
+    made.write(tmp_path / "pieces.svg")
+    assert "data:image/png" in (tmp_path / "pieces.svg").read_text()
+    with pytest.raises(pompeiu.ReadError):
+        pompeiu.puzzle(6, image=tmp_path / "none.png")
+    with pytest.raises(pompeiu.OptionError, match="kerf"):
+        pompeiu.puzzle(6, kerf=-1)
 
 
 def test_what_makes_no_sense():
@@ -76,3 +96,15 @@ def test_what_makes_no_sense():
     ]:
         with pytest.raises(pompeiu.OptionError, match=words):
             pompeiu.puzzle(**options)
+
+
+def test_whimsies_and_outlines_of_whole_pieces():
+    angles = 2 * np.pi * np.arange(12) / 12
+    star = np.column_stack([np.cos(angles), np.sin(angles)]) * np.where(np.arange(12) % 2, 0.6, 1.0)[:, None]
+    made = pompeiu.puzzle(40, layout="voronoi", whimsies=[star], seed=5)
+    assert made.is_locked and sum(map(area, made.outlines)) == pytest.approx(60000, rel=1e-9)
+    assert max(map(area, made.outlines)) == pytest.approx(2 * 60000 / 40, rel=0.1)
+    with pytest.raises(pompeiu.OptionError, match="whimsies"):
+        pompeiu.puzzle(9, piece="square", whimsies=[star])
+    with pytest.raises(pompeiu.OptionError, match="bytes"):
+        pompeiu.puzzle(9, piece="square", memory_limit=1000)

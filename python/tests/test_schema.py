@@ -56,7 +56,7 @@ COMMANDS = {
         "complexity shapes missing.png",
         "complexity shapes --clusters 2 --against places.csv",
     ],
-    "puzzle": ["puzzle --pieces 9", "puzzle --pieces 12 --tab none --layout voronoi", "puzzle --pieces 6 --piece square"],
+    "puzzle": ["puzzle --pieces 9", "puzzle --pieces 12 --tab none --layout voronoi", "puzzle --pieces 6 --piece square", "puzzle --pieces 6 --kerf 0.2"],
     "flatten": [
         "flatten torus.ply.gz -o flat.glb",
         "flatten torus.ply.gz --boundary circle --weights uniform -o flat.svg",

@@ -8,6 +8,7 @@
 //! | [`first_crossing`] | whether a closed polygon crosses itself, and where |
 //! | [`resample`], [`catmull_rom`] | points at equal lengths, smooth curves through points |
 //! | [`hausdorff`], [`intersection_area`] | how far two outlines are from each other |
+//! | [`offset`] | outlines at a distance from an outline |
 //! | [`picture`], [`contour`], [`silhouette`], [`fill`] | pictures, their contours of a level, the shape in them; outlines as pixels |
 //! | [`svg`], [`dxf`] | drawings |
 //!
@@ -26,6 +27,7 @@ mod curve;
 mod distance;
 pub mod dxf;
 mod file;
+mod offset;
 mod outline;
 mod overlap;
 pub mod picture;
@@ -38,6 +40,7 @@ pub use crossing::{Crossing, first_crossing};
 pub use curve::{catmull_rom, resample, resample_points};
 pub use distance::{distance_to_outline, hausdorff};
 pub use file::{FileError, is_picture, is_shape, read_outlines, read_region};
+pub use offset::offset;
 pub use outline::{Outline, OutlineError, Region};
 pub use overlap::intersection_area;
 pub use predicates::{Turn, orientation, segments_meet};

@@ -83,6 +83,13 @@ pub(crate) fn complexity(
     written(&report.map_err(Raise::raise)?)
 }
 
+/// Medoids from a start by swaps: the sum of distances to the nearest one, and the medoids.
+#[pyfunction]
+#[allow(clippy::needless_pass_by_value, reason = "what Python hands over is converted into it")]
+pub(crate) fn k_medoids(py: Python<'_>, distances: Vec<Vec<f64>>, start: Vec<usize>) -> (f64, Vec<usize>) {
+    py.detach(|| pompeiu::complexity::faster_pam(&distances, start))
+}
+
 /// The closed curve through random points.
 #[pyfunction]
 pub(crate) fn polyline(

@@ -17,6 +17,7 @@ use pompeiu::matching::rank::RankError;
 use pompeiu::neuron::{FlowError as NeuronFlowError, MeshError as NeuronMeshError, SwcError, TransportError};
 use pompeiu::operators::OperatorError;
 use pompeiu::planar::OutlineError;
+use pompeiu::planar::picture::PictureError;
 use pompeiu::puzzle::PuzzleError;
 use pompeiu::surface::GeometryError;
 use pyo3::PyErr;
@@ -76,6 +77,7 @@ raise_as! {
     OptionError => OptionError,
     OutlineError => OutlineError,
     PageError => OptionError,
+    PictureError => ReadError,
     PuzzleError => OptionError,
     RankError => OptionError,
     ShapeError => OptionError,

@@ -26,7 +26,7 @@ mod wait;
 #[pyo3::pymodule]
 mod _native {
     #[pymodule_export]
-    use crate::complexity::{complexity, noisy_circle, polyline, read_outlines};
+    use crate::complexity::{complexity, k_medoids, noisy_circle, polyline, read_outlines};
     #[pymodule_export]
     use crate::fields::{HodgeDecomposition, degrees_of_freedom};
     #[pymodule_export]

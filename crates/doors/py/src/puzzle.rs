@@ -6,18 +6,23 @@ use crate::hausdorff::limits;
 use crate::json::written;
 use crate::wait::{self, Share, Watch};
 use numpy::PyArray2;
+use pompeiu::core::run::Control;
 use pompeiu::puzzle::{
-    Answer, Layout, LikeOptions, Method, PieceName, PieceShape, PuzzleOptions, Tab, Variant, cuts_dxf,
-    cuts_svg, make, make_like, page, pieces_dxf, pieces_svg, report, report_like,
+    Answer, Layout, LikeOptions, Method, PieceDrawing, PieceName, PieceShape, Print, PuzzleOptions, Tab,
+    Variant, cuts_dxf, cuts_svg, kerf, make, make_like, motion_svg, page, pieces_dxf, pieces_png, pieces_svg,
+    report, report_like, take_apart,
 };
 use pyo3::prelude::*;
+use pyo3::types::PyBytes;
 
-/// Outlines of pieces, the report, and the drawings: pieces and cuts as SVG, both as DXF, the page.
-type Made<'py> = (Vec<Bound<'py, PyArray2<f64>>>, String, [String; 5]);
+/// Outlines of pieces, the report, and the drawings: pieces and cuts as SVG, both as DXF, the page, pieces as PNG, the motion; the last one is
+/// empty where there is none.
+type Made<'py> = (Vec<Bound<'py, PyArray2<f64>>>, String, Vec<Bound<'py, PyBytes>>);
 
 /// What pieces shall be like, as the Python half hands it over.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
+#[allow(clippy::struct_excessive_bools, reason = "each one is an argument of the function in Python")]
 pub(crate) struct Likeness<'py> {
     name: String,
     points: Option<Bound<'py, PyAny>>,
@@ -26,8 +31,10 @@ pub(crate) struct Likeness<'py> {
     corners: bool,
     feedback: bool,
     mirrors: bool,
+    free_outline: bool,
     threads: Option<usize>,
     time_limit: Option<f64>,
+    memory_limit: Option<usize>,
 }
 
 /// What `piece` may be.
@@ -55,8 +62,9 @@ impl Likeness<'_> {
             "lloyd" => Method::Lloyd { answer, variant, feedback: self.feedback },
             _ => return Err(unknown("method", self.method, "\"descent\" or \"lloyd\"")),
         };
-        let limits = limits(self.threads, self.time_limit, None)?;
-        Ok(LikeOptions { shape, method, mirrors: self.mirrors, limits, progress: None })
+        let limits = limits(self.threads, self.time_limit, self.memory_limit)?;
+        let (mirrors, free_outline) = (self.mirrors, self.free_outline);
+        Ok(LikeOptions { shape, method, mirrors, free_outline, limits, progress: None })
     }
 }
 
@@ -72,6 +80,9 @@ pub(crate) fn puzzle<'py>(
     tab: String,
     seed: u64,
     piece: Option<Likeness<'py>>,
+    whimsies: Vec<Bound<'py, PyAny>>,
+    cut: f64,
+    image: Option<Vec<u8>>,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Made<'py>> {
     let layout = match layout.as_str() {
@@ -88,9 +99,13 @@ pub(crate) fn puzzle<'py>(
     };
     let outline = outline.map(|points| crate::complexity::outline(&points)).transpose()?;
     let like = piece.map(Likeness::options).transpose()?;
-    let options = PuzzleOptions { outline, size, pieces, layout, tab, seed };
+    let print = image.map(|bytes| Print::read(&bytes)).transpose();
+    let print = print.map_err(Raise::raise)?;
+    let whimsies =
+        whimsies.into_iter().map(|points| crate::complexity::outline(&points)).collect::<PyResult<_>>()?;
+    let options = PuzzleOptions { whimsies, outline, size, pieces, layout, tab, seed };
     let found = wait::run(py, progress, |watch: &mut Watch<'_, Share>| {
-        let (puzzle, report) = match like {
+        let (puzzle, mut report) = match like {
             None => {
                 let puzzle = make(&options)?;
                 let report = report(&puzzle);
@@ -102,18 +117,26 @@ pub(crate) fn puzzle<'py>(
                 (made.puzzle, report)
             }
         };
+        if cut > 0.0 {
+            report.kerf = Some(kerf(&puzzle, cut, &Control::start(&pompeiu::core::run::Limits::default())));
+        }
+        let motion = take_apart(&puzzle, &report.found);
+        let drawing = PieceDrawing { pull: 0.0, kerf: cut, print: print.as_ref() };
         let title = format!("Puzzle of {} pieces", puzzle.pieces());
         let drawings = [
-            pieces_svg(&puzzle, 0.0),
-            cuts_svg(&puzzle),
-            pieces_dxf(&puzzle),
-            cuts_dxf(&puzzle),
-            page(&puzzle, &report, &title),
+            pieces_svg(&puzzle, &drawing).into_bytes(),
+            cuts_svg(&puzzle, cut).into_bytes(),
+            pieces_dxf(&puzzle, &drawing).into_bytes(),
+            cuts_dxf(&puzzle, cut).into_bytes(),
+            page(&puzzle, &report, motion.as_ref(), print.as_ref(), &title).into_bytes(),
+            pieces_png(&puzzle, print.as_ref()).unwrap_or_default(),
+            motion.map(|motion| motion_svg(&puzzle, &motion).into_bytes()).unwrap_or_default(),
         ];
         Ok::<_, pompeiu::puzzle::PuzzleError>((puzzle, report, drawings))
     })?;
     let (puzzle, report, drawings) = found.map_err(Raise::raise)?;
     let outlines: PyResult<Vec<_>> =
         (0..puzzle.pieces()).map(|piece| array_of_rows(py, puzzle.outline(piece))).collect();
+    let drawings = drawings.iter().map(|drawing| PyBytes::new(py, drawing)).collect();
     Ok((outlines?, written(&report)?, drawings))
 }

@@ -1,8 +1,10 @@
 //! The experiments of the first report on these measures, on shapes of our own: progressions, polylines, noisy circles, everything at once.
 //!
 //! ```sh
-//! cargo run --release --package pompeiu-complexity --example experiments
+//! cargo run --release --package pompeiu-complexity --example experiments -- polylines noisy-circles
 //! ```
+//!
+//! Without names, all of them: octopus, eight, polylines, noisy-circles, everything.
 
 #![allow(clippy::print_stdout, reason = "an example prints")]
 
@@ -16,6 +18,9 @@ use std::f64::consts::TAU;
 
 type Outcome = Result<(), Box<dyn std::error::Error>>;
 
+/// An experiment and its name.
+type Part = (&'static str, fn() -> Outcome);
+
 /// Classes of polylines, by their numbers of points, and how many there are of each.
 const CLASSES: [usize; 4] = [5, 10, 15, 25];
 const OF_EACH: u64 = 42;
@@ -23,11 +28,22 @@ const OF_EACH: u64 = 42;
 /// Draws of random sets.
 const DRAWS: u64 = 100;
 
+/// All of them, or those that are named.
 fn main() -> Outcome {
-    octopus()?;
-    polylines()?;
-    noisy_circles()?;
-    everything()
+    let named: Vec<String> = std::env::args().skip(1).collect();
+    let parts: [Part; 5] = [
+        ("octopus", octopus),
+        ("eight", eight),
+        ("polylines", polylines),
+        ("noisy-circles", noisy_circles),
+        ("everything", everything),
+    ];
+    for (name, part) in parts {
+        if named.is_empty() || named.iter().any(|wanted| wanted == name) {
+            part()?;
+        }
+    }
+    Ok(())
 }
 
 fn measured(outline: &Outline, smoothing: f64) -> Result<Measures, ComplexityError> {
@@ -62,6 +78,46 @@ fn octopus() -> Outcome {
         );
     }
     Ok(())
+}
+
+/// Eight shapes of growing complexity, by intent, as the two measures rank them.
+fn eight() -> Outcome {
+    let shapes: [(&str, Outline); 8] = [
+        ("ellipse", star(2, 0.3)?),
+        ("triangle", star(3, 0.25)?),
+        ("clover", star(4, 0.5)?),
+        ("flower of 8", star(8, 0.35)?),
+        ("flower of 16", star(16, 0.25)?),
+        ("eight arms", body(1.5, 1)?),
+        ("noise 3", noisy_circle(20, 3, 6, 1)?),
+        ("noise 8", noisy_circle(20, 8, 6, 1)?),
+    ];
+    let intended: Vec<f64> = (1..=8).map(f64::from).collect();
+    println!("\neight shapes  similarity  average distance  normalised  Kendall's τ");
+    let all = shapes.iter().map(|(_, outline)| measured(outline, 0.0)).collect::<Result<Vec<_>, _>>()?;
+    for name in ["boundary", "boundary-8", "t18", "neg5"] {
+        let measure = Measure::named(name)?;
+        let values: Vec<f64> = all.iter().map(|m| measure.complexity(m)).collect();
+        let agreement = compare_rankings(&values, &intended)?;
+        println!(
+            "{name:<12}  {:<10.4}  {:<16.4}  {:<10.5}  {:.3}",
+            agreement.similarity,
+            agreement.average_distance,
+            agreement.normalized_distance,
+            agreement.kendall
+        );
+    }
+    Ok(())
+}
+
+/// A circle whose radius goes up and down so many times.
+fn star(arms: i32, depth: f64) -> Result<Outline, Box<dyn std::error::Error>> {
+    let at = |i: usize| {
+        let angle = TAU * i as f64 / 4000.0;
+        let radius = 1.0 + depth * (f64::from(arms) * angle).cos();
+        [radius * angle.cos(), radius * angle.sin()]
+    };
+    Ok(Outline::new((0..4000).map(at).collect())?)
 }
 
 /// Means by the number of points, and how well clusters tell the classes apart.

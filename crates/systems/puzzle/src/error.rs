@@ -46,4 +46,33 @@ pub enum PuzzleError {
         /// The piece.
         piece: usize,
     },
+    /// A border that cannot take another course.
+    #[error("border {border} cannot take this course: {why}")]
+    Border {
+        /// The border.
+        border: usize,
+        /// What is wrong.
+        why: &'static str,
+    },
+    /// A whimsy without room.
+    #[error(
+        "whimsy {index} finds no room of twice the area of a piece within the outline; ask for more pieces or fewer whimsies"
+    )]
+    Whimsy {
+        /// Its place in the list.
+        index: usize,
+    },
+    /// Pieces that leave no outline in one part.
+    #[error(
+        "whole copies of the shape make no outline of one part without holes here; ask for another number of pieces"
+    )]
+    Outline,
+    /// More memory than there may be.
+    #[error("the pieces need {needed} bytes of memory, and {limit} are allowed")]
+    Memory {
+        /// What is needed.
+        needed: usize,
+        /// What is allowed.
+        limit: usize,
+    },
 }

@@ -9,8 +9,11 @@
 //! | [`gauge`], [`Map`], [`register`] | the shape-matching metric, its table, the similarity that brings points onto others |
 //! | [`Puzzle`], [`Border`] | the pieces, and each border between two of them once |
 //! | [`lock`], [`Lock`], [`Proof`] | which pieces cannot be moved against each other, all motions at once, and how a puzzle comes apart |
+//! | [`kerf`], [`Kerf`] | whether pieces still hold each other with the gap that a cut leaves |
+//! | [`take_apart`], [`Motion`], [`shake`] | how a free puzzle comes apart, step by step; pieces that are shaken |
 //! | [`PuzzleReport`], [`report`] | what is said of a puzzle |
-//! | [`pieces_svg`], [`cuts_svg`], [`pieces_dxf`], [`cuts_dxf`], [`page`] | what is cut, and what is played with |
+//! | [`pieces_svg`], [`cuts_svg`], [`pieces_dxf`], [`cuts_dxf`], [`pieces_png`], [`Print`] | what is cut, and pieces with a picture on them |
+//! | [`motion_svg`], [`motion_png`], [`page`] | what is looked at and played with |
 //!
 //! ```
 //! use pompeiu_puzzle::{PuzzleOptions, Tab, lock, make};
@@ -26,17 +29,24 @@
 
 mod draw;
 mod error;
+mod kerf;
 mod lock;
 mod make;
+mod motion;
+mod order;
 mod puzzle;
 mod report;
 mod shape;
 mod space;
 
-pub use draw::{cuts_dxf, cuts_svg, page, pieces_dxf, pieces_svg};
+pub use draw::{
+    PieceDrawing, Print, cuts_dxf, cuts_svg, motion_png, motion_svg, page, pieces_dxf, pieces_png, pieces_svg,
+};
 pub use error::PuzzleError;
+pub use kerf::{Kerf, kerf};
 pub use lock::{Escape, Lock, Proof, lock};
 pub use make::{Layout, PuzzleOptions, Tab, make};
+pub use motion::{Motion, shake, take_apart};
 pub use puzzle::{Border, Puzzle};
 pub use report::{AreaReport, PieceReport, PuzzleReport, Similarity, Timing, report, report_like};
 pub use shape::{

@@ -1,6 +1,9 @@
 //! Pieces, and each border between two of them once.
 
+use crate::PuzzleError;
+use crate::space::Space;
 use pompeiu_planar::Point;
+use std::collections::BTreeMap;
 
 /// A corner on the lattice.
 pub(crate) type Corner = [i64; 2];
@@ -29,12 +32,63 @@ pub struct Puzzle {
     pub(crate) size: [i64; 2],
     /// Twice the area of the outline, in steps squared.
     pub(crate) doubled_outline: i128,
+    /// Pieces that have an outline of their own.
+    pub(crate) whimsies: Vec<usize>,
 }
 
 impl Puzzle {
     /// The number of pieces.
     pub fn pieces(&self) -> usize {
         self.loops.len()
+    }
+
+    /// The pieces whose outlines were given, see [`crate::PuzzleOptions::whimsies`].
+    pub fn whimsies(&self) -> &[usize] {
+        &self.whimsies
+    }
+
+    /// The puzzle of some pieces, without the others: what was between both becomes part of the outline. None where they are not
+    /// one part without holes.
+    pub(crate) fn of_pieces(&self, pieces: &[usize]) -> Option<Self> {
+        let mut number = vec![None; self.pieces()];
+        for (new, old) in pieces.iter().enumerate() {
+            number[*old] = Some(new);
+        }
+        let mut borders = Vec::new();
+        let mut name = vec![None; self.borders.len()];
+        for (i, border) in self.borders.iter().enumerate() {
+            let (left, right) = (number[border.left], border.right.and_then(|right| number[right]));
+            let (left, right, is_turned) = match (left, right) {
+                (Some(left), right) => (left, right, false),
+                (None, Some(right)) => (right, None, true),
+                (None, None) => continue,
+            };
+            let mut corners = border.corners.clone();
+            if is_turned {
+                corners.reverse();
+            }
+            name[i] = Some((borders.len(), is_turned));
+            borders.push(Border { corners, left, right });
+        }
+        let of = |piece: &usize| {
+            self.loops[*piece].iter().filter_map(|(border, is_reversed)| {
+                name[*border].map(|(new, is_turned)| (new, *is_reversed != is_turned))
+            })
+        };
+        let loops = pieces.iter().map(|piece| of(piece).collect()).collect();
+        let mut kept = Self {
+            borders,
+            loops,
+            step: self.step,
+            size: self.size,
+            doubled_outline: 0,
+            whimsies: Vec::new(),
+        };
+        let around: Vec<Corner> =
+            kept.outer().into_iter().map(|p| p.map(|x| (x / self.step).round() as i64)).collect();
+        kept.doubled_outline = doubled(&around);
+        let sum: i128 = (0..kept.pieces()).map(|piece| kept.doubled_area(piece)).sum();
+        (sum == kept.doubled_outline).then_some(kept)
     }
 
     /// The borders.
@@ -93,13 +147,22 @@ impl Puzzle {
 
     /// Twice the area of a piece in steps squared, exactly.
     pub(crate) fn doubled_area(&self, piece: usize) -> i128 {
-        let corners = self.corners(piece);
-        let next = corners.iter().cycle().skip(1);
-        corners
-            .iter()
-            .zip(next)
-            .map(|(a, b)| i128::from(a[0]) * i128::from(b[1]) - i128::from(a[1]) * i128::from(b[0]))
-            .sum()
+        doubled(&self.corners(piece))
+    }
+
+    /// The corners of what is around the puzzle, counter-clockwise where y goes up.
+    pub fn outer(&self) -> Vec<Point> {
+        let mut around: BTreeMap<Corner, &[Corner]> = BTreeMap::new();
+        for border in self.borders.iter().filter(|border| border.right.is_none()) {
+            around.insert(border.corners[0], &border.corners);
+        }
+        let mut found = Vec::new();
+        let mut next = around.first_key_value().map(|(corner, _)| *corner);
+        while let Some(corners) = next.and_then(|corner| around.remove(&corner)) {
+            found.extend(corners[..corners.len() - 1].iter().map(|corner| self.point(*corner)));
+            next = corners.last().copied();
+        }
+        found
     }
 
     /// The area of a piece, in the unit of the outline squared.
@@ -121,6 +184,31 @@ impl Puzzle {
         found
     }
 
+    /// The same puzzle with another course of one border between two pieces, rounded to the lattice; its ends stay.
+    ///
+    /// # Errors
+    /// [`PuzzleError::Border`] for a border of the outline or none at all, other ends, and a course that meets itself or another border.
+    pub fn with_border(&self, border: usize, course: &[Point]) -> Result<Self, PuzzleError> {
+        let wrong = |why| Err(PuzzleError::Border { border, why });
+        let Some(old) = self.borders.get(border).filter(|old| old.right.is_some()) else {
+            return wrong("there is no such border between two pieces");
+        };
+        let mut corners: Vec<Corner> =
+            course.iter().map(|p| p.map(|x| (x / self.step).round() as i64)).collect();
+        corners.dedup();
+        if corners.len() < 2 || corners.first() != old.corners.first() || corners.last() != old.corners.last()
+        {
+            return wrong("its ends must stay where they are");
+        }
+        let space = Space::new(self, self.unit() / self.step);
+        if !space.is_free(border, &corners) {
+            return wrong("it meets itself or another border");
+        }
+        let mut changed = self.clone();
+        changed.borders[border].corners = corners;
+        Ok(changed)
+    }
+
     /// The same puzzle with borders made simpler: corners that lie within a distance of the chord are left out, ends stay.
     #[must_use]
     pub fn simplified(&self, distance: f64) -> Self {
@@ -130,6 +218,15 @@ impl Puzzle {
         }
         simple
     }
+}
+
+/// Twice the area that corners enclose.
+fn doubled(corners: &[Corner]) -> i128 {
+    let next = corners.iter().cycle().skip(1);
+    let cross = |(a, b): (&Corner, &Corner)| {
+        i128::from(a[0]) * i128::from(b[1]) - i128::from(a[1]) * i128::from(b[0])
+    };
+    corners.iter().zip(next).map(cross).sum()
 }
 
 /// Douglas and Peucker's choice of corners (`douglas_algorithms_1973`).

@@ -1,6 +1,6 @@
 //! What is said of a puzzle.
 
-use crate::{Like, Proof, Puzzle, lock};
+use crate::{Kerf, Like, Lock, Proof, Puzzle, lock};
 use std::time::{Duration, Instant};
 
 /// What is said of a puzzle. Lengths are in the unit of its outline.
@@ -21,6 +21,12 @@ pub struct PuzzleReport {
     /// The greatest length tried below which all detail of the borders may be lost while the puzzle stays locked, relative to the root of
     /// the mean area of a piece; 0 where it holds only as it is drawn, `null` where it is not locked.
     pub depth: Option<f64>,
+    /// What is left of that with a cut of some width; absent where none was asked for.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub kerf: Option<Kerf>,
+    /// What was found of motions, for [`crate::take_apart`].
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub found: Lock,
     /// Borders between pieces that are straight.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub straight_borders: usize,
@@ -164,6 +170,8 @@ pub fn report(puzzle: &Puzzle) -> PuzzleReport {
         locked: found.is_locked(),
         proof: found.proof,
         depth,
+        kerf: None,
+        found,
         straight_borders,
         area,
         energy: Vec::new(),

@@ -1,6 +1,6 @@
 //! PNG, JPEG and GIF, decoded by libraries.
 
-use super::{Levels, Picture, PictureError, PictureFormat, pixels};
+use super::{PictureError, PictureFormat, Pixels, pixels};
 use png::{BitDepth, ColorType, Transformations};
 use std::io::Cursor;
 use zune_jpeg::JpegDecoder;
@@ -12,7 +12,7 @@ fn damaged(format: PictureFormat) -> impl Fn(String) -> PictureError {
     move |why| PictureError::Damaged { format, why }
 }
 
-pub(super) fn png(bytes: &[u8]) -> Result<Picture, PictureError> {
+pub(super) fn png(bytes: &[u8]) -> Result<Pixels, PictureError> {
     let wrong = damaged(PictureFormat::Png);
     let mut decoder = png::Decoder::new(Cursor::new(bytes));
     decoder.set_transformations(Transformations::normalize_to_color8());
@@ -26,24 +26,24 @@ pub(super) fn png(bytes: &[u8]) -> Result<Picture, PictureError> {
     if frame.bit_depth != BitDepth::Eight {
         return Err(wrong("its samples are not of 8 bits after normalising".to_owned()));
     }
-    let mut levels = Levels::with_capacity(count);
+    let mut found = Pixels::with_capacity(count);
     match frame.color_type {
-        ColorType::Grayscale => data.iter().for_each(|g| levels.push([*g; 3])),
+        ColorType::Grayscale => data.iter().for_each(|g| found.push([*g; 3])),
         ColorType::GrayscaleAlpha => {
-            data.chunks_exact(2).for_each(|p| levels.push_with_opacity([p[0], p[0], p[0], p[1]]));
+            data.chunks_exact(2).for_each(|p| found.push_with_opacity([p[0], p[0], p[0], p[1]]));
         }
-        ColorType::Rgb => data.chunks_exact(3).for_each(|p| levels.push([p[0], p[1], p[2]])),
+        ColorType::Rgb => data.chunks_exact(3).for_each(|p| found.push([p[0], p[1], p[2]])),
         ColorType::Rgba => {
-            data.chunks_exact(4).for_each(|p| levels.push_with_opacity([p[0], p[1], p[2], p[3]]));
+            data.chunks_exact(4).for_each(|p| found.push_with_opacity([p[0], p[1], p[2], p[3]]));
         }
         ColorType::Indexed => return Err(wrong("its colours are not expanded".to_owned())),
     }
-    levels
-        .picture(width as usize, height as usize)
+    found
+        .of_size(width as usize, height as usize)
         .ok_or_else(|| wrong("it has fewer pixels than its header says".to_owned()))
 }
 
-pub(super) fn jpeg(bytes: &[u8]) -> Result<Picture, PictureError> {
+pub(super) fn jpeg(bytes: &[u8]) -> Result<Pixels, PictureError> {
     let wrong = damaged(PictureFormat::Jpeg);
     let options = DecoderOptions::default()
         .set_strict_mode(true)
@@ -55,12 +55,12 @@ pub(super) fn jpeg(bytes: &[u8]) -> Result<Picture, PictureError> {
     let (width, height) = decoder.dimensions().ok_or_else(|| wrong("it has no size".to_owned()))?;
     let count = pixels(width as u64, height as u64)?;
     let data = decoder.decode().map_err(|error| wrong(error.to_string()))?;
-    let mut levels = Levels::with_capacity(count);
-    data.chunks_exact(3).for_each(|p| levels.push([p[0], p[1], p[2]]));
-    levels.picture(width, height).ok_or_else(|| wrong("it has fewer pixels than its header says".to_owned()))
+    let mut found = Pixels::with_capacity(count);
+    data.chunks_exact(3).for_each(|p| found.push([p[0], p[1], p[2]]));
+    found.of_size(width, height).ok_or_else(|| wrong("it has fewer pixels than its header says".to_owned()))
 }
 
-pub(super) fn gif(bytes: &[u8]) -> Result<Picture, PictureError> {
+pub(super) fn gif(bytes: &[u8]) -> Result<Pixels, PictureError> {
     let wrong = damaged(PictureFormat::Gif);
     let mut options = gif::DecodeOptions::new();
     options.set_color_output(gif::ColorOutput::RGBA);
@@ -79,16 +79,16 @@ pub(super) fn gif(bytes: &[u8]) -> Result<Picture, PictureError> {
             places.iter_mut().zip(line.chunks_exact(4)).for_each(|(to, p)| *to = [p[0], p[1], p[2], p[3]]);
         }
     }
-    let mut levels = Levels::with_capacity(count);
+    let mut found = Pixels::with_capacity(count);
     let is_opaque = canvas.iter().all(|p| p[3] == 255);
     for p in canvas {
         if is_opaque {
-            levels.push([p[0], p[1], p[2]]);
+            found.push([p[0], p[1], p[2]]);
         } else {
-            levels.push_with_opacity(p);
+            found.push_with_opacity(p);
         }
     }
-    levels
-        .picture(width.into(), height.into())
+    found
+        .of_size(width.into(), height.into())
         .ok_or_else(|| wrong("it has fewer pixels than its header says".to_owned()))
 }

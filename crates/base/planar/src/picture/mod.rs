@@ -1,4 +1,4 @@
-//! Pictures: PNG, JPEG, GIF and BMP as grey levels.
+//! Pictures: PNG, JPEG, GIF and BMP as grey levels, or in colours.
 
 mod bmp;
 mod decode;
@@ -91,12 +91,8 @@ impl Picture {
     /// # Errors
     /// [`PictureError`]. Nothing is allocated for a size in a header beyond [`Picture::MAX_PIXELS`].
     pub fn read(bytes: &[u8]) -> Result<Self, PictureError> {
-        match PictureFormat::of(bytes).ok_or(PictureError::Unrecognised)? {
-            PictureFormat::Png => decode::png(bytes),
-            PictureFormat::Jpeg => decode::jpeg(bytes),
-            PictureFormat::Gif => decode::gif(bytes),
-            PictureFormat::Bmp => bmp::read(bytes),
-        }
+        let found = Pixels::read(bytes)?;
+        Ok(Self { width: found.width, height: found.height, levels: found.levels() })
     }
 
     /// Pixels in a row.
@@ -112,6 +108,41 @@ impl Picture {
     /// The levels, row by row from the top.
     pub fn levels(&self) -> &[f32] {
         &self.levels
+    }
+}
+
+/// A picture in colours, row by row from the top; what is transparent lies on white.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ColourPicture {
+    width: usize,
+    height: usize,
+    pixels: Vec<[u8; 3]>,
+}
+
+impl ColourPicture {
+    /// Reads a file's content, as [`Picture::read`] does.
+    ///
+    /// # Errors
+    /// [`PictureError`].
+    pub fn read(bytes: &[u8]) -> Result<Self, PictureError> {
+        let found = Pixels::read(bytes)?;
+        let on_white = |[red, green, blue, opacity]: [u8; 4]| {
+            let opacity = u16::from(opacity);
+            [red, green, blue].map(|c| ((u16::from(c) * opacity + 255 * (255 - opacity) + 127) / 255) as u8)
+        };
+        let pixels = found.rgba.into_iter().map(on_white).collect();
+        Ok(Self { width: found.width, height: found.height, pixels })
+    }
+
+    /// Pixels in a row, and rows.
+    pub fn size(&self) -> [usize; 2] {
+        [self.width, self.height]
+    }
+
+    /// The colour of the pixel that a place lies in, in pixels from the upper left corner; that of the nearest one beside the picture.
+    pub fn at(&self, [x, y]: [f64; 2]) -> [u8; 3] {
+        let index = |v: f64, count: usize| (v.max(0.0) as usize).min(count - 1);
+        self.pixels[index(y, self.height) * self.width + index(x, self.width)]
     }
 }
 
@@ -139,41 +170,82 @@ fn pixels(width: u64, height: u64) -> Result<usize, PictureError> {
     }
 }
 
-/// Levels of pixels of red, green, blue and opacity, each from 0 to 255.
-struct Levels {
-    colour: Vec<f32>,
-    opacity: Vec<f32>,
+/// Pixels of red, green, blue and opacity, each from 0 to 255.
+struct Pixels {
+    width: usize,
+    height: usize,
+    rgba: Vec<[u8; 4]>,
+    has_opacity: bool,
 }
 
-impl Levels {
+impl Pixels {
+    fn read(bytes: &[u8]) -> Result<Self, PictureError> {
+        match PictureFormat::of(bytes).ok_or(PictureError::Unrecognised)? {
+            PictureFormat::Png => decode::png(bytes),
+            PictureFormat::Jpeg => decode::jpeg(bytes),
+            PictureFormat::Gif => decode::gif(bytes),
+            PictureFormat::Bmp => bmp::read(bytes),
+        }
+    }
+
     fn with_capacity(count: usize) -> Self {
-        Self { colour: Vec::with_capacity(count), opacity: Vec::new() }
+        Self { width: 0, height: 0, rgba: Vec::with_capacity(count), has_opacity: false }
     }
 
     fn push(&mut self, [red, green, blue]: [u8; 3]) {
-        let sum = 0.299 * f64::from(red) + 0.587 * f64::from(green) + 0.114 * f64::from(blue);
-        self.colour.push((sum / 255.0) as f32);
+        self.rgba.push([red, green, blue, 255]);
     }
 
-    fn push_with_opacity(&mut self, [red, green, blue, opacity]: [u8; 4]) {
-        self.push([red, green, blue]);
-        self.opacity.push(f32::from(opacity) / 255.0);
+    fn push_with_opacity(&mut self, pixel: [u8; 4]) {
+        self.rgba.push(pixel);
+        self.has_opacity = true;
     }
 
-    /// The picture; of colours on white, or of what is opaque where that spreads more.
-    fn picture(mut self, width: usize, height: usize) -> Option<Picture> {
+    /// Itself, if there are as many pixels as that.
+    fn of_size(mut self, width: usize, height: usize) -> Option<Self> {
+        (self.width, self.height) = (width, height);
+        (width.checked_mul(height) == Some(self.rgba.len()) && width > 0 && height > 0).then_some(self)
+    }
+
+    /// Grey levels: of colours on white, or of what is opaque where that spreads more.
+    fn levels(&self) -> Vec<f32> {
+        let grey = |[red, green, blue, _]: [u8; 4]| {
+            let sum = 0.299 * f64::from(red) + 0.587 * f64::from(green) + 0.114 * f64::from(blue);
+            (sum / 255.0) as f32
+        };
+        if !self.has_opacity {
+            return self.rgba.iter().map(|p| grey(*p)).collect();
+        }
+        let opacity: Vec<f32> = self.rgba.iter().map(|p| f32::from(p[3]) / 255.0).collect();
+        let colour: Vec<f32> =
+            self.rgba.iter().zip(&opacity).map(|(p, opacity)| opacity * grey(*p) + (1.0 - opacity)).collect();
         let spread = |values: &[f32]| {
             let mean = values.iter().map(|x| f64::from(*x)).sum::<f64>() / values.len() as f64;
             values.iter().map(|x| (f64::from(*x) - mean).powi(2)).sum::<f64>() / values.len() as f64
         };
-        if !self.opacity.is_empty() {
-            for (level, opacity) in self.colour.iter_mut().zip(&self.opacity) {
-                *level = opacity * *level + (1.0 - opacity);
-            }
-            if spread(&self.opacity) > spread(&self.colour) {
-                self.colour = self.opacity.iter().map(|opacity| 1.0 - opacity).collect();
-            }
+        if spread(&opacity) > spread(&colour) {
+            opacity.iter().map(|opacity| 1.0 - opacity).collect()
+        } else {
+            colour
         }
-        Picture::new(width, height, self.colour)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn colours_lie_on_white_and_beside_the_picture_are_those_of_its_border() {
+        let mut bytes = Vec::new();
+        let mut encoder = png::Encoder::new(&mut bytes, 2, 1);
+        encoder.set_color(png::ColorType::Rgba);
+        let mut writer = encoder.write_header().unwrap();
+        writer.write_image_data(&[200, 0, 100, 255, 0, 0, 0, 51]).unwrap();
+        writer.finish().unwrap();
+        let picture = ColourPicture::read(&bytes).unwrap();
+        assert_eq!(picture.size(), [2, 1]);
+        assert_eq!((picture.at([0.5, 0.5]), picture.at([1.5, 9.0])), ([200, 0, 100], [204; 3]));
+        assert!(ColourPicture::read(b"GIF").is_err());
     }
 }

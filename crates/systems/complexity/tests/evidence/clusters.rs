@@ -88,7 +88,9 @@ fn silhouettes_and_rand_have_their_worked_values() {
 
 #[test]
 fn the_four_classes_of_polylines_are_told_apart() {
-    for (order, least) in [(PointOrder::Random, 0.93), (PointOrder::Angle, 0.93)] {
+    // Where the curves are smooth, points need no smoothing: the default is for the pixels of pictures.
+    let measure = MeasureOptions { smoothing: 0.0 };
+    for order in [PointOrder::Random, PointOrder::Angle] {
         let mut shapes = Vec::new();
         let mut classes = Vec::new();
         for (class, points) in [5, 10, 15, 25].into_iter().enumerate() {
@@ -98,10 +100,11 @@ fn the_four_classes_of_polylines_are_told_apart() {
                 classes.push(class);
             }
         }
-        let options = AnalyseOptions { clusters: Some(4), ..AnalyseOptions::default() };
+        let options =
+            AnalyseOptions { clusters: Some(4), measure: measure.clone(), ..AnalyseOptions::default() };
         let report = analyse(&shapes, &options).unwrap();
         let accuracy = matched_accuracy(&report.clusters.as_ref().unwrap().labels, &classes).unwrap();
-        assert!(accuracy >= least, "{order:?}: {accuracy}");
+        assert!(accuracy >= 0.97, "{order:?}: {accuracy}");
         let some = &shapes[..20];
         let one = AnalyseOptions { clusters: None, limits: threads(1), ..options.clone() };
         let several = AnalyseOptions { limits: threads(3), ..one.clone() };

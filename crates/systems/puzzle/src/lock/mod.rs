@@ -251,6 +251,7 @@ mod tests {
             step: 1.0,
             size: [1000, 1000],
             doubled_outline: 2_000_000,
+            whimsies: Vec::new(),
         })
     }
 

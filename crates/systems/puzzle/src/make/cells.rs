@@ -88,7 +88,7 @@ pub(super) fn partition(sites: &[Point], size: [f64; 2], step: f64) -> Result<Pu
         loops[site] = around;
     }
     let doubled_outline = 2 * i128::from(limits[0]) * i128::from(limits[1]);
-    let puzzle = Puzzle { borders, loops, step, size: limits, doubled_outline };
+    let puzzle = Puzzle { borders, loops, step, size: limits, doubled_outline, whimsies: Vec::new() };
     match (0..puzzle.pieces()).find(|piece| puzzle.doubled_area(*piece) <= 0) {
         Some(piece) => Err(PuzzleError::Narrow { piece }),
         None => Ok(puzzle),

@@ -9,21 +9,30 @@ use std::collections::BTreeMap;
 /// Faces of less than this share of the mean area become part of the neighbour that they share most with.
 const SLIVER: f64 = 0.3;
 
-/// The parts of cells that lie within an outline, as a puzzle without tabs. The outline lies inside the rectangle of the cells.
+/// The parts of cells that lie within an outline and outside of whimsies, and the whimsies, as a puzzle without tabs. The outline lies inside the
+/// rectangle of the cells.
 ///
 /// Where borders meet the outline, the outline gets a corner on the lattice, less than a step from its side.
 ///
 /// # Errors
 /// [`PuzzleError::Narrow`] where a border passes through a corner of the outline, or parts are too narrow for the lattice: other sites may do.
-pub(super) fn within(cells: &Puzzle, outline: &[Corner]) -> Result<Puzzle, PuzzleError> {
+pub(super) fn within(
+    cells: &Puzzle,
+    outline: &[Corner],
+    whimsies: &[Vec<Corner>],
+) -> Result<Puzzle, PuzzleError> {
     let inner = cells.borders.iter().filter(|border| border.right.is_some());
-    let mut graph = Graph::of(inner.map(|border| [border.corners[0], border.corners[1]]), outline)?;
+    let segments = inner.map(|border| [border.corners[0], border.corners[1]]);
+    let mut graph = Graph::of(segments, outline, whimsies)?;
     let mut faces = graph.faces()?;
-    loop {
+    while faces.len() > 2 {
         let mean = faces.iter().map(|face| face.doubled as f64).sum::<f64>() / faces.len() as f64;
-        let small = (0..faces.len()).filter(|f| (faces[*f].doubled as f64) < SLIVER * mean);
-        let Some(sliver) = small.min_by_key(|f| faces[*f].doubled) else { break };
-        if faces.len() < 3 || !graph.open(&faces, sliver) {
+        let is_small =
+            |f: &usize| (faces[*f].doubled as f64) < SLIVER * mean && graph.whimsy(&faces[*f]).is_none();
+        let mut small: Vec<usize> = (0..faces.len()).filter(is_small).collect();
+        small.sort_by_key(|f| faces[*f].doubled);
+        // One between whimsies alone stays a piece.
+        if !small.into_iter().any(|sliver| graph.open(&faces, sliver)) {
             break;
         }
         faces = graph.faces()?;
@@ -42,7 +51,7 @@ pub(crate) fn faces_within(
     step: f64,
     size: [i64; 2],
 ) -> Result<Puzzle, PuzzleError> {
-    let mut graph = Graph::of(segments.iter().copied(), outline)?;
+    let mut graph = Graph::of(segments.iter().copied(), outline, &[])?;
     let mut faces = graph.faces()?;
     while faces.len() > most {
         let smallest = (0..faces.len()).min_by_key(|f| faces[*f].doubled).unwrap_or(0);
@@ -58,6 +67,8 @@ pub(crate) fn faces_within(
 struct Graph {
     edges: Vec<[Corner; 2]>,
     is_alive: Vec<bool>,
+    /// For each edge the whimsy whose side it is.
+    whimsy_of: Vec<Option<usize>>,
     /// Twice the area inside the outline.
     doubled: i128,
 }
@@ -76,66 +87,95 @@ fn minus(a: Corner, b: Corner) -> Corner {
     [a[0] - b[0], a[1] - b[1]]
 }
 
+/// Segments without their parts outside of a polygon, or inside of it, and the sides of the polygon, cut where segments end on them.
+fn parted(
+    segments: impl Iterator<Item = [Corner; 2]>,
+    polygon: &[Corner],
+    keep_inside: bool,
+) -> Result<[Vec<[Corner; 2]>; 2], PuzzleError> {
+    let degenerate = PuzzleError::Narrow { piece: 0 };
+    let as_points = polygon.iter().map(|c| c.map(|x| x as f64)).collect();
+    let shape = Outline::new(as_points).map_err(|_| degenerate.clone())?;
+    let n = polygon.len();
+    let mut kept: Vec<[Corner; 2]> = Vec::new();
+    let mut on_sides: Vec<Vec<(f64, Corner)>> = vec![Vec::new(); n];
+    for [a, b] in segments {
+        let mut places: Vec<(f64, Corner)> = Vec::new();
+        for (i, side) in on_sides.iter_mut().enumerate() {
+            let [c, d] = [polygon[i], polygon[(i + 1) % n]];
+            let is_apart = |k: usize| a[k].max(b[k]) < c[k].min(d[k]) || c[k].max(d[k]) < a[k].min(b[k]);
+            if is_apart(0) || is_apart(1) {
+                continue;
+            }
+            let (u, v) = (minus(b, a), minus(d, c));
+            let turns =
+                [cross(u, minus(c, a)), cross(u, minus(d, a)), cross(v, minus(a, c)), cross(v, minus(b, c))];
+            let meets = |x: i128, y: i128| x.signum() * y.signum() <= 0;
+            let opposite = |x: i128, y: i128| x.signum() * y.signum() < 0;
+            if turns.contains(&0) && meets(turns[0], turns[1]) && meets(turns[2], turns[3]) {
+                return Err(degenerate);
+            }
+            if opposite(turns[0], turns[1]) && opposite(turns[2], turns[3]) {
+                let t = turns[2] as f64 / (turns[2] - turns[3]) as f64;
+                let s = turns[0] as f64 / (turns[0] - turns[1]) as f64;
+                let place = [0, 1].map(|k| a[k] + (t * u[k] as f64).round() as i64);
+                places.push((t, place));
+                side.push((s, place));
+            }
+        }
+        places.sort_by(|x, y| x.0.total_cmp(&y.0));
+        let mut is_kept = shape.contains(a.map(|x| x as f64)) == keep_inside;
+        let mut from = a;
+        for to in places.into_iter().map(|(_, place)| place).chain([b]) {
+            if is_kept && from != to {
+                kept.push([from, to]);
+            }
+            is_kept = !is_kept;
+            from = to;
+        }
+    }
+    let mut sides = Vec::new();
+    for (i, mut places) in on_sides.into_iter().enumerate() {
+        places.sort_by(|x, y| x.0.total_cmp(&y.0));
+        let mut from = polygon[i];
+        for to in places.into_iter().map(|(_, place)| place).chain([polygon[(i + 1) % n]]) {
+            if from != to {
+                sides.push([from, to]);
+            }
+            from = to;
+        }
+    }
+    Ok([kept, sides])
+}
+
 impl Graph {
-    fn of(segments: impl Iterator<Item = [Corner; 2]>, outline: &[Corner]) -> Result<Self, PuzzleError> {
-        let degenerate = PuzzleError::Narrow { piece: 0 };
-        let as_points = outline.iter().map(|c| c.map(|x| x as f64)).collect();
-        let polygon = Outline::new(as_points).map_err(|_| degenerate.clone())?;
-        let n = outline.len();
-        let mut edges: Vec<[Corner; 2]> = Vec::new();
-        let mut on_sides: Vec<Vec<(f64, Corner)>> = vec![Vec::new(); n];
-        for [a, b] in segments {
-            let mut places: Vec<(f64, Corner)> = Vec::new();
-            for (i, side) in on_sides.iter_mut().enumerate() {
-                let [c, d] = [outline[i], outline[(i + 1) % n]];
-                let is_apart = |k: usize| a[k].max(b[k]) < c[k].min(d[k]) || c[k].max(d[k]) < a[k].min(b[k]);
-                if is_apart(0) || is_apart(1) {
-                    continue;
-                }
-                let (u, v) = (minus(b, a), minus(d, c));
-                let turns = [
-                    cross(u, minus(c, a)),
-                    cross(u, minus(d, a)),
-                    cross(v, minus(a, c)),
-                    cross(v, minus(b, c)),
-                ];
-                let meets = |x: i128, y: i128| x.signum() * y.signum() <= 0;
-                let opposite = |x: i128, y: i128| x.signum() * y.signum() < 0;
-                if turns.contains(&0) && meets(turns[0], turns[1]) && meets(turns[2], turns[3]) {
-                    return Err(degenerate);
-                }
-                if opposite(turns[0], turns[1]) && opposite(turns[2], turns[3]) {
-                    let t = turns[2] as f64 / (turns[2] - turns[3]) as f64;
-                    let s = turns[0] as f64 / (turns[0] - turns[1]) as f64;
-                    let place = [0, 1].map(|k| a[k] + (t * u[k] as f64).round() as i64);
-                    places.push((t, place));
-                    side.push((s, place));
-                }
-            }
-            places.sort_by(|x, y| x.0.total_cmp(&y.0));
-            let mut is_inside = polygon.contains(a.map(|x| x as f64));
-            let mut from = a;
-            for to in places.into_iter().map(|(_, place)| place).chain([b]) {
-                if is_inside && from != to {
-                    edges.push([from, to]);
-                }
-                is_inside = !is_inside;
-                from = to;
-            }
+    fn of(
+        segments: impl Iterator<Item = [Corner; 2]>,
+        outline: &[Corner],
+        whimsies: &[Vec<Corner>],
+    ) -> Result<Self, PuzzleError> {
+        let [mut edges, sides] = parted(segments, outline, true)?;
+        let doubled = sides.iter().map(|[a, b]| cross(*a, *b)).sum();
+        let mut around = Vec::new();
+        for (i, whimsy) in whimsies.iter().enumerate() {
+            let [outside, sides] = parted(edges.into_iter(), whimsy, false)?;
+            edges = outside;
+            around.extend(sides.into_iter().map(|side| (side, Some(i))));
         }
-        let mut doubled = 0;
-        for (i, mut places) in on_sides.into_iter().enumerate() {
-            places.sort_by(|x, y| x.0.total_cmp(&y.0));
-            let mut from = outline[i];
-            for to in places.into_iter().map(|(_, place)| place).chain([outline[(i + 1) % n]]) {
-                doubled += cross(from, to);
-                if from != to {
-                    edges.push([from, to]);
-                }
-                from = to;
-            }
+        let mut whimsy_of = vec![None; edges.len() + sides.len()];
+        edges.extend(sides);
+        for (side, whimsy) in around {
+            edges.push(side);
+            whimsy_of.push(whimsy);
         }
-        Ok(Self { is_alive: vec![true; edges.len()], edges, doubled })
+        Ok(Self { is_alive: vec![true; edges.len()], edges, whimsy_of, doubled })
+    }
+
+    /// The whimsy that a face is.
+    fn whimsy(&self, face: &Face) -> Option<usize> {
+        let first = self.whimsy_of[face.halves[0] / 2]?;
+        let is_side = |half: &usize| half.is_multiple_of(2) && self.whimsy_of[half / 2] == Some(first);
+        face.halves.iter().all(is_side).then_some(first)
     }
 
     fn tail(&self, half: usize) -> Corner {
@@ -212,14 +252,15 @@ impl Graph {
         let owner = self.owners(faces);
         let mut shared: BTreeMap<usize, f64> = BTreeMap::new();
         for half in &faces[face].halves {
-            if let Some(other) = owner[half ^ 1].filter(|other| *other != face) {
+            let is_open = self.whimsy_of[half / 2].is_none();
+            if let Some(other) = owner[half ^ 1].filter(|other| *other != face && is_open) {
                 let [x, y] = self.direction(*half).map(|x| x as f64);
                 *shared.entry(other).or_default() += libm::hypot(x, y);
             }
         }
         let Some((&other, _)) = shared.iter().max_by(|a, b| a.1.total_cmp(b.1)) else { return false };
         for half in &faces[face].halves {
-            if owner[half ^ 1] == Some(other) {
+            if owner[half ^ 1] == Some(other) && self.whimsy_of[half / 2].is_none() {
                 self.is_alive[half / 2] = false;
             }
         }
@@ -268,7 +309,8 @@ impl Graph {
             }
             loops.push(pieces);
         }
-        Puzzle { borders, loops, step, size, doubled_outline: self.doubled }
+        let whimsies = (0..faces.len()).filter(|f| self.whimsy(&faces[*f]).is_some()).collect();
+        Puzzle { borders, loops, step, size, doubled_outline: self.doubled, whimsies }
     }
 
     /// Whether a border cannot go on from the last one of a piece: it was made by another piece.

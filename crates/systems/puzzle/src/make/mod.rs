@@ -4,6 +4,7 @@ mod cells;
 mod clip;
 mod tabs;
 mod tree;
+mod whimsy;
 
 pub(crate) use clip::faces_within;
 pub(crate) use tree::lock_by_tabs;
@@ -50,6 +51,8 @@ pub struct PuzzleOptions {
     pub layout: Layout,
     /// What borders between pieces get.
     pub tab: Tab,
+    /// Outlines that become pieces of their own, each scaled to twice the mean area of a piece and placed where there is most room.
+    pub whimsies: Vec<Outline>,
     /// The seed of sites, of the sides that tabs point to, and of their places.
     pub seed: u64,
 }
@@ -62,6 +65,7 @@ impl Default for PuzzleOptions {
             pieces: 24,
             layout: Layout::Grid,
             tab: Tab::Knob,
+            whimsies: Vec::new(),
             seed: 0,
         }
     }
@@ -89,17 +93,27 @@ const ROUNDS: usize = 12;
 /// Within an outline, cells are cut along it, and parts of less than a third of the mean area become part of a neighbour: the number of
 /// pieces then only comes near to what is asked for. The outline gets corners where borders meet it, less than a step of the lattice away.
 ///
+/// Whimsies are cut out of the cells; their borders get a tab only where nothing else holds them.
+///
 /// # Errors
 /// [`PuzzleError`] for sizes and numbers out of range.
 pub fn make(options: &PuzzleOptions) -> Result<Puzzle, PuzzleError> {
     options.check()?;
     let mut random = Random::new(options.seed);
     let mut puzzle = match &options.outline {
-        None => rectangle(options, &mut random)?,
+        None if options.whimsies.is_empty() => rectangle(options, &mut random)?,
+        None => {
+            let [w, h] = options.size;
+            let sides = Outline::new(vec![[0.0, 0.0], [w, 0.0], [w, h], [0.0, h]]);
+            shaped(options, &sides.map_err(|_| PuzzleError::Narrow { piece: 0 })?, &mut random)?
+        }
         Some(outline) => shaped(options, outline, &mut random)?,
     };
     if options.tab != Tab::None {
         tabs::add(&mut puzzle, options.tab, &mut random);
+    }
+    if !puzzle.whimsies.is_empty() {
+        whimsy::hold(&mut puzzle, options.tab);
     }
     Ok(puzzle)
 }
@@ -120,6 +134,11 @@ impl PuzzleOptions {
         }
         if !(2..=MOST_PIECES).contains(&self.pieces) {
             return Err(PuzzleError::Pieces { found: self.pieces, most: MOST_PIECES });
+        }
+        for whimsy in &self.whimsies {
+            if let Some(crossing) = first_crossing(whimsy) {
+                return Err(PuzzleError::PieceCrossing { sides: crossing.sides, place: crossing.place });
+            }
         }
         if let Some(crossing) = self.outline.as_ref().and_then(first_crossing) {
             return Err(PuzzleError::Crossing { sides: crossing.sides, place: crossing.place });
@@ -171,6 +190,7 @@ fn shaped(options: &PuzzleOptions, outline: &Outline, random: &mut Random) -> Re
         return Err(PuzzleError::Crossing { sides: crossing.sides, place: crossing.place });
     }
     let corners: Vec<Corner> = rounded.points().iter().map(|p| p.map(|x| x as i64)).collect();
+    let whimsies = whimsy::placed(&options.whimsies, &rounded, options.pieces, random)?;
     let share = rounded.area() / (size[0] * size[1]);
     let unit = (rounded.area() / options.pieces as f64).sqrt();
     let in_frame = ((options.pieces as f64 / share).round() as usize).clamp(2, 4 * MOST_PIECES);
@@ -193,10 +213,10 @@ fn shaped(options: &PuzzleOptions, outline: &Outline, random: &mut Random) -> Re
     };
     let rounds = if options.layout == Layout::Voronoi { ROUNDS } else { 0 };
     for _ in 0..rounds {
-        let parts = cut(&mut sites, size, step, &corners, unit, random)?;
+        let parts = cut(&mut sites, size, step, (&corners, &[]), unit, random)?;
         sites = parts.centroids();
     }
-    cut(&mut sites, size, step, &corners, unit, random)
+    cut(&mut sites, size, step, (&corners, &whimsies), unit, random)
 }
 
 /// The parts of the cells of sites within an outline, with sites moved a little where that needs it.
@@ -204,13 +224,13 @@ fn cut(
     sites: &mut [Point],
     size: [f64; 2],
     step: f64,
-    outline: &[Corner],
+    (outline, whimsies): (&[Corner], &[Vec<Corner>]),
     unit: f64,
     random: &mut Random,
 ) -> Result<Puzzle, PuzzleError> {
     let mut found = Err(PuzzleError::Narrow { piece: 0 });
     for _ in 0..TRIES {
-        found = cells::partition(sites, size, step).and_then(|cells| clip::within(&cells, outline));
+        found = cells::partition(sites, size, step).and_then(|cells| clip::within(&cells, outline, whimsies));
         if found.is_ok() {
             break;
         }

@@ -24,7 +24,8 @@ pub(super) fn add(puzzle: &mut Puzzle, tab: Tab, random: &mut Random) {
     let unit = puzzle.unit() / puzzle.step;
     let mut space = Space::new(puzzle, unit);
     for border in 0..puzzle.borders.len() {
-        if puzzle.borders[border].right.is_none() {
+        let of = &puzzle.borders[border];
+        if of.right.is_none_or(|right| [of.left, right].iter().any(|piece| puzzle.whimsies.contains(piece))) {
             continue;
         }
         let side = if random.below(2) == 0 { 1.0 } else { -1.0 };

@@ -52,6 +52,13 @@ impl Map {
         self.radius
     }
 
+    /// The place of the least value in the table: for distances the point that lies deepest in the shape.
+    pub(super) fn deepest(&self) -> Point {
+        let least =
+            (0..self.values.len()).min_by(|i, j| self.values[*i].total_cmp(&self.values[*j])).unwrap_or(0);
+        [least % self.side, least / self.side].map(|i| i as f64 / self.scale - self.half)
+    }
+
     /// Whether values are distances: they change at most as fast as places do.
     pub(super) fn is_distance(&self) -> bool {
         self.answer == Answer::SignedDistance

@@ -57,6 +57,8 @@ pub struct LikeOptions<'o> {
     pub method: Method,
     /// Whether copies may be mirrored.
     pub mirrors: bool,
+    /// Whether the outline is what whole copies on the best lattice of the plane leave, near the one that is given: no piece is cut by it.
+    pub free_outline: bool,
     /// Limits. Where time ends, the best pieces found by then are made.
     pub limits: Limits,
     /// Watches, and may cancel.
@@ -69,6 +71,7 @@ impl Default for LikeOptions<'_> {
             shape: PieceShape::Built(PieceName::Classic),
             method: Method::default(),
             mirrors: true,
+            free_outline: false,
             limits: Limits::default(),
             progress: None,
         }
@@ -118,28 +121,42 @@ pub fn make_like(options: &PuzzleOptions, like: &LikeOptions) -> Result<Like, Pu
         }
     };
     let frame = Frame::new(options)?;
+    let most_pixels = regions::most_pixels(options.pieces, like.limits.memory)?;
     let (answer, variant) = match like.method {
         Method::Descent => (Answer::SignedDistance, Variant::Edges),
         Method::Lloyd { answer, variant, .. } => (answer, variant),
     };
     let map = Map::new(&target.outline, answer, variant, MAP);
     tell(0.0);
-    let Placed { poses, energy } = match like.method {
-        Method::Descent => {
-            place::place(&map, &frame.outline, options.pieces, like.mirrors, options.seed, &control, &tell)
-        }
-        Method::Lloyd { feedback, .. } => lloyd::lloyd(
-            &map,
-            &target.outline,
-            &frame.outline,
-            options.pieces,
-            feedback.then_some(like.mirrors),
-            options.seed,
-            &control,
-        ),
+    let (poses, energy, mut puzzle) = if like.free_outline {
+        let poses = place::on_lattice(&map, &frame.outline, options.pieces, like.mirrors, options.seed)?;
+        let (puzzle, poses) = frame.whole(&map, &poses, options.pieces, most_pixels)?;
+        (poses, Vec::new(), puzzle)
+    } else {
+        let Placed { poses, energy } = match like.method {
+            Method::Descent => place::place(
+                &map,
+                &frame.outline,
+                options.pieces,
+                like.mirrors,
+                options.seed,
+                &control,
+                &tell,
+            ),
+            Method::Lloyd { feedback, .. } => lloyd::lloyd(
+                &map,
+                &target.outline,
+                &frame.outline,
+                options.pieces,
+                feedback.then_some(like.mirrors),
+                options.seed,
+                &control,
+            ),
+        };
+        tell(0.9);
+        let puzzle = frame.puzzle(&map, &poses, options.pieces, most_pixels)?;
+        (poses, energy, puzzle)
     };
-    tell(0.9);
-    let mut puzzle = frame.puzzle(&map, &poses, options.pieces)?;
     smooth::smooth(&mut puzzle);
     let in_unit: Vec<Pose> = poses
         .iter()
@@ -196,8 +213,14 @@ impl Frame {
     }
 
     /// The regions of copies as pieces.
-    fn puzzle(&self, map: &Map, poses: &[Pose], most: usize) -> Result<Puzzle, PuzzleError> {
-        let borders = regions::borders(map, poses, &self.outline);
+    fn puzzle(
+        &self,
+        map: &Map,
+        poses: &[Pose],
+        most: usize,
+        most_pixels: f64,
+    ) -> Result<Puzzle, PuzzleError> {
+        let borders = regions::borders(map, poses, &self.outline, most_pixels);
         let mut found = Err(PuzzleError::Narrow { piece: 0 });
         for i in 0..TRIES {
             // Where a border passes through a corner of the outline, all borders move by a step.
@@ -211,5 +234,46 @@ impl Frame {
             }
         }
         found
+    }
+
+    /// The whole regions of the first copies, those of the others around them left out.
+    fn whole(
+        &self,
+        map: &Map,
+        poses: &[Pose],
+        count: usize,
+        most_pixels: f64,
+    ) -> Result<(Puzzle, Vec<Pose>), PuzzleError> {
+        let too_narrow = |_| PuzzleError::Narrow { piece: 0 };
+        let room = 1.2 * map.radius();
+        let places = || poses[..count].iter().map(|pose| pose.place);
+        let low = [0, 1].map(|k| places().map(|p| p[k]).fold(f64::INFINITY, f64::min) - room);
+        let high = [0, 1].map(|k| places().map(|p| p[k]).fold(f64::NEG_INFINITY, f64::max) + room);
+        let moved = |p: Point| [p[0] - low[0], p[1] - low[1]];
+        let [w, h] = moved(high);
+        let outline = Outline::new(vec![[0.0, 0.0], [w, 0.0], [w, h], [0.0, h]]).map_err(too_narrow)?;
+        let corner = |p: &Point| p.map(|x| (x * self.unit).round() as i64);
+        let wide = Self {
+            corners: outline.points().iter().map(corner).collect(),
+            size: corner(&[w, h]),
+            outline,
+            step: self.step,
+            unit: self.unit,
+        };
+        let moved: Vec<Pose> = poses.iter().map(|pose| Pose { place: moved(pose.place), ..*pose }).collect();
+        let all = wide.puzzle(map, &moved, usize::MAX, most_pixels)?;
+        // The piece of a copy holds the point that lies deepest in the copy.
+        let deepest = map.deepest();
+        let outlines: Vec<Option<Outline>> =
+            (0..all.pieces()).map(|piece| Outline::new(all.outline(piece)).ok()).collect();
+        let piece_of = |pose: &Pose| {
+            let p = pose.turn().to_place(deepest).map(|x| x * self.unit * self.step);
+            outlines.iter().position(|outline| outline.as_ref().is_some_and(|outline| outline.contains(p)))
+        };
+        let mut pieces: Vec<usize> = moved[..count].iter().filter_map(piece_of).collect();
+        pieces.sort_unstable();
+        pieces.dedup();
+        let puzzle = (pieces.len() == count).then(|| all.of_pieces(&pieces)).flatten();
+        puzzle.map(|puzzle| (puzzle, moved)).ok_or(PuzzleError::Outline)
     }
 }

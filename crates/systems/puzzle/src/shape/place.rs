@@ -4,6 +4,7 @@ use super::cover::Samples;
 use super::map::Map;
 use super::pose::Pose;
 use super::torus::{Lattice, lattices};
+use crate::PuzzleError;
 use pompeiu_core::mesh::edit::Random;
 use pompeiu_core::run::Control;
 use pompeiu_planar::{Outline, Point};
@@ -12,6 +13,9 @@ use rayon::prelude::*;
 /// Lattices that are tried on the outline, and places for each.
 const LATTICES: usize = 6;
 const PLACES: usize = 300;
+
+/// How far beyond the box of the outline copies are looked for, over the radius of the shape.
+const BEYOND: f64 = 3.0;
 
 /// Starts that descend.
 const STARTS: usize = 8;
@@ -114,6 +118,35 @@ pub(super) fn place(
     best
 }
 
+/// So many copies of the best lattice, as near to an outline as any of some places, and after them all those around them.
+///
+/// # Errors
+/// [`PuzzleError::Outline`] where no lattice has that many within reach.
+pub(super) fn on_lattice(
+    map: &Map,
+    outline: &Outline,
+    count: usize,
+    mirrors: bool,
+    seed: u64,
+) -> Result<Vec<Pose>, PuzzleError> {
+    let found = lattices(map, 1, mirrors, seed);
+    let best = found.first().ok_or(PuzzleError::Outline)?;
+    let coarse = Samples::new(outline, COARSE);
+    let tries: Vec<(f64, Vec<Pose>)> = (0..PLACES)
+        .into_par_iter()
+        .filter_map(|i| {
+            let mut random = Random::new(seed ^ (i as u64 + 1).wrapping_mul(0x517c_c1b7));
+            let all = around(best, outline, map.radius(), &mut random)?;
+            let poses = all.get(..count)?;
+            let mut total = 0.0;
+            coarse.each(map, poses, |_, _, v| total += super::descend::hinge(v, 0.06).0);
+            Some((total, all))
+        })
+        .collect();
+    let nearest = tries.into_iter().min_by(|a, b| a.0.total_cmp(&b.0));
+    nearest.map(|(_, poses)| poses).ok_or(PuzzleError::Outline)
+}
+
 fn last(placed: &Placed) -> f64 {
     placed.energy.last().copied().unwrap_or(f64::INFINITY)
 }
@@ -126,9 +159,19 @@ fn on_outline(
     radius: f64,
     random: &mut Random,
 ) -> Option<Vec<Pose>> {
+    let mut found = around(lattice, outline, radius, random)?;
+    if found.len() < count {
+        return None;
+    }
+    found.truncate(count);
+    Some(found)
+}
+
+/// The copies of a lattice, turned and moved at random, within and around an outline, the deepest first.
+fn around(lattice: &Lattice, outline: &Outline, radius: f64, random: &mut Random) -> Option<Vec<Pose>> {
     let [low, high] = outline.bounds();
     let middle = [0, 1].map(|k| 0.5 * (low[k] + high[k]));
-    let reach = 0.5 * libm::hypot(high[0] - low[0], high[1] - low[1]) + radius;
+    let reach = 0.5 * libm::hypot(high[0] - low[0], high[1] - low[1]) + BEYOND * radius;
     // Every other try along an axis.
     let angle = if random.below(2) == 0 {
         let along = lattice.basis[random.below(2) as usize];
@@ -153,18 +196,15 @@ fn on_outline(
             for copy in &lattice.copies {
                 let own = turn(copy.place);
                 let place = [0, 1].map(|k| middle[k] + f * u[k] + g * v[k] + own[k]);
-                if (0..2).any(|k| place[k] < low[k] - radius || place[k] > high[k] + radius) {
+                if (0..2).any(|k| place[k] < low[k] - BEYOND * radius || place[k] > high[k] + BEYOND * radius)
+                {
                     continue;
                 }
                 found.push((depth(outline, place), Pose { place, angle: copy.angle + angle, ..*copy }));
             }
         }
     }
-    if found.len() < count {
-        return None;
-    }
     found.sort_by(|a, b| b.0.total_cmp(&a.0));
-    found.truncate(count);
     Some(found.into_iter().map(|(_, pose)| pose).collect())
 }
 

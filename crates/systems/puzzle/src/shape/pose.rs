@@ -50,7 +50,7 @@ impl Turned {
         [self.cosine * x + self.sine * y, self.cosine * y - self.sine * x]
     }
 
-    fn to_place(self, [x, y]: Point) -> Point {
+    pub(super) fn to_place(self, [x, y]: Point) -> Point {
         let x = self.hand * x;
         [self.place[0] + self.cosine * x - self.sine * y, self.place[1] + self.sine * x + self.cosine * y]
     }

@@ -3,6 +3,7 @@
 use super::cover::{candidates, least};
 use super::map::Map;
 use super::pose::{Pose, Turned};
+use crate::PuzzleError;
 use pompeiu_planar::{Outline, Point, fill};
 use rayon::prelude::*;
 use std::collections::VecDeque;
@@ -10,6 +11,10 @@ use std::collections::VecDeque;
 /// Pixels for a unit of length, fewer where that would be too many.
 const PIXELS: f64 = 40.0;
 const MOST_PIXELS: f64 = 40e6;
+
+/// Bytes for each pixel while regions are found, and the fewest pixels for a piece that show its shape.
+const BYTES: f64 = 16.0;
+const LEAST_PIXELS: f64 = 400.0;
 
 /// Pixels around the outline.
 const MARGIN: usize = 4;
@@ -35,6 +40,19 @@ pub(super) struct Regions {
     labels: Vec<u32>,
 }
 
+/// The most pixels that a picture of regions may have.
+///
+/// # Errors
+/// [`PuzzleError::Memory`] where the limit leaves too few to show the pieces.
+pub(super) fn most_pixels(pieces: usize, memory: Option<usize>) -> Result<f64, PuzzleError> {
+    let Some(limit) = memory else { return Ok(MOST_PIXELS) };
+    let needed = LEAST_PIXELS * BYTES * pieces as f64;
+    if (limit as f64) < needed {
+        return Err(PuzzleError::Memory { needed: needed as usize, limit });
+    }
+    Ok((limit as f64 / BYTES).min(MOST_PIXELS))
+}
+
 /// The borders between the regions of least value on and around an outline, as segments that meet at their ends only.
 ///
 /// Each region is connected: smaller parts of it belong to what is around them.
@@ -42,18 +60,18 @@ pub(super) struct Regions {
 /// # Definition
 /// Marching squares for many labels: a border passes between the centres of two pixels where the values of their copies are equal, and
 /// where three regions or four meet there is a junction.
-pub(super) fn borders(map: &Map, poses: &[Pose], outline: &Outline) -> Vec<[Point; 2]> {
+pub(super) fn borders(map: &Map, poses: &[Pose], outline: &Outline, most_pixels: f64) -> Vec<[Point; 2]> {
     let turned: Vec<Turned> = poses.iter().map(Pose::turn).collect();
-    let mut regions = Regions::new(map, &turned, outline);
+    let mut regions = Regions::new(map, &turned, outline, most_pixels);
     regions.connect(outline, poses.len());
     regions.segments(map, &turned)
 }
 
 impl Regions {
-    fn new(map: &Map, poses: &[Turned], outline: &Outline) -> Self {
+    fn new(map: &Map, poses: &[Turned], outline: &Outline, most_pixels: f64) -> Self {
         let [low, high] = outline.bounds();
         let extent = [high[0] - low[0], high[1] - low[1]];
-        let per_unit = PIXELS.min((MOST_PIXELS / (extent[0] * extent[1])).sqrt());
+        let per_unit = PIXELS.min((most_pixels / (extent[0] * extent[1])).sqrt());
         let step = 1.0 / per_unit;
         let count = extent.map(|x| (x * per_unit).ceil() as usize + 2 * MARGIN);
         let [width, height] = count;

@@ -1,9 +1,10 @@
 //! Pieces like a shape: how like they are, that they tile exactly, and what Lloyd's method does.
 
+use pompeiu_core::run::Limits;
 use pompeiu_planar::{Outline, first_crossing};
 use pompeiu_puzzle::{
-    Answer, Like, LikeOptions, Method, PieceName, PieceShape, PuzzleOptions, Tab, Variant, lock, make_like,
-    report_like,
+    Answer, Like, LikeOptions, Method, PieceName, PieceShape, PuzzleError, PuzzleOptions, Tab, Variant, lock,
+    make_like, report_like,
 };
 
 pub(super) fn like(shape: PieceName, pieces: usize, tab: Tab, seed: u64) -> Like {
@@ -96,4 +97,22 @@ fn lloyd_with_each_metric_tiles_and_rises_now_and_then() {
     }
     // The source expects it to settle; the centroid does not minimise the metric.
     assert!(rises > 0);
+}
+
+#[test]
+fn whole_copies_make_an_outline_of_their_own() {
+    let options = PuzzleOptions { pieces: 8, seed: 1, ..PuzzleOptions::default() };
+    let shape = PieceShape::Built(PieceName::Hexagon);
+    let made =
+        make_like(&options, &LikeOptions { shape, free_outline: true, ..LikeOptions::default() }).unwrap();
+    let report = report_like(&made);
+    assert!(report.area.is_exact && report.locked && made.puzzle.pieces() == 8);
+    // Every piece is like the shape: none is cut by the outline. And the outline is near the one that is given.
+    assert!(report.pieces.iter().all(|piece| piece.similarity.unwrap().iou > 0.93), "{:?}", mean_iou(&made));
+    assert!((report.area.outline / 60_000.0 - 1.0).abs() < 0.05);
+    let outer = Outline::new(made.puzzle.outer()).unwrap();
+    assert!(first_crossing(&outer).is_none() && outer.points().len() > 40);
+    let memory = Limits { memory: Some(1000), ..Limits::default() };
+    let few = make_like(&options, &LikeOptions { limits: memory, ..LikeOptions::default() });
+    assert!(matches!(few, Err(PuzzleError::Memory { limit: 1000, .. })));
 }

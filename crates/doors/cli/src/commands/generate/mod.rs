@@ -1,6 +1,7 @@
 //! `pompeiu generate`.
 
 mod args;
+mod planar;
 mod run;
 mod shape;
 

@@ -11,12 +11,21 @@ use pompeiu::core::mesh::shapes::{self, Ends};
 use pompeiu::core::mesh::{Affine, displace_at_random, ripple, shuffle, subdivide, transform, unweld};
 
 pub(crate) fn run(args: &Generate, printer: &Printer) -> anyhow::Result<Exit> {
-    let (mesh, finish) = make(&args.shape, printer)?;
-    files::write(&finish.output, &finished(mesh, finish)?, printer)?;
+    match &args.shape {
+        Shape::Polyline(curve) => curve.write(printer)?,
+        Shape::NoisyCircle(circle) => circle.write(printer)?,
+        shape => write(shape, printer)?,
+    }
     Ok(Exit::Done)
 }
 
-fn make<'s>(shape: &'s Shape, printer: &Printer) -> anyhow::Result<(TriMesh, &'s Finish)> {
+fn write(shape: &Shape, printer: &Printer) -> anyhow::Result<()> {
+    let Some((mesh, finish)) = make(shape, printer)? else { return Ok(()) };
+    files::write(&finish.output, &finished(mesh, finish)?, printer)
+}
+
+/// The mesh of a shape; none of one in the plane.
+fn make<'s>(shape: &'s Shape, printer: &Printer) -> anyhow::Result<Option<(TriMesh, &'s Finish)>> {
     let ends = |capped| if capped { Ends::Capped } else { Ends::Open };
     let (mesh, finish) = match shape {
         Shape::Icosphere { radius, subdivisions, finish } => {
@@ -68,6 +77,7 @@ fn make<'s>(shape: &'s Shape, printer: &Printer) -> anyhow::Result<(TriMesh, &'s
             files::check_place(&finish.output, &[input])?;
             (shapes::span(&pompeiu::io::read_loops(input)?, *rows), finish)
         }
+        Shape::Polyline(_) | Shape::NoisyCircle(_) => return Ok(None),
         Shape::Mesh { input, finish } => {
             files::check_writable(&finish.output)?;
             if files::are_same(input, &finish.output) {
@@ -78,7 +88,7 @@ fn make<'s>(shape: &'s Shape, printer: &Printer) -> anyhow::Result<(TriMesh, &'s
             (Ok(read.mesh), finish)
         }
     };
-    Ok((mesh?, finish))
+    Ok(Some((mesh?, finish)))
 }
 
 /// Applies the edits in the order in which the help lists them.

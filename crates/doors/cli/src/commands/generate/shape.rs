@@ -315,6 +315,10 @@ pub(crate) enum Shape {
         #[command(flatten)]
         finish: Finish,
     },
+    /// Closed curve through random points in the plane, more complex the more there are
+    Polyline(super::planar::Polyline),
+    /// Circle of pixels in the plane whose border random walks have roughened
+    NoisyCircle(super::planar::NoisyCircle),
     /// The mesh of a file, to be edited
     Mesh {
         /// The mesh file to read

@@ -18,16 +18,25 @@ small become part of a neighbour.
 Shapes for --piece: square, hexagon, classic (knobs on opposite sides), corner (knobs on sides that meet), fish, bird, star, or a file:
 a picture (its largest part), a drawing or a list of points.
 
+With --kerf, the paths of --output lie half a cut outside of their pieces, which are pulled apart so far that no two paths meet. Those of --cuts are
+cut once and leave a gap: whether pieces hold each other with it is tested, over all paths of finite motions of each two of them.
+
 Outputs, by suffix:
   .svg   one closed path for each piece
   .dxf   the same as polylines
+  .png   the pieces as a picture
 
 Examples:
   pompeiu puzzle --pieces 48 --size 300,200 -o pieces.svg --cuts laser.svg
   pompeiu puzzle --layout voronoi --tab dovetail --seed 7 --report puzzle.html
   pompeiu puzzle --piece bird -n 24 -o birds.svg --report birds.html
   pompeiu puzzle --piece fish.png --outline lake.svg --tab dovetail --cuts laser.dxf
+  pompeiu puzzle --piece bird --free-outline -n 30 -o flock.svg
+  pompeiu puzzle --layout voronoi -n 60 --whimsy cat.png --whimsy star.svg -o whimsies.svg
   pompeiu puzzle --outline cat.png --layout voronoi -n 40 -o cat.svg
+  pompeiu puzzle -n 48 --kerf 0.2 --cuts laser.svg -o pieces.svg
+  pompeiu puzzle --image photo.jpg -o photo.png --report photo.html
+  pompeiu puzzle --layout voronoi --tab none --motion apart.svg
   pompeiu puzzle --layout hexagons --tab none --json")]
 #[allow(clippy::struct_excessive_bools, reason = "each one is a switch of the command")]
 pub(crate) struct Puzzle {
@@ -58,6 +67,12 @@ pub(crate) struct Puzzle {
     /// Mirror no copy of the shape
     #[arg(long, requires = "piece")]
     pub(crate) no_mirrors: bool,
+    /// Let the outline be what whole copies leave, so that it cuts no piece; it comes near to the one asked for
+    #[arg(long, requires = "piece", conflicts_with = "method")]
+    pub(crate) free_outline: bool,
+    /// Make a piece of an outline, twice as large as the others: a picture (its largest part), a drawing or a list of points; may be repeated
+    #[arg(long, value_name = "FILE", conflicts_with = "piece")]
+    pub(crate) whimsy: Vec<PathBuf>,
     /// What pieces are before they get tabs
     #[arg(long, value_enum, default_value_t)]
     pub(crate) layout: LayoutName,
@@ -67,7 +82,7 @@ pub(crate) struct Puzzle {
     /// Seed of places and sides
     #[arg(long, default_value = "0", value_name = "SEED")]
     pub(crate) seed: u64,
-    /// Write the pieces: .svg or .dxf
+    /// Write the pieces: .svg, .dxf or .png
     #[arg(long, short, value_name = "OUT")]
     pub(crate) output: Option<PathBuf>,
     /// Pull the pieces in --output apart, by this factor of their distance from the middle
@@ -76,6 +91,15 @@ pub(crate) struct Puzzle {
     /// Write each border once, in the order to cut them: .svg or .dxf
     #[arg(long, value_name = "OUT")]
     pub(crate) cuts: Option<PathBuf>,
+    /// Width of the cut: paths are moved by half of it, and whether the puzzle holds with the gap is tested
+    #[arg(long, default_value = "0", value_parser = crate::numbers::magnitude, value_name = "WIDTH")]
+    pub(crate) kerf: f64,
+    /// A picture to lie on the pieces in --output (.svg, .png) and --report: PNG, JPEG, GIF or BMP
+    #[arg(long, value_name = "PICTURE")]
+    pub(crate) image: Option<PathBuf>,
+    /// Write the motion that takes a puzzle apart which is not locked: .svg plays it, .png shows its end
+    #[arg(long, value_name = "OUT")]
+    pub(crate) motion: Option<PathBuf>,
     /// Write a page on which pieces can be dragged, one file that needs no network
     #[arg(long, value_name = "FILE.html")]
     pub(crate) report: Option<PathBuf>,

@@ -8,12 +8,13 @@ use crate::interrupt;
 use crate::printer::Printer;
 use crate::wait::Wait;
 use anyhow::{Context, bail};
-use pompeiu::core::run::{Limits, Progress, StopReason};
+use pompeiu::core::run::{Control, Limits, Progress, StopReason};
 use pompeiu::planar::silhouette::SilhouetteOptions;
 use pompeiu::planar::{Outline, read_region};
 use pompeiu::puzzle::{
-    LikeOptions, PieceName, PieceShape, Puzzle, PuzzleOptions, PuzzleReport, cuts_dxf, cuts_svg, make,
-    make_like, page, pieces_dxf, pieces_svg, report, report_like,
+    LikeOptions, Motion, PieceDrawing, PieceName, PieceShape, Print, Puzzle, PuzzleOptions, PuzzleReport,
+    cuts_dxf, cuts_svg, kerf, make, make_like, motion_png, motion_svg, page, pieces_dxf, pieces_png,
+    pieces_svg, report, report_like, take_apart,
 };
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -22,6 +23,8 @@ use std::time::Instant;
 pub(super) struct Outcome {
     pub(super) puzzle: Puzzle,
     pub(super) report: PuzzleReport,
+    /// How it comes apart, where it does and somebody wants to see it.
+    pub(super) motion: Option<Motion>,
     /// Why placing pieces ended before it was done.
     pub(super) stop: Option<StopReason>,
 }
@@ -31,26 +34,45 @@ pub(super) struct Outcome {
 enum Drawing {
     Svg,
     Dxf,
+    Png,
 }
 
 pub(crate) fn run(args: &Args, printer: &Printer) -> anyhow::Result<Exit> {
     let started = Instant::now();
-    let outputs: Vec<&Path> =
-        [&args.output, &args.cuts, &args.report].into_iter().flatten().map(PathBuf::as_path).collect();
+    let outputs: Vec<&Path> = [&args.output, &args.cuts, &args.motion, &args.report]
+        .into_iter()
+        .flatten()
+        .map(PathBuf::as_path)
+        .collect();
     let shape_file = args.piece.as_deref().filter(|name| PieceName::named(name).is_none()).map(Path::new);
-    let inputs: Vec<&Path> = args.outline.iter().map(PathBuf::as_path).chain(shape_file).collect();
+    let inputs: Vec<&Path> = args
+        .outline
+        .iter()
+        .chain(&args.image)
+        .chain(&args.whimsy)
+        .map(PathBuf::as_path)
+        .chain(shape_file)
+        .collect();
     files::check_places(outputs, &inputs)?;
     args.limits.apply_threads()?;
     interrupt::listen();
-    let [output, cuts] = [&args.output, &args.cuts];
-    let (output_kind, cuts_kind) = (kind(output.as_deref())?, kind(cuts.as_deref())?);
+    let output_kind = kind(args.output.as_deref(), &[Drawing::Svg, Drawing::Dxf, Drawing::Png])?;
+    let cuts_kind = kind(args.cuts.as_deref(), &[Drawing::Svg, Drawing::Dxf])?;
+    let motion_kind = kind(args.motion.as_deref(), &[Drawing::Svg, Drawing::Png])?;
+    let print = args
+        .image
+        .as_deref()
+        .map(|path| printed(path).with_context(|| path.display().to_string()))
+        .transpose()?;
     let shown = || args.outline.as_ref().map_or_else(String::new, |path| path.display().to_string());
     let outline = match &args.outline {
         Some(path) => Some(whole(path).with_context(shown)?),
         None => None,
     };
+    let whimsies = args.whimsy.iter().map(|path| whole(path).with_context(|| path.display().to_string()));
     let options = PuzzleOptions {
         outline,
+        whimsies: whimsies.collect::<anyhow::Result<_>>()?,
         size: args.size,
         pieces: args.pieces,
         layout: args.layout.into(),
@@ -75,7 +97,8 @@ pub(crate) fn run(args: &Args, printer: &Printer) -> anyhow::Result<Exit> {
             shape,
             method: args.method(),
             mirrors: !args.no_mirrors,
-            limits: Limits { time: args.limits.time_after(started.elapsed()), ..Limits::default() },
+            free_outline: args.free_outline,
+            limits: args.limits.after(started.elapsed()),
             progress: Some(&watch),
         };
         let made = make_like(&options, &like)?;
@@ -90,27 +113,51 @@ pub(crate) fn run(args: &Args, printer: &Printer) -> anyhow::Result<Exit> {
         (puzzle, report, None)
     };
     let made = started.elapsed();
-    if let (Some(path), Some(kind)) = (output, output_kind) {
+    if args.kerf > 0.0 {
+        let limits = Limits { time: args.limits.time_after(started.elapsed()), ..Limits::default() };
+        report.kerf = Some(kerf(&puzzle, args.kerf, &Control::start(&limits)));
+    }
+    let is_shown = args.motion.is_some() || args.report.is_some();
+    let motion = if is_shown { take_apart(&puzzle, &report.found) } else { None };
+    let drawing = PieceDrawing { pull: args.pull, kerf: args.kerf, print: print.as_ref() };
+    if let (Some(path), Some(kind)) = (&args.output, output_kind) {
+        let content = match kind {
+            Drawing::Svg => pieces_svg(&puzzle, &drawing).into_bytes(),
+            Drawing::Dxf => pieces_dxf(&puzzle, &drawing).into_bytes(),
+            Drawing::Png => png(path, pieces_png(&puzzle, print.as_ref()))?,
+        };
+        files::write_whole(path, &content, printer)?;
+    }
+    if let (Some(path), Some(kind)) = (&args.cuts, cuts_kind) {
         let text = match kind {
-            Drawing::Svg => pieces_svg(&puzzle, args.pull),
-            Drawing::Dxf => pieces_dxf(&puzzle),
+            Drawing::Dxf => cuts_dxf(&puzzle, args.kerf),
+            _ => cuts_svg(&puzzle, args.kerf),
         };
         files::write_whole(path, text.as_bytes(), printer)?;
     }
-    if let (Some(path), Some(kind)) = (cuts, cuts_kind) {
-        let text = match kind {
-            Drawing::Svg => cuts_svg(&puzzle),
-            Drawing::Dxf => cuts_dxf(&puzzle),
-        };
-        files::write_whole(path, text.as_bytes(), printer)?;
+    if let (Some(path), Some(kind)) = (&args.motion, motion_kind) {
+        match &motion {
+            Some(motion) => {
+                let content = match kind {
+                    Drawing::Png => png(path, motion_png(&puzzle, motion))?,
+                    _ => motion_svg(&puzzle, motion).into_bytes(),
+                };
+                files::write_whole(path, &content, printer)?;
+            }
+            None => printer.warning(format_args!(
+                "{}: not written, for no motion takes the puzzle apart",
+                path.display()
+            )),
+        }
     }
     if let Some(path) = &args.report {
         let title = format!("Puzzle of {} pieces", puzzle.pieces());
-        files::write_whole(path, page(&puzzle, &report, &title).as_bytes(), printer)?;
+        let text = page(&puzzle, &report, motion.as_ref(), print.as_ref(), &title);
+        files::write_whole(path, text.as_bytes(), printer)?;
     }
     report.timing.total = started.elapsed();
     report.timing.make = made.saturating_sub(report.timing.lock + report.timing.depth);
-    let outcome = Outcome { puzzle, report, stop };
+    let outcome = Outcome { puzzle, report, motion, stop };
     Printer::answer(&if args.json { json::json(&outcome)? } else { text::text(&outcome) })?;
     Ok(if outcome.stop.is_some() { Exit::Undecided } else { Exit::Done })
 }
@@ -127,15 +174,35 @@ fn whole(path: &Path) -> anyhow::Result<Outline> {
     Ok(region.outer)
 }
 
-/// The kind of drawing that a suffix names.
-fn kind(path: Option<&Path>) -> anyhow::Result<Option<Drawing>> {
+/// The picture in a file.
+fn printed(path: &Path) -> anyhow::Result<Print> {
+    files::check_readable(path)?;
+    Ok(Print::read(&std::fs::read(path)?)?)
+}
+
+fn png(path: &Path, found: Result<Vec<u8>, String>) -> anyhow::Result<Vec<u8>> {
+    found.map_err(|why| anyhow::anyhow!("{}: {why}", path.display()))
+}
+
+impl Drawing {
+    fn suffix(self) -> &'static str {
+        match self {
+            Self::Svg => ".svg",
+            Self::Dxf => ".dxf",
+            Self::Png => ".png",
+        }
+    }
+}
+
+/// The kind of drawing that a suffix names, one of those that may be.
+fn kind(path: Option<&Path>, kinds: &[Drawing]) -> anyhow::Result<Option<Drawing>> {
     let Some(path) = path else { return Ok(None) };
-    let is = |suffix: &str| path.extension().is_some_and(|found| found.eq_ignore_ascii_case(suffix));
-    Ok(Some(if is("svg") {
-        Drawing::Svg
-    } else if is("dxf") {
-        Drawing::Dxf
-    } else {
-        bail!("{}: puzzles are written as .svg or .dxf", path.display())
-    }))
+    let is = |kind: &&Drawing| {
+        path.extension().is_some_and(|found| found.eq_ignore_ascii_case(&kind.suffix()[1..]))
+    };
+    let Some(kind) = kinds.iter().find(is) else {
+        let names: Vec<&str> = kinds.iter().map(|kind| kind.suffix()).collect();
+        bail!("{}: puzzles are written here as {}", path.display(), names.join(" or "))
+    };
+    Ok(Some(*kind))
 }

@@ -31,18 +31,45 @@ pub(super) fn text(outcome: &Outcome) -> String {
             &format!("{}: holds without detail of up to {depth} of a piece's side", few(depth * unit)),
         );
     }
+    if let Some(kerf) = &report.kerf {
+        let width = few(kerf.width);
+        let verdict = match kerf.widest {
+            Some(widest) if widest > kerf.width => {
+                format!(
+                    "{width}: no two pieces can part with that gap between them, nor with one of {}",
+                    few(widest)
+                )
+            }
+            Some(_) => format!("{width}: no two pieces can part with that gap between them"),
+            None => format!(
+                "{width}: not shown to hold with that gap; {} parts that do",
+                number(kerf.clusters.len())
+            ),
+        };
+        page.row("cut", &verdict);
+        if !kerf.split.is_empty() {
+            page.row(
+                "",
+                &format!(
+                    "{} pieces are cut in parts, or away: {}",
+                    number(kerf.split.len()),
+                    names(&kerf.split)
+                ),
+            );
+        }
+    }
     let free: Vec<usize> =
         report.pieces.iter().filter(|piece| piece.lock == "free").map(|piece| piece.id).collect();
     if !free.is_empty() {
-        const SHOWN: usize = 12;
-        let names = free.iter().take(SHOWN).map(ToString::to_string).collect::<Vec<_>>().join(", ");
-        let more = if free.len() > SHOWN { ", …" } else { "" };
-        page.row("free", &format!("{} pieces: {names}{more}", number(free.len())));
+        page.row("free", &format!("{} pieces: {}", number(free.len()), names(&free)));
     }
     page.row(
         "pieces",
         &format!("{} in {} clusters", number(report.pieces.len()), number(report.clusters.len())),
     );
+    if !outcome.puzzle.whimsies().is_empty() {
+        page.row("whimsies", &format!("pieces {}", names(outcome.puzzle.whimsies())));
+    }
     likeness(&mut page, outcome);
     let exact = if report.area.is_exact { "equal in integers" } else { "not equal" };
     page.row(
@@ -55,8 +82,19 @@ pub(super) fn text(outcome: &Outcome) -> String {
             &format!("{} borders between pieces have no tab", number(report.straight_borders)),
         );
     }
+    if let Some(motion) = &outcome.motion {
+        let end = if motion.is_apart { "until they are apart" } else { "as far as it was followed" };
+        page.row("motion", &format!("of {} pieces, {end}", number(motion.moving().count())));
+    }
     page.row("time", &format!("lock {}, total {}", time(report.timing.lock), time(report.timing.total)));
     page.into_text()
+}
+
+/// The first numbers of a list.
+fn names(list: &[usize]) -> String {
+    const SHOWN: usize = 12;
+    let names = list.iter().take(SHOWN).map(ToString::to_string).collect::<Vec<_>>().join(", ");
+    names + if list.len() > SHOWN { ", …" } else { "" }
 }
 
 /// How much pieces are like the shape: all, those inside, those at the outline.

@@ -1,0 +1,191 @@
+//! Whether two pieces with a gap between them can part.
+
+use crate::Puzzle;
+use pompeiu_core::run::Control;
+use pompeiu_planar::{Outline, Point, distance_to_outline};
+use std::collections::{BTreeSet, BinaryHeap};
+
+/// Sides of cells, over the width of the cut: the next one is tried where a path leaks at the one before.
+const CELLS: [f64; 4] = [1.0, 0.5, 0.25, 0.125];
+
+/// Cells that are looked at before it is given up.
+const MOST: usize = 60_000;
+
+/// How far one piece may go before it has left the other one, over the size of what they share; and by how much it may turn.
+const REACH: f64 = 0.5;
+const MOST_TURN: f64 = 0.7;
+
+/// Points on each side of what two pieces share, at most.
+const POINTS: usize = 160;
+
+/// Of all that is said here, a part of this size is given to rounding, over the width of the cut.
+const ROUNDING: f64 = 1e-6;
+
+/// Two pieces with a gap between them.
+///
+/// A motion of the first one turns it about the middle of what both share by θ and moves it by t. The space of (t, θ) is divided into cells. A
+/// cell is closed if some point of one piece, at its middle, lies so deep in the other one that no motion in the cell brings it out: deeper
+/// than half the cut, which is what the other one has lost, and than the greatest distance that a point moves within the cell. The points are
+/// those that lie half the cut below the side of their own piece. From the place where the pieces belong, all cells that are not closed
+/// are walked to; if that ends before one is far away, no path of motions parts the pieces.
+pub(super) struct Pair {
+    pieces: [Outline; 2],
+    /// Points that the cut leaves of each piece.
+    points: [Vec<Point>; 2],
+    middle: Point,
+    size: f64,
+    width: f64,
+}
+
+impl Pair {
+    /// None where the cut leaves nothing of what both share.
+    pub(super) fn new(puzzle: &Puzzle, pair: [usize; 2], borders: &[usize], width: f64) -> Option<Self> {
+        let pieces =
+            [Outline::new(puzzle.outline(pair[0])).ok()?, Outline::new(puzzle.outline(pair[1])).ok()?];
+        let shared: Vec<Vec<Point>> = borders.iter().map(|border| puzzle.border_points(*border)).collect();
+        let length: f64 = shared.iter().flat_map(|path| path.windows(2)).map(|p| distance(p[0], p[1])).sum();
+        let spacing = (0.5 * width).max(length / POINTS as f64);
+        let mut points = [Vec::new(), Vec::new()];
+        let mut all: Vec<Point> = Vec::new();
+        for (path, border) in shared.iter().zip(borders) {
+            let first_is_left = puzzle.borders()[*border].left == pair[0];
+            all.extend(path);
+            for (on, across) in below(path, spacing) {
+                for (piece, sign) in [(usize::from(!first_is_left), 1.0), (usize::from(first_is_left), -1.0)]
+                {
+                    let depth = sign * 0.5 * (1.0 + ROUNDING) * width;
+                    let p = [0, 1].map(|k| on[k] + depth * across[k]);
+                    let own = &pieces[piece];
+                    if own.contains(p) && distance_to_outline(p, own) >= 0.5 * width {
+                        points[piece].push(p);
+                    }
+                }
+            }
+        }
+        let n = all.len() as f64;
+        let middle = [0, 1].map(|k| all.iter().map(|p| p[k]).sum::<f64>() / n);
+        let size = all.iter().map(|p| distance(*p, middle)).fold(0.0, f64::max);
+        (size > 0.0).then_some(Self { pieces, points, middle, size, width })
+    }
+
+    /// Whether no path parts the pieces. `false` where that is not shown.
+    pub(super) fn holds(&self, control: &Control) -> bool {
+        CELLS.iter().any(|cell| !control.is_stopped() && self.is_enclosed(cell * self.width))
+    }
+
+    fn is_enclosed(&self, side: f64) -> bool {
+        let turn = side / self.size;
+        let reach = REACH * self.size;
+        let mut seen = BTreeSet::from([[0_i32; 3]]);
+        // The farthest first: a path that leads away is found soon.
+        let mut open = BinaryHeap::from([(0, [0_i32; 3])]);
+        let mut last = [0, 0];
+        while let Some((_, cell)) = open.pop() {
+            let [x, y, theta] = cell.map(f64::from);
+            let (shift, angle) = ([side * x, side * y], turn * theta);
+            if self.is_closed(shift, angle, side, turn, &mut last) {
+                continue;
+            }
+            if libm::hypot(shift[0], shift[1]) > reach || angle.abs() > MOST_TURN || seen.len() > MOST {
+                return false;
+            }
+            for k in 0..3 {
+                for way in [-1, 1] {
+                    let mut next = cell;
+                    next[k] += way;
+                    if seen.insert(next) {
+                        open.push((next.map(|i| i * i).iter().sum::<i32>(), next));
+                    }
+                }
+            }
+        }
+        true
+    }
+
+    /// Whether the pieces go into each other at every motion of a cell. `last` remembers the points that showed it for the cell before.
+    fn is_closed(&self, shift: Point, angle: f64, side: f64, turn: f64, last: &mut [usize; 2]) -> bool {
+        let (sine, cosine) = libm::sincos(angle);
+        let own = 0.5 * (1.0 + ROUNDING) * self.width;
+        let translation = side * std::f64::consts::FRAC_1_SQRT_2;
+        for piece in 0..2 {
+            let other = &self.pieces[1 - piece];
+            let n = self.points[piece].len();
+            for i in 0..n {
+                let i = (last[piece] + i) % n;
+                let p = self.points[piece][i];
+                let q = [0, 1].map(|k| p[k] - self.middle[k]);
+                let moved = if piece == 0 {
+                    [cosine * q[0] - sine * q[1] + shift[0], sine * q[0] + cosine * q[1] + shift[1]]
+                } else {
+                    let q = [q[0] - shift[0], q[1] - shift[1]];
+                    [cosine * q[0] + sine * q[1], cosine * q[1] - sine * q[0]]
+                };
+                // A turn moves a point by its distance from the centre at most.
+                let arm = if piece == 0 {
+                    libm::hypot(q[0], q[1])
+                } else {
+                    libm::hypot(moved[0], moved[1]) + translation
+                };
+                let needed = own + translation + 0.5 * turn * arm;
+                let place = [0, 1].map(|k| moved[k] + self.middle[k]);
+                if is_deeper(other, place, needed) {
+                    last[piece] = i;
+                    return true;
+                }
+            }
+        }
+        false
+    }
+}
+
+/// Points along a path, its corners included, each with the vector to its left that leads to a distance of 1 from both of its sides.
+fn below(path: &[Point], spacing: f64) -> Vec<(Point, Point)> {
+    let left = |a: Point, b: Point| {
+        let side = distance(a, b);
+        [(a[1] - b[1]) / side, (b[0] - a[0]) / side]
+    };
+    let mut found = Vec::new();
+    for (i, ends) in path.windows(2).enumerate() {
+        let (a, b, normal) = (ends[0], ends[1], left(ends[0], ends[1]));
+        if i > 0 {
+            let before = left(path[i - 1], a);
+            let scale = 1.0 + before[0] * normal[0] + before[1] * normal[1];
+            // Where the path turns back, there is no such vector.
+            if scale > 1e-3 {
+                found.push((a, [0, 1].map(|k| (before[k] + normal[k]) / scale)));
+            }
+        }
+        let count = (distance(a, b) / spacing).ceil().max(1.0) as usize;
+        found.extend((0..count).map(|i| {
+            let s = (i as f64 + 0.5) / count as f64;
+            ([0, 1].map(|k| a[k] + s * (b[k] - a[k])), normal)
+        }));
+    }
+    found
+}
+
+/// Whether a point lies inside, farther than a distance from the curve.
+fn is_deeper(outline: &Outline, p: Point, depth: f64) -> bool {
+    let depth_sq = depth * depth;
+    let mut is_inside = false;
+    let points = outline.points();
+    let mut a = points[points.len() - 1];
+    for &b in points {
+        if (a[1] > p[1]) != (b[1] > p[1]) {
+            let at = a[0] + (p[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]);
+            is_inside ^= p[0] < at;
+        }
+        let (u, v) = ([b[0] - a[0], b[1] - a[1]], [p[0] - a[0], p[1] - a[1]]);
+        let t = ((u[0] * v[0] + u[1] * v[1]) / (u[0] * u[0] + u[1] * u[1])).clamp(0.0, 1.0);
+        let w = [v[0] - t * u[0], v[1] - t * u[1]];
+        if w[0] * w[0] + w[1] * w[1] <= depth_sq {
+            return false;
+        }
+        a = b;
+    }
+    is_inside
+}
+
+fn distance(a: Point, b: Point) -> f64 {
+    libm::hypot(a[0] - b[0], a[1] - b[1])
+}

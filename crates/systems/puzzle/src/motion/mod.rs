@@ -1,0 +1,183 @@
+//! Finite motions: how a free puzzle comes apart, and pieces that are shaken.
+
+mod bodies;
+
+use crate::{Lock, Puzzle};
+use bodies::{Bodies, Place, TOUCH};
+use pompeiu_core::mesh::edit::Random;
+use pompeiu_planar::Point;
+
+/// A step, over the mean side of a piece: longer ones jump over the features of tabs.
+const STEP: f64 = 0.004;
+
+/// Steps of a motion that takes pieces apart, and how many make a frame.
+const STEPS: usize = 480;
+const FRAME: usize = 8;
+
+/// Rounds in which pieces are pushed out of each other after a step.
+const ROUNDS: usize = 40;
+
+/// A motion whose steps become shorter than this share of what they should be is stuck.
+const STUCK: f64 = 0.1;
+
+/// A motion that takes a puzzle apart, as far as it was followed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Motion {
+    /// For each frame and each piece the shift of its centroid and its turn about it, in radians; the first frame is the puzzle put together.
+    pub frames: Vec<Vec<[f64; 3]>>,
+    /// Where the centroids of the pieces belong.
+    pub centres: Vec<[f64; 2]>,
+    /// Whether pieces that move have left those that stay: their boxes no longer meet.
+    pub is_apart: bool,
+}
+
+impl Motion {
+    /// The pieces that move.
+    pub fn moving(&self) -> impl Iterator<Item = usize> + '_ {
+        let last = self.frames.last().map_or(&[][..], Vec::as_slice);
+        last.iter().enumerate().filter(|(_, place)| **place != [0.0; 3]).map(|(piece, _)| piece)
+    }
+
+    /// The outline of a piece in a frame.
+    pub fn outline(&self, puzzle: &Puzzle, piece: usize, frame: usize) -> Vec<Point> {
+        let ([dx, dy, turn], [x, y]) = (self.frames[frame][piece], self.centres[piece]);
+        let (sine, cosine) = libm::sincos(turn);
+        let place = |p: Point| {
+            let (u, v) = (p[0] - x, p[1] - y);
+            [x + dx + cosine * u - sine * v, y + dy + sine * u + cosine * v]
+        };
+        puzzle.outline(piece).into_iter().map(place).collect()
+    }
+
+    /// The way of the centroid of a piece.
+    pub(crate) fn way(&self, piece: usize) -> Vec<Point> {
+        let [x, y] = self.centres[piece];
+        self.frames.iter().map(|frame| [x + frame[piece][0], y + frame[piece][1]]).collect()
+    }
+}
+
+/// Follows the motion by which a puzzle comes apart, with steps of 0.004 of a piece's side after each of which pieces are pushed out of each other.
+/// None where no motion is known, or it leads nowhere.
+///
+/// # Accuracy
+/// Pieces may go into each other by up to 0.001 of a piece's side on their way; the motion is for people to see, the proof is that of [`crate::lock`].
+pub fn take_apart(puzzle: &Puzzle, lock: &Lock) -> Option<Motion> {
+    let twists = &lock.escape.as_ref()?.twists;
+    let bodies = Bodies::new(puzzle)?;
+    let is_fixed: Vec<bool> = twists.iter().map(|twist| *twist == [0.0; 3]).collect();
+    let n = twists.len();
+    let mut velocity: Vec<Place> = (0..n)
+        .map(|i| {
+            let ([vx, vy, w], [x, y]) = (twists[i], bodies.centre(i));
+            [vx - w * y, vy + w * x, w]
+        })
+        .collect();
+    let mut places = vec![[0.0; 3]; n];
+    let mut frames = vec![places.clone()];
+    let moving: Vec<usize> = (0..n).filter(|i| !is_fixed[*i]).collect();
+    let mut is_apart = false;
+    for step in 1..=STEPS {
+        let speed = largest(&bodies, &velocity);
+        if speed == 0.0 {
+            break;
+        }
+        let before = places.clone();
+        for (place, v) in places.iter_mut().zip(&velocity) {
+            (0..3).for_each(|k| place[k] += STEP * bodies.unit * v[k] / speed);
+        }
+        let depth = bodies.relax(&mut places, &is_fixed, ROUNDS);
+        if depth > 10.0 * TOUCH * bodies.unit {
+            places = before;
+            break;
+        }
+        velocity = difference(&places, &before);
+        if largest(&bodies, &velocity) < STUCK * STEP * bodies.unit {
+            break;
+        }
+        if step % FRAME == 0 {
+            frames.push(places.clone());
+            is_apart = moving
+                .iter()
+                .all(|i| (0..n).all(|j| i == &j || !is_fixed[j] || !bodies.meet(&places, [*i, j])));
+            if is_apart && is_fixed.contains(&true) {
+                break;
+            }
+        }
+    }
+    if frames.last() != Some(&places) {
+        frames.push(places);
+    }
+    is_apart &= is_fixed.contains(&true);
+    let centres = (0..n).map(|i| bodies.centre(i)).collect();
+    (frames.len() > 2).then_some(Motion { frames, centres, is_apart })
+}
+
+/// Steps of a shaken puzzle; it has moved when it went this share of them.
+const SHAKES: usize = 6;
+const MOVED: f64 = 0.4;
+
+/// Rounds in which pieces are pushed out of each other after a kick.
+const KICK_ROUNDS: usize = 200;
+
+/// Whether pieces move when they are shaken: each try kicks all of them, or one, by 0.004 of a piece's side in random directions, pushes
+/// them out of each other, and goes on as they then went. Where they end, relative to the first piece; none where they always come back.
+///
+/// It knows nothing of contacts and directions, only whether points lie inside of polygons: a test of [`crate::lock`] that does not come from it.
+///
+/// # Limits
+/// Locks of less than some 0.001 of a piece's side are not felt, and a motion that few kicks start may be missed.
+pub fn shake(puzzle: &Puzzle, tries: usize, seed: u64) -> Option<Vec<[f64; 3]>> {
+    let bodies = Bodies::new(puzzle)?;
+    let n = puzzle.pieces();
+    let mut random = Random::new(seed);
+    let mut is_fixed = vec![false; n];
+    is_fixed[0] = true;
+    (0..tries).find_map(|kick| {
+        let only = (kick % 2 == 1).then(|| random.below(n as u32) as usize);
+        let mut velocity: Vec<Place> = (0..n)
+            .map(|i| {
+                let of =
+                    [random.signed_unit(), random.signed_unit(), random.signed_unit() / bodies.gyration(i)];
+                // What pushes the first piece pushes all others back.
+                let is_kicked = only.is_none_or(|one| one == i || (one == 0 && i > 0));
+                if i > 0 && is_kicked { of } else { [0.0; 3] }
+            })
+            .collect();
+        if only == Some(0) {
+            let all = velocity[n - 1];
+            for (i, v) in velocity.iter_mut().enumerate().skip(1) {
+                let [x, y] = [0, 1].map(|k| bodies.centre(i)[k] - bodies.centre(0)[k]);
+                *v = [all[0] - all[2] * y, all[1] + all[2] * x, all[2]];
+            }
+        }
+        let mut places = vec![[0.0; 3]; n];
+        for _ in 0..SHAKES {
+            let speed = largest(&bodies, &velocity);
+            if speed == 0.0 {
+                return None;
+            }
+            let before = places.clone();
+            for (place, v) in places.iter_mut().zip(&velocity) {
+                (0..3).for_each(|k| place[k] += STEP * bodies.unit * v[k] / speed);
+            }
+            if bodies.relax(&mut places, &is_fixed, KICK_ROUNDS) > 2.0 * TOUCH * bodies.unit {
+                return None;
+            }
+            velocity = difference(&places, &before);
+            if largest(&bodies, &velocity) < STUCK * STEP * bodies.unit {
+                return None;
+            }
+        }
+        (largest(&bodies, &places) >= MOVED * SHAKES as f64 * STEP * bodies.unit).then_some(places)
+    })
+}
+
+/// The greatest length of a change of places, turns by the radius of gyration.
+fn largest(bodies: &Bodies, change: &[Place]) -> f64 {
+    let length = |(i, [x, y, w]): (usize, &Place)| libm::hypot(libm::hypot(*x, *y), w * bodies.gyration(i));
+    change.iter().enumerate().map(length).fold(0.0, f64::max)
+}
+
+fn difference(now: &[Place], then: &[Place]) -> Vec<Place> {
+    now.iter().zip(then).map(|(a, b)| [a[0] - b[0], a[1] - b[1], a[2] - b[2]]).collect()
+}
