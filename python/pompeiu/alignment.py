@@ -26,6 +26,8 @@ class Registration:
         The map, of shape (4, 4): it acts on columns ``(x, y, z, 1)``.
     scale : float
         The factor by which it scales; 1 unless a scale was asked for.
+    scale_deviation : float, optional
+        One standard deviation of that factor, if it was asked for, as if the distances of the samples were independent errors.
     turn_degrees : float
         The angle of its rotation.
     matched : float
@@ -34,10 +36,16 @@ class Registration:
         That length.
     rms : float
         Root mean square distance of what the fit rests on: the overlap asked for, or what is within four standard deviations.
+    spread : float
+        Root mean square distance of what is matched, as a share of ``reach``: 0.3 at most but for noise, 0.45 where surfaces merely cross.
+    fits : bool
+        Whether the surfaces lie on each other where they are matched, over a fifth of the area at least. If not, the shapes seem to be
+        different ones.
     is_unique : bool
-        Whether a fifth of the area is matched at least, no other place that was tried fits nearly as well, and no motion is free.
+        Whether it fits, no other place that was tried fits nearly as well, and no motion is free.
     alternatives : list of dict
-        Other places that fit nearly as well, with ``matrix``, ``apart_degrees``, ``matched`` and ``rms``.
+        Other places that fit nearly as well, with ``matrix``, ``matched`` and ``rms``, and the turn that leads to them from the best:
+        ``apart_degrees`` about ``axis`` through ``point``, with a ``slide`` along it.
     free_motions : list of dict
         Motions that leave the fit as it is, with ``point``, ``turn`` and ``shift``.
     stop : str
@@ -47,9 +55,12 @@ class Registration:
     mesh: Mesh
     matrix: np.ndarray
     scale: float
+    scale_deviation: Optional[float]
     turn_degrees: float
     matched: float
     reach: float
+    spread: float
+    fits: bool
     rms: float
     is_unique: bool
     alternatives: List[Dict[str, Any]]
@@ -57,7 +68,7 @@ class Registration:
     stop: str
 
     def __repr__(self) -> str:
-        unique = "" if self.is_unique else ", not unique"
+        unique = "" if self.is_unique else ", not unique" if self.fits else ", does not fit"
         return f"Registration({100 * self.matched:.1f} % matched{unique}, turned by {self.turn_degrees:.4g} degrees)"
 
 

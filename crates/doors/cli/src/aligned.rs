@@ -1,6 +1,7 @@
 //! Aligning one mesh with the other before they are compared, and how sure an alignment is.
 
 use crate::interrupt;
+use crate::numbers::few;
 use crate::printer::Printer;
 use crate::wait::Wait;
 use anyhow::Context;
@@ -42,11 +43,10 @@ impl Before {
         let found = register(b, &fixed, &options).with_context(|| b_path.display().to_string())?;
         let moved = transform(b, &found.map()).with_context(|| b_path.display().to_string())?;
         wait.restart();
-        if found.matched < Registration::LEAST_MATCHED {
+        if !found.fits {
             wait.suspend(|| {
                 printer.warning(format_args!(
-                    "only {} of {} lies on {}: the alignment is not to be trusted",
-                    percent(found.matched),
+                    "no place of {} on {} fits: they seem to be different shapes, and the alignment is not to be trusted",
                     b_path.display(),
                     a_path.display()
                 ));
@@ -58,8 +58,12 @@ impl Before {
 
 /// The sentence about an alignment that a person acts on.
 pub(crate) fn verdict(found: &Registration) -> String {
-    if found.matched < Registration::LEAST_MATCHED {
-        return format!("NO TRUSTED PLACE: only {} of the moved surface is matched", percent(found.matched));
+    if !found.fits {
+        return format!(
+            "DIFFERENT SHAPES: nothing fits; at the best place {} of the moved surface lies within {} of the fixed one",
+            percent(found.matched),
+            few(found.reach)
+        );
     }
     let place = match (found.alternatives.len(), found.free_motions.len()) {
         (0, 0) => "ALIGNED: no other place that was tried fits as well".to_owned(),

@@ -1,6 +1,8 @@
 //! Numbers on the command line and in answers for people.
 
 use pompeiu::flow::remesh::IntersectionCount;
+use pompeiu::hausdorff::digits::MOST_DIGITS;
+pub(crate) use pompeiu::hausdorff::digits::{agreed, between, brief, briefly_agreed, shortest};
 use std::time::Duration;
 
 /// Parses numbers separated by commas.
@@ -68,12 +70,9 @@ pub(crate) fn duration(text: &str) -> Result<Duration, String> {
         .map_err(|_| "expected a span of time with a unit, such as 500ms, 10s or 2min".to_owned())
 }
 
-/// Most significant digits shown to people; doubles carry fifteen through any rounding.
-const DIGITS: usize = 15;
-
 /// A number for people: at most fifteen digits, as a power of ten where it is far from one.
 pub(crate) fn plain(x: f64) -> String {
-    let rounded = format!("{:.*e}", DIGITS - 1, x).parse().unwrap_or(x);
+    let rounded = format!("{:.*e}", MOST_DIGITS - 1, x).parse().unwrap_or(x);
     shortest(rounded)
 }
 
@@ -84,66 +83,7 @@ pub(crate) fn few(x: f64) -> String {
 
 /// A number rounded to four digits.
 pub(crate) fn rounded(x: f64) -> f64 {
-    format!("{x:.FEW_DIGITS$e}").parse().unwrap_or(x)
-}
-
-/// Digits after the first of a bound shown to people.
-const FEW_DIGITS: usize = 3;
-
-/// Least number of digits on which two bounds must agree to be shown as one number.
-const AGREED_DIGITS: usize = 6;
-
-/// Two bounds with few digits, rounded away from each other.
-pub(crate) fn between(lower: f64, upper: f64) -> String {
-    let spread = |x: f64, up: bool| {
-        if !x.is_finite() {
-            return x.to_string();
-        }
-        let text = format!("{x:.FEW_DIGITS$e}");
-        let (digits, exponent) = text.split_once('e').unwrap_or((&text, "0"));
-        let digits: i64 = digits.replace('.', "").parse().unwrap_or(0);
-        let exponent = exponent.parse().unwrap_or(0) - FEW_DIGITS.cast_signed();
-        let value = |digits: i64| format!("{digits}e{exponent}").parse().unwrap_or(x);
-        let nearest: f64 = value(digits);
-        let outside = if up { nearest >= x } else { nearest <= x };
-        shortest(if outside { nearest } else { value(digits + if up { 1 } else { -1 }) })
-    };
-    if lower == 0.0 {
-        return format!("at most {}", spread(upper, true));
-    }
-    format!("{} to {}", spread(lower, false), spread(upper, true))
-}
-
-/// The shortest decimal that reads back to the same double, as a power of ten where it is far from one.
-pub(crate) fn shortest(x: f64) -> String {
-    if x == 0.0 {
-        "0".to_owned()
-    } else if (1e-4..1e15).contains(&x.abs()) {
-        format!("{x}")
-    } else {
-        format!("{x:e}")
-    }
-}
-
-/// What a value between two bounds is, in digits on which both agree when rounded; `None` if these are too few.
-pub(crate) fn agreed(lower: f64, upper: f64) -> Option<String> {
-    if lower == upper { Some(shortest(lower)) } else { agreed_on(lower, upper, DIGITS) }
-}
-
-/// The same with no more digits than it takes.
-pub(crate) fn briefly_agreed(lower: f64, upper: f64) -> Option<String> {
-    if lower == upper {
-        return format!("{lower:.*e}", AGREED_DIGITS - 1).parse().ok().map(shortest);
-    }
-    agreed_on(lower, upper, AGREED_DIGITS)
-}
-
-fn agreed_on(lower: f64, upper: f64, most: usize) -> Option<String> {
-    (AGREED_DIGITS..=most).rev().find_map(|digits| {
-        let rounded = |x: f64| format!("{:.*e}", digits - 1, x);
-        let (below, above) = (rounded(lower), rounded(upper));
-        if below == above && lower > 0.0 { below.parse().ok().map(shortest) } else { None }
-    })
+    format!("{x:.3e}").parse().unwrap_or(x)
 }
 
 /// A span of time for people.
@@ -222,32 +162,6 @@ mod tests {
     fn shares_are_numbers_or_percentages() {
         assert_eq!(["0.3", "30 %", "100%", "1"].map(share), [Ok(0.3), Ok(0.3), Ok(1.0), Ok(1.0)]);
         assert!(["0", "1.5", "-1", "nan", "", "%", "101%"].iter().all(|text| share(text).is_err()));
-    }
-
-    #[test]
-    fn only_certain_digits_are_shown() {
-        assert_eq!(agreed(0.5, 0.5).as_deref(), Some("0.5"));
-        assert_eq!(agreed(0.1 + 0.2, 0.1 + 0.2).as_deref(), Some("0.30000000000000004"));
-        assert_eq!(agreed(0.123_456_1, 0.123_456_2).as_deref(), Some("0.123456"));
-        assert_eq!(agreed(5.034_138_250_1e-9, 5.034_138_250_3e-9).as_deref(), Some("5.03413825e-9"));
-        assert_eq!(agreed(1.0, 2.0), None);
-        assert_eq!(agreed(0.018_3, 0.018_6), None);
-        assert_eq!(agreed(1.001_6, 1.003_6), None);
-        assert_eq!(agreed(0.0, 1e-300), None);
-        assert_eq!(agreed(0.999_999_9, 1.000_000_1).as_deref(), Some("1"));
-        assert_eq!(briefly_agreed(0.1 + 0.2, 0.1 + 0.2).as_deref(), Some("0.3"));
-        assert_eq!(briefly_agreed(5.034_138_250_1, 5.034_138_250_3).as_deref(), Some("5.03414"));
-        assert_eq!(briefly_agreed(1.0, 2.0), None);
-    }
-
-    #[test]
-    fn bounds_are_rounded_away_from_each_other() {
-        assert_eq!(between(0.018_366_3, 0.018_571_9), "0.01836 to 0.01858");
-        assert_eq!(between(0.5, 2.0), "0.5 to 2");
-        assert_eq!(between(0.0, 3.731_1e-14), "at most 3.732e-14");
-        assert_eq!(between(1.0_f64.next_down(), 9.999_9), "0.999 to 10");
-        assert_eq!(between(1e-300, 1e300), "1e-300 to 1e300");
-        assert_eq!(between(1.0, f64::INFINITY), "1 to inf");
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Answers for people: rows of a name and a line each.
 
-use crate::numbers::{agreed, between, briefly_agreed};
+use crate::numbers::{self, agreed, between};
 use crate::pair::File;
 use crate::printer::LABEL;
 use pompeiu::hausdorff::Enclosure;
@@ -50,8 +50,7 @@ impl Page {
 
 /// What an enclosed value is, in no more digits than tell it from others.
 pub(crate) fn brief(distance: Enclosure) -> String {
-    let (lower, upper) = (distance.lower(), distance.upper());
-    briefly_agreed(lower, upper).unwrap_or_else(|| between(lower, upper))
+    numbers::brief(distance.lower(), distance.upper())
 }
 
 /// What an enclosed value is, in the digits that are certain.

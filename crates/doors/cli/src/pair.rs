@@ -50,13 +50,23 @@ pub(crate) fn check(a: &Path, b: &Path, printer: &Printer) -> anyhow::Result<()>
 
 /// Reads both, and warns of what deserves it.
 pub(crate) fn read(a: &Path, b: &Path, wait: &Wait, printer: &Printer) -> anyhow::Result<(TriMesh, TriMesh)> {
+    let [a, b] = read_files([a, b], wait, printer)?;
+    Ok((a.mesh, b.mesh))
+}
+
+/// The same with all that was read.
+pub(crate) fn read_files(
+    [a, b]: [&Path; 2],
+    wait: &Wait,
+    printer: &Printer,
+) -> anyhow::Result<[ReadMesh; 2]> {
     wait.show(format!("reading {} and {}", a.display(), b.display()));
     // Counting runs on one thread: beside the other file it costs the least.
     let read = |path: &Path| files::read(path).map(|read| (unreferenced_vertices(&read.mesh), read));
     let (first, second) = rayon::join(|| read(a), || read(b));
     let (first, second) = (first?, second?);
     wait.suspend(|| warn([a, b], [&first, &second], printer));
-    Ok((first.1.mesh, second.1.mesh))
+    Ok([first.1, second.1])
 }
 
 fn warn(paths: [&Path; 2], files: [&(usize, ReadMesh); 2], printer: &Printer) {

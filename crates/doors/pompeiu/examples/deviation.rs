@@ -26,7 +26,7 @@ fn main() -> anyhow::Result<()> {
             println!("  {} faces around {:?} reach {:.4}", region.faces.len(), region.centre, region.peak);
         }
     }
-    let shown = DeviationPage {
+    let page_of = DeviationPage {
         a: NamedMesh { path: a_path, mesh: &a, whole: &a },
         b: NamedMesh { path: b_path, mesh: &b, whole: &b },
         deviation: &deviation,
@@ -38,6 +38,6 @@ fn main() -> anyhow::Result<()> {
         verdict: None,
         command: None,
     };
-    pompeiu::io::write_whole(page, shown.html()?.as_bytes())?;
+    pompeiu::io::write_whole(page, page_of.figures().html()?.as_bytes())?;
     Ok(())
 }

@@ -4,6 +4,7 @@ use crate::arrays::{array_of_rows, vectors};
 use crate::errors::{Raise, unknown};
 use crate::json::written;
 use crate::mesh::Mesh;
+use crate::wait;
 use numpy::{IntoPyArray, PyArray1, PyArray2};
 use pompeiu::core::mesh::FaceData;
 use pompeiu::fields::{Decomposition, DecompositionOptions, DegreesOfFreedom, HodgeSolver};
@@ -110,13 +111,13 @@ impl HodgeDecomposition {
             splitting: self::splitting(splitting)?,
             boundary: self::boundary(boundary)?,
         };
-        let mesh = mesh.get().inner();
-        py.detach(|| {
-            let surface = EmbeddedSurface::new(mesh).map_err(Raise::raise)?;
+        let mesh = mesh.clone().unbind();
+        wait::abandonable(py, move || {
+            let surface = EmbeddedSurface::new(mesh.get().inner()).map_err(Raise::raise)?;
             Prepared::try_new(surface, |surface| HodgeSolver::new(surface.surface(), &options))
                 .map(Self)
                 .map_err(Raise::raise)
-        })
+        })?
     }
 
     fn decompose<'py>(&self, py: Python<'py>, field: &Bound<'py, PyAny>) -> PyResult<Parts<'py>> {

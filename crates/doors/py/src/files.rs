@@ -3,6 +3,7 @@
 use crate::arrays::{colors, values, vectors};
 use crate::errors::Raise;
 use crate::mesh::Mesh;
+use crate::wait;
 use pompeiu::io::{self, Attributes};
 use pyo3::prelude::*;
 use std::path::PathBuf;
@@ -10,7 +11,7 @@ use std::path::PathBuf;
 /// The mesh of a file, its format, and how many of its faces were cut into triangles and how many were left out.
 #[pyfunction]
 pub(crate) fn read_mesh(py: Python<'_>, path: PathBuf) -> PyResult<(Mesh, String, u64, u64)> {
-    let read = py.detach(|| io::read(path)).map_err(Raise::raise)?;
+    let read = wait::abandonable(py, move || io::read(path))?.map_err(Raise::raise)?;
     Ok((read.mesh.into(), read.format.to_string(), read.polygons_triangulated, read.faces_dropped))
 }
 

@@ -233,8 +233,8 @@ pub(crate) fn intersections<'py>(
     mesh: &Bound<'py, Mesh>,
     most_pairs: usize,
 ) -> PyResult<Pairs<'py>> {
-    let mesh = mesh.get();
-    let found = py.detach(|| self_intersections(mesh.inner(), most_pairs));
+    let mesh = mesh.clone().unbind();
+    let found = wait::abandonable(py, move || self_intersections(mesh.get().inner(), most_pairs))?;
     let faces: Vec<[u32; 2]> = found.pairs.iter().map(|pair| pair.faces.map(|f| f.0)).collect();
     let places: Vec<[f64; 3]> = found.pairs.iter().map(|pair| pair.place).collect();
     Ok((array_of_rows(py, faces)?, array_of_rows(py, places)?, found.touching, found.complete))

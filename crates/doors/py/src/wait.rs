@@ -98,6 +98,34 @@ pub(crate) fn run<T: Told, R: Send>(
     })
 }
 
+/// Does work that cannot be told to stop on a thread of its own while this one waits, without the interpreter's lock. A signal is
+/// raised at once; the work then goes on by itself until it ends, and what it gives is dropped.
+#[allow(clippy::redundant_closure_for_method_calls, reason = "the method is for one lifetime, not for all")]
+pub(crate) fn abandonable<R: Send + 'static>(
+    py: Python<'_>,
+    work: impl FnOnce() -> R + Send + 'static,
+) -> PyResult<R> {
+    py.detach(|| {
+        let (sender, receiver) = channel();
+        let working = thread::spawn(move || {
+            // Nobody may be waiting any more.
+            let _ = sender.send(work());
+        });
+        loop {
+            match receiver.recv_timeout(TICK) {
+                Ok(answer) => return Ok(answer),
+                Err(RecvTimeoutError::Timeout) => Python::attach(|py| py.check_signals())?,
+                Err(RecvTimeoutError::Disconnected) => break,
+            }
+        }
+        // The work ended without an answer: it panicked.
+        match working.join() {
+            Err(panic) => resume_unwind(panic),
+            Ok(()) => unreachable!("the work sends its answer"),
+        }
+    })
+}
+
 /// Until the work has ended, or has been told to.
 fn listen<T: Told>(receiver: &Receiver<T>, callback: Option<&Py<PyAny>>, stop: &AtomicBool) -> PyResult<()> {
     loop {

@@ -69,6 +69,17 @@ impl<'a> Legend<'a> {
         (GAP + BAR + TICK + label) * em + numbers
     }
 
+    /// The colour at a part of the bar.
+    fn color(&self, part: f64) -> Rgb {
+        match self.scale.classes().len() {
+            0 => {
+                let (low, high) = self.scale.range();
+                self.scale.color(low * (1.0 - part) + high * part)
+            }
+            ends => self.scale.class_color(((part * (ends + 1) as f64) as usize).min(ends)),
+        }
+    }
+
     /// Draws it into the part of the picture whose upper left corner is at `at`.
     pub(crate) fn draw(&self, image: &mut Image, at: [f64; 2]) {
         let (em, start) = (self.style.size, (0.5 * (self.room - self.length)).floor());
@@ -78,14 +89,17 @@ impl<'a> Legend<'a> {
             LegendSide::Right => [at[0] + across, at[1] + start + self.length - along],
             LegendSide::Bottom => [at[0] + start + along, at[1] + across],
         };
-        let (low, high) = self.scale.range();
         for step in 0..self.length as usize {
-            let part = (step as f64 + 0.5) / self.length;
-            let color = self.scale.color(low * (1.0 - part) + high * part);
+            let color = self.color((step as f64 + 0.5) / self.length);
             fill(image, place(step as f64, near), place(step as f64 + 1.0, far), color);
         }
-        for (&value, text) in self.ticks.values.iter().zip(&self.ticks.texts) {
-            let along = (self.length * self.scale.place(value) - 0.5).floor();
+        for (i, (&value, text)) in self.ticks.values.iter().zip(&self.ticks.texts).enumerate() {
+            // Ends of classes stand at one distance from each other.
+            let part = match self.scale.classes().len() {
+                0 => self.scale.place(value),
+                ends => (i + 1) as f64 / (ends + 1) as f64,
+            };
+            let along = (self.length * part - 0.5).floor();
             fill(image, place(along, far), place(along + 1.0, far + (0.25 * em).ceil()), self.style.color);
             let [x, y] = place(along + 0.5, far + TICK * em);
             let text_at = match self.side {
@@ -107,6 +121,9 @@ impl<'a> Legend<'a> {
 
 /// As many numbers as there is room for.
 fn ticks(scale: &Scale, style: Style, side: LegendSide, length: f64) -> Ticks {
+    if !scale.classes().is_empty() {
+        return Ticks::at(scale.classes());
+    }
     let (low, high) = scale.range();
     let most = (length / (SPACING * style.size)).clamp(2.0, MOST as f64) as usize;
     let fits = |ticks: &Ticks| match side {
@@ -169,6 +186,20 @@ mod tests {
             });
             assert_eq!(bar[180], scale.color(1.0 / 360.0), "{side:?}");
         }
+    }
+
+    #[test]
+    fn classes_take_equal_parts_of_the_bar() {
+        let scale = Scale::new(ColorMap::Vik, -1.0, 1.0).unwrap().with_classes(&[-0.05, 0.1]).unwrap();
+        let legend = Legend::new(&scale, "deviation", STYLE, LegendSide::Right, 500.0);
+        assert_eq!(legend.ticks.texts, ["−0.05", "0.1"]);
+        let mut image = Image::filled(500, 500, [255; 3]);
+        legend.draw(&mut image, [0.0, 0.0]);
+        let across = (1.7 * STYLE.size) as u32;
+        let bar: Vec<Rgb> =
+            (0..500).rev().filter_map(|y| image.pixel(across, y)).filter(|c| *c != [255; 3]).collect();
+        assert_eq!(bar.len(), 360);
+        assert!(bar.iter().enumerate().all(|(i, color)| *color == scale.class_color(i / 120)));
     }
 
     #[test]

@@ -18,6 +18,15 @@ const PLAIN: std::ops::RangeInclusive<i32> = -3..=4;
 const LARGEST_COUNT: f64 = 1e15;
 
 impl Ticks {
+    /// These values as they are.
+    pub(crate) fn at(values: &[f64]) -> Self {
+        let text = |x: &f64| {
+            let plain = *x == 0.0 || (1e-4..1e6).contains(&x.abs());
+            signed(&if plain { format!("{x}") } else { format!("{x:e}") })
+        };
+        Self { values: values.to_vec(), texts: values.iter().map(text).collect(), multiplier: String::new() }
+    }
+
     /// Multiples of 1, 2 or 5 times a power of ten in a range, about `count` of them.
     ///
     /// Where a range is too narrow to hold two round numbers apart, its lower end is the only tick. The ends must be

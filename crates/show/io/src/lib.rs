@@ -18,6 +18,7 @@ mod expansion;
 mod face_vectors;
 mod format;
 mod formats;
+mod groups;
 mod hexahedra;
 mod loops;
 mod polygon;
@@ -34,6 +35,7 @@ pub use appearance::{Appearance, Materials, TextureCoordinates, read_appearance}
 pub use error::{FormatError, Location, ReadError};
 pub use face_vectors::read_face_vectors;
 pub use format::Format;
+pub use groups::Group;
 pub use hexahedra::{Hexahedra, read_hexahedra};
 pub use loops::read_loops;
 pub use read::{ReadMesh, read, read_bytes, read_mesh, referenced_files};

@@ -1,5 +1,6 @@
 //! What every format reader returns before validation.
 
+use crate::groups::Group;
 use crate::polygon::Polygon;
 
 /// Positions and triangles as a file states them, and what had to be changed on the way.
@@ -14,6 +15,8 @@ pub(crate) struct RawMesh {
     pub(crate) polygons: Vec<Polygon>,
     /// Faces with fewer than three corners (points, lines) that were left out.
     pub(crate) faces_dropped: u64,
+    /// What the file gives names to.
+    pub(crate) groups: Vec<Group>,
 }
 
 impl RawMesh {

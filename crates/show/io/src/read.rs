@@ -3,6 +3,7 @@
 use crate::error::{FormatError, Location, ReadError};
 use crate::format::Format;
 use crate::formats::{self, Input};
+use crate::groups::Group;
 use crate::polygon::{self, Polygon};
 use crate::raw::RawMesh;
 use crate::{sniff, source};
@@ -23,6 +24,8 @@ pub struct ReadMesh {
     pub polygons_triangulated: u64,
     /// Faces of the file with fewer than three corners, which were left out.
     pub faces_dropped: u64,
+    /// What the file gives names to: groups and objects of OBJ, nodes of glTF.
+    pub groups: Vec<Group>,
 }
 
 /// Reads a triangle mesh from a file.
@@ -114,9 +117,9 @@ fn finish(mut raw: RawMesh, format: Format, compressed: bool) -> Result<ReadMesh
     }
     let polygons_triangulated = raw.polygons.len() as u64;
     drop(raw.polygons);
-    let faces_dropped = raw.faces_dropped;
+    let (faces_dropped, groups) = (raw.faces_dropped, raw.groups);
     let mesh = TriMesh::new(raw.positions, raw.faces).map_err(|error| invalid(&error, faces_dropped))?;
-    Ok(ReadMesh { mesh, format, compressed, polygons_triangulated, faces_dropped })
+    Ok(ReadMesh { mesh, format, compressed, polygons_triangulated, faces_dropped, groups })
 }
 
 #[cold]

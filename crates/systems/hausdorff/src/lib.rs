@@ -33,6 +33,7 @@ mod certify;
 pub mod classic;
 mod coarse;
 pub mod deviation;
+pub mod digits;
 mod engine;
 mod observer;
 mod options;

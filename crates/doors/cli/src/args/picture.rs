@@ -29,6 +29,17 @@ pub(crate) struct Picture {
     pub(crate) theme: Theme,
 }
 
+/// Draws a picture of so many pixels in a row and rows.
+pub(crate) trait Draw:
+    FnOnce(u32, u32, figures::Theme, figures::View) -> Result<figures::Image, figures::FigureError>
+{
+}
+
+impl<F> Draw for F where
+    F: FnOnce(u32, u32, figures::Theme, figures::View) -> Result<figures::Image, figures::FigureError>
+{
+}
+
 impl Picture {
     /// The files to write.
     pub(crate) fn outputs(&self) -> impl Iterator<Item = &Path> {
@@ -39,12 +50,7 @@ impl Picture {
     pub(crate) fn write(
         &self,
         page: impl FnOnce() -> Result<String, figures::page::PageError>,
-        image: impl FnOnce(
-            u32,
-            u32,
-            figures::Theme,
-            figures::View,
-        ) -> Result<figures::Image, figures::FigureError>,
+        image: impl Draw,
         printer: &Printer,
     ) -> anyhow::Result<()> {
         if let Some(path) = &self.report {
@@ -57,30 +63,12 @@ impl Picture {
     }
 
     /// Writes a picture of the size that was asked for.
-    pub(crate) fn write_image(
-        &self,
-        path: &Path,
-        image: impl FnOnce(
-            u32,
-            u32,
-            figures::Theme,
-            figures::View,
-        ) -> Result<figures::Image, figures::FigureError>,
-        printer: &Printer,
-    ) -> anyhow::Result<()> {
+    pub(crate) fn write_image(&self, path: &Path, image: impl Draw, printer: &Printer) -> anyhow::Result<()> {
         files::write_whole(path, &self.png(image)?, printer)
     }
 
     /// A picture of the size that was asked for, as a file.
-    pub(crate) fn png(
-        &self,
-        image: impl FnOnce(
-            u32,
-            u32,
-            figures::Theme,
-            figures::View,
-        ) -> Result<figures::Image, figures::FigureError>,
-    ) -> anyhow::Result<Vec<u8>> {
+    pub(crate) fn png(&self, image: impl Draw) -> anyhow::Result<Vec<u8>> {
         let (width, height) = self.image_size;
         let mut png = Vec::new();
         image(width, height, self.theme.into(), self.view())?.write_png(&mut png)?;

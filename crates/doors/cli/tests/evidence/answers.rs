@@ -561,6 +561,15 @@ fn align_brings_a_part_back_and_says_how_sure_it_is() {
     assert_eq!((rows.len(), rows), (16, matrix));
     let text = folder.ok("align ball.obj ball.obj");
     assert!(text.starts_with("verdict") && text.contains("3 motions leave the fit"), "{text}");
+    // What it is not, in which unit it is, and for which programs.
+    folder.ok("generate torus --major-segments 24 --minor-segments 16 -o torus.obj");
+    let other = folder.run("align torus.obj model.obj");
+    let text = String::from_utf8(other.stdout).unwrap();
+    assert!(other.status.code() == Some(3) && text.starts_with("verdict   DIFFERENT SHAPES"), "{text}");
+    write("inches.obj", |p| p.map(|x| x / 25.4));
+    let text = folder.ok("align inches.obj model.obj --scale");
+    assert!(text.contains("scaled by 25.4") && text.contains("millimetres to an inch"), "{text}");
+    assert!(text.contains("ParaView  Translate ") && text.contains("Scale 25."), "{text}");
     let refused = folder.run("align moved.obj model.obj -o model.obj");
     assert_eq!(refused.status.code(), Some(2));
 }

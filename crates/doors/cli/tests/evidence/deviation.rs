@@ -173,6 +173,35 @@ fn what_has_no_counterpart_can_be_left_out() {
 }
 
 #[test]
+fn a_group_or_a_node_can_be_measured_alone() {
+    let folder = Folder::new();
+    let plates = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 5\nv 1 0 5\nv 1 1 5\nv 0 1 5\n";
+    folder.write("assembly.obj", format!("{plates}o lower\nf 1 2 3 4\no upper\ng lid cover\nf 5 6 7 8\n"));
+    folder.write("scan.obj", "v 0 0 5.1\nv 1 0 5.1\nv 1 1 5.1\nv 0 1 5.1\nf 1 2 3 4\n");
+    for name in ["upper", "lid", "cover"] {
+        let found = json_with(
+            &folder,
+            0,
+            &format!("deviation assembly.obj scan.obj --json --threshold 0.15 --group {name}"),
+        );
+        check_encloses(&found["distance"], 0.1, 1e-9);
+        check_encloses(&found["left_out"]["a"]["share"], 0.5, 1e-9);
+        assert_eq!(found["left_out"]["b"]["faces"], 0);
+    }
+    let both = json_with(
+        &folder,
+        1,
+        "deviation assembly.obj scan.obj --json --threshold 0.15 --group lid --group lower",
+    );
+    assert_eq!(both["left_out"]["a"]["faces"], 0);
+    let (code, _, errors) = folder.transcript("deviation assembly.obj scan.obj --group bottom");
+    assert!(code == Some(2) && errors.contains("neither file has a group `bottom`; there are"), "{errors}");
+    assert!(["lower", "upper", "lid", "cover"].iter().all(|name| errors.contains(name)), "{errors}");
+    let (_, _, errors) = folder.transcript("deviation scan.obj scan.obj --group bottom");
+    assert!(errors.contains("they have none"), "{errors}");
+}
+
+#[test]
 fn files_hold_what_the_answer_says() {
     let folder = plates();
     let files = "-a a.ply -b b.vtu --csv s.csv --report r.html --image p.png --image-size 320x200 --unit mm --pdf p.pdf";

@@ -8,6 +8,7 @@ use crate::json::written;
 use crate::mesh::Mesh;
 use crate::wait;
 use numpy::{IntoPyArray, PyArray1, PyArray2};
+use pompeiu::core::FaceId;
 use pompeiu::core::run::Limits;
 use pompeiu::hausdorff::deviation::{Bands, DeviationOptions, DirectedDeviation, FaceDeviation, Region};
 use pompeiu::hausdorff::{Enclosure, OptionError};
@@ -70,13 +71,26 @@ fn row(enclosure: &Enclosure) -> [f64; 2] {
 /// An array of faces for each region.
 type Faces<'py> = Vec<Bound<'py, PyArray1<u32>>>;
 
-/// Takes the faces out of regions, so that they pass as arrays.
-fn faces<'py>(py: Python<'py>, regions: &mut [Region]) -> Faces<'py> {
-    let of_region = |region: &mut Region| {
-        let faces: Vec<u32> = mem::take(&mut region.faces).into_iter().map(|face| face.0).collect();
-        faces.into_pyarray(py)
-    };
-    regions.iter_mut().map(of_region).collect()
+/// The faces of regions as arrays.
+fn arrays<'py>(py: Python<'py>, regions: &[Region]) -> Faces<'py> {
+    let of_region = |region: &Region| PyArray1::from_iter(py, region.faces.iter().map(|face| face.0));
+    regions.iter().map(of_region).collect()
+}
+
+/// All regions of a report.
+fn regions(report: &mut DirectedDeviation) -> impl Iterator<Item = &mut Region> {
+    report.regions.iter_mut().chain(&mut report.beyond_threshold)
+}
+
+/// Takes the faces out of regions while JSON is written: they pass as arrays.
+fn taken(report: &mut DirectedDeviation) -> Vec<Vec<FaceId>> {
+    regions(report).map(|region| mem::take(&mut region.faces)).collect()
+}
+
+fn put_back(report: &mut DirectedDeviation, faces: Vec<Vec<FaceId>>) {
+    for (region, faces) in regions(report).zip(faces) {
+        region.faces = faces;
+    }
 }
 
 /// What of a report passes beside its JSON: arrays, and what that leaves out.
@@ -100,40 +114,32 @@ pub(crate) struct Beside<'py> {
 }
 
 impl<'py> Beside<'py> {
-    /// Once the JSON is written, which needs the sides.
-    fn new(
-        py: Python<'py>,
-        report: DirectedDeviation,
-        [region_faces, beyond_threshold_faces]: [Faces<'py>; 2],
-    ) -> PyResult<Self> {
+    fn new(py: Python<'py>, report: &DirectedDeviation) -> PyResult<Self> {
         let of_faces = |end: fn(&FaceDeviation) -> &Enclosure| {
             array_of_rows(py, report.faces.iter().map(|face| row(end(face))).collect())
         };
         let signed = report.signed_vertices();
         let (vertex_winding, face_winding) =
-            report.sides.map(|sides| (sides.vertex_winding, sides.face_winding)).unzip();
+            report.sides.as_ref().map(|sides| (&sides.vertex_winding, &sides.face_winding)).unzip();
+        let array = |numbers: &Vec<f64>| PyArray1::from_slice(py, numbers);
         Ok(Self {
             direction: wait::direction(report.direction),
             largest: written(&report.distance)?,
             face_max: of_faces(|face| &face.max)?,
             face_min: of_faces(|face| &face.min)?,
             face_mean: of_faces(|face| &face.mean)?,
-            vertex_distances: report.vertices.into_pyarray(py),
+            vertex_distances: array(&report.vertices),
             vertex_error: report.vertex_error,
             signed_vertex_distances: signed.map(|distances| distances.into_pyarray(py)),
-            vertex_winding: vertex_winding.map(|numbers| numbers.into_pyarray(py)),
-            face_winding: face_winding.map(|numbers| numbers.into_pyarray(py)),
-            region_faces,
-            beyond_threshold_faces,
+            vertex_winding: vertex_winding.map(array),
+            face_winding: face_winding.map(array),
+            region_faces: arrays(py, &report.regions),
+            beyond_threshold_faces: arrays(py, &report.beyond_threshold),
             timing: [report.work.build, report.work.search, report.work.refine]
                 .map(|span| span.as_secs_f64())
                 .into(),
         })
     }
-}
-
-fn faces_of<'py>(py: Python<'py>, report: &mut DirectedDeviation) -> [Faces<'py>; 2] {
-    [faces(py, &mut report.regions), faces(py, &mut report.beyond_threshold)]
 }
 
 /// How far A deviates from B.
@@ -151,8 +157,10 @@ pub(crate) fn directed_deviation<'py>(
         DeviationOptions { observer: Some(watch), ..options }.directed(a.inner(), b.inner())
     })?;
     let mut report = report.map_err(Raise::raise)?;
-    let faces = faces_of(py, &mut report);
-    Ok((written(&report)?, Beside::new(py, report, faces)?))
+    let faces = taken(&mut report);
+    let text = written(&report)?;
+    put_back(&mut report, faces);
+    Ok((text, Beside::new(py, &report)?))
 }
 
 /// How far A and B deviate from each other, and if bands were given, how much lies in which, as JSON.
@@ -182,9 +190,11 @@ pub(crate) fn deviation<'py>(
     })?;
     let (mut report, bands) = found.map_err(|error: OptionError| error.raise())?;
     let text_of_bands = bands.as_ref().map(written).transpose()?;
-    let page = DeviationPage::new(meshes, report.clone(), threshold, bands);
-    let [there, back] = [faces_of(py, &mut report.a_to_b), faces_of(py, &mut report.b_to_a)];
+    let faces = [taken(&mut report.a_to_b), taken(&mut report.b_to_a)];
     let text = written(&report)?;
-    let [there, back] = [Beside::new(py, report.a_to_b, there)?, Beside::new(py, report.b_to_a, back)?];
-    Ok((text, there, back, page, text_of_bands))
+    let [there, back] = faces;
+    put_back(&mut report.a_to_b, there);
+    put_back(&mut report.b_to_a, back);
+    let [there, back] = [Beside::new(py, &report.a_to_b)?, Beside::new(py, &report.b_to_a)?];
+    Ok((text, there, back, DeviationPage::new(meshes, report, threshold, bands), text_of_bands))
 }

@@ -90,9 +90,9 @@ pub(crate) struct Target(library::Target);
 #[pymethods]
 impl Target {
     #[new]
-    fn new(py: Python<'_>, mesh: &Bound<'_, Mesh>) -> Self {
-        let mesh = mesh.get();
-        Self(py.detach(|| library::Target::new(mesh.inner())))
+    fn new(py: Python<'_>, mesh: &Bound<'_, Mesh>) -> PyResult<Self> {
+        let mesh = mesh.clone().unbind();
+        wait::abandonable(py, move || library::Target::new(mesh.get().inner())).map(Self)
     }
 
     /// Number of faces.

@@ -2,6 +2,7 @@
 
 use crate::errors::{Raise, unknown};
 use crate::mesh::Mesh;
+use crate::wait;
 use pompeiu::core::TriMesh;
 use pompeiu::figures::paper::Paper;
 use pompeiu::figures::{Theme, View};
@@ -63,22 +64,30 @@ fn looking(up: [f64; 3], direction_to_eye: Option<[f64; 3]>) -> View {
     direction_to_eye.map_or(view, |direction| view.with_direction_to_eye(direction))
 }
 
+/// Draws, and returns at once on Ctrl-C.
+fn drawn<R: Send + 'static>(
+    of: &Bound<'_, DeviationPage>,
+    draw: impl FnOnce(&DeviationPage) -> R + Send + 'static,
+) -> PyResult<R> {
+    let this = of.clone().unbind();
+    wait::abandonable(of.py(), move || draw(this.get()))
+}
+
 #[pymethods]
 impl DeviationPage {
     /// The page as a file.
-    fn html(&self, py: Python<'_>, look: Look) -> PyResult<String> {
+    fn html(of: &Bound<'_, Self>, look: Look) -> PyResult<String> {
         let Look { names, unit, up } = look;
-        let html = py.detach(|| {
-            let stages = search_stages(self.a.get().inner(), self.b.get().inner());
-            show::DeviationPage { stages: &stages, ..self.page(&names, &unit, up) }.html()
-        });
+        let html = drawn(of, move |this| {
+            let stages = search_stages(this.a.get().inner(), this.b.get().inner());
+            show::DeviationPage { stages: &stages, ..this.page(&names, &unit, up) }.figures().html()
+        })?;
         html.map_err(Raise::raise)
     }
 
     /// A document for printing, as the bytes of a PDF file.
     fn pdf(
-        &self,
-        py: Python<'_>,
+        of: &Bound<'_, Self>,
         look: Look,
         direction_to_eye: Option<[f64; 3]>,
         verdict: Option<String>,
@@ -96,18 +105,20 @@ impl DeviationPage {
             [name.to_owned(), format!("{vertices} vertices, {faces} faces")]
         };
         let provenance = [
-            measured(&names[0], self.a.get().inner()),
-            measured(&names[1], self.b.get().inner()),
+            measured(&names[0], of.get().a.get().inner()),
+            measured(&names[1], of.get().b.get().inner()),
             ["program".to_owned(), format!("pompeiu {} in Python", env!("CARGO_PKG_VERSION"))],
         ];
-        let document = py.detach(|| self.page(&names, &unit, up).document(verdict, &provenance, view, paper));
-        Ok(document.map_err(Raise::raise)?.pdf())
+        let pdf = drawn(of, move |this| {
+            let figures = this.page(&names, &unit, up).figures();
+            figures.document(verdict, &provenance, view, paper).map(|document| document.pdf())
+        })?;
+        pdf.map_err(Raise::raise)
     }
 
     /// The picture as the bytes of a PNG file.
     fn png(
-        &self,
-        py: Python<'_>,
+        of: &Bound<'_, Self>,
         look: Look,
         direction_to_eye: Option<[f64; 3]>,
         size: (u32, u32),
@@ -121,7 +132,8 @@ impl DeviationPage {
         };
         let view = looking(up, direction_to_eye);
         let (width, height) = size;
-        let image = py.detach(|| self.page(&names, &unit, up).image(width, height, theme, view));
+        let image =
+            drawn(of, move |this| this.page(&names, &unit, up).figures().image(width, height, theme, view))?;
         let mut png = Vec::new();
         image.map_err(Raise::raise)?.write_png(&mut png)?;
         Ok(png)

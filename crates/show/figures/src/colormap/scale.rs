@@ -20,6 +20,14 @@ pub enum ScaleError {
         /// The end that should be the upper one.
         high: f64,
     },
+    /// Ends of classes that do not ascend.
+    #[error("ends of classes ascend, but {lower} is followed by {upper}")]
+    Classes {
+        /// An end.
+        lower: f64,
+        /// The one after it.
+        upper: f64,
+    },
 }
 
 /// Which value gets which colour: a map stretched over a range, a colour for what has no value, and perhaps a limit
@@ -44,11 +52,29 @@ pub struct Scale {
     high: f64,
     missing: Rgb,
     limit: Option<f64>,
+    classes: Classes,
+}
+
+/// Ends of classes, as many as there are; no more are told apart by eye.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Classes {
+    ends: [f64; Scale::MOST_CLASS_ENDS],
+    count: usize,
+}
+
+impl Classes {
+    const NONE: Self = Self { ends: [0.0; Scale::MOST_CLASS_ENDS], count: 0 };
 }
 
 impl Scale {
     /// The colour of what has no value, unless another is chosen: a middle grey, which is in no map.
     const MISSING: Rgb = [150, 150, 150];
+
+    /// Most ends of classes; further ones are left out.
+    pub const MOST_CLASS_ENDS: usize = 15;
+
+    /// The part of the map that classes take, as pages do: its ends are too dark to be told apart when lit.
+    const CLASS_COLORS: [f64; 2] = [0.12, 0.88];
 
     /// A map stretched over a range.
     ///
@@ -63,7 +89,7 @@ impl Scale {
         if low > high {
             return Err(ScaleError::Reversed { low, high });
         }
-        Ok(Self { map, low, high, missing: Self::MISSING, limit: None })
+        Ok(Self { map, low, high, missing: Self::MISSING, limit: None, classes: Classes::NONE })
     }
 
     /// A map stretched over the range from `-extent` to `extent`, as diverging maps want it.
@@ -88,6 +114,42 @@ impl Scale {
     pub fn with_missing(mut self, color: Rgb) -> Self {
         self.missing = color;
         self
+    }
+
+    /// Gives each class between these ends one colour, and what is below the first or above the last another: as pages do. An end belongs to
+    /// the class below it, the first to the one above it. Without ends there are no classes.
+    ///
+    /// # Errors
+    /// [`ScaleError`] if an end is not finite, or they do not ascend.
+    pub fn with_classes(mut self, ends: &[f64]) -> Result<Self, ScaleError> {
+        if let Some(&value) = ends.iter().find(|end| !end.is_finite()) {
+            return Err(ScaleError::NonFinite { value });
+        }
+        if let Some(pair) = ends.windows(2).find(|pair| pair[0] >= pair[1]) {
+            return Err(ScaleError::Classes { lower: pair[0], upper: pair[1] });
+        }
+        self.classes.count = ends.len().min(Self::MOST_CLASS_ENDS);
+        self.classes.ends[..self.classes.count].copy_from_slice(&ends[..self.classes.count]);
+        Ok(self)
+    }
+
+    /// Ends of classes, ascending; empty where colours are continuous.
+    pub fn classes(&self) -> &[f64] {
+        &self.classes.ends[..self.classes.count]
+    }
+
+    /// The colour of a class, counted from the lowest.
+    pub fn class_color(&self, class: usize) -> Rgb {
+        let [low, high] = Self::CLASS_COLORS;
+        let part = class as f64 / self.classes.count.max(1) as f64;
+        self.map.color(low + (high - low) * part)
+    }
+
+    fn class_of(&self, value: f64) -> usize {
+        match self.classes() {
+            [first, rest @ ..] if value >= *first => 1 + rest.iter().filter(|end| value > **end).count(),
+            _ => 0,
+        }
     }
 
     /// The map.
@@ -132,6 +194,8 @@ impl Scale {
             self.missing
         } else if self.limit.is_some_and(|limit| value.abs() > limit) {
             self.map.contrast()
+        } else if self.classes.count > 0 {
+            self.class_color(self.class_of(value))
         } else {
             self.map.color(self.place(value))
         }
@@ -163,6 +227,28 @@ mod tests {
         assert!([0.5, -0.5, 0.0].iter().all(|&value| scale.color(value) != contrast));
         assert_eq!(scale.color(f64::NAN), Scale::MISSING);
         assert_eq!(scale.with_limit(f64::NAN).limit(), None);
+    }
+
+    #[test]
+    fn classes_have_one_colour_each() {
+        let scale = Scale::symmetric(ColorMap::Vik, 1.0).unwrap().with_classes(&[-0.2, 0.1, 0.3]).unwrap();
+        let colors: Vec<Rgb> = (0..4).map(|class| scale.class_color(class)).collect();
+        assert!(colors.windows(2).all(|pair| pair[0] != pair[1]));
+        // An end belongs to the class below it, the first to the one above it.
+        for (value, class) in [(-9.0, 0), (-0.2, 1), (0.0, 1), (0.1, 1), (0.11, 2), (0.3, 2), (0.31, 3)] {
+            assert_eq!(scale.color(value), colors[class], "{value}");
+        }
+        assert_eq!(scale.color(f64::NAN), Scale::MISSING);
+        assert_eq!(
+            scale.with_classes(&[0.0, 0.0]).unwrap_err(),
+            ScaleError::Classes { lower: 0.0, upper: 0.0 }
+        );
+        assert!(
+            scale.with_classes(&[f64::NAN]).is_err()
+                && scale.with_classes(&[0.0; 0]).unwrap().classes().is_empty()
+        );
+        let many: Vec<f64> = (0..40).map(f64::from).collect();
+        assert_eq!(scale.with_classes(&many).unwrap().classes().len(), Scale::MOST_CLASS_ENDS);
     }
 
     #[test]

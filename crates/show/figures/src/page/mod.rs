@@ -219,13 +219,14 @@ impl Page {
     /// # Errors
     /// [`PageError`] where its threshold or span is not finite, or its span crossed.
     pub fn add_scale(&mut self, scale: ValueScale) -> Result<ScaleId, PageError> {
-        let scale = RangedScale { scale, ranges: vec![] };
+        let scale = RangedScale { scale, ranges: vec![], first: 0 };
         scale.check()?;
         self.scales.push(scale);
         Ok(ScaleId(self.scales.len() - 1))
     }
 
-    /// Adds a choice of where a scale ends; the first one holds at first. Without any, it ends at the greatest size of its values.
+    /// Adds a choice of where a scale ends; the first one is where nothing lies beyond, and holds at first unless
+    /// [another one](Self::start_with_range) shall. Without any, it ends at the greatest size of its values.
     ///
     /// # Errors
     /// [`PageError`] where an end is not finite, or a scene or the scale does not exist.
@@ -236,6 +237,21 @@ impl Page {
             ends.iter().try_for_each(|(scene, _)| scene.of(&self.scenes).map(|_| ()))?;
         }
         self.scales[scale.0].ranges.push(range);
+        Ok(())
+    }
+
+    /// Chooses which of the choices added so far holds at first.
+    ///
+    /// # Errors
+    /// [`PageError`] where the scale does not exist, or has no such choice.
+    pub fn start_with_range(&mut self, scale: ScaleId, choice: usize) -> Result<(), PageError> {
+        scale.of(&self.scales)?;
+        let scale = &mut self.scales[scale.0];
+        let count = scale.ranges.len();
+        if choice >= count {
+            return Err(PageError::Unknown { what: "choice of where a scale ends", index: choice, count });
+        }
+        scale.first = choice;
         Ok(())
     }
 

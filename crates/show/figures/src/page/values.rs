@@ -190,6 +190,8 @@ pub enum RangeEnd {
 pub(super) struct RangedScale {
     pub(super) scale: ValueScale,
     pub(super) ranges: Vec<Range>,
+    /// The choice that holds at first.
+    pub(super) first: usize,
 }
 
 impl RangedScale {
@@ -229,6 +231,7 @@ impl RangedScale {
             "title": title, "unit": unit, "signed": *span == Span::Signed, "low": low, "end": end,
             "colors": { "name": colors.name(), "table": colors.table().as_flattened(), "contrast": colors.contrast() },
             "threshold": threshold, "bands": bands, "ranges": self.ranges.iter().map(range).collect::<Vec<_>>(),
+            "range": self.first,
         })
     }
 }

@@ -28,7 +28,7 @@ export class Scale {
     /** All values are divided by it for the card, so that very small and very large units fit into single precision. */
     this.whole = data.end || 1;
     this.end = this.whole;
-    this.range = 0;
+    this.range = data.range ?? 0;
     this.threshold = data.threshold ?? this.whole;
     this.painting = false;
     this.table = Uint8Array.from(data.colors.table);
@@ -46,8 +46,7 @@ export class Scale {
   }
 
   /** Where the scale of these scenes ends by one of the choices. */
-  endOf(range, scenes) {
-    if (range === this.range && this.custom !== null) return this.custom;
+  #endOf(range, scenes) {
     const choice = this.data.ranges[range];
     if (!choice) return this.whole;
     if (!choice.ends) return this.threshold;
@@ -56,10 +55,9 @@ export class Scale {
 
   /** Brings the end and the card up to date for the scenes that are shown. */
   update(scenes) {
-    this.largest = this.endOf(0, scenes);
-    if (this.range === 0 && this.custom !== null) this.largest = Math.max(this.custom, this.whole);
+    this.largest = this.#endOf(0, scenes);
     this.uniforms.banded.value = this.kind === "bands";
-    this.end = this.endOf(this.range, scenes) || 1;
+    this.end = (this.custom ?? this.#endOf(this.range, scenes)) || 1;
     this.uniforms.scaleKind.value = KINDS.indexOf(this.kind);
     this.uniforms.scaleGain.value = this.whole / this.end;
     this.uniforms.threshold.value = (this.threshold - (this.low ?? 0)) / this.whole;

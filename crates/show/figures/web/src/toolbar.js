@@ -33,7 +33,7 @@ function scaleControls(app, scale) {
     app.update();
   });
   const ranges = scale.data.ranges.map(({ text }, i) => [String(i), text]);
-  const range = ranges.length > 1 && select("range", `up to${suffix}`, ranges, "0", (i) => {
+  const range = ranges.length > 1 && select("range", `up to${suffix}`, ranges, String(scale.range), (i) => {
     scale.range = Number(i);
     scale.custom = null;
     app.update();

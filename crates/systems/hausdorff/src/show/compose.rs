@@ -148,7 +148,11 @@ impl DeviationContent {
             ("99\u{202f}% of the area", ends(&|side| side.deviation.distance_covering(0.01))),
             ("the threshold", RangeEnd::Threshold),
         ];
-        ranges.into_iter().try_for_each(|(text, end)| page.add_range(scale, Range { text: text.into(), end }))
+        for (text, end) in ranges {
+            page.add_range(scale, Range { text: text.into(), end })?;
+        }
+        // A few far points would leave everything else in one dark colour.
+        page.start_with_range(scale, 2)
     }
 
     fn add_arrangements(page: &mut Page, sides: &[Side<'_>]) -> Result<(), PageError> {

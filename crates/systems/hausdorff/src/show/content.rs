@@ -184,10 +184,14 @@ impl SurfaceDeviation {
 
     /// The least recorded distance that all but such a part of the area is within.
     pub(super) fn distance_covering(&self, all_but: f64) -> f64 {
-        let Exceedance { distances, fractions } = &self.exceedance;
-        match fractions.iter().position(|fraction| fraction[1] <= all_but) {
-            Some(i) if distances.get(i).is_some_and(|at| *at != 0.0) => distances[i],
-            _ => self.largest(),
-        }
+        self.exceedance.covering(all_but).unwrap_or_else(|| self.largest())
+    }
+}
+
+impl Exceedance {
+    /// The least recorded distance, other than zero, that all but such a part of the area is within.
+    pub(super) fn covering(&self, all_but: f64) -> Option<f64> {
+        let place = self.fractions.iter().position(|fraction| fraction[1] <= all_but)?;
+        self.distances.get(place).copied().filter(|at| *at != 0.0)
     }
 }

@@ -13,5 +13,5 @@ pub use content::{
     DeviationContent, DisplayTriangles, Exceedance, Histogram, MeasuredSurface, Region, SearchStage,
     SurfaceDeviation,
 };
-pub use page::{DeviationPage, NamedMesh};
+pub use page::{DeviationFigures, DeviationPage, NamedMesh};
 pub use stages::search_stages;

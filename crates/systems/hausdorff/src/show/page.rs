@@ -13,6 +13,7 @@ use pompeiu_core::{FaceId, MeshError, TriMesh};
 use pompeiu_figures::names::{axis, name};
 use pompeiu_figures::page::{Bounds, PageError, PointPair};
 use pompeiu_figures::{ColorMap, Figure, FigureError, Image, Mark, Panel, Scale, Theme, Values, View};
+use std::fmt::{self, Write};
 
 /// A mesh as a page or a picture names it.
 #[derive(Clone, Copy, Debug)]
@@ -25,7 +26,7 @@ pub struct NamedMesh<'m> {
     pub whole: &'m TriMesh,
 }
 
-/// A deviation analysis to be shown, as a page to explore or as a picture.
+/// A deviation analysis to be shown: its [`figures`](Self::figures) are a page to explore, pictures and documents.
 ///
 /// # Example
 /// ```
@@ -34,7 +35,7 @@ pub struct NamedMesh<'m> {
 /// use pompeiu_hausdorff::show::{DeviationPage, NamedMesh, search_stages};
 ///
 /// let (a, b) = (icosphere(1.0, 2)?, torus(0.75, 0.25, 32, 16)?);
-/// let page = DeviationPage {
+/// let found = DeviationPage {
 ///     a: NamedMesh { path: "sphere.obj", mesh: &a, whole: &a },
 ///     b: NamedMesh { path: "torus.obj", mesh: &b, whole: &b },
 ///     deviation: &DeviationOptions::default().symmetric(&a, &b)?,
@@ -46,8 +47,9 @@ pub struct NamedMesh<'m> {
 ///     verdict: None,
 ///     command: None,
 /// };
-/// assert!(page.html()?.contains("torus.obj"));
-/// assert_eq!(page.image(640, 360, Default::default(), Default::default())?.width(), 640);
+/// let figures = found.figures();
+/// assert!(figures.html()?.contains("torus.obj"));
+/// assert_eq!(figures.image(640, 360, Default::default(), Default::default())?.width(), 640);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
@@ -83,6 +85,15 @@ const COLOR_TOLERANCE: f64 = 1.0 / 256.0;
 /// Triangles drawn of a mesh, unless it has more faces.
 const MOST_TRIANGLES: usize = 400_000;
 
+/// What of the area colours are told apart for, unless more is asked: few points that are far would leave all others in one colour.
+const COVERED: f64 = 0.99;
+
+/// The part of the colours of a picture that a drawn distance may be off by where few points are far beyond it.
+const COVERED_TOLERANCE: f64 = 1.0 / 32.0;
+
+/// By how much colours go beyond a threshold.
+const BEYOND_THRESHOLD: f64 = 1.25;
+
 /// One direction: the surface that is measured, and what was found on it.
 struct Side<'r> {
     measured: NamedMesh<'r>,
@@ -90,9 +101,30 @@ struct Side<'r> {
     triangles: Vec<DisplayTriangle>,
 }
 
+/// A deviation analysis with what is drawn of it: a page, pictures and documents of the same triangles.
+pub struct DeviationFigures<'r> {
+    pub(super) of: DeviationPage<'r>,
+    sides: [Side<'r>; 2],
+}
+
+impl fmt::Debug for DeviationFigures<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("DeviationFigures").field("of", &self.of).finish_non_exhaustive()
+    }
+}
+
 impl<'r> DeviationPage<'r> {
+    /// Cuts faces into triangles on which distances are drawn, once for all figures.
+    ///
+    /// # Cost
+    /// Some microseconds for each face, more for those on which distances bend.
+    pub fn figures(&self) -> DeviationFigures<'r> {
+        DeviationFigures { of: *self, sides: self.sides() }
+    }
+
     fn sides(&self) -> [Side<'r>; 2] {
-        let tolerance = COLOR_TOLERANCE * self.deviation.distance.upper();
+        let whole = COLOR_TOLERANCE * self.deviation.distance.upper();
+        let tolerance = whole.min(COVERED_TOLERANCE * self.extent());
         let ways = [(self.a, self.b, &self.deviation.a_to_b), (self.b, self.a, &self.deviation.b_to_a)];
         ways.map(|(measured, other, found)| {
             let mut triangles = found.tessellation(measured.mesh, other.whole, tolerance, MOST_TRIANGLES);
@@ -113,35 +145,16 @@ impl<'r> DeviationPage<'r> {
         self.deviation.a_to_b.sides.is_some()
     }
 
-    /// The page as a file.
-    ///
-    /// # Errors
-    /// [`PageError`] where a threshold is not finite, or the analysis is of other meshes.
-    pub fn html(&self) -> Result<String, PageError> {
-        Ok(self.content().page()?.html())
-    }
-
-    /// What the page shows.
-    fn content(&self) -> DeviationContent {
-        let sides = self.sides();
-        let view = View::default().with_up(self.up);
-        let bands = self.bands.filter(|_| self.is_signed());
-        DeviationContent {
-            title: format!("{} and {}", name(self.a.path), name(self.b.path)),
-            unit: self.unit.to_owned(),
-            up: axis(self.up),
-            signed: self.is_signed(),
-            threshold: self.threshold,
-            bands: bands.map(|bands| bands.edges.clone()).unwrap_or_default(),
-            verdict: self.verdict.map(str::to_owned),
-            still: self.picture(&sides, STILL, Theme::Light, view).ok(),
-            distance: Some(bounds(self.deviation.distance)),
-            surfaces: sides.each_ref().map(|side| self.surface(side)),
-            proof: proof(),
-            facts: self.facts(),
-            command: self.command.map(str::to_owned),
-            version: env!("CARGO_PKG_VERSION").to_owned(),
-        }
+    /// The distance up to which colours are told apart: that of 99 % of the area, and a threshold with room beyond it.
+    fn extent(&self) -> f64 {
+        let largest = self.deviation.distance.upper();
+        let both = [&self.deviation.a_to_b, &self.deviation.b_to_a];
+        let covering = both.into_iter().map(|found| {
+            let within = found.statistics.as_ref().map(exceedance);
+            within.and_then(|found| found.covering(1.0 - COVERED)).unwrap_or(largest)
+        });
+        let covering = covering.fold(0.0, f64::max);
+        largest.min(covering.max(self.threshold.map_or(0.0, |threshold| BEYOND_THRESHOLD * threshold)))
     }
 
     fn surface(&self, side: &Side<'_>) -> MeasuredSurface {
@@ -200,32 +213,74 @@ impl<'r> DeviationPage<'r> {
         facts
     }
 
-    /// A picture with one panel for each direction, of the given size in pixels.
-    ///
-    /// # Errors
-    /// [`FigureError`] for a size that is none.
-    pub fn image(&self, width: u32, height: u32, theme: Theme, view: View) -> Result<Image, FigureError> {
-        self.picture(&self.sides(), [width, height], theme, view)
-    }
-
-    fn picture(
-        &self,
-        sides: &[Side<'_>; 2],
-        [width, height]: [u32; 2],
-        theme: Theme,
-        view: View,
-    ) -> Result<Image, FigureError> {
-        let extent = self.deviation.distance.upper();
+    /// What colours of a picture mean.
+    fn scale(&self) -> Result<(Scale, String), FigureError> {
+        let extent = self.extent();
         let scale = if self.is_signed() {
             Scale::symmetric(ColorMap::Vik, extent)?
         } else {
             Scale::new(ColorMap::Viridis, 0.0, extent)?
         };
-        let scale = self.threshold.map_or(scale, |threshold| scale.with_limit(threshold));
+        let mut label = if self.bands.is_some() { "deviation of B" } else { "distance" }.to_owned();
+        if !self.unit.is_empty() {
+            let _ = write!(label, " ({})", self.unit);
+        }
+        if let Some(bands) = self.bands {
+            return Ok((scale.with_classes(&bands.edges)?, label));
+        }
+        if extent < self.deviation.distance.upper() {
+            label.push_str(if self.threshold.is_some() {
+                ", and more"
+            } else {
+                ", 99 % of the area and more"
+            });
+        }
+        Ok((self.threshold.map_or(scale, |threshold| scale.with_limit(threshold)), label))
+    }
+}
+
+impl DeviationFigures<'_> {
+    /// The page as a file.
+    ///
+    /// # Errors
+    /// [`PageError`] where a threshold is not finite, or the analysis is of other meshes.
+    pub fn html(&self) -> Result<String, PageError> {
+        Ok(self.content().page()?.html())
+    }
+
+    /// What the page shows.
+    fn content(&self) -> DeviationContent {
+        let of = &self.of;
+        let view = View::default().with_up(of.up);
+        let bands = of.bands.filter(|_| of.is_signed());
+        let [width, height] = STILL;
+        DeviationContent {
+            title: format!("{} and {}", name(of.a.path), name(of.b.path)),
+            unit: of.unit.to_owned(),
+            up: axis(of.up),
+            signed: of.is_signed(),
+            threshold: of.threshold,
+            bands: bands.map(|bands| bands.edges.clone()).unwrap_or_default(),
+            verdict: of.verdict.map(str::to_owned),
+            still: self.image(width, height, Theme::Light, view).ok(),
+            distance: Some(bounds(of.deviation.distance)),
+            surfaces: self.sides.each_ref().map(|side| of.surface(side)),
+            proof: proof(),
+            facts: of.facts(),
+            command: of.command.map(str::to_owned),
+            version: env!("CARGO_PKG_VERSION").to_owned(),
+        }
+    }
+
+    /// A picture with one panel for each direction, of the given size in pixels. Colours are told apart up to the distance that 99 % of
+    /// the area is within; tolerance bands have one colour each, as on the page.
+    ///
+    /// # Errors
+    /// [`FigureError`] for a size that is none.
+    pub fn image(&self, width: u32, height: u32, theme: Theme, view: View) -> Result<Image, FigureError> {
+        let (of, sides) = (&self.of, &self.sides);
+        let (scale, label) = of.scale()?;
         let drawn = sides.each_ref().map(|side| (soup(&side.triangles), side));
-        let quantity = if self.bands.is_some() { "deviation of B" } else { "distance" };
-        let label =
-            if self.unit.is_empty() { quantity.to_owned() } else { format!("{quantity} ({})", self.unit) };
         let mut figure =
             Figure::new(width, height).with_theme(theme).with_view(view).with_scale(scale, label);
         let values =
@@ -234,13 +289,13 @@ impl<'r> DeviationPage<'r> {
             // Without anything to draw there is no panel.
             let Ok(mesh) = mesh else { continue };
             let (from, to) = match side.found.direction {
-                Direction::AToB => (self.a, self.b),
-                Direction::BToA => (self.b, self.a),
+                Direction::AToB => (of.a, of.b),
+                Direction::BToA => (of.b, of.a),
             };
             let meaning = if side.found.direction == Direction::AToB { "missing" } else { "invented" };
             let distance = rounded(side.found.distance.distance);
             let title =
-                format!("{meaning}: {} to {}, {distance} {}", name(from.path), name(to.path), self.unit);
+                format!("{meaning}: {} to {}, {distance} {}", name(from.path), name(to.path), of.unit);
             let PointPair { from, to } = pair(&side.found.distance.witness);
             figure = figure.with_panel(
                 Panel::new(mesh)

@@ -306,15 +306,18 @@ class DeviationPage(PageTest):
 
     def test_scales_change_colours_and_legend(self):
         page = self.open()
+        # A few far points do not leave all others in one colour.
+        self.assertEqual(page.input_value("[data-control=range]"), "2")
+        self.assertLess(page.evaluate("pompeiu.app.scales[0].end"), page.evaluate("pompeiu.app.scales[0].largest"))
+        self.assertIn("and more", shown(page, ".legend-title"))
         seen, legends = set(), set()
-        for kind in ["linear", "root", "logarithmic"]:
-            for end in ["0", "1", "2", "3"]:
-                page.select_option("[data-control=scale]", kind)
-                page.select_option("[data-control=range]", end)
-                seen.add(pixels(page)[2])
-                legends.add(shown(page, ".legend .ticks"))
-        self.assertEqual(len(seen), 12)
-        self.assertGreaterEqual(len(legends), 6)
+        for kind, end in [*(("linear", end) for end in "0123"), ("root", "0"), ("logarithmic", "0")]:
+            page.select_option("[data-control=scale]", kind)
+            page.select_option("[data-control=range]", end)
+            seen.add(pixels(page)[2])
+            legends.add(shown(page, ".legend .ticks"))
+        self.assertEqual(len(seen), 6)
+        self.assertGreaterEqual(len(legends), 4)
 
     def test_signed_values_diverge(self):
         page = self.open("signed")

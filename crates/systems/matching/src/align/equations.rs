@@ -35,4 +35,9 @@ impl<const N: usize> Equations<N> {
         }
         solve(&matrix, &self.right)
     }
+
+    /// A column of the inverse of the matrix; none where it has none.
+    pub(super) fn inverse_column<const K: usize>(&self) -> Option<[f64; N]> {
+        solve(&self.matrix, &std::array::from_fn(|i| f64::from(u8::from(i == K))))
+    }
 }

@@ -17,7 +17,7 @@ mod samples;
 
 pub use error::AlignError;
 pub use fixed::Fixed;
-pub use register::{Alternative, FreeMotion, Registration, RegistrationOptions, register};
+pub use register::{Alternative, FreeMotion, Registration, RegistrationOptions, TransformSettings, register};
 
 use pompeiu_core::TriMesh;
 use pompeiu_core::mesh::Affine;

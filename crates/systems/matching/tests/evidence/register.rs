@@ -48,9 +48,42 @@ fn noise_another_tessellation_and_another_size_are_overcome() {
     let options = RegistrationOptions { scale: true, ..RegistrationOptions::default() };
     let found = register(&larger, &Fixed::new(&shape).unwrap(), &options).unwrap();
     assert!((found.scale - 0.4).abs() < 1e-7, "{found:?}");
+    assert!(found.scale_deviation.unwrap() < 1e-7 && found.fits, "{found:?}");
     let mut expected = inverse(&motion);
     expected.linear = expected.linear.map(|row| row.map(|x| 0.4 * x));
     assert_near(&found.map(), &expected, 1e-6);
+}
+
+#[test]
+fn the_deviation_of_a_scale_is_that_of_its_scatter() {
+    let shape = asymmetric();
+    let fixed = Fixed::new(&shape).unwrap();
+    let options = RegistrationOptions { scale: true, ..RegistrationOptions::default() };
+    let fine = subdivide(&subdivide(&shape).unwrap()).unwrap();
+    let found: Vec<Registration> = (0..6)
+        .map(|seed| register(&displace_at_random(&fine, 0.01, seed).unwrap(), &fixed, &options).unwrap())
+        .collect();
+    let told = found[0].scale_deviation.unwrap();
+    let scatter = (found.iter().map(|found| (found.scale - 1.0).powi(2)).sum::<f64>() / 6.0).sqrt();
+    // Samples of one face share its error, so that they scatter more than if each had its own.
+    assert!(told < 3.0 * scatter && scatter < 10.0 * told && told < 1e-3, "{told} {scatter}");
+    assert_eq!(registered(&shape, &shape).scale_deviation, None);
+}
+
+#[test]
+fn different_shapes_do_not_fit() {
+    let shape = asymmetric();
+    let other = icosphere(1.3, 3).unwrap();
+    let found = registered(&other, &shape);
+    assert!(!found.fits && !found.is_unique(), "{found:?}");
+    // A scale does not collapse one into a corner of the other.
+    let options = RegistrationOptions { scale: true, ..RegistrationOptions::default() };
+    let torus = transform(
+        &pompeiu_core::mesh::shapes::torus(5.0, 1.0, 40, 20).unwrap(),
+        &motion(&mut Random::new(3), 1.0),
+    );
+    let found = register(&torus.unwrap(), &Fixed::new(&shape).unwrap(), &options).unwrap();
+    assert!(!found.fits && found.scale > 0.1, "{found:?}");
 }
 
 #[test]
@@ -74,10 +107,19 @@ fn what_is_not_unique_is_said() {
     let turned = |mesh: &TriMesh| transform(mesh, &motion).unwrap();
     let cube = cube(1.0, 3).unwrap();
     let found = registered(&turned(&cube), &cube);
+    let ends = |k: usize| cube.positions().iter().map(move |p| p[k]);
+    let middle: [f64; 3] = std::array::from_fn(|k| {
+        f64::midpoint(ends(k).fold(f64::MAX, f64::min), ends(k).fold(f64::MIN, f64::max))
+    });
     assert!(found.rms < 1e-6 && found.alternatives.len() >= 3 && found.free_motions.is_empty(), "{found:?}");
     for other in &found.alternatives {
         let quarter = other.apart_degrees;
         assert!([90.0, 120.0, 180.0].iter().any(|angle| (angle - quarter).abs() < 0.01), "{quarter}");
+        // The axis goes through the middle of the cube.
+        let off: [f64; 3] = std::array::from_fn(|k| other.point[k] - middle[k]);
+        let along: f64 = (0..3).map(|k| off[k] * other.axis[k]).sum();
+        let across: f64 = (0..3).map(|k| (off[k] - along * other.axis[k]).powi(2)).sum();
+        assert!(across.sqrt() < 1e-6 && other.slide.abs() < 1e-6, "{other:?}");
     }
     let rod = cylinder(0.5, 3.0, 96, 24, Ends::Capped).unwrap();
     let found = registered(&turned(&rod), &rod);

@@ -10,15 +10,17 @@ use std::path::PathBuf;
 #[command(after_help = "\
 The rotation and translation are found from the shapes: it does not matter how the files lie, and parts of either mesh may
 have no counterpart in the other. What is found is a guess, so the answer says how much of the moved surface is matched and how
-well, which other places fit nearly as well, and which motions leave the fit as it is. The distances of the moved mesh are
-proven. Both meshes must be in the same unit; with --scale one factor is found too, which needs meshes that overlap nearly whole.
+well, which other places fit nearly as well, which motions leave the fit as it is, and whether anything fits at all. The
+distances of the moved mesh are proven. Both meshes must be in the same unit; with --scale one factor is found too, which needs
+meshes that overlap nearly whole, and told with its standard deviation.
 
-The matrix is that of the map as four rows that act on columns (x, y, z, 1).
+The matrix is that of the map as four rows that act on columns (x, y, z, 1), as CloudCompare takes it under \"Apply transformation\".
+The row ParaView holds what its filter Transform takes.
 
 Exit codes:
   0  done
   2  a file or an argument cannot be used
-  3  the time limit ran out first, or less than a fifth of the moved surface is matched
+  3  the time limit ran out first, or nothing fits: the shapes seem to be different ones
 
 Examples:
   pompeiu align scan.ply model.obj -o moved.ply
@@ -34,7 +36,7 @@ pub(crate) struct Align {
     /// Write the moved mesh
     #[arg(long, short, value_name = "MOVED")]
     pub(crate) output: Option<PathBuf>,
-    /// Write the matrix as text, four rows of four numbers
+    /// Write the matrix as text, four rows of four numbers: what `CloudCompare` reads
     #[arg(long, value_name = "FILE")]
     pub(crate) matrix: Option<PathBuf>,
     /// Find a factor of scale, too

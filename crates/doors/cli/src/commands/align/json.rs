@@ -4,7 +4,7 @@ use super::run::Outcome;
 use crate::json::{line, milliseconds};
 use crate::pair::File;
 use pompeiu::hausdorff::DirectedReport;
-use pompeiu::matching::align::Registration;
+use pompeiu::matching::align::{Registration, TransformSettings};
 use serde::Serialize;
 
 /// The outcome on one line.
@@ -14,6 +14,7 @@ pub(super) fn json(outcome: &Outcome) -> serde_json::Result<String> {
         fixed: &outcome.fixed,
         registration: &outcome.found,
         unique: outcome.found.is_unique(),
+        paraview: outcome.found.transform_settings(),
         moved_to_fixed: &outcome.distance.a_to_b,
         fixed_to_moved: &outcome.distance.b_to_a,
         timing_ms: Timing {
@@ -35,8 +36,10 @@ pub(crate) struct Json<'o> {
     fixed: &'o File,
     #[serde(flatten)]
     registration: &'o Registration,
-    /// Whether a fifth of the area is matched at least, no other place that was tried fits nearly as well, and no motion is free.
+    /// Whether it fits, no other place that was tried fits nearly as well, and no motion is free.
     unique: bool,
+    /// The map as `ParaView`'s filter Transform takes it.
+    paraview: TransformSettings,
     /// How far the moved mesh is from the fixed one.
     moved_to_fixed: &'o DirectedReport,
     /// How far the fixed mesh is from the moved one.

@@ -83,7 +83,7 @@ pub(crate) fn run(args: &Align, printer: &Printer) -> anyhow::Result<Exit> {
     let found = &outcome.found;
     let early = found.stop.is_early()
         || [&outcome.distance.a_to_b, &outcome.distance.b_to_a].iter().any(|d| d.stop.is_early());
-    Ok(if early || found.matched < Registration::LEAST_MATCHED { Exit::Undecided } else { Exit::Done })
+    Ok(if early || !found.fits { Exit::Undecided } else { Exit::Done })
 }
 
 /// The matrix as text.

@@ -3,9 +3,10 @@
 use super::run::{Outcome, rows};
 use crate::aligned::{percent, verdict};
 use crate::exit::stopped_by;
-use crate::numbers::{few, plain, point, rounded, time};
+use crate::numbers::{few, plain, point, rounded, shortest, time};
 use crate::page::{Page, value};
-use pompeiu::matching::align::FreeMotion;
+use pompeiu::matching::align::{Alternative, FreeMotion};
+use std::fmt::Write;
 
 /// A motion that is less than this share of the other kind is left out.
 const NEGLIGIBLE: f64 = 1e-3;
@@ -24,15 +25,17 @@ pub(super) fn text(outcome: &Outcome) -> String {
     );
     page.row("", &format!("root mean square distance {} of what the fit rests on", few(found.rms)));
     page.row("turned by", &format!("{:.4}°", found.turn_degrees));
-    if found.scale != 1.0 {
-        page.row("scaled by", &plain(found.scale));
+    if let Some(deviation) = found.scale_deviation {
+        page.row("scaled by", &scaled(found.scale, deviation));
     }
     for (i, row) in rows(found).lines().enumerate() {
         page.row(if i == 0 { "matrix" } else { "" }, row);
     }
+    let settings = found.transform_settings();
+    page.row("ParaView", &format!("Translate {}", triple(settings.translate)));
+    page.row("", &format!("Rotate {}, Scale {}", triple(settings.rotate), triple(settings.scale)));
     for (i, other) in found.alternatives.iter().enumerate() {
-        let line =
-            format!("{} matched, turned {:.1}° from the best", percent(other.matched), other.apart_degrees);
+        let line = format!("{} matched, after {}", percent(other.matched), turned(other));
         page.row(if i == 0 { "or else" } else { "" }, &line);
     }
     for (i, motion) in found.free_motions.iter().enumerate() {
@@ -61,9 +64,78 @@ pub(super) fn text(outcome: &Outcome) -> String {
     page.into_text()
 }
 
+/// The numbers as the fields of a filter take them.
+fn triple(v: [f64; 3]) -> String {
+    v.map(shortest).join(" ")
+}
+
+/// What factors between units are called.
+const UNITS: [(f64, &str); 6] = [
+    (10.0, "millimetres to a centimetre"),
+    (12.0, "inches to a foot"),
+    (25.4, "millimetres to an inch"),
+    (100.0, "centimetres to a metre"),
+    (304.8, "millimetres to a foot"),
+    (1000.0, "millimetres to a metre"),
+];
+
+/// How far a scale may be from a factor between units to be called one, beside three standard deviations.
+const UNIT_TOLERANCE: f64 = 1e-3;
+
+/// A factor with its doubt, and what it may stand for.
+fn scaled(scale: f64, deviation: f64) -> String {
+    let mut text =
+        format!("{} ± {} (one standard deviation)", plain(rounded_to(scale, deviation)), few(deviation));
+    let near = |factor: f64| (scale / factor - 1.0).abs() <= UNIT_TOLERANCE + 3.0 * deviation / scale;
+    for (factor, name) in UNITS {
+        if near(factor) || near(1.0 / factor) {
+            let _ = write!(text, "; there are {factor} {name}");
+        }
+    }
+    text
+}
+
+/// As many digits as are known to a tenth of a deviation, at least four.
+fn rounded_to(x: f64, deviation: f64) -> f64 {
+    let digits = if deviation > 0.0 { (x / deviation).log10().ceil().clamp(3.0, 14.0) as usize } else { 14 };
+    format!("{x:.digits$e}").parse().unwrap_or(x)
+}
+
+/// Turns that symmetric shapes allow: their angles in degrees, and what they are called.
+const TURNS: [(f64, &str); 5] = [
+    (180.0, "a half turn"),
+    (120.0, "a third of a turn"),
+    (90.0, "a quarter turn"),
+    (72.0, "a fifth of a turn"),
+    (60.0, "a sixth of a turn"),
+];
+
+/// Angles nearer than this, in degrees, are called by their names.
+const ABOUT: f64 = 0.5;
+
+/// What leads from the best place to another, in words.
+fn turned(other: &Alternative) -> String {
+    if other.axis == [0.0; 3] {
+        return format!("a slide by {}", few(other.slide));
+    }
+    let name = TURNS.iter().find(|(angle, _)| (angle - other.apart_degrees).abs() < ABOUT);
+    let turn =
+        name.map_or_else(|| format!("a turn of {:.1}°", other.apart_degrees), |(_, name)| (*name).to_owned());
+    let [axis, through] = [other.axis, other.point].map(|v| point(v.map(|x| rounded(x) + 0.0)));
+    let slide = if other.slide.abs() <= NEGLIGIBLE * length(other.point).max(1.0) {
+        String::new()
+    } else {
+        format!(", sliding {} along it", few(other.slide))
+    };
+    format!("{turn} about {axis} through {through}{slide}")
+}
+
+fn length(v: [f64; 3]) -> f64 {
+    v.iter().map(|x| x * x).sum::<f64>().sqrt()
+}
+
 /// The motion in words.
 fn free(motion: &FreeMotion) -> String {
-    let length = |v: [f64; 3]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
     let [turn, shift] = [motion.turn, motion.shift].map(length);
     let direction = |v: [f64; 3]| point(v.map(|x| rounded(x / length(v)) + 0.0));
     let slide = || format!("slides along {}", direction(motion.shift));

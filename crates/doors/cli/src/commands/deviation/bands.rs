@@ -2,7 +2,7 @@
 
 use super::full::percentage;
 use super::verdict::{Answer, Verdict, answer};
-use crate::numbers::{between, briefly_agreed, shortest};
+use crate::numbers::{between, brief, briefly_agreed, shortest};
 use pompeiu::hausdorff::Enclosure;
 use pompeiu::hausdorff::deviation::{BandReport, DirectedBands, Extreme};
 
@@ -77,9 +77,8 @@ fn greatest_of([x, y]: [Extreme; 2]) -> Extreme {
 /// A signed number in no more digits than are certain.
 pub(super) fn extreme(found: Extreme) -> String {
     let Extreme { lower, upper } = found;
-    let size = |low: f64, high: f64| briefly_agreed(low, high).unwrap_or_else(|| between(low, high));
     if lower >= 0.0 {
-        return size(lower, upper);
+        return brief(lower, upper);
     }
     if upper <= 0.0 {
         return match briefly_agreed(-upper, -lower) {

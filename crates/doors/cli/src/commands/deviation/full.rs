@@ -8,6 +8,7 @@ use crate::exit::stopped_by;
 use crate::numbers::{few, grouped, point, rounded, shortest, time};
 use crate::page::{Page, value};
 use pompeiu::hausdorff::deviation::{DirectedDeviation, Percentile, Region, Statistics};
+use pompeiu::hausdorff::digits;
 use pompeiu::hausdorff::{Direction, Enclosure};
 
 pub(super) fn text(outcome: &Outcome) -> String {
@@ -130,8 +131,7 @@ fn label(percentile: &Percentile) -> String {
 
 /// A share of the area in percent, rounded outwards to two decimals.
 pub(super) fn percentage(share: Enclosure) -> String {
-    let (lower, upper) = ((share.lower() * 1e4).floor() / 1e2, (share.upper() * 1e4).ceil() / 1e2);
-    if lower == upper { format!("{lower} %") } else { format!("{lower} to {upper} %") }
+    digits::percentage(share.lower(), share.upper())
 }
 
 /// How many faces a region has.

@@ -4,12 +4,13 @@ use super::full::percentage;
 use crate::interrupt;
 use crate::lengths::{Length, length};
 use crate::numbers::{grouped, share, tuple};
-use anyhow::Context;
+use anyhow::{Context, bail};
 use clap::Args;
 use pompeiu::core::run::Limits;
 use pompeiu::core::{FaceId, TriMesh};
 use pompeiu::hausdorff::deviation::{DeviationOptions, LeftOut, Part, component_shares, overlapping};
 use pompeiu::hausdorff::{Observer, Progress};
+use pompeiu::io::Group;
 use std::ops::ControlFlow;
 
 #[derive(Args)]
@@ -25,6 +26,10 @@ pub(crate) struct Parts {
     /// Measure only faces that lie in this box as a whole: its least and its greatest coordinates
     #[arg(long = "box", value_parser = tuple::<6>, allow_hyphen_values = true, value_name = "X,Y,Z,X,Y,Z")]
     within: Option<[f64; 6]>,
+    /// Measure only faces of this group or object of OBJ, or node of glTF; of several with the option given again. A mesh that has no group
+    /// of any of these names is measured whole
+    #[arg(long, value_name = "NAME")]
+    group: Vec<String>,
     /// Leave out connected parts with less than this share of the area of their mesh, such as 0.001 or 0.1%
     #[arg(long, value_parser = share, value_name = "SHARE")]
     ignore_components: Option<f64>,
@@ -39,12 +44,14 @@ impl Parts {
             && !self.only_overlap
             && self.within.is_none()
             && self.ignore_components.is_none()
+            && self.group.is_empty()
     }
 
     /// The faces of both that are measured; none if that is all of them because nothing was asked.
     pub(super) fn choose(
         &self,
         [a, b]: [&TriMesh; 2],
+        groups: [&[Group]; 2],
         unit: &str,
         limits: &Limits,
     ) -> anyhow::Result<Option<Chosen>> {
@@ -52,16 +59,24 @@ impl Parts {
             return Ok(None);
         }
         let beyond = self.ignore_beyond.as_ref().map(|length| length.in_unit(unit)).transpose()?;
-        let choose = |name: &str, mesh: &TriMesh, other: &TriMesh| {
-            self.part(mesh, other, beyond, limits)?
+        if !self.group.is_empty() && !groups.iter().any(|groups| self.names_any(groups)) {
+            bail!("neither file has a group {}{}", quoted(&self.group), known(groups));
+        }
+        let choose = |name: &str, mesh: &TriMesh, groups: &[Group], other: &TriMesh| {
+            self.part(mesh, groups, other, beyond, limits)?
                 .with_context(|| format!("nothing of {name} is left to be measured"))
         };
-        Ok(Some([choose("A", a, b)?, choose("B", b, a)?]))
+        Ok(Some([choose("A", a, groups[0], b)?, choose("B", b, groups[1], a)?]))
+    }
+
+    fn names_any(&self, groups: &[Group]) -> bool {
+        groups.iter().any(|group| self.group.contains(&group.name))
     }
 
     fn part(
         &self,
         mesh: &TriMesh,
+        groups: &[Group],
         other: &TriMesh,
         beyond: Option<f64>,
         limits: &Limits,
@@ -72,6 +87,13 @@ impl Parts {
                 *kept &= wanted(face);
             }
         };
+        if self.names_any(groups) {
+            let mut named = vec![false; mesh.faces().len()];
+            for group in groups.iter().filter(|group| self.group.contains(&group.name)) {
+                named[group.faces.clone()].fill(true);
+            }
+            keep(&|face| named[face.index()]);
+        }
         if let Some(least) = self.ignore_components {
             let shares = component_shares(mesh);
             keep(&|face| shares[face.index()] >= least);
@@ -95,6 +117,24 @@ impl Parts {
         }
         Ok(part.and(mesh, |face| within[face.index()]))
     }
+}
+
+fn quoted(names: &[String]) -> String {
+    names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(" or ")
+}
+
+/// Most names of groups that an error lists.
+const MOST_NAMES: usize = 20;
+
+/// What groups there are.
+fn known(groups: [&[Group]; 2]) -> String {
+    let mut names: Vec<&str> = Vec::new();
+    for group in groups.into_iter().flatten() {
+        if names.len() < MOST_NAMES && !names.contains(&group.name.as_str()) {
+            names.push(&group.name);
+        }
+    }
+    if names.is_empty() { "; they have none".to_owned() } else { format!("; there are {}", names.join(", ")) }
 }
 
 /// Ends the work on Ctrl-C.

@@ -15,7 +15,7 @@ use crate::wait::Wait;
 use pompeiu::core::TriMesh;
 use pompeiu::figures::paper::Paper;
 use pompeiu::hausdorff::deviation::{self, BandReport, Bands, DeviationOptions, DirectedDeviation, LeftOut};
-use pompeiu::hausdorff::show::{DeviationPage, NamedMesh, search_stages};
+use pompeiu::hausdorff::show::{DeviationFigures, DeviationPage, NamedMesh, search_stages};
 use pompeiu::hausdorff::{Direction, Observer, Progress};
 use pompeiu::matching::align::Registration;
 use std::ops::ControlFlow;
@@ -75,7 +75,9 @@ pub(crate) fn run(args: &Deviation, printer: &Printer) -> anyhow::Result<Exit> {
     files::check_places(written.chain(args.picture.outputs()), &paths)?;
     args.limits.apply_threads()?;
     let wait = Wait::new(printer);
-    let (a, mut b) = pair::read(paths[0], paths[1], &wait, printer)?;
+    let [a, b] = pair::read_files(paths, &wait, printer)?;
+    let groups = [&a.groups[..], &b.groups[..]];
+    let (a, mut b) = (a.mesh, b.mesh);
     let read = started.elapsed();
     interrupt::listen();
     let mut alignment = None;
@@ -84,7 +86,7 @@ pub(crate) fn run(args: &Deviation, printer: &Printer) -> anyhow::Result<Exit> {
         (b, alignment) = (moved, Some(found));
     }
     wait.show("building trees".to_owned());
-    let chosen = args.parts.choose([&a, &b], &args.unit, &args.limits.after(started.elapsed()))?;
+    let chosen = args.parts.choose([&a, &b], groups, &args.unit, &args.limits.after(started.elapsed()))?;
     let [a_part, b_part] = match &chosen {
         Some([a_part, b_part]) => [&a_part.mesh, &b_part.mesh],
         None => [&a, &b],
@@ -232,6 +234,7 @@ fn show(
     let is_wanted = args.picture.report.is_some() && outcome.left_out.is_none();
     let stages = if is_wanted { search_stages(a.whole, b.whole) } else { Vec::new() };
     let verdict = outcome.verdict().map(|verdict| verdict.sentence(outcome));
+    let command = called();
     let shown = DeviationPage {
         a: NamedMesh { path: &outcome.a.path, mesh: a.part, whole: a.whole },
         b: NamedMesh { path: &outcome.b.path, mesh: b.part, whole: b.whole },
@@ -242,10 +245,11 @@ fn show(
         bands: outcome.bands.as_ref(),
         verdict: verdict.as_deref(),
         up: args.picture.up.axis(),
-        command: Some(&called()),
-    };
+        command: Some(&command),
+    }
+    .figures();
     if let Some(path) = &args.pdf {
-        print(args, outcome, &shown, path, printer)?;
+        print(args, outcome, &shown, verdict.clone(), path, printer)?;
     }
     args.picture.write(
         || shown.html(),
@@ -258,11 +262,11 @@ fn show(
 fn print(
     args: &Deviation,
     outcome: &Outcome,
-    shown: &DeviationPage<'_>,
+    shown: &DeviationFigures<'_>,
+    verdict: Option<String>,
     path: &Path,
     printer: &Printer,
 ) -> anyhow::Result<()> {
-    let verdict = shown.verdict.map(str::to_owned);
     let mut provenance = Vec::new();
     for (name, (file, path)) in
         outcome.names.into_iter().zip([&outcome.a, &outcome.b].into_iter().zip(args.meshes.paths()))

@@ -40,6 +40,7 @@ pub(super) struct Scene {
 
 #[derive(Debug, Deserialize)]
 pub(super) struct Node {
+    pub(super) name: Option<String>,
     #[serde(default)]
     pub(super) children: Vec<usize>,
     pub(super) mesh: Option<usize>,
@@ -53,6 +54,7 @@ pub(super) struct Node {
 
 #[derive(Debug, Deserialize)]
 pub(super) struct Mesh {
+    pub(super) name: Option<String>,
     pub(super) primitives: Vec<Primitive>,
 }
 

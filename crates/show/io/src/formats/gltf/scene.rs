@@ -7,6 +7,7 @@ use super::transform::Transform;
 use super::{entry, wrong};
 use crate::error::{FormatError, Location};
 use crate::expansion::most_bytes;
+use crate::groups::Group;
 use crate::raw::RawMesh;
 use std::collections::HashMap;
 
@@ -25,14 +26,26 @@ pub(super) fn read(
     if document.nodes.is_empty() {
         // A library of meshes that no scene shows.
         for (index, mesh) in document.meshes.iter().enumerate() {
+            let first = scene.raw.faces.len();
             scene.add_mesh(index, mesh, &Transform::IDENTITY)?;
+            scene.group(mesh.name.as_deref(), first);
         }
         return Ok(scene.raw);
     }
     let mut visited = vec![false; document.nodes.len()];
-    let mut pending: Vec<(usize, Transform)> =
-        roots(document)?.into_iter().rev().map(|node| (node, Transform::IDENTITY)).collect();
-    while let Some((index, parent)) = pending.pop() {
+    let enter = |node, parent| Step::Enter { node, parent };
+    let mut pending: Vec<Step> =
+        roots(document)?.into_iter().rev().map(|node| enter(node, Transform::IDENTITY)).collect();
+    while let Some(step) = pending.pop() {
+        let (index, parent) = match step {
+            Step::Enter { node, parent } => (node, parent),
+            Step::Leave { node, first } => {
+                let node = entry(&document.nodes, "node", node)?;
+                let mesh = node.mesh.and_then(|mesh| document.meshes.get(mesh));
+                scene.group(node.name.as_deref().or(mesh.and_then(|mesh| mesh.name.as_deref())), first);
+                continue;
+            }
+        };
         let node = entry(&document.nodes, "node", index)?;
         if std::mem::replace(&mut visited[index], true) {
             return Err(wrong(format!("node {index} is a child twice, expected trees of nodes")));
@@ -40,12 +53,19 @@ pub(super) fn read(
         let own = Transform::of_node(node)
             .ok_or_else(|| wrong(format!("node {index} has a transform that is not affine")))?;
         let transform = parent.after(&own);
+        pending.push(Step::Leave { node: index, first: scene.raw.faces.len() });
         if let Some(mesh) = node.mesh {
             scene.add_mesh(mesh, entry(&document.meshes, "mesh", mesh)?, &transform)?;
         }
-        pending.extend(node.children.iter().rev().map(|&child| (child, transform)));
+        pending.extend(node.children.iter().rev().map(|&child| enter(child, transform)));
     }
     Ok(scene.raw)
+}
+
+/// What is to be done with a node: its mesh and its children, then its name for all of their faces.
+enum Step {
+    Enter { node: usize, parent: Transform },
+    Leave { node: usize, first: usize },
 }
 
 /// The roots of the default scene, else of the first, else all nodes without a parent.
@@ -75,6 +95,14 @@ struct SceneReader<'a> {
 }
 
 impl SceneReader<'_> {
+    /// The faces from a number on have a name, if there are any.
+    fn group(&mut self, name: Option<&str>, first: usize) {
+        let faces = first..self.raw.faces.len();
+        if let Some(name) = name.filter(|_| !faces.is_empty()) {
+            self.raw.groups.push(Group { name: name.to_owned(), faces });
+        }
+    }
+
     fn add_mesh(&mut self, index: usize, mesh: &Mesh, transform: &Transform) -> Result<(), FormatError> {
         // Primitives of one mesh often differ in material only and share their vertices.
         let mut bases = HashMap::new();

@@ -1,7 +1,7 @@
 //! Wavefront OBJ.
 //!
 //! Read are vertices (`v`, of which the first three numbers count) and faces (`f`, of whose corners the vertex index
-//! counts, negative ones relative to the last vertex so far). Comments begin with `#` and end with their line; in
+//! counts, negative ones relative to the last vertex so far), and which groups (`g`) and objects (`o`) faces belong to. Comments begin with `#` and end with their line; in
 //! other statements a backslash at the end of a line continues it. Every other statement whose keyword is a word of
 //! letters is skipped. Faces may name vertices that follow.
 
@@ -9,6 +9,7 @@ mod appearance;
 mod piece;
 
 use crate::error::FormatError;
+use crate::groups::Marks;
 use crate::polygon::Polygon;
 use crate::raw::RawMesh;
 use crate::text::{Problem, is_line_end, past_line_end};
@@ -40,6 +41,7 @@ fn read_in_pieces(bytes: &[u8], piece_bytes: usize) -> Result<RawMesh, Problem> 
         ..RawMesh::default()
     };
     let mut largest_index = 0;
+    let mut marks = Marks::default();
     waves::in_order(
         &pieces,
         |range, piece: &mut Piece| {
@@ -48,12 +50,16 @@ fn read_in_pieces(bytes: &[u8], piece_bytes: usize) -> Result<RawMesh, Problem> 
         },
         |range, piece| {
             largest_index = largest_index.max(piece.largest_index);
+            for (face, mark) in piece.marks.drain(..) {
+                marks.mark(mesh.faces.len() + face, mark);
+            }
             append(&mut mesh, piece).map_err(|problem| problem.after(range.start))
         },
     )?;
     if largest_index as usize >= mesh.positions.len() {
         first_index_beyond(bytes, &pieces, mesh.positions.len())?;
     }
+    mesh.groups = marks.into_groups(mesh.faces.len());
     mesh.positions.shrink_to_fit();
     mesh.faces.shrink_to_fit();
     Ok(mesh)

@@ -1,5 +1,6 @@
 //! The statements in one piece of an OBJ file.
 
+use crate::groups::Mark;
 use crate::polygon::Polygon;
 use crate::text::{Problem, coordinate, is_blank, is_line_end, next_line, past_line_end, quoted, word};
 
@@ -13,6 +14,8 @@ pub(super) struct Piece {
     /// Corners with negative indices, to be set when the number of vertices before the piece is known.
     pub(super) relative: Vec<RelativeCorner>,
     pub(super) faces_dropped: u64,
+    /// Names of groups and objects, each with the number of the first face after it.
+    pub(super) marks: Vec<(usize, Mark)>,
     /// The largest index that is not relative.
     pub(super) largest_index: u32,
 }
@@ -44,6 +47,7 @@ impl Piece {
         self.polygons.clear();
         self.relative.clear();
         self.faces_dropped = 0;
+        self.marks.clear();
         self.largest_index = 0;
     }
 
@@ -57,6 +61,7 @@ impl Piece {
                 b'v' if ends_keyword(text, at + 1) => self.vertex(text, at + 1)?,
                 b'f' if ends_keyword(text, at + 1) => self.face(text, at + 1, vertices)?,
                 b'#' => next_line(text, at),
+                b'g' | b'o' if ends_keyword(text, at + 1) => self.mark(text, at),
                 _ => skipped_statement(text, at)?,
             };
         }
@@ -73,6 +78,25 @@ impl Piece {
         self.positions.push(position);
         // A weight or a colour may follow.
         Ok(if text.get(at) == Some(&b'\n') { at + 1 } else { end_of_statement(text, at) })
+    }
+
+    /// The statement that says what the faces after it belong to.
+    #[cold]
+    fn mark(&mut self, text: &[u8], at: usize) -> usize {
+        let end = end_of_statement(text, at);
+        let statement = String::from_utf8_lossy(&text[at + 1..end]);
+        let statement = statement.split('#').next().unwrap_or_default();
+        // Where a line is continued, a word ends.
+        let mut words =
+            statement.split(|c: char| c.is_whitespace() || c == '\\').filter(|word| !word.is_empty());
+        let mark = if text[at] == b'g' {
+            Mark::Groups(words.map(str::to_owned).collect())
+        } else {
+            let first = words.next().unwrap_or_default().to_owned();
+            Mark::Object(words.fold(first, |name, word| name + " " + word))
+        };
+        self.marks.push((self.faces.len(), mark));
+        end
     }
 
     #[inline]

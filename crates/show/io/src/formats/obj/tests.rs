@@ -49,14 +49,23 @@ fn the_size_of_the_pieces_does_not_matter() {
     for i in 0..200 {
         writeln!(text, "v {i} \\\r\n {}.5 0 # x\\\r\nv 0 {i} 1\rv 1 1 {i}", i * i).unwrap();
         writeln!(text, "f -1 \\\n-2 -3 {}\nf {}/1 1 \\\r -2\n# c\\", i + 1, 3 * i + 1).unwrap();
+        writeln!(text, "g a{i} \\\n b # no\no o {i}").unwrap();
     }
     let whole = read_in_pieces(text.as_bytes(), usize::MAX).unwrap();
     assert_eq!((whole.positions.len(), whole.faces.len(), whole.polygons.len()), (600, 600, 200));
+    // Nothing follows the last names.
+    assert_eq!(whole.groups.len(), 3 * 199);
+    assert!(
+        ["a0", "b", "o 0"]
+            .iter()
+            .all(|name| whole.groups.iter().any(|g| g.name == *name && g.faces == (3..6)))
+    );
     for size in (1..60).chain([100, 1000]) {
         let pieces = read_in_pieces(text.as_bytes(), size).unwrap();
         assert_eq!(pieces.positions, whole.positions, "{size}");
         assert_eq!(pieces.faces, whole.faces, "{size}");
         assert_eq!(pieces.polygons, whole.polygons, "{size}");
+        assert_eq!(pieces.groups, whole.groups, "{size}");
     }
 }
 

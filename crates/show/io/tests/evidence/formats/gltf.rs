@@ -154,6 +154,25 @@ fn nodes_place_meshes() {
 }
 
 #[test]
+fn nodes_name_their_faces_and_those_below_them() {
+    let mut builder = Builder::default();
+    let position = builder.positions(&SQUARE[..3]);
+    let mesh =
+        |name: Value| json!({ "name": name, "primitives": [{ "attributes": { "POSITION": position } }] });
+    let groups = |rest: &Value| {
+        let read = read_as(Format::Gltf, builder.document(rest).to_string().as_bytes());
+        read.groups.into_iter().map(|group| (group.name, group.faces)).collect::<Vec<_>>()
+    };
+    let meshes = json!([mesh(json!("plate")), mesh(Value::Null)]);
+    let nodes = json!([{ "name": "car", "children": [1, 3] }, { "name": "door", "mesh": 0, "children": [2] },
+        { "mesh": 0 }, { "name": "empty" }, { "mesh": 1 }]);
+    let found = groups(&json!({ "nodes": nodes, "meshes": meshes }));
+    let expected = [("plate", 1..2), ("door", 0..2), ("car", 0..2)];
+    assert_eq!(found, expected.map(|(name, faces)| (name.to_owned(), faces)));
+    assert_eq!(groups(&json!({ "meshes": meshes })), [("plate".to_owned(), 0..1)]);
+}
+
+#[test]
 fn what_is_shown() {
     let mut builder = Builder::default();
     let position = builder.positions(&SQUARE[..3]);

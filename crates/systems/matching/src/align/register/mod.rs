@@ -10,8 +10,11 @@ mod pairs;
 mod placement;
 mod refine;
 mod report;
+mod screw;
+mod settings;
 
 pub use report::{Alternative, FreeMotion, Registration};
+pub use settings::TransformSettings;
 
 use super::moments::Moments;
 use super::pose::axis_rotations;
@@ -26,6 +29,7 @@ use pompeiu_core::TriMesh;
 use pompeiu_core::run::{Control, Limits, Progress, ProgressObserver, StopReason, on_threads};
 use rayon::prelude::*;
 use refine::Refinement;
+use screw::Screw;
 
 /// Spacing of points, as a share of the diagonal of the smaller surface.
 const SPACING: f64 = 0.04;
@@ -42,6 +46,11 @@ const LAST_POINTS: usize = 4000;
 /// Width by which starts are told apart, and the least reach, as shares of the diagonal of the smaller surface.
 const WIDTH: f64 = 0.03;
 const LEAST_REACH: f64 = 0.01;
+/// Where surfaces lie on each other: the least share of the area that is matched, the greatest spread of its distances, and the greatest
+/// reach as a share of the diagonal of the smaller surface. Different shapes laid on each other have a reach of 7 to 10 %.
+const LEAST_MATCHED: f64 = 0.2;
+const MOST_SPREAD: f64 = 0.4;
+const MOST_REACH: f64 = 0.05;
 /// Scores from this share of the best on are as good.
 const AS_GOOD: f64 = 0.97;
 /// Places nearer than this angle, in radians, and this share of the diagonal, are one.
@@ -49,6 +58,8 @@ const SAME_ANGLE: f64 = 0.17;
 const SAME_PLACE: f64 = 0.05;
 /// Alternatives that are reported.
 const MOST_ALTERNATIVES: usize = 8;
+/// By what factor a scale may leave the first guess: far smaller, anything fits into a corner of anything.
+const MOST_GROWTH: f64 = 1.5;
 /// A fit below this share lets the moving mesh be tried inside out.
 const POOR: f64 = 0.3;
 
@@ -56,7 +67,7 @@ const POOR: f64 = 0.3;
 #[derive(Clone, Default)]
 pub struct RegistrationOptions<'o> {
     /// Whether the mesh may be scaled, by one factor. The first guess brings the root-mean-square distances from the centroids
-    /// together, so that it needs surfaces that overlap nearly whole.
+    /// together, so that it needs surfaces that overlap nearly whole; what is found lies within a factor of 1.5 of it.
     pub scale: bool,
     /// The share of the area of the moving mesh that has a counterpart, above 0 and at most 1: the last descent uses the nearest share
     /// of the points. Without one it is found from the spread of the distances.
@@ -233,7 +244,12 @@ impl<'s> Search<'s> {
     }
 
     fn refinement<'p>(&'p self, points: &'p [Oriented]) -> Refinement<'p> {
-        Refinement::new(self.fixed.surface(), points, self.centre, self.options.scale, self.size)
+        let scales = if self.options.scale {
+            [self.scale / MOST_GROWTH, self.scale * MOST_GROWTH]
+        } else {
+            [self.scale; 2]
+        };
+        Refinement::new(self.fixed.surface(), points, self.centre, scales, self.size)
     }
 
     /// The best of each place, in the order of their scores.
@@ -273,6 +289,8 @@ impl<'s> Search<'s> {
         let (best, _) = places[0];
         refinement.look(&best);
         let reach = refinement.reach(WIDTH * self.size).max(LEAST_REACH * self.size);
+        let scale_deviation = refinement.scale_deviation(&best, places[0].1);
+        let spread = refinement.spread(reach);
         // The share that is matched, and the root mean square distance of what the fit rests on.
         let mut fit = |(placement, within): &(Placement, f64)| {
             refinement.look(placement);
@@ -288,17 +306,29 @@ impl<'s> Search<'s> {
             let (other, _) = place;
             if !self.is_same(other, &best) {
                 let (matched, rms) = fit(place);
-                let apart_degrees = other.angle(&best).to_degrees();
-                alternatives.push(Alternative { matrix: self.matrix(other)?, apart_degrees, matched, rms });
+                let frame = &self.fixed.moments.frame;
+                let screw = Screw::between(&best, other, best.apply(self.centre));
+                alternatives.push(Alternative {
+                    matrix: self.matrix(other)?,
+                    apart_degrees: other.angle(&best).to_degrees(),
+                    axis: screw.axis.to_array(),
+                    point: frame.unmap(screw.point.to_array()),
+                    slide: frame.length_out(screw.slide),
+                    matched,
+                    rms,
+                });
             }
         }
         let none = Placement::centred(glam::DMat3::IDENTITY, 1.0, [DVec3::ZERO; 2]);
         Ok(Registration {
             matrix: self.matrix(&best)?,
             scale: best.scale,
+            scale_deviation,
             turn_degrees: best.angle(&none).to_degrees(),
             reach: self.fixed.moments.frame.length_out(reach),
             matched,
+            spread,
+            fits: matched >= LEAST_MATCHED && spread <= MOST_SPREAD && reach <= MOST_REACH * self.size,
             rms,
             alternatives,
             free_motions: self.free_motions(&best, points, reach),

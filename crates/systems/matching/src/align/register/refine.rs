@@ -47,7 +47,8 @@ pub(super) struct Refinement<'s> {
     points: &'s [Oriented],
     /// What turns are about, before the placement.
     centre: DVec3,
-    with_scale: bool,
+    /// The least and the greatest scale; equal where it is given.
+    scales: [f64; 2],
     /// Size of the smaller surface.
     size: f64,
     slots: Vec<Slot>,
@@ -60,14 +61,14 @@ impl<'s> Refinement<'s> {
         surface: &'s Surface,
         points: &'s [Oriented],
         centre: DVec3,
-        with_scale: bool,
+        scales: [f64; 2],
         size: f64,
     ) -> Self {
         Self {
             surface,
             points,
             centre,
-            with_scale,
+            scales,
             size,
             slots: vec![surface.any_slot(); points.len()],
             matches: Vec::with_capacity(points.len()),
@@ -174,35 +175,68 @@ impl<'s> Refinement<'s> {
     /// A step of Gauss and Newton, and how far it moves points; none where nothing has weight or numbers left their range.
     fn step(&self, placement: &Placement, weight: impl Fn(&Match) -> f64) -> Option<(Placement, f64)> {
         let about = placement.apply(self.centre);
-        let mut equations = Equations::<7>::new();
-        let mut used = 0;
-        for found in &self.matches {
-            let weight = weight(found);
-            if weight > 0.0 {
-                let (arm, n) = (found.p - about, found.normal);
-                let turn = arm.cross(n);
-                let growth = if self.with_scale { arm.dot(n) } else { 0.0 };
-                equations.add(
-                    weight,
-                    [turn.x, turn.y, turn.z, n.x, n.y, n.z, growth],
-                    n.dot(found.q - found.p),
-                );
-                used += 1;
-            }
-        }
-        if used == 0 {
-            return None;
-        }
-        if !self.with_scale {
-            equations.add(1.0, [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0], 0.0);
-        }
+        let (equations, _) = self.equations(about, weight)?;
         let x = equations.solved(DAMPING)?;
         let [mut turn, mut shift] = [DVec3::from_slice(&x[..3]), DVec3::from_slice(&x[3..6])];
         let mut growth = x[6];
         let shorter = (MOST_TURN / turn.length()).min(MOST_TURN / growth.abs()).min(1.0);
         (turn, shift, growth) = (turn * shorter, shift * shorter, growth * shorter);
         let moved = shift.length() + (turn.length() + growth.abs()) * self.size;
-        Some((placement.then(libm::exp(growth), turn, about, shift), moved))
+        let [least, most] = self.scales;
+        let factor = (placement.scale * libm::exp(growth)).clamp(least, most) / placement.scale;
+        Some((placement.then(factor, turn, about, shift), moved))
+    }
+
+    /// Equations for a turn and a growth about a point and a shift, and the sum of the weighted squares of what they are to make up for;
+    /// none where nothing has weight.
+    fn equations(&self, about: DVec3, weight: impl Fn(&Match) -> f64) -> Option<(Equations<7>, f64)> {
+        let mut equations = Equations::<7>::new();
+        let (mut used, mut sum) = (0, 0.0);
+        for found in &self.matches {
+            let weight = weight(found);
+            if weight > 0.0 {
+                let (arm, n) = (found.p - about, found.normal);
+                let turn = arm.cross(n);
+                let growth = if self.has_scale() { arm.dot(n) } else { 0.0 };
+                let off = n.dot(found.q - found.p);
+                equations.add(weight, [turn.x, turn.y, turn.z, n.x, n.y, n.z, growth], off);
+                sum += weight * off * off;
+                used += 1;
+            }
+        }
+        if used == 0 {
+            return None;
+        }
+        if !self.has_scale() {
+            equations.add(1.0, [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0], 0.0);
+        }
+        Some((equations, sum))
+    }
+
+    fn has_scale(&self) -> bool {
+        self.scales[0] < self.scales[1]
+    }
+
+    /// One standard deviation of the scale at a place that was [looked](Self::look) at, from the points within a distance; none where it
+    /// is given, or the points leave it free. The covariance of least squares is the inverse of their equations times the variance of
+    /// what is left.
+    pub(super) fn scale_deviation(&self, placement: &Placement, within: f64) -> Option<f64> {
+        let inside = |found: &Match| f64::from(u8::from(found.distance <= within));
+        let count = self.matches.iter().map(inside).sum::<f64>();
+        if !self.has_scale() || count <= 7.0 {
+            return None;
+        }
+        let (equations, sum) = self.equations(placement.apply(self.centre), inside)?;
+        let variance = equations.inverse_column::<6>()?[6] * sum / (count - 7.0);
+        (variance >= 0.0).then(|| placement.scale * variance.sqrt())
+    }
+
+    /// Root mean square distance of what is within a distance, as a share of it.
+    pub(super) fn spread(&self, within: f64) -> f64 {
+        let shares = self.matches.iter().map(|found| found.distance / within).filter(|share| *share <= 1.0);
+        let (count, sum) =
+            shares.fold((0_usize, 0.0), |(count, sum), share| (count + 1, sum + share * share));
+        if count == 0 { 1.0 } else { (sum / count as f64).sqrt() }
     }
 }
 

@@ -1,6 +1,7 @@
 //! What an alignment found, and how sure it is.
 
 use super::super::{Matrix, affine};
+use super::settings::TransformSettings;
 use pompeiu_core::mesh::Affine;
 use pompeiu_core::run::StopReason;
 use serde::Serialize;
@@ -13,12 +14,22 @@ pub struct Registration {
     pub matrix: Matrix,
     /// The factor by which it scales; 1 unless a scale was asked for.
     pub scale: f64,
+    /// One standard deviation of that factor, if it was asked for: by how much it would scatter if the distances of the samples that the
+    /// fit rests on were errors that do not depend on each other. What is not known to be independent may scatter more.
+    pub scale_deviation: Option<f64>,
     /// The angle of its rotation, in degrees.
     pub turn_degrees: f64,
     /// The length up to which points count as matched.
     pub reach: f64,
     /// The share of the area of the moved mesh that is matched.
     pub matched: f64,
+    /// Root mean square distance of what is matched, as a share of `reach`: at most about 0.3 where surfaces lie on each other but for
+    /// noise, about 0.45 where they merely cross.
+    pub spread: f64,
+    /// Whether the surfaces lie on each other where they are matched, and enough of the area is: a fifth is matched at least, the spread
+    /// is at most 0.4, and the reach at most 5 % of the diagonal of the smaller mesh. Where it is false, the shapes are different ones,
+    /// or have less in common than can be found.
+    pub fits: bool,
     /// Root mean square distance of the points that the fit rests on: the share asked for, or those within four standard deviations.
     pub rms: f64,
     /// Other places that fit nearly as well, the best first: a symmetric shape has them.
@@ -37,6 +48,12 @@ pub struct Alternative {
     pub matrix: Matrix,
     /// The angle between its rotation and that of the best map, in degrees.
     pub apart_degrees: f64,
+    /// The turn that leads from the best place to this one: the direction of its axis, of length 1; zero where there is no turn.
+    pub axis: [f64; 3],
+    /// A point of that axis.
+    pub point: [f64; 3],
+    /// How far it slides along the axis meanwhile; where there is no turn, how far it slides.
+    pub slide: f64,
     /// The share of the area that is matched, up to the same length.
     pub matched: f64,
     /// Root mean square distance of the points that the fit rests on.
@@ -56,16 +73,18 @@ pub struct FreeMotion {
 }
 
 impl Registration {
-    /// Least share of the area that must be matched for a place to be trusted.
-    pub const LEAST_MATCHED: f64 = 0.2;
-
     /// The map.
     pub fn map(&self) -> Affine {
         affine(&self.matrix)
     }
 
-    /// Whether one place fits better than all others that were tried, and no motion is free.
+    /// The map for `ParaView`'s filter "Transform".
+    pub fn transform_settings(&self) -> TransformSettings {
+        TransformSettings::of(&self.matrix, self.scale)
+    }
+
+    /// Whether it fits, one place fits better than all others that were tried, and no motion is free.
     pub fn is_unique(&self) -> bool {
-        self.matched >= Self::LEAST_MATCHED && self.alternatives.is_empty() && self.free_motions.is_empty()
+        self.fits && self.alternatives.is_empty() && self.free_motions.is_empty()
     }
 }
