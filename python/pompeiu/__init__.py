@@ -58,6 +58,7 @@ from .neurons import (
 )
 from .outlines import Complexity, complexity, k_medoids, noisy_circle, polyline, read_outlines
 from .puzzles import Puzzle, puzzle
+from .repairing import Repaired, repair
 from .results import (
     DirectedReport,
     MeshSummary,
@@ -116,6 +117,7 @@ __all__ = [
     "Region",
     "Registration",
     "Remeshed",
+    "Repaired",
     "ShareAbove",
     "Simplified",
     "Simulation",
@@ -158,6 +160,7 @@ __all__ = [
     "read_outlines",
     "read_skeleton",
     "remesh",
+    "repair",
     "shapes",
     "simplify",
     "straighten",

@@ -266,6 +266,7 @@ def register(
     most: _Limits,
     progress: Optional[Callable[[float], Optional[bool]]],
 ) -> tuple[Mesh, str, bool]: ...
+def repair(mesh: Mesh, options: _Options) -> tuple[Mesh, str, Optional[str]]: ...
 def simplify(
     mesh: Mesh,
     options: _Options,

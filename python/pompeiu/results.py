@@ -323,6 +323,7 @@ class MeshSummary:
     volume: Optional[float]
     edges: int
     boundary_edges: int
+    seam_edges: int
     boundary_loops: int
     non_manifold_edges: int
     non_manifold_vertices: int

@@ -2,6 +2,7 @@
 
 use pompeiu::core::run::StopReason;
 use std::process::ExitCode;
+use std::time::Duration;
 
 /// How a run ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -14,6 +15,18 @@ pub(crate) enum Exit {
     Unusable,
     /// The budget, or double precision, ran out before the answer.
     Undecided,
+}
+
+/// The time limit was over before the files were read.
+#[derive(Debug)]
+pub(crate) struct OutOfTime(pub(crate) Duration);
+
+impl std::error::Error for OutOfTime {}
+
+impl std::fmt::Display for OutOfTime {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "the time limit of {:?} was over before the files were read; allow more time", self.0)
+    }
 }
 
 /// What ended a computation before it reached what was asked, in the words of a sentence.

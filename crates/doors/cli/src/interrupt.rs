@@ -1,9 +1,10 @@
 //! Ctrl-C: the first ends a search with what it has proven, the second ends the program.
 
+use pompeiu::core::run::CancelToken;
 use std::ops::ControlFlow;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::LazyLock;
 
-static INTERRUPTED: AtomicBool = AtomicBool::new(false);
+static INTERRUPTED: LazyLock<CancelToken> = LazyLock::new(CancelToken::default);
 
 /// What shells say of a program that ended by Ctrl-C.
 const ENDED_BY_INTERRUPT: i32 = 130;
@@ -11,13 +12,19 @@ const ENDED_BY_INTERRUPT: i32 = 130;
 /// Leaves Ctrl-C to [`flow`] from now on. Where the system has no such thing, it ends the program as before.
 pub(crate) fn listen() {
     let _ = ctrlc::set_handler(|| {
-        if INTERRUPTED.swap(true, Ordering::Relaxed) {
+        if INTERRUPTED.is_cancelled() {
             std::process::exit(ENDED_BY_INTERRUPT);
         }
+        INTERRUPTED.cancel();
     });
+}
+
+/// What Ctrl-C cancels once [`listen`] was called, for work that nobody watches.
+pub(crate) fn token() -> CancelToken {
+    INTERRUPTED.clone()
 }
 
 /// Whether to go on.
 pub(crate) fn flow() -> ControlFlow<()> {
-    if INTERRUPTED.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    if INTERRUPTED.is_cancelled() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
 }

@@ -41,7 +41,7 @@ fn main() -> std::process::ExitCode {
     let done = args.command.run(&printer);
     let exit = done.unwrap_or_else(|error| {
         Printer::error(&error);
-        Exit::Unusable
+        if error.is::<exit::OutOfTime>() { Exit::Undecided } else { Exit::Unusable }
     });
     exit.into()
 }

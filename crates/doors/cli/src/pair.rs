@@ -1,5 +1,6 @@
 //! The two files of a comparison.
 
+use crate::args::Limits;
 use crate::files;
 use crate::numbers::grouped;
 use crate::printer::Printer;
@@ -10,6 +11,7 @@ use pompeiu::core::mesh::unreferenced_vertices;
 use pompeiu::io::ReadMesh;
 use serde::Serialize;
 use std::path::Path;
+use std::time::Instant;
 
 /// A mesh file that was measured.
 #[derive(Serialize)]
@@ -48,22 +50,32 @@ pub(crate) fn check(a: &Path, b: &Path, printer: &Printer) -> anyhow::Result<()>
     Ok(())
 }
 
-/// Reads both, and warns of what deserves it.
-pub(crate) fn read(a: &Path, b: &Path, wait: &Wait, printer: &Printer) -> anyhow::Result<(TriMesh, TriMesh)> {
-    let [a, b] = read_files([a, b], wait, printer)?;
+/// Reads both within the time limit, and warns of what deserves it.
+pub(crate) fn read(
+    a: &Path,
+    b: &Path,
+    limits: (&Limits, Instant),
+    wait: &Wait,
+    printer: &Printer,
+) -> anyhow::Result<(TriMesh, TriMesh)> {
+    let [a, b] = read_files([a, b], limits, wait, printer)?;
     Ok((a.mesh, b.mesh))
 }
 
 /// The same with all that was read.
 pub(crate) fn read_files(
     [a, b]: [&Path; 2],
+    (limits, started): (&Limits, Instant),
     wait: &Wait,
     printer: &Printer,
 ) -> anyhow::Result<[ReadMesh; 2]> {
     wait.show(format!("reading {} and {}", a.display(), b.display()));
-    // Counting runs on one thread: beside the other file it costs the least.
-    let read = |path: &Path| files::read(path).map(|read| (unreferenced_vertices(&read.mesh), read));
-    let (first, second) = rayon::join(|| read(a), || read(b));
+    let paths = [a, b].map(Path::to_owned);
+    let (first, second) = limits.while_reading(started, move || {
+        // Counting runs on one thread: beside the other file it costs the least.
+        let read = |path: &Path| files::read(path).map(|read| (unreferenced_vertices(&read.mesh), read));
+        rayon::join(|| read(&paths[0]), || read(&paths[1]))
+    })?;
     let (first, second) = (first?, second?);
     wait.suspend(|| warn([a, b], [&first, &second], printer));
     Ok([first.1, second.1])

@@ -2,6 +2,7 @@
 
 use pompeiu::complexity::ComplexityError;
 use pompeiu::core::MeshError;
+use pompeiu::core::mesh::repair::RepairError;
 use pompeiu::core::mesh::shapes::ShapeError;
 use pompeiu::figures::FigureError;
 use pompeiu::figures::page::PageError;
@@ -96,6 +97,16 @@ impl Raise for FlowError {
             | Self::NeverStationary { .. }
             | Self::NoVolume { .. } => classes::SurfaceError::new_err(sentence),
             Self::Solve(_) => classes::FieldError::new_err(sentence),
+            _ => classes::OptionError::new_err(sentence),
+        }
+    }
+}
+
+impl Raise for RepairError {
+    fn exception(&self, sentence: String) -> PyErr {
+        match self {
+            Self::NothingLeft { .. } => classes::SurfaceError::new_err(sentence),
+            Self::Mesh(error) => error.exception(sentence),
             _ => classes::OptionError::new_err(sentence),
         }
     }

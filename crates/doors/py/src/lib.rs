@@ -18,6 +18,7 @@ mod mesh;
 mod neuron;
 mod neuron_flow;
 mod puzzle;
+mod repair;
 mod shapes;
 mod square;
 mod wait;
@@ -53,6 +54,8 @@ mod _native {
     use crate::neuron_flow::NeuronFlow;
     #[pymodule_export]
     use crate::puzzle::puzzle;
+    #[pymodule_export]
+    use crate::repair::repair;
     #[pymodule_export]
     use crate::shapes::{cube, cylinder, grid, icosphere, schwarz_lantern, torus};
     #[pymodule_export]

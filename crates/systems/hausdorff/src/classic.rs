@@ -108,9 +108,7 @@ pub(crate) fn search(question: &Question<'_>, a: &TriMesh, b: &TriMesh) -> Direc
         .collect();
     if pieces.iter().any(|p| p.distances[0] == f64::INFINITY) {
         // Out of time before the first level: coarse bounds take its place.
-        let mut report = crate::coarse::bound(question, a, b, StopReason::Time);
-        report.stop = StopReason::Time;
-        return report;
+        return crate::coarse::bound(question, a, b, control.reason().unwrap_or(StopReason::Time));
     }
     work.queries += 3 * pieces.len() as u64;
 

@@ -98,7 +98,8 @@ pub(crate) fn search(
     search.sample();
     // A prepared target with its neighbours gives the same report as one without.
     let tries_overlays = search.tries_overlays();
-    let made = b.filter(|_| tries_overlays).map(|b| Neighbours::new(b, target.bvh()));
+    let made =
+        b.filter(|_| tries_overlays && !control.is_stopped()).map(|b| Neighbours::new(b, target.bvh()));
     let neighbours = target.neighbours().filter(|_| tries_overlays).or(made.as_ref());
     let result = search.run(neighbours, &stages);
 

@@ -45,8 +45,9 @@ pub struct HausdorffOptions<'o> {
     pub stages: Vec<f64>,
     /// Which search to use.
     pub method: Method,
-    /// Time, memory and threads. When a limit is reached, the enclosure is wider than asked. The limit on pieces applies to
-    /// those that are open at a time. Building a tree is not interrupted.
+    /// Time, memory and threads. When a limit is reached, the enclosure is wider than asked; a tree that is not built by then is
+    /// given up, and the enclosure is found in linear time without one. The limit on pieces applies to those that are open at a
+    /// time.
     pub limits: Limits,
     /// Watches the search.
     pub observer: Option<&'o dyn Observer>,

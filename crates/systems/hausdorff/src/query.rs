@@ -103,7 +103,10 @@ impl HausdorffOptions<'_> {
         if self.limits.memory.is_some_and(|limit| limit < engine::bytes_to_start(a, b)) {
             return coarse::bound(&question, a, b, StopReason::Memory);
         }
-        let target = Target::without_neighbours(b);
+        let control = question.control();
+        let Some(target) = Target::unless_stopped(b, &control) else {
+            return coarse::bound(&question, a, b, control.reason().unwrap_or(StopReason::Time));
+        };
         let build = started.elapsed();
         let (mut report, _) = engine::search(&question, a, &target, Some(b));
         report.timing.build += build;

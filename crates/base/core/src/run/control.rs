@@ -1,6 +1,6 @@
 //! When to stop before the end.
 
-use super::{Limits, StopReason};
+use super::{CancelToken, Limits, StopReason};
 use std::sync::atomic::{AtomicU8, Ordering};
 use std::time::Instant;
 
@@ -10,6 +10,7 @@ pub struct Control {
     deadline: Option<Instant>,
     memory: Option<usize>,
     pieces: Option<usize>,
+    cancel: Option<CancelToken>,
     /// A [`StopReason`], or 0.
     reason: AtomicU8,
 }
@@ -17,7 +18,13 @@ pub struct Control {
 impl Control {
     /// Control of a computation that starts now.
     pub fn start(limits: &Limits) -> Self {
-        Self { deadline: limits.deadline(), memory: limits.memory, pieces: limits.pieces, ..Self::default() }
+        Self {
+            deadline: limits.deadline(),
+            memory: limits.memory,
+            pieces: limits.pieces,
+            cancel: limits.cancel.clone(),
+            ..Self::default()
+        }
     }
 
     /// The same limits with another deadline, for a part of a computation.
@@ -40,12 +47,16 @@ impl Control {
         let _ = self.reason.compare_exchange(0, reason as u8, Ordering::Relaxed, Ordering::Relaxed);
     }
 
-    /// Whether to stop: after [`Control::stop`], or once the deadline has passed.
+    /// Whether to stop: after [`Control::stop`], when it was cancelled, or once the deadline has passed.
     ///
     /// # Cost
     /// Reads the clock where there is a deadline: some 25 nanoseconds.
     pub fn is_stopped(&self) -> bool {
         if self.reason.load(Ordering::Relaxed) != 0 {
+            return true;
+        }
+        if self.cancel.as_ref().is_some_and(CancelToken::is_cancelled) {
+            self.stop(StopReason::Cancelled);
             return true;
         }
         let late = self.deadline.is_some_and(|deadline| Instant::now() >= deadline);

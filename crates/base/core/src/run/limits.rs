@@ -1,5 +1,6 @@
 //! How much a computation may take.
 
+use super::CancelToken;
 use std::num::NonZeroUsize;
 use std::time::{Duration, Instant};
 
@@ -14,6 +15,8 @@ pub struct Limits {
     pub pieces: Option<usize>,
     /// Threads; those of the current pool where none is given. Results do not depend on it.
     pub threads: Option<NonZeroUsize>,
+    /// Ends the computation when it is cancelled, with [`StopReason::Cancelled`](super::StopReason::Cancelled).
+    pub cancel: Option<CancelToken>,
 }
 
 impl Limits {

@@ -20,12 +20,14 @@
 
 #[cfg(feature = "serde")]
 pub mod as_milliseconds;
+mod cancel;
 mod control;
 mod limits;
 mod progress;
 mod stop;
 mod threads;
 
+pub use cancel::CancelToken;
 pub use control::Control;
 pub use limits::{LimitError, Limits};
 pub use progress::{Progress, ProgressObserver};

@@ -13,11 +13,16 @@ use rayon::prelude::*;
 /// # Source
 /// The curve: `morton_geodetic_1966`.
 pub fn morton_order(mesh: &TriMesh, aabb: &Aabb) -> Vec<u32> {
+    sorted_keys(mesh, aabb).into_iter().map(|key| key as u32).collect()
+}
+
+/// The Morton code of each face in the upper half, its index in the lower one, in ascending order.
+pub(super) fn sorted_keys(mesh: &TriMesh, aabb: &Aabb) -> Vec<u64> {
     let positions = mesh.positions();
-    let scale = [0, 1, 2].map(|k| {
-        let extent = aabb.upper[k] - aabb.lower[k];
-        if extent > 0.0 { CELLS / extent } else { 0.0 }
-    });
+    // Cells are cubes, so that ranges of codes are about as long as wide whatever the shape of the box.
+    let extent =
+        (0..3).map(|k| aabb.upper[k] - aabb.lower[k]).fold(0.0, |m: f64, x| if x > m { x } else { m });
+    let scale = if extent > 0.0 { CELLS / extent } else { 0.0 };
     let mut keyed: Vec<u64> = mesh
         .faces()
         .par_iter()
@@ -33,17 +38,17 @@ pub fn morton_order(mesh: &TriMesh, aabb: &Aabb) -> Vec<u32> {
                 }
                 let centre = 0.5 * low + 0.5 * high;
                 // A scale that overflowed gives NaN or infinity here; the cast saturates.
-                let cell = ((centre - aabb.lower[k]) * scale[k]) as u32;
+                let cell = ((centre - aabb.lower[k]) * scale) as u32;
                 code |= spread(if cell < CELLS as u32 { cell } else { CELLS as u32 - 1 }) << k;
             }
             (u64::from(code) << 32) | f as u64
         })
         .collect();
     radix_sort_high_half(&mut keyed);
-    keyed.into_iter().map(|key| key as u32).collect()
+    keyed
 }
 
-/// Cells along each axis.
+/// Cells along the longest axis.
 const CELLS: f64 = 1024.0;
 
 /// Moves bit i of a 10-bit number to bit 3i.

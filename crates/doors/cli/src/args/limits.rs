@@ -1,9 +1,16 @@
 //! Options of what a search may take.
 
+use crate::exit::OutOfTime;
+use crate::interrupt;
 use crate::numbers::{duration, memory};
 use crate::threads::use_threads;
 use clap::Args;
-use std::time::Duration;
+use std::panic::resume_unwind;
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::time::{Duration, Instant};
+
+/// What is read within this time is read even if the time limit is shorter: then there is an answer.
+const READING: Duration = Duration::from_secs(1);
 
 #[derive(Args)]
 pub(crate) struct Limits {
@@ -29,7 +36,30 @@ impl Limits {
         pompeiu::core::run::Limits {
             time: self.time_after(passed),
             memory: self.memory_limit,
+            cancel: Some(interrupt::token()),
             ..pompeiu::core::run::Limits::default()
+        }
+    }
+
+    /// Reads what cannot be answered without, on a thread of its own, which is left alone when the time limit is over.
+    ///
+    /// # Errors
+    /// [`OutOfTime`].
+    pub(crate) fn while_reading<R: Send + 'static>(
+        &self,
+        started: Instant,
+        read: impl FnOnce() -> R + Send + 'static,
+    ) -> Result<R, OutOfTime> {
+        let Some(limit) = self.time_limit else { return Ok(read()) };
+        let (sender, receiver) = channel();
+        let reading = std::thread::spawn(move || sender.send(read()));
+        match receiver.recv_timeout(limit.max(READING).saturating_sub(started.elapsed())) {
+            Ok(read) => Ok(read),
+            Err(RecvTimeoutError::Timeout) => Err(OutOfTime(limit)),
+            Err(RecvTimeoutError::Disconnected) => match reading.join() {
+                Err(panic) => resume_unwind(panic),
+                Ok(_) => unreachable!("what is sent is received"),
+            },
         }
     }
 

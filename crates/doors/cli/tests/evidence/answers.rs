@@ -209,6 +209,29 @@ fn budgets_end_in_a_valid_interval_and_exit_code_3() {
     }
 }
 
+/// Nothing is said of what was not read, but that there was no time for it.
+#[cfg(unix)]
+#[test]
+fn reading_ends_with_the_time_limit() {
+    let folder = Folder::new();
+    folder.ok("generate icosphere -o sphere.obj");
+    // Somebody begins to write into a pipe, and does not go on.
+    let mut writer = std::process::Command::new("sh")
+        .args(["-c", "mkfifo scan.ply && exec > scan.ply && echo ply && exec sleep 60"])
+        .current_dir(folder.path())
+        .spawn()
+        .unwrap();
+    while !folder.path().join("scan.ply").exists() {
+        std::thread::yield_now();
+    }
+    let output = folder.run("distance scan.ply sphere.obj --time-limit 100ms");
+    writer.kill().unwrap();
+    writer.wait().unwrap();
+    let said = String::from_utf8(output.stderr).unwrap();
+    assert_eq!((output.status.code(), output.stdout.len()), (Some(3), 0), "{said}");
+    assert!(said.contains("the time limit of 100ms was over before the files were read"), "{said}");
+}
+
 #[test]
 fn tolerances_mean_what_they_say() {
     let folder = Folder::new();
@@ -501,6 +524,11 @@ fn repair_says_what_it_did_and_proves_how_far_it_went() {
         "loose.obj",
         "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 0\nv 1 0 0\nv 0 0 1\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 0 0\nv 0 1 0\nv 0 0 1\nv 9 9 9\n\
          f 1 3 2\nf 4 5 6\nf 7 8 9\nf 10 11 12\nf 2 3 1\nf 1 1 2\n",
+    );
+    let said = folder.ok("info loose.obj");
+    assert!(
+        said.contains(" seam edges (at the place of another boundary edge; pompeiu repair welds them)"),
+        "{said}"
     );
     let report = json(&folder, "repair loose.obj clean.ply --within 1e-9 --json");
     let count = |name: &str| report[name]["count"].as_u64().unwrap();

@@ -35,6 +35,10 @@ pub(crate) use worker::Found;
 /// discard more.
 const SAMPLES: usize = 1024;
 const FACES_PER_SAMPLE: usize = 16;
+/// One in so many of them comes first where a threshold is given: the others are of use only near it.
+const FIRST_SAMPLES: usize = 8;
+/// A threshold is far above the distance if samples reach less than this part of it.
+const FAR_BELOW: f64 = 0.5;
 /// Faces of a sweep task.
 const SWEEP_TASK: usize = 256;
 /// Samples of a task.
@@ -218,18 +222,31 @@ impl<'s, 'o> Search<'s, 'o> {
         let order = self.scene.order;
         let stride = order.len().div_ceil(SAMPLES).max(FACES_PER_SAMPLE);
         let samples: Vec<u32> = order.iter().copied().step_by(stride).collect();
-        let outcomes = self.round(samples.chunks(SAMPLE_TASK), |worker, faces| {
+        let Some(threshold) = self.limits.threshold else { return self.sample_at(&samples) };
+        let (first, others): (Vec<_>, Vec<_>) =
+            samples.iter().enumerate().partition(|(i, _)| i % FIRST_SAMPLES == 0);
+        for samples in [first, others] {
+            self.sample_at(&samples.into_iter().map(|(_, face)| *face).collect::<Vec<_>>());
+            if self.scene.stopped() || self.found.distance < FAR_BELOW * threshold {
+                break;
+            }
+        }
+    }
+
+    /// Asks for the distances of a corner of each of some faces.
+    fn sample_at(&mut self, faces: &[u32]) {
+        let outcomes = self.round(faces.chunks(SAMPLE_TASK), |worker, faces| {
             let scene = worker.scene();
             // One corner each, and not always the first: samples then also differ inside fans.
             let points = faces.iter().map(|&f| (f, scene.corners(f)[f as usize % 3]));
             worker.sample(points, scene.bvh.any_slot());
         });
         self.merge(outcomes);
-        self.report_progress(order.len() as u64);
+        self.report_progress(self.scene.order.len() as u64);
     }
 
-    /// Whether overlays are worth the neighbours of B's triangles: not where faces are so small for the distance that one of B mostly
-    /// covers one of A.
+    /// Whether overlays are worth the neighbours of B's triangles: not where faces are so small for the distance, or for the threshold,
+    /// that one of B mostly covers one of A.
     pub(crate) fn tries_overlays(&self) -> bool {
         let mean = |count: usize, corners: &mut dyn Iterator<Item = [[f64; 3]; 3]>| {
             let stride = count.div_ceil(SIZES);
@@ -239,7 +256,11 @@ impl<'s, 'o> Search<'s, 'o> {
         let Scene { order, bvh, .. } = self.scene;
         let size_a = mean(order.len(), &mut order.iter().map(|face| self.scene.corners(*face)));
         let size_b = mean(bvh.len(), &mut bvh.slots().map(|slot| bvh.corners(slot)));
-        self.found.distance < LARGE_DISTANCE * (size_a + size_b)
+        let distance = match self.limits.threshold {
+            Some(threshold) if threshold > self.found.distance => threshold,
+            _ => self.found.distance,
+        };
+        distance < LARGE_DISTANCE * (size_a + size_b)
     }
 
     fn sweep(&mut self) {

@@ -205,13 +205,13 @@ impl Worker<'_> {
         }
     }
 
-    fn solve(&mut self, rows: &Rows) -> Game {
+    pub(super) fn solve(&mut self, rows: &Rows) -> Game {
         self.out.work.games += 1;
         game::solve(rows.distances())
     }
 
     /// Adds the distances of the corners from a face; false if it is there already or there is no room.
-    fn add_row(&mut self, rows: &mut Rows, slot: Slot, points: &[[f64; 4]; 3]) -> bool {
+    pub(super) fn add_row(&mut self, rows: &mut Rows, slot: Slot, points: &[[f64; 4]; 3]) -> bool {
         if !rows.has_room_for(slot) {
             return false;
         }

@@ -2,9 +2,10 @@
 
 use super::overlay::{Below, OVERLAY_CUTS, Overlaid, View};
 use super::piece::{INHERITED, Piece, longest_edge};
+use super::rows::Rows;
 use super::worker::{STOP_CHECK, SlotProof, Worker, centre, max3, with_centre};
 use pompeiu_core::geom::Foot;
-use pompeiu_core::spatial::{Cover, Nearest, Slot};
+use pompeiu_core::spatial::{Cover, Nearest, Neighbours, Slot};
 
 /// Faces whose corners are fetched together, so that the waits for memory overlap.
 const FETCHED: usize = 16;
@@ -12,6 +13,8 @@ const FETCHED: usize = 16;
 const WRONG_PART: f64 = 0.25;
 /// Feet moved into a triangle bound squared distances up to about this factor beside it.
 const LOOSE: f64 = 2.0;
+/// A mixture is tried where the corners are at most this many times the limit from the face over the centre.
+const FAR: f64 = 2.0;
 
 /// What came of an overlay.
 pub(super) enum Settled {
@@ -31,10 +34,7 @@ impl Worker<'_> {
         let mut fetched = [[[0.0; 3]; 3]; FETCHED];
         for (i, faces_fetched) in faces.chunks(FETCHED).enumerate() {
             if (i * FETCHED).is_multiple_of(STOP_CHECK) && self.scene.stopped() {
-                for &face in &faces[i * FETCHED..] {
-                    self.bound_without_search(face, hint);
-                }
-                return;
+                return self.bound_without_search(&faces[i * FETCHED..]);
             }
             for (corners, face) in fetched.iter_mut().zip(faces_fetched) {
                 *corners = self.scene.corners(*face);
@@ -50,7 +50,9 @@ impl Worker<'_> {
         self.out.work.pieces += 1;
         let points = with_centre(corners);
         let mut piece = Piece::whole(face, *corners, hint);
-        if let Some(farthest) = self.covered_by(&points, hint, self.limit_sq(0)) {
+        // Where overlays are tried, the face that is seen over the centre is compared next, and is the likelier one.
+        let exactly = self.scene.neighbours.is_none();
+        if let Some(farthest) = self.covered_by(&points, hint, self.limit_sq(0), exactly) {
             self.discard(piece, farthest.sqrt(), || SlotProof::Face(hint));
             return hint;
         }
@@ -97,15 +99,21 @@ impl Worker<'_> {
         nearest
     }
 
-    /// The greatest squared distance of three corners from a face, if that is within a limit.
-    fn covered_by(&mut self, points: &[[f64; 4]; 3], slot: Slot, limit_sq: f64) -> Option<f64> {
+    /// The greatest squared distance of three corners from a face, or a bound on it, if that is within a limit.
+    fn covered_by(
+        &mut self,
+        points: &[[f64; 4]; 3],
+        slot: Slot,
+        limit_sq: f64,
+        exactly: bool,
+    ) -> Option<f64> {
         let foot = match &self.foot {
             Some((known, foot)) if *known == slot => foot,
             _ => &self.foot.insert((slot, Foot::new(self.scene.bvh.corners(slot)))).1,
         };
         self.workspace.distances += 3;
         let mut farthest = max3(foot.bounds_sq(points));
-        if farthest > limit_sq && farthest <= LOOSE * limit_sq {
+        if exactly && farthest > limit_sq && farthest <= LOOSE * limit_sq {
             farthest = max3(self.scene.bvh.four_distances_sq(points, slot, &mut self.workspace));
         }
         (farthest <= limit_sq).then_some(farthest)
@@ -119,10 +127,13 @@ impl Worker<'_> {
         let Some(start) = view.face_over_centre(bvh, neighbours, hint) else { return Settled::No(None) };
         if start != hint {
             let points = with_centre(&piece.corners);
-            if let Some(farthest) = self.covered_by(&points, start, self.limit_sq(piece.depth)) {
+            if let Some(farthest) = self.covered_by(&points, start, self.limit_sq(piece.depth), true) {
                 self.discard(*piece, farthest.sqrt(), || SlotProof::Face(start));
                 return Settled::Yes(start);
             }
+        }
+        if self.settle_by_mixture(piece, &view, neighbours, start) {
+            return Settled::Yes(start);
         }
         let depth = piece.depth + OVERLAY_CUTS;
         let below = Below { bvh, neighbours, limit_sq: self.limit_sq(depth) };
@@ -187,6 +198,40 @@ impl Worker<'_> {
         Settled::Yes(start)
     }
 
+    /// Discards a piece by a mixture of the face over its centre and those over the corners that are too far from it. Where the faces of
+    /// both meshes are about as large, this settles most of what one face does not, with less work than an overlay.
+    fn settle_by_mixture(
+        &mut self,
+        piece: &Piece,
+        view: &View,
+        neighbours: &Neighbours,
+        start: Slot,
+    ) -> bool {
+        let limit = self.limit(piece.depth);
+        let points = with_centre(&piece.corners);
+        let mut rows = Rows::default();
+        self.add_row(&mut rows, start, &points);
+        let row = rows.distances()[0];
+        // Far corners need so much weight on other faces that these would have to be near all corners.
+        if row.iter().any(|distance| *distance > FAR * limit) {
+            return false;
+        }
+        for (corner, _) in row.iter().enumerate().filter(|(_, distance)| **distance > limit) {
+            let over = view.face_over_corner(corner, self.scene.bvh, neighbours, start);
+            let Some(over) = over else { return false };
+            self.add_row(&mut rows, over, &points);
+        }
+        if rows.uncovered_corner(limit).is_some() {
+            return false;
+        }
+        let game = self.solve(&rows);
+        if game.value > limit {
+            return false;
+        }
+        self.discard(*piece, game.value, || rows.mixture(&game.weights));
+        true
+    }
+
     /// Keeps discarded pieces with the bound of the face nearest to their centroid, if that is better than their own.
     pub(super) fn tighten(&mut self, pieces: &[Piece]) {
         let bvh = self.scene.bvh;
@@ -212,10 +257,16 @@ impl Worker<'_> {
         }
     }
 
-    /// A valid bound on a face at the price of one triangle: what is left to do when time runs out.
-    fn bound_without_search(&mut self, face: u32, hint: Slot) {
-        let points = with_centre(&self.scene.corners(face));
-        let d = max3(self.scene.bvh.four_distances_sq(&points, hint, &mut self.workspace)).sqrt();
-        self.raise_upper(d + self.limits.rounding.bound(0));
+    /// Valid bounds on faces by a triangle that is near one of them: what is left to do when time runs out.
+    fn bound_without_search(&mut self, faces: &[u32]) {
+        for faces in faces.chunks(FETCHED) {
+            let near =
+                self.scene.bvh.some_near(self.scene.corners(faces[faces.len() / 2])[0], &mut self.workspace);
+            for &face in faces {
+                let points = with_centre(&self.scene.corners(face));
+                let d = max3(self.scene.bvh.four_distances_sq(&points, near, &mut self.workspace)).sqrt();
+                self.raise_upper(d + self.limits.rounding.bound(0));
+            }
+        }
     }
 }

@@ -4,7 +4,7 @@ use crate::support::{check_both, check_report, overlap, same};
 use pompeiu_core::TriMesh;
 use pompeiu_core::mesh::displace_at_random;
 use pompeiu_core::mesh::shapes::{Diagonal, grid, icosphere, point_lattice, torus};
-use pompeiu_core::run::Limits;
+use pompeiu_core::run::{CancelToken, Limits};
 use pompeiu_hausdorff::{
     DirectedReport, Direction, HausdorffOptions, Method, Observer, Progress, StopReason, Target, Tolerance,
     directed_hausdorff, symmetric_hausdorff,
@@ -197,6 +197,27 @@ fn cancelling_at_any_call() {
             gap = report.distance.gap();
         }
     }
+}
+
+/// A token cancels without an observer, before there is a tree and while there is none.
+#[test]
+fn cancelling_by_a_token() {
+    let (a, b) = large_pair();
+    let full = directed_hausdorff(&a, &b);
+    let cancel = CancelToken::default();
+    let query = limited(Limits { cancel: Some(cancel.clone()), ..Limits::default() });
+    assert!(same(&query.directed(&a, &b).unwrap(), &full));
+    let target = Target::new(&b);
+    cancel.cancel();
+    let both = query.symmetric(&a, &b).unwrap();
+    check_both(&a, &b, &both);
+    assert_eq!((both.a_to_b.stop, both.b_to_a.stop), (StopReason::Cancelled, StopReason::Cancelled));
+    assert_eq!((both.a_to_b.work.queries, both.b_to_a.work.queries), (0, 0));
+    check_stopped(&a, &b, &both.a_to_b, &full, StopReason::Cancelled);
+    let searched = query.directed_to(&a, &target).unwrap();
+    check_stopped(&a, &b, &searched, &full, StopReason::Cancelled);
+    // Every face was bounded by one near it, though none was looked for.
+    assert!(searched.distance.upper() < 0.5, "{searched:?}");
 }
 
 /// Ends a search after so many pieces.

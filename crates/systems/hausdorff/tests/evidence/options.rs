@@ -181,7 +181,7 @@ fn a_threshold_far_from_the_distance_is_decided_early() {
         report.work.distances
     };
     assert!(
-        3 * work(2.0) < 2 * full.work.distances && 2 * work(0.5) < full.work.distances,
+        2 * work(2.0) < full.work.distances && 2 * work(0.5) < full.work.distances,
         "{} {} {full:?}",
         work(2.0),
         work(0.5)

@@ -2,6 +2,8 @@
 
 /// How often something was done or found, and where at first.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Change {
     /// How often.
     pub count: usize,
@@ -29,10 +31,13 @@ impl Change {
 
 /// What [`repair`](super::repair) did, in the order of the operations.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct RepairReport {
     /// Vertices that no face names, dropped.
     pub unreferenced_vertices: Change,
     /// Vertices that became one with an earlier one.
+    #[cfg_attr(feature = "serde", serde(rename = "welded_vertices"))]
     pub welded: Change,
     /// Faces of area zero, dropped.
     pub degenerate_faces: Change,

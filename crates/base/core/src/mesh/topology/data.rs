@@ -40,6 +40,8 @@ pub(super) struct Summary {
     unreferenced_vertices: usize,
     /// Number of edges with a single face.
     boundary_edges: usize,
+    /// Number of boundary edges whose ends are at the positions of those of another boundary edge: where welding would close the surface.
+    seam_edges: usize,
     /// Number of edges with more than two faces.
     non_manifold_edges: usize,
     /// Number of vertices whose faces form more than one fan.
@@ -83,6 +85,7 @@ impl From<MeshSummary> for Summary {
             duplicate_faces: summary.duplicate_faces,
             unreferenced_vertices: summary.unreferenced_vertices,
             boundary_edges: connectivity.boundary_edges,
+            seam_edges: summary.seam_edges,
             non_manifold_edges: connectivity.non_manifold_edges,
             non_manifold_vertices: connectivity.non_manifold_vertices,
             inconsistent_edges: connectivity.inconsistent_edges,

@@ -5,6 +5,7 @@ mod connectivity;
 mod data;
 mod degenerate;
 mod measure;
+mod seams;
 pub(super) mod union_find;
 
 pub use connectivity::Connectivity;
@@ -35,6 +36,9 @@ pub struct MeshSummary {
     pub degenerate_faces: usize,
     /// Number of faces that name the same three different vertices as an earlier face, in whatever order.
     pub duplicate_faces: usize,
+    /// Number of boundary edges whose ends are at the positions of those of another boundary edge, as where a surface was cut up
+    /// or never welded.
+    pub seam_edges: usize,
     /// The box of the faces; unreferenced vertices do not count.
     pub bounding_box: Aabb,
     /// Sum of the areas of all faces, in squared length; rounded, infinite beyond the range of `f64`.
@@ -63,6 +67,7 @@ impl MeshSummary {
                 .filter(|face| is_degenerate(face.map(|v| mesh.positions()[v as usize])))
                 .count(),
             duplicate_faces: duplicates(mesh, &edges),
+            seam_edges: seams::seam_edges(mesh, &edges),
             area: measure::area(mesh, &bounding_box),
             volume: connectivity.encloses_volume.then(|| measure::volume(mesh, &bounding_box)),
             bounding_box,

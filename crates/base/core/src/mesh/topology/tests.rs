@@ -91,6 +91,9 @@ fn several_components_add_up() {
     assert_manifold(&merge(&[&a, &b, &c]).unwrap(), (3, 0, 2, Some(2)));
     let soup = assert_manifold(&unweld(&a).unwrap(), (70, 70, 70, Some(0)));
     assert_eq!(soup.volume, None);
+    // All edges of the soup are seams, and none of the torus: nor is one of a real boundary.
+    assert_eq!((soup.seam_edges, soup.connectivity.boundary_edges), (210, 210));
+    assert_eq!([summary(&a).seam_edges, summary(&disk(1.0, 8, 3).unwrap()).seam_edges], [0, 0]);
 }
 
 #[test]

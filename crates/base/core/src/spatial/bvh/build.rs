@@ -1,15 +1,25 @@
-//! Top-down building.
+//! Building along a space-filling curve.
 //!
-//! Every split leaves a multiple of eight triangles on its left, so that all leaves but the last are full and the place
-//! of a leaf follows from the place of its triangles: subtrees can be built in parallel with nothing to agree on.
+//! Faces are sorted by their Morton codes, and ranges of them are split where the highest bit of the code changes, so that no face is
+//! moved above the lowest nodes. Only there, among [`FEW`] faces at a time, are faces sorted into leaves by their boxes. Where the codes
+//! do not tell the faces of a range apart, as when nearly all of the mesh is in one corner of its box, the range is split by boxes from
+//! there on.
 //!
-//! How a range of faces is split is in `split`.
+//! Splits leave a multiple of [`FEW`] faces on their left, those by boxes a multiple of eight. So the lowest nodes are full but for the
+//! last, and the place of a leaf follows from the place of its triangles: subtrees can be built in parallel with nothing to agree on.
+//!
+//! How a range of faces is split by boxes is in `split`.
+//!
+//! # Source
+//! Splitting sorted codes at their highest bit: `lauterbach_fast_2009`.
 
-use super::split::{Bounds, Item, Split, split};
+use super::split::{Bounds, FEW, Item, Split, split};
 use super::{Bvh, LEAF, Node};
 use crate::geom::point_triangle::{LANES, TriangleBlock, set_lane};
 use crate::geom::{Aabb, Frame};
 use crate::mesh::{FaceId, TriMesh};
+use crate::run::Control;
+use crate::spatial::morton::sorted_keys;
 use rayon::prelude::*;
 
 /// Ranges longer than this are built in parallel.
@@ -19,105 +29,182 @@ impl Bvh {
     /// Builds the tree over the faces of a mesh, seen in a frame.
     ///
     /// # Cost
-    /// O(m log m) time on all threads of the current pool; the same tree for any number of threads.
+    /// O(m) time on all threads of the current pool for meshes whose faces are about evenly large, O(m log m) for any; the same tree for
+    /// any number of threads.
     pub fn build(mesh: &TriMesh, frame: &Frame) -> Self {
+        Self::build_while(mesh, frame, &Control::default())
+    }
+
+    /// [`Bvh::build`] that gives up, with nothing, soon after it is told to stop.
+    pub fn build_unless_stopped(mesh: &TriMesh, frame: &Frame, control: &Control) -> Option<Self> {
+        let bvh = Self::build_while(mesh, frame, control);
+        (!control.is_stopped()).then_some(bvh)
+    }
+
+    /// Only whole where it was not told to stop.
+    fn build_while(mesh: &TriMesh, frame: &Frame, control: &Control) -> Self {
         let corners = |face: u32| {
             let [a, b, c] = mesh.corners(FaceId(face));
             [frame.map(a), frame.map(b), frame.map(c)]
         };
-        let count = mesh.faces().len();
-        let mut items = vec![Item { bounds: Bounds::ZERO }; count];
-        let bounds = items
-            .par_chunks_mut(PARALLEL_ABOVE)
-            .enumerate()
-            .map(|(i, chunk)| {
-                let mut bounds = Bounds::EMPTY;
-                for (item, face) in chunk.iter_mut().zip((i * PARALLEL_ABOVE) as u32..) {
-                    *item = Item::new(&Aabb::of_points(&corners(face)), face);
-                    bounds.add(&item.bounds);
-                }
-                bounds
-            })
-            .reduce(|| Bounds::EMPTY, Bounds::union);
+        let keys = sorted_keys(mesh, &Aabb::of_faces(mesh));
+        let count = keys.len();
         let mut blocks = vec![[[[0.0; LANES]; 3]; 3]; count.div_ceil(LANES)];
         let mut faces = vec![0; count];
         let mut nodes = Vec::new();
-        let part = Part { items: &mut items, blocks: &mut blocks, faces: &mut faces, bounds, first: 0 };
-        Builder { corners: &corners }.subtree(part, 0, &mut nodes);
+        let part = Part { range: Range::Sorted(&keys), blocks: &mut blocks, faces: &mut faces, first: 0 };
+        Builder { corners: &corners, control }.subtree(part, 0, &mut nodes);
         nodes.shrink_to_fit();
         Self { nodes, blocks, faces }
     }
 }
 
-/// Items that will lie below one child.
+/// The faces of a range of the tree.
+enum Range<'i> {
+    /// Codes and faces, by ascending code.
+    Sorted(&'i [u64]),
+    /// Boxes and faces in any order, and a box about all of them.
+    Boxes(&'i mut [Item], Bounds),
+}
+
+/// Faces that will lie below one child.
 struct Part<'i> {
-    items: &'i mut [Item],
+    range: Range<'i>,
     /// Where their triangles will be.
     blocks: &'i mut [TriangleBlock],
     faces: &'i mut [u32],
-    bounds: Bounds,
-    /// Place of the first item among all; a multiple of eight.
+    /// Place of the first face among all; a multiple of eight.
     first: usize,
 }
 
-impl<'i> Part<'i> {
+impl Part<'_> {
+    fn len(&self) -> usize {
+        self.faces.len()
+    }
+
     fn is_leaf(&self) -> bool {
-        self.items.len() <= LANES
+        self.len() <= LANES
+    }
+
+    /// Whether it can be split as it is: sorted ranges that are short, or whose codes are alike, are split by boxes in a node of their
+    /// own.
+    fn can_be_split(&self) -> bool {
+        match &self.range {
+            Range::Sorted(keys) => Change::of(keys).is_some(),
+            Range::Boxes(..) => !self.is_leaf(),
+        }
     }
 
     fn split(self, depth: usize) -> [Self; 2] {
-        let Split { left, bounds } = split(self.items, &self.bounds, depth);
-        let items = self.items.split_at_mut(left);
+        let (left, ranges) = match self.range {
+            Range::Sorted(keys) => {
+                let left = Change::of(keys).map_or(FEW, |change| change.place(keys));
+                let (one, other) = keys.split_at(left);
+                (left, [Range::Sorted(one), Range::Sorted(other)])
+            }
+            Range::Boxes(items, bounds) => {
+                let Split { left, bounds: [one, other] } = split(items, &bounds, depth);
+                let (these, those) = items.split_at_mut(left);
+                (left, [Range::Boxes(these, one), Range::Boxes(those, other)])
+            }
+        };
         let blocks = self.blocks.split_at_mut(left / LANES);
         let faces = self.faces.split_at_mut(left);
-        let first = [self.first, self.first + left];
+        let [one, other] = ranges;
         [
-            Self { items: items.0, blocks: blocks.0, faces: faces.0, bounds: bounds[0], first: first[0] },
-            Self { items: items.1, blocks: blocks.1, faces: faces.1, bounds: bounds[1], first: first[1] },
+            Self { range: one, blocks: blocks.0, faces: faces.0, first: self.first },
+            Self { range: other, blocks: blocks.1, faces: faces.1, first: self.first + left },
         ]
     }
 
-    /// Splits the largest part until there are eight or all are leaves.
+    /// Splits the largest part that can be until there are eight, or none can be.
     fn split_into_eight(self, depth: usize) -> Vec<Self> {
-        if self.items.len() > PARALLEL_ABOVE {
-            let halves = self.split(depth);
-            let quarters: Vec<_> =
-                halves.into_par_iter().flat_map_iter(|p| p.split_if_possible(depth)).collect();
-            return quarters.into_par_iter().flat_map_iter(|p| p.split_if_possible(depth)).collect();
-        }
         let mut parts = Vec::with_capacity(LANES);
         parts.push(self);
         while parts.len() < LANES {
-            let largest = (0..parts.len()).max_by_key(|&i| (parts[i].items.len(), LANES - i)).unwrap_or(0);
-            if parts[largest].is_leaf() {
-                break;
-            }
+            let largest = (0..parts.len())
+                .filter(|&i| parts[i].can_be_split())
+                .max_by_key(|&i| (parts[i].len(), LANES - i));
+            let Some(largest) = largest else { break };
             let part = parts.swap_remove(largest);
             parts.extend(part.split(depth));
         }
         parts
     }
+}
 
-    fn split_if_possible(self, depth: usize) -> impl Iterator<Item = Self> + use<'i> {
-        let (one, two) = if self.is_leaf() { (Some(self), None) } else { (None, Some(self.split(depth))) };
-        one.into_iter().chain(two.into_iter().flatten())
+/// Where the highest bit changes that the codes of a sorted range differ in.
+struct Change {
+    /// The bit of a key.
+    bit: u32,
+    /// What keys are from that bit upwards, from the change on.
+    upper: u64,
+}
+
+impl Change {
+    /// Few codes at the ends do not count, which came there when splits were moved. None for a short range, and for one whose codes are
+    /// alike.
+    fn of(keys: &[u64]) -> Option<Self> {
+        let count = keys.len();
+        if count <= FEW {
+            return None;
+        }
+        let few = if count < 2 * FEW { count / 4 } else { FEW / 2 };
+        let (least, greatest) = (keys[few], keys[count - 1 - few]);
+        let differ = (least ^ greatest) >> 32;
+        (differ != 0).then(|| {
+            let bit = 32 + differ.ilog2();
+            Self { bit, upper: greatest >> bit }
+        })
+    }
+
+    /// The multiple of [`FEW`] next to it, with keys on both sides.
+    fn place(&self, keys: &[u64]) -> usize {
+        let place = keys.partition_point(|&key| key >> self.bit < self.upper);
+        let most = (keys.len() - 1) / FEW * FEW;
+        ((place + FEW / 2) / FEW * FEW).clamp(FEW, most)
     }
 }
 
 struct Builder<'c, C> {
     corners: &'c C,
+    control: &'c Control,
 }
 
 impl<C: Fn(u32) -> [[f64; 3]; 3] + Sync> Builder<'_, C> {
-    /// Appends the node over a part and all below it; returns its box.
+    /// Appends the node over a part and all below it; returns its box. What it returns means nothing once it was told to stop.
     fn subtree(&self, part: Part<'_>, depth: usize, nodes: &mut Vec<Node>) -> Aabb {
+        match part.range {
+            Range::Sorted(keys) if !part.can_be_split() => {
+                let (mut few, mut many) = ([Item::NONE; FEW], Vec::new());
+                let items = if keys.len() <= FEW {
+                    &mut few[..keys.len()]
+                } else {
+                    many.resize(keys.len(), Item::NONE);
+                    &mut many[..]
+                };
+                for (item, &key) in items.iter_mut().zip(keys) {
+                    *item = Item::new(&Aabb::of_points(&(self.corners)(key as u32)), key as u32);
+                }
+                let bounds = Bounds::of(items);
+                self.node(Part { range: Range::Boxes(items, bounds), ..part }, depth, nodes)
+            }
+            _ => self.node(part, depth, nodes),
+        }
+    }
+
+    /// [`Builder::subtree`] of a part that can be split, or is a leaf.
+    fn node(&self, part: Part<'_>, depth: usize, nodes: &mut Vec<Node>) -> Aabb {
+        let parallel = part.len() > PARALLEL_ABOVE;
+        if parallel && self.control.is_stopped() {
+            return Aabb::EMPTY;
+        }
         let place = nodes.len();
         nodes.push(Node {
             lower: [[f64::INFINITY; LANES]; 3],
             upper: [[f64::NEG_INFINITY; LANES]; 3],
             child: [0; LANES],
         });
-        let parallel = part.items.len() > PARALLEL_ABOVE;
         let parts = part.split_into_eight(depth);
         let mut children = [(Aabb::EMPTY, 0); LANES];
         let count = parts.len();
@@ -155,21 +242,21 @@ impl<C: Fn(u32) -> [[f64; 3]; 3] + Sync> Builder<'_, C> {
     /// The box and the entry of a child, which is appended if it is a node.
     fn child(&self, part: Part<'_>, depth: usize, nodes: &mut Vec<Node>) -> (Aabb, u32) {
         if part.is_leaf() {
-            return (
-                self.leaf(part.items, &mut part.blocks[0], part.faces),
-                LEAF | (part.first / LANES) as u32,
-            );
+            for (face, place) in part.faces.iter_mut().zip(0..) {
+                *face = match &part.range {
+                    Range::Sorted(keys) => keys[place] as u32,
+                    Range::Boxes(items, _) => items[place].face(),
+                };
+            }
+            return (self.leaf(part.faces, &mut part.blocks[0]), LEAF | (part.first / LANES) as u32);
         }
         let place = nodes.len() as u32;
         (self.subtree(part, depth + 1, nodes), place)
     }
 
     /// Writes the triangles of a leaf, and returns their box.
-    fn leaf(&self, items: &[Item], block: &mut TriangleBlock, faces: &mut [u32]) -> Aabb {
+    fn leaf(&self, faces: &[u32], block: &mut TriangleBlock) -> Aabb {
         let mut aabb = Aabb::EMPTY;
-        for (face, item) in faces.iter_mut().zip(items) {
-            *face = item.face();
-        }
         for lane in 0..LANES {
             let face = faces[if lane < faces.len() { lane } else { faces.len() - 1 }];
             let corners = (self.corners)(face);
@@ -198,8 +285,9 @@ fn append(nodes: &mut Vec<Node>, mut below: Vec<Node>) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::spatial::bvh::Slot;
+    use crate::run::StopReason;
     use crate::spatial::bvh::split::MEDIAN_BELOW_DEPTH;
+    use crate::spatial::bvh::{Slot, Workspace};
     use proptest::prelude::*;
 
     fn tree_over(points: Vec<[f64; 3]>) -> (TriMesh, Bvh) {
@@ -255,6 +343,30 @@ mod tests {
             assert!(faces.iter().copied().eq(0..mesh.faces().len() as u32));
             assert!(check(&bvh) <= MEDIAN_BELOW_DEPTH + 12);
         }
+    }
+
+    #[test]
+    fn building_ends_when_it_is_told_to() {
+        let (mesh, bvh) =
+            tree_over((0..9000).map(|i| [f64::from(i).sin(), f64::from(i % 97), 0.0]).collect());
+        let frame = Frame::of(&Aabb::of_faces(&mesh));
+        let control = Control::default();
+        let again = Bvh::build_unless_stopped(&mesh, &frame, &control).unwrap();
+        assert_eq!(format!("{again:?}"), format!("{bvh:?}"));
+        control.stop(StopReason::Cancelled);
+        assert!(Bvh::build_unless_stopped(&mesh, &frame, &control).is_none());
+    }
+
+    /// All but one face in one cell of the curve, as where a vertex is far from all others.
+    #[test]
+    fn faces_in_one_cell_are_told_apart_by_their_boxes() {
+        let grid = (0..4000).map(|i| [f64::from(i % 60), f64::from(i / 60), 0.0]);
+        let (mesh, bvh) = tree_over(grid.chain([[1e9; 3]]).collect());
+        check(&bvh);
+        let mut workspace = Workspace::default();
+        let p = Frame::of(&Aabb::of_faces(&mesh)).map([30.2, 30.3, 1.0]);
+        bvh.nearest(p, bvh.any_slot(), &mut workspace);
+        assert!(workspace.distances < 400, "{}", workspace.distances);
     }
 
     #[test]

@@ -52,7 +52,7 @@ const LEAF: u32 = 1 << 31;
 /// A bounding-volume hierarchy over the faces of a mesh, for closest-point questions.
 ///
 /// # Cost
-/// About 95 bytes per face: corner positions by value, the face's index, and its share of the nodes above.
+/// About 85 bytes per face: corner positions by value, the face's index, and its share of the nodes above.
 #[derive(Clone, Debug)]
 pub struct Bvh {
     /// The root is the first.

@@ -78,6 +78,14 @@ impl Bvh {
         traverse(self, p, start, workspace)
     }
 
+    /// A triangle that is near `p`, but perhaps not the nearest: the nearest in the leaf that lies ahead on the way down.
+    ///
+    /// # Cost
+    /// A small part of [`Bvh::nearest`].
+    pub fn some_near(&self, p: [f64; 3], workspace: &mut Workspace) -> Slot {
+        descend(self, p, workspace)
+    }
+
     /// The squared distance from `p` to the triangle in a slot.
     #[inline]
     pub fn distance_sq(&self, p: [f64; 3], slot: Slot) -> f64 {
@@ -102,6 +110,22 @@ fn traverse(bvh: &Bvh, p: [f64; 3], start: Nearest, workspace: &mut Workspace) -
         }
     }
     best
+}
+
+#[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2", "aarch64+neon"))]
+fn descend(bvh: &Bvh, p: [f64; 3], workspace: &mut Workspace) -> Slot {
+    let mut entry = 0;
+    while entry & LEAF == 0 {
+        workspace.stack.restart();
+        push_children(bvh, p, entry, f64::INFINITY, &mut workspace.stack);
+        // The nearest child is on top; the root has one in any case.
+        entry = workspace.stack.pop().map_or(LEAF, |(_, child)| child);
+    }
+    workspace.distances += LANES as u64;
+    let block = entry & !LEAF;
+    let mut best = Nearest { slot: Slot(block * LANES as u32), distance_sq: f64::INFINITY };
+    improve(bvh, p, block, &mut best);
+    best.slot
 }
 
 /// Takes the nearest triangle of a block if it beats the best so far. Says whether it did.
@@ -213,6 +237,8 @@ mod tests {
                 let found = bvh.nearest(p, start, &mut workspace);
                 prop_assert!(found.distance_sq <= least * (1.0 + 1e-14));
                 prop_assert_eq!(bvh.distance_sq(p, found.slot), found.distance_sq);
+                let near = bvh.some_near(p, &mut workspace);
+                prop_assert!(bvh.distance_sq(p, near) >= least && bvh.face(near).index() < mesh.faces().len());
                 start = found.slot;
             }
         }

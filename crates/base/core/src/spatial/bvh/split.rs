@@ -22,10 +22,10 @@ pub(super) struct Bounds {
 }
 
 impl Bounds {
-    pub(super) const ZERO: Self = Self { lower: [0.0; 4], upper: [0.0; 4] };
-    pub(super) const EMPTY: Self = Self { lower: [f32::INFINITY; 4], upper: [f32::NEG_INFINITY; 4] };
+    const ZERO: Self = Self { lower: [0.0; 4], upper: [0.0; 4] };
+    const EMPTY: Self = Self { lower: [f32::INFINITY; 4], upper: [f32::NEG_INFINITY; 4] };
 
-    fn of(items: &[Item]) -> Self {
+    pub(super) fn of(items: &[Item]) -> Self {
         items.iter().fold(Self::EMPTY, |bounds, item| bounds.union(item.bounds))
     }
 
@@ -50,6 +50,8 @@ impl Bounds {
 }
 
 impl Item {
+    pub(super) const NONE: Self = Self { bounds: Bounds::ZERO };
+
     pub(super) fn new(aabb: &Aabb, face: u32) -> Self {
         let [x, y, z] = aabb.lower.map(|x| x as f32);
         let [u, v, w] = aabb.upper.map(|x| x as f32);
@@ -72,7 +74,7 @@ const BINS: usize = 16;
 /// Longer ranges are binned over their box instead of their centres: a little coarser, and one pass less.
 const EXACT_CENTRES_UP_TO: usize = 512;
 /// Ranges no longer than this are sorted.
-const FEW: usize = 64;
+pub(super) const FEW: usize = 64;
 /// Below this depth (in nodes) splits go through the middle, which bounds the depth of the tree for every input.
 pub(super) const MEDIAN_BELOW_DEPTH: usize = 24;
 
@@ -126,7 +128,7 @@ fn split_few(items: &mut [Item]) -> Split {
     for ((key, item), place) in keys.iter_mut().zip(&*items).zip(0..) {
         *key = (((item.centre(axis) - low[axis]) * scale) as i32) << FEW.ilog2() | place;
     }
-    let mut sorted = [Item { bounds: Bounds::ZERO }; FEW];
+    let mut sorted = [Item::NONE; FEW];
     for (ranks, own) in (0..count).step_by(LANES).map(|i| (ranks(&keys, count, i), i..count.min(i + LANES))) {
         for (item, rank) in items[own].iter().zip(ranks) {
             sorted[rank as usize] = *item;

@@ -41,7 +41,7 @@ pub(crate) fn run(args: &Align, printer: &Printer) -> anyhow::Result<Exit> {
     files::check_places(outputs, &[&args.moving, &args.fixed])?;
     args.limits.apply_threads()?;
     let wait = Wait::new(printer);
-    let (moving, fixed) = pair::read(&args.moving, &args.fixed, &wait, printer)?;
+    let (moving, fixed) = pair::read(&args.moving, &args.fixed, (&args.limits, started), &wait, printer)?;
     let read = started.elapsed();
     interrupt::listen();
     let show = |progress: &Progress<'_>| {

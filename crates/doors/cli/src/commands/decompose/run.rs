@@ -25,6 +25,8 @@ pub(crate) fn run(args: &Decompose, printer: &Printer) -> anyhow::Result<Exit> {
         bail!("--report and --image show a field and its parts; name one with --field");
     }
     let file = source.as_ref().and_then(FieldSource::file);
+    // Before what may take long.
+    file.map_or(Ok(()), files::check_readable)?;
     let inputs: Vec<&Path> = std::iter::once(args.mesh.as_path()).chain(file).collect();
     let outputs = args.output.iter().map(PathBuf::as_path).chain(args.picture.outputs());
     files::check_places(outputs, &inputs)?;

@@ -75,7 +75,7 @@ pub(crate) fn run(args: &Deviation, printer: &Printer) -> anyhow::Result<Exit> {
     files::check_places(written.chain(args.picture.outputs()), &paths)?;
     args.limits.apply_threads()?;
     let wait = Wait::new(printer);
-    let [a, b] = pair::read_files(paths, &wait, printer)?;
+    let [a, b] = pair::read_files(paths, (&args.limits, started), &wait, printer)?;
     let groups = [&a.groups[..], &b.groups[..]];
     let (a, mut b) = (a.mesh, b.mesh);
     let read = started.elapsed();

@@ -26,7 +26,7 @@ pub(crate) fn run(args: &Distance, printer: &Printer) -> anyhow::Result<Exit> {
     pair::check(paths[0], paths[1], printer)?;
     args.limits.apply_threads()?;
     let wait = Wait::new(printer);
-    let (a, mut b) = pair::read(paths[0], paths[1], &wait, printer)?;
+    let (a, mut b) = pair::read(paths[0], paths[1], (&args.limits, started), &wait, printer)?;
     let read = started.elapsed();
     interrupt::listen();
     let mut alignment = None;

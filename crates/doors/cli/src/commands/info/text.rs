@@ -47,6 +47,7 @@ pub(super) fn text(
     let oddities = [
         (summary.degenerate_faces, "degenerate face", "area zero"),
         (summary.duplicate_faces, "duplicate face", "the vertices of another"),
+        (summary.seam_edges, "seam edge", "at the place of another boundary edge; pompeiu repair welds them"),
         (summary.unreferenced_vertices, "unreferenced vertex", "in no face"),
         (topology.non_manifold_edges, "non-manifold edge", "in more than two faces"),
         (topology.non_manifold_vertices, "non-manifold vertex", "more than one fan of faces"),

@@ -67,16 +67,31 @@ impl View {
         (best.1, best.2)
     }
 
-    /// The face of B seen over the centre of T, found by walking from one close by; none if B ends on the way or the way is
+    /// The face of B over the centre of T, found by walking from one close by; none if B ends on the way or the way is
     /// long.
     pub(crate) fn face_over_centre(&self, bvh: &Bvh, neighbours: &Neighbours, start: Slot) -> Option<Slot> {
-        const THIRD: f64 = 1.0 / 3.0;
+        self.face_over([1.0 / 3.0; 2], bvh, neighbours, start)
+    }
+
+    /// The same for a corner of T.
+    pub(crate) fn face_over_corner(
+        &self,
+        corner: usize,
+        bvh: &Bvh,
+        neighbours: &Neighbours,
+        start: Slot,
+    ) -> Option<Slot> {
+        self.face_over([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]][corner], bvh, neighbours, start)
+    }
+
+    /// The same for the point of T's plane with these second and third barycentric coordinates.
+    fn face_over(&self, at: [f64; 2], bvh: &Bvh, neighbours: &Neighbours, start: Slot) -> Option<Slot> {
         let mut slot = start;
         let mut entered_by = 3;
         for _ in 0..MOST_STEPS {
             let p = bvh.corners(slot).map(|corner| {
                 let [_, v, w] = self.barycentric(DVec3::from_array(corner));
-                [v - THIRD, w - THIRD]
+                [v - at[0], w - at[1]]
             });
             let turn = |a: [f64; 2], b: [f64; 2]| a[0] * b[1] - a[1] * b[0];
             let turns = [turn(p[0], p[1]), turn(p[1], p[2]), turn(p[2], p[0])];
