@@ -216,8 +216,6 @@ fn cancelling_by_a_token() {
     check_stopped(&a, &b, &both.a_to_b, &full, StopReason::Cancelled);
     let searched = query.directed_to(&a, &target).unwrap();
     check_stopped(&a, &b, &searched, &full, StopReason::Cancelled);
-    // Every face was bounded by one near it, though none was looked for.
-    assert!(searched.distance.upper() < 0.5, "{searched:?}");
 }
 
 /// Ends a search after so many pieces.

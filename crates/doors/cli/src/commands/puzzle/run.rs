@@ -202,7 +202,7 @@ fn kind(path: Option<&Path>, kinds: &[Drawing]) -> anyhow::Result<Option<Drawing
     };
     let Some(kind) = kinds.iter().find(is) else {
         let names: Vec<&str> = kinds.iter().map(|kind| kind.suffix()).collect();
-        bail!("{}: puzzles are written here as {}", path.display(), names.join(" or "))
+        bail!("{}: puzzles are written as {}", path.display(), names.join(" or "))
     };
     Ok(Some(*kind))
 }
