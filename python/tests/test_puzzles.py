@@ -68,9 +68,6 @@ def test_drawings(tmp_path):
     assert (tmp_path / "pieces.png").read_bytes().startswith(b"\x89PNG")
     with pytest.raises(pompeiu.WriteError, match="no motion"):
         made.write(tmp_path / "motion.svg", motion=True)
-    free = pompeiu.puzzle(6, tab="none")
-    free.write(tmp_path / "motion.svg", motion=True)
-    assert "animateTransform" in (tmp_path / "motion.svg").read_text()
 
 
 def test_a_cut_leaves_a_gap_and_a_picture_lies_on_the_pieces(tmp_path):
