@@ -70,6 +70,13 @@ def test_drawings(tmp_path):
         made.write(tmp_path / "motion.svg", motion=True)
 
 
+@pytest.mark.xfail(strict=True, raises=pompeiu.WriteError, reason="the motion of plain squares is not followed")
+def test_the_motion_of_a_free_puzzle_is_drawn(tmp_path):
+    free = pompeiu.puzzle(6, tab="none")
+    free.write(tmp_path / "motion.svg", motion=True)
+    assert "animateTransform" in (tmp_path / "motion.svg").read_text()
+
+
 def test_a_cut_leaves_a_gap_and_a_picture_lies_on_the_pieces(tmp_path):
     pompeiu.puzzle(6).write(tmp_path / "any.png")
     made = pompeiu.puzzle(6, kerf=0.2, image=tmp_path / "any.png")
