@@ -70,7 +70,6 @@ def test_drawings(tmp_path):
         made.write(tmp_path / "motion.svg", motion=True)
 
 
-@pytest.mark.xfail(strict=True, raises=pompeiu.WriteError, reason="the motion of plain squares is not followed")
 def test_the_motion_of_a_free_puzzle_is_drawn(tmp_path):
     free = pompeiu.puzzle(6, tab="none")
     free.write(tmp_path / "motion.svg", motion=True)

@@ -65,7 +65,7 @@ impl DeviationContent {
             unit: self.unit.clone(),
             colors: if self.signed { ColorMap::Vik } else { ColorMap::Viridis },
             span: if self.signed { Span::Signed } else { Span::Size },
-            threshold: Some(self.threshold.unwrap_or_else(|| first.distance_covering(0.05))),
+            threshold: Some(self.threshold.unwrap_or_else(|| first.distance_covering(0.95))),
             bands: self.bands.clone(),
         })?;
         let steps = directions.iter().map(|(_, deviation)| deviation.stages.len()).max().unwrap_or(0);
@@ -145,7 +145,7 @@ impl DeviationContent {
         let ranges = [
             ("the largest here", ends(&|side| side.largest)),
             ("the largest of both", ends(&|_| all)),
-            ("99\u{202f}% of the area", ends(&|side| side.deviation.distance_covering(0.01))),
+            ("99\u{202f}% of the area", ends(&|side| side.deviation.distance_covering(0.99))),
             ("the threshold", RangeEnd::Threshold),
         ];
         for (text, end) in ranges {

@@ -182,9 +182,10 @@ impl SurfaceDeviation {
         drawn.fold(self.distance[1], |a, b| if b > a { b } else { a })
     }
 
-    /// The least recorded distance that all but such a part of the area is within.
-    pub(super) fn distance_covering(&self, all_but: f64) -> f64 {
-        self.exceedance.covering(all_but).unwrap_or_else(|| self.largest())
+    /// The least recorded distance that such a share of the area is within; at most the largest.
+    pub(super) fn distance_covering(&self, share: f64) -> f64 {
+        let largest = self.largest();
+        self.exceedance.covering(1.0 - share).map_or(largest, |distance| distance.min(largest))
     }
 }
 

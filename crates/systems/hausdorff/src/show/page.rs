@@ -409,6 +409,20 @@ fn exceedance(found: &Statistics) -> Exceedance {
             fractions.insert(place, bounds(above.share));
         }
     }
+    // So is what percentiles leave over.
+    for percentile in &found.percentiles {
+        let distance = percentile.distance.upper();
+        let place = distances.partition_point(|at| *at < distance);
+        if place == 0 || distances.get(place).is_none_or(|at| *at == distance) {
+            continue;
+        }
+        // Exact from a half on, by the lemma of Sterbenz.
+        let beyond =
+            if percentile.share < 0.5 { (1.0 - percentile.share).next_up() } else { 1.0 - percentile.share };
+        let [least, most] = [fractions[place][0], fractions[place - 1][1]];
+        distances.insert(place, distance);
+        fractions.insert(place, [least, beyond.min(most).max(least)]);
+    }
     Exceedance { distances, fractions }
 }
 

@@ -304,9 +304,7 @@ class DeviationPage(PageTest):
         page.uncheck("[data-control=paint-threshold]")
         self.assertEqual(count_of(pixels(page)[2], is_contrast), 0)
 
-    @unittest.expectedFailure
     def test_the_first_scale_ends_below_the_largest_value(self):
-        # The end for 99 % of the area can lie above it on this page, which is to be mended.
         page = self.open()
         self.assertLess(page.evaluate("pompeiu.app.scales[0].end"), page.evaluate("pompeiu.app.scales[0].largest"))
         self.assertIn("and more", shown(page, ".legend-title"))

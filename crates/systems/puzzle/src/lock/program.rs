@@ -3,7 +3,7 @@
 use super::exact::proves;
 use super::{least, rows};
 use crate::Puzzle;
-use pompeiu_solve::{Cholesky, LinearSolver, SparseMatrix};
+use pompeiu_solve::{Analysis, Cholesky, LinearSolver, Ordering, SparseMatrix};
 
 /// What the program finds.
 pub(super) enum Verdict {
@@ -24,7 +24,7 @@ pub(super) struct Contact {
 }
 
 /// Steps of Newton's method at most.
-const STEPS: usize = 400;
+const STEPS: usize = 150;
 
 /// The greatest change of an exponent in a step: the sum of exponentials then falls.
 const REACH: f64 = 0.7;
@@ -64,6 +64,7 @@ pub(super) fn solve(puzzle: &Puzzle, clusters: &[usize], count: usize) -> Verdic
 fn by_exponentials(puzzle: &Puzzle, clusters: &[usize], count: usize) -> Verdict {
     let contacts = contacts(puzzle, clusters);
     let columns = 3 * (count - 1);
+    let mut analysis = None;
     let mut x = vec![0.0; columns];
     let mut before = x.clone();
     for round in 0..STEPS {
@@ -71,7 +72,9 @@ fn by_exponentials(puzzle: &Puzzle, clusters: &[usize], count: usize) -> Verdict
         if round > 0 && round % LOOK == 0 {
             // Where nothing moves, the twists settle; else their change tends to a motion.
             let change: Vec<f64> = x.iter().zip(&before).map(|(now, then)| now - then).collect();
-            if let Some(motion) = CLOSED.iter().find_map(|closed| motion(&contacts, *closed, &change)) {
+            if let Some(motion) =
+                CLOSED.iter().find_map(|closed| motion(&mut analysis, &contacts, *closed, &change))
+            {
                 return Verdict::Moves(twists(puzzle, count, &motion));
             }
             before.clone_from(&x);
@@ -81,7 +84,7 @@ fn by_exponentials(puzzle: &Puzzle, clusters: &[usize], count: usize) -> Verdict
         for (contact, weight) in contacts.iter().zip(&weights) {
             add(contact, *weight, &mut gradient);
         }
-        let Some(mut step) = solved(&contacts, &weights, columns, SHIFT, &gradient) else {
+        let Some(mut step) = solved(&mut analysis, &contacts, &weights, columns, SHIFT, &gradient) else {
             return Verdict::Unclear;
         };
         let total: f64 = weights.iter().sum();
@@ -90,7 +93,7 @@ fn by_exponentials(puzzle: &Puzzle, clusters: &[usize], count: usize) -> Verdict
             if proves(&contacts, &weights, columns) {
                 return Verdict::Locked;
             }
-            return slide(puzzle, &contacts, columns, count).unwrap_or(Verdict::Unclear);
+            return slide(&mut analysis, puzzle, &contacts, columns, count).unwrap_or(Verdict::Unclear);
         }
         let factor = (REACH / reach).min(1.0);
         step.iter_mut().zip(&mut x).for_each(|(s, x)| *x += factor * *s);
@@ -149,29 +152,41 @@ fn add(contact: &Contact, factor: f64, to: &mut [f64]) {
     }
 }
 
-/// The sum of weight times row times row, as entries of its lower and upper triangle.
+/// The sum of weight times row times row, as entries of its lower and upper triangle: contacts of a pair that follow one another are summed up
+/// first.
 pub(super) fn square(contacts: &[Contact], weights: &[f64]) -> Vec<(usize, usize, f64)> {
-    let mut entries = Vec::with_capacity(36 * contacts.len());
-    for (contact, weight) in contacts.iter().zip(weights) {
-        for (a, first) in contact.pair.into_iter().zip([1.0, -1.0]) {
-            for (b, second) in contact.pair.into_iter().zip([1.0, -1.0]) {
+    let mut entries = Vec::new();
+    let mut first = 0;
+    for group in contacts.chunk_by(|a, b| a.pair == b.pair) {
+        let mut sum = [[0.0; 3]; 3];
+        for (contact, weight) in group.iter().zip(&weights[first..]) {
+            for (i, row) in sum.iter_mut().enumerate() {
+                for (value, u) in row.iter_mut().zip(contact.unit) {
+                    *value += weight * contact.unit[i] * u;
+                }
+            }
+        }
+        first += group.len();
+        for (a, left) in group[0].pair.into_iter().zip([1.0, -1.0]) {
+            for (b, right) in group[0].pair.into_iter().zip([1.0, -1.0]) {
                 if a == 0 || b == 0 {
                     continue;
                 }
-                for i in 0..3 {
-                    for k in 0..3 {
-                        let value = first * second * weight * contact.unit[i] * contact.unit[k];
-                        entries.push((3 * (a - 1) + i, 3 * (b - 1) + k, value));
-                    }
-                }
+                let block = sum
+                    .iter()
+                    .enumerate()
+                    .flat_map(|(i, row)| row.iter().enumerate().map(move |(k, v)| (i, k, v)));
+                entries.extend(block.map(|(i, k, v)| (3 * (a - 1) + i, 3 * (b - 1) + k, left * right * v)));
             }
         }
     }
     entries
 }
 
-/// The solution for the sum of weighted squares of rows with a share of the largest weight added to its diagonal.
+/// The solution for the sum of weighted squares of rows with a share of the largest weight added to its diagonal. Its pattern is that of the
+/// contacts, and analysed once.
 fn solved(
+    analysis: &mut Option<Analysis>,
     contacts: &[Contact],
     weights: &[f64],
     columns: usize,
@@ -182,11 +197,15 @@ fn solved(
     let largest = weights.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
     entries.extend((0..columns).map(|k| (k, k, shift * largest)));
     let matrix = SparseMatrix::from_triplets(columns, columns, &entries).ok()?;
-    Cholesky::new(&matrix).ok()?.solve(right).ok()
+    let analysis = match analysis {
+        Some(known) => known,
+        none => none.insert(Analysis::new(&matrix, &Ordering::MinimumDegree).ok()?),
+    };
+    Cholesky::with(analysis, &matrix).ok()?.solve(right).ok()
 }
 
 /// The motion nearest to x that keeps contacts closed that open by less than a share of the most; none if it closes others.
-fn motion(contacts: &[Contact], closed: f64, x: &[f64]) -> Option<Vec<f64>> {
+fn motion(analysis: &mut Option<Analysis>, contacts: &[Contact], closed: f64, x: &[f64]) -> Option<Vec<f64>> {
     let openings: Vec<f64> = contacts.iter().map(|c| opening(c, x)).collect();
     let most = openings.iter().copied().fold(0.0, f64::max);
     let weights: Vec<f64> = openings.iter().map(|z| if *z <= closed * most { 1.0 } else { 0.0 }).collect();
@@ -196,7 +215,7 @@ fn motion(contacts: &[Contact], closed: f64, x: &[f64]) -> Option<Vec<f64>> {
     let shift = 1e-9;
     for _ in 0..3 {
         let right: Vec<f64> = found.iter().map(|v| shift * v).collect();
-        found = solved(contacts, &weights, x.len(), shift, &right)?;
+        found = solved(analysis, contacts, &weights, x.len(), shift, &right)?;
     }
     let openings = || contacts.iter().map(|c| opening(c, &found));
     let (least, most) =
@@ -205,11 +224,17 @@ fn motion(contacts: &[Contact], closed: f64, x: &[f64]) -> Option<Vec<f64>> {
 }
 
 /// A motion that keeps all contacts closed, where there is one.
-fn slide(puzzle: &Puzzle, contacts: &[Contact], columns: usize, count: usize) -> Option<Verdict> {
+fn slide(
+    analysis: &mut Option<Analysis>,
+    puzzle: &Puzzle,
+    contacts: &[Contact],
+    columns: usize,
+    count: usize,
+) -> Option<Verdict> {
     let weights = vec![1.0; contacts.len()];
     let mut x: Vec<f64> = (0..columns).map(|k| libm::sin(1.0 + k as f64)).collect();
     for _ in 0..4 {
-        x = solved(contacts, &weights, columns, 1e-11, &x)?;
+        x = solved(analysis, contacts, &weights, columns, 1e-11, &x)?;
         let size = norm(&x);
         for v in &mut x {
             *v /= size;

@@ -2,7 +2,7 @@
 
 mod bodies;
 
-use crate::{Lock, Puzzle};
+use crate::{Lock, Proof, Puzzle};
 use bodies::{Bodies, Place, TOUCH};
 use pompeiu_core::mesh::edit::Random;
 use pompeiu_planar::Point;
@@ -56,8 +56,14 @@ impl Motion {
     }
 }
 
-/// Follows the motion by which a puzzle comes apart, with steps of 0.004 of a piece's side after each of which pieces are pushed out of each other.
-/// None where no motion is known, or it leads nowhere.
+/// Directions in which a cluster is drawn out where its first motion leads nowhere.
+const DIRECTIONS: usize = 16;
+
+/// Follows a motion by which a puzzle comes apart, with steps of 0.004 of a piece's side after each of which pieces are pushed out of each other.
+/// None where no motion is known, or all that were tried lead nowhere.
+///
+/// The first that is tried is that of the lock. It may lie on the boundary of what is possible and turn into other pieces at once, so a
+/// single cluster that moves is also drawn out in 16 directions; what comes apart first is taken, or else what goes farthest.
 ///
 /// # Accuracy
 /// Pieces may go into each other by up to 0.001 of a piece's side on their way; the motion is for people to see, the proof is that of [`crate::lock`].
@@ -65,19 +71,36 @@ pub fn take_apart(puzzle: &Puzzle, lock: &Lock) -> Option<Motion> {
     let twists = &lock.escape.as_ref()?.twists;
     let bodies = Bodies::new(puzzle)?;
     let is_fixed: Vec<bool> = twists.iter().map(|twist| *twist == [0.0; 3]).collect();
-    let n = twists.len();
-    let mut velocity: Vec<Place> = (0..n)
-        .map(|i| {
-            let ([vx, vy, w], [x, y]) = (twists[i], bodies.centre(i));
-            [vx - w * y, vy + w * x, w]
-        })
-        .collect();
+    let of_lock = (0..twists.len()).map(|i| {
+        let ([vx, vy, w], [x, y]) = (twists[i], bodies.centre(i));
+        [vx - w * y, vy + w * x, w]
+    });
+    let of_lock: Vec<Place> = of_lock.collect();
+    let directions = (0..DIRECTIONS).filter(|_| lock.proof == Proof::OneMoves).map(|k| {
+        let (sine, cosine) = libm::sincos(std::f64::consts::TAU * k as f64 / DIRECTIONS as f64);
+        is_fixed.iter().map(|fixed| if *fixed { [0.0; 3] } else { [cosine, sine, 0.0] }).collect()
+    });
+    let mut farthest: Option<Motion> = None;
+    for velocity in std::iter::once(of_lock).chain(directions) {
+        let motion = follow(&bodies, &is_fixed, velocity);
+        if motion.is_apart {
+            return Some(motion);
+        }
+        if farthest.as_ref().is_none_or(|known| known.frames.len() < motion.frames.len()) {
+            farthest = Some(motion);
+        }
+    }
+    farthest.filter(|motion| motion.frames.len() > 2)
+}
+
+/// Goes on in the direction in which pieces went after they were pushed out of each other, until they are apart or stuck.
+fn follow(bodies: &Bodies, is_fixed: &[bool], mut velocity: Vec<Place>) -> Motion {
+    let n = is_fixed.len();
     let mut places = vec![[0.0; 3]; n];
     let mut frames = vec![places.clone()];
-    let moving: Vec<usize> = (0..n).filter(|i| !is_fixed[*i]).collect();
     let mut is_apart = false;
     for step in 1..=STEPS {
-        let speed = largest(&bodies, &velocity);
+        let speed = largest(bodies, &velocity);
         if speed == 0.0 {
             break;
         }
@@ -85,21 +108,19 @@ pub fn take_apart(puzzle: &Puzzle, lock: &Lock) -> Option<Motion> {
         for (place, v) in places.iter_mut().zip(&velocity) {
             (0..3).for_each(|k| place[k] += STEP * bodies.unit * v[k] / speed);
         }
-        let depth = bodies.relax(&mut places, &is_fixed, ROUNDS);
+        let depth = bodies.relax(&mut places, is_fixed, ROUNDS);
         if depth > 10.0 * TOUCH * bodies.unit {
             places = before;
             break;
         }
         velocity = difference(&places, &before);
-        if largest(&bodies, &velocity) < STUCK * STEP * bodies.unit {
+        if largest(bodies, &velocity) < STUCK * STEP * bodies.unit {
             break;
         }
         if step % FRAME == 0 {
             frames.push(places.clone());
-            is_apart = moving
-                .iter()
-                .all(|i| (0..n).all(|j| i == &j || !is_fixed[j] || !bodies.meet(&places, [*i, j])));
-            if is_apart && is_fixed.contains(&true) {
+            is_apart = is_fixed.contains(&true) && has_left(bodies, &places, is_fixed);
+            if is_apart {
                 break;
             }
         }
@@ -107,9 +128,13 @@ pub fn take_apart(puzzle: &Puzzle, lock: &Lock) -> Option<Motion> {
     if frames.last() != Some(&places) {
         frames.push(places);
     }
-    is_apart &= is_fixed.contains(&true);
-    let centres = (0..n).map(|i| bodies.centre(i)).collect();
-    (frames.len() > 2).then_some(Motion { frames, centres, is_apart })
+    Motion { frames, centres: (0..n).map(|i| bodies.centre(i)).collect(), is_apart }
+}
+
+/// Whether no box of a piece that moves meets that of one that stays.
+fn has_left(bodies: &Bodies, places: &[Place], is_fixed: &[bool]) -> bool {
+    let (stay, leave): (Vec<usize>, Vec<usize>) = (0..is_fixed.len()).partition(|i| is_fixed[*i]);
+    leave.iter().all(|i| stay.iter().all(|j| !bodies.meet(places, [*i, *j])))
 }
 
 /// Steps of a shaken puzzle; it has moved when it went this share of them.

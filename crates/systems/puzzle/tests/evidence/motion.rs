@@ -75,6 +75,11 @@ fn a_free_puzzle_is_taken_apart_without_pieces_going_into_each_other() {
     let locked = make(&PuzzleOptions { pieces: 6, ..options.clone() }).unwrap();
     let tabbed = make(&PuzzleOptions { pieces: 6, tab: Tab::Knob, ..options }).unwrap();
     assert!(take_apart(&locked, &lock(&locked)).is_some() && take_apart(&tabbed, &lock(&tabbed)).is_none());
+    // Squares touch all along their sides, and the motion of the lock turns.
+    for pieces in [4, 6, 12] {
+        let plain = make(&PuzzleOptions { pieces, tab: Tab::None, ..PuzzleOptions::default() }).unwrap();
+        assert!(take_apart(&plain, &lock(&plain)).is_some_and(|motion| motion.is_apart), "{pieces} squares");
+    }
 }
 
 #[test]
