@@ -2,6 +2,7 @@
 
 use crate::{CellKind, CellSplines, HexMesh, UnstructuredSplines};
 use glam::DVec3;
+use std::collections::HashMap;
 use std::fmt::Write;
 
 /// Why a file is none of `NeuronTransportIGA`.
@@ -67,10 +68,19 @@ impl UnstructuredSplines {
     /// The splines of each cell and their coefficients as `cmat.txt`.
     pub fn cmat(&self) -> String {
         let mut text = format!("{}\n", self.cells().len());
+        let mut written = Written::default();
         for (index, cell) in self.cells().iter().enumerate() {
             let _ = writeln!(text, "{index} {} {}", cell.functions.len(), cell.kind.number());
             row(&mut text, cell.functions.iter());
-            cell.coefficients.iter().for_each(|list| row(&mut text, list.iter()));
+            for list in &cell.coefficients {
+                for (k, number) in list.iter().enumerate() {
+                    if k > 0 {
+                        text.push(' ');
+                    }
+                    written.push(*number, &mut text);
+                }
+                text.push('\n');
+            }
         }
         text
     }
@@ -172,6 +182,29 @@ fn row<T: std::fmt::Display>(text: &mut String, numbers: impl Iterator<Item = T>
         let _ = if k > 0 { write!(text, " {number}") } else { write!(text, "{number}") };
     }
     text.push('\n');
+}
+
+/// Most numbers that are remembered with their digits.
+const REMEMBERED: usize = 1 << 14;
+
+/// Numbers with their digits: coefficients are few products of small fractions, and digits cost more than the splines themselves.
+#[derive(Default)]
+struct Written(HashMap<u64, Box<str>>);
+
+impl Written {
+    fn push(&mut self, number: f64, text: &mut String) {
+        if number.to_bits() == 0 {
+            text.push('0');
+        } else if let Some(digits) = self.0.get(&number.to_bits()) {
+            text.push_str(digits);
+        } else {
+            let digits = number.to_string();
+            text.push_str(&digits);
+            if self.0.len() < REMEMBERED {
+                self.0.insert(number.to_bits(), digits.into());
+            }
+        }
+    }
 }
 
 /// Lines that are not blank.

@@ -7,7 +7,7 @@
 #![allow(clippy::print_stdout, reason = "an example prints")]
 
 use pompeiu_core::mesh::edit::Random;
-use pompeiu_puzzle::{Layout, Proof, Puzzle, PuzzleError, PuzzleOptions, Tab, lock, make, shake};
+use pompeiu_puzzle::{Layout, Proof, Puzzle, PuzzleError, PuzzleOptions, Tab, lock, make, report, shake};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -18,21 +18,26 @@ const TRIES: usize = 24;
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut arguments = std::env::args().skip(1);
     let count: u64 = arguments.next().map_or(Ok(100), |text| text.parse())?;
-    let outcomes: Vec<(u64, usize, Proof, bool)> = (0..count)
+    let outcomes: Vec<(u64, usize, Proof, bool, Option<f64>)> = (0..count)
         .into_par_iter()
         .map(|seed| {
             let puzzle = random_puzzle(seed)?;
-            Ok((seed, puzzle.pieces(), lock(&puzzle).proof, shake(&puzzle, TRIES, seed).is_some()))
+            let (proof, moves) = (lock(&puzzle).proof, shake(&puzzle, TRIES, seed).is_some());
+            // A shallow lock is not felt: how deep are those that moved?
+            let is_locked = matches!(proof, Proof::Merging | Proof::Multipliers);
+            let depth = (is_locked && moves).then(|| report(&puzzle).depth).flatten();
+            Ok((seed, puzzle.pieces(), proof, moves, depth))
         })
         .collect::<Result<_, PuzzleError>>()?;
     let mut table: BTreeMap<(String, bool), usize> = BTreeMap::new();
-    let mut rows = String::from("seed,pieces,proof,moves_when_shaken,agree\n");
+    let mut rows = String::from("seed,pieces,proof,moves_when_shaken,agree,depth\n");
     let mut agree = 0;
-    for (seed, pieces, proof, moves) in &outcomes {
+    for (seed, pieces, proof, moves, depth) in &outcomes {
         let is_locked = matches!(proof, Proof::Merging | Proof::Multipliers);
         agree += usize::from(is_locked != *moves);
         *table.entry((format!("{proof:?}"), *moves)).or_default() += 1;
-        writeln!(rows, "{seed},{pieces},{proof:?},{moves},{}", is_locked != *moves)?;
+        let depth = depth.map_or(String::new(), |depth| depth.to_string());
+        writeln!(rows, "{seed},{pieces},{proof:?},{moves},{},{depth}", is_locked != *moves)?;
     }
     for ((proof, moves), number) in table {
         println!("{proof:<12} {} {number}", if moves { "moves when shaken " } else { "stays when shaken " });
