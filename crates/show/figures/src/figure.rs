@@ -1,7 +1,7 @@
 //! Panels, a legend and text, put together.
 
 use crate::image::Image;
-use crate::legend::{Legend, LegendSide};
+use crate::legend::{Histogram, Legend, LegendSide};
 use crate::raster::{Camera, render};
 use crate::text::{Run, Style, Weight};
 use crate::{Panel, Scale, ScaleError, Theme, View};
@@ -91,6 +91,7 @@ pub struct Figure<'a> {
     view: View,
     scale: Option<(Scale, String)>,
     legend: LegendSide,
+    histograms: Vec<Histogram>,
     panels: Vec<Panel<'a>>,
 }
 
@@ -108,6 +109,7 @@ impl<'a> Figure<'a> {
             view: View::default(),
             scale: None,
             legend: LegendSide::default(),
+            histograms: Vec::new(),
             panels: Vec::new(),
         }
     }
@@ -144,6 +146,16 @@ impl<'a> Figure<'a> {
     #[must_use]
     pub fn with_legend_at(mut self, side: LegendSide) -> Self {
         self.legend = side;
+        self
+    }
+
+    /// Draws a histogram beside the colour bar, after those that are there: shares in equal parts of the bar, from its lower end. Columns
+    /// are as long as the roots of the shares, so that small ones are seen beside large ones.
+    ///
+    /// Without a [scale](Self::with_scale) there is no bar. What is no positive number gets no column.
+    #[must_use]
+    pub fn with_histogram(mut self, name: impl Into<String>, shares: Vec<f64>) -> Self {
+        self.histograms.push(Histogram { name: name.into(), shares });
         self
     }
 
@@ -193,7 +205,7 @@ impl<'a> Figure<'a> {
                 LegendSide::Right => area.height(),
                 LegendSide::Bottom => area.width(),
             };
-            let legend = Legend::new(scale, label, style, self.legend, room);
+            let legend = Legend::new((scale, label), &self.histograms, style, self.legend, room);
             match self.legend {
                 LegendSide::Right => area.right -= legend.thickness(),
                 LegendSide::Bottom => area.bottom -= legend.thickness(),

@@ -15,9 +15,17 @@ pub enum LegendSide {
     Bottom,
 }
 
-/// A bar of colours with numbers and a label.
+/// How values are spread: shares in equal parts of the colour bar, from its lower end.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Histogram {
+    pub(crate) name: String,
+    pub(crate) shares: Vec<f64>,
+}
+
+/// A bar of colours with numbers and a label, and histograms beside it.
 pub(crate) struct Legend<'a> {
     scale: &'a Scale,
+    histograms: &'a [Histogram],
     label: String,
     style: Style,
     side: LegendSide,
@@ -27,11 +35,22 @@ pub(crate) struct Legend<'a> {
     length: f64,
 }
 
-/// In ems: from panels to the bar, the bar, from the bar to numbers, from numbers to the label.
+/// In ems: from panels to what is first, the bar, from the bar to numbers, from numbers to the label.
 const GAP: f64 = 1.2;
 const BAR: f64 = 1.15;
 const TICK: f64 = 0.45;
 const LABEL_GAP: f64 = 0.7;
+
+/// The longest column of a histogram and what is free beside it, in ems; the size of its name, as a part of that of text.
+const COLUMN: f64 = 3.9;
+const COLUMN_GAP: f64 = 0.4;
+const NAME: f64 = 0.85;
+
+/// Columns of histograms: a grey that is seen on light and on dark pictures.
+const COLUMN_COLOR: Rgb = [138, 142, 148];
+
+/// Pixels that a column has at least where one is left free beside it.
+const NARROW: f64 = 4.0;
 
 /// Lines of numbers and labels, the height of digits, and that of their middle, in ems.
 const LINE: f64 = 1.0;
@@ -50,12 +69,24 @@ const APART: f64 = 1.5;
 
 impl<'a> Legend<'a> {
     /// A legend on a side of panels that has room for so many pixels along them.
-    pub(crate) fn new(scale: &'a Scale, label: &str, style: Style, side: LegendSide, room: f64) -> Self {
+    pub(crate) fn new(
+        (scale, label): (&'a Scale, &str),
+        histograms: &'a [Histogram],
+        style: Style,
+        side: LegendSide,
+        room: f64,
+    ) -> Self {
         let length = (PART * room).floor();
         let ticks = ticks(scale, style, side, length);
         let label =
             [label, &ticks.multiplier].into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>();
-        Self { scale, label: style.fit(&label.join("   "), room), style, side, ticks, room, length }
+        let label = style.fit(&label.join("   "), room);
+        Self { scale, histograms, label, style, side, ticks, room, length }
+    }
+
+    /// Ems from panels to the bar.
+    fn bar(&self) -> f64 {
+        GAP + self.histograms.len() as f64 * (COLUMN + COLUMN_GAP)
     }
 
     /// Pixels it takes from panels.
@@ -66,7 +97,7 @@ impl<'a> Legend<'a> {
             LegendSide::Right => widest(&self.ticks, self.style),
             LegendSide::Bottom => DIGIT * em,
         };
-        (GAP + BAR + TICK + label) * em + numbers
+        (self.bar() + BAR + TICK + label) * em + numbers
     }
 
     /// The colour at a part of the bar.
@@ -83,12 +114,16 @@ impl<'a> Legend<'a> {
     /// Draws it into the part of the picture whose upper left corner is at `at`.
     pub(crate) fn draw(&self, image: &mut Image, at: [f64; 2]) {
         let (em, start) = (self.style.size, (0.5 * (self.room - self.length)).floor());
-        let [near, far] = [GAP, GAP + BAR].map(|ems| (ems * em + 0.5).floor());
+        let [near, far] = [self.bar(), self.bar() + BAR].map(|ems| (ems * em + 0.5).floor());
         // From places along and across the bar to places in the picture.
         let place = |along: f64, across: f64| match self.side {
             LegendSide::Right => [at[0] + across, at[1] + start + self.length - along],
             LegendSide::Bottom => [at[0] + start + along, at[1] + across],
         };
+        for (i, histogram) in self.histograms.iter().enumerate() {
+            let base = GAP + COLUMN + i as f64 * (COLUMN + COLUMN_GAP);
+            self.draw_histogram(image, histogram, (base * em).floor(), &place);
+        }
         for step in 0..self.length as usize {
             let color = self.color((step as f64 + 0.5) / self.length);
             fill(image, place(step as f64, near), place(step as f64 + 1.0, far), color);
@@ -115,6 +150,41 @@ impl<'a> Legend<'a> {
         match self.side {
             LegendSide::Right => self.style.draw(image, &self.label, [x, y + half], Run::Up),
             LegendSide::Bottom => self.style.draw(image, &self.label, [x - half, y], Run::Across),
+        }
+    }
+}
+
+impl Legend<'_> {
+    /// Columns that grow from a base across the bar towards the panels, and the name where the bar ends.
+    fn draw_histogram(
+        &self,
+        image: &mut Image,
+        Histogram { name, shares }: &Histogram,
+        base: f64,
+        place: &dyn Fn(f64, f64) -> [f64; 2],
+    ) {
+        let em = self.style.size;
+        let highest = shares.iter().fold(0.0, |highest: f64, share| highest.max(*share));
+        let each = self.length / shares.len() as f64;
+        let free = if each > NARROW { 1.0 } else { 0.0 };
+        for (i, share) in shares.iter().enumerate().filter(|(_, share)| **share > 0.0) {
+            // Roots, so that small shares are seen beside large ones, as on pages.
+            let long = (COLUMN * em * (share / highest).sqrt()).ceil();
+            let [from, to] = [i, i + 1].map(|i| (i as f64 * each).floor());
+            fill(image, place(from, base - long), place(to - free, base), COLUMN_COLOR);
+        }
+        let style = Style { size: NAME * em, ..self.style };
+        match self.side {
+            LegendSide::Right => {
+                let name = style.fit(name, (COLUMN + COLUMN_GAP) * em);
+                let [x, y] = place(self.length + 0.5 * em, base);
+                style.draw(image, &name, [x - style.width(&name), y], Run::Across);
+            }
+            LegendSide::Bottom => {
+                let name = style.fit(name, 0.5 * (self.room - self.length) - 0.5 * em);
+                let [x, y] = place(-0.5 * em, base);
+                style.draw(image, &name, [x - style.width(&name), y], Run::Across);
+            }
         }
     }
 }
@@ -168,7 +238,7 @@ mod tests {
     fn bars_show_the_scale_from_end_to_end() {
         let scale = Scale::new(ColorMap::Viridis, -1.0, 1.0).unwrap().with_limit(0.75);
         for side in [LegendSide::Right, LegendSide::Bottom] {
-            let legend = Legend::new(&scale, "height", STYLE, side, 500.0);
+            let legend = Legend::new((&scale, "height"), &[], STYLE, side, 500.0);
             let mut image = Image::filled(500, 500, [255; 3]);
             legend.draw(&mut image, [0.0, 0.0]);
             let across = (1.7 * STYLE.size) as u32;
@@ -191,7 +261,7 @@ mod tests {
     #[test]
     fn classes_take_equal_parts_of_the_bar() {
         let scale = Scale::new(ColorMap::Vik, -1.0, 1.0).unwrap().with_classes(&[-0.05, 0.1]).unwrap();
-        let legend = Legend::new(&scale, "deviation", STYLE, LegendSide::Right, 500.0);
+        let legend = Legend::new((&scale, "deviation"), &[], STYLE, LegendSide::Right, 500.0);
         assert_eq!(legend.ticks.texts, ["−0.05", "0.1"]);
         let mut image = Image::filled(500, 500, [255; 3]);
         legend.draw(&mut image, [0.0, 0.0]);
@@ -203,10 +273,37 @@ mod tests {
     }
 
     #[test]
+    fn histograms_stand_beside_the_bar_with_columns_as_long_as_roots_of_shares() {
+        let scale = Scale::new(ColorMap::Viridis, 0.0, 1.0).unwrap();
+        let shares = vec![0.16, 0.0, 0.64, 0.04, f64::NAN];
+        let histograms = [Histogram { name: String::new(), shares }];
+        for side in [LegendSide::Right, LegendSide::Bottom] {
+            let legend = Legend::new((&scale, ""), &histograms, STYLE, side, 500.0);
+            let alone = Legend::new((&scale, ""), &[], STYLE, side, 500.0);
+            let wider = legend.thickness() - alone.thickness();
+            assert!((wider - (COLUMN + COLUMN_GAP) * STYLE.size).abs() < 1e-9, "{wider}");
+            let mut image = Image::filled(500, 500, [255; 3]);
+            legend.draw(&mut image, [0.0, 0.0]);
+            // In the middle of each fifth of the bar, which is 360 pixels long.
+            let lengths = [0, 1, 2, 3, 4].map(|i| {
+                let along = 70 + 36 + 72 * i;
+                let pixels = (0..500).filter_map(|across| match side {
+                    LegendSide::Right => image.pixel(across, 499 - along),
+                    LegendSide::Bottom => image.pixel(along, across),
+                });
+                pixels.filter(|color| *color == COLUMN_COLOR).count() as f64
+            });
+            for (length, part) in lengths.into_iter().zip([0.5, 0.0, 1.0, 0.25, 0.0]) {
+                assert!((length - part * COLUMN * STYLE.size).abs() <= 1.0, "{side:?}: {lengths:?}");
+            }
+        }
+    }
+
+    #[test]
     fn numbers_beside_each_other_keep_apart() {
         let scale = Scale::new(ColorMap::Viridis, 0.0, 12_345.678).unwrap();
         for room in [60.0, 200.0, 400.0, 900.0] {
-            let legend = Legend::new(&scale, "", STYLE, LegendSide::Bottom, room);
+            let legend = Legend::new((&scale, ""), &[], STYLE, LegendSide::Bottom, room);
             let each = legend.length / 12_345.678 * legend.ticks.values.get(1).map_or(1e9, |step| *step);
             assert!(each > widest(&legend.ticks, STYLE) + STYLE.size, "{room}: {:?}", legend.ticks.texts);
         }

@@ -1,7 +1,7 @@
 //! Writes a page of a torus and a sphere, with distances from closed forms:
 //!
 //! ```sh
-//! cargo run --release -p pompeiu-hausdorff --features figures --example deviation_page page.html [--faces 20000] [--signed] [--offset 1e6]
+//! cargo run --release -p pompeiu-hausdorff --features figures --example deviation_page page.html [--faces 20000] [--signed] [--bands -0.1,0.2] [--offset 1e6]
 //! ```
 //!
 //! Beside it, `page.html.json` holds what the page was made from. Distances are those of points of the meshes from the smooth
@@ -32,6 +32,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args().skip(1);
     let out = arguments.next().ok_or("expected the file to write")?;
     let (mut faces, mut signed, mut offset) = (20_000.0, false, 0.0);
+    let mut bands = Vec::new();
     let mut names = ["torus.ply".to_owned(), "sphere.stl".to_owned()];
     while let Some(option) = arguments.next() {
         let mut value = || arguments.next().ok_or(format!("{option} needs a value"));
@@ -40,6 +41,9 @@ fn main() -> Result<(), Box<dyn Error>> {
             "--offset" => offset = value()?.parse::<f64>()?,
             "--names" => names = [value()?, value()?],
             "--signed" => signed = true,
+            "--bands" => {
+                bands = value()?.split(',').map(str::parse).collect::<Result<Vec<f64>, _>>()?;
+            }
             _ => return Err(format!("unknown option {option}").into()),
         }
     }
@@ -63,8 +67,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         [0, 1, 2].map(|k| middle[k] + from[k] * TORUS[1] / norm(from))
     };
     let surfaces = [
-        measured(&names[0], &a, &to_sphere, &nearest_on_sphere, signed, offset),
-        measured(&names[1], &b, &to_torus, &nearest_on_torus, signed, offset),
+        measured(&names[0], &a, &to_sphere, &nearest_on_sphere, signed, &bands, offset),
+        measured(&names[1], &b, &to_torus, &nearest_on_torus, signed, &bands, offset),
     ];
     let [there, back] = [0, 1].map(|i| surfaces[i].deviation.as_ref().unwrap().distance);
     let page = DeviationContent {
@@ -73,7 +77,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         up: Axis::Z,
         signed,
         threshold: Some(0.25),
-        bands: Vec::new(),
+        bands,
         verdict: None,
         still: None,
         distance: Some([0, 1].map(|end| if there[end] > back[end] { there[end] } else { back[end] })),
@@ -107,6 +111,7 @@ fn truth(page: &DeviationContent) -> serde_json::Value {
             "distance": deviation.distance, "witness": [deviation.witness.from, deviation.witness.to],
             "exceedance": { "at": deviation.exceedance.distances, "fractions": deviation.exceedance.fractions },
             "statistics": deviation.statistics.iter().map(|s| json!([s.0, s.1])).collect::<Vec<_>>(),
+            "bands": deviation.bands,
             "regions": deviation.regions.iter().map(|r| json!({ "center": r.center, "faces": r.faces })).collect::<Vec<_>>(),
             "stages": deviation.stages.iter().map(stage).collect::<Vec<_>>(),
         })
@@ -143,6 +148,7 @@ fn measured(
     distance: &dyn Fn([f64; 3]) -> f64,
     nearest: &dyn Fn([f64; 3]) -> [f64; 3],
     signed: bool,
+    bands: &[f64],
     offset: f64,
 ) -> MeasuredSurface {
     let size = |p: [f64; 3]| distance(p).abs();
@@ -187,6 +193,10 @@ fn measured(
         fractions: edges.windows(2).map(|bin| inside(bin[0], bin[1])).collect(),
         edges: edges.clone(),
     };
+    let ends: Vec<f64> =
+        [f64::NEG_INFINITY].into_iter().chain(bands.iter().copied()).chain([f64::INFINITY]).collect();
+    let classes =
+        ends.windows(2).filter(|_| !bands.is_empty()).map(|ends| inside(ends[0], ends[1])).collect();
     let mean = |power: i32, end: usize| {
         (0..areas.len()).map(|i| areas[i] * ranges[i][end].powi(power)).sum::<f64>() / total
     };
@@ -221,7 +231,7 @@ fn measured(
             stop: "as narrow as asked".into(),
             witness: PointPair { from: shift(farthest), to: shift(nearest(farthest)) },
             statistics,
-            bands: Vec::new(),
+            bands: classes,
             histogram,
             exceedance,
             stages,

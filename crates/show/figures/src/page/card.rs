@@ -1,7 +1,7 @@
 //! Cards: what stands beside the view, block by block.
 
 use super::error::{check_bounds, check_finite, check_increasing, check_length};
-use super::{BoundsId, Chart, PageError, PlaceId, PlayerControls, ScaleId, SceneId, Table, Text};
+use super::{BoundsId, Chart, PageError, PlaceId, PlayerControls, ScaleId, SceneId, Table, Text, ValuesId};
 use serde::Serialize;
 
 /// Blocks under a heading.
@@ -57,6 +57,8 @@ pub enum Block {
     Chart(Chart),
     /// A table.
     Table(Table),
+    /// Shares of the area in the classes of a scale.
+    Classes(Classes),
 }
 
 /// A number with a name.
@@ -143,6 +145,24 @@ pub struct Threshold {
     pub bounds: Option<BoundsId>,
 }
 
+/// Shares of the area in the classes between the [bands](super::ValueScale::bands) of a scale. Once their ends are moved in the legend,
+/// shares are computed from what is drawn, and marked as estimates.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Classes {
+    /// A name that scripts and tests find it by; may be empty.
+    pub key: String,
+    /// What it is about, for those who do not see it.
+    pub caption: String,
+    /// The scale that has the classes.
+    pub scale: ScaleId,
+    /// The values whose shares these are.
+    pub values: ValuesId,
+    /// What is said of the lowest class, and of the highest: "too low", "too high".
+    pub outer: [String; 2],
+    /// For each class, from the lowest, an enclosure of its share of the area.
+    pub shares: Vec<[f64; 2]>,
+}
+
 /// Places of a scene, with values.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct PlaceList {
@@ -205,6 +225,7 @@ impl Block {
             }),
             Self::Chart(chart) => chart.check(),
             Self::Table(table) => table.check(),
+            Self::Classes(classes) => check_bounds("the shares of classes", &classes.shares),
         }
     }
 }

@@ -63,7 +63,7 @@ mod table;
 mod text;
 mod values;
 
-pub use card::{Amount, Block, Button, Card, Fact, PlaceItem, PlaceList, Statistic, Threshold};
+pub use card::{Amount, Block, Button, Card, Classes, Fact, PlaceItem, PlaceList, Statistic, Threshold};
 pub use chart::{Chart, ChartAxis, ScatterPoint, Series};
 pub use error::PageError;
 pub use ids::{BoundsId, MeshId, PlaceId, PlayerId, ScaleId, SceneId, SpaceId, ToggleId, ValuesId};
@@ -459,6 +459,11 @@ impl Page {
             }
             Block::Table(table) => {
                 table.rows.iter().filter_map(|row| row.place).try_for_each(|place| self.check_place(place))
+            }
+            Block::Classes(classes) => {
+                let expected = classes.scale.of(&self.scales)?.scale.bands.len() + 1;
+                classes.values.of(&self.values)?;
+                check_length("the shares of classes", classes.shares.len(), expected)
             }
             _ => Ok(()),
         }

@@ -117,13 +117,16 @@ export class App {
     return h("div", { class: "still" }, note, still && h("img", { src: `data:image/png;base64,${still}`, alt: this.data.title }));
   }
 
-  /** Escape: the chosen place, or else the last pinned point. */
+  /** Escape: the chosen place, or else the last pinned point, or else what was painted and moved on scales. */
   #takeBack() {
     if (this.place) {
       this.place = null;
       this.update();
     } else if (!this.pins.removeLast()) {
-      for (const scale of this.scales) scale.painting = false;
+      for (const scale of this.scales) {
+        scale.painting = false;
+        scale.takeBackEdges();
+      }
       this.update();
     }
   }

@@ -1,5 +1,5 @@
 // The legend: the colour map with values at their places and how they are spread over the area, the threshold, and the value under
-// the cursor; or the colours of classes. Its end can be dragged.
+// the cursor; or the colours of classes. Its end and those of classes can be dragged.
 
 import { h, s } from "./dom.js";
 import { plain, short } from "./format.js";
@@ -19,37 +19,63 @@ export class Legend {
     this.pointer = h("div", { class: "pointer" });
     this.title = h("div", { class: "legend-title" });
     this.columns = s("svg", { class: "spread", viewBox: `0 0 ${COLUMNS} ${HEIGHT}`, preserveAspectRatio: "none", "aria-hidden": "true" });
-    this.handle = scale.low === null && this.#handle();
-    this.box = h("div", { class: "bar-box" }, this.bar, this.limit, this.pointer, this.handle);
+    this.handle = scale.low === null && this.#endHandle();
+    this.edges = h("div", {});
+    this.box = h("div", { class: "bar-box" }, this.bar, this.limit, this.pointer, this.edges, this.handle);
     this.classes = h("div", { class: "classes" });
-    this.element = h("div", { class: "legend", role: "group" }, this.title, this.classes, this.columns, this.box, this.marks);
+    this.element = h("div", { class: "legend", role: "group" }, this.title, this.columns, this.box, this.marks, this.classes);
   }
 
-  /** What is dragged to the end of the bar becomes its end. */
-  #handle() {
-    const { scale } = this;
-    const set = (end) => {
-      scale.custom = end;
-      this.onchange();
-    };
-    const handle = h("div", { class: "bar-handle", role: "slider", tabindex: "0", "data-control": "scale-end", "aria-label": "End of the colour scale", title: "Drag: where the colours end. Double click: as it was",
+  /** A handle on the bar. `move` is told where a drag began and how far it went, in widths of the bar; `nudge` of arrow keys, 1 or -1. */
+  #handle(attributes, { start, move, nudge, reset }) {
+    const handle = h("div", { role: "slider", tabindex: "0", ...attributes,
       onpointerdown: (event) => {
         const width = this.bar.clientWidth;
-        const [from, end] = [event.clientX, scale.end];
+        const [from, began] = [event.clientX, start()];
         handle.setPointerCapture(event.pointerId);
-        handle.onpointermove = ({ clientX }) => set(end * Math.min(10, Math.max(0.02, 1 + (clientX - from) / width)));
+        handle.onpointermove = ({ clientX }) => {
+          move(began, (clientX - from) / width);
+          this.onchange();
+        };
         handle.onpointerup = () => (handle.onpointermove = null);
+        handle.focus();
         event.preventDefault();
       },
-      ondblclick: () => set(null),
+      ondblclick: () => {
+        reset();
+        this.onchange();
+      },
       onkeydown: (event) => {
-        const by = { ArrowLeft: 1 / 1.1, ArrowDown: 1 / 1.1, ArrowRight: 1.1, ArrowUp: 1.1 }[event.key];
+        const by = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1 }[event.key];
         if (!by) return;
-        set(scale.end * by);
+        nudge(by);
+        this.onchange();
         event.preventDefault();
       },
     });
     return handle;
+  }
+
+  /** What is dragged to the end of the bar becomes its end. */
+  #endHandle() {
+    const { scale } = this;
+    return this.#handle({ class: "bar-handle", "data-control": "scale-end", "aria-label": "End of the colour scale", title: "Drag: where the colours end. Double click: as it was" }, {
+      start: () => scale.end,
+      move: (end, by) => (scale.custom = end * Math.min(10, Math.max(0.02, 1 + by))),
+      nudge: (by) => (scale.custom = scale.end * 1.1 ** by),
+      reset: () => (scale.custom = null),
+    });
+  }
+
+  /** A handle for each end of a class. */
+  #edgeHandles() {
+    const { scale } = this;
+    return scale.edges.map((_, i) => this.#handle({ class: "bar-handle edge", "data-control": `band-end-${i}`, "aria-label": `End ${i + 1} of the tolerance bands`, title: "Drag: where the band ends. Double click or Escape: as it was" }, {
+      start: () => [scale.edges[i], scale.end * (scale.signed ? 2 : 1)],
+      move: ([edge, width], by) => scale.moveEdge(i, edge + by * width),
+      nudge: (by) => scale.moveEdge(i, scale.edges[i] + (by * scale.end) / 100),
+      reset: () => scale.takeBackEdges(),
+    }));
   }
 
   update() {
@@ -57,17 +83,9 @@ export class Legend {
     const { title, unit } = scale.data;
     const banded = scale.kind === "bands";
     this.title.textContent = unit ? `${title}, ${unit}` : title;
-    for (const element of [this.box, this.marks, this.columns]) element.style.display = banded ? "none" : "";
-    this.classes.hidden = !banded;
-    if (banded) {
-      const names = scale.classNames(plain);
-      this.classes.replaceChildren(...names.map((name, i) => h("span", {}, h("span", { class: "swatch", style: `background:${scale.colorAt(scale.classPlace(i))}` }), name)));
-      this.element.setAttribute("aria-label", `Legend: ${title} in classes ${names.join(", ")} ${unit}`);
-      return;
-    }
-    this.bar.style.background = scale.kind === "steps" ? this.#steps() : gradientOf(scale.table);
     const over = scale.low === null && scale.largest > scale.end * (1 + 1e-12);
     if (over) this.title.append(h("span", { class: "over" }, "and more"));
+    this.bar.style.background = banded ? this.#bands() : scale.kind === "steps" ? this.#steps() : gradientOf(scale.table);
     this.marks.replaceChildren(...scale.marks().map((value) => {
       const mark = h("span", {}, short(value, 3));
       mark.style.left = `${100 * this.#at(value)}%`;
@@ -75,14 +93,40 @@ export class Legend {
     }));
     this.limit.style.left = `${100 * this.#at(scale.threshold)}%`;
     this.limit.hidden = !scale.painting;
+    this.#updateClasses(banded);
+    const names = banded && scale.classNames(plain);
     const [low, high] = [scale.low ?? (scale.signed ? -scale.end : 0), (scale.low ?? 0) + scale.end];
-    this.element.setAttribute("aria-label", `Legend: ${title} from ${short(low)} to ${short(high)}${over ? " and more" : ""} ${unit}`);
-    if (this.handle) {
-      this.handle.setAttribute("aria-valuenow", String(Number(scale.end.toPrecision(6))));
-      this.handle.setAttribute("aria-valuetext", scale.withUnit(short(scale.end)));
-    }
+    this.element.setAttribute("aria-label", banded ? `Legend: ${title} in classes ${names.join(", ")} ${unit}`
+      : `Legend: ${title} from ${short(low)} to ${short(high)}${over ? " and more" : ""} ${unit}`);
+    if (this.handle) this.#tell(this.handle, scale.end);
     this.element.classList.toggle("muted", scale.painting);
     this.#spread();
+  }
+
+  #tell(handle, value) {
+    handle.setAttribute("aria-valuenow", String(Number(value.toPrecision(6))));
+    handle.setAttribute("aria-valuetext", this.scale.withUnit(short(value)));
+  }
+
+  #updateClasses(banded) {
+    const { scale } = this;
+    this.classes.hidden = this.edges.hidden = !banded;
+    if (!banded) return;
+    if (this.edges.children.length !== scale.edges.length) this.edges.replaceChildren(...this.#edgeHandles());
+    scale.edges.forEach((edge, i) => {
+      const handle = this.edges.children[i];
+      handle.style.left = `${100 * scale.place(edge)}%`;
+      this.#tell(handle, edge);
+    });
+    const swatch = (i) => h("span", { class: "swatch", style: `background:${scale.colorAt(scale.classPlace(i))}` });
+    this.classes.replaceChildren(...scale.classNames(plain).map((name, i) => h("span", {}, swatch(i), name)));
+  }
+
+  #bands() {
+    const { scale } = this;
+    const places = [0, ...scale.edges.map((edge) => scale.place(edge)), 1].map((place) => 100 * place);
+    const stops = places.slice(1).map((end, i) => `${scale.colorAt(scale.classPlace(i))} ${places[i]}% ${end}%`);
+    return `linear-gradient(to right, ${stops.join(", ")})`;
   }
 
   /** Where a value stands: in steps, between their ends. */

@@ -10,6 +10,8 @@ export const KINDS = ["linear", "root", "logarithmic", "steps", "bands"];
 const STEPS = 10;
 /** Ends of classes that the card knows at most. */
 const MOST_EDGES = 15;
+/** How far the bar goes beyond the outermost end of a class. */
+const BEYOND_EDGES = 1.1;
 /** The part of the colour map that classes take: its ends are too dark to be told apart when lit. */
 const CLASSES = [0.12, 0.88];
 
@@ -22,6 +24,8 @@ export class Scale {
     this.low = data.low;
     /** Ends of classes, ascending: each class has one colour. */
     this.edges = (data.bands ?? []).slice(0, MOST_EDGES);
+    /** Whether ends of classes were moved from where they were given. */
+    this.moved = false;
     this.kind = this.edges.length ? "bands" : "linear";
     /** An end that was dragged to; a choice of the list takes it back. */
     this.custom = null;
@@ -36,7 +40,7 @@ export class Scale {
     this.uniforms = {
       colors: { value: colorTexture(this.table) }, scaleKind: { value: 0 }, scaleSigned: { value: this.signed }, scaleGain: { value: 1 },
       threshold: { value: 1 }, painting: { value: false }, contrast: { value: raw(this.contrast) }, banded: { value: false },
-      edgeCount: { value: this.edges.length }, edges: { value: Float32Array.from({ length: MOST_EDGES }, (_, i) => (this.edges[i] ?? 0) / this.whole) },
+      edgeCount: { value: 0 }, edges: { value: new Float32Array(MOST_EDGES) },
     };
   }
 
@@ -58,6 +62,10 @@ export class Scale {
     this.largest = this.#endOf(0, scenes);
     this.uniforms.banded.value = this.kind === "bands";
     this.end = (this.custom ?? this.#endOf(this.range, scenes)) || 1;
+    // All ends of classes are on the bar, where they were given and where they are.
+    if (this.kind === "bands") this.end = Math.max(this.end, ...[...this.data.bands ?? [], ...this.edges].map((edge) => Math.abs(edge) * BEYOND_EDGES));
+    this.uniforms.edgeCount.value = this.edges.length;
+    this.edges.forEach((edge, i) => (this.uniforms.edges.value[i] = edge / this.whole));
     this.uniforms.scaleKind.value = KINDS.indexOf(this.kind);
     this.uniforms.scaleGain.value = this.whole / this.end;
     this.uniforms.threshold.value = (this.threshold - (this.low ?? 0)) / this.whole;
@@ -77,6 +85,24 @@ export class Scale {
   linear(value) {
     const part = Math.min(1, Math.abs(value) / this.end);
     return this.signed ? 0.5 + 0.5 * Math.sign(value) * part : part;
+  }
+
+  /** Moves the end of a class, as far as its neighbours and the bar allow, to a number with few digits. */
+  moveEdge(index, value) {
+    const step = 10 ** (Math.floor(Math.log10(this.end)) - 2);
+    const most = this.end / BEYOND_EDGES;
+    const low = Math.max((this.edges[index - 1] ?? -Infinity) + step, this.signed ? -most : 0);
+    const high = Math.min((this.edges[index + 1] ?? Infinity) - step, most);
+    if (!(low < high)) return;
+    this.edges[index] = Math.min(high, Math.max(low, Number((Math.round(value / step) * step).toPrecision(6))));
+    this.moved = true;
+  }
+
+  /** The ends of classes as they were given. */
+  takeBackEdges() {
+    if (!this.moved) return;
+    this.edges = this.data.bands.slice(0, MOST_EDGES);
+    this.moved = false;
   }
 
   /** The class of a value: the first end belongs to the class above it, the others to those below. */

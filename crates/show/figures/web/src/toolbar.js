@@ -30,12 +30,14 @@ function scaleControls(app, scale) {
   const serves = (scene) => scene.scales.includes(scale);
   const kind = scale.low === null && select("scale", `Colours${suffix}`, scale.edges.length ? [["bands", "tolerance bands"], ...KINDS] : KINDS, scale.kind, (kind) => {
     scale.kind = kind;
+    scale.takeBackEdges();
     app.update();
   });
   const ranges = scale.data.ranges.map(({ text }, i) => [String(i), text]);
   const range = ranges.length > 1 && select("range", `up to${suffix}`, ranges, String(scale.range), (i) => {
     scale.range = Number(i);
     scale.custom = null;
+    scale.takeBackEdges();
     app.update();
   });
   return [kind, range].filter((control) => control).map((control) => ({ control, serves }));

@@ -53,6 +53,24 @@ export class Values {
     return this.spreadOver;
   }
 
+  /** Shares of the area between levels, ascending: below the first, between two, above the last; of what is drawn, linear on triangles. */
+  shares(mesh, levels) {
+    const [a, b, c] = [new Vector3(), new Vector3(), new Vector3()];
+    this.areas ??= Float64Array.from({ length: mesh.triangles }, (_, t) => {
+      [a, b, c].forEach((corner, k) => corner.fromArray(mesh.positions, 3 * mesh.indices[3 * t + k]));
+      return b.sub(a).cross(c.sub(a)).length() / 2;
+    });
+    const below = new Float64Array(levels.length);
+    let whole = 0;
+    for (let t = 0; t < mesh.triangles; t++) {
+      const values = [0, 1, 2].map((k) => this.sizes[this.#element(mesh, t, k)]).sort((p, q) => p - q);
+      whole += this.areas[t];
+      for (let i = 0; i < levels.length; i++) below[i] += this.areas[t] * partBelow(values, levels[i]);
+    }
+    const places = [0, ...below, whole];
+    return places.slice(1).map((end, i) => (end - places[i]) / whole);
+  }
+
   /** At a point of a triangle: the value, those of the corners, and the vector if there is one. */
   at(mesh, triangle, weights) {
     const elements = [0, 1, 2].map((corner) => this.#element(mesh, triangle, corner));
@@ -65,4 +83,12 @@ export class Values {
     const value = this.on === "face" ? this.sizes[elements[0]] : Math.hypot(...vector);
     return { values: elements.map((element) => this.sizes[element]), value, vector };
   }
+}
+
+/** The part of a triangle where a linear function with these values at its corners, ascending, is below a level. */
+function partBelow([a, b, c], level) {
+  if (level <= a) return 0;
+  if (level < b) return ((level - a) / (b - a)) * ((level - a) / (c - a));
+  if (level < c) return 1 - ((c - level) / (c - b)) * ((c - level) / (c - a));
+  return 1;
 }

@@ -3,10 +3,10 @@
 use super::content::{DeviationContent, MeasuredSurface, SurfaceDeviation};
 use pompeiu_figures::ColorMap;
 use pompeiu_figures::page::{
-    Amount, Arrangement, Block, Bounds, BoundsId, Button, Card, Cell, Chart, ChartAxis, Fact, Layer, Mesh,
-    MeshId, MeshValues, Page, PageError, Paint, Pair, Place, PlaceId, PlaceItem, PlaceList, Player,
+    Amount, Arrangement, Block, Bounds, BoundsId, Button, Card, Cell, Chart, ChartAxis, Classes, Fact, Layer,
+    Mesh, MeshId, MeshValues, Page, PageError, Paint, Pair, Place, PlaceId, PlaceItem, PlaceList, Player,
     PlayerControls, PlayerId, Range, RangeEnd, Row, ScaleId, Scene, SceneId, Series, Shape, Space, SpaceId,
-    Span, Statistic, Table, Text, Threshold, ToggleId, ValueScale,
+    Span, Statistic, Table, Text, Threshold, ToggleId, ValueScale, ValuesId,
 };
 use std::fmt::Write;
 
@@ -21,6 +21,7 @@ struct Side<'c> {
     index: usize,
     deviation: &'c SurfaceDeviation,
     largest: f64,
+    values: ValuesId,
     bounds: BoundsId,
     scene: SceneId,
 }
@@ -134,7 +135,7 @@ impl DeviationContent {
         });
         scene.places = places.collect();
         let scene = page.add_scene(scene)?;
-        Ok(Side { index, deviation, largest: deviation.largest(), bounds, scene })
+        Ok(Side { index, deviation, largest: deviation.largest(), values, bounds, scene })
     }
 
     fn add_ranges(page: &mut Page, scale: ScaleId, sides: &[Side<'_>]) -> Result<(), PageError> {
@@ -186,7 +187,8 @@ impl DeviationContent {
                     .with_scene(side.scene),
             )?;
             if !side.deviation.bands.is_empty() {
-                page.add_card(Card::new("Tolerance bands", vec![self.classes(side)]).with_scene(side.scene))?;
+                let classes = vec![side.classes(shared.scale)];
+                page.add_card(Card::new("Tolerance bands", classes).with_scene(side.scene))?;
             }
             if sides.iter().any(|side| !side.deviation.regions.is_empty()) {
                 page.add_card(
@@ -238,25 +240,6 @@ impl DeviationContent {
             Button::ShowAll("Show all".into()),
         ]));
         Card::new("Distance", blocks)
-    }
-
-    /// The share of the area in each tolerance band, in percent.
-    fn classes(&self, side: &Side<'_>) -> Block {
-        let ends: Vec<String> = self.bands.iter().map(f64::to_string).collect();
-        let names = class_names(&ends);
-        let row = |(name, share): (String, &Bounds)| {
-            // A step outwards makes up for the product.
-            let [low, high] = [(share[0] * 100.0).next_down(), (share[1] * 100.0).next_up()];
-            let ends = [if share[0] > 0.0 { low } else { 0.0 }, if share[1] > 0.0 { high } else { 0.0 }];
-            Row { cells: vec![Cell::text(name), Cell::Lower { ends }, Cell::Upper { ends }], place: None }
-        };
-        Block::Table(Table {
-            key: "bands".into(),
-            caption: format!("Shares of the area of {} in each tolerance band", LABELS[side.index]),
-            columns: ["% of the area", "lower", "upper"].map(str::to_owned).to_vec(),
-            rows: names.into_iter().zip(&side.deviation.bands).map(row).collect(),
-            sortable: false,
-        })
     }
 
     /// What colours show.
@@ -405,6 +388,18 @@ impl DeviationContent {
 }
 
 impl Side<'_> {
+    /// The share of the area in each tolerance band.
+    fn classes(&self, scale: ScaleId) -> Block {
+        Block::Classes(Classes {
+            key: "bands".into(),
+            caption: format!("Shares of the area of {} in each tolerance band", LABELS[self.index]),
+            scale,
+            values: self.values,
+            outer: ["too low", "too high"].map(str::to_owned),
+            shares: self.deviation.bands.clone(),
+        })
+    }
+
     fn threshold(&self, scale: ScaleId, end: f64) -> Block {
         let found = &self.deviation.exceedance;
         Block::Threshold(Threshold {
@@ -430,16 +425,6 @@ impl Side<'_> {
             sortable: false,
         })
     }
-}
-
-/// What the classes between some ends are called, from the lowest.
-pub(super) fn class_names(ends: &[String]) -> Vec<String> {
-    let [Some(first), Some(last)] = [ends.first(), ends.last()] else { return Vec::new() };
-    let inner = ends.windows(2).map(|ends| format!("{} to {}", ends[0], ends[1]));
-    std::iter::once(format!("too low, below {first}"))
-        .chain(inner)
-        .chain([format!("too high, above {last}")])
-        .collect()
 }
 
 /// The largest distance of all directions; 1 where all are zero.

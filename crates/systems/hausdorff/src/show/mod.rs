@@ -7,6 +7,7 @@ mod compose;
 mod content;
 mod page;
 mod paper;
+mod spread;
 mod stages;
 
 pub use content::{

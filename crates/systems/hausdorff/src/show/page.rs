@@ -4,10 +4,12 @@ use super::content::{
     self, DeviationContent, DisplayTriangles, Exceedance, Histogram, MeasuredSurface, SearchStage,
     SurfaceDeviation,
 };
+use super::spread;
 use crate::deviation::{
     BandReport, Deviation, DirectedDeviation, DisplayTriangle, Region, Sides, Statistics,
 };
 use crate::{Direction, Enclosure, Stage, StopReason, Witness};
+use pompeiu_core::geom::{Aabb, Frame};
 use pompeiu_core::spatial::{Winding, WindingNumber};
 use pompeiu_core::{FaceId, MeshError, TriMesh};
 use pompeiu_figures::names::{axis, name};
@@ -90,6 +92,9 @@ const COVERED: f64 = 0.99;
 
 /// The part of the colours of a picture that a drawn distance may be off by where few points are far beyond it.
 const COVERED_TOLERANCE: f64 = 1.0 / 32.0;
+
+/// Columns of the histograms beside the colours of a picture.
+const COLUMNS: usize = 48;
 
 /// By how much colours go beyond a threshold.
 const BEYOND_THRESHOLD: f64 = 1.25;
@@ -185,6 +190,15 @@ impl<'r> DeviationPage<'r> {
         }
     }
 
+    /// How the distances of one surface are spread over its area, along a colour bar: over tolerance bands as proven, else as drawn.
+    fn spread(&self, side: &Side<'_>, scale: &Scale) -> Vec<f64> {
+        if !scale.classes().is_empty() {
+            return self.shares(side.found.direction).iter().map(|[low, high]| 0.5 * (low + high)).collect();
+        }
+        let frame = Frame::of(&Aabb::of_faces(side.measured.mesh));
+        spread::shares(&side.triangles, &frame, scale.range(), COLUMNS)
+    }
+
     /// Shares of the area in the tolerance bands.
     pub(super) fn shares(&self, direction: Direction) -> Vec<Bounds> {
         let found = self.bands.and_then(|bands| match direction {
@@ -273,7 +287,7 @@ impl DeviationFigures<'_> {
     }
 
     /// A picture with one panel for each direction, of the given size in pixels. Colours are told apart up to the distance that 99 % of
-    /// the area is within; tolerance bands have one colour each, as on the page.
+    /// the area is within; tolerance bands have one colour each, as on the page. Beside them, a histogram for each direction.
     ///
     /// # Errors
     /// [`FigureError`] for a size that is none.
@@ -293,6 +307,7 @@ impl DeviationFigures<'_> {
                 Direction::BToA => (of.b, of.a),
             };
             let meaning = if side.found.direction == Direction::AToB { "missing" } else { "invented" };
+            figure = figure.with_histogram(meaning, of.spread(side, &scale));
             let distance = rounded(side.found.distance.distance);
             let title =
                 format!("{meaning}: {} to {}, {distance} {}", name(from.path), name(to.path), of.unit);

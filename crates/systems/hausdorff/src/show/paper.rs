@@ -1,6 +1,5 @@
 //! A deviation on paper.
 
-use super::compose::class_names;
 use super::page::{DeviationFigures, DeviationPage, percent};
 use crate::deviation::{DirectedDeviation, Region};
 use crate::digits::{self, percentage};
@@ -37,7 +36,8 @@ impl DeviationFigures<'_> {
         let mut blocks: Vec<Block> = verdict.map(Block::Statement).into_iter().collect();
         let caption = format!(
             "Left: {}, as it should be, coloured by its distance from {}; what is far is missing there. Right: {}, as it is, coloured by \
-             its distance from {}; what is far was invented. The line joins the farthest point and its nearest one.",
+             its distance from {}; what is far was invented. The line joins the farthest point and its nearest one. Beside the \
+             colours, histograms of both over the area: columns are as long as the roots of the shares.",
             names[0], names[1], names[1], names[0]
         );
         blocks.push(Block::Picture { image, caption });
@@ -128,6 +128,16 @@ impl DeviationPage<'_> {
         let columns = [("", 1.2), ("largest", 1.0), ("at (x, y, z)", 2.0), ("area", 0.8), ("faces", 0.6)];
         Block::Table { columns: columns.map(|(name, share)| (name.to_owned(), share)).to_vec(), rows }
     }
+}
+
+/// What the classes between some ends are called, from the lowest.
+fn class_names(ends: &[String]) -> Vec<String> {
+    let [Some(first), Some(last)] = [ends.first(), ends.last()] else { return Vec::new() };
+    let inner = ends.windows(2).map(|ends| format!("{} to {}", ends[0], ends[1]));
+    std::iter::once(format!("too low, below {first}"))
+        .chain(inner)
+        .chain([format!("too high, above {last}")])
+        .collect()
 }
 
 fn place(region: &Region, name: &str) -> Vec<String> {

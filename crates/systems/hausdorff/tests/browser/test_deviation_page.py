@@ -20,6 +20,7 @@ def setUpModule():
     pages = {
         "plain": make("plain.html", "deviation_page", "--faces", "4000"),
         "signed": make("signed.html", "deviation_page", "--faces", "4000", "--signed"),
+        "bands": make("bands.html", "deviation_page", "--faces", "4000", "--signed", "--bands", "-0.1,0.2"),
         "hostile": make("hostile.html", "deviation_page", "--faces", "600", "--offset", "1e7", "--names", *HOSTILE),
     }
 
@@ -54,6 +55,20 @@ def hits(origin, direction, triangles):
         if min(weights) > -1e-6 and distance > 0:
             found.append((distance, i, weights))
     return sorted(found)
+
+
+def area_below(triangle, values, level):
+    """Area of the part of a triangle where a linear function is below a level, by clipping."""
+    polygon = []
+    for i in range(3):
+        j = (i + 1) % 3
+        if values[i] < level:
+            polygon.append(triangle[i])
+        if (values[i] < level) != (values[j] < level):
+            t = (level - values[i]) / (values[j] - values[i])
+            polygon.append([p + t * (q - p) for p, q in zip(triangle[i], triangle[j])])
+    fan = [cross(subtract(q, polygon[0]), subtract(r, polygon[0])) for q, r in zip(polygon[1:], polygon[2:])]
+    return sum(math.hypot(*normal) for normal in fan) / 2
 
 
 class DeviationPage(PageTest):
@@ -359,6 +374,53 @@ class DeviationPage(PageTest):
         self.assertEqual(page.evaluate("pompeiu.app.scales[0].custom"), None)
         heights = page.evaluate("Array.from(document.querySelectorAll('.spread rect'), (bar) => Number(bar.getAttribute('height')))")
         self.assertGreater(max(heights), 25, "how values are spread stands over the bar")
+
+    def test_ends_of_tolerance_bands_are_dragged(self):
+        page = self.open("bands")
+        surface = self.truth["surfaces"][0]
+
+        def rows():
+            return page.eval_on_selector_all("[data-key=bands] tbody tr", """rows => rows.map((row) =>
+                [row.cells[0].textContent, ...[...row.cells].slice(1).map((cell) => Number(cell.dataset.exact))])""")
+
+        def edges():
+            return page.evaluate("pompeiu.app.scales[0].edges")
+
+        proven, painted = rows(), pixels(page)[2]
+        self.assertEqual([name for name, *_ in proven], ["too low, below \u22120.1", "\u22120.1 to 0.2", "too high, above 0.2"])
+        for (_, low, high), (lower, upper) in zip(proven, surface["bands"]):
+            self.assertTrue(low <= 100 * lower <= 100 * upper <= high and high - low <= 100 * (upper - lower) * (1 + 1e-12) + 1e-12)
+
+        handle = page.locator("[data-control=band-end-1]").bounding_box()
+        x, y = handle["x"] + handle["width"] / 2, handle["y"] + handle["height"] / 2
+        page.mouse.move(x, y)
+        page.mouse.down()
+        page.mouse.move(x + 30, y, steps=3)
+        page.mouse.up()
+        low, high = edges()
+        self.assertEqual(low, -0.1)
+        self.assertTrue(0.22 < high < 0.6, high)
+        self.assertNotEqual(pixels(page)[2], painted)
+        self.assertIn("not proven", shown(page, "[data-key=bands-moved]"))
+        area = sum(area_below(t, [0, 0, 0], 1) for t in surface["corners"])
+        below = [sum(area_below(t, v, level) for t, v in zip(surface["corners"], surface["values"])) / area for level in (low, high)]
+        for (_, estimate), share in zip(rows(), [below[0], below[1] - below[0], 1 - below[1]]):
+            self.assertAlmostEqual(estimate, 100 * share, delta=1e-3)
+        # No farther than the other end.
+        page.mouse.move(x + 30, y)
+        page.mouse.down()
+        page.mouse.move(x - 900, y, steps=3)
+        page.mouse.up()
+        self.assertTrue(-0.1 < edges()[1] < -0.09, edges())
+        page.keyboard.press("Escape")
+        self.assertEqual(edges(), [-0.1, 0.2])
+        self.assertEqual(rows(), proven)
+        self.assertEqual(pixels(page)[2], painted)
+        page.focus("[data-control=band-end-0]")
+        page.keyboard.press("ArrowLeft")
+        self.assertLess(edges()[0], -0.1)
+        page.select_option("[data-control=range]", "0")
+        self.assertEqual(edges(), [-0.1, 0.2])
 
     def test_points_are_pinned_measured_and_taken_back(self):
         page = self.open()

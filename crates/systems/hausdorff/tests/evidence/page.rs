@@ -108,10 +108,11 @@ fn data_that_do_not_belong_together_are_refused() {
     for (i, spoil) in not_finite.iter().enumerate() {
         assert!(matches!(refused(spoil), PageError::NonFinite { .. }), "{i}: {}", refused(spoil));
     }
-    let lengths: [Spoil; 5] = [
+    let lengths: [Spoil; 6] = [
         |p| p.surfaces[0].triangles.faces.push(0),
         |p| measured(p).values.push([0.0; 3]),
         |p| measured(p).face_bounds.clear(),
+        |p| measured(p).bands.push([0.0; 2]),
         |p| measured(p).histogram.edges.push(2.0),
         |p| measured(p).exceedance.distances.push(2.0),
     ];

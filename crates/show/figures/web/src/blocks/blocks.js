@@ -3,6 +3,7 @@
 import { card, choice, h } from "../dom.js";
 import { enclosure, exactly, short, textOf } from "../format.js";
 import { chart } from "./chart.js";
+import { classes } from "./classes.js";
 import { places } from "./places.js";
 import { playerControls } from "./player.js";
 import { table } from "./table.js";
@@ -12,7 +13,7 @@ const BLOCKS = {
   text: (app, text) => ({ element: h("p", {}, textOf(text)) }),
   note: (app, text) => ({ element: h("p", { class: "note" }, textOf(text)) }),
   headline: (app, statistic) => ({ element: h("p", { class: "headline" }, h("span", {}, statistic.name), amount(statistic), h("span", { class: "unit" }, statistic.unit)) }),
-  statistics, facts, run, buttons, threshold, player: playerControls, places, chart, table,
+  statistics, facts, run, buttons, threshold, player: playerControls, places, chart, table, classes,
 };
 
 /** The cards of the page; those of a scene are there while it is the chosen one. */
