@@ -160,12 +160,16 @@ fn write(poses: &mut [Pose], x: &[f64]) {
 pub(super) fn candidates(map: &Map, poses: &[Turned], centre: Point, radius: f64, near: &mut Vec<usize>) {
     near.clear();
     let reach = map.radius();
-    let away = |pose: &Turned| libm::hypot(centre[0] - pose.place[0], centre[1] - pose.place[1]);
+    let squared = |pose: &Turned| {
+        let away = [centre[0] - pose.place[0], centre[1] - pose.place[1]];
+        away[0] * away[0] + away[1] * away[1]
+    };
     // A copy is at least as far as its circle.
     let mut least = f64::INFINITY;
     let mut values: Vec<(usize, f64)> = Vec::new();
     for (j, pose) in poses.iter().enumerate() {
-        if away(pose) - reach > least + 2.0 * LIPSCHITZ * radius {
+        let far = reach + least + 2.0 * LIPSCHITZ * radius;
+        if far < 0.0 || squared(pose) > far * far {
             continue;
         }
         let value = map.value(pose.to_shape(centre));
