@@ -78,8 +78,21 @@ class NeuronSkeleton:
         str,
     ]: ...
     def splines(
-        self, meshing: _Options, progress: Optional[Callable[[float], Optional[bool]]]
-    ) -> tuple[NDArray[np.float64], NDArray[np.uint32], NDArray[np.int32], bytes, str, str]: ...
+        self,
+        meshing: _Options,
+        refine: list[str],
+        levels: int,
+        progress: Optional[Callable[[float], Optional[bool]]],
+    ) -> tuple[
+        NeuronSplineSpace,
+        NDArray[np.float64],
+        NDArray[np.uint32],
+        NDArray[np.int32],
+        NDArray[np.uint32],
+        bytes,
+        str,
+        str,
+    ]: ...
     def flow(
         self, meshing: _Options, config: str, progress: Optional[Callable[[float], Optional[bool]]]
     ) -> tuple[
@@ -95,6 +108,10 @@ class NeuronSkeleton:
         str,
         str,
     ]: ...
+
+class NeuronSplineSpace:
+    def extraction(self) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.float64]]: ...
+    def positions(self) -> NDArray[np.float64]: ...
 
 class HodgeDecomposition:
     def __new__(cls, mesh: Mesh, splitting: str, boundary: str) -> HodgeDecomposition: ...

@@ -110,8 +110,11 @@ class NeuronSplines:
         The control points of each cell, the first axis fastest.
     branches : numpy.ndarray of int, shape (m,)
         The branch of each cell; -1, -2, … at nodes.
+    elements : numpy.ndarray of int, shape (e, 5)
+        The elements of the splines: how often each was halved, its cell, and its place there along the three axes, among the elements of
+        its size.
     vtu : bytes
-        The mesh as a VTK unstructured grid of Bézier hexahedra.
+        The cells, or the elements where they were refined, as a VTK unstructured grid of Bézier hexahedra.
     report : dict
         What ``pompeiu neuron spline --json`` says of it under ``mesh`` and ``spline``.
     """
@@ -119,13 +122,33 @@ class NeuronSplines:
     control_points: np.ndarray
     cells: np.ndarray
     branches: np.ndarray
+    elements: np.ndarray
     vtu: bytes
     report: Dict[str, Any]
+    _space: _native.NeuronSplineSpace
 
     @property
     def certified(self) -> bool:
         """Whether the Jacobian determinant is proven positive over every cell."""
         return self.report["mesh"]["certified"]
+
+    def extraction(self) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Which functions each element has, and their Bézier coefficients there: what a solver needs of the splines.
+
+        Returns
+        -------
+        starts : numpy.ndarray of int, shape (e + 1,)
+            The functions of element ``k`` are ``functions[starts[k] : starts[k + 1]]``.
+        functions : numpy.ndarray of int, shape (f,)
+            Numbers of functions.
+        coefficients : numpy.ndarray of float, shape (f, 64)
+            Bézier coefficients of these functions over the element, the first axis fastest.
+        """
+        return self._space.extraction()
+
+    def positions(self) -> np.ndarray:
+        """The coefficients of the positions, one row for each function: the geometry in terms of the splines, but for rounding."""
+        return self._space.positions()
 
     def write(self, path: Union[str, "os.PathLike[str]"]) -> None:
         """Writes the mesh as a ``.vtu`` file."""
@@ -413,6 +436,8 @@ class Skeleton:
         *,
         elements: int = 1,
         layer: float = 2.0,
+        refine: Sequence[str] = (),
+        levels: int = 1,
         threads: Optional[int] = None,
         time_limit: Optional[float] = None,
         memory_limit: Optional[int] = None,
@@ -420,19 +445,27 @@ class Skeleton:
     ) -> NeuronSplines:
         """Fills the neuron with tricubic cells, patches of cubic splines, every cell proven valid.
 
+        Refined splines are truncated hierarchical ones: not negative, with the sum one, linearly independent. They contain those without
+        refinement, and all splines of the smaller elements where these were asked for.
+
         Parameters
         ----------
         elements : int
             Elements of splines of each patch along each edge, 1 to 4.
         layer : float
             Length of a patch along a branch, in radii.
+        refine : sequence of str
+            Places where elements are halved: ``"nodes"``, ``"ends"``, ``"wall"``, ``"branch=3"``, ``"sample=57"`` (within the ball of
+            that sample) or ``"ball=x,y,z,r"``.
+        levels : int
+            How often, 1 to 5.
         threads, time_limit, memory_limit, progress : optional
             As for :meth:`mesh`.
 
         Raises
         ------
         OptionError
-            As for :meth:`mesh`.
+            As for :meth:`mesh`, and where there is no element in a place.
 
         Examples
         --------
@@ -441,8 +474,10 @@ class Skeleton:
         NeuronSplines(25 cells, 832 functions, certified)
         """
         meshing = _meshing(elements, layer, threads, time_limit, memory_limit)
-        *found, mesh, spline = self._skeleton.splines(meshing, progress)
-        return NeuronSplines(*found, {"mesh": json.loads(mesh), "spline": json.loads(spline)})
+        if not 1 <= levels <= 5:
+            raise OptionError(f"the number of levels of refinement is {levels}; expected 1 to 5")
+        space, *found, mesh, spline = self._skeleton.splines(meshing, list(refine), int(levels), progress)
+        return NeuronSplines(*found, {"mesh": json.loads(mesh), "spline": json.loads(spline)}, space)
 
     def flow(
         self,

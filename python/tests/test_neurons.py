@@ -114,6 +114,28 @@ def test_flow_through_a_tube_is_that_of_poiseuille(tmp_path):
         skeleton.splines(elements=5)
 
 
+def test_splines_are_refined_where_they_are_asked_to_be(tmp_path):
+    skeleton = pompeiu.read_skeleton(TUBE)
+    splines = skeleton.splines(elements=2, refine=["ends", "sample=1"], levels=2)
+    levels, report = splines.elements[:, 0], splines.report["spline"]
+    assert [level["elements"] for level in report["levels"]] == list(np.bincount(levels))
+    assert report["partition_of_unity_error"] <= 1e-14 and (0.125**levels).sum() == 25 * 8
+    starts, functions, coefficients = splines.extraction()
+    assert len(starts) == len(splines.elements) + 1 and functions.max() == report["functions"] - 1
+    sums = np.add.reduceat(coefficients, starts[:-1])
+    assert np.abs(sums - 1).max() <= 1e-14 and coefficients.min() >= 0
+    # The control points of elements, by the splines; the box of all of them is that of the tube.
+    points = np.add.reduceat(coefficients[:, :, None] * splines.positions()[functions][:, None, :], starts[:-1])
+    assert points[..., 0].min() == pytest.approx(0, abs=1e-13) and points[..., 0].max() == pytest.approx(8, abs=1e-13)
+    assert 3 * len(splines.vtu) > points.nbytes
+    assert skeleton.splines(elements=2).report["spline"].keys() == {"functions", "partition_of_unity_error"}
+    for refine, problem in [("nodes", "no element is in this place"), ("sample=9", "no sample has this number"), ("tips", "is no place to refine")]:
+        with pytest.raises(pompeiu.OptionError, match=problem):
+            skeleton.splines(refine=[refine])
+    with pytest.raises(pompeiu.OptionError):
+        skeleton.splines(refine=["ends"], levels=6)
+
+
 def test_heat_in_a_rod_that_was_meshed_elsewhere(tmp_path):
     pompeiu.read_skeleton(TUBE).mesh(parts=1).write(tmp_path / "rod.vtu")
     rod = pompeiu.read_neuron_mesh(tmp_path / "rod.vtu", sides=["+x", "-x"])

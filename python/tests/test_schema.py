@@ -81,6 +81,7 @@ COMMANDS = {
         "neuron check cell.swc --repair --smooth 2 --spacing 0.5 -o smooth.swc",
         "neuron mesh cell.swc --repair --parts 1 -o cell.vtu",
         "neuron spline fork.swc -o patches.vtu",
+        "neuron spline fork.swc --refine nodes -o refined.vtu",
         "neuron flow fork.swc -o flow.vtu --linear",
         "neuron transport cell.swc --repair --parts 1 --config run.toml -o run.pvd",
         "neuron fork.swc --parts 1 --config run.toml --tips tips.csv",

@@ -143,7 +143,7 @@ impl BezierMesh {
 }
 
 /// The coefficients over a part of the cell.
-fn cut(points: &[DVec3; 64], matrices: [&[[f64; 4]; 4]; 3]) -> [DVec3; 64] {
+pub(crate) fn cut(points: &[DVec3; 64], matrices: [&[[f64; 4]; 4]; 3]) -> [DVec3; 64] {
     let mut result = *points;
     for (matrix, [stride, p, q]) in matrices.into_iter().zip([[1, 4, 16], [4, 1, 16], [16, 1, 4]]) {
         for a in 0..4 {

@@ -11,6 +11,7 @@
 //! | [`Faces`] | conformity, boundary, components |
 //! | [`BezierMesh`], [`certify_bezier`] | tricubic cells, and the same proof for them |
 //! | [`SplineSpace`] | cubic splines over patches, continuous across them |
+//! | [`HierarchicalSplines`] | the same, refined where elements are marked |
 //! | [`UnstructuredSplines`], [`read_bzpt`], [`controlmesh`] | splines with a function for each vertex, and the files of `NeuronTransportIGA` |
 //! | [`partition`], [`epart`] | cells dealt out to processes, as METIS writes it |
 //! | [`Refinement`] | lattices in cells that conform where cells do |
@@ -31,8 +32,10 @@ mod bezier;
 mod bezier_jacobian;
 mod error;
 mod faces;
+mod hierarchy;
 mod iga_files;
 mod jacobian;
+mod knots;
 mod mesh;
 mod partition;
 mod refinement;
@@ -44,11 +47,13 @@ pub use bezier::{BezierMesh, CORNERS_OF_64, FACE_AXES, bezier_volume, face_flux,
 pub use bezier_jacobian::{QUALITY_PLACES, certify_bezier, scaled_jacobian_bezier, slopes_at};
 pub use error::VolumeError;
 pub use faces::{BoundaryFace, FACES, Faces, InnerFace};
+pub use hierarchy::{BYTES_PER_FUNCTION, HierarchicalElement, HierarchicalSplines, MOST_LEVELS};
 pub use iga_files::{IgaFileError, controlmesh, iga_units, read_bzmeshinfo, read_bzpt};
 pub use jacobian::{Jacobian, certify, scaled_jacobian, volume};
+pub use knots::Line;
 pub use mesh::HexMesh;
 pub use partition::{PartitionQuality, epart, partition, partition_quality};
 pub use refinement::{CORNER_PLACES, Refinement, RefinementKey, key_weights};
-pub use spline::{Line, SplineSpace};
+pub use spline::SplineSpace;
 pub use unstructured::{CellKind, CellSplines, UnstructuredSplines};
 pub use vtu::{CellData, PointData, write_bezier_vtu, write_vtu};

@@ -1,6 +1,6 @@
 //! Cubic splines over the patches of a mesh: as smooth as cubics can be within a patch, continuous across patches.
 
-use crate::bernstein::blossoms;
+use crate::knots::{Line, OpenKnots};
 use crate::{BezierMesh, CORNERS_OF_64, Refinement};
 use glam::DVec3;
 
@@ -17,31 +17,20 @@ use glam::DVec3;
 /// Open knots and gluing: `cottrell_isogeometric_2009`.
 #[derive(Clone, Debug)]
 pub struct SplineSpace {
-    elements: usize,
+    knots: OpenKnots,
     functions: usize,
     patches: Vec<Vec<u32>>,
-}
-
-/// Values and derivatives of the four B-splines that do not vanish in an element, the first of which has the number of the element.
-#[derive(Clone, Copy, Debug)]
-pub struct Line {
-    /// The element, which is the number of the first function.
-    pub first: usize,
-    /// Values.
-    pub values: [f64; 4],
-    /// Derivatives by the parameter of the patch, from 0 to 1.
-    pub slopes: [f64; 4],
 }
 
 impl SplineSpace {
     /// The space with this many elements along each axis of each patch, at least one.
     pub fn new(mesh: &BezierMesh, elements: usize) -> Self {
-        let elements = elements.max(1);
+        let knots = OpenKnots::new(elements);
         // The coefficients of a patch are a lattice with one step fewer than functions.
-        let mut refinement = Refinement::new(elements + 2);
+        let mut refinement = Refinement::new(knots.elements() + 2);
         let patches =
             mesh.cells().iter().map(|cell| refinement.lattice(CORNERS_OF_64.map(|k| cell[k]))).collect();
-        Self { elements, functions: refinement.keys().len(), patches }
+        Self { knots, functions: refinement.keys().len(), patches }
     }
 
     /// Number of functions.
@@ -51,7 +40,7 @@ impl SplineSpace {
 
     /// Elements along each axis of a patch.
     pub fn elements(&self) -> usize {
-        self.elements
+        self.knots.elements()
     }
 
     /// The functions of each patch, the first axis fastest, `elements` + 3 along each axis.
@@ -59,43 +48,15 @@ impl SplineSpace {
         &self.patches
     }
 
-    /// Knot k of `elements` + 7, in units of elements.
-    fn knot(&self, k: usize) -> f64 {
-        k.saturating_sub(3).min(self.elements) as f64
-    }
-
     /// The functions along one axis at a place from 0 to 1 of the patch, those of the given element: the recursion of de Boor and Cox.
     pub fn line(&self, element: usize, place: f64) -> Line {
-        let span = element + 3;
-        let t = place * self.elements as f64;
-        let mut values = [1.0, 0.0, 0.0, 0.0];
-        let mut lower = values;
-        for degree in 1..4 {
-            lower = values;
-            values = [0.0; 4];
-            for k in 0..degree {
-                // Function k of the lower degree begins at this knot.
-                let (a, b) = (self.knot(span + 1 + k - degree), self.knot(span + 1 + k));
-                let share = lower[k] / (b - a);
-                values[k] += (b - t) * share;
-                values[k + 1] += (t - a) * share;
-            }
-        }
-        let mut slopes = [0.0; 4];
-        for k in 0..3 {
-            let share = 3.0 * lower[k] / (self.knot(span + 1 + k) - self.knot(span + k - 2));
-            slopes[k] -= share;
-            slopes[k + 1] += share;
-        }
-        Line { first: element, values, slopes: slopes.map(|s| s * self.elements as f64) }
+        self.knots.line(element, place)
     }
 
     /// The coefficients of a tricubic in a patch: blossoms at the knots, so that splines over one element are the cubics they refine.
     fn coefficients(&self, points: &[DVec3; 64]) -> Vec<DVec3> {
-        let m = self.elements + 3;
-        let rows: Vec<[f64; 4]> = (0..m)
-            .map(|i| blossoms([i + 1, i + 2, i + 3].map(|k| self.knot(k) / self.elements as f64)))
-            .collect();
+        let (m, whole) = (self.elements() + 3, [0.0, self.elements() as f64]);
+        let rows: Vec<[f64; 4]> = (0..m).map(|function| self.knots.dual(function, whole)).collect();
         let mut result = Vec::with_capacity(m * m * m);
         for c in &rows {
             for b in &rows {
@@ -123,26 +84,10 @@ impl SplineSpace {
         result
     }
 
-    /// For each element along an axis the matrix that gives Bézier coefficients from the four splines there: entry `[r][k]` is the
+    /// For each element along an axis the matrix that gives Bézier coefficients from the four splines there: entry `[k][r]` is the
     /// share of function k in coefficient r.
     pub fn extraction(&self) -> Vec<[[f64; 4]; 4]> {
-        (0..self.elements)
-            .map(|element| {
-                let at = |third: usize| {
-                    let place = (element as f64 + third as f64 / 3.0) / self.elements as f64;
-                    self.line(element, place).values
-                };
-                let values = [0, 1, 2, 3].map(at);
-                let mut matrix = [[0.0; 4]; 4];
-                for k in 0..4 {
-                    let column = crate::bernstein::interpolate([0, 1, 2, 3].map(|r| values[r][k]));
-                    for (row, value) in matrix.iter_mut().zip(column) {
-                        row[k] = value;
-                    }
-                }
-                matrix
-            })
-            .collect()
+        (0..self.elements()).map(|element| self.knots.bezier(element)).collect()
     }
 
     /// The greatest difference from one of the sum of all functions, over a grid of places in each element. All patches have the same
@@ -150,8 +95,8 @@ impl SplineSpace {
     pub fn partition_of_unity_error(&self) -> f64 {
         let mut worst = 0.0_f64;
         let places = [0.0, 0.173, 0.5, 0.827, 1.0];
-        let lines: Vec<Line> = (0..self.elements)
-            .flat_map(|e| places.map(|t| self.line(e, (e as f64 + t) / self.elements as f64)))
+        let lines: Vec<Line> = (0..self.elements())
+            .flat_map(|e| places.map(|t| self.line(e, (e as f64 + t) / self.elements() as f64)))
             .collect();
         for c in &lines {
             for b in &lines {

@@ -51,7 +51,7 @@ mod _native {
     #[pymodule_export]
     use crate::neuron::{NeuronHexahedra, NeuronSkeleton, read_neuron_mesh, read_skeleton};
     #[pymodule_export]
-    use crate::neuron_flow::NeuronFlow;
+    use crate::neuron_flow::{NeuronFlow, NeuronSplineSpace};
     #[pymodule_export]
     use crate::puzzle::puzzle;
     #[pymodule_export]

@@ -121,14 +121,17 @@ impl NeuronSkeleton {
         mesh_parts(py, found.map_err(Raise::raise)?)
     }
 
-    /// Fills the neuron with tricubic cells, each cut into this many spline elements along each edge.
+    /// Fills the neuron with tricubic cells, each cut into this many spline elements along each edge, which are halved in some places.
+    #[expect(clippy::needless_pass_by_value, reason = "arguments come from Python")]
     fn splines<'py>(
         &self,
         py: Python<'py>,
         meshing: Meshing,
+        refine: Vec<String>,
+        levels: usize,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<SplineParts<'py>> {
-        neuron_flow::splines(py, &self.0, meshing, progress)
+        neuron_flow::splines(py, &self.0, meshing, (&refine, levels), progress)
     }
 
     /// Fills the neuron with tricubic cells and solves for the flow through them.

@@ -8,9 +8,11 @@ use crate::neuron::{Meshing, TransportParts, transport_parts};
 use crate::wait::{self, Share, Watch};
 use numpy::{IntoPyArray, PyArray1, PyArray2};
 use pompeiu::neuron::{
-    Flow, FlowCells, FlowOptions, MeshError, MeshOptions, Skeleton, SplineReport, TransportOptions,
-    cubic_neuron, neuron_flow, read_transport_config, transport_in_flow,
+    CubicMesh, Flow, FlowCells, FlowOptions, MeshError, MeshOptions, RefineAt, RefineOptions, Skeleton,
+    SplineReport, TransportOptions, cubic_neuron, neuron_flow, read_transport_config, refined_splines,
+    refined_vtu, transport_in_flow,
 };
+use pompeiu::volume::{HierarchicalElement, HierarchicalSplines};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
@@ -18,11 +20,41 @@ use pyo3::types::PyBytes;
 #[pyclass(frozen, module = "pompeiu._native")]
 pub(crate) struct NeuronFlow(Flow);
 
-/// A mesh of tricubic cells: places of control points, cells, branches, the file it would be, and what is said of it and of its splines.
+/// Splines over a mesh of tricubic cells.
+#[pyclass(frozen, module = "pompeiu._native")]
+pub(crate) struct NeuronSplineSpace(CubicMesh, HierarchicalSplines);
+
+#[pymethods]
+impl NeuronSplineSpace {
+    /// For each element where its functions begin, and where the last end; all of these functions; their Bézier coefficients.
+    fn extraction<'py>(&self, py: Python<'py>) -> PyResult<ExtractionParts<'py>> {
+        let cells = py.detach(|| self.1.extraction());
+        let (mut starts, mut functions, mut coefficients) = (vec![0], Vec::new(), Vec::new());
+        for cell in cells.cells() {
+            functions.extend(cell.functions.iter().map(|&function| i64::from(function)));
+            coefficients.extend_from_slice(&cell.coefficients);
+            starts.push((functions.len() as u64).cast_signed());
+        }
+        Ok((starts.into_pyarray(py), functions.into_pyarray(py), array_of_rows(py, coefficients)?))
+    }
+
+    /// The coefficients of positions.
+    fn positions<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        array_of_rows(py, places(&py.detach(|| self.1.represent(&self.0.mesh, self.0.mesh.points()))))
+    }
+}
+
+/// See [`NeuronSplineSpace::extraction`].
+type ExtractionParts<'py> = (Bound<'py, PyArray1<i64>>, Bound<'py, PyArray1<i64>>, Bound<'py, PyArray2<f64>>);
+
+/// A mesh of tricubic cells and splines over it: those, places of control points, cells, branches, elements (level, patch, place), the file
+/// it would be, and what is said of it and of its splines.
 pub(crate) type SplineParts<'py> = (
+    NeuronSplineSpace,
     Bound<'py, PyArray2<f64>>,
     Bound<'py, PyArray2<u32>>,
     Bound<'py, PyArray1<i32>>,
+    Bound<'py, PyArray2<u32>>,
     Bound<'py, PyBytes>,
     String,
     String,
@@ -48,29 +80,42 @@ fn places<P: Copy + Into<[f64; 3]>>(points: &[P]) -> Vec<[f64; 3]> {
     points.iter().copied().map(Into::into).collect()
 }
 
-/// Fills the neuron with tricubic cells, each cut into this many spline elements along each edge.
+/// Fills the neuron with tricubic cells, each cut into this many spline elements along each edge, which are halved in some places.
 pub(crate) fn splines<'py>(
     py: Python<'py>,
     skeleton: &Skeleton,
     meshing: Meshing,
+    (at, times): (&[String], usize),
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<SplineParts<'py>> {
     let (elements, options) = meshing.of_patches()?;
+    let at = at.iter().map(|name| RefineAt::from_name(name, Some(skeleton)).map_err(Raise::raise));
+    let at = at.collect::<PyResult<Vec<_>>>()?;
     let found = wait::run(py, progress, |watch: &mut Watch<'_, Share>| {
+        let limits = options.limits.clone();
         let found = cubic_neuron(skeleton, &MeshOptions { progress: Some(&*watch), ..options })?;
-        let file = found.vtu(false).map_err(|_| MeshError::Stopped)?;
-        let report = SplineReport::new(&found.mesh, elements);
-        Ok::<_, MeshError>((found, file, report))
+        let times = if at.is_empty() { 0 } else { times };
+        let options = RefineOptions { elements, at: &at, times, limits, progress: Some(&*watch) };
+        let splines = refined_splines(&found, &options)?;
+        let (file, report) = if at.is_empty() {
+            (found.vtu(false), SplineReport::new(&found.mesh, elements))
+        } else {
+            (refined_vtu(&found, &splines, false), SplineReport::of_refined(&splines))
+        };
+        Ok::<_, MeshError>((found, splines, file.map_err(|_| MeshError::Stopped)?, report))
     })?;
-    let (found, file, report) = found.map_err(Raise::raise)?;
-    Ok((
-        array_of_rows(py, places(found.mesh.points()))?,
-        array_of_rows(py, found.mesh.cells().to_vec())?,
-        found.parts.into_pyarray(py),
-        PyBytes::new(py, &file),
-        written(&found.report)?,
-        written(&report)?,
-    ))
+    let (found, splines, file, report) = found.map_err(Raise::raise)?;
+    let row = |element: &HierarchicalElement| {
+        let [i, j, k] = element.place.map(u32::from);
+        [element.level.into(), element.patch, i, j, k]
+    };
+    let (mesh, spline) = (written(&found.report)?, written(&report)?);
+    let points = array_of_rows(py, places(found.mesh.points()))?;
+    let cells = array_of_rows(py, found.mesh.cells().to_vec())?;
+    let branches = found.parts.clone().into_pyarray(py);
+    let elements = array_of_rows(py, splines.elements().iter().map(row).collect())?;
+    let file = PyBytes::new(py, &file);
+    Ok((NeuronSplineSpace(found, splines), points, cells, branches, elements, file, mesh, spline))
 }
 
 /// Fills the neuron with tricubic cells and solves for the flow through them.

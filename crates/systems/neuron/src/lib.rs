@@ -11,6 +11,7 @@
 //! | [`smooth`], [`SkeletonDeviation`] | smoothing and resampling, and how far they move samples |
 //! | [`mesh_neuron`], [`MeshOptions`], [`NeuronMesh`] | a conforming hexahedral mesh, every cell proven unfolded |
 //! | [`cubic_neuron`], [`CubicMesh`], [`SplineReport`] | the same with tricubic cells, and splines over them |
+//! | [`refined_splines`], [`RefineAt`] | splines refined at nodes, ends, the wall, or near places |
 //! | [`neuron_flow`], [`FlowParameters`], [`Flow`] | steady viscous flow, conservative cell by cell |
 //! | [`transport`], [`transport_in_flow`], [`Parameters`], [`read_transport_config`] | diffusion and motors in both directions, conservative and without negative concentrations |
 //! | [`NeuronMesh::from_hexahedra`], [`CubicMesh::from_hexahedra`], [`Ends`] | the same for meshes from elsewhere |
@@ -35,6 +36,7 @@ mod flow;
 mod mesh;
 mod prepare;
 mod problems;
+mod refine;
 mod report;
 #[cfg(feature = "figures")]
 mod show;
@@ -57,12 +59,13 @@ pub use mesh::{
 };
 pub use prepare::{Preparation, prepare};
 pub use problems::{MOST_TURN, Problem, ProblemKind, problems};
+pub use refine::{RefineAt, RefineOptions, refined_splines, refined_vtu};
 pub use report::{NeuronReport, SkeletonReport, Timing};
 #[cfg(feature = "figures")]
 pub use show::{NeuronPage, NeuronSurface};
 pub use skeleton::{Repair, RepairAction, SOMA, Sample, Skeleton, Soma};
 pub use smooth::{SkeletonDeviation, SmoothOptions, smooth};
-pub use spline::SplineReport;
+pub use spline::{LevelReport, SplineReport};
 pub use swc::{SwcRow, read_swc, write_swc};
 pub use transport::{
     Discretisation, FlowCells, FlowField, Frame, Parameters, TimeScheme, TipReport, Transport,

@@ -9,7 +9,7 @@ use pompeiu_volume::{
 };
 
 /// Patches of rhombi around an axis, one layer high.
-fn star(valence: u32, height: f64) -> HexMesh {
+pub(crate) fn star(valence: u32, height: f64) -> HexMesh {
     let ring = |k: u32, radius: f64, z: f64| {
         let angle = std::f64::consts::PI * f64::from(k) / f64::from(valence);
         DVec3::new(radius * angle.cos(), radius * angle.sin(), z)
@@ -30,7 +30,7 @@ fn star(valence: u32, height: f64) -> HexMesh {
 }
 
 /// The mesh with its control points moved smoothly.
-fn bent(mesh: &HexMesh) -> BezierMesh {
+pub(crate) fn bent(mesh: &HexMesh) -> BezierMesh {
     let straight = BezierMesh::from_trilinear(mesh);
     let bend = |p: DVec3| {
         p + DVec3::new(0.08 * (1.5 * p.y).sin(), 0.1 * p.x * p.z, 0.1 * (p.x * 1.2).cos() + 0.05 * p.y * p.y)
@@ -181,7 +181,7 @@ fn splines_have_two_continuous_derivatives_and_their_extraction_is_exact() {
             let line = space.line(element, place);
             let weights = bernstein(t);
             for k in 0..4 {
-                let expected: f64 = (0..4).map(|r| weights[r] * matrix[r][k]).sum();
+                let expected: f64 = (0..4).map(|r| weights[r] * matrix[k][r]).sum();
                 assert!((line.values[k] - expected).abs() < 1e-14);
             }
             assert!(line.slopes.iter().sum::<f64>().abs() < 1e-13);

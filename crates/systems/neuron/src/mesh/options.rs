@@ -153,6 +153,14 @@ pub enum MeshError {
         /// The name.
         name: String,
     },
+    /// A place where nothing can be refined.
+    #[error("{place} {problem}")]
+    Place {
+        /// Its name.
+        place: String,
+        /// Why.
+        problem: &'static str,
+    },
     /// Numbers of ends are not those of vertices.
     #[error("there are {found} labels of ends for {vertices} vertices")]
     Labels {

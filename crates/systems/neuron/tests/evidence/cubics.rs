@@ -2,7 +2,11 @@
 
 use crate::flows::{FORK, FORKED};
 use pompeiu_core::run::Limits;
-use pompeiu_neuron::{CubicMesh, MeshOptions, Skeleton, cubic_neuron, read_swc};
+use pompeiu_neuron::{
+    CubicMesh, MeshError, MeshOptions, RefineAt, RefineOptions, Skeleton, SplineReport, cubic_neuron,
+    read_swc, refined_splines, refined_vtu,
+};
+use pompeiu_volume::SplineSpace;
 use std::f64::consts::PI;
 use std::num::NonZeroUsize;
 use std::path::Path;
@@ -42,6 +46,53 @@ fn furcations_are_certified_and_conform() {
     assert_eq!((found.faces.components(), found.caps.len()), (1, 3));
     let one = Limits { threads: NonZeroUsize::new(1), ..Limits::default() };
     assert_eq!(cubic(FORK, &MeshOptions { limits: one, ..quick() }).mesh, found.mesh);
+}
+
+#[test]
+fn splines_are_refined_at_nodes_ends_walls_branches_and_samples() {
+    let mesh = &*FORKED;
+    let skeleton = Skeleton::new(&read_swc(FORK.as_bytes()).unwrap()).unwrap();
+    let refine = |names: &[&str], times: usize| {
+        let at: Vec<RefineAt> =
+            names.iter().map(|name| RefineAt::from_name(name, Some(&skeleton)).unwrap()).collect();
+        let limits = Limits::default();
+        refined_splines(mesh, &RefineOptions { elements: 1, at: &at, times, limits, progress: None })
+    };
+    let plain = refine(&[], 0).unwrap();
+    assert_eq!(plain.functions(), SplineSpace::new(&mesh.mesh, 1).functions());
+    for (names, times) in [
+        (&["nodes"][..], 1),
+        (&["ends"], 2),
+        (&["wall"], 1),
+        (&["branch=1", "sample=4"], 1),
+        (&["ball=6,0,0,0.5"], 2),
+    ] {
+        let splines = refine(names, times).unwrap();
+        let report = SplineReport::of_refined(&splines);
+        assert_eq!(report.levels.len(), times + 1, "{names:?}");
+        assert!(report.partition_of_unity_error <= 1e-14, "{report:?}");
+        assert!(report.levels.iter().skip(1).all(|level| level.elements > 0 && level.functions > 0));
+        let cells = splines.cells(&mesh.mesh).unwrap();
+        assert!((cells.volume() / mesh.mesh.volume() - 1.0).abs() < 1e-13);
+        let marked = splines.elements().iter().filter(|element| match names[0] {
+            "nodes" => mesh.parts[element.patch as usize] < 0,
+            "branch=1" => mesh.parts[element.patch as usize] == 1,
+            _ => false,
+        });
+        assert!(marked.clone().all(|element| usize::from(element.level) == times), "{names:?}");
+        let text = String::from_utf8_lossy(&refined_vtu(mesh, &splines, false).unwrap()).into_owned();
+        assert!(text.contains(&format!("NumberOfCells=\"{}\"", splines.elements().len())));
+    }
+    assert!(matches!(refine(&["branch=7"], 1), Err(MeshError::Place { .. })));
+    assert!(matches!(refine(&["nodes"], 6), Err(MeshError::Option { .. })));
+    for name in ["node", "sample=9", "ball=1,2", "branch=x"] {
+        assert!(matches!(RefineAt::from_name(name, Some(&skeleton)), Err(MeshError::Place { .. })), "{name}");
+    }
+    assert!(matches!(RefineAt::from_name("nodes", None), Err(MeshError::Place { .. })));
+    let at = [RefineAt::Nodes];
+    let limits = Limits { memory: Some(1 << 20), ..Limits::default() };
+    let little = RefineOptions { elements: 4, at: &at, times: 1, limits, progress: None };
+    assert!(matches!(refined_splines(mesh, &little), Err(MeshError::Memory { .. })));
 }
 
 #[test]

@@ -87,8 +87,14 @@ Examples:
 Each block is one cell, a patch of cubic splines: twice continuously differentiable within patches, continuous across them. Sections
 have five patches, whose rim is a circle but for 3e-4 of the radius. The exit code is 3 if a patch is not proven valid.
 
+--refine halves elements --levels times at nodes, ends (flat ones), the wall, branch=N (the cell data branch), sample=ID (within the
+sample's ball) or ball=X,Y,Z,R: truncated hierarchical splines, which contain all splines of that size there, and those without
+refinement. The output then has the elements as cells, with cell data level. --extraction writes which splines each element has, and
+their Bezier coefficients, in the format of NeuronTransportIGA.
+
 Examples:
   pompeiu neuron spline cell.swc -o cell.vtu
+  pompeiu neuron spline cell.swc --elements 2 --refine nodes --refine sample=57 --levels 2 -o refined.vtu
   pompeiu neuron spline cell.swc --elements 3 --json")]
     Spline(Spline),
     /// Solve for the steady viscous flow through the neuron
@@ -185,6 +191,15 @@ pub(crate) struct Spline {
     pub(crate) skeleton: SkeletonChoice,
     #[command(flatten)]
     pub(crate) patches: Patches,
+    /// Halve elements here: nodes, ends, wall, branch=N, sample=ID or ball=X,Y,Z,R; may be given more than once
+    #[arg(long, value_name = "WHERE")]
+    pub(crate) refine: Vec<String>,
+    /// How often elements are halved where --refine says so
+    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=5), requires = "refine", value_name = "N")]
+    pub(crate) levels: u8,
+    /// Write bzmeshinfo.txt, bzpt.txt and cmat.txt of the elements into this folder
+    #[arg(long, value_name = "FOLDER")]
+    pub(crate) extraction: Option<PathBuf>,
     /// The file to write (.vtu)
     #[arg(long, short, value_name = "OUT")]
     pub(crate) output: Option<PathBuf>,

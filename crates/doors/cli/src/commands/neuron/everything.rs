@@ -4,7 +4,7 @@ use super::args::{Everything, Flow as FlowArgs, Patches, SkeletonChoice, Spline 
 use super::run::check_output;
 use super::source::Source;
 use super::transport::{self, Moved, fingerprint, outputs, parameters, resumed};
-use super::{json, text};
+use super::{extraction, json, text};
 use crate::exit::Exit;
 use crate::json::milliseconds;
 use crate::printer::Printer;
@@ -13,9 +13,11 @@ use crate::{args::Limits, files, interrupt};
 use anyhow::{Context, bail};
 use pompeiu::core::run::{Progress, ProgressObserver};
 use pompeiu::neuron::{
-    CubicMesh, Flow, FlowCells, FlowOptions, FlowParameters, NeuronReport, NeuronSurface, Parameters, Side,
-    SplineReport, Timing, TransportOptions, neuron_flow, transport_in_flow,
+    CubicMesh, Flow, FlowCells, FlowOptions, FlowParameters, NeuronReport, NeuronSurface, Parameters,
+    RefineAt, RefineOptions, Side, SplineReport, Timing, TransportOptions, neuron_flow, refined_splines,
+    refined_vtu, transport_in_flow,
 };
+use pompeiu::volume::HierarchicalSplines;
 use std::path::Path;
 use std::time::Instant;
 
@@ -65,6 +67,25 @@ impl<'r> Run<'r> {
         Ok(mesh)
     }
 
+    /// Refines splines.
+    fn refine(
+        &mut self,
+        mesh: &CubicMesh,
+        at: &[RefineAt],
+        (elements, times): (u8, u8),
+        watch: &dyn ProgressObserver,
+    ) -> anyhow::Result<HierarchicalSplines> {
+        let limits = self.limits.after(self.started.elapsed());
+        let times = if at.is_empty() { 0 } else { times.into() };
+        let options = RefineOptions { elements: elements.into(), at, times, limits, progress: Some(watch) };
+        let splines = refined_splines(mesh, &options).with_context(|| self.path.clone())?;
+        if !at.is_empty() {
+            self.report.spline = Some(SplineReport::of_refined(&splines));
+        }
+        self.report.timing.spline = Some(self.report.timing.spline.unwrap_or(0.0) + self.lap());
+        Ok(splines)
+    }
+
     fn flow(
         &mut self,
         mesh: &CubicMesh,
@@ -98,20 +119,22 @@ fn check(output: Option<&Path>, as_json: bool, skeleton: &Path, what: &str) -> a
 }
 
 /// Meshes a skeleton with patches, and does what comes then.
-fn patched<'r, T>(
+fn patched<'r, B, T>(
     (choice, limits, patches, sides): (&SkeletonChoice, &'r Limits, &Patches, &[Side]),
     started: Instant,
     printer: &Printer,
-    then: impl FnOnce(&mut Run<'r>, CubicMesh, &Wait, &dyn ProgressObserver) -> anyhow::Result<T>,
+    begin: impl FnOnce(&Source) -> anyhow::Result<B>,
+    then: impl FnOnce(&mut Run<'r>, B, CubicMesh, &Wait, &dyn ProgressObserver) -> anyhow::Result<T>,
 ) -> anyhow::Result<(Run<'r>, T)> {
     let (mut run, source) = Run::new(choice, limits, started)?;
+    let begun = begin(&source).with_context(|| run.path.clone())?;
     let wait = Wait::new(printer);
     let watch = |progress: &Progress<'_>| {
         wait.progress(progress);
         interrupt::flow()
     };
     let mesh = run.spline(source, patches.layer, sides, patches.elements, &watch)?;
-    let found = then(&mut run, mesh, &wait, &watch)?;
+    let found = then(&mut run, begun, mesh, &wait, &watch)?;
     Ok((run, found))
 }
 
@@ -131,10 +154,27 @@ fn finish(
 pub(super) fn spline(args: &SplineArgs, printer: &Printer) -> anyhow::Result<Exit> {
     let started = Instant::now();
     let output = args.output.as_deref();
-    check(output, args.json, &args.skeleton.skeleton, "a mesh")?;
+    check(output, args.json || args.extraction.is_some(), &args.skeleton.skeleton, "a mesh")?;
     let chosen = (&args.skeleton, &args.limits, &args.patches, [].as_slice());
-    let (run, mesh) = patched(chosen, started, printer, |_, mesh, _, _| Ok(mesh))?;
-    finish(run, (output, args.json), printer, || mesh.vtu(args.patches.linear))
+    let places = |source: &Source| -> anyhow::Result<Vec<RefineAt>> {
+        args.refine.iter().map(|name| Ok(RefineAt::from_name(name, source.skeleton())?)).collect()
+    };
+    let (run, (mesh, splines)) = patched(chosen, started, printer, places, |run, at, mesh, wait, watch| {
+        if at.is_empty() && args.extraction.is_none() {
+            return Ok((mesh, None));
+        }
+        wait.restart();
+        let splines = run.refine(&mesh, &at, (args.patches.elements, args.levels), watch)?;
+        Ok((mesh, Some(splines)))
+    })?;
+    if let Some((folder, splines)) = args.extraction.as_deref().zip(splines.as_ref()) {
+        extraction::write_splines(folder, &mesh, splines, printer)?;
+    }
+    let refined = splines.filter(|_| !args.refine.is_empty());
+    finish(run, (output, args.json), printer, || match &refined {
+        Some(splines) => refined_vtu(&mesh, splines, args.patches.linear),
+        None => mesh.vtu(args.patches.linear),
+    })
 }
 
 pub(super) fn flow(args: &FlowArgs, printer: &Printer) -> anyhow::Result<Exit> {
@@ -143,10 +183,16 @@ pub(super) fn flow(args: &FlowArgs, printer: &Printer) -> anyhow::Result<Exit> {
     check(output, args.json, &args.skeleton.skeleton, "a flow")?;
     let parameters = parameters(args.config.as_deref())?;
     let chosen = (&args.skeleton, &args.limits, &args.patches, parameters.sides.as_slice());
-    let (run, flow) = patched(chosen, started, printer, |run, mesh, wait, watch| {
-        wait.restart();
-        run.flow(&mesh, &parameters.flow, args.patches.elements, watch)
-    })?;
+    let (run, flow) = patched(
+        chosen,
+        started,
+        printer,
+        |_| Ok(()),
+        |run, (), mesh, wait, watch| {
+            wait.restart();
+            run.flow(&mesh, &parameters.flow, args.patches.elements, watch)
+        },
+    )?;
     finish(run, (output, args.json), printer, || flow.vtu(args.patches.linear))
 }
 

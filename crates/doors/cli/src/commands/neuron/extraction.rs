@@ -4,10 +4,10 @@ use crate::files;
 use crate::numbers::grouped;
 use crate::printer::Printer;
 use anyhow::{Context, bail};
-use pompeiu::neuron::{Cap, NeuronMesh};
+use pompeiu::neuron::{Cap, CubicMesh, NeuronMesh};
 use pompeiu::volume::{
-    UnstructuredSplines, controlmesh, epart, iga_units, partition, partition_quality, read_bzmeshinfo,
-    read_bzpt,
+    HierarchicalSplines, UnstructuredSplines, controlmesh, epart, iga_units, partition, partition_quality,
+    read_bzmeshinfo, read_bzpt,
 };
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -24,6 +24,21 @@ pub(super) fn write(folder: &Path, mesh: &NeuronMesh, printer: &Printer) -> anyh
     put("bzmeshinfo.txt", splines.bzmeshinfo())?;
     put("bzpt.txt", splines.bzpt(&iga_units(mesh.mesh.positions())))?;
     put("cmat.txt", splines.cmat())
+}
+
+/// Writes which splines each element has, and their Bézier coefficients, into a folder that is made.
+pub(super) fn write_splines(
+    folder: &Path,
+    mesh: &CubicMesh,
+    splines: &HierarchicalSplines,
+    printer: &Printer,
+) -> anyhow::Result<()> {
+    let cells = splines.extraction();
+    fs::create_dir_all(folder).with_context(|| folder.display().to_string())?;
+    let put = |name: &str, text: String| files::write_whole(&folder.join(name), text.as_bytes(), printer);
+    put("bzmeshinfo.txt", cells.bzmeshinfo())?;
+    put("bzpt.txt", cells.bzpt(&iga_units(&splines.represent(&mesh.mesh, mesh.mesh.points()))))?;
+    put("cmat.txt", cells.cmat())
 }
 
 /// The number of each vertex: −1 inside, 0 on the wall and at the rims of ends, 1 at the inlet, 2 and more at other ends.

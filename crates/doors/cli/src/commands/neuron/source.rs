@@ -35,6 +35,14 @@ impl Source {
         Ok((Self::Mesh(mesh, read.labels), None))
     }
 
+    /// The skeleton, unless it is a mesh.
+    pub(super) fn skeleton(&self) -> Option<&Skeleton> {
+        match self {
+            Self::Skeleton(skeleton) => Some(skeleton),
+            Self::Mesh(..) => None,
+        }
+    }
+
     /// Where a mesh has its ends: at sides that are named, or where its vertices say so.
     fn ends<'e>(sides: &'e [Side], labels: Option<&'e Vec<f64>>) -> Ends<'e> {
         match labels {

@@ -85,6 +85,10 @@ pub(super) fn text(path: &str, report: &NeuronReport) -> String {
     if let Some(spline) = &report.spline {
         let off = spline.partition_of_unity_error;
         page.row("splines", &format!("{} functions, whose sum is 1 to {off:.1e}", number(spline.functions)));
+        for (i, level) in spline.levels.iter().enumerate() {
+            let line = format!("{} elements, {} functions", number(level.elements), number(level.functions));
+            page.row(if i == 0 { "levels" } else { "" }, &line);
+        }
     }
     if let Some(flow) = &report.flow {
         let steps = flow.newton.len().saturating_sub(1);

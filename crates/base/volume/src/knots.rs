@@ -1,0 +1,135 @@
+//! Open knots with equal spans, and the cubic B-splines over them.
+
+use crate::bernstein::blossoms;
+
+/// Knots from 0 to the number of elements, the first and the last of them four times: elements along an axis and three functions more.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct OpenKnots(usize);
+
+/// Values and derivatives of the four B-splines that do not vanish in an element, the first of which has the number of the element.
+#[derive(Clone, Copy, Debug)]
+pub struct Line {
+    /// The element, which is the number of the first function.
+    pub first: usize,
+    /// Values.
+    pub values: [f64; 4],
+    /// Derivatives by the parameter of the patch, from 0 to 1.
+    pub slopes: [f64; 4],
+}
+
+impl OpenKnots {
+    /// Knots of this many elements, at least one.
+    pub(crate) fn new(elements: usize) -> Self {
+        Self(elements.max(1))
+    }
+
+    pub(crate) fn elements(self) -> usize {
+        self.0
+    }
+
+    /// Knot k of `elements` + 7, in units of elements.
+    fn knot(self, k: usize) -> f64 {
+        k.saturating_sub(3).min(self.0) as f64
+    }
+
+    /// The inner knots of a function, in units of elements: its coefficient in a spline is the blossom there.
+    fn inner(self, function: usize) -> [f64; 3] {
+        [1, 2, 3].map(|k| self.knot(function + k))
+    }
+
+    /// The blossoms in an element of its four functions, at arguments in units of elements, by the recursion of de Boor and Cox; and of its
+    /// three quadratic functions.
+    fn blossoms(self, element: usize, arguments: [f64; 3]) -> ([f64; 4], [f64; 4]) {
+        let span = element + 3;
+        let mut values = [1.0, 0.0, 0.0, 0.0];
+        let mut lower = values;
+        for (degree, t) in (1..4).zip(arguments) {
+            lower = values;
+            values = [0.0; 4];
+            for k in 0..degree {
+                // Function k of the lower degree begins at this knot.
+                let (a, b) = (self.knot(span + 1 + k - degree), self.knot(span + 1 + k));
+                let share = lower[k] / (b - a);
+                values[k] += (b - t) * share;
+                values[k + 1] += (t - a) * share;
+            }
+        }
+        (values, lower)
+    }
+
+    /// The functions at a place from 0 to 1, those of the given element.
+    pub(crate) fn line(self, element: usize, place: f64) -> Line {
+        let span = element + 3;
+        let (values, lower) = self.blossoms(element, [place * self.0 as f64; 3]);
+        let mut slopes = [0.0; 4];
+        for k in 0..3 {
+            let share = 3.0 * lower[k] / (self.knot(span + 1 + k) - self.knot(span + k - 2));
+            slopes[k] -= share;
+            slopes[k + 1] += share;
+        }
+        Line { first: element, values, slopes: slopes.map(|s| s * self.0 as f64) }
+    }
+
+    /// The shares of Bézier coefficients over an interval, in units of elements, in the coefficient of a function.
+    pub(crate) fn dual(self, function: usize, [a, b]: [f64; 2]) -> [f64; 4] {
+        blossoms(self.inner(function).map(|knot| (knot - a) / (b - a)))
+    }
+
+    /// For an element the share of each of its four functions, by row, in the four Bézier coefficients there.
+    pub(crate) fn bezier(self, element: usize) -> [[f64; 4]; 4] {
+        let (a, b) = (element as f64, (element + 1) as f64);
+        let columns =
+            [[a, a, a], [a, a, b], [a, b, b], [b, b, b]].map(|arguments| self.blossoms(element, arguments).0);
+        transposed(columns)
+    }
+
+    /// For an element of the knots with twice as many, the share of each of the four functions of the element around it, by row, in the
+    /// coefficients of its own.
+    pub(crate) fn two_scale(self, half: usize) -> [[f64; 4]; 4] {
+        let fine = Self(2 * self.0);
+        let columns = [0, 1, 2, 3].map(|k| self.blossoms(half / 2, fine.inner(half + k).map(|x| x / 2.0)).0);
+        transposed(columns)
+    }
+}
+
+fn transposed(columns: [[f64; 4]; 4]) -> [[f64; 4]; 4] {
+    std::array::from_fn(|row| std::array::from_fn(|column| columns[column][row]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn functions_are_those_of_halved_elements_with_the_shares_told() {
+        for elements in [1, 2, 5] {
+            let (coarse, fine) = (OpenKnots::new(elements), OpenKnots::new(2 * elements));
+            for half in 0..2 * elements {
+                let shares = coarse.two_scale(half);
+                for t in [0.0, 0.3, 1.0] {
+                    let place = (half as f64 + t) / (2 * elements) as f64;
+                    let (a, b) = (coarse.line(half / 2, place).values, fine.line(half, place).values);
+                    for (row, value) in shares.iter().zip(a) {
+                        let sum: f64 = row.iter().zip(b).map(|(share, value)| share * value).sum();
+                        assert!((sum - value).abs() < 1e-15, "{elements} {half} {t}: {sum} {value}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn duals_give_back_the_coefficients_of_functions() {
+        let knots = OpenKnots::new(4);
+        for element in 0..4 {
+            let bezier = knots.bezier(element);
+            for (k, coefficients) in bezier.iter().enumerate() {
+                for l in 0..4 {
+                    let dual = knots.dual(element + l, [element as f64, (element + 1) as f64]);
+                    let sum: f64 = dual.iter().zip(coefficients).map(|(a, b)| a * b).sum();
+                    assert!((sum - f64::from(u8::from(k == l))).abs() < 1e-13, "{element} {k} {l}: {sum}");
+                }
+            }
+        }
+    }
+}
