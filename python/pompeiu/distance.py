@@ -29,7 +29,7 @@ class Target:
 
     Notes
     -----
-    Building takes O(m log m) time and cannot be interrupted. A target holds about 107 bytes per face, can be used by many
+    Building takes O(m log m) time. A target holds about 107 bytes per face, can be used by many
     threads at once, and cannot be pickled: send the mesh and build again.
     """
 
@@ -131,7 +131,7 @@ def hausdorff(
     OptionError
         If an option means nothing.
     KeyboardInterrupt
-        On Ctrl-C, within a fraction of a second while searching, after the step while building a tree.
+        On Ctrl-C, within a fraction of a second.
 
     Examples
     --------

@@ -311,7 +311,7 @@ def rank(
     OptionError
         If an option means nothing, or there are no targets.
     KeyboardInterrupt
-        On Ctrl-C, when the tasks under way have ended.
+        On Ctrl-C, within a fraction of a second.
 
     Examples
     --------

@@ -48,10 +48,10 @@ pub(crate) fn read_outlines(
         _ => return Err(unknown("foreground", foreground, "\"auto\", \"dark\" or \"light\"")),
     };
     let options = SilhouetteOptions { level, foreground, staircase };
-    let found = py.detach(|| {
+    let found = wait::abandonable(py, move || {
         let found = pompeiu::planar::read_outlines(&path, &options);
         found.map_err(|error| ShapeFileError { path, error })
-    });
+    })?;
     let found = found.map_err(Raise::raise)?;
     found.into_iter().map(|outline| array_of_rows(py, outline.into_points())).collect()
 }
@@ -77,7 +77,7 @@ pub(crate) fn complexity(
         limits: limits(analysis.threads, analysis.time_limit, None)?,
         progress: None,
     };
-    let report = wait::run(py, progress, |watch: &mut Watch<'_, Share>| {
+    let report = wait::run_detached(py, progress, move |watch: &mut Watch<'_, Share>| {
         pompeiu::complexity::analyse(&shapes, &AnalyseOptions { progress: Some(&*watch), ..options })
     })?;
     written(&report.map_err(Raise::raise)?)
@@ -85,9 +85,12 @@ pub(crate) fn complexity(
 
 /// Medoids from a start by swaps: the sum of distances to the nearest one, and the medoids.
 #[pyfunction]
-#[allow(clippy::needless_pass_by_value, reason = "what Python hands over is converted into it")]
-pub(crate) fn k_medoids(py: Python<'_>, distances: Vec<Vec<f64>>, start: Vec<usize>) -> (f64, Vec<usize>) {
-    py.detach(|| pompeiu::complexity::faster_pam(&distances, start))
+pub(crate) fn k_medoids(
+    py: Python<'_>,
+    distances: Vec<Vec<f64>>,
+    start: Vec<usize>,
+) -> PyResult<(f64, Vec<usize>)> {
+    wait::abandonable(py, move || pompeiu::complexity::faster_pam(&distances, start))
 }
 
 /// The closed curve through random points.

@@ -120,19 +120,29 @@ impl HodgeDecomposition {
         })?
     }
 
-    fn decompose<'py>(&self, py: Python<'py>, field: &Bound<'py, PyAny>) -> PyResult<Parts<'py>> {
-        let (field, normal_part) = self.field(field)?;
-        let solver = self.0.borrow_dependent();
-        let parts = py.detach(|| solver.decompose(&field)).map_err(Raise::raise)?;
-        self.parts(py, parts, normal_part)
+    fn decompose<'py>(
+        slf: &Bound<'py, Self>,
+        py: Python<'py>,
+        field: &Bound<'py, PyAny>,
+    ) -> PyResult<Parts<'py>> {
+        let (field, normal_part) = slf.get().field(field)?;
+        let held = slf.clone().unbind();
+        let parts = wait::abandonable(py, move || held.get().0.borrow_dependent().decompose(&field))?;
+        slf.get().parts(py, parts.map_err(Raise::raise)?, normal_part)
     }
 
-    fn decompose_many<'py>(&self, py: Python<'py>, fields: &Bound<'py, PyAny>) -> PyResult<Vec<Parts<'py>>> {
-        let fields: Vec<_> = fields.try_iter()?.map(|field| self.field(&field?)).collect::<PyResult<_>>()?;
+    fn decompose_many<'py>(
+        slf: &Bound<'py, Self>,
+        py: Python<'py>,
+        fields: &Bound<'py, PyAny>,
+    ) -> PyResult<Vec<Parts<'py>>> {
+        let this = slf.get();
+        let fields: Vec<_> = fields.try_iter()?.map(|field| this.field(&field?)).collect::<PyResult<_>>()?;
         let (fields, normal_parts): (Vec<_>, Vec<_>) = fields.into_iter().unzip();
-        let solver = self.0.borrow_dependent();
-        let parts = py.detach(|| solver.decompose_many(&fields)).map_err(Raise::raise)?;
-        parts.into_iter().zip(normal_parts).map(|(parts, normal)| self.parts(py, parts, normal)).collect()
+        let held = slf.clone().unbind();
+        let parts = wait::abandonable(py, move || held.get().0.borrow_dependent().decompose_many(&fields))?;
+        let parts = parts.map_err(Raise::raise)?;
+        parts.into_iter().zip(normal_parts).map(|(parts, normal)| this.parts(py, parts, normal)).collect()
     }
 
     /// The harmonic fields, orthonormal, in space.

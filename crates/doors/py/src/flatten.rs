@@ -150,6 +150,13 @@ fn seams<'py>(
     Ok((copies.into_pyarray(py), array_of_rows(py, edges)?))
 }
 
+/// The surface that a mesh is.
+fn surface_of(mesh: &Bound<'_, Mesh>) -> PyResult<EmbeddedSurface> {
+    let held = mesh.clone().unbind();
+    let made = wait::abandonable(mesh.py(), move || EmbeddedSurface::new(held.get().inner()))?;
+    made.map_err(Raise::raise)
+}
+
 /// Opens a surface into disks.
 #[pyfunction]
 pub(crate) fn cut<'py>(
@@ -158,16 +165,15 @@ pub(crate) fn cut<'py>(
     cutting: Cutting,
 ) -> PyResult<(Mesh, Seams<'py>)> {
     let options = cutting.options()?;
-    let mesh = mesh.get().inner();
-    let surface = py.detach(|| EmbeddedSurface::new(mesh)).map_err(Raise::raise)?;
-    let found = py.detach(|| {
-        let cut = pompeiu::flatten::choose_cut(&surface, &options)?;
-        let opened = pompeiu::flatten::open(surface.mesh(), &cut)?;
-        Ok::<_, pompeiu::flatten::CutError>((cut, opened))
-    });
+    let surface = surface_of(mesh)?;
+    let (surface, found) = wait::abandonable(py, move || {
+        let found = pompeiu::flatten::choose_cut(&surface, &options)
+            .and_then(|cut| pompeiu::flatten::open(surface.mesh(), &cut).map(|opened| (cut, opened)));
+        (surface, found)
+    })?;
     let (cut, opened) = found.map_err(|error| FlattenError::from(error).raise())?;
-    let whole =
-        TriMesh::new(opened.spread(mesh.positions()), opened.faces().to_vec()).map_err(Raise::raise)?;
+    let positions = opened.spread(mesh.get().inner().positions());
+    let whole = TriMesh::new(positions, opened.faces().to_vec()).map_err(Raise::raise)?;
     Ok((Mesh::from(whole), seams(py, &surface, &cut, &opened)?))
 }
 
@@ -181,8 +187,7 @@ pub(crate) fn straighten<'py>(
     mesh: &Bound<'py, Mesh>,
     edges: Vec<[u32; 2]>,
 ) -> PyResult<Straight<'py>> {
-    let mesh = mesh.get().inner();
-    let surface = py.detach(|| EmbeddedSurface::new(mesh)).map_err(Raise::raise)?;
+    let surface = surface_of(mesh)?;
     let sorted = |[a, b]: [u32; 2]| [a.min(b), a.max(b)];
     let ends = |edge| sorted(surface.mesh().ends(edge).map(|v| v.0));
     let by_ends: BTreeMap<[u32; 2], _> = surface.mesh().edge_ids().map(|edge| (ends(edge), edge)).collect();
@@ -192,7 +197,7 @@ pub(crate) fn straighten<'py>(
         let edge = by_ends.get(&sorted(ends)).ok_or_else(missing);
         cut[*edge.map_err(|error| FlattenError::from(error).raise())?] = true;
     }
-    let straight = py.detach(|| pompeiu::flatten::straighten(&surface, &cut));
+    let straight = wait::abandonable(py, move || pompeiu::flatten::straighten(&surface, &cut))?;
     let straight = straight.map_err(|error| FlattenError::from(error).raise())?;
     let of = straight.surface.mesh();
     let edges: Vec<[u32; 2]> =
@@ -221,10 +226,11 @@ pub(crate) fn flatten<'py>(
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Map<'py>> {
     let options = mapping.options(cutting.options()?)?;
-    let mesh = mesh.get().inner();
-    let surface = py.detach(|| EmbeddedSurface::new(mesh)).map_err(Raise::raise)?;
-    let flat = wait::run(py, progress, |watch: &mut Watch<'_, Share>| {
-        pompeiu::flatten::flatten(&surface, &FlattenOptions { progress: Some(&*watch), ..options })
+    let surface = surface_of(mesh)?;
+    let (surface, flat) = wait::run_detached(py, progress, move |watch: &mut Watch<'_, Share>| {
+        let options = FlattenOptions { progress: Some(&*watch), ..options };
+        let flat = pompeiu::flatten::flatten(&surface, &options);
+        (surface, flat)
     })?;
     let flat = flat.map_err(Raise::raise)?;
     let (copies, edges) = seams(py, &surface, &flat.cut, &flat.opened)?;
@@ -268,9 +274,8 @@ pub(crate) fn medial<'py>(
         tolerance: filling.tolerance,
         limits: limits(filling.threads, filling.time_limit, None)?,
     };
-    let mesh = mesh.get().inner();
-    let surface = py.detach(|| EmbeddedSurface::new(mesh)).map_err(Raise::raise)?;
-    let found = py.detach(|| medial_balls(&surface, &options)).map_err(Raise::raise)?;
+    let surface = surface_of(mesh)?;
+    let found = wait::abandonable(py, move || medial_balls(&surface, &options))?.map_err(Raise::raise)?;
     let centres: Vec<[f64; 3]> = found.balls.iter().map(|ball| ball.centre).collect();
     let radii: Vec<f64> = found.balls.iter().map(|ball| ball.radius).collect();
     let overlaps = found.overlaps();

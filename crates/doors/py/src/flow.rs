@@ -78,15 +78,15 @@ pub(crate) fn mean_curvature_flow(
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<(Mesh, String)> {
     let options = options.options()?;
-    let mesh = mesh.get();
-    let flow = wait::run(py, progress, |watch: &mut Watch<'_, Step>| {
+    let mesh = mesh.clone().unbind();
+    let flow = wait::run_detached(py, progress, move |watch: &mut Watch<'_, Step>| {
         let watch = &*watch;
         let observer = |step: &FlowStep<'_>| {
             watch.tell(Step(step.step, step.record.area, step.record.gradient.normal));
             if watch.is_stopped() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
         pompeiu::flow::mean_curvature_flow(
-            mesh.inner(),
+            mesh.get().inner(),
             &FlowOptions { observer: Some(&observer), ..options },
         )
     })?;
@@ -125,6 +125,7 @@ pub(crate) fn simplify<'py>(
 ) -> PyResult<Simple<'py>> {
     let target = options.within.map_or(SimplifyTarget::Faces(options.faces), SimplifyTarget::Within);
     let limits = limits(options.threads, options.time_limit, None)?;
+    let held = mesh.clone().unbind();
     let mesh = mesh.get();
     let texture = texture.map(|(coordinates, corners)| {
         let values: Vec<[f64; 2]> = vectors(&coordinates, "texture coordinates", "(k, 2)")?;
@@ -149,7 +150,7 @@ pub(crate) fn simplify<'py>(
     });
     let colors = colors.transpose()?;
     let seams = texture.as_ref().map(Carrier::seams).unwrap_or_default();
-    let found = wait::run(py, progress, |watch: &mut Watch<'_, Share>| {
+    let found = wait::run_detached(py, progress, move |watch: &mut Watch<'_, Share>| {
         let options = SimplifyOptions {
             features: Features { angle: options.features, edges: &seams, ..Features::default() },
             repair: options.repair,
@@ -157,7 +158,7 @@ pub(crate) fn simplify<'py>(
             progress: Some(&*watch),
             ..SimplifyOptions::new(target)
         };
-        pompeiu::flow::remesh::simplify(mesh.inner(), &options)
+        pompeiu::flow::remesh::simplify(held.get().inner(), &options)
     })?;
     let found = found.map_err(Raise::raise)?;
     let texture = texture.map(|carrier| {
@@ -198,15 +199,15 @@ pub(crate) fn remesh(
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<(Mesh, [String; 3], usize, &'static str)> {
     let limits = limits(options.threads, options.time_limit, None)?;
-    let mesh = mesh.get();
-    let diagonal = Aabb::of_faces(mesh.inner()).diagonal();
+    let mesh = mesh.clone().unbind();
+    let diagonal = Aabb::of_faces(mesh.get().inner()).diagonal();
     let sizing = match options.chord_height {
         Some(tolerance) => {
             Sizing::ChordHeight { tolerance, between: ADAPTIVE_BETWEEN.map(|share| share * diagonal) }
         }
         None => Sizing::Length(options.edge_length.unwrap_or(0.0)),
     };
-    let found = wait::run(py, progress, |watch: &mut Watch<'_, Share>| {
+    let found = wait::run_detached(py, progress, move |watch: &mut Watch<'_, Share>| {
         let options = RemeshOptions {
             features: Features { angle: options.features, ..Features::default() },
             within: options.within,
@@ -216,7 +217,7 @@ pub(crate) fn remesh(
             progress: Some(&*watch),
             ..RemeshOptions::new(sizing)
         };
-        pompeiu::flow::remesh::remesh(mesh.inner(), &options)
+        pompeiu::flow::remesh::remesh(mesh.get().inner(), &options)
     })?;
     let found = found.map_err(Raise::raise)?;
     let reports = [written(&found.before)?, written(&found.after)?, written(&found.distance)?];

@@ -4,6 +4,7 @@ use crate::arrays::{array_of_rows, values, vectors};
 use crate::errors::{Raise, unknown};
 use crate::json::written;
 use crate::mesh::Mesh;
+use crate::wait;
 use numpy::{IntoPyArray, PyArray1, PyArray2};
 use pompeiu::core::mesh::{FaceData, VertexData};
 use pompeiu::fluid::{
@@ -174,14 +175,14 @@ impl Simulation {
 impl Simulation {
     #[new]
     fn new(py: Python<'_>, mesh: &Bound<'_, Mesh>, options: Options) -> PyResult<Self> {
-        let mesh = mesh.get().inner();
-        let surface = py.detach(|| EmbeddedSurface::new(mesh)).map_err(Raise::raise)?;
-        let options = options.options(&surface)?;
-        py.detach(|| {
+        let mesh = mesh.clone().unbind();
+        wait::abandonable(py, move || {
+            let surface = EmbeddedSurface::new(mesh.get().inner()).map_err(Raise::raise)?;
+            let options = options.options(&surface)?;
             Flowing::try_new(surface, |surface| FluidSimulation::new(surface.surface(), options))
                 .map(Self)
                 .map_err(Raise::raise)
-        })
+        })?
     }
 
     /// Moves on by a step; what is measured, as JSON.

@@ -98,9 +98,10 @@ pub(crate) fn rank_meshes(
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<(String, Vec<usize>)> {
     let options = RankOptions { limits: most.limits()?, ..parsed(options)? };
-    let template = template.get().inner();
-    let ranking = wait::run(py, progress, |watch: &mut Watch<'_, TaskProgress>| {
-        rank_here(template, &sources, names, &RankOptions { observer: Some(watch), ..options })
+    let template = template.clone().unbind();
+    let ranking = wait::run_detached(py, progress, move |watch: &mut Watch<'_, TaskProgress>| {
+        let options = RankOptions { observer: Some(watch), ..options };
+        rank_here(template.get().inner(), &sources, names, &options)
     })?;
     reported(&ranking.map_err(Raise::raise)?)
 }
@@ -186,23 +187,28 @@ impl Template {
     #[new]
     fn new(py: Python<'_>, mesh: &Bound<'_, Mesh>, options: &str) -> PyResult<Self> {
         let options: RankOptions<'_> = parsed(options)?;
-        let mesh = mesh.get().inner();
-        py.detach(|| rank::Template::new(mesh.clone(), &options)).map(Self).map_err(Raise::raise)
+        let mesh = mesh.clone().unbind();
+        let made = wait::abandonable(py, move || rank::Template::new(mesh.get().inner().clone(), &options))?;
+        made.map(Self).map_err(Raise::raise)
     }
 
     /// Does a task, on so many threads.
     fn perform(
-        &self,
+        slf: &Bound<'_, Self>,
         py: Python<'_>,
         mesh: &Bound<'_, Mesh>,
         action: &str,
         threads: usize,
     ) -> PyResult<String> {
         let action = parsed(action)?;
-        let mesh = mesh.get().inner();
+        let (template, mesh) = (slf.clone().unbind(), mesh.clone().unbind());
         let threads = NonZeroUsize::new(threads);
-        let search = HausdorffOptions::default();
-        written(&py.detach(|| on_threads(threads, || rank::perform(&self.0, mesh, &action, &search))))
+        let outcome = wait::abandonable(py, move || {
+            let search = HausdorffOptions::default();
+            let (template, mesh) = (&template.get().0, mesh.get().inner());
+            on_threads(threads, || rank::perform(template, mesh, &action, &search))
+        })?;
+        written(&outcome)
     }
 }
 
@@ -231,9 +237,9 @@ pub(crate) fn distance_matrix<'py>(
     most: Most,
     progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Arrays<'py>> {
-    let meshes: Vec<&TriMesh> = meshes.iter().map(|mesh| mesh.get().inner()).collect();
     let (tolerance, limits) = (tolerance(width.0, &width.1)?, most.limits()?);
-    let matrix = wait::run(py, progress, |watch: &mut Watch<'_, TaskProgress>| {
+    let matrix = wait::run_detached(py, progress, move |watch: &mut Watch<'_, TaskProgress>| {
+        let meshes: Vec<&TriMesh> = meshes.iter().map(|mesh| mesh.get().inner()).collect();
         matrix::measure(&meshes.as_slice(), &MatrixOptions { tolerance, limits, observer: Some(watch) })
     })?;
     arrays(py, &matrix.map_err(Raise::raise)?)
@@ -284,17 +290,17 @@ pub(crate) fn matrix_entries(
     width: (f64, String),
     threads: usize,
 ) -> PyResult<Vec<String>> {
-    let to = to.get().inner();
+    let to = to.clone().unbind();
     let options = MatrixOptions { tolerance: tolerance(width.0, &width.1)?, ..MatrixOptions::default() };
-    let entries = py.detach(|| {
+    let entries = wait::abandonable(py, move || {
         on_threads(NonZeroUsize::new(threads), || {
-            let tree = Tree::new(to);
+            let tree = Tree::new(to.get().inner());
             from_
                 .iter()
                 .map(|mesh| matrix::directed(mesh.get().inner(), &tree, &options))
                 .collect::<Result<Vec<_>, _>>()
         })
-    });
+    })?;
     entries.map_err(Raise::raise)?.iter().map(written).collect()
 }
 
@@ -310,12 +316,12 @@ pub(crate) fn register(
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<(Mesh, String, bool)> {
     let limits = most.limits()?;
-    let [moving, fixed] = [moving.get(), fixed.get()];
-    let found = wait::run(py, progress, |watch: &mut Watch<'_, Share>| {
+    let [held, fixed] = [moving, fixed].map(|mesh| mesh.clone().unbind());
+    let found = wait::run_detached(py, progress, move |watch: &mut Watch<'_, Share>| {
         let options = RegistrationOptions { scale, overlap, limits, progress: Some(&*watch) };
-        align::register(moving.inner(), &Fixed::new(fixed.inner())?, &options)
+        align::register(held.get().inner(), &Fixed::new(fixed.get().inner())?, &options)
     })?;
     let found = found.map_err(Raise::raise)?;
-    let moved = transform(moving.inner(), &found.map()).map_err(Raise::raise)?;
+    let moved = transform(moving.get().inner(), &found.map()).map_err(Raise::raise)?;
     Ok((Mesh::from(moved), written(&found)?, found.is_unique()))
 }

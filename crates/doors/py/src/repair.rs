@@ -31,12 +31,13 @@ pub(crate) fn repair(
         Some(0.0) => Weld::Equal,
         Some(length) => Weld::Within(length),
     };
-    let mesh = mesh.get();
-    let (repaired, distance) = wait::run(py, None, |watch: &mut Watch<'_, Progress>| {
-        let repaired = repaired_mesh(mesh.inner(), &RepairOptions { weld, fill_holes: options.fill_holes })
+    let mesh = mesh.clone().unbind();
+    let (repaired, distance) = wait::run_detached(py, None, move |watch: &mut Watch<'_, Progress>| {
+        let mesh = mesh.get().inner();
+        let repaired = repaired_mesh(mesh, &RepairOptions { weld, fill_holes: options.fill_holes })
             .map_err(Raise::raise)?;
         let asked = HausdorffOptions { observer: Some(&*watch), ..HausdorffOptions::default() };
-        let distance = options.measure.then(|| asked.symmetric(mesh.inner(), &repaired.mesh)).transpose();
+        let distance = options.measure.then(|| asked.symmetric(mesh, &repaired.mesh)).transpose();
         Ok::<_, PyErr>((repaired, distance.map_err(Raise::raise)?))
     })??;
     let distance = distance.as_ref().map(written).transpose()?;

@@ -4,6 +4,7 @@ use crate::arrays::{array_of_rows, values, vectors};
 use crate::errors::Raise;
 use crate::fluid::{DensityOptions, choice};
 use crate::json::written;
+use crate::wait;
 use numpy::{IntoPyArray, PyArray1, PyArray2};
 use pompeiu::fluid::square::{Edges, Square, SquareDensity, SquareOptions, SquareScheme, SquareState};
 use pompeiu::fluid::{FluidError, Wall};
@@ -64,7 +65,7 @@ impl SquareSimulation {
     #[new]
     fn new(py: Python<'_>, options: Options) -> PyResult<Self> {
         let options = options.options()?;
-        py.detach(|| Square::new(options)).map(Self).map_err(Raise::raise)
+        wait::abandonable(py, move || Square::new(options))?.map(Self).map_err(Raise::raise)
     }
 
     /// Moves on by a step; what is measured, as JSON.

@@ -8,7 +8,7 @@ use std::ops::ControlFlow;
 use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -98,43 +98,46 @@ pub(crate) fn run<T: Told, R: Send>(
     })
 }
 
-/// Does work that cannot be told to stop on a thread of its own while this one waits, without the interpreter's lock. A signal is
-/// raised at once; the work then goes on by itself until it ends, and what it gives is dropped.
-#[allow(clippy::redundant_closure_for_method_calls, reason = "the method is for one lifetime, not for all")]
+/// As [`run`], for work that may look rarely whether it shall stop: a signal, or an exception in the callback, is raised at once. The work
+/// then goes on by itself until it sees that it shall stop, and what it gives is dropped.
+pub(crate) fn run_detached<T: Told + 'static, R: Send + 'static>(
+    py: Python<'_>,
+    callback: Option<&Bound<'_, PyAny>>,
+    work: impl FnOnce(&mut Watch<'_, T>) -> R + Send + 'static,
+) -> PyResult<R> {
+    let callback = callback.map(|callback| callback.clone().unbind());
+    py.detach(|| {
+        let stop = Arc::new(AtomicBool::new(false));
+        let (sender, receiver) = channel();
+        let seen = Arc::clone(&stop);
+        let working = thread::spawn(move || work(&mut Watch { stop: &seen, sender, last: Mutex::new(None) }));
+        listen(&receiver, callback.as_ref(), &stop)?;
+        Ok(working.join().unwrap_or_else(|panic| resume_unwind(panic)))
+    })
+}
+
+/// As [`run_detached`], for work that cannot be told to stop.
 pub(crate) fn abandonable<R: Send + 'static>(
     py: Python<'_>,
     work: impl FnOnce() -> R + Send + 'static,
 ) -> PyResult<R> {
-    py.detach(|| {
-        let (sender, receiver) = channel();
-        let working = thread::spawn(move || {
-            // Nobody may be waiting any more.
-            let _ = sender.send(work());
-        });
-        loop {
-            match receiver.recv_timeout(TICK) {
-                Ok(answer) => return Ok(answer),
-                Err(RecvTimeoutError::Timeout) => Python::attach(|py| py.check_signals())?,
-                Err(RecvTimeoutError::Disconnected) => break,
-            }
-        }
-        // The work ended without an answer: it panicked.
-        match working.join() {
-            Err(panic) => resume_unwind(panic),
-            Ok(()) => unreachable!("the work sends its answer"),
-        }
-    })
+    run_detached(py, None, |_: &mut Watch<'_, Share>| work())
 }
 
-/// Until the work has ended, or has been told to.
-fn listen<T: Told>(receiver: &Receiver<T>, callback: Option<&Py<PyAny>>, stop: &AtomicBool) -> PyResult<()> {
+/// Until the work has ended. When the callback returns `False` the work is told to stop, and nothing is told any more; a signal, or an
+/// exception in the callback, is returned at once.
+fn listen<T: Told>(
+    receiver: &Receiver<T>,
+    mut callback: Option<&Py<PyAny>>,
+    stop: &AtomicBool,
+) -> PyResult<()> {
     loop {
         let told = match receiver.recv_timeout(TICK) {
             Ok(told) => Some(told),
             Err(RecvTimeoutError::Timeout) => None,
             Err(RecvTimeoutError::Disconnected) => return Ok(()),
         };
-        let goes_on = Python::attach(|py| {
+        let goes_on: PyResult<bool> = Python::attach(|py| {
             py.check_signals()?;
             match (callback, told) {
                 (Some(callback), Some(told)) => {
@@ -146,7 +149,8 @@ fn listen<T: Told>(receiver: &Receiver<T>, callback: Option<&Py<PyAny>>, stop: &
         });
         if !matches!(goes_on, Ok(true)) {
             stop.store(true, Ordering::Relaxed);
-            return goes_on.map(|_| ());
+            goes_on?;
+            callback = None;
         }
     }
 }

@@ -152,9 +152,9 @@ pub(crate) fn directed_deviation<'py>(
     progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<(String, Beside<'py>)> {
     let options = options.options()?;
-    let (a, b) = (a.get(), b.get());
-    let report = wait::run(py, progress, |watch| {
-        DeviationOptions { observer: Some(watch), ..options }.directed(a.inner(), b.inner())
+    let [a, b] = [a, b].map(|mesh| mesh.clone().unbind());
+    let report = wait::run_detached(py, progress, move |watch| {
+        DeviationOptions { observer: Some(watch), ..options }.directed(a.get().inner(), b.get().inner())
     })?;
     let mut report = report.map_err(Raise::raise)?;
     let faces = taken(&mut report);
@@ -177,11 +177,11 @@ pub(crate) fn deviation<'py>(
     let options = options.options()?;
     let threshold = options.threshold;
     let meshes = [a, b];
-    let (a, b) = (a.get(), b.get());
-    let found = wait::run(py, progress, |watch| {
+    let held = meshes.map(|mesh| mesh.clone().unbind());
+    let found = wait::run_detached(py, progress, move |watch| {
         let started = Instant::now();
         let options = DeviationOptions { observer: Some(watch), ..options };
-        let (a, b) = (a.inner(), b.inner());
+        let [a, b] = held.each_ref().map(|mesh| mesh.get().inner());
         let report = options.symmetric(a, b)?;
         let time = options.limits.time.map(|time| time.saturating_sub(started.elapsed()));
         let limits = Limits { time, ..options.limits.clone() };

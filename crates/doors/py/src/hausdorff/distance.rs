@@ -71,15 +71,16 @@ pub(crate) fn tolerance(value: f64, kind: &str) -> PyResult<Tolerance> {
 }
 
 /// Asks a question on a thread of its own, and writes down the answer.
-fn answer<R: Serialize + Send>(
+fn answer<R: Serialize + Send + 'static>(
     py: Python<'_>,
     options: Options,
     progress: Option<&Bound<'_, PyAny>>,
-    ask: impl FnOnce(&HausdorffOptions<'_>) -> Result<R, OptionError> + Send,
+    ask: impl FnOnce(&HausdorffOptions<'_>) -> Result<R, OptionError> + Send + 'static,
 ) -> PyResult<String> {
     let options = options.options()?;
-    let report =
-        wait::run(py, progress, |watch| ask(&HausdorffOptions { observer: Some(watch), ..options }))?;
+    let report = wait::run_detached(py, progress, move |watch| {
+        ask(&HausdorffOptions { observer: Some(watch), ..options })
+    })?;
     written(&report.map_err(Raise::raise)?)
 }
 
@@ -116,14 +117,14 @@ impl Target {
 
     /// Encloses how far the points of a mesh are from this one.
     fn directed_from(
-        &self,
+        slf: &Bound<'_, Self>,
         py: Python<'_>,
         a: &Bound<'_, Mesh>,
         options: Options,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<String> {
-        let a = a.get();
-        answer(py, options, progress, |options| options.directed_to(a.inner(), &self.0))
+        let (a, target) = (a.clone().unbind(), slf.clone().unbind());
+        answer(py, options, progress, move |options| options.directed_to(a.get().inner(), &target.get().0))
     }
 }
 
@@ -136,8 +137,8 @@ pub(crate) fn directed_hausdorff(
     options: Options,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<String> {
-    let (a, b) = (a.get(), b.get());
-    answer(py, options, progress, |options| options.directed(a.inner(), b.inner()))
+    let [a, b] = [a, b].map(|mesh| mesh.clone().unbind());
+    answer(py, options, progress, move |options| options.directed(a.get().inner(), b.get().inner()))
 }
 
 /// Encloses the greater of both directed distances.
@@ -149,6 +150,6 @@ pub(crate) fn hausdorff(
     options: Options,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<String> {
-    let (a, b) = (a.get(), b.get());
-    answer(py, options, progress, |options| options.symmetric(a.inner(), b.inner()))
+    let [a, b] = [a, b].map(|mesh| mesh.clone().unbind());
+    answer(py, options, progress, move |options| options.symmetric(a.get().inner(), b.get().inner()))
 }
