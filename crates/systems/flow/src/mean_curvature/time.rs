@@ -12,6 +12,8 @@ use pompeiu_solve::SolveError;
 const LOCAL_ERROR: f64 = 3e-4;
 /// The first step, as a part of the area.
 const FIRST: f64 = 1e-3;
+/// The error makes no step shorter than this part of the area: where faces are rough, one vertex would stop all others.
+const LEAST_BY_ERROR: f64 = 1e-6;
 /// How much longer a step may be than the one before.
 const GROWTH: f64 = 1.5;
 /// Room between the error expected and that allowed.
@@ -73,6 +75,7 @@ impl TimeStep {
         left: f64,
     ) -> Result<Option<(Vec<DVec3>, f64)>, SolveError> {
         let mut by = self.next.min(left);
+        let least_by_error = LEAST_BY_ERROR * derivatives.area;
         for _ in 0..TRIES {
             if self.adaptive && by < SHORTEST * derivatives.area && by < left {
                 return Ok(None);
@@ -87,12 +90,14 @@ impl TimeStep {
                 first.is_some() || surface.area_at(&to) <= derivatives.area * (1.0 + 4.0 * f64::EPSILON);
             if !falls {
                 by = shorter;
-            } else if self.adaptive && error > LOCAL_ERROR {
-                by *= (SAFETY * (LOCAL_ERROR / error).sqrt()).clamp(0.1, 0.9);
+            } else if self.adaptive && error > LOCAL_ERROR && by > least_by_error {
+                let shorter = by * (SAFETY * (LOCAL_ERROR / error).sqrt()).clamp(0.1, 0.9);
+                by = shorter.max(least_by_error);
             } else {
                 if self.adaptive {
                     let growth = SAFETY * (LOCAL_ERROR / error).sqrt();
-                    self.next = by * if growth < GROWTH { growth } else { GROWTH };
+                    let next = by * if growth < GROWTH { growth } else { GROWTH };
+                    self.next = next.max(least_by_error);
                 }
                 return Ok(Some((to, by)));
             }

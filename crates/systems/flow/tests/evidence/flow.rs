@@ -133,6 +133,29 @@ fn a_sphere_shrinks_as_it_must() {
     assert!(c / d > 3.0 && c < 0.2 * a, "{c} {d}");
 }
 
+/// A sphere with a spike of faces a hundredth as long as the others.
+fn sphere_with_a_spike() -> TriMesh {
+    let sphere = icosphere(1.0, 4).unwrap();
+    let (top, size) = (699, 1e-3);
+    let mut positions: Vec<DVec3> = sphere.positions().iter().map(|p| DVec3::from_array(*p)).collect();
+    let around = sphere.faces().iter().filter(|face| face.contains(&top)).flatten().copied();
+    let around: std::collections::BTreeSet<u32> = around.filter(|v| *v != top).collect();
+    let centre = positions[top as usize];
+    for v in around {
+        positions[v as usize] = centre + size * (positions[v as usize] - centre).normalize();
+    }
+    positions[top as usize] *= 1.0 + 2.0 * size;
+    TriMesh::new(positions.iter().map(|p| p.to_array()).collect(), sphere.faces().to_vec()).unwrap()
+}
+
+#[test]
+fn one_rough_place_does_not_stop_the_others() {
+    let options = FlowOptions { scheme: Some(Scheme::Implicit), ..FlowOptions::new(Until::Steps(4)) };
+    let flow = mean_curvature_flow(&sphere_with_a_spike(), &options).unwrap();
+    assert_eq!((flow.stop, flow.steps), (FlowStop::Steps, 4));
+    assert!(flow.area.r#final < (1.0 - 1e-6) * flow.area.initial, "{:?}", flow.area);
+}
+
 #[test]
 fn every_scheme_makes_the_area_less_and_says_what_it_did() {
     let mesh = tube(0.4, 24, 8);
