@@ -8,7 +8,9 @@ use std::path::PathBuf;
 
 /// Give a mesh nearly equilateral faces of a wanted size
 #[derive(Args)]
-#[command(group = ArgGroup::new("size").required(true).args(["edge_length", "relative", "adaptive"]), after_help = "\
+#[command(group = ArgGroup::new("size").required(true).args(["edge_length", "relative", "adaptive"]), override_usage = "\
+pompeiu remesh [OPTIONS] --output <OUT>
+       <--edge-length <LENGTH>|--relative <FRACTION>|--adaptive <HEIGHT>> <MESH>", after_help = "\
 Edges are split, collapsed and flipped, vertices move within the surface and onto the input. Topology, boundaries and the edges
 that --features names are kept. The Pompeiu–Hausdorff distance from the input is measured; with --within it is proven to be at
 most that length, for which edges are shortened where they must be; otherwise nothing is written. The mesh must be an oriented

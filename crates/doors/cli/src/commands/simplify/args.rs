@@ -7,7 +7,9 @@ use std::path::PathBuf;
 
 /// Reduce the number of faces within a distance that is proven
 #[derive(Args)]
-#[command(group = ArgGroup::new("target").required(true).args(["within", "relative", "faces"]), after_help = "\
+#[command(group = ArgGroup::new("target").required(true).args(["within", "relative", "faces"]), override_usage = "\
+pompeiu simplify [OPTIONS] --output <OUT>
+       <--within <LENGTH>|--relative <FRACTION>|--faces <N>> <MESH>", after_help = "\
 Edges are collapsed in order of their quadric error. With --within or --relative each collapse is tested on both sides, and the
 Pompeiu–Hausdorff distance of the result is proven to be at most that length; otherwise nothing is written. With --faces the
 distance follows, and is proven too. The mesh must be an oriented manifold, with or without boundary, or be repaired (--repair).
