@@ -7,6 +7,7 @@ use crate::json::written;
 use crate::neuron_flow::{self, FlowParts, SplineParts};
 use crate::wait::{self, Share, Watch};
 use numpy::{IntoPyArray, PyArray1, PyArray2};
+use pompeiu::core::run::Limits;
 use pompeiu::neuron::{
     Ends, MeshError, MeshOptions, NeuronMesh, Parameters, Preparation, Side, Skeleton, SmoothOptions,
     SwcError, SwcRow, Transport, TransportOptions, mesh_neuron, prepare, read_transport_config, transport,
@@ -114,8 +115,9 @@ impl NeuronSkeleton {
         meshing: Meshing,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<MeshParts<'py>> {
-        let options = meshing.options()?;
+        let mut options = meshing.options()?;
         let found = wait::run(py, progress, |watch: &mut Watch<'_, Share>| {
+            options.limits.cancel = Some(watch.token());
             mesh_neuron(&self.0, &MeshOptions { progress: Some(&*watch), ..options })
         })?;
         mesh_parts(py, found.map_err(Raise::raise)?)
@@ -148,7 +150,7 @@ impl NeuronSkeleton {
 
 /// A mesh as the Python half takes it.
 fn mesh_parts(py: Python<'_>, found: NeuronMesh) -> PyResult<MeshParts<'_>> {
-    let file = found.vtu().map_err(|_| MeshError::Stopped.raise())?;
+    let file = found.vtu().map_err(PyErr::from)?;
     let caps = found.labels.iter().map(|&label| label.cast_signed() - 1).collect::<Vec<_>>();
     let branches = found.parts.clone().into_pyarray(py);
     let positions = found.mesh.positions().iter().copied().map(<[f64; 3]>::from).collect();
@@ -236,7 +238,7 @@ pub(crate) fn read_neuron_mesh(
             Some(labels) => Ends::Labels(labels),
             None => Ends::None,
         };
-        NeuronMesh::from_hexahedra(mesh, ends)
+        NeuronMesh::from_hexahedra(mesh, ends, &Limits::default())
     });
     mesh_parts(py, found.map_err(Raise::raise)?)
 }

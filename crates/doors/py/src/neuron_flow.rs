@@ -88,10 +88,11 @@ pub(crate) fn splines<'py>(
     (at, times): (&[String], usize),
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<SplineParts<'py>> {
-    let (elements, options) = meshing.of_patches()?;
+    let (elements, mut options) = meshing.of_patches()?;
     let at = at.iter().map(|name| RefineAt::from_name(name, Some(skeleton)).map_err(Raise::raise));
     let at = at.collect::<PyResult<Vec<_>>>()?;
     let found = wait::run(py, progress, |watch: &mut Watch<'_, Share>| {
+        options.limits.cancel = Some(watch.token());
         let limits = options.limits.clone();
         let found = cubic_neuron(skeleton, &MeshOptions { progress: Some(&*watch), ..options })?;
         let times = if at.is_empty() { 0 } else { times };
@@ -102,9 +103,10 @@ pub(crate) fn splines<'py>(
         } else {
             (refined_vtu(&found, &splines, false), SplineReport::of_refined(&splines))
         };
-        Ok::<_, MeshError>((found, splines, file.map_err(|_| MeshError::Stopped)?, report))
+        Ok::<_, MeshError>((found, splines, file, report))
     })?;
     let (found, splines, file, report) = found.map_err(Raise::raise)?;
+    let file = file?;
     let row = |element: &HierarchicalElement| {
         let [i, j, k] = element.place.map(u32::from);
         [element.level.into(), element.patch, i, j, k]
@@ -127,8 +129,9 @@ pub(crate) fn flow<'py>(
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<FlowParts<'py>> {
     let parameters = read_transport_config(config).map_err(Raise::raise)?.flow;
-    let (elements, options) = meshing.of_patches()?;
+    let (elements, mut options) = meshing.of_patches()?;
     let found = wait::run(py, progress, |watch: &mut Watch<'_, Share>| {
+        options.limits.cancel = Some(watch.token());
         let limits = options.limits.clone();
         let mesh = cubic_neuron(skeleton, &MeshOptions { progress: Some(&*watch), ..options })?;
         let options = FlowOptions { elements, limits, progress: Some(&*watch) };
@@ -137,7 +140,7 @@ pub(crate) fn flow<'py>(
     })?;
     let (mesh, flow) = found.map_err(Raise::raise)?;
     let flow = flow.map_err(Raise::raise)?;
-    let file = flow.vtu(false).map_err(|_| MeshError::Stopped.raise())?;
+    let file = flow.vtu(false).map_err(PyErr::from)?;
     let ends = flow.ends.iter().map(|end| [end.flux, end.pressure]).collect();
     let samples = flow.ends.iter().map(|end| end.sample).collect::<Vec<_>>();
     let (mesh, report) = (written(&mesh)?, written(&flow.report)?);

@@ -1,14 +1,13 @@
 //! Waiting for work without holding up Python: other threads run, Ctrl-C stops it, and progress is told.
 
-use pompeiu::core::run::{self, ProgressObserver};
+use pompeiu::core::run::{self, CancelToken, ProgressObserver};
 use pompeiu::hausdorff::{Direction, Observer, Progress};
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyTuple};
 use std::ops::ControlFlow;
 use std::panic::resume_unwind;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -17,7 +16,7 @@ const TICK: Duration = Duration::from_millis(50);
 
 /// What work has in hand to tell how far it has come, and to see that it shall stop.
 pub(crate) struct Watch<'w, T> {
-    stop: &'w AtomicBool,
+    stop: &'w CancelToken,
     sender: Sender<T>,
     last: Mutex<Option<Instant>>,
 }
@@ -25,7 +24,12 @@ pub(crate) struct Watch<'w, T> {
 impl<T> Watch<'_, T> {
     /// Whether to stop.
     pub(crate) fn is_stopped(&self) -> bool {
-        self.stop.load(Ordering::Relaxed)
+        self.stop.is_cancelled()
+    }
+
+    /// What is cancelled then, for limits of work that tells nothing for a while.
+    pub(crate) fn token(&self) -> CancelToken {
+        self.stop.clone()
     }
 
     /// Tells how far the work has come, unless that was told a moment ago.
@@ -87,7 +91,7 @@ pub(crate) fn run<T: Told, R: Send>(
 ) -> PyResult<R> {
     let callback = callback.map(|callback| callback.clone().unbind());
     py.detach(|| {
-        let stop = AtomicBool::new(false);
+        let stop = CancelToken::default();
         let (sender, receiver) = channel();
         thread::scope(|scope| {
             let working = scope.spawn(|| work(&mut Watch { stop: &stop, sender, last: Mutex::new(None) }));
@@ -107,9 +111,9 @@ pub(crate) fn run_detached<T: Told + 'static, R: Send + 'static>(
 ) -> PyResult<R> {
     let callback = callback.map(|callback| callback.clone().unbind());
     py.detach(|| {
-        let stop = Arc::new(AtomicBool::new(false));
+        let stop = CancelToken::default();
         let (sender, receiver) = channel();
-        let seen = Arc::clone(&stop);
+        let seen = stop.clone();
         let working = thread::spawn(move || work(&mut Watch { stop: &seen, sender, last: Mutex::new(None) }));
         listen(&receiver, callback.as_ref(), &stop)?;
         Ok(working.join().unwrap_or_else(|panic| resume_unwind(panic)))
@@ -129,7 +133,7 @@ pub(crate) fn abandonable<R: Send + 'static>(
 fn listen<T: Told>(
     receiver: &Receiver<T>,
     mut callback: Option<&Py<PyAny>>,
-    stop: &AtomicBool,
+    stop: &CancelToken,
 ) -> PyResult<()> {
     loop {
         let told = match receiver.recv_timeout(TICK) {
@@ -148,7 +152,7 @@ fn listen<T: Told>(
             }
         });
         if !matches!(goes_on, Ok(true)) {
-            stop.store(true, Ordering::Relaxed);
+            stop.cancel();
             goes_on?;
             callback = None;
         }

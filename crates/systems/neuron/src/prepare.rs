@@ -11,6 +11,14 @@ pub struct Preparation {
     pub smooth: SmoothOptions,
 }
 
+impl Preparation {
+    /// These options and those of a mesh in one line: what cells depend on besides the file.
+    pub fn line(&self, stage: &str, parts: usize, layer: f64) -> String {
+        let (repair, smooth) = (self.repair, &self.smooth);
+        format!("{stage} {parts} {layer:?} {repair} {} {:?}", smooth.steps, smooth.spacing)
+    }
+}
+
 /// Reads a skeleton, repairs and smooths it as asked, and looks at it.
 ///
 /// # Errors

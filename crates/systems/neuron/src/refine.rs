@@ -1,6 +1,6 @@
 //! Splines over a tricubic mesh, refined where it is asked for.
 
-use crate::mesh::{LINEAR_PARTS, cubic_vtu};
+use crate::mesh::{LINEAR_PARTS, cubic_vtu, go_on};
 use crate::{CubicMesh, MeshError, Skeleton};
 use glam::DVec3;
 use pompeiu_core::run::{Control, Limits, Progress, ProgressObserver, StopReason};
@@ -145,9 +145,7 @@ pub fn refined_splines(
         if options.progress.is_some_and(|observer| observer.progress(&progress) == ControlFlow::Break(())) {
             control.stop(StopReason::Cancelled);
         }
-        if control.is_stopped() {
-            return Err(MeshError::Stopped);
-        }
+        go_on(&control)?;
         splines = splines.refined(&mesh.mesh, &marked);
     }
     Ok(splines)

@@ -1,5 +1,6 @@
 //! Why nothing flows.
 
+use crate::mesh::ended_by;
 use pompeiu_core::run::StopReason;
 use pompeiu_solve::SolveError;
 use pompeiu_volume::VolumeError;
@@ -57,7 +58,7 @@ pub enum FlowError {
         ratio: f64,
     },
     /// It was stopped.
-    #[error("the flow was stopped before it was done")]
+    #[error("ended by {} before the flow was solved for", ended_by(*.0))]
     Stopped(StopReason),
     /// A linear system cannot be solved.
     #[error("a linear system of the flow cannot be solved: {0}")]

@@ -118,11 +118,16 @@ impl FlowSystem<'_> {
             if ratio <= NEWTON_TOLERANCE && round > 0 || first == 0.0 {
                 return Ok(FlowSolution { velocity, pressure: pressures, newton });
             }
+            let stopped = || FlowError::Stopped(control.reason().unwrap_or(StopReason::Cancelled));
             if control.is_stopped() {
-                return Err(FlowError::Stopped(control.reason().unwrap_or(StopReason::Cancelled)));
+                return Err(stopped());
             }
             let (current, factor) = (&velocity, if round == 0 { 0.0 } else { self.inverse_viscosity });
             let fill = |cell: usize, matrix: &mut [f64]| {
+                // Zeros are singular, which ends the factorization.
+                if control.is_stopped() {
+                    return;
+                }
                 let element = Cell::new(&tables, &self.mesh.control(cell));
                 element.add_linear(matrix);
                 if factor != 0.0 {
@@ -130,7 +135,9 @@ impl FlowSystem<'_> {
                     element.add_convection(&field, factor, matrix);
                 }
             };
-            let change = plan.factor(fill)?.solve(&residual)?;
+            let change = plan.factor(fill).and_then(|factors| factors.solve(&residual));
+            let change =
+                change.map_err(|error| if control.is_stopped() { stopped() } else { error.into() })?;
             for (v, &number) in numbers.iter().enumerate().filter(|(_, n)| **n != FIXED) {
                 let at = 3 * number as usize;
                 velocity[v] -= DVec3::new(change[at], change[at + 1], change[at + 2]);

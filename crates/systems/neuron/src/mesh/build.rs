@@ -3,7 +3,7 @@
 use super::assembly::{Assembly, NodeBlocks, blocks_along};
 use super::cluster::{Layout, layout};
 use super::node::{NodeMesh, mesh_node};
-use super::options::{MeshError, MeshOptions, MeshReport};
+use super::options::{MeshError, MeshOptions, MeshReport, go_on};
 use super::surface::surface_distance;
 use super::sweep::RadialLength;
 use super::tube::{Tube, tubes};
@@ -154,7 +154,7 @@ fn mesh(skeleton: &Skeleton, options: &MeshOptions<'_>) -> Result<NeuronMesh, Me
     if assembled.lattices.is_empty() {
         return Err(MeshError::NoBranch);
     }
-    finish(skeleton, &parts, assembled, options)
+    finish(skeleton, &parts, assembled, (options, &control))
 }
 
 /// Tubes, and the nodes between them, meshed.
@@ -269,13 +269,11 @@ fn mesh_nodes(
         .par_iter()
         .zip(&layout.reach)
         .map(|(cluster, reach)| {
-            if control.is_stopped() {
-                return Err(MeshError::Stopped);
-            }
+            go_on(control)?;
             if cluster.ends.is_empty() {
                 return Ok(None);
             }
-            let node = mesh_node(cluster, tubes, reach, parts);
+            let node = mesh_node(cluster, tubes, reach, parts, control);
             if let (Some(observer), Ok(mut done)) = (options.progress, done.lock()) {
                 *done += 1;
                 let share = Some(*done as f64 / count as f64);
@@ -283,6 +281,8 @@ fn mesh_nodes(
                     control.stop(StopReason::Cancelled);
                 }
             }
+            // What was ended early may be folded.
+            go_on(control)?;
             let quality = node.as_ref().map_or(f64::NEG_INFINITY, |node| node.quality);
             if quality > 0.0 {
                 return Ok(node);
@@ -298,20 +298,24 @@ fn finish(
     skeleton: &Skeleton,
     parts: &Parts,
     assembly: Assembly<'_>,
-    options: &MeshOptions<'_>,
+    (options, control): (&MeshOptions<'_>, &Control),
 ) -> Result<NeuronMesh, MeshError> {
+    go_on(control)?;
     let Assembly { refinement, positions, lattices, blocks, caps, .. } = assembly;
     let cells: Vec<[u32; 8]> =
         lattices.iter().flat_map(|lattice| refinement.cells(lattice).collect::<Vec<_>>()).collect();
     let per_block = options.parts.pow(3);
     let mesh = HexMesh::new(positions, cells)?;
     let faces = Faces::new(&mesh)?;
+    go_on(control)?;
     let least = mesh
         .cells()
         .par_iter()
         .map(|&cell| scaled_jacobian(&mesh.corners(cell)))
         .reduce(|| f64::INFINITY, |a, b| if a < b { a } else { b });
-    let certified = mesh.cells().par_iter().all(|&cell| certify(&mesh.corners(cell)) == Jacobian::Positive);
+    let is_positive = |&cell: &[u32; 8]| certify(&mesh.corners(cell)) == Jacobian::Positive;
+    let certified = mesh.cells().par_iter().all(|cell| !control.is_stopped() && is_positive(cell));
+    go_on(control)?;
     let labels = labels(&faces, &caps, mesh.positions().len());
     let surface_distance = if options.measure {
         let wall = faces.boundary().iter().zip(&labels).filter(|(_, label)| **label == 0);
@@ -322,10 +326,11 @@ fn finish(
             })
             .collect();
         let positions = mesh.positions().iter().map(DVec3::to_array).collect();
-        surface_distance(skeleton, &parts.tubes, positions, triangles, parts.factor)
+        surface_distance(skeleton, &parts.tubes, (positions, triangles), parts.factor, control)
     } else {
         None
     };
+    go_on(control)?;
     let report = MeshReport {
         vertices: mesh.positions().len(),
         hexahedra: mesh.cells().len(),

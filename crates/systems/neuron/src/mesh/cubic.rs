@@ -3,7 +3,7 @@
 use super::assembly::{Assembly, NodeBlocks};
 use super::build::{Cap, Parts, labels};
 use super::cubic_node::{CubicNode, START, bend};
-use super::options::{MeshError, MeshOptions, MeshReport, SurfaceDistance};
+use super::options::{MeshError, MeshOptions, MeshReport, SurfaceDistance, go_on};
 use super::section::Section;
 use super::surface::surface_distance;
 use crate::Skeleton;
@@ -11,8 +11,8 @@ use glam::DVec3;
 use pompeiu_core::run::{Control, on_threads};
 use pompeiu_volume::bernstein::value;
 use pompeiu_volume::{
-    BezierMesh, CellData, FACE_AXES, Faces, Jacobian, PointData, certify_bezier, scaled_jacobian_bezier,
-    write_bezier_vtu, write_vtu,
+    BezierMesh, BoundaryFace, CellData, FACE_AXES, Faces, Jacobian, PointData, certify_bezier,
+    scaled_jacobian_bezier, write_bezier_vtu, write_vtu,
 };
 use rayon::prelude::*;
 
@@ -143,9 +143,12 @@ fn mesh(skeleton: &Skeleton, options: &MeshOptions<'_>) -> Result<CubicMesh, Mes
         .zip(&parts.layout.reach)
         .zip(&parts.nodes)
         .map(|((cluster, reach), node)| {
-            node.as_ref().map(|node| bend(cluster, &parts.tubes, reach, node, &section))
+            node.as_ref()
+                .filter(|_| !control.is_stopped())
+                .map(|node| bend(cluster, &parts.tubes, reach, node, &section, &control))
         })
         .collect();
+    go_on(&control)?;
     for (cluster, node) in parts.layout.clusters.iter().zip(&bent) {
         if let Some(quality) = node.as_ref().map(|node| node.quality).filter(|quality| *quality <= 0.0) {
             let sample = skeleton.samples()[cluster.samples[0]];
@@ -172,14 +175,14 @@ fn mesh(skeleton: &Skeleton, options: &MeshOptions<'_>) -> Result<CubicMesh, Mes
     if assembled.lattices.is_empty() {
         return Err(MeshError::NoBranch);
     }
-    finish(skeleton, &parts, assembled, options)
+    finish(skeleton, &parts, assembled, (options, &control))
 }
 
 fn finish(
     skeleton: &Skeleton,
     parts: &Parts,
     assembly: Assembly<'_>,
-    options: &MeshOptions<'_>,
+    (options, control): (&MeshOptions<'_>, &Control),
 ) -> Result<CubicMesh, MeshError> {
     let Assembly { positions, lattices, blocks, caps, .. } = assembly;
     let cells: Vec<[u32; 64]> = lattices.iter().map(|lattice| std::array::from_fn(|k| lattice[k])).collect();
@@ -188,16 +191,22 @@ fn finish(
     let faces = Faces::new(&corners)?;
     let found: Vec<(f64, bool)> = (0..mesh.cells().len())
         .into_par_iter()
+        .filter(|_| !control.is_stopped())
         .map(|cell| {
             let points = mesh.control(cell);
             (scaled_jacobian_bezier(&points), certify_bezier(&points) == Jacobian::Positive)
         })
         .collect();
+    go_on(control)?;
     let labels = labels(&faces, &caps, mesh.points().len());
     let mut vertices: Vec<u32> = corners.cells().iter().flatten().copied().collect();
     vertices.sort_unstable();
     vertices.dedup();
-    let distance = if options.measure { measure(skeleton, parts, &mesh, &faces, &labels) } else { None };
+    go_on(control)?;
+    let wall = (faces.boundary().iter().zip(&labels)).filter(|(_, label)| **label == 0);
+    let wall: Vec<&BoundaryFace> = wall.map(|(face, _)| face).collect();
+    let distance = if options.measure { measure(skeleton, parts, &mesh, &wall, control) } else { None };
+    go_on(control)?;
     let report = MeshReport {
         vertices: vertices.len(),
         hexahedra: mesh.cells().len(),
@@ -217,11 +226,9 @@ fn measure(
     skeleton: &Skeleton,
     parts: &Parts,
     mesh: &BezierMesh,
-    faces: &Faces,
-    labels: &[u32],
+    wall: &[&BoundaryFace],
+    control: &Control,
 ) -> Option<SurfaceDistance> {
-    let wall: Vec<_> =
-        faces.boundary().iter().zip(labels).filter(|(_, label)| **label == 0).map(|(face, _)| face).collect();
     let n = ((MOST_QUADS / wall.len().max(1)) as f64).sqrt().floor().clamp(2.0, 8.0) as usize;
     let (mut positions, mut triangles) = (Vec::new(), Vec::new());
     let mut deviation = 0.0_f64;
@@ -245,7 +252,7 @@ fn measure(
         }
         deviation = deviation.max(bend_of(&points, axis, side, along) / (8.0 * (n * n) as f64));
     }
-    let found = surface_distance(skeleton, &parts.tubes, positions, triangles, parts.factor)?;
+    let found = surface_distance(skeleton, &parts.tubes, (positions, triangles), parts.factor, control)?;
     Some(SurfaceDistance { lower: (found.lower - deviation).max(0.0), upper: found.upper + deviation })
 }
 

@@ -3,6 +3,7 @@
 use super::energy::{Shape, minimise};
 use super::wall::Wall;
 use glam::DVec3;
+use pompeiu_core::run::Control;
 use pompeiu_volume::bernstein::{bernstein, bernstein_slopes, interpolate};
 use pompeiu_volume::slopes_at;
 
@@ -20,6 +21,8 @@ pub(super) struct CubicEnergy<'e> {
     /// The size of the node, which makes the energy independent of units.
     pub(super) scale: f64,
     pub(super) table: &'e [Row],
+    /// What may end it early.
+    pub(super) control: &'e Control,
 }
 
 /// Places along each axis of a cell at which shape is measured: closer at the ends, between which a cubic turns most.
@@ -82,7 +85,7 @@ impl CubicEnergy<'_> {
     /// Moves the free places to less energy.
     pub(super) fn minimise(&self, positions: &mut [DVec3], steps: usize) -> f64 {
         let mut scratch = vec![DVec3::ZERO; positions.len()];
-        minimise(self.free, self.scale, positions, steps, |positions, gradient| {
+        minimise((self.free, self.scale), positions, (steps, self.control), |positions, gradient| {
             self.value(positions, gradient, &mut scratch)
         })
     }
@@ -144,8 +147,9 @@ mod tests {
         let free = [0, 21, 63, 42];
         let table = lagrange_table(&PLACES);
         for shape in [Shape::MeanRatio { epsilon: 0.3 }, Shape::Scaled { power: 2 }] {
-            let energy =
-                CubicEnergy { cells: &cells, free: &free, shape, wall: None, scale: 0.8, table: &table };
+            let control = &Control::default();
+            let (wall, scale, table) = (None, 0.8, table.as_slice());
+            let energy = CubicEnergy { cells: &cells, free: &free, shape, wall, scale, table, control };
             let (mut gradient, mut other) = (vec![DVec3::ZERO; 4], vec![DVec3::ZERO; 4]);
             let mut scratch = vec![DVec3::ZERO; 64];
             assert!(energy.value(&positions, &mut gradient, &mut scratch).is_finite());

@@ -7,6 +7,7 @@ use super::section::Section;
 use super::tube::Tube;
 use super::wall::Wall;
 use glam::DVec3;
+use pompeiu_core::run::Control;
 use pompeiu_volume::bernstein::interpolate_lattice;
 use pompeiu_volume::{
     FACES, Jacobian, Refinement, certify_bezier, key_weights, place_of_64, scaled_jacobian_bezier,
@@ -32,6 +33,7 @@ pub(super) fn bend(
     reach: &[f64],
     node: &NodeMesh,
     section: &Section,
+    control: &Control,
 ) -> CubicNode {
     let wall = cluster.wall(tubes, reach);
     let scale = (-wall.distance(cluster.centre).0).max(0.3 * cluster.radius);
@@ -53,7 +55,7 @@ pub(super) fn bend(
     let (fixed, on_wall) = boundary(cluster, tubes, node, &refinement, section, &cells, &mut positions);
     let mut found = None;
     for places in [PLACES.as_slice(), &MANY_PLACES] {
-        optimise(&cells, &fixed, &on_wall, &wall, scale, places, &mut positions);
+        optimise((&cells, &fixed), (&wall, &on_wall), (scale, control), places, &mut positions);
         let (points, quality, certified) = controlled(&cells, &positions);
         if certified || found.is_none() {
             found = Some((points, quality));
@@ -147,11 +149,9 @@ fn boundary(
 
 /// Moves the places to where the cells are best: first off folds, with the wall ever stricter, then for the least scaled Jacobian.
 fn optimise(
-    cells: &[[u32; 64]],
-    fixed: &[bool],
-    on_wall: &[u32],
-    wall: &Wall,
-    scale: f64,
+    (cells, fixed): (&[[u32; 64]], &[bool]),
+    (wall, on_wall): (&Wall, &[u32]),
+    (scale, control): (f64, &Control),
     places: &[f64],
     positions: &mut [DVec3],
 ) {
@@ -169,7 +169,7 @@ fn optimise(
     project(positions);
     let table = lagrange_table(places);
     let shape = Shape::MeanRatio { epsilon: 0.02 };
-    let mut energy = CubicEnergy { cells, free: &free, shape, wall: None, scale, table: &table };
+    let mut energy = CubicEnergy { cells, free: &free, shape, wall: None, scale, table: &table, control };
     for (epsilon, weight) in [(0.02, 300.0), (0.002, 3000.0), (1e-4, 30_000.0)] {
         energy.shape = Shape::MeanRatio { epsilon };
         energy.wall = Some((wall, on_wall, weight));

@@ -2,6 +2,7 @@
 
 use super::wall::Wall;
 use glam::DVec3;
+use pompeiu_core::run::Control;
 
 /// What is minimised over the vertices around a node.
 pub(super) struct Energy<'e> {
@@ -15,6 +16,8 @@ pub(super) struct Energy<'e> {
     pub(super) wall: Option<(&'e Wall, &'e [u32], f64)>,
     /// The size of the node, which makes the energy independent of units.
     pub(super) scale: f64,
+    /// What may end it early.
+    pub(super) control: &'e Control,
 }
 
 /// The cost of a Jacobian matrix with columns a, b, c.
@@ -149,7 +152,7 @@ impl Energy<'_> {
     /// Moves the free vertices to less energy.
     pub(super) fn minimise(&self, positions: &mut [DVec3], steps: usize) -> f64 {
         let mut scratch = vec![DVec3::ZERO; positions.len()];
-        minimise(self.free, self.scale, positions, steps, |positions, gradient| {
+        minimise((self.free, self.scale), positions, (steps, self.control), |positions, gradient| {
             self.value(positions, gradient, &mut scratch)
         })
     }
@@ -158,10 +161,9 @@ impl Energy<'_> {
 /// Moves free vertices to less energy, whose value and gradient a function gives: the limited-memory method of Broyden, Fletcher, Goldfarb and Shanno, with a
 /// backtracking line search.
 pub(super) fn minimise(
-    free: &[u32],
-    scale: f64,
+    (free, scale): (&[u32], f64),
     positions: &mut [DVec3],
-    steps: usize,
+    (steps, control): (usize, &Control),
     mut energy: impl FnMut(&[DVec3], &mut [DVec3]) -> f64,
 ) -> f64 {
     let n = free.len();
@@ -174,6 +176,9 @@ pub(super) fn minimise(
     let mut next = positions.to_vec();
     let mut next_gradient = gradient.clone();
     for _ in 0..steps {
+        if control.is_stopped() {
+            break;
+        }
         let mut direction: Vec<DVec3> = gradient.iter().map(|g| -*g).collect();
         let mut alphas = Vec::with_capacity(memory.len());
         for (s, y, rho) in memory.iter().rev() {
@@ -300,6 +305,7 @@ mod tests {
                 shape,
                 wall: Some((&wall, &[6, 2], 3.0)),
                 scale: 0.8,
+                control: &Control::default(),
             };
             let (mut gradient, mut other) = (vec![DVec3::ZERO; 3], vec![DVec3::ZERO; 3]);
             let mut scratch = vec![DVec3::ZERO; 8];

@@ -2,8 +2,9 @@
 
 use super::build::{Cap, NeuronMesh};
 use super::cubic::CubicMesh;
-use super::options::{MeshError, MeshReport};
+use super::options::{MeshError, MeshReport, go_on};
 use glam::DVec3;
+use pompeiu_core::run::{Control, Limits};
 use pompeiu_volume::{
     BezierMesh, Faces, HexMesh, Jacobian, certify, certify_bezier, scaled_jacobian, scaled_jacobian_bezier,
 };
@@ -185,16 +186,19 @@ impl NeuronMesh {
     ///
     /// # Errors
     /// [`MeshError::Folded`] for the worst cell if it is folded or stands on its head, [`MeshError::Side`], [`MeshError::Labels`],
-    /// [`MeshError::Volume`] where cells do not meet face to face.
-    pub fn from_hexahedra(mesh: HexMesh, at: Ends<'_>) -> Result<Self, MeshError> {
+    /// [`MeshError::Volume`] where cells do not meet face to face, [`MeshError::Stopped`].
+    pub fn from_hexahedra(mesh: HexMesh, at: Ends<'_>, limits: &Limits) -> Result<Self, MeshError> {
+        let control = Control::start(limits);
         let found: Vec<(f64, bool)> = mesh
             .cells()
             .par_iter()
+            .filter(|_| !control.is_stopped())
             .map(|&cell| {
                 let corners = mesh.corners(cell);
                 (scaled_jacobian(&corners), certify(&corners) == Jacobian::Positive)
             })
             .collect();
+        go_on(&control)?;
         let report = report(mesh.positions().len(), &found)?;
         let faces = Faces::new(&mesh)?;
         let (labels, caps) = ends(&mesh, &faces, at)?;
@@ -208,24 +212,41 @@ impl CubicMesh {
     ///
     /// # Errors
     /// Those of [`NeuronMesh::from_hexahedra`].
-    pub fn from_hexahedra(mesh: &HexMesh, at: Ends<'_>) -> Result<Self, MeshError> {
-        let cubic = BezierMesh::from_trilinear(mesh);
-        let found: Vec<(f64, bool)> = (0..mesh.cells().len())
-            .into_par_iter()
-            .map(|cell| {
-                let points = cubic.control(cell);
-                (scaled_jacobian_bezier(&points), certify_bezier(&points) == Jacobian::Positive)
-            })
-            .collect();
-        let report = report(mesh.positions().len(), &found)?;
-        let corners = cubic.corner_mesh()?;
-        let faces = Faces::new(&corners)?;
-        let plain = Faces::new(mesh)?;
-        // Both lists are in the order of cells and places.
-        let (labels, caps) = ends(mesh, &plain, at)?;
+    pub fn from_hexahedra(mesh: &HexMesh, at: Ends<'_>, limits: &Limits) -> Result<Self, MeshError> {
+        let (cubic, faces, report) = patches(mesh, limits)?;
+        let (labels, caps) = ends(mesh, &Faces::new(mesh)?, at)?;
         let parts = levels(mesh.cells().len(), &faces, &labels);
         Ok(Self { mesh: cubic, faces, labels, caps, parts, report })
     }
+
+    /// A trilinear mesh with each cell as a patch.
+    ///
+    /// # Errors
+    /// [`MeshError::Folded`], [`MeshError::Stopped`].
+    pub fn from_trilinear(mesh: &NeuronMesh, limits: &Limits) -> Result<Self, MeshError> {
+        let (cubic, faces, report) = patches(&mesh.mesh, limits)?;
+        let (labels, caps) = (mesh.labels.clone(), mesh.caps.clone());
+        let parts = levels(mesh.mesh.cells().len(), &faces, &labels);
+        Ok(Self { mesh: cubic, faces, labels, caps, parts, report })
+    }
+}
+
+/// Cells as patches. Their faces are in the order of those of the cells.
+fn patches(mesh: &HexMesh, limits: &Limits) -> Result<(BezierMesh, Faces, MeshReport), MeshError> {
+    let control = Control::start(limits);
+    let cubic = BezierMesh::from_trilinear(mesh);
+    let found: Vec<(f64, bool)> = (0..mesh.cells().len())
+        .into_par_iter()
+        .filter(|_| !control.is_stopped())
+        .map(|cell| {
+            let points = cubic.control(cell);
+            (scaled_jacobian_bezier(&points), certify_bezier(&points) == Jacobian::Positive)
+        })
+        .collect();
+    go_on(&control)?;
+    let report = report(mesh.positions().len(), &found)?;
+    let faces = Faces::new(&cubic.corner_mesh()?)?;
+    Ok((cubic, faces, report))
 }
 
 /// For each cell −1 − k, where k is the least number of faces on a way from the first end: cells of one number lie between those of

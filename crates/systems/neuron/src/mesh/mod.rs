@@ -29,3 +29,4 @@ pub use cubic::{CubicMesh, cubic_neuron};
 pub(crate) use cubic::{LINEAR_PARTS, cubic_vtu};
 pub use import::{Ends, Side};
 pub use options::{MeshError, MeshOptions, MeshReport, SurfaceDistance};
+pub(crate) use options::{ended_by, go_on};

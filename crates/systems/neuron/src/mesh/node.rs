@@ -7,6 +7,7 @@ use super::tube::{End, Tube};
 use super::wall::Wall;
 use crate::RoundCone;
 use glam::DVec3;
+use pompeiu_core::run::Control;
 use pompeiu_volume::{Refinement, key_weights as weights, scaled_jacobian};
 
 /// Side of the core square of a section, half of its diagonal, in radii.
@@ -137,7 +138,13 @@ const GOOD: f64 = 0.35;
 const MOST_TRIES: usize = 6;
 
 /// Meshes a node whose arms end at the given lengths.
-pub(super) fn mesh_node(cluster: &Cluster, tubes: &[Tube], reach: &[f64], parts: usize) -> Option<NodeMesh> {
+pub(super) fn mesh_node(
+    cluster: &Cluster,
+    tubes: &[Tube],
+    reach: &[f64],
+    parts: usize,
+    control: &Control,
+) -> Option<NodeMesh> {
     let wall = cluster.wall(tubes, reach);
     let mut best: Option<NodeMesh> = None;
     let cores = library(cluster.ends.len());
@@ -161,7 +168,11 @@ pub(super) fn mesh_node(cluster: &Cluster, tubes: &[Tube], reach: &[f64], parts:
         }
         candidates.sort_by(|a, b| a.1.score.total_cmp(&b.1.score));
         for (index, assignment) in candidates.into_iter().take(MOST_TRIES) {
-            let mesh = build(cluster, tubes, reach, &wall, centre, &cores[index], &assignment, parts);
+            if control.is_stopped() {
+                return best;
+            }
+            let core = &cores[index];
+            let mesh = build(cluster, tubes, reach, &wall, centre, core, &assignment, parts, control);
             let is_better = best.as_ref().is_none_or(|best| mesh.quality > best.quality);
             if is_better {
                 best = Some(mesh);
@@ -219,6 +230,7 @@ fn build(
     core: &Core,
     assignment: &Assignment,
     parts: usize,
+    control: &Control,
 ) -> NodeMesh {
     let depth = (-wall.distance(centre).0).max(0.3 * cluster.radius);
     let half = if cluster.balls.is_empty() { 0.42 } else { 0.5 } * depth;
@@ -293,7 +305,7 @@ fn build(
     let mut positions: Vec<DVec3> =
         refinement.keys().iter().map(|key| weights(key).map(|(v, w)| corners[v] * w).sum()).collect();
     let kinds = kinds(cluster, tubes, &sections, &refinement, &cells, &mut positions);
-    let quality = optimise(&cells, &kinds, wall, depth, &mut positions);
+    let quality = optimise((&cells, &kinds), wall, depth, &mut positions, control);
     NodeMesh { blocks, corners: corners.len(), refinement, positions, sections, quality }
 }
 
@@ -411,7 +423,13 @@ fn kinds(
 }
 
 /// Moves the vertices to where the cells are best; gives the least scaled Jacobian.
-fn optimise(cells: &[[u32; 8]], kinds: &[Kind], wall: &Wall, scale: f64, positions: &mut [DVec3]) -> f64 {
+fn optimise(
+    (cells, kinds): (&[[u32; 8]], &[Kind]),
+    wall: &Wall,
+    scale: f64,
+    positions: &mut [DVec3],
+    control: &Control,
+) -> f64 {
     let of = |wanted: &dyn Fn(Kind) -> bool| -> Vec<u32> {
         (0..kinds.len() as u32).filter(|&v| wanted(kinds[v as usize])).collect()
     };
@@ -428,6 +446,7 @@ fn optimise(cells: &[[u32; 8]], kinds: &[Kind], wall: &Wall, scale: f64, positio
         shape: Shape::MeanRatio { epsilon: 0.1 },
         wall: None,
         scale,
+        control,
     };
     for (round, weight) in [30.0, 300.0, 3000.0, 30_000.0].into_iter().enumerate() {
         let least = energy.least_determinant(positions);

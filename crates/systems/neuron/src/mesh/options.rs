@@ -1,6 +1,6 @@
 //! How a neuron is meshed, what is said of the mesh, and why there is none.
 
-use pompeiu_core::run::{Limits, ProgressObserver};
+use pompeiu_core::run::{Control, Limits, ProgressObserver, StopReason};
 use pompeiu_volume::VolumeError;
 
 /// How a neuron is meshed.
@@ -70,6 +70,23 @@ pub struct SurfaceDistance {
     pub upper: f64,
 }
 
+/// What ended a stage, in the words of a sentence.
+pub(crate) fn ended_by(reason: StopReason) -> &'static str {
+    match reason {
+        StopReason::Time => "the time limit",
+        StopReason::Memory => "the memory limit",
+        _ => "request",
+    }
+}
+
+/// Whether to go on.
+pub(crate) fn go_on(control: &Control) -> Result<(), MeshError> {
+    if control.is_stopped() {
+        return Err(MeshError::Stopped(control.reason().unwrap_or(StopReason::Cancelled)));
+    }
+    Ok(())
+}
+
 /// Why a neuron cannot be meshed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -114,8 +131,8 @@ pub enum MeshError {
         limit: usize,
     },
     /// It was stopped before there was a mesh.
-    #[error("meshing was stopped before it was done")]
-    Stopped,
+    #[error("ended by {} before the mesh was done", ended_by(*.0))]
+    Stopped(StopReason),
     /// An option is out of range.
     #[error("the {what} is {value}; expected {expected}")]
     Option {

@@ -6,7 +6,9 @@ use super::tube::{Tube, is_ball};
 use crate::Skeleton;
 use pompeiu_core::TriMesh;
 use pompeiu_core::mesh::shapes::icosphere;
-use pompeiu_hausdorff::directed_hausdorff;
+use pompeiu_core::run::Control;
+use pompeiu_hausdorff::{HausdorffOptions, Observer, Progress};
+use std::ops::ControlFlow;
 
 /// Sides of the polygons that stand for the circles of a tube: their sagitta is 0.1 % of the radius.
 const SIDES: u32 = 64;
@@ -17,14 +19,23 @@ const RINGS: f64 = 3.0;
 /// Subdivisions of the icosahedron that stands for a soma.
 const SUBDIVISIONS: u32 = 4;
 
+/// Ends the search where meshing is to end.
+struct Watch<'c>(&'c Control);
+
+impl Observer for Watch<'_> {
+    fn progress(&self, _: &Progress) -> ControlFlow<()> {
+        if self.0.is_stopped() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+}
+
 /// Bounds on the greatest distance of a point of the wall, given as triangles, from the tubes as triangulated here. None where
 /// the tubes are too large to be triangulated.
 pub(super) fn surface_distance(
     skeleton: &Skeleton,
     tubes: &[Tube],
-    wall: Vec<[f64; 3]>,
-    wall_triangles: Vec<[u32; 3]>,
+    (wall, wall_triangles): (Vec<[f64; 3]>, Vec<[u32; 3]>),
     factor: f64,
+    control: &Control,
 ) -> Option<SurfaceDistance> {
     let wall = TriMesh::new(wall, wall_triangles).ok()?;
     let (mut positions, mut triangles): (Vec<[f64; 3]>, Vec<[u32; 3]>) = (Vec::new(), Vec::new());
@@ -55,6 +66,8 @@ pub(super) fn surface_distance(
         triangles.extend(ball.faces().iter().map(|f| f.map(|v| v + base)));
     }
     let tubes = TriMesh::new(positions, triangles).ok()?;
-    let report = directed_hausdorff(&wall, &tubes);
+    let watch = Watch(control);
+    let options = HausdorffOptions { observer: Some(&watch), ..HausdorffOptions::default() };
+    let report = options.directed(&wall, &tubes).ok()?;
     Some(SurfaceDistance { lower: report.distance.lower(), upper: report.distance.upper() })
 }

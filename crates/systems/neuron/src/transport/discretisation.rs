@@ -1,5 +1,6 @@
 //! Volumes, areas and conductances of cells and faces.
 
+use super::parts::{by_parts, deal};
 use glam::DVec3;
 use pompeiu_volume::{Faces, HexMesh, volume};
 
@@ -13,6 +14,8 @@ pub struct Discretisation {
     pub links: Vec<([u32; 2], f64)>,
     /// For each face on a flat end: the cap, the cell, the area, and the conductance from the cell's centre to the face.
     pub ends: Vec<EndFace>,
+    /// For each cell its part of a partition: what a thread works on. No result depends on it.
+    pub parts: Vec<u32>,
 }
 
 /// A face on a flat end.
@@ -35,9 +38,17 @@ impl Discretisation {
     /// Exact for fluxes along lines that are orthogonal to faces, as along a straight tube. Where faces are oblique, around nodes, it
     /// is off by some percent whatever the size of cells; it is conservative and monotone in any case.
     pub fn new(mesh: &HexMesh, faces: &Faces, labels: &[u32]) -> Self {
+        Self::dealt(mesh, faces, labels, deal(mesh.cells().len(), 1, faces))
+    }
+
+    /// The same, by parts.
+    pub(super) fn dealt(mesh: &HexMesh, faces: &Faces, labels: &[u32], parts: Vec<u32>) -> Self {
         let cells = mesh.cells();
-        let centres: Vec<DVec3> =
-            cells.iter().map(|&c| mesh.corners(c).iter().sum::<DVec3>() / 8.0).collect();
+        let measured = by_parts(parts.iter().copied(), |c| {
+            let corners = mesh.corners(cells[c]);
+            (corners.iter().sum::<DVec3>() / 8.0, volume(&corners))
+        });
+        let (centres, volumes): (Vec<DVec3>, Vec<f64>) = measured.into_iter().unzip();
         let quad = |vertices: [u32; 4]| {
             let [a, b, c, d] = vertices.map(|v| mesh.positions()[v as usize]);
             ((a + b + c + d) / 4.0, 0.5 * (c - a).cross(d - b))
@@ -48,15 +59,12 @@ impl Discretisation {
             let along = area.dot(d).abs().max(1e-3 * area.length() * d.length());
             along / d.length_squared()
         };
-        let links = faces
-            .inner()
-            .iter()
-            .map(|face| {
-                let (centre, area) = quad(face.vertices);
-                let [a, b] = face.cells.map(|cell| half(cell, centre, area));
-                (face.cells, a * b / (a + b))
-            })
-            .collect();
+        let links = by_parts(faces.inner().iter().map(|face| parts[face.cells[0] as usize]), |k| {
+            let face = &faces.inner()[k];
+            let (centre, area) = quad(face.vertices);
+            let [a, b] = face.cells.map(|cell| half(cell, centre, area));
+            (face.cells, a * b / (a + b))
+        });
         let ends = faces
             .boundary()
             .iter()
@@ -72,6 +80,6 @@ impl Discretisation {
                 }
             })
             .collect();
-        Self { volumes: cells.iter().map(|&c| volume(&mesh.corners(c))).collect(), links, ends }
+        Self { volumes, links, ends, parts }
     }
 }

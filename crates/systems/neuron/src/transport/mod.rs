@@ -8,6 +8,7 @@ mod config;
 mod discretisation;
 mod error;
 mod flow;
+mod parts;
 mod problem;
 mod run;
 mod step;

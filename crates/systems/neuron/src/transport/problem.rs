@@ -91,6 +91,11 @@ impl Default for Parameters {
 const MOST_STEPS: usize = 10_000_000;
 
 impl Parameters {
+    /// All of them but the number of steps, in one line: what a state belongs to.
+    pub fn line(&self) -> String {
+        format!("{:?}", Self { steps: 1, ..self.clone() })
+    }
+
     /// Whether the parameters make sense.
     ///
     /// # Errors

@@ -3,8 +3,13 @@
 use super::discretisation::Discretisation;
 use super::error::TransportError;
 use super::flow::FlowField;
+use super::parts::lists;
 use super::problem::Parameters;
 use pompeiu_solve::SparseMatrix;
+use rayon::prelude::*;
+
+/// A row, a column, and what is added there.
+type Entry = (usize, usize, f64);
 
 /// The equations: unknown `3 i + s` is kind s in cell i.
 pub(super) struct System<'s> {
@@ -37,13 +42,45 @@ impl System<'_> {
         }
     }
 
-    /// Volumes times a rate, in 1/s, and what leaves each unknown for others.
+    /// Volumes times a rate, in 1/s, and what leaves each unknown for others. Each part of the partition has a thread that assembles its
+    /// rows.
     pub(super) fn matrix(&self, rate: f64) -> Result<SparseMatrix, TransportError> {
-        let p = self.parameters;
         let n = 3 * self.mesh.volumes.len();
-        let mut entries = Vec::with_capacity(7 * self.mesh.volumes.len() + 12 * self.mesh.links.len());
-        for (i, &volume) in self.mesh.volumes.iter().enumerate() {
-            let at = 3 * i;
+        let parts = &self.mesh.parts;
+        let cells = lists(parts.iter().copied());
+        let mut links: Vec<Vec<u32>> = vec![Vec::new(); cells.len()];
+        for (k, ([a, b], _)) in self.mesh.links.iter().enumerate() {
+            let [a, b] = [a, b].map(|&cell| parts[cell as usize] as usize);
+            links[a].push(k as u32);
+            if a != b {
+                links[b].push(k as u32);
+            }
+        }
+        let rows: Vec<Vec<Entry>> = cells
+            .par_iter()
+            .zip(&links)
+            .enumerate()
+            .map(|(part, (cells, links))| self.rows(part as u32, cells, links, rate))
+            .collect();
+        let mut entries = rows.concat();
+        for (end, &out) in self.mesh.ends.iter().zip(&self.flow.out) {
+            let at = 3 * end.cell as usize;
+            if self.given(end.cap).0.is_some() {
+                entries.push((at, at, self.parameters.diffusion * end.conductance));
+            }
+            for (kind, speed) in self.speeds() {
+                entries.push((at + kind, at + kind, (speed * out).max(0.0)));
+            }
+        }
+        Ok(SparseMatrix::from_triplets(n, n, &entries)?)
+    }
+
+    /// The rows of the cells of a part, without what leaves through ends: entries of one place are in the same order for any parts.
+    fn rows(&self, part: u32, cells: &[u32], links: &[u32], rate: f64) -> Vec<Entry> {
+        let p = self.parameters;
+        let mut entries = Vec::with_capacity(7 * cells.len() + 12 * links.len());
+        for &cell in cells {
+            let (at, volume) = (3 * cell as usize, self.mesh.volumes[cell as usize]);
             entries.extend([
                 (at, at, volume * (rate + p.attach_plus + p.attach_minus)),
                 (at, at + 1, -volume * p.detach_plus),
@@ -54,27 +91,21 @@ impl System<'_> {
                 (at + 2, at, -volume * p.attach_minus),
             ]);
         }
-        for (&([a, b], conductance), &through) in self.mesh.links.iter().zip(&self.flow.through) {
+        let is_own = |unknown: usize| self.mesh.parts[unknown / 3] == part;
+        for &k in links {
+            let ([a, b], conductance) = self.mesh.links[k as usize];
             let (a, b) = (3 * a as usize, 3 * b as usize);
             let d = p.diffusion * conductance;
-            entries.extend([(a, a, d), (a, b, -d), (b, b, d), (b, a, -d)]);
+            let mut add = |entry: Entry| entries.extend(is_own(entry.0).then_some(entry));
+            [(a, a, d), (a, b, -d), (b, b, d), (b, a, -d)].into_iter().for_each(&mut add);
             for (kind, speed) in self.speeds() {
-                let q = speed * through;
+                let q = speed * self.flow.through[k as usize];
                 // From where it comes to where it goes.
                 let (from, to) = if q > 0.0 { (a + kind, b + kind) } else { (b + kind, a + kind) };
-                entries.extend([(from, from, q.abs()), (to, from, -q.abs())]);
+                [(from, from, q.abs()), (to, from, -q.abs())].into_iter().for_each(&mut add);
             }
         }
-        for (end, &out) in self.mesh.ends.iter().zip(&self.flow.out) {
-            let at = 3 * end.cell as usize;
-            if self.given(end.cap).0.is_some() {
-                entries.push((at, at, p.diffusion * end.conductance));
-            }
-            for (kind, speed) in self.speeds() {
-                entries.push((at + kind, at + kind, (speed * out).max(0.0)));
-            }
-        }
-        Ok(SparseMatrix::from_triplets(n, n, &entries)?)
+        entries
     }
 
     /// What comes in through the ends whatever is there.

@@ -3,14 +3,14 @@
 use super::discretisation::{Discretisation, EndFace};
 use super::error::TransportError;
 use super::flow::FlowField;
+use super::parts::{by_parts, deal};
 use crate::mesh::{concentrations, cubic_vtu};
 use crate::{Cap, Flow};
 use glam::DVec3;
 use pompeiu_core::mesh::UnionFind;
 use pompeiu_solve::{Cholesky, LinearSolver, SparseMatrix};
 use pompeiu_volume::bernstein::value;
-use pompeiu_volume::{BezierMesh, FACE_AXES, Faces, bezier_volume, face_flux, face_points};
-use rayon::prelude::*;
+use pompeiu_volume::{BezierMesh, FACE_AXES, Faces, InnerFace, bezier_volume, face_flux, face_points};
 
 /// The cells of a flow, cut into parts, with what flows through their faces.
 #[derive(Clone, Debug)]
@@ -40,13 +40,14 @@ impl FlowCells {
         let velocity = fields.pop().unwrap_or_default();
         let faces = Faces::new(&mesh.corner_mesh()?)?;
         let labels = labels_of_parts(&flow.faces, &flow.labels, &faces, parts);
-        let cells: Vec<(f64, DVec3)> = (0..mesh.cells().len())
-            .into_par_iter()
-            .map(|cell| {
-                let points = mesh.control(cell);
-                (bezier_volume(&points), value(&points, [0.5; 3]))
-            })
-            .collect();
+        // Cells stay in the part of the cell that they are cut from.
+        let dealt = deal(flow.mesh.cells().len(), parts.pow(3), &flow.faces);
+        let dealt: Vec<u32> =
+            dealt.into_iter().flat_map(|part| std::iter::repeat_n(part, parts.pow(3))).collect();
+        let cells: Vec<(f64, DVec3)> = by_parts(dealt.iter().copied(), |cell| {
+            let points = mesh.control(cell);
+            (bezier_volume(&points), value(&points, [0.5; 3]))
+        });
         // The middle of a face, its area, and what flows out there.
         let face = |cell: u32, place: u8| {
             let points = mesh.control(cell as usize);
@@ -60,15 +61,13 @@ impl FlowCells {
             let d = centre - cells[cell as usize].1;
             area.dot(d).abs().max(1e-3 * area.length() * d.length()) / d.length_squared()
         };
-        let inner: Vec<(([u32; 2], f64), f64)> = faces
-            .inner()
-            .par_iter()
-            .map(|inner| {
-                let (centre, area, flux) = face(inner.cells[0], inner.places[0]);
-                let [a, b] = inner.cells.map(|cell| half(cell, centre, area));
-                ((inner.cells, a * b / (a + b)), flux)
-            })
-            .collect();
+        let part_of = |inner: &InnerFace| dealt[inner.cells[0] as usize];
+        let inner: Vec<(([u32; 2], f64), f64)> = by_parts(faces.inner().iter().map(part_of), |k| {
+            let inner = &faces.inner()[k];
+            let (centre, area, flux) = face(inner.cells[0], inner.places[0]);
+            let [a, b] = inner.cells.map(|cell| half(cell, centre, area));
+            ((inner.cells, a * b / (a + b)), flux)
+        });
         let ends: Vec<(EndFace, f64)> = faces
             .boundary()
             .iter()
@@ -82,7 +81,8 @@ impl FlowCells {
             .collect();
         let (links, through): (Vec<_>, Vec<f64>) = inner.into_iter().unzip();
         let (ends, out): (Vec<EndFace>, Vec<f64>) = ends.into_iter().unzip();
-        let volumes = Discretisation { volumes: cells.iter().map(|c| c.0).collect(), links, ends };
+        let volumes =
+            Discretisation { volumes: cells.iter().map(|c| c.0).collect(), links, ends, parts: dealt };
         let field = balanced(&volumes, through, out, flow.inlet)?;
         Ok(Self { mesh, faces, volumes, field, caps: flow.caps.clone(), inlet: flow.inlet })
     }

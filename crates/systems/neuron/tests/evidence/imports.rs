@@ -1,6 +1,7 @@
 //! Meshes from elsewhere: heat in a block and in a rod, flow through a duct, labels, refusals; the page.
 
 use glam::DVec3;
+use pompeiu_core::run::Limits;
 use pompeiu_neuron::{
     CubicMesh, Drive, Ends, FlowCells, FlowOptions, FlowParameters, MeshError, NeuronMesh, Parameters, Side,
     TransportOptions, neuron_flow, read_transport_config, transport, transport_in_flow,
@@ -19,7 +20,7 @@ fn heat_in_a_block_becomes_linear_between_its_sides() {
     let names: Vec<&str> = parameters.sides.iter().map(|side| side.name()).collect();
     assert_eq!(names, ["-x", "+x"]);
     let block = HexMesh::grid([10, 3, 3], [4.0, 2.0, 2.0]);
-    let mesh = NeuronMesh::from_hexahedra(block, Ends::Sides(&parameters.sides)).unwrap();
+    let mesh = NeuronMesh::from_hexahedra(block, Ends::Sides(&parameters.sides), &Limits::default()).unwrap();
     assert!(mesh.report.certified && (mesh.report.min_scaled_jacobian - 1.0).abs() < 1e-12);
     assert_eq!(mesh.caps.iter().map(|cap| cap.sample).collect::<Vec<_>>(), [1, 2]);
     assert!((mesh.caps[1].normal - DVec3::X).length() < 1e-14);
@@ -58,13 +59,19 @@ fn a_rod_with_labels_has_ends_whatever_stands_at_their_rims() {
     };
     let upright = moved(&grid, rod);
     for at_rim in [true, false] {
-        let mesh = NeuronMesh::from_hexahedra(upright.clone(), Ends::Labels(&numbers(at_rim))).unwrap();
+        let mesh =
+            NeuronMesh::from_hexahedra(upright.clone(), Ends::Labels(&numbers(at_rim)), &Limits::default())
+                .unwrap();
         let count = |label| mesh.labels.iter().filter(|l| **l == label).count();
         assert_eq!((count(0), count(1), count(2)), (96, 9, 9), "{at_rim}");
         assert!((mesh.caps[0].normal + DVec3::Z).length() < 1e-12);
     }
-    let folded =
-        NeuronMesh::from_hexahedra(moved(&grid, |p| rod(DVec3::new(p.y, p.x, p.z))), Ends::None).unwrap_err();
+    let folded = NeuronMesh::from_hexahedra(
+        moved(&grid, |p| rod(DVec3::new(p.y, p.x, p.z))),
+        Ends::None,
+        &Limits::default(),
+    )
+    .unwrap_err();
     assert!(matches!(folded, MeshError::Folded { .. }) && folded.to_string().contains("on its head"));
 }
 
@@ -72,7 +79,7 @@ fn a_rod_with_labels_has_ends_whatever_stands_at_their_rims() {
 fn flow_through_a_square_duct_is_that_of_the_series() {
     let grid = HexMesh::grid([2, 2, 3], [1.0, 1.0, 3.0]);
     let sides = ["-z", "+z"].map(|name| Side::from_name(name).unwrap());
-    let mesh = CubicMesh::from_hexahedra(&grid, Ends::Sides(&sides)).unwrap();
+    let mesh = CubicMesh::from_hexahedra(&grid, Ends::Sides(&sides), &Limits::default()).unwrap();
     let parameters = FlowParameters { drive: Drive::Pressure(1.0), ..FlowParameters::default() };
     let flow = neuron_flow(&mesh, &parameters, &FlowOptions::default()).unwrap();
     // 0.035144 a⁴ Δp / (μ L): the series of Boussinesq, to what four cells to a section resolve.
@@ -89,19 +96,21 @@ fn flow_through_a_square_duct_is_that_of_the_series() {
 fn what_is_no_mesh_or_end_is_refused() {
     let grid = || HexMesh::grid([2, 1, 1], [2.0, 1.0, 1.0]);
     let side = |name| Side::from_name(name).unwrap();
-    let of = |ends: Ends<'_>| NeuronMesh::from_hexahedra(grid(), ends).unwrap_err().to_string();
+    let of = |ends: Ends<'_>| {
+        NeuronMesh::from_hexahedra(grid(), ends, &Limits::default()).unwrap_err().to_string()
+    };
     assert_eq!(of(Ends::Labels(&[1.0])), "there are 1 labels of ends for 12 vertices");
     assert_eq!(
         of(Ends::Sides(&[side("-y"), side("-y")])),
         "the side -y is no end of the mesh: it is named twice"
     );
     let roof = moved(&grid(), |p| if p.z > 0.5 { p + DVec3::Z * 0.3 * p.x * (2.0 - p.x) } else { p });
-    let error = NeuronMesh::from_hexahedra(roof, Ends::Sides(&[side("+z")])).unwrap_err();
+    let error = NeuronMesh::from_hexahedra(roof, Ends::Sides(&[side("+z")]), &Limits::default()).unwrap_err();
     assert!(matches!(error, MeshError::Side { side: "+z", .. }), "{error}");
-    let none = NeuronMesh::from_hexahedra(HexMesh::default(), Ends::None).unwrap_err();
+    let none = NeuronMesh::from_hexahedra(HexMesh::default(), Ends::None, &Limits::default()).unwrap_err();
     assert_eq!(none, MeshError::NoCell);
     let twice = HexMesh::new(grid().positions().to_vec(), [grid().cells()[0]; 2].to_vec()).unwrap();
-    let error = NeuronMesh::from_hexahedra(twice, Ends::None).unwrap_err();
+    let error = NeuronMesh::from_hexahedra(twice, Ends::None, &Limits::default()).unwrap_err();
     assert!(matches!(error, MeshError::Volume(VolumeError::NotConforming { .. })), "{error}");
 }
 
@@ -111,7 +120,7 @@ fn a_page_plays_what_was_transported() {
     use pompeiu_neuron::{NeuronPage, NeuronReport, NeuronSurface, Timing};
     let parameters = read_transport_config(HEAT).unwrap();
     let block = HexMesh::grid([4, 1, 1], [4.0, 1.0, 1.0]);
-    let mesh = NeuronMesh::from_hexahedra(block, Ends::Sides(&parameters.sides)).unwrap();
+    let mesh = NeuronMesh::from_hexahedra(block, Ends::Sides(&parameters.sides), &Limits::default()).unwrap();
     let found = transport(&mesh, &parameters, 5, &TransportOptions::default()).unwrap();
     let surface = NeuronSurface::new(&mesh);
     assert_eq!(surface.vertices(), 20);

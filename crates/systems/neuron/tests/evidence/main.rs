@@ -8,4 +8,5 @@ mod imports;
 mod meshes;
 mod skeletons;
 mod steps;
+mod stops;
 mod transports;

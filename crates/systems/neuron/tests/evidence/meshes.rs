@@ -1,6 +1,6 @@
 //! Meshes: closed forms, conformity, certificates, stress, refusals, the same bits at any number of threads.
 
-use pompeiu_core::run::Limits;
+use pompeiu_core::run::{Limits, StopReason};
 use pompeiu_neuron::{MeshError, MeshOptions, NeuronMesh, Skeleton, mesh_neuron, read_swc};
 use pompeiu_volume::volume;
 use std::f64::consts::PI;
@@ -151,7 +151,7 @@ fn what_cannot_be_meshed_is_refused() {
     let error = refused(&y, &MeshOptions { limits: little, ..quick() });
     assert!(matches!(error, MeshError::Memory { needed, limit: 1, .. } if needed > 1), "{error}");
     let now = Limits { time: Some(std::time::Duration::ZERO), ..Limits::default() };
-    assert_eq!(refused(&y, &MeshOptions { limits: now, ..quick() }), MeshError::Stopped);
+    assert_eq!(refused(&y, &MeshOptions { limits: now, ..quick() }), MeshError::Stopped(StopReason::Time));
     for options in [MeshOptions { parts: 0, ..quick() }, MeshOptions { layer: f64::NAN, ..quick() }] {
         assert!(matches!(refused(&y, &options), MeshError::Option { .. }));
     }

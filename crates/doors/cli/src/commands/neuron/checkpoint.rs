@@ -56,9 +56,8 @@ impl Checkpoint {
 }
 
 fn without_steps(parameters: &Parameters) -> String {
-    let parameters = Parameters { steps: 1, ..parameters.clone() };
     let mut hasher = Sha256::new();
-    hasher.update(format!("{parameters:?}"));
+    hasher.update(parameters.line());
     files::hex(hasher)
 }
 

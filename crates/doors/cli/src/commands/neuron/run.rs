@@ -10,13 +10,13 @@ use crate::wait::Wait;
 use crate::{files, interrupt};
 use anyhow::{Context, bail};
 use pompeiu::core::run::Progress;
-use pompeiu::neuron::{NeuronReport, Timing, write_swc};
+use pompeiu::neuron::{FlowError, MeshError, NeuronReport, Timing, write_swc};
 use std::ffi::OsStr;
 use std::path::Path;
 use std::time::Instant;
 
 pub(crate) fn run(args: &Args, printer: &Printer) -> anyhow::Result<Exit> {
-    match (&args.stage, &args.whole.0) {
+    let done = match (&args.stage, &args.whole.0) {
         (Some(Stage::Check(args)), _) => check(args, printer),
         (Some(Stage::Mesh(args)), _) => mesh(args, printer),
         (Some(Stage::Spline(args)), _) => everything::spline(args, printer),
@@ -26,7 +26,15 @@ pub(crate) fn run(args: &Args, printer: &Printer) -> anyhow::Result<Exit> {
         (None, None) => {
             bail!("name a skeleton file (.swc), or a stage: check, mesh, spline, flow or transport")
         }
-    }
+    };
+    done.or_else(|error| {
+        let of_mesh = matches!(error.downcast_ref(), Some(MeshError::Stopped(_)));
+        if !of_mesh && !matches!(error.downcast_ref(), Some(FlowError::Stopped(_))) {
+            return Err(error);
+        }
+        Printer::error(&error);
+        Ok(Exit::Undecided)
+    })
 }
 
 fn check(args: &Check, printer: &Printer) -> anyhow::Result<Exit> {

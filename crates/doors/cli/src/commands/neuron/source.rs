@@ -71,7 +71,9 @@ impl Source {
                 };
                 mesh_neuron(&skeleton, &options)
             }
-            Self::Mesh(mesh, labels) => NeuronMesh::from_hexahedra(mesh, Self::ends(sides, labels.as_ref())),
+            Self::Mesh(mesh, labels) => {
+                NeuronMesh::from_hexahedra(mesh, Self::ends(sides, labels.as_ref()), &limits)
+            }
         }
     }
 
@@ -89,7 +91,9 @@ impl Source {
                     MeshOptions { layer, limits, progress: Some(progress), ..MeshOptions::default() };
                 cubic_neuron(&skeleton, &options)
             }
-            Self::Mesh(mesh, labels) => CubicMesh::from_hexahedra(&mesh, Self::ends(sides, labels.as_ref())),
+            Self::Mesh(mesh, labels) => {
+                CubicMesh::from_hexahedra(&mesh, Self::ends(sides, labels.as_ref()), &limits)
+            }
         }
     }
 }
@@ -106,6 +110,13 @@ pub(super) fn skeleton(choice: &SkeletonChoice) -> anyhow::Result<(Skeleton, Ske
     let shown = || choice.skeleton.display().to_string();
     files::check_readable(&choice.skeleton)?;
     let bytes = std::fs::read(&choice.skeleton).with_context(shown)?;
-    let smooth = SmoothOptions { steps: choice.smooth as usize, spacing: choice.spacing };
-    prepare(&bytes, &Preparation { repair: choice.repair, smooth }).with_context(shown)
+    prepare(&bytes, &choice.preparation()).with_context(shown)
+}
+
+impl SkeletonChoice {
+    /// What is done to a skeleton.
+    pub(super) fn preparation(&self) -> Preparation {
+        let smooth = SmoothOptions { steps: self.smooth as usize, spacing: self.spacing };
+        Preparation { repair: self.repair, smooth }
+    }
 }

@@ -96,8 +96,7 @@ pub(super) fn outputs(args: &Args) -> anyhow::Result<(&Path, Option<Series>)> {
 /// What cells depend on, for a checkpoint.
 pub(super) fn fingerprint(args: &Args, stage: &str) -> anyhow::Result<String> {
     let (choice, blocks) = (&args.skeleton, &args.blocks);
-    let (repair, smooth, spacing) = (choice.repair, choice.smooth, choice.spacing);
-    let options = format!("{stage} {} {:?} {repair} {smooth} {spacing:?}", blocks.parts, blocks.layer);
+    let options = choice.preparation().line(stage, blocks.parts.into(), blocks.layer);
     checkpoint::fingerprint(&choice.skeleton, &options)
 }
 
