@@ -48,20 +48,58 @@ class NeuronFlow:
         parts: int,
         config: str,
         frames: int,
+        resume: Optional[str],
         time_limit: Optional[float],
         memory_limit: Optional[int],
         progress: Optional[Callable[[float], Optional[bool]]],
-    ) -> tuple[NDArray[np.float64], list[int], NDArray[np.float64], float, str]: ...
+    ) -> tuple[NeuronRun, NDArray[np.float64], list[int], NDArray[np.float64], float, str]: ...
+    def other_than(self, config: str) -> str: ...
+
+class NeuronRun:
+    def state(self) -> str: ...
+    def html(self, name: str) -> str: ...
 
 class NeuronHexahedra:
     def transport(
         self,
         config: str,
         frames: int,
+        resume: Optional[str],
         time_limit: Optional[float],
         memory_limit: Optional[int],
         progress: Optional[Callable[[float], Optional[bool]]],
-    ) -> tuple[NDArray[np.float64], list[int], NDArray[np.float64], float, str]: ...
+    ) -> tuple[NeuronRun, NDArray[np.float64], list[int], NDArray[np.float64], float, str]: ...
+    def splines(
+        self,
+        meshing: _Options,
+        refine: list[str],
+        levels: int,
+        progress: Optional[Callable[[float], Optional[bool]]],
+    ) -> tuple[
+        NeuronSplineSpace,
+        NDArray[np.float64],
+        NDArray[np.uint32],
+        NDArray[np.int32],
+        NDArray[np.uint32],
+        bytes,
+        str,
+        str,
+    ]: ...
+    def flow(
+        self, meshing: _Options, config: str, progress: Optional[Callable[[float], Optional[bool]]]
+    ) -> tuple[
+        NeuronFlow,
+        NDArray[np.float64],
+        NDArray[np.uint32],
+        NDArray[np.int32],
+        NDArray[np.float64],
+        NDArray[np.float64],
+        NDArray[np.int64],
+        NDArray[np.float64],
+        bytes,
+        str,
+        str,
+    ]: ...
 
 class NeuronSkeleton:
     def mesh(
@@ -249,6 +287,10 @@ def flatten(
     NDArray[np.float64],
     str,
 ]: ...
+def neuron_parameters(config: str) -> str: ...
+def neuron_options(
+    stage: str, parts: int, layer: float, repair: bool, steps: int, spacing: Optional[float]
+) -> str: ...
 def read_neuron_mesh(path: str, sides: list[str]) -> tuple[
     NeuronHexahedra,
     NDArray[np.float64],

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 import math
 import os
-from dataclasses import dataclass
+import tempfile
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 
@@ -24,6 +26,23 @@ __all__ = [
     "read_skeleton",
     "sweep_neurons",
 ]
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class _Origin:
+    """A file, and what was done to it: what a checkpoint belongs to."""
+
+    content: bytes
+    repair: bool = False
+    smooth: int = 0
+    spacing: Optional[float] = None
+    layer: float = 2.0
+    stage: str = "transport"
+
+    def digest(self, parts: int, other: str = "") -> str:
+        """The digest that ``pompeiu neuron`` has in a checkpoint for the same file and options."""
+        options = (self.stage, parts, self.layer, self.repair, self.smooth, self.spacing)
+        return hashlib.sha256(self.content + (_native.neuron_options(*options) + other).encode()).hexdigest()
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -50,10 +69,98 @@ class NeuronTransport:
     frame_times: np.ndarray
     frames: np.ndarray
     report: Dict[str, Any]
+    _run: Optional[_native.NeuronRun] = None
+    _names: Tuple[str, str] = ("", "")
+
+    def __getstate__(self) -> Dict[str, Any]:
+        # What pages and checkpoints need does not travel.
+        return {name: value for name, value in self.__dict__.items() if name != "_run"}
+
+    def _here(self) -> _native.NeuronRun:
+        if self._run is None:
+            raise ValueError("this answer was pickled: the state of the run does not travel with it")
+        return self._run
+
+    def save_html(self, path: Union[str, "os.PathLike[str]"], *, name: str = "neuron") -> None:
+        """Writes a page that plays the transport in 3-D, with concentrations at the ends over time: one file that needs no network.
+
+        Parameters
+        ----------
+        path : str or path-like
+            The file.
+        name : str
+            What the neuron is called.
+
+        Raises
+        ------
+        ValueError
+            If this answer was pickled: the state of the run does not travel with it.
+        WriteError
+            If the file cannot be written.
+        """
+        _write(path, self._here().html(name).encode())
+
+    def save_checkpoint(self, path: Union[str, "os.PathLike[str]"]) -> None:
+        """Writes the state after the last step: ``resume`` of the same call goes on from it to the same bits, and so does
+        ``pompeiu neuron --resume`` with the same file and options.
+
+        Raises
+        ------
+        ValueError, WriteError
+            As for :meth:`save_html`.
+        """
+        mesh, parameters = self._names
+        state = self._here().state()
+        head = {"version": _native.__version__, "mesh": mesh, "parameters": parameters}
+        _write(path, (json.dumps(head)[:-1] + f', "state": {state}}}').encode())
 
     def __repr__(self) -> str:
         steps, balance = self.report["steps"], self.report["mass_balance"]
         return f"NeuronTransport({steps} steps, mass kept to {balance:.1e})"
+
+
+def _write(path: Union[str, "os.PathLike[str]"], content: bytes) -> None:
+    """Writes a file whole, or not at all."""
+    name = os.fspath(path)
+    try:
+        handle, beside = tempfile.mkstemp(dir=os.path.dirname(name) or ".")
+        try:
+            with open(handle, "wb") as file:
+                file.write(content)
+            os.replace(beside, name)
+        except BaseException:
+            os.unlink(beside)
+            raise
+    except OSError as error:
+        raise WriteError(f"{name}: {error.strerror}") from error
+
+
+def _state(path: Optional[Union[str, "os.PathLike[str]"]], names: Tuple[str, str]) -> Optional[str]:
+    """The state in a checkpoint, which has to be of the same cells and parameters."""
+    if path is None:
+        return None
+    name = os.fspath(path)
+    try:
+        with open(name, "rb") as file:
+            read = json.load(file)
+        version, mesh, parameters, state = (read[key] for key in ("version", "mesh", "parameters", "state"))
+    except FileNotFoundError as error:
+        raise MissingFileError(f"{name}: there is no such file; check the name and the folder") from error
+    except OSError as error:
+        raise ReadError(f"{name}: {error.strerror}") from error
+    except (ValueError, KeyError, TypeError) as error:
+        raise ReadError(f"{name}: no checkpoint") from error
+    if version != _native.__version__:
+        raise OptionError(f"{name}: written by version {version}, this is {_native.__version__}; begin anew")
+    if mesh != names[0]:
+        raise OptionError(f"{name}: is of other cells; use the same file with the same options")
+    if parameters != names[1]:
+        raise OptionError(f"{name}: was written with another configuration; only the number of steps may differ")
+    return json.dumps(state)
+
+
+def _names(origin: _Origin, parts: int, config: str, other: str = "") -> Tuple[str, str]:
+    return origin.digest(parts, other), hashlib.sha256(_native.neuron_parameters(config).encode()).hexdigest()
 
 
 def _check_frames(frames: int) -> None:
@@ -75,8 +182,8 @@ def _config(config: Union[str, "os.PathLike[str]"]) -> str:
         raise ReadError(f"{name}: {error}") from error
 
 
-def _transport(found: Any, ends: int) -> NeuronTransport:
-    rows, steps, values, step, report = found
+def _transport(found: Any, ends: int, names: Tuple[str, str]) -> NeuronTransport:
+    run, rows, steps, values, step, report = found
     count = len(rows) // ends
     return NeuronTransport(
         step * np.arange(count),
@@ -84,6 +191,8 @@ def _transport(found: Any, ends: int) -> NeuronTransport:
         step * np.array(steps),
         values.reshape(len(steps), -1, 3),
         json.loads(report),
+        run,
+        names,
     )
 
 
@@ -198,6 +307,7 @@ class NeuronFlow:
     vtu: bytes
     report: Dict[str, Any]
     _flow: _native.NeuronFlow
+    _origin: _Origin
 
     def write(self, path: Union[str, "os.PathLike[str]"]) -> None:
         """Writes the flow as a ``.vtu`` file."""
@@ -209,6 +319,7 @@ class NeuronFlow:
         *,
         parts: int = 2,
         frames: int = 20,
+        resume: Optional[Union[str, "os.PathLike[str]"]] = None,
         time_limit: Optional[float] = None,
         memory_limit: Optional[int] = None,
         progress: Optional[Callable[[float], Optional[bool]]] = None,
@@ -223,6 +334,8 @@ class NeuronFlow:
             Parts of each cell of the flow along each edge, 1 to 8.
         frames : int
             Fields that are kept, the first and the last among them.
+        resume : path, optional
+            A checkpoint to go on from (:meth:`NeuronTransport.save_checkpoint`); steps count from the beginning.
         time_limit, memory_limit : optional
             Limits; with the first, the steps that are done are returned.
         progress : callable, optional
@@ -237,8 +350,10 @@ class NeuronFlow:
         if parts < 1:
             raise OptionError(f"the number of parts of a cell is {parts}; expected 1 to 8")
         text = _config(config)
-        found = self._flow.transport(int(parts), text, int(frames), time_limit, memory_limit, progress)
-        return _transport(found, len(self.end_samples))
+        names = _names(self._origin, int(parts), text, self._flow.other_than(text))
+        state = _state(resume, names)
+        found = self._flow.transport(int(parts), text, int(frames), state, time_limit, memory_limit, progress)
+        return _transport(found, len(self.end_samples), names)
 
     def __repr__(self) -> str:
         reynolds, drift = self.report["flow"]["reynolds"], self.report["flow"]["section_flux_drift"]
@@ -278,6 +393,8 @@ class NeuronMesh:
     vtu: bytes
     report: Dict[str, Any]
     _mesh: _native.NeuronHexahedra
+    _origin: _Origin
+    _parts: int = 2
 
     @property
     def certified(self) -> bool:
@@ -293,6 +410,7 @@ class NeuronMesh:
         config: Union[str, "os.PathLike[str]"] = "",
         *,
         frames: int = 20,
+        resume: Optional[Union[str, "os.PathLike[str]"]] = None,
         time_limit: Optional[float] = None,
         memory_limit: Optional[int] = None,
         progress: Optional[Callable[[float], Optional[bool]]] = None,
@@ -305,6 +423,8 @@ class NeuronMesh:
             Parameters as text (TOML with units, or pairs of names and values), or the path of a file of them.
         frames : int
             Fields that are kept, the first and the last among them.
+        resume : path, optional
+            A checkpoint to go on from (:meth:`NeuronTransport.save_checkpoint`); steps count from the beginning.
         time_limit, memory_limit : optional
             Limits; with the first, the steps that are done are returned.
         progress : callable, optional
@@ -323,8 +443,44 @@ class NeuronMesh:
         (6, 2, 3)
         """
         _check_frames(frames)
-        found = self._mesh.transport(_config(config), int(frames), time_limit, memory_limit, progress)
-        return _transport(found, len(self.cap_samples))
+        text = _config(config)
+        names = _names(self._origin, self._parts, text)
+        state = _state(resume, names)
+        found = self._mesh.transport(text, int(frames), state, time_limit, memory_limit, progress)
+        return _transport(found, len(self.cap_samples), names)
+
+    def splines(
+        self,
+        *,
+        elements: int = 1,
+        refine: Sequence[str] = (),
+        levels: int = 1,
+        threads: Optional[int] = None,
+        time_limit: Optional[float] = None,
+        memory_limit: Optional[int] = None,
+        progress: Optional[Callable[[float], Optional[bool]]] = None,
+    ) -> NeuronSplines:
+        """Makes each cell a patch of cubic splines: for meshes that were made elsewhere. See :meth:`Skeleton.splines`; places to refine
+        are ``"ends"``, ``"wall"`` and ``"ball=x,y,z,r"``.
+        """
+        meshing = _meshing(elements, 2.0, threads, time_limit, memory_limit)
+        return _splines(self._mesh, meshing, refine, levels, progress)
+
+    def flow(
+        self,
+        config: Union[str, "os.PathLike[str]"] = "",
+        *,
+        elements: int = 1,
+        threads: Optional[int] = None,
+        time_limit: Optional[float] = None,
+        memory_limit: Optional[int] = None,
+        progress: Optional[Callable[[float], Optional[bool]]] = None,
+    ) -> NeuronFlow:
+        """Makes each cell a patch, and solves for the steady viscous flow through them: for meshes that were made elsewhere, between their
+        ends. See :meth:`Skeleton.flow`.
+        """
+        meshing = _meshing(elements, 2.0, threads, time_limit, memory_limit)
+        return _flow(self._mesh, meshing, config, progress, replace(self._origin, stage=f"all {elements}"))
 
     def __repr__(self) -> str:
         verdict = "certified" if self.certified else "not certified"
@@ -347,6 +503,31 @@ def _meshing(
         "time_limit": time_limit,
         "memory_limit": memory_limit,
     }
+
+
+def _splines(
+    source: Any,
+    meshing: Dict[str, Any],
+    refine: Sequence[str],
+    levels: int,
+    progress: Optional[Callable[[float], Optional[bool]]],
+) -> NeuronSplines:
+    if not 1 <= levels <= 5:
+        raise OptionError(f"the number of levels of refinement is {levels}; expected 1 to 5")
+    space, *found, mesh, spline = source.splines(meshing, list(refine), int(levels), progress)
+    return NeuronSplines(*found, {"mesh": json.loads(mesh), "spline": json.loads(spline)}, space)
+
+
+def _flow(
+    source: Any,
+    meshing: Dict[str, Any],
+    config: Union[str, "os.PathLike[str]"],
+    progress: Optional[Callable[[float], Optional[bool]]],
+    origin: _Origin,
+) -> NeuronFlow:
+    native, *found, samples, ends, vtu, mesh, flow = source.flow(meshing, _config(config), progress)
+    report = {"mesh": json.loads(mesh), "flow": json.loads(flow)}
+    return NeuronFlow(*found, samples, ends[:, 0], ends[:, 1], vtu, report, native, origin)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -379,6 +560,7 @@ class Skeleton:
     swc: str
     report: Dict[str, Any]
     _skeleton: _native.NeuronSkeleton
+    _origin: _Origin
 
     @property
     def problems(self) -> List[Dict[str, Any]]:
@@ -429,7 +611,7 @@ class Skeleton:
             "memory_limit": memory_limit,
         }
         native, *found, report = self._skeleton.mesh(meshing, progress)
-        return NeuronMesh(*found, json.loads(report), native)
+        return NeuronMesh(*found, json.loads(report), native, replace(self._origin, layer=float(layer)), int(parts))
 
     def splines(
         self,
@@ -474,10 +656,7 @@ class Skeleton:
         NeuronSplines(25 cells, 832 functions, certified)
         """
         meshing = _meshing(elements, layer, threads, time_limit, memory_limit)
-        if not 1 <= levels <= 5:
-            raise OptionError(f"the number of levels of refinement is {levels}; expected 1 to 5")
-        space, *found, mesh, spline = self._skeleton.splines(meshing, list(refine), int(levels), progress)
-        return NeuronSplines(*found, {"mesh": json.loads(mesh), "spline": json.loads(spline)}, space)
+        return _splines(self._skeleton, meshing, refine, levels, progress)
 
     def flow(
         self,
@@ -505,9 +684,8 @@ class Skeleton:
             As for :meth:`mesh`, and where nothing can flow.
         """
         meshing = _meshing(elements, layer, threads, time_limit, memory_limit)
-        native, *found, samples, ends, vtu, mesh, flow = self._skeleton.flow(meshing, _config(config), progress)
-        report = {"mesh": json.loads(mesh), "flow": json.loads(flow)}
-        return NeuronFlow(*found, samples, ends[:, 0], ends[:, 1], vtu, report, native)
+        origin = replace(self._origin, layer=float(layer), stage=f"all {elements}")
+        return _flow(self._skeleton, meshing, config, progress, origin)
 
     def __repr__(self) -> str:
         branches, tips = self.report["branches"], self.report["tips"]
@@ -570,7 +748,7 @@ def read_skeleton(
         if name is None:
             raise
         raise ReadError(f"{name}: {error}") from None
-    return Skeleton(*parts, json.loads(report), native)
+    return Skeleton(*parts, json.loads(report), native, _Origin(content, bool(repair), int(smooth), spacing))
 
 
 def read_neuron_mesh(source: Union[str, "os.PathLike[str]"], *, sides: Sequence[str] = ()) -> NeuronMesh:
@@ -595,7 +773,8 @@ def read_neuron_mesh(source: Union[str, "os.PathLike[str]"], *, sides: Sequence[
     if not os.path.exists(name):
         raise MissingFileError(f"{name}: there is no such file; check the name and the folder")
     native, *found, report = _native.read_neuron_mesh(name, list(sides))
-    return NeuronMesh(*found, json.loads(report), native)
+    with open(name, "rb") as file:
+        return NeuronMesh(*found, json.loads(report), native, _Origin(file.read()))
 
 
 @lru_cache(maxsize=2)

@@ -1,5 +1,7 @@
 """Skeletons of neurons: dialects, problems, repairs, errors."""
 
+import pickle
+
 import numpy as np
 import pompeiu
 import pytest
@@ -150,6 +152,58 @@ def test_heat_in_a_rod_that_was_meshed_elsewhere(tmp_path):
         pompeiu.read_neuron_mesh(tmp_path / "rod.vtu", sides=["+x", "+x"])
     with pytest.raises(pompeiu.MissingFileError):
         pompeiu.read_neuron_mesh(tmp_path / "none.vtu")
+
+
+def test_a_duct_that_was_meshed_elsewhere_has_splines_and_flow(tmp_path):
+    pompeiu.read_skeleton(TUBE).mesh(parts=1).write(tmp_path / "rod.vtu")
+    rod = pompeiu.read_neuron_mesh(tmp_path / "rod.vtu", sides=["-x", "+x"])
+    splines = rod.splines(refine=["ends"])
+    assert splines.certified and splines.elements[:, 0].max() == 1
+    with pytest.raises(pompeiu.OptionError, match="this mesh has none"):
+        rod.splines(refine=["nodes"])
+    flow = rod.flow('[flow]\nspeed = "1 um/s"\n')
+    assert flow.end_fluxes[0] == pytest.approx(-flow.end_fluxes[1], rel=1e-9)
+    # A prism over a square of the disc's area: about 28.46 mu L U / a^2.
+    assert flow.report["flow"]["pressure_drop"] == pytest.approx(28.46e-3 * 8 / np.pi, rel=0.05)
+    assert flow.transport("[transport]\nsteps = 2\n", parts=1).report["mass_balance"] < 1e-12
+
+
+def test_a_run_goes_on_from_a_checkpoint_and_has_a_page(tmp_path):
+    skeleton = pompeiu.read_skeleton(TUBE)
+    config = '[transport]\nstep = "0.3 s"\nsteps = 8\n'
+    flow = skeleton.flow(config)
+    for moved in (skeleton.mesh(parts=1).transport, lambda *a, **k: flow.transport(*a, parts=1, **k)):
+        whole = moved(config, frames=3)
+        calls = []
+        part = moved(config, frames=3, progress=lambda share: calls.append(share) or False)
+        assert 1 <= part.report["steps"] <= 8
+        moved(config.replace("steps = 8", "steps = 5"), frames=3).save_checkpoint(tmp_path / "state.json")
+        found = moved(config, frames=3, resume=tmp_path / "state.json")
+        assert (found.ends == whole.ends).all() and (found.frames[-1] == whole.frames[-1]).all()
+        assert found.report == whole.report
+        with pytest.raises(pompeiu.OptionError, match="another configuration"):
+            moved(config.replace("0.3", "0.2"), resume=tmp_path / "state.json")
+        found.save_html(tmp_path / "run.html", name="tube")
+        page = (tmp_path / "run.html").read_text(encoding="utf-8")
+        assert page.startswith("<!") and "tube" in page and "http://" not in page.replace("http://www.w3.org", "")
+    with pytest.raises(pompeiu.OptionError, match="other cells"):
+        skeleton.mesh(parts=2).transport(config, resume=tmp_path / "state.json")
+    (tmp_path / "wrong.json").write_text("[]")
+    with pytest.raises(pompeiu.ReadError, match="no checkpoint"):
+        skeleton.mesh(parts=1).transport(config, resume=tmp_path / "wrong.json")
+    with pytest.raises(pompeiu.MissingFileError):
+        skeleton.mesh(parts=1).transport(config, resume=tmp_path / "none.json")
+    with pytest.raises(ValueError, match="pickled"):
+        pickle.loads(pickle.dumps(whole)).save_html(tmp_path / "run.html")
+
+
+def test_stages_end_when_they_are_told_to():
+    skeleton = pompeiu.read_skeleton(Y, repair=True)
+    for stage in (skeleton.mesh, skeleton.splines, skeleton.flow):
+        with pytest.raises(pompeiu.OptionError, match="ended by the time limit before the"):
+            stage(time_limit=0)
+        with pytest.raises(pompeiu.OptionError, match="ended by request before the"):
+            stage(progress=lambda share: False)
 
 
 def test_a_sweep_is_what_its_runs_are(tmp_path):

@@ -49,7 +49,10 @@ mod _native {
     #[pymodule_export]
     use crate::mesh::Mesh;
     #[pymodule_export]
-    use crate::neuron::{NeuronHexahedra, NeuronSkeleton, read_neuron_mesh, read_skeleton};
+    use crate::neuron::{
+        NeuronHexahedra, NeuronRun, NeuronSkeleton, neuron_options, neuron_parameters, read_neuron_mesh,
+        read_skeleton,
+    };
     #[pymodule_export]
     use crate::neuron_flow::{NeuronFlow, NeuronSplineSpace};
     #[pymodule_export]

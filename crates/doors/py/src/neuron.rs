@@ -3,14 +3,15 @@
 use crate::arrays::array_of_rows;
 use crate::errors::Raise;
 use crate::hausdorff::limits;
-use crate::json::written;
-use crate::neuron_flow::{self, FlowParts, SplineParts};
+use crate::json::{parsed, written};
+use crate::neuron_flow::{self, FlowParts, Source, SplineParts};
 use crate::wait::{self, Share, Watch};
 use numpy::{IntoPyArray, PyArray1, PyArray2};
 use pompeiu::core::run::Limits;
 use pompeiu::neuron::{
-    Ends, MeshError, MeshOptions, NeuronMesh, Parameters, Preparation, Side, Skeleton, SmoothOptions,
-    SwcError, SwcRow, Transport, TransportOptions, mesh_neuron, prepare, read_transport_config, transport,
+    Ends, FlowCells, FlowReport, MeshError, MeshOptions, MeshReport, NeuronMesh, NeuronPage, NeuronReport,
+    NeuronSurface, Parameters, Preparation, Side, Skeleton, SmoothOptions, SwcError, SwcRow, Timing,
+    Transport, TransportOptions, TransportState, mesh_neuron, prepare, read_transport_config, transport,
     write_swc,
 };
 use pompeiu::volume::HexMesh;
@@ -133,7 +134,7 @@ impl NeuronSkeleton {
         levels: usize,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<SplineParts<'py>> {
-        neuron_flow::splines(py, &self.0, meshing, (&refine, levels), progress)
+        neuron_flow::splines(py, Source::Skeleton(&self.0), meshing, (&refine, levels), progress)
     }
 
     /// Fills the neuron with tricubic cells and solves for the flow through them.
@@ -144,7 +145,7 @@ impl NeuronSkeleton {
         config: &str,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<FlowParts<'py>> {
-        neuron_flow::flow(py, &self.0, meshing, config, progress)
+        neuron_flow::flow(py, Source::Skeleton(&self.0), meshing, config, progress)
     }
 }
 
@@ -171,48 +172,140 @@ fn mesh_parts(py: Python<'_>, found: NeuronMesh) -> PyResult<MeshParts<'_>> {
     ))
 }
 
-/// What became of material: concentrations at the flat ends after each step, one row for each end and step; steps, times and
+/// What became of material: the run, concentrations at the flat ends after each step, one row for each end and step; steps, times and
 /// concentrations of frames; how many seconds a step takes; what is said of it.
 pub(crate) type TransportParts<'py> =
-    (Bound<'py, PyArray2<f64>>, Vec<usize>, Bound<'py, PyArray2<f64>>, f64, String);
+    (NeuronRun, Bound<'py, PyArray2<f64>>, Vec<usize>, Bound<'py, PyArray2<f64>>, f64, String);
+
+/// What pages and checkpoints need of a run.
+#[pyclass(frozen, module = "pompeiu._native")]
+pub(crate) struct NeuronRun {
+    state: TransportState,
+    inlet: u32,
+    parameters: Parameters,
+    cells: RunCells,
+    report: NeuronReport,
+}
+
+/// The cells of a run.
+pub(crate) enum RunCells {
+    Mesh(Py<NeuronHexahedra>),
+    Flow(Box<FlowCells>),
+}
+
+#[pymethods]
+impl NeuronRun {
+    /// The state after the last step, from which another run goes on.
+    fn state(&self) -> PyResult<String> {
+        written(&self.state)
+    }
+
+    /// A page that plays the transport.
+    fn html(&self, py: Python<'_>, name: &str) -> PyResult<String> {
+        let (surface, caps) = match &self.cells {
+            RunCells::Mesh(mesh) => (NeuronSurface::new(&mesh.get().0), mesh.get().0.caps.as_slice()),
+            RunCells::Flow(cells) => (NeuronSurface::of_flow(cells), cells.caps()),
+        };
+        let (inlet, parameters, state, report) = (self.inlet, &self.parameters, &self.state, &self.report);
+        let page = NeuronPage {
+            path: name,
+            surface: &surface,
+            caps,
+            inlet,
+            parameters,
+            state,
+            report,
+            command: None,
+        };
+        py.detach(|| page.html()).map_err(Raise::raise)
+    }
+}
+
+/// The parameters in a configuration but for the number of steps, in one line.
+#[pyfunction]
+pub(crate) fn neuron_parameters(config: &str) -> PyResult<String> {
+    Ok(read_transport_config(config).map_err(Raise::raise)?.line())
+}
+
+/// The options that make cells of a skeleton, in one line.
+#[pyfunction]
+pub(crate) fn neuron_options(
+    stage: &str,
+    parts: usize,
+    layer: f64,
+    repair: bool,
+    steps: usize,
+    spacing: Option<f64>,
+) -> String {
+    Preparation { repair, smooth: SmoothOptions { steps, spacing } }.line(stage, parts, layer)
+}
 
 /// What became of material, as the Python half takes it.
-pub(crate) fn transport_parts<'py>(
-    py: Python<'py>,
+pub(crate) fn transport_parts(
+    py: Python<'_>,
     found: Transport,
-    parameters: &Parameters,
-) -> PyResult<TransportParts<'py>> {
+    parameters: Parameters,
+    cells: RunCells,
+    (mesh, flow): (Option<MeshReport>, Option<FlowReport>),
+) -> PyResult<TransportParts<'_>> {
     let state = found.state;
     let steps = state.frames.iter().map(|frame| frame.step).collect();
-    let values = state.frames.into_iter().flat_map(|frame| frame.values).collect();
-    Ok((
-        array_of_rows(py, state.ends.into_iter().flatten().collect())?,
-        steps,
-        array_of_rows(py, values)?,
-        parameters.step,
-        written(&found.report)?,
-    ))
+    let values = state.frames.iter().flat_map(|frame| frame.values.iter().copied()).collect();
+    let ends = array_of_rows(py, state.ends.iter().flatten().copied().collect())?;
+    let (step, said) = (parameters.step, written(&found.report)?);
+    let (skeleton, spline, transport) = (None, None, Some(found.report));
+    let report = NeuronReport { skeleton, mesh, spline, flow, transport, timing: Timing::default() };
+    let run = NeuronRun { state, inlet: found.inlet, parameters, cells, report };
+    Ok((run, ends, steps, array_of_rows(py, values)?, step, said))
 }
 
 #[pymethods]
 impl NeuronHexahedra {
-    /// Lets material diffuse and be carried through the mesh.
+    /// Lets material diffuse and be carried through the mesh; goes on from a state.
     fn transport<'py>(
-        &self,
-        py: Python<'py>,
+        slf: &Bound<'py, Self>,
         config: &str,
         frames: usize,
+        resume: Option<&str>,
         time_limit: Option<f64>,
         memory_limit: Option<usize>,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<TransportParts<'py>> {
+        let (py, mesh) = (slf.py(), &slf.get().0);
         let parameters = read_transport_config(config).map_err(Raise::raise)?;
-        let limits = limits(None, time_limit, memory_limit)?;
+        let mut limits = limits(None, time_limit, memory_limit)?;
+        let resume = resume.map(parsed::<TransportState>).transpose()?;
         let found = wait::run(py, progress, |watch: &mut Watch<'_, Share>| {
-            let options = TransportOptions { limits, progress: Some(&*watch), resume: None };
-            transport(&self.0, &parameters, frames, &options)
+            limits.cancel = Some(watch.token());
+            let options = TransportOptions { limits, progress: Some(&*watch), resume: resume.as_ref() };
+            transport(mesh, &parameters, frames, &options)
         })?;
-        transport_parts(py, found.map_err(Raise::raise)?, &parameters)
+        let (cells, mesh) = (RunCells::Mesh(slf.clone().unbind()), mesh.report.clone());
+        transport_parts(py, found.map_err(Raise::raise)?, parameters, cells, (Some(mesh), None))
+    }
+
+    /// Makes each cell a patch, cut into this many spline elements along each edge, which are halved in some places.
+    #[expect(clippy::needless_pass_by_value, reason = "arguments come from Python")]
+    fn splines<'py>(
+        &self,
+        py: Python<'py>,
+        meshing: Meshing,
+        refine: Vec<String>,
+        levels: usize,
+        progress: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<SplineParts<'py>> {
+        neuron_flow::splines(py, Source::Mesh(&self.0), meshing, (&refine, levels), progress)
+    }
+
+    /// Makes each cell a patch, and solves for the flow through them.
+    fn flow<'py>(
+        &self,
+        py: Python<'py>,
+        meshing: Meshing,
+        config: &str,
+        progress: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<FlowParts<'py>> {
+        neuron_flow::flow(py, Source::Mesh(&self.0), meshing, config, progress)
     }
 }
 

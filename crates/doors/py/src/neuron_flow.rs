@@ -3,14 +3,14 @@
 use crate::arrays::array_of_rows;
 use crate::errors::Raise;
 use crate::hausdorff::limits;
-use crate::json::written;
-use crate::neuron::{Meshing, TransportParts, transport_parts};
+use crate::json::{parsed, written};
+use crate::neuron::{Meshing, RunCells, TransportParts, transport_parts};
 use crate::wait::{self, Share, Watch};
 use numpy::{IntoPyArray, PyArray1, PyArray2};
 use pompeiu::neuron::{
-    CubicMesh, Flow, FlowCells, FlowOptions, MeshError, MeshOptions, RefineAt, RefineOptions, Skeleton,
-    SplineReport, TransportOptions, cubic_neuron, neuron_flow, read_transport_config, refined_splines,
-    refined_vtu, transport_in_flow,
+    CubicMesh, Flow, FlowCells, FlowOptions, FlowParameters, MeshError, MeshOptions, MeshReport, NeuronMesh,
+    RefineAt, RefineOptions, Skeleton, SplineReport, TransportError, TransportOptions, TransportState,
+    cubic_neuron, neuron_flow, read_transport_config, refined_splines, refined_vtu, transport_in_flow,
 };
 use pompeiu::volume::{HierarchicalElement, HierarchicalSplines};
 use pyo3::prelude::*;
@@ -18,7 +18,11 @@ use pyo3::types::PyBytes;
 
 /// A flow that was solved for.
 #[pyclass(frozen, module = "pompeiu._native")]
-pub(crate) struct NeuronFlow(Flow);
+pub(crate) struct NeuronFlow {
+    flow: Flow,
+    mesh: MeshReport,
+    parameters: FlowParameters,
+}
 
 /// Splines over a mesh of tricubic cells.
 #[pyclass(frozen, module = "pompeiu._native")]
@@ -80,21 +84,45 @@ fn places<P: Copy + Into<[f64; 3]>>(points: &[P]) -> Vec<[f64; 3]> {
     points.iter().copied().map(Into::into).collect()
 }
 
+/// What is filled with patches.
+pub(crate) enum Source<'s> {
+    Skeleton(&'s Skeleton),
+    /// Each cell is a patch.
+    Mesh(&'s NeuronMesh),
+}
+
+impl Source<'_> {
+    fn skeleton(&self) -> Option<&Skeleton> {
+        match self {
+            Self::Skeleton(skeleton) => Some(skeleton),
+            Self::Mesh(_) => None,
+        }
+    }
+
+    fn patches(&self, options: &MeshOptions<'_>) -> Result<CubicMesh, MeshError> {
+        match self {
+            Self::Skeleton(skeleton) => cubic_neuron(skeleton, options),
+            Self::Mesh(mesh) => CubicMesh::from_trilinear(mesh, &options.limits),
+        }
+    }
+}
+
 /// Fills the neuron with tricubic cells, each cut into this many spline elements along each edge, which are halved in some places.
+#[expect(clippy::needless_pass_by_value, reason = "a name for one of two references")]
 pub(crate) fn splines<'py>(
     py: Python<'py>,
-    skeleton: &Skeleton,
+    source: Source<'_>,
     meshing: Meshing,
     (at, times): (&[String], usize),
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<SplineParts<'py>> {
     let (elements, mut options) = meshing.of_patches()?;
-    let at = at.iter().map(|name| RefineAt::from_name(name, Some(skeleton)).map_err(Raise::raise));
+    let at = at.iter().map(|name| RefineAt::from_name(name, source.skeleton()).map_err(Raise::raise));
     let at = at.collect::<PyResult<Vec<_>>>()?;
     let found = wait::run(py, progress, |watch: &mut Watch<'_, Share>| {
         options.limits.cancel = Some(watch.token());
         let limits = options.limits.clone();
-        let found = cubic_neuron(skeleton, &MeshOptions { progress: Some(&*watch), ..options })?;
+        let found = source.patches(&MeshOptions { progress: Some(&*watch), ..options })?;
         let times = if at.is_empty() { 0 } else { times };
         let options = RefineOptions { elements, at: &at, times, limits, progress: Some(&*watch) };
         let splines = refined_splines(&found, &options)?;
@@ -121,9 +149,10 @@ pub(crate) fn splines<'py>(
 }
 
 /// Fills the neuron with tricubic cells and solves for the flow through them.
+#[expect(clippy::needless_pass_by_value, reason = "a name for one of two references")]
 pub(crate) fn flow<'py>(
     py: Python<'py>,
-    skeleton: &Skeleton,
+    source: Source<'_>,
     meshing: Meshing,
     config: &str,
     progress: Option<&Bound<'_, PyAny>>,
@@ -133,7 +162,7 @@ pub(crate) fn flow<'py>(
     let found = wait::run(py, progress, |watch: &mut Watch<'_, Share>| {
         options.limits.cancel = Some(watch.token());
         let limits = options.limits.clone();
-        let mesh = cubic_neuron(skeleton, &MeshOptions { progress: Some(&*watch), ..options })?;
+        let mesh = source.patches(&MeshOptions { progress: Some(&*watch), ..options })?;
         let options = FlowOptions { elements, limits, progress: Some(&*watch) };
         let flow = neuron_flow(&mesh, &parameters, &options);
         Ok::<_, MeshError>((mesh.report, flow))
@@ -143,7 +172,7 @@ pub(crate) fn flow<'py>(
     let file = flow.vtu(false).map_err(PyErr::from)?;
     let ends = flow.ends.iter().map(|end| [end.flux, end.pressure]).collect();
     let samples = flow.ends.iter().map(|end| end.sample).collect::<Vec<_>>();
-    let (mesh, report) = (written(&mesh)?, written(&flow.report)?);
+    let (said, report) = (written(&mesh)?, written(&flow.report)?);
     let points = array_of_rows(py, places(flow.mesh.points()))?;
     let cells = array_of_rows(py, flow.mesh.cells().to_vec())?;
     let branches = flow.parts.clone().into_pyarray(py);
@@ -151,8 +180,8 @@ pub(crate) fn flow<'py>(
     let pressure = flow.pressure().to_vec().into_pyarray(py);
     let (samples, ends) = (samples.into_pyarray(py), array_of_rows(py, ends)?);
     let file = PyBytes::new(py, &file);
-    let flow = NeuronFlow(flow);
-    Ok((flow, points, cells, branches, velocity, pressure, samples, ends, file, mesh, report))
+    let flow = NeuronFlow { flow, mesh, parameters };
+    Ok((flow, points, cells, branches, velocity, pressure, samples, ends, file, said, report))
 }
 
 #[pymethods]
@@ -165,17 +194,29 @@ impl NeuronFlow {
         parts: usize,
         config: &str,
         frames: usize,
+        resume: Option<&str>,
         time_limit: Option<f64>,
         memory_limit: Option<usize>,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<TransportParts<'py>> {
         let parameters = read_transport_config(config).map_err(Raise::raise)?;
-        let limits = limits(None, time_limit, memory_limit)?;
+        let mut limits = limits(None, time_limit, memory_limit)?;
+        let resume = resume.map(parsed::<TransportState>).transpose()?;
         let found = wait::run(py, progress, |watch: &mut Watch<'_, Share>| {
-            let cells = FlowCells::new(&self.0, parts)?;
-            let options = TransportOptions { limits, progress: Some(&*watch), resume: None };
-            transport_in_flow(&cells, &parameters, frames, &options)
+            limits.cancel = Some(watch.token());
+            let cells = FlowCells::new(&self.flow, parts)?;
+            let options = TransportOptions { limits, progress: Some(&*watch), resume: resume.as_ref() };
+            let found = transport_in_flow(&cells, &parameters, frames, &options)?;
+            Ok::<_, TransportError>((cells, found))
         })?;
-        transport_parts(py, found.map_err(Raise::raise)?, &parameters)
+        let (cells, found) = found.map_err(Raise::raise)?;
+        let reports = (Some(self.mesh.clone()), Some(self.flow.report.clone()));
+        transport_parts(py, found, parameters, RunCells::Flow(Box::new(cells)), reports)
+    }
+
+    /// The parameters of the flow in one line, where they are not those of a configuration: it is another flow then.
+    fn other_than(&self, config: &str) -> PyResult<String> {
+        let same = read_transport_config(config).map_err(Raise::raise)?.flow == self.parameters;
+        Ok(if same { String::new() } else { format!(" {:?}", self.parameters) })
     }
 }
