@@ -137,6 +137,12 @@ fn reach(t: &Triangle) -> f64 {
     t.iter().map(|p| norm([0, 1, 2].map(|k| p[k] - m[k]))).max_by(f64::total_cmp).unwrap()
 }
 
+fn quarters(&[a, b, c]: &Triangle) -> [Triangle; 4] {
+    let half = |p: [f64; 3], q: [f64; 3]| [0, 1, 2].map(|k| (p[k] + q[k]) / 2.0);
+    let [d, e, f] = [half(b, c), half(c, a), half(a, b)];
+    [[a, f, e], [f, b, d], [e, d, c], [d, e, f]]
+}
+
 fn area(t: &Triangle) -> f64 {
     let [u, v] = [1, 2].map(|i| [0, 1, 2].map(|k| t[i][k] - t[0][k]));
     norm([u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]) / 2.0
@@ -157,13 +163,11 @@ fn measured(
     let areas: Vec<f64> = triangles.iter().map(area).collect();
     let total: f64 = areas.iter().sum();
     // Least and largest size of the distance that each face can have.
-    let ranges: Vec<Bounds> = triangles
-        .iter()
-        .map(|t| {
-            let (at, reach) = (size(middle(t)), reach(t));
-            [if at > reach { at - reach } else { 0.0 }, at + reach]
-        })
-        .collect();
+    let range = |t: &Triangle| -> Bounds {
+        let (at, reach) = (size(middle(t)), reach(t));
+        [if at > reach { at - reach } else { 0.0 }, at + reach]
+    };
+    let ranges: Vec<Bounds> = triangles.iter().map(range).collect();
     let largest_corner = |t: &Triangle| t.iter().map(|&p| size(p)).max_by(f64::total_cmp).unwrap();
     let face_bounds: Vec<Bounds> =
         triangles.iter().zip(&ranges).map(|(t, range)| [largest_corner(t), range[1]]).collect();
@@ -173,7 +177,28 @@ fn measured(
     };
 
     let places: Vec<f64> = (0..=200).map(|i| top * f64::from(i) / 200.0).collect();
-    let farther = |at: f64| [fraction(&|i| ranges[i][0] > at), fraction(&|i| ranges[i][1] > at)];
+    // Of 256 parts of each face: how much is far is known better than for whole faces.
+    let mut parts = triangles.to_vec();
+    for _ in 0..4 {
+        parts = parts.iter().flat_map(quarters).collect();
+    }
+    let parts: Vec<(f64, Bounds)> = parts.iter().map(|part| (area(part), range(part))).collect();
+    // For both ends the parts with the farthest first, and the area up to each.
+    let sums = [0, 1].map(|end| {
+        let mut sorted: Vec<(f64, f64)> = parts.iter().map(|(area, range)| (range[end], *area)).collect();
+        sorted.sort_by(|a, b| b.0.total_cmp(&a.0));
+        let mut sum = 0.0;
+        for (_, area) in &mut sorted {
+            sum += *area;
+            *area = sum;
+        }
+        sorted
+    });
+    let share = |end: usize, at: f64| {
+        let count = sums[end].partition_point(|(distance, _)| *distance > at);
+        count.checked_sub(1).map_or(0.0, |last| (sums[end][last].1 / total).min(1.0))
+    };
+    let farther = |at: f64| [share(0, at), share(1, at)];
     let exceedance =
         Exceedance { distances: places.clone(), fractions: places.iter().map(|&at| farther(at)).collect() };
     let low = if signed { -1.0 } else { 0.0 };
