@@ -138,7 +138,7 @@ fn reach(t: &Triangle) -> f64 {
 }
 
 fn quarters(&[a, b, c]: &Triangle) -> [Triangle; 4] {
-    let half = |p: [f64; 3], q: [f64; 3]| [0, 1, 2].map(|k| (p[k] + q[k]) / 2.0);
+    let half = |p: [f64; 3], q: [f64; 3]| [0, 1, 2].map(|k| f64::midpoint(p[k], q[k]));
     let [d, e, f] = [half(b, c), half(c, a), half(a, b)];
     [[a, f, e], [f, b, d], [e, d, c], [d, e, f]]
 }

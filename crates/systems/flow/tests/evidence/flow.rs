@@ -145,7 +145,7 @@ fn sphere_with_a_spike() -> TriMesh {
         positions[v as usize] = centre + size * (positions[v as usize] - centre).normalize();
     }
     positions[top as usize] *= 1.0 + 2.0 * size;
-    TriMesh::new(positions.iter().map(|p| p.to_array()).collect(), sphere.faces().to_vec()).unwrap()
+    TriMesh::new(positions.iter().map(DVec3::to_array).collect(), sphere.faces().to_vec()).unwrap()
 }
 
 #[test]
