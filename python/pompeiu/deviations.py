@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import os
-import tempfile
 from dataclasses import dataclass, field, fields
 from typing import Any, Iterable, Literal, Mapping, Optional, Sequence, Tuple
 
@@ -14,6 +13,7 @@ from numpy.typing import NDArray
 from . import _native
 from .bands import BandReport
 from .errors import OptionError
+from .files import write_whole
 from .progress import ProgressLike, watching
 from .results import (
     Direction,
@@ -397,7 +397,7 @@ class Deviation(_Arrays, _Interval):
         OSError
             If the file cannot be written.
         """
-        _save(path, self._shown().html(self._look(names, unit, up)).encode())
+        write_whole(path, self._shown().html(self._look(names, unit, up)).encode())
 
     def image(
         self,
@@ -465,11 +465,11 @@ class Deviation(_Arrays, _Interval):
             If the file cannot be written.
         """
         look = self._look(names, unit, up)
-        _save(path, self._shown().pdf(look, direction_to_eye, verdict, paper))
+        write_whole(path, self._shown().pdf(look, direction_to_eye, verdict, paper))
 
     def save_image(self, path: "str | os.PathLike[str]", **options: Any) -> None:
         """Writes :meth:`image`, with its options, to a file, which appears whole or not at all."""
-        _save(path, self.image(**options))
+        write_whole(path, self.image(**options))
 
     def _shown(self) -> _native.DeviationPage:
         if self._page is None:
@@ -511,22 +511,6 @@ class Deviation(_Arrays, _Interval):
             _page=page,
             _names=names,
         )
-
-
-def _save(path: "str | os.PathLike[str]", content: bytes) -> None:
-    """Writes a file whole or not at all."""
-    folder, name = os.path.split(os.path.abspath(path))
-    handle, temporary = tempfile.mkstemp(prefix=f".{name}.", dir=folder)
-    try:
-        with os.fdopen(handle, "wb") as file:
-            file.write(content)
-        mask = os.umask(0)
-        os.umask(mask)
-        os.chmod(temporary, 0o666 & ~mask)
-        os.replace(temporary, path)
-    except BaseException:
-        os.unlink(temporary)
-        raise
 
 
 def _axis(up: "str | Vec3") -> Vec3:

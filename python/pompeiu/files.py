@@ -1,9 +1,10 @@
-"""Writing meshes, and saying what they are."""
+"""Writing meshes and other files, and saying what meshes are."""
 
 from __future__ import annotations
 
 import json
 import os
+import tempfile
 from typing import Any, Mapping, Optional
 
 from . import _native
@@ -11,6 +12,22 @@ from .results import MeshSummary
 from .sources import MeshLike, as_mesh
 
 __all__ = ["mesh_summary", "write_mesh"]
+
+
+def write_whole(path: "str | os.PathLike[str]", content: bytes) -> None:
+    """Writes a file whole or not at all."""
+    folder, name = os.path.split(os.path.abspath(path))
+    handle, temporary = tempfile.mkstemp(prefix=f".{name}.", dir=folder)
+    try:
+        with os.fdopen(handle, "wb") as file:
+            file.write(content)
+        mask = os.umask(0)
+        os.umask(mask)
+        os.chmod(temporary, 0o666 & ~mask)
+        os.replace(temporary, path)
+    except BaseException:
+        os.unlink(temporary)
+        raise
 
 
 def write_mesh(

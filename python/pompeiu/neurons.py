@@ -6,7 +6,6 @@ import hashlib
 import json
 import math
 import os
-import tempfile
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
@@ -15,6 +14,7 @@ import numpy as np
 
 from . import _native
 from .errors import MissingFileError, OptionError, ReadError, WriteError
+from .files import write_whole
 
 __all__ = [
     "NeuronFlow",
@@ -120,17 +120,9 @@ class NeuronTransport:
 
 
 def _write(path: Union[str, "os.PathLike[str]"], content: bytes) -> None:
-    """Writes a file whole, or not at all."""
     name = os.fspath(path)
     try:
-        handle, beside = tempfile.mkstemp(dir=os.path.dirname(name) or ".")
-        try:
-            with open(handle, "wb") as file:
-                file.write(content)
-            os.replace(beside, name)
-        except BaseException:
-            os.unlink(beside)
-            raise
+        write_whole(name, content)
     except OSError as error:
         raise WriteError(f"{name}: {error.strerror}") from error
 
@@ -200,11 +192,7 @@ def _write_vtu(path: Union[str, "os.PathLike[str]"], content: bytes, what: str) 
     name = os.fspath(path)
     if not name.lower().endswith(".vtu"):
         raise WriteError(f"{name}: {what} is written as .vtu")
-    try:
-        with open(name, "wb") as file:
-            file.write(content)
-    except OSError as error:
-        raise WriteError(f"{name}: {error.strerror}") from error
+    _write(name, content)
 
 
 @dataclass(frozen=True, eq=False, repr=False)

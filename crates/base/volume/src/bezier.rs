@@ -144,15 +144,24 @@ impl BezierMesh {
 
 /// The coefficients over a part of the cell.
 pub(crate) fn cut(points: &[DVec3; 64], matrices: [&[[f64; 4]; 4]; 3]) -> [DVec3; 64] {
-    let mut result = *points;
-    for (matrix, [stride, p, q]) in matrices.into_iter().zip([[1, 4, 16], [4, 1, 16], [16, 1, 4]]) {
+    along_lines(points, |axis, line| {
+        matrices[axis].map(|row| line[0] * row[0] + line[1] * row[1] + line[2] * row[2] + line[3] * row[3])
+    })
+}
+
+/// Replaces the four coefficients on each line along an axis by others, axis by axis.
+pub(crate) fn along_lines<T: Copy>(
+    coefficients: &[T; 64],
+    others: impl Fn(usize, [T; 4]) -> [T; 4],
+) -> [T; 64] {
+    let mut result = *coefficients;
+    for (axis, [stride, p, q]) in [[1, 4, 16], [4, 1, 16], [16, 1, 4]].into_iter().enumerate() {
         for a in 0..4 {
             for b in 0..4 {
                 let start = a * p + b * q;
-                let line = [0, 1, 2, 3].map(|k| result[start + k * stride]);
-                for (k, row) in matrix.iter().enumerate() {
-                    result[start + k * stride] =
-                        line[0] * row[0] + line[1] * row[1] + line[2] * row[2] + line[3] * row[3];
+                let line = others(axis, [0, 1, 2, 3].map(|k| result[start + k * stride]));
+                for (k, value) in line.into_iter().enumerate() {
+                    result[start + k * stride] = value;
                 }
             }
         }

@@ -2,6 +2,7 @@
 
 use super::HierarchicalSplines;
 use super::level::Status;
+use crate::bezier::along_lines;
 use crate::{CellKind, CellSplines};
 use rayon::prelude::*;
 
@@ -10,19 +11,9 @@ type Shares = [[[f64; 4]; 4]; 3];
 
 /// Coefficients of 64 functions in 64 others, axis by axis.
 fn times(row: &[f64; 64], shares: &Shares) -> [f64; 64] {
-    let mut result = *row;
-    for (matrix, [stride, p, q]) in shares.iter().zip([[1, 4, 16], [4, 1, 16], [16, 1, 4]]) {
-        for a in 0..4 {
-            for b in 0..4 {
-                let start = a * p + b * q;
-                let line = [0, 1, 2, 3].map(|k| result[start + k * stride]);
-                for k in 0..4 {
-                    result[start + k * stride] = (0..4).map(|from| line[from] * matrix[from][k]).sum();
-                }
-            }
-        }
-    }
-    result
+    along_lines(row, |axis, line| {
+        [0, 1, 2, 3].map(|k| (0..4).map(|from| line[from] * shares[axis][from][k]).sum())
+    })
 }
 
 impl HierarchicalSplines {
