@@ -31,6 +31,27 @@ impl Foot {
     pub fn bounds_sq(&self, points: &[[f64; 4]; 3]) -> [f64; 4] {
         bounds_sq(self, points)
     }
+
+    /// Barycentric coordinates of the feet of four points, coordinate by coordinate; NaN for a triangle without area.
+    pub fn four_weights(&self, points: &[[f64; 4]; 3]) -> [[f64; 4]; 3] {
+        let Self { origin, dual: [g, h], .. } = self;
+        let mut weights = [[0.0; 4]; 3];
+        for l in 0..4 {
+            let r = [points[0][l] - origin[0], points[1][l] - origin[1], points[2][l] - origin[2]];
+            weights[1][l] = g[0] * r[0] + g[1] * r[1] + g[2] * r[2];
+            weights[2][l] = h[0] * r[0] + h[1] * r[1] + h[2] * r[2];
+            weights[0][l] = 1.0 - weights[1][l] - weights[2][l];
+        }
+        weights
+    }
+
+    /// Barycentric coordinates of the foot of a point's perpendicular; NaN for a triangle without area.
+    #[inline]
+    pub fn weights(&self, x: [f64; 3]) -> [f64; 3] {
+        let r = DVec3::from_array(x) - DVec3::from_array(self.origin);
+        let [v, w] = self.dual.map(|g| DVec3::from_array(g).dot(r));
+        [1.0 - v - w, v, w]
+    }
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2", "aarch64+neon"))]

@@ -33,6 +33,8 @@ const NONE: u32 = u32::MAX;
 const MOST_FACES: usize = (1 << 29) - 1;
 /// Faces that are worth a part of their own.
 const PART: usize = 1 << 11;
+/// Uses at one vertex that are compared with each other; more are sorted.
+const FEW: usize = 16;
 
 /// An edge of a triangle, kept with its lesser vertex.
 #[derive(Clone, Copy, Default)]
@@ -119,11 +121,21 @@ fn pairs(mesh: &TriMesh, bvh: &Bvh, first: usize, end: usize) -> Vec<[u32; 2]> {
     let mut pairs = Vec::with_capacity(uses.len() / 2);
     for group in starts.windows(2) {
         let group = &mut uses[group[0] as usize..group[1] as usize];
-        if group.len() > 2 {
+        if group.len() > FEW {
             group.sort_unstable_by_key(|u| (u.greater, u.packed));
+            for edge in group.chunk_by(|p, q| p.greater == q.greater) {
+                if let [p, q] = edge {
+                    pairs.push([p.packed, q.packed]);
+                }
+            }
+            continue;
         }
-        for edge in group.chunk_by(|p, q| p.greater == q.greater) {
-            if let [p, q] = edge {
+        for (i, p) in group.iter().enumerate() {
+            let same = |q: &&Use| q.greater == p.greater;
+            let mut later = group[i + 1..].iter().filter(same);
+            if let (Some(q), None) = (later.next(), later.next())
+                && !group[..i].iter().any(|q| same(&q))
+            {
                 pairs.push([p.packed, q.packed]);
             }
         }

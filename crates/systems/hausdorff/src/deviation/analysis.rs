@@ -1,6 +1,7 @@
 //! Both directions, and what they say together.
 
 use super::entry::Sum;
+use super::linear::{greater, lesser};
 use super::memory;
 use super::options::DeviationOptions;
 use super::packed::{Entries, are_packed};
@@ -64,7 +65,7 @@ impl DeviationOptions<'_> {
     }
 
     fn both(&self, a: &TriMesh, b: &TriMesh, there: Outcome, back: Outcome) -> Deviation {
-        let (frame, ..) = joint_frame(a, b);
+        let (frame, joint, _) = joint_frame(a, b);
         let greater_percentiles = there.summary.as_ref().zip(back.summary.as_ref()).map(|(x, y)| {
             let both = x.percentiles.iter().zip(&y.percentiles);
             let greater = both.map(|(x, y)| super::run::greater_of(*x, *y));
@@ -76,7 +77,7 @@ impl DeviationOptions<'_> {
                 })
                 .collect()
         });
-        let largest = super::linear::greater(there.largest, back.largest);
+        let largest = greater(there.largest, back.largest);
         let areas = |outcome: &Outcome| {
             let known = outcome.largest == largest && !outcome.areas.is_empty();
             if known { outcome.areas.clone() } else { outcome.distribution.cumulative(largest, self.bins) }
@@ -86,7 +87,12 @@ impl DeviationOptions<'_> {
         pooled.portions.extend(back.distribution.portions);
         let wanted = Wanted::of(self, &frame);
         let summary = match there.summary.as_ref().zip(back.summary.as_ref()) {
-            Some((x, y)) => Summary::with(x.sums.plus(y.sums), &pooled, &wanted, largest),
+            Some((x, y)) => {
+                let floor = Self::FLOOR * frame.length_in(joint.diagonal());
+                let is_narrow = |(low, high): &(f64, f64)| high - low <= self.accuracy * low + floor;
+                let known = Some(between(x, y)).filter(|percentiles| percentiles.iter().all(is_narrow));
+                Summary::with(x.sums.plus(y.sums), &pooled, &wanted, largest, known)
+            }
             None => Summary::of(&pooled, &wanted, largest),
         };
         Deviation {
@@ -132,4 +138,11 @@ impl DeviationOptions<'_> {
     fn deadline(&self, part: u32) -> Option<Instant> {
         self.limits.time.and_then(|limit| Instant::now().checked_add(limit / part))
     }
+}
+
+/// Encloses the percentiles of two distributions together by those of each: up to the greater of both levels, both have their share of
+/// the area, and below the lesser, neither.
+fn between(x: &Summary, y: &Summary) -> Vec<(f64, f64)> {
+    let both = x.percentiles.iter().zip(&y.percentiles);
+    both.map(|(x, y)| (lesser(x.0, y.0), greater(x.1, y.1))).collect()
 }

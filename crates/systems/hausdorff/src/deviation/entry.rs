@@ -77,9 +77,17 @@ impl Entry {
 /// taken from.
 pub(super) fn at_least(difference: f64, from: f64) -> f32 {
     let wanted = difference + f64::EPSILON * (difference.abs() + from.abs());
+    if wanted > SMALL {
+        // Without a branch that half of all numbers take.
+        return (wanted * (1.0 + STEP)) as f32;
+    }
     let rounded = wanted as f32;
     if f64::from(rounded) < wanted { rounded.next_up() } else { rounded }
 }
+
+/// Rounding to fewer digits takes less than this part of a number whose magnitude is no less than [`SMALL`].
+pub(super) const STEP: f64 = 1.0 / (1 << 23) as f64;
+pub(super) const SMALL: f64 = 1e-30;
 
 /// The entries of the faces of one task, face by face.
 #[derive(Clone, Debug)]

@@ -61,10 +61,9 @@ fn cut_off(x: f64, y: f64, z: f64) -> f64 {
 }
 
 pub(super) fn ascending([a, b, c]: Corners) -> Corners {
-    let (a, b) = if b < a { (b, a) } else { (a, b) };
-    let (b, c) = if c < b { (c, b) } else { (b, c) };
-    let (a, b) = if b < a { (b, a) } else { (a, b) };
-    [a, b, c]
+    let (a, b) = (lesser(a, b), greater(a, b));
+    let (b, c) = (lesser(b, c), greater(b, c));
+    [lesser(a, b), greater(a, b), c]
 }
 
 /// Encloses the mean of the square of a function that is nowhere negative.

@@ -1,6 +1,6 @@
 //! Entries in half of the memory, where what is asked leaves room for their rounding.
 
-use super::entry::{Entry, at_least};
+use super::entry::{Entry, SMALL, STEP, at_least};
 use super::linear::greater;
 use std::ops::Range;
 
@@ -52,6 +52,9 @@ impl Packed {
 
 /// Rounded down.
 fn at_most(x: f64) -> f32 {
+    if x.abs() > SMALL {
+        return (x - STEP * x.abs()) as f32;
+    }
     let rounded = x as f32;
     if f64::from(rounded) > x { rounded.next_down() } else { rounded }
 }

@@ -21,7 +21,7 @@ const FACES_OF_SAMPLE: (usize, usize) = (4, 16);
 const LEAST_CALIBRATED: usize = 4 * SAMPLES * FACES_OF_SAMPLE.0;
 /// Part of the faces that samples should have.
 const SAMPLED: f64 = 0.01;
-const CALIBRATIONS: usize = 3;
+const CALIBRATIONS: usize = 2;
 const AIMED: (f64, f64) = (0.3, 0.6);
 const MOST_FACTOR: f64 = 5.0;
 /// The same of percentiles, which a few faces show less well: the greatest part of the allowed width; how far around one pieces are

@@ -133,15 +133,16 @@ pub(super) struct Summary {
 impl Summary {
     /// None where the area may be zero.
     pub(super) fn of(distribution: &Distribution, wanted: &Wanted<'_>, largest: f64) -> Option<Self> {
-        Self::with(distribution.moments(), distribution, wanted, largest)
+        Self::with(distribution.moments(), distribution, wanted, largest, None)
     }
 
-    /// The same of a distribution whose moments are known.
+    /// The same of a distribution whose moments are known, and its percentiles perhaps.
     pub(super) fn with(
         sums: Moments,
         distribution: &Distribution,
         wanted: &Wanted<'_>,
         largest: f64,
+        percentiles: Option<Vec<(f64, f64)>>,
     ) -> Option<Self> {
         let area = sums.area.enclosure();
         if area.lower() <= 0.0 {
@@ -153,7 +154,8 @@ impl Summary {
         let mean = (greater(mean.lower(), 0.0), lesser(mean.upper(), largest));
         // The root of a mean of squares is at least the mean.
         let rms = (greater(rms.lower(), mean.0), lesser(rms.upper(), largest));
-        let percentiles = distribution.percentiles(wanted.percentiles, area, largest, wanted.fine);
+        let percentiles = percentiles
+            .unwrap_or_else(|| distribution.percentiles(wanted.percentiles, area, largest, wanted.fine));
         let above = wanted.threshold.map(|t| share_above(distribution, t, area, largest));
         Some(Self { sums, area, mean, rms, percentiles, above })
     }

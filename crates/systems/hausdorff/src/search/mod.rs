@@ -8,6 +8,7 @@
 mod game;
 mod local;
 mod overlay;
+mod parts;
 pub(crate) mod piece;
 mod refine;
 mod rows;

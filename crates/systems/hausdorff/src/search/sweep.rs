@@ -1,10 +1,9 @@
 //! The sweep: whole faces, most of which are discarded at once.
 
 use super::overlay::{Below, OVERLAY_CUTS, Overlaid, View};
+use super::parts::MOST_CUTS;
 use super::piece::{INHERITED, Piece, longest_edge};
-use super::rows::Rows;
 use super::worker::{STOP_CHECK, SlotProof, Worker, centre, max3, with_centre};
-use pompeiu_core::geom::Foot;
 use pompeiu_core::spatial::{Cover, Nearest, Neighbours, Slot};
 
 /// Faces whose corners are fetched together, so that the waits for memory overlap.
@@ -13,8 +12,8 @@ const FETCHED: usize = 16;
 const WRONG_PART: f64 = 0.25;
 /// Feet moved into a triangle bound squared distances up to about this factor beside it.
 const LOOSE: f64 = 2.0;
-/// A mixture is tried where the corners are at most this many times the limit from the face over the centre.
-const FAR: f64 = 2.0;
+/// Steps to the face of B over the centre.
+const MOST_STEPS: usize = 24;
 
 /// What came of an overlay.
 pub(super) enum Settled {
@@ -24,6 +23,16 @@ pub(super) enum Settled {
     TooMany(Slot),
     /// Nothing; the face over its centre, if that was found.
     No(Option<Slot>),
+}
+
+/// Where a walk over B ended.
+enum Walk {
+    /// At a face that is within the limit, with the greatest squared distance or a bound on it.
+    Covered(Slot, f64),
+    /// At the face over the centre.
+    Over(Slot),
+    /// Nowhere: B ended on the way, or the way was long.
+    Lost,
 }
 
 impl Worker<'_> {
@@ -50,12 +59,6 @@ impl Worker<'_> {
         self.out.work.pieces += 1;
         let points = with_centre(corners);
         let mut piece = Piece::whole(face, *corners, hint);
-        // Where overlays are tried, the face that is seen over the centre is compared next, and is the likelier one.
-        let exactly = self.scene.neighbours.is_none();
-        if let Some(farthest) = self.covered_by(&points, hint, self.limit_sq(0), exactly) {
-            self.discard(piece, farthest.sqrt(), || SlotProof::Face(hint));
-            return hint;
-        }
         let mut over_centre = None;
         match self.settle_by_overlay(&piece, hint) {
             Settled::Yes(slot) => return slot,
@@ -99,42 +102,61 @@ impl Worker<'_> {
         nearest
     }
 
-    /// The greatest squared distance of three corners from a face, or a bound on it, if that is within a limit.
-    fn covered_by(
-        &mut self,
-        points: &[[f64; 4]; 3],
-        slot: Slot,
-        limit_sq: f64,
-        exactly: bool,
-    ) -> Option<f64> {
-        let foot = match &self.foot {
-            Some((known, foot)) if *known == slot => foot,
-            _ => &self.foot.insert((slot, Foot::new(self.scene.bvh.corners(slot)))).1,
-        };
-        self.workspace.distances += 3;
-        let mut farthest = max3(foot.bounds_sq(points));
-        if exactly && farthest > limit_sq && farthest <= LOOSE * limit_sq {
-            farthest = max3(self.scene.bvh.four_distances_sq(points, slot, &mut self.workspace));
+    /// Walks over B from a face to the one over the centre of three points, unless one on the way is within a limit of all three.
+    fn walk(&mut self, points: &[[f64; 4]; 3], hint: Slot, limit_sq: f64) -> Walk {
+        let bvh = self.scene.bvh;
+        let (mut slot, mut entered_by) = (hint, 3);
+        for _ in 0..MOST_STEPS {
+            let foot = self.feet.of(bvh, slot);
+            self.workspace.distances += 3;
+            let farthest_sq = max3(foot.bounds_sq(points));
+            if farthest_sq <= limit_sq {
+                return Walk::Covered(slot, farthest_sq);
+            }
+            let mut exit = (3, 0.0);
+            if self.scene.neighbours.is_some() {
+                // The edge opposite to a corner leads from the next one.
+                for (corner, weight) in foot.weights(centre(points)).into_iter().enumerate() {
+                    let edge = (corner + 1) % 3;
+                    if weight < exit.1 && edge != entered_by {
+                        exit = (edge, weight);
+                    }
+                }
+            }
+            if exit.0 == 3 {
+                if farthest_sq <= LOOSE * limit_sq {
+                    let exact = max3(bvh.four_distances_sq(points, slot, &mut self.workspace));
+                    if exact <= limit_sq {
+                        return Walk::Covered(slot, exact);
+                    }
+                }
+                return Walk::Over(slot);
+            }
+            match self.scene.neighbours.and_then(|neighbours| neighbours.across(slot, exit.0)) {
+                Some(across) => (slot, entered_by) = (across.slot, across.edge),
+                None => return Walk::Lost,
+            }
         }
-        (farthest <= limit_sq).then_some(farthest)
+        Walk::Lost
     }
 
     /// Discards a piece by the face of B that is seen over its centre or by its overlay, or opens what the overlay leaves.
     pub(super) fn settle_by_overlay(&mut self, piece: &Piece, hint: Slot) -> Settled {
         let bvh = self.scene.bvh;
-        let Some(neighbours) = self.scene.neighbours else { return Settled::No(None) };
-        let Some(view) = View::new(&piece.corners) else { return Settled::No(None) };
-        let Some(start) = view.face_over_centre(bvh, neighbours, hint) else { return Settled::No(None) };
-        if start != hint {
-            let points = with_centre(&piece.corners);
-            if let Some(farthest) = self.covered_by(&points, start, self.limit_sq(piece.depth), true) {
-                self.discard(*piece, farthest.sqrt(), || SlotProof::Face(start));
-                return Settled::Yes(start);
+        let points = with_centre(&piece.corners);
+        let start = match self.walk(&points, hint, self.limit_sq(piece.depth)) {
+            Walk::Covered(slot, farthest_sq) => {
+                self.discard(*piece, farthest_sq.sqrt(), || SlotProof::Face(slot));
+                return Settled::Yes(slot);
             }
-        }
-        if self.settle_by_mixture(piece, &view, neighbours, start) {
+            Walk::Over(slot) => slot,
+            Walk::Lost => return Settled::No(None),
+        };
+        let Some(neighbours) = self.scene.neighbours else { return Settled::No(None) };
+        if self.discard_in_parts(piece, neighbours, start) {
             return Settled::Yes(start);
         }
+        let Some(view) = View::new(&piece.corners) else { return Settled::No(None) };
         let depth = piece.depth + OVERLAY_CUTS;
         let below = Below { bvh, neighbours, limit_sq: self.limit_sq(depth) };
         let mut also_near = start;
@@ -198,37 +220,26 @@ impl Worker<'_> {
         Settled::Yes(start)
     }
 
-    /// Discards a piece by a mixture of the face over its centre and those over the corners that are too far from it. Where the faces of
-    /// both meshes are about as large, this settles most of what one face does not, with less work than an overlay.
-    fn settle_by_mixture(
-        &mut self,
-        piece: &Piece,
-        view: &View,
-        neighbours: &Neighbours,
-        start: Slot,
-    ) -> bool {
-        let limit = self.limit(piece.depth);
-        let points = with_centre(&piece.corners);
-        let mut rows = Rows::default();
-        self.add_row(&mut rows, start, &points);
-        let row = rows.distances()[0];
-        // Far corners need so much weight on other faces that these would have to be near all corners.
-        if row.iter().any(|distance| *distance > FAR * limit) {
-            return false;
+    /// Discards a piece in parts, each within the limit of one face, where that is simple.
+    fn discard_in_parts(&mut self, piece: &Piece, neighbours: &Neighbours, start: Slot) -> bool {
+        let depth = piece.depth + MOST_CUTS;
+        let below = Below { bvh: self.scene.bvh, neighbours, limit_sq: self.limit_sq(depth) };
+        let distances = &mut self.workspace.distances;
+        let covered = self.parts.cover(&piece.corners, &below, start, &mut self.feet, distances);
+        let Some(distance_sq) = covered else { return false };
+        if !self.parts.keep_all {
+            self.raise_upper(distance_sq.sqrt() + self.limits.rounding.bound(depth));
+            return true;
         }
-        for (corner, _) in row.iter().enumerate().filter(|(_, distance)| **distance > limit) {
-            let over = view.face_over_corner(corner, self.scene.bvh, neighbours, start);
-            let Some(over) = over else { return false };
-            self.add_row(&mut rows, over, &points);
+        let parts = std::mem::take(&mut self.parts.covered);
+        for (part, distance_sq) in &parts {
+            for corners in part.triangles() {
+                self.discard(Piece { corners, depth, ..*piece }, distance_sq.sqrt(), || {
+                    SlotProof::Face(part.slot)
+                });
+            }
         }
-        if rows.uncovered_corner(limit).is_some() {
-            return false;
-        }
-        let game = self.solve(&rows);
-        if game.value > limit {
-            return false;
-        }
-        self.discard(*piece, game.value, || rows.mixture(&game.weights));
+        self.parts.covered = parts;
         true
     }
 

@@ -3,11 +3,12 @@
 //! What tasks do is in `sweep` and `refine`.
 
 use super::overlay::Overlay;
+use super::parts::CutParts;
 use super::piece::Piece;
 use super::{Limits, Scene};
 use crate::report::WorkCount;
 use pompeiu_core::geom::Foot;
-use pompeiu_core::spatial::{Nearest, Slot, Workspace};
+use pompeiu_core::spatial::{Bvh, Nearest, Slot, Workspace};
 
 /// A point of A and its distance from B as computed.
 #[derive(Clone, Copy, Debug)]
@@ -65,16 +66,50 @@ pub(super) struct Worker<'s> {
     pub(super) lower: f64,
     pub(super) workspace: Workspace,
     pub(super) overlay: Overlay,
-    /// The face of B that was last compared with whole faces.
-    pub(super) foot: Option<(Slot, Foot)>,
+    pub(super) parts: CutParts,
+    /// Faces of B that whole faces were compared with.
+    pub(super) feet: Feet,
     pub(super) out: Outcome,
+}
+
+/// Faces of B prepared for feet, each kept until another one takes its place.
+pub(super) struct Feet([Option<(Slot, Foot)>; FEET]);
+
+const FEET: usize = 32;
+
+impl Default for Feet {
+    fn default() -> Self {
+        Self([None; FEET])
+    }
+}
+
+impl Feet {
+    #[inline]
+    pub(super) fn of(&mut self, bvh: &Bvh, slot: Slot) -> &Foot {
+        let place = &mut self.0[slot.index() % FEET];
+        if place.as_ref().is_none_or(|(known, _)| *known != slot) {
+            *place = None;
+        }
+        &place.get_or_insert_with(|| (slot, Foot::new(bvh.corners(slot)))).1
+    }
 }
 
 impl<'s> Worker<'s> {
     pub(super) fn new(scene: &'s Scene<'s>, limits: Limits, keep: Keep, lower: f64) -> Self {
-        let overlay = Overlay::new(keep.discards || keep.pieces);
+        let keep_all = keep.discards || keep.pieces;
+        let overlay = Overlay::new(keep_all);
         let out = Outcome::default();
-        Self { scene, limits, keep, lower, workspace: Workspace::default(), overlay, foot: None, out }
+        Self {
+            scene,
+            limits,
+            keep,
+            lower,
+            workspace: Workspace::default(),
+            overlay,
+            parts: CutParts::new(keep_all),
+            feet: Feet::default(),
+            out,
+        }
     }
 
     /// Forgets what was found, but for memory and counts of distances.

@@ -28,7 +28,9 @@ mod tests;
 mod view;
 
 pub(crate) use cells::Cell;
-pub(crate) use view::View;
+#[cfg(test)]
+pub(crate) use tests::sheet;
+pub(crate) use view::{View, clamped};
 
 use cells::{Polygon, Strip};
 use clip::{Clip, Point, Seen};

@@ -8,7 +8,7 @@ use pompeiu_testkit::effort::cases;
 use proptest::prelude::*;
 
 /// A rough sheet over the unit square with some of its faces missing.
-fn sheet(cells: u32, roughness: f64, seed: u64, missing: &[usize]) -> TriMesh {
+pub(crate) fn sheet(cells: u32, roughness: f64, seed: u64, missing: &[usize]) -> TriMesh {
     let flat = grid([1.0, 1.0], [cells, cells], Diagonal::Alternating).unwrap();
     let rough = displace_at_random(&flat, roughness, seed).unwrap();
     let mut faces = rough.faces().to_vec();
@@ -28,12 +28,8 @@ fn run(t: &[[f64; 3]; 3], sheet: &TriMesh, limit_sq: f64, keep_all: bool) -> (Ov
     let centre = [0, 1, 2].map(|k| (t[0][k] + t[1][k] + t[2][k]) / 3.0);
     let below = Below { bvh: target.bvh(), neighbours: target.neighbours().unwrap(), limit_sq };
     let near = target.bvh().nearest(centre, target.bvh().any_slot(), &mut workspace).slot;
-    let overlaid = View::new(&t)
-        .and_then(|view| {
-            let start = view.face_over_centre(below.bvh, below.neighbours, near)?;
-            Some(overlay.run(&view, &below, start, &mut workspace))
-        })
-        .unwrap_or(Overlaid::None);
+    let overlaid =
+        View::new(&t).map_or(Overlaid::None, |view| overlay.run(&view, &below, near, &mut workspace));
     (overlaid, overlay, target)
 }
 

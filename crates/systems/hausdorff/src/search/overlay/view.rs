@@ -1,7 +1,6 @@
 //! A triangle and the direction in which it is looked at.
 
 use glam::DVec3;
-use pompeiu_core::spatial::{Bvh, Neighbours, Slot};
 
 /// A triangle T, seen along its normal together with what lies above and below it.
 pub(crate) struct View {
@@ -15,8 +14,6 @@ pub(crate) struct View {
 const MOST_STRETCH: f64 = 1e100;
 /// Faces of B whose normals have a squared cosine with the view below this are too steep to be looked at.
 const STEEP: f64 = 0.1;
-/// Steps to the face of B over the centre.
-const MOST_STEPS: usize = 24;
 
 impl View {
     /// None for a triangle that has no normal to speak of.
@@ -66,55 +63,10 @@ impl View {
         }
         (best.1, best.2)
     }
-
-    /// The face of B over the centre of T, found by walking from one close by; none if B ends on the way or the way is
-    /// long.
-    pub(crate) fn face_over_centre(&self, bvh: &Bvh, neighbours: &Neighbours, start: Slot) -> Option<Slot> {
-        self.face_over([1.0 / 3.0; 2], bvh, neighbours, start)
-    }
-
-    /// The same for a corner of T.
-    pub(crate) fn face_over_corner(
-        &self,
-        corner: usize,
-        bvh: &Bvh,
-        neighbours: &Neighbours,
-        start: Slot,
-    ) -> Option<Slot> {
-        self.face_over([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]][corner], bvh, neighbours, start)
-    }
-
-    /// The same for the point of T's plane with these second and third barycentric coordinates.
-    fn face_over(&self, at: [f64; 2], bvh: &Bvh, neighbours: &Neighbours, start: Slot) -> Option<Slot> {
-        let mut slot = start;
-        let mut entered_by = 3;
-        for _ in 0..MOST_STEPS {
-            let p = bvh.corners(slot).map(|corner| {
-                let [_, v, w] = self.barycentric(DVec3::from_array(corner));
-                [v - at[0], w - at[1]]
-            });
-            let turn = |a: [f64; 2], b: [f64; 2]| a[0] * b[1] - a[1] * b[0];
-            let turns = [turn(p[0], p[1]), turn(p[1], p[2]), turn(p[2], p[0])];
-            let sign = if turns[0] + turns[1] + turns[2] < 0.0 { -1.0 } else { 1.0 };
-            let mut exit = 3;
-            let mut least = 0.0;
-            for k in 0..3 {
-                if k != entered_by && sign * turns[k] < least {
-                    (exit, least) = (k, sign * turns[k]);
-                }
-            }
-            if exit == 3 {
-                return Some(slot);
-            }
-            let next = neighbours.across(slot, exit)?;
-            (slot, entered_by) = (next.slot, next.edge);
-        }
-        None
-    }
 }
 
 /// Into the unit interval.
 #[inline]
-pub(super) fn clamped(w: f64) -> f64 {
+pub(crate) fn clamped(w: f64) -> f64 {
     if w > 0.0 { if w < 1.0 { w } else { 1.0 } } else { 0.0 }
 }
