@@ -59,11 +59,50 @@ fn spread(x: u32) -> u32 {
     (x | (x << 2)) & 0x0924_9249
 }
 
-/// Stable sort by the upper 32 bits, of which the top two are zero: three passes of ten bits.
+/// Stable sort by the upper 32 bits, of which the top two are zero: each thread sorts a range of codes.
 fn radix_sort_high_half(keys: &mut Vec<u64>) {
-    const BITS: usize = 10;
-    let digit = |key: u64, pass: usize| (key >> (32 + BITS * pass)) as usize & ((1 << BITS) - 1);
-    let mut counts = vec![[0_usize; 1 << BITS]; 3];
+    let parts = (keys.len() / PART).clamp(1, rayon::current_num_threads());
+    if parts == 1 {
+        return radix_sort(keys);
+    }
+    let mut counts = vec![0_usize; 1 << BITS];
+    for &key in keys.iter() {
+        counts[digit(key, PASSES - 1)] += 1;
+    }
+    // The first digits of the parts.
+    let mut firsts = vec![0];
+    let mut before = 0;
+    for (first, count) in counts.iter().enumerate() {
+        if before >= keys.len() * firsts.len() / parts {
+            firsts.push(first);
+        }
+        before += count;
+    }
+    firsts.push(1 << BITS);
+    let of_part = |ends: &[usize]| {
+        let size = counts[ends[0]..ends[1]].iter().sum();
+        let mut part = Vec::with_capacity(size);
+        part.extend(keys.iter().filter(|key| (ends[0]..ends[1]).contains(&digit(**key, PASSES - 1))));
+        radix_sort(&mut part);
+        part
+    };
+    let sorted: Vec<Vec<u64>> = firsts.par_windows(2).with_max_len(1).map(of_part).collect();
+    keys.clear();
+    keys.extend(sorted.iter().flatten());
+}
+
+/// Keys of a part that is sorted by itself, at least.
+const PART: usize = 1 << 13;
+/// Bits of a digit, and digits of a code.
+const BITS: usize = 10;
+const PASSES: usize = 3;
+
+fn digit(key: u64, pass: usize) -> usize {
+    (key >> (32 + BITS * pass)) as usize & ((1 << BITS) - 1)
+}
+
+fn radix_sort(keys: &mut Vec<u64>) {
+    let mut counts = vec![[0_usize; 1 << BITS]; PASSES];
     for &key in keys.iter() {
         for (pass, count) in counts.iter_mut().enumerate() {
             count[digit(key, pass)] += 1;
@@ -116,6 +155,23 @@ mod tests {
             let mut order = morton_order(&mesh, &Aabb::of_faces(&mesh));
             order.sort_unstable();
             prop_assert_eq!(order, (0..mesh.faces().len() as u32).collect::<Vec<_>>());
+        }
+    }
+    /// On several threads, where many keys share a digit, too.
+    #[test]
+    fn parts_are_put_together_in_order() {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(3).build().unwrap();
+        for shift in [0, 5, 18, 29] {
+            let mut state = 1_u64;
+            let mut next = |i: u64| {
+                state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+                ((state >> 34) >> shift) << 32 | i
+            };
+            let mut keys: Vec<u64> = (0..5 * PART as u64).map(&mut next).collect();
+            let mut expected = keys.clone();
+            expected.sort_unstable();
+            pool.install(|| radix_sort_high_half(&mut keys));
+            assert!(keys == expected, "{shift}");
         }
     }
 }
