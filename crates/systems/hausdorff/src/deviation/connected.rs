@@ -1,6 +1,7 @@
 //! Which faces of a mesh touch, and which are connected.
 
 use pompeiu_core::TriMesh;
+use rayon::prelude::*;
 
 /// Faces that have a vertex position in common, welded or not.
 pub(super) struct Touching<'t> {
@@ -52,7 +53,7 @@ pub(super) fn places(mesh: &TriMesh) -> Vec<u32> {
     // Adding zero makes both zeros one.
     let key = |v: u32| mesh.positions()[v as usize].map(|x| (x + 0.0).to_bits());
     let mut sorted: Vec<u32> = (0..mesh.positions().len() as u32).collect();
-    sorted.sort_by(|a, b| key(*a).cmp(&key(*b)).then(a.cmp(b)));
+    sorted.par_sort_unstable_by(|a, b| key(*a).cmp(&key(*b)).then(a.cmp(b)));
     let mut place = vec![0; sorted.len()];
     let mut first = 0;
     for (i, &v) in sorted.iter().enumerate() {

@@ -26,6 +26,10 @@ const MISSES: u32 = 2;
 const NOTHING: f64 = 1e-18;
 /// Entries of which the distribution is forecast, about.
 const FORECAST: usize = 1 << 16;
+/// The first places of a grid, as a part of it; where the next one ends, in levels; and grids after the first, at most.
+const FIRST_PLACES: f64 = 1.0 / 64.0;
+const AFTER: f64 = 4.0;
+const GRIDS: usize = 4;
 /// How often areas are summed up at most.
 const PASSES: usize = 40;
 /// A part of an area that is much for two levels close to each other.
@@ -76,6 +80,12 @@ struct End {
     is_found: bool,
 }
 
+/// The least and the greatest value of both functions on a portion.
+type Ranges = [(f64, f64); 2];
+
+/// Both functions, and their places among two.
+const SIDES: [(Side, usize); 2] = [(Side::Lower, 0), (Side::Upper, 1)];
+
 /// Levels in ascending order, at which areas are summed up together.
 #[derive(Clone, Copy)]
 struct Scale([f64; LEVELS]);
@@ -98,7 +108,7 @@ impl Distribution {
     ) -> Vec<(f64, f64)> {
         let fine = lesser(fine, COARSEST);
         let entries = self.len();
-        let [lower, upper] = self.forecasts(largest).map(|forecast| forecast.levels(shares));
+        let [lower, upper] = self.expected(shares, largest);
         let of_side = |side, expected: Vec<f64>| -> Vec<(End, Scale)> {
             let new = |(share, level): (&f64, f64)| {
                 let wanted = match side {
@@ -110,6 +120,7 @@ impl Distribution {
             shares.iter().zip(expected).map(new).collect()
         };
         let mut ends = [of_side(Side::Lower, lower), of_side(Side::Upper, upper)];
+        let mut ranges = Vec::new();
         for _ in 0..PASSES {
             let unknown = ends.each_ref().map(|ends| {
                 let unknown = ends.iter().filter(|(end, _)| !end.is_found);
@@ -118,7 +129,7 @@ impl Distribution {
             if unknown.iter().all(Vec::is_empty) {
                 break;
             }
-            let tallies = self.tallies(&unknown);
+            let tallies = self.tallies(&unknown, &mut ranges);
             for (ends, tallies) in ends.iter_mut().zip(tallies) {
                 let unknown = ends.iter_mut().filter(|(end, _)| !end.is_found);
                 for ((end, scale), tally) in unknown.zip(tallies) {
@@ -140,37 +151,56 @@ impl Distribution {
         lower.into_iter().zip(upper).map(|(lower, upper)| (at_most(lower.0), at_most(upper.1))).collect()
     }
 
-    /// Areas up to the levels of some scales, for the function below and for the one above.
-    fn tallies(&self, scales: &[Vec<Scale>; 2]) -> [Vec<Tally>; 2] {
+    /// Areas up to the levels of some scales, for the function below and for the one above. `ranges` are those of all portions or of
+    /// none, and then found.
+    fn tallies(&self, scales: &[Vec<Scale>; 2], ranges: &mut Vec<Ranges>) -> [Vec<Tally>; 2] {
         let new = || scales.each_ref().map(|scales| vec![Tally::default(); scales.len()]);
-        let of_entries = |portions: &[Portion]| {
+        let of_entries = |(portions, ranges): (&[Portion], &[Ranges])| {
             let mut tallies = new();
-            // Not a loop: iterators of two parts are quicker from within.
-            portions.iter().flat_map(|portion| portion.entries.iter()).for_each(|entry| {
-                for (side, k) in [(Side::Lower, 0), (Side::Upper, 1)] {
-                    let (v, weight) = side.of(&entry);
-                    let (from, to) = (least(v), greatest(v));
-                    let mut part = None;
-                    for (scale, tally) in scales[k].iter().zip(&mut tallies[k]) {
-                        if to <= scale.0[0] {
-                            tally.below += weight;
-                        } else if from <= scale.0[LEVELS - 1] {
-                            let part = part.get_or_insert_with(|| PartUpTo::new(v));
-                            part.add(side == Side::Lower, weight, &scale.0, &mut tally.sums);
+            let mut found = Vec::new();
+            for (i, portion) in portions.iter().enumerate() {
+                if ranges.get(i).is_some_and(|ranges| take_whole(portion, ranges, scales, &mut tallies)) {
+                    continue;
+                }
+                let mut range = [(f64::INFINITY, f64::NEG_INFINITY); 2];
+                // Not a loop: iterators of two parts are quicker from within.
+                portion.entries.iter().for_each(|entry| {
+                    for (side, k) in SIDES {
+                        let (v, weight) = side.of(&entry);
+                        let (from, to) = (least(v), greatest(v));
+                        range[k] = (lesser(range[k].0, from), greater(range[k].1, to));
+                        let mut part = None;
+                        for (scale, tally) in scales[k].iter().zip(&mut tallies[k]) {
+                            if scale.is_above(to) {
+                                tally.below += weight;
+                            } else if !scale.is_below(from) {
+                                let part = part.get_or_insert_with(|| PartUpTo::new(v));
+                                part.add(side == Side::Lower, weight, &scale.0, &mut tally.sums);
+                            }
                         }
                     }
-                }
-            });
-            tallies
+                });
+                found.push(range);
+            }
+            (tallies, found)
         };
-        let chunks: Vec<[Vec<Tally>; 2]> = self.portions.par_chunks(PORTIONS).map(of_entries).collect();
+        let starts: Vec<usize> = (0..self.portions.len()).step_by(PORTIONS).collect();
+        let some = |start: &usize| {
+            let end = self.portions.len().min(start + PORTIONS);
+            of_entries((&self.portions[*start..end], ranges.get(*start..end).unwrap_or_default()))
+        };
+        let chunks: Vec<([Vec<Tally>; 2], Vec<Ranges>)> = starts.par_iter().map(some).collect();
         let mut total = new();
-        for chunk in chunks {
+        let none_were_known = ranges.is_empty();
+        for (chunk, found) in chunks {
             for (sum, more) in total.iter_mut().flatten().zip(chunk.iter().flatten()) {
                 sum.below += more.below;
                 for (x, y) in sum.sums.iter_mut().zip(more.sums) {
                     *x += y;
                 }
+            }
+            if none_were_known {
+                ranges.extend(found);
             }
         }
         total
@@ -198,6 +228,27 @@ impl Distribution {
             return (low, high);
         }
         (if low_is_crossed { low } else { next }, if high_is_crossed { high } else { last })
+    }
+
+    /// About where the percentiles of both functions lie. Those among the first places of a grid are looked for on one that ends soon
+    /// after them.
+    fn expected(&self, shares: &[f64], largest: f64) -> [Vec<f64>; 2] {
+        let mut end = largest;
+        let mut expected = self.forecasts(end).map(|forecast| forecast.levels(shares));
+        for _ in 0..GRIDS {
+            let first = FIRST_PLACES * end;
+            let greatest =
+                expected.iter().flatten().filter(|level| **level < first).fold(0.0, |x, y| greater(x, *y));
+            if greatest <= 0.0 {
+                break;
+            }
+            end = AFTER * greatest;
+            let finer = self.forecasts(end).map(|forecast| forecast.levels(shares));
+            for (level, finer) in expected.iter_mut().flatten().zip(finer.into_iter().flatten()) {
+                *level = if *level < first { finer } else { *level };
+            }
+        }
+        expected
     }
 
     /// About how much area is how far away as both functions say: of some entries, if there are many.
@@ -255,7 +306,41 @@ impl End {
     }
 }
 
+/// Counts a portion as a whole, if no scale has a level between its values.
+fn take_whole(
+    portion: &Portion,
+    ranges: &Ranges,
+    scales: &[Vec<Scale>; 2],
+    tallies: &mut [Vec<Tally>; 2],
+) -> bool {
+    let is_apart = |k: usize| {
+        let (from, to) = ranges[k];
+        scales[k].iter().all(|scale| scale.is_above(to) || scale.is_below(from))
+    };
+    if !(is_apart(0) && is_apart(1)) {
+        return false;
+    }
+    let area = portion.moments.area.enclosure();
+    for ((side, k), tallies) in SIDES.into_iter().zip(tallies) {
+        let weight = if side == Side::Lower { area.upper() } else { area.lower() };
+        for (scale, tally) in scales[k].iter().zip(tallies) {
+            tally.below += if scale.is_above(ranges[k].1) { weight } else { 0.0 };
+        }
+    }
+    true
+}
+
 impl Scale {
+    /// Whether all levels are at least so high.
+    fn is_above(&self, to: f64) -> bool {
+        to <= self.0[0]
+    }
+
+    /// Whether all levels are below.
+    fn is_below(&self, from: f64) -> bool {
+        from > self.0[LEVELS - 1]
+    }
+
     /// Levels close to each other, up to the largest distance.
     fn around(level: f64, fine: f64, largest: f64) -> Self {
         let at = |i: usize| level * (1.0 + 0.9 * fine * (i as f64 - 0.5 * (LEVELS - 1) as f64));

@@ -154,7 +154,7 @@ impl Refinement<'_> {
         let most = self.most(0, count);
         let size = (SAMPLED * (count / SAMPLES) as f64) as usize;
         let size = size.clamp(FACES_OF_SAMPLE.0, FACES_OF_SAMPLE.1);
-        for _ in 0..CALIBRATIONS {
+        for trials_left in (0..CALIBRATIONS).rev() {
             let trial = &*goal;
             let of_sample = |i: usize| {
                 let first = (2 * i + 1) * count / (2 * SAMPLES);
@@ -170,8 +170,10 @@ impl Refinement<'_> {
             let (least, most) = AIMED;
             let is_good = part.is_nan() || part <= 0.0 || (least..=most).contains(&part);
             if !is_good {
+                // A coarser goal may leave far more than in proportion, so that it must be tried.
+                let most_factor = if trials_left > 0 { MOST_FACTOR } else { 1.0 };
                 let factor = 0.5 * (least + most) / part;
-                goal.mass *= factor.clamp(1.0 / MOST_FACTOR, MOST_FACTOR);
+                goal.mass *= factor.clamp(1.0 / MOST_FACTOR, most_factor);
             }
             let worst =
                 summary.percentiles.iter().fold(0.0, |worst, ends| greater(worst, self.excess(*ends)));

@@ -11,6 +11,7 @@ use crate::report::{Enclosure, Witness};
 use pompeiu_core::geom::{Aabb, Frame};
 use pompeiu_core::spatial::Workspace;
 use pompeiu_core::{FaceId, TriMesh};
+use rayon::prelude::*;
 
 /// A part of a surface that is far from the other one.
 ///
@@ -74,7 +75,7 @@ impl<'l> Peaks<'l> {
 
     fn sort(&mut self) {
         let value = |face: &u32| self.maxima.of_faces[*face as usize].max.upper;
-        self.order.sort_by(|a, b| value(b).total_cmp(&value(a)).then(a.cmp(b)));
+        self.order.par_sort_unstable_by(|a, b| value(b).total_cmp(&value(a)).then(a.cmp(b)));
     }
 
     fn value(&self, face: u32) -> f64 {
