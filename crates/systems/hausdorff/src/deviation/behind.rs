@@ -151,11 +151,15 @@ const LEAST_RUN: f64 = 1e-18;
 
 /// A normal turned aside so far that the plane lies over all ends of some ways.
 pub(super) fn tilted(ways: &[DVec3; 3], normal: DVec3, aside: DVec3) -> Option<DVec3> {
-    let aside = unit(aside - normal.dot(aside) * normal)?;
+    let aside = aside - normal.dot(aside) * normal;
+    let least = LEAST_RUN * aside.length_squared();
+    if least.is_nan() || least <= 0.0 {
+        return None;
+    }
     let mut slope = 0.0;
     for way in ways {
         let (rise, run) = (normal.dot(*way), -aside.dot(*way));
-        if run > 0.0 && run * run > LEAST_RUN * way.length_squared() && rise > slope * run {
+        if run > 0.0 && run * run > least * way.length_squared() && rise > slope * run {
             slope = rise / run;
         }
     }

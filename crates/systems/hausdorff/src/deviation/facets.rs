@@ -218,7 +218,15 @@ impl Side {
         if self.are_too_many {
             return;
         }
-        group.fill(bvh, self.rising.iter().copied().filter(|slot| *slot != facet.slot));
+        // The planes of those across edges lie in front of most others.
+        let is_adjacent = |slot: Slot| facet.edges.iter().any(|edge| edge.across == Some(slot));
+        let others = |adjacent: bool| {
+            self.rising
+                .iter()
+                .copied()
+                .filter(move |slot| *slot != facet.slot && is_adjacent(*slot) == adjacent)
+        };
+        group.fill(bvh, others(true).chain(others(false)));
         facet.cross_off_what_is_out_of_reach(normal, reach, group);
         while let Some(corners) = group.take() {
             if self.halves.len() == MOST_HALVES {
