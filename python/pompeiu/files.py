@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import io
 import json
 import os
 import tempfile
 from typing import Any, Mapping, Optional
+
+import numpy as np
 
 from . import _native
 from .results import MeshSummary
@@ -28,6 +31,13 @@ def write_whole(path: "str | os.PathLike[str]", content: bytes) -> None:
     except BaseException:
         os.unlink(temporary)
         raise
+
+
+def write_arrays(path: "str | os.PathLike[str]", **arrays: Any) -> None:
+    """Writes a file of NumPy whole or not at all."""
+    content = io.BytesIO()
+    np.savez(content, **arrays)
+    write_whole(path, content.getvalue())
 
 
 def write_mesh(

@@ -10,6 +10,7 @@ import numpy as np
 
 from . import _native
 from .errors import OptionError
+from .files import write_arrays
 from .sources import MeshLike, as_mesh
 
 __all__ = ["Simulation", "SquareSimulation"]
@@ -225,18 +226,17 @@ class Simulation(_Stepped):
     def save(self, path: Union[str, PathLike]) -> None:
         """Writes the state to a file of NumPy (``.npz``), from which :meth:`load` goes on bit for bit."""
         edges, faces = self._native.stored()
-        with open(path, "wb") as file:
-            np.savez(
-                file,
-                steps=self.steps,
-                time=self.time,
-                vorticity=self.vorticity,
-                harmonic=self.harmonic,
-                names=np.array(self._names, dtype=str),
-                densities=np.array(list(self.densities.values())),
-                edge_velocity=edges,
-                face_densities=np.array(faces),
-            )
+        write_arrays(
+            path,
+            steps=self.steps,
+            time=self.time,
+            vorticity=self.vorticity,
+            harmonic=self.harmonic,
+            names=np.array(self._names, dtype=str),
+            densities=np.array(list(self.densities.values())),
+            edge_velocity=edges,
+            face_densities=np.array(faces),
+        )
 
     def load(self, path: Union[str, PathLike]) -> None:
         """Goes on from a state that :meth:`save` wrote, of the same mesh and options."""
@@ -377,8 +377,7 @@ class SquareSimulation(_Stepped):
         u, v = self._native.stored()
         names = np.array(self._names, dtype=str)
         densities = np.array(list(self.densities.values()))
-        with open(path, "wb") as file:
-            np.savez(file, steps=self.steps, time=self.time, u=u, v=v, names=names, densities=densities)
+        write_arrays(path, steps=self.steps, time=self.time, u=u, v=v, names=names, densities=densities)
 
     def load(self, path: Union[str, PathLike]) -> None:
         """Goes on from a state that :meth:`save` wrote, with the same options."""

@@ -12,6 +12,7 @@ import numpy as np
 
 from . import _native
 from .errors import OptionError, ReadError, WriteError
+from .files import write_whole
 
 __all__ = ["Puzzle", "puzzle"]
 
@@ -71,7 +72,7 @@ class Puzzle:
         if not self._drawings[place]:
             raise WriteError(f"{path}: no motion takes the puzzle apart")
         try:
-            Path(path).write_bytes(self._drawings[place])
+            write_whole(path, self._drawings[place])
         except OSError as error:
             raise WriteError(f"{path}: {error.strerror}") from error
 
