@@ -15,7 +15,7 @@ const LOOSE: f64 = 2.0;
 /// Steps to the face of B over the centre.
 const MOST_STEPS: usize = 24;
 
-/// What came of an overlay.
+/// What came of the faces of B that are seen over a piece.
 pub(super) enum Settled {
     /// The piece is discarded, or what is left of it is open; the face over its centre.
     Yes(Slot),
@@ -140,7 +140,7 @@ impl Worker<'_> {
         Walk::Lost
     }
 
-    /// Discards a piece by the face of B that is seen over its centre or by its overlay, or opens what the overlay leaves.
+    /// Discards a piece by the face of B that is seen over its centre, in parts, or by its overlay; or opens what the overlay leaves.
     pub(super) fn settle_by_overlay(&mut self, piece: &Piece, hint: Slot) -> Settled {
         let bvh = self.scene.bvh;
         let points = with_centre(&piece.corners);
