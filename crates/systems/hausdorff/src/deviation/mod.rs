@@ -41,6 +41,7 @@ mod report;
 mod run;
 mod select;
 mod statistics;
+mod tally;
 mod task;
 mod tessellation;
 mod unknown;

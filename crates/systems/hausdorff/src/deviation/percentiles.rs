@@ -1,21 +1,18 @@
 //! Percentiles: the least distance that a share of the area does not exceed, from below and from above.
 //!
-//! Areas are summed up at [`LEVELS`] levels at a time, for all percentiles together; between the two levels where the share is
+//! Areas are summed up at many levels at a time (`tally`), for all percentiles together; between the two levels where the share is
 //! reached, the same is done again, until they are close to each other.
 
 use super::distribution::{Distribution, PORTIONS};
-use super::entry::{Entry, LESS, MORE, Portion};
+use super::entry::{LESS, MORE, Portion};
 use super::forecast::Forecast;
-use super::linear::{Corners, PartUpTo, greater, greatest, least, lesser};
+use super::linear::{greater, greatest, least, lesser};
+use super::tally::{LEVELS, Scale, Side, Tally};
 use pompeiu_core::exact::Interval;
 use rayon::prelude::*;
 
-/// Levels of a scale, and the part of a level by which they lie apart at most.
-const LEVELS: usize = 32;
+/// The part of a level by which those of a scale lie apart at most.
 const COARSEST: f64 = 5e-3;
-/// Where the ends of a range differ by more than this factor, levels are this factor's root apart, and not equally far.
-const WIDE_RANGE: f64 = 64.0;
-const STEP: f64 = 0.125;
 /// How far beside a scale a percentile is looked for first: in lengths of the scale, as a part of the level, and at least. So often;
 /// then anywhere.
 const BESIDE: f64 = 4.0;
@@ -35,35 +32,6 @@ const PASSES: usize = 40;
 /// A part of an area that is much for two levels close to each other.
 const LUMP: f64 = 0.02;
 
-/// Values of a function at the corners of an entry, and the area that goes with it: that above, or that below.
-type Weighted = (Corners, f64);
-
-/// Which of the two functions between which the distance lies, with the area that makes it a bound.
-#[derive(Clone, Copy, PartialEq)]
-enum Side {
-    /// The function below, with areas from above: more area is at most so far.
-    Lower,
-    Upper,
-}
-
-impl Side {
-    fn of(self, entry: &Entry) -> Weighted {
-        match self {
-            Self::Lower => (entry.lower(), entry.area().1),
-            Self::Upper => (entry.upper(), entry.area().0),
-        }
-    }
-
-    /// Whether a sum over so many entries, exactly summed up, may be as great as wanted, or must be.
-    fn reaches(self, sum: f64, wanted: f64, entries: usize) -> bool {
-        let slack = (entries + 16) as f64 * f64::EPSILON * 4.0;
-        match self {
-            Self::Lower => sum * (1.0 + slack) >= wanted,
-            Self::Upper => sum * (1.0 - slack) >= wanted,
-        }
-    }
-}
-
 /// One end of a percentile that is looked for: up to the first of two levels less than the area wanted lies for certain, up to the
 /// second not less.
 #[derive(Clone, Copy)]
@@ -78,23 +46,6 @@ struct End {
     between: f64,
     misses: u32,
     is_found: bool,
-}
-
-/// The least and the greatest value of both functions on a portion.
-type Ranges = [(f64, f64); 2];
-
-/// Both functions, and their places among two.
-const SIDES: [(Side, usize); 2] = [(Side::Lower, 0), (Side::Upper, 1)];
-
-/// Levels in ascending order, at which areas are summed up together.
-#[derive(Clone, Copy)]
-struct Scale([f64; LEVELS]);
-
-/// The areas up to the levels of a scale: those of all entries that lie below it, and the parts of others.
-#[derive(Clone, Copy)]
-struct Tally {
-    below: f64,
-    sums: [f64; LEVELS],
 }
 
 impl Distribution {
@@ -149,61 +100,6 @@ impl Distribution {
         let at_most = |level: f64| lesser(level, largest);
         let [lower, upper] = found;
         lower.into_iter().zip(upper).map(|(lower, upper)| (at_most(lower.0), at_most(upper.1))).collect()
-    }
-
-    /// Areas up to the levels of some scales, for the function below and for the one above. `ranges` are those of all portions or of
-    /// none, and then found.
-    fn tallies(&self, scales: &[Vec<Scale>; 2], ranges: &mut Vec<Ranges>) -> [Vec<Tally>; 2] {
-        let new = || scales.each_ref().map(|scales| vec![Tally::default(); scales.len()]);
-        let of_entries = |(portions, ranges): (&[Portion], &[Ranges])| {
-            let mut tallies = new();
-            let mut found = Vec::new();
-            for (i, portion) in portions.iter().enumerate() {
-                if ranges.get(i).is_some_and(|ranges| take_whole(portion, ranges, scales, &mut tallies)) {
-                    continue;
-                }
-                let mut range = [(f64::INFINITY, f64::NEG_INFINITY); 2];
-                // Not a loop: iterators of two parts are quicker from within.
-                portion.entries.iter().for_each(|entry| {
-                    for (side, k) in SIDES {
-                        let (v, weight) = side.of(&entry);
-                        let (from, to) = (least(v), greatest(v));
-                        range[k] = (lesser(range[k].0, from), greater(range[k].1, to));
-                        let mut part = None;
-                        for (scale, tally) in scales[k].iter().zip(&mut tallies[k]) {
-                            if scale.is_above(to) {
-                                tally.below += weight;
-                            } else if !scale.is_below(from) {
-                                let part = part.get_or_insert_with(|| PartUpTo::new(v));
-                                part.add(side == Side::Lower, weight, &scale.0, &mut tally.sums);
-                            }
-                        }
-                    }
-                });
-                found.push(range);
-            }
-            (tallies, found)
-        };
-        let starts: Vec<usize> = (0..self.portions.len()).step_by(PORTIONS).collect();
-        let some = |start: &usize| {
-            let end = self.portions.len().min(start + PORTIONS);
-            of_entries((&self.portions[*start..end], ranges.get(*start..end).unwrap_or_default()))
-        };
-        let chunks: Vec<([Vec<Tally>; 2], Vec<Ranges>)> = starts.par_iter().map(some).collect();
-        let mut total = new();
-        let none_were_known = ranges.is_empty();
-        for (chunk, found) in chunks {
-            for (sum, more) in total.iter_mut().flatten().zip(chunk.iter().flatten()) {
-                sum.below += more.below;
-                for (x, y) in sum.sums.iter_mut().zip(more.sums) {
-                    *x += y;
-                }
-            }
-            if none_were_known {
-                ranges.extend(found);
-            }
-        }
-        total
     }
 
     /// Two levels moved towards each other, to the next values of entries, if much area lies between them and no entry reaches over
@@ -306,74 +202,10 @@ impl End {
     }
 }
 
-/// Counts a portion as a whole, if no scale has a level between its values.
-fn take_whole(
-    portion: &Portion,
-    ranges: &Ranges,
-    scales: &[Vec<Scale>; 2],
-    tallies: &mut [Vec<Tally>; 2],
-) -> bool {
-    let is_apart = |k: usize| {
-        let (from, to) = ranges[k];
-        scales[k].iter().all(|scale| scale.is_above(to) || scale.is_below(from))
-    };
-    if !(is_apart(0) && is_apart(1)) {
-        return false;
-    }
-    let area = portion.moments.area.enclosure();
-    for ((side, k), tallies) in SIDES.into_iter().zip(tallies) {
-        let weight = if side == Side::Lower { area.upper() } else { area.lower() };
-        for (scale, tally) in scales[k].iter().zip(tallies) {
-            tally.below += if scale.is_above(ranges[k].1) { weight } else { 0.0 };
-        }
-    }
-    true
-}
-
-impl Scale {
-    /// Whether all levels are at least so high.
-    fn is_above(&self, to: f64) -> bool {
-        to <= self.0[0]
-    }
-
-    /// Whether all levels are below.
-    fn is_below(&self, from: f64) -> bool {
-        from > self.0[LEVELS - 1]
-    }
-
-    /// Levels close to each other, up to the largest distance.
-    fn around(level: f64, fine: f64, largest: f64) -> Self {
-        let at = |i: usize| level * (1.0 + 0.9 * fine * (i as f64 - 0.5 * (LEVELS - 1) as f64));
-        Self(std::array::from_fn(|i| lesser(at(i), largest)))
-    }
-
-    /// Levels from one to another.
-    fn between(low: f64, high: f64) -> Self {
-        let mut levels = [high; LEVELS];
-        if high > WIDE_RANGE * low {
-            for i in (1..LEVELS - 1).rev() {
-                levels[i] = greater(levels[i + 1] * STEP, low);
-            }
-        } else {
-            let step = (high - low) / (LEVELS - 1) as f64;
-            for (i, level) in levels.iter_mut().enumerate().take(LEVELS - 1) {
-                *level = lesser(low + i as f64 * step, high);
-            }
-        }
-        levels[0] = low;
-        Self(levels)
-    }
-}
-
-impl Default for Tally {
-    fn default() -> Self {
-        Self { below: 0.0, sums: [0.0; LEVELS] }
-    }
-}
-
 #[cfg(test)]
 mod tests {
-    use super::super::entry::Moments;
+    use super::super::entry::{Entry, Moments};
+    use super::super::linear::Corners;
     use super::super::packed::Entries;
     use super::super::polygon::{MOST_CORNERS, Polygon};
     use super::*;
