@@ -33,6 +33,7 @@ impl Foot {
     }
 
     /// Barycentric coordinates of the feet of four points, coordinate by coordinate; NaN for a triangle without area.
+    #[inline]
     pub fn four_weights(&self, points: &[[f64; 4]; 3]) -> [[f64; 4]; 3] {
         let Self { origin, dual: [g, h], .. } = self;
         let mut weights = [[0.0; 4]; 3];
@@ -43,14 +44,6 @@ impl Foot {
             weights[0][l] = 1.0 - weights[1][l] - weights[2][l];
         }
         weights
-    }
-
-    /// Barycentric coordinates of the foot of a point's perpendicular; NaN for a triangle without area.
-    #[inline]
-    pub fn weights(&self, x: [f64; 3]) -> [f64; 3] {
-        let r = DVec3::from_array(x) - DVec3::from_array(self.origin);
-        let [v, w] = self.dual.map(|g| DVec3::from_array(g).dot(r));
-        [1.0 - v - w, v, w]
     }
 }
 

@@ -59,68 +59,59 @@ fn spread(x: u32) -> u32 {
     (x | (x << 2)) & 0x0924_9249
 }
 
-/// Stable sort by the upper 32 bits, of which the top two are zero: each thread sorts a range of codes.
-fn radix_sort_high_half(keys: &mut Vec<u64>) {
-    let parts = (keys.len() / PART).clamp(1, rayon::current_num_threads());
-    if parts == 1 {
-        return radix_sort(keys);
-    }
-    let mut counts = vec![0_usize; 1 << BITS];
-    for &key in keys.iter() {
-        counts[digit(key, PASSES - 1)] += 1;
-    }
-    // The first digits of the parts.
-    let mut firsts = vec![0];
-    let mut before = 0;
-    for (first, count) in counts.iter().enumerate() {
-        if before >= keys.len() * firsts.len() / parts {
-            firsts.push(first);
-        }
-        before += count;
-    }
-    firsts.push(1 << BITS);
-    let of_part = |ends: &[usize]| {
-        let size = counts[ends[0]..ends[1]].iter().sum();
-        let mut part = Vec::with_capacity(size);
-        part.extend(keys.iter().filter(|key| (ends[0]..ends[1]).contains(&digit(**key, PASSES - 1))));
-        radix_sort(&mut part);
-        part
-    };
-    let sorted: Vec<Vec<u64>> = firsts.par_windows(2).with_max_len(1).map(of_part).collect();
-    keys.clear();
-    keys.extend(sorted.iter().flatten());
-}
-
 /// Keys of a part that is sorted by itself, at least.
 const PART: usize = 1 << 13;
 /// Bits of a digit, and digits of a code.
 const BITS: usize = 10;
 const PASSES: usize = 3;
 
-fn digit(key: u64, pass: usize) -> usize {
-    (key >> (32 + BITS * pass)) as usize & ((1 << BITS) - 1)
+/// Stable sort by the upper 32 bits, of which the top two are zero: each thread sorts a range of codes.
+fn radix_sort_high_half(keys: &mut Vec<u64>) {
+    let mut other = vec![0; keys.len()];
+    let parts = (keys.len() / PART).clamp(1, rayon::current_num_threads());
+    if parts == 1 {
+        radix_sort(keys, &mut other);
+        std::mem::swap(keys, &mut other);
+        return;
+    }
+    let ends = move_by_digit(keys, &mut other, PASSES - 1);
+    let mut ranges = Vec::with_capacity(parts);
+    let count = keys.len();
+    let (mut from, mut to, mut start) = (&mut other[..], &mut keys[..], 0);
+    for part in 1..=parts {
+        let end = ends[ends.partition_point(|end| *end < count * part / parts)];
+        let (these, those) = (from.split_at_mut(end - start), to.split_at_mut(end - start));
+        ranges.push((these.0, those.0));
+        (from, to, start) = (these.1, those.1, end);
+    }
+    ranges.into_par_iter().with_max_len(1).for_each(|(from, to)| radix_sort(from, to));
 }
 
-fn radix_sort(keys: &mut Vec<u64>) {
-    let mut counts = vec![[0_usize; 1 << BITS]; PASSES];
-    for &key in keys.iter() {
-        for (pass, count) in counts.iter_mut().enumerate() {
-            count[digit(key, pass)] += 1;
-        }
+/// Leaves the keys of one slice in order in the other.
+fn radix_sort<'k>(mut from: &'k mut [u64], mut to: &'k mut [u64]) {
+    for pass in 0..PASSES {
+        move_by_digit(from, to, pass);
+        std::mem::swap(&mut from, &mut to);
     }
-    let mut other = vec![0; keys.len()];
-    for (pass, count) in counts.iter_mut().enumerate() {
-        let mut start = 0;
-        for c in count.iter_mut() {
-            (*c, start) = (start, start + *c);
-        }
-        for &key in keys.iter() {
-            let place = &mut count[digit(key, pass)];
-            other[*place] = key;
-            *place += 1;
-        }
-        std::mem::swap(keys, &mut other);
+}
+
+/// Moves keys by one digit, and returns where those of each digit end.
+fn move_by_digit(from: &[u64], to: &mut [u64], pass: usize) -> [usize; 1 << BITS] {
+    let digit = |key: u64| (key >> (32 + BITS * pass)) as usize & ((1 << BITS) - 1);
+    let mut places = [0; 1 << BITS];
+    for &key in from {
+        places[digit(key)] += 1;
     }
+    let mut start = 0;
+    for place in &mut places {
+        (*place, start) = (start, start + *place);
+    }
+    for &key in from {
+        let place = &mut places[digit(key)];
+        to[*place] = key;
+        *place += 1;
+    }
+    places
 }
 
 #[cfg(test)]
@@ -157,6 +148,7 @@ mod tests {
             prop_assert_eq!(order, (0..mesh.faces().len() as u32).collect::<Vec<_>>());
         }
     }
+
     /// On several threads, where many keys share a digit, too.
     #[test]
     fn parts_are_put_together_in_order() {

@@ -37,24 +37,6 @@ const PART: usize = 1 << 11;
 /// Uses at one vertex that are compared with each other; more are sorted.
 const FEW: usize = 16;
 
-/// An edge of a triangle, kept with its lesser vertex.
-#[derive(Clone, Copy, Default)]
-struct Use {
-    greater: u32,
-    /// Slot, whether the edge leads from the greater vertex to the lesser, and which edge of the triangle it is.
-    packed: u32,
-}
-
-impl Use {
-    fn bits(self) -> u64 {
-        u64::from(self.greater) << 32 | u64::from(self.packed)
-    }
-
-    fn of(bits: u64) -> Self {
-        Self { greater: (bits >> 32) as u32, packed: bits as u32 }
-    }
-}
-
 impl Neighbours {
     /// Finds the neighbours among the triangles of a tree over a mesh; none at all for a mesh beyond 2^29 faces.
     pub fn new(mesh: &TriMesh, bvh: &Bvh) -> Self {
@@ -69,10 +51,10 @@ impl Neighbours {
         let write = |to: u32, from: u32, same: u32| {
             across[(to >> 3) as usize][(to & 3) as usize].store(from & !4 | same, Ordering::Relaxed);
         };
-        starts.par_windows(2).with_min_len(PART).for_each_init(Vec::new, |group: &mut Vec<Use>, ends| {
+        starts.par_windows(2).with_min_len(PART).for_each_init(Vec::new, |group: &mut Vec<u64>, ends| {
             group.clear();
             let uses = &uses[ends[0] as usize..ends[1] as usize];
-            group.extend(uses.iter().map(|bits| Use::of(bits.load(Ordering::Relaxed))));
+            group.extend(uses.iter().map(|used| used.load(Ordering::Relaxed)));
             pair(group, |p, q| {
                 let same = u32::from((p ^ q) & 4 == 0) << 2;
                 write(p, q, same);
@@ -100,7 +82,8 @@ impl Neighbours {
     }
 }
 
-/// The edges of all triangles by lesser vertex, and where those of each vertex start.
+/// The edges of all triangles by lesser vertex, and where those of each vertex start. An edge is its greater vertex in the upper half,
+/// and in the lower one its slot, whether it leads from the greater vertex to the lesser, and which edge of the triangle it is.
 fn uses_by_vertex(mesh: &TriMesh, bvh: &Bvh) -> (Vec<u32>, Vec<AtomicU64>) {
     let uses_of = |slot: Slot| {
         let face = mesh.faces()[bvh.face(slot).index()];
@@ -108,7 +91,7 @@ fn uses_by_vertex(mesh: &TriMesh, bvh: &Bvh) -> (Vec<u32>, Vec<AtomicU64>) {
         (0..3).filter(move |_| valid).map(move |k| {
             let (a, b) = (face[k], face[(k + 1) % 3]);
             let (lesser, greater, backward) = if a < b { (a, b, 0) } else { (b, a, 4) };
-            (lesser as usize, Use { greater, packed: slot.index() as u32 * 8 + backward + k as u32 })
+            (lesser as usize, u64::from(greater) << 32 | (slot.index() * 8 + backward + k) as u64)
         })
     };
     let slots: Vec<Slot> = bvh.slots().collect();
@@ -137,7 +120,7 @@ fn uses_by_vertex(mesh: &TriMesh, bvh: &Bvh) -> (Vec<u32>, Vec<AtomicU64>) {
     let uses: Vec<AtomicU64> = (0..total).into_par_iter().map(|_| AtomicU64::new(0)).collect();
     parts.par_iter().zip(&mut places).for_each(|(slots, places)| {
         for (v, used) in slots.iter().flat_map(|slot| uses_of(*slot)) {
-            uses[places[v] as usize].store(used.bits(), Ordering::Relaxed);
+            uses[places[v] as usize].store(used, Ordering::Relaxed);
             places[v] += 1;
         }
     });
@@ -145,23 +128,24 @@ fn uses_by_vertex(mesh: &TriMesh, bvh: &Bvh) -> (Vec<u32>, Vec<AtomicU64>) {
 }
 
 /// Tells of each two uses of an edge that no other one shares.
-fn pair(group: &mut [Use], mut tell: impl FnMut(u32, u32)) {
+fn pair(group: &mut [u64], mut tell: impl FnMut(u32, u32)) {
+    let greater = |used: u64| used >> 32;
     if group.len() > FEW {
-        group.sort_unstable_by_key(|u| (u.greater, u.packed));
-        for edge in group.chunk_by(|p, q| p.greater == q.greater) {
+        group.sort_unstable();
+        for edge in group.chunk_by(|p, q| greater(*p) == greater(*q)) {
             if let [p, q] = edge {
-                tell(p.packed, q.packed);
+                tell(*p as u32, *q as u32);
             }
         }
         return;
     }
     for (i, p) in group.iter().enumerate() {
-        let same = |q: &&Use| q.greater == p.greater;
+        let same = |q: &&u64| greater(**q) == greater(*p);
         let mut later = group[i + 1..].iter().filter(same);
         if let (Some(q), None) = (later.next(), later.next())
             && !group[..i].iter().any(|q| same(&q))
         {
-            tell(p.packed, q.packed);
+            tell(*p as u32, *q as u32);
         }
     }
 }

@@ -7,7 +7,7 @@ use super::options::DeviationOptions;
 use super::packed::{Entries, are_packed};
 use super::report::{Deviation, DirectedDeviation};
 use super::run::{Outcome, Pair, run};
-use super::statistics::{Percentile, Summary, Wanted};
+use super::statistics::{Percentile, Summary, Wanted, is_narrow};
 use super::unknown::unknown;
 use crate::coarse;
 use crate::engine::{Question, joint_frame};
@@ -65,7 +65,7 @@ impl DeviationOptions<'_> {
     }
 
     fn both(&self, a: &TriMesh, b: &TriMesh, there: Outcome, back: Outcome) -> Deviation {
-        let (frame, joint, _) = joint_frame(a, b);
+        let (frame, joint, rounding) = joint_frame(a, b);
         let greater_percentiles = there.summary.as_ref().zip(back.summary.as_ref()).map(|(x, y)| {
             let both = x.percentiles.iter().zip(&y.percentiles);
             let greater = both.map(|(x, y)| super::run::greater_of(*x, *y));
@@ -88,8 +88,8 @@ impl DeviationOptions<'_> {
         let wanted = Wanted::of(self, &frame);
         let summary = match there.summary.as_ref().zip(back.summary.as_ref()) {
             Some((x, y)) => {
-                let floor = Self::FLOOR * frame.length_in(joint.diagonal());
-                let is_narrow = |(low, high): &(f64, f64)| high - low <= self.accuracy * low + floor;
+                let floor = Self::floor(&frame, &joint, rounding);
+                let is_narrow = |ends: &(f64, f64)| is_narrow(*ends, self.accuracy, floor);
                 let known = Some(between(x, y)).filter(|percentiles| percentiles.iter().all(is_narrow));
                 Summary::with(x.sums.plus(y.sums), &pooled, &wanted, largest, known)
             }
@@ -123,7 +123,7 @@ impl DeviationOptions<'_> {
             let options = HausdorffOptions::default();
             let question = Question { options: &options, direction, deadline };
             let distance = coarse::bound_quickly(&question, from, to, stop);
-            let floor = Self::FLOOR * frame.length_in(joint.diagonal()) + 4.0 * rounding.bound(0);
+            let floor = Self::floor(&frame, &joint, rounding);
             return unknown(self, from, &frame, direction, floor, distance, stop);
         }
         let target = Target::in_frame(to, frame);

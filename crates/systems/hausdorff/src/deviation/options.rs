@@ -1,7 +1,9 @@
 //! The options of a deviation analysis.
 
 use crate::observer::Observer;
+use crate::rounding::Rounding;
 use crate::tolerance::{OptionError, check_threshold};
+use pompeiu_core::geom::{Aabb, Frame};
 use pompeiu_core::run::Limits;
 
 /// The options of a deviation analysis: how far two meshes deviate from each other, where, and over how much of the area.
@@ -88,6 +90,11 @@ impl DeviationOptions<'_> {
     pub const DEFAULT_PIECES: usize = 4_000_000;
     /// The same for each face of both meshes, where that is more.
     pub const PIECES_PER_FACE: usize = 12;
+
+    /// The width in a frame that always suffices, of meshes with this joint box.
+    pub(super) fn floor(frame: &Frame, joint: &Aabb, rounding: Rounding) -> f64 {
+        Self::FLOOR * frame.length_in(joint.diagonal()) + 4.0 * rounding.bound(0)
+    }
 
     /// Whether the options make sense.
     ///

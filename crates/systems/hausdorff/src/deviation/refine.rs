@@ -7,7 +7,7 @@ use super::distribution::Distribution;
 use super::goal::Goal;
 use super::linear::{greater, lesser};
 use super::select::{flag, keep_the_worst, suffices};
-use super::statistics::{Summary, Wanted};
+use super::statistics::{Summary, Wanted, is_narrow};
 use super::task::{FaceBounds, Faces, Made};
 use pompeiu_core::spatial::Slot;
 use rayon::prelude::*;
@@ -103,8 +103,8 @@ impl Refinement<'_> {
                 refined.tight = true;
                 return refined;
             };
-            let within = |(low, high): (f64, f64)| high - low <= accuracy * low + floor;
-            let means_are_tight = within(summary.mean) && within(summary.rms);
+            let means_are_tight =
+                [summary.mean, summary.rms].into_iter().all(|ends| is_narrow(ends, accuracy, floor));
             let excess = greater(self.excess(summary.mean), self.excess(summary.rms));
             let of_percentiles = summary.percentiles.iter().map(|ends| self.excess(*ends));
             let excess_of_focus = of_percentiles.fold(1.0, greater);
@@ -279,12 +279,8 @@ impl Refinement<'_> {
     /// Ranges of distances in which pieces keep a statistic from being as narrow as asked.
     fn focus(&self, summary: &Summary) -> Vec<(f64, f64)> {
         let Aim { accuracy, floor, wanted, .. } = *self.aim;
-        let mut focus: Vec<(f64, f64)> = summary
-            .percentiles
-            .iter()
-            .copied()
-            .filter(|(low, high)| high - low > accuracy * low + floor)
-            .collect();
+        let mut focus: Vec<(f64, f64)> =
+            summary.percentiles.iter().copied().filter(|ends| !is_narrow(*ends, accuracy, floor)).collect();
         if let Some(((low, high), threshold)) = summary.above.zip(wanted.threshold)
             && high - low > accuracy
         {

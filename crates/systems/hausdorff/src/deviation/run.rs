@@ -65,7 +65,6 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
     let frame = *target.frame();
     let bvh = target.bvh();
     let rounding = Rounding::new(target.max_coordinate_with(&a_box));
-    let diagonal = frame.length_in(a_box.union(target.aabb()).diagonal());
 
     // At most half of the time for the largest distance.
     let half = deadline.map(|end| started + end.saturating_duration_since(started) / 2);
@@ -79,7 +78,7 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
     let largest = frame.length_in(distance.distance.upper()).next_up();
 
     let refining = Instant::now();
-    let floor = DeviationOptions::FLOOR * diagonal + 4.0 * rounding.bound(0);
+    let floor = DeviationOptions::floor(&frame, &a_box.union(target.aabb()), rounding);
     let early = Control::default().until(deadline);
     if watched.cancelled.load(Ordering::Relaxed) {
         early.stop(StopReason::Cancelled);

@@ -186,6 +186,11 @@ impl Summary {
     }
 }
 
+/// Whether an enclosure is as narrow as asked, or as widths that always suffice.
+pub(super) fn is_narrow((low, high): (f64, f64), accuracy: f64, floor: f64) -> bool {
+    high - low <= accuracy * low + floor
+}
+
 fn share_above(distribution: &Distribution, threshold: f64, area: Interval, largest: f64) -> (f64, f64) {
     if threshold >= largest {
         return (0.0, 0.0);

@@ -62,11 +62,12 @@ impl Distribution {
     /// none, and then found.
     pub(super) fn tallies(&self, scales: &[Vec<Scale>; 2], ranges: &mut Vec<Ranges>) -> [Vec<Tally>; 2] {
         let new = || scales.each_ref().map(|scales| vec![Tally::default(); scales.len()]);
-        let of_entries = |(portions, ranges): (&[Portion], &[Ranges])| {
+        let of_entries = |(chunk, portions): (usize, &[Portion])| {
+            let known = ranges.get(chunk * PORTIONS..).unwrap_or_default();
             let mut tallies = new();
             let mut found = Vec::new();
             for (i, portion) in portions.iter().enumerate() {
-                if ranges.get(i).is_some_and(|ranges| take_whole(portion, ranges, scales, &mut tallies)) {
+                if known.get(i).is_some_and(|ranges| take_whole(portion, ranges, scales, &mut tallies)) {
                     continue;
                 }
                 let mut range = [(f64::INFINITY, f64::NEG_INFINITY); 2];
@@ -91,12 +92,8 @@ impl Distribution {
             }
             (tallies, found)
         };
-        let starts: Vec<usize> = (0..self.portions.len()).step_by(PORTIONS).collect();
-        let some = |start: &usize| {
-            let end = self.portions.len().min(start + PORTIONS);
-            of_entries((&self.portions[*start..end], ranges.get(*start..end).unwrap_or_default()))
-        };
-        let chunks: Vec<([Vec<Tally>; 2], Vec<Ranges>)> = starts.par_iter().map(some).collect();
+        let chunks: Vec<([Vec<Tally>; 2], Vec<Ranges>)> =
+            self.portions.par_chunks(PORTIONS).enumerate().map(of_entries).collect();
         let mut total = new();
         let none_were_known = ranges.is_empty();
         for (chunk, found) in chunks {

@@ -1,5 +1,5 @@
-//! The search: good lower bounds first, then a sweep over all faces by single faces of B and by overlays, then cover, generate
-//! and cut on what is left.
+//! The search: good lower bounds first, then a sweep over all faces by single faces of B, in parts and by overlays, then cover,
+//! generate and cut on what is left.
 //!
 //! Work is dealt out in rounds of tasks whose sizes are counted, never timed. A task sees the lower bound as it was when the
 //! round began and what it found itself; results are merged in task order. So the answer does not depend on the number of

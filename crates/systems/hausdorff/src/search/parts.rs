@@ -166,16 +166,13 @@ impl Side {
 
 #[cfg(test)]
 mod tests {
-    use super::super::overlay::sheet;
+    use super::super::overlay::{lattice, sheet};
     use super::*;
     use crate::Target;
-    use pompeiu_core::geom::point_triangle::distance_sq;
     use pompeiu_core::spatial::Workspace;
     use pompeiu_testkit::effort::cases;
+    use pompeiu_testkit::plain::point_triangles;
     use proptest::prelude::*;
-
-    /// Points to an edge of a triangle, less one.
-    const STEPS: i32 = 10;
 
     fn cover(t: &[[f64; 3]; 3], target: &Target, limit: f64) -> Option<f64> {
         let (bvh, neighbours) = (target.bvh(), target.neighbours().unwrap());
@@ -200,16 +197,10 @@ mod tests {
             let limit = target.frame().length_in(limit);
             if let Some(bound_sq) = cover(&t, &target, limit) {
                 prop_assert!(bound_sq <= limit * limit);
-                for i in 0..=STEPS {
-                    for j in 0..=STEPS - i {
-                        let [v, w] = [i, j].map(|x| f64::from(x) / f64::from(STEPS));
-                        let x = [0, 1, 2].map(|k| t[0][k] + v * (t[1][k] - t[0][k]) + w * (t[2][k] - t[0][k]));
-                        let far = target.bvh().slots().fold(f64::INFINITY, |least, slot| {
-                            let [a, b, c] = target.bvh().corners(slot);
-                            f64::min(least, distance_sq(x, a, b, c))
-                        });
-                        prop_assert!(far.sqrt() <= bound_sq.sqrt() + 1e-14, "{v} {w}: {far} {bound_sq}");
-                    }
+                let triangles: Vec<_> = target.bvh().slots().map(|slot| target.bvh().corners(slot)).collect();
+                for x in lattice(&t) {
+                    let far = point_triangles(x, &triangles);
+                    prop_assert!(far <= bound_sq.sqrt() + 1e-14, "{x:?}: {far} {bound_sq}");
                 }
             }
         }

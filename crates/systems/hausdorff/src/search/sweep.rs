@@ -57,7 +57,6 @@ impl Worker<'_> {
     /// Discards a face or opens it. `hint` is a face of B that may be near; returns one that is.
     pub(super) fn sweep_face(&mut self, face: u32, corners: &[[f64; 3]; 3], hint: Slot) -> Slot {
         self.out.work.pieces += 1;
-        let points = with_centre(corners);
         let mut piece = Piece::whole(face, *corners, hint);
         let mut over_centre = None;
         match self.settle_by_overlay(&piece, hint) {
@@ -69,6 +68,7 @@ impl Worker<'_> {
             Settled::No(slot) => over_centre = slot,
         }
         self.out.work.queries += 1;
+        let points = with_centre(corners);
         let x = centre(&points);
         let start = Nearest { slot: hint, distance_sq: self.scene.bvh.distance_sq(x, hint) };
         let nearest = match self.scene.bvh.cover(&points, self.limit_sq(0), start, &mut self.workspace) {
@@ -116,7 +116,7 @@ impl Worker<'_> {
             let mut exit = (3, 0.0);
             if self.scene.neighbours.is_some() {
                 // The edge opposite to a corner leads from the next one.
-                for (corner, weight) in foot.weights(centre(points)).into_iter().enumerate() {
+                for (corner, [.., weight]) in foot.four_weights(points).into_iter().enumerate() {
                     let edge = (corner + 1) % 3;
                     if weight < exit.1 && edge != entered_by {
                         exit = (edge, weight);

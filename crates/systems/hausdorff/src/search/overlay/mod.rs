@@ -29,7 +29,7 @@ mod view;
 
 pub(crate) use cells::Cell;
 #[cfg(test)]
-pub(crate) use tests::sheet;
+pub(crate) use tests::{lattice, sheet};
 pub(crate) use view::{View, clamped};
 
 use cells::{Polygon, Strip};

@@ -36,6 +36,13 @@ fn run(t: &[[f64; 3]; 3], sheet: &TriMesh, limit_sq: f64, keep_all: bool) -> (Ov
 /// Points to an edge of a triangle, less one.
 const STEPS: i32 = 12;
 
+/// Points of a triangle, its corners and sides included.
+pub(crate) fn lattice(t: &[[f64; 3]; 3]) -> impl Iterator<Item = [f64; 3]> {
+    (0..=STEPS)
+        .flat_map(|i| (0..=STEPS - i).map(move |j| [i, j].map(|x| f64::from(x) / f64::from(STEPS))))
+        .map(|[v, w]| [0, 1, 2].map(|k| t[0][k] + v * (t[1][k] - t[0][k]) + w * (t[2][k] - t[0][k])))
+}
+
 /// Whether the cells cover a triangle, as far as a lattice of its points tells; and whether corners are as near to the
 /// face of their cell as is said.
 fn check(t: &[[f64; 3]; 3], overlay: &Overlay, target: &Target) {
@@ -49,13 +56,9 @@ fn check(t: &[[f64; 3]; 3], overlay: &Overlay, target: &Target) {
             assert!(distance_sq(*corner, t[0], t[1], t[2]) < 1e-28);
         }
     }
-    for i in 0..=STEPS {
-        for j in 0..=STEPS - i {
-            let [v, w] = [i, j].map(|x| f64::from(x) / f64::from(STEPS));
-            let x = [0, 1, 2].map(|k| t[0][k] + v * (t[1][k] - t[0][k]) + w * (t[2][k] - t[0][k]));
-            let holds = |c: &[[f64; 3]; 3]| distance_sq(x, c[0], c[1], c[2]) < 1e-26;
-            assert!(triangles.iter().any(|(c, _)| holds(c)), "{v} {w} is in no cell");
-        }
+    for x in lattice(&t) {
+        let holds = |c: &[[f64; 3]; 3]| distance_sq(x, c[0], c[1], c[2]) < 1e-26;
+        assert!(triangles.iter().any(|(c, _)| holds(c)), "{x:?} is in no cell");
     }
 }
 
