@@ -1,8 +1,8 @@
 //! Numbers on the command line and in answers for people.
 
-use pompeiu::flow::remesh::IntersectionCount;
 use pompeiu::hausdorff::digits::MOST_DIGITS;
 pub(crate) use pompeiu::hausdorff::digits::{agreed, between, brief, briefly_agreed, shortest};
+use pompeiu::remesh::IntersectionCount;
 use std::time::Duration;
 
 /// Parses numbers separated by commas.

@@ -40,6 +40,8 @@ pub use pompeiu_operators as operators;
 pub use pompeiu_planar as planar;
 #[cfg(feature = "puzzle")]
 pub use pompeiu_puzzle as puzzle;
+#[cfg(feature = "remesh")]
+pub use pompeiu_remesh as remesh;
 #[cfg(feature = "operators")]
 pub use pompeiu_solve as solve;
 #[cfg(feature = "operators")]

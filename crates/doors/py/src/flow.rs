@@ -1,4 +1,4 @@
-//! Flow to least area, and simplification.
+//! Flow to least area, remeshing and simplification.
 
 use crate::arrays::{array_of_rows, colors as rgb, faces, vectors};
 use crate::errors::{Raise, unknown};
@@ -9,11 +9,11 @@ use crate::wait::{self, Share, Told, Watch};
 use numpy::PyArray2;
 use pompeiu::core::geom::Aabb;
 use pompeiu::core::spatial::self_intersections;
-use pompeiu::flow::remesh::{
-    Carrier, CornerValues, Features, Intersections, RemeshOptions, SimplifyOptions, SimplifyTarget, Sizing,
-};
 use pompeiu::flow::{BoundaryCondition, FlowOptions, FlowStep, Remeshing, Scheme, Until};
 use pompeiu::io::AttributeError;
+use pompeiu::remesh::{
+    Carrier, CornerValues, Features, Intersections, RemeshOptions, SimplifyOptions, SimplifyTarget, Sizing,
+};
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 use std::num::NonZeroUsize;
@@ -158,7 +158,7 @@ pub(crate) fn simplify<'py>(
             progress: Some(&*watch),
             ..SimplifyOptions::new(target)
         };
-        pompeiu::flow::remesh::simplify(held.get().inner(), &options)
+        pompeiu::remesh::simplify(held.get().inner(), &options)
     })?;
     let found = found.map_err(Raise::raise)?;
     let texture = texture.map(|carrier| {
@@ -217,7 +217,7 @@ pub(crate) fn remesh(
             progress: Some(&*watch),
             ..RemeshOptions::new(sizing)
         };
-        pompeiu::flow::remesh::remesh(mesh.get().inner(), &options)
+        pompeiu::remesh::remesh(mesh.get().inner(), &options)
     })?;
     let found = found.map_err(Raise::raise)?;
     let reports = [written(&found.before)?, written(&found.after)?, written(&found.distance)?];

@@ -1,15 +1,36 @@
-//! Flow of triangle surfaces to least area, and remeshing with a proven distance from the input.
+//! Flow of triangle surfaces to least area.
 //!
 //! | item | what it is |
 //! |---|---|
 //! | [`mean_curvature_flow`] | flow in time, and to minimal surfaces |
-//! | [`remesh::simplify`] | few faces within a distance that is proven |
-//! | [`remesh::remesh`] | nearly equilateral faces of a wanted size |
-//! | [`remesh::DynamicMesh`] | halfedge connectivity that can be edited |
+//! | [`FlowOptions`] | the scheme, the end, what the boundary may do, remeshing on the way |
+//! | [`Flow`] | the surface, why the flow ended, whether it is a minimum, every step |
 
-mod mean_curvature;
-pub mod remesh;
+mod discs;
+mod error;
+mod existence;
+mod gradient;
+mod moving;
+mod observer;
+mod options;
+mod pinch;
+mod report;
+mod run;
 #[cfg(feature = "figures")]
 pub mod show;
+mod stability;
+mod step;
+mod systems;
+mod time;
+mod triangle;
 
-pub use mean_curvature::*;
+pub use discs::Discs;
+pub use error::FlowError;
+pub use existence::Cone;
+pub use gradient::GradientNorm;
+pub use observer::{FlowObserver, FlowStep};
+pub use options::{BoundaryCondition, FlowOptions, Remeshing, Scheme, Until};
+pub use pinch::Neck;
+pub use report::{Change, Flow, FlowRecord, FlowStop, FlowTiming, StepReason};
+pub use run::mean_curvature_flow;
+pub use stability::Stability;

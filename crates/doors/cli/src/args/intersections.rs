@@ -1,7 +1,7 @@
 //! What is done about faces of a result that intersect.
 
 use clap::{Args, ValueEnum};
-use pompeiu::flow::remesh;
+use pompeiu::remesh;
 
 #[derive(Args)]
 pub(crate) struct Intersections {

@@ -1,9 +1,7 @@
-//! Flows and remeshed surfaces as pages, and as pictures.
+//! Flows as pages, and as pictures.
 
 mod frames;
 mod page;
-mod remeshed;
 
 pub use frames::{Frame, Frames};
 pub use page::FlowPage;
-pub use remeshed::RemeshPage;

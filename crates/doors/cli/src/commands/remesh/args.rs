@@ -3,7 +3,7 @@
 use crate::args::{Intersections, Limits, Picture};
 use crate::numbers::magnitude;
 use clap::{ArgGroup, Args};
-use pompeiu::flow::remesh::RemeshOptions;
+use pompeiu::remesh::RemeshOptions;
 use std::path::PathBuf;
 
 /// Give a mesh nearly equilateral faces of a wanted size

@@ -4,8 +4,8 @@ use super::run::Outcome;
 use crate::json::{line, milliseconds};
 use crate::pair::File;
 use pompeiu::core::run::StopReason;
-use pompeiu::flow::remesh::{IntersectionCount, Quality};
 use pompeiu::hausdorff::Enclosure;
+use pompeiu::remesh::{IntersectionCount, Quality};
 use serde::Serialize;
 
 /// The outcome on one line.

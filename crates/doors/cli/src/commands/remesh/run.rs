@@ -12,8 +12,8 @@ use crate::wait::Wait;
 use anyhow::Context;
 use pompeiu::core::geom::Aabb;
 use pompeiu::core::run::{Limits, Progress, StopReason};
-use pompeiu::flow::remesh::{Features, RemeshOptions, Remeshed, Sizing, remesh};
-use pompeiu::flow::show::RemeshPage;
+use pompeiu::remesh::show::RemeshPage;
+use pompeiu::remesh::{Features, RemeshOptions, Remeshed, Sizing, remesh};
 use std::time::{Duration, Instant};
 
 /// Least and greatest length of edges that follow curvature, as fractions of the diagonal.

@@ -4,7 +4,7 @@ use super::run::Outcome;
 use crate::numbers::{few, grouped, pairs_that_intersect, shortest, time};
 use crate::page::value;
 use crate::printer::LABEL;
-use pompeiu::flow::remesh::Quality;
+use pompeiu::remesh::Quality;
 use std::fmt::Write;
 
 /// A row for each quantity, before and after, and the distance.

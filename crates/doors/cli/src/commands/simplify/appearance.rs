@@ -5,8 +5,8 @@ use crate::numbers::grouped;
 use crate::printer::Printer;
 use anyhow::Context;
 use pompeiu::core::{TriMesh, VertexId};
-use pompeiu::flow::remesh::{Carrier, CornerValues, Simplified};
 use pompeiu::io::{Attributes, Materials, OutputFormat, read_appearance};
+use pompeiu::remesh::{Carrier, CornerValues, Simplified};
 use serde::Serialize;
 use std::path::Path;
 

@@ -5,8 +5,8 @@ use super::run::{Outcome, within};
 use crate::json::{line, milliseconds};
 use crate::pair::File;
 use pompeiu::core::run::StopReason;
-use pompeiu::flow::remesh::IntersectionCount;
 use pompeiu::hausdorff::Enclosure;
+use pompeiu::remesh::IntersectionCount;
 use serde::Serialize;
 
 /// The outcome on one line.

@@ -12,7 +12,7 @@ use crate::wait::Wait;
 use anyhow::Context;
 use pompeiu::core::geom::Aabb;
 use pompeiu::core::run::{Limits, Progress, StopReason};
-use pompeiu::flow::remesh::{Features, Simplified, SimplifyOptions, SimplifyTarget, simplify_levels};
+use pompeiu::remesh::{Features, Simplified, SimplifyOptions, SimplifyTarget, simplify_levels};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 

@@ -13,10 +13,10 @@ use super::step::{FirstMetric, FullSystem};
 use super::systems::{Systems, prepared};
 use super::time::TimeStep;
 use super::{FlowError, discs, stability};
-use crate::remesh::{DynamicMesh, self_intersections_of};
 use glam::{DMat3, DVec3};
 use pompeiu_core::TriMesh;
 use pompeiu_core::run::{Control, on_threads};
+use pompeiu_remesh::DynamicMesh;
 use std::ops::ControlFlow;
 use std::time::Instant;
 use steps::{Done, Outcome};
@@ -166,7 +166,7 @@ impl<'r> Runner<'r> {
                 break;
             };
             self.way += self.longest_move(&to);
-            self.surface.mesh.positions = to;
+            self.surface.mesh.positions_mut().copy_from_slice(&to);
             self.time = self.time.zip(time).map(|(from, by)| from + by);
             steps += 1;
             self.timing.steps += started.elapsed();
@@ -325,7 +325,7 @@ impl<'r> Runner<'r> {
         let mut mesh = self.surface.mesh.clone();
         mesh.map_positions(back);
         let mesh = mesh.to_mesh()?;
-        let intersections = self_intersections_of(&mesh, self.options.intersections)?;
+        let intersections = self.options.intersections.of(&mesh)?;
         let slides = self.options.boundary != BoundaryCondition::Fixed && !loops.is_empty();
         self.timing.verdict += started.elapsed();
         Ok(Flow {

@@ -33,7 +33,7 @@ pub(crate) fn neck(surface: &MovingSurface, mean_edge: f64) -> Option<Neck> {
     let mut tried = covered.clone();
     let mut found: Option<Neck> = None;
     for seed in 0..covered.len() as u32 {
-        if covered[seed as usize] || surface.mesh.outgoing[seed as usize] == crate::remesh::NONE {
+        if covered[seed as usize] || !surface.mesh.has_faces(seed) {
             continue;
         }
         balls.grow(seed, 1.5 * half);
@@ -90,9 +90,9 @@ impl<'s> Balls<'s> {
             }
             self.found[vertex as usize] = (self.ball, distance);
             self.vertices.push(vertex);
-            let from: DVec3 = mesh.positions[vertex as usize];
+            let from: DVec3 = mesh.positions()[vertex as usize];
             for w in mesh.neighbours(vertex) {
-                let there = distance + from.distance(mesh.positions[w as usize]);
+                let there = distance + from.distance(mesh.positions()[w as usize]);
                 if there <= radius && self.found[w as usize].0 != self.ball {
                     self.heap.push(Near { distance: there, vertex: w });
                 }

@@ -2,8 +2,8 @@
 
 use super::options::BoundaryCondition;
 use super::triangle::Triangle;
-use crate::remesh::{DynamicMesh, NONE, angles};
 use glam::DVec3;
+use pompeiu_remesh::{DynamicMesh, angles};
 use rayon::prelude::*;
 
 /// How a vertex may move.
@@ -53,22 +53,21 @@ impl MovingSurface {
             BoundaryCondition::Planes(_) => Motion::InPlane,
         };
         let of = |v: u32| if mesh.is_boundary(v) { at_boundary } else { Motion::Free };
-        let motion = (0..mesh.positions.len() as u32).map(of).collect();
+        let motion = (0..mesh.positions().len() as u32).map(of).collect();
         Self { mesh, motion }
     }
 
     /// The boundary loops, as polygons.
     pub(crate) fn boundary_loops(&self) -> Vec<Vec<DVec3>> {
         let mesh = &self.mesh;
-        let mut left: Vec<bool> = (0..mesh.positions.len() as u32)
-            .map(|v| mesh.outgoing[v as usize] != NONE && mesh.is_boundary(v))
-            .collect();
+        let mut left: Vec<bool> =
+            (0..mesh.positions().len() as u32).map(|v| mesh.has_faces(v) && mesh.is_boundary(v)).collect();
         let mut loops = Vec::new();
         for v in 0..left.len() as u32 {
             let mut at = v;
             let mut polygon = Vec::new();
             while std::mem::replace(&mut left[at as usize], false) {
-                polygon.push(mesh.positions[at as usize]);
+                polygon.push(mesh.positions()[at as usize]);
                 at = mesh.next_on_boundary(at);
             }
             if !polygon.is_empty() {
@@ -85,11 +84,11 @@ impl MovingSurface {
     }
 
     pub(crate) fn positions(&self) -> &[DVec3] {
-        &self.mesh.positions
+        self.mesh.positions()
     }
 
     pub(crate) fn faces(&self) -> &[[u32; 3]] {
-        self.mesh.origin.as_chunks::<3>().0
+        self.mesh.face_slots()
     }
 
     pub(crate) fn triangle(&self, face: usize, positions: &[DVec3]) -> Triangle {

@@ -118,11 +118,12 @@ impl TimeStep {
         if !(self.adaptive || self.extrapolate) {
             return Ok(Some((whole, 0.0)));
         }
-        let half = moved(surface, &step::implicit(surface, derivatives, systems, 2.0 / by, first)?, 1.0);
-        let before = std::mem::replace(&mut surface.mesh.positions, half);
+        let mut half = moved(surface, &step::implicit(surface, derivatives, systems, 2.0 / by, first)?, 1.0);
+        // The surface stands there for the second half.
+        half.swap_with_slice(surface.mesh.positions_mut());
         let there = Derivatives::of(surface, derivatives.pressure.is_some());
         let second = step::implicit(surface, &there, systems, 2.0 / by, first);
-        let half = std::mem::replace(&mut surface.mesh.positions, before);
+        half.swap_with_slice(surface.mesh.positions_mut());
         let to: Vec<DVec3> = half.iter().zip(second?).map(|(p, step)| *p + step).collect();
         let mut error = 0.0;
         for (v, (p, q)) in whole.iter().zip(&to).enumerate() {

@@ -3,7 +3,6 @@
 use super::collapses::Collapses;
 use super::connectivity::DynamicMesh;
 use super::features::{Curves, FeatureError};
-use super::guard::self_intersections_of;
 use super::lengths::NotWithin;
 use super::marked::Marked;
 use super::options::{Simplified, SimplifyError, SimplifyOptions, SimplifyTarget, SimplifyTiming};
@@ -43,7 +42,7 @@ const LOCAL_SHARE: f64 = 0.9999;
 /// # Example
 /// ```
 /// use pompeiu_core::mesh::shapes::icosphere;
-/// use pompeiu_flow::remesh::{SimplifyOptions, SimplifyTarget, simplify};
+/// use pompeiu_remesh::{SimplifyOptions, SimplifyTarget, simplify};
 ///
 /// let sphere = icosphere(1.0, 4)?;
 /// let found = simplify(&sphere, &SimplifyOptions::new(SimplifyTarget::Within(0.01)))?;
@@ -101,7 +100,7 @@ fn simplify_here(
         result.map_positions(|p| frame.unmap(p));
         let result = result.to_mesh()?;
         let collapse = started.elapsed();
-        let intersections = self_intersections_of(&result, options.intersections)?;
+        let intersections = options.intersections.of(&result)?;
         let distance = symmetric_hausdorff(mesh, &result);
         if let SimplifyTarget::Within(d) = target {
             NotWithin::check(d, &distance)?;

@@ -4,7 +4,7 @@ use crate::operations::topology;
 use pompeiu_core::mesh::shapes::{self, Diagonal, Ends};
 use pompeiu_core::mesh::{MeshSummary, displace_at_random, merge};
 use pompeiu_core::{FaceId, TriMesh, VertexId};
-use pompeiu_flow::remesh::{
+use pompeiu_remesh::{
     ConnectivityError, FeatureError, Features, LengthError, Quality, RemeshError, RemeshOptions, Remeshed,
     Sizing, remesh,
 };

@@ -1,4 +1,11 @@
-//! Changing the triangles of a surface.
+//! Remeshing, and simplification with a proven distance from the input.
+//!
+//! | item | what it is |
+//! |---|---|
+//! | [`simplify()`] | few faces within a distance that is proven |
+//! | [`remesh()`] | nearly equilateral faces of a wanted size |
+//! | [`DynamicMesh`] | halfedge connectivity that can be edited |
+//! | [`Carrier`] | texture coordinates and colours on the result |
 
 mod candidates;
 mod carried;
@@ -22,6 +29,8 @@ mod queue;
 mod reference;
 mod request;
 mod run;
+#[cfg(feature = "figures")]
+pub mod show;
 mod simplify;
 mod sizing;
 mod smooth;
@@ -29,16 +38,13 @@ mod trial;
 mod within;
 
 pub use carried::{Carrier, CarryError, CornerValues};
-pub(crate) use connectivity::NONE;
 pub use connectivity::{ConnectivityError, DynamicMesh};
 pub use edit::Illegal;
 pub use features::{FeatureError, Features};
-pub(crate) use guard::self_intersections_of;
 pub use guard::{IntersectionCount, Intersections, Intersects};
 pub use lengths::{LengthError, NotWithin};
 pub use options::{Simplified, SimplifyError, SimplifyOptions, SimplifyTarget, SimplifyTiming};
-pub(crate) use quality::angles;
-pub use quality::{Quality, Range};
+pub use quality::{Quality, Range, angles};
 pub use request::{RemeshError, RemeshOptions, RemeshTiming, Remeshed};
 pub use run::remesh;
 pub use simplify::{simplify, simplify_levels};

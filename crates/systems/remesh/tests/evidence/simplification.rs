@@ -4,14 +4,14 @@ use crate::operations::topology;
 use pompeiu_core::TriMesh;
 use pompeiu_core::mesh::shapes::{self, Diagonal, Ends};
 use pompeiu_core::mesh::{Affine, VertexId, displace_at_random, merge, subdivide, transform};
-use pompeiu_flow::remesh::{
+use pompeiu_hausdorff::symmetric_hausdorff;
+use pompeiu_remesh::{
     FeatureError, Features, Intersections, LengthError, Simplified, SimplifyError, SimplifyOptions,
     SimplifyTarget, simplify_levels,
 };
-use pompeiu_hausdorff::symmetric_hausdorff;
 
 fn simplify(mesh: &TriMesh, target: SimplifyTarget) -> Result<Simplified, SimplifyError> {
-    pompeiu_flow::remesh::simplify(mesh, &SimplifyOptions::new(target))
+    pompeiu_remesh::simplify(mesh, &SimplifyOptions::new(target))
 }
 
 #[test]
@@ -92,7 +92,7 @@ fn what_cannot_be_asked_for() {
     let with = |features: Features<'_>, repair| {
         let options =
             SimplifyOptions { features, repair, ..SimplifyOptions::new(SimplifyTarget::Within(0.1)) };
-        pompeiu_flow::remesh::simplify(&sphere, &options).unwrap_err()
+        pompeiu_remesh::simplify(&sphere, &options).unwrap_err()
     };
     let angle = Features { angle: Some(200.0), ..Features::default() };
     assert_eq!(with(angle, false), SimplifyError::Features(FeatureError::Angle(200.0)));
@@ -140,7 +140,7 @@ fn each_level_has_its_own_proof() {
 fn creases_corners_and_boundaries_are_kept() {
     let with = |mesh: &TriMesh, within, features| {
         let options = SimplifyOptions { features, ..SimplifyOptions::new(SimplifyTarget::Within(within)) };
-        pompeiu_flow::remesh::simplify(mesh, &options).unwrap().mesh
+        pompeiu_remesh::simplify(mesh, &options).unwrap().mesh
     };
     let creases = Features { angle: Some(40.0), ..Features::default() };
     // A cube with waves much lower than the distance: its corners are the same points as before, and nothing else is needed.
@@ -179,9 +179,9 @@ fn what_is_no_manifold_is_repaired_and_measured_from_what_it_was() {
         fan = subdivide(&fan).unwrap();
     }
     let options = SimplifyOptions::new(SimplifyTarget::Within(1e-3));
-    let error = pompeiu_flow::remesh::simplify(&fan, &options).unwrap_err();
+    let error = pompeiu_remesh::simplify(&fan, &options).unwrap_err();
     assert!(matches!(error, SimplifyError::Connectivity(_)), "{error}");
-    let found = pompeiu_flow::remesh::simplify(&fan, &SimplifyOptions { repair: true, ..options }).unwrap();
+    let found = pompeiu_remesh::simplify(&fan, &SimplifyOptions { repair: true, ..options }).unwrap();
     assert!(found.mesh.faces().len() <= 9, "{} faces", found.mesh.faces().len());
     assert!(symmetric_hausdorff(&fan, &found.mesh).distance.upper() <= 1e-3);
 }
@@ -193,7 +193,7 @@ fn faces_that_intersect_are_counted_or_refused() {
     let both = merge(&[&ball, &beside]).unwrap();
     let with = |mesh: &TriMesh, intersections| {
         let options = SimplifyOptions { intersections, ..SimplifyOptions::new(SimplifyTarget::Within(0.05)) };
-        pompeiu_flow::remesh::simplify(mesh, &options)
+        pompeiu_remesh::simplify(mesh, &options)
     };
     assert_eq!(with(&both, Intersections::Ignore).unwrap().intersections, None);
     let count = with(&both, Intersections::Report).unwrap().intersections.unwrap();

@@ -1,7 +1,7 @@
 //! Simplifies a mesh within a share of its diagonal: `cargo run --release --example simplify -- MESH SHARE`.
 
 use pompeiu_core::geom::Aabb;
-use pompeiu_flow::remesh::{SimplifyOptions, SimplifyTarget, simplify};
+use pompeiu_remesh::{SimplifyOptions, SimplifyTarget, simplify};
 use std::time::Instant;
 
 #[allow(clippy::print_stdout, reason = "an example prints what it found")]

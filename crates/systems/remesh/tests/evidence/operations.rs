@@ -3,7 +3,7 @@
 use pompeiu_core::TriMesh;
 use pompeiu_core::mesh::shapes::{self, Ends};
 use pompeiu_core::mesh::{MeshSummary, Random, subdivide};
-use pompeiu_flow::remesh::{ConnectivityError, DynamicMesh, Illegal};
+use pompeiu_remesh::{ConnectivityError, DynamicMesh, Illegal};
 use pompeiu_surface::HalfedgeId;
 
 fn surfaces() -> Vec<TriMesh> {

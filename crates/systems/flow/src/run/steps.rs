@@ -1,13 +1,13 @@
 //! Which step comes next.
 
 use super::Runner;
-use crate::mean_curvature::FlowError;
-use crate::mean_curvature::gradient::Derivatives;
-use crate::mean_curvature::moving::Motion;
-use crate::mean_curvature::options::Scheme;
-use crate::mean_curvature::report::StepReason;
-use crate::mean_curvature::step::{self, FullSystem, MOST_HALVINGS};
-use crate::mean_curvature::systems::{Systems, prepared};
+use crate::FlowError;
+use crate::gradient::Derivatives;
+use crate::moving::Motion;
+use crate::options::Scheme;
+use crate::report::StepReason;
+use crate::step::{self, FullSystem, MOST_HALVINGS};
+use crate::systems::{Systems, prepared};
 use glam::DVec3;
 
 /// Implicit steps that may smooth the surface before Newton's method is blended.

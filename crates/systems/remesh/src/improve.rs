@@ -17,7 +17,8 @@ const ITERATIONS: usize = 3;
 impl DynamicMesh {
     /// The surface with edges flipped towards Delaunay triangles, and vertices moved within it towards the middle of their neighbours.
     /// The boundary stays, or its vertices move along it.
-    pub(crate) fn improved(&self, moves: usize, boundary_stays: bool) -> Self {
+    #[must_use]
+    pub fn improved(&self, moves: usize, boundary_stays: bool) -> Self {
         let count = self.positions.len();
         let hold = |v: u32| match self.is_boundary(v) {
             true if boundary_stays => Hold::Corner,
@@ -42,7 +43,10 @@ impl DynamicMesh {
     }
 
     /// The surface with edges of this length. The vertices of the boundary stay, or move along it.
-    pub(crate) fn remeshed(&self, length: f64, boundary_stays: bool) -> Result<Self, RemeshError> {
+    ///
+    /// # Errors
+    /// [`RemeshError`]: the length must be one that the surface can have.
+    pub fn remeshed(&self, length: f64, boundary_stays: bool) -> Result<Self, RemeshError> {
         let mesh = self.to_mesh()?;
         let kept: Vec<VertexId> = (0..mesh.positions().len() as u32)
             .filter(|&v| boundary_stays && self.is_boundary(v))

@@ -1,6 +1,6 @@
 //! The page and the picture of a remeshed surface.
 
-use crate::remesh::{Quality, Range, Remeshed, angles};
+use crate::{Quality, Range, Remeshed, angles};
 use glam::DVec3;
 use pompeiu_core::{FaceId, TriMesh};
 use pompeiu_figures::names::{axis, name};
@@ -169,7 +169,7 @@ fn least_angles(label: &str, mesh: &TriMesh) -> Chart {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::remesh::{RemeshOptions, Sizing, remesh};
+    use crate::{RemeshOptions, Sizing, remesh};
     use pompeiu_core::mesh::shapes::icosphere;
 
     #[test]

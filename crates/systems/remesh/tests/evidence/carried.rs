@@ -2,7 +2,7 @@
 
 use pompeiu_core::mesh::shapes::{self, Ends};
 use pompeiu_core::{TriMesh, VertexId};
-use pompeiu_flow::remesh::{
+use pompeiu_remesh::{
     Carrier, CarryError, CornerValues, Features, Simplified, SimplifyOptions, SimplifyTarget, simplify,
 };
 use std::collections::BTreeSet;

@@ -1,6 +1,6 @@
 //! Remeshes with a share of the mean edge length: `cargo run --release --example remesh -- MESH SHARE`.
 
-use pompeiu_flow::remesh::{Quality, RemeshOptions, Sizing, remesh};
+use pompeiu_remesh::{Quality, RemeshOptions, Sizing, remesh};
 
 #[allow(clippy::print_stdout, reason = "an example prints what it found")]
 fn main() -> Result<(), Box<dyn std::error::Error>> {

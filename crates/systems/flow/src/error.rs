@@ -1,8 +1,8 @@
 //! Why a flow cannot start or go on.
 
 use super::options::Scheme;
-use crate::remesh::{ConnectivityError, Intersects, RemeshError};
 use pompeiu_core::MeshError;
+use pompeiu_remesh::{ConnectivityError, Intersects, RemeshError};
 use pompeiu_solve::SolveError;
 
 /// Why a surface cannot flow.

@@ -2,7 +2,6 @@
 
 use super::connectivity::DynamicMesh;
 use super::features::Curves;
-use super::guard::self_intersections_of;
 use super::isotropic::{finish, iterate, split_longer_than};
 use super::lengths::NotWithin;
 use super::marked::Marked;
@@ -55,7 +54,7 @@ const INPUT_SPLIT: f64 = 2.0;
 /// # Example
 /// ```
 /// use pompeiu_core::mesh::shapes::icosphere;
-/// use pompeiu_flow::remesh::{RemeshOptions, Sizing, remesh};
+/// use pompeiu_remesh::{RemeshOptions, Sizing, remesh};
 ///
 /// let sphere = icosphere(1.0, 3)?;
 /// let found = remesh(&sphere, &RemeshOptions::new(Sizing::Length(0.1)))?;
@@ -137,7 +136,7 @@ impl<'w> Work<'w> {
         result.map_positions(|p| self.frame.unmap(p));
         let mesh = result.to_mesh()?;
         let remeshing = self.started.elapsed();
-        let intersections = self_intersections_of(&mesh, self.options.intersections)?;
+        let intersections = self.options.intersections.of(&mesh)?;
         let wanted = self.options.measure || self.options.within.is_some();
         let distance = wanted.then(|| symmetric_hausdorff(self.input, &mesh));
         if let (Some(asked), Some(found)) = (self.options.within, &distance) {

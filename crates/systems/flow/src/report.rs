@@ -6,8 +6,8 @@ use super::gradient::GradientNorm;
 use super::options::Scheme;
 use super::pinch::Neck;
 use super::stability::Stability;
-use crate::remesh::IntersectionCount;
 use pompeiu_core::TriMesh;
+use pompeiu_remesh::IntersectionCount;
 use std::time::Duration;
 
 /// Why a flow ended.

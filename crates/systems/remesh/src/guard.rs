@@ -43,19 +43,23 @@ fn pairs_of_faces(pairs: usize) -> String {
     if pairs == 1 { "two faces".to_owned() } else { format!("{pairs} pairs of faces") }
 }
 
-/// Counts the pairs of faces that intersect, if that is asked for.
-pub(crate) fn self_intersections_of(
-    mesh: &TriMesh,
-    asked: Intersections,
-) -> Result<Option<IntersectionCount>, Intersects> {
-    if asked == Intersections::Ignore {
-        return Ok(None);
-    }
-    let found = self_intersections(mesh, MOST_PAIRS);
-    match found.pairs.first() {
-        Some(first) if asked == Intersections::Refuse => {
-            Err(Intersects { pairs: found.pairs.len(), place: first.place })
+impl Intersections {
+    /// Counts the pairs of faces of a result that intersect, if that is asked for.
+    ///
+    /// # Errors
+    /// [`Intersects`] if there are some and they are to be refused.
+    /// # Cost
+    /// That of [`self_intersections`]; nothing for [`Intersections::Ignore`].
+    pub fn of(self, mesh: &TriMesh) -> Result<Option<IntersectionCount>, Intersects> {
+        if self == Self::Ignore {
+            return Ok(None);
         }
-        _ => Ok(Some(IntersectionCount { pairs: found.pairs.len(), complete: found.complete })),
+        let found = self_intersections(mesh, MOST_PAIRS);
+        match found.pairs.first() {
+            Some(first) if self == Self::Refuse => {
+                Err(Intersects { pairs: found.pairs.len(), place: first.place })
+            }
+            _ => Ok(Some(IntersectionCount { pairs: found.pairs.len(), complete: found.complete })),
+        }
     }
 }

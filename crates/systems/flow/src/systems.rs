@@ -20,7 +20,7 @@ impl Numbered {
     fn new(surface: &MovingSurface, moves: impl Fn(Motion) -> bool) -> Result<Self, SolveError> {
         let mut vertices = Vec::new();
         let mut unknown = vec![FIXED; surface.motion.len()];
-        let used = |v: usize| surface.mesh.outgoing[v] != crate::remesh::NONE;
+        let used = |v: usize| surface.mesh.has_faces(v as u32);
         for v in (0..surface.motion.len()).filter(|&v| used(v) && moves(surface.motion[v])) {
             unknown[v] = vertices.len() as u32;
             vertices.push(v as u32);

@@ -2,8 +2,8 @@
 
 use super::FlowError;
 use super::observer::FlowObserver;
-use crate::remesh::Intersections;
 use pompeiu_core::run::Limits;
+use pompeiu_remesh::Intersections;
 use std::num::NonZeroUsize;
 
 /// How a surface is moved towards less area.

@@ -125,6 +125,30 @@ impl DynamicMesh {
         self.faces
     }
 
+    /// The positions of the vertices, those of removed ones included.
+    #[inline]
+    pub fn positions(&self) -> &[DVec3] {
+        &self.positions
+    }
+
+    /// The positions to be changed: connectivity does not depend on them.
+    #[inline]
+    pub fn positions_mut(&mut self) -> &mut [DVec3] {
+        &mut self.positions
+    }
+
+    /// The vertices of each face by its number; `u32::MAX` in removed faces.
+    #[inline]
+    pub fn face_slots(&self) -> &[[u32; 3]] {
+        self.origin.as_chunks::<3>().0
+    }
+
+    /// Whether faces meet at a vertex.
+    #[inline]
+    pub fn has_faces(&self, v: u32) -> bool {
+        self.outgoing[v as usize] != NONE
+    }
+
     /// Number of halfedges, those of removed faces included.
     pub(crate) fn halfedge_slots(&self) -> u32 {
         self.origin.len() as u32
@@ -150,20 +174,20 @@ impl DynamicMesh {
 
     /// The halfedge that runs the other way, if there is one.
     #[inline]
-    pub(crate) fn twin_of(&self, h: u32) -> Option<u32> {
+    pub fn twin_of(&self, h: u32) -> Option<u32> {
         let t = self.twin[h as usize];
         (t != NONE).then_some(t)
     }
 
     /// The three vertices of a face.
     #[inline]
-    pub(crate) fn corners(&self, f: u32) -> [u32; 3] {
+    pub fn corners(&self, f: u32) -> [u32; 3] {
         [0, 1, 2].map(|i| self.origin[(3 * f + i) as usize])
     }
 
     /// The halfedges that start at a vertex, counter-clockwise; at a boundary vertex the first has no twin.
     #[inline]
-    pub(crate) fn halfedges_from(&self, v: u32) -> impl Iterator<Item = u32> + '_ {
+    pub fn halfedges_from(&self, v: u32) -> impl Iterator<Item = u32> + '_ {
         let first = self.outgoing[v as usize];
         let mut at = first;
         std::iter::from_fn(move || {
@@ -181,7 +205,7 @@ impl DynamicMesh {
 
     /// The neighbours of a vertex.
     #[inline]
-    pub(crate) fn neighbours(&self, v: u32) -> impl Iterator<Item = u32> + '_ {
+    pub fn neighbours(&self, v: u32) -> impl Iterator<Item = u32> + '_ {
         // Only at the boundary is there a neighbour to which no halfedge leads.
         let last = if self.is_boundary(v) { self.halfedges_from(v).last() } else { None };
         let beyond = last.map(|h| self.from(previous(h)));
@@ -190,7 +214,7 @@ impl DynamicMesh {
 
     /// Whether a vertex lies on the boundary.
     #[inline]
-    pub(crate) fn is_boundary(&self, v: u32) -> bool {
+    pub fn is_boundary(&self, v: u32) -> bool {
         let h = self.outgoing[v as usize];
         h == NONE || self.twin[h as usize] == NONE
     }
@@ -213,7 +237,7 @@ impl DynamicMesh {
 
     /// The vertex after one of the boundary, along it.
     #[inline]
-    pub(crate) fn next_on_boundary(&self, v: u32) -> u32 {
+    pub fn next_on_boundary(&self, v: u32) -> u32 {
         self.to(self.outgoing[v as usize])
     }
 
@@ -223,7 +247,7 @@ impl DynamicMesh {
     }
 
     /// The first vertex of the first component without boundary, if there is one.
-    pub(crate) fn closed_component(&self) -> Option<u32> {
+    pub fn closed_component(&self) -> Option<u32> {
         let mut seen: Vec<bool> = self.outgoing.iter().map(|h| *h == NONE).collect();
         for first in 0..seen.len() as u32 {
             let mut open = vec![first];
@@ -242,7 +266,7 @@ impl DynamicMesh {
     }
 
     /// Puts every vertex elsewhere.
-    pub(crate) fn map_positions(&mut self, to: impl Fn([f64; 3]) -> [f64; 3]) {
+    pub fn map_positions(&mut self, to: impl Fn([f64; 3]) -> [f64; 3]) {
         for p in &mut self.positions {
             *p = DVec3::from_array(to(p.to_array()));
         }

@@ -60,7 +60,7 @@ pub enum CarryError {
 /// # Example
 /// ```
 /// use pompeiu_core::mesh::shapes::icosphere;
-/// use pompeiu_flow::remesh::{Carrier, CornerValues, SimplifyOptions, SimplifyTarget, simplify};
+/// use pompeiu_remesh::{Carrier, CornerValues, SimplifyOptions, SimplifyTarget, simplify};
 ///
 /// let sphere = icosphere(1.0, 4)?;
 /// let heights = CornerValues { values: sphere.positions().to_vec(), corners: sphere.faces().to_vec() };

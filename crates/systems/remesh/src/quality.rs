@@ -99,7 +99,7 @@ impl Quality {
 }
 
 /// The angles of a triangle in degrees; 0 where two corners are at one position.
-pub(crate) fn angles(corners: [DVec3; 3]) -> [f64; 3] {
+pub fn angles(corners: [DVec3; 3]) -> [f64; 3] {
     [0, 1, 2].map(|i| {
         let [p, q, r] = [corners[i], corners[(i + 1) % 3], corners[(i + 2) % 3]];
         let (a, b) = ((q - p).normalize_or_zero(), (r - p).normalize_or_zero());
