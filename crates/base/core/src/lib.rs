@@ -1,4 +1,5 @@
-//! The vocabulary of pompeiu: meshes, geometry by pairs, outward arithmetic, spatial trees, and how computations run.
+//! Foundation of pompeiu: meshes, distances between simple shapes, interval arithmetic, spatial trees, and control of running
+//! computations.
 //!
 //! This crate opens no files and solves no linear systems.
 

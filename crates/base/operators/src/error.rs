@@ -4,11 +4,11 @@ use pompeiu_core::{FaceId, VertexId};
 use pompeiu_solve::SolveError;
 use pompeiu_surface::{GeometryError, Surface};
 
-/// A face is called thin when its least height is less than this share of its longest edge: Laplacians that fail to be
-/// positive definite in doubles have faces that are a good deal thinner.
+/// A face is reported as thin when its least height is less than this share of its longest edge. In Laplacians that are not
+/// positive definite in double precision, the responsible faces are considerably thinner.
 const THIN: f64 = 1e-4;
 
-/// Why an operator cannot be applied or a system not be solved.
+/// Why an operator cannot be applied or a system cannot be solved.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum OperatorError {
@@ -28,7 +28,7 @@ pub enum OperatorError {
         /// The vector, in the frame of the face.
         value: [f64; 2],
     },
-    /// A part, a potential or a norm of a field leaves the range of doubles.
+    /// A component, a potential or a norm of a field exceeds the range of doubles.
     #[error(
         "a part, a potential or a norm of the field exceeds the range of doubles, the largest component of the field is \
          {largest:e}; scale the field down"
@@ -61,7 +61,7 @@ pub enum OperatorError {
         /// The time.
         time: f64,
     },
-    /// The heat of the sources could not be followed to all vertices.
+    /// The heat of the sources underflows before it reaches all vertices.
     #[error(
         "the heat of the sources falls below the range of doubles before it reaches {count} vertices, vertex {vertex} among \
          them; choose a longer time"
@@ -85,7 +85,7 @@ pub enum OperatorError {
         /// How many faces are thin.
         count: usize,
     },
-    /// A surface could not be triangulated in another way.
+    /// The intrinsic Delaunay triangulation has a degenerate face.
     #[error(transparent)]
     Geometry(#[from] GeometryError),
     /// A linear system could not be set up or solved.
@@ -93,7 +93,7 @@ pub enum OperatorError {
     Solve(#[from] SolveError),
 }
 
-/// Names thin faces where a pivot of a Laplacian failed.
+/// If a pivot of a Laplacian failed, reports the thin faces instead.
 pub(crate) fn name_thin_faces(surface: &Surface, error: SolveError) -> OperatorError {
     let heights = surface.mesh().face_ids().map(|face| (face, surface.relative_height(face)));
     let thin = heights.filter(|&(_, height)| height < THIN);

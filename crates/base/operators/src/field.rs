@@ -42,14 +42,14 @@ pub fn field_inner_product(surface: &Surface, u: &FaceField, w: &FaceField) -> f
 
 /// `‖u‖`, the root of the integral of the squared length.
 ///
-/// Squares that would leave the range of doubles are scaled by a power of two.
+/// Scales by a power of two where squares would overflow or underflow.
 ///
 /// # Panics
 /// If there is not one vector for each face.
 pub fn field_norm(surface: &Surface, u: &FaceField) -> f64 {
-    /// 2^±256: between them no square times an area leaves the range of doubles.
+    /// 2^±256: for components between them, squares times areas neither overflow nor underflow.
     const MODERATE: [f64; 2] = [f64::from_bits((1023 - 256) << 52), f64::from_bits((1023 + 256) << 52)];
-    /// 2^±600: brings what is outside inside.
+    /// 2^±600: factors that bring other components between them.
     const FACTORS: [f64; 2] = [f64::from_bits((1023 - 600) << 52), f64::from_bits((1023 + 600) << 52)];
     let largest = u.as_flattened().iter().fold(0.0, |m, x| if x.abs() > m { x.abs() } else { m });
     let [factor, inverse] = match largest {
@@ -65,7 +65,7 @@ pub fn field_norm(surface: &Surface, u: &FaceField) -> f64 {
     sum.sqrt() * inverse
 }
 
-/// `J u`: each vector turned by a quarter, counter-clockwise.
+/// `J u`: each vector rotated by a quarter turn counter-clockwise.
 pub fn rotated(field: &FaceField) -> FaceField {
     field.map(|&u| quarter_turn(u))
 }

@@ -29,7 +29,7 @@ pub fn gradient(surface: &Surface, values: &VertexData<f64>) -> Result<FaceField
 pub(crate) fn face_gradient(surface: &Surface, face: FaceId, values: &VertexData<f64>) -> Vec2 {
     let sides = surface.sides(face);
     let [a, b, c] = surface.mesh().face(face).map(|v| values[v]);
-    // The sides add up to zero, so differences do: no digits are lost to a large constant.
+    // The sides add up to zero, so differences of values suffice, and a large constant costs no digits.
     let (p, q) = (b - a, c - a);
     let twice = 2.0 * surface.face_area(face);
     let opposite_b = quarter_turn(sides[2]);
@@ -95,8 +95,7 @@ fn scatter_to_vertices(surface: &Surface, term: impl Fn(HalfedgeId) -> f64) -> V
 
 /// `(J G_e)ᵀ M u`: the curl of a field at edges, integrated against the functions of their midpoints.
 ///
-/// It is the jump of the component along the edge, times its length; zero if a field goes on across the edge without a
-/// jump along it.
+/// It is the jump of the tangential component times the length of the edge; zero if that component is continuous across the edge.
 ///
 /// # Errors
 /// [`OperatorError::FieldLength`], [`OperatorError::NonFiniteField`].

@@ -1,4 +1,4 @@
-//! Distances along a surface, from the way heat spreads.
+//! Geodesic distances by the heat method.
 
 use crate::error::name_thin_faces;
 use crate::gradient::{divergence, face_gradient};
@@ -16,29 +16,28 @@ use std::borrow::Cow;
 pub struct HeatOptions {
     /// How long heat spreads, in squared length; by default the square of the mean length of edges.
     pub time: Option<f64>,
-    /// Whether to compute on the intrinsic Delaunay triangulation of the same vertices, which gives better distances where
-    /// faces are obtuse; distances are still those of the surface.
+    /// Whether to compute on the intrinsic Delaunay triangulation of the same vertices, which gives better distances where faces
+    /// are obtuse. Distances are still those of the surface.
     pub intrinsic_delaunay: bool,
 }
 
-/// A surface made ready for distances from any vertices: the heat method.
+/// A surface prepared for distances from any set of vertices: the heat method.
 ///
 /// # Definition
 /// Heat spreads from the sources for a short time t, `(M + t L) u = δ`; its gradient points along shortest paths, so the
 /// distance is the function whose gradient is nearest to `−∇u / |∇u|`, zero on average at the sources. The boundary has
 /// Neumann conditions. M is lumped, L the cotangent Laplacian; nothing is added to either.
 ///
-/// Heat decays exponentially. Where it falls below the range of doubles it is continued: the heat of all vertices reached so
-/// far is taken for known, and what it gives to the others is computed at a scale that is larger by a power of two, by
-/// one more solve with the same factor.
+/// Heat decays exponentially. Where it would underflow it is continued: the heat of all vertices reached so far becomes a boundary
+/// condition, and the heat of the others is computed from it at a scale larger by a power of two, with one more solve with the same
+/// factor.
 ///
-/// # Accuracy
-/// First order in the length of edges, in practice about a percent of the distance on evenly triangulated surfaces. Not a
-/// bound on either side. Where edges are not Delaunay the Laplacian has no maximum principle, and distances get worse;
+/// First order in the edge length; in practice about one percent of the distance on evenly triangulated surfaces. Neither an upper
+/// nor a lower bound. Where edges are not Delaunay the Laplacian has no maximum principle, and distances are less accurate;
 /// [`HeatOptions::intrinsic_delaunay`] helps.
 ///
 /// # Cost
-/// Two sparse factorizations to prepare, two solves for each question, and one more for each 670 edges or so of distance.
+/// Two sparse factorizations to prepare, two solves per query, and one more for every 670 edges or so of distance.
 ///
 /// # Source
 /// `crane_geodesics_2013`; the continuation of heat is ours.
@@ -65,8 +64,8 @@ pub struct HeatMethod<'s> {
     poisson: SemidefiniteCholesky,
 }
 
-/// 2^-930: heat that is fainter than this share of that at the sources is continued at a larger scale. Small enough that
-/// few surfaces need it, large enough that one edge farther heat is still a normal number.
+/// 2^-930: heat below this share of that at the sources is continued at a larger scale. The threshold is so small that few surfaces
+/// need it, and so large that heat one edge farther is still a normal number.
 const FAINT: f64 = f64::from_bits((1023 - 930) << 52);
 
 impl<'s> HeatMethod<'s> {
@@ -139,7 +138,7 @@ impl<'s> HeatMethod<'s> {
         let mut heat = VertexData::filled(mesh.vertices(), 0.0);
         for &source in sources {
             warm[mesh.component(source)] = true;
-            // Entries of the matrix are about as large as the time: heat at the sources is about one.
+            // Entries of the matrix have the size of the time, so scaling by it makes the heat at the sources about one.
             heat[source] = f64::from_bits(self.time.to_bits() & EXPONENT);
         }
         let mut field = FaceField::filled(mesh.faces(), [0.0; 2]);
@@ -158,7 +157,7 @@ impl<'s> HeatMethod<'s> {
                     count: mesh.vertex_ids().filter(cold).count(),
                 });
             }
-            // Faces with a vertex reached before are done.
+            // Faces with a vertex reached earlier have their direction already.
             open.retain(|&face| {
                 let known = mesh.face(face).into_iter().any(|v| is_new[v]);
                 if known {
@@ -173,11 +172,12 @@ impl<'s> HeatMethod<'s> {
         Ok(field)
     }
 
-    /// Takes the heat of new vertices for known, and puts the right-hand side for what it gives to the others in its place.
+    /// Makes the heat of newly reached vertices a boundary condition, and replaces the right-hand side by their effect on the
+    /// others.
     ///
-    /// With A the matrix of the system, `A v = r`, and w the part of v at new vertices, `v − w` solves `A (v − w) = r − A w`,
-    /// which is zero but at both ends of edges between vertices reached and others. Only entries of
-    /// A off the diagonal are needed, and there it is `t L`.
+    /// With A the matrix of the system, `A v = r`, and w the part of v at newly reached vertices, `v − w` solves `A (v − w) = r − A
+    /// w`. This right-hand side is zero except at both ends of edges between reached vertices and others. Only the off-diagonal
+    /// entries of A are needed; they are those of `t L`.
     fn pass_on(
         &self,
         heat: &mut VertexData<f64>,
@@ -210,11 +210,11 @@ impl<'s> HeatMethod<'s> {
 /// The exponent bits of a double.
 const EXPONENT: u64 = 0x7ff << 52;
 
-/// A vector of length one against a gradient; zero for zero.
+/// The unit vector opposite to a gradient; zero for zero.
 fn downhill(gradient: Vec2) -> Vec2 {
     let largest = if gradient[0].abs() > gradient[1].abs() { gradient[0].abs() } else { gradient[1].abs() };
     if largest > 0.0 {
-        // Scaled first: squares of faint heat would be zero.
+        // Scaled first: squares of faint heat would underflow.
         let scaled = gradient.map(|x| x / largest);
         let length = norm(scaled);
         scaled.map(|x| -x / length)

@@ -14,8 +14,8 @@ use pompeiu_surface::{HalfedgeId, Surface, SurfaceMesh};
 /// # Definition
 /// `L_ij = −½ (cot α + cot β)` with the angles opposite the edge, one of them at the boundary; rows add up to zero.
 /// # Limits
-/// Entries off the diagonal are above zero where the opposite angles add up to more than π, that is on edges that are not
-/// Delaunay: then there is no maximum principle.
+/// Off-diagonal entries are positive where the opposite angles add up to more than π, that is on edges that are not Delaunay: then
+/// there is no maximum principle.
 /// # Errors
 /// None for a valid surface; those of [`SparseMatrix::from_links`].
 /// # Cost

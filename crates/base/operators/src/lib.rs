@@ -3,7 +3,7 @@
 //! Functions are linear on each face and continuous at vertices (conforming, Lagrange), or at the midpoints of edges only
 //! (nonconforming, Crouzeix–Raviart); tangent fields are constant on each face.
 //!
-//! | module | what is in it |
+//! | item | content |
 //! |---|---|
 //! | gradients | [`gradient`], [`crouzeix_raviart_gradient`], and their adjoints [`divergence`], [`crouzeix_raviart_divergence`], [`curl`], [`crouzeix_raviart_curl`] |
 //! | Laplacians and masses | [`cotan_laplacian`], [`crouzeix_raviart_laplacian`], [`mass_matrix`], [`face_mass`] |

@@ -6,7 +6,7 @@ use pompeiu_surface::Surface;
 
 /// The consistent mass matrix of continuous linear functions: `aᵀ M c` is the integral of their product, exactly.
 ///
-/// The lumped one is the diagonal of [`Surface::vertex_areas`]; rows of this one add up to it.
+/// The lumped matrix is the diagonal [`Surface::vertex_areas`], the row sums of this one.
 ///
 /// # Shapes and units
 /// V × V, symmetric positive definite, areas.

@@ -1,4 +1,5 @@
-//! Contours of pictures at the level 0.5, timed, for `bench/planar`: a file of levels as little-endian numbers of 32 bits, and the side of a picture.
+//! Times the contours of pictures at the level 0.5 for `bench/planar`. Arguments: a file of little-endian 32-bit floats, and the
+//! side of a picture in pixels.
 //!
 //! ```sh
 //! cargo run --release --package pompeiu-planar --example contours -- pictures.f32 256
@@ -23,7 +24,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         took += started.elapsed();
         points += found.iter().map(|contour| contour.points.len()).sum::<usize>();
     }
-    // One thread that waits for nothing: the clock shows processor time unless the machine is busy.
+    // Single-threaded and without waiting, so wall time is processor time unless the machine is busy.
     let milliseconds = took.as_secs_f64() * 1000.0;
     println!("{{\"points\":{points},\"cpu_ms\":{milliseconds},\"wall_ms\":{milliseconds}}}");
     Ok(())

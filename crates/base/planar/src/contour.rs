@@ -1,25 +1,25 @@
-//! Contours of a level in a picture, and the staircase of its pixels.
+//! Contours of a level in a picture, by interpolation or along pixel sides.
 
 use crate::Point;
 
 /// A contour: the points of a curve on which the values have the level.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Contour {
-    /// Points in the order of the curve: column and row, those of the centre of the first pixel being 0, 0. Greater values lie on the left
-    /// as one sees it with rows going down.
+    /// Points in the order of the curve: column and row; the centre of the first pixel is 0, 0. Greater values lie on the left in a
+    /// display whose rows go down.
     pub points: Vec<Point>,
-    /// Whether the last point is joined with the first one; otherwise both lie on the border of the picture.
+    /// Whether the last point is joined with the first; otherwise both lie on the border of the picture.
     pub is_closed: bool,
 }
 
-/// The contours of a level by marching squares with linear interpolation between the centres of pixels.
+/// The contours of a level by marching squares, with linear interpolation between the centres of pixels.
 ///
 /// # Shapes and units
-/// `values` row by row, `width` in each row.
+/// `values` are row by row, `width` in each row.
 ///
 /// # Definition
-/// A value is high if it is greater than the level. Where two high values face each other across a square, the low ones are taken as
-/// joined (as scikit-image's `find_contours` does by default). Squares with a value that is not finite have no contour.
+/// A value is high if it is greater than the level. In a saddle, where two high values are diagonally opposite in a square, the low
+/// ones are joined (as scikit-image's `find_contours` does by default). Squares with a value that is not finite have no contour.
 ///
 /// # Limits
 /// Where a value is equal to the level, contours pass through the centre of its pixel, and points can coincide.
@@ -34,10 +34,11 @@ pub fn contours(values: &[f32], width: usize, level: f64) -> Vec<Contour> {
     Tracer::new(values, width, height, level).trace()
 }
 
-/// No crossing yet.
+/// No successor yet.
 const NONE: u32 = u32::MAX;
 
-/// Edges between neighbours: those along rows first, then those along columns. For each the edge that the contour goes to next.
+/// Edges between neighbouring pixels, those along rows first, then those along columns; for each, the edge where the contour
+/// continues.
 struct Tracer<'v> {
     values: &'v [f32],
     width: usize,
@@ -68,7 +69,7 @@ impl<'v> Tracer<'v> {
         tracer
     }
 
-    /// Joins the edges of a square, whose corners are given clockwise from the upper left one.
+    /// Links the edges of a square, whose corners are given clockwise from the upper left one.
     fn square(&mut self, row: usize, column: usize, high: [bool; 4]) {
         let corners = [(0, 0), (0, 1), (1, 1), (1, 0)];
         if corners.iter().any(|(r, c)| !self.values[(row + r) * self.width + column + c].is_finite()) {
@@ -78,8 +79,8 @@ impl<'v> Tracer<'v> {
         let left = self.along + row * self.width + column;
         // Side k leads from corner k to corner k + 1.
         let sides = [top, left + 1, top + self.width - 1, left];
-        // A contour enters where going clockwise turns from high to low, and leaves at the next turn from low to high on the other
-        // side of the low ones before it: so low corners stay joined.
+        // A contour enters where, clockwise, high changes to low, and leaves at the next change from low to high on the other side
+        // of the low corners before it: so low corners stay joined.
         for k in 0..4 {
             if high[k] && !high[(k + 1) % 4] {
                 let is_rise = |j: &usize| !high[j % 4] && high[(j + 1) % 4];
@@ -129,8 +130,9 @@ impl<'v> Tracer<'v> {
     }
 }
 
-/// The borders between pixels that are high and those that are not, corner by corner: closed, pixel corners at half-integers, high pixels
-/// on the same side as in [`contours`]. The picture ends in low pixels. Where two high pixels touch at a corner only, they are not joined.
+/// The borders between high pixels and the others, as closed curves through pixel corners, which are at half-integers. High pixels
+/// lie on the same side as in [`contours`]. The picture is surrounded by low pixels. Two high pixels that touch only at a corner
+/// are not joined.
 pub fn staircases(values: &[f32], width: usize, level: f64) -> Vec<Contour> {
     let height = values.len().checked_div(width).unwrap_or(0);
     let is_high = |row: isize, column: isize| {
@@ -142,7 +144,7 @@ pub fn staircases(values: &[f32], width: usize, level: f64) -> Vec<Contour> {
     };
     // Directions right, down, left, up along the corners of pixels; corner (r, c) is the upper left one of pixel (r, c).
     let steps: [[isize; 2]; 4] = [[0, 1], [1, 0], [0, -1], [-1, 0]];
-    // Whether the step in a direction from a corner keeps a high pixel on its left, as seen with rows going down.
+    // Whether a step in a direction from a corner has a high pixel on its left and none on its right, with rows going down.
     let is_border = |row: isize, column: isize, direction: usize| {
         let [left, right] = match direction {
             0 => [[-1, 0], [0, 0]],
@@ -174,7 +176,7 @@ pub fn staircases(values: &[f32], width: usize, level: f64) -> Vec<Contour> {
                 points.push([at[1] as f64 - 0.5, at[0] as f64 - 0.5]);
                 let step = steps[direction];
                 at = [at[0] + step[0], at[1] + step[1]];
-                // Left first: high pixels that touch at a corner only stay apart.
+                // Left turns come first: high pixels that touch only at a corner stay separate.
                 let turns = [(direction + 3) % 4, direction, (direction + 1) % 4];
                 direction =
                     turns.into_iter().find(|d| is_border(at[0], at[1], *d)).unwrap_or((direction + 2) % 4);

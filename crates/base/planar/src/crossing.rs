@@ -2,19 +2,20 @@
 
 use crate::{Outline, Point, Turn, orientation, segments_meet};
 
-/// Two sides that have a point in common that neighbours do not share.
+/// Two sides with a common point other than the corner that neighbours share.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossing {
     /// The sides, each named by the corner that it starts from; the first one is less.
     pub sides: [usize; 2],
-    /// About where it is: the middle of the shorter of the two sides.
+    /// Approximate place: the middle of the shorter of the two sides.
     pub place: Point,
 }
 
 /// The first pair of sides of a closed polygon that cross or touch, or none where the polygon is simple. Decided exactly.
 ///
 /// # Cost
-/// Sides sorted by their least abscissa and compared while their boxes overlap: n log n for outlines without long sides, n² at worst.
+/// Sides are sorted by their least abscissa and compared while their boxes overlap: n log n for outlines without long sides, n² at
+/// worst.
 pub fn first_crossing(outline: &Outline) -> Option<Crossing> {
     let points = outline.points();
     let n = points.len();
@@ -60,7 +61,7 @@ fn cross([i, j]: [usize; 2], n: usize, side: impl Fn(usize) -> [Point; 2]) -> bo
     }
 }
 
-/// Whether the second of two sides in a row runs back along the first one.
+/// Whether the second of two consecutive sides overlaps the first.
 fn folds_back([a, b]: [Point; 2], [_, c]: [Point; 2]) -> bool {
     orientation(a, b, c) == Turn::Straight && (0..2).any(|k| (b[k] - a[k]) * (c[k] - b[k]) < 0.0)
 }

@@ -1,9 +1,9 @@
-//! Points at equal lengths along a curve, and smooth curves through points.
+//! Resampling at equal arc lengths, and smooth curves through points.
 
 use crate::outline::distance;
 use crate::{Outline, Point};
 
-/// So many points at equal lengths along an outline, the first one at the corner `start`. None for a count of 0.
+/// `count` points at equal arc lengths along an outline, the first at the corner `start`. Empty for a count of 0.
 pub fn resample(outline: &Outline, count: usize, start: usize) -> Vec<Point> {
     let mut points = outline.points().to_vec();
     let n = points.len();
@@ -13,7 +13,7 @@ pub fn resample(outline: &Outline, count: usize, start: usize) -> Vec<Point> {
     at(&points, &lengths, (0..count).map(|k| total * (k as f64 / count as f64)))
 }
 
-/// So many points at equal lengths along an open polyline, its ends included. The polyline itself where it has no length.
+/// `count` points at equal arc lengths along an open polyline, including its ends. The polyline itself if it has no length.
 pub fn resample_points(points: &[Point], count: usize) -> Vec<Point> {
     let (lengths, total) = lengths(points);
     if total == 0.0 || count < 2 {
@@ -24,7 +24,7 @@ pub fn resample_points(points: &[Point], count: usize) -> Vec<Point> {
     found
 }
 
-/// The length up to each point, and in all.
+/// The arc length up to each point, and the total.
 fn lengths(points: &[Point]) -> (Vec<f64>, f64) {
     let mut total = 0.0;
     let mut lengths = Vec::with_capacity(points.len());
@@ -37,7 +37,7 @@ fn lengths(points: &[Point]) -> (Vec<f64>, f64) {
     (lengths, total)
 }
 
-/// The points at places that increase.
+/// The points at increasing arc lengths.
 fn at(points: &[Point], lengths: &[f64], places: impl Iterator<Item = f64>) -> Vec<Point> {
     let mut i = 0;
     places
@@ -52,7 +52,8 @@ fn at(points: &[Point], lengths: &[f64], places: impl Iterator<Item = f64>) -> V
         .collect()
 }
 
-/// The closed uniform Catmull–Rom curve through points, `steps` points for each span, the first one of each at the given point.
+/// The closed uniform Catmull–Rom curve through points, sampled at `steps` points per span; the first sample of each span is the
+/// given point.
 ///
 /// # Source
 /// `catmull_class_1974`.

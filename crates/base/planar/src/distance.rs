@@ -1,4 +1,4 @@
-//! How far outlines are from each other.
+//! Distances between points, segments and outlines.
 
 use crate::outline::{distance, dot, minus};
 use crate::{Outline, Point};
@@ -25,10 +25,10 @@ pub(crate) fn distance_to_segment(p: Point, [a, b]: [Point; 2]) -> f64 {
 /// The greater of the two directed distances max over p in a of the distance from p to b.
 ///
 /// # Accuracy
-/// Sides are halved until the distance is known to a billionth of the joint diagonal; the least value that this allows is returned.
+/// Sides are halved until the distance is known to a billionth of the joint diagonal; the lower end of the enclosure is returned.
 ///
 /// # Cost
-/// Corners times corners, and a few times more where sides are cut.
+/// Product of the numbers of corners; a few times more where sides are subdivided.
 pub fn hausdorff(a: &Outline, b: &Outline) -> f64 {
     let [[low, high], [l, h]] = [a.bounds(), b.bounds()];
     let diagonal = distance([0, 1].map(|k| low[k].min(l[k])), [0, 1].map(|k| high[k].max(h[k])));
@@ -44,7 +44,7 @@ fn directed(from: &Outline, to: &Outline, width: f64) -> f64 {
     let mut open: Vec<([Point; 2], [f64; 2])> =
         from.sides().enumerate().map(|(i, side)| (side, [corners[i], corners[(i + 1) % n]])).collect();
     while let Some(([a, b], [da, db])) = open.pop() {
-        // The distance is 1-Lipschitz; and the distance from one side is convex, so its greatest value along a segment is at an end.
+        // The distance is 1-Lipschitz. The distance from one side is convex, so its maximum along a segment is at an end.
         let length = distance(a, b);
         if 0.5 * (da + db + length) <= best + width {
             continue;

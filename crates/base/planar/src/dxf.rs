@@ -1,4 +1,4 @@
-//! Outlines in DXF drawings: polylines with bulges, circles, and polylines written in the format of release 12.
+//! Outlines in DXF drawings: polylines with bulges, circles, and polylines in the format of release 12.
 
 use crate::Point;
 use crate::svg::Polyline;
@@ -8,7 +8,7 @@ use std::fmt::Write;
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum DxfError {
-    /// Lines do not come in pairs of a code and a value.
+    /// Lines are not pairs of a group code and a value.
     #[error("line {line}: `{found}` is no group code")]
     Code {
         /// Its number.
@@ -16,7 +16,7 @@ pub enum DxfError {
         /// What stands there.
         found: String,
     },
-    /// A coordinate that is none.
+    /// A coordinate is not a number.
     #[error("line {line}: `{found}` is not a number")]
     Number {
         /// Its number.
@@ -29,7 +29,7 @@ pub enum DxfError {
 /// Chords of a full circle.
 const CIRCLE: usize = 128;
 
-/// The polylines and circles of a drawing, in its order; arcs between corners become chords. `id` is the layer.
+/// The polylines and circles of a drawing, in its order; arcs become chords. `id` is the layer.
 ///
 /// # Limits
 /// LINE, ARC, SPLINE and blocks are ignored; units are those of the drawing, y upwards.
@@ -125,12 +125,12 @@ impl Entity {
     }
 }
 
-/// The points between the ends of an arc whose bulge is the tangent of a quarter of its angle, counter-clockwise where positive.
+/// The points between the ends of an arc. Its bulge is the tangent of a quarter of its angle, positive counter-clockwise.
 fn arc(from: Point, to: Point, bulge: f64) -> Vec<Point> {
     let angle = 4.0 * libm::atan(bulge);
     let chords = ((angle.abs() / std::f64::consts::TAU * CIRCLE as f64).ceil() as usize).max(2);
     let chord = [to[0] - from[0], to[1] - from[1]];
-    // The centre lies on the left of the chord at half the chord over the tangent of half the angle.
+    // The centre lies to the left of the chord, at half the chord divided by the tangent of half the angle.
     let h = 0.5 * (1.0 - bulge * bulge) / (2.0 * bulge);
     let centre = [0.5 * (from[0] + to[0]) - h * chord[1], 0.5 * (from[1] + to[1]) + h * chord[0]];
     (1..chords)
@@ -143,7 +143,7 @@ fn arc(from: Point, to: Point, bulge: f64) -> Vec<Point> {
         .collect()
 }
 
-/// A drawing of polylines, each on the layer that its `id` names ("0" where that is empty), with y turned upwards if asked.
+/// A drawing of polylines, each on the layer named by its `id` ("0" if empty), with y reversed on request.
 pub fn write(polylines: &[Polyline], flip: bool) -> String {
     let mut text = String::from("0\nSECTION\n2\nENTITIES\n");
     for polyline in polylines {

@@ -7,37 +7,37 @@ use crate::svg::{self, Polyline, SvgError};
 use crate::{Outline, OutlineError, Region};
 use std::path::Path;
 
-/// Why a file holds no outline that can be used.
+/// Why a file cannot be used as outlines.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum FileError {
     /// It cannot be read.
     #[error("it cannot be read: {0}")]
     Io(#[from] std::io::Error),
-    /// It is larger than what is read.
+    /// It is larger than the limit.
     #[error("it has {found} bytes; at most {most} are read")]
     Large {
         /// Bytes that it has.
         found: u64,
-        /// Bytes that are read at most.
+        /// Largest number of bytes that is read.
         most: u64,
     },
-    /// A picture that is none.
+    /// The picture cannot be read.
     #[error(transparent)]
     Picture(#[from] PictureError),
-    /// A picture without a shape.
+    /// No shape was found in the picture.
     #[error(transparent)]
     Silhouette(#[from] SilhouetteError),
-    /// A drawing that is none.
+    /// The SVG drawing cannot be read.
     #[error(transparent)]
     Svg(#[from] SvgError),
-    /// A drawing that is none.
+    /// The DXF drawing cannot be read.
     #[error(transparent)]
     Dxf(#[from] DxfError),
-    /// A curve that is no outline.
+    /// A curve is no valid outline.
     #[error(transparent)]
     Outline(#[from] OutlineError),
-    /// A list of points with something else in it.
+    /// A line of a list of points does not hold two numbers.
     #[error("line {line}: expected two numbers, found `{found}`")]
     Line {
         /// Its number.
@@ -61,7 +61,7 @@ pub enum FileError {
     Unrecognised,
 }
 
-/// Bytes of a file that are read at most.
+/// Largest size of a file that is read, in bytes.
 const MOST_BYTES: u64 = 1 << 30;
 
 /// Suffixes of pictures.
@@ -84,8 +84,8 @@ pub fn is_shape(path: &Path) -> bool {
     is_picture(path) || has_suffix(path, &DRAWINGS)
 }
 
-/// The closed outlines in a file, in their order: the shape in a picture with its holes after it, the curves of a drawing, the polygon of a
-/// list of points, one `x y` or `x,y` in each line.
+/// The closed outlines in a file, in their order: the shape in a picture followed by its holes; the curves of a drawing; or the
+/// polygon of a list of points with one `x y` or `x,y` per line.
 ///
 /// # Errors
 /// [`FileError`]; it does not name the file.

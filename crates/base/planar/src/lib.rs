@@ -2,14 +2,15 @@
 //!
 //! | item | what it is |
 //! |---|---|
-//! | [`Outline`] | a closed polygon, counter-clockwise, with its measures |
+//! | [`Outline`] | a closed polygon, counter-clockwise, with length, area and centroid |
 //! | [`Region`] | an outline with holes |
 //! | [`orientation`], [`segments_meet`] | exact predicates on doubles |
 //! | [`first_crossing`] | whether a closed polygon crosses itself, and where |
-//! | [`resample`], [`catmull_rom`] | points at equal lengths, smooth curves through points |
-//! | [`hausdorff`], [`intersection_area`] | how far two outlines are from each other |
+//! | [`resample`], [`catmull_rom`] | resampling at equal arc lengths, smooth curves through points |
+//! | [`hausdorff`], [`intersection_area`] | distance and common area of two outlines |
 //! | [`offset`] | outlines at a distance from an outline |
-//! | [`picture`], [`contour`], [`silhouette`], [`fill`] | pictures, their contours of a level, the shape in them; outlines as pixels |
+//! | [`picture`], [`contour`], [`silhouette`], [`fill`] | pictures, their contours at a level, the shape in them; rasterised
+//! outlines |
 //! | [`svg`], [`dxf`] | drawings |
 //!
 //! ```

@@ -3,25 +3,27 @@
 use crate::outline::{cross, distance, minus};
 use crate::{Outline, Point, first_crossing};
 
-/// How far chords may lie from the arcs around corners, over the distance.
+/// Largest distance of chords from the arcs around corners, relative to the offset distance.
 const FLATTENING: f64 = 0.02;
 
-/// How far beside a piece of the curve it is asked what lies there, over the size of the outline.
+/// Distance from the curve of the points where winding numbers are evaluated, relative to the size of the outline.
 const BESIDE: f64 = 1e-9;
 
-/// Ends of parts nearer than this are one: what lies between them is too short to have sides.
+/// Ends closer than this are merged: sides cannot be that short.
 const NEAR: f64 = 1e-7;
 
-/// The outlines around all points within a distance of a simple outline; with a negative distance, around what lies deeper inside than that.
+/// The boundary of all points within a distance of a simple outline; for a negative distance, of the points inside that are farther
+/// than that from the outline.
 ///
-/// An outline that is made smaller may fall apart or vanish. Holes that close when it is made larger are left out.
+/// An outline that shrinks may split or vanish. Holes that form when it grows are omitted.
 ///
 /// # Definition
-/// The sides moved by the distance, joined by arcs where they part and through the corner where they meet; what that curve winds round
-/// at least once is inside. It is cut where it meets itself, and parts with an inside on their left and an outside on their right are joined.
+/// The sides are moved by the distance, joined by arcs where they separate and through the corner where they intersect. Points
+/// around which that curve winds at least once are inside. The curve is cut at its self-intersections, and the parts with the
+/// inside on their left and the outside on their right are joined.
 ///
 /// # Accuracy
-/// Arcs are chords that lie within 2 % of the distance from them. Places are rounded as doubles are.
+/// Chords lie within 2 % of the distance from their arcs. Coordinates have the rounding of doubles.
 ///
 /// # Cost
 /// Corners squared.
@@ -78,7 +80,7 @@ fn moved(points: &[Point], by: f64) -> Vec<Point> {
     found
 }
 
-/// The parts of a closed curve, cut where it meets itself, that have an inside on their left and an outside on their right.
+/// The parts of a closed curve, cut at its self-intersections, that have the inside on their left and the outside on their right.
 fn kept(raw: &[Point], beside: f64) -> Vec<[Point; 2]> {
     let n = raw.len();
     let side = |i: usize| [raw[i], raw[(i + 1) % n]];
@@ -125,7 +127,7 @@ fn kept(raw: &[Point], beside: f64) -> Vec<[Point; 2]> {
     found
 }
 
-/// How often a closed curve goes round a point, counter-clockwise.
+/// The winding number of a closed curve around a point.
 fn winding(curve: &[Point], p: Point) -> i32 {
     let n = curve.len();
     (0..n)
@@ -143,7 +145,7 @@ fn winding(curve: &[Point], p: Point) -> i32 {
         .sum()
 }
 
-/// The segments without those that lead nowhere: rounding leaves some where the curve meets itself in a thin triangle.
+/// Removes segments that do not continue into a closed curve: rounding leaves some where the curve meets itself in a thin triangle.
 fn closed(segments: &[[Point; 2]], near: f64) -> Vec<[Point; 2]> {
     let mut kept = segments.to_vec();
     loop {
@@ -157,7 +159,7 @@ fn closed(segments: &[[Point; 2]], near: f64) -> Vec<[Point; 2]> {
     }
 }
 
-/// Closed curves of segments that begin where others end, to within a distance.
+/// Joins segments into closed curves where one ends within a distance of the start of another.
 fn joined(segments: &[[Point; 2]], near: f64) -> Vec<Vec<Point>> {
     let mut left = closed(segments, near);
     left.reverse();
@@ -196,11 +198,11 @@ mod tests {
     fn areas_of_larger_and_smaller_outlines_are_those_of_steiner() {
         let l = outline(&[[0.0, 0.0], [6.0, 0.0], [6.0, 2.0], [2.0, 2.0], [2.0, 5.0], [0.0, 5.0]]);
         let [larger] = &offset(&l, 0.5)[..] else { panic!("one outline") };
-        // Five quarters of a circle are added, and at the hollow corner both sides cover a square twice.
+        // Five quarters of a circle are added; at the reflex corner both sides cover a square twice.
         let truth = l.area() + 0.5 * l.length() + 5.0 * PI / 4.0 * 0.25 - 0.25;
         assert!((larger.area() / truth - 1.0).abs() < 2e-3, "{} {truth}", larger.area());
         let [smaller] = &offset(&l, -0.5)[..] else { panic!("one outline") };
-        // Around the hollow corner lies a quarter of a circle.
+        // A quarter of a circle surrounds the reflex corner.
         let truth = 5.0 + 3.0 + 0.25 * (1.0 - PI / 4.0);
         assert!((smaller.area() / truth - 1.0).abs() < 2e-3, "{} {truth}", smaller.area());
         for p in smaller.points() {

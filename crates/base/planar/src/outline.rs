@@ -8,7 +8,7 @@ pub struct Outline {
     points: Vec<Point>,
 }
 
-/// Why points make no closed polygon.
+/// Why points do not form an outline.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum OutlineError {
@@ -30,7 +30,7 @@ pub enum OutlineError {
         /// The greatest coordinate there may be.
         most: f64,
     },
-    /// No area.
+    /// The area is zero.
     #[error("the outline of {corners} corners encloses no area")]
     Flat {
         /// Its corners.
@@ -44,7 +44,7 @@ impl Outline {
 
     /// A closed polygon through these points; the last one is joined with the first one.
     ///
-    /// Points that repeat the one before are left out. Clockwise polygons are turned round; the first point stays the first one.
+    /// Consecutive duplicates are removed. Clockwise polygons are reversed; the first point stays first.
     ///
     /// # Errors
     /// [`OutlineError`] for fewer than three points, coordinates that are not finite or beyond [`Outline::MAX_COORDINATE`], and no area.
@@ -76,7 +76,7 @@ impl Outline {
         &self.points
     }
 
-    /// The corners, taken out.
+    /// The corners, without copying.
     pub fn into_points(self) -> Vec<Point> {
         self.points
     }
@@ -92,14 +92,14 @@ impl Outline {
         self.sides().map(|[a, b]| distance(a, b)).sum()
     }
 
-    /// The area enclosed; parts that are gone round twice count twice.
+    /// The enclosed area; parts around which the curve winds twice count twice.
     pub fn area(&self) -> f64 {
         signed_area(&self.points)
     }
 
     /// The centroid of the area.
     pub fn centroid(&self) -> Point {
-        // Relative to a corner, so that a far place costs no digits.
+        // Relative to a corner, so that an outline far from the origin loses no digits.
         let origin = self.points[0];
         let (mut doubled, mut sum) = (0.0, [0.0; 2]);
         for [a, b] in self.sides() {
@@ -135,10 +135,10 @@ impl Outline {
         is_inside
     }
 
-    /// The outline under a map of points that keeps it a polygon with area.
+    /// The outline with every point mapped.
     ///
     /// # Errors
-    /// [`OutlineError`] where it does not.
+    /// [`OutlineError`] if the result is no outline.
     pub fn map(&self, to: impl FnMut(Point) -> Point) -> Result<Self, OutlineError> {
         Self::new(self.points.iter().copied().map(to).collect())
     }

@@ -1,9 +1,9 @@
-//! The area that two outlines have in common.
+//! The area of the intersection of two outlines.
 
 use crate::Outline;
 use crate::outline::{cross, minus};
 
-/// A side that rises: its ends from below, and to which outline it belongs.
+/// A side directed upwards, and the outline it belongs to.
 #[derive(Clone, Copy)]
 struct Rising {
     low: [f64; 2],
@@ -18,17 +18,17 @@ impl Rising {
     }
 }
 
-/// The area of the points that lie in both outlines, each by the even–odd rule.
+/// The area of the intersection of two outlines, each by the even–odd rule.
 ///
 /// # Definition
-/// The plane is cut into slabs at all corners and at all crossings of sides; in a slab the sides are in order, and what is common is made
-/// of trapezoids.
+/// The plane is cut into slabs at all corners and crossings of sides. In a slab the sides are ordered, and the intersection
+/// consists of trapezoids.
 ///
 /// # Accuracy
-/// Rounding only: crossings that are rounded out of their place change the area in the second order.
+/// Rounding only: a small displacement of a crossing changes the area in second order.
 ///
 /// # Cost
-/// n² for the crossings, and for each slab the sides in it.
+/// n² for the crossings, plus the number of sides in each slab.
 pub fn intersection_area(a: &Outline, b: &Outline) -> f64 {
     let mut sides: Vec<Rising> = Vec::new();
     for (owner, outline) in [a, b].into_iter().enumerate() {
@@ -112,7 +112,7 @@ mod tests {
         assert!((intersection_area(&square, &square) - 4.0).abs() < 1e-14);
         let far = square.map(|[x, y]| [x + 3.0, y]).unwrap();
         assert_eq!(intersection_area(&square, &far), 0.0);
-        // A square and the same one turned by 45 degrees have a regular octagon in common.
+        // A square and its rotation by 45 degrees intersect in a regular octagon.
         let root = 2.0_f64.sqrt();
         let diamond =
             Outline::new(vec![[1.0 + root, 1.0], [1.0, 1.0 + root], [1.0 - root, 1.0], [1.0, 1.0 - root]])

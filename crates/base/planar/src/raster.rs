@@ -1,8 +1,8 @@
-//! Outlines as pixels.
+//! Rasterising outlines.
 
 use crate::Outline;
 
-/// Rows of samples in a row of pixels.
+/// Sample rows per row of pixels.
 const ROWS: usize = 4;
 
 /// The share of each pixel that lies inside, by the even–odd rule over all outlines: row by row from the top.
@@ -11,7 +11,7 @@ const ROWS: usize = 4;
 /// Outlines in pixels, the centre of the upper left pixel at 0, 0, y downwards.
 ///
 /// # Accuracy
-/// Exact along rows; four rows of samples for each row of pixels.
+/// Exact along each sample row; four sample rows per row of pixels.
 pub fn fill<'o>(outlines: impl IntoIterator<Item = &'o Outline>, width: usize, height: usize) -> Vec<f32> {
     let mut crossings: Vec<Vec<f64>> = vec![Vec::new(); ROWS * height];
     let row_at = |y: f64| (y + 0.5) * ROWS as f64 - 0.5;

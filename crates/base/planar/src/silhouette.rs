@@ -8,19 +8,19 @@ use crate::{Outline, Region};
 /// Which part of a picture is the shape.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Foreground {
-    /// What most pixels of the border are not.
+    /// The part that differs from most pixels of the border.
     #[default]
     Auto,
-    /// What is darker than the level.
+    /// The part darker than the level.
     Dark,
-    /// What is lighter than the level.
+    /// The part lighter than the level.
     Light,
 }
 
 /// How the shape in a picture is found.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SilhouetteOptions {
-    /// The level between shape and background, from 0 (black) to 1 (white); without that, Otsu's.
+    /// The level between shape and background, from 0 (black) to 1 (white); by default from Otsu's method.
     pub level: Option<f64>,
     /// Which part is the shape.
     pub foreground: Foreground,
@@ -28,7 +28,7 @@ pub struct SilhouetteOptions {
     pub staircase: bool,
 }
 
-/// Why there is no shape in a picture.
+/// Why no shape was found in a picture.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SilhouetteError {
@@ -46,7 +46,7 @@ pub enum SilhouetteError {
         /// The greatest level.
         high: f32,
     },
-    /// Nothing stands out from the background.
+    /// No region has an area.
     #[error("there is no shape in the picture of {width} × {height} pixels: no part of it has an area")]
     Nothing {
         /// Pixels in a row.
@@ -54,7 +54,7 @@ pub enum SilhouetteError {
         /// Rows.
         height: usize,
     },
-    /// A level that is none.
+    /// The level is out of range.
     #[error("the level is {0}; it must lie between 0 and 1")]
     Level(f64),
 }
@@ -65,11 +65,10 @@ pub enum SilhouetteError {
 /// Pixels: x to the right, y downwards, the centre of the upper left pixel at 0, 0.
 ///
 /// # Definition
-/// The picture goes on as background beyond its border. With no level given, it is the one that separates the levels best
-/// (`otsu_threshold_1979`).
+/// The picture is surrounded by background. The default level is the one that separates the levels best (`otsu_threshold_1979`).
 ///
 /// # Errors
-/// [`SilhouetteError`] where nothing stands out.
+/// [`SilhouetteError`] if there is no shape.
 pub fn silhouette(picture: &Picture, options: &SilhouetteOptions) -> Result<Region, SilhouetteError> {
     let (width, height) = (picture.width(), picture.height());
     let (low, high) = range(picture.levels());
@@ -86,7 +85,7 @@ pub fn silhouette(picture: &Picture, options: &SilhouetteOptions) -> Result<Regi
         Foreground::Light => false,
         Foreground::Auto => !border_is_dark(picture, level),
     };
-    // With a border of background, so that what touches the border is closed. Background is 0.
+    // With a border of background, so that a shape that touches the border is closed. Background is 0.
     let across = width + 2;
     let mut values = vec![0.0_f32; across * (height + 2)];
     for (row, line) in picture.levels().chunks_exact(width).enumerate() {
@@ -101,9 +100,9 @@ pub fn silhouette(picture: &Picture, options: &SilhouetteOptions) -> Result<Regi
     largest(&found).ok_or(SilhouetteError::Nothing { width, height })
 }
 
-/// The largest outline, and the holes that lie in it directly.
+/// The largest outline, and the holes directly inside it.
 fn largest(found: &[Contour]) -> Option<Region> {
-    // High values lie on the left with rows going down: that gives outlines of high parts a negative area.
+    // High values lie on the left with rows going down, so outlines of high parts have negative area.
     let mut outers: Vec<(f64, &Contour)> = Vec::new();
     let mut holes: Vec<&Contour> = Vec::new();
     for contour in found.iter().filter(|contour| contour.is_closed) {
@@ -144,10 +143,10 @@ fn border_is_dark(picture: &Picture, level: f64) -> bool {
     2 * dark > all
 }
 
-/// Bins of the histogram that the level is chosen on.
+/// Bins of the histogram for the level.
 const BINS: usize = 256;
 
-/// The level that makes the variance between the two classes greatest; the middle of all such levels.
+/// The level that maximises the variance between the two classes; the middle of all such levels.
 fn otsu(levels: &[f32]) -> f64 {
     let mut counts = [0_u64; BINS];
     for v in levels {

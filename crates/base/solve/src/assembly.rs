@@ -1,14 +1,14 @@
-//! Assembling matrices from elements whose unknowns stay the same.
+//! Repeated assembly of matrices from elements with the same unknowns.
 
 use crate::{SolveError, SparseMatrix};
 
-/// An unknown that is fixed: its rows and columns are left out.
+/// An unknown with a fixed value: its rows and columns are omitted.
 pub const FIXED: u32 = u32::MAX;
 
-/// Where the entries of element matrices belong in the matrix of all unknowns.
+/// Maps the entries of element matrices to the entries of the global matrix.
 ///
-/// Found once, it serves every matrix that is assembled from the same elements: each step of a flow, for instance. All those
-/// matrices have the same pattern, so that one [`Analysis`](crate::Analysis) serves them, too.
+/// Computed once, it serves every matrix that is assembled from the same elements: in each step of a flow, for instance. All those
+/// matrices have the same pattern, so one [`Analysis`](crate::Analysis) serves them, too.
 ///
 /// # Shapes and units
 /// `K` unknowns in each of m elements; 4 K² bytes per element.
@@ -17,7 +17,7 @@ pub struct ElementPattern<const K: usize> {
     unknowns: usize,
     starts: Vec<usize>,
     row_indices: Vec<usize>,
-    /// For each element the places of its entries among the values, [`FIXED`] where there is none.
+    /// For each element the indices of its entries among the values; [`FIXED`] for entries of fixed unknowns.
     places: Vec<[[u32; K]; K]>,
 }
 
@@ -29,7 +29,7 @@ impl<const K: usize> ElementPattern<K> {
     /// # Cost
     /// O(K² m log K).
     pub fn new(unknowns: usize, elements: &[[u32; K]]) -> Result<Self, SolveError> {
-        // Every unknown has a place on the diagonal.
+        // Every unknown has a diagonal entry.
         let mut starts = vec![1_usize; unknowns + 1];
         starts[0] = 0;
         for &unknown in elements.iter().flatten().filter(|&&unknown| unknown != FIXED) {
@@ -51,7 +51,7 @@ impl<const K: usize> ElementPattern<K> {
         for element in elements {
             for &column in element.iter().filter(|&&column| column != FIXED) {
                 let at = &mut next[column as usize];
-                // In the place of a fixed unknown the diagonal is noted once more.
+                // A fixed row is replaced by the diagonal; duplicates are removed below.
                 for (k, &row) in element.iter().enumerate() {
                     gathered[*at + k] = if row == FIXED { column } else { row };
                 }
@@ -89,8 +89,8 @@ impl<const K: usize> ElementPattern<K> {
         self.unknowns
     }
 
-    /// The matrix with these values on the diagonal, plus the matrices of all elements, added in their order: entry `[i][j]` of
-    /// an element's matrix belongs to the row of its unknown i and the column of its unknown j.
+    /// The matrix with these values on the diagonal, plus all element matrices, added in their order: entry `[i][j]` of an
+    /// element's matrix is added in the row of its unknown i and the column of its unknown j.
     ///
     /// # Errors
     /// [`SolveError::Length`] if the diagonal has another length; [`SolveError::NonFinite`].
@@ -121,8 +121,8 @@ impl<const K: usize> ElementPattern<K> {
 }
 
 impl ElementPattern<3> {
-    /// The pattern with two unknowns in the place of each: 2 i and 2 i + 1 in the place of i. The same as [`new`](Self::new) for them,
-    /// without sorting anything again.
+    /// The pattern with each unknown i replaced by the two unknowns 2 i and 2 i + 1. Equal to [`new`](Self::new) for the doubled
+    /// unknowns, without sorting again.
     ///
     /// # Cost
     /// O(m).

@@ -13,9 +13,9 @@ use faer::sparse::linalg::cholesky::{
 use faer::{Conj, MatMut, Par, Side};
 use std::sync::Arc;
 
-/// What the pattern of a symmetric matrix alone decides: the order of elimination and the places of the factor.
+/// The symbolic analysis of a symmetric matrix: elimination order and nonzero pattern of the factor.
 ///
-/// Matrices that differ only in their values, as in a time step of a flow, share one.
+/// Matrices with the same pattern share one, as in the time steps of a flow.
 #[derive(Clone, Debug)]
 pub struct Analysis {
     starts: Arc<[usize]>,
@@ -24,10 +24,10 @@ pub struct Analysis {
 }
 
 impl Analysis {
-    /// Analyses the pattern of a symmetric matrix; its values do not count.
+    /// Analyses the pattern of a symmetric matrix; its values are ignored.
     ///
-    /// # Errors
-    /// [`SolveError::NotSquare`], [`SolveError::NoMemory`], [`SolveError::Length`] or [`SolveError::OutOfRange`] when
+    /// [`SolveError::NotSquare`], [`SolveError::NoMemory`]; [`SolveError::Length`] or [`SolveError::OutOfRange`] when a given order
+    /// is not a permutation.
     /// a given order is not one.
     pub fn new(matrix: &SparseMatrix, ordering: &Ordering) -> Result<Self, SolveError> {
         matrix.check_square()?;
@@ -36,7 +36,7 @@ impl Analysis {
         let order = match ordering {
             Ordering::MinimumDegree => SymmetricOrdering::Amd,
             Ordering::Natural => {
-                // Without any order the library would read both triangles where it expects one.
+                // Without an ordering the library would read both triangles where it expects one.
                 natural = (0..n).collect();
                 SymmetricOrdering::Custom(PermRef::new_checked(&natural, &natural, n))
             }
@@ -77,7 +77,7 @@ impl Analysis {
         }
     }
 
-    /// Zeros for the entries of a factor.
+    /// A zeroed array for the entries of a factor.
     pub(crate) fn empty_factor(&self, matrix: &SparseMatrix) -> Result<Vec<f64>, SolveError> {
         let mut values = Vec::new();
         values.try_reserve_exact(self.symbolic.len_val()).map_err(|_| no_memory(matrix))?;
@@ -85,7 +85,7 @@ impl Analysis {
         Ok(values)
     }
 
-    /// Lets a factor solve for the columns of `values`, with the memory that it needs, and checks what comes out.
+    /// Solves for the columns of `values` with a factor; allocates the scratch memory and checks that the result is finite.
     pub(crate) fn solve_columns(
         &self,
         values: &mut [f64],
@@ -100,7 +100,7 @@ impl Analysis {
         finite(n, values)
     }
 
-    /// The unknown that is eliminated at a step that failed.
+    /// The unknown that is eliminated at the step that failed.
     pub(crate) fn unknown_at(&self, reported: usize) -> usize {
         // The column-by-column method counts its steps from one.
         let step = match self.symbolic.raw() {
@@ -190,7 +190,7 @@ impl Cholesky {
         Ok(Self { analysis: analysis.clone(), values })
     }
 
-    /// What the pattern decided.
+    /// The symbolic analysis.
     pub fn analysis(&self) -> &Analysis {
         &self.analysis
     }

@@ -9,7 +9,7 @@ use faer::linalg::triangular_solve::solve_lower_triangular_in_place;
 use faer::{MatMut, MatRef, Par, Spec};
 use rayon::prelude::*;
 
-/// Columns that one task solves for: fixed, so that bits do not depend on the number of threads.
+/// Columns per task; fixed, so that bits do not depend on the number of threads.
 const COLUMNS: usize = 256;
 
 /// The factor L of a dense symmetric positive definite matrix `L Lᵀ`.
@@ -51,7 +51,7 @@ impl DenseCholesky {
         Ok(Self { size, factor: entries })
     }
 
-    /// Replaces columns, one after the other in one slice, by `L⁻¹` times them.
+    /// Replaces columns, stored one after the other in one slice, by `L⁻¹` times them.
     ///
     /// # Errors
     /// [`SolveError::Length`] if the slice does not hold a whole number of columns.

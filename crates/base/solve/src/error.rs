@@ -1,6 +1,6 @@
-//! Why a system cannot be set up or solved.
+//! Errors of building, factoring and solving systems.
 
-/// Why a matrix cannot be built or factored, or a right-hand side not be solved.
+/// Why a matrix cannot be built or factored, or a system cannot be solved.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SolveError {
@@ -34,13 +34,13 @@ pub enum SolveError {
         /// Columns of the matrix.
         columns: usize,
     },
-    /// The pattern of the matrix is not the one that was analysed.
+    /// The matrix has another pattern than the analysed one.
     #[error("the matrix has other non-zero places than the one that was analysed; analyse it anew")]
     OtherPattern,
-    /// Something has the wrong length.
+    /// An input has the wrong length.
     #[error("found {found} {what}, expected {expected}")]
     Length {
-        /// What there are too many or too few of.
+        /// What was counted.
         what: &'static str,
         /// How many there are.
         found: usize,

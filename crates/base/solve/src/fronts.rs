@@ -1,4 +1,4 @@
-//! Gaussian elimination group by group: for elements along a tree, whose groups are met by few others.
+//! Multifrontal elimination for dense elements in groups along a tree, where each group shares unknowns with few others.
 
 use crate::solver::{LinearSolver, columns, finite};
 use crate::{FIXED, SolveError};
@@ -9,19 +9,19 @@ use faer::linalg::triangular_solve::{solve_unit_lower_triangular_in_place, solve
 use faer::{Accum, MatMut, MatRef, Par, Spec};
 use rayon::prelude::*;
 
-/// In which groups the unknowns of dense elements are eliminated.
+/// Assigns the unknowns of dense elements to groups that eliminate them.
 ///
-/// A group eliminates every unknown that no later group has, from the sum of its elements and of what earlier groups left over. Before
-/// that, each element eliminates the unknowns that it alone has. Groups that do not wait for each other are computed in parallel, with
+/// A group eliminates every unknown that no later group has, from the sum of its elements and of the remainders of earlier groups.
+/// Before that, each element eliminates the unknowns that no other element has. Independent groups are computed in parallel, with
 /// the same bits at any number of threads.
 ///
 /// # Shapes and units
-/// Groups are numbered in the order in which they are eliminated. [`FIXED`] stands for no unknown.
+/// Groups are numbered in the order in which they are eliminated. [`FIXED`] marks an absent unknown.
 /// # Limits
-/// Rows are exchanged within a group and within an element only: a matrix whose parts there are singular cannot be factored, though it
-/// may be regular. Name in `stay` the unknowns that have to wait.
+/// Pivoting is limited to rows within one group or one element: a regular matrix with a singular block there cannot be factored.
+/// List unknowns whose elimination must be delayed in `stay`.
 /// # Cost
-/// Each group costs the cube of its unknowns. Along a tree with groups of bounded size that is linear in the length of the tree.
+/// Each group costs the cube of its number of unknowns: linear in the length of a tree whose groups have bounded size.
 /// # Source
 /// `duff_multifrontal_1983`.
 #[derive(Clone, Debug)]
@@ -29,15 +29,15 @@ pub struct FrontalPlan {
     unknowns: usize,
     elements: Vec<Element>,
     groups: Vec<Group>,
-    /// Groups by height: those of one height wait for lower ones only.
+    /// Groups by height: those of one height depend on lower ones only.
     heights: Vec<Vec<u32>>,
 }
 
 #[derive(Clone, Debug)]
 struct Element {
-    /// Its unknowns as given.
+    /// Its unknowns in the given order.
     list: Vec<u32>,
-    /// Those of it alone, and the others.
+    /// The unknowns that no other element has, and the others.
     own: Vec<u32>,
     shared: Vec<u32>,
 }
@@ -52,7 +52,8 @@ struct Group {
 }
 
 impl FrontalPlan {
-    /// The plan for elements with these unknowns, each in a group; `stay` names unknowns that are kept until a group at least.
+    /// The plan for elements with these unknowns, each in a group; `stay` lists unknowns with the first group that may eliminate
+    /// them.
     ///
     /// # Errors
     /// [`SolveError::OutOfRange`] for an unknown or group that does not exist; [`SolveError::Length`] unless every element has a group;
@@ -74,7 +75,7 @@ impl FrontalPlan {
             rows: unknowns,
             columns: groups,
         };
-        // The last group that has the unknown, and how many elements have it.
+        // The last group that has the unknown, and the number of elements that have it.
         let mut last = vec![None::<u32>; unknowns];
         let mut count = vec![0_u32; unknowns];
         let pairs =
@@ -149,8 +150,8 @@ impl FrontalPlan {
         self.unknowns
     }
 
-    /// Factors the sum of the elements' matrices. The function writes the matrix of an element row by row, in the order of its
-    /// unknowns; it is called once for each element, from several threads, and finds zeros.
+    /// Factors the sum of the element matrices. The function writes the matrix of an element row by row, in the order of its
+    /// unknowns, into an array of zeros. It is called once for each element, from several threads.
     ///
     /// # Errors
     /// [`SolveError::Singular`].
@@ -218,11 +219,11 @@ impl FrontalPlan {
     }
 }
 
-/// A dense matrix of unknowns that are eliminated and others, column by column, in four parts.
+/// A dense matrix of eliminated and kept unknowns, column by column, in four blocks.
 struct Front<'f> {
     eliminated: &'f [u32],
     kept: &'f [u32],
-    /// Columns of eliminated unknowns: rows of eliminated ones, and of kept ones.
+    /// Columns of eliminated unknowns: rows of eliminated ones, then rows of kept ones.
     ee: Vec<f64>,
     ke: Vec<f64>,
     ek: Vec<f64>,
@@ -242,7 +243,7 @@ impl<'f> Front<'f> {
         }
     }
 
-    /// The place of an unknown: eliminated ones first; beyond all where it is fixed.
+    /// The index of an unknown: eliminated ones come first; fixed ones lie beyond all others.
     fn place(&self, unknown: u32) -> usize {
         let n = self.eliminated.len();
         let in_kept = || self.kept.binary_search(&unknown).map_or(usize::MAX, |at| n + at);
@@ -264,7 +265,7 @@ impl<'f> Front<'f> {
         }
     }
 
-    /// Eliminates; gives what is left for the kept unknowns.
+    /// Eliminates; returns the factors and the Schur complement of the kept unknowns.
     fn factor(mut self) -> Result<(Factors, Vec<f64>), SolveError> {
         let (n, k) = (self.eliminated.len(), self.kept.len());
         let mut order = vec![0_usize; n];
@@ -303,19 +304,19 @@ impl<'f> Front<'f> {
     }
 }
 
-/// What is kept of a front.
+/// The stored part of a front.
 #[derive(Clone, Debug)]
 struct Factors {
-    /// Rows in the order of the factors.
+    /// The row permutation of the factors.
     order: Vec<usize>,
     lu: Vec<f64>,
     ke: Vec<f64>,
-    /// The inverse of the eliminated part times its coupling with the kept unknowns.
+    /// The inverse of the eliminated block times its coupling with the kept unknowns.
     solved: Vec<f64>,
 }
 
 impl Factors {
-    /// Replaces columns by the inverse of the eliminated part times them.
+    /// Replaces columns by the inverse of the eliminated block times them.
     fn solve(&self, values: &mut [f64], count: usize) {
         let n = self.order.len();
         let mut column = vec![0.0; n];
@@ -331,7 +332,7 @@ impl Factors {
         solve_upper_triangular_in_place(lu, right, Par::Seq);
     }
 
-    /// Eliminates in a right-hand side.
+    /// Forward elimination of a right-hand side.
     fn forward(&self, eliminated: &[u32], kept: &[u32], x: &mut [f64]) {
         if eliminated.is_empty() {
             return;
@@ -358,7 +359,7 @@ impl Factors {
     }
 }
 
-/// The factors along a [`FrontalPlan`].
+/// The factors of a [`FrontalPlan`].
 #[derive(Debug)]
 pub struct FrontalLu<'p> {
     plan: &'p FrontalPlan,
@@ -397,7 +398,7 @@ mod tests {
     use super::*;
     use crate::{Lu, SparseMatrix};
 
-    /// A tree of elements with saddle points: as a sparse matrix, and by groups.
+    /// A tree of elements with saddle points: sparse LU and elimination by groups agree.
     #[test]
     fn agrees_with_sparse_elimination() {
         // Unknowns along a fork: element e has 2 of its own and 2 shared with each neighbour.
@@ -423,7 +424,7 @@ mod tests {
         let matrix = SparseMatrix::from_triplets(n, n, &triplets).unwrap();
         let right: Vec<f64> = (0..n).map(|k| (k as f64).cos()).collect();
         let expected = Lu::new(&matrix).unwrap().solve(&right).unwrap();
-        // In other groups, and with unknowns that wait.
+        // Other groups, and unknowns whose elimination is delayed.
         for (group_of, groups, stay) in [
             (vec![0, 1, 2, 3, 4], 5, vec![]),
             (vec![0, 0, 1, 1, 1], 2, vec![(8, 1)]),

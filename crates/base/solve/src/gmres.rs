@@ -1,17 +1,16 @@
-//! Systems near to one whose factor is known.
+//! Iterative solution of systems close to one that has been factored.
 
 use crate::{LinearSolver, SolveError};
 
-/// Solves `A x = b` by the generalized minimal residual method, with a solver for a similar matrix as its preconditioner from the
-/// right.
+/// Solves `A x = b` by the generalized minimal residual method, with a solver for a similar matrix as right preconditioner.
 ///
-/// Stops at a residual of `tolerance` times the norm of `b`, where rounding lets it fall no further, or after `most` steps; every
-/// `restart` steps it starts anew from what it has, with the residual computed afresh.
+/// Stops when the residual is at most `tolerance` times the norm of `b`, when rounding prevents further progress, or after `most`
+/// steps. After every `restart` steps it restarts from the current solution, with the residual computed afresh.
 ///
 /// # Accuracy
-/// What is returned is the best found: check the residual where it matters.
+/// The best solution found is returned even if it misses the tolerance: check the residual where it matters.
 /// # Errors
-/// Those of the preconditioner; [`SolveError::Singular`] if no finite solution comes out.
+/// Those of the preconditioner; [`SolveError::Singular`] if the solution is not finite.
 /// # Cost
 /// One product and one solve for each step; `restart` vectors of memory.
 /// # Source
@@ -31,7 +30,7 @@ pub fn gmres(
     loop {
         let residual: Vec<f64> = b.iter().zip(apply(&x)).map(|(b, y)| b - y).collect();
         let size = norm(&residual);
-        // Half of what there was is the least that is worth another round.
+        // Another round must reduce the residual at least by half.
         if size <= target || size > 0.5 * last || steps >= most {
             return Ok(x);
         }
@@ -116,7 +115,7 @@ mod tests {
             let error = x.iter().zip(&expected).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
             assert!(error < 1e-13, "{error:e}");
         }
-        // Without steps there is the solution of the other system.
+        // With zero steps the result is the solution of the preconditioner's system.
         let x = gmres(|x| tilted.multiply(x), &solver, &b, 1e-15, 5, 0).unwrap();
         assert_eq!(x, solver.solve(&b).unwrap());
     }

@@ -12,8 +12,8 @@ use faer::{Conj, Par, Side};
 /// The factors `L D Lᵀ` of a symmetric matrix that may be indefinite, with `D` diagonal.
 ///
 /// # Accuracy
-/// Without pivoting: stable for definite and quasi-definite matrices, `[A, Bᵀ; B, −C]` with `A` and `C` definite. For
-/// others pivots may be small and digits lost; compare `A x` with the right-hand side, or use [`Lu`](crate::Lu).
+/// Without pivoting: stable for definite and quasi-definite matrices, `[A, Bᵀ; B, −C]` with `A` and `C` definite. Other matrices
+/// may have small pivots and lose digits; check the residual, or use [`Lu`](crate::Lu).
 /// # Limits
 /// Only the lower triangle is read; symmetry is not checked.
 /// # Source

@@ -1,7 +1,6 @@
 //! Sparse matrices and direct solvers whose factors are used for many right-hand sides.
 //!
-//! A matrix is factored once and solves many right-hand sides. All solvers answer through one small trait,
-//! [`LinearSolver`]; the library behind it, [`faer`], is not part of the interface.
+//! All solvers implement one small trait, [`LinearSolver`]. The library behind it, [`faer`], is not part of the interface.
 //!
 //! | matrix | solver |
 //! |---|---|
@@ -10,7 +9,7 @@
 //! | symmetric, indefinite, no pivoting needed | [`Ldlt`] |
 //! | square | [`Lu`] |
 //! | a sum of dense elements along a tree | [`FrontalPlan`] |
-//! | near to one that has been factored | [`gmres`] |
+//! | close to one that has been factored | [`gmres`] |
 //!
 //! ```
 //! use pompeiu_solve::{Cholesky, LinearSolver, SparseMatrix};
@@ -22,10 +21,11 @@
 //! # Ok::<(), pompeiu_solve::SolveError>(())
 //! ```
 //!
-//! [`ElementPattern`] assembles matrices of one pattern again and again. [`DenseCholesky`] is for small dense matrices, Gram matrices for instance.
+//! [`ElementPattern`] assembles matrices of one pattern repeatedly. [`DenseCholesky`] is for small dense matrices, for instance
+//! Gram matrices.
 //!
-//! This crate knows nothing of meshes. Sparse matrices are factored on one thread, and independent ones can be factored in
-//! parallel; results have the same bits at any number of threads.
+//! This crate does not depend on meshes. A sparse matrix is factored on one thread; independent ones can be factored in parallel.
+//! Results have the same bits at any number of threads.
 
 mod assembly;
 mod cholesky;

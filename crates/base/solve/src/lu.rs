@@ -8,24 +8,24 @@ use faer::sparse::linalg::LuError;
 use faer::sparse::linalg::lu::{LuRef, LuSymbolicParams, NumericLu, SymbolicLu, factorize_symbolic_lu};
 use faer::{Conj, MatMut, Par};
 
-/// The componentwise condition number beyond which a matrix counts as singular: relative changes of its entries by
-/// `2^-50`, a few units of rounding, make it so.
+/// A matrix counts as singular if its componentwise condition number exceeds this: relative changes of its entries by `2^-50`, a
+/// few rounding units, then make it singular.
 const LARGEST_CONDITION: f64 = (1_u64 << 50) as f64;
 
 /// Steps of the power iteration that estimates the condition number; the first only finds the scale of the unknowns.
 const STEPS: usize = 3;
 
-/// Choices of signs in each step.
+/// Sign vectors tried in each step.
 const SIGNS: usize = 4;
 
 /// The factors of a square matrix: `P A Q = L U`.
 ///
 /// # Accuracy
-/// Backward stable where partial pivoting is. A matrix that is singular to working precision is refused: after
-/// factoring, the componentwise condition number `ρ(|A⁻¹| |A|)`, which scaling of rows or columns does not change, is
-/// estimated by a few solves.
+/// Backward stable where partial pivoting is. A matrix that is singular to working precision is rejected: after factoring, the
+/// componentwise condition number `ρ(|A⁻¹| |A|)`, which is invariant under scaling of rows and columns, is estimated by a few
+/// solves.
 /// # Limits
-/// The condition number is estimated, from below: a matrix that is singular but for rounding may escape.
+/// The estimate of the condition number is a lower bound: a matrix that is singular up to rounding may be accepted.
 /// # Source
 /// The crate `faer`; columns ordered by approximate minimum degree, rows by partial pivoting.
 #[derive(Debug)]
@@ -67,10 +67,10 @@ impl Lu {
         Ok(lu)
     }
 
-    /// Refuses a matrix whose componentwise condition number is too large.
+    /// Rejects a matrix whose componentwise condition number is too large.
     ///
-    /// A power iteration with `|A⁻¹| |A|`: absolute values of `A⁻¹` are not known, so that each step solves for `|A| x` with
-    /// several choices of signs, and adds the absolute values of the solutions.
+    /// A power iteration with `|A⁻¹| |A|`. The absolute values of `A⁻¹` are unknown, so each step solves for `|A| x` with several
+    /// choices of signs and adds the absolute values of the solutions.
     fn check_condition(&self, matrix: &SparseMatrix) -> Result<(), SolveError> {
         let n = matrix.rows();
         let mut x = vec![1.0; n];

@@ -1,4 +1,4 @@
-//! Semi-definite systems whose kernel is made of constants.
+//! Semi-definite systems whose kernel consists of constants.
 
 use crate::solver::{LinearSolver, columns};
 use crate::{Cholesky, SolveError, SparseMatrix};
@@ -8,11 +8,10 @@ const NONE: usize = usize::MAX;
 
 /// A symmetric positive semi-definite system whose kernel is spanned by the constants on some groups of unknowns.
 ///
-/// Laplacians are of this kind: their groups are the connected components without a boundary condition. Nothing is added
-/// to the matrix. Right-hand sides are projected onto its range by taking the mean off each group; then one unknown of
-/// each group is held at zero, which leaves a positive definite system with the same solutions up to constants; of these
-/// the one with mean zero on every group is returned, the least in the Euclidean norm. Other unknowns may be fixed at
-/// zero from the start.
+/// Laplacians are of this kind: their groups are the connected components without a boundary condition. Nothing is added to the
+/// matrix. Right-hand sides are projected onto its range by subtracting the mean of each group. Then one unknown of each group is
+/// held at zero, which leaves a positive definite system with the same solutions up to constants. Of these, the solution with mean
+/// zero on every group is returned; it has the least Euclidean norm. Other unknowns may be fixed at zero from the start.
 ///
 /// # Accuracy
 /// As [`Cholesky`]; [`solve_refined_in_place`](Self::solve_refined_in_place) adds a step of iterative refinement.
@@ -33,12 +32,12 @@ impl SemidefiniteCholesky {
     /// Sets up and factors the system.
     ///
     /// # Shapes and units
-    /// `fixed` and `group` have one entry per unknown: whether it is zero whatever the right-hand side says, and to which
-    /// group with constants in the kernel it belongs. A fixed unknown belongs to no group.
+    /// `fixed` and `group` have one entry per unknown: whether it is zero for every right-hand side, and the group, with constants
+    /// in the kernel, to which it belongs. A fixed unknown belongs to no group.
     ///
     /// # Errors
-    /// [`SolveError::Length`], [`SolveError::NotSquare`]; [`SolveError::NotPositiveDefinite`] if the kernel is larger than
-    /// the groups say.
+    /// [`SolveError::Length`], [`SolveError::NotSquare`]; [`SolveError::NotPositiveDefinite`] if the kernel is larger than the
+    /// groups imply.
     pub fn new(matrix: SparseMatrix, fixed: &[bool], group: &[Option<u32>]) -> Result<Self, SolveError> {
         matrix.check_square()?;
         let n = matrix.rows();
@@ -78,7 +77,7 @@ impl SemidefiniteCholesky {
         Ok(Self { matrix, group, sizes, free, fixed, cholesky })
     }
 
-    /// The matrix, whole.
+    /// The matrix, all unknowns included.
     pub fn matrix(&self) -> &SparseMatrix {
         &self.matrix
     }
@@ -99,7 +98,7 @@ impl SemidefiniteCholesky {
         sums.iter().zip(&self.sizes).map(|(sum, &size)| sum / size as f64).collect()
     }
 
-    /// Takes the mean off each group and makes fixed unknowns zero.
+    /// Subtracts the mean of each group and sets fixed unknowns to zero.
     ///
     /// This is the orthogonal projection onto the range of the system, and onto the complement of its kernel.
     ///
@@ -124,8 +123,8 @@ impl SemidefiniteCholesky {
         }
     }
 
-    /// As [`solve_in_place`](LinearSolver::solve_in_place), followed by one step of iterative refinement: the residual is
-    /// solved for as well. Takes twice as long.
+    /// As [`solve_in_place`](LinearSolver::solve_in_place), followed by one step of iterative refinement: a second solve with the
+    /// residual as right-hand side. Takes twice as long.
     ///
     /// # Errors
     /// Those of [`solve_in_place`](LinearSolver::solve_in_place).

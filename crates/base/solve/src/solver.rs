@@ -2,7 +2,7 @@
 
 use crate::SolveError;
 
-/// A system of linear equations that is ready to be solved for any right-hand side.
+/// A linear system that is ready to be solved for any right-hand side.
 pub trait LinearSolver: Send + Sync {
     /// Number of unknowns.
     fn unknowns(&self) -> usize;

@@ -43,7 +43,7 @@ impl SparseMatrix {
         }
         accumulate(&mut by_row);
         accumulate(&mut starts);
-        // First by rows, then by columns; both keep the order among equals.
+        // Two stable sorts: by rows, then by columns.
         let mut sorted = vec![(0, 0, 0.0); entries.len()];
         for &entry in entries {
             let next = &mut by_row[entry.0];
@@ -115,13 +115,13 @@ impl SparseMatrix {
                 put(j as usize, i as usize, -weight);
             }
         }
-        // Transposing sorts the rows of each column, and changes nothing else in a symmetric matrix.
+        // Transposing sorts the rows of each column; a symmetric matrix stays the same otherwise.
         let mut matrix = Self { rows: unknowns, starts, row_indices, values }.transposed();
         matrix.merge_equal_places()?;
         Ok(matrix)
     }
 
-    /// The square matrix of these columns, whose rows are in increasing order.
+    /// The square matrix with these columns; rows must be in increasing order.
     ///
     /// # Errors
     /// [`SolveError::NonFinite`].
@@ -291,7 +291,7 @@ impl SparseMatrix {
         Self::from_triplets(self.rows, self.columns(), &entries)
     }
 
-    /// The rows and columns with these indices, in this order; an index may occur once.
+    /// The submatrix of the rows and columns with these indices, in this order; an index may occur more than once.
     ///
     /// # Errors
     /// [`SolveError::OutOfRange`] for an index outside the matrix.

@@ -1,4 +1,4 @@
-//! From triples of vertices to half-edges, and turning faces to agree.
+//! Building half-edges from vertex triples, and orienting faces consistently.
 
 use crate::SurfaceError;
 use pompeiu_core::{FaceId, TriMesh, VertexId};
@@ -12,7 +12,7 @@ pub(crate) struct Pairs {
 }
 
 impl Pairs {
-    /// Sorts half-edges by their ends.
+    /// Groups half-edges by their ends.
     ///
     /// # Cost
     /// O(F log F) at worst, O(F) at bounded valence.
@@ -79,7 +79,7 @@ pub(crate) fn sides([a, b, c]: [u32; 3]) -> [[u32; 2]; 3] {
     [[a, b], [b, c], [c, a]]
 }
 
-/// Turns faces so that neighbours agree; the first face of each component keeps its orientation.
+/// Reverses faces so that neighbours agree; the first face of each component keeps its orientation.
 ///
 /// # Errors
 /// [`SurfaceError::NonOrientable`], and the errors of edges and faces; vertices are not checked.
@@ -91,11 +91,11 @@ pub fn orient(mesh: &TriMesh) -> Result<TriMesh, SurfaceError> {
     let turned = turns(mesh.positions().len(), faces)?;
     let faces = faces.iter().zip(turned).map(|(&[a, b, c], turn)| if turn { [a, c, b] } else { [a, b, c] });
     let (positions, faces) = (mesh.positions().to_vec(), faces.collect());
-    // The same indices in another order.
+    // The same vertices in another order, so the mesh stays valid.
     TriMesh::new(positions, faces).map_err(|_| SurfaceError::NoFaces)
 }
 
-/// Which faces must be turned for all to agree.
+/// Which faces must be reversed for all to agree.
 pub(crate) fn turns(vertices: usize, faces: &[[u32; 3]]) -> Result<Vec<bool>, SurfaceError> {
     let pairs = Pairs::new(vertices, faces)?;
     pairs.check_two_faces()?;

@@ -1,41 +1,41 @@
-//! Flipping edges until the triangulation of a surface is Delaunay, without moving the surface.
+//! Intrinsic Delaunay triangulations by edge flips; the surface itself does not change.
 
 use crate::build::NONE;
 use crate::surface::FlatFace;
 use crate::{EdgeData, GeometryError, Surface, SurfaceMesh};
 
-/// An edge is left as it is unless the cotangents of its two opposite angles add up to less than minus this: what rounding
-/// makes of two angles that add up to half a turn.
+/// An edge is flipped only if the cotangents of its two opposite angles sum to less than minus this. For angles that add up to half
+/// a turn the exact sum is zero, and rounding may make it slightly negative.
 const COCIRCULAR: f64 = 1e-12;
 
-/// Flips for each edge before giving up; meshes in use need less than a few.
+/// Flips per edge before giving up; practical meshes need a few.
 const MOST_FLIPS_PER_EDGE: usize = 1000;
 
-/// A surface cut into other triangles with the same vertices.
+/// A surface with another triangulation of the same vertices.
 #[derive(Clone, Debug, PartialEq)]
 pub struct IntrinsicDelaunay {
-    /// The surface: the same lengths and angles between the same vertices, but other edges, straight along the surface and
-    /// not in space. There may be several between two vertices, and some from a vertex to itself.
+    /// The same surface and vertices with other edges: geodesics of the surface, in general not straight in space. There may be
+    /// several edges between two vertices, and edges from a vertex to itself.
     pub surface: Surface,
     /// How many edges were flipped.
     pub flips: usize,
-    /// Edges that are still not Delaunay, because flipping was given up: zero in all but contrived cases.
+    /// Edges that are still not Delaunay because the limit on flips was reached: zero in all but contrived cases.
     pub left: usize,
 }
 
 /// The intrinsic Delaunay triangulation: the two angles opposite each inner edge add up to at most half a turn.
 ///
-/// On a surface without boundary its cotangent Laplacian has no entry above zero off the diagonal, so that there is a maximum
-/// principle; edges of the boundary opposite an obtuse angle stay an exception, as they cannot be flipped. Among all
-/// triangulations with these vertices it has the least Dirichlet energies.
+/// On a surface without boundary its cotangent Laplacian has no positive entry off the diagonal, so the maximum principle holds.
+/// Boundary edges opposite an obtuse angle remain an exception, as they cannot be flipped. Among all triangulations with these
+/// vertices it has the least Dirichlet energies.
 ///
 /// # Definition
-/// While the cotangents opposite an edge add up to less than zero, its two faces are unfolded into a plane and the edge is
-/// replaced by the other diagonal. This ends after finitely many flips, and the result does not depend on their order, but
-/// for points on one circle. Vertices keep their numbers; edges and faces do not keep their meaning.
+/// While the cotangents opposite an edge sum to less than zero, its two faces are unfolded into a plane and the edge is replaced by
+/// the other diagonal. This ends after finitely many flips, and the result does not depend on their order, except for cocircular
+/// points. Vertices keep their numbers; edges and faces do not.
 ///
 /// # Accuracy
-/// New lengths are computed from the lengths of four sides: each flip adds a few units of rounding.
+/// New lengths are computed from the lengths of four sides: each flip adds a few rounding errors.
 /// # Errors
 /// [`GeometryError::DegenerateFace`] if a face of the result is too thin.
 /// # Cost
@@ -87,7 +87,7 @@ impl Net {
         }
     }
 
-    /// The face of a half-edge, laid flat along it.
+    /// The face of a half-edge in the plane, with the half-edge on the first axis.
     fn flat(&self, h: u32) -> FlatFace {
         let (second, third) = (next(h), next(next(h)));
         FlatFace::from_lengths([h, second, third].map(|side| self.lengths[side as usize]))
@@ -96,20 +96,20 @@ impl Net {
     /// Whether an edge is not Delaunay.
     fn must_flip(&self, h: u32) -> bool {
         let twin = self.twins[h as usize];
-        // An edge with the same face on both sides lies in a cone, and has no other diagonal.
+        // An edge with the same face on both sides lies in a cone and has no other diagonal.
         if twin == NONE || twin / 3 == h / 3 {
             return false;
         }
         let cotangent = |h: u32| {
             let flat = self.flat(h);
             let [x, y] = flat.apex;
-            // Of the angle at the apex, between the ways to both ends.
+            // The cotangent of the angle at the apex, between the vectors to both ends.
             (x * (x - flat.length) + y * y) / (flat.length * y)
         };
         cotangent(h) + cotangent(twin) < -COCIRCULAR
     }
 
-    /// Replaces an edge by the other diagonal of its two faces; gives the half-edges of the four sides.
+    /// Replaces an edge by the other diagonal of its two faces; returns the half-edges of the four sides.
     fn flip(&mut self, h: u32) -> [u32; 4] {
         let t = self.twins[h as usize];
         let (here, there) = (self.flat(h), self.flat(t));
@@ -211,7 +211,7 @@ mod tests {
             for (a, b) in after.surface.angle_defects().iter().zip(before.angle_defects()) {
                 assert!((a - b).abs() < 1e-9, "{a} {b}");
             }
-            // Nothing more to do.
+            // The result is Delaunay: a second run flips nothing.
             assert_eq!(intrinsic_delaunay(&after.surface).unwrap().flips, 0);
         }
         assert!(flips.iter().filter(|&&n| n > 0).count() >= 3, "{flips:?}");
@@ -258,7 +258,7 @@ mod tests {
         assert_eq!((after.flips, after.left), (16, 0));
         let longest = after.surface.edge_lengths().into_iter().fold(0.0, f64::max);
         assert!((longest - 1.25_f64.sqrt()).abs() < 1e-14, "{longest}");
-        // Right angles are left alone.
+        // Right angles need no flip.
         assert_eq!(intrinsic_delaunay(&surface(&grid)).unwrap().flips, 0);
     }
 }

@@ -27,8 +27,8 @@ impl EmbeddedSurface {
     /// The surface that a mesh describes.
     ///
     /// # Accuracy
-    /// Lengths and heights are computed from differences of corners and their vector product: relative errors of a few
-    /// units of rounding, divided by the sine of the angle for thin faces.
+    /// Lengths and heights are computed from differences of corners and their cross product: relative errors of a few rounding
+    /// units, divided by the sine of the angle for thin faces.
     /// # Errors
     /// [`GeometryError`]: the mesh is not an oriented manifold, or a face is degenerate.
     /// # Cost

@@ -1,4 +1,4 @@
-//! Why triangles are not a surface, or a surface has no geometry.
+//! Errors of meshes that are no oriented manifold or have no usable geometry.
 
 use pompeiu_core::{FaceId, VertexId};
 
@@ -52,7 +52,7 @@ pub enum SurfaceError {
         /// Two of them.
         first: [FaceId; 2],
     },
-    /// Two neighbours run along their common edge in the same direction, though all faces could be turned to agree.
+    /// Two neighbours run along their common edge in the same direction, although a consistent orientation exists.
     #[error(
         "faces {} and {} both run from vertex {} to vertex {}: one of them is turned over; orient the faces first",
         faces[0], faces[1], ends[0], ends[1]
@@ -63,7 +63,7 @@ pub enum SurfaceError {
         /// The edge, as both run along it.
         ends: [VertexId; 2],
     },
-    /// The surface has one side only: its faces cannot be turned to agree.
+    /// The surface is not orientable.
     #[error(
         "the surface is not orientable: following its faces from one to the next, faces {} and {} disagree at the edge \
          from vertex {} to vertex {}",
@@ -87,7 +87,7 @@ pub enum SurfaceError {
     },
 }
 
-/// Why a mesh has no geometry to compute with.
+/// Why a mesh has no usable geometry.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum GeometryError {
@@ -110,7 +110,7 @@ pub enum GeometryError {
         /// The least supported.
         least: f64,
     },
-    /// Areas or their inverses would leave the range of doubles.
+    /// Areas or their inverses would overflow or underflow.
     #[error(
         "the edges of face {face} are about {length:e} long; expected lengths between {least:e} and {most:e}"
     )]

@@ -1,16 +1,15 @@
 //! Oriented manifold triangle surfaces.
 //!
-//! What a surface *is* comes in three layers, each with what the one before lacks:
+//! Three types describe a surface, each with more information than the one before:
 //!
 //! | type | knows |
 //! |---|---|
-//! | [`SurfaceMesh`] | which face meets which: half-edges, boundary loops, components, genus |
-//! | [`Surface`] | also the shape of each face: lengths, angles, areas, and how directions pass from face to face |
-//! | [`EmbeddedSurface`] | also where it lies in space: normals, frames |
+//! | [`SurfaceMesh`] | connectivity: half-edges, boundary loops, components, genus |
+//! | [`Surface`] | also intrinsic geometry: lengths, angles, areas, and parallel transport between faces |
+//! | [`EmbeddedSurface`] | also the embedding in space: positions, normals, frames |
 //!
-//! All of them exist only for oriented manifolds, with or without boundary; anything else is an error that names the
-//! element. Most algorithms need a [`Surface`] only, so they also work where there is no embedding, on a flat torus
-//! for instance.
+//! All of them exist only for oriented manifolds, with or without boundary; anything else is an error that names the offending
+//! element. Most algorithms need only a [`Surface`], so they also work without an embedding, on a flat torus for instance.
 //!
 //! ```
 //! use pompeiu_core::mesh::shapes::icosphere;

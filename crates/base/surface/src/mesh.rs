@@ -1,4 +1,4 @@
-//! Connectivity: which half-edge meets which.
+//! Connectivity: half-edges and their twins.
 
 use crate::build::{NONE, Pairs, sides, turns};
 use crate::{EdgeId, HalfedgeId, SurfaceError};
@@ -6,9 +6,9 @@ use pompeiu_core::{FaceId, TriMesh, VertexId};
 
 /// The connectivity of an oriented manifold triangle surface, with or without boundary, of any number of components.
 ///
-/// Index arrays only: half-edge `3 f + i` belongs to face `f` and starts at its corner `i`, so that faces, next and previous
-/// need no memory. Each half-edge has at most one twin, which runs along the same edge the other way; a half-edge
-/// without one is at the boundary. Edges are numbered in the order of their first half-edge and directed along it.
+/// Index arrays only: half-edge `3 f + i` belongs to face `f` and starts at its corner `i`, so faces and next and previous
+/// half-edges need no memory. The twin of a half-edge runs along the same edge in the opposite direction; a half-edge without a
+/// twin is at the boundary. Edges are numbered in the order of their first half-edge and directed along it.
 ///
 /// Every vertex has faces, and they form one fan, closed or open.
 ///
@@ -22,7 +22,7 @@ pub struct SurfaceMesh {
     edges: Vec<u32>,
     /// First half-edge of each edge.
     edge_halfedges: Vec<u32>,
-    /// For each vertex the first half-edge out of it, counter-clockwise; the one at the boundary if there is one.
+    /// For each vertex an outgoing half-edge: at the boundary the clockwise-most one, so that all others follow counter-clockwise.
     vertex_halfedges: Vec<u32>,
     /// Component of each vertex.
     components: Vec<u32>,
@@ -35,7 +35,7 @@ impl SurfaceMesh {
     /// The connectivity of a mesh.
     ///
     /// # Errors
-    /// [`SurfaceError`] names the first element found that keeps the mesh from being an oriented manifold.
+    /// [`SurfaceError`] names the first offending element.
     ///
     /// # Cost
     /// O(F log F) at worst, O(F) at bounded valence.
@@ -43,7 +43,7 @@ impl SurfaceMesh {
         Self::from_faces(mesh.positions().len(), mesh.faces())
     }
 
-    /// The connectivity of faces that name vertices below `vertices`.
+    /// The connectivity of faces with vertex indices below `vertices`.
     ///
     /// # Errors
     /// As [`new`](Self::new).
@@ -55,7 +55,7 @@ impl SurfaceMesh {
         for edge in pairs.iter() {
             if let [(_, g), (_, h)] = *edge {
                 if direction(g) == direction(h) {
-                    // Which of the two it is takes a walk over all faces.
+                    // Only a traversal of all faces tells inconsistent orientation from a non-orientable surface.
                     turns(vertices, faces)?;
                     let faces = [g, h].map(|h| FaceId(h / 3));
                     return Err(SurfaceError::Misoriented { faces, ends: direction(g).map(VertexId) });
@@ -68,8 +68,8 @@ impl SurfaceMesh {
         Self::from_twins(vertices, faces.as_flattened().to_vec(), twins)
     }
 
-    /// The connectivity of half-edges that are glued in pairs, which may also make edges from a vertex to itself or
-    /// several edges between two vertices.
+    /// The connectivity of half-edges that are glued in pairs. Edges may join a vertex to itself, and several edges may join the
+    /// same two vertices.
     pub(crate) fn from_twins(
         vertices: usize,
         tails: Vec<u32>,
@@ -129,7 +129,7 @@ impl SurfaceMesh {
             components[seed as usize] = self.component_count as u32;
             open.push(VertexId(seed));
             while let Some(v) = open.pop() {
-                // The heads of the half-edges out of a vertex, and at a boundary the tail of the one into it.
+                // The heads of the outgoing half-edges, and at a boundary also the tail of the incoming boundary half-edge.
                 for h in self.outgoing(v) {
                     for w in [self.tail(h.next()), self.tail(h.previous())] {
                         if components[w.index()] == NONE {
@@ -257,8 +257,8 @@ impl SurfaceMesh {
         self.twins[self.vertex_halfedges[vertex.index()] as usize] == NONE
     }
 
-    /// The half-edges out of a vertex, one per face around it, counter-clockwise; from one end of the fan to the other at
-    /// the boundary.
+    /// The half-edges out of a vertex, one per face around it, counter-clockwise; at the boundary from one end of the fan to the
+    /// other.
     pub fn outgoing(&self, vertex: VertexId) -> impl Iterator<Item = HalfedgeId> + '_ {
         let first = HalfedgeId(self.vertex_halfedges[vertex.index()]);
         std::iter::successors(Some(first), move |h| self.twin(h.previous()).filter(|&next| next != first))

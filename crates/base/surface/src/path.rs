@@ -9,14 +9,14 @@ use std::collections::BinaryHeap;
 /// Distances along edges from some vertices to all others, and the shortest paths.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EdgeDistances {
-    /// For each vertex, the length of the shortest path of edges from the nearest source; infinite where none leads.
+    /// For each vertex, the length of the shortest path of edges from the nearest source; infinite if there is none.
     pub distances: VertexData<f64>,
-    /// For each vertex, the half-edge before it on its path, of either direction; none at sources.
+    /// For each vertex, the last half-edge of its path, in either direction; `None` at sources.
     last: VertexData<Option<HalfedgeId>>,
 }
 
 impl EdgeDistances {
-    /// The distances from these vertices.
+    /// The distances from a set of vertices.
     ///
     /// # Accuracy
     /// An upper bound of the geodesic distance, up to about twice as long; it does not converge under refinement.
@@ -28,8 +28,7 @@ impl EdgeDistances {
         Self::along(surface, sources, |edge| surface.edge_length(edge))
     }
 
-    /// The least costs of paths from these vertices, where each edge has a cost of its own: zero or more, infinite for an edge
-    /// that no path may take.
+    /// The least costs of paths from a set of vertices. Edges have nonnegative costs; an infinite cost excludes an edge.
     ///
     /// # Panics
     /// If a vertex does not exist.
@@ -39,7 +38,7 @@ impl EdgeDistances {
         let mesh = surface.mesh();
         let mut distances = VertexData::filled(mesh.vertices(), f64::INFINITY);
         let mut last = VertexData::filled(mesh.vertices(), None);
-        // Lengths are not negative, so their bits are in their order.
+        // The bits of nonnegative doubles are ordered like the numbers, so integers serve as heap keys.
         let mut open = BinaryHeap::new();
         for &source in sources {
             distances[source] = 0.0;
@@ -65,7 +64,7 @@ impl EdgeDistances {
         Self { distances, last }
     }
 
-    /// The half-edge, of either direction, over which the shortest path reaches a vertex; none if it is a source or out of reach.
+    /// The last half-edge, in either direction, of the shortest path to a vertex; `None` if it is a source or unreachable.
     ///
     /// # Panics
     /// If the vertex does not exist.
@@ -73,7 +72,7 @@ impl EdgeDistances {
         self.last[vertex]
     }
 
-    /// The edges of the shortest path from a source to a vertex, in order; none if it is a source or out of reach.
+    /// The edges of the shortest path from a source to a vertex, in order; none if the vertex is a source or unreachable.
     ///
     /// # Panics
     /// If the vertex does not exist.

@@ -1,4 +1,4 @@
-//! Surfaces that do not fit into space.
+//! Surfaces without an embedding in space.
 
 use crate::{EdgeData, GeometryError, Surface, SurfaceError, SurfaceMesh};
 
@@ -11,7 +11,7 @@ use crate::{EdgeData, GeometryError, Surface, SurfaceError, SurfaceMesh};
 /// `size`: lengths of the two sides. With n × m cells, vertex `(i, j)` is number `j n + i`; faces `2 (j n + i)`, below the
 /// diagonal, and the next, above it, belong to its cell.
 /// # Errors
-/// [`GeometryError`]: fewer than three cells one way, or lengths that are not above zero.
+/// [`GeometryError`]: fewer than three cells along a side, or a side whose length is not positive.
 pub fn flat_torus(size: [f64; 2], cells: [u32; 2]) -> Result<Surface, GeometryError> {
     let [n, m] = cells;
     let count = u64::from(n) * u64::from(m);
@@ -45,7 +45,7 @@ mod tests {
         assert!((torus.area() - 6.0).abs() < 1e-14);
         assert_eq!(torus.mesh().genus(), 1);
         assert!(torus.angle_defects().iter().all(|defect| defect.abs() < 1e-14));
-        // From an even face to the odd one across its diagonal: half a turn.
+        // The frame turns by half a turn from an even face to the odd one across its diagonal.
         let turn = torus.transport(HalfedgeId::of(FaceId(0), 2)).unwrap();
         assert!((turn[0] + 1.0).abs() < 1e-15 && turn[1].abs() < 1e-15, "{turn:?}");
     }

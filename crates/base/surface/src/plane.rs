@@ -1,4 +1,4 @@
-//! Vectors of the plane: what faces look like in their own frames.
+//! Vectors in the plane, for the frames of faces.
 
 /// A vector or point of the plane.
 pub type Vec2 = [f64; 2];
@@ -48,13 +48,13 @@ pub fn norm(a: Vec2) -> f64 {
 /// A rotation as a unit complex number, `[cos, sin]`.
 pub type Rotation = [f64; 2];
 
-/// A vector turned; also one rotation after another.
+/// A vector rotated; also the composition of two rotations.
 #[inline]
 pub fn rotate(rotation: Rotation, a: Vec2) -> Vec2 {
     [rotation[0] * a[0] - rotation[1] * a[1], rotation[1] * a[0] + rotation[0] * a[1]]
 }
 
-/// The rotation the other way.
+/// The inverse rotation.
 #[inline]
 pub fn inverse(rotation: Rotation) -> Rotation {
     [rotation[0], -rotation[1]]

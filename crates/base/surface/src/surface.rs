@@ -1,15 +1,15 @@
-//! Intrinsic geometry: the shape of each face, laid flat.
+//! Intrinsic geometry: the shape of each face.
 
 use crate::plane::{Rotation, Vec2, cross, dot, norm, sub};
 use crate::{CornerData, EdgeData, EdgeId, GeometryError, HalfedgeId, SurfaceMesh};
 use pompeiu_core::mesh::{FaceData, VertexData};
 use pompeiu_core::{FaceId, VertexId};
 
-/// Least height of a face over its longest edge. Below it, the rounding of the height that is computed from corners,
-/// a few units of `2^-53`, would change it by more than a part in a thousand.
+/// Smallest supported ratio of a face's height to its longest edge. Below it, rounding changes the height that is computed from the
+/// corners, by a few units of `2^-53`, by more than a thousandth.
 pub(crate) const LEAST_HEIGHT: f64 = 1.0 / (1_u64 << 40) as f64;
 
-/// Least and greatest length of an edge, so that squared areas and their inverses stay in the range of doubles.
+/// Least and greatest length of an edge, so that squared areas and their inverses neither overflow nor underflow.
 pub(crate) const LENGTHS: [f64; 2] = [1e-60, 1e60];
 
 /// A face in its frame: corner 0 at the origin, corner 1 at `(length, 0)`, corner 2 at `apex` with `apex[1] > 0`.
@@ -23,7 +23,7 @@ impl FlatFace {
     /// From the lengths of edges 0→1, 1→2, 2→0.
     ///
     /// # Source
-    /// `kahan_miscalculating_2014`: Heron's formula in an order that loses no digits.
+    /// `kahan_miscalculating_2014`: Heron's formula in an order of operations that avoids cancellation.
     pub(crate) fn from_lengths(lengths: [f64; 3]) -> Self {
         let [c, a, b] = lengths;
         let mut sorted = lengths;
@@ -72,7 +72,7 @@ impl FlatFace {
     }
 }
 
-/// An oriented manifold triangle surface whose faces have a shape: lengths, angles, areas, but no place in space.
+/// An oriented manifold triangle surface with intrinsic geometry (lengths, angles, areas) but without positions in space.
 ///
 /// Each face is a flat triangle in a frame of its own: its corner 0 is at the origin and its corner 1 on the first axis.
 /// Tangent vectors of a face are pairs of coordinates in that frame.
@@ -86,11 +86,11 @@ pub struct Surface {
 }
 
 impl Surface {
-    /// The surface with these edge lengths, whether or not it fits into space.
+    /// The surface with these edge lengths, whether or not it can be embedded in space.
     ///
     /// # Errors
-    /// [`GeometryError::LengthCount`]; [`GeometryError::DegenerateFace`] for a face whose lengths make no triangle, or
-    /// one that is too thin; [`GeometryError::Scale`].
+    /// [`GeometryError::LengthCount`]; [`GeometryError::DegenerateFace`] for a face whose lengths violate the triangle inequality,
+    /// or one that is too thin; [`GeometryError::Scale`].
     ///
     /// # Source
     /// `kahan_miscalculating_2014` for heights from lengths.
@@ -245,14 +245,14 @@ impl Surface {
         VertexData::from_fn(self.mesh.vertices(), |v| flat(v) - self.total_angle(v))
     }
 
-    /// The rotation that turns coordinates in the frame of a half-edge's face into those in the frame of its twin's: the two
-    /// faces unfolded into a plane about their common edge. `None` at the boundary.
+    /// The rotation from the frame of a half-edge's face to the frame of its twin's face, with the two faces unfolded into a plane
+    /// about their common edge. `None` at the boundary.
     ///
     /// This is parallel transport across an edge (the Levi-Civita connection).
     pub fn transport(&self, halfedge: HalfedgeId) -> Option<Rotation> {
         let twin = self.mesh.twin(halfedge)?;
         let (here, there) = (self.vector(halfedge), self.vector(twin));
-        // The twin runs the other way.
+        // The twin runs in the opposite direction.
         let back = [-there[0], -there[1]];
         let length = norm(here) * norm(back);
         Some([dot(here, back) / length, cross(here, back) / length])

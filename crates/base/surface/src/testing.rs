@@ -31,10 +31,10 @@ pub(crate) fn meshes() -> Vec<(String, SurfaceMesh, usize)> {
         let plate = shapes::perforated_plate(1.0, holes).unwrap();
         all.push((format!("plate with {holes} holes"), plate, 2 * holes as usize));
     }
-    // The same with a face taken out here and there: one boundary loop more each.
+    // The same with some faces removed: one more boundary loop for each.
     let plate = subdivide(&shapes::perforated_plate(1.0, 2).unwrap()).unwrap();
     let (positions, mut faces) = plate.into_parts();
-    // Middle parts of their faces, which do not meet.
+    // Subdivided middle faces that do not touch each other.
     for f in [303, 103, 3] {
         faces.remove(f);
     }

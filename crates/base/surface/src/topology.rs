@@ -1,4 +1,4 @@
-//! Generators of the first homology, and the dual closed forms.
+//! Generators of the first homology, and dual closed forms.
 
 use crate::build::NONE;
 use crate::{EdgeId, HalfedgeId, SurfaceMesh};
@@ -14,7 +14,7 @@ pub enum Relative {
     ToBoundary,
 }
 
-/// A sum of edges, each with the sign by which it is counted in the direction of the edge.
+/// A sum of edges, each with the sign of its direction.
 pub type Chain = Vec<(EdgeId, i8)>;
 
 /// Generators of the first homology of a surface, and the dual generators of its first cohomology.
@@ -27,13 +27,13 @@ pub struct Generators {
     pub forms: Vec<Chain>,
 }
 
-/// Generators of loops and closed forms, by a spanning tree of vertices and one of faces that do not cross.
+/// Generators of loops and closed forms, by tree–cotree decomposition.
 ///
 /// # Definition
-/// A tree T of edges that reaches every vertex; a tree C of faces joined across edges outside T. Each edge in neither is a
-/// generator: with its path in T it makes a loop, with its path in C the dual of a closed form. There are 2g per closed
-/// component of genus g, and 2g + b − 1 with b boundary loops. Relative to nothing, the outside of each component counts
-/// as one more face; relative to the boundary, the boundary counts as one vertex.
+/// A spanning tree T of the vertices, and a spanning tree C of the faces, joined across edges outside T. Each edge in neither is a
+/// generator: with its path in T it makes a loop, with its path in C the dual of a closed form. There are 2g per closed component
+/// of genus g, and 2g + b − 1 with b boundary loops. In absolute homology the outside of each component counts as one more face;
+/// relative to the boundary, the boundary counts as one vertex.
 ///
 /// # Cost
 /// O(F), and O(length) for each generator; trees are breadth-first, so loops are short but not the shortest.
@@ -54,7 +54,7 @@ pub fn tree_cotree(mesh: &SurfaceMesh, relative: Relative) -> Generators {
     }
 }
 
-/// A spanning forest of the vertices: one tree per component, or one per boundary vertex of components with boundary.
+/// A spanning forest of the vertices: one tree per closed component, and one per boundary vertex of the others.
 struct VertexTree {
     /// Whether an edge is in the forest.
     used: Vec<bool>,
@@ -101,7 +101,7 @@ impl VertexTree {
         tree
     }
 
-    /// The parent of a vertex and the edge to it, counted from the vertex to the parent.
+    /// The parent of a vertex, and the edge to it with its sign.
     fn step(&self, mesh: &SurfaceMesh, v: VertexId) -> (VertexId, (EdgeId, i8)) {
         let h = HalfedgeId(self.parents[v.index()]);
         let leads_up = mesh.tail(h) == v;
@@ -110,7 +110,7 @@ impl VertexTree {
         (parent, (mesh.edge(h), sign))
     }
 
-    /// Along the edge, and back through the tree.
+    /// The loop along the edge and back through the tree.
     fn cycle(&self, mesh: &SurfaceMesh, edge: EdgeId) -> Chain {
         let [mut start, mut end] = mesh.ends(edge);
         let mut up = vec![(edge, 1)];

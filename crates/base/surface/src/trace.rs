@@ -1,11 +1,11 @@
-//! Straightest geodesics: walking straight ahead across faces.
+//! Straightest geodesics.
 
 use crate::plane::{Rotation, Vec2, add, cross, dot, inverse, norm, rotate, scale, sub};
 use crate::{HalfedgeId, Surface};
 use pompeiu_core::{FaceId, VertexId};
 use rayon::prelude::*;
 
-/// Where to start, which way, and how far.
+/// A starting point, direction and length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray {
     /// The face to start in.
@@ -18,34 +18,34 @@ pub struct Ray {
     pub length: f64,
 }
 
-/// Where a walk ended.
+/// The end of a traced geodesic.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Trace {
     /// The face it ended in.
     pub face: FaceId,
     /// The end point, in the frame of that face.
     pub point: Vec2,
-    /// The direction at the end, of length one: that of the start, transported along the walk. Any other vector is
-    /// transported by the same rotation, [`Trace::transport`].
+    /// The unit direction at the end: the starting direction, transported along the geodesic. [`Trace::transport`] applies the same
+    /// rotation to any other vector.
     pub direction: Vec2,
-    /// How far it went.
+    /// The length traced.
     pub length: f64,
     /// Number of edges crossed and vertices passed.
     pub crossings: usize,
-    /// Why it ended.
+    /// Why tracing ended.
     pub end: TraceEnd,
 }
 
-/// Why a walk ended.
+/// Why tracing ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TraceEnd {
-    /// It went as far as asked.
+    /// The full length was traced.
     Length,
-    /// It met the boundary, along this half-edge.
+    /// The boundary was reached, at this half-edge.
     Boundary(HalfedgeId),
-    /// It met this vertex of the boundary.
+    /// This boundary vertex was reached.
     BoundaryVertex(VertexId),
-    /// It crossed as many edges as were allowed.
+    /// The limit on crossings was reached.
     Crossings,
     /// The ray is invalid: its point, direction or length is not finite, its direction is zero, or its length is negative.
     Unusable,
@@ -62,7 +62,7 @@ impl Trace {
         }
     }
 
-    /// The way back: to the start from the end.
+    /// The ray from the end back to the start.
     #[must_use]
     pub fn reversed(&self) -> Ray {
         Ray {
@@ -74,14 +74,14 @@ impl Trace {
     }
 }
 
-/// How rays are followed.
+/// Options of tracing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TraceOptions {
-    /// A walk ends after this many crossings; 10 million by default, far more than any of sensible length.
+    /// Tracing ends after this many crossings; 10 million by default, far more than any of sensible length.
     pub max_crossings: usize,
-    /// A walk that crosses an edge at less than this from one of its ends, relative to the length of the edge, passes through
-    /// the vertex there; 1e-12 by default, what rounding adds up to over some thousand crossings. A ray that is aimed at a
-    /// vertex meets it.
+    /// If a geodesic crosses an edge closer than this to one of its ends, relative to the length of the edge, it passes through the
+    /// vertex there. The default 1e-12 is the rounding that some thousand crossings accumulate, so that a ray aimed at a vertex
+    /// meets it.
     pub vertex_tolerance: f64,
 }
 
@@ -91,17 +91,16 @@ impl Default for TraceOptions {
     }
 }
 
-/// A surface made ready for walks: what lies across each edge, and by how much directions turn there.
+/// A surface prepared for tracing: for each half-edge the adjacent face, and the rotation into its frame.
 ///
 /// # Definition
-/// Inside a face a walk is a straight line; across an edge it goes on straight when both faces are unfolded into a plane. At
-/// an inner vertex it goes on such that it leaves equal angles on both sides: a straightest geodesic. At the boundary it
-/// ends.
+/// Inside a face the path is a straight line; across an edge it continues straight in the unfolding of both faces. At an inner
+/// vertex it continues with equal angles on both sides: a straightest geodesic. It ends at the boundary.
 ///
 /// # Accuracy
-/// Each crossing adds a few units of rounding to position and direction. Geodesics that pass a vertex on either side of it
-/// part behind it, by its angle defect: a walk that comes within [`TraceOptions::vertex_tolerance`] passes through the
-/// vertex. Beyond that tolerance, rounding may still decide on which side a walk passes.
+/// Each crossing adds a few rounding errors to position and direction. Geodesics that pass a vertex on different sides diverge by
+/// its angle defect; one that comes within [`TraceOptions::vertex_tolerance`] passes through the vertex. Outside that tolerance,
+/// rounding may still decide on which side a path passes.
 ///
 /// # Cost
 /// O(1) for each crossing. 120 bytes per face to prepare.
@@ -115,10 +114,10 @@ pub struct Tracer<'s> {
     options: TraceOptions,
 }
 
-/// What lies across a half-edge.
+/// The face across a half-edge.
 #[derive(Clone, Copy, Debug)]
 struct Across {
-    /// Where the twin begins and the way along it, in the frame of its face; not finite at the boundary.
+    /// Where the twin begins and its vector, in the frame of its face; not finite at the boundary.
     head: Vec2,
     back: Vec2,
     turn: Rotation,
@@ -147,7 +146,7 @@ impl<'s> Tracer<'s> {
         Self { surface, across, options: *options }
     }
 
-    /// Walks one ray.
+    /// Traces one ray.
     ///
     /// # Panics
     /// If the face does not exist.
@@ -155,8 +154,8 @@ impl<'s> Tracer<'s> {
         self.follow(ray, |_, _| ())
     }
 
-    /// Walks one ray and gives the corners of its way, each in the frame of the face that the walk enters there: the start,
-    /// the points on edges and vertices, and the end.
+    /// Traces one ray and returns the points of its path, each in the frame of the face that the path enters there: the start, the
+    /// points on edges and vertices, and the end.
     ///
     /// # Panics
     /// If the face does not exist.
@@ -167,7 +166,7 @@ impl<'s> Tracer<'s> {
         (trace, path)
     }
 
-    /// Walks many rays, in parallel; each as [`trace`](Self::trace) would.
+    /// Traces many rays, in parallel; each as [`trace`](Self::trace) would.
     ///
     /// # Panics
     /// If a face does not exist.
@@ -207,7 +206,7 @@ impl<'s> Tracer<'s> {
             crossings += 1;
             left -= exit.distance;
             let halfedge = HalfedgeId::of(at.face, exit.side);
-            // A walk that starts at a vertex leaves it in its own direction.
+            // A ray that starts at a vertex leaves it in the given direction.
             let there = || {
                 let side = norm(self.surface.flat(at.face).side(exit.side));
                 exit.distance > self.options.vertex_tolerance * side
@@ -236,7 +235,7 @@ impl<'s> Tracer<'s> {
             }
             visit(at.face, at.point);
         };
-        // Turned by many rotations, the direction has lost a few units of its length.
+        // Normalised again: many rotations have changed the length of the direction by rounding.
         let size = norm(at.direction);
         let direction = if usable { scale(1.0 / size, at.direction) } else { at.direction };
         let length = if usable { ray.length - left } else { 0.0 };
@@ -250,7 +249,7 @@ impl<'s> Tracer<'s> {
         let offset = |corner: usize| sub(flat.corner(corner), at.point);
         let leave = |side: usize, tail: Vec2, head: Vec2| {
             let (from, to) = (cross(at.direction, tail), cross(at.direction, head));
-            // The tail lies to the right, the head to the left; rounding may put them on the line or beyond.
+            // The tail lies to the right, the head to the left; rounding may put either on the line or beyond it.
             let fraction = if from >= 0.0 {
                 0.0
             } else if to <= 0.0 {
@@ -270,7 +269,7 @@ impl<'s> Tracer<'s> {
             Exit { side, fraction, corner, distance: if ahead > 0.0 { ahead } else { 0.0 } }
         };
         if let Some(entered) = at.entered {
-            // The corner opposite the edge just crossed tells which of the two other edges it is.
+            // The corner opposite the edge just crossed decides which of the two other edges is crossed next.
             let (second, third) = ((entered + 1) % 3, (entered + 2) % 3);
             let opposite = offset(third);
             if cross(at.direction, opposite) >= 0.0 {
@@ -279,13 +278,13 @@ impl<'s> Tracer<'s> {
                 leave(third, opposite, offset(entered))
             }
         } else {
-            // From inside, or from a corner or edge: the side that the line crosses from right to left. A start on a side
-            // that looks outwards leaves at once.
+            // From the interior, a corner or an edge: the exit is the side that the line crosses from right to left. A ray that
+            // starts on a side and points outwards leaves at once.
             let corners = [0, 1, 2].map(offset);
             let sides = [0, 1, 2].map(|i| cross(at.direction, corners[i]));
             let crossed = (0..3).find(|&i| sides[i] < 0.0 && sides[(i + 1) % 3] >= 0.0);
-            // With nothing to the right the line runs along a side or touches a corner: it leaves at the corner on it
-            // that lies farthest ahead.
+            // With no corner to the right, the line runs along a side or touches a corner: it leaves at the corner on the line that
+            // is farthest ahead.
             let side = crossed.unwrap_or_else(|| {
                 let nearer = |i: usize, j: usize| {
                     let ahead = dot(at.direction, corners[j]) > dot(at.direction, corners[i]);
@@ -298,18 +297,18 @@ impl<'s> Tracer<'s> {
         }
     }
 
-    /// Beyond an inner vertex, with half of its total angle on either side.
+    /// Continues beyond an inner vertex with half of its total angle on either side.
     fn past_vertex(&self, at: &Walk, corner: usize) -> Walk {
         let mesh = self.surface.mesh();
         let arrived = HalfedgeId::of(at.face, corner);
         let total = self.surface.total_angle(mesh.tail(arrived));
-        // From the half-edge out of the corner to the way back, counter-clockwise.
+        // Counter-clockwise, from the outgoing half-edge at the corner to the direction back.
         let out = self.surface.vector(arrived);
         let back = scale(-1.0, at.direction);
         let behind = libm::atan2(cross(out, back), dot(out, back));
         let mut ahead = behind + 0.5 * total;
         let mut halfedge = arrived;
-        // At most once around, plus a face for rounding.
+        // At most one turn around the vertex, plus one face for rounding.
         for _ in 0..=mesh.outgoing(mesh.tail(arrived)).count() {
             let angle = self.surface.angle(halfedge);
             if ahead <= angle {
@@ -341,7 +340,7 @@ struct Walk {
 
 struct Exit {
     side: usize,
-    /// How far along the side, from 0 to 1.
+    /// Position along the side, from 0 to 1.
     fraction: f64,
     /// The corner, if it is one of the ends of the side.
     corner: Option<usize>,

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-/// Points of the Gauss rules on [0, 1], and their weights: exact for polynomials of degree 7 and 9.
+/// Points and weights of the Gauss rules on [0, 1] that are exact for polynomials of degree 7 and 9.
 pub const GAUSS_4: [(f64, f64); 4] = [
     (0.069_431_844_202_973_71, 0.173_927_422_568_726_93),
     (0.330_009_478_207_571_87, 0.326_072_577_431_273_07),
@@ -19,7 +19,7 @@ pub const GAUSS_5: [(f64, f64); 5] = [
     (0.953_089_922_969_332, 0.118_463_442_528_094_54),
 ];
 
-/// The four cubic Bernstein polynomials at a place.
+/// The four cubic Bernstein polynomials at a parameter.
 pub fn bernstein(t: f64) -> [f64; 4] {
     let s = 1.0 - t;
     [s * s * s, 3.0 * s * s * t, 3.0 * s * t * t, t * t * t]
@@ -31,7 +31,7 @@ pub fn bernstein_slopes(t: f64) -> [f64; 4] {
     [-3.0 * s * s, 3.0 * s * (s - 2.0 * t), 3.0 * t * (2.0 * s - t), 3.0 * t * t]
 }
 
-/// The Bézier coefficients of the cubic with these values at 0, 1/3, 2/3 and 1.
+/// The Bézier coefficients of the cubic that interpolates these values at 0, 1/3, 2/3 and 1.
 pub fn interpolate<T>([a, b, c, d]: [T; 4]) -> [T; 4]
 where
     T: Copy + std::ops::Add<Output = T> + std::ops::Mul<f64, Output = T>,
@@ -40,7 +40,7 @@ where
     [a, inner(a, b, c, d), inner(d, c, b, a), d]
 }
 
-/// The value of a tricubic at a place, from its 64 coefficients, the first axis fastest.
+/// The value of a tricubic polynomial at a parameter, from its 64 coefficients, the first axis fastest.
 pub fn value(points: &[DVec3; 64], [u, v, w]: [f64; 3]) -> DVec3 {
     contract(points, bernstein(u), bernstein(v), bernstein(w))
 }
@@ -67,7 +67,7 @@ fn contract(points: &[DVec3; 64], a: [f64; 4], b: [f64; 4], c: [f64; 4]) -> DVec
     sum
 }
 
-/// A lattice of values at thirds turned into Bézier coefficients, along all three axes.
+/// The Bézier coefficients of the tricubic that interpolates a lattice of values at thirds.
 pub fn interpolate_lattice(values: &[DVec3; 64]) -> [DVec3; 64] {
     let mut points = *values;
     for [stride, p, q] in [[1, 4, 16], [4, 1, 16], [16, 1, 4]] {
@@ -84,8 +84,8 @@ pub fn interpolate_lattice(values: &[DVec3; 64]) -> [DVec3; 64] {
     points
 }
 
-/// The matrix that takes the coefficients over [0, 1] to those over [a, b]: its row r holds the blossom of the four polynomials at
-/// a, three minus r times, and b, r times.
+/// The matrix that maps the coefficients over [0, 1] to those over [a, b]. Row r holds the blossoms of the four polynomials at 3 −
+/// r arguments a and r arguments b.
 pub(crate) fn part(a: f64, b: f64) -> [[f64; 4]; 4] {
     [[a, a, a], [a, a, b], [a, b, b], [b, b, b]].map(blossoms)
 }

@@ -6,10 +6,10 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 /// Cells that are images of the unit cube under polynomials of degree three along each axis. Cells that share a face share its 16
-/// control points, in the same places.
+/// control points, at the same places.
 ///
 /// # Shapes and units
-/// The control points of a cell in the order of places, the first axis fastest; corners are where all places are 0 or 3.
+/// The control points of a cell are in lexicographic order, the first axis fastest; corners are where all indices are 0 or 3.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BezierMesh {
     points: Vec<DVec3>,
@@ -40,7 +40,7 @@ impl BezierMesh {
         Ok(mesh)
     }
 
-    /// The same cells as a trilinear mesh has.
+    /// The same cells as a trilinear mesh.
     pub fn from_trilinear(mesh: &HexMesh) -> Self {
         let mut refinement = Refinement::new(3);
         let cells = mesh
@@ -73,7 +73,7 @@ impl BezierMesh {
         self.cells[cell].map(|k| self.points[k as usize])
     }
 
-    /// The trilinear mesh with the same corners; its vertices are all control points.
+    /// The trilinear mesh with the same corners. Its vertices are all control points, used or not.
     ///
     /// # Errors
     /// [`VolumeError::Repeated`], [`VolumeError::NotFinite`].
@@ -84,12 +84,12 @@ impl BezierMesh {
         )
     }
 
-    /// Cuts every cell into `parts` along each axis. The parts of a cell follow each other, the first axis fastest.
+    /// Subdivides every cell into `parts` along each axis. The parts of a cell are consecutive, the first axis fastest.
     ///
-    /// Other fields over the cells, with a coefficient for each control point, are cut in the same way.
+    /// Other fields on the cells, with a coefficient for each control point, are subdivided in the same way.
     ///
     /// # Errors
-    /// None but those of [`BezierMesh::new`] where parts have no extent.
+    /// Those of [`BezierMesh::new`], where parts have no extent.
     pub fn subdivided(
         &self,
         parts: usize,
@@ -120,7 +120,7 @@ impl BezierMesh {
                     let control = cell.map(|k| source[k as usize]);
                     let cut = cut(&control, at.map(|k| &matrices[k]));
                     for (&number, point) in numbers.iter().zip(cut) {
-                        // What an earlier cell placed stays, so that neighbours agree in all bits.
+                        // The value from the first cell stays, so that neighbours agree bit for bit.
                         if number as usize >= before {
                             result[number as usize] = point;
                         }
@@ -149,7 +149,7 @@ pub(crate) fn cut(points: &[DVec3; 64], matrices: [&[[f64; 4]; 4]; 3]) -> [DVec3
     })
 }
 
-/// Replaces the four coefficients on each line along an axis by others, axis by axis.
+/// Applies a function to the four coefficients on each line along an axis, axis by axis.
 pub(crate) fn along_lines<T: Copy>(
     coefficients: &[T; 64],
     others: impl Fn(usize, [T; 4]) -> [T; 4],
@@ -169,7 +169,7 @@ pub(crate) fn along_lines<T: Copy>(
     result
 }
 
-/// The volume of a cell, with sign: the determinant has degree eight along each axis, and the rule is exact for nine.
+/// The signed volume of a cell. The determinant has degree eight along each axis; the rule is exact for degree nine.
 pub fn bezier_volume(points: &[DVec3; 64]) -> f64 {
     let mut sum = 0.0;
     for (u, a) in GAUSS_5 {
@@ -183,8 +183,8 @@ pub fn bezier_volume(points: &[DVec3; 64]) -> f64 {
     sum
 }
 
-/// Points of a face of a cell for the rule of five points along each axis: the place in the cell, and the outward area vector times the
-/// weight.
+/// The points of a face for the rule with five points along each axis: the parameters in the cell, and the outward area vector
+/// times the weight.
 pub fn face_points(points: &[DVec3; 64], face: usize) -> [([f64; 3], DVec3); 25] {
     let (_, side, along) = FACE_AXES[face];
     std::array::from_fn(|k| {
@@ -196,12 +196,12 @@ pub fn face_points(points: &[DVec3; 64], face: usize) -> [([f64; 3], DVec3); 25]
     })
 }
 
-/// What a field with these coefficients carries out of a cell through a face: exact but for rounding.
+/// The flux of a field with these coefficients out of a cell through a face: exact but for rounding.
 pub fn face_flux(points: &[DVec3; 64], field: &[DVec3; 64], face: usize) -> f64 {
     face_points(points, face).iter().map(|(place, area)| value(field, *place).dot(*area)).sum()
 }
 
-/// The places of control points as multiples of thirds, for callers that place them.
+/// The indices of a control point along the three axes, that is its parameters in thirds.
 pub fn place_of_64(k: usize) -> [usize; 3] {
     [k % 4, k / 4 % 4, k / 16]
 }

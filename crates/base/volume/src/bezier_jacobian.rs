@@ -4,23 +4,23 @@ use crate::Jacobian;
 use crate::bernstein::{bernstein, bernstein_slopes};
 use glam::DVec3;
 
-/// Times that a cell is cut in two along an axis, three for each cut in eight, to find a proof.
+/// Largest depth of halvings along each axis; dividing a cell into eight halves it along all three.
 const DEPTH: usize = 4;
 
 /// Rounding of a Bernstein coefficient of the determinant, relative to the product of the greatest control vectors of the derivatives.
 ///
 /// # Accuracy
-/// With u = 2⁻⁵³. A coefficient is a sum of triple products of control vectors with positive weights that add up to one. Differences of
-/// control points are exact to u in each component, the factors to 3 u; a triple product has six terms of at most `|a| |b| |c|` with
-/// five operations each, the weights are quotients of products of small binomial numbers, exact but for the 6 operations with them, and
-/// sums of at most 48 and 48 terms follow each other: less than 6 (3·3 + 5 + 6 + 96) u = 696 u in all. Each of at most 12 halvings takes
-/// eight means one after the other, u each: 96 u. The sum is less than 800 u, and is doubled.
+/// With u = 2⁻⁵³. A coefficient is a sum of triple products of control vectors with positive weights that add up to one.
+/// Differences of control points are exact to u in each component, the factors to 3 u. A triple product has six terms of at most
+/// `|a| |b| |c|` with five operations each. The weights are quotients of products of small binomial coefficients, exact but for the
+/// 6 operations with them. Two sums of at most 48 terms each follow one another. Together: less than 6 (3·3 + 5 + 6 + 96) u = 696
+/// u. Each of at most 12 halvings takes eight means in sequence, u each: 96 u. The sum is less than 800 u, and is doubled.
 const ROUNDING: f64 = 1600.0 * 1.110_223_024_625_156_5e-16;
 
 /// Degree of the determinant along each axis, and the number of its coefficients.
 const N: usize = 9;
 
-/// Binomial numbers C(n, k) for n of 2 to 8.
+/// Binomial coefficients C(n, k) for n from 2 to 8.
 fn binomial(n: usize, k: usize) -> f64 {
     (0..k).fold(1.0, |product, i| product * (n - i) as f64 / (i + 1) as f64)
 }
@@ -39,7 +39,7 @@ impl<T: Copy> Tensor<T> {
         Self { size, values }
     }
 
-    /// Bernstein coefficients times the binomial numbers: then products of polynomials are convolutions.
+    /// Bernstein coefficients are scaled by binomial coefficients, so that products of polynomials become convolutions.
     fn weight(size: [usize; 3], at: [usize; 3]) -> f64 {
         (0..3).map(|axis| binomial(size[axis] - 1, at[axis])).product()
     }
@@ -91,11 +91,12 @@ fn coefficients(points: &[DVec3; 64]) -> (Vec<f64>, f64) {
 ///
 /// # Definition
 /// The determinant is a polynomial of degree eight along each axis. It lies between the least and the greatest of its 729 Bernstein
-/// coefficients, and at the corners of the cell it equals one. Where coefficients have both signs the cell is cut in eight.
+/// coefficients; at the corners of the cell it equals the coefficient there. A cell with coefficients of both signs is divided into
+/// eight.
 /// # Accuracy
 /// [`Jacobian::Positive`] and [`Jacobian::Folded`] hold for the control points as stored, rounding included.
 /// # Cost
-/// Some 15,000 products of vectors for a cell that needs no cut.
+/// Some 15,000 products of vectors for a cell that needs no division.
 /// # Source
 /// `johnen_hexahedra_2017` for coefficients that bound the determinant of a hexahedron.
 pub fn certify_bezier(points: &[DVec3; 64]) -> Jacobian {
@@ -130,7 +131,7 @@ fn decide(coefficients: &[f64], doubt: f64, depth: usize) -> Jacobian {
     result
 }
 
-/// The coefficients over one half of the cell along an axis: the algorithm of de Casteljau.
+/// The coefficients over one half of the cell along an axis, by de Casteljau's algorithm.
 fn halve(values: &mut [f64], axis: usize, side: usize) {
     let strides = [1, N, N * N];
     let (p, q) = (strides[(axis + 1) % 3], strides[(axis + 2) % 3]);
@@ -156,7 +157,7 @@ fn halve(values: &mut [f64], axis: usize, side: usize) {
     }
 }
 
-/// Places along each axis at which quality is measured.
+/// Parameters along each axis at which quality is measured.
 pub const QUALITY_PLACES: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 
 /// The least scaled Jacobian at the 125 points of a cell whose coordinates are multiples of a quarter: the determinant over the product
@@ -174,8 +175,8 @@ pub fn scaled_jacobian_bezier(points: &[DVec3; 64]) -> f64 {
     least
 }
 
-/// The derivatives along the three axes at all points of a tensor grid, the first axis fastest, by sums over one axis after the other.
-/// The table holds for each place the values of the four basis functions and their derivatives.
+/// The derivatives along the three axes at all points of a tensor grid, the first axis fastest, by summation along one axis after
+/// the other. The table holds the values and derivatives of the four basis functions at each parameter.
 pub fn slopes_at(points: &[DVec3; 64], table: &[([f64; 4], [f64; 4])]) -> Vec<[DVec3; 3]> {
     let q = table.len();
     let sum = |weights: &[f64; 4], of: &dyn Fn(usize) -> DVec3| {

@@ -1,10 +1,10 @@
-//! Why cells make no mesh.
+//! Errors of hexahedral meshes.
 
-/// Why cells make no mesh.
+/// Why cells do not form a valid mesh.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum VolumeError {
-    /// A vertex that does not exist.
+    /// A cell names a vertex that does not exist.
     #[error("cell {cell} names vertex {index}, but there are {vertices} vertices (the first is 0)")]
     Index {
         /// The cell.
@@ -14,7 +14,7 @@ pub enum VolumeError {
         /// Number of vertices.
         vertices: usize,
     },
-    /// A vertex twice in one cell.
+    /// A cell names a vertex twice.
     #[error("cell {cell} has vertex {index} at two corners")]
     Repeated {
         /// The cell.
@@ -22,13 +22,13 @@ pub enum VolumeError {
         /// The vertex.
         index: u32,
     },
-    /// A coordinate that is not finite.
+    /// A coordinate is not finite.
     #[error("vertex {vertex} has a coordinate that is not finite")]
     NotFinite {
         /// The vertex.
         vertex: usize,
     },
-    /// A face of more than two cells, or of two on the same side.
+    /// More than two cells share a face, or two lie on the same side of it.
     #[error("cells {} and {} meet at a face wrongly: more than two cells share it, or two lie on one side", cells[0], cells[1])]
     NotConforming {
         /// Two of the cells.

@@ -1,4 +1,4 @@
-//! How cells meet: conformity, boundary, components.
+//! Faces of cells: conformity, boundary, components.
 
 use crate::{HexMesh, VolumeError};
 use pompeiu_core::mesh::UnionFind;
@@ -98,7 +98,7 @@ impl Faces {
     }
 }
 
-/// Whether two rounds of the same four vertices run against each other.
+/// Whether two cycles of the same four vertices run in opposite directions.
 fn are_opposite(a: [u32; 4], b: [u32; 4]) -> bool {
     b.iter().position(|&v| v == a[0]).is_some_and(|k| (0..4).all(|i| a[i] == b[(k + 4 - i) % 4]))
 }

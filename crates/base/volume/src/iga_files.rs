@@ -5,7 +5,7 @@ use glam::DVec3;
 use std::collections::HashMap;
 use std::fmt::Write;
 
-/// Why a file is none of `NeuronTransportIGA`.
+/// Why a file cannot be read as one of `NeuronTransportIGA`.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("line {line}: found {found:?}, expected {expected}")]
 pub struct IgaFileError {
@@ -17,7 +17,8 @@ pub struct IgaFileError {
     pub expected: String,
 }
 
-/// The mesh as `controlmesh.vtk`, with the label of each vertex: −1 inside, 0 on the wall, 1 at the inlet, 2 and more at other ends.
+/// The mesh as `controlmesh.vtk`, with a label for each vertex: −1 inside, 0 on the wall, 1 at the inlet, 2 and more at the other
+/// ends.
 ///
 /// # Panics
 /// Unless there is a label for each vertex.
@@ -46,7 +47,7 @@ pub fn controlmesh(mesh: &HexMesh, labels: &[i64]) -> String {
     text
 }
 
-/// Places in the units of `bzpt.txt`: from the lowest corner of the box around them, in units of its shortest side.
+/// Positions in the units of `bzpt.txt`: relative to the lowest corner of their bounding box, in units of its shortest side.
 pub fn iga_units(places: &[DVec3]) -> Vec<DVec3> {
     let low = places.iter().fold(DVec3::INFINITY, |low, p| low.min(*p));
     let high = places.iter().fold(DVec3::NEG_INFINITY, |high, p| high.max(*p));
@@ -56,7 +57,7 @@ pub fn iga_units(places: &[DVec3]) -> Vec<DVec3> {
 }
 
 impl UnstructuredSplines {
-    /// The splines of each cell as `bzmeshinfo.txt`: numbers from 1, which METIS reads as a mesh.
+    /// The functions of each cell as `bzmeshinfo.txt`, numbered from 1, which METIS reads as a mesh.
     pub fn bzmeshinfo(&self) -> String {
         let mut text = format!("{}\n", self.cells().len());
         for cell in self.cells() {
@@ -65,7 +66,7 @@ impl UnstructuredSplines {
         text
     }
 
-    /// The splines of each cell and their coefficients as `cmat.txt`.
+    /// The functions of each cell and their coefficients as `cmat.txt`.
     pub fn cmat(&self) -> String {
         let mut text = format!("{}\n", self.cells().len());
         let mut written = Written::default();
@@ -88,7 +89,7 @@ impl UnstructuredSplines {
     /// The Bézier points of each cell as `bzpt.txt`.
     ///
     /// # Panics
-    /// If there is no place for a spline.
+    /// If a function has no position.
     pub fn bzpt(&self, places: &[DVec3]) -> String {
         let mut text = format!("{}\n", 64 * self.cells().len());
         for point in self.bezier_points(places).iter().flatten() {
@@ -176,7 +177,7 @@ pub fn read_bzpt(text: &str) -> Result<Vec<[DVec3; 64]>, IgaFileError> {
     Ok(cells)
 }
 
-/// Numbers on a line.
+/// Appends numbers on a line.
 fn row<T: std::fmt::Display>(text: &mut String, numbers: impl Iterator<Item = T>) {
     for (k, number) in numbers.enumerate() {
         let _ = if k > 0 { write!(text, " {number}") } else { write!(text, "{number}") };
@@ -184,10 +185,11 @@ fn row<T: std::fmt::Display>(text: &mut String, numbers: impl Iterator<Item = T>
     text.push('\n');
 }
 
-/// Most numbers that are remembered with their digits.
+/// Largest number of values whose decimal text is cached.
 const REMEMBERED: usize = 1 << 14;
 
-/// Numbers with their digits: coefficients are few products of small fractions, and digits cost more than the splines themselves.
+/// Decimal texts of numbers: coefficients are products of few small fractions, and formatting them costs more than computing the
+/// splines.
 #[derive(Default)]
 struct Written(HashMap<u64, Box<str>>);
 

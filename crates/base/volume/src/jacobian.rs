@@ -2,40 +2,41 @@
 
 use glam::DVec3;
 
-/// What is known of the Jacobian determinant of a cell.
+/// What is known about the Jacobian determinant of a cell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Jacobian {
     /// Proven positive over the whole cell.
     Positive,
-    /// Proven to be 0 or less at a point of the cell.
+    /// Proven to be zero or negative at a point of the cell.
     Folded,
-    /// Neither, within the subdivisions allowed or the rounding of doubles.
+    /// Neither is proven, because of the limit on subdivisions or of rounding.
     Undecided,
 }
 
-/// Corners by their place along the three axes of the cell: `CORNER[u][v][w]`.
+/// Corners by their position along the three axes of the cell: `CORNER[u][v][w]`.
 const CORNER: [[[usize; 2]; 2]; 2] = [[[0, 4], [3, 7]], [[1, 5], [2, 6]]];
 
-/// Times that a cell is cut in eight to find a proof.
+/// Largest number of times that a cell is divided into eight to find a proof.
 const DEPTH: usize = 6;
 
 /// Rounding of a Bernstein coefficient, relative to the product of the greatest edge lengths along the three axes.
 ///
 /// # Accuracy
-/// With u = 2⁻⁵³: each edge is a difference of two vertices, relatively exact to u in each component. A determinant of three of them has
-/// terms of at most `|a| |b| |c|`, six of them with four operations each: off by at most 48 u `|a| |b| |c|` with those of
-/// the edges. A coefficient is a mean of at most eight such determinants, off by at most 8 u more. Each of at most 18 halvings takes two
-/// means one after the other, 4 u each: 72 u. The sum, 128 u, is doubled.
+/// With u = 2⁻⁵³: each edge is a difference of two vertices, relatively exact to u in each component. A determinant of three edges
+/// has six terms of at most `|a| |b| |c|` with four operations each: its error is at most 48 u `|a| |b| |c|`, that of the edges
+/// included. A coefficient is a mean of at most eight such determinants, which adds at most 8 u. Each of at most 18 halvings takes
+/// two means in sequence, 4 u each: 72 u. The sum, 128 u, is doubled.
 const ROUNDING: f64 = 256.0 * 1.110_223_024_625_156_5e-16;
 
-/// The nine coefficients of one layer, and three layers.
+/// Three layers of nine coefficients.
 type Coefficients = [[[f64; 3]; 3]; 3];
 
 /// Whether the Jacobian determinant of the trilinear map with these corners is positive over the whole cell.
 ///
 /// # Definition
 /// The determinant is a polynomial of degree two along each axis. It lies between the least and the greatest of its 27 Bernstein
-/// coefficients, and at the corners of the cell it equals one. Where coefficients have both signs the cell is cut in eight.
+/// coefficients; at the corners of the cell it equals the coefficient there. A cell with coefficients of both signs is divided into
+/// eight.
 /// # Accuracy
 /// [`Jacobian::Positive`] and [`Jacobian::Folded`] hold for the corners as stored, rounding included.
 /// # Source
@@ -52,7 +53,7 @@ fn decide(coefficients: &Coefficients, doubt: f64, depth: usize) -> Jacobian {
     }
     let corners =
         [0, 2].into_iter().flat_map(|i| [0, 2].map(|j| [coefficients[i][j][0], coefficients[i][j][2]]));
-    // Also where a number is not finite.
+    // Also reached where a number is not finite.
     if corners.flatten().any(|value| value < -doubt) {
         return Jacobian::Folded;
     }
@@ -71,7 +72,7 @@ fn decide(coefficients: &Coefficients, doubt: f64, depth: usize) -> Jacobian {
     result
 }
 
-/// The coefficients over one half of the cell along an axis: the algorithm of de Casteljau.
+/// The coefficients over one half of the cell along an axis, by de Casteljau's algorithm.
 fn halve(from: &Coefficients, axis: usize, side: usize) -> Coefficients {
     let mut to = *from;
     for p in 0..3 {
@@ -98,7 +99,7 @@ fn halve(from: &Coefficients, axis: usize, side: usize) -> Coefficients {
     to
 }
 
-/// Edges along each axis, by their place along the other two.
+/// Edges along each axis, by their position along the other two.
 fn edges(corners: &[DVec3; 8]) -> [[[DVec3; 2]; 2]; 3] {
     let p = |u: usize, v: usize, w: usize| corners[CORNER[u][v][w]];
     let both = |f: &dyn Fn(usize, usize) -> DVec3| [[f(0, 0), f(0, 1)], [f(1, 0), f(1, 1)]];

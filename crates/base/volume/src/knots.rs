@@ -1,19 +1,20 @@
-//! Open knots with equal spans, and the cubic B-splines over them.
+//! Open knot vectors with equal spans, and their cubic B-splines.
 
 use crate::bernstein::blossoms;
 
-/// Knots from 0 to the number of elements, the first and the last of them four times: elements along an axis and three functions more.
+/// Knots from 0 to the number of elements, the first and the last with multiplicity four: three more functions than elements along
+/// an axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct OpenKnots(usize);
 
-/// Values and derivatives of the four B-splines that do not vanish in an element, the first of which has the number of the element.
+/// Values and derivatives of the four B-splines that do not vanish in an element. The number of the first is that of the element.
 #[derive(Clone, Copy, Debug)]
 pub struct Line {
     /// The element, which is the number of the first function.
     pub first: usize,
     /// Values.
     pub values: [f64; 4],
-    /// Derivatives by the parameter of the patch, from 0 to 1.
+    /// Derivatives with respect to the parameter of the patch, from 0 to 1.
     pub slopes: [f64; 4],
 }
 
@@ -32,13 +33,13 @@ impl OpenKnots {
         k.saturating_sub(3).min(self.0) as f64
     }
 
-    /// The inner knots of a function, in units of elements: its coefficient in a spline is the blossom there.
+    /// The inner knots of a function, in units of elements: its coefficient in a spline is the spline's blossom at these knots.
     fn inner(self, function: usize) -> [f64; 3] {
         [1, 2, 3].map(|k| self.knot(function + k))
     }
 
-    /// The blossoms in an element of its four functions, at arguments in units of elements, by the recursion of de Boor and Cox; and of its
-    /// three quadratic functions.
+    /// The blossoms of the four functions in an element, at arguments in units of elements, and those of its three quadratic
+    /// functions; by the Cox–de Boor recursion.
     fn blossoms(self, element: usize, arguments: [f64; 3]) -> ([f64; 4], [f64; 4]) {
         let span = element + 3;
         let mut values = [1.0, 0.0, 0.0, 0.0];
@@ -57,7 +58,7 @@ impl OpenKnots {
         (values, lower)
     }
 
-    /// The functions at a place from 0 to 1, those of the given element.
+    /// The functions at a parameter from 0 to 1 in the given element.
     pub(crate) fn line(self, element: usize, place: f64) -> Line {
         let span = element + 3;
         let (values, lower) = self.blossoms(element, [place * self.0 as f64; 3]);
@@ -70,12 +71,12 @@ impl OpenKnots {
         Line { first: element, values, slopes: slopes.map(|s| s * self.0 as f64) }
     }
 
-    /// The shares of Bézier coefficients over an interval, in units of elements, in the coefficient of a function.
+    /// The weights of the Bézier coefficients over an interval, in units of elements, in the coefficient of a function.
     pub(crate) fn dual(self, function: usize, [a, b]: [f64; 2]) -> [f64; 4] {
         blossoms(self.inner(function).map(|knot| (knot - a) / (b - a)))
     }
 
-    /// For an element the share of each of its four functions, by row, in the four Bézier coefficients there.
+    /// The extraction matrix of an element: each row holds the four Bézier coefficients of a function.
     pub(crate) fn bezier(self, element: usize) -> [[f64; 4]; 4] {
         let (a, b) = (element as f64, (element + 1) as f64);
         let columns =
@@ -83,8 +84,8 @@ impl OpenKnots {
         transposed(columns)
     }
 
-    /// For an element of the knots with twice as many, the share of each of the four functions of the element around it, by row, in the
-    /// coefficients of its own.
+    /// The two-scale matrix of an element of the knots with twice as many: each row holds the coefficients of a function of the
+    /// enclosing element in the four functions of the smaller one.
     pub(crate) fn two_scale(self, half: usize) -> [[f64; 4]; 4] {
         let fine = Self(2 * self.0);
         let columns = [0, 1, 2, 3].map(|k| self.blossoms(half / 2, fine.inner(half + k).map(|x| x / 2.0)).0);

@@ -7,15 +7,16 @@
 //! |---|---|
 //! | [`HexMesh`] | vertices and cells |
 //! | [`certify`], [`Jacobian`] | whether the Jacobian determinant is positive over a whole cell, proven by its Bernstein coefficients |
-//! | [`scaled_jacobian`] | how far a cell is from a box |
+//! | [`scaled_jacobian`] | shape quality of a cell: 1 for a box |
 //! | [`Faces`] | conformity, boundary, components |
-//! | [`BezierMesh`], [`certify_bezier`] | tricubic cells, and the same proof for them |
-//! | [`SplineSpace`] | cubic splines over patches, continuous across them |
-//! | [`HierarchicalSplines`] | the same, refined where elements are marked |
-//! | [`UnstructuredSplines`], [`read_bzpt`], [`controlmesh`] | splines with a function for each vertex, and the files of `NeuronTransportIGA` |
-//! | [`partition`], [`epart`] | cells dealt out to processes, as METIS writes it |
-//! | [`Refinement`] | lattices in cells that conform where cells do |
-//! | [`write_vtu`], [`write_bezier_vtu`], [`CellData`] | unstructured grids of VTK |
+//! | [`BezierMesh`], [`certify_bezier`] | tricubic cells, and the same certificate for them |
+//! | [`SplineSpace`] | cubic splines on patches, continuous across them |
+//! | [`HierarchicalSplines`] | truncated hierarchical splines, refined where elements are marked |
+//! | [`UnstructuredSplines`], [`read_bzpt`], [`controlmesh`] | splines with one function per vertex, and the files of
+//! `NeuronTransportIGA` |
+//! | [`partition`], [`epart`] | partitions of the cells for parallel processes, and their METIS files |
+//! | [`Refinement`] | regular refinement of cells that stays conforming |
+//! | [`write_vtu`], [`write_bezier_vtu`], [`CellData`] | VTK unstructured grids |
 //!
 //! ```
 //! use pompeiu_volume::{Faces, HexMesh, Jacobian, certify};

@@ -3,8 +3,8 @@
 use crate::VolumeError;
 use glam::DVec3;
 
-/// Vertices and hexahedral cells. Every index names a vertex, no cell has a vertex twice, all coordinates are finite. Cells may
-/// be folded, and faces may meet wrongly: see [`certify`](crate::certify) and [`Faces`](crate::Faces).
+/// Vertices and hexahedral cells. Every index names a vertex, no cell names a vertex twice, all coordinates are finite. Cells may
+/// be folded, and faces may not conform: see [`certify`](crate::certify) and [`Faces`](crate::Faces).
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct HexMesh {
     positions: Vec<DVec3>,
@@ -74,7 +74,7 @@ impl HexMesh {
     /// The corners of a cell.
     ///
     /// # Panics
-    /// If the cell is not one of this mesh and names a vertex that does not exist.
+    /// If the cell names a vertex that does not exist; cells of this mesh never do.
     pub fn corners(&self, cell: [u32; 8]) -> [DVec3; 8] {
         cell.map(|vertex| self.positions[vertex as usize])
     }

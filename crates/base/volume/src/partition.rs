@@ -1,25 +1,25 @@
-//! Cells dealt out to processes: balanced, with few faces between them.
+//! Partitions of cells for parallel processes: balanced, with few faces between parts.
 
 use crate::Faces;
 use std::collections::{BinaryHeap, VecDeque};
 
-/// Cells that one half of a bisection may have too many or too few in the end, and on the way to it, relative to all that it should
-/// have; at least one and four.
+/// Largest imbalance of one half of a bisection, relative to its target size: at the end, and during the improvement. At least one
+/// and four cells.
 const IMBALANCE: [f64; 2] = [0.004, 0.02];
 
-/// Places from which each bisection is begun; the best result is kept.
+/// Starting cells of each bisection; the best result is kept.
 const STARTS: usize = 2;
 
-/// Times that distances are replaced by means with those of the neighbours, which makes fronts flat across tubes.
+/// Smoothing passes that replace distances by means with those of the neighbours; they flatten fronts across tubes.
 const SMOOTHING: usize = 60;
 
-/// Times that the border of a bisection is improved at most.
+/// Largest number of improvement passes over the border of a bisection.
 const PASSES: usize = 6;
 
-/// Moves without an improvement after which a pass ends.
+/// A pass ends after this many moves without an improvement.
 const PATIENCE: usize = 400;
 
-/// What is said of a partition.
+/// Balance and cut of a partition.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PartitionQuality {
     /// Cells of the largest part over the mean.
@@ -30,15 +30,15 @@ pub struct PartitionQuality {
 
 /// The part of each cell, from 0: recursive bisection of the graph of cells that share faces.
 ///
-/// # Definition
-/// Each half is what is near to a cell at the end of the mesh, by the number of faces on the way, smoothed; then cells at the border
+/// Each half consists of the cells nearest to a cell at the end of the mesh, by smoothed distances in the graph; then cells at the
+/// border change sides while that reduces the number of cut faces.
 /// change sides as long as fewer faces are cut.
-/// # Accuracy
+/// Deterministic. The cut is not optimal: the method is a heuristic.
 /// Deterministic. No optimum: the cut is that of a good heuristic.
 /// # Cost
 /// O(n log n) for each of the log₂(parts) levels.
 /// # Source
-/// Changing sides by gains: `fiduccia_lineartime_1982`.
+/// Moves by gain: `fiduccia_lineartime_1982`.
 pub fn partition(cells: usize, faces: &Faces, parts: usize) -> Vec<u32> {
     let parts = parts.clamp(1, cells.max(1));
     let mut graph = Graph { starts: vec![0; cells + 1], neighbours: Vec::new() };
@@ -60,7 +60,7 @@ pub fn partition(cells: usize, faces: &Faces, parts: usize) -> Vec<u32> {
         }
     }
     let mut of = vec![0; cells];
-    // Cells, the first number of their parts, and how many parts they are to make.
+    // Cells, the first number of their parts, and the number of parts to make of them.
     let mut waiting = vec![((0..cells as u32).collect::<Vec<_>>(), 0, parts)];
     let mut bisection = Bisection { graph: &graph, side: vec![NONE; cells] };
     while let Some((list, first, count)) = waiting.pop() {
@@ -78,7 +78,7 @@ pub fn partition(cells: usize, faces: &Faces, parts: usize) -> Vec<u32> {
     of
 }
 
-/// How good a partition is.
+/// The balance and cut of a partition.
 pub fn partition_quality(faces: &Faces, of: &[u32]) -> PartitionQuality {
     let mut sizes = vec![0_usize; of.iter().max().map_or(0, |most| *most as usize + 1)];
     for &part in of {
@@ -93,7 +93,7 @@ pub fn partition_quality(faces: &Faces, of: &[u32]) -> PartitionQuality {
     PartitionQuality { imbalance, cut: cut.count() }
 }
 
-/// A partition as METIS writes it: the part of each cell on a line of its own, for a file `NAME.epart.N`.
+/// A partition in the format of METIS: the part of each cell on a line of its own, for a file `NAME.epart.N`.
 pub fn epart(of: &[u32]) -> String {
     let mut text = String::with_capacity(3 * of.len());
     for part in of {
@@ -114,7 +114,7 @@ impl Graph {
     }
 }
 
-/// No side: the cell does not take part.
+/// The cell is not part of this bisection.
 const NONE: u8 = 2;
 
 struct Bisection<'g> {
@@ -123,7 +123,8 @@ struct Bisection<'g> {
 }
 
 impl Bisection<'_> {
-    /// Two halves of some cells, the first with about a share of them; each has as many cells as parts it is cut into.
+    /// Bisects a list of cells; the first half gets about this share, and each half at least as many cells as parts it will be
+    /// divided into.
     fn halves(&mut self, list: &[u32], share: f64, least: [usize; 2]) -> [Vec<u32>; 2] {
         let target = (list.len() as f64 * share).round() as usize;
         let target = target.clamp(least[0], list.len() - least[1]);
@@ -135,7 +136,7 @@ impl Bisection<'_> {
         let mut best: Option<(usize, Vec<u8>)> = None;
         let mut start = list[0];
         for _ in 0..STARTS {
-            // From the end that is farthest from here.
+            // Starts at the cell farthest from here, an end of the mesh.
             let there = self.breadth_first(list, start);
             start = there[there.len() - 1];
             let near = self.breadth_first(list, start);
@@ -184,7 +185,7 @@ impl Bisection<'_> {
         order
     }
 
-    /// Cells in the order of their smoothed places in another order; all of them take part.
+    /// The cells sorted by their smoothed position in a given order; all of them take part.
     fn smoothed(&mut self, order: &[u32]) -> Vec<u32> {
         let mut place: Vec<f64> = (0..order.len()).map(|k| k as f64).collect();
         let mut index: std::collections::HashMap<u32, usize> = std::collections::HashMap::new();
@@ -208,7 +209,7 @@ impl Bisection<'_> {
         keyed.into_iter().map(|(_, cell)| cell).collect()
     }
 
-    /// Faces that are cut now, less those that are cut after the cell changes sides.
+    /// Reduction of the number of cut faces if the cell changes sides.
     fn gain(&self, cell: u32) -> i64 {
         let own = self.side[cell as usize];
         let of = |&next: &u32| match self.side[next as usize] {
@@ -227,7 +228,7 @@ impl Bisection<'_> {
         list.iter().map(of).sum()
     }
 
-    /// Improves the border; gives the number of faces that are cut.
+    /// Improves the border; returns the number of cut faces.
     fn improve(&mut self, list: &[u32], [last, range]: [[usize; 2]; 2], target: usize) -> usize {
         let mut size = target;
         let mut is_done = vec![];

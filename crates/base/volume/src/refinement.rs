@@ -1,19 +1,19 @@
-//! Lattices in cells whose places on faces are shared by the cells that share the face.
+//! Regular lattices in cells; cells that share a face share the lattice points on it.
 
 use std::collections::HashMap;
 
-/// A place in a mesh: the corners that it is a combination of, with integer weights, in order of corners. Cells that share a face give
-/// the same combinations to the places on it, so that lattices conform where the cells do.
+/// A lattice point: the corners that it combines, with integer weights, in order of corners. Cells that share a face use the same
+/// combinations on it, so that lattices conform where the cells do.
 pub type RefinementKey = [(u32, u32); 8];
 
 /// No corner.
 const NONE: (u32, u32) = (u32::MAX, 0);
 
-/// The places of the eight corners of a cell, in the order of VTK.
+/// The positions of the eight corners of a cell, in the order of VTK.
 pub const CORNER_PLACES: [[usize; 3]; 8] =
     [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]];
 
-/// Numbers for the places of a lattice with `parts` steps along each edge of cells.
+/// Numbers for the points of a lattice with `parts` steps along each edge of cells.
 #[derive(Clone, Debug)]
 pub struct Refinement {
     parts: usize,
@@ -22,17 +22,17 @@ pub struct Refinement {
 }
 
 impl Refinement {
-    /// No places yet.
+    /// A numbering without points.
     pub fn new(parts: usize) -> Self {
         Self { parts, index: HashMap::new(), keys: Vec::new() }
     }
 
-    /// The keys, in order of the numbers.
+    /// The keys, in the order of their numbers.
     pub fn keys(&self) -> &[RefinementKey] {
         &self.keys
     }
 
-    /// The number of a key: that which it has, or the next one.
+    /// The number of a key; a new key gets the next number.
     pub fn vertex(&mut self, key: RefinementKey) -> u32 {
         *self.index.entry(key).or_insert_with(|| {
             self.keys.push(key);
@@ -40,7 +40,7 @@ impl Refinement {
         })
     }
 
-    /// The numbers of the places in a cell, the first axis fastest.
+    /// The numbers of the lattice points of a cell, the first axis fastest.
     pub fn lattice(&mut self, cell: [u32; 8]) -> Vec<u32> {
         let n = self.parts;
         let mut lattice = Vec::with_capacity((n + 1).pow(3));
@@ -54,7 +54,7 @@ impl Refinement {
         lattice
     }
 
-    /// The cells between the places of a lattice, the first axis fastest.
+    /// The cells between the points of a lattice, the first axis fastest.
     pub fn cells<'l>(&self, lattice: &'l [u32]) -> impl Iterator<Item = [u32; 8]> + 'l {
         let n = self.parts;
         let at = move |i: usize, j: usize, k: usize| lattice[i + (n + 1) * (j + (n + 1) * k)];
@@ -65,7 +65,7 @@ impl Refinement {
     }
 }
 
-/// The key of a place in a cell.
+/// The key of a lattice point of a cell.
 fn key(cell: [u32; 8], place: [usize; 3], n: usize) -> RefinementKey {
     let mut key = [NONE; 8];
     for ((entry, corner), side) in key.iter_mut().zip(cell).zip(CORNER_PLACES) {

@@ -1,4 +1,4 @@
-//! Cubic splines over the patches of a mesh: as smooth as cubics can be within a patch, continuous across patches.
+//! Cubic splines on the patches of a mesh: twice continuously differentiable within a patch, continuous across patches.
 
 use crate::knots::{Line, OpenKnots};
 use crate::{BezierMesh, CORNERS_OF_64, Refinement};
@@ -7,14 +7,14 @@ use glam::DVec3;
 /// The spline functions of a mesh whose cells are patches, each cut into equal elements.
 ///
 /// # Definition
-/// In a patch: tensor products of cubic B-splines over open knots with `elements` equal spans, twice continuously differentiable.
-/// Across patches: functions whose coefficients lie on a common face, edge or corner are the same function, so that the space is that of
-/// all continuous functions that are such splines in each patch.
+/// Within a patch: tensor products of cubic B-splines over open knots with `elements` equal spans, twice continuously
+/// differentiable. Across patches: functions whose coefficients lie on a common face, edge or corner are identified, so that the
+/// space consists of all continuous functions that are such splines in each patch.
 /// # Accuracy
-/// Functions of four bounded derivatives in each patch are approximated to the fourth order in L² and the third in H¹, at extraordinary
-/// edges and corners too: every patch has all of its boundary's functions.
+/// Functions with four bounded derivatives in each patch are approximated to the fourth order in L² and the third in H¹, also at
+/// extraordinary edges and corners: every patch keeps all functions of its boundary.
 /// # Source
-/// Open knots and gluing: `cottrell_isogeometric_2009`.
+/// Open knots and identification of functions across patches: `cottrell_isogeometric_2009`.
 #[derive(Clone, Debug)]
 pub struct SplineSpace {
     knots: OpenKnots,
@@ -26,7 +26,7 @@ impl SplineSpace {
     /// The space with this many elements along each axis of each patch, at least one.
     pub fn new(mesh: &BezierMesh, elements: usize) -> Self {
         let knots = OpenKnots::new(elements);
-        // The coefficients of a patch are a lattice with one step fewer than functions.
+        // The coefficients of a patch form a lattice with one step less than functions along each axis.
         let mut refinement = Refinement::new(knots.elements() + 2);
         let patches =
             mesh.cells().iter().map(|cell| refinement.lattice(CORNERS_OF_64.map(|k| cell[k]))).collect();
@@ -48,12 +48,12 @@ impl SplineSpace {
         &self.patches
     }
 
-    /// The functions along one axis at a place from 0 to 1 of the patch, those of the given element: the recursion of de Boor and Cox.
+    /// The functions along one axis at a parameter from 0 to 1 of the patch, in the given element; by the Cox–de Boor recursion.
     pub fn line(&self, element: usize, place: f64) -> Line {
         self.knots.line(element, place)
     }
 
-    /// The coefficients of a tricubic in a patch: blossoms at the knots, so that splines over one element are the cubics they refine.
+    /// The coefficients of a tricubic in a patch: its blossoms at the knots. The spline is then the same tricubic.
     fn coefficients(&self, points: &[DVec3; 64]) -> Vec<DVec3> {
         let (m, whole) = (self.elements() + 3, [0.0, self.elements() as f64]);
         let rows: Vec<[f64; 4]> = (0..m).map(|function| self.knots.dual(function, whole)).collect();
@@ -84,14 +84,14 @@ impl SplineSpace {
         result
     }
 
-    /// For each element along an axis the matrix that gives Bézier coefficients from the four splines there: entry `[k][r]` is the
-    /// share of function k in coefficient r.
+    /// For each element along an axis, the matrix that maps the coefficients of the four splines there to Bézier coefficients:
+    /// entry `[k][r]` is the coefficient r of function k.
     pub fn extraction(&self) -> Vec<[[f64; 4]; 4]> {
         (0..self.elements()).map(|element| self.knots.bezier(element)).collect()
     }
 
-    /// The greatest difference from one of the sum of all functions, over a grid of places in each element. All patches have the same
-    /// functions.
+    /// The greatest deviation from one of the sum of all functions, over a grid of points in each element. All patches have the
+    /// same functions.
     pub fn partition_of_unity_error(&self) -> f64 {
         let mut worst = 0.0_f64;
         let places = [0.0, 0.173, 0.5, 0.827, 1.0];

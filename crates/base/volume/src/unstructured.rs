@@ -1,19 +1,20 @@
-//! Cubic splines over any hexahedral mesh, with one function for each vertex.
+//! Cubic splines over any hexahedral mesh, with one function per vertex.
 
 use crate::{BezierMesh, Faces, HexMesh, Refinement, VolumeError, place_of_64};
 use glam::DVec3;
 use rayon::prelude::*;
 use std::collections::HashMap;
 
-/// The splines of `NeuronTransportIGA`: one for each vertex of a hexahedral mesh, written in each cell as a tricubic Bézier polynomial.
+/// The splines of `NeuronTransportIGA`: one function per vertex of a hexahedral mesh, a tricubic Bézier polynomial in each cell.
 ///
 /// # Definition
-/// A Bézier point inside a cell is the mean of the cell's corners with the weights ⅔ and ⅓ along each axis. One on a face, an edge or a
-/// corner is the mean of those next to it in all cells around; on the boundary the same holds for the faces of the boundary alone.
+/// A Bézier point inside a cell is the mean of the cell's corners with the weights ⅔ and ⅓ along each axis. One on a face, an edge
+/// or a corner is the mean of the adjacent points inside all cells around it; on the boundary, of the adjacent points on the
+/// boundary's faces alone.
 /// # Accuracy
-/// Nonnegative, partition of unity. Twice continuously differentiable where the mesh is a regular grid. Approximation is of order 2.5
-/// in L² and 1.5 in H¹ only: at the boundary, where the second derivative along the normal is forced to zero, and at extraordinary
-/// edges. [`SplineSpace`](crate::SplineSpace) has 4 and 3.
+/// Nonnegative, partition of unity. Twice continuously differentiable where the mesh is a regular grid. The order of approximation
+/// is only 2.5 in L² and 1.5 in H¹, because the second normal derivative is forced to zero at the boundary, and because of
+/// extraordinary edges. [`SplineSpace`](crate::SplineSpace) has the orders 4 and 3.
 /// # Source
 /// `wei_blended_2018`; the variant without sharp features.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,30 +22,30 @@ pub struct UnstructuredSplines {
     cells: Vec<CellSplines>,
 }
 
-/// The splines that do not vanish in a cell.
+/// The functions that do not vanish in a cell.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CellSplines {
-    /// The vertices of the splines: the corners of the cell, then those of the cells around it in order.
+    /// The vertices of the functions: the corners of the cell, then those of the cells around it in order.
     pub functions: Vec<u32>,
-    /// What the cell is.
+    /// Where the cell lies in the mesh.
     pub kind: CellKind,
-    /// For each of the splines its 64 Bézier coefficients, the first axis fastest.
+    /// For each function its 64 Bézier coefficients, the first axis fastest.
     pub coefficients: Vec<[f64; 64]>,
 }
 
-/// What a cell is in a mesh.
+/// Where a cell lies in a mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CellKind {
-    /// Inside of a regular grid.
+    /// In a regular grid, inside.
     Regular,
     /// With a vertex on the boundary.
     Boundary,
-    /// With a vertex on an inner edge that has not four cells.
+    /// With a vertex on an inner edge that does not have four cells.
     Irregular,
 }
 
 impl CellKind {
-    /// The number in files: 0, 1, 2.
+    /// The number that files use: 0, 1 or 2.
     pub fn number(self) -> u8 {
         match self {
             Self::Regular => 0,
@@ -59,18 +60,18 @@ impl CellKind {
     }
 }
 
-/// What lies around vertices and edges.
+/// Cells and boundary faces around vertices, and extraordinary edges.
 struct Around<'m> {
     cells: &'m [[u32; 8]],
     /// The cells of each vertex.
     of_vertex: Vec<Vec<u32>>,
     /// The faces of the boundary at each vertex.
     boundary: Vec<Vec<[u32; 4]>>,
-    /// Whether a vertex lies on an inner edge that has not four cells.
+    /// Whether a vertex lies on an inner edge that does not have four cells.
     is_extraordinary: Vec<bool>,
 }
 
-/// Ends of the edges of a cell.
+/// The end corners of the edges of a cell.
 const EDGES: [[usize; 2]; 12] =
     [[0, 1], [1, 2], [2, 3], [3, 0], [0, 4], [1, 5], [2, 6], [3, 7], [4, 5], [5, 6], [6, 7], [7, 4]];
 
@@ -116,7 +117,7 @@ impl<'m> Around<'m> {
         }
     }
 
-    /// The splines of a cell: its corners, then the vertices of the cells around, corner by corner.
+    /// The functions of a cell: its corners, then the vertices of the cells around it, corner by corner.
     fn functions(&self, cell: &[u32; 8]) -> Vec<u32> {
         let mut functions = cell.to_vec();
         for &v in cell {
@@ -131,10 +132,10 @@ impl<'m> Around<'m> {
         functions
     }
 
-    /// Adds the Bézier coefficient of a place to the splines of a cell.
+    /// Adds up the Bézier coefficients at one control point for the functions of a cell.
     fn add(&self, cell: &[u32; 8], place: usize, mut add: impl FnMut(u32, f64)) {
         let at = place_of_64(place);
-        // The corner that is near, and the vertices of the face, edge or corner on which the place lies.
+        // The nearest corner, and the vertices of the face, edge or corner that holds the control point.
         let corner = crate::CORNER_PLACES.iter().position(|p| (0..3).all(|k| (at[k] >= 2) == (p[k] == 1)));
         let near = cell[corner.unwrap_or(0)];
         let lies = |vertex: usize| {
@@ -172,7 +173,7 @@ impl<'m> Around<'m> {
 }
 
 impl UnstructuredSplines {
-    /// The splines over a mesh that conforms.
+    /// The splines over a conforming mesh.
     pub fn new(mesh: &HexMesh, faces: &Faces) -> Self {
         let around = Around::new(mesh, faces);
         let of = |cell: &[u32; 8]| {
@@ -187,20 +188,20 @@ impl UnstructuredSplines {
         Self { cells: mesh.cells().par_iter().map(of).collect() }
     }
 
-    /// Splines that were read.
+    /// Splines read from files.
     pub(crate) fn from_cells(cells: Vec<CellSplines>) -> Self {
         Self { cells }
     }
 
-    /// The splines of each cell.
+    /// The functions of each cell.
     pub fn cells(&self) -> &[CellSplines] {
         &self.cells
     }
 
-    /// The Bézier points of each cell for these places of vertices.
+    /// The Bézier points of each cell, for these positions of vertices.
     ///
     /// # Panics
-    /// If there is no place for a spline.
+    /// If a function has no position.
     pub fn bezier_points(&self, places: &[DVec3]) -> Vec<[DVec3; 64]> {
         let of = |cell: &CellSplines| {
             let mut points = [DVec3::ZERO; 64];
@@ -214,7 +215,7 @@ impl UnstructuredSplines {
         self.cells.par_iter().map(of).collect()
     }
 
-    /// The mesh of tricubic cells that the splines make of a mesh.
+    /// The mesh of tricubic cells whose control points are the Bézier points of a mesh.
     ///
     /// # Errors
     /// Those of [`BezierMesh::new`].
@@ -233,7 +234,7 @@ impl UnstructuredSplines {
         BezierMesh::new(points, cells)
     }
 
-    /// The greatest difference from one of the sum of the splines' coefficients, over all cells and places.
+    /// The greatest deviation from one of the sum of all functions' coefficients, over all cells and control points.
     pub fn partition_of_unity_error(&self) -> f64 {
         let of = |cell: &CellSplines| {
             let off = |place: usize| (cell.coefficients.iter().map(|c| c[place]).sum::<f64>() - 1.0).abs();
@@ -242,7 +243,8 @@ impl UnstructuredSplines {
         self.cells.iter().map(of).fold(0.0, f64::max)
     }
 
-    /// The greatest difference of a coefficient from that of other splines over the same mesh; none where cells have other splines.
+    /// The greatest difference of a coefficient from that of other splines over the same mesh; `None` if a cell has other
+    /// functions.
     pub fn difference(&self, other: &Self) -> Option<f64> {
         if self.cells.len() != other.cells.len() {
             return None;

@@ -1,10 +1,10 @@
-//! Unstructured grids of VTK (`.vtu`), with arrays appended as they are.
+//! VTK unstructured grids (`.vtu`), with raw appended arrays.
 
 use crate::{BezierMesh, HexMesh};
 use glam::DVec3;
 use std::io::{self, Write};
 
-/// A named value for each cell, or a vector of three.
+/// A named array with one number or vector of three per cell.
 #[derive(Clone, Copy, Debug)]
 pub struct CellData<'d> {
     /// Its name.
@@ -15,7 +15,7 @@ pub struct CellData<'d> {
     pub components: usize,
 }
 
-/// A named value for each vertex, or a vector of three.
+/// A named array with one number or vector of three per vertex.
 pub type PointData<'d> = CellData<'d>;
 
 /// The number of VTK's cell type "hexahedron".
@@ -29,13 +29,13 @@ struct Grid<'g> {
     version: &'g str,
     kind: u8,
     positions: &'g [DVec3],
-    /// The vertices of one cell after the other.
+    /// The vertices of all cells, cell by cell.
     corners: &'g mut dyn Iterator<Item = u32>,
     per_cell: usize,
     cells: usize,
 }
 
-/// Writes a mesh as a VTK XML unstructured grid, little-endian, arrays appended without encoding.
+/// Writes a mesh as a VTK XML unstructured grid, little-endian, with raw appended arrays.
 ///
 /// # Errors
 /// Those of the writer; [`io::ErrorKind::InvalidInput`] for an array of the wrong length or a name that needs escaping.
@@ -56,7 +56,7 @@ pub fn write_vtu(
     write(out, &mut grid, points, cells)
 }
 
-/// Writes a mesh of tricubic cells as Bézier hexahedra, exactly; values at points are coefficients, as the control points are.
+/// Writes a mesh of tricubic cells as Bézier hexahedra, exactly; point data are coefficients, as the control points are.
 ///
 /// # Errors
 /// Those of [`write_vtu`].
@@ -74,7 +74,7 @@ pub fn write_bezier_vtu(
         order
     };
     let mut grid = Grid {
-        // Since this version of the format, the edges along the third axis follow each other around the cell.
+        // Since this version of the format, the edges along the third axis are ordered around the cell.
         version: "2.2",
         kind: BEZIER_HEXAHEDRON,
         positions: mesh.points(),
@@ -85,7 +85,7 @@ pub fn write_bezier_vtu(
     write(out, &mut grid, points, cells)
 }
 
-/// Where VTK keeps the control point of a place in a cell of degree three: corners, edges, faces, inside.
+/// VTK's index of a control point in a cell of degree three: corners, edges, faces, inside.
 fn vtk_place([i, j, k]: [usize; 3]) -> usize {
     let is_end = |x: usize| x == 0 || x == 3;
     let around = match (i > 0, j > 0) {

@@ -5,12 +5,12 @@ use std::ops::{Add, Mul, Neg, Sub};
 /// A closed interval of reals that holds the exact value of what it was computed from.
 ///
 /// # Accuracy
-/// Every operation rounds to nearest and then moves both ends one step outwards, which encloses the exact result:
-/// rounding to nearest is off by at most half a step. Overflow gives infinite ends and `0 * inf` gives the whole line,
-/// so an interval never becomes NaN.
+/// Every operation rounds to nearest and then moves both ends outwards to the next double. This encloses the exact result, because
+/// rounding to nearest errs by at most half the distance between neighbouring doubles. Overflow gives infinite ends and `0 * inf`
+/// gives the whole line, so an interval never becomes NaN.
 /// # Source
-/// Interval arithmetic: `moore_interval_2009`. Stepping outwards instead of switching the rounding mode costs a unit in
-/// the last place of tightness.
+/// Interval arithmetic: `moore_interval_2009`. We step outwards instead of switching the rounding mode, which makes each result
+/// wider by a unit in the last place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Interval {
     lower: f64,
@@ -23,12 +23,12 @@ impl Interval {
         if x.is_nan() { Self::WHOLE } else { Self { lower: x, upper: x } }
     }
 
-    /// The numbers next to `x` and all between them: encloses what was rounded to `x`.
+    /// The interval between the neighbours of the double `x`: encloses every number that rounds to `x`.
     pub fn around(x: f64) -> Self {
         Self::outward(x, x)
     }
 
-    /// The least interval that holds both of two numbers; the whole line if one of them is NaN.
+    /// The smallest interval that holds two numbers; the whole line if one of them is NaN.
     pub const fn spanning(x: f64, y: f64) -> Self {
         if x.is_nan() || y.is_nan() {
             Self::WHOLE
@@ -42,12 +42,12 @@ impl Interval {
     /// The whole real line.
     pub const WHOLE: Self = Self { lower: f64::NEG_INFINITY, upper: f64::INFINITY };
 
-    /// Greatest number known not to exceed the value.
+    /// Lower end: the value is not less than this.
     pub const fn lower(self) -> f64 {
         self.lower
     }
 
-    /// Least number known not to be exceeded by the value.
+    /// Upper end: the value is not greater than this.
     pub const fn upper(self) -> f64 {
         self.upper
     }
@@ -67,8 +67,8 @@ impl Interval {
         Self { lower: if lower > 0.0 { lower } else { 0.0 }, upper: root(self.upper).next_up() }
     }
 
-    /// Encloses the quotient by a value that is positive by construction; the whole line if the interval of the divisor
-    /// does not show it.
+    /// Encloses the quotient by a value that is positive by construction. The result is the whole line if the interval of the
+    /// divisor reaches zero or below.
     #[must_use]
     pub fn divide_by_positive(self, divisor: Self) -> Self {
         if divisor.lower <= 0.0 {

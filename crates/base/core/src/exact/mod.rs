@@ -1,4 +1,4 @@
-//! Arithmetic whose results enclose the exact ones.
+//! Exact predicates, and arithmetic whose results enclose the exact ones.
 
 mod interval;
 mod triangles;

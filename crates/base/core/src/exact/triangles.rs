@@ -19,13 +19,13 @@ fn sign(x: f64) -> Ordering {
     x.partial_cmp(&0.0).unwrap_or(Ordering::Equal)
 }
 
-/// The turn of three points seen along an axis.
+/// The orientation of three points in the projection along an axis.
 fn turn(axis: usize, p: [f64; 3], q: [f64; 3], r: [f64; 3]) -> Ordering {
     let flat = |p: [f64; 3]| Coord { x: p[(axis + 1) % 3], y: p[(axis + 2) % 3] };
     sign(orient2d(flat(p), flat(q), flat(r)))
 }
 
-/// An axis along which a triangle is seen with an area; none if it has no area.
+/// An axis along which the projection of a triangle has an area; `None` if the triangle has none.
 fn seen_along([a, b, c]: &Triangle) -> Option<usize> {
     (0..3).find(|&axis| turn(axis, *a, *b, *c) != Ordering::Equal)
 }
@@ -34,10 +34,10 @@ fn middle(p: [f64; 3], q: [f64; 3]) -> Place {
     [0, 1, 2].map(|k| 0.5 * p[k] + 0.5 * q[k])
 }
 
-/// A point that two faces have in common beside what neighbours share, rounded; none if they have none.
+/// A common point of two faces other than the vertices and edges that neighbours share, rounded; `None` if there is none.
 ///
-/// Both are closed triangles. Corners at the same position count as shared: with one, the faces must meet away from it; with two,
-/// they must overlap in a plane; with three they are one and the same.
+/// Both are closed triangles. Corners at the same position count as shared. With one shared corner, the faces must meet elsewhere,
+/// too; with two, they must overlap in a plane; with three, they are the same triangle.
 ///
 /// # Accuracy
 /// The answer is exact where no product of three differences of coordinates underflows or overflows: always for coordinates that are
@@ -58,7 +58,7 @@ pub fn common_point(s: &Triangle, t: &Triangle) -> Option<Place> {
     }
 }
 
-/// Triangles without a common corner.
+/// Whether triangles without a common corner meet.
 fn disjoint_corners(s: &Triangle, t: &Triangle, axes: (usize, usize)) -> Option<Place> {
     let apart = |s: &Triangle, t: &Triangle| {
         let sides = t.map(|p| side(s, p));
@@ -72,12 +72,12 @@ fn disjoint_corners(s: &Triangle, t: &Triangle, axes: (usize, usize)) -> Option<
     of_s.or_else(|| edges(t).into_iter().find_map(|e| meet(e, s, axes.0)))
 }
 
-/// The edge opposite a shared corner against the other triangle.
+/// Intersects the edge opposite a shared corner with the other triangle.
 fn opposite_edge(s: &Triangle, corner: usize, t: &Triangle, axis: usize) -> Option<Place> {
     meet([s[(corner + 1) % 3], s[(corner + 2) % 3]], t, axis)
 }
 
-/// Triangles with a common edge: in one plane and on the same side of it.
+/// Whether triangles with a common edge overlap: both in one plane and on the same side of the edge.
 fn folded(s: &Triangle, t: &Triangle, [one, two]: [(usize, usize); 2], axis: usize) -> Option<Place> {
     let (p, q) = (s[3 - one.0 - two.0], t[3 - one.1 - two.1]);
     let (a, b) = (s[one.0], s[two.0]);
@@ -85,7 +85,7 @@ fn folded(s: &Triangle, t: &Triangle, [one, two]: [(usize, usize); 2], axis: usi
     same.then(|| middle(a, b))
 }
 
-/// Where a closed segment meets a closed triangle that has an area seen along an axis.
+/// Where a closed segment meets a closed triangle whose projection along the axis has an area.
 fn meet([p, q]: [[f64; 3]; 2], t: &Triangle, axis: usize) -> Option<Place> {
     match (side(t, p), side(t, q)) {
         (Ordering::Equal, Ordering::Equal) => meet_in_plane([p, q], t, axis),
@@ -106,7 +106,7 @@ fn is_inside(p: [f64; 3], t: &Triangle, axis: usize) -> bool {
     !(turns.contains(&Ordering::Less) && turns.contains(&Ordering::Greater))
 }
 
-/// The same for a segment in the plane of the triangle.
+/// Where a segment in the plane of a triangle meets it.
 fn meet_in_plane([p, q]: [[f64; 3]; 2], t: &Triangle, axis: usize) -> Option<Place> {
     if let Some(inside) = [p, q].into_iter().find(|x| is_inside(*x, t, axis)) {
         return Some(inside);
@@ -114,7 +114,7 @@ fn meet_in_plane([p, q]: [[f64; 3]; 2], t: &Triangle, axis: usize) -> Option<Pla
     let crosses = |i: usize| {
         let (a, b) = (t[i], t[(i + 1) % 3]);
         let differ = |x: Ordering, y: Ordering| x != y || x == Ordering::Equal;
-        // Both ends of a segment along an edge would have been inside, or all of it is beyond one of the edge's ends.
+        // If both ends lie along one edge, either one was found inside or the segment lies beyond one end of the edge.
         let along = turn(axis, a, b, p) == Ordering::Equal && turn(axis, a, b, q) == Ordering::Equal;
         !along
             && differ(turn(axis, a, b, p), turn(axis, a, b, q))
@@ -178,7 +178,7 @@ mod tests {
     }
 
     proptest! {
-        /// Points with whole weights of one triangle are tested against the other exactly, in whole numbers.
+        /// Tests points with integer barycentric coordinates in one triangle against the other, exactly in integers.
         #[test]
         fn a_common_point_of_the_lattice_is_found(
             s in [point(), point(), point()], t in [point(), point(), point()],
@@ -196,7 +196,7 @@ mod tests {
                     prop_assert!(off < 1e-20 || side(&s, t[0]) == Ordering::Equal, "{off}");
                 }
             } else {
-                // Nowhere among points sampled on one is the other at distance zero.
+                // No point sampled on one triangle is at distance zero from the other.
                 for (i, j) in (0..8).flat_map(|i| (0..8 - i).map(move |j| (f64::from(i) / 7.0, f64::from(j) / 7.0))) {
                     let p = [0, 1, 2].map(|k| s[0][k] + i * (s[1][k] - s[0][k]) + j * (s[2][k] - s[0][k]));
                     prop_assert!(crate::geom::point_triangle::distance_sq(p, t[0], t[1], t[2]) > 1e-12);

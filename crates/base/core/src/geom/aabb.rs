@@ -3,7 +3,7 @@
 use crate::mesh::TriMesh;
 use rayon::prelude::*;
 
-/// Smallest box with sides along the axes that holds some points; empty until a point is added.
+/// The smallest axis-aligned box that holds the points added to it; empty until the first one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Aabb {
     /// Least coordinates.

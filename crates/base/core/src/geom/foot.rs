@@ -1,15 +1,15 @@
-//! Upper bounds on distances to one triangle, for triangles that many points are compared with.
+//! Fast upper bounds on the distances from many points to one triangle.
 
 use glam::DVec3;
 use multiversion::multiversion;
 
-/// A triangle prepared for feet of perpendiculars: no division per point.
+/// A triangle prepared for projecting points onto its plane without divisions.
 #[derive(Clone, Copy, Debug)]
 pub struct Foot {
     origin: [f64; 3],
     /// Edges from the origin to the other corners.
     edges: [[f64; 3]; 2],
-    /// The barycentric coordinates of the foot of a point belonging to these corners are `dual[i] . (x - origin)`.
+    /// Barycentric coordinate `i + 1` of the foot of `x` is `dual[i] . (x - origin)`.
     dual: [[f64; 3]; 2],
 }
 
@@ -55,8 +55,7 @@ fn bounds_sq(foot: &Foot, points: &[[f64; 4]; 3]) -> [f64; 4] {
         let r = [points[0][l] - origin[0], points[1][l] - origin[1], points[2][l] - origin[2]];
         let v = g[0] * r[0] + g[1] * r[1] + g[2] * r[2];
         let w = h[0] * r[0] + h[1] * r[1] + h[2] * r[2];
-        // Written so that a NaN of a triangle without area ends at its first corner, and one choice at a time, so that the
-        // loop is vectorised.
+        // A NaN from a triangle without area must end at the first corner. One choice at a time keeps the loop vectorisable.
         let v = if v > 0.0 { v } else { 0.0 };
         let w = if w > 0.0 { w } else { 0.0 };
         let excess = v + w - 1.0;
@@ -100,7 +99,7 @@ mod tests {
         }
     }
 
-    /// Edges and points: any bound at all, as long as it is one.
+    /// Degenerate triangles: the bound may be loose, but must be a bound.
     #[test]
     fn triangles_without_area_have_bounds() {
         let x = [[0.5, 2.0, -1.0, 0.0], [1.0, 0.0, 0.0, 0.0], [0.0; 4]];

@@ -5,9 +5,9 @@ use crate::exact::Interval;
 
 /// The map `x -> x / 2^exponent - origin`, with `origin` in scaled units.
 ///
-/// Scaling by a power of two is exact, so squares neither overflow nor vanish whatever the unit of the input. The
-/// origin is zero unless the box lies more than [`Frame::SHIFT_BEYOND`] times its own size away from it; then the
-/// subtraction keeps the digits that matter.
+/// Scaling by a power of two is exact, so squares neither overflow nor underflow in any unit of the input. The origin is zero
+/// unless the box lies more than [`Frame::SHIFT_BEYOND`] times its own size away from it; then the subtraction removes the leading
+/// digits that all coordinates share.
 ///
 /// # Accuracy
 /// Each mapped coordinate `y` differs from the exact image by at most `2^-53 |y|` (the one subtraction), plus `2^-1074`
@@ -16,8 +16,8 @@ use crate::exact::Interval;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame {
     origin: [f64; 3],
-    /// Two powers of two whose product is the scale: it may exceed the range of one, and multiplying by one after the
-    /// other rounds at most once.
+    /// Two powers of two whose product is the scale. The product may exceed the range of a double; multiplying by one factor after
+    /// the other rounds at most once.
     shrink: (f64, f64),
     grow: (f64, f64),
 }
@@ -40,7 +40,7 @@ impl Frame {
         let (lower, upper) = (scaled.map(aabb.lower), scaled.map(aabb.upper));
         let origin = [0, 1, 2].map(|k| {
             let centre = lower[k] + 0.5 * (upper[k] - lower[k]);
-            // Quarter units keep the last bits of the origin zero, so that the subtraction is exact more often.
+            // Origins at multiples of a quarter have few significant bits, so that the subtraction is exact more often.
             if centre.abs() > Self::SHIFT_BEYOND { (4.0 * centre).round() * 0.25 } else { 0.0 }
         });
         Self { origin, ..scaled }

@@ -1,4 +1,4 @@
-//! Geometry of simple shapes, one pair to a file.
+//! Geometry of simple shapes, one pair of shapes per file.
 
 mod aabb;
 mod foot;

@@ -1,8 +1,8 @@
 //! Distance between a point and a triangle.
 //!
-//! One branch-free formula in three shapes: one point and one triangle, one point and eight triangles, four points and
-//! one triangle. The last two are loops over lanes that compilers turn into SIMD code; without fused operations all of
-//! them give the same bits on every instruction set.
+//! One branch-free formula in three layouts: one point and one triangle, one point and eight triangles, four points and one
+//! triangle. Compilers turn the loops of the last two into SIMD code. No operation is fused, so all three give the same bits on
+//! every instruction set.
 
 use glam::DVec3;
 
@@ -62,12 +62,12 @@ pub fn distance_sq(p: [f64; 3], a: [f64; 3], b: [f64; 3], c: [f64; 3]) -> f64 {
     let mut least = if on_ab < on_ac { on_ab } else { on_ac };
     least = if on_bc < least { on_bc } else { least };
 
-    // The foot by its offset along ab and then along the height of c, not by the normal: what rounding does to a height that
-    // is small moves the foot by as little.
+    // The foot is given by its offset along ab and then along the height of c, not by the normal: a rounding error in a small
+    // height then moves the foot by an equally small amount.
     let (height, beside) = (minus(ac, c, ab), minus(ap, t, ab));
     let w = dot(beside, height) / dot(height, height);
     let v = t - w * c;
-    // What v waits for comes last.
+    // The operand that v depends on comes last.
     let r = minus(minus(ap, w, ac), v, ab);
     let foot = dot(r, r);
     // Written so that a NaN from a triangle without area is "outside".
@@ -75,8 +75,7 @@ pub fn distance_sq(p: [f64; 3], a: [f64; 3], b: [f64; 3], c: [f64; 3]) -> f64 {
     if inside { foot } else { least }
 }
 
-/// Squared distance from the end of `ap` to the segment from the origin along `ab`, at the point `t ab` or the end beyond
-/// which that lies.
+/// Squared distance from the end of `ap` to the point `t ab`, with `t` clamped to the segment from the origin to `ab`.
 #[inline(always)]
 #[allow(clippy::inline_always, reason = "must be inlined into the lane loops to be vectorised")]
 fn edge_distance_sq(ap: [f64; 3], ab: [f64; 3], t: f64) -> f64 {

@@ -7,7 +7,7 @@ use std::ops::{Deref, DerefMut, Index, IndexMut};
 
 /// A typed index of one kind of element: faces, vertices, edges.
 pub trait ElementId: Copy {
-    /// What one such element is called: `"face"`.
+    /// The name of such an element in messages: `"face"`.
     const NAME: &'static str;
 
     /// The element with this index.
@@ -42,8 +42,8 @@ element_ids! { FaceId: "face", VertexId: "vertex" }
 
 /// One value for each element of a kind, in the order of their indices.
 ///
-/// It is subscripted by the typed index of its elements and by nothing else, so that values at vertices cannot be taken for
-/// values on faces. It derefs to the slice of its values, for what treats all of them alike; the number of values is fixed.
+/// Only the typed index of its elements subscripts it, so that values at vertices cannot be mistaken for values on faces. It derefs
+/// to the slice of its values. The number of values is fixed.
 ///
 /// # Shapes and units
 /// A vector of `T`, without any overhead; conversion from and to vectors copies nothing.
@@ -88,7 +88,7 @@ pub struct DataLengthError {
 }
 
 impl<I: ElementId, T> ElementData<I, T> {
-    /// Takes over the values of a number of elements.
+    /// Takes ownership of one value per element.
     ///
     /// # Errors
     /// [`DataLengthError`] if there is not one value for each element.
@@ -138,7 +138,7 @@ impl<I: ElementId, T> ElementData<I, T> {
         self.values.get(id.as_index())
     }
 
-    /// Another value for each element, made from the one it has.
+    /// Applies a function to every value.
     pub fn map<U>(&self, value: impl FnMut(&T) -> U) -> ElementData<I, U> {
         ElementData { values: self.values.iter().map(value).collect(), id: PhantomData }
     }
@@ -155,7 +155,7 @@ impl<I, T> ElementData<I, T> {
         &mut self.values
     }
 
-    /// Gives the values back.
+    /// The values as a vector, without copying.
     pub fn into_vec(self) -> Vec<T> {
         self.values
     }
@@ -220,7 +220,7 @@ impl<'d, I, T> IntoIterator for &'d mut ElementData<I, T> {
     }
 }
 
-// Written out, so that they ask nothing of the type of index.
+// Written by hand, because derived implementations would demand the traits of the index type as well.
 impl<I, T: Clone> Clone for ElementData<I, T> {
     fn clone(&self) -> Self {
         Self { values: self.values.clone(), id: PhantomData }

@@ -2,17 +2,17 @@
 
 use super::TriMesh;
 
-/// Edges grouped by their lesser end; no hashing, so the order is the same everywhere.
+/// Edges grouped by their lesser end. No hashing, so that the order is the same on every machine.
 ///
 /// Only faces with three different vertices have edges. Takes O(m log m) time at worst (O(m) at bounded valence) and
 /// 8 bytes per face corner.
 pub(super) struct EdgeTable {
-    /// Where the uses of the edges with lesser end `v` begin, for every vertex, and the end of the last.
+    /// Where the edge uses with lesser end `v` begin, for every vertex; one more entry for the end of the last.
     starts: Vec<usize>,
     uses: Vec<EdgeUse>,
 }
 
-/// One face of the edge from the lesser end at hand to this greater end.
+/// A face at the edge from the lesser end of the group to this greater end.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 struct EdgeUse {
     greater_end: u32,
@@ -43,7 +43,7 @@ impl EdgeTable {
         Self::of_faces(mesh.positions().len(), mesh.faces())
     }
 
-    /// That of faces whose indices are below the number of vertices.
+    /// The edges of faces whose indices are below the number of vertices.
     pub(super) fn of_faces(vertices: usize, faces: &[[u32; 3]]) -> Self {
         let edges = |face: [u32; 3]| {
             let count = if has_three_vertices(face) { 3 } else { 0 };
@@ -62,7 +62,7 @@ impl EdgeTable {
             starts[v] += starts[v - 1];
         }
         let mut uses = vec![EdgeUse { greater_end: 0, face: 0 }; starts.last().copied().unwrap_or(0)];
-        // `starts[v]` moves to the end of its group while the group fills; the shift below puts it back.
+        // While a group fills, `starts[v]` moves to its end; the shift below restores it.
         for (f, &face) in faces.iter().enumerate() {
             for (lesser, greater_end) in edges(face) {
                 let next = &mut starts[lesser as usize];

@@ -1,4 +1,4 @@
-//! Triangle meshes: checked once, trusted afterwards.
+//! Triangle meshes, valid by construction.
 
 mod data;
 mod edges;

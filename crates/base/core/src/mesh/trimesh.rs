@@ -17,10 +17,10 @@ pub struct TriMesh {
 }
 
 impl TriMesh {
-    /// Largest magnitude of a coordinate, 2^1000: beyond it a squared extent could not be scaled back into range.
+    /// Largest supported magnitude of a coordinate, 2^1000: beyond it a squared extent could not be scaled back into range.
     pub const MAX_COORDINATE: f64 = f64::from_bits((1023 + 1000) << 52);
 
-    /// Checks the arrays and takes them over.
+    /// Checks the arrays and takes ownership of them.
     ///
     /// # Errors
     /// The first offending element in index order, vertices before faces; see [`MeshError`].
@@ -54,7 +54,7 @@ impl TriMesh {
         Ok(Self { positions, faces })
     }
 
-    /// Takes over arrays that are known to be those of a mesh, rearranged.
+    /// Takes ownership of arrays that are a rearrangement of those of a valid mesh.
     pub(super) fn from_valid(positions: Vec<[f64; 3]>, faces: Vec<[u32; 3]>) -> Self {
         debug_assert!(Self::new(positions.clone(), faces.clone()).is_ok());
         Self { positions, faces }
@@ -85,7 +85,7 @@ impl TriMesh {
         [self.positions[a as usize], self.positions[b as usize], self.positions[c as usize]]
     }
 
-    /// Gives the arrays back.
+    /// The arrays, without copying.
     pub fn into_parts(self) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
         (self.positions, self.faces)
     }
@@ -93,7 +93,7 @@ impl TriMesh {
 
 /// The first item that fails a check.
 fn first_failing<T: Sync>(items: &[T], check: impl Fn(&T) -> bool + Sync) -> Option<usize> {
-    /// Items checked without stopping, so that the check can be vectorised.
+    /// Items per chunk; the check of a chunk does not stop early, so that it can be vectorised.
     const CHUNK: usize = 4096;
     let chunk =
         items.par_chunks(CHUNK).position_first(|chunk| !chunk.iter().fold(true, |ok, x| ok & check(x)))?;

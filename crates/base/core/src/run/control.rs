@@ -27,21 +27,21 @@ impl Control {
         }
     }
 
-    /// The same limits with another deadline, for a part of a computation.
+    /// The same limits with another deadline, for one part of a computation.
     #[must_use]
     pub fn until(mut self, deadline: Option<Instant>) -> Self {
         self.deadline = deadline;
         self
     }
 
-    /// The same limits with this many bytes of the memory limit taken.
+    /// The same limits, with this many bytes counted against the memory limit.
     #[must_use]
     pub fn holding(mut self, bytes: usize) -> Self {
         self.memory = self.memory.map(|most| most.saturating_sub(bytes));
         self
     }
 
-    /// Tells all threads to stop, unless they were told before.
+    /// Tells all threads to stop. The first reason stays.
     pub fn stop(&self, reason: StopReason) {
         // No other data depends on the flag.
         let _ = self.reason.compare_exchange(0, reason as u8, Ordering::Relaxed, Ordering::Relaxed);
@@ -66,21 +66,21 @@ impl Control {
         late
     }
 
-    /// Stops if this many bytes are more than the limit.
+    /// Stops the computation if this many bytes exceed the memory limit.
     pub fn check_memory(&self, bytes: usize) {
         if self.memory.is_some_and(|most| bytes > most) {
             self.stop(StopReason::Memory);
         }
     }
 
-    /// Stops if this many pieces are more than the limit.
+    /// Stops the computation if this many pieces exceed the limit.
     pub fn check_pieces(&self, pieces: usize) {
         if self.pieces.is_some_and(|most| pieces > most) {
             self.stop(StopReason::Pieces);
         }
     }
 
-    /// Why it was told to stop.
+    /// The reason to stop, if there is one.
     pub fn reason(&self) -> Option<StopReason> {
         let reason = self.reason.load(Ordering::Relaxed);
         StopReason::ALL.into_iter().find(|r| *r as u8 == reason)

@@ -1,10 +1,10 @@
-//! How much a computation may take.
+//! Limits on time, memory, pieces and threads.
 
 use super::CancelToken;
 use std::num::NonZeroUsize;
 use std::time::{Duration, Instant};
 
-/// How much a computation may take. The default limits nothing.
+/// Limits of a computation. The default sets none.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Limits {
     /// Wall-clock time, from the start of the computation.
@@ -39,7 +39,7 @@ impl Limits {
         }
     }
 
-    /// When the time limit is reached, counted from now; never where it lies beyond what the clock can show.
+    /// When the time limit expires, counted from now; `None` if that is beyond the range of the clock.
     pub fn deadline(&self) -> Option<Instant> {
         self.time.and_then(|time| Instant::now().checked_add(time))
     }

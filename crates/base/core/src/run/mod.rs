@@ -1,8 +1,8 @@
-//! How long computations run: limits, cancelling, progress, and why they stopped.
+//! Running computations: limits, cancelling, progress, and reasons to stop.
 //!
-//! A computation takes [`Limits`] among its options, makes a [`Control`] of them when it starts, and asks
-//! [`Control::is_stopped`] at regular intervals, from any of its threads. Its report carries a [`StopReason`]. What it
-//! returns is valid whatever the reason; it is only less narrow.
+//! A computation takes [`Limits`] among its options, makes a [`Control`] of them when it starts, and calls [`Control::is_stopped`]
+//! at regular intervals from any of its threads. Its report carries a [`StopReason`]. What it returns is valid whatever the reason,
+//! but less accurate if it ended early.
 //!
 //! # Example
 //! ```

@@ -1,20 +1,19 @@
-//! How far a computation has come, for those who wait.
+//! Progress reports of running computations.
 
 use std::ops::ControlFlow;
 
-/// How far a computation has come.
+/// Progress of a computation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Progress<'p> {
-    /// What is being done, in a few words without a full stop.
+    /// The current activity, in a few words without a full stop.
     pub doing: &'p str,
-    /// The share that is done, between 0 and 1; none where it cannot be told.
+    /// The share that is done, between 0 and 1; `None` where it is unknown.
     pub share: Option<f64>,
 }
 
-/// Watches a computation.
+/// Receives the progress of a computation.
 ///
-/// A closure that takes a [`Progress`] is one. Systems whose intermediate results are worth watching have observers of
-/// their own.
+/// Closures that take a [`Progress`] implement it. Systems with intermediate results have observers of their own.
 pub trait ProgressObserver: Send + Sync {
     /// Called at regular intervals, by one thread at a time; [`ControlFlow::Break`] cancels the computation.
     fn progress(&self, progress: &Progress<'_>) -> ControlFlow<()>;
@@ -26,7 +25,7 @@ impl<F: Fn(&Progress<'_>) -> ControlFlow<()> + Send + Sync> ProgressObserver for
     }
 }
 
-/// Watches nothing.
+/// Ignores progress.
 impl ProgressObserver for () {
     fn progress(&self, _: &Progress<'_>) -> ControlFlow<()> {
         ControlFlow::Continue(())

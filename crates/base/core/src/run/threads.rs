@@ -1,9 +1,9 @@
-//! On how many threads to work.
+//! Choosing the number of threads.
 
 use std::num::NonZeroUsize;
 
-/// Runs on this many threads, or on those of the current pool. Where the system refuses new threads, those of the
-/// current pool are used.
+/// Runs `work` on this many threads, or on the current pool if `None`. If the operating system refuses new threads, the current
+/// pool is used.
 pub fn on_threads<R: Send>(threads: Option<NonZeroUsize>, work: impl FnOnce() -> R + Send) -> R {
     let Some(threads) = threads else { return work() };
     match rayon::ThreadPoolBuilder::new().num_threads(threads.get()).build() {

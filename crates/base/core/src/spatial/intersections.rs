@@ -1,4 +1,4 @@
-//! Faces of a mesh that meet although they are no neighbours.
+//! Self-intersections: faces of a mesh that meet although they are not neighbours.
 
 use super::bvh::{Bvh, Slot};
 use crate::exact::common_point;
@@ -19,7 +19,7 @@ pub struct SelfIntersections {
     pub complete: bool,
 }
 
-/// Two faces with a common point beside those that neighbours share.
+/// Two faces with a common point other than what neighbours share.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct IntersectingPair {
     /// Both faces, the lesser index first.
@@ -31,16 +31,16 @@ pub struct IntersectingPair {
 /// Faces of a task.
 const TASK: usize = 256;
 
-/// Tasks between two looks at how many pairs there are.
+/// Tasks between two checks of the number of pairs.
 const ROUND: usize = 256;
 
 /// Finds the pairs of faces that intersect.
 ///
 /// # Definition
 /// Faces are closed triangles. Two intersect if they have a point in common; those that share a corner by position, if they have
-/// another one away from it; those that share an edge, if they lie in one plane and overlap. Faces without area do not count. Pairs that
-/// share a position but not the vertex there are counted apart where they meet nowhere else: a program that tells corners apart by
-/// their vertices, as CGAL does, finds as many as both counts together.
+/// another one away from it; those that share an edge, if they lie in one plane and overlap. Faces without area do not count. Pairs
+/// that share only a position, with a different vertex there, are counted separately. A program that identifies corners by their
+/// vertices, as CGAL does, finds as many pairs as both counts together.
 /// # Accuracy
 /// Exact; see [`common_point`]. Coordinates are scaled by a power of two and, where the mesh lies far from zero, shifted, both without
 /// rounding (see [`Frame`]). Coordinates that differ by less than 2^-200 of the size of the mesh may be taken as equal.

@@ -1,4 +1,4 @@
-//! Orders and trees over the faces of a mesh.
+//! Space-filling orders and trees over the faces of a mesh.
 
 pub mod bvh;
 mod intersections;

@@ -1,4 +1,4 @@
-//! Faces along a space-filling curve.
+//! Ordering faces along a space-filling curve.
 
 use crate::geom::Aabb;
 use crate::mesh::TriMesh;
@@ -6,7 +6,7 @@ use rayon::prelude::*;
 
 /// The faces of a mesh with the given bounding box in the order of the Morton codes of their box centres, ties in index order.
 ///
-/// Neighbours in this order are mostly neighbours in space, so what was found for one face is a good start for the next.
+/// Neighbours in this order are mostly neighbours in space, so the result for one face is a good start for the next.
 ///
 /// # Cost
 /// O(m) time for a radix sort of 30-bit codes; 16 bytes per face while it runs, 4 afterwards.
@@ -19,7 +19,7 @@ pub fn morton_order(mesh: &TriMesh, aabb: &Aabb) -> Vec<u32> {
 /// The Morton code of each face in the upper half, its index in the lower one, in ascending order.
 pub(super) fn sorted_keys(mesh: &TriMesh, aabb: &Aabb) -> Vec<u64> {
     let positions = mesh.positions();
-    // Cells are cubes, so that ranges of codes are about as long as wide whatever the shape of the box.
+    // Cubic cells, so that ranges of codes are compact in any shape of the box.
     let extent =
         (0..3).map(|k| aabb.upper[k] - aabb.lower[k]).fold(0.0, |m: f64, x| if x > m { x } else { m });
     let scale = if extent > 0.0 { CELLS / extent } else { 0.0 };
@@ -59,7 +59,7 @@ fn spread(x: u32) -> u32 {
     (x | (x << 2)) & 0x0924_9249
 }
 
-/// Keys of a part that is sorted by itself, at least.
+/// Smallest number of keys in a part that is sorted separately.
 const PART: usize = 1 << 13;
 /// Bits of a digit, and digits of a code.
 const BITS: usize = 10;
@@ -95,7 +95,7 @@ fn radix_sort<'k>(mut from: &'k mut [u64], mut to: &'k mut [u64]) {
     }
 }
 
-/// Moves keys by one digit, and returns where those of each digit end.
+/// Distributes keys by one digit, and returns where those of each digit end.
 fn move_by_digit(from: &[u64], to: &mut [u64], pass: usize) -> [usize; 1 << BITS] {
     let digit = |key: u64| (key >> (32 + BITS * pass)) as usize & ((1 << BITS) - 1);
     let mut places = [0; 1 << BITS];
@@ -149,7 +149,7 @@ mod tests {
         }
     }
 
-    /// On several threads, where many keys share a digit, too.
+    /// Several threads, and many keys that share a digit.
     #[test]
     fn parts_are_put_together_in_order() {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(3).build().unwrap();

@@ -18,8 +18,8 @@ pub struct Neighbour {
 
 /// The neighbours of every triangle of a tree, edge by edge.
 ///
-/// Edges are those of the mesh: two faces share one if they share its two vertices by index. An edge with one face, or more
-/// than two, has no neighbour across, nor has any edge of a face that repeats a vertex.
+/// Edges are those of the mesh: two faces share one if they share its two vertices by index. There is no neighbour across an edge
+/// with one face or more than two, nor across any edge of a face that repeats a vertex.
 ///
 /// # Cost
 /// 12 bytes per face; some 40 more per face while it is built in O(m) time (at bounded valence) on all threads of the current pool.
@@ -30,15 +30,15 @@ pub struct Neighbours {
 }
 
 const NONE: u32 = u32::MAX;
-/// Slots that fit beside the three bits for direction and edge.
+/// Largest number of slots that fit beside the three bits for direction and edge.
 const MOST_FACES: usize = (1 << 29) - 1;
-/// Faces that are worth a part of their own.
+/// Fewest faces per parallel part.
 const PART: usize = 1 << 11;
-/// Uses at one vertex that are compared with each other; more are sorted.
+/// Up to this many uses at one vertex are compared pairwise; more are sorted.
 const FEW: usize = 16;
 
 impl Neighbours {
-    /// Finds the neighbours among the triangles of a tree over a mesh; none at all for a mesh beyond 2^29 faces.
+    /// Finds the neighbours among the triangles of a tree over a mesh; finds none in a mesh beyond 2^29 faces.
     pub fn new(mesh: &TriMesh, bvh: &Bvh) -> Self {
         let count = bvh.len();
         if count > MOST_FACES {
@@ -97,7 +97,7 @@ fn uses_by_vertex(mesh: &TriMesh, bvh: &Bvh) -> (Vec<u32>, Vec<AtomicU64>) {
     let slots: Vec<Slot> = bvh.slots().collect();
     let parts = (slots.len() / PART).clamp(1, rayon::current_num_threads());
     let parts: Vec<&[Slot]> = slots.chunks(slots.len().div_ceil(parts).max(1)).collect();
-    // Of each part how many edges each vertex has, then where the next one belongs.
+    // Counts the edges of each vertex in each part, then turns counts into the place of the next edge.
     let mut places: Vec<Vec<u32>> = parts
         .par_iter()
         .map(|slots| {
@@ -127,7 +127,7 @@ fn uses_by_vertex(mesh: &TriMesh, bvh: &Bvh) -> (Vec<u32>, Vec<AtomicU64>) {
     (starts, uses)
 }
 
-/// Tells of each two uses of an edge that no other one shares.
+/// Reports each pair of uses of an edge that has exactly two.
 fn pair(group: &mut [u64], mut tell: impl FnMut(u32, u32)) {
     let greater = |used: u64| used >> 32;
     if group.len() > FEW {
@@ -162,7 +162,7 @@ mod tests {
         (bvh, neighbours)
     }
 
-    /// Compares with a search through all edges of all faces.
+    /// Compares with an exhaustive search over the edges of all faces.
     fn check(mesh: &TriMesh) -> usize {
         let (bvh, neighbours) = neighbours(mesh);
         let edge = |slot: Slot, k: usize| {
@@ -214,7 +214,7 @@ mod tests {
         assert_eq!(check(&TriMesh::new(points, faces).unwrap()), 2 * 47);
     }
 
-    /// The parts in which threads find the pairs make no difference.
+    /// The number of parallel parts does not change the result.
     #[test]
     fn many_threads_find_the_same() {
         let mesh = torus(1.0, 0.25, 160, 80).unwrap();

@@ -1,4 +1,4 @@
-//! Generalised winding numbers: how often a surface, closed or not, goes around a point.
+//! Generalised winding numbers: how often a surface, closed or not, winds around a point.
 
 use super::morton_order;
 use crate::geom::{Aabb, Frame};
@@ -7,21 +7,21 @@ use glam::DVec3;
 use rayon::prelude::*;
 use std::f64::consts::PI;
 
-/// A mesh prepared for winding numbers about many points.
+/// A mesh prepared for computing winding numbers at many points.
 ///
 /// # Definition
-/// `w(q) = 1/4π ∫ (x - q) . n / |x - q|^3 dx` over all faces with their normals n: the solid angle under which the surface is seen
-/// from q, counted with its sides. About a closed surface whose faces turn outwards it is 1 inside and 0 outside; beside a
-/// hole, of a soup or of an open surface it takes all values between.
+/// `w(q) = 1/4π ∫ (x - q) . n / |x - q|^3 dx` over all faces with their normals n: the signed solid angle of the surface seen from
+/// q, over 4π. For a closed surface whose faces point outwards it is 1 inside and 0 outside; for surfaces with holes and for
+/// triangle soups it takes all values between.
 /// # Accuracy
-/// See [`WindingNumber`]. Where a point lies on a face, up to the rounding of coordinates, w jumps by one, and what is returned is
-/// one of both sides.
+/// See [`WindingNumber`]. Where a point lies on a face, up to the rounding of coordinates, w jumps by one; the value on one of the
+/// two sides is returned.
 /// # Cost
 /// O(m log m) to prepare, about 110 bytes per face; O(log m) for most points.
 /// # Source
-/// The definition: `jacobson_robust_2013`. Summing up groups of faces that are far away by the first three terms of their
-/// Taylor series: `barill_fast_2018`; the bound on the rest, and asking again where it does not suffice, are ours. The
-/// angle of a triangle: `oosterom_solid_1983`.
+/// The definition: `jacobson_robust_2013`. Approximating distant groups of faces by the first three terms of their Taylor series:
+/// `barill_fast_2018`; the error bound, and repeating with smaller groups where it is too large, are ours. The solid angle of a
+/// triangle: `oosterom_solid_1983`.
 /// # Example
 /// ```
 /// use pompeiu_core::mesh::shapes::cube;
@@ -36,9 +36,9 @@ use std::f64::consts::PI;
 #[derive(Clone, Debug)]
 pub struct Winding {
     frame: Frame,
-    /// Corners in the frame, neighbours close together.
+    /// Corners in the frame, in spatial order.
     triangles: Vec<[DVec3; 3]>,
-    /// Groups of [`GROUP`] triangles, groups of as many of those, and so on up to one group.
+    /// Groups of [`GROUP`] triangles, then groups of [`GROUP`] groups, and so on up to one group.
     levels: Vec<Vec<Group>>,
 }
 
@@ -47,15 +47,15 @@ pub struct Winding {
 pub struct WindingNumber {
     /// Its value.
     pub value: f64,
-    /// The exact number differs by at most this, and by what rounding does: about 1e-15 for each triangle summed up by itself.
+    /// Bound on the error but for rounding, which is about 1e-15 for each triangle that is summed individually.
     pub error: f64,
 }
 
 impl WindingNumber {
-    /// Whether the point is inside: gone around more than half a time, whichever way.
+    /// Whether the surface winds around the point more than half a time, in either direction.
     ///
-    /// Of a closed surface this is the inside, whether its faces turn outwards or inwards. The error is less than the way to one
-    /// half unless all triangles were summed up one by one.
+    /// For a closed surface this is the inside, whether its faces point outwards or inwards. The error is below the distance of the
+    /// value from one half, unless all triangles were summed individually.
     pub fn is_inside(&self) -> bool {
         self.value.abs() > 0.5
     }
@@ -67,8 +67,8 @@ impl WindingNumber {
 
 /// Triangles in a group of the lowest level, and groups in one of the level above.
 const GROUP: usize = 8;
-/// What one group may add to the error: tried in this order until it is clear on which side of one half the number lies. Nothing
-/// passes the last, so that every triangle is summed up by itself.
+/// Largest error of one group, tried in this order until it is certain on which side of one half the number lies. No group meets
+/// the last, so every triangle is then summed individually.
 const ERRORS: [f64; 3] = [1e-2, 2e-4, -1.0];
 /// Points of a task.
 const TASK: usize = 256;
@@ -92,13 +92,13 @@ impl Winding {
         Self { frame, triangles, levels }
     }
 
-    /// The number about a point, in the unit of the mesh: so exactly that it is clear on which side of one half it lies, if it can
-    /// be.
+    /// The number at a point, in the unit of the mesh; computed accurately enough to decide on which side of one half it lies,
+    /// where that is possible.
     pub fn about(&self, point: [f64; 3]) -> WindingNumber {
         self.about_with(point, &mut Vec::new())
     }
 
-    /// The numbers about many points.
+    /// The numbers at many points.
     pub fn about_all(&self, points: &[[f64; 3]]) -> Vec<WindingNumber> {
         let of_task = |points: &[[f64; 3]]| {
             let mut stack = Vec::new();
@@ -119,7 +119,7 @@ impl Winding {
         number
     }
 
-    /// Groups that add at most `most` to the error are taken whole.
+    /// Groups whose error is at most `most` are approximated as a whole.
     fn sum(&self, q: DVec3, most: f64, stack: &mut Vec<(u32, u32)>) -> WindingNumber {
         let (mut value, mut error) = (0.0, 0.0);
         stack.clear();
@@ -145,7 +145,7 @@ impl Winding {
     }
 }
 
-/// The solid angle under which a triangle is seen, positive from behind.
+/// The signed solid angle of a triangle seen from a point, positive from behind.
 fn solid_angle(q: DVec3, triangle: &[DVec3; 3]) -> f64 {
     let [a, b, c] = triangle.map(|p| p - q);
     let [x, y, z] = [a, b, c].map(DVec3::length);
@@ -154,20 +154,20 @@ fn solid_angle(q: DVec3, triangle: &[DVec3; 3]) -> f64 {
     2.0 * libm::atan2(across, along)
 }
 
-/// Moments of some triangles about their centre: those of the Taylor series of the integrand as they are contracted with the way
-/// R from the point to the centre.
+/// Moments of a group of triangles about its centre: the coefficients of the Taylor series of the integrand, to be contracted with
+/// the vector R from the point to the centre.
 #[derive(Clone, Debug)]
 struct Group {
     centre: DVec3,
-    /// No point of a triangle is farther from the centre.
+    /// Greatest distance of a point of the triangles from the centre.
     radius: f64,
     area: f64,
     /// `∫ n`.
     normal: DVec3,
-    /// The trace and the symmetric part of `∫ y n`, y from the centre; as coefficients of xx, yy, zz, xy, yz, zx.
+    /// The trace and the symmetric part of `∫ y n`, with y relative to the centre; the coefficients of xx, yy, zz, xy, yz, zx.
     trace: f64,
     first: [f64; 6],
-    /// Traces and symmetric part of `∫ y y n`; as coefficients of xxx, xxy, xxz, xyy, xyz, xzz, yyy, yyz, yzz, zzz.
+    /// Traces and symmetric part of `∫ y y n`; the coefficients of xxx, xxy, xxz, xyy, xyz, xzz, yyy, yyz, yzz, zzz.
     traces: DVec3,
     second: [f64; 10],
 }
@@ -242,10 +242,10 @@ impl Group {
         }
     }
 
-    /// How far [`Group::value`] may be off: infinitely within the radius.
+    /// Bound on the error of [`Group::value`]; infinite within the radius.
     ///
-    /// The rest of the Taylor series is at most `area r^3 / 3!` times the third derivative of `ρ / 4π |ρ|^3`, which is the fourth
-    /// one of `1 / 4π |ρ|` and at most `4! / 4π |ρ|^5` in any directions; `|ρ|` is at least the distance of the sphere.
+    /// The remainder of the Taylor series is at most `area r^3 / 3!` times the third derivative of `ρ / 4π |ρ|^3`. That is the
+    /// fourth derivative of `1 / 4π |ρ|`, at most `4! / 4π |ρ|^5` in any directions; `|ρ|` is at least the distance to the sphere.
     fn error(&self, q: DVec3) -> f64 {
         let away = q.distance(self.centre) - self.radius;
         if away <= 0.0 {
@@ -314,7 +314,7 @@ mod tests {
         }
     }
 
-    /// Each term of the series must be right for the error to fall with its power of the distance.
+    /// The error falls with the expected power of the distance only if every term of the series is right.
     #[test]
     fn the_error_of_a_group_falls_with_the_fifth_power_of_the_distance() {
         let mesh = displace_at_random(&grid([1.0, 1.0], [3, 3], Diagonal::Rising).unwrap(), 0.2, 3).unwrap();

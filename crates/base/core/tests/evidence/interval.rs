@@ -1,4 +1,4 @@
-//! Every operation on intervals holds the exact results for their members.
+//! Every operation on intervals encloses the exact results for all members.
 
 use pompeiu_core::exact::Interval;
 use pompeiu_testkit::effort::cases;
@@ -24,7 +24,7 @@ struct Held {
     member: Fraction,
 }
 
-/// A point, the neighbourhood of a double with one of its ends, or a wide interval with its middle or an end.
+/// A point, a double's neighbourhood with one of its ends, or a wide interval with its middle or an end.
 fn held() -> impl Strategy<Value = Held> + Clone {
     (any_finite(), any_finite(), 0..3_u32, 0..3_u32).prop_map(|(x, wide, kind, which)| {
         let member_of = |x: f64| match which {
@@ -75,7 +75,7 @@ proptest! {
         prop_assert!(x.interval.square().lower() >= 0.0);
     }
 
-    /// Compared as squares and products, which are exact where roots and quotients are not.
+    /// Compares squares and products, which are exact where roots and quotients are not.
     #[test]
     fn roots_and_quotients(x in held(), y in held()) {
         let zero = Fraction::from_f64(0.0);
@@ -93,7 +93,7 @@ proptest! {
         }
     }
 
-    /// Points stay narrow: two steps, where the result is neither huge nor tiny.
+    /// Results for points are two steps wide, where they are neither huge nor tiny.
     #[test]
     fn operations_on_points_round_by_a_step_to_either_side(x in -2.0..2.0_f64, y in 0.5..2.0_f64) {
         let (p, q) = (Interval::point(x), Interval::point(y));

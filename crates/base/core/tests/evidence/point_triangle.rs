@@ -33,8 +33,8 @@ fn triangle_and_point() -> impl Strategy<Value = ([[f64; 3]; 3], [f64; 3])> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(cases(4000)))]
 
-    /// Needles, caps, segments and points included: what the kernel gives is neither below nor above the distance by more
-    /// than rounding.
+    /// For needles, caps, segments and points, too: the kernel's result differs from the distance by no more than rounding in
+    /// either direction.
     #[test]
     fn distances_are_exact_up_to_rounding((t, p) in triangle_and_point()) {
         let lattice = Lattice::of(&[&TriMesh::new(t.to_vec(), vec![[0, 1, 2]]).unwrap()]);

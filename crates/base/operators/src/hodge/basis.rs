@@ -1,4 +1,4 @@
-//! Harmonic fields, from loops.
+//! Harmonic fields from homology generators.
 
 use super::spaces::{Boundary, DirichletPotential, Splitting, conforming_system};
 use crate::OperatorError;
@@ -11,13 +11,13 @@ use pompeiu_surface::plane::{Vec2, add, dot, quarter_turn, scale};
 use pompeiu_surface::{Chain, EdgeData, HalfedgeId, Surface, SurfaceMesh, tree_cotree};
 use rayon::prelude::*;
 
-/// An orthonormal basis of the harmonic fields of a surface: those orthogonal to all gradients and rotated gradients.
+/// An orthonormal basis of the harmonic fields of a surface: the fields orthogonal to all gradients and rotated gradients.
 ///
 /// # Definition
-/// Each generator of the first cohomology is a closed form with integer values on edges; there is exactly one constant field
-/// on each face with these circulations along its sides. It has no curl at any edge, because both faces of an edge agree on
-/// it. Taking off the gradient nearest to it leaves a harmonic field: one sparse solve each, no eigenvalues. The fields are
-/// then made orthonormal, in the inner product of fields.
+/// Each generator of the first cohomology is a closed form with integer values on edges. Exactly one field, constant on each face,
+/// has these circulations along the sides. It has no curl at any edge, because both faces of an edge agree on the circulation.
+/// Subtracting its projection onto the gradients leaves a harmonic field: one sparse solve each, no eigenvalues. The fields are
+/// then orthonormalised in the inner product of fields.
 ///
 /// The dimension is 2g for a closed component of genus g and 2g + b − 1 for one with b boundary loops.
 ///
@@ -47,7 +47,7 @@ impl HarmonicBasis {
         })
     }
 
-    /// The basis for the primal splitting, with the Laplacian of [`conforming_system`] given.
+    /// The basis for the primal splitting; the Laplacian of [`conforming_system`] is given.
     ///
     /// # Errors
     /// [`OperatorError::Solve`] if a system cannot be solved.
@@ -62,7 +62,7 @@ impl HarmonicBasis {
         Ok(Self { fields: combinations.fields() })
     }
 
-    /// Each field turned by a quarter: the basis of the other splitting.
+    /// Each field rotated by a quarter turn: the basis of the other splitting.
     #[must_use]
     pub fn turned(&self) -> Self {
         Self { fields: self.fields.iter().map(rotated).collect() }
@@ -97,17 +97,17 @@ impl HarmonicBasis {
     }
 }
 
-/// Right-hand sides that one task solves for: fixed, so that bits do not depend on the number of threads.
+/// Right-hand sides per task; fixed, so that bits do not depend on the number of threads.
 const COLUMNS: usize = 16;
 
-/// How often fields are made orthonormal: the second pass takes away what rounding left after the first.
+/// Number of orthonormalisation passes: the second removes what rounding left after the first.
 const PASSES: usize = 2;
 
 /// Closed forms, and the gradients that make their fields harmonic.
 ///
-/// A harmonic field is `w + ∇p`, with `w` the field of a closed form, a few edges, and a potential `p`. Everything is done on
-/// forms, potentials and coefficients, and dense fields are made one by one. As a harmonic field is orthogonal to gradients,
-/// `⟨w + ∇p, h⟩ = ⟨w, h⟩` with any other one h: a sum over the faces along the form.
+/// A harmonic field is `w + ∇p`, with `w` the field of a closed form, nonzero near a few edges, and a potential `p`. Forms,
+/// potentials and coefficients are stored; dense fields are made one at a time. As a harmonic field is orthogonal to gradients, `⟨w
+/// + ∇p, h⟩ = ⟨w, h⟩` for any other harmonic field h: a sum over the faces along the form.
 struct Combinations<'s> {
     surface: &'s Surface,
     forms: Vec<Chain>,
@@ -115,7 +115,7 @@ struct Combinations<'s> {
     weights: Vec<Vec<(FaceId, Vec2)>>,
     /// All faces along forms.
     along: Vec<FaceId>,
-    /// The coefficients of forms in the fields, lower triangular: column by column, a column for each form.
+    /// Coefficients of forms in the fields, lower triangular, stored column by column; one column for each form.
     coefficients: Vec<f64>,
     /// Potentials of the fields: vertex by vertex, a value for each field.
     potentials: Vec<f64>,
@@ -158,9 +158,9 @@ impl<'s> Combinations<'s> {
         Ok(Self { surface, forms, weights, along, coefficients, potentials })
     }
 
-    /// What a function makes of each field, on some faces only; elsewhere the field is zero.
+    /// Applies a function to each field, restricted to some faces; elsewhere the field is zero.
     ///
-    /// Fields are made a few at a time, because their potentials lie side by side.
+    /// Fields are made a few at a time, because their potentials are stored interleaved.
     fn each<T: Send>(&self, faces: &[FaceId], make: impl Fn(FaceField) -> T + Sync) -> Vec<T> {
         const SIDE_BY_SIDE: usize = 8;
         let (mesh, count) = (self.surface.mesh(), self.forms.len());
@@ -204,8 +204,7 @@ impl<'s> Combinations<'s> {
             .map(|weights| weights.iter().map(|&(face, weight)| dot(weight, field[face])).sum())
     }
 
-    /// Makes the fields orthonormal, each by those before it, as Gram and Schmidt do: by the Cholesky factor of their Gram
-    /// matrix.
+    /// Orthonormalises the fields in order, as Gram–Schmidt does, by the Cholesky factor of their Gram matrix.
     fn orthonormalize(&mut self) -> Result<(), OperatorError> {
         let count = self.forms.len();
         let mut factors: Vec<DenseCholesky> = Vec::new();

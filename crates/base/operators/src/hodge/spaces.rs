@@ -41,8 +41,8 @@ pub enum DirichletPotential {
 }
 
 impl DirichletPotential {
-    /// The dual splitting is the primal one of the field turned back by a quarter, which also turns what is tangential at
-    /// the boundary into what is normal.
+    /// The dual splitting is the primal splitting of the field rotated back by a quarter turn, which also exchanges tangential and
+    /// normal at the boundary.
     pub fn of(splitting: Splitting, boundary: Boundary) -> Self {
         match (splitting, boundary) {
             (Splitting::Primal, Boundary::Tangential) | (Splitting::Dual, Boundary::Normal) => {
@@ -67,7 +67,7 @@ fn open_components(mesh: &SurfaceMesh) -> Vec<bool> {
     mesh.boundary_loops_of_components().into_iter().map(|loops| loops > 0).collect()
 }
 
-/// The component of each unknown, where constants solve there: everywhere but in an open component whose boundary is fixed.
+/// The component of each unknown where constants are in the kernel: everywhere except in a component whose boundary is fixed.
 fn groups(mesh: &SurfaceMesh, fixed: bool, components: impl Iterator<Item = usize>) -> Vec<Option<u32>> {
     let open = open_components(mesh);
     components.map(|component| (!(fixed && open[component])).then_some(component as u32)).collect()

@@ -1,4 +1,4 @@
-//! Surfaces, fields, and how far apart fields are.
+//! Surfaces, fields, and norms of differences between fields.
 
 use pompeiu_core::TriMesh;
 use pompeiu_core::mesh::shapes::{self, Ends};
@@ -51,7 +51,7 @@ pub(crate) fn cases() -> Vec<Case> {
     all
 }
 
-/// The meshes of other people, where they are here.
+/// External meshes, where they are present.
 pub(crate) fn shared_cases() -> Vec<Case> {
     let named = [("3holes", 6), ("fertility", 8)];
     named
@@ -60,7 +60,7 @@ pub(crate) fn shared_cases() -> Vec<Case> {
         .collect()
 }
 
-/// A shared OFF file, if it is here.
+/// A shared OFF file, if it is present.
 pub(crate) fn shared(name: &str) -> Option<TriMesh> {
     Some(pompeiu_io::read_mesh(pompeiu_testkit::data::file(&format!("meshes/{name}.off"))?).unwrap())
 }

@@ -1,4 +1,4 @@
-//! Harmonic fields have neither divergence nor curl.
+//! Harmonic fields have zero divergence and curl.
 
 use crate::common::{cases, shared_cases, surface};
 use pompeiu_core::mesh::shapes;

@@ -48,7 +48,7 @@ fn the_nearest_of_several_sources_on_each_component() {
         let rim = disk.positions()[rim as usize];
         let exact = |p: &[f64; 3]| p[0].hypot(p[1]).min((p[0] - rim[0]).hypot(p[1] - rim[1]));
         assert!(distances.iter().skip(n).all(|d| *d == f64::INFINITY));
-        // Along edges no way is shorter than the straight one.
+        // Along edges no path is shorter than the straight one.
         for (p, along) in disk.positions().iter().zip(&edges) {
             assert!(*along >= exact(p) - 1e-14 && *along <= 1.6 * exact(p) + 1e-14);
         }
@@ -92,7 +92,7 @@ fn unusable_questions_are_named() {
         let error = HeatMethod::new(&sphere, &options).unwrap_err();
         assert!(matches!(error, OperatorError::HeatTime { .. }), "{error}");
     }
-    // Heat that spreads for so short a time never gets anywhere.
+    // With such a short time, heat underflows after a few edges.
     let options = HeatOptions { time: Some(1e-310), ..Default::default() };
     let error = HeatMethod::new(&sphere, &options).unwrap().distances(&[VertexId(3)]).unwrap_err();
     assert!(matches!(error, OperatorError::HeatUnderflow { .. }), "{error}");

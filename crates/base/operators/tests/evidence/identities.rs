@@ -9,7 +9,7 @@ use pompeiu_operators::{
 };
 use pompeiu_solve::SparseMatrix;
 
-/// The largest `|Aᵀ M J B|` over what its terms add up to without their signs.
+/// The largest entry of `|Aᵀ M J B|` relative to the sum of the absolute values of its terms.
 fn relative_overlap(a: &SparseMatrix, mass: &SparseMatrix, b: &SparseMatrix) -> f64 {
     let weights = mass.diagonal_entries();
     let by_row = a.transposed();
@@ -17,7 +17,7 @@ fn relative_overlap(a: &SparseMatrix, mass: &SparseMatrix, b: &SparseMatrix) -> 
     for j in 0..b.columns() {
         let mut sums = std::collections::BTreeMap::new();
         for (row, value) in b.column(j) {
-            // J sends the component along the first axis to the second, and the second to minus the first.
+            // J maps the component along the first axis to the second, and the second to minus the first.
             let (turned, sign) = if row % 2 == 0 { (row + 1, 1.0) } else { (row - 1, -1.0) };
             for (i, other) in by_row.column(turned) {
                 let term = sign * value * other * weights[row];

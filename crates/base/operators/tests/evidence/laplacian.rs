@@ -38,7 +38,7 @@ fn poisson(surface: &Surface, f: &[f64]) -> Vec<f64> {
     solver.solve(&mass_matrix(surface).unwrap().multiply(f)).unwrap()
 }
 
-/// Root of the mean square of the difference, both with their means taken off.
+/// Root mean square of the difference, after subtracting the means.
 fn error(surface: &Surface, u: &[f64], exact: &[f64]) -> f64 {
     let areas = surface.vertex_areas();
     let total: f64 = areas.iter().sum();
@@ -62,7 +62,7 @@ fn delaunay_edges_give_a_maximum_principle() {
         };
         let (old, new) = (largest(&before), largest(&after));
         assert!(old > 1e-3 && new <= 1e-9, "{old} {new}");
-        // Edges from a vertex to itself and several between two vertices do no harm.
+        // Edges from a vertex to itself and multiple edges are handled.
         let heat =
             HeatMethod::new(&after, &HeatOptions::default()).unwrap().distances(&[VertexId(0)]).unwrap();
         assert!(heat.iter().all(|d| d.is_finite()));

@@ -24,7 +24,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Pixels, PictureError> {
     if width < 0 {
         return Err(wrong("its width is negative"));
     }
-    // 3 stands for masks; those of 32 bits are nearly always the usual order.
+    // Compression 3 means colour masks; for 32 bits they nearly always state the usual order.
     if !(compression == 0 || (compression == 3 && bits == 32)) || ![1, 4, 8, 24, 32].contains(&bits) {
         return Err(wrong(&format!(
             "it has {bits} bits a pixel and compression {compression}; 1, 4, 8, 24 and 32 bits without compression are read"
@@ -45,7 +45,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Pixels, PictureError> {
     let table = bytes.get(table_start..).and_then(|rest| rest.get(..4 * colours)).ok_or_else(short)?;
     let mut found = Pixels::with_capacity(count);
     for row in 0..rows {
-        // Rows go up, unless the height is negative.
+        // Rows go from bottom to top, unless the height is negative.
         let line = if height < 0 { row } else { rows - 1 - row };
         let line = &content[line * stride..(line + 1) * stride];
         for column in 0..across {

@@ -1,4 +1,4 @@
-//! PNG, JPEG and GIF, decoded by libraries.
+//! Decoding PNG, JPEG and GIF with libraries.
 
 use super::{PictureError, PictureFormat, Pixels, pixels};
 use png::{BitDepth, ColorType, Transformations};
@@ -70,7 +70,7 @@ pub(super) fn gif(bytes: &[u8]) -> Result<Pixels, PictureError> {
     let count = pixels(width.into(), height.into())?;
     let frame = decoder.read_next_frame().map_err(|error| wrong(error.to_string()))?;
     let frame = frame.ok_or_else(|| wrong("it has no picture".to_owned()))?;
-    // What the frame does not cover is transparent.
+    // Pixels outside the frame are transparent.
     let mut canvas = vec![[0_u8; 4]; count];
     let (left, top, across) = (usize::from(frame.left), usize::from(frame.top), usize::from(frame.width));
     for (row, line) in frame.buffer.chunks_exact(4 * across.max(1)).enumerate() {

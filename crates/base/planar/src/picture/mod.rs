@@ -1,4 +1,4 @@
-//! Pictures: PNG, JPEG, GIF and BMP as grey levels, or in colours.
+//! Pictures in PNG, JPEG, GIF or BMP format, as grey levels or in colour.
 
 mod bmp;
 mod decode;
@@ -7,8 +7,8 @@ use std::fmt;
 
 /// A picture as grey levels from 0 (black) to 1 (white), row by row from the top.
 ///
-/// Colours become luminance (Rec. 601 weights of the stored values). What is transparent lies on white, unless the picture says more by
-/// what is transparent than by colours: then the level is 1 − opacity.
+/// Colours become luminance (Rec. 601 weights of the stored values). Transparent pixels are composited on white, unless opacity has
+/// more contrast than colour: then the level is 1 − opacity.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Picture {
     width: usize,
@@ -40,14 +40,14 @@ impl fmt::Display for PictureFormat {
     }
 }
 
-/// Why bytes are no picture that can be used.
+/// Why bytes cannot be read as a picture.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum PictureError {
-    /// None of the formats.
+    /// The format is not recognised.
     #[error("the content is no PNG, JPEG, GIF or BMP picture")]
     Unrecognised,
-    /// Too many pixels.
+    /// There are too many pixels.
     #[error("the picture has {width} × {height} pixels; at most {most} in all are read", most = Picture::MAX_PIXELS)]
     Large {
         /// Pixels in a row.
@@ -55,7 +55,7 @@ pub enum PictureError {
         /// Rows.
         height: u64,
     },
-    /// No pixel.
+    /// There are no pixels.
     #[error("the picture has {width} × {height} pixels; at least one is needed")]
     Empty {
         /// Pixels in a row.
@@ -63,10 +63,10 @@ pub enum PictureError {
         /// Rows.
         height: u64,
     },
-    /// Damaged, cut off, or of a kind that is not read.
+    /// The picture is damaged, truncated, or of an unsupported kind.
     #[error("the {format} picture cannot be read: {why}")]
     Damaged {
-        /// What it seems to be.
+        /// The recognised format.
         format: PictureFormat,
         /// What is wrong.
         why: String,
@@ -77,7 +77,7 @@ impl Picture {
     /// The most pixels that are read: 64 million.
     pub const MAX_PIXELS: u64 = 1 << 26;
 
-    /// A picture of these levels, row by row from the top; none where their number is not width times height, or 0.
+    /// A picture of these levels, row by row from the top; `None` if their number is not width times height, or is 0.
     pub fn new(width: usize, height: usize, levels: Vec<f32>) -> Option<Self> {
         (width.checked_mul(height) == Some(levels.len()) && !levels.is_empty()).then_some(Self {
             width,
@@ -111,7 +111,7 @@ impl Picture {
     }
 }
 
-/// A picture in colours, row by row from the top; what is transparent lies on white.
+/// A picture in colour, row by row from the top, composited on white.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ColourPicture {
     width: usize,
@@ -139,7 +139,7 @@ impl ColourPicture {
         [self.width, self.height]
     }
 
-    /// The colour of the pixel that a place lies in, in pixels from the upper left corner; that of the nearest one beside the picture.
+    /// The colour of the pixel at a place, in pixels from the upper left corner; outside the picture, that of the nearest pixel.
     pub fn at(&self, [x, y]: [f64; 2]) -> [u8; 3] {
         let index = |v: f64, count: usize| (v.max(0.0) as usize).min(count - 1);
         self.pixels[index(y, self.height) * self.width + index(x, self.width)]
@@ -161,7 +161,7 @@ impl PictureFormat {
     }
 }
 
-/// The number of pixels, if it is one that is read.
+/// The number of pixels, if it is within the limit.
 fn pixels(width: u64, height: u64) -> Result<usize, PictureError> {
     match width.checked_mul(height) {
         Some(0) => Err(PictureError::Empty { width, height }),
@@ -201,13 +201,13 @@ impl Pixels {
         self.has_opacity = true;
     }
 
-    /// Itself, if there are as many pixels as that.
+    /// The pixels, if their number matches the size.
     fn of_size(mut self, width: usize, height: usize) -> Option<Self> {
         (self.width, self.height) = (width, height);
         (width.checked_mul(height) == Some(self.rgba.len()) && width > 0 && height > 0).then_some(self)
     }
 
-    /// Grey levels: of colours on white, or of what is opaque where that spreads more.
+    /// Grey levels: the luminance on white, or the opacity if that has more contrast.
     fn levels(&self) -> Vec<f32> {
         let grey = |[red, green, blue, _]: [u8; 4]| {
             let sum = 0.299 * f64::from(red) + 0.587 * f64::from(green) + 0.114 * f64::from(blue);

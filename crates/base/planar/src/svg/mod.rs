@@ -1,4 +1,4 @@
-//! Outlines in SVG drawings: paths, polygons, rectangles, circles and ellipses with their transforms.
+//! Outlines in SVG drawings: paths, polygons, rectangles, circles and ellipses, with their transforms.
 
 mod path;
 mod transform;
@@ -24,13 +24,13 @@ pub struct Polyline {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SvgError {
-    /// It is no XML.
+    /// It is not XML.
     #[error("the drawing is no XML: {0}")]
     Xml(String),
-    /// It is XML of another kind.
+    /// The XML is no SVG drawing.
     #[error("the drawing's first element is <{0}>; expected <svg>")]
     Root(String),
-    /// A path or a transform that cannot be read.
+    /// An attribute cannot be read.
     #[error("line {line}: {attribute} of <{element}>: {why}")]
     Attribute {
         /// The line of the element.
@@ -44,16 +44,16 @@ pub enum SvgError {
     },
 }
 
-/// How far chords may lie from curves, relative to the diagonal of the drawing's curves.
+/// Largest distance of chords from curves, relative to the diagonal of all curves in the drawing.
 pub const FLATTENING: f64 = 1e-4;
 
-/// Elements whose content is not drawn where it stands.
+/// Elements whose content is not drawn in place.
 const HIDDEN: [&str; 7] = ["defs", "clipPath", "mask", "symbol", "pattern", "marker", "metadata"];
 
-/// Elements in a drawing that are read at most.
+/// Largest number of elements that is read.
 const MOST_NODES: u32 = 1 << 22;
 
-/// The curves of a drawing, in its order. Bézier curves and arcs become chords, [`FLATTENING`] from the curve at most.
+/// The curves of a drawing, in its order. Bézier curves and arcs become chords at most [`FLATTENING`] away from them.
 ///
 /// # Limits
 /// `viewBox`, units, style sheets and `use` are ignored; coordinates are those of the drawing's user space.
@@ -102,7 +102,7 @@ pub fn read(text: &str) -> Result<Vec<Polyline>, SvgError> {
 
 type Wrong = (&'static str, String);
 
-/// The curves of an element that draws some.
+/// The curves of an element; none if it draws none.
 fn element(node: Node<'_, '_>) -> Result<Vec<Curve>, Wrong> {
     let number = |name: &'static str| -> Result<f64, Wrong> {
         let Some(text) = node.attribute(name) else { return Ok(0.0) };

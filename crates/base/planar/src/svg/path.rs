@@ -1,11 +1,11 @@
-//! The data of a path: lines, Bézier curves of degree two and three, elliptic arcs.
+//! Path data: lines, quadratic and cubic Bézier curves, elliptic arcs.
 
 use super::transform::Transform;
 use crate::Point;
 use crate::outline::dot;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-/// Chords of a Bézier curve at most.
+/// Largest number of chords per Bézier curve.
 const MOST_CHORDS: f64 = 1000.0;
 
 /// A curve of lines and cubic Bézier curves.
@@ -56,7 +56,7 @@ impl Curve {
         [self.start].into_iter().chain(pieces).collect()
     }
 
-    /// The points of chords that lie within the tolerance of the curve.
+    /// The end points of chords that lie within the tolerance of the curve.
     pub(super) fn flatten(&self, tolerance: f64) -> Vec<Point> {
         let mut points = vec![self.start];
         let mut at = self.start;
@@ -89,7 +89,7 @@ impl Curve {
         points
     }
 
-    /// An arc of an ellipse turned by `phi`, from one angle over another.
+    /// An arc of an ellipse rotated by `phi`, from angle `from` and over the angle `over`.
     fn arc_about(&mut self, centre: Point, [rx, ry]: [f64; 2], phi: f64, from: f64, over: f64) {
         let count = (over.abs() / FRAC_PI_2 - 1e-9).ceil().max(1.0);
         let step = over / count;
@@ -109,7 +109,7 @@ impl Curve {
         }
     }
 
-    /// An arc between end points, as paths give it.
+    /// An arc between two end points, in the parametrisation of path data.
     fn arc_to(
         &mut self,
         from: Point,
@@ -150,7 +150,7 @@ impl Curve {
         let place =
             [middle[0] + cos * centre[0] - sin * centre[1], middle[1] + sin * centre[0] + cos * centre[1]];
         self.arc_about(place, [rx, ry], phi, a, over);
-        // The end is the one that is written.
+        // Ends exactly at the point given in the file.
         if let Some(Piece::Cubic([.., end])) = self.pieces.last_mut() {
             *end = to;
         }
@@ -298,7 +298,7 @@ impl Scanner<'_> {
         Ok([origin[0] + self.number()?, origin[1] + self.number()?])
     }
 
-    /// A number ends where the next one begins: `1.5.5-3` are three of them.
+    /// Numbers need no separator if the next character cannot continue them: `1.5.5-3` holds three.
     fn number(&mut self) -> Result<f64, String> {
         self.skip();
         let rest = &self.text.as_bytes()[self.at.min(self.text.len())..];

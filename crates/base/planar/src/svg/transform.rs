@@ -3,14 +3,14 @@
 use super::path::numbers;
 use crate::Point;
 
-/// (x, y) to (a x + c y + e, b x + d y + f), in the order a to f.
+/// Maps (x, y) to (a x + c y + e, b x + d y + f); the coefficients are in the order a to f.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Transform([f64; 6]);
 
 impl Transform {
     pub(super) const IDENTITY: Self = Self([1.0, 0.0, 0.0, 1.0, 0.0, 0.0]);
 
-    /// A list of transforms, the last one applied first.
+    /// A list of transforms; the last one is applied first.
     pub(super) fn parse(text: &str) -> Result<Self, String> {
         let mut all = Self::IDENTITY;
         for part in text.split(')').map(|part| part.trim_matches(|c: char| c.is_whitespace() || c == ',')) {
@@ -45,7 +45,7 @@ impl Transform {
         })
     }
 
-    /// The map that applies `inner` first.
+    /// The composition that applies `inner` first.
     pub(super) fn then_inner(&self, inner: Self) -> Self {
         let Self([a, b, c, d, e, f]) = *self;
         let Self([g, h, i, j, k, l]) = inner;

@@ -1,4 +1,4 @@
-//! Pictures and drawings as files: every format shows the same shape, and damage is told.
+//! Pictures and drawings as files: every format shows the same shape, and damage is reported.
 
 use pompeiu_planar::picture::{Picture, PictureError};
 use pompeiu_planar::silhouette::{Foreground, SilhouetteError, SilhouetteOptions, silhouette};
@@ -98,7 +98,7 @@ fn every_format_shows_the_same_shape() {
         let region = silhouette(&picture, &staircase()).unwrap();
         assert_eq!(region.outer.bounds(), [[4.5, 5.5], [28.5, 23.5]], "{name}");
         assert_eq!((region.outer.area(), region.holes.len(), region.area()), (432.0, 1, 384.0), "{name}");
-        // Between centres, corners are cut by an eighth of a pixel's area each.
+        // Contours between pixel centres cut an eighth of a pixel's area off each corner.
         let smooth = silhouette(&picture, &SilhouetteOptions::default()).unwrap();
         assert!((smooth.outer.area() - (432.0 - 4.0 * 0.125)).abs() < 0.5, "{name}: {}", smooth.outer.area());
     }
@@ -126,7 +126,7 @@ fn cut_off_and_huge_pictures_are_refused() {
     huge[22..26].copy_from_slice(&100_000_u32.to_le_bytes());
     assert_eq!(Picture::read(&huge), Err(PictureError::Large { width: 100_000, height: 100_000 }));
     assert_eq!(Picture::read(b"hello"), Err(PictureError::Unrecognised));
-    // Damage anywhere ends in an error or a picture, never in a panic.
+    // Damage anywhere gives an error or a picture, never a panic.
     let whole = [png(&grey(), png::ColorType::Grayscale), gif(), bmp(4)];
     for bytes in whole {
         for at in 0..bytes.len() {

@@ -1,4 +1,4 @@
-//! Predicates, areas and distances beside brute force.
+//! Predicates, areas and distances against brute force.
 
 use pompeiu_core::mesh::edit::Random;
 use pompeiu_planar::contour::contours;

@@ -1,4 +1,4 @@
-//! Solvers against known solutions, and what they say when there is none.
+//! Solvers against known solutions, and their errors when there is none.
 
 use pompeiu_solve::{
     Analysis, Cholesky, DenseCholesky, Ldlt, LinearSolver, Lu, Ordering, SemidefiniteCholesky, SolveError,
@@ -42,7 +42,7 @@ fn largest_difference(x: &[f64], y: &[f64]) -> f64 {
 
 #[test]
 fn all_solvers_find_the_solution_for_small_and_large_factors() {
-    // The second fills up enough to be factored in blocks.
+    // The second has enough fill-in to be factored in blocks.
     for matrix in [grid_laplacian(7, 1, 0.5), grid_laplacian(14, 14, 0.5)] {
         let x = waves(matrix.rows());
         let b = matrix.multiply(&x);
@@ -126,7 +126,7 @@ fn singular_matrices_are_refused_by_lu_and_badly_scaled_ones_are_not() {
         let x = [3.0, -2.0, 5.0];
         let x = &x[..matrix.rows()];
         let found = Lu::new(&matrix).unwrap().solve(&matrix.multiply(x)).unwrap();
-        // What is left is what rounding does to the smaller unknowns.
+        // The remaining error is the rounding of the smaller unknowns.
         let residual = largest_difference(&matrix.multiply(&found), &matrix.multiply(x));
         assert!(residual <= 1e-14 * matrix.multiply(x).iter().fold(0.0, |m, b| f64::max(m, b.abs())));
     }
@@ -174,7 +174,7 @@ fn the_failing_pivot_is_named() {
         let wrong = good.rows() / 3;
         let spoil = SparseMatrix::from_triplets(good.rows(), good.rows(), &[(wrong, wrong, -9.0)]).unwrap();
         let matrix = good.combined(1.0, &spoil, 1.0).unwrap();
-        // Last in the order, so that it is the only pivot below zero.
+        // Last in the order, so that it is the only negative pivot.
         let mut order: Vec<usize> = (0..good.rows()).filter(|&i| i != wrong).collect();
         order.push(wrong);
         let analysis = Analysis::new(&matrix, &Ordering::Given(order)).unwrap();
@@ -239,14 +239,14 @@ fn constants_in_the_kernel_are_projected_away() {
     assert!(x[2 * n] == 0.0 && x[..n].iter().sum::<f64>().abs() < 1e-14);
     let b = matrix.multiply(&x);
     assert!(largest_difference(&solver.solve(&b).unwrap(), &x) < 1e-13);
-    // What is not in the range does not matter.
+    // Components outside the range are ignored.
     let lifted: Vec<f64> = b
         .iter()
         .enumerate()
         .map(|(i, b)| b + [3.0, -5.0, 0.0][i / n] + if i == 2 * n { 7.0 } else { 0.0 })
         .collect();
     assert!(largest_difference(&solver.solve(&lifted).unwrap(), &x) < 1e-12);
-    // A kernel that is larger than said is found out.
+    // A kernel that is larger than stated is detected.
     let all: Vec<Option<u32>> = vec![Some(0); 3 * n];
     let one_group = SemidefiniteCholesky::new(matrix.clone(), &vec![false; 3 * n], &all);
     assert!(matches!(one_group, Err(SolveError::NotPositiveDefinite { .. })), "{one_group:?}");

@@ -1,4 +1,4 @@
-//! Surfaces whose connectivity and geometry are known, and walks on them with known ends.
+//! Surfaces with known connectivity and geometry, and geodesics with known ends.
 
 #![allow(clippy::unwrap_used, reason = "tests may panic")]
 

@@ -1,4 +1,4 @@
-//! Walks with known ends.
+//! Geodesics with known ends.
 
 use pompeiu_core::FaceId;
 use pompeiu_core::mesh::shapes::{self, Diagonal};
@@ -45,8 +45,8 @@ fn forwards_and_back_again() {
     }
 }
 
-/// Where a point of the flat torus of `cells` unit cells lies in the plane, and the direction there; odd faces are turned by
-/// half, with their first corner at the far corner of the cell.
+/// Position and direction in the plane of a point on the flat torus of `cells` unit cells. Odd faces are rotated by half a turn,
+/// with their first corner at the far corner of the cell.
 fn in_plane(face: FaceId, point: [f64; 2], direction: [f64; 2], cells: u32) -> ([f64; 2], [f64; 2]) {
     let cell = face.0 / 2;
     let corner = [f64::from(cell % cells), f64::from(cell / cells)];
@@ -85,7 +85,7 @@ fn the_flat_torus_is_the_plane() {
 fn through_vertices_and_along_edges() {
     let torus = flat_torus([5.0, 4.0], [5, 4]).unwrap();
     let tracer = Tracer::new(&torus, &TraceOptions::default());
-    // Through corners of cells, along sides and along diagonals; from corners, from sides, from inside.
+    // Through corners of cells, along sides and along diagonals, starting at corners, on sides and inside.
     for point in [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.5, 0.0], [0.75, 0.5], [0.5, 0.5]] {
         for direction in
             [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0], [1.0, 1.0], [-1.0, -1.0], [2.0, 1.0]]
@@ -102,7 +102,7 @@ fn through_vertices_and_along_edges() {
 
 #[test]
 fn at_a_corner_of_the_cube_both_sides_have_equal_angles() {
-    // Down the middle of the corner's angle in one face, the straightest way on is the edge between the other two.
+    // The bisector of the corner's angle in one face continues along the edge between the other two.
     let mesh = shapes::cube(2.0, 1).unwrap();
     let embedded = EmbeddedSurface::new(&mesh).unwrap();
     let (surface, connectivity) = (embedded.surface(), embedded.mesh());
@@ -143,7 +143,7 @@ fn rays_aimed_at_a_vertex_pass_through_it() {
         EmbeddedSurface::new(&displace_at_random(&shapes::icosphere(1.0, 2).unwrap(), 0.02, 5).unwrap());
     let embedded = embedded.unwrap();
     let (surface, mesh) = (embedded.surface(), embedded.mesh());
-    // How far from straight on a ray leaves that came from a vertex, was turned back, and passed the vertex.
+    // Deviation from straight when a ray that came from a vertex is reversed and passes the vertex.
     let deviations = |tolerance: f64| {
         let options = TraceOptions { vertex_tolerance: tolerance, ..Default::default() };
         let tracer = Tracer::new(surface, &options);
@@ -244,7 +244,7 @@ fn the_boundary_ends_a_walk() {
     let direction = [0, 1].map(|i| corners[at][i] - centre[i]);
     let trace = tracer.trace(&Ray { face, point: centre, direction, length: 9.0 });
     let met_corner = matches!(trace.end, TraceEnd::BoundaryVertex(v) if v.0 == corner);
-    // Rounding may pass the corner on one side and meet the boundary beside it.
+    // Rounding may miss the corner on one side and reach the boundary beside it.
     assert!(
         met_corner || matches!(trace.end, TraceEnd::Boundary(_)) && close(trace.point, corners[at], 1e-14)
     );

@@ -6,10 +6,10 @@ use crate::bezier::along_lines;
 use crate::{CellKind, CellSplines};
 use rayon::prelude::*;
 
-/// For each axis what four coefficients give to four others, by row.
+/// A 4 × 4 matrix for each axis: rows express four functions in four others.
 type Shares = [[[f64; 4]; 4]; 3];
 
-/// Coefficients of 64 functions in 64 others, axis by axis.
+/// Applies the matrices along the three axes to the 64 coefficients of a function.
 fn times(row: &[f64; 64], shares: &Shares) -> [f64; 64] {
     along_lines(row, |axis, line| {
         [0, 1, 2, 3].map(|k| (0..4).map(|from| line[from] * shares[axis][from][k]).sum())
@@ -17,8 +17,8 @@ fn times(row: &[f64; 64], shares: &Shares) -> [f64; 64] {
 }
 
 impl HierarchicalSplines {
-    /// The functions that do not vanish in an element, with their Bézier coefficients there: from level to level, written in functions of
-    /// the next one and truncated.
+    /// The functions that do not vanish in an element, with their Bézier coefficients there. Computed level by level: functions are
+    /// expressed in those of the next level and truncated.
     ///
     /// # Panics
     /// If there is no such element.
@@ -63,7 +63,7 @@ impl HierarchicalSplines {
         }
     }
 
-    /// A bound on the difference from one of the sum of all functions, over all elements: that of the sum's Bézier coefficients.
+    /// A bound on the deviation from one of the sum of all functions over all elements, from the Bézier coefficients of the sum.
     pub fn partition_of_unity_error(&self) -> f64 {
         let of = |element: usize| {
             let splines = self.splines_of(element);

@@ -1,4 +1,4 @@
-//! Fields in truncated hierarchical splines: their coefficients, from space to space and from functions of space.
+//! Fields in truncated hierarchical splines: representation, prolongation and quasi-interpolation.
 
 use super::{HierarchicalElement, HierarchicalSplines};
 use crate::bernstein::{interpolate_lattice, part, value};
@@ -22,8 +22,8 @@ impl HierarchicalSplines {
         self.homes.par_iter().map(of).collect()
     }
 
-    /// The coefficients in a space that this one was refined to of a field with these coefficients here: the same field but for rounding.
-    /// Zero where the other space is no refinement of this one.
+    /// Prolongation to a refinement of this space: the coefficients there of the same field, exact but for rounding. Zero where the
+    /// other space is no refinement of this one.
     ///
     /// # Panics
     /// Unless there is a coefficient for each function.
@@ -32,7 +32,7 @@ impl HierarchicalSplines {
         let of = |&(element, at): &(u32, u8)| {
             let element = &fine.elements[element as usize];
             let level = usize::from(element.level);
-            // The element around it that is active here, and its interval in units of elements of the finer level.
+            // The active element here that contains it, with its interval in units of elements of the finer level.
             let around = (0..=level.min(self.levels.len() - 1)).rev().find_map(|number| {
                 let place = element.place.map(|i| usize::from(i) >> (level - number));
                 Some((number, place, self.levels[number].element(element.patch, place)?))
@@ -44,10 +44,11 @@ impl HierarchicalSplines {
         fine.homes.par_iter().map(of).collect()
     }
 
-    /// The coefficients of a quasi-interpolant of a field: each from the tricubic that has the field's values at 64 places of one element.
+    /// The coefficients of a quasi-interpolant of a field: each from the tricubic that interpolates the field at 64 points of one
+    /// element.
     ///
     /// # Accuracy
-    /// Tricubics in each patch are reproduced. Of the order of approximation of the space.
+    /// Reproduces tricubics in each patch, and has the approximation order of the space.
     /// # Source
     /// `speleers_effortless_2016`.
     pub fn approximate(&self, mesh: &BezierMesh, field: &(dyn Fn(DVec3) -> DVec3 + Sync)) -> Vec<DVec3> {
@@ -63,8 +64,8 @@ impl HierarchicalSplines {
         self.homes.par_iter().map(of).collect()
     }
 
-    /// The coefficient of one of the 64 functions of an element's level there, in a spline that is a tricubic with these Bézier coefficients
-    /// over intervals in units of elements.
+    /// The coefficient of one of the 64 functions of an element's level, in a spline that equals the tricubic with these Bézier
+    /// coefficients over intervals in units of elements.
     fn coefficient(
         &self,
         element: &HierarchicalElement,
@@ -107,7 +108,7 @@ impl HierarchicalSplines {
         cut(&mesh.control(element.patch as usize), parts.each_ref())
     }
 
-    /// The elements as cells, each with control points of its own: they do not meet face to face where their levels differ.
+    /// The elements as cells, each with its own control points: they do not conform where their levels differ.
     ///
     /// # Errors
     /// Those of [`BezierMesh::new`].

@@ -1,4 +1,4 @@
-//! One level of a hierarchy: functions and elements of one size.
+//! One level of a hierarchy: the functions and elements of one size.
 
 use super::HierarchicalElement;
 use crate::knots::OpenKnots;
@@ -6,18 +6,18 @@ use crate::{BezierMesh, CORNERS_OF_64, Refinement};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::RangeInclusive;
 
-/// Most levels of a hierarchy.
+/// Largest number of levels in a hierarchy.
 pub const MOST_LEVELS: usize = 6;
 
-/// For each patch that has some, which elements of a level are refined.
+/// The refined elements of a level, for each patch that has some.
 pub(super) type Marks = BTreeMap<u32, Vec<bool>>;
 
-/// What a function of a level is.
+/// The status of a function of a level.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Status {
-    /// Its support leaves the elements of the coarser level that are refined.
+    /// Its support is not contained in the refined elements of the coarser level.
     Outside,
-    /// It is a function of the hierarchy, with this number.
+    /// It is active, with this number in the hierarchy.
     Active(u32),
     /// All elements of its support are refined.
     Covered,
@@ -28,7 +28,7 @@ pub(super) struct Level {
     pub(super) number: usize,
     pub(super) knots: OpenKnots,
     pub(super) status: Vec<Status>,
-    /// Patches in which the level has elements, and those around them.
+    /// Patches with elements of the level, and the patches around them.
     patches: BTreeMap<u32, Patch>,
 }
 
@@ -36,23 +36,23 @@ pub(super) struct Level {
 struct Patch {
     /// Numbers of the level's functions, the first axis fastest.
     functions: Vec<u32>,
-    /// For each element whether the one around it is refined.
+    /// For each element, whether the coarser element that contains it is refined.
     is_inside: Vec<bool>,
-    /// For each element whether it is refined itself; empty if none is.
+    /// For each element, whether it is refined itself; empty if none is.
     is_refined: Vec<bool>,
-    /// For each element its number in the hierarchy if it is active.
+    /// For each active element, its number in the hierarchy.
     numbers: Vec<u32>,
 }
 
-/// The number of no element.
+/// Marks an element without a number.
 pub(super) const NONE: u32 = u32::MAX;
 
-/// The place of an element among `along` on each axis.
+/// The position along each axis of an element, with `along` elements on each.
 pub(super) fn place(element: usize, along: usize) -> [usize; 3] {
     [element % along, element / along % along, element / along / along]
 }
 
-/// The elements in which a function does not vanish, along an axis.
+/// The elements along an axis in which a function does not vanish.
 fn support(function: usize, along: usize) -> RangeInclusive<usize> {
     function.saturating_sub(3)..=function.min(along - 1)
 }
@@ -116,7 +116,7 @@ impl Level {
         is_inside.into_iter().zip(is_covered).map(status).collect()
     }
 
-    /// The elements of a patch in which a function does not vanish, by its place in the patch.
+    /// The elements of a patch in which a function does not vanish; the function is given by its position in the patch.
     fn support(&self, function: usize) -> impl Iterator<Item = usize> + Clone + use<> {
         let along = self.along();
         let [a, b, c] = place(function, along + 3).map(|i| support(i, along));
@@ -137,7 +137,7 @@ impl Level {
         patches.map(|(&number, patch)| (number, patch.is_refined.clone())).collect()
     }
 
-    /// Adds the supports of all functions of some elements to what is refined.
+    /// Marks the supports of all functions of some elements as refined.
     pub(super) fn extend(&self, elements: impl Iterator<Item = (u32, [usize; 3])>, marks: &mut Marks) {
         let mut is_touched = vec![false; self.status.len()];
         let mut any = false;
@@ -159,7 +159,7 @@ impl Level {
         }
     }
 
-    /// Numbers the active elements; gives them.
+    /// Numbers the active elements and returns them.
     pub(super) fn number_elements(&mut self, next: u32) -> Vec<HierarchicalElement> {
         let (along, level) = (self.along(), self.number as u8);
         let mut list = Vec::new();

@@ -1,4 +1,4 @@
-//! Truncated hierarchical cubic splines over the patches of a mesh: refined where they are asked to be.
+//! Truncated hierarchical cubic splines over the patches of a mesh, refined locally.
 
 mod extraction;
 mod fields;
@@ -11,35 +11,38 @@ use std::collections::{BTreeMap, BTreeSet};
 
 pub use level::MOST_LEVELS;
 
-/// Bytes that a function of a level takes, active or not: its key and its places in patches, estimated.
+/// Estimated memory per function of a level, active or not: its key and its places in patches, in bytes.
 pub const BYTES_PER_FUNCTION: usize = 200;
 
 /// Spline functions over the patches of a mesh, on elements that are halved where they are marked.
 ///
 /// # Definition
-/// The functions of [`SplineSpace`](crate::SplineSpace) with `elements`, 2 `elements`, 4 `elements` … along each axis of each patch are
-/// levels of a hierarchy. A function of a level is active if its support lies in the elements of the coarser level that are refined, and not
-/// in those of its own that are. Active functions are truncated: written in functions of the next level, they lose those whose support is
-/// refined, level after level. The supports of functions reach across patches, so that elements at extraordinary edges are refined as
-/// others are.
+/// The functions of [`SplineSpace`](crate::SplineSpace) with `elements`, 2 `elements`, 4 `elements` … along each axis of each patch
+/// are the levels of a hierarchy. A function of a level is active if its support lies in the refined elements of the coarser level,
+/// but not in the refined elements of its own level. Active functions are truncated: expressed in functions of the next level, they
+/// lose the terms whose support is refined; this is repeated for all finer levels. Supports extend across patches, so elements at
+/// extraordinary edges are refined like any others.
 ///
-/// A mark refines the elements in the supports of all functions of the element that is marked, and what is around them as far as levels
-/// have to be nested: in it, there are all functions of the next level. Mark elements again for more levels.
+/// Marking an element refines the elements in the supports of all its functions, and as many around them as nested levels need:
+/// inside the marked element, all functions of the next level exist. Mark elements again for more levels.
 /// # Accuracy
-/// The functions are not negative, add up to one, and are linearly independent. The space contains those that it was refined from; where
-/// elements were marked, its order of approximation is that of [`SplineSpace`](crate::SplineSpace) with the elements there.
+/// The functions are nonnegative, add up to one, and are linearly independent. The space contains the spaces that it was refined
+/// from. Where elements were marked, its order of approximation is that of [`SplineSpace`](crate::SplineSpace) with the elements
+/// there.
 /// # Cost
-/// Linear in the number of active elements and in that of the elements of each level in patches with such elements and next to them.
+/// Linear in the number of active elements, and in the number of elements of each level in the patches that have such elements and
+/// in the adjacent patches.
 /// # Limits
-/// At most [`MOST_LEVELS`] levels: elements of the last are not refined.
+/// At most [`MOST_LEVELS`] levels: elements of the last one are not refined.
 /// # Source
-/// Active functions, and why they are independent: `vuong_hierarchical_2011`. Truncation: `giannelli_thbsplines_2012`. Several patches:
-/// `garau_algorithms_2018`.
+/// Active functions and their linear independence: `vuong_hierarchical_2011`. Truncation: `giannelli_thbsplines_2012`. Several
+/// patches: `garau_algorithms_2018`.
 #[derive(Clone, Debug)]
 pub struct HierarchicalSplines {
     levels: Vec<Level>,
     elements: Vec<HierarchicalElement>,
-    /// For each function an active element of its level, near the middle of its support, and its place among the 64 there.
+    /// For each function an active element of its level near the middle of its support, and the index of the function among the 64
+    /// there.
     homes: Vec<(u32, u8)>,
     /// The functions of each level.
     counts: Vec<usize>,
@@ -52,24 +55,24 @@ pub struct HierarchicalElement {
     pub level: u8,
     /// The patch.
     pub patch: u32,
-    /// Its place among the elements of the level in the patch.
+    /// Its position among the elements of the level in the patch.
     pub place: [u16; 3],
 }
 
 impl HierarchicalSplines {
-    /// The space with this many elements along each axis of each patch, at least one, none of them refined.
+    /// The unrefined space with this many elements, at least one, along each axis of each patch.
     pub fn new(mesh: &BezierMesh, elements: usize) -> Self {
         Self::build(mesh, elements, &[])
     }
 
-    /// The space with the elements of these numbers refined. Those that do not exist, or are of the last level, are passed over.
+    /// The space after refining the elements with these numbers. Elements that do not exist or are of the last level are skipped.
     #[must_use]
     pub fn refined(&self, mesh: &BezierMesh, marked: &[usize]) -> Self {
         Self::build(mesh, self.along(0), &self.marks(marked))
     }
 
-    /// Functions of all levels, active or not, that there are in patches to be numbered once these elements are refined: they take some
-    /// [`BYTES_PER_FUNCTION`] each.
+    /// The number of functions of all levels, active or not, that have to be numbered for this refinement; each takes about
+    /// [`BYTES_PER_FUNCTION`].
     pub fn functions_to_number(&self, mesh: &BezierMesh, marked: &[usize]) -> usize {
         let around = patches_around(mesh);
         let of = |(number, marks): (usize, &Marks)| {
@@ -80,7 +83,7 @@ impl HierarchicalSplines {
         finer.saturating_add(mesh.cells().len().saturating_mul((self.along(0) + 3).pow(3)))
     }
 
-    /// The elements that are refined at each level once these are, too.
+    /// The refined elements of each level after this refinement.
     fn marks(&self, marked: &[usize]) -> Vec<Marks> {
         let mut marks: Vec<Marks> = self.levels.iter().map(Level::refined).collect();
         for (level, marks) in self.levels.iter().zip(&mut marks).take(MOST_LEVELS - 1) {
@@ -139,7 +142,8 @@ impl HierarchicalSplines {
                 level.on(element.patch, element.place.map(usize::from)).into_iter().enumerate()
             {
                 let Status::Active(function) = level.status[function as usize] else { continue };
-                // In halves of an element: the first and the last of the four functions are off by three along an axis.
+                // In halves of an element: along an axis, the middles of the first and the last of the four functions are three
+                // away from the element's.
                 let off = [k % 4, k / 4 % 4, k / 16].map(|i| [3, 1, 1, 3][i]).iter().sum();
                 if off < offs[function as usize] {
                     offs[function as usize] = off;
@@ -160,12 +164,12 @@ impl HierarchicalSplines {
         self.homes.len()
     }
 
-    /// Functions of each level. Their numbers follow each other, those of coarser levels first.
+    /// Functions of each level, numbered consecutively from the coarsest level on.
     pub fn functions_of_levels(&self) -> &[usize] {
         &self.counts
     }
 
-    /// The elements: coarser levels first, then in order of patches and places.
+    /// The elements, ordered by level, patch and position, coarsest first.
     pub fn elements(&self) -> &[HierarchicalElement] {
         &self.elements
     }
@@ -182,21 +186,21 @@ impl HierarchicalSplines {
     /// The interval of an element along each axis of its patch, from 0 to 1.
     ///
     /// # Panics
-    /// If the element is of a level that there is not.
+    /// If the element is of a level that does not exist.
     pub fn intervals(&self, element: &HierarchicalElement) -> [[f64; 2]; 3] {
         let along = self.along(element.level.into()) as f64;
         element.place.map(|i| [f64::from(i) / along, (f64::from(i) + 1.0) / along])
     }
 
-    /// The functions that do not vanish in each element, with their Bézier coefficients there. Regular are elements where all of them are
-    /// translates of one function.
+    /// The functions that do not vanish in each element, with their Bézier coefficients there. An element is regular if all of
+    /// these functions are translates of one function.
     pub fn extraction(&self) -> UnstructuredSplines {
         let of = |element| self.splines_of(element);
         UnstructuredSplines::from_cells((0..self.elements.len()).into_par_iter().map(of).collect())
     }
 }
 
-/// Patches with elements that are marked, and those that meet them.
+/// Patches with marked elements, and the patches that touch them.
 fn patches_with(mesh: &BezierMesh, marks: &Marks, around: &BTreeMap<u32, Vec<u32>>) -> BTreeSet<u32> {
     let corners = marks.keys().flat_map(|&patch| CORNERS_OF_64.map(|k| mesh.cells()[patch as usize][k]));
     corners.flat_map(|vertex| around.get(&vertex).into_iter().flatten().copied()).collect()

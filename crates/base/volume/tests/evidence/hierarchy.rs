@@ -1,5 +1,5 @@
-//! Truncated hierarchical splines: sums, positions, independence, nested spaces, a count by definition, errors that fall where elements are
-//! refined.
+//! Truncated hierarchical splines: sums, positions, independence, nested spaces, a count by definition, and errors that fall where
+//! elements are refined.
 
 use crate::splines::{bent, star};
 use glam::DVec3;
@@ -8,12 +8,12 @@ use pompeiu_volume::bernstein::{GAUSS_4, derivatives, value};
 use pompeiu_volume::{BezierMesh, HexMesh, HierarchicalSplines, SplineSpace};
 use std::collections::HashMap;
 
-/// A bent star, each of its cells cut into 27 patches.
+/// A bent star, each cell divided into 27 patches.
 fn patches(valence: u32, height: f64) -> BezierMesh {
     bent(&star(valence, height)).subdivided(3, &[]).unwrap().0
 }
 
-/// Refines, as often as asked, the elements that come near to a place of the extraordinary edge in the middle of a star.
+/// Refines repeatedly the elements near a point of the extraordinary edge in the middle of a star.
 fn refined(mesh: &BezierMesh, times: usize) -> HierarchicalSplines {
     let mut splines = HierarchicalSplines::new(mesh, 1);
     for level in 0..times {
@@ -99,7 +99,7 @@ fn spaces_contain_those_that_they_were_refined_from() {
     }
 }
 
-/// The greatest over the least eigenvalue of the mass matrix with a unit diagonal, elements taken as cubes.
+/// The ratio of the greatest to the least eigenvalue of the mass matrix scaled to a unit diagonal, with elements taken as cubes.
 fn condition(splines: &HierarchicalSplines) -> f64 {
     // Integrals of products of cubic Bernstein polynomials.
     const MASS: [[f64; 4]; 4] =
@@ -154,7 +154,7 @@ fn truncated_functions_are_linearly_independent() {
 fn active_functions_are_those_of_the_definition() {
     let mesh = patches(5, 0.7);
     let splines = refined(&mesh, 2);
-    // The level of the element around each smallest element.
+    // The level of the element that contains each smallest element.
     let mut level_at: HashMap<(u32, [usize; 3]), u8> = HashMap::new();
     for element in splines.elements() {
         let size = 1 << (2 - element.level);
@@ -186,7 +186,7 @@ fn active_functions_are_those_of_the_definition() {
                 }
             }
         }
-        // In elements of its level or finer ones, and not in finer ones only.
+        // In elements of its level or finer ones, but not in finer ones only.
         let count = least.iter().map(|least| usize::from(*least == level)).sum::<usize>();
         assert_eq!(splines.functions_of_levels()[usize::from(level)], count, "level {level}");
         assert!(count > 0);

@@ -22,7 +22,7 @@ const UNIT: [DVec3; 8] = [
     DVec3::new(0.0, 1.0, 1.0),
 ];
 
-/// Steps along each axis of the points at which cells are looked at.
+/// Sample points along each axis of a cell, less one.
 const N: usize = 10;
 
 struct Random(u64);
@@ -34,7 +34,7 @@ impl Random {
     }
 }
 
-/// The determinant of the trilinear map by its shape functions, apart from the code that certifies.
+/// The determinant of the trilinear map by its shape functions, independent of the code under test.
 fn determinant(corners: &[DVec3; 8], [u, v, w]: [f64; 3]) -> f64 {
     let mut rows = [DVec3::ZERO; 3];
     for (p, place) in corners.iter().zip(UNIT) {
@@ -121,7 +121,7 @@ fn faces_of_a_grid_are_counted_and_look_outwards() {
     let mesh = HexMesh::grid([4, 3, 2], [1.0, 1.0, 1.0]);
     let faces = Faces::new(&mesh).unwrap();
     assert_eq!((faces.inner().len(), faces.boundary().len(), faces.components()), (46, 52, 1));
-    // By the divergence theorem, the boundary encloses the sum of the volumes.
+    // Divergence theorem: the boundary encloses the sum of the volumes.
     let enclosed: f64 = faces
         .boundary()
         .iter()

@@ -1,4 +1,4 @@
-//! Tricubic cells and splines: certificates beside dense samples, closed forms, rates, other people's order of points.
+//! Tricubic cells and splines: certificates against dense samples, closed forms, convergence rates, VTK's order of points.
 
 use glam::DVec3;
 use pompeiu_solve::{Cholesky, LinearSolver, SparseMatrix};
@@ -8,7 +8,7 @@ use pompeiu_volume::{
     scaled_jacobian_bezier, slopes_at, write_bezier_vtu,
 };
 
-/// Patches of rhombi around an axis, one layer high.
+/// Rhombic patches around an axis, one layer high.
 pub(crate) fn star(valence: u32, height: f64) -> HexMesh {
     let ring = |k: u32, radius: f64, z: f64| {
         let angle = std::f64::consts::PI * f64::from(k) / f64::from(valence);
@@ -29,7 +29,7 @@ pub(crate) fn star(valence: u32, height: f64) -> HexMesh {
     HexMesh::new(positions, cells).unwrap()
 }
 
-/// The mesh with its control points moved smoothly.
+/// The mesh with smoothly displaced control points.
 pub(crate) fn bent(mesh: &HexMesh) -> BezierMesh {
     let straight = BezierMesh::from_trilinear(mesh);
     let bend = |p: DVec3| {
@@ -122,7 +122,7 @@ fn parts_of_cells_are_the_same_map_and_keep_volume_and_flux() {
         let at = [(1.0 + place[0]) / 3.0, place[1] / 3.0, (2.0 + place[2]) / 3.0];
         assert!((value(&part, place) - value(&whole, at)).length() < 1e-14);
     }
-    // What flows out of all cells flows through the boundary only, part by part or whole by whole.
+    // The flux out of all cells is the flux through the boundary, summed by parts or by whole cells.
     let total = |mesh: &BezierMesh, field: &[DVec3]| -> (f64, f64) {
         let control = |c: usize| (mesh.control(c), mesh.cells()[c].map(|k| field[k as usize]));
         let flux = |cell: usize, face: usize| {
@@ -187,7 +187,7 @@ fn splines_have_two_continuous_derivatives_and_their_extraction_is_exact() {
             assert!(line.slopes.iter().sum::<f64>().abs() < 1e-13);
         }
     }
-    // From either side of an inner knot: values, slopes, and differences of slopes.
+    // Values, slopes and second differences on either side of an inner knot.
     for knot in [1, 2] {
         let place = knot as f64 / 3.0;
         let h = 1e-5;
@@ -205,10 +205,10 @@ fn splines_have_two_continuous_derivatives_and_their_extraction_is_exact() {
     }
 }
 
-/// What is done at a point: functions, values, gradients, weight, position.
+/// Called at a point with functions, values, gradients, weight and position.
 type Act<'a> = dyn FnMut(&[u32; 64], &[f64; 64], &[DVec3; 64], f64, DVec3) + 'a;
 
-/// The errors in L² and in the first derivatives of the Ritz projection for −Δ + 1, the natural boundary terms included.
+/// The errors in L² and in the first derivatives of the Ritz projection for −Δ + 1, including natural boundary terms.
 fn ritz(mesh: &BezierMesh, elements: usize) -> [f64; 2] {
     let exact = |p: DVec3| (1.3 * p.x + 0.4).sin() * (1.1 * p.y - 0.2).cos() * (0.7 * p.z).exp();
     let slope = |p: DVec3| {
@@ -320,7 +320,7 @@ fn files_of_bezier_cells_begin_with_the_corners_in_their_order() {
     let connectivity = start + 8 + 64 * 24 + 8;
     let order: Vec<usize> = (0..64).map(|k| number(connectivity + 8 * k)).collect();
     let place = |k: usize| mesh.points()[order[k]] * 3.0;
-    // Points as VTK documents them: corner 6, then edges, faces and the inside by axis.
+    // Points as documented by VTK: corner 6, then edges, faces and the inside by axis.
     for (k, expected) in [
         (6, [3, 3, 3]),
         (8, [1, 0, 0]),

@@ -1,4 +1,4 @@
-//! Splines with a function for each vertex, their files, and partitions: closed forms, rates, other people's results.
+//! Splines with one function per vertex, their files, and partitions: closed forms, convergence rates, results of other programs.
 
 use crate::Random;
 use flate2::read::GzDecoder;
@@ -39,7 +39,7 @@ fn cells_of_a_grid_have_the_uniform_cubic_b_splines() {
             assert!((x - a[k % 4] * b[k / 4 % 4] * c[k / 16]).abs() < 1e-15, "{v} {k}");
         }
     }
-    // Places inside are kept, and the ends of edges of the boundary are rounded off.
+    // Positions inside are kept; boundary edges are rounded off at their ends.
     let points = found.bezier_points(mesh.positions());
     assert!(
         (value(&points[2 + 5 * (2 + 5 * 2)], [0.3, 0.6, 0.9]) - DVec3::new(2.3, 2.6, 2.9)).length() < 1e-14
@@ -74,10 +74,10 @@ fn files_are_read_back_and_damage_is_located() {
     assert!(UnstructuredSplines::from_cmat(&(text + "7\n")).is_err());
 }
 
-/// Is called with the cell, the values of its functions, the weight and the place of each point of the rule.
+/// Called with the cell, the values of its functions, the weight and the position of each quadrature point.
 type Act<'a> = &'a mut dyn FnMut(usize, &[f64], f64, DVec3);
 
-/// The error of the projection of a function in L², relative to its norm.
+/// The relative error of the L² projection of a function.
 fn projection_error(n: u32) -> f64 {
     let mesh = HexMesh::grid([n, n, n], [1.0; 3]);
     let found = splines(&mesh);
@@ -164,13 +164,13 @@ fn the_extraction_and_the_partition_are_those_that_others_ship() {
     let kinds = [CellKind::Regular, CellKind::Boundary, CellKind::Irregular].map(number);
     assert_eq!(kinds, [8632, 3260, 888]);
     assert!(found.partition_of_unity_error() < 1e-14);
-    // The volume that its own files have, whose points have six digits.
+    // The volume of its own files, whose points have six digits.
     let volume: f64 = found.bezier_points(&iga_units(&positions)).iter().map(bezier_volume).sum();
     assert!((volume - 0.034_916_61).abs() < 2e-7, "{volume}");
     if let Some(info) = text("bzmeshinfo.txt.gz") {
         assert!(info == found.bzmeshinfo(), "the functions of some cell differ");
     }
-    // Written as it came, but for the digits.
+    // Written as it was read, but for the number of digits.
     let file = controlmesh(&mesh, &labels);
     let folder = std::env::temp_dir().join(format!("pompeiu-controlmesh-{}.vtk", std::process::id()));
     std::fs::write(&folder, file).unwrap();
@@ -199,7 +199,7 @@ fn partitions_are_balanced_small_and_repeatable() {
         assert!(quality.imbalance <= 1.06 && quality.cut <= 22 * (parts - 1), "{parts} {quality:?}");
         assert_eq!(of, partition(640, &faces, parts));
     }
-    // Cells in any order, apart from each other, and more parts than cells.
+    // Cells in any order, disconnected, and more parts than cells.
     let mut random = Random(3);
     let mut cells = mesh.cells().to_vec();
     cells.sort_by_cached_key(|_| (random.next() * 1e9) as u64);

@@ -1,4 +1,4 @@
-//! Noise.
+//! Random displacement of vertices.
 
 use super::random::Random;
 use crate::mesh::{MeshError, TriMesh};

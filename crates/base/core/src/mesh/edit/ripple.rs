@@ -5,14 +5,14 @@ use std::f64::consts::TAU;
 
 /// Moves every vertex along smooth waves: x by `amplitude · sin(2π y / wavelength)`, y by the same of z, z by that of x.
 ///
-/// No vertex moves further than `√3 · amplitude`. Neighbours move alike when their edge is short beside the wavelength,
-/// and nothing folds when `amplitude` is below `wavelength / 4π`.
+/// No vertex moves further than `√3 · amplitude`. Where edges are short compared with the wavelength, both ends move almost alike;
+/// nothing folds when `amplitude` is below `wavelength / 4π`.
 ///
 /// # Errors
 /// [`MeshError`] if a coordinate leaves the supported range, or if `amplitude` or `wavelength` is not finite, or if
 /// `wavelength` is zero.
 pub fn ripple(mesh: &TriMesh, amplitude: f64, wavelength: f64) -> Result<TriMesh, MeshError> {
-    // An infinite wavelength would pass for no waves.
+    // An infinite wavelength would silently mean no waves.
     let length = if wavelength.is_finite() { wavelength } else { f64::NAN };
     let displaced =
         |p: &[f64; 3]| std::array::from_fn(|i| p[i] + amplitude * libm::sin(TAU * (p[(i + 1) % 3] / length)));
@@ -31,7 +31,7 @@ mod tests {
         assert_eq!(waved.faces(), mesh.faces());
         for (p, q) in mesh.positions().iter().zip(waved.positions()) {
             let moved: [f64; 3] = std::array::from_fn(|i| q[i] - p[i]);
-            // A plane z = 0 is at a node for y; quarters of a wave are nodes or crests.
+            // In the plane z = 0 the displacement of y is zero; vertices at quarters of a wave are nodes or crests.
             let quarters = |x: f64| [0.0, 0.1, 0.0, -0.1][(4.0 * x).round().rem_euclid(4.0) as usize];
             assert_eq!(moved[1], 0.0);
             assert!((moved[0] - quarters(p[1])).abs() < 1e-15, "{p:?} moved by {moved:?}");

@@ -26,8 +26,8 @@ impl Affine {
         Self { translation, ..Self::IDENTITY }
     }
 
-    /// Turns about an axis through the origin, counterclockwise for someone the axis points at; quarter turns about a
-    /// coordinate axis are exact. `None` if the axis has no direction or anything is not finite.
+    /// Rotates about an axis through the origin, counterclockwise seen from the tip of the axis. Quarter turns about a coordinate
+    /// axis are exact. `None` if the axis has length zero or anything is not finite.
     pub fn rotate(axis: [f64; 3], degrees: f64) -> Option<Self> {
         let largest =
             axis.into_iter().fold(0.0, |m: f64, x| if x.abs() > m || x.is_nan() { x.abs() } else { m });
@@ -70,7 +70,7 @@ fn cosine_and_sine(degrees: f64) -> [f64; 2] {
     }
 }
 
-/// Maps every vertex. A map that mirrors turns the orientation of closed meshes inside out; faces keep their order.
+/// Maps every vertex. A map that mirrors reverses the orientation of closed meshes; faces keep their vertex order.
 ///
 /// # Errors
 /// [`MeshError`] if a coordinate leaves the supported range.

@@ -8,13 +8,13 @@ use crate::mesh::topology::is_degenerate;
 #[derive(Default)]
 pub(super) struct Holes {
     pub(super) filled: Change,
-    /// Loops with few enough edges that no triangulation fills.
+    /// Loops below the size limit that have no valid triangulation.
     pub(super) left: Change,
     pub(super) faces_added: usize,
 }
 
-/// Fills boundary loops with at most so many edges by the triangles between their vertices that have the least area together, none of
-/// which is degenerate or uses an edge that is there already. No edge has more than two faces, no vertex more than one fan.
+/// Fills boundary loops of at most this many edges with the triangulation of least area among those without degenerate faces and
+/// without edges that exist already. Afterwards no edge has more than two faces, and no vertex more than one fan.
 ///
 /// # Source
 /// `barequet_filling_1995`, section 3.
@@ -23,7 +23,7 @@ pub(super) fn fill(parts: &mut Parts, most_edges: usize) -> Holes {
     if most_edges < 3 {
         return filled;
     }
-    // The edges there are, and along which of them a new face must run: against the face at a boundary edge.
+    // Existing edges, and the direction that a new face must take along each: opposite to the face at the boundary edge.
     let mut taken: Vec<[u32; 2]> = Vec::new();
     let mut next: Vec<Vec<u32>> = vec![Vec::new(); parts.positions.len()];
     for edge in parts.edges().iter() {
@@ -60,14 +60,14 @@ pub(super) fn fill(parts: &mut Parts, most_edges: usize) -> Holes {
     filled
 }
 
-/// The vertices of a boundary loop; none when it does not come back on one way, or has too many.
+/// The vertices of a boundary loop; `None` if the loop branches, or has too many edges.
 fn walk(start: u32, next: &[Vec<u32>], walked: &mut [bool], most: usize) -> Option<Vec<u32>> {
     let mut hole = vec![start];
     let mut is_simple = true;
     loop {
         let at = hole[hole.len() - 1];
         walked[at as usize] = true;
-        // A component that cannot be oriented may have boundary edges that run against each other.
+        // In a component that is not orientable, boundary edges may have opposite directions.
         let &[to] = &next[at as usize][..] else { return None };
         if to == start {
             break;
@@ -81,11 +81,11 @@ fn walk(start: u32, next: &[Vec<u32>], walked: &mut [bool], most: usize) -> Opti
     (is_simple && (3..=most).contains(&hole.len())).then_some(hole)
 }
 
-/// The triangulation of a loop with the least area: for every stretch of it, the best third corner over its ends.
+/// The triangulation of a loop with the least area: dynamic programming over stretches of the loop and their third corner.
 fn least_area(parts: &Parts, hole: &[u32], taken: &[[u32; 2]]) -> Option<Vec<[u32; 3]>> {
     let n = hole.len();
     let position = |i: usize| parts.positions[hole[i] as usize];
-    // In units of the loop, so that squares neither overflow nor vanish.
+    // Coordinates in units of the loop's size, so that squares neither overflow nor underflow.
     let size = (1..n).flat_map(|i| [0, 1, 2].map(|k| (position(i)[k] - position(0)[k]).abs()));
     let size = size.fold(0.0, |m: f64, x| if x > m { x } else { m });
     let scaled: Vec<[f64; 3]> =
@@ -94,7 +94,8 @@ fn least_area(parts: &Parts, hole: &[u32], taken: &[[u32; 2]]) -> Option<Vec<[u3
         let ends = [hole[i].min(hole[j]), hole[i].max(hole[j])];
         j == i + 1 || (i == 0 && j == n - 1) || taken.binary_search(&ends).is_err()
     };
-    // For i < j: the least area between the loop from i to j and the edge between them, and the third corner.
+    // For i < j: the least area of a triangulation between the loop from i to j and the edge that closes it, with the third corner
+    // at that edge.
     let mut best = vec![(f64::INFINITY, 0); n * n];
     for i in 0..n - 1 {
         best[i * n + i + 1] = (0.0, 0);
@@ -117,7 +118,7 @@ fn least_area(parts: &Parts, hole: &[u32], taken: &[[u32; 2]]) -> Option<Vec<[u3
             }
         }
     }
-    // A single face has its own vertices as its boundary: filled, it would be there twice.
+    // The boundary of an isolated face is the face itself: filling it would duplicate it.
     let is_face = n == 3 && parts.faces.iter().any(|face| hole.iter().all(|v| face.contains(v)));
     if is_face || !best[n - 1].0.is_finite() {
         return None;

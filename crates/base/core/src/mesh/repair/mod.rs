@@ -1,4 +1,4 @@
-//! Repairing a mesh: what algorithms on surfaces stumble over is removed, one operation after the other.
+//! Repairing a mesh: a sequence of operations that remove what algorithms on surfaces cannot handle.
 //!
 //! | operation | what it does |
 //! |---|---|
@@ -10,8 +10,9 @@
 //! | orient | faces that share an edge agree on its direction |
 //! | fill holes | triangles for boundary loops with few edges, of least area |
 //!
-//! The result is a manifold with boundary. It is oriented where that is possible: what is left of a Möbius strip is named in the
-//! [`RepairReport`]. Positions are never changed but by welding within a length, and faces that are kept keep their order.
+//! The result is a manifold with boundary, oriented where that is possible; components that are not orientable, such as a Möbius
+//! strip, are listed in the [`RepairReport`]. Positions change only by welding within a length. Faces that are kept keep their
+//! order.
 
 mod degenerate;
 mod duplicate;
@@ -35,26 +36,26 @@ pub enum Weld {
     /// Those at equal positions.
     #[default]
     Equal,
-    /// Each vertex becomes one with the nearest earlier vertex that was kept, if that is at most this length away. So a vertex moves by
+    /// Merges each vertex into the nearest earlier vertex that was kept, if that is at most this length away. So a vertex moves by
     /// at most this length, and vertices that are kept are farther apart.
     Within(f64),
 }
 
-/// What [`repair`] does beside what it always does.
+/// Optional operations of [`repair`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct RepairOptions {
     /// Which vertices become one.
     pub weld: Weld,
-    /// Boundary loops with at most so many edges are filled, at most [`RepairOptions::MOST_HOLE_EDGES`]; none when 0. The rim of an open
-    /// sheet is a boundary loop like any other: with few edges it is filled, too.
+    /// The largest number of edges of boundary loops to fill, at most [`RepairOptions::MOST_HOLE_EDGES`]; 0 fills none. The rim of
+    /// an open sheet is a boundary loop like any other: it is filled too if it has few edges.
     pub fill_holes: usize,
 }
 
 impl RepairOptions {
-    /// The most edges of a hole that can be filled: the search for the least area takes their third power.
+    /// The largest number of edges of a hole that can be filled: the search for the least area takes cubic time.
     pub const MOST_HOLE_EDGES: usize = 256;
 
-    /// Whether the options make sense.
+    /// Checks that the options are valid.
     ///
     /// # Errors
     /// [`RepairError::WeldLength`] unless positive and finite; [`RepairError::HoleEdges`].
@@ -75,10 +76,10 @@ impl RepairOptions {
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum RepairError {
-    /// The length within which vertices become one makes no sense.
+    /// The welding length is not a positive number.
     #[error("the length to weld within is {0}, expected a positive number")]
     WeldLength(f64),
-    /// The length within which vertices become one is lost in the rounding of coordinates.
+    /// The welding length is below the rounding of the coordinates.
     #[error(
         "the length to weld within, {length:e}, is below the rounding of coordinates of up to {largest:e}; \
          weld equal positions only"
@@ -100,7 +101,7 @@ pub enum RepairError {
         /// Number of vertices that became one with others.
         welded: usize,
     },
-    /// Splitting vertices made more than indices can name.
+    /// Splitting made more vertices than indices can name.
     #[error(transparent)]
     Mesh(#[from] MeshError),
 }
@@ -117,19 +118,19 @@ pub struct Repaired {
 /// Repairs a mesh; the table of operations is in [the documentation of the module](self), in the order in which they are done.
 ///
 /// # Accuracy
-/// Which faces are degenerate and which positions equal is decided exactly. Distances for [`Weld::Within`] are rounded: two vertices
-/// whose distance is within 1e-15 of the length, relatively, may be told apart or not.
+/// Degenerate faces and equal positions are found exactly. Distances for [`Weld::Within`] are rounded: two vertices whose distance
+/// is within 1e-15 of the length, relatively, may be welded or not.
 ///
 /// # Limits
-/// Done twice it does nothing the second time, unless holes were filled beside vertices that were split. Faces that intersect are left
-/// as they are. A degenerate face whose corners are three different points on a line leaves a slit without area. Splitting cuts all
-/// faces apart at an edge with more than two, as it cannot know which belong together.
+/// Repairing twice changes nothing the second time, unless holes were filled beside vertices that were split. Intersecting faces
+/// stay. Removing a degenerate face whose corners are three different points on a line leaves a slit without area. Splitting
+/// separates all faces at an edge with more than two faces, because nothing says which of them belong together.
 ///
 /// # Errors
 /// [`RepairError`], with the numbers.
 ///
 /// # Cost
-/// O(n log n), and the third power of the edges of each hole.
+/// O(n log n), plus the cube of the number of edges of each hole.
 ///
 /// # Example
 /// ```

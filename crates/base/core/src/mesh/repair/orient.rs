@@ -1,16 +1,17 @@
-//! Faces that agree on the direction of the edges they share.
+//! Consistent orientation of faces that share edges.
 
 use super::Change;
 use super::parts::Parts;
 
-/// Turns the fewest faces of each component so that two faces of an edge run along it in opposite directions; no edge has more than two.
-/// The faces that were turned, and the components that cannot be oriented and stay as they are.
+/// Reverses the fewest faces of each component so that the two faces of every edge run along it in opposite directions; no edge may
+/// have more than two faces. Returns the faces that were reversed, and the components that are not orientable, which stay
+/// unchanged.
 pub(super) fn orient(parts: &mut Parts) -> (Change, Change) {
     let runs_up = |face: usize, ends: [u32; 2]| {
         let [a, b, c] = parts.faces[face];
         [[a, b], [b, c], [c, a]].contains(&ends)
     };
-    // The neighbours of each face, and whether one of the two must be turned.
+    // The neighbours of each face, and whether exactly one of the pair must be reversed.
     let mut neighbours: Vec<[Option<(usize, bool)>; 3]> = vec![[None; 3]; parts.faces.len()];
     for edge in parts.edges().iter() {
         let mut faces = edge.faces();

@@ -1,13 +1,14 @@
 //! What a repair did.
 
-/// How often something was done or found, and where at first.
+/// How often an operation was applied or a defect was found, with the first places.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Change {
     /// How often.
     pub count: usize,
-    /// A point of each of the first, at most [`Change::MOST_PLACES`]: numbers of vertices and faces change in a repair, places do not.
+    /// A point at each of the first occurrences, at most [`Change::MOST_PLACES`]. Places are kept because a repair renumbers
+    /// vertices and faces.
     pub places: Vec<[f64; 3]>,
 }
 

@@ -1,14 +1,14 @@
-//! A vertex for every fan of faces.
+//! One vertex for every fan of faces.
 
 use super::Change;
 use super::parts::Parts;
 use crate::mesh::topology::union_find::UnionFind;
 
-/// Gives every fan of faces around a vertex a vertex of its own; fans end at edges with one face or more than two. The edges that had
-/// more than two, and the vertices with more than one fan.
+/// Gives every fan of faces around a vertex a vertex of its own; fans end at edges with one face or more than two. Returns the
+/// edges that had more than two faces, and the vertices with more than one fan.
 ///
-/// Afterwards no edge has more than two faces. Where fans end at one edge, they are open chains of faces around their vertex; a chain
-/// has two ends, so that two faces of an edge at most have a vertex in common at each end of it.
+/// Afterwards no edge has more than two faces. Fans that end at one edge are open chains of faces around their vertex. A chain has
+/// two ends, so at most two faces of an edge share a vertex at each end of it.
 pub(super) fn split(parts: &mut Parts) -> (Change, Change) {
     let corner = |face: usize, vertex: u32| {
         let place = parts.faces[face].iter().position(|&v| v == vertex);
@@ -28,12 +28,12 @@ pub(super) fn split(parts: &mut Parts) -> (Change, Change) {
             _ => {}
         }
     }
-    // The least corner of a fan comes first, and gives the whole fan its vertex: the first fan keeps the one there is.
+    // The least corner of a fan comes first and gives the fan its vertex, so the first fan keeps the original one.
     let mut fan_counts = vec![0_u32; parts.positions.len()];
     let mut vertices = Change::default();
     let mut numbers = vec![0; 3 * parts.faces.len()];
     for face in 0..parts.faces.len() {
-        // In an order that turning the face does not change.
+        // In an order that reversing the face does not change.
         let mut corners = [0, 1, 2].map(|i| (parts.faces[face][i], 3 * face + i));
         corners.sort_unstable();
         for (vertex, corner) in corners {

@@ -43,7 +43,7 @@ fn loose_triangles_become_the_surface_they_came_from() {
     assert_eq!(found.report.welded.places.len(), Change::MOST_PLACES);
     let [summary, expected] = [&found.mesh, &torus].map(MeshSummary::of);
     assert_eq!((summary.connectivity, summary.area), (expected.connectivity, expected.area));
-    // Zeros of both signs are one position.
+    // +0 and −0 are the same position.
     let signed = mesh(
         &[[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-0.0, 0.0, -0.0], [1.0, -0.0, 0.0], [0.0, -1.0, 0.0]],
         &[[0, 1, 2], [4, 3, 5]],
@@ -96,7 +96,7 @@ fn edges_with_three_faces_and_vertices_of_two_fans_are_split() {
     let bow_tie = mesh(&opposite, &[[0, 1, 2], [0, 3, 4]]);
     let found = repaired(&bow_tie, RepairOptions::default());
     assert_eq!((found.report.split_edges.count, found.report.split_vertices.places), (0, vec![[0.0; 3]]));
-    // Two tetrahedra with a common edge come apart whole.
+    // Two tetrahedra with a common edge are separated as wholes.
     let positions = [CORNERS[0], CORNERS[1], CORNERS[2], CORNERS[3], [0.0, -1.0, 0.0], [0.0, -1.0, -1.0]];
     let pair = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2], [0, 4, 1], [0, 1, 5], [1, 4, 5], [0, 5, 4]];
     let found = repaired(&mesh(&positions, &pair), RepairOptions::default());
@@ -110,7 +110,7 @@ fn the_fewest_faces_are_turned() {
     let far = transform(&sphere, &Affine::translate([9.0, 0.0, 0.0])).unwrap();
     let both = merge(&[&sphere, &far]).unwrap();
     let (positions, mut faces) = both.clone().into_parts();
-    // Most of the first sphere, few of the second one: the first ends up inside out.
+    // Reverses most faces of the first sphere and few of the second: the first ends up inside out.
     let count = sphere.faces().len();
     for face in (10..count).chain([count + 3, count + 8]) {
         faces[face].swap(1, 2);
@@ -154,7 +154,7 @@ fn small_holes_are_filled_and_large_ones_are_not() {
         let topology = MeshSummary::of(&found.mesh).connectivity;
         assert_eq!((topology.boundary_loops, topology.genus), (2 - filled, Some(0)));
     }
-    // A face alone has a boundary of three edges, and would be filled with itself.
+    // The boundary of an isolated face has three edges; filling it would duplicate the face.
     let alone = mesh(&CORNERS[..3], &[[0, 1, 2]]);
     let found = repaired(&alone, RepairOptions { weld: Weld::Equal, fill_holes: 3 });
     assert_eq!((found.report.holes_left.count, found.mesh), (1, alone));
@@ -177,7 +177,7 @@ fn random_triangles_on_few_vertices_become_a_manifold() {
             }
         }
         if let Ok(found) = repair(&mesh, &RepairOptions::default()) {
-            // The order of faces matters to which of several is kept, not to how many are.
+            // The order of faces decides which duplicate is kept, not how many.
             let other = repair(&shuffle(&mesh, round), &RepairOptions::default()).unwrap();
             assert_eq!(other.mesh.faces().len(), found.mesh.faces().len());
         }

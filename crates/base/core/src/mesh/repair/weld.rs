@@ -1,15 +1,15 @@
-//! One vertex for several.
+//! Merging vertices at one position, or within a length.
 
 use super::parts::Parts;
 use super::{Change, RepairError};
 use std::collections::HashMap;
 
-/// Beyond so many lengths from the origin coordinates are farther apart than a length.
+/// Beyond this many welding lengths from the origin, neighbouring doubles are farther apart than the welding length.
 const MOST_CELLS: f64 = (1_u64 << 52) as f64;
 
-/// Makes one vertex of all at one position: the first of them.
+/// Merges all vertices at one position into the first of them.
 pub(super) fn equal(parts: &mut Parts) -> Change {
-    // Zero has two signs.
+    // Adding zero makes −0 equal to +0.
     let bits = |v: u32| parts.positions[v as usize].map(|x| (x + 0.0).to_bits());
     let mut order: Vec<u32> = (0..parts.positions.len() as u32).collect();
     order.sort_unstable_by_key(|&v| (bits(v), v));
@@ -22,14 +22,14 @@ pub(super) fn equal(parts: &mut Parts) -> Change {
     join(parts, &kept)
 }
 
-/// Makes each vertex one with the nearest earlier vertex that was kept, if that is at most `length` away.
+/// Merges each vertex into the nearest earlier vertex that was kept, if that is at most `length` away.
 pub(super) fn within(parts: &mut Parts, length: f64) -> Result<Change, RepairError> {
     let largest =
         parts.positions.as_flattened().iter().fold(0.0, |m: f64, x| if x.abs() > m { x.abs() } else { m });
     if largest / length > MOST_CELLS {
         return Err(RepairError::WeldBelowRounding { length, largest });
     }
-    // Vertices that are kept are farther apart than the side of a cell, so that a cell holds a few of them at most.
+    // Kept vertices are farther apart than the side of a cell, so a cell holds only a few of them.
     let cell_of = |p: [f64; 3]| p.map(|x| (x / length).floor() as i64);
     let mut cells: HashMap<[i64; 3], Vec<u32>> = HashMap::new();
     let mut kept: Vec<u32> = Vec::with_capacity(parts.positions.len());
@@ -49,7 +49,7 @@ pub(super) fn within(parts: &mut Parts, length: f64) -> Result<Change, RepairErr
     Ok(join(parts, &kept))
 }
 
-/// Scaled by the largest difference, so that squares neither overflow nor vanish.
+/// Distance of two points, scaled by the largest difference so that squares neither overflow nor underflow.
 fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     let d = [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
     let scale = d.iter().fold(0.0, |m: f64, x| if x.abs() > m { x.abs() } else { m });

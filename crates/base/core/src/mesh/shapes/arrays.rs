@@ -1,4 +1,4 @@
-//! What the shapes are put together with: checked parameters, counted arrays, points on a circle.
+//! Helpers for building shapes: checked parameters, counted arrays, points on a circle.
 
 use super::ShapeError;
 use crate::mesh::TriMesh;
@@ -42,11 +42,11 @@ impl Arrays {
         self.faces.extend([[a, b, c], [a, c, d]]);
     }
 
-    /// Faces between circles of vertices that are turned by half a step in turn, from the first vertex on.
+    /// Faces between circles of vertices, every other one rotated by half a step, from the first vertex on.
     pub(super) fn staggered(&mut self, segments: u32, rows: u32) {
         let vertex = |row: u32, segment: u32| row * segments + segment % segments;
         for row in 0..rows {
-            // A circle that is turned starts half a step later: its vertex s lies between s and s + 1 of its neighbours.
+            // A rotated circle starts half a step later: its vertex s lies between s and s + 1 of its neighbours.
             let (below, above) = if row % 2 == 0 { (1, 0) } else { (0, 1) };
             for s in 0..segments {
                 self.faces.push([vertex(row, s), vertex(row, s + 1), vertex(row + 1, s + above)]);

@@ -65,7 +65,7 @@ mod tests {
             let open = cone(2.0, 3.0, n, Ends::Open).unwrap();
             assert_eq!((open.positions().len() as u32, open.faces().len() as u32), (n + 1, n));
             assert_eq!((edges(&open).1 as u32, euler_characteristic(&open)), (n, 1));
-            // The base lies in z = 0 and adds nothing.
+            // The base lies in z = 0 and contributes no volume.
             assert_close(volume(&open), base);
         }
     }

@@ -1,4 +1,4 @@
-//! Cylinders, and Schwarz's warning about them.
+//! Cylinders, and the Schwarz lantern.
 
 use super::ShapeError;
 use super::arrays::{Arrays, centred, count, length, turn};
@@ -49,10 +49,10 @@ pub fn cylinder(
     arrays.into_mesh()
 }
 
-/// Schwarz's lantern: isosceles triangles whose corners lie on a cylinder, every other circle turned by half a step.
+/// Schwarz lantern: isosceles triangles whose corners lie on a cylinder, every other circle turned by half a step.
 ///
-/// Its distance to the cylinder vanishes as both counts grow, yet its area does not follow: with `bands` beyond
-/// `segments²` it grows without bound.
+/// Its distance to the cylinder tends to zero as both counts grow, but its area need not converge: with `bands` growing faster than
+/// `segments²` it is unbounded.
 ///
 /// # Shapes and units
 /// `segments = n ≥ 3` around, `bands = m ≥ 1` along the height: `n(m+1)` vertices, `2nm` faces, area

@@ -5,7 +5,7 @@ use super::arrays::{Arrays, count};
 use crate::mesh::TriMesh;
 use glam::DVec3;
 
-/// Places along two loops that are compared to find out how they face each other.
+/// Sample points on each loop for choosing the start and direction of the second.
 const COMPARED: usize = 64;
 
 /// A surface spanned on closed polygons: a disc on one, an annulus on two.
@@ -29,7 +29,7 @@ pub fn span(loops: &[Vec<[f64; 3]>], rows: u32) -> Result<TriMesh, ShapeError> {
     }
 }
 
-/// A closed polygon with the shares of its length up to each point.
+/// A closed polygon, with the share of its length up to each point.
 struct Wire {
     points: Vec<DVec3>,
     shares: Vec<f64>,
@@ -67,7 +67,7 @@ impl Wire {
         if part > 0.0 { p + (q - p) * part } else { p }
     }
 
-    /// The same polygon from the point and in the direction in which it faces another one best.
+    /// The same polygon with the start and direction that bring it closest to another one.
     fn facing(&self, other: &Self) -> Self {
         let there: Vec<DVec3> = (0..COMPARED).map(|i| other.at(i as f64 / COMPARED as f64)).collect();
         let mut best = (f64::INFINITY, 0, false);
@@ -88,7 +88,7 @@ impl Wire {
         let n = self.points.len();
         let place = |i: usize| if backwards { (start + n - i) % n } else { (start + i) % n };
         let points = (0..n).map(|i| self.points[place(i)]).collect();
-        // The length is that of the polygon in another order.
+        // Computed in another order, the length is the same up to rounding.
         Self::of(points).unwrap_or(Self { points: self.points.clone(), shares: self.shares.clone() })
     }
 }
@@ -144,7 +144,7 @@ fn annulus(first: &Wire, second: &Wire, rows: u32, m: u128) -> Result<TriMesh, S
     arrays.into_mesh()
 }
 
-/// Faces between two closed rows of vertices, whichever comes next by its share of the length.
+/// Faces between two closed rows of vertices; each step advances on the row whose next vertex comes first by share of length.
 fn band(arrays: &mut Arrays, (a, of_a): (u32, &[f64]), (b, of_b): (u32, &[f64])) {
     let (n, m) = (of_a.len(), of_b.len());
     let share = |shares: &[f64], i: usize| shares.get(i).copied().unwrap_or(1.0);

@@ -4,7 +4,7 @@ use super::union_find::UnionFind;
 use crate::mesh::TriMesh;
 use crate::mesh::edges::{Edge, EdgeTable, has_three_vertices};
 
-/// How the faces of a mesh hang together, by vertex indices alone.
+/// Counts of edges, boundaries and components of a mesh, and whether it is orientable; from vertex indices alone.
 ///
 /// Faces that name a vertex twice have no edges: they count in [`components`](Self::components) and nowhere else.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -18,8 +18,8 @@ pub struct Connectivity {
     pub boundary_loops: usize,
     /// Number of edges with more than two faces.
     pub non_manifold_edges: usize,
-    /// Number of vertices whose faces form more than one fan, open or closed, when taken apart at non-manifold edges: the
-    /// ends of these, and vertices where fans only touch.
+    /// Number of vertices whose faces form more than one fan, open or closed, when separated at non-manifold edges: the ends of
+    /// these edges, and vertices where fans only touch.
     pub non_manifold_vertices: usize,
     /// Number of edges whose two faces both run along them in the same direction.
     pub inconsistent_edges: usize,
@@ -27,17 +27,17 @@ pub struct Connectivity {
     pub components: usize,
     /// Vertices minus edges plus faces.
     pub euler_characteristic: isize,
-    /// Whether the faces could be turned so that no edge with two faces is inconsistent.
+    /// Whether some faces can be reversed so that no edge with two faces is inconsistent.
     pub orientable: bool,
-    /// Whether every edge is run along as often in one direction as in the other (and there is an edge), so that the faces
-    /// enclose a signed volume.
+    /// Whether every edge is traversed equally often in both directions (and there is an edge), so that the faces enclose a signed
+    /// volume.
     pub encloses_volume: bool,
     /// Number of handles, all components together: half of `2·components − Euler characteristic − boundary loops`. `None`
     /// unless the mesh is manifold and orientable (and some face has three different vertices).
     pub genus: Option<usize>,
 }
 
-/// Index of the corner of a face at a vertex of it.
+/// Which corner of a face is at one of its vertices.
 fn corner(mesh: &TriMesh, face: usize, vertex: u32) -> usize {
     let at = mesh.faces()[face].iter().position(|&v| v == vertex);
     3 * face + at.unwrap_or(0)
@@ -84,7 +84,7 @@ impl Connectivity {
         let boundary_edges = boundary.len();
         let boundary_loops = loops(&boundary, &mut fans);
         drop(fans);
-        // At a non-manifold edge fans end, so that there is more than one around its ends.
+        // Fans end at a non-manifold edge, so there is more than one around its ends.
         let non_manifold_vertices = fan_counts.iter().filter(|&&fans| fans > 1).count();
         let proper_faces = mesh.faces().iter().filter(|f| has_three_vertices(**f)).count();
         let proper_vertices = fan_counts.iter().filter(|&&fans| fans > 0).count();
@@ -137,8 +137,7 @@ fn components(mesh: &TriMesh, proper_vertices: usize, referenced: usize) -> [usi
     [proper_vertices - proper, referenced - proper - improper]
 }
 
-/// Whether sides can be chosen for all faces so that they agree across every edge with two faces: that no side of a face
-/// is joined to its other side.
+/// Whether the faces can be oriented consistently across every edge with two faces: no side of a face is joined to its other side.
 fn can_be_oriented(mesh: &TriMesh, table: &EdgeTable) -> bool {
     let mut sides = UnionFind::new(2 * mesh.faces().len());
     for edge in table.iter() {

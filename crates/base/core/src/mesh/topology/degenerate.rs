@@ -49,7 +49,7 @@ mod tests {
 
     #[test]
     fn the_answer_is_exact_where_rounded_areas_are_not() {
-        // One unit in the last place off the line through (1, 1, 1), where the rounded cross product is pure noise.
+        // One unit in the last place off the line through (1, 1, 1), where the rounded cross product has no correct digit.
         let ulp = f64::EPSILON;
         let on = [[0.5, 0.5, 0.5], [12.0, 12.0, 12.0], [24.0, 24.0, 24.0]];
         assert!(is_degenerate(on));

@@ -4,7 +4,7 @@ use crate::geom::{Aabb, Frame};
 use crate::mesh::TriMesh;
 use rayon::prelude::*;
 
-/// Faces summed at a time; fixed, so that sums do not depend on the number of threads.
+/// Faces per partial sum; fixed, so that sums do not depend on the number of threads.
 const CHUNK: usize = 1 << 14;
 
 /// Sum of the areas of all faces.
@@ -17,7 +17,7 @@ pub(super) fn area(mesh: &TriMesh, bounding_box: &Aabb) -> f64 {
     frame.length_out(frame.length_out(doubled / 2.0))
 }
 
-/// Signed volume enclosed by the faces, provided that they enclose one.
+/// Signed volume enclosed by the faces, if they enclose one.
 pub(super) fn volume(mesh: &TriMesh, bounding_box: &Aabb) -> f64 {
     let frame = Frame::of(bounding_box);
     let sixfold = sum(mesh, &frame, |corners| {

@@ -1,4 +1,4 @@
-//! What a mesh is made of, how it hangs together, and what is odd about it.
+//! Counts, measures, connectivity and defects of a mesh.
 
 mod connectivity;
 #[cfg(feature = "serde")]
@@ -36,8 +36,8 @@ pub struct MeshSummary {
     pub degenerate_faces: usize,
     /// Number of faces that name the same three different vertices as an earlier face, in whatever order.
     pub duplicate_faces: usize,
-    /// Number of boundary edges whose ends are at the positions of those of another boundary edge, as where a surface was cut up
-    /// or never welded.
+    /// Number of boundary edges whose ends are at the positions of those of another boundary edge: where a surface was cut open or
+    /// never welded.
     pub seam_edges: usize,
     /// The box of the faces; unreferenced vertices do not count.
     pub bounding_box: Aabb,
@@ -46,7 +46,7 @@ pub struct MeshSummary {
     /// Enclosed volume, in cubed length, if the faces enclose one ([`Connectivity::encloses_volume`]); rounded, infinite
     /// beyond the range of `f64`. Negative if the faces point inwards.
     pub volume: Option<f64>,
-    /// How the faces hang together.
+    /// Edges, boundaries, components, orientability and genus.
     pub connectivity: Connectivity,
 }
 

@@ -1,11 +1,11 @@
-//! Where a surface is open only because vertices at one position were not made one.
+//! Boundary edges that coincide with another one because vertices at one position were not welded.
 
 use crate::mesh::TriMesh;
 use crate::mesh::edges::EdgeTable;
 
 /// Number of boundary edges whose ends are at the positions of those of another boundary edge.
 pub(super) fn seam_edges(mesh: &TriMesh, edges: &EdgeTable) -> usize {
-    // Zero has two signs.
+    // Adding zero makes −0 equal to +0.
     let place = |v: u32| mesh.positions()[v as usize].map(|x| (x + 0.0).to_bits());
     let mut places: Vec<[[u64; 3]; 2]> = edges
         .iter()

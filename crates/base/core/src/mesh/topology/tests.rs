@@ -25,7 +25,7 @@ fn turned(mesh: &TriMesh, every: usize) -> TriMesh {
     TriMesh::new(positions, faces).unwrap()
 }
 
-/// Components, Euler characteristic, boundary loops, genus; and that nothing is odd.
+/// Checks components, Euler characteristic, boundary loops and genus, and that there are no defects.
 #[track_caller]
 fn assert_manifold(mesh: &TriMesh, expected: (usize, isize, usize, Option<usize>)) -> MeshSummary {
     let s = summary(mesh);
@@ -59,7 +59,7 @@ fn measures_follow_closed_forms_at_any_scale() {
         assert!((s.volume.unwrap() / (8.0 * scale * scale * scale) - 1.0).abs() < 1e-14);
         assert_eq!(s.bounding_box, Aabb { lower: [-scale; 3], upper: [scale; 3] });
     }
-    // Far from the origin the digits of the coordinates are lost, but not more.
+    // Far from the origin, coordinates lose digits, and measures lose no more than these.
     let far = transform(&cube(2.0, 4).unwrap(), &Affine::translate([1e9, -1e9, 1e9])).unwrap();
     assert!((summary(&far).volume.unwrap() - 8.0).abs() < 1e-6);
     let inside_out = turned(&cube(2.0, 1).unwrap(), 1);
@@ -91,7 +91,7 @@ fn several_components_add_up() {
     assert_manifold(&merge(&[&a, &b, &c]).unwrap(), (3, 0, 2, Some(2)));
     let soup = assert_manifold(&unweld(&a).unwrap(), (70, 70, 70, Some(0)));
     assert_eq!(soup.volume, None);
-    // All edges of the soup are seams, and none of the torus: nor is one of a real boundary.
+    // All edges of the soup are seams; the torus has none, nor does a true boundary.
     assert_eq!((soup.seam_edges, soup.connectivity.boundary_edges), (210, 210));
     assert_eq!([summary(&a).seam_edges, summary(&disk(1.0, 8, 3).unwrap()).seam_edges], [0, 0]);
 }

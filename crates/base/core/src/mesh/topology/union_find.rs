@@ -1,13 +1,13 @@
 //! Disjoint sets.
 
-/// Sets of the numbers below a bound, each at first alone; path halving, linked towards the lesser root.
+/// Disjoint sets of the numbers below a bound, at first one for each; path halving, linked towards the lesser root.
 #[derive(Clone, Debug)]
 pub struct UnionFind {
     parents: Vec<usize>,
 }
 
 impl UnionFind {
-    /// Each of the numbers below a bound alone.
+    /// One set for each of the numbers below a bound.
     pub fn new(count: usize) -> Self {
         Self { parents: (0..count).collect() }
     }
@@ -24,7 +24,7 @@ impl UnionFind {
         x
     }
 
-    /// Makes one set of those that hold `a` and `b`; whether they were two.
+    /// Joins the sets that hold `a` and `b`; returns whether they were different.
     ///
     /// # Panics
     /// If one of them is not below the bound.

@@ -1,12 +1,11 @@
-//! Building along a space-filling curve.
+//! Building a tree along a space-filling curve.
 //!
-//! Faces are sorted by their Morton codes, and ranges of them are split where the highest bit of the code changes, so that no face is
-//! moved above the lowest nodes. Only there, among [`FEW`] faces at a time, are faces sorted into leaves by their boxes. Where the codes
-//! do not tell the faces of a range apart, as when nearly all of the mesh is in one corner of its box, the range is split by boxes from
-//! there on.
+//! Faces are sorted by their Morton codes, and ranges of them are split where the highest bit of the code changes, so faces only
+//! move within the lowest nodes. There, [`FEW`] faces at a time are sorted into leaves by their boxes. Where many faces have equal
+//! codes, as when nearly all of the mesh is in one corner of its bounding box, ranges are split by boxes from there on.
 //!
-//! Splits leave a multiple of [`FEW`] faces on their left, those by boxes a multiple of eight. So the lowest nodes are full but for the
-//! last, and the place of a leaf follows from the place of its triangles: subtrees can be built in parallel with nothing to agree on.
+//! The left side of a split holds a multiple of [`FEW`] faces, or of eight where boxes decide. So all lowest nodes but the last are
+//! full, and the place of a leaf follows from the place of its triangles: subtrees are built in parallel without coordination.
 //!
 //! How a range of faces is split by boxes is in `split`.
 //!
@@ -35,13 +34,13 @@ impl Bvh {
         Self::build_while(mesh, frame, &Control::default())
     }
 
-    /// [`Bvh::build`] that gives up, with nothing, soon after it is told to stop.
+    /// [`Bvh::build`] that gives up soon after it is told to stop, and then returns `None`.
     pub fn build_unless_stopped(mesh: &TriMesh, frame: &Frame, control: &Control) -> Option<Self> {
         let bvh = Self::build_while(mesh, frame, control);
         (!control.is_stopped()).then_some(bvh)
     }
 
-    /// Only whole where it was not told to stop.
+    /// The tree is complete only if the control did not stop it.
     fn build_while(mesh: &TriMesh, frame: &Frame, control: &Control) -> Self {
         let corners = |face: u32| {
             let [a, b, c] = mesh.corners(FaceId(face));
@@ -73,7 +72,7 @@ struct Part<'i> {
     /// Where their triangles will be.
     blocks: &'i mut [TriangleBlock],
     faces: &'i mut [u32],
-    /// Place of the first face among all; a multiple of eight.
+    /// Place of the first face in the order of the whole tree; a multiple of eight.
     first: usize,
 }
 
@@ -86,8 +85,8 @@ impl Part<'_> {
         self.len() <= LANES
     }
 
-    /// Whether it can be split as it is: sorted ranges that are short, or whose codes are alike, are split by boxes in a node of their
-    /// own.
+    /// Whether the part can be split directly. Sorted ranges that are short or have equal codes are split by boxes, in a node of
+    /// their own.
     fn can_be_split(&self) -> bool {
         match &self.range {
             Range::Sorted(keys) => Change::of(keys).is_some(),
@@ -117,7 +116,7 @@ impl Part<'_> {
         ]
     }
 
-    /// Splits the largest part that can be until there are eight, or none can be.
+    /// Splits the largest part that can be split, until there are eight parts or none can be.
     fn split_into_eight(self, depth: usize) -> Vec<Self> {
         let mut parts = Vec::with_capacity(LANES);
         parts.push(self);
@@ -133,17 +132,17 @@ impl Part<'_> {
     }
 }
 
-/// Where the highest bit changes that the codes of a sorted range differ in.
+/// Where a sorted range is split: at the change of the highest bit in which its codes differ.
 struct Change {
     /// The bit of a key.
     bit: u32,
-    /// What keys are from that bit upwards, from the change on.
+    /// The bits of the keys from that bit upwards, after the change.
     upper: u64,
 }
 
 impl Change {
-    /// Few codes at the ends do not count, which came there when splits were moved. None for a short range, and for one whose codes are
-    /// alike.
+    /// Ignores the few codes at both ends that got there when splits were aligned. `None` for a short range, and for one whose
+    /// codes are equal.
     fn of(keys: &[u64]) -> Option<Self> {
         let count = keys.len();
         if count <= FEW {
@@ -158,7 +157,7 @@ impl Change {
         })
     }
 
-    /// The multiple of [`FEW`] next to it, with keys on both sides.
+    /// The multiple of [`FEW`] nearest to the change, with keys on both sides.
     fn place(&self, keys: &[u64]) -> usize {
         let place = keys.partition_point(|&key| key >> self.bit < self.upper);
         let most = (keys.len() - 1) / FEW * FEW;
@@ -172,7 +171,7 @@ struct Builder<'c, C> {
 }
 
 impl<C: Fn(u32) -> [[f64; 3]; 3] + Sync> Builder<'_, C> {
-    /// Appends the node over a part and all below it; returns its box. What it returns means nothing once it was told to stop.
+    /// Appends the node over a part and all below it; returns its box. The box is meaningless if the control has stopped the build.
     fn subtree(&self, part: Part<'_>, depth: usize, nodes: &mut Vec<Node>) -> Aabb {
         match part.range {
             Range::Sorted(keys) if !part.can_be_split() => {
@@ -269,7 +268,7 @@ impl<C: Fn(u32) -> [[f64; 3]; 3] + Sync> Builder<'_, C> {
     }
 }
 
-/// Appends nodes that were numbered by themselves.
+/// Appends nodes whose child indices were counted from zero.
 fn append(nodes: &mut Vec<Node>, mut below: Vec<Node>) {
     let offset = nodes.len() as u32;
     for node in &mut below {
@@ -357,7 +356,7 @@ mod tests {
         assert!(Bvh::build_unless_stopped(&mesh, &frame, &control).is_none());
     }
 
-    /// All but one face in one cell of the curve, as where a vertex is far from all others.
+    /// All faces but one in one cell of the curve, as when one vertex is far from all others.
     #[test]
     fn faces_in_one_cell_are_told_apart_by_their_boxes() {
         let grid = (0..4000).map(|i| [f64::from(i % 60), f64::from(i / 60), 0.0]);

@@ -1,4 +1,4 @@
-//! One triangle that is near all corners of a piece of surface.
+//! Finding one triangle that is near all corners of a piece of surface.
 
 use super::nearest::{improve, push_children};
 use super::{Bvh, LEAF, Nearest, Slot, Workspace};
@@ -15,7 +15,7 @@ pub enum Cover {
         /// The largest squared distance of a corner from it.
         distance_sq: f64,
     },
-    /// No triangle met on the way covers the corners; this is the one nearest to the centre.
+    /// No triangle that was visited covers the corners; this is the one nearest to the centre.
     Nearest(Nearest),
     /// Only from [`Bvh::cover_or_neighbour`]: this one is within the limit of the centre, but another may be nearer.
     Neighbour(Nearest),
@@ -48,8 +48,8 @@ impl Bvh {
         traverse(self, points, limit_sq, start, false, workspace)
     }
 
-    /// [`Bvh::cover`] for those who only want some triangle close by: the best in the leaf of the start also ends the search
-    /// if it is within `limit_sq` of the centre.
+    /// [`Bvh::cover`] for callers to whom any close triangle will do: the search also ends if the best triangle in the leaf of the
+    /// start is within `limit_sq` of the centre.
     pub fn cover_or_neighbour(
         &self,
         points: &[[f64; 4]; 3],
@@ -77,7 +77,7 @@ fn traverse(
 ) -> Cover {
     let centre = [points[0][3], points[1][3], points[2][3]];
     let mut best = start;
-    // The neighbours in the leaf of the start are likely covers, and cheaper than the way down from the root.
+    // Triangles in the leaf of the start are likely covers, and cheaper to test than descending from the root.
     let start_block = start.slot.0 / LANES as u32;
     if let Some(cover) = visit_leaf(bvh, points, centre, limit_sq, start_block, &mut best, workspace) {
         return cover;
@@ -101,7 +101,7 @@ fn traverse(
     Cover::Nearest(best)
 }
 
-/// Looks at the triangles of a leaf, and at the best of them as a cover if it is better than what was known.
+/// Tests the triangles of a leaf; the best of them is tried as a cover if it improves on the nearest so far.
 #[inline(always)]
 #[allow(clippy::inline_always, reason = "compiled once per instruction set of its caller")]
 fn visit_leaf(

@@ -17,8 +17,8 @@ impl Leaf {
 }
 
 impl Bvh {
-    /// Adds the leaves whose boxes meet a box, from its least to its greatest coordinates, with their boxes; in no order that means
-    /// anything but always the same. The box of a leaf holds its triangles exactly.
+    /// Appends the leaves whose boxes meet the box from `lower` to `upper`, with their boxes. The order is deterministic but
+    /// unspecified. The box of a leaf holds its triangles exactly.
     pub fn leaves_meeting(
         &self,
         lower: [f64; 3],

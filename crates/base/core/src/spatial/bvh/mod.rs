@@ -1,7 +1,7 @@
 //! A bounding-volume hierarchy over triangles, eight children to a node and eight triangles to a leaf.
 //!
-//! The tree owns a copy of its triangles, laid out for SIMD, and knows nothing of what is asked of it: building is in
-//! `build` and `split`, questions are in `nearest`, `cover` and `meet`, each with its own traversal.
+//! The tree owns a copy of its triangles, laid out for SIMD, and is independent of the queries: `build` and `split` build it;
+//! `nearest`, `cover` and `meet` hold the queries, each with its own traversal.
 
 mod build;
 mod cover;
@@ -36,20 +36,20 @@ impl Slot {
     }
 }
 
-/// Eight children of an inner node: boxes, and what they hold.
+/// An inner node with up to eight children: their boxes, and what each child is.
 #[derive(Clone, Debug)]
 struct Node {
     /// Least coordinates, axis by axis, child last; infinite where there is no child.
     lower: [[f64; LANES]; 3],
     upper: [[f64; LANES]; 3],
-    /// A node, or with [`LEAF`] set a block of triangles.
+    /// Index of a node, or with [`LEAF`] set, of a block of triangles.
     child: [u32; LANES],
 }
 
 /// Marks a child that is a block.
 const LEAF: u32 = 1 << 31;
 
-/// A bounding-volume hierarchy over the faces of a mesh, for closest-point questions.
+/// A bounding-volume hierarchy over the faces of a mesh, for closest-point queries.
 ///
 /// # Cost
 /// About 85 bytes per face: corner positions by value, the face's index, and its share of the nodes above.
@@ -94,7 +94,7 @@ impl Bvh {
         [from[0][lane], from[1][lane], from[2][lane]]
     }
 
-    /// Some triangle: where a search starts that knows of none.
+    /// Some triangle: the start of a search without a better guess.
     pub fn any_slot(&self) -> Slot {
         Slot(0)
     }
@@ -116,10 +116,10 @@ impl Bvh {
         faces * 128 + (1 << 12)
     }
 
-    /// The same tree over mapped triangles.
+    /// The same tree over transformed triangles.
     ///
-    /// `map` must not decrease any coordinate when that coordinate grows, and must map each axis by itself, as scaling and
-    /// shifting do even after rounding: then boxes stay boxes.
+    /// `map` must transform each axis by itself, and must be nondecreasing along it. Scaling and shifting are, even after rounding.
+    /// Boxes then stay bounding boxes.
     #[must_use]
     pub fn mapped(&self, map: impl Fn([f64; 3]) -> [f64; 3]) -> Self {
         let each = |axes: &mut [[f64; LANES]; 3]| {
@@ -142,8 +142,8 @@ impl Bvh {
         tree
     }
 
-    /// Walks down the tree: `enter` says of each box whether to look inside, and `visit` is given the slots of the leaves
-    /// that are reached, in no order that means anything but always the same; the walk ends when it breaks.
+    /// Traverses the tree: `enter` decides for each box whether to descend, and `visit` receives the slots of the leaves that are
+    /// reached. The order is deterministic but unspecified. The traversal ends when `visit` breaks.
     ///
     /// The box of a leaf holds its triangles exactly.
     pub fn walk(

@@ -13,7 +13,7 @@ pub struct Nearest {
     pub distance_sq: f64,
 }
 
-/// Memory that queries reuse, and a count of what they did.
+/// Scratch memory that queries reuse, and a count of their work.
 #[derive(Clone, Debug, Default)]
 pub struct Workspace {
     pub(super) stack: Stack,
@@ -21,7 +21,7 @@ pub struct Workspace {
     pub distances: u64,
 }
 
-/// Boxes to look at, with their squared distances: entries up to `len`, and room for eight above.
+/// Boxes still to visit, with their squared distances: entries up to `len`, and room for eight above.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Stack {
     entries: Vec<(f64, u32)>,
@@ -29,7 +29,7 @@ pub(super) struct Stack {
 }
 
 impl Stack {
-    /// Nothing but the root.
+    /// Leaves only the root on the stack.
     #[inline]
     pub(super) fn restart(&mut self) {
         self.len = 0;
@@ -61,8 +61,8 @@ impl Stack {
 impl Bvh {
     /// A triangle with the least distance from `p`, starting from a triangle believed to be near.
     ///
-    /// Boxes are left out when their rounded distance is not below that of the best triangle so far; both roundings are
-    /// relative, so what is returned is nearest up to a few units in the last place of its distance.
+    /// Boxes are skipped when their rounded distance is not below that of the best triangle so far. Both distances have relative
+    /// rounding errors, so the result is nearest up to a few units in the last place of its distance.
     ///
     /// # Cost
     /// O(log m) for a point near the surface; no allocation once the workspace has grown.
@@ -78,7 +78,7 @@ impl Bvh {
         traverse(self, p, start, workspace)
     }
 
-    /// A triangle that is near `p`, but perhaps not the nearest: the nearest in the leaf that lies ahead on the way down.
+    /// A triangle near `p`, not necessarily the nearest: the nearest in the first leaf on the way down.
     ///
     /// # Cost
     /// A small part of [`Bvh::nearest`].
@@ -118,7 +118,7 @@ fn descend(bvh: &Bvh, p: [f64; 3], workspace: &mut Workspace) -> Slot {
     while entry & LEAF == 0 {
         workspace.stack.restart();
         push_children(bvh, p, entry, f64::INFINITY, &mut workspace.stack);
-        // The nearest child is on top; the root has one in any case.
+        // The nearest child is on top. The root always has a child.
         entry = workspace.stack.pop().map_or(LEAF, |(_, child)| child);
     }
     workspace.distances += LANES as u64;
@@ -128,12 +128,12 @@ fn descend(bvh: &Bvh, p: [f64; 3], workspace: &mut Workspace) -> Slot {
     best.slot
 }
 
-/// Takes the nearest triangle of a block if it beats the best so far. Says whether it did.
+/// Replaces the best triangle by the nearest of a block if that is nearer. Returns whether it was.
 #[inline(always)]
 #[allow(clippy::inline_always, reason = "compiled once per instruction set of its caller")]
 pub(super) fn improve(bvh: &Bvh, p: [f64; 3], block: u32, best: &mut Nearest) -> bool {
     let distances = block_distances_sq(p, &bvh.blocks[block as usize]);
-    // The least of all first: most blocks hold nothing nearer, and need no lane.
+    // First the minimum alone: most blocks hold nothing nearer, and need no search for the lane.
     let lesser = |x: f64, y: f64| if x < y { x } else { y };
     let half: [f64; LANES / 2] = std::array::from_fn(|l| lesser(distances[l], distances[l + LANES / 2]));
     let least = lesser(lesser(half[0], half[2]), lesser(half[1], half[3]));
@@ -146,16 +146,16 @@ pub(super) fn improve(bvh: &Bvh, p: [f64; 3], block: u32, best: &mut Nearest) ->
     true
 }
 
-/// Pushes the children that are nearer than `limit`, the nearest last and the others in no order.
+/// Pushes the children that are nearer than `limit`, the nearest last and the others unsorted.
 ///
-/// Sorting them costs more, in branches that go either way, than it saves in visits: once the nearest child was looked
-/// through, most of the others are farther than what it held, whatever their order.
+/// Sorting them all costs more in mispredicted branches than it saves in visits: once the nearest child has been searched, most of
+/// the others are farther than the best triangle in it.
 #[inline(always)]
 #[allow(clippy::inline_always, reason = "compiled once per instruction set of its caller")]
 pub(super) fn push_children(bvh: &Bvh, p: [f64; 3], node: u32, limit: f64, stack: &mut Stack) {
     let node = &bvh.nodes[node as usize];
     let distances = box_distances_sq(p, node);
-    // One byte for each child, so that the loop below runs once for each hit instead of branching at each child.
+    // One byte for each child, so that the loop below runs once per hit instead of branching at each child.
     let mut hits = u64::from_le_bytes(distances.map(|d| u8::from(d < limit)));
     let room = stack.room();
     let mut count = 0;

@@ -1,7 +1,7 @@
 //! Where a range of faces is split: between bins along the widest axis, by the surface-area heuristic.
 //!
 //! # Source
-//! Binning centres along the widest axis: `wald_fast_2007`. That few are sorted, and full leaves, are ours.
+//! Binning centres along the widest axis: `wald_fast_2007`. Sorting short ranges and filling leaves are our changes.
 
 use crate::geom::Aabb;
 use crate::geom::point_triangle::LANES;
@@ -14,7 +14,7 @@ pub(super) struct Item {
     pub(super) bounds: Bounds,
 }
 
-/// A box in single precision. The fourth coordinate means nothing: loops over four become one instruction.
+/// A box in single precision. The fourth coordinate is unused: it lets loops over four compile to one instruction.
 #[derive(Clone, Copy)]
 pub(super) struct Bounds {
     lower: [f32; 4],
@@ -71,18 +71,18 @@ impl Item {
 }
 
 const BINS: usize = 16;
-/// Longer ranges are binned over their box instead of their centres: a little coarser, and one pass less.
+/// Longer ranges are binned over their box instead of over their centres: slightly coarser, and one pass less.
 const EXACT_CENTRES_UP_TO: usize = 512;
 /// Ranges no longer than this are sorted.
 pub(super) const FEW: usize = 64;
-/// Below this depth (in nodes) splits go through the middle, which bounds the depth of the tree for every input.
+/// From this depth (in nodes) on, splits are at the median, which bounds the depth of the tree for every input.
 pub(super) const MEDIAN_BELOW_DEPTH: usize = 24;
 
 /// How a range was split.
 pub(super) struct Split {
     /// Items on the left: a multiple of eight.
     pub(super) left: usize,
-    /// About where the items of each side lie.
+    /// Approximate boxes of both sides.
     pub(super) bounds: [Bounds; 2],
 }
 
@@ -117,12 +117,12 @@ fn widest(low: [f32; 3], high: [f32; 3]) -> (usize, f32) {
     (axis, high[axis] - low[axis])
 }
 
-/// Sorts items along the widest axis, and splits them between the eights where boxes come out least, by area times count.
+/// Sorts items along the widest axis, and splits them at the multiple of eight where the boxes cost least, by area times count.
 fn split_few(items: &mut [Item]) -> Split {
     let (low, high) = range_of_centres(items);
     let (axis, spread) = widest(low, high);
     let count = items.len();
-    // Whole numbers that are all different: the place along the axis, then the place among the items.
+    // Distinct integer keys: the coordinate along the axis, then the index of the item.
     let scale = if spread.is_normal() { (1 << 24) as f32 / spread } else { 0.0 };
     let mut keys = [i32::MAX; FEW];
     for ((key, item), place) in keys.iter_mut().zip(&*items).zip(0..) {
@@ -167,7 +167,7 @@ fn ranks(keys: &[i32; FEW], count: usize, first: usize) -> [i32; LANES] {
     ranks
 }
 
-/// Range of the sums of opposite ends of the boxes.
+/// Range of the doubled box centres (the sums of lower and upper end).
 fn range_of_centres(items: &[Item]) -> ([f32; 3], [f32; 3]) {
     let mut low = [f32::INFINITY; 4];
     let mut high = [f32::NEG_INFINITY; 4];
@@ -191,7 +191,7 @@ fn bin_of(item: &Item, axis: usize, low: f32, scale: f32) -> usize {
 fn partition(items: &mut [Item], on_the_left: impl Fn(&Item) -> bool) -> usize {
     let mut left = 0;
     for i in 0..items.len() {
-        // Without a branch: the outcome is as good as random.
+        // Branch-free, because the outcome is unpredictable.
         let goes_left = on_the_left(&items[i]);
         items.swap(left, i);
         left += usize::from(goes_left);
@@ -199,7 +199,7 @@ fn partition(items: &mut [Item], on_the_left: impl Fn(&Item) -> bool) -> usize {
     left
 }
 
-/// Moves the few items next to a split that keep its left from being a multiple of eight; returns the new length.
+/// Moves the few items at a split that make its left size no multiple of eight; returns the new size.
 fn align(items: &mut [Item], left: usize, axis: usize) -> usize {
     let most = (items.len() - 1) / LANES * LANES;
     let aligned = ((left + LANES / 2) / LANES * LANES).clamp(LANES, most);
@@ -216,8 +216,8 @@ fn align(items: &mut [Item], left: usize, axis: usize) -> usize {
     aligned
 }
 
-/// The bin with which the right side of the cheapest split begins, by area times count, and the boxes of both sides; none
-/// if all are in one bin.
+/// The bin with which the right side of the cheapest split begins, by area times count, and the boxes of both sides; `None` if all
+/// items are in one bin.
 fn best_boundary(items: &[Item], axis: usize, low: f32, scale: f32) -> Option<(usize, [Bounds; 2])> {
     let mut bins = [(Bounds::EMPTY, 0); BINS];
     for item in items {
@@ -256,7 +256,7 @@ mod tests {
     use proptest::prelude::*;
 
     proptest! {
-        /// Few or many, alike or not: all items stay, full leaves go left, and no centre on the left of few lies
+        /// Whatever the items: none is lost, left sides consist of full leaves, and for short ranges no centre on the left lies
         /// beyond one on the right.
         #[test]
         fn splits_are_partitions(
