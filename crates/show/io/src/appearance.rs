@@ -1,4 +1,4 @@
-//! What a file says of how a mesh looks: colours, texture coordinates, materials.
+//! Appearance of a mesh in a file: colours, texture coordinates, materials.
 
 use crate::error::{FormatError, ReadError};
 use crate::format::Format;
@@ -7,7 +7,7 @@ use crate::{sniff, source};
 use pompeiu_core::TriMesh;
 use std::path::Path;
 
-/// How a mesh looks.
+/// Colours, texture coordinates and materials of a mesh.
 ///
 /// # Shapes and units
 /// Colours are red, green and blue from 0 to 255, one for each vertex.
@@ -16,18 +16,19 @@ use std::path::Path;
 pub struct Appearance {
     /// The colours of the vertices.
     pub colors: Option<Vec<[u8; 3]>>,
-    /// Where the corners of the faces are in a picture.
+    /// Texture coordinates of the corners of faces.
     pub texture: Option<TextureCoordinates>,
-    /// What the faces are made of.
+    /// Materials of the faces.
     pub materials: Option<Materials>,
 }
 
-/// Places in a picture, counted from its lower left corner in units of its sides, and which of them each corner of each face has.
+/// Texture coordinates, from the lower left corner of the image in units of its sides, and which of them each corner of each face
+/// has.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct TextureCoordinates {
-    /// The places.
+    /// The coordinates.
     pub coordinates: Vec<[f64; 2]>,
-    /// For each face the places of its corners.
+    /// For each face the indices of its corners' coordinates.
     pub corners: Vec<[u32; 3]>,
 }
 
@@ -42,9 +43,9 @@ pub struct Materials {
     pub faces: Vec<u32>,
 }
 
-/// Reads how a mesh looks that was read from a file: in PLY the colours of vertices (`red`, `green`, `blue`); in OBJ colours behind the
-/// coordinates of vertices, texture coordinates (`vt`) and materials (`mtllib`, `usemtl`). Other formats, and files that are no plain
-/// files, have none.
+/// Reads the appearance of a mesh that was read from the same file: in PLY the colours of vertices (`red`, `green`, `blue`); in OBJ
+/// colours after the coordinates of vertices, texture coordinates (`vt`) and materials (`mtllib`, `usemtl`). Other formats, and
+/// paths that are no regular files, give none.
 ///
 /// # Errors
 /// As [`read`](crate::read()).
@@ -67,8 +68,8 @@ fn from_bytes(bytes: &[u8], mesh: &TriMesh, promised: Option<Format>) -> Result<
     format.map_or(Ok(Appearance::default()), |format| formats::read_appearance(format, input, mesh))
 }
 
-/// A channel of a colour from its share of the greatest value.
+/// A colour channel from its share of the greatest value.
 pub(crate) fn channel(share: f64) -> u8 {
-    // Out of range and NaN become the nearest end.
+    // Values out of range are clamped, and so is NaN.
     (255.0 * share).round() as u8
 }

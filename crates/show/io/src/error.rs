@@ -1,4 +1,4 @@
-//! What went wrong while reading, and where.
+//! Errors of reading, with their place in the file.
 
 use std::fmt;
 use std::path::PathBuf;

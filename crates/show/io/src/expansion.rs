@@ -1,31 +1,32 @@
-//! How much larger than its file a content may be that is compressed, or used more than once.
+//! Limits on the size of content that is compressed or used more than once, relative to the size of its file.
 //!
-//! A few bytes can stand for gigabytes: compressed zeros, an array that many pieces share, a mesh that many nodes show. A mesh that is
-//! meant to be read is not like that, so content is refused beyond a size that follows from the size of the file.
+//! A few bytes can stand for gigabytes: compressed zeros, an array shared by many pieces, a mesh shown by many nodes. Real meshes
+//! do not expand that much, so content is refused beyond a size that follows from the size of the file.
 
-/// Any file may hold this many bytes.
+/// Any file may expand to this many bytes.
 const FLOOR: u64 = 1 << 26;
 
-/// Up to [`GENEROUS`] bytes, content may be this many times as large as its file: far more than text or coordinates of a mesh
-/// shrink, a quarter of what a file made only to exhaust memory reaches.
+/// Up to [`GENEROUS`] bytes, content may be this many times as large as its file: far more than meshes in text or binary form
+/// compress, and a quarter of the ratio that a file made to exhaust memory reaches.
 const FACTOR_OF_SMALL: u64 = 256;
 
 /// See [`FACTOR_OF_SMALL`].
 const GENEROUS: u64 = 1 << 30;
 
-/// Beyond [`GENEROUS`] bytes, content may be this many times as large as its file, several times what meshes of that size shrink.
+/// Beyond [`GENEROUS`] bytes, content may be this many times as large as its file: several times the compression ratio of real
+/// meshes of that size.
 const FACTOR_OF_LARGE: u64 = 32;
 
-/// How often content that is not compressed may be used on average: pieces that share an array are rare.
+/// How often uncompressed content may be used on average: pieces that share an array are rare.
 const MOST_USES: u64 = 4;
 
-/// The number of bytes that a file of `stored` bytes may hold.
+/// The largest content, in bytes, of a file of `stored` bytes.
 pub(crate) fn most_bytes(stored: u64) -> u64 {
     let small = stored.saturating_mul(FACTOR_OF_SMALL).min(GENEROUS);
     FLOOR.max(small).max(stored.saturating_mul(FACTOR_OF_LARGE))
 }
 
-/// Bytes that may still be taken.
+/// The number of bytes that may still be used.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Allowance {
     most: u64,
@@ -33,22 +34,22 @@ pub(crate) struct Allowance {
 }
 
 impl Allowance {
-    /// That of a file with `stored` bytes.
+    /// The allowance of a file with `stored` bytes.
     pub(crate) fn of_file(stored: u64) -> Self {
         let most = most_bytes(stored);
         Self { most, left: most }
     }
 
-    /// That of content that is not compressed: each byte may be used a few times.
+    /// The allowance of uncompressed content: each byte may be used a few times.
     pub(crate) fn of_content(bytes: u64) -> Self {
         let most = FLOOR.max(bytes.saturating_mul(MOST_USES));
         Self { most, left: most }
     }
 
-    /// Takes bytes off what is left.
+    /// Subtracts bytes from the allowance.
     ///
     /// # Errors
-    /// The number of bytes there were at first, when fewer are left.
+    /// The allowance at the start, if fewer bytes are left.
     pub(crate) fn take(&mut self, bytes: u64) -> Result<(), u64> {
         self.left = self.left.checked_sub(bytes).ok_or(self.most)?;
         Ok(())

@@ -56,7 +56,7 @@ impl Format {
         }
     }
 
-    /// The format that a file name promises, in any case and with or without a final `.gz`.
+    /// The format of a suffix, in any case and with or without a final `.gz`.
     ///
     /// `None` for an unknown or missing suffix.
     pub fn from_path(path: impl AsRef<Path>) -> Option<Self> {

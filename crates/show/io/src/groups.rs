@@ -2,26 +2,26 @@
 
 use std::ops::Range;
 
-/// Consecutive faces of a mesh that its file gives a name: a group or an object of OBJ, a node of glTF with what is below it. More than one
-/// may have the same name, and a face may belong to several.
+/// Consecutive faces of a mesh that have a name in the file: a group or an object of OBJ, or a glTF node with its descendants.
+/// Names may repeat, and a face may belong to several groups.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Group {
-    /// What the file calls it.
+    /// Its name in the file.
     pub name: String,
     /// Its faces.
     pub faces: Range<usize>,
 }
 
-/// A statement of an OBJ file that says what the faces after it belong to.
+/// A statement of an OBJ file that assigns the faces after it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Mark {
-    /// The faces belong to these groups, and to none that were named before.
+    /// The faces belong to these groups, and no longer to earlier ones.
     Groups(Vec<String>),
     /// The faces belong to this object.
     Object(String),
 }
 
-/// Makes groups of marks.
+/// Collects marks into groups.
 #[derive(Debug, Default)]
 pub(crate) struct Marks {
     groups: Vec<String>,
@@ -46,7 +46,7 @@ impl Marks {
         }
     }
 
-    /// All groups with faces, when there are so many faces.
+    /// All groups that have faces, in a mesh with this many faces.
     pub(crate) fn into_groups(mut self, faces: usize) -> Vec<Group> {
         self.close_object(faces);
         self.close_groups(faces);

@@ -6,22 +6,22 @@ use crate::formats::{self, Input};
 use crate::{sniff, source};
 use std::path::Path;
 
-/// The hexahedra of a file, unchecked but for their indices.
+/// The hexahedra of a file; only the indices are checked.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Hexahedra {
     /// Places of vertices.
     pub positions: Vec<[f64; 3]>,
     /// Cells: four vertices around the bottom, counter-clockwise seen from above, and the four above them.
     pub cells: Vec<[u32; 8]>,
-    /// The values of vertices that the file calls `label`, where it does.
+    /// The point data named `label`, if there is any.
     pub labels: Option<Vec<f64>>,
 }
 
-/// Reads a hexahedral mesh: the hexahedra and voxels of an unstructured grid of VTK, `.vtk` or `.vtu`, compressed by gzip or not. Cells of
-/// surfaces and lines are left out.
+/// Reads a hexahedral mesh: the hexahedra and voxels of a VTK unstructured grid, `.vtk` or `.vtu`, compressed with gzip or not.
+/// Cells of lower dimension are omitted.
 ///
 /// # Errors
-/// [`ReadError`] names the file, the place, what was found and what was expected: cells of other solids, too.
+/// [`ReadError`] names the file, the place, what was found and what was expected; also for solids of other types.
 pub fn read_hexahedra(path: impl AsRef<Path>) -> Result<Hexahedra, ReadError> {
     let path = path.as_ref();
     let bytes = source::open(path).map_err(|cause| ReadError::Io { path: path.to_owned(), cause })?;
@@ -40,7 +40,7 @@ fn from_bytes(bytes: &[u8]) -> Result<Hexahedra, FormatError> {
 }
 
 impl Hexahedra {
-    /// Adds the hexahedra among some cells; corners count from the points that begin at `base`.
+    /// Adds the hexahedra of a list of cells; corners are relative to the points from `base` on.
     pub(crate) fn add(
         &mut self,
         base: usize,
@@ -56,7 +56,7 @@ impl Hexahedra {
                     wrong(format!("its corners end at {end}, expected {begin} to {}", corners.len()))
                 })?;
             begin += list.len();
-            // Voxels have their corners row by row.
+            // Voxels have their corners in lexicographic order.
             let order = match kind {
                 0..=9 => continue,
                 11 => [0, 1, 3, 2, 4, 5, 7, 6],

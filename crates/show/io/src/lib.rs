@@ -1,6 +1,6 @@
 //! Reading and writing triangle meshes.
 //!
-//! [`read`] takes a path and gives a validated [`TriMesh`](pompeiu_core::TriMesh):
+//! [`read`] reads a file into a validated [`TriMesh`](pompeiu_core::TriMesh):
 //!
 //! ```no_run
 //! let bunny = pompeiu_io::read("bunny.ply.gz")?;
@@ -8,9 +8,9 @@
 //! # Ok::<(), pompeiu_io::ReadError>(())
 //! ```
 //!
-//! Formats are recognised by content; the file name decides only where content does not. Nothing is allocated on a
-//! header's word alone, and no input makes a reader panic: what cannot be read is a [`ReadError`] that names the file
-//! and the place.
+//! Formats are recognised by content; the suffix decides only where the content is ambiguous. Counts in headers are checked before
+//! memory is allocated, and no input makes a reader panic: what cannot be read is a [`ReadError`] that names the file and the
+//! place.
 
 mod appearance;
 mod error;

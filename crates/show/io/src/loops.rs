@@ -6,15 +6,15 @@ use crate::text::quoted;
 use pompeiu_core::TriMesh;
 use std::path::Path;
 
-/// Reads closed polygons: the lines (`l`) of an OBJ file, or a text with a point on each line and an empty line between polygons.
+/// Reads closed polygons: the lines (`l`) of an OBJ file, or a text with one point per line and an empty line between polygons.
 ///
-/// In a text commas, semicolons and blanks separate the three coordinates, and `#` begins a comment. A last point that repeats the
-/// first is left out.
+/// In a text the three coordinates are separated by commas, semicolons or blanks, and `#` begins a comment. A last point that
+/// repeats the first is dropped.
 ///
 /// # Errors
 /// [`ReadError`] names the file, the place, what was found and what was expected.
 /// # Limits
-/// That a polygon has at least three points is not asked for here.
+/// Polygons may have fewer than three points.
 pub fn read_loops(path: impl AsRef<Path>) -> Result<Vec<Vec<[f64; 3]>>, ReadError> {
     let path = path.as_ref();
     let bytes = source::open(path).map_err(|cause| ReadError::Io { path: path.to_owned(), cause })?;
@@ -51,7 +51,7 @@ struct Reader {
     loops: Vec<Vec<[f64; 3]>>,
     /// The vertices of an OBJ file.
     vertices: Vec<[f64; 3]>,
-    /// Whether the last line was a point of a text.
+    /// Whether the previous line was a point of a text.
     in_polygon: bool,
 }
 
@@ -82,7 +82,7 @@ impl Reader {
         Ok(())
     }
 
-    /// The vertex of an index of OBJ, which counts from 1, or from -1 backwards.
+    /// The vertex with an OBJ index, from 1 on or negative from the last one back.
     fn vertex(&self, word: &[u8]) -> Result<[f64; 3], String> {
         let name = word.split(|b| *b == b'/').next().unwrap_or_default();
         let index = std::str::from_utf8(name).ok().and_then(|text| text.parse::<i64>().ok());

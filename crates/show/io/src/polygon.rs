@@ -1,15 +1,15 @@
-//! Triangles for faces with more than three corners.
+//! Triangulating faces with more than three corners.
 //!
-//! A face with n corners always becomes n − 2 triangles between its own corners, so readers store the fan about the
-//! first corner at once and note where it lies; [`triangulate`] replaces the fans that leave their polygon, in place
-//! and in parallel, when all positions are known. No polygon is stored twice.
+//! A face with n corners always becomes n − 2 triangles between its own corners. Readers therefore store the fan about the first
+//! corner and note its place; once all positions are known, [`triangulate`] replaces the fans that do not cover their polygon, in
+//! place and in parallel. No polygon is stored twice.
 
 mod monotone;
 
 use earcut::Earcut;
 use std::collections::BTreeSet;
 
-/// The place of a face with more than three corners in a list of triangles.
+/// The place in a list of triangles of a face with more than three corners.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Polygon {
     /// Its first triangle; `corners - 2` triangles belong to it.
@@ -24,22 +24,20 @@ impl Polygon {
     }
 }
 
-/// Polygons with more corners than this are cut into monotone parts, which takes O(n log n), before ears are clipped.
+/// Polygons with more corners than this are first divided into monotone parts, in O(n log n), instead of by ear clipping.
 const MOST_CORNERS_TO_CLIP_FIRST: usize = 1 << 10;
 
-/// Beyond this many corners a polygon that touches or crosses itself is refused: ear clipping, which is quadratic, could take
-/// minutes.
+/// Beyond this many corners a polygon that touches or crosses itself is rejected: ear clipping is quadratic and could take minutes.
 pub(crate) const MOST_CORNERS_TO_CLIP: usize = 1 << 14;
 
-/// Polygons handled by one task: small beside a mesh, large beside the cost of a task.
+/// Polygons per task: few compared with a mesh, many compared with the overhead of a task.
 const POLYGONS_PER_TASK: usize = 4096;
 
-/// Replaces the fans of polygons by triangles that cover the polygon, where the fan does not.
+/// Replaces fans that do not cover their polygon by triangles that do.
 ///
-/// A polygon is looked at along its Newell normal. A fan whose triangles all turn the same way as the polygon stays;
-/// of a concave quadrilateral the other diagonal is taken; other polygons are cut by ear clipping, or into monotone
-/// parts when they have many corners. Polygons that cross themselves, are degenerate or have corners that are not finite
-/// stay fans.
+/// Polygons are projected along their Newell normal. A fan stays if all its triangles have the orientation of the polygon; a
+/// concave quadrilateral gets the other diagonal; other polygons are triangulated by ear clipping, or divided into monotone parts
+/// if they have many corners. Polygons that cross themselves, are degenerate or have non-finite corners stay fans.
 ///
 /// # Errors
 /// The first polygon that touches or crosses itself and has more than [`MOST_CORNERS_TO_CLIP`] corners.
@@ -57,7 +55,7 @@ pub(crate) fn triangulate(
     triangulate_part(positions, &mut faces[span], polygons)
 }
 
-/// `faces` begins at the first triangle of the first polygon and ends with the last triangle of the last.
+/// `faces` is the range from the first triangle of the first polygon to the last triangle of the last.
 fn triangulate_part(
     positions: &[[f64; 3]],
     faces: &mut [[u32; 3]],
@@ -100,8 +98,8 @@ fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// Shifts the first corner to the origin and scales the largest coordinate to 1, so that products neither overflow
-/// nor vanish; `None` when that cannot be done.
+/// Moves the first corner to the origin and scales the largest coordinate to 1, so that products neither overflow nor underflow;
+/// `None` if that is impossible.
 fn scale(corners: impl Iterator<Item = [f64; 3]> + Clone, into: &mut [[f64; 3]]) -> Option<()> {
     let origin = corners.clone().next()?;
     let mut extent: f64 = 0.0;
@@ -123,8 +121,8 @@ fn scale(corners: impl Iterator<Item = [f64; 3]> + Clone, into: &mut [[f64; 3]])
     Some(())
 }
 
-/// Whether the diagonal from the first to the third corner is worse than the other one: it leaves the quadrilateral
-/// or flattens one of the two triangles.
+/// Whether the diagonal from the first to the third corner is worse than the other one: it leaves the quadrilateral or makes one of
+/// the two triangles degenerate.
 fn diagonal_leaves_quadrilateral(corners: [u32; 4], positions: &[[f64; 3]]) -> bool {
     let mut points = [[0.0; 3]; 4];
     for (point, &index) in points.iter_mut().zip(&corners) {
@@ -143,7 +141,7 @@ fn diagonal_leaves_quadrilateral(corners: [u32; 4], positions: &[[f64; 3]]) -> b
     first <= 0.0 && area(b, c, d).min(area(b, d, a)) > first
 }
 
-/// Memory kept between polygons.
+/// Scratch memory reused between polygons.
 #[derive(Default)]
 struct Workspace {
     ids: Vec<u32>,
@@ -155,7 +153,7 @@ struct Workspace {
 }
 
 impl Workspace {
-    /// Replaces the fan of a polygon with five or more corners where it leaves the polygon; `None` when there are too
+    /// Replaces the fan of a polygon with five or more corners if the fan does not cover the polygon; `None` if the polygon has too
     /// many corners for that.
     fn refine(&mut self, fan: &mut [[u32; 3]], positions: &[[f64; 3]]) -> Option<()> {
         self.ids.clear();
@@ -217,15 +215,15 @@ impl Workspace {
         (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
     }
 
-    /// Whether every triangle of the fan turns counterclockwise: then the first corner sees the whole polygon.
+    /// Whether every triangle of the fan is counterclockwise: the whole polygon is then visible from the first corner.
     fn fan_fits(&self) -> bool {
         (2..self.plane.len() as u32).all(|corner| self.doubled_area([0, corner - 1, corner]) > 0.0)
     }
 
-    /// Whether the clipped triangles, all of which turn the same way, turn counterclockwise and have together the area
-    /// of the polygon, which they have not when the polygon crosses itself.
+    /// Whether the clipped triangles, all of one orientation, are counterclockwise and have the area of the polygon in total. They
+    /// do not if the polygon crosses itself.
     fn clipping_covers(&mut self) -> bool {
-        // Rounding of areas of at most 4 each, in units of the polygon's scaled extent.
+        // Rounding of areas of at most 4 each, in units of the scaled extent of the polygon.
         let tolerance = 1e-12 * self.plane.len() as f64;
         let polygon: f64 =
             (2..self.plane.len() as u32).map(|corner| self.doubled_area([0, corner - 1, corner])).sum();
@@ -238,14 +236,14 @@ impl Workspace {
         smallest >= -tolerance && (covered - polygon).abs() <= tolerance
     }
 
-    /// Ear clipping skips corners on straight stretches. Fills the slits this leaves between the clipped triangles
-    /// and the polygon's own edges with flat triangles, so that every corner stays connected and there are `count`
-    /// triangles; false when that does not work out.
+    /// Ear clipping skips collinear corners. Fills the slits that this leaves between the clipped triangles and the edges of the
+    /// polygon with degenerate triangles, so that every corner stays connected and there are `count` triangles; returns whether
+    /// that succeeded.
     fn close_gaps(&mut self, count: usize) -> bool {
         if self.clipped.len() == 3 * count {
             return true;
         }
-        // The polygon's edges minus the triangles' edges: loops around the slits.
+        // The edges of the polygon minus the edges of the triangles: loops around the slits.
         let n = self.plane.len() as u32;
         self.edges.clear();
         self.edges.extend((0..n).map(|corner| (corner, (corner + 1) % n)));

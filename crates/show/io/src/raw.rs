@@ -1,21 +1,21 @@
-//! What every format reader returns before validation.
+//! The output of format readers before validation.
 
 use crate::groups::Group;
 use crate::polygon::Polygon;
 
-/// Positions and triangles as a file states them, and what had to be changed on the way.
+/// Positions and triangles as stated by a file, and the changes made to them.
 #[derive(Debug, Default)]
 pub(crate) struct RawMesh {
     /// Vertex positions in file order.
     pub(crate) positions: Vec<[f64; 3]>,
     /// Triangles; indices below `positions.len()`.
     pub(crate) faces: Vec<[u32; 3]>,
-    /// The faces of the file with more than three corners; they stand in `faces` as fans about their first corner
-    /// until [`triangulate`](crate::polygon::triangulate) has chosen better triangles. In the order of `faces`.
+    /// The faces of the file with more than three corners, in the order of `faces`. They are stored there as fans about their first
+    /// corner until [`triangulate`](crate::polygon::triangulate) has chosen better triangles.
     pub(crate) polygons: Vec<Polygon>,
-    /// Faces with fewer than three corners (points, lines) that were left out.
+    /// Faces with fewer than three corners (points, lines) that were omitted.
     pub(crate) faces_dropped: u64,
-    /// What the file gives names to.
+    /// Named groups.
     pub(crate) groups: Vec<Group>,
 }
 

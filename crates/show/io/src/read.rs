@@ -1,4 +1,4 @@
-//! The doors: a path or bytes in, a validated mesh out.
+//! Entry points: a path or bytes in, a validated mesh out.
 
 use crate::error::{FormatError, Location, ReadError};
 use crate::format::Format;
@@ -10,7 +10,7 @@ use crate::{sniff, source};
 use pompeiu_core::{MeshError, TriMesh};
 use std::path::{Path, PathBuf};
 
-/// A mesh as read from a file, and what was noticed on the way.
+/// A mesh read from a file, with remarks.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct ReadMesh {
@@ -20,35 +20,35 @@ pub struct ReadMesh {
     pub format: Format,
     /// Whether the file was gzip data.
     pub compressed: bool,
-    /// Faces of the file with more than three corners, which were cut into triangles.
+    /// Faces of the file with more than three corners, which were triangulated.
     pub polygons_triangulated: u64,
-    /// Faces of the file with fewer than three corners, which were left out.
+    /// Faces of the file with fewer than three corners, which were omitted.
     pub faces_dropped: u64,
-    /// What the file gives names to: groups and objects of OBJ, nodes of glTF.
+    /// Named groups: groups and objects of OBJ, nodes of glTF.
     pub groups: Vec<Group>,
 }
 
 /// Reads a triangle mesh from a file.
 ///
-/// The format is the one that the content shows; the suffix decides only where the content shows none. Files may
-/// be compressed with gzip. Coordinates in double precision or in text arrive as the nearest doubles. Faces with
-/// more than three corners are triangulated between their own corners, concave ones too; only for STL, which has no
-/// vertices of its own, equal positions become one vertex, in the order of their first use.
+/// The format is recognised by the content; the suffix decides only where the content is ambiguous. Files may be compressed with
+/// gzip. Coordinates in double precision or in text become the nearest doubles. Faces with more than three corners, concave ones
+/// too, are triangulated between their own corners. Only STL has no shared vertices: there equal positions become one vertex, in
+/// the order of their first use.
 ///
 /// # Errors
 /// [`ReadError::Io`] when the file cannot be opened or read, [`ReadError::Format`] when it does not hold a mesh: each
 /// displays as one line that names the file, the line, byte, face or vertex, what was found and what was expected.
 ///
 /// # Cost
-/// O(bytes). OBJ, binary PLY and binary STL files are mapped into memory and parsed in parallel on the current rayon
-/// thread pool; the result is the same for any number of threads. Beside the mesh and buffers of a few MiB per thread
-/// nothing is held in memory, but for the decompressed content of a gzip file.
+/// O(bytes). OBJ, binary PLY and binary STL files are mapped into memory and parsed in parallel on the current rayon thread pool;
+/// the result is the same for any number of threads. Memory holds only the mesh, buffers of a few MiB per thread, and the
+/// decompressed content of a gzip file.
 ///
 /// # Limits
-/// Normals, texture coordinates, colours and materials are not read. Faces that touch or cross themselves have at most 16 384 corners. What is
-/// compressed, or shared by pieces or nodes, may grow to 64 MiB (instances in glTF: 256 MiB), to 256 times the size of the file
-/// as long as that is at most 1 GiB, or to 32 times its size, whichever is more. An element of XML has at most 256 attributes,
-/// a document at most 64 namespaces. A file must not be shortened by another process while it is read.
+/// Normals, texture coordinates, colours and materials are not read. Faces that touch or cross themselves may have at most 16 384
+/// corners. Content that is compressed, or shared by pieces or nodes, may grow to 64 MiB (instances in glTF: 256 MiB), to 256 times
+/// the size of the file as long as that is at most 1 GiB, or to 32 times its size, whichever is more. An element of XML has at most
+/// 256 attributes, a document at most 64 namespaces. No other process may shorten a file while it is read.
 pub fn read(path: impl AsRef<Path>) -> Result<ReadMesh, ReadError> {
     let path = path.as_ref();
     let bytes = source::open(path).map_err(|cause| ReadError::Io { path: path.to_owned(), cause })?;
@@ -57,7 +57,7 @@ pub fn read(path: impl AsRef<Path>) -> Result<ReadMesh, ReadError> {
         .map_err(|cause| ReadError::Format { path: path.to_owned(), cause })
 }
 
-/// [`read`] for those who only want the mesh.
+/// [`read`] without the remarks.
 ///
 /// # Errors
 /// Those of [`read`].
@@ -65,7 +65,7 @@ pub fn read_mesh(path: impl AsRef<Path>) -> Result<TriMesh, ReadError> {
     read(path).map(|read| read.mesh)
 }
 
-/// The other files that the mesh of a file is made of: the buffers beside a glTF file. None where the file cannot be read.
+/// The other files that hold geometry of a file: the buffers beside a glTF file. Empty if the file cannot be read.
 ///
 /// # Cost
 /// Opens the file and, if it is glTF, parses its document.
@@ -84,11 +84,10 @@ pub fn referenced_files(path: impl AsRef<Path>) -> Vec<PathBuf> {
 
 /// Reads a triangle mesh from bytes in memory, compressed or not.
 ///
-/// Like [`read`]; with a `format` the bytes are read as that format, else as the one that the content shows. Formats
-/// that refer to other files cannot do so here.
+/// Like [`read`]; if a `format` is given, the bytes are read as that format. References to other files are errors here.
 ///
 /// # Errors
-/// When the bytes do not hold a mesh.
+/// If the bytes do not hold a mesh.
 pub fn read_bytes(bytes: &[u8], format: Option<Format>) -> Result<ReadMesh, FormatError> {
     read_content(bytes, None, |content| format.or_else(|| sniff::format(content)))
 }
@@ -108,9 +107,9 @@ fn read_content(
     finish(raw, format, compressed)
 }
 
-/// Triangulates and validates what a format reader found.
+/// Triangulates and validates the output of a format reader.
 fn finish(mut raw: RawMesh, format: Format, compressed: bool) -> Result<ReadMesh, FormatError> {
-    // Places of polygons are 32-bit indices; with more faces than that they mean nothing.
+    // Places of polygons are 32-bit indices, which are invalid for more faces.
     if u32::try_from(raw.faces.len()).is_ok() {
         polygon::triangulate(&raw.positions, &mut raw.faces, &raw.polygons)
             .map_err(|polygon| too_many_corners(polygon, &raw.polygons))?;
@@ -145,7 +144,7 @@ fn too_many_corners(polygon: Polygon, polygons: &[Polygon]) -> FormatError {
     )
 }
 
-/// The error for elements that a format reader let through: these have no place in the file but their number.
+/// The error for elements that only validation rejects; their only place in the file is their index.
 #[cold]
 fn invalid(error: &MeshError, faces_dropped: u64) -> FormatError {
     match error {

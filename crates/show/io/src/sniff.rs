@@ -7,7 +7,7 @@ use crate::text::{is_blank, is_line_end, next_line, word};
 /// How much text is searched for statements that distinguish formats.
 const LOOK_AHEAD: usize = 1 << 16;
 
-/// The format that the content shows; `None` when it shows none.
+/// The format that the content determines; `None` if it is ambiguous.
 pub(crate) fn format(bytes: &[u8]) -> Option<Format> {
     let body = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
     if bytes.starts_with(b"glTF") {

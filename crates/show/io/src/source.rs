@@ -1,6 +1,6 @@
 //! The bytes of a file: mapped, read or decompressed.
 //!
-//! The only unsafe code of the crate is here.
+//! This file holds the only unsafe code of the crate.
 
 use crate::error::{FormatError, Location};
 use crate::expansion::most_bytes;
@@ -34,7 +34,7 @@ impl Deref for Source {
     }
 }
 
-/// Opens a file: maps it when it is a regular file, reads it to its end when it is a pipe.
+/// Opens a file: maps a regular file, and reads a pipe to its end.
 pub(crate) fn open(path: &Path) -> io::Result<Source> {
     let mut file = open_file(path)?;
     let metadata = file.metadata()?;
@@ -44,7 +44,7 @@ pub(crate) fn open(path: &Path) -> io::Result<Source> {
     if is_device(&metadata) {
         return Err(io::Error::new(io::ErrorKind::InvalidInput, "a device, expected a file or a pipe"));
     }
-    // Some files of the kernel say that they are empty and are not.
+    // Some kernel files report length 0 and still have content.
     if metadata.is_file() && metadata.len() > 0 {
         return Ok(Source::Mapped(map(&file)?));
     }
@@ -53,7 +53,7 @@ pub(crate) fn open(path: &Path) -> io::Result<Source> {
     Ok(Source::Owned(bytes))
 }
 
-/// Opens a file; a named pipe that nobody writes into is refused, where the system would wait without end.
+/// Opens a file; refuses a named pipe without a writer, for which the system would wait forever.
 #[cfg(unix)]
 fn open_file(path: &Path) -> io::Result<File> {
     use rustix::fs::{OFlags, fcntl_getfl, fcntl_setfl};
@@ -73,13 +73,13 @@ fn open_file(path: &Path) -> io::Result<File> {
     File::open(path)
 }
 
-/// Waits until a pipe can be read or its writers are gone again.
+/// Waits until a pipe is readable or its writers have closed it.
 #[cfg(unix)]
 fn wait_for_writer(pipe: &File) -> io::Result<()> {
     use rustix::event::{PollFd, PollFlags, Timespec, poll};
-    /// How long a program that was started together with this one may take to open its end.
+    /// How long a program started at the same time may take to open its end.
     const PATIENCE: Timespec = Timespec { tv_sec: 1, tv_nsec: 0 };
-    // A pipe without a writer is not ready before the first one has come, whether it writes or goes again.
+    // A pipe that never had a writer is not ready; after the first writer, it is ready with data or at its end.
     match poll(&mut [PollFd::new(pipe, PollFlags::IN)], Some(&PATIENCE)) {
         Ok(0) => {
             let problem = "a pipe into which nobody writes, expected a writer within 1 s";
@@ -90,7 +90,7 @@ fn wait_for_writer(pipe: &File) -> io::Result<()> {
     }
 }
 
-/// Maps a file that is not empty.
+/// Maps a nonempty file.
 #[allow(
     unsafe_code,
     reason = "there is no safe way to map a file, and copying it costs as much as parsing it"
@@ -115,13 +115,13 @@ fn is_device(_: &std::fs::Metadata) -> bool {
     false
 }
 
-/// Appends up to [`STEP`] bytes; false at the end. Lack of memory is an error.
+/// Appends up to [`STEP`] bytes; returns false at the end. A failed allocation is an error.
 fn read_step(from: &mut impl Read, bytes: &mut Vec<u8>) -> io::Result<bool> {
     bytes.try_reserve(STEP).map_err(|_| io::ErrorKind::OutOfMemory)?;
     Ok(from.take(STEP as u64).read_to_end(bytes)? > 0)
 }
 
-/// The bytes themselves, or what they hold when they are gzip data; and whether they are.
+/// The bytes themselves or, if they are gzip data, their decompressed content; and whether they are.
 pub(crate) fn decompressed(bytes: &[u8]) -> Result<(Cow<'_, [u8]>, bool), FormatError> {
     if !bytes.starts_with(&GZIP_MAGIC) {
         return Ok((Cow::Borrowed(bytes), false));

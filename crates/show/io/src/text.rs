@@ -1,9 +1,9 @@
-//! What the text formats share: numbers, blanks, and the line of an offset.
+//! Parsing shared by the text formats: numbers, blanks, and the line of an offset.
 
 use crate::error::{FormatError, Location};
 use pompeiu_core::TriMesh;
 
-/// A problem at a byte offset of a text; becomes a [`FormatError`] when the line is looked up.
+/// A problem at a byte offset of a text; converted to a [`FormatError`] with the line.
 #[derive(Debug)]
 pub(crate) struct Problem {
     pub(crate) offset: usize,
@@ -34,7 +34,7 @@ pub(crate) fn line_of(text: &[u8], offset: usize) -> u64 {
     1 + ends.count() as u64
 }
 
-/// The offset just behind the line end at or after `at`, or the end of the text.
+/// The offset after the line end at or after `at`, or the end of the text.
 pub(crate) fn next_line(text: &[u8], at: usize) -> usize {
     match memchr::memchr2(b'\n', b'\r', &text[at..]) {
         None => text.len(),
@@ -42,7 +42,7 @@ pub(crate) fn next_line(text: &[u8], at: usize) -> usize {
     }
 }
 
-/// The offset behind the line end that begins at `at`.
+/// The offset after the line end that begins at `at`.
 pub(crate) fn past_line_end(text: &[u8], at: usize) -> usize {
     if text[at] == b'\r' && text.get(at + 1) == Some(&b'\n') { at + 2 } else { at + 1 }
 }
@@ -62,7 +62,7 @@ pub(crate) fn word(text: &[u8], at: usize) -> &[u8] {
     &rest[..end]
 }
 
-/// A word as a person can read it in a message: quoted, shortened, and never with control characters.
+/// A word for messages: quoted, shortened, and without control characters.
 pub(crate) fn quoted(word: &[u8]) -> String {
     const LONGEST: usize = 24;
     if word.is_empty() {
@@ -72,11 +72,11 @@ pub(crate) fn quoted(word: &[u8]) -> String {
     format!("\"{shown}{}\"", if word.len() > LONGEST { "…" } else { "" })
 }
 
-/// The number at `at` and the offset behind it; `None` when there is none.
+/// The number at `at` and the offset after it; `None` if there is none.
 ///
-/// The nearest double to what is written. Accepted are decimal numbers with an optional sign, digits on either side
-/// of the point, and an optional exponent after `e`, `E`, `d` or `D`; numbers too small for a double become 0.
-/// NaN and infinities are read as such, numbers too large become infinite: both are refused by [`coordinate`].
+/// The nearest double. Accepts decimal numbers with an optional sign, digits on either side of the point, and an optional exponent
+/// after `e`, `E`, `d` or `D`; numbers too small for a double become 0. NaN and infinities are accepted, and numbers too large
+/// become infinite: [`coordinate`] refuses both.
 #[inline]
 pub(crate) fn number(text: &[u8], at: usize) -> Option<(f64, usize)> {
     let (value, length) = fast_float2::parse_partial::<f64, _>(text.get(at..)?).ok()?;
@@ -95,16 +95,16 @@ fn fortran_number(text: &[u8], at: usize) -> Option<(f64, usize)> {
     Some((fast_float2::parse(plain).ok()?, at + word.len()))
 }
 
-/// The whole number at `at` and the offset behind it; `1e3` and `3.0` are whole numbers too.
+/// The integer at `at` and the offset after it; `1e3` and `3.0` are accepted too.
 pub(crate) fn whole_number(text: &[u8], at: usize) -> Option<(i64, usize)> {
-    /// Up to here every whole number is a double.
+    /// Up to here every integer is a double.
     const LARGEST: f64 = (1_u64 << f64::MANTISSA_DIGITS) as f64;
     number(text, at)
         .filter(|(value, _)| value.fract() == 0.0 && value.abs() <= LARGEST)
         .map(|(value, end)| (value as i64, end))
 }
 
-/// A number that may be a coordinate of a [`TriMesh`].
+/// A number that is a valid coordinate of a [`TriMesh`].
 #[inline]
 pub(crate) fn coordinate(text: &[u8], at: usize) -> Result<(f64, usize), Problem> {
     match number(text, at) {

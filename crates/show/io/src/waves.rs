@@ -1,16 +1,15 @@
-//! Pieces parsed in parallel and taken in order.
+//! Parsing pieces in parallel and consuming them in order.
 
 use rayon::prelude::*;
 
-/// Pieces in work per thread: enough for the threads to even out, few enough for the buffers to stay in the cache.
+/// Pieces in progress per thread: enough to balance the load, few enough for the buffers to stay in the cache.
 const PIECES_PER_THREAD: usize = 4;
 
-/// Calls `parse` on every piece, in parallel, each with a buffer, and `take` on every filled buffer, in the order of
-/// the pieces. Stops at the first error in that order.
+/// Calls `parse` on every piece, in parallel, each with a buffer, and `take` on every filled buffer, in the order of the pieces.
+/// Stops at the first error in that order.
 ///
-/// Buffers are handed to `parse` as `take` left them. While one wave of pieces is taken the next one is parsed, so
-/// besides what `take` keeps there are only as many buffers in memory as two waves need, and the result does not
-/// depend on the number of threads.
+/// `parse` receives buffers as `take` left them. While one wave of pieces is taken, the next one is parsed, so there are only as
+/// many buffers as two waves need. The result does not depend on the number of threads.
 pub(crate) fn in_order<P: Sync, B: Default + Send, E: Send>(
     pieces: &[P],
     parse: impl Fn(&P, &mut B) -> Result<(), E> + Sync,

@@ -1,10 +1,10 @@
-//! One vertex for equal positions.
+//! Merging equal positions into one vertex.
 
 use std::hash::{BuildHasher, RandomState};
 use std::hint::black_box;
 use std::sync::LazyLock;
 
-/// Gives equal positions the same index, in the order of first appearance. Zeros of either sign are equal.
+/// Assigns one index to equal positions, in the order of first appearance. +0 and −0 are equal.
 #[derive(Default)]
 pub(crate) struct Welder {
     table: Table,
@@ -12,7 +12,7 @@ pub(crate) struct Welder {
 }
 
 impl Welder {
-    /// With memory set aside for a number of different positions; it grows when there are more.
+    /// Reserves memory for a number of different positions; the table grows if there are more.
     pub(crate) fn with_capacity(positions: usize) -> Self {
         let mut welder = Self { positions: Vec::with_capacity(positions), ..Self::default() };
         welder.table.slots = vec![0; (positions + positions / 3).next_power_of_two().max(Table::SMALLEST)];
@@ -27,7 +27,7 @@ impl Welder {
         self.index_with_hash(position, hash)
     }
 
-    /// Adds to `indices` the indices of what a [`LocalWelder`] has found.
+    /// Appends to `indices` the indices of the positions found by a [`LocalWelder`].
     pub(crate) fn extend_indices(&mut self, found: &[([f32; 3], u32)], indices: &mut Vec<u32>) {
         self.table.fetch(found.iter().map(|&(_, hash)| hash));
         indices.extend(
@@ -51,7 +51,7 @@ impl Welder {
     }
 }
 
-/// Welds the corners of a few triangles at a time, to pass on only what is new among them.
+/// Welds the corners of a few triangles at a time, so that only new positions are passed on.
 #[derive(Default)]
 pub(crate) struct LocalWelder {
     table: Table,
@@ -65,7 +65,7 @@ impl LocalWelder {
         self.found.clear();
     }
 
-    /// Gives new indices to the positions to come, even where they equal earlier ones.
+    /// Assigns new indices to the following positions, even if they equal earlier ones.
     pub(crate) fn forget(&mut self) {
         self.table.clear();
     }
@@ -88,10 +88,9 @@ fn without_negative_zeros(position: [f64; 3]) -> [f64; 3] {
     position.map(|x| x + 0.0)
 }
 
-/// A hash table from positions, kept elsewhere, to indices: open addressing, at most three quarters full.
+/// A hash table from positions, which are stored elsewhere, to indices: open addressing, at most three quarters full.
 ///
-/// The hash has a seed of its own in every process, so that no file can be made to collide; indices do not depend on
-/// it.
+/// The seed of the hash differs in every process, so that no file can provoke collisions; indices do not depend on it.
 struct Table {
     seed: u64,
     /// 0 where empty, else the hash in the upper half and the index plus 1 in the lower half.
@@ -99,7 +98,7 @@ struct Table {
     used: usize,
 }
 
-/// What makes hashes differ from process to process.
+/// Makes hashes differ from process to process.
 static SEED: LazyLock<u64> = LazyLock::new(|| RandomState::new().hash_one(0));
 
 impl Default for Table {
@@ -147,8 +146,7 @@ impl Table {
         }
     }
 
-    /// Makes room for new entries, and brings what looking for these hashes will touch into the cache, all at once
-    /// rather than one after the other.
+    /// Makes room for new entries, and loads the slots of these hashes into the cache together instead of one after the other.
     fn fetch(&mut self, hashes: impl ExactSizeIterator<Item = u32>) {
         while 4 * (self.used + hashes.len()) >= 3 * self.slots.len() {
             self.grow();
@@ -171,10 +169,10 @@ impl Table {
     }
 }
 
-/// An odd number without pattern: 2⁶⁴ divided by the golden ratio.
+/// An odd number without a pattern: 2⁶⁴ divided by the golden ratio.
 const ODD: u64 = 0x9E37_79B9_7F4A_7C15;
 
-/// Both halves of a product, mixed.
+/// Mixes both halves of a product.
 #[inline]
 fn fold(a: u64, b: u64) -> u64 {
     let product = u128::from(a) * u128::from(b);

@@ -1,4 +1,4 @@
-//! One module per format, and the one place that knows them all.
+//! One module per format, and the dispatch between them.
 
 mod csv;
 mod gltf;
@@ -22,7 +22,7 @@ pub(crate) struct Input<'a> {
     pub(crate) bytes: &'a [u8],
     /// The folder of the file, for formats that refer to other files; `None` when there is no file.
     pub(crate) folder: Option<&'a Path>,
-    /// The number of bytes of the file as stored, fewer than those above when it was compressed.
+    /// Size of the file as stored, in bytes: smaller than the content if it was compressed.
     pub(crate) stored_bytes: u64,
 }
 
@@ -41,7 +41,7 @@ pub(crate) fn read(format: Format, input: Input<'_>) -> Result<RawMesh, FormatEr
     }
 }
 
-/// The files that `input` refers to and is made of.
+/// The other files that `input` refers to for its geometry.
 pub(crate) fn referenced_files(format: Format, input: Input<'_>) -> Vec<PathBuf> {
     match format {
         Format::Gltf | Format::Glb => gltf::referenced_files(input),
@@ -61,7 +61,7 @@ pub(crate) fn read_hexahedra(
     }
 }
 
-/// Reads what `input` says of how a mesh looks that was read from it; most formats say nothing.
+/// Reads the appearance of a mesh that was read from `input`; most formats have none.
 pub(crate) fn read_appearance(
     format: Format,
     input: Input<'_>,

@@ -1,8 +1,8 @@
 //! Geomview object file format, ascii.
 //!
-//! Read are files that begin with `OFF` behind any of the prefixes `ST`, `C` and `N`, or, when the file name says
-//! that it is one, with the counts at once. Every vertex and every face is a line of its own; what follows the three
-//! coordinates or the corners (normals, colours, texture coordinates) is skipped. `#` begins a comment.
+//! Reads files that begin with `OFF` after any of the prefixes `ST`, `C` and `N`, or directly with the counts if the suffix is
+//! `.off`. Every vertex and every face is on a line of its own; anything after the three coordinates or the corners (normals,
+//! colours, texture coordinates) is skipped. `#` begins a comment.
 
 use crate::error::FormatError;
 use crate::raw::RawMesh;
@@ -11,7 +11,7 @@ use crate::text::{Problem, coordinate, is_blank, next_line, quoted, whole_number
 /// Bytes of the shortest line of a vertex or face: three digits, two blanks and a line end.
 const SHORTEST_LINE: usize = 6;
 
-/// Whether `word` is `OFF` behind any of the prefixes `ST`, `C`, `N`, `4` and `n`.
+/// Whether `word` is `OFF` after any of the prefixes `ST`, `C`, `N`, `4` and `n`.
 pub(crate) fn is_keyword(word: &[u8]) -> bool {
     prefix(word).is_some()
 }
@@ -107,7 +107,7 @@ impl Lines<'_> {
         self.next_row(|| "found the end of the file, expected a number of vertices".into())
     }
 
-    /// Goes to the next word, over blank lines and comments.
+    /// Goes to the next word, skipping blank lines and comments.
     fn next_row(&mut self, at_end: impl FnOnce() -> String) -> Result<(), Problem> {
         while let Some(&byte) = self.text.get(self.at) {
             match byte {
@@ -129,7 +129,7 @@ impl Lines<'_> {
         self.at = next_line(self.text, self.at);
     }
 
-    /// A whole number from 0 on this line.
+    /// A nonnegative integer on this line.
     fn count(&mut self, what: &str) -> Result<u64, Problem> {
         self.skip_blanks();
         match whole_number(self.text, self.at) {

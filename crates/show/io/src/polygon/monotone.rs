@@ -1,11 +1,12 @@
 //! Triangulating a simple polygon in O(n log n): cut into monotone parts by a sweep, each part triangulated in one pass.
 //!
-//! Signs of areas are exact (`robust::orient2d`), so that the result is right for every polygon that neither crosses nor touches
-//! itself. For others it is anything: the caller checks it.
+//! The signs of areas are exact (`robust::orient2d`), so the result is correct for every polygon that neither crosses nor touches
+//! itself. For others it is arbitrary, and the caller has to check it.
 //!
 //! # Source
-//! `deberg_geometry_2008`, sections 3.2 and 3.3. Ours finds the parts by walking around them, with the diagonals of a corner sorted by
-//! angle, and keeps the edges that the sweep crosses in an ordered set: two edges that do not cross compare the same at every height.
+//! `deberg_geometry_2008`, sections 3.2 and 3.3. Our version finds the parts by traversing them, with the diagonals at a corner
+//! sorted by angle. It keeps the edges that cross the sweep line in an ordered set: two edges that do not cross have the same order
+//! at every height.
 
 use robust::{Coord, orient2d};
 use std::cmp::Ordering;
@@ -19,12 +20,12 @@ fn turn(a: Point, b: Point, c: Point) -> f64 {
     orient2d(a, b, c)
 }
 
-/// The order of the sweep: from above, at one height from the left.
+/// The order of the sweep: from top to bottom, and from left to right at equal height.
 fn sweep_order(a: Point, b: Point) -> Ordering {
     f64::total_cmp(&b[1], &a[1]).then(f64::total_cmp(&a[0], &b[0]))
 }
 
-/// An edge that the sweep crosses, or a point when both ends are the same; ordered from left to right.
+/// An edge that crosses the sweep line, or a point if both ends are equal; ordered from left to right.
 #[derive(Clone, Copy)]
 struct Crossed {
     upper: Point,
@@ -33,9 +34,9 @@ struct Crossed {
 }
 
 impl Crossed {
-    /// Where a point is, seen from the edge: to its left when less.
+    /// On which side of the edge a point is: `Less` is to its left.
     fn side(&self, point: Point) -> Ordering {
-        // Going down, what is to the right in the plane is on the left hand.
+        // The edge is directed downwards, so its left-hand side is on the right in the plane.
         f64::total_cmp(&turn(self.upper, self.lower, point), &0.0)
     }
 }
@@ -45,7 +46,7 @@ impl Ord for Crossed {
         if self.edge == other.edge {
             return Ordering::Equal;
         }
-        // The edge that begins later is beside the other one where it begins, or else where the first of them ends.
+        // Compares at the start of the edge that begins later, and at the end of the shorter one if that does not decide.
         if sweep_order(self.upper, other.upper).is_le() {
             let end = if sweep_order(self.lower, other.lower).is_ge() {
                 self.side(other.lower)
@@ -73,11 +74,12 @@ impl PartialEq for Crossed {
 
 impl Eq for Crossed {}
 
-/// Appends the triangles of a polygon, as numbers of its corners, which run counterclockwise; n − 2 of them when the polygon is simple.
+/// Appends the triangles of a polygon as indices of its corners, which must be counterclockwise; n − 2 triangles if the polygon is
+/// simple.
 pub(super) fn triangulate(plane: &[Point], triangles: &mut Vec<u32>) {
     let mut diagonals = Sweep::new(plane).diagonals();
     let n = plane.len() as u32;
-    // Both directions, in the order of the corners they start at.
+    // Both directions, ordered by the corner they start at.
     diagonals.extend_from_within(..);
     let half = diagonals.len() / 2;
     for diagonal in &mut diagonals[half..] {
@@ -90,7 +92,7 @@ pub(super) fn triangulate(plane: &[Point], triangles: &mut Vec<u32>) {
         let length = diagonals[start..].partition_point(|diagonal| diagonal[0] == corner);
         start..start + length
     };
-    // Every part has a side that begins with a diagonal, but for the polygon itself when there are none.
+    // Every part has a side that begins with a diagonal, unless there are no diagonals and the only part is the polygon.
     let mut walked = vec![false; diagonals.len()];
     let mut part = Vec::new();
     if diagonals.is_empty() {
@@ -104,7 +106,7 @@ pub(super) fn triangulate(plane: &[Point], triangles: &mut Vec<u32>) {
         part.clear();
         let mut next = Some(first);
         let mut at = diagonals[first][0];
-        // Every side is followed by exactly one other, even around corners in a wrong order, so that the walk comes back.
+        // Every side is followed by exactly one other, even around corners in a wrong order, so the traversal returns to its start.
         loop {
             part.push(at);
             let from = at;
@@ -115,7 +117,7 @@ pub(super) fn triangulate(plane: &[Point], triangles: &mut Vec<u32>) {
                 }
                 None => (at + 1) % n,
             };
-            // The last one before the side by which the corner was reached, counterclockwise from the polygon's next side.
+            // The last one before the side that led to the corner, counterclockwise from the polygon's next side.
             let around = of_corner(at);
             let before = if (from + 1) % n == at && next.is_none() {
                 around.end
@@ -141,11 +143,11 @@ fn by_angle(plane: &[Point], corner: u32, a: u32, b: u32) -> Ordering {
     is_beyond(a).cmp(&is_beyond(b)).then_with(|| f64::total_cmp(&0.0, &turn(center, a, b)))
 }
 
-/// The state of the sweep that finds diagonals between which all parts are monotone.
+/// The state of the sweep that finds diagonals which divide the polygon into monotone parts.
 struct Sweep<'a> {
     plane: &'a [Point],
     crossed: BTreeSet<Crossed>,
-    /// The corner last seen to the right of each edge, between it and the next one.
+    /// For each edge, the last corner seen between it and the next edge to the right.
     helpers: Vec<u32>,
     diagonals: Vec<[u32; 2]>,
 }
@@ -171,7 +173,7 @@ impl<'a> Sweep<'a> {
         sweep_order(self.point(a), self.point(b)).then(a.cmp(&b)).is_lt()
     }
 
-    /// The inside turns there from below two sides to between them.
+    /// Whether the corner is a merge vertex: the inside changes there from below two sides to between them.
     fn merges(&self, corner: u32) -> bool {
         let (previous, next) = (self.previous(corner), self.next(corner));
         self.is_before(previous, corner) && self.is_before(next, corner) && self.is_reflex(corner)
@@ -218,7 +220,7 @@ impl<'a> Sweep<'a> {
         Crossed { upper: self.point(edge), lower: self.point(self.next(edge)), edge }
     }
 
-    /// The side after a corner is crossed from now on, with the inside to its right.
+    /// The side after a corner now crosses the sweep line, with the inside to its right.
     fn begin(&mut self, corner: u32) {
         self.crossed.insert(self.edge(corner));
         self.helpers[corner as usize] = corner;
@@ -232,7 +234,8 @@ impl<'a> Sweep<'a> {
         self.crossed.remove(&self.edge(edge));
     }
 
-    /// The corner is the last seen to the right of the edge to its left; connected with the one before if that merges, or always.
+    /// Makes the corner the helper of the edge to its left; connects it with the previous helper if that is a merge vertex, or
+    /// always.
     fn connect_left(&mut self, corner: u32, always: bool) {
         let point = self.point(corner);
         let probe = Crossed { upper: point, lower: point, edge: u32::MAX };
@@ -246,13 +249,13 @@ impl<'a> Sweep<'a> {
     }
 }
 
-/// Triangulates a part whose left and right sides only go down.
+/// Triangulates a part whose left and right sides are monotone.
 fn triangulate_part(plane: &[Point], part: &[u32], triangles: &mut Vec<u32>) {
     let count = part.len();
     let point = |place: usize| plane[part[place] as usize];
     let order = |a: usize, b: usize| sweep_order(point(a), point(b)).then(part[a].cmp(&part[b]));
     let Some(top) = (0..count).min_by(|&a, &b| order(a, b)) else { return };
-    // Counterclockwise from the top the corners go down on the left; on the right they come back.
+    // Counterclockwise from the top, corners on the left go down and corners on the right go up.
     let (mut left, mut right) = (1, count);
     let at = |step: usize| (top + step) % count;
     let mut merged = vec![(top, true)];
@@ -273,7 +276,7 @@ fn triangulate_part(plane: &[Point], part: &[u32], triangles: &mut Vec<u32>) {
     for (step, &(corner, is_left)) in merged.iter().enumerate() {
         let is_last = step + 1 == merged.len();
         if let Some(&top_of_open) = open.last().filter(|last| is_last || last.1 != is_left) {
-            // It sees all open corners, which are on the other side.
+            // All open corners are on the other side and visible from here.
             for pair in open.windows(2) {
                 emit(corner, pair[0].0, pair[1].0, top_of_open.1);
             }

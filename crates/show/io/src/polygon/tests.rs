@@ -20,12 +20,12 @@ fn area(triangle: [u32; 3], positions: &[[f64; 3]]) -> f64 {
     cross(subtract(b, a), subtract(c, a))[2] / 2.0
 }
 
-/// The triangles turn like the polygon, sum up to its area and meet edge to edge, with its edges as boundary.
+/// The triangles have the orientation and area of the polygon and meet edge to edge, with its edges as boundary.
 fn check(points: &[[f64; 2]], expected_area: f64) {
     check_within(points, expected_area, 0.0);
 }
 
-/// The same where corners on one line are so but for rounding: a triangle may be turned by this part of the area.
+/// The same for corners that are collinear up to rounding: a triangle may be reversed by this part of the area.
 fn check_within(points: &[[f64; 2]], expected_area: f64, slack: f64) {
     let positions = flat(points);
     let triangles = triangles(&positions);
@@ -291,7 +291,7 @@ fn polygons_with_too_many_corners_are_refused_when_they_cross_themselves() {
     assert_eq!(outcome(&crossing, &mut raw.faces), Err(Polygon { first: 1, corners: n }));
 }
 
-/// Numbers that make no sense as a polygon: neither a panic nor a walk without end.
+/// Arbitrary numbers instead of a polygon: neither a panic nor an endless loop.
 #[test]
 fn polygons_that_cross_themselves_stay_fans() {
     let mut state: u64 = 3;

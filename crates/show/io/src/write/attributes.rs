@@ -1,4 +1,4 @@
-//! Values that travel with a mesh into a file.
+//! Values at vertices and faces that are written with a mesh.
 
 use super::vtk_xml;
 use crate::appearance::Materials;
@@ -8,7 +8,7 @@ use pompeiu_core::TriMesh;
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum AttributeError {
-    /// Not one value for each element.
+    /// The number of values is not that of the elements.
     #[error("{name}: {found} values for {expected} {elements}")]
     Length {
         /// The name of the attribute.
@@ -20,7 +20,7 @@ pub enum AttributeError {
         /// The number of values.
         found: usize,
     },
-    /// A name that some format could not write.
+    /// The name is invalid in some format.
     #[error(
         "attribute name {name:?} is empty, has white space or control characters, or means something else in PLY"
     )]
@@ -28,7 +28,7 @@ pub enum AttributeError {
         /// The name.
         name: String,
     },
-    /// A corner names texture coordinates that do not exist.
+    /// A corner refers to texture coordinates that do not exist.
     #[error("face {face} names texture coordinates {index}, but there are {coordinates} (the first is 0)")]
     Texture {
         /// The face.
@@ -38,7 +38,7 @@ pub enum AttributeError {
         /// Number of texture coordinates.
         coordinates: usize,
     },
-    /// A face names a material that does not exist.
+    /// A face refers to a material that does not exist.
     #[error("face {face} names material {index}, but there are {names} (the first is 0)")]
     Material {
         /// The face.
@@ -48,7 +48,7 @@ pub enum AttributeError {
         /// Number of materials.
         names: usize,
     },
-    /// The name is taken.
+    /// The name is used already.
     #[error("there are two attributes of the {elements} named {name:?}")]
     Duplicate {
         /// The name.
@@ -71,7 +71,7 @@ pub struct Attributes {
     materials: Option<Materials>,
 }
 
-/// Places in a picture, and which of them each corner of each face has.
+/// Texture coordinates, and which of them each corner of each face has.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Texture {
     pub(super) coordinates: Vec<[f64; 2]>,
@@ -89,7 +89,7 @@ struct OfElements {
 }
 
 impl Attributes {
-    /// No attributes yet.
+    /// An empty set of attributes.
     pub fn for_mesh(mesh: &TriMesh) -> Self {
         let of = |elements, count| OfElements {
             elements,
@@ -164,9 +164,9 @@ impl Attributes {
         Ok(self)
     }
 
-    /// Sets texture coordinates: places in a picture, counted from its lower left corner in units of its sides, and for each corner
-    /// of each face which of them it has. Where the corners of a vertex have several, there is a seam. The picture itself is a file in
-    /// PNG, if there is one.
+    /// Sets texture coordinates, from the lower left corner of the image in units of its sides, and for each corner of each face
+    /// the index of its coordinates. There is a seam where the corners at a vertex have different coordinates. The image, if any,
+    /// is the content of a PNG file.
     ///
     /// # Errors
     /// [`AttributeError::Length`] unless there is one triple per face; [`AttributeError::Texture`] for an index out of range.
@@ -189,7 +189,7 @@ impl Attributes {
     /// Sets the materials of the faces.
     ///
     /// # Errors
-    /// [`AttributeError::Length`] unless there is one per face; [`AttributeError::Material`] for one without a name.
+    /// [`AttributeError::Length`] unless there is one per face; [`AttributeError::Material`] for an index without a name.
     pub fn with_materials(mut self, materials: Materials) -> Result<Self, AttributeError> {
         self.faces.check_length("materials", materials.faces.len())?;
         if let Some(face) = materials.faces.iter().position(|m| *m as usize >= materials.names.len()) {
@@ -257,7 +257,7 @@ impl OfElements {
         Ok(())
     }
 
-    /// The name, if it is usable and new, for so many values.
+    /// The name, if it is valid and unused; `values` of them.
     fn checked(&self, name: String, values: usize) -> Result<String, AttributeError> {
         const PLY_PROPERTIES: [&str; 11] =
             ["x", "y", "z", "nx", "ny", "nz", "red", "green", "blue", "vertex_index", "vertex_indices"];
@@ -266,7 +266,7 @@ impl OfElements {
         if name.is_empty() || name.contains(unreadable) || taken {
             return Err(AttributeError::Name { name });
         }
-        // The components of a vector are properties of their own in PLY.
+        // In PLY the components of a vector are separate properties.
         let is_component = |vector: &str, scalar: &str| {
             scalar.strip_prefix(vector).is_some_and(|rest| matches!(rest, "_x" | "_y" | "_z"))
         };

@@ -1,4 +1,4 @@
-//! What can go wrong while writing.
+//! Errors of writing.
 
 use super::{AttributeError, OutputFormat};
 use pompeiu_core::VertexId;
@@ -27,32 +27,32 @@ pub enum WriteError {
         /// The file.
         path: PathBuf,
     },
-    /// The format cannot hold what is to be written.
+    /// The format cannot represent the mesh or an attribute.
     #[error("{}: {source}", path.display())]
     Encode {
         /// The file.
         path: PathBuf,
-        /// What does not fit.
+        /// The reason.
         source: EncodeError,
     },
 }
 
-/// Why a mesh could not be turned into bytes of a format.
+/// Why a mesh could not be encoded in a format.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum EncodeError {
-    /// Whatever takes the bytes failed.
+    /// The destination failed.
     #[error(transparent)]
     Io(#[from] io::Error),
-    /// The attributes are of a mesh with other counts.
+    /// The attributes belong to a mesh with other counts.
     #[error(transparent)]
     Attribute(#[from] AttributeError),
-    /// The format has no place for an attribute.
+    /// The format cannot store an attribute.
     #[error("{} has no place for {attribute}", format.name())]
     Unsupported {
         /// The format.
         format: OutputFormat,
-        /// What was to be written, in the plural.
+        /// The attribute, in the plural.
         attribute: &'static str,
     },
     /// A coordinate overflows the single precision of the format.
@@ -70,14 +70,14 @@ pub enum EncodeError {
         /// The coordinate.
         value: f64,
     },
-    /// The file would be longer than the format can say.
+    /// The file would exceed the largest length that the format can state.
     #[error("{} files hold at most {limit} bytes; this mesh takes {bytes}", format.name())]
     TooLong {
         /// The format.
         format: OutputFormat,
         /// The bytes needed.
         bytes: u64,
-        /// The most there can be.
+        /// The largest length in bytes.
         limit: u64,
     },
 }

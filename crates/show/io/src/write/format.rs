@@ -1,4 +1,4 @@
-//! The formats that can be written, and what each has room for.
+//! The formats that can be written, and what each can store.
 
 use super::{Attributes, EncodeError};
 use std::path::Path;
@@ -14,7 +14,7 @@ use std::path::Path;
 /// | VTP, VTU | every bit | yes | yes | yes | no | no |
 /// | GLB | single precision | yes | no | no | single precision | yes |
 ///
-/// An attribute that the format has no room for is an error, never dropped in silence.
+/// An attribute that the format cannot store is an error; it is never dropped silently.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum OutputFormat {
@@ -27,16 +27,16 @@ pub enum OutputFormat {
     Stl,
     /// Object File Format, text; each coordinate as the shortest decimal that reads back to the same double.
     Off,
-    /// VTK XML polygonal data for ParaView and kin: `Float64` coordinates and scalars, `UInt8` colours in arrays named
-    /// `Colors`, all appended in little endian.
+    /// VTK XML polygonal data, for ParaView and similar programs: `Float64` coordinates and scalars, `UInt8` colours in arrays
+    /// named `Colors`, all appended in little endian.
     Vtp,
-    /// VTK XML unstructured grid of triangles: otherwise as [`OutputFormat::Vtp`], for programs that want cells.
+    /// VTK XML unstructured grid of triangles: otherwise as [`OutputFormat::Vtp`], for programs that need cells.
     Vtu,
-    /// glTF 2.0 in one binary file, one mesh in one node. Coordinates are rounded to single precision relative to an
-    /// origin in the node's translation, so that a model far from zero keeps its shape: the error per axis is at
-    /// most 2⁻²⁴ of the model's size. A mesh whose coordinates are single-precision numbers keeps every bit.
-    /// Colours are taken as sRGB and stored linear, sixteen bits per channel. With texture coordinates, a vertex is written once for each
-    /// of those that its corners have, and vertices that no face uses are lost.
+    /// glTF 2.0 in one binary file, one mesh in one node. Coordinates are rounded to single precision relative to an origin in the
+    /// node's translation, so that a model far from zero keeps its shape: the error per axis is at most 2⁻²⁴ of the model's size. A
+    /// mesh whose coordinates are single-precision numbers keeps every bit. Colours are interpreted as sRGB and stored linear, with
+    /// sixteen bits per channel. With texture coordinates, a vertex is written once for each of its different coordinates, and
+    /// vertices that no face uses are lost.
     Glb,
 }
 
@@ -44,7 +44,7 @@ impl OutputFormat {
     /// All formats, in the order of the table above.
     pub const ALL: [Self; 7] = [Self::Obj, Self::Ply, Self::Stl, Self::Off, Self::Vtp, Self::Vtu, Self::Glb];
 
-    /// The format that a file name asks for by its suffix, in either case, a final `.gz` aside.
+    /// The format for the suffix of a file name, in either case, ignoring a final `.gz`.
     pub fn from_path(path: &Path) -> Option<Self> {
         let inner = if is_gzip(path) { Path::new(path.file_stem()?) } else { path };
         let suffix = inner.extension()?;
@@ -77,7 +77,7 @@ impl OutputFormat {
         }
     }
 
-    /// Whether it has room for colours of vertices.
+    /// Whether it can store colours of vertices.
     pub const fn holds_vertex_colors(self) -> bool {
         !matches!(self, Self::Stl)
     }
@@ -86,12 +86,12 @@ impl OutputFormat {
         matches!(self, Self::Ply | Self::Off | Self::Vtp | Self::Vtu)
     }
 
-    /// Whether it has room for texture coordinates.
+    /// Whether it can store texture coordinates.
     pub const fn holds_texture(self) -> bool {
         matches!(self, Self::Obj | Self::Glb)
     }
 
-    /// Whether it has room for scalars of vertices and faces and for vectors of faces.
+    /// Whether it can store scalars of vertices and faces, and vectors of faces.
     pub const fn holds_scalars(self) -> bool {
         matches!(self, Self::Ply | Self::Vtp | Self::Vtu)
     }

@@ -14,7 +14,7 @@ const UNSIGNED_INT: u32 = 5125;
 const FLOAT: u32 = 5126;
 const TRIANGLES: u32 = 4;
 
-/// What is written of a mesh: which vertex each written one is, and where it is in the texture.
+/// The written vertices: for each the vertex of the mesh, and its texture coordinates.
 struct Written<'m> {
     vertices: Vec<u32>,
     faces: Cow<'m, [[u32; 3]]>,
@@ -23,7 +23,8 @@ struct Written<'m> {
 }
 
 impl<'m> Written<'m> {
-    /// A vertex for each pair of a vertex and texture coordinates, in the order of first use; without texture, the vertices as they are.
+    /// A written vertex for each pair of a vertex and texture coordinates, in the order of first use; without texture, the vertices
+    /// of the mesh.
     fn of(mesh: &'m TriMesh, attributes: &'m Attributes) -> Self {
         let Some(texture) = attributes.texture() else {
             let vertices = (0..mesh.positions().len() as u32).collect();
@@ -34,7 +35,7 @@ impl<'m> Written<'m> {
         let mut number = |pair: (u32, u32)| {
             *known.entry(pair).or_insert_with(|| {
                 vertices.push(pair.0);
-                // Counted from the upper left corner of the picture.
+                // glTF counts from the upper left corner of the image.
                 let [u, v] = texture.coordinates[pair.1 as usize];
                 places.push([u as f32, (1.0 - v) as f32]);
                 (vertices.len() - 1) as u32
@@ -93,7 +94,7 @@ pub(super) fn write(mut out: impl Write, mesh: &TriMesh, attributes: &Attributes
         "meshes": [{ "primitives": [{
             "attributes": of_vertices, "indices": 1, "material": 0, "mode": TRIANGLES
         }] }],
-        // The default is polished metal, which is dark wherever there is nothing around to mirror.
+        // The default material is polished metal, which looks dark without an environment to reflect.
         "materials": [{
             "pbrMetallicRoughness": { "metallicFactor": 0, "roughnessFactor": 1 }, "doubleSided": true
         }],
@@ -154,9 +155,8 @@ fn relative(position: [f64; 3], origin: [f64; 3]) -> [f32; 3] {
     [0, 1, 2].map(|axis| (position[axis] - origin[axis]) as f32)
 }
 
-/// Where the coordinates written are counted from: the centre along an axis where that leaves smaller numbers,
-/// zero where single precision holds all coordinates as they are. A single-precision number itself, because many
-/// programs hold the translation of a node as one.
+/// The origin of the written coordinates: along each axis the centre if that makes them smaller, or zero if single precision holds
+/// all coordinates exactly. It is a single-precision number itself, because many programs store translations as such.
 fn origin(mesh: &TriMesh) -> [f64; 3] {
     [0, 1, 2].map(|axis| {
         let coordinates = || mesh.positions().iter().map(|p| p[axis]);
@@ -194,8 +194,8 @@ fn range(mesh: &TriMesh, vertices: &[u32], origin: [f64; 3]) -> Result<[[f32; 3]
     Ok([lowest, highest])
 }
 
-/// Light proportional to the number, as glTF wants vertex colours, for each value of an sRGB channel (IEC 61966-2-1).
-/// Sixteen bits keep all 256 values apart; eight would merge the dark ones.
+/// The linear value of each sRGB channel value (IEC 61966-2-1), as glTF expects for vertex colours. Sixteen bits keep all 256
+/// values distinct; eight would merge the dark ones.
 fn linear_from_srgb() -> [u16; 256] {
     std::array::from_fn(|value| {
         let encoded = value as f64 / 255.0;

@@ -1,4 +1,4 @@
-//! Writing triangle meshes, with colours and scalars where the format has a place for them.
+//! Writing triangle meshes, with the attributes that each format can store.
 
 mod attributes;
 mod error;
@@ -22,25 +22,25 @@ pub use attributes::{AttributeError, Attributes};
 pub use error::{EncodeError, WriteError};
 pub use format::OutputFormat;
 
-/// Bytes collected before the operating system is asked to write.
+/// Bytes collected per write to the operating system.
 const BLOCK: usize = 1 << 16;
 
-/// Writes a mesh, in the format that the suffix of `path` names; `.gz` after it compresses.
+/// Writes a mesh, in the format of the suffix of `path`; a final `.gz` compresses.
 ///
 /// # Accuracy
 /// See [`OutputFormat`]: every bit of every coordinate is kept, except in the single-precision formats STL and GLB.
 ///
 /// # Errors
-/// [`WriteError`]. The file appears, or is replaced, only once all of it is written; after an error whatever was
-/// there before is still there.
+/// [`WriteError`]. The file appears, or is replaced, only once all of it is written; after an error a file that existed before is
+/// unchanged.
 pub fn write(path: impl AsRef<Path>, mesh: &TriMesh) -> Result<(), WriteError> {
     write_with(path, mesh, &Attributes::for_mesh(mesh))
 }
 
-/// Writes a mesh with attributes, in the format that the suffix of `path` names; `.gz` after it compresses.
+/// Writes a mesh with attributes, in the format of the suffix of `path`; a final `.gz` compresses.
 ///
 /// # Errors
-/// As [`write()`]; also if the format cannot hold one of the attributes, see [`OutputFormat`].
+/// As [`write()`]; also if the format cannot store one of the attributes, see [`OutputFormat`].
 ///
 /// # Example
 /// ```no_run
@@ -59,7 +59,7 @@ pub fn write_with(path: impl AsRef<Path>, mesh: &TriMesh, attributes: &Attribute
     }
 }
 
-/// Writes a mesh with attributes in the given format, whatever the suffix of `path`, except that `.gz` compresses.
+/// Writes a mesh with attributes in the given format, whatever the suffix of `path`, except that a final `.gz` compresses.
 ///
 /// # Errors
 /// As [`write_with`].
@@ -92,22 +92,21 @@ fn in_file(path: &Path, error: EncodeError) -> WriteError {
     }
 }
 
-/// Writes a file of any kind, such as a picture or a page, whole or not at all: it appears, or is replaced, only once all of it is
-/// written.
+/// Writes a file of any kind, such as a picture or a page, atomically: it appears, or is replaced, only once all of it is written.
 ///
 /// # Errors
-/// [`WriteError::Io`]; whatever was there before is still there.
+/// [`WriteError::Io`]; a file that existed before is unchanged.
 pub fn write_whole(path: impl AsRef<Path>, content: &[u8]) -> Result<(), WriteError> {
     let path = path.as_ref();
     replace::replace_file(path, |file| Ok(file.write_all(content)?)).map_err(|error| in_file(path, error))
 }
 
-/// Writes a mesh with attributes to anything that takes bytes, uncompressed; flushes at the end.
+/// Encodes a mesh with attributes into any writer, uncompressed; flushes at the end.
 ///
 /// Writes come in blocks, so `out` needs no buffer of its own.
 ///
 /// # Errors
-/// What `out` reports, or [`EncodeError`] before the first byte if the format cannot hold what it is given.
+/// Errors of `out`; [`EncodeError`] before the first byte if the format cannot store the mesh or an attribute.
 pub fn encode(
     out: impl Write,
     format: OutputFormat,

@@ -58,7 +58,7 @@ pub(super) fn write(out: impl Write, mesh: &TriMesh, attributes: &Attributes) ->
     Ok(text.flush()?)
 }
 
-/// A name without what would end the statement.
+/// A name without characters that would end the statement.
 fn on_one_line(name: &str) -> String {
     name.chars().filter(|c| !c.is_control() && *c != '#').collect()
 }

@@ -12,7 +12,7 @@ pub(super) fn write(out: impl Write, mesh: &TriMesh, attributes: &Attributes) ->
     text.integer(mesh.positions().len());
     text.text(" ");
     text.integer(mesh.faces().len());
-    // The number of edges, which readers are told to ignore.
+    // The number of edges, which readers ignore.
     text.text(" 0");
     text.end_line()?;
     for (v, [x, y, z]) in mesh.positions().iter().enumerate() {
@@ -23,7 +23,7 @@ pub(super) fn write(out: impl Write, mesh: &TriMesh, attributes: &Attributes) ->
         text.real(*z);
         if let Some(colors) = attributes.vertex_colors() {
             write_color(&mut text, colors[v]);
-            // The fourth channel is part of a COFF vertex: opaque.
+            // The fourth channel of a COFF vertex is opacity.
             text.text(" 255");
         }
         text.end_line()?;

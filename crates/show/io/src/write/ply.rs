@@ -10,7 +10,7 @@ pub(super) fn write(mut out: impl Write, mesh: &TriMesh, attributes: &Attributes
     writeln!(out, "property double x\nproperty double y\nproperty double z")?;
     declare(&mut out, attributes.vertex_colors(), attributes.vertex_scalars())?;
     writeln!(out, "element face {}", mesh.faces().len())?;
-    // Most programs write `int` and some read nothing else; beyond its range there is only `uint`.
+    // Most programs write `int` and some read nothing else; only indices beyond its range need `uint`.
     let index = if i32::try_from(vertices).is_ok() { "int" } else { "uint" };
     writeln!(out, "property list uchar {index} vertex_indices")?;
     declare(&mut out, attributes.face_colors(), attributes.face_scalars())?;

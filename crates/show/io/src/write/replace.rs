@@ -1,15 +1,15 @@
-//! A file appears whole or not at all.
+//! Atomic replacement of files.
 
 use super::EncodeError;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// Lets `fill` write a temporary file next to `path` and gives it that name once all is well.
+/// Lets `fill` write a temporary file next to `path`, and renames it when all has succeeded.
 ///
-/// A link is followed; anything at `path` that is not a file (a folder, a device) is left alone with an error. The
-/// temporary file is removed on every error and panic. On Linux it has no name while it is written, where the file system can
-/// do that, so that the system removes it even when the process is killed.
+/// Links are followed. If `path` is not a regular file (a folder, a device), it is left unchanged and an error is returned. The
+/// temporary file is removed on every error and panic. On Linux, if the file system supports it, the file has no name while it is
+/// written, so that the system removes it even when the process is killed.
 pub(super) fn replace_file(
     path: &Path,
     fill: impl FnOnce(&mut fs::File) -> Result<(), EncodeError>,
@@ -24,7 +24,7 @@ pub(super) fn replace_file(
     #[cfg(unix)]
     {
         use std::os::unix::fs::PermissionsExt;
-        // The mode of any new file, of which the process's mask takes its part; without this only the owner may read.
+        // The usual permissions of a new file, restricted by the process's umask; without this only the owner may read it.
         builder.permissions(fs::Permissions::from_mode(0o666));
     }
     #[cfg(target_os = "linux")]
@@ -42,7 +42,7 @@ pub(super) fn replace_file(
     Ok(())
 }
 
-/// Files without a name, until they are given one.
+/// Files that have no name until they are complete.
 #[cfg(target_os = "linux")]
 mod unnamed {
     use rustix::fs::{AtFlags, CWD, Mode, OFlags, linkat, open};
@@ -51,17 +51,17 @@ mod unnamed {
     use std::os::fd::AsRawFd;
     use std::path::{Path, PathBuf};
 
-    /// By which a file without a name can be told.
+    /// Names of the open files of this process, through which a file without a name is linked.
     const OPEN_FILES: &str = "/proc/self/fd";
 
-    /// A file in a folder; none where the file system has no such files.
+    /// A nameless file in a folder; `None` if the file system does not support them.
     pub(super) fn file(folder: &Path) -> Option<File> {
         let flags = OFlags::TMPFILE | OFlags::RDWR | OFlags::CLOEXEC;
         let mode = Mode::from_raw_mode(0o666);
         Path::new(OPEN_FILES).is_dir().then(|| open(folder, flags, mode).ok().map(File::from)).flatten()
     }
 
-    /// Lets a file appear.
+    /// Gives the file its name.
     pub(super) fn give_name(file: &File, name: &Path) -> io::Result<()> {
         let opened: PathBuf = Path::new(OPEN_FILES).join(file.as_raw_fd().to_string());
         Ok(linkat(CWD, &opened, CWD, name, AtFlags::SYMLINK_FOLLOW)?)

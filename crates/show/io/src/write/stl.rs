@@ -4,7 +4,7 @@ use super::{EncodeError, OutputFormat};
 use pompeiu_core::{TriMesh, VertexId};
 use std::io::Write;
 
-/// Not `solid`, by which readers know the text variant.
+/// Must not begin with `solid`, by which readers recognise the text variant.
 const HEADER: [u8; 80] = {
     let mut header = [b' '; 80];
     let text = b"binary STL, single precision";
@@ -42,10 +42,10 @@ fn check_range(mesh: &TriMesh) -> Result<(), EncodeError> {
     Ok(())
 }
 
-/// Unit normal, counter-clockwise; zero where the corners span no area that doubles can tell.
+/// The counter-clockwise unit normal; zero for corners without an area in double precision.
 fn normal([a, b, c]: [[f64; 3]; 3]) -> [f64; 3] {
     let sub = |p: [f64; 3], q: [f64; 3]| [p[0] - q[0], p[1] - q[1], p[2] - q[2]];
-    // Scaled to the longest edge so that the products neither overflow nor vanish.
+    // Scaled to the longest edge, so that the products neither overflow nor underflow.
     let (u, v) = (sub(b, a), sub(c, a));
     let largest = u.iter().chain(&v).fold(0.0_f64, |most, x| if x.abs() > most { x.abs() } else { most });
     let (u, v) = (u.map(|x| x / largest), v.map(|x| x / largest));

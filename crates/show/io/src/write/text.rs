@@ -1,9 +1,9 @@
-//! Numbers as text, without the detour of `std::fmt`.
+//! Formatting numbers without `std::fmt`, which is slower.
 
 use super::BLOCK;
 use std::io::{self, Write};
 
-/// Collects the lines of a text file and passes them on in blocks.
+/// Collects the lines of a text file and writes them in blocks.
 pub(super) struct TextWriter<W: Write> {
     out: W,
     pending: Vec<u8>,

@@ -1,16 +1,16 @@
-//! VTK XML, polygonal data and unstructured grids, with arrays appended as they are.
+//! VTK XML polygonal data and unstructured grids, with raw appended arrays.
 
 use super::{Attributes, EncodeError};
 use pompeiu_core::TriMesh;
 use std::io::{self, Write};
 
-/// The name of the arrays of colours; no scalar has it.
+/// The name of colour arrays, which scalars cannot have.
 pub(super) const COLORS: &str = "Colors";
 
-/// Length of the number of bytes that precedes each appended array, as `header_type="UInt64"` says.
+/// Size of the byte count that precedes each appended array, by `header_type="UInt64"`.
 const LENGTH_BYTES: u64 = 8;
 
-/// Which of VTK's data sets holds the triangles.
+/// The VTK data set that holds the triangles.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum DataSet {
     PolyData,
@@ -35,7 +35,7 @@ pub(super) fn write(
         DataSet::UnstructuredGrid => ("UnstructuredGrid", "Cells", "NumberOfCells"),
     };
     let (vertices, faces) = (mesh.positions().len(), mesh.faces().len());
-    // The last offset, three per face, is the largest of all integers written except perhaps a vertex.
+    // The last offset, three per face, is the largest integer written, except perhaps a vertex index.
     let wide = i32::try_from(vertices).is_err() || i32::try_from(3 * faces as u64).is_err();
     let (integer, width) = if wide { ("Int64", 8) } else { ("Int32", 4) };
     let (n, m) = (vertices as u64, faces as u64);
@@ -64,7 +64,7 @@ pub(super) fn write(
         ("PointData", n, attributes.vertex_colors(), &vertex_scalars),
         ("CellData", m, attributes.face_colors(), &face_scalars),
     ] {
-        // What programs show first.
+        // The array that programs show first.
         match (scalars.first(), colors) {
             (Some((name, _)), _) => xml.open(&format!("{tag} Scalars=\"{name}\""))?,
             (None, Some(_)) => xml.open(&format!("{tag} Scalars=\"{COLORS}\""))?,
@@ -115,7 +115,7 @@ pub(super) fn write(
     Ok(out.write_all(b"\n</AppendedData>\n</VTKFile>\n")?)
 }
 
-/// The arrays declared so far; each begins where the one before ends.
+/// The arrays declared so far; each begins where the previous one ends.
 struct Declarations {
     xml: Vec<u8>,
     end: u64,

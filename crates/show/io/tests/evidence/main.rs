@@ -1,4 +1,4 @@
-//! Readers and writers against those of other people, and on files that are not as they should be.
+//! Readers and writers against those of other projects, and on defective files.
 
 #![allow(clippy::unwrap_used, reason = "a helper of a test fails by panicking, as the test does")]
 

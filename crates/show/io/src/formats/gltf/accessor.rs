@@ -37,7 +37,7 @@ impl Component {
         }
     }
 
-    /// The number in `bytes`, of which there are [`size`](Self::size).
+    /// The number stored in `bytes`, which holds [`size`](Self::size) bytes.
     fn number(self, bytes: &[u8], normalized: bool) -> f64 {
         let word = bytes.iter().rev().fold(0_u32, |word, &byte| word << 8 | u32::from(byte));
         let (value, most): (f64, f64) = match self {
@@ -57,7 +57,7 @@ impl Component {
     }
 }
 
-/// Equal steps through the bytes of a buffer view.
+/// Elements at equal strides in the bytes of a buffer view.
 struct Elements<'a> {
     bytes: &'a [u8],
     stride: usize,
@@ -145,7 +145,7 @@ fn read<T: Copy>(
     size: u64,
     decode: impl Fn(&[u8]) -> T,
 ) -> Result<Vec<T>, String> {
-    // The format wants as many places as values at most; more would take time on a count's word.
+    // The specification allows at most as many sparse values as values; more would cost time that the file does not account for.
     if let Some(sparse) = &accessor.sparse
         && sparse.count > accessor.count
     {
@@ -157,9 +157,9 @@ fn read<T: Copy>(
             elements.iter().map(&decode).collect()
         }
         (None, None) => return Err("no buffer view".into()),
-        // All zeros but for the sparse values. Beyond one value each, the count would be an empty promise.
+        // All zeros except for the sparse values. More values than one per sparse value would be a count without data.
         (None, Some(sparse)) if accessor.count == sparse.count => {
-            // Seen to be there before memory is taken for so many.
+            // Checked to exist before memory for them is allocated.
             let values = &sparse.values;
             Elements::of_view(buffers, values.buffer_view, values.byte_offset, sparse.count, size)?;
             vec![decode(&vec![0; size as usize]); accessor.count as usize]

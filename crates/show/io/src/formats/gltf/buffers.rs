@@ -1,4 +1,4 @@
-//! The bytes that a glTF document refers to: in the file, in the document, or in files next to it.
+//! The buffers of a glTF document: in the file, in the document, or in files beside it.
 
 use super::document::{Buffer, BufferView, Document};
 use super::{entry, wrong};
@@ -14,9 +14,9 @@ pub(super) struct Buffers<'a> {
     document: &'a Document,
     binary: Option<&'a [u8]>,
     folder: Option<&'a Path>,
-    /// The buffers read so far; others may hold images only.
+    /// The buffers read so far; buffers that only hold images are never read.
     loaded: Vec<OnceCell<Source>>,
-    /// The bytes of those, all together.
+    /// Their total size in bytes.
     loaded_bytes: Cell<u64>,
 }
 
@@ -72,7 +72,7 @@ impl<'a> Buffers<'a> {
             return STANDARD.decode(data).map(Source::Owned).map_err(|error| format!("base64: {error}"));
         }
         let path = beside(uri, self.folder)?;
-        // Opening a pipe would wait for somebody to write into it.
+        // Opening a named pipe would block until a writer opens it.
         match fs::metadata(&path) {
             Ok(metadata) if metadata.is_file() => {
                 source::open(&path).map_err(|error| format!("{uri:?}: {error}"))
@@ -83,7 +83,7 @@ impl<'a> Buffers<'a> {
     }
 }
 
-/// Where a buffer outside of the file is: below the folder of the file, never elsewhere.
+/// The path of an external buffer: below the folder of the file, never elsewhere.
 pub(super) fn beside(uri: &str, folder: Option<&Path>) -> Result<PathBuf, String> {
     let name = percent_encoding::percent_decode_str(uri).decode_utf8().map_err(|error| error.to_string())?;
     let name = Path::new(&*name);

@@ -31,7 +31,7 @@ pub(super) fn open(bytes: &[u8]) -> Result<Container<'_>, FormatError> {
     }
     let mut chunks = Vec::new();
     let mut at = 12;
-    // The format defines two chunks; whatever follows is to be ignored.
+    // The format defines two chunks; readers must ignore any others.
     while at < length && chunks.len() < 2 {
         let (start, size) = (at + 8, word(at)? as usize);
         let kind = bytes.get(at + 4..start).unwrap_or_default();

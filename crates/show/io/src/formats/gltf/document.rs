@@ -1,4 +1,4 @@
-//! The part of a glTF 2.0 document that says where triangles are.
+//! The parts of a glTF 2.0 document that describe triangles.
 
 use serde::Deserialize;
 use serde_json::Value;
@@ -44,7 +44,7 @@ pub(super) struct Node {
     #[serde(default)]
     pub(super) children: Vec<usize>,
     pub(super) mesh: Option<usize>,
-    /// Column after column.
+    /// Column by column.
     pub(super) matrix: Option<[f64; 16]>,
     pub(super) translation: Option<[f64; 3]>,
     /// A quaternion, real part last.
@@ -104,7 +104,7 @@ pub(super) struct SparseArray {
     pub(super) buffer_view: usize,
     #[serde(default)]
     pub(super) byte_offset: u64,
-    /// Of the indices; the values have the type of the accessor.
+    /// The type of the indices; the values have the type of the accessor.
     pub(super) component_type: Option<u32>,
 }
 

@@ -1,7 +1,7 @@
 //! glTF 2.0, as JSON and as GLB.
 //!
-//! All triangles of the default scene, each mesh as often as nodes show it and where they put it. Skins, morph
-//! targets and animations are left aside: the mesh is as stored.
+//! All triangles of the default scene: each mesh once for every node that shows it, with the node's transform. Skins, morph targets
+//! and animations are ignored: the mesh is as stored.
 
 mod accessor;
 mod buffers;
@@ -17,7 +17,7 @@ use buffers::Buffers;
 use document::Document;
 use std::path::PathBuf;
 
-/// Beginnings of the names of extensions that leave the triangles alone.
+/// Prefixes of extensions that do not affect triangles.
 const HARMLESS_EXTENSIONS: [&str; 8] = [
     "KHR_materials_",
     "KHR_texture_",
@@ -26,7 +26,7 @@ const HARMLESS_EXTENSIONS: [&str; 8] = [
     "EXT_texture_",
     "MSFT_texture_",
     "EXT_lights_",
-    // It only allows more types of numbers, all of which are read.
+    // It only allows more number types, all of which are read.
     "KHR_mesh_quantization",
 ];
 
@@ -50,7 +50,7 @@ pub(super) fn read_binary(input: Input<'_>) -> Result<RawMesh, FormatError> {
     read_document(&document, container.binary, input)
 }
 
-/// The buffers that lie in other files.
+/// The buffers in other files.
 pub(super) fn referenced_files(input: Input<'_>) -> Vec<PathBuf> {
     let bytes = input.bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(input.bytes);
     let json = container::open(bytes).map_or(bytes, |container| container.document);
@@ -76,7 +76,7 @@ fn read_document(
     scene::read(document, &buffers, input.stored_bytes)
 }
 
-/// The item of that number, or what is missing.
+/// The list entry with this index, or an error that says what is missing.
 fn entry<'a, T>(list: &'a [T], what: &str, index: usize) -> Result<&'a T, FormatError> {
     list.get(index).ok_or_else(|| wrong(format!("{what} {index} does not exist, there are {}", list.len())))
 }
@@ -85,7 +85,7 @@ fn wrong(problem: String) -> FormatError {
     FormatError::new(Location::File, problem)
 }
 
-/// What the JSON parser says, without the place.
+/// The message of the JSON parser without the place.
 fn message(error: &serde_json::Error) -> String {
     let text = error.to_string();
     let end = text.rfind(" at line ").unwrap_or(text.len());

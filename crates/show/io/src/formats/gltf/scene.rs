@@ -1,4 +1,4 @@
-//! From the nodes of a scene to triangles.
+//! Collecting triangles from the nodes of a scene.
 
 use super::accessor;
 use super::buffers::Buffers;
@@ -11,10 +11,10 @@ use crate::groups::Group;
 use crate::raw::RawMesh;
 use std::collections::HashMap;
 
-/// A file of any size may describe a mesh that takes this many bytes, as instances of few triangles.
+/// Instances may take this many bytes in a file of any size.
 const INSTANCES_FLOOR: u64 = 1 << 28;
 
-/// What showing a primitive counts beside its content, in bytes: about as many as are handled in that time.
+/// Cost in bytes of showing a primitive, in addition to its content: about what can be processed in the same time.
 const PRIMITIVE_BYTES: u64 = 256;
 
 pub(super) fn read(
@@ -24,7 +24,7 @@ pub(super) fn read(
 ) -> Result<RawMesh, FormatError> {
     let mut scene = SceneReader { document, buffers, raw: RawMesh::default(), file_length, spent: 0 };
     if document.nodes.is_empty() {
-        // A library of meshes that no scene shows.
+        // A library of meshes without a scene.
         for (index, mesh) in document.meshes.iter().enumerate() {
             let first = scene.raw.faces.len();
             scene.add_mesh(index, mesh, &Transform::IDENTITY)?;
@@ -62,7 +62,7 @@ pub(super) fn read(
     Ok(scene.raw)
 }
 
-/// What is to be done with a node: its mesh and its children, then its name for all of their faces.
+/// A step of the traversal: a node's mesh and children, then the node's name for all their faces.
 enum Step {
     Enter { node: usize, parent: Transform },
     Leave { node: usize, first: usize },
@@ -90,12 +90,12 @@ struct SceneReader<'a> {
     buffers: &'a Buffers<'a>,
     raw: RawMesh,
     file_length: u64,
-    /// Bytes that the mesh takes so far.
+    /// Bytes of the mesh so far.
     spent: u64,
 }
 
 impl SceneReader<'_> {
-    /// The faces from a number on have a name, if there are any.
+    /// Records a group for the faces from `first` on, if there are any and the node has a name.
     fn group(&mut self, name: Option<&str>, first: usize) {
         let faces = first..self.raw.faces.len();
         if let Some(name) = name.filter(|_| !faces.is_empty()) {
@@ -104,7 +104,7 @@ impl SceneReader<'_> {
     }
 
     fn add_mesh(&mut self, index: usize, mesh: &Mesh, transform: &Transform) -> Result<(), FormatError> {
-        // Primitives of one mesh often differ in material only and share their vertices.
+        // Primitives of one mesh often differ only in material and share their vertices.
         let mut bases = HashMap::new();
         for (number, primitive) in mesh.primitives.iter().enumerate() {
             self.spend(PRIMITIVE_BYTES)?;
@@ -120,7 +120,7 @@ impl SceneReader<'_> {
         Ok(())
     }
 
-    /// The number of the first of the positions added, and how many there are.
+    /// The index of the first added position, and their number.
     fn add_positions(&mut self, index: usize, transform: &Transform) -> Result<(u32, u32), FormatError> {
         let accessor = entry(&self.document.accessors, "accessor", index)?;
         let base = self.raw.positions.len();
@@ -151,7 +151,7 @@ impl SceneReader<'_> {
         self.spend((count * size_of::<u32>()) as u64)?;
         let triangles = match primitive.mode {
             0..=3 => {
-                // Points, separate lines, and chains of lines.
+                // Points, line segments, line loops and line strips.
                 let shapes = [count, count / 2, count.saturating_sub(1), count.saturating_sub(1)];
                 self.raw.faces_dropped += shapes[primitive.mode as usize] as u64;
                 return Ok(());
@@ -179,15 +179,15 @@ impl SceneReader<'_> {
                 let problem = format!("vertex {index} does not exist, there are {vertices} (the first is 0)");
                 return Err(FormatError::new(face, problem));
             }
-            // The direction in which corners run round the outside changes in a mirror.
+            // A mirror reverses the orientation of triangles.
             let face = if mirrored { [a, c, b] } else { [a, b, c] };
             self.raw.faces.push(face.map(|v| base + v));
         }
         Ok(())
     }
 
-    /// Takes note of what is about to be added; what is read is bounded by the bytes there are, but nodes may show
-    /// the same mesh any number of times.
+    /// Accounts for what is about to be added. Content is bounded by the bytes in the file, but nodes may show the same mesh any
+    /// number of times.
     fn spend(&mut self, bytes: u64) -> Result<(), FormatError> {
         self.spent = self.spent.saturating_add(bytes);
         let described_by = self.file_length.saturating_add(self.buffers.loaded_bytes());

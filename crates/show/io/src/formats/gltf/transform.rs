@@ -1,8 +1,8 @@
-//! Where nodes put their meshes.
+//! Transforms of nodes.
 
 use super::document::Node;
 
-/// An affine map: the rows of its linear part and the translation behind each.
+/// An affine map: the rows of its linear part, each followed by its translation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Transform([[f64; 4]; 3]);
 
@@ -10,7 +10,7 @@ impl Transform {
     pub(super) const IDENTITY: Self =
         Self([[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]]);
 
-    /// The transform of a node alone; `None` for a projection or a rotation by the quaternion zero.
+    /// The local transform of a node; `None` for a projection or a zero quaternion.
     pub(super) fn of_node(node: &Node) -> Option<Self> {
         if let Some(m) = node.matrix {
             let affine = [m[3], m[7], m[11], m[15]] == [0.0, 0.0, 0.0, 1.0];
@@ -25,7 +25,7 @@ impl Transform {
         })))
     }
 
-    /// This map after `inner`.
+    /// The composition that applies `inner` first.
     pub(super) fn after(&self, inner: &Self) -> Self {
         Self(self.0.map(|row| {
             [0, 1, 2, 3].map(|column| {
@@ -39,9 +39,9 @@ impl Transform {
         self.0.map(|row| linear_combination([row[0], row[1], row[2]], point, row[3]))
     }
 
-    /// Whether the map turns left hands into right ones.
+    /// Whether the map reverses orientation.
     pub(super) fn mirrors(&self) -> bool {
-        // Rows scaled to size one, so that no product of tiny or huge numbers loses the sign.
+        // Rows are scaled to size one, so that products of tiny or huge numbers keep the sign.
         let [a, b, c] = self.0.map(|row| {
             let largest =
                 row[..3].iter().fold(0.0, |most, x: &f64| if x.abs() > most { x.abs() } else { most });
@@ -53,8 +53,8 @@ impl Transform {
     }
 }
 
-/// The sum of products and `constant`, without the terms that are zero: the identity keeps every bit of a point,
-/// the sign of a negative zero included.
+/// The sum of products plus `constant`, leaving out zero terms, so that the identity preserves every bit of a point, even the sign
+/// of −0.
 fn linear_combination(factors: [f64; 3], values: [f64; 3], constant: f64) -> f64 {
     let mut sum = -0.0;
     for (factor, value) in factors.into_iter().zip(values) {
@@ -65,7 +65,7 @@ fn linear_combination(factors: [f64; 3], values: [f64; 3], constant: f64) -> f64
     if constant == 0.0 { sum } else { sum + constant }
 }
 
-/// The rotation matrix of a quaternion of any length but zero.
+/// The rotation matrix of a nonzero quaternion, which need not have unit length.
 fn rotation(quaternion: [f64; 4]) -> Option<[[f64; 3]; 3]> {
     let length = quaternion.iter().map(|c| c * c).sum::<f64>().sqrt();
     if !(length > 0.0 && length.is_finite()) {

@@ -7,7 +7,7 @@ use pompeiu_core::TriMesh;
 use std::borrow::Cow;
 use std::collections::HashMap;
 
-/// Reads what belongs to the vertices and faces of a mesh.
+/// Reads the colours, texture coordinates and materials of the vertices and faces of a mesh.
 pub(crate) fn read(bytes: &[u8], mesh: &TriMesh) -> Result<Appearance, FormatError> {
     let mut reader = Reader::default();
     let mut start = 0;
@@ -33,7 +33,7 @@ fn statement(bytes: &[u8], start: usize) -> (Cow<'_, [u8]>, usize) {
     };
     let mut joined = first.to_vec();
     loop {
-        // The line feed of a CR LF.
+        // The LF of a CR LF.
         if bytes[after - 1] == b'\r' && bytes.get(after) == Some(&b'\n') {
             after += 1;
         }
@@ -54,7 +54,7 @@ fn statement(bytes: &[u8], start: usize) -> (Cow<'_, [u8]>, usize) {
 #[derive(Default)]
 struct Reader {
     vertices: usize,
-    /// Colours as written, from the first vertex on as long as each has one.
+    /// Colours as written, up to the first vertex without one.
     colors: Vec<[f64; 3]>,
     coordinates: Vec<[f64; 2]>,
     /// One for each face so far; [`NONE`] at corners without texture coordinates.
@@ -87,7 +87,7 @@ impl Reader {
 
     fn vertex(&mut self, rest: &[u8]) {
         let numbers: Vec<f64> = numbers(rest).collect();
-        // With four or five numbers the fourth is a weight.
+        // With four or five numbers, the fourth is a weight.
         if let [_, _, _, red, green, blue, ..] = numbers[..]
             && self.colors.len() == self.vertices
         {
@@ -115,14 +115,14 @@ impl Reader {
         }
     }
 
-    /// Finds the corners of the triangles that a face became.
+    /// Finds the corners of the triangles made of a face.
     fn face(&mut self, rest: &[u8], mesh: &TriMesh) -> Result<(), String> {
         let mut polygon: Vec<(u32, u32)> = Vec::with_capacity(4);
         for corner in rest.split(|b| is_blank(*b)).filter(|corner| !corner.is_empty()) {
             let mut indices = corner.split(|b| *b == b'/');
             let vertex = index(indices.next().unwrap_or_default(), self.vertices, "vertex")?;
             let place = match indices.next().filter(|place| !place.is_empty()) {
-                // Faces may name coordinates that follow: whether they exist is known at the end.
+                // Faces may refer to later coordinates; whether they exist is checked at the end.
                 Some(place) => index(place, self.coordinates.len(), "texture")?,
                 None => NONE,
             };
@@ -146,7 +146,7 @@ impl Reader {
 
     fn finish(mut self, mesh: &TriMesh) -> Appearance {
         let colors = (self.colors.len() == mesh.positions().len()).then(|| {
-            // Some programs write channels up to 255.
+            // Some programs write channels from 0 to 255.
             let most = if self.colors.iter().flatten().any(|x| *x > 1.0) { 255.0 } else { 1.0 };
             self.colors.iter().map(|color| color.map(|x| channel(x / most))).collect()
         });
@@ -175,7 +175,7 @@ impl Reader {
     }
 }
 
-/// An index as written, from 1 on or back from the last so far.
+/// An index as written: from 1 on, or negative relative to the last one so far.
 fn index(written: &[u8], so_far: usize, what: &str) -> Result<u32, String> {
     let wrong = || format!("found {}, expected a {what} index", quoted(written));
     let (value, _) = whole_number(written, 0).filter(|(_, end)| *end == written.len()).ok_or_else(wrong)?;

@@ -1,9 +1,9 @@
 //! Wavefront OBJ.
 //!
-//! Read are vertices (`v`, of which the first three numbers count) and faces (`f`, of whose corners the vertex index
-//! counts, negative ones relative to the last vertex so far), and which groups (`g`) and objects (`o`) faces belong to. Comments begin with `#` and end with their line; in
-//! other statements a backslash at the end of a line continues it. Every other statement whose keyword is a word of
-//! letters is skipped. Faces may name vertices that follow.
+//! Reads vertices (`v`, the first three numbers), faces (`f`, the vertex index of each corner, negative ones relative to the last
+//! vertex so far), and the groups (`g`) and objects (`o`) of faces. Comments begin with `#` and end with their line; in other
+//! statements a backslash at the end of a line continues it. Every other statement whose keyword consists of letters is skipped.
+//! Faces may refer to later vertices.
 
 mod appearance;
 mod piece;
@@ -18,7 +18,7 @@ pub(crate) use appearance::read as read_appearance;
 use piece::Piece;
 use std::ops::Range;
 
-/// Bytes of text per task: its vertices and faces stay in a core's own cache until they are taken.
+/// Bytes of text per task: its vertices and faces stay in the cache of a core until they are appended.
 const PIECE_BYTES: usize = 1 << 18;
 
 /// Bytes of a short line with a vertex.
@@ -34,7 +34,7 @@ pub(crate) fn read(bytes: &[u8]) -> Result<RawMesh, FormatError> {
 
 fn read_in_pieces(bytes: &[u8], piece_bytes: usize) -> Result<RawMesh, Problem> {
     let pieces = split(bytes, piece_bytes);
-    // Memory set aside and not written to costs nothing and is given back; more than these sizes is rare.
+    // Reserved memory that is never written costs nothing and is returned; files rarely need more than these sizes.
     let mut mesh = RawMesh {
         positions: Vec::with_capacity(bytes.len() / USUAL_VERTEX_BYTES),
         faces: Vec::with_capacity(bytes.len() / USUAL_FACE_BYTES),
@@ -77,7 +77,7 @@ fn split(bytes: &[u8], piece_bytes: usize) -> Vec<Range<usize>> {
                 Some(n) => {
                     let line_end = end + n;
                     end = past_line_end(bytes, line_end);
-                    // The first byte of a CR LF may lie before `end`, so a backslash is looked for before both.
+                    // The first byte of a CR LF may lie before `end`, so backslashes are checked before both.
                     let content = bytes[..line_end].strip_suffix(b"\r").unwrap_or(&bytes[..line_end]);
                     if content.ends_with(b"\\") {
                         continue;
@@ -92,7 +92,7 @@ fn split(bytes: &[u8], piece_bytes: usize) -> Vec<Range<usize>> {
     pieces
 }
 
-/// Moves a piece's elements behind those of the pieces before it.
+/// Appends a piece's elements to those of the pieces before it.
 fn append(mesh: &mut RawMesh, piece: &mut Piece) -> Result<(), Problem> {
     for relative in &piece.relative {
         let preceding = mesh.positions.len() + relative.vertices_before;

@@ -4,14 +4,14 @@ use crate::groups::Mark;
 use crate::polygon::Polygon;
 use crate::text::{Problem, coordinate, is_blank, is_line_end, next_line, past_line_end, quoted, word};
 
-/// Vertices and faces of one piece, indices relative to the whole file where they are written so.
+/// Vertices and faces of one piece. Relative indices are resolved when the pieces are joined.
 #[derive(Default)]
 pub(super) struct Piece {
     pub(super) positions: Vec<[f64; 3]>,
     pub(super) faces: Vec<[u32; 3]>,
     /// See [`RawMesh::polygons`](crate::raw::RawMesh::polygons); `first` counts within the piece.
     pub(super) polygons: Vec<Polygon>,
-    /// Corners with negative indices, to be set when the number of vertices before the piece is known.
+    /// Corners with negative indices, which can be resolved once the number of vertices before the piece is known.
     pub(super) relative: Vec<RelativeCorner>,
     pub(super) faces_dropped: u64,
     /// Names of groups and objects, each with the number of the first face after it.
@@ -36,7 +36,7 @@ pub(super) struct RelativeCorner {
 #[derive(Clone, Copy, Default)]
 struct Corner {
     index: u32,
-    /// The index as written and its offset when it is negative, else (0, 0).
+    /// The index as written and its offset if it is negative, otherwise (0, 0).
     relative: (i64, usize),
 }
 
@@ -51,8 +51,7 @@ impl Piece {
         self.largest_index = 0;
     }
 
-    /// Reads the statements of `text`, which ends where a statement ends. Indices that are not relative have to be
-    /// at most `vertices`.
+    /// Reads the statements of `text`, which ends at the end of a statement. Absolute indices must be at most `vertices`.
     pub(super) fn parse(&mut self, text: &[u8], vertices: u32) -> Result<(), Problem> {
         let mut at = 0;
         while let Some(&byte) = text.get(at) {
@@ -80,13 +79,13 @@ impl Piece {
         Ok(if text.get(at) == Some(&b'\n') { at + 1 } else { end_of_statement(text, at) })
     }
 
-    /// The statement that says what the faces after it belong to.
+    /// A statement that assigns the faces after it to groups or an object.
     #[cold]
     fn mark(&mut self, text: &[u8], at: usize) -> usize {
         let end = end_of_statement(text, at);
         let statement = String::from_utf8_lossy(&text[at + 1..end]);
         let statement = statement.split('#').next().unwrap_or_default();
-        // Where a line is continued, a word ends.
+        // A continued line also ends a word.
         let mut words =
             statement.split(|c: char| c.is_whitespace() || c == '\\').filter(|word| !word.is_empty());
         let mark = if text[at] == b'g' {
@@ -159,10 +158,10 @@ impl Piece {
         }
     }
 
-    /// One corner of a face: a vertex index, and whatever else is tied to it with slashes.
+    /// One corner of a face: a vertex index, and further indices separated by slashes.
     #[inline]
     fn corner(&mut self, text: &[u8], start: usize, vertices: u32) -> Result<(Corner, usize), Problem> {
-        /// Digits of an index that surely fit.
+        /// Digits of an index that cannot overflow.
         const MOST_DIGITS: usize = 18;
         let negative = text[start] == b'-';
         let digits = start + usize::from(negative);
@@ -227,7 +226,7 @@ fn skip_blanks(text: &[u8], mut at: usize) -> usize {
     }
 }
 
-/// The offset behind the statement that goes on at `at`, continued lines included.
+/// The offset after the statement at `at`, including continued lines.
 fn end_of_statement(text: &[u8], mut at: usize) -> usize {
     loop {
         let end = memchr::memchr2(b'\n', b'\r', &text[at..]).map_or(text.len(), |n| at + n);
@@ -239,7 +238,7 @@ fn end_of_statement(text: &[u8], mut at: usize) -> usize {
     }
 }
 
-/// Skips a statement that says nothing about the surface; refuses what is not a statement.
+/// Skips a statement that does not affect the surface; rejects anything that is no statement.
 fn skipped_statement(text: &[u8], at: usize) -> Result<usize, Problem> {
     let keyword = word(text, at);
     let keyword = keyword.strip_suffix(b"\\").unwrap_or(keyword);

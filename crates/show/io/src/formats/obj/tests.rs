@@ -53,7 +53,7 @@ fn the_size_of_the_pieces_does_not_matter() {
     }
     let whole = read_in_pieces(text.as_bytes(), usize::MAX).unwrap();
     assert_eq!((whole.positions.len(), whole.faces.len(), whole.polygons.len()), (600, 600, 200));
-    // Nothing follows the last names.
+    // No face follows the last names.
     assert_eq!(whole.groups.len(), 3 * 199);
     assert!(
         ["a0", "b", "o 0"]

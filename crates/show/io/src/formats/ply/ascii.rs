@@ -90,7 +90,7 @@ pub(super) fn read_columns(
     Ok(vectors)
 }
 
-/// A place in the body.
+/// A position in the body.
 struct Rows<'a> {
     text: &'a [u8],
     at: usize,
@@ -171,7 +171,7 @@ impl Rows<'_> {
         Ok(())
     }
 
-    /// A list of vertex indices; in strips an index below 0 is a separator.
+    /// A list of vertex indices; in strips a negative index is a separator.
     fn indices(&mut self, indices: &mut Vec<i64>, vertices: u64, strips: bool) -> Result<(), Problem> {
         indices.clear();
         for _ in 0..self.whole_number(0, "a number of corners")? {

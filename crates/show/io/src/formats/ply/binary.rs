@@ -63,7 +63,7 @@ fn array<const N: usize>(bytes: &[u8], at: usize) -> [u8; N] {
 }
 
 impl Scalar {
-    /// A number of this type, exactly.
+    /// A number of this type, converted exactly.
     #[inline]
     fn value<const BIG: bool>(self, bytes: &[u8], at: usize) -> f64 {
         match self {
@@ -77,7 +77,7 @@ impl Scalar {
         }
     }
 
-    /// A whole number of this type; a number with a fraction is none and becomes the lowest of all.
+    /// An integer of this type. A number with a fraction becomes the smallest integer, which is never valid.
     #[inline]
     fn whole_number<const BIG: bool>(self, bytes: &[u8], at: usize) -> i64 {
         match self {
@@ -110,16 +110,16 @@ fn u32_at<const BIG: bool>(bytes: &[u8], at: usize) -> u32 {
 /// An element and where its rows lie.
 struct Table<'a, const BIG: bool> {
     element: &'a Element,
-    /// The number of rows, each of which has at least its shortest length in the file.
+    /// The number of rows; the file is long enough for each at its shortest length.
     rows: usize,
-    /// The length of a row whose lists are empty: of every row, when there are no lists.
+    /// The length of a row with empty lists; if there are no lists, of every row.
     shortest_row: usize,
     bytes: &'a [u8],
     start: usize,
 }
 
 impl<'a, const BIG: bool> Table<'a, BIG> {
-    /// Checks the promised number of rows against the bytes that are there.
+    /// Checks the number of rows in the header against the size of the file.
     fn new(element: &'a Element, bytes: &'a [u8], start: usize) -> Result<Self, FormatError> {
         let shortest_row = element
             .properties
@@ -199,8 +199,8 @@ impl<'a, const BIG: bool> Table<'a, BIG> {
             .collect_into_vec(positions);
     }
 
-    /// Reads faces that all have as many corners as the first, in parallel; returns where they end, or `None`,
-    /// having read nothing, when they differ or have other lists beside that of the corners.
+    /// Reads faces that all have as many corners as the first, in parallel. Returns where they end; or `None`, having read nothing,
+    /// if they differ or have other lists.
     fn faces_of_one_size(&self, mesh: &mut RawMesh, vertices: u64) -> Result<Option<usize>, FormatError> {
         let column = self.element.indices().map_err(|problem| problem.in_text(self.bytes))?;
         let properties = &self.element.properties;
@@ -267,7 +267,7 @@ impl<'a, const BIG: bool> Table<'a, BIG> {
             });
         }
         if !plain.into_inner() {
-            // Other sizes, or an index out of range, which the slower way finds and names.
+            // Other sizes or an index out of range: the sequential reader handles and reports them.
             return Ok(None);
         }
         mesh.faces = faces;

@@ -2,7 +2,7 @@
 
 use crate::text::{Problem, is_blank, is_line_end, quoted};
 
-/// Far more kinds of rows than any file has; looking through them has to stay quick.
+/// Far more elements than any real file has; the limit keeps searches short.
 const MOST_ELEMENTS: usize = 100;
 
 /// How the body is written.
@@ -26,7 +26,7 @@ pub(super) enum Scalar {
     F64,
 }
 
-/// What a property holds in each row.
+/// The type of a property.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
     Scalar(Scalar),
@@ -39,14 +39,14 @@ pub(super) struct Property {
     pub(super) kind: Kind,
 }
 
-/// A table: rows of the same properties.
+/// A table whose rows have the same properties.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Element {
     pub(super) name: Vec<u8>,
-    /// The number of rows that the header promises.
+    /// The number of rows according to the header.
     pub(super) count: u64,
     pub(super) properties: Vec<Property>,
-    /// Where the header declares it.
+    /// The offset of its declaration.
     pub(super) offset: usize,
 }
 
@@ -54,7 +54,7 @@ pub(super) struct Element {
 pub(super) struct Header {
     pub(super) encoding: Encoding,
     pub(super) elements: Vec<Element>,
-    /// Where the body begins.
+    /// Offset of the body.
     pub(super) body: usize,
 }
 
@@ -220,7 +220,7 @@ impl Header {
                 Problem::new(element.offset, text)
             });
         }
-        // Normals are not taken for a vector field.
+        // Normals are not vector fields.
         let stems =
             element.properties.iter().filter_map(|p| p.name.strip_suffix(b"x")).filter(|s| *s != b"n");
         let found: Vec<([usize; 3], &[u8])> =
@@ -263,7 +263,7 @@ impl Header {
     }
 }
 
-/// The lines of the header; all end as the first one does, so that a body whose first byte is a line feed is safe.
+/// The lines of the header. All end as the first one does, so that a body whose first byte is LF is not skipped.
 struct Lines<'a> {
     bytes: &'a [u8],
     at: usize,

@@ -1,11 +1,10 @@
 //! Stanford PLY, ascii and binary in both byte orders.
 //!
-//! Read are the coordinates `x`, `y` and `z` of element `vertex`, of any number type; the lists `vertex_indices` or
-//! `vertex_index` of element `face`, of any whole number types; and the same lists of element `tristrips`, in which a
-//! negative index ends a strip and triangles with a repeated corner only join others and are left out. Everything
-//! else is skipped, in whatever order elements and properties come. In ascii files every row is a line of its own, and
-//! a coordinate is the double nearest to what is written, also where the header says `float`: many programs say so and
-//! write more digits.
+//! Reads the coordinates `x`, `y` and `z` of element `vertex`, of any number type; the lists `vertex_indices` or `vertex_index` of
+//! element `face`, of any integer types; and the same lists of element `tristrips`. There a negative index ends a strip, and
+//! triangles with a repeated corner only join others and are omitted. Everything else is skipped; elements and properties may come
+//! in any order. In ascii files every row is on a line of its own, and a coordinate becomes the nearest double even where the
+//! header says `float`, because many programs write `float` and more digits than it holds.
 
 mod ascii;
 mod binary;
@@ -26,8 +25,8 @@ pub(crate) fn read(bytes: &[u8]) -> Result<RawMesh, FormatError> {
     }
 }
 
-/// Reads three properties of element `face` as vectors: those named `NAME_x`, `NAME_y`, `NAME_z` (or without the line
-/// between), or the only ones there are.
+/// Reads three properties of element `face` as vectors: those named `NAME_x`, `NAME_y`, `NAME_z` (or without the underscore), or
+/// the only ones.
 pub(crate) fn read_face_vectors(bytes: &[u8], wanted: Option<&str>) -> Result<Vec<[f64; 3]>, FormatError> {
     let header = Header::parse(bytes).map_err(|problem| problem.in_text(bytes))?;
     let columns = header.face_vector(wanted).map_err(|problem| problem.in_text(bytes))?;
@@ -58,7 +57,7 @@ fn read_columns(
     }
 }
 
-/// Adds the triangles of a strip, or of several with an index below 0 between them.
+/// Adds the triangles of a strip, or of several strips separated by negative indices.
 fn push_strips(mesh: &mut RawMesh, indices: &[i64]) {
     for strip in indices.split(|&index| index < 0) {
         for (at, corners) in strip.windows(3).enumerate() {

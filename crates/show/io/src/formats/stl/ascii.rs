@@ -4,17 +4,17 @@ use crate::raw::RawMesh;
 use crate::text::{Problem, coordinate, is_blank, is_line_end, next_line, quoted, word};
 use crate::weld::Welder;
 
-/// How much of the file has to look like text with facets.
+/// How much of the file must look like text with facets.
 const LOOK_AHEAD: usize = 1 << 12;
 
-/// Whether the file begins with `solid` and goes on as text.
+/// Whether the file begins with `solid` and continues as text.
 pub(crate) fn looks_like_it(bytes: &[u8]) -> bool {
     let body = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes).trim_ascii_start();
     let head = &body[..body.len().min(LOOK_AHEAD)];
     word(head, 0).eq_ignore_ascii_case(b"solid") && !head.contains(&0)
 }
 
-/// What may come next.
+/// The statements that may come next.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum State {
     Outside,

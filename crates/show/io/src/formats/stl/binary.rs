@@ -14,21 +14,21 @@ const TRIANGLE: usize = 50;
 /// Triangles per task.
 const PIECE_TRIANGLES: usize = 8 * BLOCK_TRIANGLES;
 
-/// Triangles welded to each other before their vertices are welded to all others: in most files they are neighbours
-/// and share vertices, and what is known about these fits into a core's innermost cache.
+/// Triangles that are welded to each other before their vertices are welded to all others: in most files they are neighbours and
+/// share vertices, and this small table fits into the innermost cache.
 const BLOCK_TRIANGLES: usize = 1 << 10;
 
 fn promised_triangles(bytes: &[u8]) -> Option<u32> {
     bytes.get(HEADER - 4..HEADER)?.try_into().ok().map(u32::from_le_bytes)
 }
 
-/// Whether the length of the file is the one that its triangle count asks for.
+/// Whether the length of the file matches its triangle count.
 pub(crate) fn has_the_promised_length(bytes: &[u8]) -> bool {
     promised_triangles(bytes)
         .is_some_and(|count| HEADER as u64 + TRIANGLE as u64 * u64::from(count) == bytes.len() as u64)
 }
 
-/// The triangles of one piece, whose corners count among the vertices found in the piece.
+/// The triangles of one piece; corners are indices into the vertices found in the piece.
 #[derive(Default)]
 struct Piece {
     welder: LocalWelder,

@@ -1,9 +1,8 @@
 //! Stereolithography files, binary and ascii.
 //!
-//! Equal positions become one vertex, in the order of first appearance. Normals, colours, attributes and names are
-//! skipped. A file is binary when its length is the one its triangle count asks for, whatever it begins with; else
-//! ascii when it begins with `solid` and its start is text; else it is binary and either truncated or followed by
-//! other data, which are skipped.
+//! Equal positions become one vertex, in the order of first appearance. Normals, colours, attributes and names are skipped. A file
+//! is binary if its length matches its triangle count, whatever it begins with. Otherwise it is ascii if it begins with `solid` and
+//! its start is text. Otherwise it is binary, and either truncated or followed by other data, which is skipped.
 
 mod ascii;
 mod binary;

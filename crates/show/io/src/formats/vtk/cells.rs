@@ -1,12 +1,12 @@
-//! Cells by their corners, whatever the layout they came in.
+//! Cells by their corners, independent of the layout in the file.
 
 use crate::error::{FormatError, Location};
 use crate::raw::RawMesh;
 
-/// The kinds of cells that lie in a surface or below it, by their numbers in `vtkCellType.h`.
+/// The cell types of a surface or of lower dimension, by their numbers in `vtkCellType.h`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum CellKind {
-    /// Nothing, points and lines: no surface.
+    /// Points, lines and empty cells.
     NoSurface,
     Triangle,
     TriangleStrip,
@@ -38,7 +38,7 @@ pub(super) struct CellArray {
     pub(super) ends: Vec<u64>,
 }
 
-/// Adds the surface of each cell; corners count from the points that begin at `base` and end the mesh so far.
+/// Adds the faces of each cell; corners are relative to the points from `base` on, which are the last of the mesh.
 pub(super) fn add(
     raw: &mut RawMesh,
     base: usize,

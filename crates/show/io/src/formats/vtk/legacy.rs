@@ -1,4 +1,4 @@
-//! The legacy format: a few words of text before each array, which is text too or big-endian binary.
+//! The legacy format: each array follows a few words of text, and is text or big-endian binary itself.
 
 use super::cells::{self, CellArray, CellKind};
 use super::numbers::{ByteOrder, NumberType};
@@ -31,7 +31,7 @@ pub(crate) fn read(bytes: &[u8]) -> Result<RawMesh, FormatError> {
     Ok(raw)
 }
 
-/// Reads the hexahedra of an unstructured grid, and the numbers of its points that are called `label`.
+/// Reads the hexahedra of an unstructured grid, and the point data named `label`.
 pub(crate) fn read_hexahedra(bytes: &[u8]) -> Result<Hexahedra, FormatError> {
     let mut scanner = Scanner { bytes, at: 0, binary: false, last: Vec::new() };
     let read = |scanner: &mut Scanner<'_>| {
@@ -56,7 +56,7 @@ pub(crate) fn read_hexahedra(bytes: &[u8]) -> Result<Hexahedra, FormatError> {
     Ok(grid)
 }
 
-/// Numbers of points that are called `label`, where they come first; other data are left out.
+/// The point data named `label`, if it comes first; other data is ignored.
 fn read_labels(scanner: &mut Scanner<'_>, points: u64) -> Result<Option<Vec<f64>>, Problem> {
     if scanner.last != b"point_data" {
         return Ok(None);
@@ -86,7 +86,7 @@ fn read_labels(scanner: &mut Scanner<'_>, points: u64) -> Result<Option<Vec<f64>
 struct Parts {
     positions: Vec<[f64; 3]>,
     arrays: Vec<(CellKind, CellArray)>,
-    /// One for each cell, in unstructured grids.
+    /// One for each cell; unstructured grids only.
     types: Option<Vec<u64>>,
 }
 
@@ -116,7 +116,7 @@ fn read_parts(scanner: &mut Scanner<'_>) -> Result<Parts, Problem> {
     loop {
         let (at, keyword) = scanner.keyword();
         let kind = match keyword.as_slice() {
-            // What follows belongs to points and cells and makes none.
+            // Point and cell data follow, and no more points or cells.
             b"" | b"point_data" | b"cell_data" => {
                 scanner.last = keyword;
                 return Ok(parts);
@@ -142,7 +142,7 @@ fn read_parts(scanner: &mut Scanner<'_>) -> Result<Parts, Problem> {
             b"vertices" | b"lines" if !grid => CellKind::NoSurface,
             b"polygons" if !grid => CellKind::Polygon,
             b"triangle_strips" if !grid => CellKind::TriangleStrip,
-            // The kind of each follows as its type.
+            // The cell types follow in their own section.
             b"cells" if grid => CellKind::NoSurface,
             other => {
                 let problem = format!("found {}, expected points, cells or their data", quoted(other));
@@ -186,7 +186,7 @@ fn read_cells(scanner: &mut Scanner<'_>) -> Result<CellArray, Problem> {
     Ok(CellArray { corners, ends })
 }
 
-/// The layout of old: each cell is the number of its corners and then these.
+/// The older layout: each cell is its number of corners followed by the corners.
 fn cells_with_counts(
     scanner: &mut Scanner<'_>,
     cells: u64,
@@ -222,7 +222,7 @@ fn skip_field(scanner: &mut Scanner<'_>) -> Result<(), Problem> {
     scanner.keyword();
     let arrays = scanner.count()?;
     for _ in 0..arrays {
-        // The name, or what is told about the array before.
+        // A name, or other information about the array before.
         while scanner.keyword().1 == b"metadata" {
             skip_metadata(scanner);
         }
@@ -247,7 +247,7 @@ fn skip_field(scanner: &mut Scanner<'_>) -> Result<(), Problem> {
     Ok(())
 }
 
-/// Up to the next empty line.
+/// Skips to the next empty line.
 fn skip_metadata(scanner: &mut Scanner<'_>) {
     scanner.line();
     while !scanner.line().trim_ascii().is_empty() {}
@@ -257,7 +257,7 @@ struct Scanner<'a> {
     bytes: &'a [u8],
     at: usize,
     binary: bool,
-    /// The word that ended points and cells.
+    /// The keyword that ended points and cells.
     last: Vec<u8>,
 }
 
@@ -279,7 +279,7 @@ impl<'a> Scanner<'a> {
         &line[..end]
     }
 
-    /// The next word, wherever it is, and its place; empty at the end.
+    /// The next word on this or a later line, and its place; empty at the end.
     fn word(&mut self) -> (usize, &'a [u8]) {
         let blanks = self.bytes[self.at..].iter().take_while(|b| b.is_ascii_whitespace()).count();
         let at = self.at + blanks;
@@ -291,7 +291,7 @@ impl<'a> Scanner<'a> {
     /// The next word in lower case.
     fn keyword(&mut self) -> (usize, Vec<u8>) {
         let (at, word) = self.word();
-        // Longer than any keyword: data where none should be.
+        // Longer than any keyword: data in the place of a keyword.
         (at, word[..word.len().min(64)].to_ascii_lowercase())
     }
 
@@ -369,8 +369,8 @@ impl<'a> Scanner<'a> {
         Ok(())
     }
 
-    /// Text has one string a line. In binary each follows its length, whose first two bits tell in how many bytes
-    /// the length is written.
+    /// Text has one string per line. In binary each string follows its length; the first two bits give the number of bytes of the
+    /// length.
     fn skip_strings(&mut self, count: u64) -> Result<(), Problem> {
         self.line();
         for _ in 0..count {

@@ -1,16 +1,16 @@
-//! The tags of an XML document, counted before it is parsed.
+//! Limits on XML tags, checked before the document is parsed.
 //!
-//! The parser compares every attribute of an element with all others of it, and every namespace with all that are in scope, which
-//! takes minutes when there are 100,000 of them.
+//! The parser compares every attribute of an element with all others, and every namespace with all in scope, which takes minutes
+//! for 100,000 of them.
 
 use crate::error::{FormatError, Location};
 use crate::text::line_of;
 use memchr::{memchr, memchr3, memmem};
 
-/// The most attributes that one element may have; those of the format have a dozen.
+/// The most attributes of an element; the format uses a dozen.
 const MOST_ATTRIBUTES: usize = 256;
 
-/// The most namespaces that a document may declare; the format has none.
+/// The most namespaces that a document may declare; the format uses none.
 const MOST_NAMESPACES: usize = 64;
 
 /// Refuses documents with too many attributes in an element, or too many namespaces.
@@ -35,7 +35,7 @@ pub(super) fn check(xml: &str) -> Result<(), FormatError> {
     Ok(())
 }
 
-/// The end of the tag that begins at `start`, after its attributes, which are quoted.
+/// The end of the tag that begins at `start`, after its quoted attributes.
 fn end_of_tag(bytes: &[u8], start: usize) -> Result<usize, FormatError> {
     let (mut at, mut attributes) = (start, 0);
     while let Some(mark) = memchr3(b'>', b'"', b'\'', &bytes[at..]).map(|length| at + length) {
@@ -61,7 +61,7 @@ fn too_many(bytes: &[u8], at: usize, most: usize, what: &str) -> FormatError {
 mod tests {
     use super::*;
 
-    /// What comes from numbers 0, 1, …, all in one text.
+    /// The text of parts 0, 1, …, concatenated.
     fn repeated(count: usize, part: impl Fn(usize) -> String) -> String {
         (0..count).map(part).collect::<Vec<_>>().concat()
     }

@@ -1,6 +1,6 @@
-//! Numbers as VTK stores them.
+//! Number types in VTK files.
 
-/// The order of the bytes of a number.
+/// The byte order of numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum ByteOrder {
     Little,
@@ -23,14 +23,14 @@ pub(super) enum NumberType {
 }
 
 impl NumberType {
-    /// By its name in legacy files, in lower case.
+    /// The type with this name in legacy files, in lower case.
     pub(super) fn from_legacy_name(name: &str) -> Option<Self> {
         Some(match name {
             "char" | "signed_char" => Self::I8,
             "unsigned_char" => Self::U8,
             "short" => Self::I16,
             "unsigned_short" => Self::U16,
-            // Files hold ids in 32 bits, whatever the program that wrote them was built with.
+            // Files store ids in 32 bits, whatever the build of the program that wrote them.
             "int" | "vtkidtype" => Self::I32,
             "unsigned_int" => Self::U32,
             "long" | "vtktypeint64" => Self::I64,
@@ -41,7 +41,7 @@ impl NumberType {
         })
     }
 
-    /// By its name in XML files.
+    /// The type with this name in XML files.
     pub(super) fn from_xml_name(name: &str) -> Option<Self> {
         Some(match name {
             "Int8" => Self::I8,
@@ -58,7 +58,7 @@ impl NumberType {
         })
     }
 
-    /// In bytes.
+    /// The size in bytes.
     pub(super) const fn size(self) -> usize {
         match self {
             Self::I8 | Self::U8 => 1,
@@ -68,7 +68,7 @@ impl NumberType {
         }
     }
 
-    /// The number in `bytes`, of which there are [`size`](Self::size).
+    /// The number stored in `bytes`, which holds [`size`](Self::size) bytes.
     pub(super) fn real(self, bytes: &[u8], order: ByteOrder) -> f64 {
         let word = word(bytes, order);
         match self {
@@ -79,7 +79,7 @@ impl NumberType {
         }
     }
 
-    /// The number in `bytes`, if it counts something.
+    /// The number stored in `bytes`, if it is a nonnegative integer.
     pub(super) fn count(self, bytes: &[u8], order: ByteOrder) -> Option<u64> {
         let word = word(bytes, order);
         match self {

@@ -1,4 +1,4 @@
-//! The bytes of an array in an XML file: raw or base64, whole or in compressed blocks.
+//! The bytes of an array in an XML file: raw or base64, uncompressed or in compressed blocks.
 
 use super::numbers::{ByteOrder, NumberType};
 use crate::expansion::Allowance;
@@ -17,7 +17,7 @@ pub(super) struct Packing<'a> {
     pub(super) compressor: Option<&'a str>,
 }
 
-/// Bytes to be taken one part after the other.
+/// Bytes that are read part by part.
 pub(super) enum Stream<'a> {
     Raw(&'a [u8]),
     Base64(Base64<'a>),
@@ -48,7 +48,7 @@ impl<'a> Stream<'a> {
     /// The data of one array.
     ///
     /// # Errors
-    /// The data are damaged, or have more bytes than are left of the allowance, from which they are taken.
+    /// The data is damaged, or exceeds the rest of the allowance, from which its size is subtracted.
     pub(super) fn unpack(
         mut self,
         packing: &Packing<'_>,
@@ -87,10 +87,10 @@ impl<'a> Stream<'a> {
     }
 }
 
-/// Decodes no more than asked for: the next array follows without a mark.
+/// Decodes exactly as much as asked for: the next array follows without a separator.
 pub(super) struct Base64<'a> {
     text: &'a [u8],
-    /// Decoded and not yet taken.
+    /// Decoded bytes that were not read yet.
     pending: Vec<u8>,
 }
 
@@ -102,7 +102,7 @@ impl Base64<'_> {
         while bytes.len() < length {
             let most = CHARACTERS.min((length - bytes.len()).div_ceil(3) * 4);
             part.clear();
-            // Padding ends a part, wherever it stands: some writers encode the lengths on their own.
+            // Padding ends a part, wherever it stands: some writers encode the lengths separately.
             while part.len() < most && !(part.len().is_multiple_of(4) && part.last() == Some(&b'=')) {
                 let Some((&character, rest)) = self.text.split_first() else { break };
                 self.text = rest;
@@ -122,7 +122,7 @@ impl Base64<'_> {
 
 fn inflate(block: &[u8], length: u64, bytes: &mut Vec<u8>) -> Result<(), String> {
     let before = bytes.len();
-    // One byte more than expected shows that there is more.
+    // One byte more than expected detects excess data.
     let read = ZlibDecoder::new(block).take(length.saturating_add(1)).read_to_end(bytes);
     read.map_err(|error| format!("a compressed block is damaged: {error}"))?;
     match (bytes.len() - before) as u64 {

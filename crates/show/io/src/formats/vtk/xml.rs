@@ -35,7 +35,7 @@ pub(crate) fn read_poly_data(input: Input<'_>) -> Result<RawMesh, FormatError> {
     })
 }
 
-/// Reads the surface cells that make an `UnstructuredGrid`.
+/// Reads the surface cells of an `UnstructuredGrid`.
 pub(crate) fn read_unstructured_grid(input: Input<'_>) -> Result<RawMesh, FormatError> {
     read(input, "UnstructuredGrid", |file, piece, raw: &mut RawMesh| {
         let base = file.add_points(piece, raw)?;
@@ -75,7 +75,7 @@ pub(crate) fn read_hexahedra(input: Input<'_>) -> Result<Hexahedra, FormatError>
     })
 }
 
-/// Reads the vectors of cells named so, or the only ones there are.
+/// Reads the cell vectors with this name, or the only ones.
 pub(crate) fn read_cell_vectors(
     input: Input<'_>,
     kind: &str,
@@ -133,7 +133,7 @@ fn read<T: Default>(
     markup::check(&parts.xml)?;
     let document = Document::parse(&parts.xml).map_err(|error| {
         let row = u64::from(error.pos().row);
-        // It quotes what it found, line ends too.
+        // The parser quotes the text it found, line ends included.
         let text = error.to_string().replace(char::is_control, " ");
         let what = &text[..text.rfind(" at ").unwrap_or(text.len())];
         FormatError::new(Location::Line(row), format!("not XML that can be read: {what}"))
@@ -163,7 +163,7 @@ fn read<T: Default>(
     Ok(raw)
 }
 
-/// The XML of a file and the appended data, which may be any bytes.
+/// The XML of a file, and the appended data, which may be any bytes.
 struct Parts<'a> {
     xml: Cow<'a, str>,
     appended: Option<&'a [u8]>,
@@ -221,12 +221,12 @@ struct File<'a, 'x> {
     packing: Packing<'x>,
     appended: Option<&'a [u8]>,
     is_raw: bool,
-    /// Bytes of arrays that may still be unpacked: pieces may share one.
+    /// Bytes of arrays that may still be unpacked; pieces may share an array.
     allowance: Cell<Allowance>,
 }
 
 impl File<'_, '_> {
-    /// Adds the points of a piece; gives the number of the first.
+    /// Adds the points of a piece; returns the index of the first.
     fn add_points(&self, piece: Node<'_, '_>, raw: &mut RawMesh) -> Result<usize, FormatError> {
         let base = raw.positions.len();
         raw.positions.extend(self.points(piece)?);
@@ -339,7 +339,7 @@ impl File<'_, '_> {
         bytes
     }
 
-    /// An attribute that counts something; zero where it is missing.
+    /// An integer attribute; zero if it is missing.
     fn count(&self, node: Node<'_, '_>, attribute: &str) -> Result<u64, FormatError> {
         let Some(text) = node.attribute(attribute) else { return Ok(0) };
         text.trim()

@@ -1,4 +1,4 @@
-//! Damaged files end in an error or a valid mesh, never in a panic.
+//! Damaged files give an error or a valid mesh, never a panic.
 
 use super::vtk;
 use pompeiu_core::TriMesh;
@@ -7,7 +7,7 @@ use pompeiu_testkit::effort::cases;
 use proptest::prelude::*;
 use std::fs;
 
-/// One place and what happens there.
+/// An offset and the change made there.
 #[derive(Clone, Debug)]
 enum Damage {
     Set(prop::sample::Index, u8),
@@ -49,7 +49,7 @@ fn apply(mut bytes: Vec<u8>, damages: &[Damage]) -> Vec<u8> {
                 let part = bytes[at..(at + n).min(length)].to_vec();
                 bytes.splice(at..at, part);
             }
-            // In text, the next number becomes another one.
+            // In text, a digit changes the next number.
             Damage::Number(at, number) => {
                 let at = at.index(length);
                 if let Some(start) = bytes[at..].iter().position(u8::is_ascii_digit).map(|n| at + n) {
@@ -77,7 +77,7 @@ fn samples() -> Vec<(Format, Vec<u8>)> {
     samples
 }
 
-/// With those, files by other programs.
+/// Also files by other programs.
 fn all_samples() -> Vec<(Format, Vec<u8>)> {
     let mut samples = samples();
     for (suffix, format) in [("vtk", Format::VtkLegacy), ("vtp", Format::Vtp), ("vtu", Format::Vtu)] {
@@ -158,8 +158,8 @@ proptest! {
     }
 }
 
-/// Every beginning of a file that is not the whole is an error, where the format says what the whole is. Legacy VTK
-/// files do not: one cut between two arrays is a smaller file.
+/// Every proper prefix of a file is an error if the format states its extent. Legacy VTK files do not: cut between two arrays, they
+/// are smaller files.
 #[test]
 fn truncated_files_are_errors() {
     let told = all_samples().into_iter().filter(|(format, _)| *format != Format::VtkLegacy);

@@ -1,4 +1,4 @@
-//! Vectors on faces: what is written is read, and what is odd is named.
+//! Vectors on faces: round trips, and errors that name the defect.
 
 use pompeiu_core::mesh::shapes::icosphere;
 use pompeiu_io::{

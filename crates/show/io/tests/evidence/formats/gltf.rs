@@ -129,7 +129,7 @@ fn nodes_place_meshes() {
     };
     let x_y_z = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     assert_eq!(corners(json!([{ "mesh": 0 }])), [x_y_z]);
-    // Translations that single precision cannot hold arrive whole.
+    // Translations that single precision cannot hold are kept exactly.
     let shifted = x_y_z.map(|[x, y, z]| [x + 6_378_137.015_625, y, z - 0.1]);
     assert_eq!(corners(json!([{ "mesh": 0, "translation": [6_378_137.015_625, 0, -0.1] }])), [shifted]);
     // Scale, then a quarter turn about z, then translation.
@@ -141,11 +141,11 @@ fn nodes_place_meshes() {
         assert!(a.len() == 1 && pairs.into_iter().all(|(p, q)| (p - q).abs() < 1e-14), "{a:?} {b:?}");
     };
     close(&corners(json!([node])), placed);
-    // The same as a matrix, column after column, below a parent that doubles and lifts.
+    // The same as a matrix, column by column, below a parent that doubles and lifts.
     let matrix = [0, 2, 0, 0, -3, 0, 0, 0, 0, 0, 4, 0, 10, 0, 0, 1];
     let nodes = json!([{ "children": [1], "scale": [2, 2, 2], "translation": [0, 0, 1] }, { "mesh": 0, "matrix": matrix }]);
     assert_eq!(corners(nodes), [placed.map(|[x, y, z]| [2.0 * x, 2.0 * y, 2.0 * z + 1.0])]);
-    // A mirror turns the corners round, so that the outside stays outside.
+    // A mirror reverses the corners, so that the outside stays outside.
     let mirrored = corners(json!([{ "mesh": 0, "scale": [-1e-120, 1e-120, 1e-120] }]));
     assert_eq!(mirrored, [[[-1e-120, 0.0, 0.0], [0.0, 0.0, 1e-120], [0.0, 1e-120, 0.0]]]);
     // Two nodes show one mesh twice.

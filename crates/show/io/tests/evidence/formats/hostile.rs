@@ -1,4 +1,4 @@
-//! Small files that promise, share or repeat so much that they would take minutes or all memory.
+//! Small files that state, share or repeat so much that reading them naively would take minutes or all memory.
 
 use super::refusal;
 use flate2::Compression;
@@ -73,7 +73,7 @@ fn elements_with_countless_attributes_or_namespaces_are_refused() {
 fn primitives_that_countless_nodes_show_are_refused() {
     const MANY: usize = 5000;
     let nodes = vec!["{\"mesh\":0}"; MANY].join(",");
-    // Lines with no vertex, and primitives that say nothing at all.
+    // Lines without a vertex, and empty primitives.
     for primitive in ["{\"attributes\":{}}", "{\"attributes\":{\"POSITION\":0},\"mode\":1}"] {
         let primitives = vec![primitive; MANY].join(",");
         let file = format!(

@@ -1,4 +1,4 @@
-//! The glTF and VTK readers, on files put together here, on files by other writers, and on damaged files.
+//! The glTF and VTK readers on files made here, on files by other writers, and on damaged files.
 
 mod damage;
 mod face_vectors;

@@ -1,11 +1,11 @@
-//! What our writers write, our readers read.
+//! Our readers read what our writers write.
 
 use super::{read_as, triangles};
 use pompeiu_core::TriMesh;
 use pompeiu_io::{Attributes, Format, OutputFormat, encode, read, read_bytes, write};
 use proptest::prelude::*;
 
-/// The double of these bits, or of those without the top bit of the exponent where that one is too large.
+/// The double with these bits; where it would be too large, without the top bit of the exponent.
 fn supported(bits: u64) -> f64 {
     let value = f64::from_bits(bits);
     if value.abs() <= TriMesh::MAX_COORDINATE { value } else { f64::from_bits(bits & !(1 << 62)) }
@@ -81,8 +81,8 @@ proptest! {
         let read = read_as(Format::Glb, &encoded(OutputFormat::Glb, &mesh));
         for (a, b) in triangles(&read.mesh).as_flattened().iter().zip(triangles(&mesh).as_flattened()) {
             for axis in 0..3 {
-                // Half a unit in the last place of single precision at 1/2 + 1/16, the most that is left after
-                // recentring on a single-precision number, and the rounding of two sums of doubles at 10⁶.
+                // Half a unit in the last place of single precision at 1/2 + 1/16, the largest coordinate after recentring on a
+                // single-precision number, plus the rounding of two sums of doubles at 10⁶.
                 prop_assert!((a[axis] - b[axis]).abs() <= 0.5 * f64::from(f32::EPSILON) * 0.5 + 2e-10);
             }
         }

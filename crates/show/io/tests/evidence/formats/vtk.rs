@@ -1,4 +1,4 @@
-//! Files that VTK wrote, and files with one thing wrong.
+//! Files that VTK wrote, and files with one defect.
 
 use super::{read_as, refusal};
 use base64::{Engine, prelude::BASE64_STANDARD};
@@ -198,7 +198,7 @@ fn what_is_wrong_in_legacy_files() {
     let points = b"POINTS 9";
     let at = binary.windows(points.len()).position(|window| window == points).unwrap();
     binary[at + 7] = b'5';
-    // Four points too few: the next keyword is looked for among coordinates.
+    // Four points too few: the next keyword is read as a coordinate.
     assert!(refusal(Format::VtkLegacy, &binary).starts_with("byte "));
 }
 
@@ -280,7 +280,7 @@ fn what_is_wrong_in_xml_files() {
         .replace("</VTKFile>", "<AppendedData encoding=\"raw\">_abc</AppendedData></VTKFile>");
     let found = refusal(Format::Vtp, appended.as_bytes());
     assert_eq!(found, "line 8: DataArray \"offsets\": offset 7 in 3 bytes of appended data");
-    // Lengths and data encoded together or each on its own.
+    // Lengths and data encoded together or separately.
     for data in ["BAAAAAMAAAA=", "BAAAAA==AwAAAA==", "\n BAAA AAMA AAA=\n"] {
         let text = POLY.replace(offsets, &format!("format=\"binary\">{data}<"));
         assert_eq!(read_as(Format::Vtp, text.as_bytes()).mesh.faces(), [[0, 1, 2]]);

@@ -1,4 +1,4 @@
-//! No bytes make a reader panic, and what it accepts is a mesh.
+//! No bytes make a reader panic, and every accepted input is a valid mesh.
 
 use super::meshes::{file, wavy_sphere};
 use pompeiu_io::{Format, OutputFormat, read_bytes};
@@ -34,7 +34,7 @@ static FILES: LazyLock<Vec<Vec<u8>>> = LazyLock::new(|| {
     files
 });
 
-/// Reads the bytes as every format; the result only has to exist.
+/// Reads the bytes as every format; any result will do.
 fn read_as_everything(bytes: &[u8]) {
     for format in FORMATS.map(Some).into_iter().chain([None]) {
         match read_bytes(bytes, format) {

@@ -1,4 +1,4 @@
-//! Files that hold no usable mesh: one line that names the file and the place, and nothing else.
+//! Files without a usable mesh: the error is one line that names the file and the place.
 
 use super::meshes::{file, wavy_sphere};
 use pompeiu_io::{OutputFormat, ReadError, read};
@@ -47,7 +47,7 @@ fn pipes_are_read_when_somebody_writes_into_them() {
     let made = std::process::Command::new("mkfifo").arg(&pipe).status().unwrap();
     assert!(made.success());
     assert!(complaint(&pipe).contains("a pipe into which nobody writes"), "{}", complaint(&pipe));
-    // More than a pipe holds at a time, from somebody who comes late and takes breaks.
+    // More than a pipe buffers, from a writer that starts late and pauses.
     let (mesh, bytes) = wavy_sphere_as_obj();
     let writer = {
         let pipe = pipe.clone();
@@ -151,7 +151,7 @@ fn truncated_files_are_errors() {
     let mesh = wavy_sphere(3);
     for format in [OutputFormat::Ply, OutputFormat::Stl, OutputFormat::Off] {
         let bytes = file(format, &mesh);
-        // The last number of a text may lose digits and still be one.
+        // The last number of a text may lose digits and still be valid.
         let text = format == OutputFormat::Off;
         let end = if text { bytes.iter().rposition(|&b| b == b' ').unwrap() } else { bytes.len() - 1 };
         for cut in (1..end).step_by(7).chain([end]) {
@@ -160,7 +160,7 @@ fn truncated_files_are_errors() {
             complaint(&path);
         }
     }
-    // OBJ states no counts: a cut leaves a valid file, unless it cuts a statement or what faces refer to.
+    // OBJ has no counts: a truncated file is valid unless the cut divides a statement or removes vertices that faces use.
     let bytes = file(OutputFormat::Obj, &mesh);
     let text = String::from_utf8(bytes).unwrap();
     let vertices = text.find("\nf ").unwrap();
@@ -187,7 +187,7 @@ fn truncated_gzip_is_an_error() {
     }
 }
 
-/// Ear clipping of a face as large as this one could take minutes.
+/// Ear clipping of a face of this size could take minutes.
 #[test]
 fn a_face_with_very_many_corners_is_refused_when_it_crosses_itself() {
     use std::fmt::Write;

@@ -1,4 +1,4 @@
-//! Names, compression and other ways to hand in a file.
+//! File names, compression, and other kinds of input.
 
 use super::meshes::{assert_same, file, wavy_sphere};
 use flate2::Compression;

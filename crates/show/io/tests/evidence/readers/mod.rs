@@ -1,4 +1,4 @@
-//! Every reader against a second reader, at any number of threads, and on files that are not as they should be.
+//! Every reader against a second reader, at any number of threads, and on defective files.
 
 mod arbitrary;
 mod bad_input;

@@ -1,4 +1,4 @@
-//! OBJ beside tobj.
+//! OBJ against tobj.
 
 use super::data::real_meshes;
 use super::meshes::{assert_same, file, wavy_sphere};

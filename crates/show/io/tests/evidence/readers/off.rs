@@ -1,4 +1,4 @@
-//! OFF beside a reader by words.
+//! OFF against a word-by-word reader.
 
 use super::data::real_meshes;
 use super::meshes::{assert_same, file, wavy_sphere};

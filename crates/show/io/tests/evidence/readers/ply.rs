@@ -1,4 +1,4 @@
-//! PLY beside ply-rs-bw, which writes the files and reads ours.
+//! PLY against ply-rs-bw, which writes the files and reads ours.
 
 use super::meshes::{assert_same, file, wavy_sphere};
 use ply_rs_bw::parser::Parser;
@@ -9,7 +9,7 @@ use ply_rs_bw::writer::Writer;
 use pompeiu_core::TriMesh;
 use pompeiu_io::{Format, OutputFormat, read_bytes};
 
-/// A file by ply-rs-bw, with properties and elements that say nothing about the surface among the others.
+/// A file by ply-rs-bw that also has properties and elements unrelated to the surface.
 fn written_by_the_other(mesh: &TriMesh, encoding: Encoding, single: bool) -> Vec<u8> {
     let coordinate = |x: f64| if single { Property::Float(x as f32) } else { Property::Double(x) };
     let kind = PropertyType::Scalar(if single { ScalarType::Float } else { ScalarType::Double });
@@ -111,7 +111,7 @@ fn files_of_the_other_are_read_in_every_encoding() {
             let second = second_reading(&bytes);
             let what = format!("{encoding:?}, single precision: {single}");
             if single && encoding == Encoding::Ascii {
-                // The other rounds what is written to single precision, as the header says; we keep it.
+                // ply-rs-bw rounds the written value to single precision, as the header says; we keep it.
                 let rounded = found.mesh.positions().iter().map(|p| p.map(|x| f64::from(x as f32))).collect();
                 let rounded = TriMesh::new(rounded, found.mesh.faces().to_vec()).unwrap();
                 assert_same(&rounded, &second, &what);

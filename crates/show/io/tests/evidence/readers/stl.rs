@@ -1,4 +1,4 @@
-//! STL beside `stl_io`.
+//! STL against `stl_io`.
 
 use super::meshes::{file, wavy_sphere};
 use pompeiu_core::TriMesh;

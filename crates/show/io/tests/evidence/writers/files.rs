@@ -89,7 +89,7 @@ fn links_are_followed_and_new_files_have_the_usual_mode() {
     fs::write(at("plain"), "").unwrap();
     let mode = |name| fs::metadata(at(name)).unwrap().permissions().mode();
     assert_eq!(mode("target.obj"), mode("plain"));
-    // The null device swallows what it is given; replacing it would break the machine.
+    // Replacing the null device would damage the system.
     assert!(
         write_as("/dev/null", OutputFormat::Obj, &tetrahedron(), &Attributes::for_mesh(&tetrahedron()))
             .is_err()

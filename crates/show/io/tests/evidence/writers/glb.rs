@@ -42,7 +42,7 @@ fn check_bounds(read: &Read) {
     }
 }
 
-/// The sRGB value of a linear channel, by IEC 61966-2-1 the other way round.
+/// The sRGB value of a linear channel, by the inverse of IEC 61966-2-1.
 fn srgb(linear: u16) -> u8 {
     let linear = f64::from(linear) / 65535.0;
     let encoded = if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * linear.powf(1.0 / 2.4) - 0.055 };
@@ -89,7 +89,7 @@ proptest! {
         check_bounds(&read);
         for (written, position) in read.positions.iter().zip(mesh.positions()) {
             for axis in 0..3 {
-                // The centre is off by the rounding of `shift` to single precision, which the error then scales with.
+                // The rounding of `shift` to single precision moves the centre, and the error scales with it.
                 let reach = 1.0 + shift[axis].abs() * f64::from(f32::EPSILON);
                 let difference = f64::from(written[axis]) + read.translation[axis] - position[axis];
                 let allowed = 0.5 * f64::from(f32::EPSILON) * reach + f64::EPSILON * shift[axis].abs();
@@ -120,7 +120,7 @@ fn layout_follows_the_specification() {
     assert_eq!(word(20 + json_length), 4 * 12 + 4 * 12 + 4 * 8);
     assert_eq!(&bytes[24 + json_length..28 + json_length], b"BIN\0");
     assert_eq!(bytes.len(), 28 + json_length + 128);
-    // 128 in sRGB is 21.586 % of the light of 255 (the standard's formula by hand).
+    // 128 in sRGB is 21.586 % of the light of 255 (computed by hand from the standard).
     assert_eq!(
         read(&bytes).colors.unwrap()[3],
         [0, (0.215_860_5_f64 * 65535.0).round() as u16, 65535, 65535]

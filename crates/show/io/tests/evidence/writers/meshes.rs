@@ -1,4 +1,4 @@
-//! Meshes and attributes that leave a writer no easy way out.
+//! Meshes and attributes with extreme values.
 
 use pompeiu_core::TriMesh;
 use pompeiu_io::Attributes;
@@ -14,7 +14,7 @@ fn single_coordinate() -> impl Strategy<Value = f64> {
     prop_oneof![-1e3..1e3, -1e-40..1e-40, -3.4e38..3.4e38]
 }
 
-/// The double of these bits, or of those without the top bit of the exponent where that one is too large.
+/// The double with these bits; where it would be too large, without the top bit of the exponent.
 fn supported(bits: u64) -> f64 {
     let value = f64::from_bits(bits);
     if value.abs() <= TriMesh::MAX_COORDINATE { value } else { f64::from_bits(bits & !(1 << 62)) }

@@ -1,4 +1,4 @@
-//! Every writer against a reader that is not ours, and what happens to files when writing fails.
+//! Every writer against an independent reader, and the state of files after a failed write.
 
 mod appearance;
 mod files;

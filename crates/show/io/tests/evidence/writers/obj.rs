@@ -30,7 +30,7 @@ proptest! {
     #[test]
     fn coordinates_keep_every_bit(mesh in any_mesh()) {
         let bytes = encoded(OutputFormat::Obj, &mesh, &Attributes::for_mesh(&mesh));
-        // tobj's parser is not correctly rounded at the extremes, std's is: the text is judged by std below.
+        // tobj's parser is not correctly rounded at the extremes; std's is, and judges the text below.
         let text = String::from_utf8(bytes).unwrap();
         let rows = |tag: &'static str| {
             text.lines().filter_map(move |line| line.strip_prefix(tag)).map(|row| row.split(' ').collect::<Vec<_>>())
@@ -60,7 +60,7 @@ fn small_numbers_read_well() {
     assert_eq!(text, "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
 }
 
-/// A tetrahedron whose first vertex has a place of its own in each face, and a place that nothing uses.
+/// A tetrahedron whose first vertex has other texture coordinates in each face, and coordinates that nothing uses.
 pub(super) fn with_seams() -> (TriMesh, Vec<[f64; 2]>, Vec<[u32; 3]>) {
     let mesh = tetrahedron();
     let places =
@@ -85,7 +85,7 @@ fn texture_coordinates_keep_every_bit_and_their_seams() {
             assert_eq!(read.texcoords[2 * t..2 * t + 2], places[corners[f][i] as usize]);
         }
     }
-    // Our own reader passes over them.
+    // Our own reader ignores them.
     let again = pompeiu_io::read_bytes(&bytes, Some(pompeiu_io::Format::Obj)).unwrap();
     assert_eq!(again.mesh.faces(), mesh.faces());
 }

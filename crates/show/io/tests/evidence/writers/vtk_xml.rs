@@ -1,4 +1,4 @@
-//! VTP and VTU, read back by vtkio, which takes appended data as base64 only: the test re-encodes the raw bytes first.
+//! VTP and VTU, read back by vtkio, which supports appended data in base64 only: the test re-encodes the raw bytes first.
 
 use super::encoded;
 use super::meshes::{any_mesh, bits, fully_attributed};
@@ -12,7 +12,7 @@ use vtkio::model::{
 
 const END: &[u8] = b"\n</AppendedData>\n</VTKFile>\n";
 
-/// The same file with each appended array in base64, at the offset that this gives it.
+/// The same file with each appended array in base64, at its new offset.
 fn with_base64(bytes: &[u8]) -> Vec<u8> {
     let begin = bytes.windows(2).position(|pair| pair == b"\n_").unwrap() + 2;
     let mut xml = String::from_utf8(bytes[..begin].to_vec()).unwrap();
@@ -31,7 +31,7 @@ fn with_base64(bytes: &[u8]) -> Vec<u8> {
     [xml.as_bytes(), encoded.as_bytes(), rest].concat()
 }
 
-/// The parts of a piece that both data sets have.
+/// The parts common to both data sets.
 struct Read {
     points: IOBuffer,
     corners: VertexNumbers,
