@@ -4,10 +4,10 @@
 //! cargo run --release -p pompeiu-figures --example showcase showcase.html
 //! ```
 //!
-//! A torus that breathes, with its area over time beside it; the same torus cut open and laid flat, in the same colours, so that
-//! what the cursor points at on one is marked on the other; a flow on it with arrows and moving streaks; pieces of a planar shape
-//! with their outlines; a table of them that can be sorted, a scatter plot, a histogram. Beside the page, `showcase.html.json`
-//! holds what it was made from.
+//! The page shows a pulsating torus with its area over time beside it; the same torus cut open and flattened, in the same colours,
+//! so that the point under the cursor on one is marked on the other; a flow on it with arrows and moving streaks; pieces of a
+//! planar shape with their outlines; a sortable table of them, a scatter plot, a histogram. Beside the page, `showcase.html.json`
+//! holds its input data.
 
 #![allow(clippy::print_stdout, reason = "this program is there to print")]
 
@@ -32,12 +32,12 @@ fn torus(u: f64, v: f64, time: f64) -> [f64; 3] {
     [ring * u.cos(), ring * u.sin(), thick * v.sin()]
 }
 
-/// Both angles at a corner of the grid that is the torus cut open.
+/// The angles at a corner of the grid, which is the torus cut open.
 fn angles(i: u32, j: u32) -> [f64; 2] {
     [TAU * f64::from(i) / f64::from(AROUND), TAU * f64::from(j) / f64::from(ACROSS)]
 }
 
-/// Triangles of the grid: with corners beyond the last ones, or with the first ones again.
+/// Triangles of the grid: up to the last corners, or closed by the first ones.
 fn triangles(is_closed: bool) -> Vec<[u32; 3]> {
     let (columns, rows) = if is_closed { (AROUND, ACROSS) } else { (AROUND + 1, ACROSS + 1) };
     let at = |i: u32, j: u32| (j % rows) * columns + i % columns;
@@ -61,7 +61,7 @@ fn area(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> f64 {
     triangles.iter().map(of).sum()
 }
 
-/// The parts of the page that are shared, and what the browser's answers are held against.
+/// The shared parts of the page, and the data that the browser's answers are compared with.
 struct Showcase {
     page: Page,
     truth: Value,
@@ -250,7 +250,7 @@ impl Showcase {
         const SIDE: usize = 6;
         let page = &mut self.page;
         let plane = page.add_space(Space::Plane);
-        // Corners of a grid, pushed around; the border stays.
+        // Corners of a grid, displaced; the border stays.
         let corner = |i: usize, j: usize| {
             let inside = |k: usize| if k == 0 || k == SIDE { 0.0 } else { 0.3 };
             let (x, y) = (i as f64, j as f64);

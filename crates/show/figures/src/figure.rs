@@ -1,4 +1,4 @@
-//! Panels, a legend and text, put together.
+//! Composing panels, a legend and text into a picture.
 
 use crate::image::Image;
 use crate::legend::{Histogram, Legend, LegendSide};
@@ -21,7 +21,7 @@ pub enum FigureError {
         /// Rows.
         height: u32,
     },
-    /// There is not one value, or normal, for everything that should have one.
+    /// The number of values or normals does not match the mesh.
     #[error("a mesh with {expected} {of} needs as many {what}, but has {found}")]
     Count {
         /// What is counted.
@@ -30,7 +30,7 @@ pub enum FigureError {
         found: usize,
         /// How many there should be.
         expected: usize,
-        /// What each of them belongs to.
+        /// The element that each belongs to.
         of: &'static str,
     },
     /// A direction of the view is zero, or not finite.
@@ -47,7 +47,7 @@ pub enum FigureError {
         /// The panel, counted from 1.
         panel: usize,
     },
-    /// The scale is none.
+    /// The scale is invalid.
     #[error(transparent)]
     Scale(#[from] ScaleError),
 }
@@ -55,15 +55,14 @@ pub enum FigureError {
 /// A picture of one or more panels that share a camera and a colour scale.
 ///
 /// # Shapes and units
-/// Sizes are in pixels; values, and the ends of the scale, in the unit that the scale's label names.
+/// Sizes are in pixels; values and the ends of the scale are in the unit named in the scale's label.
 ///
 /// # Accuracy
-/// Pictures have the same bits for any number of threads, and on every machine whose arithmetic is that of IEEE 754.
-/// A pixel is the mean of nine samples; the value of a sample is that of the face at that place, not a mean of
-/// colours.
+/// Pictures have the same bits for any number of threads, and on every machine with IEEE 754 arithmetic. A pixel is the mean of
+/// nine samples; each sample has the colour of the value interpolated at its place, not an interpolation of colours.
 ///
 /// # Limits
-/// Faces are opaque and seen from both sides. The camera stays outside of all meshes.
+/// Faces are opaque and visible from both sides. The camera stays outside of all meshes.
 ///
 /// # Cost
 /// O(faces + pixels), parallel; 48 bytes per vertex, and 8 per face and tile of 64 pixels that it touches.
@@ -96,7 +95,7 @@ pub struct Figure<'a> {
 }
 
 impl<'a> Figure<'a> {
-    /// Most pixels on a side.
+    /// Largest number of pixels on a side.
     const MAX_SIDE: u32 = 1 << 14;
 
     /// An empty picture.
@@ -128,38 +127,38 @@ impl<'a> Figure<'a> {
         self
     }
 
-    /// Chooses from where meshes are seen.
+    /// Sets the viewing direction and projection.
     #[must_use]
     pub fn with_view(mut self, view: View) -> Self {
         self.view = view;
         self
     }
 
-    /// Colours values by a scale, and explains it with a label that should name the unit.
+    /// Colours values by a scale, and shows its colour bar with a label that should name the unit.
     #[must_use]
     pub fn with_scale(mut self, scale: Scale, label: impl Into<String>) -> Self {
         self.scale = Some((scale, label.into()));
         self
     }
 
-    /// Chooses on which side the scale is explained.
+    /// Sets the side of the colour bar.
     #[must_use]
     pub fn with_legend_at(mut self, side: LegendSide) -> Self {
         self.legend = side;
         self
     }
 
-    /// Draws a histogram beside the colour bar, after those that are there: shares in equal parts of the bar, from its lower end. Columns
-    /// are as long as the roots of the shares, so that small ones are seen beside large ones.
+    /// Adds a histogram beside the colour bar, after earlier ones: shares in equal parts of the bar, from its lower end. The length
+    /// of a column is proportional to the square root of its share, so that small shares remain visible.
     ///
-    /// Without a [scale](Self::with_scale) there is no bar. What is no positive number gets no column.
+    /// Without a [scale](Self::with_scale) there is no bar. Shares that are not positive numbers get no column.
     #[must_use]
     pub fn with_histogram(mut self, name: impl Into<String>, shares: Vec<f64>) -> Self {
         self.histograms.push(Histogram { name: name.into(), shares });
         self
     }
 
-    /// Adds a panel after those that are there: in rows, from the left.
+    /// Appends a panel: in rows, from left to right.
     #[must_use]
     pub fn with_panel(mut self, panel: Panel<'a>) -> Self {
         self.panels.push(panel);
@@ -169,7 +168,7 @@ impl<'a> Figure<'a> {
     /// Draws the picture.
     ///
     /// # Errors
-    /// [`FigureError`] names what does not fit together.
+    /// [`FigureError`] names the inconsistency.
     pub fn draw(&self) -> Result<Image, FigureError> {
         let (width, height) = (self.width, self.height);
         if ![width, height].iter().all(|side| (1..=Self::MAX_SIDE).contains(side)) {
@@ -229,7 +228,7 @@ impl<'a> Figure<'a> {
             let [columns, rows] = [columns, count.div_ceil(columns)].map(|n| n as f64);
             [area.width() / columns, area.height() / rows - line]
         };
-        // The most columns of those arrangements in which meshes are largest.
+        // The arrangement in which meshes are largest; of several, the one with the most columns.
         let columns = (1..=count).fold(1, |best, columns| {
             if camera.scale_for(size(columns)) >= camera.scale_for(size(best)) { columns } else { best }
         });
@@ -252,18 +251,18 @@ impl<'a> Figure<'a> {
     }
 }
 
-/// Sizes that follow from that of the picture.
+/// Text size and margin, derived from the size of the picture.
 struct Sizes {
-    /// Pixels per em of most text.
+    /// Pixels per em of normal text.
     text: f64,
-    /// Pixels left free around everything.
+    /// Empty pixels around everything.
     margin: f64,
 }
 
 /// Ems between the titles of neighbouring panels.
 const GUTTER: f64 = 1.5;
 
-/// Ems of text across a square picture, and the smallest em in pixels that can be read.
+/// Width of a square picture in ems, and the smallest legible em in pixels.
 const EMS: f64 = 62.0;
 const SMALLEST_EM: f64 = 10.0;
 

@@ -12,7 +12,7 @@ pub struct Image {
 }
 
 impl Image {
-    /// A picture of these pixels, row by row from the top; none where their number is not width times height.
+    /// A picture of these pixels, row by row from the top; `None` if their number is not width times height.
     pub fn new(width: u32, height: u32, pixels: Vec<Rgb>) -> Option<Self> {
         (pixels.len() as u64 == u64::from(width) * u64::from(height)).then_some(Self {
             width,
@@ -26,8 +26,7 @@ impl Image {
         Self { width, height, pixels: vec![color; width as usize * height as usize] }
     }
 
-    /// A square picture of squares in two colours by turns, so many along each side and so many pixels wide each: a texture that shows
-    /// how a map distorts.
+    /// A checkerboard: `squares` along each side, each `pixels` wide. As a texture it shows the distortion of a map.
     pub fn checkerboard(squares: u32, pixels: u32, colors: [Rgb; 2]) -> Self {
         let side = squares * pixels;
         let mut image = Self::filled(side, side, colors[0]);
@@ -61,7 +60,7 @@ impl Image {
     /// Writes the picture as PNG, with eight bits per channel.
     ///
     /// # Errors
-    /// What `out` reports.
+    /// Those of `out`.
     ///
     /// # Example
     /// ```
@@ -88,14 +87,14 @@ impl Image {
         inside.then(|| y as usize * self.width as usize + x as usize)
     }
 
-    /// Sets a pixel; beyond the picture nothing happens.
+    /// Sets a pixel; ignored outside the picture.
     pub(crate) fn set(&mut self, x: i64, y: i64, color: Rgb) {
         if let Some(index) = self.index(x, y) {
             self.pixels[index] = color;
         }
     }
 
-    /// Lays a colour over a pixel, `opacity` of it; beyond the picture nothing happens.
+    /// Blends a colour over a pixel with an opacity; ignored outside the picture.
     pub(crate) fn blend(&mut self, x: i64, y: i64, color: Rgb, opacity: f64) {
         if let Some(index) = self.index(x, y) {
             let below = self.pixels[index];
@@ -106,7 +105,7 @@ impl Image {
         }
     }
 
-    /// Copies another picture to a place; what reaches beyond this one is left out.
+    /// Copies another picture to a place; the part outside this one is cut off.
     pub(crate) fn paste(&mut self, other: &Self, at: [f64; 2]) {
         let [left, top] = at.map(|c| (c + 0.5).floor() as i64);
         for y in 0..other.height {

@@ -1,28 +1,28 @@
-//! The bar that explains colours.
+//! The colour bar.
 
 use crate::image::Image;
 use crate::text::{Run, Style};
 use crate::ticks::Ticks;
 use crate::{Rgb, Scale};
 
-/// Where a figure explains its colours.
+/// Where a figure has its colour bar.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum LegendSide {
-    /// To the right of panels, with values that grow to the top.
+    /// To the right of the panels, with values increasing upwards.
     #[default]
     Right,
-    /// Under the panels, with values that grow to the right.
+    /// Under the panels, with values increasing to the right.
     Bottom,
 }
 
-/// How values are spread: shares in equal parts of the colour bar, from its lower end.
+/// The distribution of values: shares in equal parts of the colour bar, from its lower end.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Histogram {
     pub(crate) name: String,
     pub(crate) shares: Vec<f64>,
 }
 
-/// A bar of colours with numbers and a label, and histograms beside it.
+/// A colour bar with numbers and a label, and histograms beside it.
 pub(crate) struct Legend<'a> {
     scale: &'a Scale,
     histograms: &'a [Histogram],
@@ -30,45 +30,45 @@ pub(crate) struct Legend<'a> {
     style: Style,
     side: LegendSide,
     ticks: Ticks,
-    /// Pixels along the side of the panels, and along the bar.
+    /// Pixels available along the side of the panels, which is the direction of the bar.
     room: f64,
     length: f64,
 }
 
-/// In ems: from panels to what is first, the bar, from the bar to numbers, from numbers to the label.
+/// In ems: the gap between the panels and the first item, the width of the bar, and the gaps before numbers and label.
 const GAP: f64 = 1.2;
 const BAR: f64 = 1.15;
 const TICK: f64 = 0.45;
 const LABEL_GAP: f64 = 0.7;
 
-/// The longest column of a histogram and what is free beside it, in ems; the size of its name, as a part of that of text.
+/// In ems: the longest column of a histogram and the gap beside it; the size of its name relative to text.
 const COLUMN: f64 = 3.9;
 const COLUMN_GAP: f64 = 0.4;
 const NAME: f64 = 0.85;
 
-/// Columns of histograms: a grey that is seen on light and on dark pictures.
+/// Colour of histogram columns: a grey that is visible on light and on dark pictures.
 const COLUMN_COLOR: Rgb = [138, 142, 148];
 
-/// Pixels that a column has at least where one is left free beside it.
+/// Columns at least this many pixels wide are separated by an empty pixel.
 const NARROW: f64 = 4.0;
 
-/// Lines of numbers and labels, the height of digits, and that of their middle, in ems.
+/// In ems: the height of lines of numbers and labels, of digits, and of the middle of digits.
 const LINE: f64 = 1.0;
 const DIGIT: f64 = 0.73;
 const MIDDLE: f64 = 0.36;
 
-/// Part of the room there is that the bar takes.
+/// Share of the available length that the bar takes.
 const PART: f64 = 0.72;
 
-/// Ems from one number to the next at least, over each other, and the most numbers there are.
+/// Smallest distance in ems of numbers above each other, and the largest number of numbers.
 const SPACING: f64 = 3.2;
 const MOST: usize = 8;
 
-/// Ems between numbers beside each other, at least.
+/// Smallest gap in ems between numbers beside each other.
 const APART: f64 = 1.5;
 
 impl<'a> Legend<'a> {
-    /// A legend on a side of panels that has room for so many pixels along them.
+    /// A legend for a side of the panels with this length in pixels.
     pub(crate) fn new(
         (scale, label): (&'a Scale, &str),
         histograms: &'a [Histogram],
@@ -84,12 +84,12 @@ impl<'a> Legend<'a> {
         Self { scale, histograms, label, style, side, ticks, room, length }
     }
 
-    /// Ems from panels to the bar.
+    /// Ems between the panels and the bar.
     fn bar(&self) -> f64 {
         GAP + self.histograms.len() as f64 * (COLUMN + COLUMN_GAP)
     }
 
-    /// Pixels it takes from panels.
+    /// Pixels that the legend takes from the panels.
     pub(crate) fn thickness(&self) -> f64 {
         let em = self.style.size;
         let label = if self.label.is_empty() { 0.0 } else { LABEL_GAP + LINE };
@@ -100,7 +100,7 @@ impl<'a> Legend<'a> {
         (self.bar() + BAR + TICK + label) * em + numbers
     }
 
-    /// The colour at a part of the bar.
+    /// The colour at a position along the bar.
     fn color(&self, part: f64) -> Rgb {
         match self.scale.classes().len() {
             0 => {
@@ -111,11 +111,11 @@ impl<'a> Legend<'a> {
         }
     }
 
-    /// Draws it into the part of the picture whose upper left corner is at `at`.
+    /// Draws the legend into the part of the picture whose upper left corner is at `at`.
     pub(crate) fn draw(&self, image: &mut Image, at: [f64; 2]) {
         let (em, start) = (self.style.size, (0.5 * (self.room - self.length)).floor());
         let [near, far] = [self.bar(), self.bar() + BAR].map(|ems| (ems * em + 0.5).floor());
-        // From places along and across the bar to places in the picture.
+        // Converts positions along and across the bar to pixels.
         let place = |along: f64, across: f64| match self.side {
             LegendSide::Right => [at[0] + across, at[1] + start + self.length - along],
             LegendSide::Bottom => [at[0] + start + along, at[1] + across],
@@ -129,7 +129,7 @@ impl<'a> Legend<'a> {
             fill(image, place(step as f64, near), place(step as f64 + 1.0, far), color);
         }
         for (i, (&value, text)) in self.ticks.values.iter().zip(&self.ticks.texts).enumerate() {
-            // Ends of classes stand at one distance from each other.
+            // Class boundaries are drawn at equal distances.
             let part = match self.scale.classes().len() {
                 0 => self.scale.place(value),
                 ends => (i + 1) as f64 / (ends + 1) as f64,
@@ -144,7 +144,7 @@ impl<'a> Legend<'a> {
             self.style.draw(image, text, text_at, Run::Across);
         }
         let half = 0.5 * self.style.width(&self.label);
-        // The baseline of the label is above the lower end of its line, where letters such as g go.
+        // The baseline of the label is above the lower end of its line, to leave room for descenders.
         let label = self.thickness() - 0.22 * em;
         let [x, y] = place(0.5 * self.length, label);
         match self.side {
@@ -155,7 +155,7 @@ impl<'a> Legend<'a> {
 }
 
 impl Legend<'_> {
-    /// Columns that grow from a base across the bar towards the panels, and the name where the bar ends.
+    /// Columns that extend from a base across the bar towards the panels, and the name at the end of the bar.
     fn draw_histogram(
         &self,
         image: &mut Image,
@@ -168,7 +168,7 @@ impl Legend<'_> {
         let each = self.length / shares.len() as f64;
         let free = if each > NARROW { 1.0 } else { 0.0 };
         for (i, share) in shares.iter().enumerate().filter(|(_, share)| **share > 0.0) {
-            // Roots, so that small shares are seen beside large ones, as on pages.
+            // Square roots, so that small shares remain visible, as on pages.
             let long = (COLUMN * em * (share / highest).sqrt()).ceil();
             let [from, to] = [i, i + 1].map(|i| (i as f64 * each).floor());
             fill(image, place(from, base - long), place(to - free, base), COLUMN_COLOR);
@@ -189,7 +189,7 @@ impl Legend<'_> {
     }
 }
 
-/// As many numbers as there is room for.
+/// As many ticks as fit.
 fn ticks(scale: &Scale, style: Style, side: LegendSide, length: f64) -> Ticks {
     if !scale.classes().is_empty() {
         return Ticks::at(scale.classes());
@@ -213,7 +213,7 @@ fn ticks(scale: &Scale, style: Style, side: LegendSide, length: f64) -> Ticks {
     })
 }
 
-/// Pixels that the longest number takes.
+/// The width of the longest number in pixels.
 fn widest(ticks: &Ticks, style: Style) -> f64 {
     let widths = ticks.texts.iter().map(|text| style.width(text));
     widths.fold(0.0, |widest: f64, width| if width > widest { width } else { widest })

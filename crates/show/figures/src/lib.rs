@@ -1,6 +1,6 @@
-//! Pictures of meshes and of what was found on them.
+//! Pictures and interactive pages of meshes and of results on them.
 //!
-//! This crate draws what it is given: it measures no distance and reads no file, and it returns pixels or bytes.
+//! This crate draws its input: it computes no distances, reads no files, and returns pixels or bytes.
 //!
 //! A [`Figure`] has [panels](Panel) that share a camera and a colour [`Scale`]; a panel shows a mesh, coloured by
 //! [`Values`], and [marks](Mark) on it. No graphics card is needed, and the same figure has the same pixels on every

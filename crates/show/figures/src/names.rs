@@ -1,4 +1,4 @@
-//! What files and directions are called on pages.
+//! Names of files and axes on pages.
 
 use crate::page::Axis;
 

@@ -3,13 +3,13 @@
 use crate::view::{cross, minus};
 use pompeiu_core::TriMesh;
 
-/// One normal per vertex: the sum of the normals of its faces, each as long as twice the face's area.
+/// One normal per vertex: the sum of the normals of its faces, each of length twice the area of the face.
 ///
-/// Zero where nothing else can be said. They are for shading; faces that are turned against each other cancel out, and
+/// Zero where the sum vanishes. They are for shading only: normals of inconsistently oriented faces cancel out, and
 /// [`Panel::with_normals`](crate::Panel::with_normals) shades such faces flat.
 pub fn vertex_normals(mesh: &TriMesh) -> Vec<[f64; 3]> {
     let mut normals = vec![[0.0; 3]; mesh.positions().len()];
-    // One power of two for all, so that products of differences do not overflow or vanish.
+    // Scaled by one power of two, so that products of differences neither overflow nor underflow.
     let positions = mesh.positions().iter().flatten();
     let largest = positions.fold(0.0, |largest: f64, x| if x.abs() > largest { x.abs() } else { largest });
     let unit = if largest > 0.0 { largest } else { 1.0 };

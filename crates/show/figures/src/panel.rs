@@ -1,9 +1,9 @@
-//! What a picture shows: meshes, values on them, marks.
+//! The content of a picture: meshes, values on them, marks.
 
 use crate::{FigureError, Rgb};
 use pompeiu_core::TriMesh;
 
-/// Values that colour a mesh, by what they belong to.
+/// Values that colour a mesh, by the element they belong to.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Values<'a> {
     /// One per vertex, linear on faces.
@@ -20,7 +20,7 @@ pub enum Values<'a> {
 /// Positions are in the unit of the mesh, widths in pixels.
 ///
 /// # Limits
-/// Values that are not numbers get the scale's colour for what has no value; a mark at no place is not drawn.
+/// NaN gets the scale's colour for missing values; marks with non-finite positions are not drawn.
 #[derive(Clone, Debug)]
 pub struct Panel<'a> {
     pub(crate) mesh: &'a TriMesh,
@@ -46,27 +46,27 @@ impl<'a> Panel<'a> {
         }
     }
 
-    /// Colours the mesh by values, with the scale of the figure.
+    /// Colours the mesh by values on the figure's scale.
     #[must_use]
     pub fn with_values(mut self, values: Values<'a>) -> Self {
         self.values = Some(values);
         self
     }
 
-    /// Shows a tangent field, one vector per face: by streaks along it, and arrows for its sense.
+    /// Shows a tangent field, one vector per face, by streaks along it and arrows for its direction.
     ///
-    /// Unless there are values, the mesh is coloured by the field's magnitude. Streaks fade where the field is weak beside
-    /// the upper end of the figure's scale, so that a scale shared by panels shows which field is strong where.
+    /// Without values, the mesh is coloured by the magnitude of the field. Streaks fade where the field is weak relative to the
+    /// upper end of the figure's scale, so that panels with a common scale are comparable.
     #[must_use]
     pub fn with_vectors(mut self, vectors: &'a [[f64; 3]]) -> Self {
         self.vectors = Some(vectors);
         self
     }
 
-    /// Shades the mesh as if it were smooth, with one normal for each vertex, of any length.
+    /// Shades the mesh smoothly, with one normal for each vertex, of any length.
     ///
-    /// Without them every face is shaded as the flat triangle it is. Where a normal is far from that of a face, as it
-    /// is at sharp edges, the face keeps its own. [`vertex_normals`](crate::vertex_normals) makes some.
+    /// By default every face is shaded flat. Where a normal is far from that of a face, as at sharp edges, the face keeps its own.
+    /// [`vertex_normals`](crate::vertex_normals) computes normals.
     #[must_use]
     pub fn with_normals(mut self, normals: &'a [[f64; 3]]) -> Self {
         self.normals = Some(normals);
@@ -80,21 +80,21 @@ impl<'a> Panel<'a> {
         self
     }
 
-    /// Draws the edges of faces, where faces are large enough in the picture for them to be told apart.
+    /// Draws the edges of faces, where faces are large enough in the picture.
     #[must_use]
     pub fn with_edges(mut self) -> Self {
         self.edges = true;
         self
     }
 
-    /// Draws a mark over the mesh; later ones lie over earlier ones.
+    /// Draws a mark over the mesh; later marks cover earlier ones.
     #[must_use]
     pub fn with_mark(mut self, mark: Mark) -> Self {
         self.marks.push(mark);
         self
     }
 
-    /// Checks that there is a value and a normal for everything that should have one.
+    /// Checks that the numbers of values and normals match the mesh.
     pub(crate) fn check(&self) -> Result<(), FigureError> {
         let [vertices, faces] = [self.mesh.positions().len(), self.mesh.faces().len()];
         let check = |what, found, expected, of| {
@@ -122,7 +122,7 @@ pub(crate) enum MarkShape {
     Arrow([[f64; 3]; 2]),
 }
 
-/// A point, a segment or an arrow with a width in pixels, drawn over a mesh and hidden by it as far as wanted.
+/// A point, a segment or an arrow with a width in pixels, drawn over a mesh, with reduced opacity where the mesh hides it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mark {
     pub(crate) shape: MarkShape,
@@ -132,7 +132,7 @@ pub struct Mark {
 }
 
 impl Mark {
-    /// Opacity of what is hidden by the mesh, unless another is chosen: enough to find it.
+    /// Default opacity of hidden parts, so that they can be found.
     const BEHIND: f64 = 0.45;
 
     /// A straight line, 2.5 pixels wide.
@@ -157,14 +157,14 @@ impl Mark {
         self
     }
 
-    /// Changes the colour from that of the theme.
+    /// Sets the colour instead of that of the theme.
     #[must_use]
     pub fn with_color(mut self, color: Rgb) -> Self {
         self.color = Some(color);
         self
     }
 
-    /// Changes how opaque the mark is where the mesh hides it: from 0, hidden, to 1, drawn over the mesh.
+    /// Sets the opacity of the mark where the mesh hides it: from 0, invisible, to 1, as if in front of the mesh.
     #[must_use]
     pub fn with_opacity_behind(mut self, opacity: f64) -> Self {
         self.behind = opacity;

@@ -1,13 +1,13 @@
 //! Text: one embedded typeface in two weights.
 //!
 //! # Source
-//! Inter by Rasmus Andersson, SIL Open Font License 1.1 (`fonts/LICENSE-Inter`), cut down to Latin, Greek, digits and
-//! the signs that figures need.
+//! Inter by Rasmus Andersson, SIL Open Font License 1.1 (`fonts/LICENSE-Inter`), reduced to Latin, Greek, digits and the signs that
+//! figures need.
 
 use crate::{Rgb, image::Image};
 use ab_glyph::{Font, FontRef, Glyph, PxScale, ScaleFont, point};
 
-/// How heavy letters are.
+/// Font weight.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Weight {
     Regular,
@@ -23,12 +23,12 @@ pub(crate) struct Style {
     pub(crate) color: Rgb,
 }
 
-/// Which way text runs.
+/// Direction of text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Run {
     /// To the right.
     Across,
-    /// To the top, letters on their left side.
+    /// Upwards, with letters rotated to the left.
     Up,
 }
 
@@ -41,7 +41,7 @@ impl Style {
         FontRef::try_from_slice(bytes).ok()
     }
 
-    /// Glyphs of a line that starts at the origin, and its length.
+    /// The glyphs of a line that starts at the origin, and its width.
     fn lay_out(self, font: &FontRef, text: &str) -> (Vec<Glyph>, f64) {
         let em = font.units_per_em().unwrap_or(1.0);
         let scale = PxScale::from(self.size as f32 * font.height_unscaled() / em);
@@ -56,12 +56,12 @@ impl Style {
         (glyphs.collect(), f64::from(at))
     }
 
-    /// Length of a line of text in pixels.
+    /// Width of a line of text in pixels.
     pub(crate) fn width(self, text: &str) -> f64 {
         self.font().map_or(0.0, |font| self.lay_out(&font, text).1)
     }
 
-    /// The text, or as much of it as fits into a width with an ellipsis after it.
+    /// The text, shortened with an ellipsis to fit into a width.
     pub(crate) fn fit(self, text: &str, width: f64) -> String {
         if self.width(text) <= width {
             return text.to_owned();
@@ -76,10 +76,9 @@ impl Style {
         String::new()
     }
 
-    /// Draws a line of text whose baseline starts at a place.
+    /// Draws a line of text with the start of its baseline at `at`.
     ///
-    /// `at` is in pixels from the picture's upper left corner. Places are rounded to whole pixels, which keeps letters
-    /// sharp.
+    /// `at` is in pixels from the upper left corner of the picture. It is rounded to whole pixels, which keeps letters sharp.
     pub(crate) fn draw(self, image: &mut Image, text: &str, at: [f64; 2], run: Run) {
         let Some(font) = self.font() else { return };
         let [x, y] = at.map(|c| (c + 0.5).floor() as i64);

@@ -1,8 +1,8 @@
-//! Colours of everything that is not a value.
+//! Colours of everything except values.
 
 use crate::Rgb;
 
-/// What a picture is seen on.
+/// Light or dark background.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Theme {
     /// White, for paper.
@@ -18,7 +18,7 @@ pub(crate) struct Colors {
     pub(crate) background: Rgb,
     pub(crate) text: Rgb,
     pub(crate) edge: Rgb,
-    /// Meshes without values.
+    /// The colour of meshes without values.
     pub(crate) mesh: Rgb,
     pub(crate) mark: Rgb,
 }

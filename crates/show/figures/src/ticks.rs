@@ -1,24 +1,24 @@
-//! Round numbers along a scale, and how they are written.
+//! Round numbers along a scale, and their text.
 
-/// Round numbers in a range, with what is written beside them.
+/// Round numbers in a range, with their text.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Ticks {
-    /// Values, rising.
+    /// Values, increasing.
     pub(crate) values: Vec<f64>,
-    /// What is written beside each of them.
+    /// The text of each.
     pub(crate) texts: Vec<String>,
-    /// What the written numbers are multiplied by: nothing, or a power of ten.
+    /// The common factor of the texts: empty, or a power of ten.
     pub(crate) multiplier: String,
 }
 
-/// Powers of ten for which numbers are written without one: 0.001 to 99,999.
+/// Powers of ten for which numbers are written without a factor: 0.001 to 99,999.
 const PLAIN: std::ops::RangeInclusive<i32> = -3..=4;
 
-/// Counts of steps above this have no exact double.
+/// Counts of steps above this may not be exact doubles.
 const LARGEST_COUNT: f64 = 1e15;
 
 impl Ticks {
-    /// These values as they are.
+    /// Ticks at the given values.
     pub(crate) fn at(values: &[f64]) -> Self {
         let text = |x: &f64| {
             let plain = *x == 0.0 || (1e-4..1e6).contains(&x.abs());
@@ -29,14 +29,14 @@ impl Ticks {
 
     /// Multiples of 1, 2 or 5 times a power of ten in a range, about `count` of them.
     ///
-    /// Where a range is too narrow to hold two round numbers apart, its lower end is the only tick. The ends must be
-    /// finite and in order.
+    /// If the range is too narrow for two distinct round numbers, its lower end is the only tick. The ends must be finite and in
+    /// order.
     pub(crate) fn new(low: f64, high: f64, count: usize) -> Self {
-        // Halves, so that the width is finite whenever the ends are.
+        // Halved, so that the width is finite whenever the ends are.
         let width = (0.5 * high - 0.5 * low) / (0.5 * count.max(1) as f64);
         let decade = decade(width);
         let mantissa = width / power(decade);
-        // The step whose ratio to what was asked is nearest to 1: bounds are the roots of 2, 10 and 50.
+        // The step closest in ratio to the requested one: the bounds are the square roots of 2, 10 and 50.
         let (factor, decade) = match mantissa {
             m if m < 1.41 => (1.0, decade),
             m if m < 3.16 => (2.0, decade),
@@ -52,7 +52,7 @@ impl Ticks {
                 multiplier: String::new(),
             };
         }
-        // An end that is a multiple but for rounding has its tick.
+        // An end that is a multiple up to rounding has a tick.
         let [first, last] = [(first - SLACK).ceil() as i64, (last + SLACK).floor() as i64];
         let counts: Vec<i64> = (first..=last).map(|count| count * factor as i64).collect();
         let values: Vec<f64> = counts.iter().map(|&count| product(count, decade)).collect();
@@ -66,10 +66,10 @@ impl Ticks {
     }
 }
 
-/// Part of a step by which an end may miss a tick.
+/// Share of a step by which an end may miss a tick.
 const SLACK: f64 = 1e-9;
 
-/// The largest power of ten that is not above a positive number, read off its digits.
+/// The largest power of ten that is not above a positive number, from its decimal digits.
 fn decade(x: f64) -> i32 {
     format!("{x:e}").split_once('e').and_then(|(_, exponent)| exponent.parse().ok()).unwrap_or(0)
 }
@@ -79,12 +79,12 @@ fn power(exponent: i32) -> f64 {
     product(1, exponent)
 }
 
-/// The double nearest to a whole number times a power of ten.
+/// The double nearest to an integer times a power of ten.
 fn product(count: i64, exponent: i32) -> f64 {
     format!("{count}e{exponent}").parse().unwrap_or(f64::NAN)
 }
 
-/// With the sign that printers use for negative numbers.
+/// Uses the typographic minus sign for negative numbers.
 fn signed(text: &str) -> String {
     text.replace('-', "−")
 }

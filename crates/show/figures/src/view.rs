@@ -1,20 +1,20 @@
-//! From where meshes are seen.
+//! Viewing direction and projection.
 
 use crate::FigureError;
 
-/// How depth shows in a picture.
+/// Perspective or orthographic projection.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Projection {
-    /// What is nearer is larger.
+    /// Nearer objects are larger.
     #[default]
     Perspective,
-    /// Equal lengths stay equal, whatever their depth.
+    /// Size does not depend on depth.
     Orthographic,
 }
 
-/// From where meshes are seen; all panels of a figure share it.
+/// Viewing direction and projection, shared by all panels of a figure.
 ///
-/// Where the camera stands follows from the meshes: all of them, and all marks, fill the panel.
+/// The position of the camera is derived from the meshes: all meshes and marks together fill the panel.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct View {
     up: Option<[f64; 3]>,
@@ -22,29 +22,28 @@ pub struct View {
     pub(crate) projection: Projection,
 }
 
-/// How far round from the front, and how far up, the eye is: tangents of half of 32 and of 22 degrees.
+/// Default direction of the eye: 32 degrees to the side and 22 degrees up from the front; the tangents of half these angles.
 const ROUND: f64 = 0.286_745_385_758_808;
 const ELEVATION: f64 = 0.194_380_309_137_718;
 
 impl View {
-    /// Chooses which direction is up in the picture, `[0, 1, 0]` unless chosen.
+    /// Sets the up direction in the picture, by default `[0, 1, 0]`.
     #[must_use]
     pub fn with_up(mut self, up: [f64; 3]) -> Self {
         self.up = Some(up);
         self
     }
 
-    /// Chooses the direction that leads from the meshes to the eye.
+    /// Sets the direction from the meshes to the eye.
     ///
-    /// Unless chosen it is from in front (where z grows if y is up, where y falls if z is up), a little to the right and
-    /// from above.
+    /// The default is from the front (from greater z if y is up, from smaller y if z is up), slightly to the right and above.
     #[must_use]
     pub fn with_direction_to_eye(mut self, direction: [f64; 3]) -> Self {
         self.towards_eye = Some(direction);
         self
     }
 
-    /// Chooses the projection.
+    /// Sets the projection.
     #[must_use]
     pub fn with_projection(mut self, projection: Projection) -> Self {
         self.projection = projection;
@@ -54,7 +53,7 @@ impl View {
     /// Unit vectors to the right, up, and to the eye.
     ///
     /// # Errors
-    /// [`FigureError::Direction`] for a direction that is none.
+    /// [`FigureError::Direction`] for a direction that is zero or not finite.
     pub fn frame(&self) -> Result<[[f64; 3]; 3], FigureError> {
         let direction =
             |given: [f64; 3], what| unit(given).ok_or(FigureError::Direction { what, direction: given });
@@ -63,7 +62,7 @@ impl View {
             Some(towards_eye) => direction(towards_eye, "to the eye")?,
             None => three_quarter(up),
         };
-        // Seen from straight above, the default front is at the bottom.
+        // Seen from directly above, the default front is at the bottom of the picture.
         let right =
             unit(cross(up, eye)).or_else(|| unit(cross(front(up), up))).or_else(|| unit(perpendicular(eye)));
         let right = match right {
@@ -74,14 +73,14 @@ impl View {
     }
 }
 
-/// The direction that things face, by which direction is up: y up as in animation, z up as in surveying.
+/// The direction that objects face, for a given up direction: y up as in animation, z up as in surveying.
 fn front(up: [f64; 3]) -> [f64; 3] {
     let front = if up[2].abs() > up[1].abs() { [0.0, -1.0, 0.0] } else { [0.0, 0.0, 1.0] };
     let along = dot(front, up);
     unit(std::array::from_fn(|i| front[i] - along * up[i])).unwrap_or([1.0, 0.0, 0.0])
 }
 
-/// In front, a little to the right and above.
+/// From the front, slightly to the right and above.
 fn three_quarter(up: [f64; 3]) -> [f64; 3] {
     let front = front(up);
     let right = cross(up, front);
@@ -91,7 +90,7 @@ fn three_quarter(up: [f64; 3]) -> [f64; 3] {
     std::array::from_fn(|i| level * (ahead * front[i] + aside * right[i]) + above * up[i])
 }
 
-/// Some direction at a right angle to a unit vector.
+/// A vector perpendicular to a unit vector.
 fn perpendicular(v: [f64; 3]) -> [f64; 3] {
     let least = (0..3).fold(0, |least, i| if v[i].abs() < v[least].abs() { i } else { least });
     let mut axis = [0.0; 3];
@@ -122,7 +121,7 @@ pub(crate) fn length(v: [f64; 3]) -> f64 {
     }
 }
 
-/// A vector scaled to length one; none for zero, infinite and NaN.
+/// A vector scaled to unit length; `None` for zero, infinite and NaN.
 pub(crate) fn unit(v: [f64; 3]) -> Option<[f64; 3]> {
     let largest = v.iter().fold(0.0, |largest: f64, x| if x.abs() <= largest { largest } else { x.abs() });
     if !(largest > 0.0 && largest.is_finite()) {

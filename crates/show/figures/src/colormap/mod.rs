@@ -1,7 +1,6 @@
-//! Values to colours.
+//! Colour maps and scales.
 //!
-//! The maps are perceptually uniform and keep their order for people who do not tell red from green; rainbows do
-//! neither.
+//! The maps are perceptually uniform and stay ordered with red–green colour blindness; rainbow maps have neither property.
 
 mod scale;
 mod tables;
@@ -14,8 +13,8 @@ pub type Rgb = [u8; 3];
 /// A colour map.
 ///
 /// # Source
-/// `crameri_misuse_2020` on why these and no rainbow. Viridis is by Stéfan van der Walt, Nathaniel Smith and Eric
-/// Firing (CC0); Batlow and Vik are from `crameri_scientific_2018` (MIT licence, beside the tables).
+/// Why these and no rainbow: `crameri_misuse_2020`. Viridis is by Stéfan van der Walt, Nathaniel Smith and Eric Firing (CC0);
+/// Batlow and Vik are from `crameri_scientific_2018` (MIT licence, beside the tables).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum ColorMap {
     /// From dark violet through teal to yellow, for values that start at a natural end, such as distances.
@@ -28,10 +27,10 @@ pub enum ColorMap {
 }
 
 impl ColorMap {
-    /// Every map there is.
+    /// All maps.
     pub const ALL: [Self; 3] = [Self::Viridis, Self::Batlow, Self::Vik];
 
-    /// The map's colours at 256 equally spaced places, both ends included.
+    /// The colours at 256 equally spaced positions, both ends included.
     pub fn table(self) -> &'static [Rgb; 256] {
         match self {
             Self::Viridis => &tables::VIRIDIS,
@@ -40,7 +39,7 @@ impl ColorMap {
         }
     }
 
-    /// The name people know it by, in lower case.
+    /// The usual name, in lower case.
     pub fn name(self) -> &'static str {
         match self {
             Self::Viridis => "viridis",
@@ -54,15 +53,15 @@ impl ColorMap {
         Self::ALL.into_iter().find(|map| map.name().eq_ignore_ascii_case(name))
     }
 
-    /// Whether the middle of the map is a middle of its own, so that ranges should be symmetric about it.
+    /// Whether the map is diverging: ranges should then be symmetric about its middle.
     pub fn is_diverging(self) -> bool {
         self == Self::Vik
     }
 
-    /// A colour that cannot be mistaken for any of the map, for what is out of tolerance.
+    /// A colour that differs clearly from all colours of the map, for values out of tolerance.
     ///
     /// # Accuracy
-    /// At least 20 away from all of the map's colours in CIELAB, as seen with and without red and green cones
+    /// At least 20 away in CIELAB from all colours of the map, with normal vision and with red–green colour blindness
     /// (`machado_model_2009`).
     pub fn contrast(self) -> Rgb {
         match self {
@@ -72,10 +71,10 @@ impl ColorMap {
         }
     }
 
-    /// The colour at a place between 0 and 1; beyond them, that of the nearer end.
+    /// The colour at a position from 0 to 1; outside, that of the nearer end.
     ///
     /// # Limits
-    /// NaN has no place; it gets the first colour. [`Scale::color`] has a colour for it.
+    /// NaN gets the first colour. [`Scale::color`] has a separate colour for missing values.
     pub fn color(self, place: f64) -> Rgb {
         let table = self.table();
         let last = (table.len() - 1) as f64;
@@ -96,7 +95,7 @@ impl ColorMap {
 mod tests {
     use super::*;
 
-    /// Linear light, for a channel of sRGB.
+    /// Linear intensity of an sRGB channel.
     fn linear(channel: u8) -> f64 {
         let s = f64::from(channel) / 255.0;
         if s <= 0.04045 { s / 12.92 } else { ((s + 0.055) / 1.055).powf(2.4) }
@@ -106,7 +105,7 @@ mod tests {
         matrix.map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2])
     }
 
-    /// CIELAB under daylight (D65), from linear light.
+    /// CIELAB under daylight (D65), from linear RGB.
     fn lab(light: [f64; 3]) -> [f64; 3] {
         const TO_XYZ: [[f64; 3]; 3] = [
             [0.412_456_4, 0.357_576_1, 0.180_437_5],
@@ -123,7 +122,7 @@ mod tests {
         lab(color.map(linear))[0]
     }
 
-    /// A colour in CIELAB as most people see it, without red cones, and without green ones.
+    /// A colour in CIELAB with normal vision, without red cones, and without green cones.
     ///
     /// Matrices of `machado_model_2009` for complete loss.
     fn views(color: Rgb) -> [[f64; 3]; 3] {
@@ -146,7 +145,7 @@ mod tests {
         (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>().sqrt()
     }
 
-    /// How far lightness may step back from one entry to the next, since channels are rounded to bytes.
+    /// Lightness may decrease by this much between entries, because channels are rounded to bytes.
     const ROUNDING: f64 = 0.05;
 
     #[test]

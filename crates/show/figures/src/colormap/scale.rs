@@ -1,9 +1,9 @@
-//! Which value gets which colour.
+//! Assigning colours to values.
 
 use super::{ColorMap, Rgb};
 use thiserror::Error;
 
-/// What a [`Scale`] cannot be made of.
+/// Why a scale cannot be made.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 pub enum ScaleError {
     /// An end is infinite or not a number.
@@ -15,23 +15,23 @@ pub enum ScaleError {
     /// The ends are in the wrong order.
     #[error("a colour scale goes from its lower end to its upper end, but {low} is above {high}")]
     Reversed {
-        /// The end that should be the lower one.
+        /// The end given as the lower one.
         low: f64,
-        /// The end that should be the upper one.
+        /// The end given as the upper one.
         high: f64,
     },
-    /// Ends of classes that do not ascend.
+    /// Class boundaries are not increasing.
     #[error("ends of classes ascend, but {lower} is followed by {upper}")]
     Classes {
-        /// An end.
+        /// A class boundary.
         lower: f64,
-        /// The one after it.
+        /// The next one.
         upper: f64,
     },
 }
 
-/// Which value gets which colour: a map stretched over a range, a colour for what has no value, and perhaps a limit
-/// beyond which values get a colour of their own.
+/// Assigns colours to values: a map stretched over a range, a colour for missing values, and optionally a limit beyond which values
+/// get a contrasting colour.
 ///
 /// # Shapes and units
 /// The ends of the range and the limit are in the unit of the values.
@@ -55,7 +55,7 @@ pub struct Scale {
     classes: Classes,
 }
 
-/// Ends of classes, as many as there are; no more are told apart by eye.
+/// Class boundaries, up to their count; readers cannot distinguish more classes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Classes {
     ends: [f64; Scale::MOST_CLASS_ENDS],
@@ -67,18 +67,18 @@ impl Classes {
 }
 
 impl Scale {
-    /// The colour of what has no value, unless another is chosen: a middle grey, which is in no map.
+    /// The default colour of missing values: a middle grey, which is in no map.
     const MISSING: Rgb = [150, 150, 150];
 
-    /// Most ends of classes; further ones are left out.
+    /// Largest number of class boundaries; further ones are ignored.
     pub const MOST_CLASS_ENDS: usize = 15;
 
-    /// The part of the map that classes take, as pages do: its ends are too dark to be told apart when lit.
+    /// The part of the map used for classes, as on pages: the ends of the map are too dark to be distinguished under lighting.
     const CLASS_COLORS: [f64; 2] = [0.12, 0.88];
 
     /// A map stretched over a range.
     ///
-    /// The ends may be equal, as they are for distances that are all zero; values up to it then get the first colour.
+    /// The ends may be equal, for instance if all distances are zero; values up to this number then get the first colour.
     ///
     /// # Errors
     /// [`ScaleError`] if an end is not finite, or the lower one is above the upper one.
@@ -92,7 +92,7 @@ impl Scale {
         Ok(Self { map, low, high, missing: Self::MISSING, limit: None, classes: Classes::NONE })
     }
 
-    /// A map stretched over the range from `-extent` to `extent`, as diverging maps want it.
+    /// A map stretched over the range from `-extent` to `extent`, for diverging maps.
     ///
     /// # Errors
     /// As [`Scale::new`].
@@ -100,27 +100,28 @@ impl Scale {
         Self::new(map, -extent, extent)
     }
 
-    /// Gives values of a magnitude above `limit` the map's [contrast](ColorMap::contrast) colour.
+    /// Gives values with an absolute value above `limit` the map's [contrast](ColorMap::contrast) colour.
     ///
-    /// A limit that is not a number is none.
+    /// A NaN limit is ignored.
     #[must_use]
     pub fn with_limit(mut self, limit: f64) -> Self {
         self.limit = (!limit.is_nan()).then_some(limit);
         self
     }
 
-    /// Gives what has no value, which is what NaN means, another colour.
+    /// Sets the colour of missing values, which are NaN.
     #[must_use]
     pub fn with_missing(mut self, color: Rgb) -> Self {
         self.missing = color;
         self
     }
 
-    /// Gives each class between these ends one colour, and what is below the first or above the last another: as pages do. An end belongs to
-    /// the class below it, the first to the one above it. Without ends there are no classes.
+    /// Divides the scale into classes of one colour each, at these boundaries and as pages do; values below the first and above the
+    /// last boundary form classes, too. A boundary belongs to the class below it, except the first, which belongs to the class
+    /// above. Without boundaries there are no classes.
     ///
     /// # Errors
-    /// [`ScaleError`] if an end is not finite, or they do not ascend.
+    /// [`ScaleError`] if a boundary is not finite, or they are not increasing.
     pub fn with_classes(mut self, ends: &[f64]) -> Result<Self, ScaleError> {
         if let Some(&value) = ends.iter().find(|end| !end.is_finite()) {
             return Err(ScaleError::NonFinite { value });
@@ -133,7 +134,7 @@ impl Scale {
         Ok(self)
     }
 
-    /// Ends of classes, ascending; empty where colours are continuous.
+    /// The class boundaries, increasing; empty for continuous colours.
     pub fn classes(&self) -> &[f64] {
         &self.classes.ends[..self.classes.count]
     }
@@ -162,21 +163,21 @@ impl Scale {
         (self.low, self.high)
     }
 
-    /// The magnitude above which values get the contrast colour.
+    /// The absolute value above which values get the contrast colour.
     pub fn limit(&self) -> Option<f64> {
         self.limit
     }
 
-    /// The colour of what has no value.
+    /// The colour of missing values.
     pub fn missing(&self) -> Rgb {
         self.missing
     }
 
-    /// Where a value lies in the range, 0 at its lower end and 1 at its upper one; outside of it, below 0 or above 1.
+    /// The position of a value in the range: 0 at its lower end, 1 at its upper end; below 0 or above 1 outside.
     ///
     /// NaN for NaN.
     pub fn place(&self, value: f64) -> f64 {
-        // Halves, so that the width of a range is finite whenever its ends are.
+        // Halved, so that the width of a range is finite whenever its ends are.
         let width = 0.5 * self.high - 0.5 * self.low;
         let past = 0.5 * value - 0.5 * self.low;
         if width > 0.0 || past.is_nan() {
@@ -234,7 +235,7 @@ mod tests {
         let scale = Scale::symmetric(ColorMap::Vik, 1.0).unwrap().with_classes(&[-0.2, 0.1, 0.3]).unwrap();
         let colors: Vec<Rgb> = (0..4).map(|class| scale.class_color(class)).collect();
         assert!(colors.windows(2).all(|pair| pair[0] != pair[1]));
-        // An end belongs to the class below it, the first to the one above it.
+        // A boundary belongs to the class below it, except the first, which belongs to the class above.
         for (value, class) in [(-9.0, 0), (-0.2, 1), (0.0, 1), (0.1, 1), (0.11, 2), (0.3, 2), (0.31, 3)] {
             assert_eq!(scale.color(value), colors[class], "{value}");
         }

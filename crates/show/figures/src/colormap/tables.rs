@@ -1,4 +1,4 @@
-//! The colours, sampled at 256 places.
+//! The colours of the maps at 256 positions.
 
 use super::Rgb;
 

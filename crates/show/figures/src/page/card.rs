@@ -1,4 +1,4 @@
-//! Cards: what stands beside the view, block by block.
+//! Cards: the text, numbers, charts and tables beside the view.
 
 use super::error::{check_bounds, check_finite, check_increasing, check_length};
 use super::{BoundsId, Chart, PageError, PlaceId, PlayerControls, ScaleId, SceneId, Table, Text, ValuesId};
@@ -9,19 +9,19 @@ use serde::Serialize;
 pub struct Card {
     /// The heading.
     pub title: String,
-    /// The scene whose numbers these are; the card is there only while that scene is the chosen one.
+    /// The scene to which the card belongs; it is shown only while that scene is selected. `None`: always.
     pub scene: Option<SceneId>,
-    /// From top to bottom.
+    /// The blocks from top to bottom.
     pub blocks: Vec<Block>,
 }
 
 impl Card {
-    /// A card that is always there.
+    /// A card that is always shown.
     pub fn new(title: impl Into<String>, blocks: Vec<Block>) -> Self {
         Self { title: title.into(), scene: None, blocks }
     }
 
-    /// Only while this scene is chosen.
+    /// Shows the card only while this scene is selected.
     #[must_use]
     pub fn with_scene(mut self, scene: SceneId) -> Self {
         self.scene = Some(scene);
@@ -35,23 +35,23 @@ impl Card {
 pub enum Block {
     /// A paragraph.
     Text(Text),
-    /// A paragraph of less weight.
+    /// A less prominent paragraph.
     Note(Text),
-    /// The number that matters most.
+    /// The most important number.
     Headline(Statistic),
-    /// Numbers with names, one below the other.
+    /// Named numbers, one per line.
     Statistics(Vec<Statistic>),
-    /// Names and what they stand for: files, options.
+    /// Names with their meanings: files, options.
     Facts(Vec<Fact>),
-    /// How the page came to be: the command, the origin of the view, the version of the program.
+    /// How the page was made: the command, the origin of the view, the version of the program.
     Run,
-    /// Buttons beside each other.
+    /// Buttons in a row.
     Buttons(Vec<Button>),
-    /// What is beyond a threshold.
+    /// A slider for a threshold, with the share of the area beyond it.
     Threshold(Threshold),
-    /// Steps over time.
+    /// The controls of a player.
     Player(PlayerControls),
-    /// Places in order, with a value each.
+    /// A list of places with values.
     Places(PlaceList),
     /// A chart.
     Chart(Chart),
@@ -61,33 +61,33 @@ pub enum Block {
     Classes(Classes),
 }
 
-/// A number with a name.
+/// A named number.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Statistic {
-    /// A name that scripts and tests find it by; may be empty.
+    /// Identifier for scripts and tests; may be empty.
     pub key: String,
-    /// What it is.
+    /// The label.
     pub name: String,
-    /// The number, or what encloses it.
+    /// The number or its enclosure.
     pub value: Amount,
     /// Its unit.
     pub unit: String,
-    /// Smaller, below it.
+    /// A remark in smaller type.
     pub note: Text,
 }
 
-/// A number, or what encloses one.
+/// A number or its enclosure.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum Amount {
-    /// The number, in so many significant digits.
+    /// A number with this many significant digits.
     Number {
         /// The number.
         number: f64,
         /// Digits, from 1 to 17.
         digits: u8,
     },
-    /// It lies between these, ends included.
+    /// An interval that contains the number, ends included.
     Enclosure {
         /// The ends.
         ends: [f64; 2],
@@ -100,14 +100,14 @@ impl Default for Amount {
     }
 }
 
-/// A name and what it stands for.
+/// A name with its meaning.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Fact {
     /// The name.
     pub name: String,
-    /// What it stands for.
+    /// The meaning.
     pub value: Text,
-    /// Smaller, below it.
+    /// A remark in smaller type.
     pub note: Text,
 }
 
@@ -122,57 +122,57 @@ impl Fact {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "kind", content = "text", rename_all = "camelCase")]
 pub enum Button {
-    /// Looks at the first pair of points of the chosen scene, from the side.
+    /// Moves the camera to see the first pair of points of the selected scene from the side.
     LookAtPair(String),
-    /// Shows all there is.
+    /// Moves the camera to show everything.
     ShowAll(String),
 }
 
-/// What is beyond a threshold: a slider, what it leaves of the area and of the faces, and the surfaces painted by it.
+/// What lies beyond a threshold: a slider, the remaining share of the area and number of faces, and surfaces coloured by it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Threshold {
     /// The scale that has the threshold.
     pub scale: ScaleId,
-    /// The end of the slider.
+    /// The upper end of the slider.
     pub end: f64,
-    /// What the area and the faces are of.
+    /// The object whose area and faces are counted.
     pub of: String,
-    /// What values beyond the threshold are, compared with it: "farther", "greater".
+    /// The comparative for values beyond the threshold: "farther", "greater".
     pub beyond: String,
-    /// Places, increasing, and enclosures of the share of the area beyond them, which never rises.
+    /// Increasing thresholds, and enclosures of the share of the area beyond each, which never increases.
     pub share: Option<(Vec<f64>, Vec<[f64; 2]>)>,
-    /// What encloses the largest value of each face.
+    /// Enclosures of the largest value of each face.
     pub bounds: Option<BoundsId>,
 }
 
-/// Shares of the area in the classes between the [bands](super::ValueScale::bands) of a scale. Once their ends are moved in the legend,
-/// shares are computed from what is drawn, and marked as estimates.
+/// Shares of the area in the classes between the [bands](super::ValueScale::bands) of a scale. If the user moves the class
+/// boundaries, shares are recomputed from the displayed values and marked as estimates.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Classes {
-    /// A name that scripts and tests find it by; may be empty.
+    /// Identifier for scripts and tests; may be empty.
     pub key: String,
-    /// What it is about, for those who do not see it.
+    /// A description for screen readers.
     pub caption: String,
     /// The scale that has the classes.
     pub scale: ScaleId,
-    /// The values whose shares these are.
+    /// The values whose shares are shown.
     pub values: ValuesId,
-    /// What is said of the lowest class, and of the highest: "too low", "too high".
+    /// Labels of the lowest and the highest class: "too low", "too high".
     pub outer: [String; 2],
     /// For each class, from the lowest, an enclosure of its share of the area.
     pub shares: Vec<[f64; 2]>,
 }
 
-/// Places of a scene, with values.
+/// A list of places of a scene, with values.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct PlaceList {
-    /// A name that scripts and tests find it by; may be empty.
+    /// Identifier for scripts and tests; may be empty.
     pub key: String,
     /// The scale that colours the values.
     pub scale: Option<ScaleId>,
     /// The places.
     pub items: Vec<PlaceItem>,
-    /// What stands there where there are none.
+    /// The text for an empty list.
     pub none: String,
 }
 
@@ -181,9 +181,9 @@ pub struct PlaceList {
 pub struct PlaceItem {
     /// The place.
     pub place: PlaceId,
-    /// What encloses the value there.
+    /// The enclosure of the value there.
     pub ends: [f64; 2],
-    /// Smaller, below it.
+    /// A remark in smaller type.
     pub note: Text,
 }
 
@@ -198,7 +198,7 @@ impl Statistic {
 }
 
 impl Block {
-    /// Checks what needs no other part of the page.
+    /// The checks that need no other part of the page.
     pub(super) fn check(&self) -> Result<(), PageError> {
         match self {
             Self::Text(text) | Self::Note(text) => check_finite("a paragraph", text.numbers()),
@@ -217,7 +217,7 @@ impl Block {
             }
             Self::Player(controls) => {
                 let numbers = controls.steps.iter().chain([&controls.off]).flat_map(Text::numbers);
-                check_finite("what is told of a step", numbers)
+                check_finite("the text of a step", numbers)
             }
             Self::Places(list) => list.items.iter().try_for_each(|item| {
                 check_bounds("the value of a place", [&item.ends])?;

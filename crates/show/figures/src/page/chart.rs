@@ -4,82 +4,83 @@ use super::error::{check_bounds, check_finite, check_increasing, check_length};
 use super::{PageError, PlaceId, PlayerId, ScaleId, Text};
 use serde::Serialize;
 
-/// A chart. What is proven is drawn full, what is possible lighter.
+/// A chart. Proven parts are drawn opaque, possible parts lighter.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Chart {
-    /// A name that scripts and tests find it by; may be empty.
+    /// Identifier for scripts and tests; may be empty.
     pub key: String,
-    /// What it shows, in a sentence.
+    /// A sentence that says what the chart shows.
     pub title: Text,
     /// The horizontal axis.
     pub x: ChartAxis,
     /// The vertical axis.
     pub y: ChartAxis,
-    /// What is drawn, the first one at the bottom.
+    /// The series; the first one is drawn at the bottom.
     pub series: Vec<Series>,
-    /// The scale that values along the horizontal axis belong to: its threshold is marked, and histograms have its colours.
+    /// The scale of the horizontal axis: its threshold is marked, and histograms have its colours.
     pub scale: Option<ScaleId>,
     /// Whether a click sets the threshold of that scale.
     pub sets_threshold: bool,
-    /// The player whose steps are the entries of lines, points and bars: the present one is marked, and a click goes to another one.
+    /// The player whose steps are the entries of lines, points and bars: the current step is marked, and a click selects another
+    /// one.
     pub player: Option<PlayerId>,
 }
 
 /// An axis of a chart.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct ChartAxis {
-    /// What is along it, with the unit.
+    /// The quantity and its unit.
     pub label: String,
-    /// Whether equal lengths are equal factors. What is not positive is left out then.
+    /// Whether the axis is logarithmic. Values that are not positive are then omitted.
     pub logarithmic: bool,
-    /// Whether numbers are fractions, to be shown as per cent.
+    /// Whether to show fractions as percentages.
     pub percent: bool,
-    /// Where it begins; without that, at the least value.
+    /// The lower end; by default the least value.
     pub low: Option<f64>,
-    /// Where it ends; without that, at the greatest value.
+    /// The upper end; by default the greatest value.
     pub high: Option<f64>,
 }
 
-/// Something drawn in a chart.
+/// A data series of a chart.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "kind", rename_all = "camelCase")]
 pub enum Series {
     /// A curve through points.
     Line {
-        /// What it is; shown where there are several.
+        /// The label; shown if there are several series.
         label: String,
-        /// Places, increasing.
+        /// Abscissae, increasing.
         x: Vec<f64>,
-        /// Values there.
+        /// Ordinates.
         y: Vec<f64>,
     },
-    /// A curve that is only known to lie between two others.
+    /// A curve that is known to lie between two others.
     Band {
-        /// What it is; shown where there are several.
+        /// The label; shown if there are several series.
         label: String,
-        /// Places, increasing.
+        /// Abscissae, increasing.
         x: Vec<f64>,
-        /// Enclosures of the values there.
+        /// Enclosures of the ordinates.
         y: Vec<[f64; 2]>,
-        /// Whether the curve never rises, so that between two places it lies in the box of their enclosures.
+        /// Whether the curve never increases; between two abscissae it then lies in the bounding box of both enclosures.
         falling: bool,
     },
-    /// Shares by value.
+    /// A distribution of shares over values.
     Histogram {
-        /// Ends of the bins, increasing, one more than there are bins.
+        /// Bin edges, increasing, one more than there are bins.
         edges: Vec<f64>,
         /// Enclosures of the shares.
         shares: Vec<[f64; 2]>,
     },
     /// Points.
     Scatter {
-        /// What they are; shown where there are several.
+        /// The label; shown if there are several series.
         label: String,
         /// The points.
         points: Vec<ScatterPoint>,
     },
-    /// A bar for each step of the player. It needs no other series and no horizontal axis beside it.
+    /// A bar for each step of the player. Allows no other series and no horizontal axis.
     Bars {
         /// Their heights.
         values: Vec<f64>,
@@ -89,11 +90,11 @@ pub enum Series {
 /// A point of a scatter plot.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct ScatterPoint {
-    /// Where it is.
+    /// Its coordinates.
     pub at: [f64; 2],
-    /// What it is.
+    /// Its label.
     pub label: String,
-    /// Where it leads.
+    /// The place shown on a click.
     pub place: Option<PlaceId>,
 }
 
@@ -130,7 +131,7 @@ impl Series {
         }
     }
 
-    /// The places that its points lead to.
+    /// The places that its points link to.
     pub(super) fn places(&self) -> impl Iterator<Item = PlaceId> {
         let points = match self {
             Self::Scatter { points, .. } => points.as_slice(),

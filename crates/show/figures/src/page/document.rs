@@ -1,17 +1,17 @@
-//! The file around the data of a page.
+//! The HTML file around the data of a page.
 
 use serde_json::Value;
 
 const SCRIPT: &str = include_str!("../../web/dist/page.js");
 const STYLE: &str = include_str!("../../web/dist/page.css");
 
-/// A browser that respects this loads nothing from anywhere.
+/// A browser that enforces this policy makes no network requests.
 const POLICY: &str =
     "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:";
 
-/// The file: what to show without scripts, the data, and the program that shows them.
+/// The file: the text shown without scripts, the data, and the script.
 pub(super) fn file(title: &str, summary: &str, data: &Value) -> String {
-    // Inside a script element only `<` could end it, or begin a comment.
+    // Inside a script element only `<` could end the element or begin a comment.
     let data = data.to_string().replace('<', "\\u003c");
     let (title, summary) = (escaped(title), escaped(summary));
     let mut page = String::with_capacity(data.len() + SCRIPT.len() + STYLE.len() + 4096);
@@ -36,7 +36,7 @@ pub(super) fn file(title: &str, summary: &str, data: &Value) -> String {
     page
 }
 
-/// Text as HTML shows it.
+/// Text with HTML characters escaped.
 fn escaped(text: &str) -> String {
     let mut shown = String::with_capacity(text.len());
     for c in text.chars() {

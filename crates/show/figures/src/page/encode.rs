@@ -1,4 +1,4 @@
-//! Arrays as text: little-endian numbers, bytes sorted by significance, compressed, in base64.
+//! Encoding of arrays as text: little-endian, bytes grouped by significance, compressed, base64.
 
 use crate::Image;
 use base64::Engine;
@@ -8,10 +8,10 @@ use flate2::write::ZlibEncoder;
 use serde_json::{Value, json};
 use std::io::Write;
 
-/// A fair compromise: higher levels take several times as long for a few per cent.
+/// A compromise: higher levels take several times as long and save a few per cent.
 const LEVEL: Compression = Compression::new(6);
 
-/// Doubles, to the last bit.
+/// Doubles, losslessly.
 pub(super) fn doubles(values: impl ExactSizeIterator<Item = f64>) -> Value {
     array("f64", "plain", values.map(f64::to_le_bytes))
 }
@@ -21,12 +21,12 @@ pub(super) fn singles(values: impl ExactSizeIterator<Item = f32>) -> Value {
     array("f32", "plain", values.map(f32::to_le_bytes))
 }
 
-/// Numbers of things.
+/// Unsigned integers.
 pub(super) fn integers(values: impl ExactSizeIterator<Item = u32>) -> Value {
     array("u32", "plain", values.map(u32::to_le_bytes))
 }
 
-/// Indices that use every number first in order: each as its distance below the first number not used yet.
+/// Indices whose first uses are in increasing order; each is encoded as its distance below the first unused number.
 ///
 /// Neighbouring triangles share vertices, so the distances are small and compress well.
 pub(super) fn first_use_indices(indices: &[u32]) -> Value {
@@ -42,7 +42,7 @@ pub(super) fn first_use_indices(indices: &[u32]) -> Value {
     array("u32", "highwater", codes.into_iter().map(u32::to_le_bytes))
 }
 
-/// A picture as PNG; nothing if it cannot be encoded.
+/// A picture as PNG; `None` if it cannot be encoded.
 pub(super) fn png(image: &Image) -> Option<String> {
     let mut bytes = Vec::new();
     image.write_png(&mut bytes).ok().map(|()| STANDARD.encode(bytes))
@@ -54,7 +54,7 @@ fn array<const WIDTH: usize>(
     elements: impl ExactSizeIterator<Item = [u8; WIDTH]>,
 ) -> Value {
     let length = elements.len();
-    // Bytes of one significance resemble each other: first all lowest bytes, then the next ones.
+    // Bytes of equal significance are similar: first all lowest bytes, then the next ones.
     let mut planes = vec![0; WIDTH * length];
     for (i, bytes) in elements.enumerate() {
         for (plane, byte) in bytes.into_iter().enumerate() {
@@ -76,7 +76,7 @@ mod tests {
     use flate2::read::ZlibDecoder;
     use std::io::Read;
 
-    /// What the browser does.
+    /// Decodes as the browser does.
     fn decoded(array: &Value) -> Vec<u64> {
         let width = if array["type"] == "f64" { 8 } else { 4 };
         let length = array["length"].as_u64().unwrap() as usize;

@@ -1,34 +1,34 @@
-//! Why data do not make a page.
+//! Errors in the data of a page.
 
-/// What is wrong with the data of a page. `what` names the field.
+/// Why data cannot be part of a page. `what` names the field.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum PageError {
-    /// A number that is none, or infinite.
+    /// A number is NaN or infinite.
     #[error("{what} has the value {value} at place {index}; only finite numbers can be drawn")]
     NonFinite {
         /// The field.
         what: &'static str,
-        /// Which of its numbers.
+        /// The index of the number.
         index: usize,
-        /// What it is.
+        /// Its value.
         value: f64,
     },
-    /// A lower end above its upper end.
+    /// An interval has a lower end above its upper end.
     #[error(
         "{what} has the ends {lower} and {upper} at place {index}; the lower one must not be above the upper one"
     )]
     Crossed {
         /// The field.
         what: &'static str,
-        /// Which of its intervals.
+        /// The index of the interval.
         index: usize,
         /// Its lower end.
         lower: f64,
         /// Its upper end.
         upper: f64,
     },
-    /// Arrays that belong together and differ in length.
+    /// Arrays that belong together differ in length.
     #[error("{what} has {found} entries, and {expected} are expected")]
     Length {
         /// The field.
@@ -38,60 +38,60 @@ pub enum PageError {
         /// How many there should be.
         expected: usize,
     },
-    /// A face that the mesh does not have.
+    /// A face does not exist in the mesh.
     #[error("{what} names face {face} at place {index}, and there are {faces} faces")]
     NoSuchFace {
         /// The field.
         what: &'static str,
-        /// Which of its entries.
+        /// The index of the entry.
         index: usize,
         /// The face named.
         face: u32,
         /// How many faces there are.
         faces: usize,
     },
-    /// Places that must increase and do not.
+    /// Numbers that must increase do not.
     #[error("{what} does not increase at place {index}: {value} follows {before}")]
     NotIncreasing {
         /// The field.
         what: &'static str,
-        /// The first place that is too low.
+        /// The first number that does not increase.
         index: usize,
-        /// The value there.
+        /// Its value.
         value: f64,
-        /// The value before it.
+        /// The number before it.
         before: f64,
     },
-    /// A mesh without triangles.
+    /// A mesh has no triangles.
     #[error("mesh {mesh} has no triangles to draw")]
     NoTriangles {
-        /// 0 for the first.
+        /// The index of the mesh, from 0.
         mesh: usize,
     },
-    /// Something that the page does not have: its id came from another page.
+    /// An id refers to a part that the page does not have: it came from another page.
     #[error("the page has no {what} {index}: there are {count}")]
     Unknown {
-        /// What it is.
+        /// The kind of part.
         what: &'static str,
-        /// Which one.
+        /// Its index.
         index: usize,
         /// How many there are.
         count: usize,
     },
-    /// Something that belongs to another mesh or space than what it is shown on.
+    /// A part belongs to another mesh or space than the one it is shown with.
     #[error("the {what} belongs to another {of} than it is shown with")]
     Apart {
-        /// What it is.
+        /// The kind of part.
         what: &'static str,
-        /// What it does not belong to.
+        /// The kind of owner.
         of: &'static str,
     },
-    /// Nothing was measured.
+    /// There is nothing to show.
     #[error("there is nothing to show: no values were given")]
     NothingToShow,
 }
 
-/// That all of these are finite.
+/// Checks that all numbers are finite.
 pub(super) fn check_finite<'a>(
     what: &'static str,
     values: impl IntoIterator<Item = &'a f64>,
@@ -102,7 +102,7 @@ pub(super) fn check_finite<'a>(
     }
 }
 
-/// That all of these are intervals.
+/// Checks that all intervals are valid.
 pub(super) fn check_bounds<'a>(
     what: &'static str,
     bounds: impl IntoIterator<Item = &'a [f64; 2]>,
@@ -120,12 +120,12 @@ pub(super) fn check_bounds<'a>(
     Ok(())
 }
 
-/// That there are as many as expected.
+/// Checks the length of an array.
 pub(super) fn check_length(what: &'static str, found: usize, expected: usize) -> Result<(), PageError> {
     if found == expected { Ok(()) } else { Err(PageError::Length { what, found, expected }) }
 }
 
-/// That each is above the one before it.
+/// Checks that numbers increase strictly.
 pub(super) fn check_increasing(what: &'static str, values: &[f64]) -> Result<(), PageError> {
     check_finite(what, values)?;
     match values.windows(2).position(|pair| pair[0] >= pair[1]) {
@@ -136,7 +136,7 @@ pub(super) fn check_increasing(what: &'static str, values: &[f64]) -> Result<(),
     }
 }
 
-/// That there are such faces.
+/// Checks that all faces exist.
 pub(super) fn check_faces(what: &'static str, named: &[u32], faces: usize) -> Result<(), PageError> {
     match named.iter().position(|&face| face as usize >= faces) {
         Some(index) => Err(PageError::NoSuchFace { what, index, face: named[index], faces }),

@@ -1,4 +1,4 @@
-//! What the parts of a page are referred to by.
+//! Ids by which parts of a page refer to each other.
 
 use super::PageError;
 use serde::Serialize;
@@ -11,7 +11,7 @@ macro_rules! ids {
         pub struct $name(pub(super) usize);
 
         impl $name {
-            /// The part itself, if the page has it.
+            /// The part, if the page has it.
             pub(super) fn of<T>(self, parts: &[T]) -> Result<&T, PageError> {
                 parts.get(self.0).ok_or(PageError::Unknown { what: $what, index: self.0, count: parts.len() })
             }
@@ -32,7 +32,7 @@ ids! {
     ScaleId, "scale";
     /// A [`Player`](super::Player) of a page.
     PlayerId, "player";
-    /// A switch for layers.
+    /// A toggle for layers.
     ToggleId, "toggle";
     /// A [`Scene`](super::Scene) of a page.
     SceneId, "scene";

@@ -1,4 +1,4 @@
-//! Meshes of a page, and how their corners are shared.
+//! Meshes of a page, and the vertices that their triangles share.
 
 use super::encode::{first_use_indices, integers, singles};
 use super::error::{check_faces, check_finite, check_length};
@@ -9,19 +9,19 @@ use pompeiu_core::TriMesh;
 use serde_json::{Value, json};
 use std::collections::HashMap;
 
-/// Triangles to draw: the faces of a mesh, or parts of them where values bend inside a face.
+/// Triangles to draw: the faces of a mesh, or parts of faces where values are not linear on a face.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mesh {
     name: String,
     element: String,
     positions: Vec<[f64; 3]>,
     triangles: Vec<[u32; 3]>,
-    /// The face of each triangle; none where they are the same.
+    /// The face of each triangle; `None` if triangles are faces.
     faces: Option<Vec<u32>>,
     face_count: usize,
 }
 
-/// A part of the plane: inside of a closed curve and outside of others, the last point joined to the first.
+/// A region of the plane inside a closed curve and outside others; curves are closed implicitly.
 #[derive(Clone, Debug, Default, PartialEq, serde::Serialize)]
 pub struct Polygon {
     /// The outer curve.
@@ -37,18 +37,18 @@ impl Mesh {
         Self { name: name.into(), element: "face".into(), positions, triangles, faces: None, face_count }
     }
 
-    /// All faces of a mesh. The name stands where a face is named: "face 3 of A".
+    /// All faces of a mesh. The name is used to refer to faces: "face 3 of A".
     pub fn of(name: impl Into<String>, mesh: &TriMesh) -> Self {
         Self::new(name, mesh.positions().to_vec(), mesh.faces().to_vec())
     }
 
-    /// Triangles by their corners. Corners at one place are one vertex on the page.
+    /// Triangles by their corners. Corners at equal positions become one vertex on the page.
     pub fn from_corners(name: impl Into<String>, corners: &[[[f64; 3]; 3]]) -> Self {
         let triangles = (0..corners.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
         Self::new(name, corners.as_flattened().to_vec(), triangles)
     }
 
-    /// Says which face each triangle is a part of, and how many faces there are.
+    /// Sets the face that each triangle is part of, and the number of faces.
     #[must_use]
     pub fn with_faces(mut self, faces: Vec<u32>, face_count: usize) -> Self {
         let are_triangles = face_count == self.triangles.len()
@@ -58,7 +58,7 @@ impl Mesh {
         self
     }
 
-    /// Calls a face something else, such as "piece".
+    /// Sets another name for faces, such as "piece".
     #[must_use]
     pub fn with_element(mut self, element: impl Into<String>) -> Self {
         self.element = element.into();
@@ -83,11 +83,11 @@ impl Mesh {
     }
 }
 
-/// What a mesh of a page is made of.
+/// The geometry of a mesh of a page.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Geometry {
     Triangles(Mesh),
-    /// The triangles of another mesh, with its vertices elsewhere.
+    /// The triangles of another mesh, with other vertex positions.
     Moved {
         of: MeshId,
         positions: Vec<[f64; 3]>,
@@ -99,17 +99,17 @@ pub(super) enum Geometry {
     },
 }
 
-/// A mesh in its space.
+/// A mesh, in its space.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct PlacedMesh {
     pub(super) space: SpaceId,
     pub(super) geometry: Geometry,
-    /// Meshes whose triangles correspond one by one, moved ones included, have the same number.
+    /// Meshes whose triangles correspond one to one, moved ones included, share this number.
     pub(super) link: usize,
 }
 
 impl PlacedMesh {
-    /// Checks the mesh that would have the given index.
+    /// Checks the mesh that is about to get this index.
     pub(super) fn check(&self, index: usize, meshes: &[Self]) -> Result<(), PageError> {
         match &self.geometry {
             Geometry::Triangles(mesh) => mesh.check(index),
@@ -147,7 +147,7 @@ impl PlacedMesh {
         }
     }
 
-    /// Triangles, where their number is known here.
+    /// The number of triangles, if it is known before triangulation.
     pub(super) fn triangle_count(&self, meshes: &[Self]) -> usize {
         match &self.geometry {
             Geometry::Triangles(mesh) => mesh.triangles.len(),
@@ -177,22 +177,22 @@ impl PlacedMesh {
     }
 }
 
-/// Which corners of triangles are one on the page.
+/// Vertices of the page shared by corners of triangles.
 #[derive(Debug)]
 pub(super) struct SharedCorners {
-    /// The vertex whose position each place has, in the order of first use.
+    /// The mesh vertex of each position, in the order of first use.
     pub(super) vertices: Vec<u32>,
-    /// The place of each corner of the page; every one is used first in order.
+    /// The position of each page vertex; first uses are in increasing order.
     pub(super) places: Vec<u32>,
-    /// Where each corner of the page occurs first among the corners of triangles.
+    /// For each page vertex, its first occurrence among the corners of triangles.
     pub(super) first: Vec<usize>,
-    /// Three for each triangle; every corner is used first in order.
+    /// Three page vertices per triangle; first uses are in increasing order.
     pub(super) indices: Vec<u32>,
 }
 
 impl SharedCorners {
-    /// Makes corners one where their place on the screen agrees and all values at corners do, bit for bit. Vertices stay apart
-    /// where something is stated for each of them.
+    /// Merges corners whose rounded positions and values agree bit for bit. Different mesh vertices are not merged if `apart`, that
+    /// is if there are values per vertex.
     pub(super) fn new(mesh: &Mesh, placement: Placement, apart: bool, values: &[&MeshValues]) -> Self {
         let of_corners = mesh.triangles.as_flattened();
         let mut vertices = vec![];
@@ -221,7 +221,7 @@ impl SharedCorners {
     }
 }
 
-/// Numbers for keys in the order of their first occurrence, each of which is reported.
+/// Numbers keys in the order of their first occurrence, and reports each of these.
 fn numbered<K: std::hash::Hash + Eq>(
     keys: impl ExactSizeIterator<Item = K>,
     mut first: impl FnMut(usize),
@@ -239,7 +239,7 @@ fn numbered<K: std::hash::Hash + Eq>(
 }
 
 impl PlacedMesh {
-    /// As the page holds it; `shared` are the corners of this mesh, or of the one that it is moved from.
+    /// The data of the mesh; `shared` are the vertices of this mesh, or of the one it is moved from.
     pub(super) fn data(&self, placement: Placement, shared: Option<&SharedCorners>) -> Value {
         let at_places = |positions: &[[f64; 3]]| {
             let vertices = shared.map_or(&[][..], |shared| &shared.vertices);

@@ -1,23 +1,23 @@
-//! Interactive pages: one HTML file each, which holds all it needs and asks no network for anything.
+//! Interactive pages: one self-contained HTML file each, which makes no network requests.
 //!
-//! A [`Page`] is composed of parts that know nothing of any system. A system composes its page in its own `show` module; the
-//! part that runs in the browser (`web/`, bundled in `web/dist` so that nobody needs node to build this crate) interprets
-//! the parts, and has no code for any page in particular.
+//! A [`Page`] is composed of generic parts. Each system composes its page in its own `show` module. The part that runs in the
+//! browser (`web/`, bundled in `web/dist` so that nobody needs node to build this crate) interprets the parts, and has no code for
+//! a particular page.
 //!
 //! # Parts
-//! - A [`Space`] is a coordinate system, of space or of the plane, with one camera.
-//! - A [`Mesh`] lies in a space: triangles on vertices or by corners, polygons, or the vertices of another mesh moved.
-//! - [`MeshValues`] are numbers or vectors at corners, vertices or faces of a mesh. They are coloured by a [`ValueScale`].
-//! - A [`Player`] steps through time: layers with one [`Shape`] for each of its steps, charts that mark the present one.
-//! - A [`Scene`] is a pane of the view, made of [layers](Layer): surfaces, arrows, curves, points, pairs of points. Its
-//!   [places](Place) are what tables, lists and scatter plots lead to.
-//! - An [`Arrangement`] says which scenes are shown together. Panes beside each other are linked: scenes of one space share their
-//!   camera, and what the cursor points at on one mesh is marked on [linked](Page::link_meshes) meshes in the other panes.
+//! - A [`Space`] is a coordinate system, spatial or planar, with one camera.
+//! - A [`Mesh`] lies in a space: triangles given by vertices or by corners, polygons, or another mesh with moved vertices.
+//! - [`MeshValues`] are numbers or vectors at corners, vertices or faces of a mesh. A [`ValueScale`] colours them.
+//! - A [`Player`] steps through time: layers with one [`Shape`] per step, charts that mark the current step.
+//! - A [`Scene`] is a pane of the view, made of [layers](Layer): surfaces, arrows, curves, points, pairs of points. Tables, lists
+//!   and scatter plots link to its [places](Place).
+//! - An [`Arrangement`] lists the scenes that are shown together. Panes are linked: scenes of one space share their camera, and the
+//!   point under the cursor on one mesh is marked on [linked](Page::link_meshes) meshes in the other panes.
 //! - A [`Card`] stands beside the view and is made of [blocks](Block): paragraphs, statistics, facts, buttons, a threshold, the
-//!   controls of a player, places, charts and tables. A page without scenes has cards alone.
+//!   controls of a player, places, charts and tables. A page without scenes has only cards.
 //!
-//! Each part is checked when it is added, and refers to others by the ids that adding them gave. So whatever was added can be
-//! shown, and [`Page::html`] cannot fail.
+//! Each part is checked when it is added, and refers to others by the ids returned for them. So every added part can be shown, and
+//! [`Page::html`] cannot fail.
 //!
 //! # How a system composes a page
 //! ```
@@ -42,12 +42,12 @@
 //! ```
 //!
 //! # Accuracy
-//! Values, vectors and enclosures travel in double precision: what the page shows of them is what was given, to the last bit, and
-//! ends of enclosures are rounded outwards. Coordinates are rounded to single precision relative to the middle of their space, so
-//! that large offsets cost no digits.
+//! Values, vectors and enclosures are transferred in double precision: the page shows the given values to the last bit, and rounds
+//! ends of enclosures outwards. Coordinates are rounded to single precision relative to the middle of their space, so that large
+//! offsets cost no digits.
 //!
 //! # Cost
-//! Linear in all that is given. The page takes 0.7 MB and some 30 bytes for each face of a mesh with values at corners.
+//! Linear in the size of the data. A page takes 0.7 MB, plus some 30 bytes for each face of a mesh with values at corners.
 
 mod card;
 mod chart;
@@ -83,24 +83,24 @@ use serde_json::{Value, json};
 use space::Placement;
 use values::{PlacedValues, RangedScale};
 
-/// `[lower, upper]`: a number lies between them, ends included.
+/// `[lower, upper]`: an interval that contains a number, ends included.
 pub type Bounds = [f64; 2];
 
 /// A page to explore in a browser; see the [module](self).
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Page {
     title: String,
-    /// Below the title.
+    /// The subtitle.
     pub subtitle: Text,
-    /// The answer in a sentence, for readers without scripts.
+    /// The answer in one sentence, for readers without scripts.
     pub summary: String,
-    /// What a picture of the view is called when it is saved, without `.png`.
+    /// File name for a saved picture of the view, without `.png`.
     pub picture: String,
-    /// The command that makes this page again.
+    /// The command that reproduces this page.
     pub command: Option<String>,
     /// The version of the program.
     pub version: String,
-    /// A picture to show where a browser cannot draw the scenes.
+    /// A picture to show if the browser cannot draw the scenes.
     pub still: Option<Image>,
     spaces: Vec<Space>,
     meshes: Vec<PlacedMesh>,
@@ -118,11 +118,11 @@ pub struct Page {
 /// Scenes that are shown together.
 #[derive(Clone, Debug, Default, PartialEq, serde::Serialize)]
 pub struct Arrangement {
-    /// A name that scripts and tests find it by.
+    /// Identifier for scripts and tests.
     pub key: String,
-    /// What it is called.
+    /// Its label.
     pub text: String,
-    /// More about it.
+    /// A longer description.
     pub hint: String,
     /// The scenes, from left to right and from top to bottom.
     pub scenes: Vec<SceneId>,
@@ -135,7 +135,7 @@ impl Page {
         Self { summary: format!("{title}."), title, picture: "picture".into(), ..Self::default() }
     }
 
-    /// What the page is about.
+    /// The title.
     pub fn title(&self) -> &str {
         &self.title
     }
@@ -149,15 +149,14 @@ impl Page {
     /// Adds a mesh.
     ///
     /// # Errors
-    /// [`PageError`] where there is no triangle, a coordinate is not finite, or a vertex or face does not exist.
+    /// [`PageError`] if there is no triangle, a coordinate is not finite, or a vertex or face does not exist.
     pub fn add_mesh(&mut self, space: SpaceId, mesh: Mesh) -> Result<MeshId, PageError> {
         self.place_mesh(space, Geometry::Triangles(mesh), self.meshes.len())
     }
 
-    /// Adds a mesh again, with its vertices elsewhere; in another space, too. The two are linked.
+    /// Adds a mesh again with other vertex positions, possibly in another space. The two meshes are linked.
     ///
-    /// # Errors
-    /// [`PageError`] where there are not as many positions as the mesh has vertices, a coordinate is not finite, or the mesh has no
+    /// [`PageError`] if the number of positions differs from the number of vertices, a coordinate is not finite, or the mesh has no
     /// vertices of its own because it is made of polygons.
     pub fn add_moved_mesh(
         &mut self,
@@ -173,10 +172,10 @@ impl Page {
         self.place_mesh(space, Geometry::Moved { of, positions }, link)
     }
 
-    /// Adds polygons of the plane; each is a face, called `element`.
+    /// Adds polygons in the plane; each is a face, called `element`.
     ///
     /// # Errors
-    /// [`PageError`] where there is no polygon, one has less than three points, or a coordinate is not finite.
+    /// [`PageError`] if there is no polygon, one has fewer than three points, or a coordinate is not finite.
     pub fn add_polygons(
         &mut self,
         space: SpaceId,
@@ -196,11 +195,11 @@ impl Page {
         Ok(MeshId(self.meshes.len() - 1))
     }
 
-    /// Says that the triangles of two meshes correspond, one by one and corner by corner: a surface and its map to the plane, cut
-    /// open or not. What the cursor points at on one is marked on the other.
+    /// Links two meshes whose triangles correspond one to one and corner by corner: a surface and its map to the plane, cut open or
+    /// not. The point under the cursor on one is marked on the other.
     ///
     /// # Errors
-    /// [`PageError`] where one has more triangles than the other.
+    /// [`PageError`] if they have different numbers of triangles.
     pub fn link_meshes(&mut self, one: MeshId, other: MeshId) -> Result<(), PageError> {
         let (a, b) = (one.of(&self.meshes)?, other.of(&self.meshes)?);
         let count = |mesh: &PlacedMesh| [mesh.triangle_count(&self.meshes), mesh.face_count(&self.meshes)];
@@ -217,7 +216,7 @@ impl Page {
     /// Adds a scale.
     ///
     /// # Errors
-    /// [`PageError`] where its threshold or span is not finite, or its span crossed.
+    /// [`PageError`] if its threshold or span is not finite, or its span is reversed.
     pub fn add_scale(&mut self, scale: ValueScale) -> Result<ScaleId, PageError> {
         let scale = RangedScale { scale, ranges: vec![], first: 0 };
         scale.check()?;
@@ -225,11 +224,11 @@ impl Page {
         Ok(ScaleId(self.scales.len() - 1))
     }
 
-    /// Adds a choice of where a scale ends; the first one is where nothing lies beyond, and holds at first unless
-    /// [another one](Self::start_with_range) shall. Without any, it ends at the greatest size of its values.
+    /// Adds a range that users can select for a scale. The first one must contain all values; it is selected at first unless
+    /// [`start_with_range`](Self::start_with_range) selects another. By default the scale ends at the greatest absolute value.
     ///
     /// # Errors
-    /// [`PageError`] where an end is not finite, or a scene or the scale does not exist.
+    /// [`PageError`] if an end is not finite, or a scene or the scale does not exist.
     pub fn add_range(&mut self, scale: ScaleId, range: Range) -> Result<(), PageError> {
         scale.of(&self.scales)?;
         if let RangeEnd::Scenes(ends) = &range.end {
@@ -240,10 +239,10 @@ impl Page {
         Ok(())
     }
 
-    /// Chooses which of the choices added so far holds at first.
+    /// Selects the initial range among those added so far.
     ///
     /// # Errors
-    /// [`PageError`] where the scale does not exist, or has no such choice.
+    /// [`PageError`] if the scale does not exist, or has no such range.
     pub fn start_with_range(&mut self, scale: ScaleId, choice: usize) -> Result<(), PageError> {
         scale.of(&self.scales)?;
         let scale = &mut self.scales[scale.0];
@@ -255,10 +254,10 @@ impl Page {
         Ok(())
     }
 
-    /// Adds values on a mesh. They can be shown on the mesh and on every one that it was moved to.
+    /// Adds values on a mesh. They can be shown on the mesh and on every moved copy of it.
     ///
     /// # Errors
-    /// [`PageError`] where there are not as many as the mesh has corners, vertices or faces, or one is not finite.
+    /// [`PageError`] if their number is not that of corners, vertices or faces, or one is not finite.
     pub fn add_values(
         &mut self,
         mesh: MeshId,
@@ -275,7 +274,7 @@ impl Page {
     /// Adds an enclosure for each face of a mesh.
     ///
     /// # Errors
-    /// [`PageError`] where there are not as many as the mesh has faces, or one is no interval.
+    /// [`PageError`] if their number is not that of the faces, or one is not a valid interval.
     pub fn add_bounds(&mut self, mesh: MeshId, bounds: Vec<Bounds>) -> Result<BoundsId, PageError> {
         let faces = mesh.of(&self.meshes)?.face_count(&self.meshes);
         check_length("the list of bounds of faces", bounds.len(), faces)?;
@@ -287,7 +286,7 @@ impl Page {
     /// Adds steps over time.
     ///
     /// # Errors
-    /// [`PageError::Length`] where there is no step.
+    /// [`PageError::Length`] if there is no step.
     pub fn add_player(&mut self, player: Player) -> Result<PlayerId, PageError> {
         if player.steps == 0 {
             return Err(PageError::Length { what: "a player, of at least one step,", found: 0, expected: 1 });
@@ -296,7 +295,7 @@ impl Page {
         Ok(PlayerId(self.players.len() - 1))
     }
 
-    /// Adds a switch for layers.
+    /// Adds a toggle for layers.
     pub fn add_toggle(&mut self, text: impl Into<String>, on: bool) -> ToggleId {
         self.toggles.push((text.into(), on));
         ToggleId(self.toggles.len() - 1)
@@ -305,7 +304,7 @@ impl Page {
     /// Adds a scene.
     ///
     /// # Errors
-    /// [`PageError`] where it refers to what the page does not have or what does not belong together, or a number is not finite.
+    /// [`PageError`] if it refers to parts that the page does not have or that do not belong together, or a number is not finite.
     pub fn add_scene(&mut self, scene: Scene) -> Result<SceneId, PageError> {
         scene.space.of(&self.spaces)?;
         for layer in &scene.layers {
@@ -376,7 +375,7 @@ impl Page {
         if found == space { Ok(()) } else { Err(PageError::Apart { what: "mesh", of: "space" }) }
     }
 
-    /// That values of one mesh are shown on that mesh, or on one that it was moved to.
+    /// Checks that values of one mesh are shown on that mesh, or on a moved copy of it.
     fn check_mesh(&self, of: MeshId, on: MeshId) -> Result<(), PageError> {
         if self.unmoved(on)? == of {
             Ok(())
@@ -392,10 +391,10 @@ impl Page {
         })
     }
 
-    /// Adds scenes to be shown together; those added first are shown at first. Without any, all scenes are.
+    /// Adds an arrangement of scenes; the first one is shown at first. By default all scenes are shown together.
     ///
     /// # Errors
-    /// [`PageError`] where it has no scene, or one that does not exist.
+    /// [`PageError`] if it has no scene, or one that does not exist.
     pub fn add_arrangement(&mut self, arrangement: Arrangement) -> Result<(), PageError> {
         if arrangement.scenes.is_empty() {
             return Err(PageError::Length {
@@ -422,9 +421,8 @@ impl Page {
 
     /// Adds a card beside the view.
     ///
-    /// # Errors
-    /// [`PageError`] where it refers to what the page does not have, a number is not finite, ends are crossed, or lists that belong
-    /// together differ in length.
+    /// [`PageError`] if it refers to a part that the page does not have, a number is not finite, an interval is reversed, or lists
+    /// that belong together differ in length.
     pub fn add_card(&mut self, card: Card) -> Result<(), PageError> {
         if let Some(scene) = card.scene {
             scene.of(&self.scenes)?;
@@ -437,7 +435,7 @@ impl Page {
         Ok(())
     }
 
-    /// That what a block refers to is there.
+    /// Checks that the parts that a block refers to exist.
     fn check_block(&self, block: &Block) -> Result<(), PageError> {
         let scale = |scale: Option<ScaleId>| scale.map_or(Ok(()), |id| id.of(&self.scales).map(|_| ()));
         match block {
@@ -473,11 +471,7 @@ impl Page {
         let steps = controls.player.of(&self.players)?.steps;
         let found = controls.steps.len();
         if found > steps {
-            return Err(PageError::Length {
-                what: "the list of what is told of steps",
-                found,
-                expected: steps,
-            });
+            return Err(PageError::Length { what: "the list of texts of steps", found, expected: steps });
         }
         Ok(())
     }
@@ -490,7 +484,7 @@ impl Page {
         Err(PageError::Unknown { what: "place", index: place.place, count: places.len() })
     }
 
-    /// The page as a file.
+    /// The page as an HTML file.
     pub fn html(&self) -> String {
         document::file(&self.title, &self.summary, &self.data())
     }
@@ -537,7 +531,7 @@ impl Page {
         })
     }
 
-    /// Around all that is in a space.
+    /// The placement of everything in a space.
     fn placement(&self, space: SpaceId) -> Placement {
         let meshes = self.meshes.iter().filter(|mesh| mesh.space == space).flat_map(PlacedMesh::points);
         let scenes = self.scenes.iter().filter(|scene| scene.space == space);
@@ -545,7 +539,7 @@ impl Page {
         Placement::around(meshes.chain(shapes.flat_map(Shape::points)))
     }
 
-    /// How the corners of a mesh are shared, where it has corners of its own.
+    /// The shared vertices of a mesh, if it has vertices of its own.
     fn shared(&self, index: usize, placements: &[Placement]) -> Option<SharedCorners> {
         let mesh = &self.meshes[index];
         let Geometry::Triangles(triangles) = &mesh.geometry else { return None };
@@ -559,7 +553,7 @@ impl Page {
         Some(SharedCorners::new(triangles, placements[mesh.space.0], apart, &at_corners))
     }
 
-    /// The greatest size of all values on a scale; 1 where all are zero.
+    /// The greatest absolute value on a scale; 1 if all values are zero.
     fn largest(&self, scale: ScaleId) -> f64 {
         let on_meshes =
             self.values.iter().filter(|values| values.scale == scale).map(|values| values.values.largest());

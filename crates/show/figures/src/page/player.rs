@@ -3,15 +3,15 @@
 /// Steps that layers, charts and controls share: frames of a flow, stages of a search.
 #[derive(Clone, Debug, Default, PartialEq, serde::Serialize)]
 pub struct Player {
-    /// What it steps through, such as "Stage of the search".
+    /// The label, such as "Stage of the search".
     pub label: String,
-    /// How many steps there are, at least one.
+    /// The number of steps, at least one.
     pub steps: usize,
-    /// Whether it can be off, which it is at first: then its layers are not drawn.
+    /// Whether it can be switched off, as it is at first. Its layers are then not drawn.
     pub optional: bool,
-    /// Milliseconds from one step to the next while it plays; 0 stands for 100.
+    /// Milliseconds per step during playback; 0 stands for 100.
     pub interval: u32,
-    /// Whether it starts again after the last step.
+    /// Whether playback repeats.
     pub repeats: bool,
 }
 
@@ -20,8 +20,8 @@ pub struct Player {
 pub struct PlayerControls {
     /// The player.
     pub player: super::PlayerId,
-    /// What is told of each step; the slider has as many.
+    /// The text of each step, one per position of the slider.
     pub steps: Vec<super::Text>,
-    /// What is told while it is off.
+    /// The text while the player is off.
     pub off: super::Text,
 }

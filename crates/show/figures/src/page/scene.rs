@@ -1,4 +1,4 @@
-//! Scenes: what is drawn in one pane, layer by layer, and places in it.
+//! Scenes: the layers drawn in one pane, and places in it.
 
 use super::encode::{first_use_indices, integers, singles};
 use super::error::{check_finite, check_length};
@@ -9,15 +9,15 @@ use serde_json::{Value, json};
 /// A pane of the view: layers in one space.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
-    /// What stands over the pane.
+    /// The title of the pane.
     pub label: String,
-    /// A short name, for the choice of whose numbers are shown.
+    /// A short name, for selecting whose numbers are shown.
     pub name: String,
     /// Scenes of one space share coordinates and a camera.
     pub space: SpaceId,
-    /// What is drawn.
+    /// The layers.
     pub layers: Vec<Layer>,
-    /// Places that tables, lists and charts lead to.
+    /// Places that tables, lists and charts link to.
     pub places: Vec<Place>,
 }
 
@@ -29,7 +29,7 @@ impl Scene {
     }
 }
 
-/// Something drawn, always or step by step.
+/// A shape, drawn always or at some steps.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Layer {
     pub(super) frames: Vec<Shape>,
@@ -39,25 +39,25 @@ pub struct Layer {
 }
 
 impl Layer {
-    /// The same at all times.
+    /// The same shape at all times.
     pub fn new(shape: Shape) -> Self {
         Self { frames: vec![shape], player: None, toggle: None, plain_while: None }
     }
 
-    /// One shape for each step of a player; the last one stays where there are fewer than steps, and nothing is drawn while the
+    /// One shape for each step of a player. If there are fewer shapes than steps, the last one stays. Nothing is drawn while the
     /// player is off.
     pub fn over_time(player: PlayerId, frames: Vec<Shape>) -> Self {
         Self { frames, player: Some(player), toggle: None, plain_while: None }
     }
 
-    /// With a switch.
+    /// Adds a toggle to the layer.
     #[must_use]
     pub fn with_toggle(mut self, toggle: ToggleId) -> Self {
         self.toggle = Some(toggle);
         self
     }
 
-    /// Without colours while a player is on, whose layers stand out before it.
+    /// Draws the layer uncoloured while a player is on, so that the player's layers stand out.
     #[must_use]
     pub fn plain_while(mut self, player: PlayerId) -> Self {
         self.plain_while = Some(player);
@@ -65,7 +65,7 @@ impl Layer {
     }
 }
 
-/// What a layer draws.
+/// The shape drawn by a layer.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Shape {
     /// A mesh.
@@ -74,23 +74,23 @@ pub enum Shape {
         mesh: MeshId,
         /// How it is coloured.
         paint: Paint,
-        /// What encloses the largest value of each face, told under the cursor.
+        /// Enclosures of the largest value of each face, shown at the cursor.
         bounds: Option<BoundsId>,
     },
-    /// Arrows for vectors on a mesh, as many as can be told apart; their lengths compare over all scenes.
+    /// Arrows for vectors on a mesh, as many as are legible. Their lengths are comparable across scenes.
     Arrows {
-        /// The mesh as drawn: that of the values, or that mesh moved.
+        /// The mesh to draw them on: that of the values, or a moved copy of it.
         mesh: MeshId,
         /// The vectors.
         vectors: ValuesId,
     },
-    /// Triangles in the colour of what stands out, small ones with a ring around them.
+    /// Triangles in the highlight colour; small ones have a ring around them.
     Pieces(Vec<[[f64; 3]; 3]>),
     /// Curves.
     Lines(Lines),
     /// Points.
     Points(Points),
-    /// Pairs of points, joined, with a label each. They keep their size on the screen.
+    /// Pairs of points, joined, with a label each. They have a fixed size on the screen.
     Pairs(Vec<Pair>),
 }
 
@@ -101,23 +101,23 @@ pub enum Paint {
     Values(ValuesId),
     /// Not at all.
     Plain,
-    /// One can see through it, more where it is looked at straight on.
+    /// Translucent, more so where the surface faces the viewer.
     Ghost,
 }
 
-/// A colour of the page, different on light and on dark ground, or a fixed one.
+/// A colour of the theme, which differs between light and dark, or a fixed colour.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Color {
-    /// That of text.
+    /// The colour of text.
     #[default]
     Ink,
-    /// That of what can be chosen.
+    /// The colour of controls.
     Accent,
-    /// That of thresholds.
+    /// The colour of thresholds.
     Limit,
-    /// That of what is less important.
+    /// The colour of secondary items.
     Soft,
-    /// A fixed one.
+    /// A fixed colour.
     Fixed(crate::Rgb),
 }
 
@@ -163,12 +163,12 @@ pub struct Points {
     pub size: f64,
 }
 
-/// Two points that belong together.
+/// Two corresponding points.
 #[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize)]
 pub struct PointPair {
-    /// One, drawn full.
+    /// One, drawn filled.
     pub from: [f64; 3],
-    /// The other one, drawn open.
+    /// The other one, drawn hollow.
     pub to: [f64; 3],
 }
 
@@ -184,22 +184,22 @@ pub struct Pair {
 /// A place of a scene.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Place {
-    /// Its middle.
+    /// Its centre.
     pub center: [f64; 3],
-    /// The radius of a ball around the middle that holds it.
+    /// The radius of a ball around the centre that contains it.
     pub radius: f64,
-    /// A pair of points that should be seen from the side, if there is one.
+    /// A pair of points to be seen from the side.
     pub pair: Option<PointPair>,
-    /// Faces of a mesh to bring out; may be empty.
+    /// Faces of a mesh to highlight; may be empty.
     pub faces: Vec<u32>,
     /// The mesh.
     pub mesh: Option<MeshId>,
-    /// What stands at its mark.
+    /// The label of its mark.
     pub label: String,
 }
 
 impl Lines {
-    /// The curves between faces and what is not among them: the outlines of regions, and the boundary of the mesh if all faces are
+    /// The edges between the given faces and all others: the outlines of regions, and the boundary of the mesh if all faces are
     /// given. Triangles are given by vertices; each edge is a path of its own.
     pub fn outline(positions: &[[f64; 3]], triangles: &[[u32; 3]], faces: &[u32]) -> Self {
         let mut edges: Vec<[u32; 2]> = faces
@@ -277,7 +277,7 @@ impl Shape {
         }
     }
 
-    /// The greatest size of values at points.
+    /// The greatest absolute value at points.
     pub(super) fn largest(&self) -> f64 {
         let values = match self {
             Self::Lines(Lines { values: Some((_, values)), .. })
@@ -287,7 +287,7 @@ impl Shape {
         values.iter().map(|x| x.abs()).fold(0.0, |a, b| if b > a { b } else { a })
     }
 
-    /// Checks what needs no other part of the page.
+    /// The checks that need no other part of the page.
     pub(super) fn check(&self) -> Result<(), PageError> {
         match self {
             Self::Surface { .. } | Self::Arrows { .. } => Ok(()),
@@ -303,7 +303,7 @@ impl Shape {
         }
     }
 
-    /// Points that belong to the scene, beside those of meshes.
+    /// The points of the shape that belong to no mesh.
     pub(super) fn points(&self) -> Vec<[f64; 3]> {
         match self {
             Self::Lines(lines) => lines.points().collect(),

@@ -1,14 +1,14 @@
-//! Coordinates of the view: relative to the middle of a space, in single precision.
+//! Coordinates of the view: relative to the centre of a space, in single precision.
 
 /// One of the axes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Axis {
     /// The first.
     X,
-    /// The second, as in most formats made for pictures.
+    /// The second, up in most graphics formats.
     #[default]
     Y,
-    /// The third, as in most files of engineers.
+    /// The third, up in most engineering files.
     Z,
 }
 
@@ -22,17 +22,17 @@ impl Axis {
     }
 }
 
-/// Coordinates that scenes have in common, and with them one camera.
+/// A coordinate system with one camera, shared by scenes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Space {
-    /// Three dimensions; this axis points up at first.
+    /// Three dimensions, with this axis up at first.
     Spatial(Axis),
-    /// The plane of the first two coordinates, looked at from the front: it is moved and enlarged, never turned.
+    /// The plane of the first two coordinates, seen from the front: it can be panned and zoomed, but not rotated.
     #[default]
     Plane,
 }
 
-/// The map from the unit of the meshes to that of the view, whose scene lies between -1 and 1.
+/// The map from the unit of the meshes to that of the view, in which the scene lies between -1 and 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Placement {
     pub(super) origin: [f64; 3],
@@ -41,7 +41,7 @@ pub(super) struct Placement {
 }
 
 impl Placement {
-    /// Around all these points.
+    /// The placement of the bounding box of all points.
     pub(super) fn around(points: impl IntoIterator<Item = [f64; 3]>) -> Self {
         let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
         for point in points {

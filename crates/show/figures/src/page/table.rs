@@ -7,27 +7,27 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use serde::Serialize;
 
-/// A table. A row can lead to a place in a scene.
+/// A table. A row can link to a place in a scene.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Table {
-    /// A name that scripts and tests find it by; may be empty.
+    /// Identifier for scripts and tests; may be empty.
     pub key: String,
-    /// What it is about, for those who do not see it.
+    /// A description for screen readers.
     pub caption: String,
-    /// Heads of the columns.
+    /// Column headings.
     pub columns: Vec<String>,
-    /// The rows; the first cell names the row.
+    /// The rows; the first cell is the heading of the row.
     pub rows: Vec<Row>,
-    /// Whether a click on the head of a column sorts the rows by it.
+    /// Whether a click on a column heading sorts the rows.
     pub sortable: bool,
 }
 
 /// A row of a table.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Row {
-    /// As many as there are columns.
+    /// One per column.
     pub cells: Vec<Cell>,
-    /// Where it leads.
+    /// The place shown on a click.
     pub place: Option<PlaceId>,
 }
 
@@ -40,7 +40,7 @@ pub enum Cell {
         /// The text.
         text: Text,
     },
-    /// A number in so many significant digits.
+    /// A number with this many significant digits.
     Number {
         /// The number.
         value: f64,
@@ -62,7 +62,7 @@ pub enum Cell {
         /// The ends.
         ends: [f64; 2],
     },
-    /// A bar as long as the number is great, compared with the other bars of the table.
+    /// A bar of length proportional to the number, relative to the other bars of the table.
     Bar {
         /// The number.
         value: f64,
@@ -72,10 +72,10 @@ pub enum Cell {
     Picture {
         /// The PNG file in base64; see [`Cell::picture`].
         png: String,
-        /// What is to be seen.
+        /// The alternative text.
         alt: String,
     },
-    /// Nothing.
+    /// An empty cell.
     Empty,
 }
 

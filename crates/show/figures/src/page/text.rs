@@ -1,8 +1,8 @@
-//! Text with numbers in it, which the page formats.
+//! Text that contains numbers, which the page formats.
 
 use serde::Serialize;
 
-/// Text in which numbers are still numbers: the page writes them all in one way, and rounds the ends of enclosures outwards.
+/// Text with embedded numbers: the page formats them uniformly, and rounds the ends of enclosures outwards.
 ///
 /// # Example
 /// ```
@@ -25,25 +25,25 @@ enum Part {
 }
 
 impl Text {
-    /// Followed by text.
+    /// Appends text.
     #[must_use]
     pub fn text(self, text: impl Into<String>) -> Self {
         self.with(Part::Text(text.into()))
     }
 
-    /// Followed by a number in at most so many significant digits, from 1 to 17.
+    /// Appends a number with at most this many significant digits, from 1 to 17.
     #[must_use]
     pub fn number(self, number: f64, digits: u8) -> Self {
         self.with(Part::Number { number, digits: digits.clamp(1, 17) })
     }
 
-    /// Followed by a number of things: "1 face", "2 faces". The name of one is given, and may be empty.
+    /// Appends a count: "1 face", "2 faces". The noun is given in the singular and may be empty.
     #[must_use]
     pub fn count(self, count: usize, of: &str) -> Self {
         self.with(Part::Count { count: count as u64, of: of.to_owned() })
     }
 
-    /// Followed by an interval.
+    /// Appends an interval.
     #[must_use]
     pub fn enclosure(self, enclosure: [f64; 2]) -> Self {
         self.with(Part::Enclosure { enclosure })
@@ -54,7 +54,7 @@ impl Text {
         self
     }
 
-    /// Its numbers, to be checked.
+    /// The numbers in the text, for checks.
     pub(super) fn numbers(&self) -> impl Iterator<Item = &f64> {
         self.0.iter().flat_map(|part| match part {
             Part::Number { number, .. } => std::slice::from_ref(number),

@@ -1,4 +1,4 @@
-//! Numbers and vectors on meshes, and which number gets which colour.
+//! Numbers and vectors on meshes, and their colour scales.
 
 use super::encode::doubles;
 use super::error::{check_finite, check_length};
@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 
 /// Numbers or vectors on a mesh: for each corner of each triangle, each vertex or each face.
 ///
-/// Between corners and between vertices, values are drawn linear. Vectors are drawn in the colour of their length.
+/// Values are interpolated linearly between corners or vertices. Vectors are coloured by length.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeshValues {
     on: Element,
@@ -63,7 +63,7 @@ impl MeshValues {
         self.width
     }
 
-    /// One component of the value of an element.
+    /// A component of the value of an element.
     pub(super) fn at(&self, element: usize, component: usize) -> f64 {
         self.numbers[self.width * element + component]
     }
@@ -78,7 +78,7 @@ impl MeshValues {
     }
 }
 
-/// Values of a page: on which mesh, by which scale.
+/// Values of a page, with their mesh and scale.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct PlacedValues {
     pub(super) mesh: MeshId,
@@ -124,33 +124,34 @@ impl PlacedValues {
     }
 }
 
-/// Which values a [`ValueScale`] has places for.
+/// The range of values of a [`ValueScale`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Span {
-    /// From zero on: sizes, distances.
+    /// From zero on: magnitudes, distances.
     #[default]
     Size,
-    /// Both signs, symmetric about zero. A threshold holds for sizes.
+    /// Symmetric about zero. A threshold applies to absolute values.
     Signed,
     /// From a number to a greater one.
     Between(f64, f64),
 }
 
-/// Values that are coloured alike: what they are, and which gets which colour.
+/// The quantity that values have in common, and their colours.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ValueScale {
-    /// What the values are, such as "distance".
+    /// The quantity, such as "distance".
     pub title: String,
-    /// Their unit as it is to be shown; empty where nobody knows.
+    /// The unit as displayed; empty if unknown.
     pub unit: String,
     /// The colours.
     pub colors: ColorMap,
-    /// The values that have places on it.
+    /// The range of values.
     pub span: Span,
-    /// Where a threshold stands at first.
+    /// The initial threshold.
     pub threshold: Option<f64>,
-    /// Ends of classes, ascending, at least two or none: each class then has one colour at first, and what is below the first end or
-    /// above the last is a class, too. An end belongs to the class below it, the first to the one above it.
+    /// Class boundaries, ascending, at least two or none. Each class then has one colour at first; values below the first and above
+    /// the last boundary form classes, too. A boundary belongs to the class below it, except the first, which belongs to the class
+    /// above.
     pub bands: Vec<f64>,
 }
 
@@ -167,30 +168,30 @@ impl Default for ValueScale {
     }
 }
 
-/// A choice of where a scale ends.
+/// An upper end for a scale that users can select.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Range {
-    /// What it is called, after "up to".
+    /// The label, after "up to".
     pub text: String,
-    /// Where the scale ends.
+    /// The upper end.
     pub end: RangeEnd,
 }
 
-/// Where a scale ends.
+/// The upper end of a scale.
 #[derive(Clone, Debug, PartialEq)]
 pub enum RangeEnd {
-    /// At the greatest of these values over the scenes that are shown.
+    /// The greatest of these values over the scenes that are shown.
     Scenes(Vec<(SceneId, f64)>),
     /// At the threshold.
     Threshold,
 }
 
-/// A scale with its choices of ends.
+/// A scale with its ranges.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct RangedScale {
     pub(super) scale: ValueScale,
     pub(super) ranges: Vec<Range>,
-    /// The choice that holds at first.
+    /// The range selected at first.
     pub(super) first: usize,
 }
 
@@ -216,7 +217,7 @@ impl RangedScale {
         Ok(())
     }
 
-    /// `largest` is the greatest size of all values on this scale.
+    /// `largest` is the greatest absolute value on this scale.
     pub(super) fn data(&self, largest: f64) -> Value {
         let ValueScale { title, unit, colors, span, threshold, bands } = &self.scale;
         let (low, end) = match span {

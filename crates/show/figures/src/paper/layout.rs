@@ -1,24 +1,24 @@
-//! Where everything stands on the pages of a document.
+//! Layout of the pages of a document.
 
 use super::metrics::{width, wrapped};
 use super::{Block, Document};
 
-/// Lengths are points, from the lower left corner of the page.
+/// Lengths are in points, relative to the lower left corner of the page.
 const MARGIN: f64 = 54.0;
 const TITLE: f64 = 18.0;
 const STATEMENT: f64 = 12.0;
 const HEADING: f64 = 11.0;
 const BODY: f64 = 9.0;
-/// From one line to the next, as a multiple of the size.
+/// Distance of lines, as a multiple of the font size.
 const LEADING: f64 = 1.35;
-/// Above a heading, and below a block.
+/// Space above a heading, and below a block.
 const GAP: f64 = 8.0;
-/// Between the cells of a table.
+/// Space between the cells of a table.
 const GUTTER: f64 = 6.0;
-/// A picture leaves at least this share of the height of the text to other blocks.
+/// A picture leaves at least this share of the text height to other blocks.
 const MOST_PICTURE: f64 = 0.55;
 
-/// Something drawn.
+/// An item on a page.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Mark {
     Text {
@@ -32,7 +32,7 @@ pub(super) enum Mark {
         at: [f64; 2],
         length: f64,
     },
-    /// The picture of a block, by its lower left corner.
+    /// The picture of a block, placed by its lower left corner.
     Picture {
         block: usize,
         at: [f64; 2],
@@ -49,7 +49,7 @@ pub(super) fn pages(document: &Document) -> Vec<Vec<Mark>> {
         match block {
             Block::Heading(text) => {
                 layout.skip(GAP);
-                // With a line of what follows at least.
+                // With at least one line of the next block.
                 layout.need(3.0 * HEADING * LEADING);
                 layout.lines(text, HEADING, true);
                 layout.skip(GAP / 4.0);
@@ -74,7 +74,7 @@ pub(super) fn pages(document: &Document) -> Vec<Vec<Mark>> {
 struct Layout {
     pages: Vec<Vec<Mark>>,
     paper: [f64; 2],
-    /// The top of what comes next.
+    /// The upper end of the next block.
     y: f64,
 }
 
@@ -87,7 +87,7 @@ impl Layout {
         self.paper[0] - 2.0 * MARGIN
     }
 
-    /// The lowest place of text; the footer is below.
+    /// The lowest position of text; the footer is below.
     fn floor() -> f64 {
         MARGIN + 2.0 * BODY
     }
@@ -102,7 +102,7 @@ impl Layout {
         self.y -= height;
     }
 
-    /// Goes to the next page if there is less room than that.
+    /// Starts a new page if less than this height is left.
     fn need(&mut self, height: f64) {
         if self.y - height < Self::floor() {
             self.pages.push(Vec::new());
@@ -134,7 +134,7 @@ impl Layout {
         for cells in rows {
             let page = self.pages.len();
             self.row(cells, &widths, false);
-            // The titles again where the table goes on.
+            // The headings are repeated where the table continues.
             if has_titles && self.pages.len() > page {
                 let (row, top) = (self.pages.pop().unwrap_or_default(), self.paper[1] - MARGIN);
                 self.pages.push(Vec::new());
@@ -239,7 +239,7 @@ mod tests {
         }
     }
 
-    /// Everything stands between the margins, each row once, and the titles on every page of the table.
+    /// Everything lies within the margins, every row occurs once, and every page of the table has the headings.
     #[test]
     fn pages_hold_everything_within_margins() {
         let document = document(120);

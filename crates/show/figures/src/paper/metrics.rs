@@ -1,4 +1,4 @@
-//! Helvetica: how wide text is, and how it is encoded.
+//! Helvetica: widths of text, and its encoding.
 //!
 //! # Source
 //! Adobe, *Core 14 AFM files*: the widths of Helvetica in thousandths of its size.
@@ -11,12 +11,12 @@ const WIDTHS: [u16; 95] = [
     556, 333, 556, 556, 500, 556, 556, 278, 556, 556, 222, 222, 500, 222, 833, 556, 556, 556, 556, 333, 500,
     278, 556, 500, 722, 500, 500, 500, 334, 260, 334, 584,
 ];
-/// Of all others, which are mostly letters with accents and signs.
+/// Of all other characters, which are mostly letters with accents and signs.
 const OTHER: u16 = 600;
 /// The bold face is at most this much wider.
 const BOLD: f64 = 1.12;
 
-/// How wide a line is at a size, in the unit of the size; of bold text an upper bound.
+/// The width of a line at a font size, in its unit; an upper bound for bold text.
 pub(super) fn width(text: &str, size: f64, bold: bool) -> f64 {
     let of = |c: char| {
         let index = (c as usize).checked_sub(32);
@@ -25,7 +25,7 @@ pub(super) fn width(text: &str, size: f64, bold: bool) -> f64 {
     text.chars().map(of).sum::<f64>() * size / 1000.0 * if bold { BOLD } else { 1.0 }
 }
 
-/// Lines no wider than the space, broken between words, and within those that are too long.
+/// Lines no wider than `space`, broken between words, and within words that are too long.
 pub(super) fn wrapped(text: &str, size: f64, bold: bool, space: f64) -> Vec<String> {
     let mut lines = vec![String::new()];
     for word in text.split(' ') {
@@ -44,7 +44,7 @@ pub(super) fn wrapped(text: &str, size: f64, bold: bool, space: f64) -> Vec<Stri
             }
             let fits = |end: &usize| width(&rest[..*end], size, bold) <= space;
             let ends = rest.char_indices().map(|(i, c)| i + c.len_utf8());
-            // At least one character, so that it ends.
+            // At least one character, so that the loop ends.
             let first = ends.clone().next().unwrap_or(rest.len());
             let end = ends.take_while(fits).last().unwrap_or(first);
             line.push_str(&rest[..end]);
@@ -58,7 +58,7 @@ pub(super) fn wrapped(text: &str, size: f64, bold: bool, space: f64) -> Vec<Stri
     lines
 }
 
-/// The bytes of a text in the encoding that PDF calls `WinAnsi`.
+/// The bytes of a text in PDF's encoding `WinAnsi`.
 pub(super) fn encoded(text: &str) -> Vec<u8> {
     let byte = |c: char| match c {
         ' '..='~' | '\u{a0}'..='\u{ff}' => c as u32 as u8,

@@ -26,18 +26,18 @@ impl Paper {
     }
 }
 
-/// A part of a document, from margin to margin.
+/// A block of a document, from margin to margin.
 #[derive(Clone, Debug)]
 pub enum Block {
-    /// A line above what belongs together.
+    /// A heading.
     Heading(String),
-    /// A sentence that stands out, such as a verdict.
+    /// A prominent sentence, such as a verdict.
     Statement(String),
-    /// Running text.
+    /// A paragraph.
     Paragraph(String),
-    /// Rows of cells below a row of titles, which is left out where all are empty.
+    /// A table with a row of column headings, which is omitted if all are empty.
     Table {
-        /// The title of each column, and its share of the width.
+        /// The heading of each column, and its share of the width.
         columns: Vec<(String, f64)>,
         /// As many cells in each row as there are columns.
         rows: Vec<Vec<String>>,
@@ -46,14 +46,14 @@ pub enum Block {
     Picture {
         /// Its pixels.
         image: Image,
-        /// What it shows.
+        /// The caption.
         caption: String,
     },
 }
 
-/// What is printed, and how.
+/// A document for printing.
 ///
-/// Text is set in Helvetica, which every reader of PDF has; characters outside of Western European alphabets are shown as question
+/// Text is set in Helvetica, which every PDF reader has; characters outside of Western European alphabets are shown as question
 /// marks.
 ///
 /// # Example
@@ -69,11 +69,11 @@ pub enum Block {
 /// ```
 #[derive(Clone, Debug)]
 pub struct Document {
-    /// Stands on the first page, and in the properties of the file.
+    /// The title, on the first page and in the properties of the file.
     pub title: String,
-    /// In order; a block that does not fit goes to the next page, a table is continued there.
+    /// The blocks, in order. A block that does not fit moves to the next page; a table continues there.
     pub blocks: Vec<Block>,
-    /// At the foot of each page, before its number.
+    /// Text at the foot of each page, before its number.
     pub footer: String,
     /// The size of all pages.
     pub paper: Paper,

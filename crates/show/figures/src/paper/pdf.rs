@@ -1,4 +1,4 @@
-//! Pages as a PDF file.
+//! Encoding pages as a PDF file.
 
 use super::layout::Mark;
 use super::metrics::encoded;
@@ -11,9 +11,9 @@ use std::io::Write;
 
 const REGULAR: Name<'_> = Name(b"Regular");
 const BOLD: Name<'_> = Name(b"Bold");
-/// Of rules, in points.
+/// Width of rules, in points.
 const LINE_WIDTH: f64 = 0.4;
-/// Of rules, from black to white.
+/// Grey level of rules, from black to white.
 const LINE_GRAY: f32 = 0.75;
 
 pub(super) fn write(document: &Document, pages: &[Vec<Mark>]) -> Vec<u8> {

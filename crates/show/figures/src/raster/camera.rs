@@ -1,42 +1,42 @@
-//! From space to the picture.
+//! Projection from space to the picture.
 
 use crate::view::{Projection, View, dot, minus, unit};
 use crate::{FigureError, Panel, panel::MarkShape};
 
-/// Distance of the eye from the middle, in units of the largest half extent. All there is lies within the square root
-/// of 3, so nothing comes near the eye and nothing needs clipping.
+/// Distance of the eye from the centre, in units of the largest half extent. All geometry lies within the square root of 3, so
+/// nothing comes near the eye, and no clipping is needed.
 const EYE: f64 = 6.0;
 
-/// Part of a panel that is left free on each side.
+/// Share of a panel that stays empty on each side.
 const MARGIN: f64 = 0.035;
 
-/// A point as the camera sees it.
+/// A point in camera coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Seen {
-    /// To the right, up and to the eye, in units of the largest half extent.
+    /// Right, up and towards the eye, in units of the largest half extent.
     pub(crate) local: [f64; 3],
     /// Pixels from the left and from the top.
     pub(crate) at: [f64; 2],
-    /// Grows to the eye, and is linear over the picture on every plane.
+    /// Increases towards the eye; linear over the picture on every plane.
     pub(crate) near: f64,
 }
 
-/// Where the eye stands, and how large things are.
+/// Position and scale of the camera.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Camera {
     frame: [[f64; 3]; 3],
     projection: Projection,
     centre: [f64; 3],
     extent: f64,
-    /// Ends of what is seen on the plane of the picture.
+    /// Bounds of the projected geometry on the picture plane.
     bounds: [[f64; 2]; 2],
     /// Pixels per unit of the plane.
     pub(crate) scale: f64,
-    /// Where the middle of what is seen goes.
+    /// The pixel of the centre of the projected geometry.
     middle: [f64; 2],
 }
 
-/// The smallest and the largest of some numbers, without those that are none.
+/// Extends bounds to a point, ignoring NaN coordinates.
 fn widen<const N: usize>(bounds: &mut [[f64; N]; 2], point: [f64; N]) {
     for i in 0..N {
         if point[i] < bounds[0][i] {
@@ -48,7 +48,7 @@ fn widen<const N: usize>(bounds: &mut [[f64; N]; 2], point: [f64; N]) {
     }
 }
 
-/// Calls `visit` with every point that a panel shows.
+/// Calls `visit` with every point shown by a panel.
 fn for_each_point(panel: &Panel, mut visit: impl FnMut([f64; 3])) {
     let positions = panel.mesh.positions();
     let mut used = vec![false; positions.len()];
@@ -72,7 +72,7 @@ fn visit_if_drawn(points: &[[f64; 3]], visit: &mut impl FnMut([f64; 3])) {
     }
 }
 
-/// Whether a mark can be drawn at a place: where a vertex could be.
+/// Whether a mark can be drawn at a point: in the range of vertex positions.
 pub(crate) fn is_drawn(point: [f64; 3]) -> bool {
     point.iter().all(|x| x.abs() <= pompeiu_core::TriMesh::MAX_COORDINATE)
 }
@@ -113,18 +113,18 @@ impl Camera {
         Ok(camera)
     }
 
-    /// Pixels per unit of the plane if a panel had a size.
+    /// Pixels per unit of the plane for a panel of this size.
     pub(crate) fn scale_for(&self, size: [f64; 2]) -> f64 {
         let [width, height] = [0, 1].map(|i| {
             let seen = self.bounds[1][i] - self.bounds[0][i];
             if seen > 0.0 { size[i] * (1.0 - 2.0 * MARGIN) / seen } else { f64::INFINITY }
         });
         let scale = if width < height { width } else { height };
-        // A point has no size: any scale will do.
+        // A single point has no extent: any scale will do.
         if scale.is_finite() { scale } else { 1.0 }
     }
 
-    /// The camera for panels of a size in pixels.
+    /// The camera for panels of this size in pixels.
     pub(crate) fn fitted(mut self, size: [u32; 2]) -> Self {
         let size = size.map(f64::from);
         self.scale = self.scale_for(size);
@@ -137,7 +137,7 @@ impl Camera {
         self.frame.map(|axis| dot(axis, offset))
     }
 
-    /// Place on the plane of the picture, and nearness.
+    /// Position on the picture plane, and nearness.
     fn plane(&self, [x, y, z]: [f64; 3]) -> ([f64; 2], f64) {
         match self.projection {
             Projection::Perspective => {
@@ -148,7 +148,7 @@ impl Camera {
         }
     }
 
-    /// A position as the camera sees it.
+    /// A position in camera coordinates.
     pub(crate) fn see(&self, position: [f64; 3]) -> Seen {
         let local = self.local(position);
         let ([x, y], near) = self.plane(local);
@@ -157,7 +157,7 @@ impl Camera {
         Seen { local, at, near }
     }
 
-    /// What a corner counts for when values are carried over from space to the picture.
+    /// Weight of a corner when values are interpolated with perspective correction.
     pub(crate) fn weight(&self, near: f64) -> f64 {
         match self.projection {
             Projection::Perspective => near,
@@ -165,7 +165,7 @@ impl Camera {
         }
     }
 
-    /// Change of nearness over a depth, about the middle.
+    /// Change of nearness over a depth near the centre.
     pub(crate) fn nearness(&self, depth: f64) -> f64 {
         match self.projection {
             Projection::Perspective => depth / EYE,
@@ -173,13 +173,12 @@ impl Camera {
         }
     }
 
-    /// A direction in space, in the camera's directions.
+    /// A direction in camera coordinates.
     pub(crate) fn turn(&self, direction: [f64; 3]) -> [f64; 3] {
         self.frame.map(|axis| dot(axis, direction))
     }
 
-    /// How a unit vector along a direction at a point appears: to the right and down, foreshortened; zero if the direction
-    /// is none.
+    /// The projection of a unit vector along a direction at a point: right and down, foreshortened; zero for an invalid direction.
     pub(crate) fn direction(&self, local: [f64; 3], direction: [f64; 3]) -> [f64; 2] {
         let Some(direction) = unit(direction) else { return [0.0; 2] };
         let [right, up, eye] = self.turn(direction);
@@ -193,7 +192,7 @@ impl Camera {
         }
     }
 
-    /// From a point, in the camera's directions, to the eye.
+    /// The vector from a point to the eye, in camera coordinates.
     pub(crate) fn eye_from(&self, local: [f64; 3]) -> [f64; 3] {
         match self.projection {
             Projection::Perspective => [-local[0], -local[1], EYE - local[2]],

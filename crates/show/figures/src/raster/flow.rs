@@ -1,12 +1,12 @@
-//! Tangent fields as pictures: streaks along the field, and arrows for its direction.
+//! Pictures of tangent fields: streaks along the field, and arrows for its direction.
 //!
-//! Everything happens in the picture: the vector of the face that is seen at a pixel is projected, noise is smeared along
-//! the projected field, and the streaks brighten and darken the colours of the mesh. Streaks end where the surface
-//! does, and fade where the field is weak.
+//! All computation is in image space: the vector of the face visible at a pixel is projected, noise is convolved along the
+//! projected field, and the streaks modulate the brightness of the mesh. Streaks end at the edge of the surface, and fade where the
+//! field is weak.
 //!
 //! # Source
-//! `cabral_imaging_1993` for smearing noise along a field; `laramee_image_2003` for doing it in the picture of a surface,
-//! and stopping where depth jumps. Noise is a hash of the place, and contrast follows from the length of a streak.
+//! Line integral convolution of noise: `cabral_imaging_1993`; in image space, stopping at depth discontinuities:
+//! `laramee_image_2003`. Noise is a hash of the position; contrast is derived from the length of a streak.
 
 use super::Scene;
 use super::strokes::{Stroke, arrow};
@@ -15,59 +15,59 @@ use crate::Rgb;
 use crate::view::{length, unit};
 use rayon::prelude::*;
 
-/// What a field does to the pixels of a panel.
+/// The effect of a field on the pixels of a panel.
 pub(super) struct Flow {
     size: [usize; 2],
-    /// Factors of light.
+    /// Brightness factors.
     light: Vec<f64>,
-    /// Where the field points.
+    /// Arrows.
     pub(super) arrows: Vec<Stroke>,
 }
 
-/// The field on pixels.
+/// The field at the pixels of a panel.
 struct Field<'a> {
     size: [usize; 2],
     visible: &'a Visible,
-    /// Unit vectors along the field in the picture; zero where there is no field.
+    /// Unit vectors along the projected field; zero where there is no field.
     direction: Vec<[f64; 2]>,
-    /// How long a vector of length one appears, at most about 1.
+    /// The projected length of a unit vector, at most about 1.
     foreshortening: Vec<f64>,
-    /// Jump of nearness from pixel to pixel above which a surface ends.
+    /// Difference in nearness between neighbouring pixels beyond which the surface ends.
     jump: f64,
-    /// Pixels along a grain of noise.
+    /// Pixels per grain of noise.
     grain: f64,
     noise: Noise,
 }
 
-/// Grains of noise across a square panel, and to each side along a streak.
+/// Grains of noise across a square panel, and on each side of a pixel along a streak.
 const GRAINS: f64 = 420.0;
 const STREAK: f64 = 13.0;
 
 /// Steps along a streak for each grain.
 const STEPS: f64 = 2.0;
 
-/// How far streaks lie from the mean, and how much of the light they may take or add.
+/// Contrast of streaks, and the largest relative change of brightness.
 const CONTRAST: f64 = 1.5;
 const DEPTH: f64 = 0.34;
 
-/// Part of the largest magnitude below which streaks and arrows fade.
+/// Share of the largest magnitude below which streaks and arrows fade.
 const WEAK: f64 = 0.04;
 
-/// Depth in pixels that a surface may fall from one pixel to the next.
+/// Largest difference in depth, in pixels, between neighbouring pixels of one surface.
 const STEEP: f64 = 10.0;
 
-/// Grains from arrow to arrow, and the length of the longest and of the shortest one as part of that.
+/// Distance of arrows in grains; the length of the longest and the shortest arrow relative to it.
 const ARROWS: f64 = 25.0;
 const LONGEST: f64 = 0.8;
 const SHORTEST: f64 = 0.35;
 
-/// Width of an arrow in grains; its colour, and that of its rim.
+/// Width of an arrow in grains; its colour, and that of its outline.
 const ARROW: f64 = 0.9;
 const ARROW_COLOR: Rgb = [255, 255, 255];
 const RIM_COLOR: Rgb = [24, 24, 28];
 
 impl Flow {
-    /// The flow of one vector per face, over what is seen at each pixel.
+    /// The flow of one vector per face over the visible surface.
     pub(super) fn new(scene: &Scene, vectors: &[[f64; 3]], visible: &Visible, size: [usize; 2]) -> Self {
         let largest = match scene.scale {
             Some(scale) => scale.range().1,
@@ -112,14 +112,14 @@ impl Flow {
         Self { size, light, arrows: field.arrows(strength) }
     }
 
-    /// By how much a pixel is lighter or darker than without a field.
+    /// The brightness of a pixel relative to a picture without a field.
     pub(super) fn light(&self, [x, y]: [usize; 2]) -> f64 {
         self.light[y * self.size[0] + x]
     }
 }
 
 impl Field<'_> {
-    /// Mean of noise along the line of the field through a pixel, spread to between 0 and 1.
+    /// Mean of the noise along the streamline through a pixel, stretched to the range from 0 to 1.
     fn streak(&self, index: usize) -> f64 {
         let start = [index % self.size[0], index / self.size[0]].map(|c| c as f64 + 0.5);
         let [mut sum, mut weights, mut squares] = [self.noise.at(start), 1.0, 1.0];
@@ -130,20 +130,20 @@ impl Field<'_> {
                 let Some(next) = self.step(at, pixel, along) else { break };
                 (at, pixel, along) = next;
                 let part = step as f64 / (steps + 1) as f64;
-                // Smooth from 1 to 0, so that streaks have no ends.
+                // A smooth window from 1 to 0, so that streaks have no visible ends.
                 let weight = (1.0 - part * part) * (1.0 - part * part);
                 sum += weight * self.noise.at(at);
                 weights += weight;
                 squares += weight * weight;
             }
         }
-        // The mean of n numbers varies less than one of them, by the root of n.
+        // The standard deviation of the mean of n numbers is smaller by the square root of n.
         let grains = weights * weights / squares / STEPS;
         let grains = if grains > 1.0 { grains } else { 1.0 };
         (0.5 + CONTRAST * grains.sqrt() * (sum / weights - 0.5)).clamp(0.0, 1.0)
     }
 
-    /// One step along the field: the new place, its pixel and the direction there.
+    /// One step along the streamline: the new position, its pixel and the direction there.
     fn step(&self, at: [f64; 2], pixel: usize, along: [f64; 2]) -> Option<([f64; 2], usize, [f64; 2])> {
         let reach = self.grain / STEPS;
         let half =
@@ -155,7 +155,7 @@ impl Field<'_> {
         (turned != [0.0; 2]).then_some((next, pixel, turned))
     }
 
-    /// The direction at a pixel, for somebody who has walked along another one: a vector field has a sense.
+    /// The direction at a pixel, consistent with the previous direction.
     fn turned(&self, pixel: usize, along: [f64; 2]) -> [f64; 2] {
         let [x, y] = self.direction[pixel];
         if x * along[0] + y * along[1] < 0.0 { [-x, -y] } else { [x, y] }
@@ -171,21 +171,21 @@ impl Field<'_> {
         self.pixel(place).map_or(NONE, |pixel| self.visible.face[pixel])
     }
 
-    /// The pixel at a place, if the surface goes on there.
+    /// The pixel at a position, if the surface continues there.
     fn on_surface(&self, place: [f64; 2], from: usize) -> Option<usize> {
         let near = &self.visible.near;
         self.pixel(place)
             .filter(|&pixel| self.visible.face[pixel] != NONE && (near[pixel] - near[from]).abs() < self.jump)
     }
 
-    /// Arrows where a grid of pixels meets the surface, as long as the field is strong.
+    /// Arrows at the points of a grid that lie on the surface; their length grows with the field strength.
     fn arrows(&self, strength: impl Fn(u32) -> f64) -> Vec<Stroke> {
         let spacing = ARROWS * self.grain;
         let [columns, rows] = self.size.map(|side| (side as f64 / spacing) as usize);
         let mut arrows = Vec::new();
         for row in 0..rows {
             for column in 0..columns {
-                // Every other row is shifted, so that no lines of arrows catch the eye.
+                // Every other row is shifted, so that arrows do not line up.
                 let shift = if row % 2 == 0 { 0.25 } else { 0.75 };
                 let [x, y] = [column as f64 + shift, row as f64 + 0.5].map(|c| (c * spacing) as usize);
                 let pixel = y * self.size[0] + x;
@@ -208,9 +208,9 @@ impl Field<'_> {
     }
 }
 
-/// Numbers between 0 and 1, smooth over a grain.
+/// Numbers between 0 and 1 that vary smoothly over a grain.
 struct Noise {
-    /// Grains along a pixel.
+    /// Grains per pixel.
     per_pixel: f64,
     columns: usize,
     values: Vec<f64>,
@@ -223,10 +223,10 @@ impl Noise {
         Self { per_pixel: 1.0 / grain, columns, values }
     }
 
-    /// The number at a place in the panel.
+    /// The number at a position in the panel.
     fn at(&self, place: [f64; 2]) -> f64 {
         let [x, y] = place.map(|c| c * self.per_pixel);
-        // Places are not negative, so that this rounds down; asking for the floor is slower.
+        // Positions are nonnegative, so the cast rounds down; calling `floor` is slower.
         let [column, row] = [x, y].map(|c| c as u32);
         let upper = row as usize * self.columns + column as usize;
         let lower = upper + self.columns;
@@ -238,9 +238,9 @@ impl Noise {
     }
 }
 
-/// A number between 0 and 1 that looks like chance, and is the same everywhere.
+/// A pseudorandom number between 0 and 1, the same on every machine.
 ///
-/// The constants are odd numbers with bits well mixed, each of them about half ones; any others would do.
+/// The constants are odd numbers with well-mixed bits, about half of them ones; others would do.
 fn hash(x: u32, y: u32) -> f64 {
     let mut bits = x.wrapping_mul(0x9e37_79b1) ^ y.wrapping_mul(0x85eb_ca77).rotate_left(13);
     for _ in 0..2 {
@@ -261,12 +261,12 @@ mod tests {
 
     const SIDE: u32 = 160;
 
-    /// The flow of one vector over a square that is seen from in front.
+    /// The flow of one vector over a square seen from the front.
     fn over_square(vector: [f64; 3]) -> Flow {
         over_halves([vector; 2])
     }
 
-    /// The flow of two vectors over the halves of a square that is seen from in front.
+    /// The flow of two vectors over the halves of a square seen from the front.
     fn over_halves(vectors: [[f64; 3]; 2]) -> Flow {
         let positions = vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
         let mesh = TriMesh::new(positions, vec![[0, 1, 2], [0, 2, 3]]).unwrap();
@@ -282,7 +282,7 @@ mod tests {
         Flow::new(&scene, &vectors, &visible, [SIDE as usize; 2])
     }
 
-    /// Mean change of light over two pixels, in both directions, away from the border.
+    /// Mean change of brightness over two pixels, in both directions, away from the border.
     fn changes(flow: &Flow) -> [f64; 2] {
         let inner = 10..SIDE as usize - 12;
         let pixels: Vec<[usize; 2]> =

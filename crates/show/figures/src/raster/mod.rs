@@ -1,8 +1,8 @@
-//! Meshes to pixels.
+//! Rasterising meshes.
 //!
-//! A panel is cut into square tiles. In each of them first the nearest face is found at every sample, several to a
-//! pixel; then each sample gets its colour, from the value at that very place; marks are laid over them; and a pixel is the
-//! mean of its samples. Tiles do not know of each other, so the picture is the same for any number of threads.
+//! A panel is divided into square tiles. In each tile, first the nearest face is found at every sample, several per pixel. Then
+//! each sample gets the colour of the value interpolated there, marks are drawn over the samples, and a pixel is the mean of its
+//! samples. Tiles are independent, so the picture is the same for any number of threads.
 
 #![allow(clippy::cast_possible_wrap, reason = "pixels are counted to 2^14, places of the fine grid to 2^24")]
 
@@ -25,19 +25,19 @@ use rayon::prelude::*;
 use strokes::Stroke;
 use triangles::{Grid, NONE, PIXEL, Triangle, Visible};
 
-/// Pixels along a tile: samples of one fit into the second cache.
+/// Side of a tile in pixels: the samples of a tile fit into the second-level cache.
 const TILE: u32 = 64;
 
-/// Samples along a pixel.
+/// Samples per pixel along each axis.
 const SAMPLES: u32 = 3;
 
-/// A panel, and how it is seen.
+/// A panel with its camera.
 struct Scene<'a> {
     panel: &'a Panel<'a>,
     camera: &'a Camera,
     scale: Option<&'a Scale>,
     theme: &'a Colors,
-    /// Every vertex.
+    /// The vertices in camera coordinates.
     seen: Vec<Seen>,
 }
 
@@ -81,7 +81,7 @@ pub(crate) fn render(
     image
 }
 
-/// A panel cut into squares.
+/// The tiles of a panel.
 struct Tiles {
     size: [u32; 2],
     columns: u32,
@@ -105,7 +105,7 @@ impl Tiles {
         Grid { start, size, per_pixel }
     }
 
-    /// The face that is seen at the middle of each pixel of the panel.
+    /// The face visible at the centre of each pixel of the panel.
     fn visible(&self, scene: &Scene, faces: &[Vec<u32>]) -> Visible {
         let tiles: Vec<(Grid, Visible)> = (0..self.count())
             .into_par_iter()
@@ -130,9 +130,9 @@ impl Tiles {
         all
     }
 
-    /// The faces that may be seen in each tile, in order.
+    /// The faces that may be visible in each tile, in index order.
     fn faces(&self, scene: &Scene) -> Vec<Vec<u32>> {
-        /// Faces that are sorted into tiles at a time.
+        /// Faces sorted into tiles per task.
         const CHUNK: usize = 1 << 16;
         let faces = scene.panel.mesh.faces().len();
         let chunks: Vec<Vec<Vec<u32>>> = (0..faces.div_ceil(CHUNK))
@@ -158,7 +158,7 @@ impl Tiles {
     }
 }
 
-/// Which of some faces is seen at each sample.
+/// The face visible at each sample, among a list of faces.
 fn see(scene: &Scene, grid: &Grid, faces: &[u32]) -> Visible {
     let mut visible = Visible::nothing(grid);
     for &face in faces {

@@ -1,4 +1,4 @@
-//! What colour a place of a face has.
+//! Colours of points on faces.
 
 use super::Scene;
 use super::triangles::Triangle;
@@ -6,29 +6,29 @@ use crate::Rgb;
 use crate::panel::Values;
 use crate::view::{cross, dot, length, minus, unit};
 
-/// Light from everywhere, from the eye, and from above to the left: parts of what a face is lit by.
+/// Weights of ambient light, light from the eye, and light from the upper left.
 const AMBIENT: f64 = 0.30;
 const HEAD: f64 = 0.36;
 const KEY: f64 = 0.38;
 
-/// Direction to the light above to the left: right, up, to the eye; of length one.
+/// Unit direction to the light at the upper left: right, up, towards the eye.
 const KEY_DIRECTION: [f64; 3] = [-0.36, 0.48, 0.8];
 
-/// Strength and (power of two of the) sharpness of highlights.
+/// Strength of highlights, and their exponent as a power of two.
 const HIGHLIGHT: f64 = 0.10;
 const SHARPNESS: u32 = 5;
 
-/// Cosine of the angle between normals from which on an edge is sharp.
+/// Edges are sharp if the cosine of the angle between normals is below this.
 const SHARP: f64 = 0.5;
 
-/// Half the width of an edge in pixels, and how opaque it is.
+/// Half the width of an edge in pixels, and its opacity.
 const EDGE_HALF_WIDTH: f64 = 0.5;
 const EDGE_OPACITY: f64 = 0.55;
 
-/// Heights of faces in pixels below which edges are not drawn, and above which they are drawn in full.
+/// Edges of faces below the first height in pixels are not drawn, and those above the second are drawn with full opacity.
 const EDGE_FADE: [f64; 2] = [4.0, 10.0];
 
-/// The colour of a face at a place, each channel from 0 to 255.
+/// The colour of a point on a face, each channel from 0 to 255.
 pub(super) fn color(scene: &Scene, face: u32, triangle: &Triangle, [x, y]: [i32; 2], light: f64) -> [f64; 3] {
     let corners = scene.panel.mesh.faces()[face as usize].map(|vertex| vertex as usize);
     let seen = corners.map(|vertex| scene.seen[vertex]);
@@ -56,7 +56,7 @@ pub(super) fn color(scene: &Scene, face: u32, triangle: &Triangle, [x, y]: [i32;
     color.map(|channel| channel.clamp(0.0, 255.0))
 }
 
-/// Weights on the face in space, from those in the picture.
+/// Barycentric coordinates on the face in space, from those in the picture.
 fn in_space(flat: [f64; 3], near: [f64; 3]) -> [f64; 3] {
     let weights: [f64; 3] = std::array::from_fn(|i| flat[i] * near[i]);
     let sum = weights[0] + weights[1] + weights[2];
@@ -69,7 +69,7 @@ fn mix(weights: [f64; 3], vectors: [[f64; 3]; 3]) -> [f64; 3] {
     })
 }
 
-/// The colour before light falls on it.
+/// The colour before lighting.
 fn base(scene: &Scene, face: u32, corners: [usize; 3], weights: [f64; 3]) -> Rgb {
     let Some(scale) = scene.scale else { return scene.theme.mesh };
     let value = match (scene.panel.values, scene.panel.vectors) {
@@ -82,7 +82,7 @@ fn base(scene: &Scene, face: u32, corners: [usize; 3], weights: [f64; 3]) -> Rgb
     scale.color(value)
 }
 
-/// The unit normal on the side of the eye.
+/// The unit normal that points towards the eye.
 fn normal(
     scene: &Scene,
     corners: [usize; 3],
@@ -102,7 +102,7 @@ fn normal(
     if dot(flat, eye) < 0.0 { normal.map(|x| -x) } else { normal }
 }
 
-/// How much of a place is edge.
+/// Opacity of the edge at a point of a face.
 fn edge_opacity(triangle: &Triangle, weights: [f64; 3]) -> f64 {
     let heights = triangle.heights();
     let least = |values: [f64; 3]| {

@@ -1,31 +1,30 @@
-//! Marks in the picture: lines, discs and heads of arrows, drawn over faces.
+//! Drawing marks: lines, discs and arrow heads.
 
 use super::camera::{Camera, is_drawn};
 use crate::Rgb;
 use crate::panel::{Mark, MarkShape};
 use crate::theme::Colors;
 
-/// How far around a mark a rim in the colour of the background keeps it apart from the mesh, in pixels.
+/// Width in pixels of the outline, in the background colour, that separates a mark from the mesh.
 const RIM: f64 = 1.25;
 
-/// How opaque the rim is behind the mesh, as part of what the mark is.
+/// Opacity of the outline behind the mesh, relative to that of the mark.
 const RIM_BEHIND: f64 = 0.6;
 
-/// How far the rim of an arrow's head reaches beyond its sharp corners, in widths of the rim.
+/// Extent of the outline beyond the sharp corners of an arrow head, in widths of the outline.
 const RIM_TIP: f64 = 2.0;
 
-/// Length and half width of an arrow's head, in widths of its line.
+/// Length and half width of an arrow head, in line widths.
 const HEAD: [f64; 2] = [4.5, 2.0];
 
-/// How far marks are pulled to the eye, in half extents of all there is, so that they do not sink into the surface
-/// they lie on.
+/// Displacement of marks towards the eye, in half extents of the geometry, so that they are not hidden by the surface they lie on.
 const LIFT: f64 = 0.004;
 
 /// A part of a mark, in pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Stroke {
     shape: Shape,
-    /// Nearness at the two ends.
+    /// Nearness at both ends.
     near: [f64; 2],
     color: Rgb,
     behind: f64,
@@ -33,9 +32,9 @@ pub(super) struct Stroke {
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Shape {
-    /// All that is within a radius of a segment.
+    /// All points within a radius of a segment.
     Capsule { ends: [[f64; 2]; 2], radius: f64 },
-    /// A triangle whose first corner is the far end.
+    /// A triangle whose first corner is the tip.
     Head([[f64; 2]; 3]),
 }
 
@@ -67,7 +66,7 @@ pub(super) fn strokes(mark: &Mark, camera: &Camera, colors: &Colors) -> Vec<Stro
     vec![capsule(radius + RIM, colors.background, RIM_BEHIND * behind), capsule(radius, color, behind)]
 }
 
-/// The strokes of an arrow between two places in the picture, in a colour and with a rim in another.
+/// The strokes of an arrow between two positions in the picture, with a colour and an outline colour.
 pub(super) fn arrow(
     [from, to]: [[f64; 2]; 2],
     near: [f64; 2],
@@ -81,7 +80,7 @@ pub(super) fn arrow(
         return Vec::new();
     }
     let [x, y] = along.map(|c| c / length);
-    // A short arrow is all head.
+    // A short arrow is only a head.
     let full = HEAD[0] * width;
     let head = if full < length { full } else { length };
     let half = HEAD[1] * width * head / full;
@@ -118,7 +117,7 @@ impl Stroke {
         [bounds[0].map(|c| c - radius), bounds[1].map(|c| c + radius)]
     }
 
-    /// Colour and opacity at a place where the mesh is as near as given; none beyond the stroke.
+    /// Colour and opacity at a position, given the nearness of the mesh; `None` outside the stroke.
     pub(super) fn at(&self, place: [f64; 2], surface: f64) -> Option<(Rgb, f64)> {
         let part = match self.shape {
             Shape::Capsule { ends: [from, to], radius } => {

@@ -1,4 +1,4 @@
-//! Which pixels a face covers, which of two is seen, and what value a pixel shows.
+//! Coverage of pixels, visibility of overlapping faces, and interpolated values.
 
 use super::camera::Seen;
 use super::triangles::{Grid, NONE, Triangle, Visible};
@@ -43,7 +43,7 @@ fn a_face_covers_the_pixels_whose_middles_are_in_it() {
 
 #[test]
 fn faces_around_a_vertex_cover_every_pixel_once() {
-    // Spokes through the middles of pixels, where rounding decides, and through nothing in particular.
+    // Spokes through pixel centres, where rounding decides, and through other points.
     let rim =
         [[0.5, 0.5], [4.5, 0.5], [8.5, 0.5], [8.5, 4.5], [8.5, 8.5], [3.3, 8.5], [0.5, 8.5], [0.5, 4.1]];
     for per_pixel in 1..=4 {

@@ -1,25 +1,25 @@
-//! Which face is seen where.
+//! Visibility of faces.
 //!
-//! Corners are rounded to a fine grid, and whether a place is inside is decided in integers: faces that share an edge
-//! leave no gap and do not overlap, and the answer is the same on every machine.
+//! Corners are rounded to a fine grid, and inside tests are exact in integers: faces with a common edge leave no gap and do not
+//! overlap, and the result is the same on every machine.
 //!
 //! # Source
 //! `pineda_parallel_1988`.
 
 use super::camera::Seen;
 
-/// Places of the grid along a pixel: divisible by 1, 2, 3 and 4 samples, and their halves.
+/// Grid positions per pixel: divisible by 1, 2, 3 and 4 samples, and their halves.
 pub(super) const PIXEL: i32 = 768;
 
 /// No face.
 pub(super) const NONE: u32 = u32::MAX;
 
-/// A triangle in the picture, with area.
+/// A triangle in the picture with nonzero area.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Triangle {
-    /// `a x + b y + c`, one for each corner: zero on the edge across from it, positive inside.
+    /// Edge functions `a x + b y + c`, one for each corner: zero on the opposite edge, positive inside.
     edges: [[i64; 3]; 3],
-    /// Value of each of them at its corner.
+    /// The value of each edge function at its corner.
     area: i64,
     /// Smallest and largest coordinates.
     bounds: [[i32; 2]; 2],
@@ -27,7 +27,7 @@ pub(super) struct Triangle {
 }
 
 impl Triangle {
-    /// The triangle between three points, or none where it has no area.
+    /// The triangle between three points; `None` if its area is zero.
     pub(super) fn new(corners: [Seen; 3]) -> Option<Self> {
         let points = corners.map(|corner| corner.at.map(|c| (c * f64::from(PIXEL) + 0.5).floor() as i32));
         let [p, q, r] = points.map(|point| point.map(i64::from));
@@ -54,13 +54,13 @@ impl Triangle {
         self.bounds
     }
 
-    /// Weights of the corners at a place; they add up to 1.
+    /// Barycentric coordinates of a position.
     pub(super) fn weights(&self, x: i32, y: i32) -> [f64; 3] {
         let [x, y] = [x, y].map(i64::from);
         self.edges.map(|[a, b, c]| (a * x + b * y + c) as f64 / self.area as f64)
     }
 
-    /// Height of each corner over the edge across from it, in pixels.
+    /// Height of each corner over the opposite edge, in pixels.
     pub(super) fn heights(&self) -> [f64; 3] {
         self.edges.map(|[a, b, _]| {
             let [a, b] = [a as f64, b as f64];
@@ -69,7 +69,7 @@ impl Triangle {
     }
 }
 
-/// Places where it is asked which face is seen: columns and rows of samples, from a pixel on.
+/// A grid of samples: columns and rows, starting at a pixel.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Grid {
     /// First pixel.
@@ -85,7 +85,7 @@ impl Grid {
         PIXEL / self.per_pixel as i32
     }
 
-    /// The place of a sample, in units of the triangles' grid.
+    /// The position of a sample, in units of the triangles' grid.
     pub(super) fn place(&self, column: usize, row: usize) -> [i32; 2] {
         let spacing = self.spacing();
         let first = self.start.map(|pixel| pixel as i32 * PIXEL + spacing / 2);
@@ -97,7 +97,7 @@ impl Grid {
         [0, 1].map(|axis| self.start[axis] as usize + sample[axis] / self.per_pixel as usize)
     }
 
-    /// Samples at which coordinates lie in a closed range, as a half-open range.
+    /// The samples whose coordinates lie in a closed range, as a half-open range.
     fn range(&self, axis: usize, low: i32, high: i32) -> std::ops::Range<usize> {
         let spacing = self.spacing();
         let first = self.start[axis] as i32 * PIXEL + spacing / 2;
@@ -107,7 +107,7 @@ impl Grid {
     }
 }
 
-/// The face that is seen at each place of a grid, and how near it is.
+/// The face visible at each sample of a grid, and its nearness.
 #[derive(Debug)]
 pub(super) struct Visible {
     pub(super) face: Vec<u32>,
@@ -115,18 +115,18 @@ pub(super) struct Visible {
 }
 
 impl Visible {
-    /// Nothing but background.
+    /// Only background.
     pub(super) fn nothing(grid: &Grid) -> Self {
         let places = grid.size[0] * grid.size[1];
         Self { face: vec![NONE; places], near: vec![f64::NEG_INFINITY; places] }
     }
 
-    /// Draws a face over what is farther; of two that are equally near, the first one stays.
+    /// Draws a face over farther ones; of two equally near faces the first one stays.
     pub(super) fn draw(&mut self, grid: &Grid, face: u32, triangle: &Triangle) {
         let [low, high] = triangle.bounds;
         let columns = grid.range(0, low[0], high[0]);
         let spacing = i64::from(grid.spacing());
-        // A place on an edge belongs to one of the two faces that meet there.
+        // A position on an edge belongs to exactly one of the two faces that share it.
         let least = triangle.edges.map(|[a, b, _]| i64::from(!(a > 0 || (a == 0 && b > 0))));
         let [n, by_q, by_r] =
             [triangle.near[0], triangle.near[1] - triangle.near[0], triangle.near[2] - triangle.near[0]];

@@ -1,4 +1,4 @@
-//! Pages: what is refused, and that the program in them was made from the sources beside it.
+//! Pages: rejected input, and that the bundled script was built from the sources beside it.
 
 use pompeiu_figures::page::{
     Amount, Arrangement, Axis, Block, Card, Cell, Chart, Layer, Lines, Mesh, MeshId, MeshValues, Page,
@@ -16,7 +16,7 @@ const CORNERS: [[[f64; 3]; 3]; 2] = [
     [[1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]],
 ];
 
-/// A page with two triangles that make a square, and what was added to it.
+/// A page with a square of two triangles, and the ids of its parts.
 struct Square {
     page: Page,
     space: SpaceId,
@@ -42,7 +42,7 @@ fn square() -> Square {
 
 #[test]
 fn what_is_not_on_the_page_is_refused() {
-    // Ids of a fuller page mean nothing on an empty one.
+    // Ids of a fuller page are invalid on an empty one.
     let Square { mesh, scale, scene, player, space, .. } = square();
     let mut empty = Page::new("");
     let unknown = |result: Result<(), PageError>| match result {
@@ -177,7 +177,7 @@ fn sum(bytes: &[u8]) -> String {
     })
 }
 
-/// The sum that `web/build` writes into what it makes: of the list that `sha256sum` prints.
+/// The checksum that `web/build` writes into the bundle: of the output of `sha256sum`.
 fn sum_of_sources() -> String {
     let mut names = vec!["build".to_owned(), "package.json".into(), "package-lock.json".into()];
     let mut sources = vec![];

@@ -1,4 +1,4 @@
-//! Whole pictures: the same bits everywhere, and no input that breaks them.
+//! Whole pictures: the same bits on every machine, and robustness against any input.
 
 use pompeiu_core::TriMesh;
 use pompeiu_core::mesh::shapes::{icosphere, torus};
@@ -9,7 +9,7 @@ use pompeiu_figures::{
 use std::fs;
 use std::path::Path;
 
-/// Most pixels on a side.
+/// Largest number of pixels on a side.
 const MAX_SIDE: u32 = 1 << 14;
 
 /// Compares a picture with the one in `tests/pictures`, pixel by pixel.
@@ -58,7 +58,7 @@ fn two_panels(torus: &TriMesh, sphere: &TriMesh, theme: Theme, projection: Proje
         .unwrap()
 }
 
-/// A field that turns around the axis of a torus, and one that goes up.
+/// A field that rotates around the axis of a torus, and one that points up.
 fn fields(torus: &TriMesh, theme: Theme) -> Image {
     let middle = |face: &[u32; 3]| -> [f64; 3] {
         let [p, q, r] = face.map(|vertex| torus.positions()[vertex as usize]);
@@ -101,7 +101,7 @@ fn pictures_are_the_same_for_any_number_of_threads() {
     assert!(one == draw(2) && one == draw(8));
 }
 
-/// A figure that should be drawn whatever is in it.
+/// A figure that must be drawn whatever its values.
 fn draw(mesh: &TriMesh, values: &[f64]) -> Image {
     let normals = vec![[f64::NAN; 3]; mesh.positions().len()];
     let panel = Panel::new(mesh).with_values(Values::Vertices(values)).with_normals(&normals).with_edges();
