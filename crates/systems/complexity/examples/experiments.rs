@@ -1,10 +1,11 @@
-//! The experiments of the first report on these measures, on shapes of our own: progressions, polylines, noisy circles, everything at once.
+//! The experiments of the first report on these measures, repeated on generated shapes: progressions, polylines, noisy circles, and
+//! all of them together.
 //!
 //! ```sh
 //! cargo run --release --package pompeiu-complexity --example experiments -- polylines noisy-circles
 //! ```
 //!
-//! Without names, all of them: octopus, eight, polylines, noisy-circles, everything.
+//! Without arguments it runs all of them: octopus, eight, polylines, noisy-circles, everything.
 
 #![allow(clippy::print_stdout, reason = "an example prints")]
 
@@ -21,14 +22,14 @@ type Outcome = Result<(), Box<dyn std::error::Error>>;
 /// An experiment and its name.
 type Part = (&'static str, fn() -> Outcome);
 
-/// Classes of polylines, by their numbers of points, and how many there are of each.
+/// Classes of polylines: their numbers of points, and the number of polylines in each.
 const CLASSES: [usize; 4] = [5, 10, 15, 25];
 const OF_EACH: u64 = 42;
 
 /// Draws of random sets.
 const DRAWS: u64 = 100;
 
-/// All of them, or those that are named.
+/// Runs the named experiments, or all.
 fn main() -> Outcome {
     let named: Vec<String> = std::env::args().skip(1).collect();
     let parts: [Part; 5] = [
@@ -50,7 +51,7 @@ fn measured(outline: &Outline, smoothing: f64) -> Result<Measures, ComplexityErr
     Measures::of(outline, &MeasureOptions { smoothing })
 }
 
-/// A body with eight arms of some length and width.
+/// A body with eight arms of given length and sharpness.
 fn body(length: f64, sharpness: i32) -> Result<Outline, Box<dyn std::error::Error>> {
     let at = |i: usize| {
         let angle = TAU * i as f64 / 4000.0;
@@ -60,7 +61,7 @@ fn body(length: f64, sharpness: i32) -> Result<Outline, Box<dyn std::error::Erro
     Ok(Outline::new((0..4000).map(at).collect())?)
 }
 
-/// Arms that grow and become thin make a shape more complex.
+/// Longer and thinner arms make a shape more complex.
 fn octopus() -> Outcome {
     println!("arms             boundary  boundary-8  t18    neg5   peaks  total");
     for (name, length, sharpness) in [
@@ -80,7 +81,7 @@ fn octopus() -> Outcome {
     Ok(())
 }
 
-/// Eight shapes of growing complexity, by intent, as the two measures rank them.
+/// Eight shapes of growing complexity by construction, ranked by the two measures.
 fn eight() -> Outcome {
     let shapes: [(&str, Outline); 8] = [
         ("ellipse", star(2, 0.3)?),
@@ -110,7 +111,7 @@ fn eight() -> Outcome {
     Ok(())
 }
 
-/// A circle whose radius goes up and down so many times.
+/// A circle whose radius oscillates `arms` times.
 fn star(arms: i32, depth: f64) -> Result<Outline, Box<dyn std::error::Error>> {
     let at = |i: usize| {
         let angle = TAU * i as f64 / 4000.0;
@@ -120,7 +121,7 @@ fn star(arms: i32, depth: f64) -> Result<Outline, Box<dyn std::error::Error>> {
     Ok(Outline::new((0..4000).map(at).collect())?)
 }
 
-/// Means by the number of points, and how well clusters tell the classes apart.
+/// Mean measures by the number of points, and how well clusters separate the classes.
 fn polylines() -> Outcome {
     println!("\npoints  boundary-50  boundary-100  neg5   t18    peaks  total (means of 200)");
     for points in CLASSES {
@@ -182,7 +183,7 @@ fn value(name: &str, measures: &Measures) -> Result<f64, ComplexityError> {
     }
 }
 
-/// Levels of noise beside places in rankings, ten shapes in each of eight levels.
+/// Noise levels against ranks, for ten shapes in each of eight levels.
 fn noisy_circles() -> Outcome {
     println!("\nmeasure       levels kept  mean distance of levels  Kendall's τ");
     let (mut all, mut levels) = (Vec::new(), Vec::new());

@@ -1,4 +1,4 @@
-//! Measures, ranking and clusters of many shapes.
+//! The analysis of many shapes: measures, ranking and clusters.
 
 use crate::measures::Measure;
 use crate::measures::names::feature;
@@ -14,28 +14,28 @@ use std::time::Instant;
 /// A shape with its name.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shape {
-    /// Its file, or whatever else it is called.
+    /// Its file or another name.
     pub file: String,
     /// Its outline.
     pub outline: Outline,
 }
 
-/// What is asked of many shapes.
+/// Options of an analysis.
 #[derive(Clone)]
 pub struct AnalyseOptions<'o> {
-    /// How each is measured.
+    /// Options of the measures.
     pub measure: MeasureOptions,
-    /// The name of the measure that ranks them: see [`Measure::ALL`].
+    /// The name of the measure to rank by: see [`Measure::ALL`].
     pub rank_by: String,
-    /// Another ranking: names, or names without their suffix, with places or values that grow with complexity.
+    /// Another ranking to compare with: names, with or without suffix, and ranks or values that increase with complexity.
     pub against: Option<Vec<(String, f64)>>,
-    /// Number of clusters; none for no clustering.
+    /// Number of clusters; `None` for no clustering.
     pub clusters: Option<usize>,
-    /// What distances of shapes are taken in: names of measures, or `log:` and a name for ln(1 + value).
+    /// The features for distances between shapes: names of measures, or `log:` and a name for ln(1 + value).
     pub features: Vec<String>,
-    /// Limits on time and threads. Shapes that were not measured in time are left out.
+    /// Limits on time and threads. Shapes that are not measured in time are omitted.
     pub limits: Limits,
-    /// Is told the share of shapes that is measured.
+    /// Receives the share of shapes measured so far.
     pub progress: Option<&'o dyn ProgressObserver>,
 }
 
@@ -56,7 +56,8 @@ impl Default for AnalyseOptions<'_> {
 /// Measures shapes, ranks them, compares the ranking with another one, and clusters them.
 ///
 /// # Errors
-/// [`ComplexityError`] for no shape, a name of no measure, more clusters than shapes, and a shape that the other ranking lacks.
+/// [`ComplexityError`] if there are no shapes, a measure is unknown, there are more clusters than shapes, or the other ranking
+/// lacks a shape.
 pub fn analyse(shapes: &[Shape], options: &AnalyseOptions<'_>) -> Result<ComplexityReport, ComplexityError> {
     if shapes.is_empty() {
         return Err(ComplexityError::Empty);
@@ -113,12 +114,12 @@ pub fn analyse(shapes: &[Shape], options: &AnalyseOptions<'_>) -> Result<Complex
     })
 }
 
-/// The value to ten digits, so that what is equal but for rounding is a tie.
+/// The value rounded to ten digits, so that values that are equal up to rounding are ties.
 fn without_rounding(value: f64) -> f64 {
     format!("{value:.9e}").parse().unwrap_or(value)
 }
 
-/// The measures of all shapes, those left out that time did not allow.
+/// The measures of all shapes; shapes that are not measured in time are omitted.
 fn measured(
     shapes: &[Shape],
     options: &AnalyseOptions<'_>,

@@ -1,54 +1,54 @@
-//! Why shapes cannot be analysed as asked.
+//! Errors of analyses.
 
 use pompeiu_planar::OutlineError;
 
-/// Why shapes cannot be analysed as asked.
+/// Why shapes cannot be analysed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ComplexityError {
-    /// No shape.
+    /// There are no shapes.
     #[error("there are no shapes")]
     Empty,
-    /// A number of clusters that the shapes do not allow.
+    /// The number of clusters is not possible for the number of shapes.
     #[error(
         "{clusters} clusters are asked for of {shapes} shapes; there must be at least 1 and at most as many as shapes"
     )]
     Clusters {
-        /// Clusters asked for.
+        /// Requested clusters.
         clusters: usize,
-        /// Shapes there are.
+        /// Number of shapes.
         shapes: usize,
     },
-    /// A name of no measure.
+    /// The measure does not exist.
     #[error("there is no measure `{found}`; there are {known}")]
     Measure {
         /// The name.
         found: String,
-        /// All names.
+        /// All measures.
         known: String,
     },
-    /// Two rankings of different lengths, or too short ones.
+    /// The rankings differ in length or are too short.
     #[error("the rankings have {a} and {b} places; both must have the same number, at least 2")]
     Lengths {
-        /// Places of the first one.
+        /// Length of the first one.
         a: usize,
-        /// Places of the second one.
+        /// Length of the second one.
         b: usize,
     },
-    /// A shape that is missing in a ranking.
+    /// A ranking lacks a shape.
     #[error("`{0}` is not in the ranking")]
     Unranked(String),
-    /// An option out of range.
+    /// An option is out of range.
     #[error("the {what} is {value}; {expected}")]
     Option {
-        /// What it is.
+        /// The option.
         what: &'static str,
         /// Its value.
         value: f64,
-        /// What it must be.
+        /// The valid range.
         expected: &'static str,
     },
-    /// Points that make no outline.
+    /// Points do not form an outline.
     #[error(transparent)]
     Outline(#[from] OutlineError),
 }

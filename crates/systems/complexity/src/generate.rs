@@ -1,26 +1,26 @@
-//! Shapes of growing complexity, the same for the same seed on every machine.
+//! Generated shapes of growing complexity, the same for the same seed on every machine.
 
 use crate::ComplexityError;
 use pompeiu_core::mesh::edit::Random;
 use pompeiu_planar::contour::staircases;
 use pompeiu_planar::{Outline, Point, catmull_rom};
 
-/// In which order a curve goes through its points.
+/// The order in which a curve passes through its points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PointOrder {
-    /// As they were drawn: the curve may cross itself.
+    /// The order in which they were drawn: the curve may cross itself.
     Random,
-    /// By their direction from their mean.
+    /// By direction from their mean.
     Angle,
 }
 
-/// Points of a curve, about.
+/// Approximate number of points of a curve.
 const CURVE_POINTS: usize = 4000;
 
-/// The closed Catmull–Rom curve through points drawn uniformly from the unit square. More points are more complex.
+/// The closed Catmull–Rom curve through points drawn uniformly from the unit square. More points give a more complex shape.
 ///
 /// # Errors
-/// [`ComplexityError::Option`] for fewer than 3 or more than 1000 points; [`ComplexityError::Outline`] where they enclose no area.
+/// [`ComplexityError::Option`] for fewer than 3 or more than 1000 points; [`ComplexityError::Outline`] if they enclose no area.
 pub fn polyline(points: usize, seed: u64, order: PointOrder) -> Result<Outline, ComplexityError> {
     if !(3..=1000).contains(&points) {
         return Err(ComplexityError::Option {
@@ -41,11 +41,11 @@ pub fn polyline(points: usize, seed: u64, order: PointOrder) -> Result<Outline, 
     Ok(Outline::new(catmull_rom(&through, CURVE_POINTS.div_ceil(points)))?)
 }
 
-/// A circle of pixels to which walks add pixels: level 0 is the circle, and each level lets every pixel of the border take one walk, straight
-/// in a random one of the four directions, of a random number of steps up to `steps`, and keeps the pixels it visits.
+/// A disc of pixels extended by random walks. Level 0 is the disc; each level starts a walk at every border pixel, straight in a
+/// random one of the four directions, with a random number of steps up to `steps`, and adds the pixels visited.
 ///
 /// # Shapes and units
-/// Pixels; the outline goes along their sides, around the part that the middle belongs to, without the holes.
+/// In pixels. The outline runs along pixel sides around the part that contains the centre, without the holes.
 ///
 /// # Errors
 /// [`ComplexityError::Option`] for a radius below 2 or above 2000, more than 64 levels, or walks longer than the radius.

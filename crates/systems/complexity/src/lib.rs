@@ -1,16 +1,16 @@
-//! How complex shapes in the plane are: measures of outlines, rankings compared with a person's, clusters.
+//! Shape complexity in the plane: measures of outlines, rankings compared with those of people, clusters.
 //!
-//! Each measure is defined by a formula in the file of its family, and does not change when a shape is moved, turned, scaled, or its
-//! outline begins at another point.
+//! Each measure is defined by a formula in the file of its family. It is invariant under translation, rotation, scaling, and the
+//! choice of the outline's first point.
 //!
 //! | item | what it is |
 //! |---|---|
 //! | [`Measures`], [`MeasureOptions`] | boundary, curvature, skeleton, moments, coverage, global, of one outline |
-//! | [`Measure`] | a measure by its name, and which way it grows |
-//! | [`ranks`], [`compare_rankings`], [`Agreement`] | rankings, and how far two of them agree |
+//! | [`Measure`] | a measure by name, and the direction in which it grows |
+//! | [`ranks`], [`compare_rankings`], [`Agreement`] | rankings, and the agreement of two |
 //! | [`cluster`], [`Clusters`] | k-medoids with silhouettes |
 //! | [`generate`] | shapes of growing complexity, seeded |
-//! | [`analyse`], [`ComplexityReport`] | all of it for many shapes |
+//! | [`analyse`], [`ComplexityReport`] | the whole analysis of many shapes |
 //!
 //! ```
 //! use pompeiu_complexity::{MeasureOptions, Measures, generate};

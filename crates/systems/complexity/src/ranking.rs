@@ -1,9 +1,9 @@
-//! Rankings, and how far two of them agree.
+//! Rankings, and the agreement of two.
 
 use crate::ComplexityError;
 use pompeiu_core::mesh::edit::Random;
 
-/// Places from the least value to the greatest, beginning with 1; equal values share the mean of their places.
+/// Ranks from the least value to the greatest, starting with 1; tied values share the mean of their ranks.
 pub fn ranks(values: &[f64]) -> Vec<f64> {
     let mut order: Vec<usize> = (0..values.len()).collect();
     order.sort_by(|i, j| values[*i].total_cmp(&values[*j]));
@@ -18,51 +18,51 @@ pub fn ranks(values: &[f64]) -> Vec<f64> {
     ranks
 }
 
-/// How far two rankings of the same things agree.
+/// Agreement of two rankings of the same items.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Agreement {
-    /// Things ranked.
+    /// Number of items.
     pub count: usize,
-    /// Share of things with the same place in both.
+    /// Share of items with the same rank in both.
     pub similarity: f64,
-    /// Mean difference of places.
+    /// Mean absolute difference of ranks.
     pub average_distance: f64,
-    /// That over the number of things.
+    /// The average distance divided by the number of items.
     pub normalized_distance: f64,
     /// Kendall's rank correlation τ (b), from −1 to 1.
     pub kendall: f64,
-    /// Share of permutations of one ranking with a |τ| at least as great.
+    /// p-value of τ: the share of permutations of one ranking with at least the same |τ|.
     pub kendall_p: f64,
     /// Spearman's rank correlation ρ, from −1 to 1.
     pub spearman: f64,
-    /// Share of permutations with a |ρ| at least as great.
+    /// p-value of ρ: the share of permutations with at least the same |ρ|.
     pub spearman_p: f64,
-    /// Permutations tried: all of them where there are at most 8 things, and a seeded sample otherwise, in which the ranking itself counts.
+    /// Number of permutations tried: all for at most 8 items, otherwise a seeded sample that includes the ranking itself.
     pub permutations: usize,
 }
 
-/// Most things whose permutations are all tried.
+/// Up to this many items all permutations are tried.
 const MOST_EXACT: usize = 8;
 
-/// Permutations of a sample.
+/// Number of sampled permutations.
 const SAMPLE: usize = 9999;
 
 /// Seed of the sample.
 const SEED: u64 = 2021;
 
-/// Differences of correlations below this are rounding.
+/// Differences of correlations below this are rounding errors.
 const ROUNDING: f64 = 1e-12;
 
-/// Compares two rankings, each a list of places or of any values that increase with them.
+/// Compares two rankings, each a list of ranks or of any values that increase with rank.
 ///
 /// # Definition
-/// Places are those of [`ranks`]. Similarity and distances are as in the reports of shape rankings that use them; p-values are two-sided, by
-/// permutation.
+/// Ranks are those of [`ranks`]. Similarity and distances are defined as in the reports of shape rankings that use them; p-values
+/// are two-sided permutation tests.
 ///
 /// # Errors
-/// [`ComplexityError::Lengths`] where the numbers differ or are less than 2.
+/// [`ComplexityError::Lengths`] if the lengths differ or are below 2.
 ///
 /// # Cost
 /// 10,000 n log n.
@@ -107,7 +107,7 @@ pub fn compare_rankings(a: &[f64], b: &[f64]) -> Result<Agreement, ComplexityErr
     })
 }
 
-/// Calls for every permutation (`heap_permutations_1963`), the list itself first.
+/// Visits every permutation (`heap_permutations_1963`), the list itself first.
 fn permutations(list: &mut [f64], each: &mut impl FnMut(&[f64])) {
     each(list);
     let n = list.len();
@@ -126,12 +126,12 @@ fn permutations(list: &mut [f64], each: &mut impl FnMut(&[f64])) {
     }
 }
 
-/// Spearman's rank correlation; 0 where one side is all ties.
+/// Spearman's rank correlation; 0 if all values of one side are tied.
 pub fn spearman(a: &[f64], b: &[f64]) -> f64 {
     pearson(&ranks(a), &ranks(b))
 }
 
-/// Kendall's τ (b); 0 where one side is all ties.
+/// Kendall's τ (b); 0 if all values of one side are tied.
 pub fn kendall(a: &[f64], b: &[f64]) -> f64 {
     kendall_of_ranks(&ranks(a), &ranks(b))
 }
@@ -146,13 +146,13 @@ fn pearson(a: &[f64], b: &[f64]) -> f64 {
     if scale > 0.0 { product(a, ma, b, mb) / scale } else { 0.0 }
 }
 
-/// Concordant less discordant pairs, over the geometric mean of the pairs that are not tied, in n log n: pairs are counted by places of `b`
-/// that have come before in the order of `a`.
+/// Concordant minus discordant pairs, over the geometric mean of the numbers of pairs that are not tied, in n log n: counts the
+/// ranks in `b` that precede each item in the order of `a`.
 fn kendall_of_ranks(a: &[f64], b: &[f64]) -> f64 {
     let n = a.len();
     let mut order: Vec<usize> = (0..n).collect();
     order.sort_by(|i, j| a[*i].total_cmp(&a[*j]));
-    // Places are multiples of a half, so twice a place is an index.
+    // Ranks are multiples of one half, so twice a rank is an index.
     let index = |x: f64| (2.0 * x) as usize;
     let mut tree = vec![0_i64; 2 * n + 2];
     let mut score = 0_i64;

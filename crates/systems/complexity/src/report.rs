@@ -1,23 +1,23 @@
-//! What is said of many shapes.
+//! The report of an analysis.
 
 use crate::{Agreement, Clusters, Measures};
 use pompeiu_core::run::StopReason;
 use std::time::Duration;
 
-/// What is said of many shapes.
+/// The report of an analysis.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ComplexityReport {
     /// The shapes, in the order they were given.
     pub shapes: Vec<ShapeReport>,
-    /// The measure that ranks them.
+    /// The measure used for ranking.
     pub ranked_by: String,
     /// The shapes from the simplest to the most complex.
     pub ranking: Vec<RankedShape>,
-    /// How far the ranking agrees with the one it is compared with.
+    /// The agreement with the other ranking.
     pub agreement: Option<Agreement>,
-    /// Clusters of like shapes, if asked for.
+    /// Clusters of similar shapes, if requested.
     pub clusters: Option<Clusters>,
     /// Why the computation ended.
     pub stop: StopReason,
@@ -31,13 +31,13 @@ pub struct ComplexityReport {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ShapeReport {
-    /// Its file, or whatever else it is called.
+    /// Its file or another name.
     pub file: String,
-    /// Corners of its outline.
+    /// Number of corners of its outline.
     pub outline_points: usize,
-    /// The length of its outline, in its own unit.
+    /// The length of its outline, in the unit of the outline.
     pub length: f64,
-    /// Its area without holes taken out, in its own unit squared.
+    /// Its area, holes included, in that unit squared.
     pub area: f64,
     /// Its measures.
     #[cfg_attr(feature = "serde", serde(flatten))]
@@ -51,11 +51,11 @@ pub struct ShapeReport {
 pub struct RankedShape {
     /// Its file.
     pub file: String,
-    /// Its place; 1 is the simplest. Shapes with the same value, to ten digits, share the mean of their places.
+    /// Its rank; 1 is the simplest. Shapes whose values agree to ten digits share the mean of their ranks.
     pub rank: f64,
     /// The value of the measure.
     pub value: f64,
-    /// Its place in the ranking that this one is compared with.
+    /// Its rank in the other ranking.
     pub against: Option<f64>,
 }
 

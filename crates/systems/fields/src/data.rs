@@ -1,4 +1,4 @@
-//! Reports as data for other programs, where these are not written as they are kept.
+//! Serialised forms of reports that differ from the structs.
 
 use crate::{DegreesOfFreedom, Ranks};
 use serde::Serialize;
@@ -13,13 +13,13 @@ pub(crate) struct Dimensions {
     degrees_of_freedom: Counted,
 }
 
-/// How the dimensions of fields add up, with each choice of functions for the two potentials.
+/// Dimensions for each choice of function spaces for the two potentials.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "DegreesOfFreedom"))]
 struct Counted {
     /// Two for each face.
     total: usize,
-    /// Conforming functions for one potential, nonconforming ones for the other: the residual is the harmonic fields.
+    /// Conforming functions for one potential, nonconforming ones for the other: the residual consists of the harmonic fields.
     mixed: Ranks,
     /// Conforming functions for both.
     conforming: Ranks,

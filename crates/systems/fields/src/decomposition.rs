@@ -17,20 +17,20 @@ use std::time::{Duration, Instant};
 /// The Helmholtz–Hodge decomposition of fields on one surface, factored once.
 ///
 /// # Definition
-/// In the primal splitting `u = G_v a + J G_e b + h`, with a continuous and b agreeing at midpoints of edges. The first two
-/// ranges are orthogonal, because the integral of `∇a · J∇b` over a face is a sum of differences of a along its sides, which
-/// the faces on both sides of an edge count with opposite signs. So the parts are the orthogonal projections of u, and each
-/// potential solves a positive semi-definite system of its own:
+/// In the primal splitting `u = G_v a + J G_e b + h`, where a is continuous and b is continuous at midpoints of edges. The first
+/// two ranges are orthogonal: the integral of `∇a · J∇b` over a face is a sum of differences of a along its sides, which the two
+/// faces at an edge count with opposite signs. So the parts are the orthogonal projections of u, and each potential solves a
+/// positive semi-definite system of its own:
 ///
 /// ```text
 /// G_vᵀ M G_v a = G_vᵀ M u        G_eᵀ M G_e b = (J G_e)ᵀ M u
 /// ```
 ///
-/// The harmonic part is the projection onto an explicit basis, not what is left over: that the three add up to u is
-/// a check of all of them.
+/// The harmonic part is the projection onto an explicit basis, not the remainder. That the three parts add up to u is therefore a
+/// check of all of them.
 ///
 /// # Cost
-/// Two sparse factorizations and one solve for each basis field to set up; two solves for each field to split.
+/// Two sparse factorizations and one solve per basis field to prepare; two solves per decomposed field.
 ///
 /// # Source
 /// `polthier_identifying_2003`, `wardetzky_discrete_2006`; definite systems instead of a saddle point for b are ours.
@@ -44,12 +44,12 @@ pub struct HodgeSolver<'s> {
     times: SetupTimes,
 }
 
-/// How long setting up took, by the clock: the two add up to the whole.
+/// Wall-clock times of the preparation; the two add up to its total.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SetupTimes {
     /// Until both Laplacians were assembled and factored, in parallel.
     pub factor: Duration,
-    /// From then until the harmonic fields were found; with two threads they are begun while the second Laplacian is factored.
+    /// From then until the harmonic fields were found. With two threads these are started while the second Laplacian is factored.
     pub basis: Duration,
 }
 
@@ -59,7 +59,7 @@ struct Potentials {
     harmonic_defect: f64,
 }
 
-/// A field split into three parts.
+/// The three parts of a field.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Decomposition {
     /// The gradient.
@@ -68,8 +68,8 @@ pub struct Decomposition {
     pub rotated: FaceField,
     /// The harmonic part.
     pub harmonic: FaceField,
-    /// The potential at vertices: of the gradient in the primal splitting, of the rotated gradient in the dual. Its mean is
-    /// zero on each component where no boundary condition fixes it.
+    /// The potential at vertices: of the gradient in the primal splitting, of the rotated gradient in the dual. It has mean zero on
+    /// each component where no boundary condition fixes it.
     pub vertex_potential: VertexData<f64>,
     /// The potential at midpoints of edges: of the rotated gradient in the primal splitting, of the gradient in the dual.
     pub edge_potential: EdgeData<f64>,
@@ -86,13 +86,13 @@ pub struct Decomposition {
 pub struct Quality {
     /// `‖u − sum of parts‖ / ‖u‖`.
     pub residual: f64,
-    /// No part is farther from the true one than this, over `‖u‖`.
+    /// Bound on the distance of each part from the true one, relative to `‖u‖`.
     ///
-    /// It is the residual plus how far the harmonic part is from the harmonic fields, which is measured by projecting it onto
-    /// both other spaces. The residual is the sum of the errors of the parts; the first two lie in their spaces, the third does
-    /// up to that distance, and the spaces are orthogonal, so no error is longer than both together. This is proven for
-    /// exact arithmetic; evaluating it in doubles adds a few units of rounding. Fields of any size are scaled by a power of
-    /// two first; what components below the range of normal doubles lose is included.
+    /// It is the residual plus the distance of the harmonic part from the harmonic fields, which is measured by projecting it onto
+    /// both other spaces. The residual is the sum of the errors of the parts. The first two parts lie in their spaces, the third
+    /// lies in its space up to that distance, and the spaces are orthogonal, so no error exceeds the sum. This is proven for exact
+    /// arithmetic; evaluating it in doubles adds a few rounding errors. Fields are first scaled by a power of two; the loss of
+    /// components below the range of normal doubles is included.
     pub part_error: f64,
     /// Inner products of the parts over `‖u‖²`; zero in exact arithmetic.
     pub inner_products: InnerProducts,
@@ -129,7 +129,7 @@ pub struct Norms {
 }
 
 impl<'s> HodgeSolver<'s> {
-    /// Assembles and factors both Laplacians and finds the harmonic fields.
+    /// Assembles and factors both Laplacians and computes the harmonic fields.
     ///
     /// # Errors
     /// [`OperatorError::Solve`] if a Laplacian cannot be factored.
@@ -164,17 +164,17 @@ impl<'s> HodgeSolver<'s> {
         self.surface
     }
 
-    /// Which splitting it is.
+    /// The splitting.
     pub fn splitting(&self) -> Splitting {
         self.options.splitting
     }
 
-    /// Which boundary condition it is.
+    /// The boundary condition.
     pub fn boundary(&self) -> Boundary {
         self.options.boundary
     }
 
-    /// How long setting up took.
+    /// The wall-clock times of the preparation.
     pub fn setup_times(&self) -> SetupTimes {
         self.times
     }
@@ -184,8 +184,8 @@ impl<'s> HodgeSolver<'s> {
         &self.basis
     }
 
-    /// Both potentials of the primal splitting of a field, and how far another field, harmonic but for rounding, is from the
-    /// harmonic fields: the norms of its projections onto both ranges.
+    /// Both potentials of the primal splitting of a field; and the distance of another field, harmonic up to rounding, from the
+    /// harmonic fields, as the norms of its projections onto both ranges.
     fn potentials(&self, field: &FaceField, harmonic: &FaceField) -> Result<Potentials, OperatorError> {
         let surface = self.surface;
         let (mut vertices, mut edges) = (divergence(surface, field)?, crouzeix_raviart_curl(surface, field)?);
@@ -203,7 +203,7 @@ impl<'s> HodgeSolver<'s> {
         Ok(Potentials { vertices, edges, harmonic_defect: defect_sq.sqrt() })
     }
 
-    /// Splits a field.
+    /// Decomposes a field.
     ///
     /// # Errors
     /// [`OperatorError::FieldLength`], [`OperatorError::NonFiniteField`]; [`OperatorError::FieldTooLarge`] if a result
@@ -214,7 +214,7 @@ impl<'s> HodgeSolver<'s> {
         let mut parts = self.decompose_near_one(&near_one)?;
         let norms = parts.quality.norms;
         if norms.field > 0.0 {
-            // Where numbers leave the range of normal ones each component is off by at most the least positive double.
+            // In the subnormal range each component errs by at most the least positive double.
             const LEAST: f64 = f64::from_bits(1);
             let absolute = LEAST + times_power_of_two(LEAST, -exponent);
             parts.quality.part_error += (2.0 * self.surface.area()).sqrt() / norms.field * absolute;
@@ -236,7 +236,7 @@ impl<'s> HodgeSolver<'s> {
         Ok(parts)
     }
 
-    /// Splits a field whose components are of moderate size.
+    /// Decomposes a field whose components are of moderate magnitude.
     fn decompose_near_one(&self, field: &FaceField) -> Result<Decomposition, OperatorError> {
         let harmonic_coefficients = self.basis.coefficients(self.surface, field)?;
         let harmonic = self.basis.combination(field.len(), &harmonic_coefficients);
@@ -270,10 +270,10 @@ impl<'s> HodgeSolver<'s> {
         })
     }
 
-    /// Splits many fields, in parallel; each as [`decompose`](Self::decompose) would.
+    /// Decomposes many fields, in parallel; each as [`decompose`](Self::decompose) would.
     ///
     /// # Errors
-    /// Those of [`decompose`](Self::decompose), for the first field in order that has one.
+    /// Those of [`decompose`](Self::decompose), for the first field that has one.
     pub fn decompose_many(&self, fields: &[FaceField]) -> Result<Vec<Decomposition>, OperatorError> {
         let parts: Vec<_> = fields.par_iter().map(|field| self.decompose(field)).collect();
         parts.into_iter().collect()
@@ -309,7 +309,7 @@ impl<'s> HodgeSolver<'s> {
     }
 }
 
-/// Solves for two right-hand sides at once, the first in place; gives `xᵀ b` of the second, where `L x = b`.
+/// Solves for two right-hand sides at once, the first in place; returns `xᵀ b` for the second, where `L x = b`.
 ///
 /// That is `xᵀ L x`, the squared norm of the gradient of x.
 fn solve_with<I>(

@@ -4,15 +4,15 @@ use pompeiu_operators::hodge::DirichletPotential;
 use pompeiu_operators::{Boundary, Splitting};
 use pompeiu_surface::SurfaceMesh;
 
-/// The dimensions of the spaces, with one function space for each potential and with a single one for both.
+/// The dimensions of the spaces: with a different function space for each potential, and with a single one for both.
 ///
-/// Fields have two degrees of freedom on each face. Gradients of continuous functions, rotated gradients of functions that
-/// agree at midpoints, and harmonic fields fill them exactly. With continuous functions for both, too few are covered: the
-/// residual is counted as harmonic though it has nothing to do with the topology, and its dimension grows with the number of faces. With
-/// functions that agree at midpoints for both there are more unknowns than degrees of freedom, the two ranges are not
-/// orthogonal, and the parts of a field are not determined.
+/// Fields have two degrees of freedom on each face. Gradients of continuous functions, rotated gradients of functions continuous at
+/// midpoints, and harmonic fields together span them exactly. With continuous functions for both potentials the span is too small:
+/// the residual has nothing to do with the topology, and its dimension grows with the number of faces. With functions continuous at
+/// midpoints for both there are more unknowns than degrees of freedom, the two ranges are not orthogonal, and the parts of a field
+/// are not unique.
 ///
-/// Counted from the numbers of elements, not measured; the tests compare with ranks.
+/// Computed from the numbers of elements; the tests compare with numerical ranks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(into = "crate::data::Dimensions"))]
@@ -21,7 +21,7 @@ pub struct DegreesOfFreedom {
     pub total: usize,
     /// Dimension of the harmonic fields: 2g for each closed component, 2g + b − 1 for one with b boundary loops.
     pub harmonic: usize,
-    /// `G_v a + J G_e b`: the mixture that fills all but the harmonic fields.
+    /// `G_v a + J G_e b`: the mixed spaces, which span the orthogonal complement of the harmonic fields.
     pub mixed: Ranks,
     /// `G_v a + J G_v c`.
     pub conforming: Ranks,
@@ -38,7 +38,7 @@ pub struct Ranks {
     pub gradient: usize,
     /// Dimension of the rotated gradients.
     pub rotated: usize,
-    /// Degrees of freedom less both ranks: equal to the harmonic dimension if the splitting is right, below zero if ranges
+    /// Degrees of freedom minus both ranks: equal to the harmonic dimension for a correct splitting, negative if the ranges
     /// overlap.
     pub residual_dimension: isize,
 }
@@ -51,7 +51,7 @@ impl DegreesOfFreedom {
         let closed = loops.iter().filter(|&&b| b == 0).count();
         let inner_vertices = mesh.vertex_ids().filter(|&v| !mesh.is_boundary_vertex(v)).count();
         let inner_edges = mesh.edge_ids().filter(|&e| !mesh.is_boundary_edge(e)).count();
-        // Without a condition every component has its constant in the kernel, with one only closed components have.
+        // Without a boundary condition, constants on every component are in the kernel; with one, only those on closed components.
         let vertices = [mesh.vertices() - mesh.components(), inner_vertices - closed];
         let edges = [mesh.edges() - mesh.components(), inner_edges - closed];
         let total = 2 * mesh.faces();
@@ -72,7 +72,7 @@ impl DegreesOfFreedom {
         Self { total, harmonic: 2 * mesh.genus() + holes, mixed, conforming, nonconforming }
     }
 
-    /// Whether the mixed splitting adds up: it must, on every surface.
+    /// Whether the dimensions of the mixed splitting add up, as they must on every surface.
     pub fn adds_up(&self) -> bool {
         self.mixed.residual_dimension == self.harmonic.cast_signed()
     }

@@ -15,9 +15,9 @@
 //! |---|---|
 //! | [`DecompositionOptions`] | which decomposition |
 //! | [`HodgeSolver`] | a surface factored once, to decompose many fields |
-//! | [`Decomposition`], [`Quality`] | the three parts and potentials, and how far each part can be from the true one |
-//! | [`DegreesOfFreedom`] | the dimensions of the spaces, counted: why a single function space is not enough |
-//! | [`SingleSpaceSolver`] | the decomposition with a single function space, to show what goes wrong |
+//! | [`Decomposition`], [`Quality`] | the three parts and potentials, and a bound on the error of each part |
+//! | [`DegreesOfFreedom`] | the dimensions of the spaces: why a single function space is not enough |
+//! | [`SingleSpaceSolver`] | the decomposition with a single function space, to show how it fails |
 #![cfg_attr(feature = "figures", doc = "| [`show`] | pages and pictures of a decomposition |")]
 //!
 //! ```

@@ -1,18 +1,18 @@
-//! Fields of any size, by powers of two.
+//! Scaling of fields by powers of two.
 
 use pompeiu_operators::{FaceField, OperatorError};
 
-/// The field times the power of two that brings its largest component between 1 and 2, and the exponent of the inverse; a
-/// field of zeros as it is.
+/// The field scaled by the power of two that brings its largest component between 1 and 2, and the exponent of the inverse; a zero
+/// field is unchanged.
 ///
-/// Squared lengths of what comes out neither overflow nor underflow, whatever the size of the field. Nothing is rounded but
-/// components below `2^-1022` of the largest.
+/// Squared lengths of the result neither overflow nor underflow, whatever the magnitude of the field. Only components below
+/// `2^-1022` of the largest are rounded.
 pub(crate) fn normalized(field: &FaceField) -> (FaceField, i32) {
     let exponent = exponent(largest(field));
     (field.map(|&u| u.map(|x| times_power_of_two(x, -exponent))), exponent)
 }
 
-/// Undoes [`normalized`] on what was computed, which is linear in the field.
+/// Undoes [`normalized`] on a result that is linear in the field.
 ///
 /// # Errors
 /// [`OperatorError::FieldTooLarge`] if a result exceeds the range of doubles.
@@ -34,7 +34,7 @@ fn largest(field: &FaceField) -> f64 {
 /// The exponent of the greatest power of two that is at most `x`; 0 for 0.
 fn exponent(x: f64) -> i32 {
     const BIAS: i32 = 1023;
-    /// Makes the least subnormal number a normal one.
+    /// Scales the least subnormal number into the normal range.
     const SHIFT: i32 = 64;
     if x == 0.0 {
         0

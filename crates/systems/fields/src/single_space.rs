@@ -1,4 +1,4 @@
-//! The decomposition with a single function space for both potentials, which fails.
+//! The decomposition with a single function space for both potentials, which is incorrect.
 
 use crate::scale::{normalized, restore};
 use pompeiu_core::mesh::ElementData;
@@ -16,7 +16,7 @@ use pompeiu_surface::Surface;
 pub enum FunctionSpace {
     /// Continuous: one value at each vertex.
     Conforming,
-    /// Agreeing at midpoints of edges: one value at each edge.
+    /// Continuous at midpoints of edges: one value at each edge.
     Nonconforming,
 }
 
@@ -25,11 +25,11 @@ pub enum FunctionSpace {
 /// For comparison only; use [`HodgeSolver`](crate::HodgeSolver) to decompose fields.
 ///
 /// # Limits
-/// *Conforming:* the two ranges are orthogonal but too small. The residual is not harmonic: on a torus of 768
-/// faces it has 770 dimensions instead of 2, so that even a rotated gradient of a function that agrees at midpoints leaves some.
+/// *Conforming:* the two ranges are orthogonal but too small. The residual is not harmonic: on a torus of 768 faces it has 770
+/// dimensions instead of 2, so that even the rotated gradient of a function continuous at midpoints has a residual.
 ///
-/// *Nonconforming:* the two ranges overlap. The gradient of such a function also has a part among the rotated
-/// gradients, so the two parts are not orthogonal and do not add up to the field.
+/// *Nonconforming:* the two ranges overlap. The gradient of such a function also has a component among the rotated gradients, so
+/// the two parts are not orthogonal and do not add up to the field.
 ///
 /// # Source
 /// `wardetzky_discrete_2006`.
@@ -57,7 +57,7 @@ pub struct SingleSpaceParts {
 }
 
 impl<'s> SingleSpaceSolver<'s> {
-    /// Assembles and factors the Laplacian, twice: with the condition at the boundary and without.
+    /// Assembles and factors the Laplacian with and without the boundary condition.
     ///
     /// # Errors
     /// [`OperatorError::Solve`] if it cannot be factored, which very thin faces can cause.

@@ -1,4 +1,4 @@
-//! Whether directions and finite motions agree: random puzzles of 4 to 9 pieces, tested by `lock` and shaken.
+//! Compares infinitesimal and finite motions: random puzzles of 4 to 9 pieces, tested by `lock` and by shaking.
 //!
 //! ```sh
 //! cargo run --release --package pompeiu-puzzle --example motions -- 1000 bench/record/motions.csv
@@ -12,7 +12,7 @@ use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-/// Kicks for each puzzle.
+/// Random displacements for each puzzle.
 const TRIES: usize = 24;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -23,7 +23,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         .map(|seed| {
             let puzzle = random_puzzle(seed)?;
             let (proof, moves) = (lock(&puzzle).proof, shake(&puzzle, TRIES, seed).is_some());
-            // A shallow lock is not felt: how deep are those that moved?
+            // Shaking cannot detect a shallow lock: record the depth of those that moved.
             let is_locked = matches!(proof, Proof::Merging | Proof::Multipliers);
             let depth = (is_locked && moves).then(|| report(&puzzle).depth).flatten();
             Ok((seed, puzzle.pieces(), proof, moves, depth))
@@ -49,7 +49,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     Ok(())
 }
 
-/// A puzzle of which some borders are straight and some have a tab with a corner broken off.
+/// A puzzle in which some borders are straight and some have a tab with a corner cut off.
 fn random_puzzle(seed: u64) -> Result<Puzzle, PuzzleError> {
     let mut random = Random::new(seed);
     let tab = if seed.is_multiple_of(2) { Tab::Knob } else { Tab::Dovetail };
@@ -68,7 +68,7 @@ fn random_puzzle(seed: u64) -> Result<Puzzle, PuzzleError> {
             }
             _ => continue,
         }
-        // A tab of another border may be in the way.
+        // The tab may collide with that of another border.
         puzzle = puzzle.with_border(border, &course).unwrap_or(puzzle);
     }
     Ok(puzzle)

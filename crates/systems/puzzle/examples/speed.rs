@@ -1,4 +1,4 @@
-//! Processor and wall-clock time of one part, as JSON, for `bench/planar`.
+//! Processor time and wall time of one part, as JSON, for `bench/planar`.
 //!
 //! ```sh
 //! cargo run --release --package pompeiu-puzzle --example speed -- map
@@ -14,7 +14,7 @@ use std::time::Instant;
 
 type Outcome<T> = Result<T, Box<dyn std::error::Error>>;
 
-/// How often a part is done.
+/// Number of repetitions.
 const REPEATS: u32 = 20;
 
 fn main() -> Outcome<()> {
@@ -27,7 +27,7 @@ fn main() -> Outcome<()> {
     }
 }
 
-/// Milliseconds of processor time that this process has taken.
+/// Processor time of this process so far, in milliseconds.
 fn processor() -> f64 {
     let text = std::fs::read_to_string("/proc/self/stat").unwrap_or_default();
     // After the name in parentheses: the 12th and 13th fields, in hundredths of a second.
@@ -36,7 +36,7 @@ fn processor() -> f64 {
     10.0 * (ticks(11) + ticks(12))
 }
 
-/// Milliseconds of processor time and by the clock that a part takes, the mean of some repeats.
+/// Mean processor time and wall time of a part, in milliseconds, over some repetitions.
 fn timed(mut part: impl FnMut()) -> (f64, f64) {
     part();
     let (before, started) = (processor(), Instant::now());
@@ -45,7 +45,7 @@ fn timed(mut part: impl FnMut()) -> (f64, f64) {
     ((processor() - before) / f64::from(REPEATS), wall / f64::from(REPEATS))
 }
 
-/// The first half of the points on the second one.
+/// Registers the first half of the points on the second half.
 fn registration(path: &str) -> Outcome<()> {
     let text = std::fs::read_to_string(path)?;
     let points: Vec<Point> = text
@@ -75,7 +75,7 @@ fn map() -> Outcome<()> {
     Ok(())
 }
 
-/// A round of Lloyd's method on a million pixels: 24² for each piece, so that 1,736 sites are needed. The borders at the end count, too.
+/// A round of Lloyd's method on a million pixels: 24² per piece, hence 1,736 sites. Includes the borders at the end.
 fn lloyd() -> Outcome<()> {
     let options =
         PuzzleOptions { pieces: 1736, size: [1.0, 1.0], tab: Tab::None, ..PuzzleOptions::default() };

@@ -1,44 +1,44 @@
-//! Why a puzzle cannot be made.
+//! Errors of making puzzles.
 
-/// Why a puzzle cannot be made as asked.
+/// Why a puzzle cannot be made.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum PuzzleError {
-    /// A number of pieces that is none.
+    /// The number of pieces is out of range.
     #[error("{found} pieces are asked for; there must be at least 2 and at most {most}")]
     Pieces {
-        /// Pieces asked for.
+        /// Requested number.
         found: usize,
-        /// The most there can be.
+        /// Largest number.
         most: usize,
     },
-    /// A size that is none.
+    /// An option is out of range.
     #[error("the {what} is {value}; {expected}")]
     Option {
-        /// What it is.
+        /// The option.
         what: &'static str,
         /// Its value.
         value: f64,
-        /// What it must be.
+        /// The valid range.
         expected: &'static str,
     },
-    /// An outline that crosses itself.
+    /// The outline crosses itself.
     #[error("the outline crosses itself: side {} meets side {} near ({}, {})", sides[0], sides[1], place[0], place[1])]
     Crossing {
         /// The sides, each named by the corner that it starts from.
         sides: [usize; 2],
-        /// About where it is.
+        /// Approximate place.
         place: [f64; 2],
     },
-    /// A piece shape that crosses itself.
+    /// The piece shape crosses itself.
     #[error("the piece shape crosses itself: side {} meets side {} near ({}, {})", sides[0], sides[1], place[0], place[1])]
     PieceCrossing {
         /// The sides, each named by the corner that it starts from.
         sides: [usize; 2],
-        /// About where it is.
+        /// Approximate place.
         place: [f64; 2],
     },
-    /// Cells so narrow that the lattice cannot tell their corners apart.
+    /// Cells are so narrow that their corners coincide on the lattice.
     #[error(
         "the cells are too narrow for the lattice of corners: piece {piece} has no area; ask for fewer pieces"
     )]
@@ -46,7 +46,7 @@ pub enum PuzzleError {
         /// The piece.
         piece: usize,
     },
-    /// A border that cannot take another course.
+    /// A new course of a border is invalid.
     #[error("border {border} cannot take this course: {why}")]
     Border {
         /// The border.
@@ -54,25 +54,25 @@ pub enum PuzzleError {
         /// What is wrong.
         why: &'static str,
     },
-    /// A whimsy without room.
+    /// There is no room for a whimsy.
     #[error(
         "whimsy {index} finds no room of twice the area of a piece within the outline; ask for more pieces or fewer whimsies"
     )]
     Whimsy {
-        /// Its place in the list.
+        /// Its index.
         index: usize,
     },
-    /// Pieces that leave no outline in one part.
+    /// Whole copies of the shape form no connected outline without holes.
     #[error(
         "whole copies of the shape make no outline of one part without holes here; ask for another number of pieces"
     )]
     Outline,
-    /// More memory than there may be.
+    /// The memory limit is too small.
     #[error("the pieces need {needed} bytes of memory, and {limit} are allowed")]
     Memory {
-        /// What is needed.
+        /// Bytes needed.
         needed: usize,
-        /// What is allowed.
+        /// Bytes allowed.
         limit: usize,
     },
 }

@@ -1,19 +1,22 @@
 //! Jigsaw puzzles whose pieces tile exactly, and what holds them together.
 //!
-//! All corners lie on a lattice of integers, so that areas add up without rounding and the test of what can move is exact.
+//! All corners lie on an integer lattice, so that areas add up without rounding and the test for motions is exact.
 //!
 //! | item | what it is |
 //! |---|---|
-//! | [`make`], [`PuzzleOptions`], [`Layout`], [`Tab`] | puzzles on a rectangle: squares, hexagons, Voronoi cells, with tabs |
-//! | [`make_like`], [`PieceShape`], [`Method`], [`Like`] | pieces as near to a given shape as they can be, and how near they are |
-//! | [`gauge`], [`Map`], [`register`] | the shape-matching metric, its table, the similarity that brings points onto others |
-//! | [`Puzzle`], [`Border`] | the pieces, and each border between two of them once |
-//! | [`lock`], [`Lock`], [`Proof`] | which pieces cannot be moved against each other, all motions at once, and how a puzzle comes apart |
-//! | [`kerf`], [`Kerf`] | whether pieces still hold each other with the gap that a cut leaves |
-//! | [`take_apart`], [`Motion`], [`shake`] | how a free puzzle comes apart, step by step; pieces that are shaken |
-//! | [`PuzzleReport`], [`report`] | what is said of a puzzle |
-//! | [`pieces_svg`], [`cuts_svg`], [`pieces_dxf`], [`cuts_dxf`], [`pieces_png`], [`Print`] | what is cut, and pieces with a picture on them |
-//! | [`motion_svg`], [`motion_png`], [`page`] | what is looked at and played with |
+//! | [`make`], [`PuzzleOptions`], [`Layout`], [`Tab`] | puzzles in a rectangle or outline: squares, hexagons, Voronoi cells, with
+//! tabs |
+//! | [`make_like`], [`PieceShape`], [`Method`], [`Like`] | pieces as similar to a given shape as possible, and their similarity |
+//! | [`gauge`], [`Map`], [`register`] | the shape-matching metric, its table, registration of point sets by similarities |
+//! | [`Puzzle`], [`Border`] | the pieces and their common borders, each stored once |
+//! | [`lock`], [`Lock`], [`Proof`] | which pieces cannot move relative to each other in any joint motion, and a motion that takes a
+//! puzzle apart |
+//! | [`kerf`], [`Kerf`] | whether pieces still hold each other with the gap left by a cut |
+//! | [`take_apart`], [`Motion`], [`shake`] | the motion by which a free puzzle comes apart, step by step; random shaking |
+//! | [`PuzzleReport`], [`report`] | the report of a puzzle |
+//! | [`pieces_svg`], [`cuts_svg`], [`pieces_dxf`], [`cuts_dxf`], [`pieces_png`], [`Print`] | drawings for cutting, and pieces with
+//! a picture on them |
+//! | [`motion_svg`], [`motion_png`], [`page`] | drawings of the motion, and an interactive page |
 //!
 //! ```
 //! use pompeiu_puzzle::{PuzzleOptions, Tab, lock, make};

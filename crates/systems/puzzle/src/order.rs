@@ -1,20 +1,22 @@
-//! The order in which borders are cut.
+//! The cutting order of borders.
 
 use crate::Puzzle;
 use pompeiu_planar::Point;
 
-/// A border to cut, and whether from its end to its start.
+/// A border to cut, and whether it is cut from its end to its start.
 pub(crate) type Cut = (usize, bool);
 
-/// The borders in an order that keeps pieces in place, each from the end that is nearer: those between pieces first, then the outline.
+/// The borders in an order that keeps pieces in place, each starting at its nearer end: those between pieces first, then the
+/// outline.
 ///
 /// # Definition
-/// What is not cut yet joins pieces with each other and, along the outline, with the sheet. Borders of a spanning tree of that graph, rooted in the
-/// sheet, may be cut only when all other borders of the piece on their far side are; all others at any time. So whatever is loose is one
-/// piece that is cut all round: no border of it is cut after it can move. Among those that may be cut, the nearest one comes next.
+/// Uncut borders join pieces with each other and, along the outline, with the sheet. Borders of a spanning tree of that graph,
+/// rooted in the sheet, may be cut only after all other borders of the piece at their far end; all others at any time. So anything
+/// loose is one piece that is completely cut: no border of it is cut after it can move. Among the borders that may be cut, the
+/// nearest comes next.
 ///
 /// # Cost
-/// Borders squared.
+/// The square of the number of borders.
 pub(crate) fn cutting_order(puzzle: &Puzzle) -> Vec<Cut> {
     let n = puzzle.pieces();
     let borders = puzzle.borders();
@@ -57,12 +59,12 @@ pub(crate) fn cutting_order(puzzle: &Puzzle) -> Vec<Cut> {
     order
 }
 
-/// Whether a border may be cut: it is none of the tree, or the last one of the piece beyond it.
+/// Whether a border may be cut: it is not in the tree, or is the last border of the piece at its far end.
 fn is_free(child: Option<usize>, uncut: &[usize]) -> bool {
     child.is_none_or(|piece| uncut[piece] == 1)
 }
 
-/// For each piece the border through which the sheet is reached: along the outline, or to the neighbour that is one step nearer.
+/// For each piece the border towards the sheet: along the outline, or to the neighbour one step nearer.
 fn tree(puzzle: &Puzzle) -> Vec<Option<usize>> {
     let mut parent: Vec<Option<usize>> = vec![None; puzzle.pieces()];
     let mut front = std::collections::VecDeque::new();
@@ -104,7 +106,7 @@ mod tests {
                 let is_outline = puzzle.borders()[*border].right.is_none();
                 outline_begun |= is_outline;
                 inside_after += usize::from(outline_begun && !is_outline);
-                // What the sheet still holds.
+                // The pieces that the sheet still holds.
                 let mut held: BTreeSet<usize> = BTreeSet::new();
                 loop {
                     let before = held.len();

@@ -1,4 +1,4 @@
-//! Pieces, and each border between two of them once.
+//! Pieces and their common borders, each stored once.
 
 use crate::PuzzleError;
 use crate::space::Space;
@@ -8,25 +8,25 @@ use std::collections::BTreeMap;
 /// A corner on the lattice.
 pub(crate) type Corner = [i64; 2];
 
-/// A border: between two pieces, or between a piece and what is around the puzzle.
+/// A border between two pieces, or between a piece and the outside.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Border {
     /// Its corners on the lattice, ends included.
     pub(crate) corners: Vec<Corner>,
     /// The piece on its left.
     pub left: usize,
-    /// The piece on its right; none where the puzzle ends.
+    /// The piece on its right; `None` on the outline.
     pub right: Option<usize>,
 }
 
-/// A puzzle: borders, each once, and the pieces they bound.
+/// A puzzle: borders, each stored once, and the pieces that they bound.
 ///
-/// Corners have integer coordinates on a lattice, at most 2^22 steps across; [`Puzzle::step`] is its step in the unit of the outline. So areas
-/// are exact, and what two pieces share is the same bits in both.
+/// Corners have integer coordinates on a lattice, at most 2^22 steps across; [`Puzzle::step`] is its step in the unit of the
+/// outline. So areas are exact, and common borders of two pieces are identical bit for bit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Puzzle {
     pub(crate) borders: Vec<Border>,
-    /// For each piece its borders counter-clockwise, and whether each runs backwards.
+    /// For each piece its borders counter-clockwise, and whether each is reversed.
     pub(crate) loops: Vec<Vec<(usize, bool)>>,
     pub(crate) step: f64,
     pub(crate) size: [i64; 2],
@@ -42,13 +42,13 @@ impl Puzzle {
         self.loops.len()
     }
 
-    /// The pieces whose outlines were given, see [`crate::PuzzleOptions::whimsies`].
+    /// The pieces with given outlines, see [`crate::PuzzleOptions::whimsies`].
     pub fn whimsies(&self) -> &[usize] {
         &self.whimsies
     }
 
-    /// The puzzle of some pieces, without the others: what was between both becomes part of the outline. None where they are not
-    /// one part without holes.
+    /// The puzzle of some pieces: borders to the others become part of the outline. `None` if these pieces are not connected or
+    /// have holes.
     pub(crate) fn of_pieces(&self, pieces: &[usize]) -> Option<Self> {
         let mut number = vec![None; self.pieces()];
         for (new, old) in pieces.iter().enumerate() {
@@ -106,7 +106,7 @@ impl Puzzle {
         self.size.map(|x| x as f64 * self.step)
     }
 
-    /// The mean area of a piece, under the root: the length A that tabs and depths are measured by.
+    /// The square root of the mean area of a piece: the unit of length for tabs and depths.
     pub fn unit(&self) -> f64 {
         (self.outline_area() / self.pieces() as f64).sqrt()
     }
@@ -125,7 +125,7 @@ impl Puzzle {
         corner.map(|x| x as f64 * self.step)
     }
 
-    /// The corners of a piece, counter-clockwise where y goes up.
+    /// The corners of a piece, counter-clockwise with y upwards.
     pub(crate) fn corners(&self, piece: usize) -> Vec<Corner> {
         let mut all = Vec::new();
         for (border, is_reversed) in &self.loops[piece] {
@@ -140,7 +140,7 @@ impl Puzzle {
         all
     }
 
-    /// The points of a piece, counter-clockwise where y goes up.
+    /// The points of a piece, counter-clockwise with y upwards.
     pub fn outline(&self, piece: usize) -> Vec<Point> {
         self.corners(piece).into_iter().map(|corner| self.point(corner)).collect()
     }
@@ -150,7 +150,7 @@ impl Puzzle {
         doubled(&self.corners(piece))
     }
 
-    /// The corners of what is around the puzzle, counter-clockwise where y goes up.
+    /// The corners of the outline, counter-clockwise with y upwards.
     pub fn outer(&self) -> Vec<Point> {
         let mut around: BTreeMap<Corner, &[Corner]> = BTreeMap::new();
         for border in self.borders.iter().filter(|border| border.right.is_none()) {
@@ -187,7 +187,8 @@ impl Puzzle {
     /// The same puzzle with another course of one border between two pieces, rounded to the lattice; its ends stay.
     ///
     /// # Errors
-    /// [`PuzzleError::Border`] for a border of the outline or none at all, other ends, and a course that meets itself or another border.
+    /// [`PuzzleError::Border`] if the border is part of the outline or does not exist, if the ends differ, or if the course meets
+    /// itself or another border.
     pub fn with_border(&self, border: usize, course: &[Point]) -> Result<Self, PuzzleError> {
         let wrong = |why| Err(PuzzleError::Border { border, why });
         let Some(old) = self.borders.get(border).filter(|old| old.right.is_some()) else {
@@ -209,7 +210,7 @@ impl Puzzle {
         Ok(changed)
     }
 
-    /// The same puzzle with borders made simpler: corners that lie within a distance of the chord are left out, ends stay.
+    /// The same puzzle with simplified borders: corners within a distance of the chord are removed, ends stay.
     #[must_use]
     pub fn simplified(&self, distance: f64) -> Self {
         let mut simple = self.clone();
@@ -220,7 +221,7 @@ impl Puzzle {
     }
 }
 
-/// Twice the area that corners enclose.
+/// Twice the area enclosed by corners.
 fn doubled(corners: &[Corner]) -> i128 {
     let next = corners.iter().cycle().skip(1);
     let cross = |(a, b): (&Corner, &Corner)| {
@@ -229,13 +230,13 @@ fn doubled(corners: &[Corner]) -> i128 {
     corners.iter().zip(next).map(cross).sum()
 }
 
-/// Douglas and Peucker's choice of corners (`douglas_algorithms_1973`).
+/// Simplification by Douglas and Peucker (`douglas_algorithms_1973`).
 pub(crate) fn simplify(corners: &[Corner], distance: f64) -> Vec<Corner> {
     let points: Vec<Point> = corners.iter().map(|c| c.map(|x| x as f64)).collect();
     corners.iter().zip(kept(&points, distance)).filter_map(|(corner, keep)| keep.then_some(*corner)).collect()
 }
 
-/// The same of points.
+/// The same for points.
 pub(crate) fn simplify_points(points: &[Point], distance: f64) -> Vec<Point> {
     points.iter().zip(kept(points, distance)).filter_map(|(point, keep)| keep.then_some(*point)).collect()
 }

@@ -1,71 +1,72 @@
-//! What is said of a puzzle.
+//! The report of a puzzle.
 
 use crate::{Kerf, Like, Lock, Proof, Puzzle, lock};
 use std::time::{Duration, Instant};
 
-/// What is said of a puzzle. Lengths are in the unit of its outline.
+/// The report of a puzzle. Lengths are in the unit of its outline.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct PuzzleReport {
     /// The pieces.
     pub pieces: Vec<PieceReport>,
-    /// Clusters of pieces that cannot move against each other, each as a list of pieces.
+    /// Clusters of pieces that cannot move relative to each other, each as a list of pieces.
     pub clusters: Vec<Vec<usize>>,
-    /// Whether no piece can move against another one, over all motions at once.
+    /// Whether no piece can move relative to another one, tested for every joint motion of the pieces.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub locked: bool,
-    /// How that is known: `merging`, `one_moves` and `multipliers` in integers, `several_move` in double precision, `undecided`.
+    /// How that was decided: `merging`, `one_moves` and `multipliers` in integers, `several_move` in double precision, `undecided`.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub proof: Proof,
-    /// The greatest length tried below which all detail of the borders may be lost while the puzzle stays locked, relative to the root of
-    /// the mean area of a piece; 0 where it holds only as it is drawn, `null` where it is not locked.
+    /// The greatest tested length such that the puzzle stays locked after details of that size are removed from the borders,
+    /// relative to the square root of the mean area of a piece; 0 if no tested simplification stays locked, `null` if the puzzle is
+    /// not locked.
     pub depth: Option<f64>,
-    /// What is left of that with a cut of some width; absent where none was asked for.
+    /// The test with a cut of some width; absent unless requested.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub kerf: Option<Kerf>,
-    /// What was found of motions, for [`crate::take_apart`].
+    /// The result of the lock test, for [`crate::take_apart`].
     #[cfg_attr(feature = "serde", serde(skip))]
     pub found: Lock,
-    /// Borders between pieces that are straight.
+    /// Number of straight borders between pieces.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub straight_borders: usize,
     /// Areas.
     pub area: AreaReport,
-    /// The energy of each step of placing pieces like a shape, see [`Like::energy`]; empty without a shape.
+    /// The energy after each step of placing pieces of a given shape, see [`Like::energy`]; empty without a shape.
     pub energy: Vec<f64>,
     /// Time spent on each part.
     #[cfg_attr(feature = "serde", serde(rename = "timing_ms"))]
     pub timing: Timing,
 }
 
-/// What is said of a piece.
+/// The report of a piece.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct PieceReport {
-    /// Its number, from 0.
+    /// Its index, from 0.
     pub id: usize,
     /// Its area.
     pub area: f64,
-    /// The number of corners of its outline; where they lie is in the drawings.
+    /// The number of corners of its outline; the drawings contain their positions.
     pub outline_points: usize,
     /// The pieces that it shares a border with.
     pub neighbours: Vec<usize>,
-    /// How much it is like the shape that is asked for, at the best place found for that; `null` without a shape.
+    /// Its similarity to the requested shape in the best pose found; `null` without a shape.
     pub similarity: Option<Similarity>,
-    /// Whether it stays where it is while all pieces may move: `locked` if it belongs to the largest cluster, else `free`.
+    /// `locked` if it belongs to the largest cluster, otherwise `free`.
     pub lock: &'static str,
-    /// A motion that moves it: velocity at the origin and angular velocity. Empty where none is known.
+    /// A motion of the piece: velocity at the origin and angular velocity. Empty if none is known.
     pub escape: Vec<f64>,
 }
 
-/// How much a piece is like the shape that is asked for.
+/// The similarity of a piece to the requested shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Similarity {
-    /// The area that piece and shape have in common over the area of what either has.
+    /// Intersection over union: the common area of piece and shape over the area of their union.
     pub iou: f64,
     /// The Pompeiu–Hausdorff distance of their curves.
     pub hausdorff: f64,
@@ -94,24 +95,24 @@ pub struct Timing {
     #[cfg_attr(feature = "serde", serde(serialize_with = "pompeiu_core::run::as_milliseconds::serialize"))]
     #[cfg_attr(feature = "schema", schemars(with = "f64"))]
     pub make: Duration,
-    /// The test of what can move.
+    /// The lock test.
     #[cfg_attr(feature = "serde", serde(serialize_with = "pompeiu_core::run::as_milliseconds::serialize"))]
     #[cfg_attr(feature = "schema", schemars(with = "f64"))]
     pub lock: Duration,
-    /// The same test on simpler borders.
+    /// The lock test on simplified borders.
     #[cfg_attr(feature = "serde", serde(serialize_with = "pompeiu_core::run::as_milliseconds::serialize"))]
     #[cfg_attr(feature = "schema", schemars(with = "f64"))]
     pub depth: Duration,
-    /// All of it.
+    /// Everything.
     #[cfg_attr(feature = "serde", serde(serialize_with = "pompeiu_core::run::as_milliseconds::serialize"))]
     #[cfg_attr(feature = "schema", schemars(with = "f64"))]
     pub total: Duration,
 }
 
-/// Depths that are tried, over the root of the mean area of a piece.
+/// Tested depths, relative to the square root of the mean area of a piece.
 const DEPTHS: [f64; 7] = [0.005, 0.01, 0.02, 0.03, 0.05, 0.08, 0.12];
 
-/// Tests a puzzle of pieces like a shape and says all of it.
+/// Tests a puzzle with pieces of a given shape and reports the results.
 pub fn report_like(like: &Like) -> PuzzleReport {
     let mut report = report(&like.puzzle);
     for (piece, fit) in report.pieces.iter_mut().zip(&like.fits) {
@@ -121,7 +122,7 @@ pub fn report_like(like: &Like) -> PuzzleReport {
     report
 }
 
-/// Tests a puzzle and says all of it.
+/// Tests a puzzle and reports the results.
 pub fn report(puzzle: &Puzzle) -> PuzzleReport {
     let started = Instant::now();
     let found = lock(puzzle);

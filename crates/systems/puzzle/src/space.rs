@@ -1,11 +1,11 @@
-//! Where borders are, so that what replaces one meets no other.
+//! The segments of all borders, to test that a new course of a border meets no other.
 
 use crate::Puzzle;
 use crate::puzzle::Corner;
 use pompeiu_planar::segments_meet;
 use std::collections::BTreeMap;
 
-/// The segments of all borders, by the cells of a grid.
+/// The segments of all borders, in the cells of a grid.
 pub(crate) struct Space {
     side: i64,
     cells: BTreeMap<[i64; 2], Vec<(usize, [Corner; 2])>>,
@@ -20,7 +20,7 @@ impl Space {
         space
     }
 
-    /// The cells that the box of a segment meets.
+    /// The grid cells that overlap the bounding box of a segment.
     fn around(&self, [a, b]: [Corner; 2]) -> impl Iterator<Item = [i64; 2]> + use<> {
         let cell = |x: i64| x.div_euclid(self.side);
         let low = [0, 1].map(|k| cell(a[k].min(b[k])));
@@ -46,7 +46,7 @@ impl Space {
         self.insert(border, path);
     }
 
-    /// Whether a path that would replace a border meets no other border but in its ends, and not itself.
+    /// Whether a path that would replace a border meets other borders only at its ends, and does not meet itself.
     pub(crate) fn is_free(&self, border: usize, path: &[Corner]) -> bool {
         let last = path.len() - 2;
         let ends = [path[0], path[last + 1]];
@@ -61,7 +61,7 @@ impl Space {
                 && self.around(segment).all(|cell| {
                     let near = self.cells.get(&cell).into_iter().flatten();
                     near.filter(|(other, _)| *other != border).all(|(_, other)| {
-                        // The first and the last segment may touch what ends where they end, and no more than that.
+                        // The first and the last segment may touch segments that share the end point, and only there.
                         let shared = ends.iter().any(|e| other.contains(e) && segment.contains(e));
                         if shared { !overlaps(segment, *other) } else { !meet(segment, *other) }
                     })
@@ -71,11 +71,11 @@ impl Space {
 }
 
 fn meet(a: [Corner; 2], b: [Corner; 2]) -> bool {
-    // Integers below 2^53 are doubles.
+    // Integers below 2^53 are exact as doubles.
     segments_meet(a.map(|p| p.map(|x| x as f64)), b.map(|p| p.map(|x| x as f64)))
 }
 
-/// Whether two segments that share an end run along each other.
+/// Whether two segments with a common end overlap.
 fn overlaps([a, b]: [Corner; 2], [c, d]: [Corner; 2]) -> bool {
     let (u, v) = ([b[0] - a[0], b[1] - a[1]], [d[0] - c[0], d[1] - c[1]]);
     let cross = u[0] * v[1] - u[1] * v[0];

@@ -1,6 +1,6 @@
-//! The best medoids of all.
+//! Optimal medoids by exhaustive search.
 
-/// Most distances that trying all choices may look at.
+/// Largest number of distance evaluations for an exhaustive search.
 const MOST_WORK: f64 = 2e7;
 
 /// Whether all choices of medoids can be tried.
@@ -15,10 +15,11 @@ pub(super) fn is_small(n: usize, count: usize) -> bool {
     true
 }
 
-/// The least sum of distances to the nearest of so many medoids, and the first choice in order that has it. All choices are tried.
+/// The smallest sum of distances to the nearest of `count` medoids, and the lexicographically first choice that attains it. Tries
+/// all choices.
 ///
 /// # Shapes and units
-/// A square array of distances. With no point, or more medoids than points, the sum is 0 and there are no medoids.
+/// A square matrix of distances. Without points, or with more medoids than points, the sum is 0 and there are no medoids.
 pub fn optimal_medoids(distances: &[Vec<f64>], count: usize) -> (f64, Vec<usize>) {
     let n = distances.len();
     if count == 0 || count > n {
@@ -32,7 +33,7 @@ pub fn optimal_medoids(distances: &[Vec<f64>], count: usize) -> (f64, Vec<usize>
         if sum < best.0 {
             best = (sum, choice.clone());
         }
-        // The next choice in lexicographic order.
+        // The next combination in lexicographic order.
         let Some(i) = (0..count).rev().find(|i| choice[*i] < n - count + i) else { return best };
         choice[i] += 1;
         for j in i + 1..count {

@@ -1,20 +1,20 @@
-//! Descent by swaps of a medoid with another point.
+//! Local search by swaps of a medoid with another point.
 
-/// The nearest two medoids of a point, by their places in the list, with their distances.
+/// The two nearest medoids of a point, as positions in the list, with their distances.
 #[derive(Clone, Copy, Debug, Default)]
 struct Near {
     first: (usize, f64),
     second: (usize, f64),
 }
 
-/// Swaps medoids with other points while that makes the sum of distances to the nearest medoid less: the sum, and the medoids.
+/// Swaps medoids with other points while that reduces the sum of distances to the nearest medoid. Returns the sum and the medoids.
 ///
 /// # Shapes and units
-/// A square array of distances; different indices into it to start from.
+/// A square matrix of distances, and distinct indices of the initial medoids.
 ///
 /// # Definition
-/// Points are tried in their order, again and again; the best swap with the point at hand is done at once if the sum falls. It ends when no
-/// swap of one medoid makes the sum less.
+/// Points are tried repeatedly in their order; the best swap with the current point is made at once if it reduces the sum. The
+/// search ends when no swap of one medoid reduces the sum.
 ///
 /// # Cost
 /// n² for each round over all points, whatever the number of medoids.
@@ -68,13 +68,13 @@ pub fn faster_pam(distances: &[Vec<f64>], start: Vec<usize>) -> (f64, Vec<usize>
     (near.iter().map(|n| n.first.1).sum(), medoids)
 }
 
-/// Falls of the sum below this share of it are rounding, and could go on for ever.
+/// Reductions of the sum below this share are rounding errors, and could repeat forever.
 const ROUNDING: f64 = 1e-14;
 
 fn nearest(distances: &[Vec<f64>], medoids: &[usize], o: usize) -> Near {
     let mut near = Near { first: (0, f64::INFINITY), second: (0, f64::INFINITY) };
     for (i, m) in medoids.iter().enumerate() {
-        // A medoid is its own, even beside another one at the same place.
+        // A medoid belongs to its own cluster, even if another one has the same position.
         let d = if *m == o { -1.0 } else { distances[o][*m] };
         if d < near.first.1 {
             near.second = near.first;
@@ -87,7 +87,7 @@ fn nearest(distances: &[Vec<f64>], medoids: &[usize], o: usize) -> Near {
     near
 }
 
-/// By how much the sum grows when each medoid is removed.
+/// The increase of the sum when each medoid is removed.
 fn removal(near: &[Near], k: usize) -> Vec<f64> {
     let mut losses = vec![0.0; k];
     for n in near {
@@ -96,7 +96,7 @@ fn removal(near: &[Near], k: usize) -> Vec<f64> {
     losses
 }
 
-/// Medoids chosen one by one, each the one that makes the sum least.
+/// Medoids chosen greedily, each the one that reduces the sum most.
 pub(super) fn greedy(distances: &[Vec<f64>], count: usize) -> Vec<usize> {
     let n = distances.len();
     let mut medoids: Vec<usize> = Vec::with_capacity(count);

@@ -1,4 +1,4 @@
-//! Clusters around shapes of the set: k-medoids.
+//! Clusters by k-medoids: their centres are shapes of the set.
 
 mod exact;
 mod faster_pam;
@@ -19,36 +19,36 @@ use pompeiu_core::mesh::edit::Random;
 pub struct Clusters {
     /// Number of clusters.
     pub count: usize,
-    /// The features that distances are taken in, each with mean 0 and standard deviation 1.
+    /// The features for distances, each standardised to mean 0 and standard deviation 1.
     pub features: Vec<String>,
-    /// The shape in the middle of each cluster, by its place in `shapes`.
+    /// The medoid of each cluster, as an index into `shapes`.
     pub medoids: Vec<usize>,
     /// The cluster of each shape.
     pub labels: Vec<usize>,
-    /// The sum of distances from the shapes to the middles of their clusters.
+    /// The sum of distances from the shapes to the medoids of their clusters.
     pub loss: f64,
-    /// Whether no other choice of medoids has a smaller sum, proven by trying all.
+    /// Whether no other choice of medoids has a smaller sum, proven by exhaustive search.
     pub is_optimal: bool,
-    /// For each shape how much nearer it is to its own cluster than to the next one, from −1 to 1.
+    /// The silhouette of each shape, from −1 to 1: how much nearer it is to its own cluster than to the next one.
     pub silhouettes: Vec<f64>,
     /// Their mean.
     pub silhouette: f64,
 }
 
-/// Seeded starts beside the greedy one.
+/// Random starts in addition to the greedy one.
 const STARTS: usize = 20;
 
 /// Seed of the starts.
 const SEED: u64 = 2021;
 
-/// Clusters rows of features, after shifting and scaling each to mean 0 and standard deviation 1.
+/// Clusters rows of features, each standardised to mean 0 and standard deviation 1.
 ///
 /// # Definition
-/// Medoids that make the sum of Euclidean distances least: all choices are tried where they are few, and otherwise the best that
+/// Medoids that minimise the sum of Euclidean distances: all choices are tried where they are few; otherwise the best result that
 /// [`faster_pam`] reaches from the greedy start and from 20 random ones.
 ///
 /// # Errors
-/// [`ComplexityError::Clusters`] for no cluster, or more than rows.
+/// [`ComplexityError::Clusters`] for zero clusters, or more than rows.
 pub fn cluster(rows: &[Vec<f64>], features: &[String], count: usize) -> Result<Clusters, ComplexityError> {
     let n = rows.len();
     if count < 1 || count > n {
@@ -68,7 +68,7 @@ pub fn cluster(rows: &[Vec<f64>], features: &[String], count: usize) -> Result<C
     let nearest =
         |i: usize| (0..count).min_by(|a, b| distances[i][medoids[*a]].total_cmp(&distances[i][medoids[*b]]));
     let mut labels: Vec<usize> = (0..n).map(|i| nearest(i).unwrap_or(0)).collect();
-    // A medoid belongs to its own cluster, even beside another one at the same place.
+    // A medoid belongs to its own cluster, even if another one has the same position.
     for (label, medoid) in medoids.iter().enumerate() {
         labels[*medoid] = label;
     }
@@ -86,7 +86,7 @@ pub fn cluster(rows: &[Vec<f64>], features: &[String], count: usize) -> Result<C
     })
 }
 
-/// Each column with mean 0 and standard deviation 1; columns of one value become 0.
+/// Standardises each column to mean 0 and standard deviation 1; constant columns become 0.
 fn standardised(rows: &[Vec<f64>]) -> Vec<Vec<f64>> {
     let n = rows.len() as f64;
     let columns = rows.first().map_or(0, Vec::len);
@@ -107,7 +107,7 @@ fn distances(rows: &[Vec<f64>]) -> Vec<Vec<f64>> {
     rows.iter().map(|a| rows.iter().map(|b| distance(a, b)).collect()).collect()
 }
 
-/// So many different numbers below n.
+/// `count` distinct numbers below n.
 fn sample(random: &mut Random, n: usize, count: usize) -> Vec<usize> {
     let mut all: Vec<usize> = (0..n).collect();
     for i in 0..count {

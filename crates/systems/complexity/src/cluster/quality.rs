@@ -1,7 +1,7 @@
-//! How good clusters are: by themselves, and beside known classes.
+//! Quality of clusters: silhouettes, and agreement with known classes.
 
-/// For each point (b − a) / max(a, b), with a the mean distance to the others of its cluster and b the least mean distance to another
-/// cluster; 0 for a point alone in its cluster, and where there is one cluster only.
+/// The silhouette (b − a) / max(a, b) of each point, where a is its mean distance to the others of its cluster and b the least mean
+/// distance to another cluster; 0 for a point alone in its cluster, and if there is only one cluster.
 ///
 /// # Source
 /// `rousseeuw_silhouettes_1987`.
@@ -30,18 +30,18 @@ pub fn silhouettes(distances: &[Vec<f64>], labels: &[usize], count: usize) -> Ve
         .collect()
 }
 
-/// Most classes that are matched with clusters.
+/// Largest number of classes for matching with clusters.
 const MOST_CLASSES: usize = 8;
 
-/// The share of points whose cluster is the one matched with their class, under the best one-to-one matching of clusters with classes; none
-/// for lists of different lengths and for more than 8 classes.
+/// The share of points whose cluster is matched with their class, under the best one-to-one matching of clusters with classes;
+/// `None` for lists of different lengths and for more than 8 classes.
 pub fn matched_accuracy(labels: &[usize], classes: &[usize]) -> Option<f64> {
     let table = contingency(labels, classes)?;
     let k = table.len();
     if k > MOST_CLASSES {
         return None;
     }
-    // The best sum over the classes that are taken, cluster by cluster.
+    // The best sum for each set of classes used so far, cluster by cluster.
     let mut best = vec![0_usize; 1 << k];
     for taken in 1..1_usize << k {
         let row = taken.count_ones() as usize - 1;
@@ -51,7 +51,7 @@ pub fn matched_accuracy(labels: &[usize], classes: &[usize]) -> Option<f64> {
     Some(best[(1 << k) - 1] as f64 / labels.len() as f64)
 }
 
-/// Rand's index of two partitions, adjusted for chance: 1 where they agree, about 0 where they have nothing to do with each other.
+/// The Rand index of two partitions, adjusted for chance: 1 where they agree, about 0 where they are unrelated.
 ///
 /// # Source
 /// `hubert_comparing_1985`.
@@ -66,7 +66,7 @@ pub fn adjusted_rand(labels: &[usize], classes: &[usize]) -> Option<f64> {
     Some(if most > expected { (cells - expected) / (most - expected) } else { 1.0 })
 }
 
-/// How many points have each label and each class, as a square table.
+/// The number of points with each label and class, as a square table.
 fn contingency(labels: &[usize], classes: &[usize]) -> Option<Vec<Vec<usize>>> {
     if labels.len() != classes.len() || labels.len() < 2 {
         return None;

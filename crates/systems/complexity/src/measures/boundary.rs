@@ -1,15 +1,15 @@
-//! Lengths of coarser polygons over the length of the outline.
+//! Boundary ratios: lengths of inscribed polygons relative to the outline.
 
 use super::sampling::{Samples, closed_length};
 use pompeiu_planar::Outline;
 
-/// The length of the closed polygon through m points at equal lengths along the outline, over the length of the outline: `B_m`. At most 1, and
-/// less where detail is lost, so small values are complex.
+/// `B_m`: the length of the closed polygon through m points at equal arc lengths along the outline, divided by the length of the
+/// outline. At most 1, and less where detail is lost, so small values are complex.
 ///
 /// The points begin at the corner farthest from the mean of the curve. A circle has `(m/π) sin(π/m)`.
 ///
 /// # Source
-/// `chambers_exploring_2018`, which does not say where the points begin.
+/// `chambers_exploring_2018`, which does not state where the points begin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

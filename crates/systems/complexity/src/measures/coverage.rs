@@ -1,35 +1,35 @@
-//! How much of simple shapes around it an outline fills, and the shape as a whole.
+//! How much of simple enclosing shapes an outline fills, and measures of the whole shape.
 
 use super::sampling::{closed_length, distance};
 use pompeiu_core::mesh::edit::Random;
 use pompeiu_planar::{Outline, Point};
 use std::f64::consts::{FRAC_PI_4, PI};
 
-/// Areas over those of simple shapes around the outline: near 1 for simple shapes.
+/// The area relative to that of simple enclosing shapes: near 1 for simple shapes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Coverage {
     /// Area over that of the convex hull.
     pub hull: f64,
-    /// Area over that of the least rectangle around it, turned as it may be.
+    /// Area over that of the smallest enclosing rectangle of any orientation.
     pub rectangle: f64,
-    /// Area over that of the least circle around it.
+    /// Area over that of the smallest enclosing circle.
     pub circle: f64,
 }
 
-/// The shape as a whole.
+/// Measures of the whole shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Global {
-    /// 4π area over length squared: 1 for a circle, less for all else.
+    /// 4π area over length squared: 1 for a circle, less for all other shapes.
     pub compactness: f64,
-    /// The length of the convex hull over that of the outline: 1 where it is convex.
+    /// The length of the convex hull over that of the outline: 1 for convex shapes.
     pub convexity: f64,
-    /// The shorter over the longer side of the least rectangle around it.
+    /// The shorter over the longer side of the smallest enclosing rectangle.
     pub aspect: f64,
-    /// π/4 times the square of the greatest distance of two points, over the area: 1 for a circle.
+    /// π/4 times the square of the diameter (the greatest distance of two points), over the area: 1 for a circle.
     pub diameter: f64,
 }
 
@@ -75,10 +75,10 @@ fn polygon_area(points: &[Point]) -> f64 {
     0.5 * sum
 }
 
-/// Relative difference below which two areas are taken as one.
+/// Relative difference below which two areas count as equal.
 const SAME_AREA: f64 = 1e-12;
 
-/// The corner from which on a function along a convex polygon no longer grows, sought from another corner on.
+/// The first corner, starting from another, after which a unimodal function along a convex polygon does not increase.
 fn climb(n: usize, from: usize, value: impl Fn(usize) -> f64) -> usize {
     let (mut at, mut steps) = (from, 0);
     while steps < n && value((at + 1) % n) >= value(at) {
@@ -88,7 +88,7 @@ fn climb(n: usize, from: usize, value: impl Fn(usize) -> f64) -> usize {
     at
 }
 
-/// The sides of the rectangle of least area around a convex polygon; one of them lies on a side of the polygon.
+/// The sides of the minimum-area enclosing rectangle of a convex polygon; one of them contains a side of the polygon.
 ///
 /// # Source
 /// `toussaint_solving_1983`.
@@ -106,7 +106,7 @@ fn least_rectangle(hull: &[Point]) -> [f64; 2] {
         far = climb(n, if i == 0 { right } else { far }, up);
         left = climb(n, if i == 0 { far } else { left }, |k| -along(k));
         let (width, height) = (along(right) - along(left), up(far));
-        // Of rectangles with one area the longer one, so that rounding does not choose.
+        // Of rectangles with equal areas the longest, so that rounding does not decide.
         let ratio = width * height / best.0;
         let is_longer = width.max(height) > best.1[0].max(best.1[1]);
         if ratio < 1.0 - SAME_AREA || (ratio <= 1.0 + SAME_AREA && is_longer) {
@@ -129,9 +129,9 @@ fn diameter(hull: &[Point]) -> f64 {
     most
 }
 
-/// The least circle around points, by adding one at a time (`welzl_smallest_1991`, without recursion).
+/// The smallest enclosing circle, by incremental insertion (`welzl_smallest_1991`, without recursion).
 fn least_circle(points: &[Point]) -> (Point, f64) {
-    // In a random order the expected cost is linear.
+    // In random order the expected cost is linear.
     let mut points = points.to_vec();
     let mut random = Random::new(points.len() as u64);
     for i in (1..points.len()).rev() {
@@ -165,7 +165,7 @@ fn through_three(a: Point, b: Point, c: Point) -> Option<(Point, f64)> {
     Some((centre, distance(a, centre)))
 }
 
-/// The centre of the circle through three points; none where they lie on a line.
+/// The circumcentre of three points; `None` if they are collinear.
 pub(super) fn circumcentre(a: Point, b: Point, c: Point) -> Option<Point> {
     let (u, v) = ([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]);
     let d = 2.0 * (u[0] * v[1] - u[1] * v[0]);

@@ -1,4 +1,4 @@
-//! How an outline turns.
+//! Turning angles and curvature of an outline.
 
 use super::sampling::{Samples, closed_length, distance};
 use pompeiu_planar::Point;
@@ -7,43 +7,44 @@ use std::f64::consts::{PI, TAU};
 /// Bins of a histogram.
 const BINS: usize = 10;
 
-/// Curvature, relative to that of the circle of the same length, beyond which a place is sharp.
+/// Relative curvature above which a point counts as sharp; 1 is the curvature of the circle of the same length.
 const SHARP: f64 = 5.0;
 
-/// How far curvature must rise and fall again, relative to that of the circle of the same length, to have a peak.
+/// Smallest prominence of a peak in relative curvature.
 const PROMINENCE: f64 = 1.0;
 
-/// How an outline turns at 500 points at equal lengths, smoothed as the options say.
+/// Turning angles at 500 points at equal arc lengths, after smoothing by a Gaussian (`smoothing`).
 ///
-/// The turn at a point is the angle between the chords before and after it, in (−π, π], positive where the shape is convex. The curvature
-/// is the turn over the mean length of the two chords; times the length of the polygon over 2π it is that of the circle's multiple, κL/2π.
+/// The turn at a point is the angle between the chords before and after it, in (−π, π], positive where the shape is convex. The
+/// curvature κ is the turn over the mean length of the two chords. Relative curvature κL/2π, with L the length of the polygon, is 1
+/// on a circle.
 ///
 /// # Source
-/// `chambers_exploring_2018` ranks by the first bin of a histogram, without its range: `t18`, `neg5` and `per_shape` are the readings that
-/// come near to what has been printed since.
+/// `chambers_exploring_2018` ranks by the first bin of a histogram without stating its range. `t18`, `neg5` and `per_shape` are
+/// interpretations close to the values published since.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Curvature {
     /// Share of points in the first bin of `histogram`: where the outline turns by less than π/10.
     pub first_bin: f64,
-    /// The share of all others, `t18`: greater where there are more corners.
+    /// The share of all other points, `t18`: greater for shapes with more corners.
     pub one_minus_first_bin: f64,
-    /// Shares of points by the size of their turn, in ten equal bins from 0 to π.
+    /// Shares of points by absolute turn, in ten equal bins from 0 to π.
     pub histogram: Vec<f64>,
-    /// Share of points with κL/2π < −5: sharp hollows.
+    /// Share of points with κL/2π < −5: sharp concave points.
     pub neg5: f64,
     /// Share of points with |κ|L/2π > 5.
     pub sharp: f64,
-    /// Shares of points by the size of their curvature, in ten equal bins from 0 to the greatest one of this shape.
+    /// Shares of points by absolute curvature, in ten equal bins from 0 to the maximum of this shape.
     pub per_shape_histogram: Vec<f64>,
-    /// Share of points beyond the first bin of that.
+    /// Share of points outside the first bin of that histogram.
     pub per_shape: f64,
-    /// Maxima of |κ|L/2π along the outline that stand out by at least 1.
+    /// Number of maxima of |κ|L/2π along the outline with a prominence of at least 1.
     pub peaks: usize,
-    /// The sum of the sizes of all turns, over 2π: 1 where the shape is convex.
+    /// The sum of all absolute turns, over 2π: 1 for convex shapes.
     pub total: f64,
-    /// The standard deviation of the Gaussian that smoothed the points, as a share of the length.
+    /// The standard deviation of the Gaussian that smooths the points, as a share of the length.
     pub smoothing: f64,
 }
 
@@ -98,7 +99,7 @@ fn relative_curvature(points: &[Point], turns: &[f64]) -> Vec<f64> {
         .collect()
 }
 
-/// Shares in equal bins from 0 to a greatest value, which belongs to the last one. All is in the first one where that is 0.
+/// Shares in equal bins from 0 to a maximum, which belongs to the last bin. If it is 0, all values are in the first bin.
 fn bins(values: impl Iterator<Item = f64>, most: f64) -> Vec<f64> {
     let mut counts = [0_usize; BINS];
     let mut all = 0;
@@ -110,7 +111,8 @@ fn bins(values: impl Iterator<Item = f64>, most: f64) -> Vec<f64> {
     counts.iter().map(|count| *count as f64 / f64::from(all)).collect()
 }
 
-/// How many maxima of a cyclic sequence have at least some prominence: the sequence rises to them and falls from them by that much.
+/// The number of maxima of a cyclic sequence with at least this prominence: the sequence rises to them and falls from them by that
+/// much.
 fn peaks(values: &[f64], prominence: f64) -> usize {
     let n = values.len();
     let lowest = (0..n).min_by(|i, j| values[*i].total_cmp(&values[*j])).unwrap_or(0);

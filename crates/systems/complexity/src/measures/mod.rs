@@ -19,11 +19,11 @@ use crate::ComplexityError;
 use pompeiu_planar::Outline;
 use sampling::Samples;
 
-/// How an outline is measured.
+/// Options of the measures.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeasureOptions {
-    /// Standard deviation of the Gaussian that smooths the points which curvature is taken from, as a share of the length of the outline;
-    /// 0 for none. The default is wide enough that the pixels of a picture some 200 across do not count as corners.
+    /// Standard deviation of the Gaussian that smooths the points before curvature is computed, as a share of the length of the
+    /// outline; 0 for none. With the default, the pixels of a picture of about 200 × 200 do not count as corners.
     pub smoothing: f64,
 }
 
@@ -33,7 +33,7 @@ impl Default for MeasureOptions {
     }
 }
 
-/// The greatest share of the length over which curvature may be smoothed.
+/// Largest standard deviation of the smoothing, as a share of the length.
 const MOST_SMOOTHING: f64 = 0.25;
 
 /// All measures of an outline.
@@ -41,28 +41,28 @@ const MOST_SMOOTHING: f64 = 0.25;
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Measures {
-    /// Lengths of coarser polygons over the length of the outline.
+    /// Lengths of inscribed polygons relative to the outline.
     pub boundary: Boundary,
-    /// How the outline turns.
+    /// Turning angles and curvature.
     pub curvature: Curvature,
     /// The medial axis.
     pub skeleton: Skeleton,
     /// Moments of the area.
     pub moments: Moments,
-    /// How much of simple shapes around it the outline fills.
+    /// The area relative to that of simple enclosing shapes.
     pub coverage: Coverage,
-    /// The shape as a whole.
+    /// Measures of the whole shape.
     pub global: Global,
 }
 
 impl Measures {
-    /// Measures an outline.
+    /// Computes all measures of an outline.
     ///
     /// # Errors
     /// [`ComplexityError::Option`] for a smoothing that is negative, or more than a quarter of the length.
     ///
     /// # Cost
-    /// n for an outline of n corners, n log n for its hull, and a Delaunay triangulation of 500 points.
+    /// Linear in the number n of corners, n log n for the convex hull, and a Delaunay triangulation of 500 points.
     pub fn of(outline: &Outline, options: &MeasureOptions) -> Result<Self, ComplexityError> {
         let smoothing = options.smoothing;
         if !(0.0..=MOST_SMOOTHING).contains(&smoothing) {

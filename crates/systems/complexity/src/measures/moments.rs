@@ -5,8 +5,8 @@ use pompeiu_planar::Outline;
 /// Moments of the area about its centroid.
 ///
 /// # Definition
-/// Normalised moments `η_pq = μ_pq / A^((p+q)/2+1)`, integrated exactly over the polygon, and Hu's invariants of them. Parts that are gone
-/// round twice count twice.
+/// Normalised moments `η_pq = μ_pq / A^((p+q)/2+1)`, integrated exactly over the polygon, and Hu's invariants of them. Parts around
+/// which the outline winds twice count twice.
 ///
 /// # Source
 /// `hu_visual_1962`.
@@ -14,11 +14,11 @@ use pompeiu_planar::Outline;
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Moments {
-    /// Hu's seven invariants; the last one changes its sign in a mirror.
+    /// Hu's seven invariants; the last one changes its sign under reflection.
     pub hu: Vec<f64>,
-    /// The greater over the lesser standard deviation of the area along its principal axes: 1 for a circle and a square.
+    /// Ratio of the greater to the lesser standard deviation of the area along its principal axes: 1 for a circle and a square.
     pub elongation: f64,
-    /// The area of the ellipse with the same second moments over the area: 1 for ellipses, greater for what spreads.
+    /// The area of the ellipse with the same second moments over the area: 1 for ellipses, greater for shapes that spread out.
     pub spread: f64,
 }
 
@@ -57,7 +57,7 @@ impl Moments {
         ];
         let half = 0.5 * hu[1].max(0.0).sqrt();
         let (most, least) = (0.5 * hu[0] + half, 0.5 * hu[0] - half);
-        // An outline that crosses itself may have moments of no area.
+        // An outline that crosses itself may have moments that no area has.
         let elongation = if least > 0.0 { (most / least).sqrt() } else { f64::MAX };
         let spread = 4.0 * std::f64::consts::PI * (most * least).max(0.0).sqrt();
         Self { hu, elongation, spread }

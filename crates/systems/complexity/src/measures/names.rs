@@ -1,9 +1,9 @@
-//! Measures by their names.
+//! Measures by name.
 
 use super::Measures;
 use crate::ComplexityError;
 
-/// Which way a measure grows.
+/// The direction in which a measure grows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Direction {
     /// Greater values are more complex.
@@ -12,12 +12,12 @@ pub enum Direction {
     Down,
 }
 
-/// A measure by its name.
+/// A measure by name.
 #[derive(Clone, Copy)]
 pub struct Measure {
-    /// The name, as in the command and in reports.
+    /// The name in the command and in reports.
     pub name: &'static str,
-    /// Which way it grows with complexity.
+    /// The direction in which it grows with complexity.
     pub direction: Direction,
     value: fn(&Measures) -> f64,
 }
@@ -35,7 +35,7 @@ macro_rules! measures {
 }
 
 impl Measure {
-    /// All measures, those of a family together.
+    /// All measures, grouped by family.
     pub const ALL: &[Self] = measures! {
         "boundary", Down, |m| m.boundary.mean;
         "boundary-500", Down, |m| m.boundary.m500;
@@ -65,10 +65,10 @@ impl Measure {
         "diameter", Up, |m| m.global.diameter;
     };
 
-    /// The measure of a name.
+    /// The measure with a name.
     ///
     /// # Errors
-    /// [`ComplexityError::Measure`] with the names there are.
+    /// [`ComplexityError::Measure`] with the list of names.
     pub fn named(name: &str) -> Result<Self, ComplexityError> {
         Self::ALL.iter().find(|measure| measure.name == name).copied().ok_or_else(|| {
             let known: Vec<&str> = Self::ALL.iter().map(|measure| measure.name).collect();
@@ -76,12 +76,12 @@ impl Measure {
         })
     }
 
-    /// Its value.
+    /// Its value for a shape.
     pub fn value(&self, measures: &Measures) -> f64 {
         (self.value)(measures)
     }
 
-    /// Its value, with the sign that makes greater values more complex.
+    /// Its value, negated if smaller values are more complex.
     pub fn complexity(&self, measures: &Measures) -> f64 {
         match self.direction {
             Direction::Up => self.value(measures),

@@ -1,11 +1,11 @@
-//! Points at equal lengths along an outline, from a place that does not depend on where the outline begins.
+//! Points at equal arc lengths along an outline, starting at a point that does not depend on the outline's first corner.
 
 use pompeiu_planar::{Outline, Point, resample};
 
-/// Points that curvature and skeleton are taken from.
+/// Number of points for curvature and skeleton.
 pub(super) const SAMPLES: usize = 500;
 
-/// An outline as points at equal lengths, in its own unit: the mean of the curve at the origin, length 1.
+/// An outline as points at equal arc lengths, normalised: the mean of the curve at the origin, length 1.
 pub(super) struct Samples {
     start: usize,
     pub(super) points: Vec<Point>,
@@ -22,7 +22,7 @@ impl Samples {
         resample(outline, count, self.start)
     }
 
-    /// The points smoothed by a Gaussian along the curve, whose standard deviation is a share of the length.
+    /// The points smoothed by a Gaussian along the curve; its standard deviation is a share of the length.
     pub(super) fn smoothed(&self, share: f64) -> Vec<Point> {
         let n = self.points.len();
         let deviation = share * n as f64;
@@ -50,8 +50,8 @@ impl Samples {
 
 /// The corner farthest from the mean of the curve.
 ///
-/// Where several are farthest because the shape is symmetric, the measures are the same from each of them: equal lengths from a corner give
-/// the same points in both directions.
+/// If several corners are farthest because the shape is symmetric, the measures are the same for each of them: equal arc lengths
+/// from a corner give the same points in both directions.
 fn start(outline: &Outline) -> usize {
     let (mut length, mut sum) = (0.0, [0.0; 2]);
     let origin = outline.points()[0];

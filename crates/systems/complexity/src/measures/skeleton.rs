@@ -8,14 +8,14 @@ use spade::{DelaunayTriangulation, Point2, Triangulation};
 /// The medial axis: the centres of the circles inside the shape that touch the outline twice or more.
 ///
 /// # Definition
-/// The edges of the Voronoi diagram of 500 points at equal lengths that lie inside, each between two points of the outline that are at
-/// least 5 % of its length apart along it. Lengths are over the square root of the area.
+/// The edges of the Voronoi diagram of 500 points at equal arc lengths that lie inside, if the two points that generate an edge are
+/// at least 5 % of the outline's length apart along it. Lengths are relative to the square root of the area.
 ///
 /// # Accuracy
-/// The circumcentres of slim triangles lose digits: nine digits remain under motions and scaling.
+/// The circumcentres of thin triangles lose digits: nine digits remain under motions and scaling.
 ///
 /// # Limits
-/// Outlines that cross themselves have a skeleton of what is inside by the even–odd rule.
+/// For outlines that cross themselves, the inside is defined by the even–odd rule.
 ///
 /// # Source
 /// `ogniewicz_hierarchic_1995` prunes by the length along the outline in the same way.
@@ -25,20 +25,20 @@ use spade::{DelaunayTriangulation, Point2, Triangulation};
 pub struct Skeleton {
     /// Length of the axis.
     pub length: f64,
-    /// Its ends.
+    /// Number of its ends.
     pub ends: usize,
-    /// Places where three or more branches meet.
+    /// Number of points where three or more branches meet.
     pub junctions: usize,
     /// Mean radius of the circles along the axis.
     pub radius: f64,
-    /// Standard deviation of the radius over its mean: 0 where the shape is equally wide everywhere.
+    /// Standard deviation of the radius over its mean: 0 for shapes of constant width.
     pub variation: f64,
 }
 
-/// The least length along the outline between the two points of an edge, as a share of its length.
+/// The smallest length along the outline between the two points that generate an edge, as a share of its length.
 const APART: f64 = 0.05;
 
-/// Ends of edges nearer than this, over the square root of the area, are one place.
+/// Ends of edges closer than this, relative to the square root of the area, are merged.
 const ONE_PLACE: f64 = 1e-6;
 
 /// An edge of the axis: its ends, and the radius of its circles.
@@ -50,12 +50,12 @@ struct Edge {
 impl Skeleton {
     pub(super) fn of(outline: &Outline, samples: &Samples) -> Self {
         let unit = outline.area().sqrt();
-        // Inside of the polygon of the samples, whose corners the triangles have.
+        // Tested against the polygon of the samples, whose corners are those of the triangles.
         let edges =
             Outline::new(samples.points.clone()).map_or_else(|_| Vec::new(), |polygon| axis(&polygon));
         let length: f64 = edges.iter().map(|edge| distance(edge.ends[0], edge.ends[1])).sum();
         let (ends, junctions) = degrees(&edges, ONE_PLACE * unit);
-        // Over the length; where the axis is a point, its circles count alike.
+        // Weighted by length; if the axis is a point, all circles have equal weight.
         let weight =
             |edge: &Edge| if length > ONE_PLACE * unit { distance(edge.ends[0], edge.ends[1]) } else { 1.0 };
         let total: f64 = edges.iter().map(weight).sum();
@@ -78,7 +78,7 @@ fn axis(outline: &Outline) -> Vec<Edge> {
     let points = outline.points();
     let n = points.len();
     let mut triangulation: DelaunayTriangulation<Point2<f64>> = DelaunayTriangulation::new();
-    // Points that coincide are one vertex; the first of them names it.
+    // Coincident points are one vertex; the first of them is its representative.
     let mut names = Vec::with_capacity(n);
     for (i, [x, y]) in points.iter().enumerate() {
         if let Ok(vertex) = triangulation.insert(Point2::new(*x, *y))
@@ -115,7 +115,7 @@ fn axis(outline: &Outline) -> Vec<Edge> {
     edges
 }
 
-/// How many ends and how many junctions the edges have, with ends that are near each other taken for one place.
+/// The number of ends and of junctions, after merging ends that are close together.
 fn degrees(edges: &[Edge], near: f64) -> (usize, usize) {
     let mut places: Vec<(Point, usize)> =
         edges.iter().enumerate().flat_map(|(i, edge)| edge.ends.map(|p| (p, i))).collect();

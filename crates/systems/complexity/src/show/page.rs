@@ -1,4 +1,4 @@
-//! The gallery: shapes in their order, a table that can be sorted, measures against each other, clusters.
+//! The gallery page: shapes in order of complexity, a sortable table, a scatter plot of measures, clusters.
 
 use crate::{Agreement, ComplexityReport, Measure, Shape};
 use pompeiu_figures::page::{
@@ -8,29 +8,29 @@ use pompeiu_figures::page::{
 use pompeiu_figures::{Image, Rgb};
 use pompeiu_planar::{Outline, Point, fill};
 
-/// Shapes and what was found of them, to be shown.
+/// The data of the gallery page.
 #[derive(Clone, Copy, Debug)]
 pub struct ComplexityPage<'r> {
-    /// What the page is of.
+    /// The title.
     pub title: &'r str,
-    /// The shapes; those that the report lacks are left out.
+    /// The shapes; those that the report lacks are omitted.
     pub shapes: &'r [Shape],
-    /// What was found.
+    /// The report.
     pub report: &'r ComplexityReport,
-    /// The command that makes the page again.
+    /// The command that reproduces the page.
     pub command: Option<&'r str>,
 }
 
-/// Columns of the table besides the measure that ranks.
+/// Columns of the table in addition to the ranking measure.
 const SHOWN: [&str; 6] = ["boundary-25", "t18", "peaks", "total-curvature", "skeleton-length", "convexity"];
 
 /// The two measures of the scatter plot.
 const AXES: [&str; 2] = ["boundary", "t18"];
 
-/// Side of a small picture, in pixels.
+/// Side of a thumbnail in pixels.
 const SMALL: usize = 48;
 
-/// Side of the part of a cell of the gallery that a shape fills.
+/// Share of a gallery cell's side that a shape fills.
 const FILLED: f64 = 0.86;
 
 /// Bins of histograms.
@@ -52,10 +52,10 @@ const COLORS: [Rgb; 8] = [
 const DIGITS: u8 = 5;
 
 impl ComplexityPage<'_> {
-    /// The page as a file.
+    /// The page as an HTML file.
     ///
     /// # Errors
-    /// [`PageError`] where numbers are not finite.
+    /// [`PageError`] if a number is not finite.
     pub fn html(&self) -> Result<String, PageError> {
         let report = self.report;
         let mut page = Page::new(format!("Complexity of {}", self.title));
@@ -80,7 +80,7 @@ impl ComplexityPage<'_> {
         Ok(page.html())
     }
 
-    /// The shapes of the report from the simplest to the most complex, by their places in it.
+    /// The shapes of the report from the simplest to the most complex, as indices.
     fn order(&self) -> Vec<usize> {
         let of = |file: &str| self.report.shapes.iter().position(|shape| shape.file == file);
         self.report.ranking.iter().filter_map(|ranked| of(&ranked.file)).collect()
@@ -163,7 +163,7 @@ impl ComplexityPage<'_> {
         Table { key: "shapes".into(), caption, columns, rows: rows.collect(), sortable: true }
     }
 
-    /// The scatter plot and the histogram of the measure that ranks.
+    /// The scatter plot, and the histogram of the ranking measure.
     fn charts(&self, order: &[usize], place: impl Fn(usize) -> PlaceId) -> Vec<Block> {
         let report = self.report;
         let value = |name: &str, i: usize| {
@@ -258,14 +258,14 @@ fn histogram(values: &[f64]) -> Series {
     Series::Histogram { edges, shares }
 }
 
-/// An outline in a square of this side around the origin.
+/// An outline scaled into a square of this side around the origin.
 fn fitted(outline: &Outline, side: f64) -> Vec<Point> {
     let [low, high] = outline.bounds();
     let scale = side / (high[0] - low[0]).max(high[1] - low[1]);
     outline.points().iter().map(|p| [0, 1].map(|k| scale * (p[k] - 0.5 * (low[k] + high[k])))).collect()
 }
 
-/// A small picture of an outline.
+/// A thumbnail of an outline.
 fn small(outline: &Outline) -> Option<Image> {
     let points = fitted(outline, SMALL as f64 - 4.0);
     let middle = 0.5 * (SMALL as f64 - 1.0);

@@ -1,4 +1,4 @@
-//! Clusters beside all choices of medoids, and classes that are known.
+//! Clusters against exhaustive search and against known classes.
 
 use pompeiu_complexity::generate::{self, PointOrder};
 use pompeiu_complexity::{
@@ -52,7 +52,7 @@ fn the_same_start_leads_where_the_package_kmedoids_leads() {
     assert_eq!(found, KMEDOIDS_LOSS);
 }
 
-/// What that package gives.
+/// The result of that package.
 const KMEDOIDS_LOSS: f64 = 9822.0;
 
 #[test]
@@ -88,7 +88,7 @@ fn silhouettes_and_rand_have_their_worked_values() {
 
 #[test]
 fn the_four_classes_of_polylines_are_told_apart() {
-    // Where the curves are smooth, points need no smoothing: the default is for the pixels of pictures.
+    // Smooth curves need no smoothing of points: the default is for the pixels of pictures.
     let measure = MeasureOptions { smoothing: 0.0 };
     for order in [PointOrder::Random, PointOrder::Angle] {
         let mut shapes = Vec::new();

@@ -16,7 +16,7 @@ fn circle(corners: usize) -> Outline {
     Outline::new((0..corners).map(at).collect()).unwrap()
 }
 
-/// The outline turned, scaled, moved, and beginning at another corner.
+/// The outline rotated, scaled, translated, and starting at another corner.
 fn elsewhere(outline: &Outline, angle: f64, scale: f64, shift: Point, start: usize) -> Outline {
     let (s, c) = angle.sin_cos();
     let mut points: Vec<Point> = outline

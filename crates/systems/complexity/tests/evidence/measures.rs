@@ -1,4 +1,4 @@
-//! Measures of shapes with known answers, and of one shape in many places.
+//! Measures of shapes with known values, and invariance under motions.
 
 use crate::{circle, elsewhere};
 use pompeiu_complexity::{Measure, MeasureOptions, Measures, generate};
@@ -54,7 +54,7 @@ fn a_rectangle_has_its_closed_forms() {
     assert_eq!((skeleton.ends, skeleton.junctions), (4, 2));
     let whole = (2.0 + 4.0 * 0.5_f64.sqrt()) / 3.0_f64.sqrt();
     assert!(skeleton.length < whole && skeleton.length > whole - 4.0 * 0.3 / 3.0_f64.sqrt(), "{skeleton:?}");
-    // Corners lie where the square turns, and nowhere else.
+    // The square turns at its corners and nowhere else.
     let square = Outline::new(vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]).unwrap();
     let measures = Measures::of(&square, &MeasureOptions { smoothing: 0.0 }).unwrap();
     assert_eq!(measures.curvature.histogram[5] * 500.0, 4.0);

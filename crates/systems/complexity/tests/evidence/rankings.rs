@@ -1,9 +1,9 @@
-//! Rankings beside published arithmetic, brute force and published tables.
+//! Rankings against published values, brute force and published tables.
 
 use pompeiu_complexity::{ComplexityError, compare_rankings, kendall, ranks, spearman};
 use pompeiu_core::mesh::edit::Random;
 
-/// A ranking and the same one with blocks of so many places turned by so many, the rest in place.
+/// A ranking, and the same one with blocks of ranks rotated and the rest in place.
 fn rankings(n: usize, blocks: &[(usize, usize)]) -> [Vec<f64>; 2] {
     let a: Vec<f64> = (1..=n).map(|i| i as f64).collect();
     let mut b = a.clone();
@@ -28,7 +28,7 @@ fn the_arithmetic_of_published_tables() {
         let found = compare_rankings(&a, &b).unwrap();
         let values = [found.similarity, found.average_distance, found.normalized_distance];
         for (value, printed) in values.iter().zip(printed) {
-            // Printed digits are cut off, not rounded.
+            // Published digits are truncated, not rounded.
             assert!(*value >= printed && *value < printed + 1e-5, "{n}: {value} {printed}");
         }
     }

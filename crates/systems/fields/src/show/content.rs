@@ -1,13 +1,13 @@
-//! What a page of tangent fields shows, as plain data, and the page of it from shared blocks.
+//! The data of a page of tangent fields, and the page composed of generic blocks.
 
 use pompeiu_figures::page::{
     Amount, Arrangement, Axis, Block, Card, Cell, Fact, Layer, Mesh, MeshValues, Page, PageError, Paint, Row,
     Scene, SceneId, Shape, Space, Statistic, Table, Text, ValueScale,
 };
 
-/// Tangent fields on one surface, beside each other at one scale: most often a field and the parts that it is split into.
+/// Tangent fields on one surface, shown side by side on one scale: typically a field and its parts.
 ///
-/// The page shows what it is given and computes nothing: norms, inner products and residuals are the caller's.
+/// The page computes nothing: norms, inner products and residuals come from the caller.
 ///
 /// # Shapes and units
 /// One vector for each face and field, in the coordinates of the surface. Norms are those of fields over the surface.
@@ -32,9 +32,9 @@ use pompeiu_figures::page::{
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct FieldsContent {
-    /// What the page is about.
+    /// The title.
     pub title: String,
-    /// The unit of vectors as it is to be shown; may be empty.
+    /// The displayed unit of vectors; may be empty.
     pub unit: String,
     /// The axis that points up at first.
     pub up: Axis,
@@ -48,17 +48,17 @@ pub struct FieldsContent {
     pub corners: Vec<[[f64; 3]; 3]>,
     /// The fields, in the order shown.
     pub fields: Vec<NamedField>,
-    /// The inner product of each field with each.
+    /// The inner products of all pairs of fields.
     pub inner_products: Vec<Vec<f64>>,
-    /// The norm of what the parts leave over of the field.
+    /// The norm of the residual, the field minus its parts.
     pub residual: f64,
     /// More numbers, such as degrees of freedom.
     pub tables: Vec<TextTable>,
     /// Remarks, paragraph by paragraph.
     pub notes: Vec<String>,
-    /// Anything else about the run: names and values.
+    /// Further information on the run: names and values.
     pub facts: Vec<[String; 2]>,
-    /// The command that makes this page again.
+    /// The command that reproduces this page.
     pub command: Option<String>,
     /// The version of the program.
     pub version: String,
@@ -67,7 +67,7 @@ pub struct FieldsContent {
 /// A field that is constant on each face.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct NamedField {
-    /// What it is called.
+    /// The label.
     pub label: String,
     /// Its vector on each face.
     pub vectors: Vec<[f64; 3]>,
@@ -78,11 +78,11 @@ pub struct NamedField {
 /// A table of text.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct TextTable {
-    /// What it is about.
+    /// The caption.
     pub title: String,
-    /// Heads of its columns.
+    /// Column headings.
     pub head: Vec<String>,
-    /// Its rows; the first entry names the row.
+    /// The rows; the first entry is the heading of the row.
     pub rows: Vec<Vec<String>>,
 }
 
@@ -90,7 +90,7 @@ impl FieldsContent {
     /// The page, to be written with [`Page::html`].
     ///
     /// # Errors
-    /// What is missing, does not belong together or is no number; see [`PageError`].
+    /// [`PageError`] if data is missing, inconsistent or not finite.
     pub fn page(&self) -> Result<Page, PageError> {
         if self.fields.is_empty() {
             return Err(PageError::NothingToShow);

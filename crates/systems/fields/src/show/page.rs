@@ -9,7 +9,7 @@ use pompeiu_figures::{ColorMap, Figure, FigureError, Image, Panel, Scale, Theme,
 use pompeiu_operators::{FaceField, field_inner_product};
 use pompeiu_surface::EmbeddedSurface;
 
-/// A field that was split into a gradient, a rotated gradient and a harmonic part, to be shown.
+/// The page of a field and its gradient, rotated gradient and harmonic part.
 ///
 /// # Example
 /// ```
@@ -40,7 +40,7 @@ use pompeiu_surface::EmbeddedSurface;
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct DecompositionPage<'r> {
-    /// The file of the mesh, or whatever else it is called.
+    /// The file of the mesh or another name.
     pub path: &'r str,
     /// The mesh.
     pub mesh: &'r TriMesh,
@@ -50,16 +50,16 @@ pub struct DecompositionPage<'r> {
     pub field: &'r FaceField,
     /// Its parts.
     pub parts: &'r Decomposition,
-    /// The degrees of freedom, counted.
+    /// The degrees of freedom.
     pub degrees_of_freedom: DegreesOfFreedom,
-    /// Which way is up.
+    /// The up direction.
     pub up: [f64; 3],
-    /// The command that makes the page again.
+    /// The command that reproduces the page.
     pub command: Option<&'r str>,
 }
 
 impl DecompositionPage<'_> {
-    /// The four fields as vectors in space, with the share of the energy that each has.
+    /// The four fields as vectors in space, each with its share of the energy.
     fn fields(&self) -> [(String, Vec<[f64; 3]>); 4] {
         let norms = self.parts.quality.norms;
         let in_space = |u: &FaceField| -> Vec<[f64; 3]> {
@@ -77,15 +77,15 @@ impl DecompositionPage<'_> {
         ]
     }
 
-    /// The page as a file.
+    /// The page as an HTML file.
     ///
     /// # Errors
-    /// [`PageError`] where a field is not finite or not on this mesh.
+    /// [`PageError`] if a field is not finite or not on this mesh.
     pub fn html(&self) -> Result<String, PageError> {
         Ok(self.content().page()?.html())
     }
 
-    /// What the page shows.
+    /// The data of the page.
     fn content(&self) -> FieldsContent {
         let Decomposition { gradient, rotated, harmonic, quality, .. } = self.parts;
         let norms = quality.norms;
@@ -149,10 +149,10 @@ impl DecompositionPage<'_> {
         }
     }
 
-    /// A picture of the field and its parts with one scale, of the given size in pixels.
+    /// A picture of the field and its parts on one scale, of the given size in pixels.
     ///
     /// # Errors
-    /// [`FigureError`] for a size that is none.
+    /// [`FigureError`] for an invalid size.
     pub fn image(&self, width: u32, height: u32, theme: Theme, view: View) -> Result<Image, FigureError> {
         let fields = self.fields();
         let length = |u: &[f64; 3]| (u[0] * u[0] + u[1] * u[1] + u[2] * u[2]).sqrt();

@@ -1,4 +1,4 @@
-//! How far apart fields are.
+//! Distances between fields.
 
 use crate::common::Field;
 use pompeiu_surface::Surface;

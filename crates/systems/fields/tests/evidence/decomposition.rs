@@ -1,4 +1,4 @@
-//! Planted parts come back; parts are orthogonal and add up.
+//! Known parts are recovered; parts are orthogonal and add up.
 
 use crate::common::{Field, Random, cases, shared_cases, surface};
 use crate::compare::{distance, norm, sum};
@@ -19,7 +19,7 @@ const KINDS: [(Splitting, Boundary); 4] = [
     (Splitting::Dual, Boundary::Normal),
 ];
 
-/// A gradient, a rotated gradient and a harmonic field of a splitting, of norm one each.
+/// A gradient, a rotated gradient and a harmonic field of a splitting, each of norm one.
 fn planted(solver: &HodgeSolver, random: &mut Random) -> [Field; 3] {
     let surface = solver.surface();
     let mesh = surface.mesh();
@@ -89,7 +89,7 @@ fn parts_are_orthogonal_and_add_up() {
             let squares = norms.gradient.powi(2) + norms.rotated.powi(2) + norms.harmonic.powi(2);
             assert!((squares / norms.field.powi(2) - 1.0).abs() <= 1e-12, "{name}: {norms:?}");
             assert!(quality.part_error <= 1e-12, "{name}: {}", quality.part_error);
-            // The parts are made of their potentials.
+            // The parts agree with their potentials.
             let turned: Field =
                 rotated(&crouzeix_raviart_gradient(&case.surface, &parts.edge_potential).unwrap());
             let straight = gradient(&case.surface, &parts.vertex_potential).unwrap();

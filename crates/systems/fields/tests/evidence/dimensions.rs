@@ -65,7 +65,7 @@ fn counted_ranks_are_ranks() {
             let rotated = dense(&edges, true, edge);
             assert_eq!(rank(gradients.clone()), counted.mixed.gradient, "{name}");
             assert_eq!(rank(rotated.clone()), counted.mixed.rotated, "{name}");
-            // The two ranges have nothing in common.
+            // The two ranges intersect in zero only.
             let both = rank([gradients, rotated].concat());
             assert_eq!(both, counted.mixed.gradient + counted.mixed.rotated, "{name}");
             assert_eq!(counted.total - both, case.harmonic, "{name}");

@@ -1,4 +1,4 @@
-//! Evidence that does not come from the code: dimensions, planted parts.
+//! Evidence that does not come from the code: dimensions, known parts.
 
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "tests may panic and say what they skip")]
 

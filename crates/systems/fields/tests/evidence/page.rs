@@ -1,4 +1,4 @@
-//! Pages of fields: what is refused.
+//! Pages of fields: rejected input.
 
 use pompeiu_fields::show::{FieldsContent, NamedField};
 use pompeiu_figures::page::PageError;

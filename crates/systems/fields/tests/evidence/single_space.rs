@@ -1,4 +1,4 @@
-//! Splitting with a single function space fails in the two ways that the degrees of freedom show.
+//! Decomposition with a single function space fails in the two ways that the degrees of freedom predict.
 
 use crate::common::{Field, Random, cases};
 use crate::compare::{distance, norm};
@@ -40,7 +40,7 @@ fn each_part_is_that_of_the_mixed_splitting_with_this_space() {
 fn continuous_functions_are_too_few() {
     for case in cases() {
         let (surface, mesh, name) = (&case.surface, case.surface.mesh(), case.name);
-        // A rotated gradient, which has no harmonic part and no gradient, but is not one of a continuous function.
+        // A rotated gradient without harmonic part or gradient, but not of a continuous function.
         let mut values = Random(2).values(mesh.edges());
         for edge in mesh.edge_ids().filter(|&e| mesh.is_boundary_edge(e)) {
             values[edge] = 0.0;
@@ -50,7 +50,7 @@ fn continuous_functions_are_too_few() {
         let parts = split(surface, FunctionSpace::Conforming, Boundary::Tangential, &field);
         assert!(norm(surface, &parts.gradient) <= 1e-10 * size, "{name}");
         assert!(norm(surface, &parts.residual) >= 0.3 * size, "{name}");
-        // Orthogonal all the same: nothing in the numbers warns of it.
+        // The parts are orthogonal nevertheless: no number indicates the failure.
         let products = [parts.gradient_rotated, parts.residual_products[0], parts.residual_products[1]];
         assert!(products.iter().all(|x| x.abs() <= 1e-10), "{name}: {products:?}");
     }
@@ -63,11 +63,11 @@ fn functions_that_agree_at_midpoints_are_too_many() {
         let field = crouzeix_raviart_gradient(surface, &Random(3).values(mesh.edges())).unwrap();
         let size = norm(surface, &field);
         let parts = split(surface, FunctionSpace::Nonconforming, Boundary::Tangential, &field);
-        // It is a gradient, and yet a good part of it counts as a rotated gradient too.
+        // It is a gradient, but a considerable part of it is also a rotated gradient.
         assert!(distance(surface, &parts.gradient, &field) <= 1e-10 * size, "{name}");
         assert!(norm(surface, &parts.rotated) >= 0.1 * size, "{name}");
         assert!(parts.gradient_rotated >= 0.01, "{name}: {}", parts.gradient_rotated);
-        // Of a continuous function nothing does.
+        // For a continuous function the overlap is zero.
         let field = gradient(surface, &Random(4).values(mesh.vertices())).unwrap();
         let parts = split(surface, FunctionSpace::Nonconforming, Boundary::Tangential, &field);
         assert!(norm(surface, &parts.rotated) <= 1e-10 * norm(surface, &field), "{name}");

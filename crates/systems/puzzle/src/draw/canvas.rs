@@ -1,23 +1,23 @@
-//! Pixels that outlines are filled and lines are drawn on.
+//! A pixel canvas for filled outlines and lines.
 
 use crate::Puzzle;
 use pompeiu_planar::{Outline, Point, fill};
 
-/// Room around what is shown, over its longer side.
+/// Margin, relative to the longer side.
 const MARGIN: f64 = 0.02;
 
-/// A white picture of a part of the plane, y downwards.
+/// A white picture of a region of the plane, y downwards.
 pub(super) struct Canvas {
     width: usize,
     height: usize,
     low: Point,
-    /// Pixels in a unit.
+    /// Pixels per unit.
     scale: f64,
     pixels: Vec<[u8; 3]>,
 }
 
 impl Canvas {
-    /// For a box, so many pixels along the longer side of the puzzle.
+    /// A canvas for a box, with a resolution of `side` pixels along the longer side of the puzzle.
     pub(super) fn new(puzzle: &Puzzle, [low, high]: [Point; 2], side: f64) -> Self {
         let longer = puzzle.size().into_iter().fold(0.0, f64::max);
         let scale = side / longer;
@@ -28,7 +28,7 @@ impl Canvas {
         Self { width, height, low, scale, pixels: vec![[255; 3]; width * height] }
     }
 
-    /// A place in pixels, the centre of the upper left one at 0, 0.
+    /// A position in pixels; the centre of the upper left pixel is 0, 0.
     fn to_pixels(&self, p: Point) -> Point {
         [0, 1].map(|k| (p[k] - self.low[k]) * self.scale - 0.5)
     }
@@ -40,7 +40,7 @@ impl Canvas {
         });
     }
 
-    /// Columns and rows that a box in pixels meets.
+    /// The columns and rows that overlap a box in pixels.
     fn window(&self, [low, high]: [Point; 2], room: f64) -> [[usize; 2]; 2] {
         let most = [self.width, self.height];
         [0, 1].map(|k| {
@@ -49,7 +49,7 @@ impl Canvas {
         })
     }
 
-    /// Fills an outline with the colours of places.
+    /// Fills an outline with a colour for each position.
     pub(super) fn fill(&mut self, points: &[Point], colour: impl Fn(Point) -> [u8; 3]) {
         let Ok(outline) = Outline::new(points.iter().map(|p| self.to_pixels(*p)).collect()) else { return };
         let [[left, right], [top, bottom]] = self.window(outline.bounds(), 1.0);
@@ -65,7 +65,7 @@ impl Canvas {
         }
     }
 
-    /// Draws a line so many pixels wide.
+    /// Draws a line, `width` pixels wide.
     pub(super) fn stroke(&mut self, points: &[Point], width: f64, colour: [u8; 3]) {
         for pair in points.windows(2) {
             let [a, b] = [pair[0], pair[1]].map(|p| self.to_pixels(p));

@@ -1,4 +1,4 @@
-//! Puzzles as drawings, as pictures, and as a page to play with.
+//! Puzzles as drawings, as pictures, and as an interactive page.
 
 mod canvas;
 mod motion;
@@ -20,7 +20,7 @@ use std::fmt::Write;
 const COLORS: [&str; 8] =
     ["#5b8cc9", "#dd8a4b", "#67a86d", "#c3636b", "#9482bd", "#a3846f", "#cf8ab8", "#4fa9b1"];
 
-/// The head of a drawing that holds the puzzle, with y upwards turned down, and pieces pulled apart by a factor of the distance from the middle.
+/// The header of a drawing of the puzzle, with y pointing down, with room for exploded pieces.
 fn head(puzzle: &Puzzle, pull: f64) -> String {
     let [width, height] = puzzle.size();
     let margin = 0.03 * width.max(height);
@@ -36,25 +36,26 @@ fn head(puzzle: &Puzzle, pull: f64) -> String {
     )
 }
 
-/// How pieces are drawn.
+/// Options for drawing pieces.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct PieceDrawing<'p> {
-    /// How many times as far from the middle as they belong pieces lie in addition; 0 leaves them in place.
+    /// Exploded view: additional displacement of each piece from the centre, relative to its distance from there; 0 leaves pieces
+    /// in place.
     pub pull: f64,
-    /// The width of the cut. Above 0, each path lies half of that outside its piece, so that the piece comes out as large as it is drawn, and
-    /// pieces are pulled apart at least so far that no two paths meet.
+    /// The width of the cut. If positive, each path is offset outwards by half of it, so that pieces have their nominal size after
+    /// cutting, and pieces are spread at least so far that no two paths meet.
     pub kerf: f64,
-    /// A picture that lies on the pieces, in SVG.
+    /// A picture printed on the pieces, for SVG.
     pub print: Option<&'p Print>,
 }
 
-/// Pieces as they are drawn: their paths, in place, and where each is shifted to.
+/// Pieces as drawn: their paths, in place, and their displacements.
 struct Laid {
     paths: Vec<Vec<Point>>,
     pull: f64,
 }
 
-/// Pulls are tried in steps of this factor, from this one on.
+/// Displacements tried grow by this factor, and start with it.
 const FIRST_PULL: f64 = 0.1;
 const NEXT_PULL: f64 = 1.2;
 const MOST_PULL: f64 = 8.0;
@@ -124,7 +125,8 @@ impl Laid {
 /// A drawing with one closed path for each piece.
 ///
 /// # Shapes and units
-/// Millimetres, if that is the unit of the outline; y downwards. In place, what two pieces share has the same digits in both.
+/// Millimetres if that is the unit of the outline; y downwards. For pieces in place, common borders have the same digits in both
+/// paths.
 pub fn pieces_svg(puzzle: &Puzzle, drawing: &PieceDrawing<'_>) -> String {
     let laid = Laid::new(puzzle, drawing);
     let mut text = head(puzzle, laid.pull);
@@ -148,7 +150,7 @@ pub fn pieces_svg(puzzle: &Puzzle, drawing: &PieceDrawing<'_>) -> String {
     text + "</svg>\n"
 }
 
-/// The pieces as closed polylines, for programs that read DXF.
+/// The pieces as closed polylines in DXF.
 pub fn pieces_dxf(puzzle: &Puzzle, drawing: &PieceDrawing<'_>) -> String {
     let laid = Laid::new(puzzle, drawing);
     let piece = |i: usize| {
@@ -159,10 +161,10 @@ pub fn pieces_dxf(puzzle: &Puzzle, drawing: &PieceDrawing<'_>) -> String {
     dxf::write(&(0..puzzle.pieces()).map(piece).collect::<Vec<_>>(), true)
 }
 
-/// The pieces in place as a PNG picture: with a picture on them in its resolution, or in colours.
+/// The pieces in place as a PNG picture: with a printed picture at its resolution, or coloured by cluster.
 ///
 /// # Errors
-/// What the encoder says.
+/// The encoder's message.
 pub fn pieces_png(puzzle: &Puzzle, print: Option<&Print>) -> Result<Vec<u8>, String> {
     let mut canvas =
         Canvas::new(puzzle, [[0.0; 2], puzzle.size()], print.map_or(PNG_SIDE, |p| p.pixels(puzzle)));
@@ -183,17 +185,17 @@ pub fn pieces_png(puzzle: &Puzzle, print: Option<&Print>) -> Result<Vec<u8>, Str
 const PNG_SIDE: f64 = 1600.0;
 const LINE: f64 = 1.5;
 
-/// A colour from its six digits.
+/// A colour from six hexadecimal digits.
 fn rgb(text: &str) -> [u8; 3] {
     let digits = u32::from_str_radix(text.trim_start_matches('#'), 16).unwrap_or(0);
     [16, 8, 0].map(|shift| (digits >> shift) as u8)
 }
 
-/// A drawing with each border once, to be cut in its order: borders between pieces first, the outline last, none of a piece that is loose; among
-/// those that may be cut the nearest one comes next.
+/// A drawing with each border once, in cutting order: borders between pieces first, the outline last, and no border of a piece that
+/// is already loose. Among the borders that may be cut, the nearest comes next.
 ///
-/// With a kerf above 0, the outline is one path that lies half of it outside, so that the puzzle is as large as it is drawn. What is between
-/// pieces is cut once, so that a gap as wide as the kerf is left there: see [`crate::kerf`].
+/// For a positive kerf, the outline is one path offset outwards by half of it, so that the puzzle has its nominal size. Borders
+/// between pieces are cut once, which leaves a gap as wide as the kerf: see [`crate::kerf`].
 pub fn cuts_svg(puzzle: &Puzzle, kerf: f64) -> String {
     let mut text = head(puzzle, 0.0);
     for Polyline { id, points, is_closed } in cuts(puzzle, kerf) {
@@ -202,12 +204,12 @@ pub fn cuts_svg(puzzle: &Puzzle, kerf: f64) -> String {
     text + "</svg>\n"
 }
 
-/// The same for programs that read DXF.
+/// The same in DXF.
 pub fn cuts_dxf(puzzle: &Puzzle, kerf: f64) -> String {
     dxf::write(&cuts(puzzle, kerf), true)
 }
 
-/// The borders in the order in which they are cut, each from the end that is nearer.
+/// The borders in cutting order, each starting at its nearer end.
 fn cuts(puzzle: &Puzzle, kerf: f64) -> Vec<Polyline> {
     let around = (kerf > 0.0).then(|| Outline::new(puzzle.outer()).ok()).flatten();
     let grown = around.map(|outline| offset(&outline, 0.5 * kerf)).unwrap_or_default();

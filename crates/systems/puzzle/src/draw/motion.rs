@@ -1,4 +1,4 @@
-//! The motion that takes a puzzle apart, drawn.
+//! Drawings of the motion that takes a puzzle apart.
 
 use super::canvas::Canvas;
 use super::{COLORS, LINE, PNG_SIDE, rgb};
@@ -7,14 +7,14 @@ use pompeiu_planar::Point;
 use pompeiu_planar::svg::path_data;
 use std::fmt::Write;
 
-/// Seconds that the motion takes.
+/// Duration of the motion in seconds.
 const SECONDS: f64 = 4.0;
 
-/// Colours of what stays, and of the ways of centroids.
+/// Colours of stationary pieces, and of the paths of centroids.
 const STAYS: &str = "#e3e7ea";
 const WAY: &str = "#1c2530";
 
-/// The box of the puzzle and of all that the motion reaches.
+/// The bounding box of the puzzle and of the whole motion.
 fn bounds(puzzle: &Puzzle, motion: &Motion) -> [Point; 2] {
     let start = [[0.0; 2], puzzle.size()];
     let end = motion.frames.len() - 1;
@@ -24,7 +24,8 @@ fn bounds(puzzle: &Puzzle, motion: &Motion) -> [Point; 2] {
         .fold(start, |[low, high], p| [[0, 1].map(|k| low[k].min(p[k])), [0, 1].map(|k| high[k].max(p[k]))])
 }
 
-/// A drawing that plays the motion again and again where animations are played, and shows its end, its start and the ways of the centroids where not.
+/// A drawing with a repeating animation of the motion. Programs that do not play animations show its end, its start, and the paths
+/// of the centroids.
 pub fn motion_svg(puzzle: &Puzzle, motion: &Motion) -> String {
     let [low, high] = bounds(puzzle, motion);
     let longer = puzzle.size().into_iter().fold(0.0, f64::max);
@@ -75,10 +76,10 @@ pub fn motion_svg(puzzle: &Puzzle, motion: &Motion) -> String {
     text + "</svg>\n"
 }
 
-/// The end of the motion as a PNG picture, with where pieces were and the ways of their centroids.
+/// The end of the motion as a PNG picture, with the initial positions of pieces and the paths of their centroids.
 ///
 /// # Errors
-/// What the encoder says.
+/// The encoder's message.
 pub fn motion_png(puzzle: &Puzzle, motion: &Motion) -> Result<Vec<u8>, String> {
     let mut canvas = Canvas::new(puzzle, bounds(puzzle, motion), PNG_SIDE);
     let moving: Vec<usize> = motion.moving().collect();

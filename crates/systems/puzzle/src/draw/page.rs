@@ -1,12 +1,12 @@
-//! A page on which pieces can be dragged, and the motion that takes a puzzle apart is played.
+//! An interactive page: pieces can be dragged, and the motion that takes a puzzle apart is played.
 
 use super::{COLORS, Print};
 use crate::{Motion, Puzzle, PuzzleReport};
 use pompeiu_planar::svg::path_data;
 use std::fmt::Write;
 
-/// A page on which pieces can be dragged: pieces that hold each other move together, and snap where they belong. A motion that is given can be
-/// played, and a picture lies on the pieces.
+/// An interactive page: pieces can be dragged, pieces that hold each other move together, and pieces snap into place. It plays the
+/// motion if there is one, and shows the picture on the pieces.
 pub fn page(
     puzzle: &Puzzle,
     report: &PuzzleReport,
@@ -60,7 +60,7 @@ fn verdict(puzzle: &Puzzle, report: &PuzzleReport) -> String {
     text
 }
 
-/// The pieces that move, as data for the page: number, where the centroid belongs, and for each frame shift and degrees.
+/// The moving pieces as data for the page: index, initial centroid, and translation and rotation in degrees for each frame.
 fn frames(motion: &Motion) -> String {
     let mut text = String::from("[");
     for piece in motion.moving() {

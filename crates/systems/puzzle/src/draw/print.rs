@@ -1,4 +1,4 @@
-//! A picture that lies on the pieces.
+//! A picture printed on the pieces.
 
 use crate::Puzzle;
 use base64::Engine;
@@ -6,15 +6,15 @@ use base64::engine::general_purpose::STANDARD;
 use pompeiu_planar::Point;
 use pompeiu_planar::picture::{ColourPicture, PictureError, PictureFormat};
 
-/// A picture that lies on the pieces: as large as covers the puzzle, its middle on that of the puzzle.
+/// A picture printed on the pieces: centred on the puzzle, and just large enough to cover it.
 #[derive(Clone, Debug)]
 pub struct Print {
-    /// The file as a link that needs no file.
+    /// The file as a data URI.
     link: String,
     colours: ColourPicture,
 }
 
-/// The longest side of a picture that is written, in pixels: at least, and at most.
+/// The smallest and largest length of the longer side of a written picture, in pixels.
 const LEAST_SIDE: f64 = 800.0;
 const MOST_SIDE: f64 = 4096.0;
 
@@ -34,7 +34,7 @@ impl Print {
         Ok(Self { link: format!("data:image/{kind};base64,{}", STANDARD.encode(bytes)), colours })
     }
 
-    /// A pattern with the name `print` that lies on the puzzle.
+    /// An SVG pattern named `print` that covers the puzzle.
     pub(super) fn pattern(&self, puzzle: &Puzzle) -> String {
         let [width, height] = puzzle.size();
         format!(
@@ -44,19 +44,19 @@ impl Print {
         )
     }
 
-    /// Pixels of the picture in a unit of the puzzle.
+    /// Pixels of the picture per unit of the puzzle.
     fn scale(&self, puzzle: &Puzzle) -> f64 {
         let (size, pixels) = (puzzle.size(), self.colours.size());
         (0..2).map(|k| pixels[k] as f64 / size[k]).fold(f64::INFINITY, f64::min)
     }
 
-    /// Pixels along the longer side of the puzzle.
+    /// Pixels of the picture along the longer side of the puzzle.
     pub(super) fn pixels(&self, puzzle: &Puzzle) -> f64 {
         let [width, height] = puzzle.size();
         (self.scale(puzzle) * width.max(height)).clamp(LEAST_SIDE, MOST_SIDE)
     }
 
-    /// The colour at a place of the puzzle.
+    /// The colour at a position of the puzzle.
     pub(super) fn at(&self, puzzle: &Puzzle, p: Point) -> [u8; 3] {
         let (size, pixels, scale) = (puzzle.size(), self.colours.size(), self.scale(puzzle));
         self.colours.at([0, 1].map(|k| 0.5 * pixels[k] as f64 + scale * (p[k] - 0.5 * size[k])))

@@ -1,4 +1,4 @@
-//! What still holds once a cut has taken its width away.
+//! Whether pieces still hold each other after a cut of some width.
 
 mod pair;
 
@@ -9,38 +9,40 @@ use pompeiu_planar::{Outline, offset};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
-/// What a cut of some width leaves of a puzzle.
+/// The effect of a cut of some width on a puzzle.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Kerf {
     /// The width of the cut.
     pub width: f64,
-    /// Whether no piece can leave the others in the plane, each two pieces by themselves being unable to part. `false` where that is not shown.
+    /// Whether no piece can leave the others in the plane, shown by pairs of pieces that cannot part even in isolation and connect
+    /// all pieces. `false` if that is not shown.
     pub holds: bool,
-    /// The widest cut tried that holds, this width times 1, 2, 4 or 8; `null` where this one is not shown to hold.
+    /// The widest of the cuts tried that holds: this width times 1, 2, 4 or 8; `null` if this width is not shown to hold.
     pub widest: Option<f64>,
-    /// Pieces that are shown to hold each other.
+    /// Clusters of pieces that are shown to hold each other.
     pub clusters: Vec<Vec<usize>>,
-    /// Pieces of which the cut leaves nothing, or several parts.
+    /// Pieces that the cut removes completely or splits.
     pub split: Vec<usize>,
 }
 
 /// Multiples of the width that are tried.
 const WIDER: [f64; 3] = [2.0, 4.0, 8.0];
 
-/// What a cut along the borders, half of its width on each side, leaves of a puzzle: whether pieces hold each other with the gap between them.
+/// Tests whether pieces hold each other after a cut along the borders that removes half its width on each side.
 ///
 /// # Definition
-/// Two pieces hold each other if no path of motions in the plane, turns included, takes one away from the other without the two going into each
-/// other. Pieces that do are one cluster: it rattles, and does not come apart. A puzzle of one cluster holds.
+/// Two pieces hold each other if no path of planar motions, rotations included, separates them without overlap. Pieces that hold
+/// each other form one cluster: it has play, but does not come apart. A puzzle with one cluster holds.
 ///
 /// # Accuracy
-/// Finite, not to first order: see `pair.rs`. What is said to hold does; what is not said to hold may, for it is asked of each two pieces
-/// alone, and at three resolutions only.
+/// For finite motions, not only to first order: see `pair.rs`. A positive result is proven; a negative one is not, because pairs of
+/// pieces are tested in isolation, and at a few resolutions only.
 ///
 /// # Cost
-/// For each of about as many pairs as pieces some hundred to ten thousand places, corners of both pieces squared for each.
+/// For each of about as many pairs as pieces, a hundred to ten thousand configurations, each with the square of the number of
+/// corners of both pieces.
 pub fn kerf(puzzle: &Puzzle, width: f64, control: &Control) -> Kerf {
     let clusters = clusters(puzzle, width, control);
     let holds = clusters.len() == 1;
@@ -61,7 +63,7 @@ pub fn kerf(puzzle: &Puzzle, width: f64, control: &Control) -> Kerf {
     Kerf { width, holds, widest, clusters, split }
 }
 
-/// Pieces that hold each other, by a forest of pairs that do.
+/// Clusters of pieces that hold each other, connected by pairs that do.
 fn clusters(puzzle: &Puzzle, width: f64, control: &Control) -> Vec<Vec<usize>> {
     let mut cluster: Vec<usize> = (0..puzzle.pieces()).collect();
     let mut shared: BTreeMap<[usize; 2], Vec<usize>> = BTreeMap::new();
@@ -69,7 +71,7 @@ fn clusters(puzzle: &Puzzle, width: f64, control: &Control) -> Vec<Vec<usize>> {
         let Some(right) = border.right else { continue };
         shared.entry([border.left.min(right), border.left.max(right)]).or_default().push(i);
     }
-    // Those with the most corners first: tabs are there.
+    // Pairs with the most corners first, because they have tabs.
     let mut open: Vec<([usize; 2], Vec<usize>)> = shared.into_iter().collect();
     let corners =
         |borders: &[usize]| borders.iter().map(|b| puzzle.borders()[*b].corners.len()).sum::<usize>();
@@ -134,16 +136,16 @@ mod tests {
     #[test]
     fn a_head_holds_while_it_is_wider_than_the_neck_by_twice_the_cut() {
         let control = Control::start(&Limits::default());
-        // A dovetail of neck 200 and head 300, whose sides rise by 1 in 4: the cut w takes (√17 + 1)/4 w/2 off each side of the head's end, and
-        // as much is added to each side of the neck, so that the head passes from w = 39 on.
+        // A dovetail with neck 200, head 300 and sides that rise by 1 in 4: the cut w takes (√17 + 1)/4 w/2 off each side of the
+        // head's end and adds as much to each side of the neck, so that the head passes from w = 39 on.
         let dovetail = two(&[[500, 400], [700, 350], [700, 650], [500, 600]]);
         for (width, holds) in [(2.0, true), (20.0, true), (30.0, true), (42.0, false), (90.0, false)] {
             assert_eq!(kerf(&dovetail, width, &control).holds, holds, "{width}");
         }
-        // Parallel sides hold nothing, however narrow the cut.
+        // Parallel sides do not hold, however narrow the cut.
         let parallel = two(&[[500, 400], [700, 400], [700, 600], [500, 600]]);
         assert!(!kerf(&parallel, 1.0, &control).holds);
-        // A lock by roughness is gone with the cut, though the test of directions calls it locked.
+        // A lock by roughness disappears with the cut, although the first-order test reports it as locked.
         let rough = two(&[[500, 490], [510, 485], [510, 515], [500, 510]]);
         assert!(crate::lock(&rough).is_locked());
         assert!(kerf(&rough, 1.0, &control).holds && !kerf(&rough, 10.0, &control).holds);

@@ -1,36 +1,36 @@
-//! Whether two pieces with a gap between them can part.
+//! Whether two pieces with a gap between them can be separated.
 
 use crate::Puzzle;
 use pompeiu_core::run::Control;
 use pompeiu_planar::{Outline, Point, distance_to_outline};
 use std::collections::{BTreeSet, BinaryHeap};
 
-/// Sides of cells, over the width of the cut: the next one is tried where a path leaks at the one before.
+/// Cell sizes relative to the width of the cut; the next one is tried if a path to the outside exists at the previous one.
 const CELLS: [f64; 4] = [1.0, 0.5, 0.25, 0.125];
 
-/// Cells that are looked at before it is given up.
+/// Largest number of cells visited.
 const MOST: usize = 60_000;
 
-/// How far one piece may go before it has left the other one, over the size of what they share; and by how much it may turn.
+/// Distance at which a piece counts as separated, relative to the size of the common border; and the largest rotation considered.
 const REACH: f64 = 0.5;
 const MOST_TURN: f64 = 0.7;
 
-/// Points on each side of what two pieces share, at most.
+/// Largest number of sample points on each side of the common border.
 const POINTS: usize = 160;
 
-/// Of all that is said here, a part of this size is given to rounding, over the width of the cut.
+/// Safety margin for rounding, relative to the width of the cut.
 const ROUNDING: f64 = 1e-6;
 
 /// Two pieces with a gap between them.
 ///
-/// A motion of the first one turns it about the middle of what both share by θ and moves it by t. The space of (t, θ) is divided into cells. A
-/// cell is closed if some point of one piece, at its middle, lies so deep in the other one that no motion in the cell brings it out: deeper
-/// than half the cut, which is what the other one has lost, and than the greatest distance that a point moves within the cell. The points are
-/// those that lie half the cut below the side of their own piece. From the place where the pieces belong, all cells that are not closed
-/// are walked to; if that ends before one is far away, no path of motions parts the pieces.
+/// A motion of the first piece rotates it by θ about the middle of the common border and translates it by t. The space of (t, θ) is
+/// divided into cells. A cell is closed if, at its centre, some point of one piece lies so deep in the other that no motion in the
+/// cell frees it: deeper than half the cut, which the other piece has lost, plus the greatest displacement of a point within the
+/// cell. The test points lie half the cut inside their own piece. Starting from the assembled position, all cells that are not
+/// closed are visited; if none of them is far away, no path of motions separates the pieces.
 pub(super) struct Pair {
     pieces: [Outline; 2],
-    /// Points that the cut leaves of each piece.
+    /// Points of each piece that remain after the cut.
     points: [Vec<Point>; 2],
     middle: Point,
     size: f64,
@@ -38,7 +38,7 @@ pub(super) struct Pair {
 }
 
 impl Pair {
-    /// None where the cut leaves nothing of what both share.
+    /// `None` if the cut removes all of the common border.
     pub(super) fn new(puzzle: &Puzzle, pair: [usize; 2], borders: &[usize], width: f64) -> Option<Self> {
         let pieces =
             [Outline::new(puzzle.outline(pair[0])).ok()?, Outline::new(puzzle.outline(pair[1])).ok()?];
@@ -68,7 +68,7 @@ impl Pair {
         (size > 0.0).then_some(Self { pieces, points, middle, size, width })
     }
 
-    /// Whether no path parts the pieces. `false` where that is not shown.
+    /// Whether it is proven that no path separates the pieces.
     pub(super) fn holds(&self, control: &Control) -> bool {
         CELLS.iter().any(|cell| !control.is_stopped() && self.is_enclosed(cell * self.width))
     }
@@ -77,7 +77,7 @@ impl Pair {
         let turn = side / self.size;
         let reach = REACH * self.size;
         let mut seen = BTreeSet::from([[0_i32; 3]]);
-        // The farthest first: a path that leads away is found soon.
+        // The farthest cell first, so that a path to the outside is found soon.
         let mut open = BinaryHeap::from([(0, [0_i32; 3])]);
         let mut last = [0, 0];
         while let Some((_, cell)) = open.pop() {
@@ -102,7 +102,7 @@ impl Pair {
         true
     }
 
-    /// Whether the pieces go into each other at every motion of a cell. `last` remembers the points that showed it for the cell before.
+    /// Whether the pieces overlap at every motion in a cell. `last` caches the points that proved it for the previous cell.
     fn is_closed(&self, shift: Point, angle: f64, side: f64, turn: f64, last: &mut [usize; 2]) -> bool {
         let (sine, cosine) = libm::sincos(angle);
         let own = 0.5 * (1.0 + ROUNDING) * self.width;
@@ -120,7 +120,7 @@ impl Pair {
                     let q = [q[0] - shift[0], q[1] - shift[1]];
                     [cosine * q[0] + sine * q[1], cosine * q[1] - sine * q[0]]
                 };
-                // A turn moves a point by its distance from the centre at most.
+                // A rotation moves a point by at most its distance from the centre times the angle.
                 let arm = if piece == 0 {
                     libm::hypot(q[0], q[1])
                 } else {
@@ -138,7 +138,7 @@ impl Pair {
     }
 }
 
-/// Points along a path, its corners included, each with the vector to its left that leads to a distance of 1 from both of its sides.
+/// Points along a path, its corners included, each with the offset vector to its left that has distance 1 from both adjacent sides.
 fn below(path: &[Point], spacing: f64) -> Vec<(Point, Point)> {
     let left = |a: Point, b: Point| {
         let side = distance(a, b);
@@ -150,7 +150,7 @@ fn below(path: &[Point], spacing: f64) -> Vec<(Point, Point)> {
         if i > 0 {
             let before = left(path[i - 1], a);
             let scale = 1.0 + before[0] * normal[0] + before[1] * normal[1];
-            // Where the path turns back, there is no such vector.
+            // Where the path reverses, there is no such vector.
             if scale > 1e-3 {
                 found.push((a, [0, 1].map(|k| (before[k] + normal[k]) / scale)));
             }
@@ -164,7 +164,7 @@ fn below(path: &[Point], spacing: f64) -> Vec<(Point, Point)> {
     found
 }
 
-/// Whether a point lies inside, farther than a distance from the curve.
+/// Whether a point lies inside, farther than `depth` from the curve.
 fn is_deeper(outline: &Outline, p: Point, depth: f64) -> bool {
     let depth_sq = depth * depth;
     let mut is_inside = false;

@@ -1,6 +1,6 @@
-//! Motions of one body against fixed ones, in integers.
+//! Infinitesimal motions of one body relative to fixed ones, in integers.
 
-/// A row of conditions: its product with a motion must not be negative.
+/// A linear condition: its product with a motion must be nonnegative.
 pub(super) type Row = [i128; 3];
 
 /// The motions x with R x ≥ 0.
@@ -14,10 +14,10 @@ impl Cone {
         self.rows.extend(rows);
     }
 
-    /// A motion other than none; `None` if there is no other, exactly.
+    /// A nonzero motion; `None` if there is none, exactly.
     ///
-    /// Rows that do not span space leave a line of motions. Otherwise the cone is pointed, and unless it is the origin alone it has an
-    /// extreme ray, on which two independent rows are zero: the rays to try are the products of two rows.
+    /// If the rows do not span space, there is a line of motions. Otherwise the cone is pointed. Unless it contains only the
+    /// origin, it has an extreme ray, on which two independent rows vanish: the candidates are the cross products of two rows.
     ///
     /// # Accuracy
     /// Corners have at most 23 bits, so rows at most 46, products 70 and their products with rows 94.
@@ -32,7 +32,7 @@ impl Cone {
         let rows = &self.rows;
         let Some(&first) = rows.first() else { return Some([1, 0, 0]) };
         let Some(line) = rows.iter().map(|row| cross(first, *row)).find(|line| *line != [0; 3]) else {
-            // One direction only: whatever is perpendicular to it.
+            // One row up to sign: anything perpendicular to it.
             let axes = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map(|axis| cross(first, axis));
             return axes.into_iter().find(|line| *line != [0; 3]);
         };
@@ -92,7 +92,7 @@ mod tests {
         );
         let octant = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
         assert!(motion(&octant).is_some());
-        // A fourth row against all three closes it, and one that is a little off leaves a ray.
+        // A fourth row against all three closes the cone; a slightly rotated one leaves a ray.
         assert_eq!(motion(&[octant[0], octant[1], octant[2], [-1, -1, -1]]), None);
         assert!(motion(&[octant[0], octant[1], octant[2], [0, -1, -1]]).is_some());
     }

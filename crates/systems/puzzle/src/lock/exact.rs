@@ -1,4 +1,4 @@
-//! That multipliers prove a lock, checked in integers.
+//! Checks in integers that multipliers prove a lock.
 
 use super::program::{Contact, square};
 use pompeiu_solve::{Cholesky, SparseMatrix};
@@ -10,18 +10,19 @@ const LARGEST: f64 = (1_u64 << 60) as f64;
 const FACTOR: f64 = 0.125;
 const SHIFTS: i32 = 16;
 
-/// Whether weights of unit rows, all above 0, prove that no motion is possible.
+/// Whether positive weights of unit rows prove that no motion is possible.
 ///
 /// # Definition
-/// Let Λ be the weights over the lengths of the rows R, times a scale, rounded to integers of at least 1. Their combination ρ = Σ Λ R is found in
-/// integers. It need not be 0: with H = Σ Λ |R| r rᵀ over the unit rows r, let H y = ρ; then Σ Λ (1 − r·y) R = 0, exactly, and these
-/// multipliers are above 0 where r·y < 1. As r has two parts of length at most 1, that holds if √2 |ρ| < σ for a lower bound σ > 0 of the
-/// eigenvalues of H. Such a bound also says that the rows have full rank; so by Stiemke's lemma nothing moves.
+/// Let Λ be the weights divided by the lengths of the rows R, scaled and rounded to integers of at least 1. Their combination ρ = Σ
+/// Λ R is computed in integers. It need not be 0: with H = Σ Λ |R| r rᵀ over the unit rows r, let H y = ρ. Then Σ Λ (1 − r·y) R = 0
+/// exactly, and these multipliers are positive where r·y < 1. As r has two parts of length at most 1, that holds if √2 |ρ| < σ for
+/// a lower bound σ > 0 of the eigenvalues of H. Such a bound also implies that the rows have full rank; so by Stiemke's lemma
+/// nothing moves.
 ///
 /// # Accuracy
-/// σ comes from a Cholesky factor of H − cI that exists in double precision. Its backward error is at most γ tr H with γ = (n + 3) u / (1 − (n + 3) u)
-/// for n unknowns and u = 2^-53 (`rump_verification_2006`); that of the entries of H is at most 2 (m + 12) u tr H for m contacts, by the sum of
-/// all moduli. Twice both is taken off c.
+/// σ comes from a Cholesky factor of H − cI that exists in double precision. Its backward error is at most γ tr H with γ = (n + 3)
+/// u / (1 − (n + 3) u) for n unknowns and u = 2^-53 (`rump_verification_2006`). The error of the entries of H is at most 2 (m + 12)
+/// u tr H for m contacts, by the sum of all absolute values. Twice both is subtracted from c.
 pub(super) fn proves(contacts: &[Contact], weights: &[f64], columns: usize) -> bool {
     let over_lengths: Vec<f64> = contacts.iter().zip(weights).map(|(c, w)| w / c.length).collect();
     let largest = over_lengths.iter().copied().fold(0.0, f64::max);
@@ -46,7 +47,7 @@ pub(super) fn proves(contacts: &[Contact], weights: &[f64], columns: usize) -> b
             }
         }
     }
-    // One unit of rounding in each operation: a thousandth more is enough.
+    // One rounding error per operation: a thousandth more is enough.
     let rest = 1.001 * combination.iter().map(|v| (*v as f64) * (*v as f64)).sum::<f64>().sqrt();
     let own: Vec<f64> = contacts.iter().zip(&multipliers).map(|(c, m)| *m as f64 * c.length).collect();
     let trace: f64 = 2.0 * own.iter().sum::<f64>();

@@ -1,17 +1,17 @@
-//! A motion of several clusters at once, from the shortest combination of multipliers: for few clusters.
+//! Joint motions of several clusters by least squares, for few clusters.
 
 use super::rows;
 use crate::Puzzle;
 
-/// Relative size below which a combination of unit rows is 0, and above which it is not. Between them nothing is claimed.
+/// Relative size below which a combination of unit rows counts as 0, and above which it does not. Between them nothing is claimed.
 const ZERO: f64 = 1e-9;
 const NOT_ZERO: f64 = 1e-6;
 
-/// A motion from min |Aᵀλ| over λ ≥ 1, with A the rows of all contacts on the twists of all clusters but the first; none where rounding does not
-/// let tell, or nothing moves.
+/// A motion from min |Aᵀλ| over λ ≥ 1, where A has the rows of all contacts in the twists of all clusters but the first. `None` if
+/// rounding leaves it undecided or nothing moves.
 ///
-/// By Stiemke's lemma either some λ > 0 has Aᵀλ = 0, and then A x ≥ 0 implies A x = 0; or x = Aᵀλ at the minimum has A x ≥ 0 and is not 0: it
-/// is a motion that opens a contact. Where all motions keep all contacts, the rank tells whether there is one.
+/// By Stiemke's lemma either some λ > 0 has Aᵀλ = 0, and then A x ≥ 0 implies A x = 0; or x = Aᵀλ at the minimum has A x ≥ 0 and is
+/// nonzero: a motion that opens a contact. If all motions keep all contacts, the rank decides whether there is one.
 pub(super) fn motion(puzzle: &Puzzle, clusters: &[usize], count: usize) -> Option<Vec<[f64; 3]>> {
     let columns = 3 * (count - 1);
     let matrix = matrix(puzzle, clusters, columns);
@@ -45,12 +45,12 @@ fn centre(puzzle: &Puzzle) -> [f64; 2] {
     puzzle.size().map(|side| 0.5 * side)
 }
 
-/// The length that makes turning and moving comparable.
+/// The length that makes rotations and translations comparable.
 fn scale(puzzle: &Puzzle) -> f64 {
     puzzle.unit()
 }
 
-/// Unit rows on the twists about the middle of the puzzle, lengths over the mean side of a piece.
+/// Unit rows in the twists about the centre of the puzzle, with lengths relative to the mean side of a piece.
 fn matrix(puzzle: &Puzzle, clusters: &[usize], columns: usize) -> Vec<Vec<f64>> {
     let origin = puzzle.size.map(|x| x / 2);
     let unit = scale(puzzle) / puzzle.step;
@@ -78,7 +78,7 @@ fn matrix(puzzle: &Puzzle, clusters: &[usize], columns: usize) -> Vec<Vec<f64>> 
     matrix
 }
 
-/// Aᵀλ of least length over λ ≥ 1: with λ = 1 + μ a problem of non-negative least squares (`lawson_solving_1974`, chapter 23).
+/// The shortest Aᵀλ over λ ≥ 1: with λ = 1 + μ a nonnegative least-squares problem (`lawson_solving_1974`, chapter 23).
 fn least_combination(rows: &[Vec<f64>], columns: usize) -> Option<Vec<f64>> {
     let mut start = vec![0.0; columns];
     for row in rows {
@@ -92,7 +92,7 @@ fn least_combination(rows: &[Vec<f64>], columns: usize) -> Option<Vec<f64>> {
         for i in &passive {
             add(&mut combination, &rows[*i], multipliers[*i]);
         }
-        // The row along which the combination becomes shorter fastest.
+        // The row along which the combination shortens fastest.
         let free = (0..rows.len()).filter(|i| !passive.contains(i));
         let best = free.map(|i| (dot(&rows[i], &combination), i)).min_by(|a, b| a.0.total_cmp(&b.0));
         match best {
@@ -101,7 +101,7 @@ fn least_combination(rows: &[Vec<f64>], columns: usize) -> Option<Vec<f64>> {
         }
         loop {
             let Some(target) = least_squares(rows, &passive, &start) else {
-                // The new row depends on the others.
+                // The new row is linearly dependent on the others.
                 let dropped = passive.pop()?;
                 multipliers[dropped] = 0.0;
                 let mut combination = start.clone();
@@ -116,7 +116,7 @@ fn least_combination(rows: &[Vec<f64>], columns: usize) -> Option<Vec<f64>> {
                 }
                 break;
             }
-            // As far towards the target as no multiplier becomes negative.
+            // As far towards the target as all multipliers stay nonnegative.
             let steps = passive.iter().zip(&target).filter(|(_, m)| **m <= 0.0);
             let step = steps.map(|(i, m)| multipliers[*i] / (multipliers[*i] - m)).fold(1.0, f64::min);
             for (i, m) in passive.iter().zip(&target) {
@@ -140,7 +140,8 @@ fn least_combination(rows: &[Vec<f64>], columns: usize) -> Option<Vec<f64>> {
     None
 }
 
-/// The multipliers of some rows that make the sum with a start shortest, by orthogonalising them twice; none where they are dependent.
+/// The multipliers of some rows that minimise the length of their sum with a start, by orthogonalising twice; `None` if the rows
+/// are dependent.
 fn least_squares(rows: &[Vec<f64>], which: &[usize], start: &[f64]) -> Option<Vec<f64>> {
     let n = which.len();
     let mut basis: Vec<Vec<f64>> = Vec::with_capacity(n);
@@ -172,7 +173,7 @@ fn least_squares(rows: &[Vec<f64>], which: &[usize], start: &[f64]) -> Option<Ve
     Some(found)
 }
 
-/// A vector that all rows are orthogonal to; none if they span the space.
+/// A vector orthogonal to all rows; `None` if they span the space.
 fn null_vector(rows: &[Vec<f64>], columns: usize) -> Option<Vec<f64>> {
     let mut basis: Vec<Vec<f64>> = Vec::new();
     for row in rows {

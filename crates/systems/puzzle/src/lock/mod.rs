@@ -1,4 +1,4 @@
-//! What can move: all motions of all pieces at once, to first order.
+//! Infinitesimal joint motions of all pieces.
 
 mod cone;
 mod exact;
@@ -11,39 +11,39 @@ use program::Verdict;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
-/// How it is known whether a puzzle is locked.
+/// How it was decided whether a puzzle is locked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Proof {
-    /// Locked: clusters that cannot move against each other became one, decided in integers.
+    /// Locked: clusters that cannot move relative to each other were merged until one was left, decided in integers.
     Merging,
     /// Free: one cluster can move while all others stay, decided in integers.
     OneMoves,
-    /// Locked: multipliers show that no motion of several clusters is possible, checked in integers.
+    /// Locked: multipliers show that no joint motion of several clusters is possible, checked in integers.
     Multipliers,
     /// Free: several clusters can move at once, in double precision.
     SeveralMove,
-    /// Not decided: no cluster can move alone, and rounding does not let tell whether several can.
+    /// Undecided: no cluster can move alone, and because of rounding it is not known whether several can move jointly.
     Undecided,
 }
 
-/// A motion that takes a puzzle apart to first order.
+/// An infinitesimal motion that takes a puzzle apart.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Escape {
-    /// For each piece its velocity at the origin and its angular velocity, in units of the outline; all zero for pieces that stay.
+    /// For each piece its velocity at the origin and its angular velocity, in units of the outline; all zero for stationary pieces.
     pub twists: Vec<[f64; 3]>,
 }
 
 /// Which pieces hold each other.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Lock {
-    /// The cluster of each piece: no two pieces of a cluster can move against each other.
+    /// The cluster of each piece: no two pieces of a cluster can move relative to each other.
     pub clusters: Vec<usize>,
     /// The number of clusters.
     pub count: usize,
-    /// How it is known.
+    /// How it was decided.
     pub proof: Proof,
     /// A motion, where there is one.
     pub escape: Option<Escape>,
@@ -52,30 +52,30 @@ pub struct Lock {
 }
 
 impl Lock {
-    /// Whether no piece can move against another one.
+    /// Whether no piece can move relative to another one.
     pub fn is_locked(&self) -> bool {
         matches!(self.proof, Proof::Merging | Proof::Multipliers)
     }
 }
 
-/// Decides which pieces can move, over all motions of all pieces at once.
+/// Decides which pieces can move, over all joint motions of the pieces.
 ///
 /// # Definition
-/// A motion gives each piece a velocity and an angular velocity in the plane. It is possible if on every border no piece moves into the other
-/// one, to first order. A puzzle is locked if only motions as a whole are possible.
+/// A motion gives each piece a velocity and an angular velocity in the plane. It is possible if on every border, to first order,
+/// neither piece moves into the other. A puzzle is locked if the only possible motions move it as a whole.
 ///
 /// # Accuracy
-/// Pairs of clusters are tested in integers: pieces that cannot move against each other become one cluster, whose borders are pooled, again
-/// and again. If one cluster is left, the puzzle is locked, exactly. If a cluster can move alone, it is free, exactly. What is left
-/// is asked of a program in double precision; where its multipliers say that nothing moves, that is checked in integers, and where it finds a
-/// motion, that holds to rounding.
+/// Pairs of clusters are tested in integers: pieces that cannot move relative to each other are merged into one cluster, whose
+/// borders are combined, repeatedly. If one cluster is left, the puzzle is locked, exactly. If a cluster can move alone, it is
+/// free, exactly. The remaining cases are decided by an optimisation in double precision: if its multipliers indicate a lock, that
+/// is checked in integers; a motion that it finds is valid up to rounding.
 ///
 /// # Limits
-/// First order is a matter of directions, not of sizes: roughness locks, too. See [`Puzzle::simplified`] for the depth to which a lock
-/// holds. A kerf takes all contacts away, so this says nothing of loose pieces.
+/// First-order tests see directions, not sizes: roughness of a border can also lock. See [`Puzzle::simplified`] for the depth to
+/// which a lock holds. A kerf removes all contacts, so this test says nothing about loose pieces.
 ///
 /// # Cost
-/// Segments of a pair of clusters squared, for each pair; for the program some hundred sparse factorisations.
+/// For each pair of clusters, the square of the number of segments; for the optimisation some hundred sparse factorisations.
 ///
 /// # Source
 /// `wang_desia_2018` for rows and multipliers; merging is ours.
@@ -84,7 +84,7 @@ pub fn lock(puzzle: &Puzzle) -> Lock {
     let mut open: BTreeMap<[usize; 2], bool> = BTreeMap::new();
     loop {
         let shared = shared_borders(puzzle, &clusters);
-        // Pairs whose borders have not changed need no second test.
+        // Pairs with unchanged borders need no second test.
         let changed: Vec<(&[usize; 2], &Vec<usize>)> =
             shared.iter().filter(|(pair, _)| !open.contains_key(*pair)).collect();
         let is_locked: Vec<bool> = changed
@@ -116,7 +116,7 @@ pub fn lock(puzzle: &Puzzle) -> Lock {
     verdict(puzzle, &clusters)
 }
 
-/// What follows once no two clusters hold each other by themselves.
+/// The result once no two clusters hold each other pairwise.
 fn verdict(puzzle: &Puzzle, names: &[usize]) -> Lock {
     let mut order: Vec<usize> = names.to_vec();
     order.sort_unstable();
@@ -130,7 +130,7 @@ fn verdict(puzzle: &Puzzle, names: &[usize]) -> Lock {
     let motions: Vec<Option<[f64; 3]>> =
         (0..count).into_par_iter().map(|cluster| alone(puzzle, &clusters, cluster)).collect();
     let alone: Vec<Option<[f64; 3]>> = clusters.iter().map(|cluster| motions[*cluster]).collect();
-    // The smallest cluster that can move shows it best.
+    // The smallest cluster that can move is the clearest example.
     let size = |cluster: usize| clusters.iter().filter(|c| **c == cluster).count();
     if let Some(cluster) = (0..count).filter(|c| motions[*c].is_some()).min_by_key(|c| (size(*c), *c)) {
         let moves = |c: &usize| if *c == cluster { motions[cluster].unwrap_or_default() } else { [0.0; 3] };
@@ -161,8 +161,8 @@ fn shared_borders(puzzle: &Puzzle, clusters: &[usize]) -> BTreeMap<[usize; 2], V
     shared
 }
 
-/// The rows of a border, of the motion of the piece on its left against the one on its right, about an origin: for a segment from p to q both
-/// ends must not move into the right side.
+/// The rows of a border for the motion of the piece on its left relative to the one on its right, about an origin: neither end of a
+/// segment from p to q may move into the right side.
 fn rows(puzzle: &Puzzle, border: usize, origin: [i64; 2]) -> impl Iterator<Item = Row> + '_ {
     rows_of(&puzzle.borders[border].corners, origin)
 }
@@ -176,14 +176,14 @@ fn rows_of(corners: &[[i64; 2]], origin: [i64; 2]) -> impl Iterator<Item = Row> 
     })
 }
 
-/// Whether a border by itself holds the two pieces on its sides against each other, exactly.
+/// Whether a border alone holds the two adjacent pieces together, exactly.
 pub(crate) fn holds(corners: &[[i64; 2]]) -> bool {
     let mut cone = Cone::default();
     cone.extend(rows_of(corners, corners[0]));
     cone.motion().is_none()
 }
 
-/// A motion of the first of two clusters against the second; none where they hold each other.
+/// A motion of the first of two clusters relative to the second; `None` if they hold each other.
 fn pair_cone(
     puzzle: &Puzzle,
     clusters: &[usize],
@@ -217,9 +217,9 @@ fn alone(puzzle: &Puzzle, clusters: &[usize], cluster: usize) -> Option<[f64; 3]
     cone.motion().map(|motion| from_steps(motion.map(|x| x as f64), origin, puzzle.step))
 }
 
-/// A twist about a corner of the lattice, in steps, as one about the origin in the unit of the outline, of length about 1.
+/// Converts a twist about a lattice corner, in steps, to one about the origin in the unit of the outline, of length about 1.
 fn from_steps([vx, vy, w]: [f64; 3], origin: [i64; 2], step: f64) -> [f64; 3] {
-    // Where velocity at p is v + w J p with J p = (−p_y, p_x).
+    // The velocity at p is v + w J p with J p = (−p_y, p_x).
     let [ox, oy] = origin.map(|x| x as f64 * step);
     let (vx, vy) = (vx * step, vy * step);
     let moved = [vx + w * oy, vy - w * ox, w];
@@ -241,7 +241,7 @@ mod tests {
     use crate::{Border, Layout, PuzzleOptions, Tab, make};
     use pompeiu_core::mesh::edit::Random;
 
-    /// Two pieces side by side: piece 0 on the left of a border that goes up.
+    /// Two adjacent pieces: piece 0 on the left of a border that goes up.
     fn two(middle: &[[i64; 2]]) -> Lock {
         let corners = [&[[500, 0]], middle, &[[500, 1000]]].concat();
         let border = Border { corners, left: 0, right: Some(1) };
@@ -275,16 +275,16 @@ mod tests {
     #[test]
     fn tabs_with_known_motions() {
         assert_eq!(two(&[]).proof, Proof::OneMoves);
-        // Parallel sides: straight out, and in no other direction.
+        // Parallel sides: only straight out.
         let parallel = two(&[[500, 400], [700, 400], [700, 600], [500, 600]]);
         assert_eq!(parallel.proof, Proof::OneMoves);
         let ways: Vec<[f64; 3]> =
             parallel.alone.iter().flatten().map(|v| v.map(|x| x.signum() * x.abs().ceil())).collect();
         assert_eq!(ways, [[-1.0, 0.0, 0.0], [1.0, 0.0, 0.0]]);
-        // Wider at the head, on both sides or by a hair on one.
+        // Wider at the head, on both sides or minimally on one.
         assert_eq!(two(&[[500, 400], [700, 350], [700, 650], [500, 600]]).proof, Proof::Merging);
         assert_eq!(two(&[[500, 400], [700, 400], [700, 601], [500, 600]]).proof, Proof::Merging);
-        // Broken on one side: obliquely out.
+        // A missing corner on one side: obliquely out.
         let broken = two(&[[500, 300], [700, 400], [700, 650], [500, 600]]);
         let [vx, vy, w] = broken.alone[0].unwrap();
         assert!(broken.proof == Proof::OneMoves && vx < 0.0);
@@ -340,7 +340,7 @@ mod tests {
         assert!(seen["Merging"] > 10 && seen["OneMoves"] > 10, "{seen:?}");
     }
 
-    /// Whether a motion is one, by its velocities at the corners of all borders.
+    /// Checks a motion by the velocities at the corners of all borders.
     fn enters_nothing(puzzle: &Puzzle, twists: &[[f64; 3]]) -> bool {
         let at = |[vx, vy, w]: [f64; 3], [x, y]: [f64; 2]| [vx - w * y, vy + w * x];
         let largest = puzzle

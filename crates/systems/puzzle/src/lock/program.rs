@@ -1,21 +1,21 @@
-//! Motions of several clusters at once: a program whose multipliers are checked in integers.
+//! Joint motions of several clusters by optimisation; its multipliers are checked in integers.
 
 use super::exact::proves;
 use super::{least, rows};
 use crate::Puzzle;
 use pompeiu_solve::{Analysis, Cholesky, LinearSolver, Ordering, SparseMatrix};
 
-/// What the program finds.
+/// The result of the optimisation.
 pub(super) enum Verdict {
-    /// Multipliers greater than 0 whose combination of all rows is 0, and rows of full rank: no motion. Proven.
+    /// Positive multipliers with a vanishing combination of all rows, and rows of full rank: no motion. Proven.
     Locked,
     /// A twist for each cluster, about the origin, in units of the outline.
     Moves(Vec<[f64; 3]>),
-    /// Rounding does not let tell.
+    /// Undecided because of rounding.
     Unclear,
 }
 
-/// A condition on the twist of one cluster against another: exact, and of length 1.
+/// A condition on the twist of one cluster relative to another: exact, and scaled to length 1.
 pub(super) struct Contact {
     pub(super) pair: [usize; 2],
     pub(super) exact: [i128; 3],
@@ -23,35 +23,36 @@ pub(super) struct Contact {
     pub(super) unit: [f64; 3],
 }
 
-/// Steps of Newton's method at most.
+/// Largest number of Newton steps.
 const STEPS: usize = 150;
 
-/// The greatest change of an exponent in a step: the sum of exponentials then falls.
+/// Largest change of an exponent in a step: the sum of exponentials then decreases.
 const REACH: f64 = 0.7;
 
-/// The combination of rows is 0 up to this share of the sum of multipliers.
+/// The combination of rows counts as 0 up to this share of the sum of multipliers.
 const SETTLED: f64 = 1e-13;
 
-/// Steps between two looks at where the twists go.
+/// Steps between two checks for convergence to a motion.
 const LOOK: usize = 15;
 
-/// Contacts are taken to stay closed where they open by less than these shares of what opens most.
+/// Contacts count as closed if they open by less than these shares of the largest opening.
 const CLOSED: [f64; 4] = [0.03, 0.003, 3e-4, 3e-5];
 
-/// Most clusters for the other program where this one does not find a motion.
+/// Largest number of clusters for the least-squares method, which is tried if this one finds no motion.
 const FEW: usize = 60;
 
-/// A contact may close by this share of the greatest opening: rounding of the projection.
+/// Largest closing of a contact relative to the largest opening, due to rounding of the projection.
 const ZERO: f64 = 1e-9;
 
-/// Added to the diagonal, relative to it.
+/// Regularisation of the diagonal, relative to it.
 const SHIFT: f64 = 1e-13;
 
 /// Minimises F(x) = Σ exp(−a·x) over the twists x of all clusters but the first, a the unit rows of all contacts.
 ///
-/// By Stiemke's lemma either some λ > 0 has Σ λ a = 0, or some x has a·x ≥ 0 for all rows and more than 0 for one. In the first case, if the
-/// rows span the space, F has a minimum, and λ = exp(−a·x) there; that these multipliers prove the lock is checked in integers (`exact.rs`).
-/// In the second case x grows without bound along a motion, which is freed of rounding by a projection on what stays closed.
+/// By Stiemke's lemma either some λ > 0 has Σ λ a = 0, or some x has a·x ≥ 0 for all rows and a·x > 0 for one. In the first case,
+/// if the rows span the space, F has a minimum, where λ = exp(−a·x); `exact.rs` checks in integers that these multipliers prove the
+/// lock. In the second case x grows without bound along a motion; a projection onto the contacts that stay closed removes its
+/// rounding errors.
 pub(super) fn solve(puzzle: &Puzzle, clusters: &[usize], count: usize) -> Verdict {
     match by_exponentials(puzzle, clusters, count) {
         Verdict::Unclear if count <= FEW => {
@@ -70,7 +71,7 @@ fn by_exponentials(puzzle: &Puzzle, clusters: &[usize], count: usize) -> Verdict
     for round in 0..STEPS {
         let exponents: Vec<f64> = contacts.iter().map(|c| opening(c, &x)).collect();
         if round > 0 && round % LOOK == 0 {
-            // Where nothing moves, the twists settle; else their change tends to a motion.
+            // If nothing moves, the twists converge; otherwise their change tends to a motion.
             let change: Vec<f64> = x.iter().zip(&before).map(|(now, then)| now - then).collect();
             if let Some(motion) =
                 CLOSED.iter().find_map(|closed| motion(&mut analysis, &contacts, *closed, &change))
@@ -101,7 +102,7 @@ fn by_exponentials(puzzle: &Puzzle, clusters: &[usize], count: usize) -> Verdict
     Verdict::Unclear
 }
 
-/// The rows of all contacts: twists about the middle of the puzzle, the angular velocity times the mean side of a piece.
+/// The rows of all contacts: twists about the centre of the puzzle, with angular velocity scaled by the mean side of a piece.
 fn contacts(puzzle: &Puzzle, clusters: &[usize]) -> Vec<Contact> {
     let origin = puzzle.size.map(|x| x / 2);
     let unit = side(puzzle);
@@ -129,7 +130,7 @@ fn side(puzzle: &Puzzle) -> i128 {
     (puzzle.unit() / puzzle.step).round().max(1.0) as i128
 }
 
-/// The product of a row with the twists: what opens.
+/// The product of a row with the twists: the opening velocity.
 fn opening(contact: &Contact, x: &[f64]) -> f64 {
     let part = |cluster: usize| {
         if cluster == 0 {
@@ -142,7 +143,7 @@ fn opening(contact: &Contact, x: &[f64]) -> f64 {
     part(contact.pair[0]) - part(contact.pair[1])
 }
 
-/// Adds a row times a factor.
+/// Adds a multiple of a row.
 fn add(contact: &Contact, factor: f64, to: &mut [f64]) {
     for (cluster, sign) in contact.pair.into_iter().zip([factor, -factor]) {
         if cluster > 0 {
@@ -152,8 +153,7 @@ fn add(contact: &Contact, factor: f64, to: &mut [f64]) {
     }
 }
 
-/// The sum of weight times row times row, as entries of its lower and upper triangle: contacts of a pair that follow one another are summed up
-/// first.
+/// The weighted sum of the outer products of rows, as entries of both triangles; consecutive contacts of a pair are summed first.
 pub(super) fn square(contacts: &[Contact], weights: &[f64]) -> Vec<(usize, usize, f64)> {
     let mut entries = Vec::new();
     let mut first = 0;
@@ -183,8 +183,8 @@ pub(super) fn square(contacts: &[Contact], weights: &[f64]) -> Vec<(usize, usize
     entries
 }
 
-/// The solution for the sum of weighted squares of rows with a share of the largest weight added to its diagonal. Its pattern is that of the
-/// contacts, and analysed once.
+/// Solves with the weighted sum of outer products, regularised by a share of the largest weight on the diagonal. Its pattern is
+/// analysed once.
 fn solved(
     analysis: &mut Option<Analysis>,
     contacts: &[Contact],
@@ -204,14 +204,14 @@ fn solved(
     Cholesky::with(analysis, &matrix).ok()?.solve(right).ok()
 }
 
-/// The motion nearest to x that keeps contacts closed that open by less than a share of the most; none if it closes others.
+/// The motion nearest to x that keeps contacts closed if they open by less than a share of the maximum; `None` if it closes others.
 fn motion(analysis: &mut Option<Analysis>, contacts: &[Contact], closed: f64, x: &[f64]) -> Option<Vec<f64>> {
     let openings: Vec<f64> = contacts.iter().map(|c| opening(c, x)).collect();
     let most = openings.iter().copied().fold(0.0, f64::max);
     let weights: Vec<f64> = openings.iter().map(|z| if *z <= closed * most { 1.0 } else { 0.0 }).collect();
     let size = norm(x);
     let mut found: Vec<f64> = x.iter().map(|v| v / size).collect();
-    // Each round makes what would open closed contacts smaller by the shift.
+    // Each round reduces the opening of closed contacts by the regularisation factor.
     let shift = 1e-9;
     for _ in 0..3 {
         let right: Vec<f64> = found.iter().map(|v| shift * v).collect();
@@ -223,7 +223,7 @@ fn motion(analysis: &mut Option<Analysis>, contacts: &[Contact], closed: f64, x:
     (most > 1e-6 * norm(&found) && least >= -ZERO * most).then_some(found)
 }
 
-/// A motion that keeps all contacts closed, where there is one.
+/// A motion that keeps all contacts closed, if there is one.
 fn slide(
     analysis: &mut Option<Analysis>,
     puzzle: &Puzzle,
@@ -244,7 +244,7 @@ fn slide(
     (most <= ZERO).then(|| Verdict::Moves(twists(puzzle, count, &x)))
 }
 
-/// Twists about the middle, in units of the mean side, as those about the origin in the unit of the outline.
+/// Converts twists about the centre, in units of the mean side, to twists about the origin in the unit of the outline.
 fn twists(puzzle: &Puzzle, count: usize, x: &[f64]) -> Vec<[f64; 3]> {
     let largest = x.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
     let middle = puzzle.size.map(|s| (s / 2) as f64 * puzzle.step);

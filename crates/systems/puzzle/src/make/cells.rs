@@ -1,4 +1,4 @@
-//! The Voronoi cells of sites in a rectangle, corners rounded to the lattice.
+//! Voronoi cells of sites in a rectangle, with corners rounded to the lattice.
 
 use crate::puzzle::Corner;
 use crate::{Border, Puzzle, PuzzleError};
@@ -6,16 +6,16 @@ use pompeiu_planar::Point;
 use spade::{DelaunayTriangulation, Point2, Triangulation};
 use std::collections::BTreeMap;
 
-/// Corners of cells nearer than this many steps are one: those of four sites on a circle differ by rounding only.
+/// Corners of cells closer than this many steps are merged: for four cocircular sites they differ by rounding only.
 const ONE_CORNER: i64 = 16;
 
 /// The cells of sites, as a puzzle without tabs.
 ///
-/// The rectangle's sides are borders of the cells of the sites and their images in the four sides.
+/// The rectangle's sides are the borders between the cells of sites and of their mirror images in the four sides.
 pub(super) fn partition(sites: &[Point], size: [f64; 2], step: f64) -> Result<Puzzle, PuzzleError> {
     let mut triangulation: DelaunayTriangulation<Point2<f64>> = DelaunayTriangulation::new();
     let [width, height] = size;
-    // The site itself, and its images in the four sides.
+    // The site itself, and its mirror images in the four sides.
     let image = |[x, y]: Point, k: usize| match k {
         0 => [x, y],
         1 => [-x, y],
@@ -23,7 +23,7 @@ pub(super) fn partition(sites: &[Point], size: [f64; 2], step: f64) -> Result<Pu
         3 => [x, -y],
         _ => [x, 2.0 * height - y],
     };
-    // The site of each vertex; none for an image.
+    // The site of each vertex; `None` for a mirror image.
     let mut owner: Vec<Option<usize>> = Vec::new();
     for k in 0..5 {
         for (site, p) in sites.iter().enumerate() {
@@ -54,7 +54,7 @@ pub(super) fn partition(sites: &[Point], size: [f64; 2], step: f64) -> Result<Pu
     for vertex in triangulation.vertices() {
         let Some(site) = owner[vertex.fix().index()] else { continue };
         let mut around: Vec<(usize, bool)> = Vec::new();
-        // Counter-clockwise, so that the borders follow each other.
+        // Counter-clockwise, so that borders are consecutive.
         for edge in vertex.out_edges() {
             let other = owner[edge.to().fix().index()];
             let name = edge.as_undirected().fix().index();
@@ -95,14 +95,14 @@ pub(super) fn partition(sites: &[Point], size: [f64; 2], step: f64) -> Result<Pu
     }
 }
 
-/// Corners, of which those that are near each other are one.
+/// Corners, with nearby ones merged.
 #[derive(Default)]
 struct Merged {
     cells: BTreeMap<[i64; 2], Vec<Corner>>,
 }
 
 impl Merged {
-    /// The corner that is there already, or this one.
+    /// An existing nearby corner, or a new one.
     fn corner(&mut self, at: Corner) -> Corner {
         let cell = at.map(|x| x.div_euclid(ONE_CORNER));
         for dx in -1..=1 {
@@ -120,7 +120,7 @@ impl Merged {
 }
 
 impl Puzzle {
-    /// The centroids of the pieces, in steps of the lattice.
+    /// The centroids of the pieces, in lattice steps.
     pub(super) fn centroids(&self) -> Vec<Point> {
         (0..self.pieces())
             .map(|piece| {

@@ -1,4 +1,4 @@
-//! Cells within an outline: the faces of the drawing of both.
+//! Clipping cells to an outline: the faces of the planar subdivision of both.
 
 use crate::puzzle::Corner;
 use crate::{Border, Puzzle, PuzzleError};
@@ -6,16 +6,17 @@ use pompeiu_planar::Outline;
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
-/// Faces of less than this share of the mean area become part of the neighbour that they share most with.
+/// Faces below this share of the mean area are merged with the neighbour with which they share the longest border.
 const SLIVER: f64 = 0.3;
 
-/// The parts of cells that lie within an outline and outside of whimsies, and the whimsies, as a puzzle without tabs. The outline lies inside the
-/// rectangle of the cells.
+/// The parts of cells inside an outline and outside of whimsies, and the whimsies, as a puzzle without tabs. The outline must lie
+/// inside the rectangle of the cells.
 ///
-/// Where borders meet the outline, the outline gets a corner on the lattice, less than a step from its side.
+/// Where borders meet the outline, it gets a corner on the lattice, less than a step from its side.
 ///
 /// # Errors
-/// [`PuzzleError::Narrow`] where a border passes through a corner of the outline, or parts are too narrow for the lattice: other sites may do.
+/// [`PuzzleError::Narrow`] if a border passes through a corner of the outline, or parts are too narrow for the lattice: moving the
+/// sites may help.
 pub(super) fn within(
     cells: &Puzzle,
     outline: &[Corner],
@@ -31,7 +32,7 @@ pub(super) fn within(
             |f: &usize| (faces[*f].doubled as f64) < SLIVER * mean && graph.whimsy(&faces[*f]).is_none();
         let mut small: Vec<usize> = (0..faces.len()).filter(is_small).collect();
         small.sort_by_key(|f| faces[*f].doubled);
-        // One between whimsies alone stays a piece.
+        // A face between whimsies alone stays a piece.
         if !small.into_iter().any(|sliver| graph.open(&faces, sliver)) {
             break;
         }
@@ -40,7 +41,7 @@ pub(super) fn within(
     Ok(graph.puzzle(&faces, cells.step, cells.size))
 }
 
-/// The faces of segments within an outline, as a puzzle of at most so many pieces: the smallest ones become part of neighbours.
+/// The faces of segments within an outline, as a puzzle of at most `most` pieces: the smallest faces are merged with neighbours.
 ///
 /// # Errors
 /// As [`within`].
@@ -67,7 +68,7 @@ pub(crate) fn faces_within(
 struct Graph {
     edges: Vec<[Corner; 2]>,
     is_alive: Vec<bool>,
-    /// For each edge the whimsy whose side it is.
+    /// For each edge, the whimsy that it bounds.
     whimsy_of: Vec<Option<usize>>,
     /// Twice the area inside the outline.
     doubled: i128,
@@ -87,7 +88,7 @@ fn minus(a: Corner, b: Corner) -> Corner {
     [a[0] - b[0], a[1] - b[1]]
 }
 
-/// Segments without their parts outside of a polygon, or inside of it, and the sides of the polygon, cut where segments end on them.
+/// Segments without their parts outside (or inside) of a polygon, and the sides of the polygon, split where segments end on them.
 fn parted(
     segments: impl Iterator<Item = [Corner; 2]>,
     polygon: &[Corner],
@@ -171,7 +172,7 @@ impl Graph {
         Ok(Self { is_alive: vec![true; edges.len()], edges, whimsy_of, doubled })
     }
 
-    /// The whimsy that a face is.
+    /// The whimsy that a face represents.
     fn whimsy(&self, face: &Face) -> Option<usize> {
         let first = self.whimsy_of[face.halves[0] / 2]?;
         let is_side = |half: &usize| half.is_multiple_of(2) && self.whimsy_of[half / 2] == Some(first);
@@ -186,7 +187,7 @@ impl Graph {
         minus(self.tail(half ^ 1), self.tail(half))
     }
 
-    /// The faces inside: at each corner the way goes on along the next edge clockwise.
+    /// The faces inside: at each corner the traversal continues along the next edge clockwise.
     fn faces(&mut self) -> Result<Vec<Face>, PuzzleError> {
         self.prune();
         let mut around: BTreeMap<Corner, Vec<usize>> = BTreeMap::new();
@@ -228,7 +229,7 @@ impl Graph {
         }
     }
 
-    /// Takes away edges that end nowhere.
+    /// Removes dangling edges.
     fn prune(&mut self) {
         loop {
             let mut degree: BTreeMap<Corner, usize> = BTreeMap::new();
@@ -247,7 +248,7 @@ impl Graph {
         }
     }
 
-    /// Takes away the edges between a face and the neighbour that it shares the greatest length with. Whether there is one.
+    /// Removes the edges between a face and the neighbour with the longest common border. Returns whether there is one.
     fn open(&mut self, faces: &[Face], face: usize) -> bool {
         let owner = self.owners(faces);
         let mut shared: BTreeMap<usize, f64> = BTreeMap::new();
@@ -276,14 +277,14 @@ impl Graph {
         owner
     }
 
-    /// The faces as pieces, edges between the same two joined to borders.
+    /// The faces as pieces, with edges between the same two faces joined to borders.
     fn puzzle(&self, faces: &[Face], step: f64, size: [i64; 2]) -> Puzzle {
         let owner = self.owners(faces);
         let mut borders: Vec<Border> = Vec::new();
         let mut border_of = vec![usize::MAX; self.edges.len()];
         let mut loops = Vec::with_capacity(faces.len());
         for (f, face) in faces.iter().enumerate() {
-            // From where the neighbour changes, so that no border is begun in its middle.
+            // Starts where the neighbour changes, so that no border starts in its middle.
             let n = face.halves.len();
             let other = |k: usize| owner[face.halves[k % n] ^ 1];
             let start = (0..n).find(|k| other(*k) != other(k + n - 1)).unwrap_or(0);
@@ -313,7 +314,7 @@ impl Graph {
         Puzzle { borders, loops, step, size, doubled_outline: self.doubled, whimsies }
     }
 
-    /// Whether a border cannot go on from the last one of a piece: it was made by another piece.
+    /// Whether a border cannot be continued with the last one of a piece, because another piece made it.
     fn is_junction(&self, half: usize, borders: &[Border], pieces: &[(usize, bool)]) -> bool {
         let last = pieces.last().filter(|(_, is_reversed)| !is_reversed);
         last.is_none_or(|(border, _)| borders[*border].corners.last() != Some(&self.tail(half)))

@@ -14,7 +14,7 @@ use crate::{Puzzle, PuzzleError};
 use pompeiu_core::mesh::edit::Random;
 use pompeiu_planar::{Outline, Point, first_crossing};
 
-/// What the pieces are before they get tabs.
+/// The shapes of pieces before tabs are added.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Layout {
     /// Rows of rectangles.
@@ -22,14 +22,14 @@ pub enum Layout {
     Grid,
     /// Rows of hexagons.
     Hexagons,
-    /// Voronoi cells of random sites that Lloyd's method has evened out.
+    /// Voronoi cells of random sites, made regular by Lloyd's method.
     Voronoi,
 }
 
-/// What borders between pieces get.
+/// The shape of tabs on borders between pieces.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Tab {
-    /// Nothing.
+    /// Straight borders.
     None,
     /// A round head on a narrower neck.
     #[default]
@@ -38,22 +38,22 @@ pub enum Tab {
     Dovetail,
 }
 
-/// What puzzle to make.
+/// Options of a puzzle.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PuzzleOptions {
-    /// What is around the puzzle; without that, the rectangle of `size`.
+    /// The outline of the puzzle; by default the rectangle of `size`.
     pub outline: Option<Outline>,
-    /// Width and height; an outline is scaled to fit into that.
+    /// Width and height; an outline is scaled to fit.
     pub size: [f64; 2],
-    /// Number of pieces. Rows of squares and hexagons hold as many as fit best, see [`make`].
+    /// Number of pieces. Squares and hexagons use the best fitting number of rows and columns, see [`make`].
     pub pieces: usize,
-    /// What the pieces are before they get tabs.
+    /// The shapes of pieces before tabs are added.
     pub layout: Layout,
-    /// What borders between pieces get.
+    /// The shape of tabs on borders between pieces.
     pub tab: Tab,
     /// Outlines that become pieces of their own, each scaled to twice the mean area of a piece and placed where there is most room.
     pub whimsies: Vec<Outline>,
-    /// The seed of sites, of the sides that tabs point to, and of their places.
+    /// The seed for the sites, and for the sides and positions of tabs.
     pub seed: u64,
 }
 
@@ -71,13 +71,13 @@ impl Default for PuzzleOptions {
     }
 }
 
-/// The most pieces.
+/// Largest number of pieces.
 const MOST_PIECES: usize = 20_000;
 
 /// Steps of the lattice across the longer side.
 pub(crate) const STEPS: f64 = 4_194_304.0;
 
-/// The longest side may be so many times the shorter one.
+/// Largest ratio of the longer to the shorter side.
 const MOST_ASPECT: f64 = 100.0;
 
 /// Rounds of Lloyd's method on random sites.
@@ -86,17 +86,17 @@ const ROUNDS: usize = 12;
 /// Makes a puzzle.
 ///
 /// # Definition
-/// A grid has the divisor rows × columns of the number of pieces whose cells are the most square. Hexagons have as many rows and columns as
-/// come nearest to regular hexagons, so their number can differ. Each border gets one tab where one fits without crossing a border: on
-/// a side and at a place that the seed chooses, and otherwise on the other side, elsewhere, or smaller.
+/// A grid uses the factorisation of the number of pieces into rows × columns with the squarest cells. Hexagons use the rows and
+/// columns that come nearest to regular hexagons, so their number can differ. Each border gets one tab where one fits without
+/// crossing a border: on a side and at a position chosen by the seed, otherwise on the other side, elsewhere, or smaller.
 ///
-/// Within an outline, cells are cut along it, and parts of less than a third of the mean area become part of a neighbour: the number of
-/// pieces then only comes near to what is asked for. The outline gets corners where borders meet it, less than a step of the lattice away.
+/// Within an outline, cells are clipped, and parts of less than a third of the mean area are merged with a neighbour: the number of
+/// pieces is then only approximate. The outline gets corners where borders meet it, less than a lattice step away.
 ///
 /// Whimsies are cut out of the cells; their borders get a tab only where nothing else holds them.
 ///
 /// # Errors
-/// [`PuzzleError`] for sizes and numbers out of range.
+/// [`PuzzleError`] if sizes or numbers are out of range.
 pub fn make(options: &PuzzleOptions) -> Result<Puzzle, PuzzleError> {
     options.check()?;
     let mut random = Random::new(options.seed);
@@ -166,13 +166,13 @@ fn rectangle(options: &PuzzleOptions, random: &mut Random) -> Result<Puzzle, Puz
     cells::partition(&sites, size, step)
 }
 
-/// Room around an outline within the rectangle of its cells, over its longer side.
+/// Margin around an outline within the rectangle of its cells, relative to its longer side.
 const MARGIN: f64 = 0.02;
 
-/// How often sites are moved a little where a border passes through a corner of the outline.
+/// Number of attempts to move sites slightly if a border passes through a corner of the outline.
 const TRIES: usize = 12;
 
-/// By how much, over the mean side of a piece.
+/// Size of that displacement, relative to the mean side of a piece.
 const MOVE: f64 = 1e-3;
 
 fn shaped(options: &PuzzleOptions, outline: &Outline, random: &mut Random) -> Result<Puzzle, PuzzleError> {
@@ -184,7 +184,7 @@ fn shaped(options: &PuzzleOptions, outline: &Outline, random: &mut Random) -> Re
     let step = step(frame);
     let size = frame.map(|side| (side / step).round());
     let on_lattice = |p: Point| [0, 1].map(|k| ((scale * (p[k] - low[k]) + room) / step).round());
-    // Corners that the lattice cannot tell apart become one.
+    // Merges corners that coincide on the lattice.
     let rounded = outline.map(on_lattice).map_err(|_| PuzzleError::Narrow { piece: 0 })?;
     if let Some(crossing) = first_crossing(&rounded) {
         return Err(PuzzleError::Crossing { sides: crossing.sides, place: crossing.place });
@@ -219,7 +219,7 @@ fn shaped(options: &PuzzleOptions, outline: &Outline, random: &mut Random) -> Re
     cut(&mut sites, size, step, (&corners, &whimsies), unit, random)
 }
 
-/// The parts of the cells of sites within an outline, with sites moved a little where that needs it.
+/// The parts of the cells of sites within an outline, after moving sites slightly if necessary.
 fn cut(
     sites: &mut [Point],
     size: [f64; 2],
@@ -241,7 +241,7 @@ fn cut(
     found
 }
 
-/// The step of the lattice: of a thousand about as fine as there may be the one of which both sides are nearest to multiples.
+/// The lattice step: among a thousand nearly as fine as possible, the one of which both sides are nearest to multiples.
 pub(crate) fn step([width, height]: [f64; 2]) -> f64 {
     let (long, short) = (width.max(height), width.min(height));
     let off = |k: u32| {
@@ -269,7 +269,7 @@ fn lattice([width, height]: [f64; 2], columns: usize, rows: usize) -> Vec<Point>
 }
 
 fn hexagons([width, height]: [f64; 2], pieces: usize) -> Vec<Point> {
-    // Rows are √3/2 of the distance of neighbours apart.
+    // The distance of rows is √3/2 of the distance of neighbours.
     let rows = (pieces as f64 * height / width * 2.0 / 3.0_f64.sqrt()).sqrt().round().max(1.0) as usize;
     let columns = (pieces as f64 / rows as f64).round().max(1.0) as usize;
     let y = |r: usize| height * (2 * r + 1) as f64 / (2 * rows) as f64;

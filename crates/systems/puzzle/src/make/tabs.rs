@@ -7,16 +7,16 @@ use crate::space::Space;
 use pompeiu_core::mesh::edit::Random;
 use pompeiu_planar::Point;
 
-/// Heights of tabs that are tried, over the mean side of a piece.
+/// Heights of tabs to try, relative to the mean side of a piece.
 const HEIGHTS: [f64; 6] = [0.30, 0.25, 0.20, 0.15, 0.11, 0.08];
 
-/// Half the width of the neck over the height.
+/// Half the width of the neck, relative to the height.
 const NECK: f64 = 0.30;
 
-/// How far the middle of a tab may lie from that of its border, over its length.
+/// Offset of a tab from the middle of its border, relative to the length of the border.
 const SHIFTS: [f64; 5] = [0.0, -0.08, 0.08, -0.2, 0.2];
 
-/// Corners of a round head.
+/// Number of corners of a round head.
 const HEAD: usize = 14;
 
 /// Gives every border between two pieces a tab where one fits.
@@ -56,7 +56,7 @@ pub(super) fn add(puzzle: &mut Puzzle, tab: Tab, random: &mut Random) {
     }
 }
 
-/// The border with a tab: from one end to the neck, around the head, to the other end. None where it is too short for that.
+/// The border with a tab: from one end to the neck, around the head, to the other end. `None` if the border is too short.
 fn shape(tab: Tab, [a, b]: [Corner; 2], height: f64, place: f64, side: f64) -> Option<Vec<Corner>> {
     let u = [b[0] - a[0], b[1] - a[1]].map(|x| x as f64);
     let length = libm::hypot(u[0], u[1]);
@@ -74,14 +74,14 @@ fn shape(tab: Tab, [a, b]: [Corner; 2], height: f64, place: f64, side: f64) -> O
     Some(path)
 }
 
-/// A tab from (−neck, 0) to (neck, 0), as high and with a head as wide as given. None where there is no tab.
+/// A tab from (−neck, 0) to (neck, 0) with this height and head width. `None` for [`Tab::None`].
 pub(super) fn profile(tab: Tab, neck: f64, head: f64, height: f64) -> Option<Vec<Point>> {
     let mut path = vec![[-neck, 0.0]];
     match tab {
         Tab::None => return None,
         Tab::Dovetail => path.extend([[-head, height], [head, height]]),
         Tab::Knob => {
-            // A circle that the neck meets above its widest place from below.
+            // A circle whose widest part lies above the neck.
             let radius = 0.5 * height * 0.85;
             let centre = height - radius;
             let from = libm::asin((0.8 * neck / radius).min(1.0));

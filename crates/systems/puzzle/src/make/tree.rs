@@ -1,4 +1,4 @@
-//! Tabs on as few borders as hold a puzzle together.
+//! Tabs on the fewest borders that hold a puzzle together.
 
 use super::Tab;
 use super::tabs::profile;
@@ -8,23 +8,23 @@ use crate::puzzle::Corner;
 use crate::space::Space;
 use pompeiu_planar::Point;
 
-/// Heights of tabs, over the mean side of a piece, in the order in which they are tried.
+/// Heights of tabs, relative to the mean side of a piece, in the order in which they are tried.
 const HEIGHTS: [f64; 6] = [0.085, 0.11, 0.07, 0.15, 0.2, 0.055];
 
-/// Half the width of neck and head over the height.
+/// Half the widths of neck and head, relative to the height.
 const NECK: [f64; 2] = [0.33, 0.42];
 const HEAD: [f64; 2] = [1.45, 1.5];
 
-/// The distance of places along a border, over the mean side of a piece.
+/// Distance of candidate positions along a border, relative to the mean side of a piece.
 const SPACING: f64 = 0.08;
 
-/// What holds without detail of this size, over the mean side of a piece, needs no tab.
+/// A border that locks without details of this size, relative to the mean side of a piece, needs no tab.
 const DEPTH: f64 = 0.02;
 
-/// Points across and along a tab for what it covers.
+/// Sample points across and along a tab, for the area it covers.
 const ACROSS: usize = 5;
 
-/// A place for a tab.
+/// A candidate position of a tab.
 struct Candidate {
     border: usize,
     along: f64,
@@ -32,11 +32,12 @@ struct Candidate {
     gain: f64,
 }
 
-/// Gives borders tabs until no piece can move: a tree of clusters, each tab where it costs least of the shapes of the two pieces.
+/// Adds tabs until no piece can move: a spanning tree of clusters, with each tab where it costs least of the desired shapes of the
+/// two pieces.
 ///
-/// `is_in` says whether a point, in the unit of the outline, lies in the shape that a piece shall have.
+/// `is_in` tells whether a point, in the unit of the outline, lies in the desired shape of a piece.
 ///
-/// A tab is taken only if it holds its two pieces by itself, which is decided in integers. Where none does, the border stays as it is.
+/// A tab is used only if it alone holds its two pieces together, decided in integers. If none does, the border stays unchanged.
 pub(crate) fn lock_by_tabs(puzzle: &mut Puzzle, tab: Tab, is_in: &(dyn Fn(usize, Point) -> bool + Sync)) {
     if tab == Tab::None {
         return;
@@ -91,7 +92,7 @@ fn candidates(
             let along = length * i as f64 / count as f64;
             for side in [1.0, -1.0] {
                 let Some((_, covered)) = with_tab(&of.corners, tab, along, side, height) else { continue };
-                // With side 1 the tab reaches into what is on the left.
+                // With side 1 the tab extends to the left.
                 let (from, to) = if side > 0.0 { (of.left, right) } else { (right, of.left) };
                 let points = covered.len() as f64;
                 let share = |piece: usize| {
@@ -105,7 +106,7 @@ fn candidates(
     found
 }
 
-/// A border with a tab at some length along it, and points that the tab covers. None where it is too short.
+/// A border with a tab at a given arc length, and points that the tab covers. `None` if the border is too short.
 fn with_tab(
     corners: &[Corner],
     tab: Tab,
@@ -120,7 +121,7 @@ fn with_tab(
     let (last, b) = at(corners, along + neck)?;
     let u = [b[0] - a[0], b[1] - a[1]];
     let chord = libm::hypot(u[0], u[1]);
-    // A border that turns back here has no place for a neck.
+    // A border that turns back here has no room for a neck.
     if chord < 1.4 * neck {
         return None;
     }
@@ -141,7 +142,7 @@ fn with_tab(
     Some((path, covered.collect()))
 }
 
-/// The point at some length along a border, and the corner before it. None beyond its ends.
+/// The point at a given arc length of a border, and the corner before it. `None` beyond its ends.
 fn at(corners: &[Corner], along: f64) -> Option<(usize, Point)> {
     if along <= 0.0 {
         return None;

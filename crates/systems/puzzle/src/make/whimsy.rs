@@ -1,4 +1,4 @@
-//! Whimsies: pieces whose outlines are given.
+//! Whimsies: pieces with given outlines.
 
 use super::{Tab, lock_by_tabs};
 use crate::puzzle::Corner;
@@ -6,20 +6,20 @@ use crate::{Puzzle, PuzzleError};
 use pompeiu_core::mesh::edit::Random;
 use pompeiu_planar::{Outline, Point, distance_to_outline, resample};
 
-/// The area of a whimsy, over the mean area of a piece.
+/// The area of a whimsy, relative to the mean area of a piece.
 const AREA: f64 = 2.0;
 
-/// Arrangements that are tried, and places for each whimsy in one of them.
+/// Arrangements to try, and positions for each whimsy in an arrangement.
 const ARRANGEMENTS: usize = 100;
 const PLACES: usize = 40;
 
-/// Corners of a whimsy at most: silhouettes of pictures have thousands.
+/// Largest number of corners of a whimsy: silhouettes of pictures have thousands.
 const CORNERS: usize = 240;
 
-/// Room around a whimsy, over the mean side of a piece.
+/// Clearance around a whimsy, relative to the mean side of a piece.
 const ROOM: f64 = 0.1;
 
-/// A whimsy about the middle of its box, in steps of the lattice, and how far it reaches from there.
+/// A whimsy about the centre of its bounding box, in lattice steps, with its radius.
 struct Shape {
     corners: Vec<Point>,
     radius: f64,
@@ -38,10 +38,11 @@ impl Shape {
     }
 }
 
-/// Outlines scaled and placed within an outline on the lattice: of some random arrangements the one with the most room around each.
+/// Scales outlines and places them within an outline on the lattice: of some random arrangements, the one with the largest
+/// clearance.
 ///
 /// # Errors
-/// [`PuzzleError::Whimsy`] for one that finds no room in any.
+/// [`PuzzleError::Whimsy`] for a whimsy that fits in no arrangement.
 pub(super) fn placed(
     whimsies: &[Outline],
     outline: &Outline,
@@ -74,7 +75,7 @@ pub(super) fn placed(
     Ok(shapes.iter().zip(places).map(at).collect())
 }
 
-/// Random places with at least some room around each, and the least room; or which of the shapes found none.
+/// Random positions with at least some clearance around each, and the smallest clearance; or the shape that did not fit.
 fn arrangement(
     shapes: &[Shape],
     outline: &Outline,
@@ -106,7 +107,7 @@ fn arrangement(
     Ok((narrowest, taken))
 }
 
-/// Gives borders as few tabs as hold whimsies and all else together; tabs go out of whimsies rather than into them.
+/// Adds the fewest tabs that hold whimsies and all other pieces together; tabs preferably extend out of whimsies, not into them.
 pub(super) fn hold(puzzle: &mut Puzzle, tab: Tab) {
     let shapes: Vec<Option<Outline>> = (0..puzzle.pieces())
         .map(|piece| {

@@ -1,18 +1,18 @@
-//! Pieces as bodies that are pushed out of each other.
+//! Pieces as rigid bodies, and the separation of overlapping ones.
 
 use crate::Puzzle;
 use pompeiu_planar::{Outline, Point};
 
-/// The distance of points along the sides of a piece, over the mean side of a piece.
+/// Distance of sample points along the sides of a piece, relative to the mean side of a piece.
 const SPACING: f64 = 0.12;
 
-/// Pieces may go into each other by this much, over the mean side of a piece.
+/// Tolerated overlap, relative to the mean side of a piece.
 pub(super) const TOUCH: f64 = 1e-4;
 
-/// How a piece lies: the shift of its centroid from where it belongs, and its turn about it.
+/// The pose of a piece: the displacement of its centroid, and its rotation about it.
 pub(super) type Place = [f64; 3];
 
-/// The pieces of a puzzle, movable.
+/// The pieces of a puzzle as movable bodies.
 pub(super) struct Bodies {
     shapes: Vec<Shape>,
     pub(super) unit: f64,
@@ -20,16 +20,16 @@ pub(super) struct Bodies {
 
 struct Shape {
     centre: Point,
-    /// About the centroid.
+    /// Relative to the centroid.
     outline: Outline,
     points: Vec<Point>,
     bounds: [Point; 2],
     radius: f64,
-    /// The square of the radius of gyration of its corners.
+    /// The squared radius of gyration of its corners.
     gyration: f64,
 }
 
-/// A place with its sine and cosine.
+/// A pose with its sine and cosine.
 #[derive(Clone, Copy)]
 struct Turned {
     at: Point,
@@ -54,7 +54,7 @@ impl Turned {
 }
 
 impl Bodies {
-    /// None where a piece has no area.
+    /// `None` if a piece has no area.
     pub(super) fn new(puzzle: &Puzzle) -> Option<Self> {
         let unit = puzzle.unit();
         let shapes: Option<Vec<Shape>> =
@@ -62,9 +62,9 @@ impl Bodies {
         Some(Self { shapes: shapes?, unit })
     }
 
-    /// Pushes pieces out of each other, pair by pair, so many rounds at most: the greatest depth that the last round met.
+    /// Separates overlapping pieces, pair by pair, in at most `rounds` rounds. Returns the greatest depth found in the last round.
     ///
-    /// Those that are fixed stay. A pair of which none may move, or none has moved, is not looked at.
+    /// Fixed pieces stay. Pairs are skipped if both are fixed or neither has moved.
     pub(super) fn relax(&self, places: &mut [Place], is_fixed: &[bool], rounds: usize) -> f64 {
         let mut deepest = 0.0;
         for _ in 0..rounds {
@@ -95,7 +95,7 @@ impl Bodies {
         libm::hypot(p[0] - q[0], p[1] - q[1]) < reach
     }
 
-    /// Pushes a piece out of another one at each of its points that lies inside: the greatest depth.
+    /// Pushes a piece out of another one at each of its points that lies inside. Returns the greatest depth.
     fn push(&self, places: &mut [Place], is_fixed: &[bool], [from, to]: [usize; 2]) -> f64 {
         let (a, b) = (&self.shapes[from], &self.shapes[to]);
         let mut deepest = 0.0_f64;
@@ -115,7 +115,7 @@ impl Bodies {
             let out = turned[1].arm(out);
             let arms = [arm, [place[0] - turned[1].at[0], place[1] - turned[1].at[1]]];
             let lever = arms.map(|r| r[0] * out[1] - r[1] * out[0]);
-            // What a unit of push moves the point by, for each body; those that are fixed by nothing.
+            // The displacement of the point per unit of impulse, for each body; zero for fixed ones.
             let ease = [0, 1].map(|k| {
                 let (i, shape) = ([from, to][k], [a, b][k]);
                 if is_fixed[i] { 0.0 } else { 1.0 + lever[k] * lever[k] / shape.gyration }
@@ -133,17 +133,17 @@ impl Bodies {
         deepest
     }
 
-    /// The radius of gyration of a piece: what makes turns comparable with shifts.
+    /// The radius of gyration of a piece, which makes rotations comparable with translations.
     pub(super) fn gyration(&self, piece: usize) -> f64 {
         self.shapes[piece].gyration.sqrt()
     }
 
-    /// Where the centroid of a piece belongs.
+    /// The centroid of a piece in the assembled puzzle.
     pub(super) fn centre(&self, piece: usize) -> Point {
         self.shapes[piece].centre
     }
 
-    /// Whether the box of a piece meets that of another one.
+    /// Whether the bounding boxes of two pieces overlap.
     pub(super) fn meet(&self, places: &[Place], [a, b]: [usize; 2]) -> bool {
         let bounds = |i: usize| {
             let turned = Turned::of(&self.shapes[i], places[i]);
@@ -180,7 +180,7 @@ impl Shape {
         Some(Self { centre, bounds: outline.bounds(), outline, points, radius, gyration })
     }
 
-    /// How deep a point lies inside, and the way out; none outside.
+    /// The depth of a point inside, and the direction out; `None` outside.
     fn depth(&self, p: Point) -> Option<(f64, Point)> {
         if !self.outline.contains(p) {
             return None;

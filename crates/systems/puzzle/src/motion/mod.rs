@@ -1,4 +1,4 @@
-//! Finite motions: how a free puzzle comes apart, and pieces that are shaken.
+//! Finite motions: disassembly of a free puzzle, and random shaking.
 
 mod bodies;
 
@@ -7,32 +7,33 @@ use bodies::{Bodies, Place, TOUCH};
 use pompeiu_core::mesh::edit::Random;
 use pompeiu_planar::Point;
 
-/// A step, over the mean side of a piece: longer ones jump over the features of tabs.
+/// Step length, relative to the mean side of a piece: longer steps would jump over details of tabs.
 const STEP: f64 = 0.004;
 
-/// Steps of a motion that takes pieces apart, and how many make a frame.
+/// Number of steps of a disassembly, and steps per frame.
 const STEPS: usize = 480;
 const FRAME: usize = 8;
 
-/// Rounds in which pieces are pushed out of each other after a step.
+/// Rounds of separating overlapping pieces after a step.
 const ROUNDS: usize = 40;
 
-/// A motion whose steps become shorter than this share of what they should be is stuck.
+/// A motion is stuck if its steps become shorter than this share of their nominal length.
 const STUCK: f64 = 0.1;
 
 /// A motion that takes a puzzle apart, as far as it was followed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Motion {
-    /// For each frame and each piece the shift of its centroid and its turn about it, in radians; the first frame is the puzzle put together.
+    /// For each frame and piece the displacement of its centroid and its rotation, in radians; the first frame is the assembled
+    /// puzzle.
     pub frames: Vec<Vec<[f64; 3]>>,
-    /// Where the centroids of the pieces belong.
+    /// The centroids of the pieces in the assembled puzzle.
     pub centres: Vec<[f64; 2]>,
-    /// Whether pieces that move have left those that stay: their boxes no longer meet.
+    /// Whether the moving pieces have left the others: their bounding boxes no longer overlap.
     pub is_apart: bool,
 }
 
 impl Motion {
-    /// The pieces that move.
+    /// The moving pieces.
     pub fn moving(&self) -> impl Iterator<Item = usize> + '_ {
         let last = self.frames.last().map_or(&[][..], Vec::as_slice);
         last.iter().enumerate().filter(|(_, place)| **place != [0.0; 3]).map(|(piece, _)| piece)
@@ -49,24 +50,26 @@ impl Motion {
         puzzle.outline(piece).into_iter().map(place).collect()
     }
 
-    /// The way of the centroid of a piece.
+    /// The path of the centroid of a piece.
     pub(crate) fn way(&self, piece: usize) -> Vec<Point> {
         let [x, y] = self.centres[piece];
         self.frames.iter().map(|frame| [x + frame[piece][0], y + frame[piece][1]]).collect()
     }
 }
 
-/// Directions in which a cluster is drawn out where its first motion leads nowhere.
+/// Directions in which a cluster is pulled if its first motion gets stuck.
 const DIRECTIONS: usize = 16;
 
-/// Follows a motion by which a puzzle comes apart, with steps of 0.004 of a piece's side after each of which pieces are pushed out of each other.
-/// None where no motion is known, or all that were tried lead nowhere.
+/// Follows a motion by which a puzzle comes apart, in steps of 0.004 of a piece's side; after each step overlapping pieces are
+/// separated. `None` if no motion is known, or all that were tried get stuck.
 ///
-/// The first that is tried is that of the lock. It may lie on the boundary of what is possible and turn into other pieces at once, so a
-/// single cluster that moves is also drawn out in 16 directions; what comes apart first is taken, or else what goes farthest.
+/// First it tries the motion of the lock. That motion may lie on the boundary of the possible ones and lead into other pieces at
+/// once, so a single moving cluster is also pulled in 16 directions. The first motion that separates the pieces is returned,
+/// otherwise the one that goes farthest.
 ///
 /// # Accuracy
-/// Pieces may go into each other by up to 0.001 of a piece's side on their way; the motion is for people to see, the proof is that of [`crate::lock`].
+/// Pieces may overlap by up to 0.001 of a piece's side on their way. The motion is an illustration; the proof is that of
+/// [`crate::lock`].
 pub fn take_apart(puzzle: &Puzzle, lock: &Lock) -> Option<Motion> {
     let twists = &lock.escape.as_ref()?.twists;
     let bodies = Bodies::new(puzzle)?;
@@ -93,7 +96,7 @@ pub fn take_apart(puzzle: &Puzzle, lock: &Lock) -> Option<Motion> {
     farthest.filter(|motion| motion.frames.len() > 2)
 }
 
-/// Goes on in the direction in which pieces went after they were pushed out of each other, until they are apart or stuck.
+/// Continues in the direction in which pieces went after they were separated, until they are apart or stuck.
 fn follow(bodies: &Bodies, is_fixed: &[bool], mut velocity: Vec<Place>) -> Motion {
     let n = is_fixed.len();
     let mut places = vec![[0.0; 3]; n];
@@ -131,26 +134,27 @@ fn follow(bodies: &Bodies, is_fixed: &[bool], mut velocity: Vec<Place>) -> Motio
     Motion { frames, centres: (0..n).map(|i| bodies.centre(i)).collect(), is_apart }
 }
 
-/// Whether no box of a piece that moves meets that of one that stays.
+/// Whether the bounding box of no moving piece overlaps that of a stationary one.
 fn has_left(bodies: &Bodies, places: &[Place], is_fixed: &[bool]) -> bool {
     let (stay, leave): (Vec<usize>, Vec<usize>) = (0..is_fixed.len()).partition(|i| is_fixed[*i]);
     leave.iter().all(|i| stay.iter().all(|j| !bodies.meet(places, [*i, *j])))
 }
 
-/// Steps of a shaken puzzle; it has moved when it went this share of them.
+/// Steps of shaking; a puzzle has moved if it went the second number as a share of them.
 const SHAKES: usize = 6;
 const MOVED: f64 = 0.4;
 
-/// Rounds in which pieces are pushed out of each other after a kick.
+/// Rounds of separating overlapping pieces after a random displacement.
 const KICK_ROUNDS: usize = 200;
 
-/// Whether pieces move when they are shaken: each try kicks all of them, or one, by 0.004 of a piece's side in random directions, pushes
-/// them out of each other, and goes on as they then went. Where they end, relative to the first piece; none where they always come back.
+/// Whether pieces move when shaken. Each try displaces all of them, or one, by 0.004 of a piece's side in random directions,
+/// separates overlapping pieces, and continues in the resulting direction. Returns the final poses relative to the first piece;
+/// `None` if pieces always return.
 ///
-/// It knows nothing of contacts and directions, only whether points lie inside of polygons: a test of [`crate::lock`] that does not come from it.
+/// It uses no contacts or directions, only point-in-polygon tests: an independent check of [`crate::lock`].
 ///
 /// # Limits
-/// Locks of less than some 0.001 of a piece's side are not felt, and a motion that few kicks start may be missed.
+/// Locks of less than about 0.001 of a piece's side are not detected, and a motion that few displacements start may be missed.
 pub fn shake(puzzle: &Puzzle, tries: usize, seed: u64) -> Option<Vec<[f64; 3]>> {
     let bodies = Bodies::new(puzzle)?;
     let n = puzzle.pieces();
@@ -163,7 +167,7 @@ pub fn shake(puzzle: &Puzzle, tries: usize, seed: u64) -> Option<Vec<[f64; 3]>> 
             .map(|i| {
                 let of =
                     [random.signed_unit(), random.signed_unit(), random.signed_unit() / bodies.gyration(i)];
-                // What pushes the first piece pushes all others back.
+                // The first piece is fixed by moving all others instead.
                 let is_kicked = only.is_none_or(|one| one == i || (one == 0 && i > 0));
                 if i > 0 && is_kicked { of } else { [0.0; 3] }
             })
@@ -197,7 +201,7 @@ pub fn shake(puzzle: &Puzzle, tries: usize, seed: u64) -> Option<Vec<[f64; 3]>> 
     })
 }
 
-/// The greatest length of a change of places, turns by the radius of gyration.
+/// The greatest length of a change of poses, with rotations scaled by the radius of gyration.
 fn largest(bodies: &Bodies, change: &[Place]) -> f64 {
     let length = |(i, [x, y, w]): (usize, &Place)| libm::hypot(libm::hypot(*x, *y), w * bodies.gyration(i));
     change.iter().enumerate().map(length).fold(0.0, f64::max)

@@ -1,8 +1,8 @@
-//! Piece shapes that are built in.
+//! Built-in piece shapes.
 
 use pompeiu_planar::{Outline, Point, catmull_rom};
 
-/// A piece shape that is built in.
+/// A built-in piece shape.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PieceName {
     /// A square.
@@ -11,13 +11,13 @@ pub enum PieceName {
     Hexagon,
     /// A square with knobs on two opposite sides and slots in the other two.
     Classic,
-    /// A square with knobs on two sides that meet and slots in the other two.
+    /// A square with knobs on two adjacent sides and slots in the other two.
     Corner,
     /// A fish.
     Fish,
     /// A bird.
     Bird,
-    /// A star of five points.
+    /// A star with five points.
     Star,
 }
 
@@ -26,7 +26,7 @@ impl PieceName {
     pub const ALL: [Self; 7] =
         [Self::Square, Self::Hexagon, Self::Classic, Self::Corner, Self::Fish, Self::Bird, Self::Star];
 
-    /// The name that the command and Python know it by.
+    /// The name in the command and in Python.
     pub fn name(self) -> &'static str {
         match self {
             Self::Square => "square",
@@ -44,7 +44,7 @@ impl PieceName {
         Self::ALL.into_iter().find(|shape| shape.name() == name)
     }
 
-    /// The corners, counter-clockwise where y goes up, in units of its own.
+    /// The corners, counter-clockwise with y upwards, in arbitrary units.
     pub(crate) fn points(self) -> Vec<Point> {
         match self {
             Self::Square => vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]],
@@ -74,7 +74,7 @@ fn ring(count: usize, radius: impl Fn(usize) -> f64) -> Vec<Point> {
 /// Points around the head of a knob.
 const HEAD: usize = 16;
 
-/// A unit square with a knob (1) or a slot (−1) on each side, from the lower side on.
+/// A unit square with a knob (1) or a slot (−1) on each side, starting with the lower side.
 fn tabbed(sides: [f64; 4]) -> Vec<Point> {
     let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
     let (neck, radius, centre) = (0.07, 0.115, 0.16);
@@ -150,7 +150,7 @@ mod tests {
             assert_eq!(first_crossing(&outline), None, "{}", shape.name());
             assert_eq!(PieceName::named(shape.name()), Some(shape));
         }
-        // Knobs and slots take away and add the same.
+        // Knobs and slots have equal areas.
         for shape in [PieceName::Classic, PieceName::Corner] {
             assert!((shape.outline().unwrap().area() - 1.0).abs() < 1e-12);
         }

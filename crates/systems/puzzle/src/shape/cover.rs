@@ -1,4 +1,4 @@
-//! How much of an outline copies of a shape leave uncovered.
+//! The part of an outline that copies of a shape leave uncovered.
 
 use super::descend::{descend, hinge};
 use super::map::Map;
@@ -6,7 +6,7 @@ use super::pose::{Pose, Turned};
 use pompeiu_planar::{Outline, Point};
 use rayon::prelude::*;
 
-/// Points of an outline, in blocks that lie near each other.
+/// Sample points of an outline, in blocks of nearby points.
 pub(super) struct Samples {
     blocks: Vec<Block>,
     count: usize,
@@ -18,36 +18,36 @@ struct Block {
     points: Vec<Point>,
 }
 
-/// Derivatives by place and angle of some copies.
+/// Derivatives with respect to position and angle of some copies.
 type Slopes = Vec<(usize, [f64; 3])>;
 
-/// The side of a block, over that of a piece.
+/// The side of a block, relative to that of a piece.
 const BLOCK: f64 = 0.25;
 
-/// The inverses of the golden ratio and of the plastic number: multiples of them are spread evenly.
+/// The inverses of the golden ratio and of the plastic number: the fractional parts of their multiples are evenly distributed.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 const PLASTIC: f64 = 0.754_877_666_246_692_8;
 
 /// Blocks of a task.
 const TASK: usize = 64;
 
-/// How much faster values of a map may change than the distance, for they are interpolated.
+/// Lipschitz constant of the interpolated distances of a map.
 const LIPSCHITZ: f64 = 1.1;
 
 impl Samples {
-    /// Points inside an outline on a square lattice, so many on a unit of length.
+    /// Points inside an outline on a square lattice, with `per_unit` points per unit of length.
     pub(super) fn new(outline: &Outline, per_unit: f64) -> Self {
         let [low, high] = outline.bounds();
         let per_block = (per_unit * BLOCK).round().max(1.0) as usize;
         let blocks = [0, 1].map(|k| ((high[k] - low[k]) / BLOCK).ceil().max(1.0) as usize);
-        // In the middle of the box.
+        // In the middle of the bounding box.
         let start = [0, 1].map(|k| 0.5 * (low[k] + high[k] - blocks[k] as f64 * BLOCK));
         let blocks: Vec<Block> = (0..blocks[0] * blocks[1])
             .into_par_iter()
             .map(|i| {
                 let corner =
                     [start[0] + (i % blocks[0]) as f64 * BLOCK, start[1] + (i / blocks[0]) as f64 * BLOCK];
-                // A lattice of rank 1, moved differently in each block: no straight border lies along its rows.
+                // A rank-1 lattice, shifted differently in each block, so that no straight border lies along its rows.
                 let n = (per_block * per_block) as f64;
                 let part = |j: usize, k: usize| {
                     let own = if k == 0 { j as f64 / n } else { j as f64 * GOLDEN };
@@ -73,7 +73,7 @@ impl Samples {
         self.count
     }
 
-    /// Calls for each point with the copy of least value there and that value.
+    /// Calls a function for each point with the copy of least value there and that value.
     pub(super) fn each(&self, map: &Map, poses: &[Pose], mut found: impl FnMut(Point, usize, f64)) {
         let turned: Vec<Turned> = poses.iter().map(Pose::turn).collect();
         let mut near = Vec::new();
@@ -86,7 +86,7 @@ impl Samples {
         }
     }
 
-    /// The mean of the hinge of the least value, and its gradient by place and angle of each copy.
+    /// The mean hinge of the least values, and its gradient with respect to position and angle of each copy.
     fn energy(&self, map: &Map, poses: &[Pose], width: f64, gradient: &mut [f64]) -> f64 {
         let turned: Vec<Turned> = poses.iter().map(Pose::turn).collect();
         let tasks: Vec<(f64, Slopes)> = self
@@ -126,7 +126,7 @@ impl Samples {
         total * norm
     }
 
-    /// Lets copies descend; each step lowers the energy. Returns the energy reached.
+    /// Moves copies by descent; each step lowers the energy. Returns the final energy.
     pub(super) fn settle(
         &self,
         map: &Map,
@@ -142,7 +142,7 @@ impl Samples {
             write(&mut current, x);
             self.energy(map, &current, width, gradient)
         };
-        // Each copy has its share of the mean.
+        // Each copy contributes its share of the mean.
         let value = descend(&mut x, 0.3 * n as f64, steps, energy, taken);
         write(poses, &x);
         value
@@ -164,7 +164,7 @@ pub(super) fn candidates(map: &Map, poses: &[Turned], centre: Point, radius: f64
         let away = [centre[0] - pose.place[0], centre[1] - pose.place[1]];
         away[0] * away[0] + away[1] * away[1]
     };
-    // A copy is at least as far as its circle.
+    // The distance to a copy is at least that to its bounding circle.
     let mut least = f64::INFINITY;
     let mut values: Vec<(usize, f64)> = Vec::new();
     for (j, pose) in poses.iter().enumerate() {
@@ -180,7 +180,7 @@ pub(super) fn candidates(map: &Map, poses: &[Turned], centre: Point, radius: f64
     near.extend(values.into_iter().filter(|(_, value)| *value <= most).map(|(j, _)| j));
 }
 
-/// The least value at a point among some copies, and which has it.
+/// The least value at a point among some copies, and the copy that has it.
 pub(super) fn least(map: &Map, poses: &[Turned], near: &[usize], p: Point) -> (f64, usize) {
     let mut best = (f64::INFINITY, 0);
     for j in near {

@@ -1,16 +1,16 @@
-//! Descent that never rises.
+//! Monotone gradient descent.
 
-/// Ends where the energy falls by less than this share in [`WINDOW`] steps.
+/// Ends when the energy falls by less than this share in [`WINDOW`] steps.
 const SETTLED: f64 = 2e-4;
 const WINDOW: usize = 8;
 
-/// The share of the last step that is taken again.
+/// Momentum: the share of the previous step that is repeated.
 const MOMENTUM: f64 = 0.85;
 
-/// Moves x to lower energy, step by step; each step that is taken lowers it. Returns the energy reached.
+/// Moves x to lower energy; each accepted step lowers it. Returns the final energy.
 ///
-/// `energy` returns the value at a point and writes a direction in which it rises, one of the gradients where it has kinks. `taken` hears of
-/// each step; whether it goes on is what it returns.
+/// `energy` returns the value at a point and writes an ascent direction, one of the gradients at kinks. `taken` is called after
+/// each step; it returns whether to continue.
 pub(super) fn descend(
     x: &mut Vec<f64>,
     first_step: f64,
@@ -42,7 +42,7 @@ pub(super) fn descend(
                 is_taken = true;
                 break;
             }
-            // Without momentum the direction is one of descent.
+            // Without momentum the direction is a descent direction.
             if attempt > 0 {
                 step *= 0.4;
             }
@@ -59,7 +59,7 @@ pub(super) fn descend(
     value
 }
 
-/// A hinge: 0 below −width, v above width, a parabola between. It rises with v and with the width.
+/// A hinge function: 0 below −width, v above width, a parabola between. It increases with v and with the width.
 pub(super) fn hinge(v: f64, width: f64) -> (f64, f64) {
     if v <= -width {
         (0.0, 0.0)

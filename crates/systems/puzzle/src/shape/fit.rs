@@ -1,4 +1,4 @@
-//! How much each piece is like the shape.
+//! The similarity of each piece to the shape.
 
 use super::pose::Pose;
 use super::target::Target;
@@ -6,33 +6,33 @@ use crate::Puzzle;
 use pompeiu_planar::{Outline, Point, hausdorff, intersection_area};
 use rayon::prelude::*;
 
-/// The shape at its best place on a piece.
+/// The shape in its best pose on a piece.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fit {
-    /// Where the shape of area 1, times the scale, lies: in the unit of the outline.
+    /// The pose of the shape of area 1 times the scale, in the unit of the outline.
     pub pose: Pose,
-    /// The scale: the root of its area.
+    /// The scale: the square root of its area.
     pub scale: f64,
-    /// The area that both have in common over that of what either has.
+    /// Intersection over union: the common area over the area of the union.
     pub iou: f64,
     /// The Pompeiu–Hausdorff distance of the two curves.
     pub hausdorff: f64,
 }
 
-/// First steps of the search, over the size of the piece: place, place, angle, scale; and how often they are halved.
+/// Initial steps of the search, relative to the size of the piece: two coordinates, angle, scale; and the number of halvings.
 const STEPS: [f64; 4] = [0.05, 0.05, 0.1, 0.05];
 const HALVINGS: usize = 5;
 
 /// Copies that are tried on a piece.
 const NEAR: usize = 4;
 
-/// Detail of curves that the search does without, over the size of the piece.
+/// Details of curves that the search ignores, relative to the size of the piece.
 const DETAIL: f64 = 0.004;
 
-/// The best similarity found for each piece: from the copies that lie nearest, by a search of coordinates on the area in common.
+/// The best similarity found for each piece: starting from the nearest copies, by a coordinate search on the common area.
 ///
 /// # Accuracy
-/// The areas are exact but for rounding; that the place is the best one is not proven, so that the true likeness is at least the one given.
+/// The areas are exact but for rounding. The pose is not proven to be the best, so the true similarity is at least the given one.
 pub(super) fn fits(puzzle: &Puzzle, target: &Target, poses: &[Pose]) -> Vec<Option<Fit>> {
     let few = simple(&target.outline, DETAIL);
     (0..puzzle.pieces())
@@ -92,10 +92,10 @@ fn search(pose: Pose, size: f64, iou: f64, value: impl Fn(&Pose, f64) -> f64) ->
     (pose, scale)
 }
 
-/// An outline without detail below a distance.
+/// An outline without details below a distance.
 fn simple(outline: &Outline, distance: f64) -> Outline {
     let points = outline.points();
-    // Closed: from the first corner to the one farthest from it and back.
+    // Closed: simplified from the first corner to the one farthest from it and back.
     let far = |p: &Point| libm::hypot(p[0] - points[0][0], p[1] - points[0][1]);
     let middle = (0..points.len()).max_by(|i, j| far(&points[*i]).total_cmp(&far(&points[*j]))).unwrap_or(0);
     let mut closed = points.to_vec();

@@ -1,43 +1,44 @@
-//! The shape-matching metric of a site and a point: by how much the shape around the site must grow to reach the point.
+//! The shape-matching metric of a site and a point: the factor by which the shape around the site must grow to reach the point.
 
 use pompeiu_planar::{Outline, Point};
 
-/// What the metric is where the ray from the site to a point meets the outline several times.
+/// The value of the metric if the ray from the site to a point meets the outline several times.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Answer {
-    /// The least factor: the outermost meeting counts, the shape is taken for its star hull.
+    /// The least factor, of the outermost intersection: the metric of the star hull.
     Least,
-    /// The greatest factor: the innermost meeting counts, the shape is taken for its star core.
+    /// The greatest factor, of the innermost intersection: the metric of the part of the shape visible from the site.
     Greatest,
-    /// No factor: the distance to the shape, negative inside. It is continuous everywhere.
+    /// The signed distance to the shape instead of a factor, negative inside. It is continuous everywhere.
     #[default]
     SignedDistance,
 }
 
-/// What of the outline must meet the point.
+/// The part of the outline that must meet the point.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Variant {
-    /// The corner that comes nearest to it.
+    /// The corner that comes nearest to the point.
     Points,
     /// A side.
     #[default]
     Edges,
 }
 
-/// The factor where no side is met: the shape never reaches the point.
+/// The factor if no side is met: the shape never reaches the point.
 const NEVER: f64 = 1e3;
 
 /// The factor by which an outline around the origin must be scaled to reach a point.
 ///
 /// # Definition
-/// Edges: for each side from a to b that the ray through q meets, q = αa + βb with α, β ≥ 0, and the factor is α + β. Where the outline is
-/// star-shaped about the origin there is one, Minkowski's gauge; else `is_least` says which. Points: the factor max(0, q·v / v·v) of the
-/// corner v for which the scaled corner comes nearest to q; of several that come equally near, `is_least` says which.
+/// Edges: for each side from a to b that the ray through q meets, q = αa + βb with α, β ≥ 0, and the factor is α + β. If the
+/// outline is star-shaped about the origin, there is one such side, and the factor is Minkowski's gauge; otherwise `is_least`
+/// selects a side. Points: the factor max(0, q·v / v·v) of the corner v for which the scaled corner comes nearest to q; of several
+/// equally near ones, `is_least` selects one.
 ///
-/// Where the ray meets nothing, 1000 times the distance from the origin over the outline's size.
+/// If the ray meets no side: 1000 times the distance from the origin, relative to the outline's size.
 ///
 /// # Source
-/// The definition with points, and that with edges, are those of the posts of 2021 on interlocking parts; the choice is ours.
+/// The definitions with points and with edges are those of the posts of 2021 on interlocking parts; the selection is ours.
 pub fn gauge(outline: &Outline, q: Point, variant: Variant, is_least: bool) -> f64 {
     let better = |new: f64, old: f64| if is_least { new < old } else { new > old };
     let norm = libm::hypot(q[0], q[1]);
@@ -76,7 +77,7 @@ pub fn gauge(outline: &Outline, q: Point, variant: Variant, is_least: bool) -> f
     }
 }
 
-/// How often the ray from the origin through a point meets the outline.
+/// The number of intersections of the outline with the ray from the origin through a point.
 pub fn meetings(outline: &Outline, q: Point) -> usize {
     outline
         .sides()

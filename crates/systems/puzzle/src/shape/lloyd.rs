@@ -10,28 +10,28 @@ use pompeiu_core::run::Control;
 use pompeiu_planar::{Outline, Point, fill, resample};
 use rayon::prelude::*;
 
-/// Pixels for a unit of length.
+/// Pixels per unit of length.
 const PIXELS: f64 = 24.0;
 
-/// Pixels along the side of a block that has one list of copies that can be nearest.
+/// Pixels along the side of a block with a common list of candidate copies.
 const SIDE: usize = 8;
 
-/// Rounds at most.
+/// Largest number of rounds.
 const ROUNDS: usize = 120;
 
-/// Settled where no site moves farther than this.
+/// Converged if no site moves farther than this.
 const SETTLED: f64 = 1e-3;
 
-/// Points of the shape that are registered.
+/// Number of points of the shape for registration.
 const POINTS: usize = 120;
 
-/// Rounds between registrations from all turns; between them the last one is gone on from.
+/// Rounds between registrations from all rotations; the others continue from the previous one.
 const AGAIN: usize = 10;
 
-/// Sites inside an outline, each moved to the centroid of what is nearest to it in the metric of a map, again and again.
+/// Sites inside an outline; each is repeatedly moved to the centroid of the region that is nearest to it in the metric of a map.
 ///
-/// With feedback, each copy is also turned as the registration of the shape on its region says. The energies are the means of the least
-/// values, which can rise: the centroid does not minimise them.
+/// With feedback, each copy is also rotated by registering the shape on its region. The energies are the means of the least values,
+/// which can increase: the centroid does not minimise them.
 pub(super) fn lloyd(
     map: &Map,
     shape: &Outline,
@@ -102,7 +102,7 @@ fn assign(
                 let centre =
                     pixel((band * SIDE) * width + left).map(|x| x + 0.5 * (SIDE - 1) as f64 / PIXELS);
                 let radius = SIDE as f64 / PIXELS * std::f64::consts::FRAC_1_SQRT_2;
-                // A factor is not Lipschitz: every copy counts.
+                // Factors are not Lipschitz: every copy is a candidate.
                 if map.is_distance() {
                     candidates(map, &turned, centre, radius, &mut near);
                 } else {
@@ -124,7 +124,7 @@ fn assign(
     bands.concat()
 }
 
-/// Turns each copy as the shape lies best on the border of its region.
+/// Rotates each copy by registering the shape on the border of its region.
 #[allow(clippy::too_many_arguments, reason = "the parts of one round")]
 fn turn(
     poses: &mut [Pose],

@@ -1,16 +1,16 @@
-//! Values around a site, computed once for all sites and points.
+//! Tables of a metric around a site, computed once for all sites and points.
 
 use super::gauge::{Answer, Variant, gauge};
 use pompeiu_planar::{Outline, Point};
 use rayon::prelude::*;
 
-/// A function around a site, tabulated on a square and interpolated between.
+/// A function around a site, tabulated on a square, with interpolation.
 ///
-/// Beyond the square, distances go on as distances and factors as factors.
+/// Beyond the square, it is extrapolated as a distance or as a factor.
 #[derive(Clone, Debug)]
 pub struct Map {
     half: f64,
-    /// Cells for a unit of length.
+    /// Cells per unit of length.
     scale: f64,
     side: usize,
     values: Vec<f32>,
@@ -18,17 +18,17 @@ pub struct Map {
     radius: f64,
 }
 
-/// How far a map reaches, over the greatest distance of the shape from the site.
+/// Extent of a map, relative to the greatest distance of the shape from the site.
 const REACH: f64 = 1.35;
 
 impl Map {
-    /// The map of a shape around the origin, with so many values in each row and column, at least 8.
+    /// The map of a shape around the origin, with `side` values in each row and column, at least 8.
     ///
     /// # Accuracy
-    /// Linear between values: for distances within a cell's side of the truth, less where they are smooth.
+    /// Linear interpolation: distances differ from the true ones by at most a cell's side, less where they are smooth.
     ///
     /// # Cost
-    /// Values times sides of the shape.
+    /// Number of values times number of sides of the shape.
     pub fn new(shape: &Outline, answer: Answer, variant: Variant, side: usize) -> Self {
         let side = side.max(8);
         let radius = shape.points().iter().map(|p| libm::hypot(p[0], p[1])).fold(0.0, f64::max);
@@ -52,19 +52,19 @@ impl Map {
         self.radius
     }
 
-    /// The place of the least value in the table: for distances the point that lies deepest in the shape.
+    /// The position of the least value in the table: for distances, the deepest point of the shape.
     pub(super) fn deepest(&self) -> Point {
         let least =
             (0..self.values.len()).min_by(|i, j| self.values[*i].total_cmp(&self.values[*j])).unwrap_or(0);
         [least % self.side, least / self.side].map(|i| i as f64 / self.scale - self.half)
     }
 
-    /// Whether values are distances: they change at most as fast as places do.
+    /// Whether values are distances, which are 1-Lipschitz.
     pub(super) fn is_distance(&self) -> bool {
         self.answer == Answer::SignedDistance
     }
 
-    // Arithmetic is written out below: arrays with closures are several times slower in a profile that does not inline them.
+    // The arithmetic is written out: closures over arrays are several times slower in a profile that does not inline them.
 
     /// The value at a point.
     #[inline]
@@ -107,7 +107,7 @@ impl Map {
         (lower + t * (upper - lower), gradient)
     }
 
-    /// The four values around a point, and where it lies between them.
+    /// The four values around a point, and its position between them.
     #[inline]
     fn cell(&self, q: Point) -> (f64, f64, f64, f64, f64, f64) {
         let (x, y) = ((q[0] + self.half) * self.scale, (q[1] + self.half) * self.scale);

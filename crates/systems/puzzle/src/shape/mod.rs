@@ -1,4 +1,4 @@
-//! Pieces that are as near to a given shape as they can be.
+//! Pieces as similar to a given shape as possible.
 
 mod classics;
 mod cover;
@@ -34,21 +34,21 @@ use target::Target;
 /// How copies of the shape are placed.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Method {
-    /// From the best lattices of the plane by a descent whose energy never rises, and by hops.
+    /// From the best lattices of the plane, by a descent whose energy never increases, and by hops.
     #[default]
     Descent,
     /// Lloyd's method with the shape-matching metric, from random sites.
     Lloyd {
-        /// What the metric is where a ray meets the shape several times.
+        /// The value of the metric if a ray meets the shape several times.
         answer: Answer,
-        /// What of the shape must meet a point.
+        /// The part of the shape that must meet a point.
         variant: Variant,
-        /// Whether copies are turned as the registration of the shape on their regions says.
+        /// Whether copies are rotated by registering the shape on their regions.
         feedback: bool,
     },
 }
 
-/// What pieces shall be like.
+/// Options for pieces of a given shape.
 #[derive(Clone)]
 pub struct LikeOptions<'o> {
     /// The shape.
@@ -57,11 +57,12 @@ pub struct LikeOptions<'o> {
     pub method: Method,
     /// Whether copies may be mirrored.
     pub mirrors: bool,
-    /// Whether the outline is what whole copies on the best lattice of the plane leave, near the one that is given: no piece is cut by it.
+    /// Whether the outline is the union of whole copies on the best lattice of the plane, close to the given outline: it cuts no
+    /// piece.
     pub free_outline: bool,
-    /// Limits. Where time ends, the best pieces found by then are made.
+    /// Limits. When time runs out, the puzzle is made from the best placement so far.
     pub limits: Limits,
-    /// Watches, and may cancel.
+    /// Receives progress, and may cancel.
     pub progress: Option<&'o dyn ProgressObserver>,
 }
 
@@ -78,38 +79,39 @@ impl Default for LikeOptions<'_> {
     }
 }
 
-/// A puzzle whose pieces are like a shape.
+/// A puzzle whose pieces are similar to a shape.
 #[derive(Clone, Debug)]
 pub struct Like {
     /// The puzzle.
     pub puzzle: Puzzle,
-    /// For each piece the shape at its best place.
+    /// For each piece the shape in its best pose.
     pub fits: Vec<Option<Fit>>,
-    /// The energy of each step that was taken. With the descent: the mean over the outline of how far a point lies from the nearest copy, a
-    /// hinge of the distance whose width falls from 0.3 to 0.03 of a piece's side; it never rises. With Lloyd's method: the mean of the
-    /// metric, which can rise.
+    /// The energy after each step. For descent: the mean over the outline of a hinge of the distance from the nearest copy; the
+    /// width of the hinge falls from 0.3 to 0.03 of a piece's side, and the energy never increases. For Lloyd's method: the mean of
+    /// the metric, which can increase.
     pub energy: Vec<f64>,
-    /// Why the placing ended before it was done.
+    /// Why the placement ended early.
     pub stop: Option<StopReason>,
 }
 
-/// Values in a row of a map.
+/// Values per row of a map.
 const MAP: usize = 200;
 
-/// Moves of all borders that are tried where a border passes through a corner of the outline.
+/// Displacements of all borders to try if a border passes through a corner of the outline.
 const TRIES: i64 = 8;
 
-/// Makes a puzzle with pieces as near to a shape as they can be; the layout of the options is not used.
+/// Makes a puzzle with pieces as similar to a shape as possible; the layout of the options is ignored.
 ///
 /// # Definition
-/// Copies of the shape, each of the mean area of a piece, are placed so that little of the outline is uncovered; a piece is what is nearest
-/// to its copy, by the signed distance. Borders are drawn once and smoothed, and as few of them get a tab as hold the puzzle together.
+/// Copies of the shape, each with the mean area of a piece, are placed so that little of the outline is uncovered. A piece consists
+/// of the points nearest to its copy, by signed distance. Borders are extracted once and smoothed, and the fewest tabs that hold
+/// the puzzle together are added.
 ///
 /// # Errors
-/// [`PuzzleError`] for sizes and numbers out of range, and an outline or a shape that crosses itself.
+/// [`PuzzleError`] if sizes or numbers are out of range, or an outline or shape crosses itself.
 ///
 /// # Cost
-/// A few seconds for 24 pieces; the number of pieces times 300 points for each step of the descent.
+/// A few seconds for 24 pieces: each step of the descent evaluates 300 points per piece.
 pub fn make_like(options: &PuzzleOptions, like: &LikeOptions) -> Result<Like, PuzzleError> {
     options.check()?;
     let target = Target::new(&like.shape.outline()?);
@@ -200,7 +202,7 @@ impl Frame {
         let extent = [0, 1].map(|k| scale * (high[k] - low[k]));
         let step = step(extent);
         let on_lattice = |p: Point| [0, 1].map(|k| (scale * (p[k] - low[k]) / step).round());
-        // Corners that the lattice cannot tell apart become one.
+        // Merges corners that coincide on the lattice.
         let rounded = given.map(on_lattice).map_err(too_narrow)?;
         if let Some(crossing) = first_crossing(&rounded) {
             return Err(PuzzleError::Crossing { sides: crossing.sides, place: crossing.place });
@@ -223,7 +225,7 @@ impl Frame {
         let borders = regions::borders(map, poses, &self.outline, most_pixels);
         let mut found = Err(PuzzleError::Narrow { piece: 0 });
         for i in 0..TRIES {
-            // Where a border passes through a corner of the outline, all borders move by a step.
+            // If a border passes through a corner of the outline, all borders move by a step.
             let shift = [i % 3, i / 3];
             let on_lattice = |p: Point| [0, 1].map(|k| (p[k] * self.unit).round() as i64 + shift[k]);
             let segments: Vec<[Corner; 2]> =
@@ -236,7 +238,7 @@ impl Frame {
         found
     }
 
-    /// The whole regions of the first copies, those of the others around them left out.
+    /// The whole regions of the first copies, without those of the other copies around them.
     fn whole(
         &self,
         map: &Map,
@@ -262,7 +264,7 @@ impl Frame {
         };
         let moved: Vec<Pose> = poses.iter().map(|pose| Pose { place: moved(pose.place), ..*pose }).collect();
         let all = wide.puzzle(map, &moved, usize::MAX, most_pixels)?;
-        // The piece of a copy holds the point that lies deepest in the copy.
+        // The piece of a copy contains the deepest point of the copy.
         let deepest = map.deepest();
         let outlines: Vec<Option<Outline>> =
             (0..all.pieces()).map(|piece| Outline::new(all.outline(piece)).ok()).collect();

@@ -1,4 +1,4 @@
-//! Copies of a shape within an outline: from a lattice, by descent, with hops.
+//! Placing copies of a shape within an outline: from lattices, by descent, with hops.
 
 use super::cover::Samples;
 use super::map::Map;
@@ -10,42 +10,42 @@ use pompeiu_core::run::Control;
 use pompeiu_planar::{Outline, Point};
 use rayon::prelude::*;
 
-/// Lattices that are tried on the outline, and places for each.
+/// Lattices to try on the outline, and positions for each.
 const LATTICES: usize = 6;
 const PLACES: usize = 300;
 
-/// How far beyond the box of the outline copies are looked for, over the radius of the shape.
+/// How far beyond the bounding box of the outline copies are generated, relative to the radius of the shape.
 const BEYOND: f64 = 3.0;
 
-/// Starts that descend.
+/// Number of starts for descent.
 const STARTS: usize = 8;
 
-/// Points for a unit of length: for the choice of starts, for descent, for the last descent.
+/// Sample points per unit of length: for choosing starts, for descent, for the last descent.
 const COARSE: f64 = 8.0;
 const MIDDLE: f64 = 16.0;
 const FINE: f64 = 24.0;
 
-/// Widths of the hinge, from one descent to the next.
+/// Widths of the hinge in successive descents.
 const WIDTHS: [f64; 5] = [0.3, 0.2, 0.13, 0.09, 0.06];
 
 /// Widths after a hop, and for the last descent.
 const HOP_WIDTHS: [f64; 2] = [0.12, 0.06];
 const LAST_WIDTH: f64 = 0.03;
 
-/// Hops are tried in rounds of so many, of which the best counts.
+/// Hops per round; the best of a round is kept.
 const ROUND: usize = 6;
 
-/// Rounds of hops for few pieces; for many, as many as take as long.
+/// Rounds of hops for few pieces; for many pieces, the number that takes equally long.
 const ROUNDS: usize = 8;
 const PIECES_OF_ROUNDS: usize = 40;
 
-/// Where copies lie, and how the energy fell.
+/// The poses of copies, and the energies.
 pub(super) struct Placed {
     pub(super) poses: Vec<Pose>,
     pub(super) energy: Vec<f64>,
 }
 
-/// Places so many copies of the shape of a map, of area 1, on an outline of as much area.
+/// Places `count` copies of the shape of a map, of area 1, on an outline of the same total area.
 pub(super) fn place(
     map: &Map,
     outline: &Outline,
@@ -108,7 +108,7 @@ pub(super) fn place(
         energy.push(value);
         !control.is_stopped()
     });
-    // A narrower hinge lowers the energy, other points may raise it by their noise.
+    // A narrower hinge lowers the energy; other sample points may raise it by noise.
     let before = last(&best);
     energy.retain(|value| *value < before);
     if !energy.is_empty() {
@@ -118,10 +118,10 @@ pub(super) fn place(
     best
 }
 
-/// So many copies of the best lattice, as near to an outline as any of some places, and after them all those around them.
+/// The copies of the best lattice nearest to an outline, for the best of some positions, followed by all copies around them.
 ///
 /// # Errors
-/// [`PuzzleError::Outline`] where no lattice has that many within reach.
+/// [`PuzzleError::Outline`] if no lattice has that many copies within reach.
 pub(super) fn on_lattice(
     map: &Map,
     outline: &Outline,
@@ -151,7 +151,7 @@ fn last(placed: &Placed) -> f64 {
     placed.energy.last().copied().unwrap_or(f64::INFINITY)
 }
 
-/// The copies of a lattice, turned and moved at random, that lie most within an outline.
+/// The copies of a lattice, rotated and translated at random, that lie deepest within an outline.
 fn on_outline(
     lattice: &Lattice,
     outline: &Outline,
@@ -167,12 +167,12 @@ fn on_outline(
     Some(found)
 }
 
-/// The copies of a lattice, turned and moved at random, within and around an outline, the deepest first.
+/// The copies of a lattice, rotated and translated at random, within and around an outline, deepest first.
 fn around(lattice: &Lattice, outline: &Outline, radius: f64, random: &mut Random) -> Option<Vec<Pose>> {
     let [low, high] = outline.bounds();
     let middle = [0, 1].map(|k| 0.5 * (low[k] + high[k]));
     let reach = 0.5 * libm::hypot(high[0] - low[0], high[1] - low[1]) + BEYOND * radius;
-    // Every other try along an axis.
+    // Every other try is aligned with an axis.
     let angle = if random.below(2) == 0 {
         let along = lattice.basis[random.below(2) as usize];
         f64::from(random.below(4)) * std::f64::consts::FRAC_PI_2 - libm::atan2(along[1], along[0])
@@ -184,7 +184,7 @@ fn around(lattice: &Lattice, outline: &Outline, radius: f64, random: &mut Random
     let [u, v] = lattice.basis.map(turn);
     let shift = [random.signed_unit(), random.signed_unit()];
     let determinant = (u[0] * v[1] - u[1] * v[0]).abs();
-    // As many steps along each vector as reach across.
+    // Enough steps along each vector to reach across.
     let steps = [v, u].map(|w| (reach * libm::hypot(w[0], w[1]) / determinant).ceil() as i64 + 2);
     if steps.iter().any(|s| *s > 4_000) {
         return None;
@@ -208,13 +208,13 @@ fn around(lattice: &Lattice, outline: &Outline, radius: f64, random: &mut Random
     Some(found.into_iter().map(|(_, pose)| pose).collect())
 }
 
-/// How deep a point lies within an outline, negative outside.
+/// Depth of a point within an outline, negative outside.
 fn depth(outline: &Outline, p: Point) -> f64 {
     let distance = pompeiu_planar::distance_to_outline(p, outline);
     if outline.contains(p) { distance } else { -distance }
 }
 
-/// Moves one to three of the pieces that fit worst to where little is covered, and keeps what is better than before.
+/// Moves one to three of the worst pieces to where little is covered, and keeps improvements.
 fn hop(map: &Map, samples: &Samples, best: &mut Placed, mirrors: bool, seed: u64, control: &Control) {
     let n = best.poses.len();
     let mut bad = vec![0.0; n];

@@ -1,16 +1,16 @@
-//! Where a copy of a shape lies.
+//! Poses of copies of a shape.
 
 use super::map::Map;
 use pompeiu_planar::{Outline, OutlineError, Point};
 
-/// Where a copy of the shape lies: mirrored or not, then turned, then moved.
+/// The pose of a copy of the shape: optional reflection, then rotation, then translation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose {
-    /// Where its centroid lies.
+    /// The position of its centroid.
     pub place: Point,
-    /// By how much it is turned, in radians.
+    /// The rotation in radians.
     pub angle: f64,
-    /// Whether its first coordinate is negated before that.
+    /// Whether the first coordinate is negated before that.
     pub is_mirrored: bool,
 }
 
@@ -20,7 +20,7 @@ impl Pose {
         Turned { place: self.place, cosine, sine, hand: if self.is_mirrored { -1.0 } else { 1.0 } }
     }
 
-    /// The shape at this place, times a scale.
+    /// The shape in this pose, scaled.
     pub(crate) fn apply(&self, shape: &Outline, scale: f64) -> Result<Outline, OutlineError> {
         let turned = self.turn();
         shape.map(|p| turned.to_place(p.map(|x| scale * x)))
@@ -55,14 +55,14 @@ impl Turned {
         [self.place[0] + self.cosine * x - self.sine * y, self.place[1] + self.sine * x + self.cosine * y]
     }
 
-    /// A vector of the shape as one of the plane.
+    /// Rotates and reflects a vector of the shape.
     #[inline]
     pub(super) fn vector(self, [x, y]: Point) -> Point {
         let x = self.hand * x;
         [self.cosine * x - self.sine * y, self.sine * x + self.cosine * y]
     }
 
-    /// The value of a map at p, with its derivatives by place and angle.
+    /// The value of a map at p, with its derivatives with respect to position and angle.
     pub(super) fn with_gradient(self, map: &Map, p: Point) -> (f64, [f64; 3]) {
         let [x, y] = self.turned_back(p);
         let (value, g) = map.with_gradient([self.hand * x, y]);

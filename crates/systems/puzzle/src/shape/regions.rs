@@ -1,4 +1,4 @@
-//! The regions that copies of a shape divide the plane into, as segments between pixels.
+//! The regions of the plane nearest to each copy of a shape, with borders as segments between pixels.
 
 use super::cover::{candidates, least};
 use super::map::Map;
@@ -8,30 +8,30 @@ use pompeiu_planar::{Outline, Point, fill};
 use rayon::prelude::*;
 use std::collections::VecDeque;
 
-/// Pixels for a unit of length, fewer where that would be too many.
+/// Pixels per unit of length; fewer if that would be too many.
 const PIXELS: f64 = 40.0;
 const MOST_PIXELS: f64 = 40e6;
 
-/// Bytes for each pixel while regions are found, and the fewest pixels for a piece that show its shape.
+/// Bytes per pixel while regions are computed, and the fewest pixels per piece that show its shape.
 const BYTES: f64 = 16.0;
 const LEAST_PIXELS: f64 = 400.0;
 
-/// Pixels around the outline.
+/// Margin around the outline in pixels.
 const MARGIN: usize = 4;
 
-/// Pixels this far from the outline belong to regions as those inside do.
+/// Pixels up to this far outside the outline belong to regions, too.
 const BAND: usize = 2;
 
-/// Pixels along the side of a block that has one list of copies that can be nearest.
+/// Pixels along the side of a block with a common list of candidate copies.
 const SIDE: usize = 8;
 
 /// No region yet.
 const NONE: u32 = u32::MAX;
 
-/// How near to a pixel's centre a border may pass, over the distance of pixels.
+/// Smallest distance of a border from a pixel centre, relative to the pixel size.
 const CLEARANCE: f64 = 0.02;
 
-/// A picture of regions.
+/// A label image of regions.
 pub(super) struct Regions {
     width: usize,
     height: usize,
@@ -40,10 +40,10 @@ pub(super) struct Regions {
     labels: Vec<u32>,
 }
 
-/// The most pixels that a picture of regions may have.
+/// The largest number of pixels of a label image.
 ///
 /// # Errors
-/// [`PuzzleError::Memory`] where the limit leaves too few to show the pieces.
+/// [`PuzzleError::Memory`] if the limit leaves too few pixels to show the pieces.
 pub(super) fn most_pixels(pieces: usize, memory: Option<usize>) -> Result<f64, PuzzleError> {
     let Some(limit) = memory else { return Ok(MOST_PIXELS) };
     let needed = LEAST_PIXELS * BYTES * pieces as f64;
@@ -53,13 +53,13 @@ pub(super) fn most_pixels(pieces: usize, memory: Option<usize>) -> Result<f64, P
     Ok((limit as f64 / BYTES).min(MOST_PIXELS))
 }
 
-/// The borders between the regions of least value on and around an outline, as segments that meet at their ends only.
+/// The borders between the regions of least value on and around an outline, as segments that meet only at their ends.
 ///
-/// Each region is connected: smaller parts of it belong to what is around them.
+/// Each region is connected: its smaller components are given to the regions around them.
 ///
 /// # Definition
-/// Marching squares for many labels: a border passes between the centres of two pixels where the values of their copies are equal, and
-/// where three regions or four meet there is a junction.
+/// Marching squares for several labels: a border passes between the centres of two pixels where the values of their copies are
+/// equal; there is a junction where three or four regions meet.
 pub(super) fn borders(map: &Map, poses: &[Pose], outline: &Outline, most_pixels: f64) -> Vec<[Point; 2]> {
     let turned: Vec<Turned> = poses.iter().map(Pose::turn).collect();
     let mut regions = Regions::new(map, &turned, outline, most_pixels);
@@ -75,7 +75,7 @@ impl Regions {
         let step = 1.0 / per_unit;
         let count = extent.map(|x| (x * per_unit).ceil() as usize + 2 * MARGIN);
         let [width, height] = count;
-        // Off the outline's box by a part of a pixel that is no simple fraction.
+        // Offset from the outline's bounding box by a part of a pixel that is no simple fraction.
         let origin = [low[0] - (MARGIN as f64 - 0.618) * step, low[1] - (MARGIN as f64 - 0.618) * step];
         let bands: Vec<Vec<u32>> = (0..height.div_ceil(SIDE))
             .into_par_iter()
@@ -123,7 +123,7 @@ impl Regions {
         .flatten()
     }
 
-    /// Leaves of each region its largest part within the outline, and lets those parts grow over all else.
+    /// Keeps the largest component of each region within the outline, and lets these grow over everything else.
     fn connect(&mut self, outline: &Outline, count: usize) {
         let to_pixels = |p: Point| [0, 1].map(|k| (p[k] - self.origin[k]) / self.step);
         let Ok(in_pixels) = outline.map(to_pixels) else { return };
@@ -218,7 +218,7 @@ impl Regions {
             return;
         }
         let crossing = |k: usize| {
-            // The same order from both sides of an edge, for the same bits.
+            // The same order from both sides of an edge, for identical bits.
             let (a, b) = (corners[k], corners[(k + 1) % 4]);
             self.crossing(map, poses, a.min(b), a.max(b))
         };
@@ -226,7 +226,7 @@ impl Regions {
         let opposite = (0..2).find(|k| labels[*k] == labels[k + 2]);
         match (count, opposite) {
             (2, _) => found.push([crossed[0], crossed[1]]),
-            // The region on the diagonal stays in one piece; the other two corners are cut off.
+            // The region on the diagonal stays connected; the other two corners are cut off.
             (4, Some(k)) => {
                 found.push([crossed[k], crossed[k + 1]]);
                 found.push([crossed[(k + 2) % 4], crossed[(k + 3) % 4]]);

@@ -1,38 +1,39 @@
-//! The similarity that brings points nearest to others.
+//! Registration of point sets by similarities.
 
 use super::pose::Pose;
 use pompeiu_planar::Point;
 
-/// A similarity that brings points near to others.
+/// A similarity that maps points close to others.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Registered {
-    /// Turning, mirroring and moving, after scaling.
+    /// Rotation, reflection and translation, after scaling.
     pub pose: Pose,
     /// The scale.
     pub scale: f64,
-    /// The root of the mean squared distance of the points to the nearest ones.
+    /// The root mean square distance of the points to the nearest ones.
     pub rms: f64,
 }
 
-/// Steps before most starts are given up, and at most.
+/// Steps before most starts are discarded, and the largest number of steps.
 const FIRST_STEPS: usize = 5;
 const MOST_STEPS: usize = 60;
 
-/// Starts that are gone on with.
+/// Number of starts that are continued.
 const KEPT: usize = 3;
 
-/// Turns that are tried at the start.
+/// Number of initial rotations.
 const TURNS: usize = 8;
 
-/// Ends where the error falls by less than this share.
+/// Ends when the error falls by less than this share.
 const SETTLED: f64 = 1e-7;
 
-/// Registers points on others: the similarity of least squares between points and those nearest to them, again and again, from eight turns.
+/// Registers points on others by iterated closest points: repeatedly the least-squares similarity between points and their nearest
+/// ones, from eight rotations.
 ///
-/// Both lists should have about the same spacing all over; none may be empty.
+/// Both sets should have about the same density everywhere; neither may be empty.
 ///
 /// # Cost
-/// Points times points for each step.
+/// Product of the numbers of points for each step.
 ///
 /// # Source
 /// `besl_method_1992`; the similarity is that of `umeyama_least_1991`, in the plane in closed form.
@@ -60,7 +61,7 @@ pub fn register(points: &[Point], to: &[Point], mirrors: bool) -> Option<Registe
     ends.min_by(|x, y| x.rms.total_cmp(&y.rms))
 }
 
-/// The same from one start.
+/// Registration from one start.
 pub(super) fn steps(points: &[Point], to: &[Point], start: Registered, most: usize) -> Registered {
     let mut now = start;
     for _ in 0..most {
@@ -112,8 +113,8 @@ impl Spread {
     }
 }
 
-/// The similarity of least squares from the first to the second points of pairs, as complex numbers: with p and q relative to their means,
-/// the factor is Σ p̄ q / Σ |p|².
+/// The least-squares similarity from the first to the second points of pairs, in complex numbers: with p and q relative to their
+/// means, the factor is Σ p̄ q / Σ |p|².
 fn similarity(pairs: &[(Point, Point)], is_mirrored: bool) -> Option<Registered> {
     let n = pairs.len() as f64;
     let hand = if is_mirrored { -1.0 } else { 1.0 };

@@ -1,20 +1,21 @@
-//! Borders made smooth, without crossings.
+//! Smoothing borders without crossings.
 
 use crate::Puzzle;
 use crate::puzzle::{Corner, simplify};
 use crate::space::Space;
 use pompeiu_planar::{Point, resample_points};
 
-/// The distance of points of a border before it is smoothed, over the mean side of a piece.
+/// Distance of points of a border before smoothing, relative to the mean side of a piece.
 const SPACING: f64 = 0.02;
 
-/// Rounds of smoothing that are tried: the first ones for which borders meet nothing.
+/// Rounds of smoothing in the order tried; the first number without intersections is used.
 const ROUNDS: [usize; 4] = [3, 2, 1, 0];
 
-/// Corners nearer to the chord are left out, over the mean side of a piece.
+/// Corners closer than this to the chord are removed, relative to the mean side of a piece.
 const FLAT: f64 = 0.0025;
 
-/// Smooths every border between two pieces; its ends stay. A border that would meet another one is smoothed less, or left as it is.
+/// Smooths every border between two pieces; its ends stay. A border that would meet another one is smoothed less, or stays
+/// unchanged.
 pub(super) fn smooth(puzzle: &mut Puzzle) {
     let unit = puzzle.unit() / puzzle.step;
     let mut space = Space::new(puzzle, unit);
@@ -32,7 +33,7 @@ pub(super) fn smooth(puzzle: &mut Puzzle) {
                 average(&mut even);
             }
             let mut path: Vec<Corner> = even.iter().map(|p| p.map(|x| x.round() as i64)).collect();
-            // Resampled ends may be rounded.
+            // Resampling may round the ends.
             let last = path.len() - 1;
             (path[0], path[last]) = (old[0], old[old.len() - 1]);
             path.dedup();
@@ -46,7 +47,7 @@ pub(super) fn smooth(puzzle: &mut Puzzle) {
     }
 }
 
-/// Each point but the ends to the mean of itself, twice, and its neighbours.
+/// Replaces each inner point by a mean of itself, with weight two, and its neighbours.
 fn average(points: &mut [Point]) {
     let old = points.to_vec();
     for i in 1..points.len().saturating_sub(1) {

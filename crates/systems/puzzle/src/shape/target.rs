@@ -1,15 +1,15 @@
-//! The shape that pieces shall have.
+//! The requested shape of pieces.
 
 use super::classics::PieceName;
 use crate::PuzzleError;
 use pompeiu_planar::{Outline, first_crossing, resample};
 
-/// The shape that pieces shall have.
+/// The requested shape of pieces.
 #[derive(Clone, Debug, PartialEq)]
 pub enum PieceShape {
-    /// One that is built in.
+    /// A built-in shape.
     Built(PieceName),
-    /// An outline; its size does not matter.
+    /// An outline; its size is ignored.
     Outline(Outline),
 }
 
@@ -32,7 +32,7 @@ impl PieceShape {
     }
 }
 
-/// Corners of a shape at most: silhouettes of pictures have thousands, of which pieces show nothing.
+/// Largest number of corners of a shape: silhouettes of pictures have thousands, whose detail pieces cannot show.
 const CORNERS: usize = 240;
 
 /// The shape with area 1 and its centroid at the origin.

@@ -8,14 +8,14 @@ use pompeiu_planar::Point;
 use rayon::prelude::*;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-/// Copies of a shape of area 1, and two vectors by which all of them are repeated.
+/// Copies of a shape of area 1, and the two periods of the lattice.
 #[derive(Clone, Debug)]
 pub(super) struct Lattice {
     pub(super) basis: [Point; 2],
     pub(super) copies: Vec<Pose>,
 }
 
-/// How the copies of a cell lie at the start; all of them move freely afterwards.
+/// The initial symmetry of the copies of a cell; all of them move freely afterwards.
 #[derive(Clone, Copy)]
 enum Group {
     One,
@@ -29,14 +29,14 @@ enum Group {
 const GROUPS: [Group; 6] =
     [Group::One, Group::HalfTurn, Group::Two, Group::Mirror, Group::QuarterTurns, Group::MirroredHalfTurns];
 
-/// Random starts for each group, and how many of them are gone on with.
+/// Random starts for each group, and how many of them are continued.
 const POOL: usize = 80;
 const KEPT: usize = 4;
 
-/// Lattices of as many copies whose energies differ by less than this share are taken for one.
+/// Lattices with equal numbers of copies whose energies differ by less than this share count as equal.
 const SAME: f64 = 1e-3;
 
-/// Points of the cell for each copy, along each side: for the pool and for those kept.
+/// Sample points per copy along each side of the cell: for the pool and for the starts kept.
 const COARSE: usize = 9;
 const FINE: usize = 16;
 
@@ -90,7 +90,7 @@ pub(super) fn lattices(map: &Map, count: usize, mirrors: bool, seed: u64) -> Vec
 
 #[derive(Clone)]
 struct Cell {
-    /// The two vectors of the basis; then for each copy its place in that basis, and its angle.
+    /// The two basis vectors, then the position of each copy in that basis and its angle.
     numbers: Vec<f64>,
     mirrored: Vec<bool>,
     energy: f64,
@@ -112,7 +112,7 @@ impl Cell {
             }
         };
         let area = copies.len() as f64;
-        // A reduced basis: the second vector leans by at most half of the first one.
+        // A reduced basis: the projection of the second vector on the first is at most half of the first.
         let lean = unit() - 0.5;
         let rise = 0.7 * libm::exp(1.4 * unit());
         let length = (area / rise).sqrt();
@@ -131,7 +131,7 @@ impl Cell {
         self.energy = descend(&mut self.numbers, 0.3, steps, energy, |_| true);
     }
 
-    /// The basis of shortest vectors of the same lattice.
+    /// The reduced basis of the same lattice.
     fn reduce(&mut self) {
         for _ in 0..50 {
             let x = &self.numbers;
@@ -166,7 +166,7 @@ impl Cell {
     }
 }
 
-/// The share of a cell that its copies leave uncovered, and its gradient; the basis is scaled so that the cell has the area of its copies.
+/// The uncovered share of a cell, and its gradient; the basis is scaled so that the cell has the area of its copies.
 fn uncovered(
     map: &Map,
     x: &[f64],
@@ -215,7 +215,7 @@ fn uncovered(
         total += rise;
         if slope > 0.0 {
             let (_, [dx, dy, turn]) = poses[j].with_gradient(map, q);
-            // The slopes are those of moving the copy: the point moves the other way.
+            // The derivatives are those for moving the copy; moving the point has the opposite sign.
             let along = [-slope * dx, -slope * dy];
             for k in 0..2 {
                 by_basis[k] += along[k] * g[0];
@@ -226,7 +226,7 @@ fn uncovered(
         }
     }
     let norm = 1.0 / (count * count) as f64;
-    // Through the scale: it changes with the determinant.
+    // Through the scale, which depends on the determinant.
     let trace: f64 = (0..4).map(|k| by_basis[k] * x[k]).sum();
     let inverse = [x[3], -x[2], -x[1], x[0]].map(|v| v / determinant);
     for k in 0..4 {

@@ -1,4 +1,4 @@
-//! Pieces like a shape: how like they are, that they tile exactly, and what Lloyd's method does.
+//! Pieces of a given shape: their similarity, exact tiling, and the behaviour of Lloyd's method.
 
 use pompeiu_core::run::Limits;
 use pompeiu_planar::{Outline, first_crossing};
@@ -17,7 +17,8 @@ pub(super) fn mean_iou(like: &Like) -> f64 {
     fits.iter().sum::<f64>() / fits.len() as f64
 }
 
-/// The likeness of each built-in shape, for people: `POMPEIU_SHAPES=bird,star cargo test -p pompeiu-puzzle -- table --ignored --nocapture`.
+/// The similarity of each built-in shape, for people: `POMPEIU_SHAPES=bird,star cargo test -p pompeiu-puzzle -- table --ignored
+/// --nocapture`.
 #[test]
 #[ignore = "a table, for people"]
 fn table() {
@@ -95,7 +96,7 @@ fn lloyd_with_each_metric_tiles_and_rises_now_and_then() {
         assert!((sum / 60_000.0 - 1.0).abs() < 1e-12 && made.puzzle.pieces() == 9);
         rises += made.energy.windows(2).filter(|pair| pair[1] > pair[0]).count();
     }
-    // The source expects it to settle; the centroid does not minimise the metric.
+    // The source expects convergence; the centroid does not minimise the metric.
     assert!(rises > 0);
 }
 
@@ -107,7 +108,7 @@ fn whole_copies_make_an_outline_of_their_own() {
         make_like(&options, &LikeOptions { shape, free_outline: true, ..LikeOptions::default() }).unwrap();
     let report = report_like(&made);
     assert!(report.area.is_exact && report.locked && made.puzzle.pieces() == 8);
-    // Every piece is like the shape: none is cut by the outline. And the outline is near the one that is given.
+    // Every piece has the shape: the outline cuts none. And the outline is close to the given one.
     assert!(report.pieces.iter().all(|piece| piece.similarity.unwrap().iou > 0.93), "{:?}", mean_iou(&made));
     assert!((report.area.outline / 60_000.0 - 1.0).abs() < 0.05);
     let outer = Outline::new(made.puzzle.outer()).unwrap();

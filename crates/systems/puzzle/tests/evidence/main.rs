@@ -110,7 +110,7 @@ fn many_pieces_are_locked_and_the_same_at_any_number_of_threads() {
     assert!(one.count <= 3, "{}", one.count);
 }
 
-/// A star with so many points, whose hollows lie at some radius.
+/// A star with this many points and this inner radius.
 fn star(points: usize, hollow: f64) -> Outline {
     let at = |i: usize| {
         let angle = std::f64::consts::TAU * i as f64 / (2 * points) as f64 + 0.1;

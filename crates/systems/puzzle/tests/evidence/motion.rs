@@ -1,4 +1,4 @@
-//! Finite motions beside the test of directions, cuts of some width, and what is drawn of both.
+//! Finite motions against the first-order test, cuts of some width, and drawings of both.
 
 use pompeiu_core::mesh::edit::Random;
 use pompeiu_core::run::{Control, Limits};
@@ -8,7 +8,7 @@ use pompeiu_puzzle::{
     motion_png, motion_svg, page, pieces_png, pieces_svg, report, shake, take_apart,
 };
 
-/// A random puzzle of 4 to 9 pieces of which some borders are straight and some have a tab that comes out one way.
+/// A random puzzle of 4 to 9 pieces in which some borders are straight and some have a tab that comes out one way.
 fn random_puzzle(seed: u64) -> Puzzle {
     let mut random = Random::new(seed);
     let tab = if seed.is_multiple_of(2) { Tab::Knob } else { Tab::Dovetail };
@@ -75,7 +75,7 @@ fn a_free_puzzle_is_taken_apart_without_pieces_going_into_each_other() {
     let locked = make(&PuzzleOptions { pieces: 6, ..options.clone() }).unwrap();
     let tabbed = make(&PuzzleOptions { pieces: 6, tab: Tab::Knob, ..options }).unwrap();
     assert!(take_apart(&locked, &lock(&locked)).is_some() && take_apart(&tabbed, &lock(&tabbed)).is_none());
-    // Squares touch all along their sides, and the motion of the lock turns.
+    // Squares touch along their whole sides, and the motion of the lock rotates.
     for pieces in [4, 6, 12] {
         let plain = make(&PuzzleOptions { pieces, tab: Tab::None, ..PuzzleOptions::default() }).unwrap();
         assert!(take_apart(&plain, &lock(&plain)).is_some_and(|motion| motion.is_apart), "{pieces} squares");
@@ -99,7 +99,7 @@ fn paths_lie_half_the_cut_outside_and_do_not_meet() {
             assert!(!path.points().iter().any(|p| other.contains(*p)));
         }
     }
-    // The outline alone is compensated where borders are cut once.
+    // Only the outline is compensated where borders are cut once.
     let cuts = svg::read(&cuts_svg(&puzzle, 0.4)).unwrap();
     let around = cuts.last().unwrap();
     assert!(around.is_closed && around.id == "outline");
