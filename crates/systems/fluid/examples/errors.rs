@@ -1,8 +1,8 @@
-//! How far each scheme is from exact solutions on the unit sphere: a table of values separated by commas.
+//! Errors of each scheme against exact solutions on the unit sphere, as comma-separated values.
 //!
-//! A Rossby–Haurwitz wave of degree 3 and order 2 on a rotation drifts around the axis by a known angle; after one turn the error of that
-//! angle is given in per cent of a turn, and the change of the kinetic energy in per cent. Names of meshes: an icosphere of 20,480
-//! faces, and the same with vertices moved by up to a quarter of the length of edges.
+//! A Rossby–Haurwitz wave of degree 3 and order 2 on a rotation drifts around the axis by a known angle. The table lists, after one
+//! turn, the error of that angle in per cent of a turn and the change of the kinetic energy in per cent. Meshes: an icosphere of
+//! 20,480 faces, and the same with vertices displaced by up to a quarter of the edge length.
 
 #![allow(clippy::print_stdout, reason = "it prints a table")]
 
@@ -62,13 +62,13 @@ fn wave(
     let along = |wave: &VertexData<f64>| -> f64 {
         wave.iter().zip(&fluid.state().vorticity).zip(&areas).map(|((y, w), a)| a * y * w).sum()
     };
-    // Order 2: half of the angle, which is zero after one turn but for multiples of half a turn.
+    // Order 2: half of the phase angle, which is zero after one turn up to multiples of half a turn.
     let phase = 0.5 * along(&sine).atan2(along(&cosine));
     let phase = (phase + 0.5 * PI).rem_euclid(PI) - 0.5 * PI;
     Ok([phase / TAU, fluid.measure()?.energy / before - 1.0])
 }
 
-/// A sphere whose vertices have moved along it.
+/// A sphere whose vertices are displaced along it.
 fn jittered(sphere: &TriMesh) -> Result<TriMesh, Box<dyn std::error::Error>> {
     let mut random = Random::new(7);
     let (positions, faces) = sphere.clone().into_parts();

@@ -1,4 +1,4 @@
-//! Advection of the vorticity and of the harmonic coefficients, in the weak form of Galerkin.
+//! Advection of the vorticity and of the harmonic coefficients, in Galerkin's weak form.
 
 use crate::space::Space;
 use crate::{FluidError, Integrator};
@@ -6,7 +6,7 @@ use pompeiu_core::mesh::{FaceData, VertexData};
 use pompeiu_operators::FaceField;
 use pompeiu_surface::plane::{cross, dot};
 
-/// What is advected.
+/// The advected unknowns.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Unknowns {
     pub(crate) vorticity: VertexData<f64>,
@@ -34,8 +34,9 @@ impl Unknowns {
 /// The rates of change of the unknowns by advection.
 ///
 /// # Definition
-/// `M ω' = G_vᵀ (A u ω̄)` and `c_k' = −Σ A ω̄ (J u)·h_k`, sums over faces of area A, ω̄ the mean of the corners plus the rotation of
-/// the surface; what leaves through the boundary is taken off. Without such a flow and with exact solves the energy, the enstrophy and the sum of M ω do not change.
+/// `M ω' = G_vᵀ (A u ω̄)` and `c_k' = −Σ A ω̄ (J u)·h_k`, sums over faces of area A, with ω̄ the mean of the corners plus the
+/// rotation of the surface; the outflow through the boundary is subtracted. Without such a flow and with exact solves, the energy,
+/// the enstrophy and the sum of M ω do not change.
 pub(crate) fn rates(
     space: &Space<'_>,
     unknowns: &Unknowns,
@@ -46,7 +47,7 @@ pub(crate) fn rates(
     rates_at(space, &unknowns.vorticity, &velocity, coriolis)
 }
 
-/// The rates where the velocity is known.
+/// The rates of change for a given velocity.
 pub(crate) fn rates_at(
     space: &Space<'_>,
     vorticity: &VertexData<f64>,
@@ -76,7 +77,8 @@ pub(crate) fn rates_at(
     Ok(Unknowns { vorticity: rate, harmonic })
 }
 
-/// Takes off the vorticity that leaves through the boundary, `∮ φ ω u·n`. What flows in has none, but that of the rotation of the surface.
+/// Subtracts the vorticity that leaves through the boundary, `∮ φ ω u·n`. Inflow carries no vorticity except that of the rotation
+/// of the surface.
 fn leave(
     space: &Space<'_>,
     vorticity: &VertexData<f64>,
@@ -94,16 +96,16 @@ fn leave(
     }
 }
 
-/// Courant numbers of dual cells up to which a substep is stable.
+/// Largest stable Courant number of dual cells for a substep.
 pub(crate) fn substep_cfl(integrator: Integrator) -> f64 {
     match integrator {
         Integrator::RungeKutta => 1.0,
-        // Not for stability: fixed-point iterations converge well.
+        // Not for stability: fixed-point iterations converge well up to here.
         Integrator::ImplicitMidpoint => 0.5,
     }
 }
 
-/// The unknowns after a time, in substeps.
+/// The unknowns after some time, computed in substeps.
 pub(crate) fn advect(
     space: &Space<'_>,
     mut unknowns: Unknowns,
@@ -124,7 +126,7 @@ pub(crate) fn advect(
 
 /// Why advection failed.
 pub(crate) enum AdvectionError {
-    /// The implicit midpoint rule was not solved.
+    /// The implicit midpoint rule did not converge; the residual.
     Midpoint(f64),
     Other(FluidError),
 }
@@ -152,19 +154,19 @@ fn runge_kutta(
     Ok(after)
 }
 
-/// Fixed-point iterations of a substep at most.
+/// Largest number of fixed-point iterations of a substep.
 const MOST_ITERATIONS: usize = 80;
 
-/// How often a substep whose iterations do not converge is halved.
+/// How often a substep is halved if its iterations do not converge.
 const MOST_HALVINGS: usize = 4;
 
-/// The change of an iteration, relative to the change of the substep, below which it has converged as far as rounding lets it.
+/// Converged to rounding: the change of an iteration relative to the change of the substep.
 const CONVERGED: f64 = 1e-15;
 
-/// The change that is accepted where rounding stops the iterations earlier.
+/// Accepted change if rounding stops the convergence earlier.
 const ACCEPTED: f64 = 1e-12;
 
-/// `x' = x + Δt F((x + x') / 2)`, by fixed-point iterations of the middle.
+/// `x' = x + Δt F((x + x') / 2)`, by fixed-point iterations for the midpoint.
 fn midpoint(
     space: &Space<'_>,
     at: &Unknowns,
@@ -181,7 +183,7 @@ fn midpoint(
         let settled = change <= CONVERGED * size || (change <= ACCEPTED * size && change >= 0.5 * last);
         middle = next;
         if settled {
-            // x' = 2 z − x, with z the middle.
+            // x' = 2 z − x, with z the midpoint.
             let mut after = middle.plus(1.0, &middle);
             after.add(-1.0, at);
             return Ok(after);

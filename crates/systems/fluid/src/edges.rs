@@ -9,28 +9,28 @@ use pompeiu_solve::{Cholesky, LinearSolver, SemidefiniteCholesky, SolveError, Sp
 use pompeiu_surface::plane::{Vec2, add, dot, inverse, norm, rotate, scale, sub};
 use pompeiu_surface::{EdgeData, EdgeId, HalfedgeId, SurfaceMesh};
 
-/// A velocity at the midpoint of each edge: along its first half-edge, and to the left of it.
+/// A velocity at the midpoint of each edge: its components along the first half-edge and to the left of it.
 pub(crate) type EdgeField = EdgeData<Vec2>;
 
-/// A step of backward Euler for viscosity, factored for one product of viscosity and time, and the projection after it.
+/// A backward Euler step for viscosity, factored for one product of viscosity and time, with the subsequent projection.
 ///
 /// # Definition
-/// A velocity is linear on each face and agrees with its neighbours at midpoints of edges, when they are laid flat. B is the matrix of
-/// `∫ |∇u|²` (the connection Laplacian of Bochner), K that of the Gaussian curvature on faces, M the areas of edges. One step solves
-/// `(M + νΔt (B + (1 − χ) K)) u' = M u`, with χ = 0, 1, 2 for the Hodge, Bochner and physical viscosity. At a boundary that holds
-/// the fluid `u'` is the velocity of the wall; at one along which it slips, the component across is zero and the geodesic curvature
-/// is taken off the matrix for the component along. Then the gradient of a pressure, constant on faces, is taken off, so that as much
-/// flows into each face as out of it.
+/// A velocity is linear on each face and continuous at midpoints of edges, after unfolding. B is the matrix of `∫ |∇u|²` (the
+/// Bochner connection Laplacian), K that of the Gaussian curvature on faces, M the areas of edges. One step solves `(M + νΔt (B +
+/// (1 − χ) K)) u' = M u`, with χ = 0, 1, 2 for the Hodge, Bochner and physical viscosity. At a no-slip boundary `u'` is the
+/// velocity of the wall. At a free-slip boundary the normal component is zero, and the geodesic curvature is subtracted from the
+/// matrix for the tangential component. Then the gradient of a piecewise constant pressure is subtracted, so that inflow and
+/// outflow balance in each face.
 ///
 /// # Accuracy
-/// Of second order in the length of edges, of first order in the step.
+/// Second order in the edge length, first order in the step.
 #[derive(Debug)]
 pub(crate) struct EdgeViscosity {
     product: f64,
     factor: Cholesky,
-    /// Of each edge and component the number of its unknown, or none where it is given.
+    /// The unknown of each component at each edge; `None` if it is prescribed.
     unknown: Vec<[Option<usize>; 2]>,
-    /// What the given components add to the right-hand side.
+    /// Contribution of the prescribed components to the right-hand side.
     drive: Vec<f64>,
     given: EdgeField,
     mass: EdgeData<f64>,
@@ -100,7 +100,7 @@ impl EdgeViscosity {
         Ok(Self { product, factor, unknown, drive, given, mass, pressure })
     }
 
-    /// The system of pressures, which is the same for any step.
+    /// The pressure system, which does not depend on the step.
     pub(crate) fn into_pressure(self) -> SemidefiniteCholesky {
         self.pressure
     }
@@ -129,9 +129,10 @@ impl EdgeViscosity {
         Ok(after)
     }
 
-    /// Takes off what flows out of faces more than into them: the gradient of a pressure.
+    /// Subtracts the gradient of a pressure, so that inflow and outflow balance in each face.
     ///
-    /// The component of that gradient along an edge is that of the lowest-order Raviart–Thomas fields beside it.
+    /// The tangential component of that gradient at an edge is that of the lowest-order Raviart–Thomas fields on the adjacent
+    /// faces.
     fn project(&self, space: &Space<'_>, field: &mut EdgeField) -> Result<(), FluidError> {
         let mesh = space.mesh();
         let mut pressure: Vec<f64> =
@@ -155,7 +156,8 @@ impl EdgeViscosity {
     }
 }
 
-/// The component along an edge, at its midpoint, of the Raviart–Thomas fields of the faces beside it; their mean by area.
+/// The tangential component at the midpoint of an edge of the Raviart–Thomas fields on the adjacent faces; their mean, weighted by
+/// area.
 fn along_edge(space: &Space<'_>, edge: EdgeId, field: &EdgeField) -> f64 {
     let (mesh, surface) = (space.mesh(), space.surface);
     let h = mesh.edge_halfedge(edge);
@@ -164,7 +166,7 @@ fn along_edge(space: &Space<'_>, edge: EdgeId, field: &EdgeField) -> f64 {
         let corners = surface.corners(h.face());
         let middle = scale(0.5, add(corners[h.corner()], corners[(h.corner() + 1) % 3]));
         let flows = outflows(space, h.face(), field);
-        // The field of a side is its flow times the way from the opposite corner, over twice the area.
+        // The basis field of a side is its flow times the vector from the opposite corner, over twice the area.
         let mut twice = [0.0; 2];
         for (i, flow) in flows.into_iter().enumerate() {
             twice = add(twice, scale(flow, sub(middle, corners[(i + 2) % 3])));
@@ -175,7 +177,7 @@ fn along_edge(space: &Space<'_>, edge: EdgeId, field: &EdgeField) -> f64 {
     sum / area
 }
 
-/// What flows out of a face through each of its sides.
+/// The outflow of a face through each of its sides.
 fn outflows(space: &Space<'_>, face: pompeiu_core::FaceId, field: &EdgeField) -> [f64; 3] {
     let mesh = space.mesh();
     SurfaceMesh::face_halfedges(face).map(|h| {
@@ -190,12 +192,12 @@ fn outflows(space: &Space<'_>, face: pompeiu_core::FaceId, field: &EdgeField) ->
 pub(crate) fn on_faces(space: &Space<'_>, field: &EdgeField) -> FaceField {
     FaceField::from_fn(space.mesh().faces(), |face| {
         let [first, second, _] = outflows(space, face, field);
-        // What flows across a side is the stream function at its start less that at its end.
+        // The flow across a side is the stream function at its start minus that at its end.
         space.rotated_gradient(face, [0.0, -first, -first - second])
     })
 }
 
-/// Means of a field on the faces beside each edge, by area.
+/// Means of a field over the faces adjacent to each edge, weighted by area.
 pub(crate) fn at_edges(space: &Space<'_>, field: &FaceField) -> EdgeField {
     let mesh = space.mesh();
     EdgeField::from_fn(mesh.edges(), |edge| {
@@ -245,7 +247,7 @@ fn energy(space: &Space<'_>, curvatures: f64, factor: f64) -> Vec<(usize, usize,
     entries
 }
 
-/// A boundary that turns by more than this at a vertex, in radians, has a corner there, which is no curvature.
+/// Turning angle of the boundary at a vertex, in radians, above which it is a corner and not curvature.
 const CORNER: f64 = 0.6;
 
 /// The geodesic curvature of each boundary edge times its length; zero inside.
@@ -262,7 +264,7 @@ fn slip(space: &Space<'_>) -> EdgeData<f64> {
     })
 }
 
-/// The matrix of pressures on faces, up to a constant on each component.
+/// The matrix of pressures on faces, whose kernel consists of the constants on each component.
 fn pressure_system(space: &Space<'_>, mass: &EdgeData<f64>) -> Result<SemidefiniteCholesky, FluidError> {
     let mesh = space.mesh();
     let links: Vec<(u32, u32, f64)> = mesh

@@ -1,4 +1,4 @@
-//! Why a simulation cannot start or go on.
+//! Errors of simulations.
 
 use pompeiu_operators::OperatorError;
 use pompeiu_solve::SolveError;
@@ -7,20 +7,20 @@ use pompeiu_solve::SolveError;
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum FluidError {
-    /// A number makes no sense.
+    /// A parameter is out of range.
     #[error("the {what} is {value}; it must be finite and {expected}")]
     Parameter {
-        /// What it is.
+        /// The parameter.
         what: &'static str,
         /// Its value.
         value: f64,
-        /// What it should be.
+        /// The valid range.
         expected: &'static str,
     },
-    /// There are too many or too few values.
+    /// An array has the wrong length.
     #[error("the {what} has {found} values, expected {expected}, one for each {element}")]
     Length {
-        /// What has them.
+        /// The array.
         what: &'static str,
         /// `"vertex"`, `"face"`, `"edge"` or `"cell"`.
         element: &'static str,
@@ -32,7 +32,7 @@ pub enum FluidError {
     /// A value is NaN or infinite.
     #[error("the {what} is {value} at {element} {index}, expected a finite number")]
     NonFinite {
-        /// What it is.
+        /// The quantity.
         what: &'static str,
         /// `"vertex"`, `"face"`, `"edge"` or `"cell"`.
         element: &'static str,
@@ -41,24 +41,24 @@ pub enum FluidError {
         /// The value.
         value: f64,
     },
-    /// More flows into a component than out of it, or less.
+    /// Inflow and outflow of a component do not balance.
     #[error(
         "{into} flows into component {component} and {out} out of it per time; as much must flow out as in"
     )]
     Imbalance {
         /// The component, from 0.
         component: usize,
-        /// What flows in.
+        /// Inflow per time.
         into: f64,
-        /// What flows out.
+        /// Outflow per time.
         out: f64,
     },
-    /// Weights for faces where nothing is stored on faces.
+    /// Edge-length diffusion was chosen, but nothing is stored on faces.
     #[error(
         "diffusion by edge-length is for what is stored on faces; choose the scheme faces, the transport faces, or both"
     )]
     EdgeLength,
-    /// There are more harmonic coefficients than fields, or fewer.
+    /// The number of harmonic coefficients is not that of harmonic fields.
     #[error("found {found} harmonic coefficients; this surface has {expected} harmonic fields")]
     Harmonic {
         /// How many there are.
@@ -66,7 +66,7 @@ pub enum FluidError {
         /// How many fields there are.
         expected: usize,
     },
-    /// A step is too long for substeps.
+    /// A step needs too many substeps.
     #[error(
         "step {step} of length {length:e} has the Courant number {cfl:.3e} and would take {substeps:.3e} substeps, more than {most}; \
          choose a shorter step, or the scheme any-step"
@@ -78,12 +78,12 @@ pub enum FluidError {
         length: f64,
         /// The Courant number of dual cells.
         cfl: f64,
-        /// How many substeps it would take.
+        /// Number of substeps needed.
         substeps: f64,
-        /// How many there may be.
+        /// Largest number of substeps.
         most: usize,
     },
-    /// A step that is chosen would have to be too short.
+    /// An adaptive step would be too short.
     #[error(
         "step {step} would have to be shorter than {shortest:e} to keep the Courant number; the flow is too fast for it"
     )]
@@ -93,7 +93,7 @@ pub enum FluidError {
         /// The shortest step that is tried.
         shortest: f64,
     },
-    /// The implicit midpoint rule was not solved.
+    /// The implicit midpoint rule did not converge.
     #[error(
         "step {step}: the implicit midpoint rule was not solved, its residual is {residual:e} of the solution"
     )]
@@ -103,14 +103,14 @@ pub enum FluidError {
         /// The residual relative to the solution.
         residual: f64,
     },
-    /// Velocities left the range of doubles.
+    /// Velocities are no longer finite.
     #[error(
         "step {step}: the velocity is no longer finite; the flow was at most {speed:e} fast before; choose a shorter step"
     )]
     BlewUp {
         /// Number of the step, from 1.
         step: usize,
-        /// The greatest speed before.
+        /// The greatest speed before the step.
         speed: f64,
     },
     /// The viscous system is not positive definite.
@@ -121,15 +121,15 @@ pub enum FluidError {
         /// Viscosity times the length of the step.
         product: f64,
     },
-    /// A grid of too few or too many cells.
+    /// The number of grid cells is out of range.
     #[error("the square has {found} cells on a side; expected 2 to {most}")]
     Cells {
         /// How many there are.
         found: usize,
-        /// How many there may be.
+        /// Largest number.
         most: usize,
     },
-    /// Stam's grid has walls or is periodic, and nothing else.
+    /// Stam's grid supports only walls or periodic edges.
     #[error("Stam's grid has neither obstacles nor a lid nor a channel; choose the scheme mac")]
     StamHasNone,
     /// An operator of the surface failed, or a field has no finite vector for each face.

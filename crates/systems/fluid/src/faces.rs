@@ -1,4 +1,4 @@
-//! Diffusion of what is stored on faces.
+//! Diffusion of values and vectors on faces.
 
 use crate::{Diffusion, FluidError};
 use pompeiu_core::mesh::FaceData;
@@ -6,16 +6,17 @@ use pompeiu_operators::FaceField;
 use pompeiu_solve::{Cholesky, LinearSolver, SparseMatrix};
 use pompeiu_surface::{HalfedgeId, Surface};
 
-/// A step of backward Euler for values or vectors on faces, factored for one product of diffusivity and time.
+/// A backward Euler step for values or vectors on faces, factored for one product of diffusivity and time.
 ///
 /// # Definition
 /// `(A + κΔt W) x' = A x`, with A the areas and `xᵀ W x = Σ w |x_i − R x_j|²` over edges inside, R the transport across the edge. The
 /// weights w are those of [`Diffusion`]. Nothing diffuses through the boundary.
 ///
 /// # Accuracy
-/// Centroids are not opposite each other across an edge. On icospheres the rate of a rotation is 1 to 3 % too high; on a flat torus of
-/// faces four times as long as wide, that of waves along the faces is 56 % too high, across them 20 % too low. With
-/// [`Diffusion::EdgeLength`] these two rates differ by more than a factor of three, and go to zero with the size of the faces.
+/// The line between adjacent centroids is not perpendicular to the edge. On icospheres the decay rate of a rotation is 1 to 3 % too
+/// high. On a flat torus of faces four times as long as wide, that of waves along the faces is 56 % too high, across them 20 % too
+/// low. With [`Diffusion::EdgeLength`] these two rates differ by more than a factor of three, and tend to zero with the size of the
+/// faces.
 #[derive(Debug)]
 pub(crate) struct FaceDiffusion {
     product: f64,
@@ -88,7 +89,7 @@ fn links(surface: &Surface, weights: Diffusion) -> impl Iterator<Item = (Halfedg
         let h = mesh.edge_halfedge(edge);
         let twin = mesh.twin(h)?;
         let length = surface.edge_length(edge);
-        // A centroid is a third of the height of its face away from a side.
+        // The distance of a centroid from a side is a third of the height of its face.
         let apart = 2.0 / 3.0 * (surface.face_area(h.face()) + surface.face_area(twin.face())) / length;
         let weight = match weights {
             Diffusion::Laplacian => length / apart,

@@ -6,12 +6,12 @@ use pompeiu_operators::{FaceField, add_scaled, gradient, tangent_field};
 use pompeiu_surface::EmbeddedSurface;
 use pompeiu_surface::plane::{norm, quarter_turn, scale};
 
-/// The part of a vector in space that is tangent to each face: gravity, wind.
+/// The tangential part of a vector in space on each face: gravity, wind.
 pub fn tangential(surface: &EmbeddedSurface, vector: [f64; 3]) -> FaceField {
     tangent_field(surface, &FaceData::filled(surface.mesh().faces(), vector)).0
 }
 
-/// Twice the normal component of the angular velocity with which the whole surface turns: the Coriolis parameter of each face.
+/// The Coriolis parameter of each face: twice the normal component of the angular velocity of the whole surface.
 pub fn coriolis(surface: &EmbeddedSurface, angular_velocity: [f64; 3]) -> FaceData<f64> {
     FaceData::from_fn(surface.mesh().faces(), |face| {
         let normal = surface.frame(face)[2];
@@ -19,7 +19,7 @@ pub fn coriolis(surface: &EmbeddedSurface, angular_velocity: [f64; 3]) -> FaceDa
     })
 }
 
-/// Gravity times the weight of what the flow carries.
+/// Gravity times the weight of the densities.
 pub(crate) fn weight<'d>(
     space: &Space<'_>,
     gravity: &FaceField,
@@ -36,7 +36,7 @@ pub(crate) fn weight<'d>(
     }
 }
 
-/// Vorticity confinement: across the gradient of the size of the vorticity, so that maxima turn faster.
+/// Vorticity confinement: an acceleration perpendicular to the gradient of |ω| that strengthens maxima.
 ///
 /// # Source
 /// `fedkiw_visual_2001`.
@@ -47,7 +47,7 @@ pub(crate) fn confine(space: &Space<'_>, strength: f64, vorticity: &VertexData<f
         let slope = slopes[face];
         let length = norm(slope);
         let mean: f64 = space.mesh().face(face).into_iter().map(|v| vorticity[v] / 3.0).sum();
-        // Of n ω × N with N uphill: a quarter turn clockwise of N, times ω.
+        // For n ω × N with N the uphill direction: N rotated clockwise by a quarter turn, times ω.
         let factor = if length > 0.0 { -space.edge_length * mean / length } else { 0.0 };
         scale(factor, quarter_turn(slope))
     });

@@ -1,4 +1,4 @@
-//! What flows through the boundary.
+//! Flow through the boundary.
 
 use crate::FluidError;
 use pompeiu_core::VertexId;
@@ -6,25 +6,25 @@ use pompeiu_operators::{FaceField, crouzeix_raviart_gradient, crouzeix_raviart_l
 use pompeiu_solve::SemidefiniteCholesky;
 use pompeiu_surface::{EdgeData, Surface, SurfaceMesh};
 
-/// How much more may flow into a component than out of it, as a part of what flows.
+/// Largest imbalance of inflow and outflow of a component, relative to the flow.
 const IMBALANCE: f64 = 1e-9;
 
-/// The field without divergence and vorticity that has a given flow through the boundary.
+/// The field without divergence and vorticity with a given flow through the boundary.
 ///
 /// # Definition
-/// The gradient of the Crouzeix–Raviart function with that flow as Neumann data. Its flow is the same on both sides of each inner edge,
-/// and it is orthogonal to rotated gradients and to harmonic fields that are tangential at the boundary.
+/// The gradient of the Crouzeix–Raviart function with that flow as Neumann data. Its flow is equal on both sides of each inner
+/// edge, and it is orthogonal to rotated gradients and to harmonic fields that are tangential at the boundary.
 #[derive(Debug)]
 pub(crate) struct Inflow {
     field: FaceField,
-    /// What flows in through each edge per time.
+    /// Inflow through each edge per time.
     through: EdgeData<f64>,
-    /// What flows out of the dual cells of boundary vertices through the boundary.
+    /// Outflow of the dual cells of boundary vertices through the boundary.
     at_vertices: Vec<(VertexId, f64)>,
 }
 
 impl Inflow {
-    /// Of speeds of what flows in through each boundary edge, below zero where it flows out.
+    /// From the inflow speeds at boundary edges, negative for outflow.
     pub(crate) fn new(surface: &Surface, speeds: &EdgeData<f64>) -> Result<Self, FluidError> {
         let mesh = surface.mesh();
         let mut through = EdgeData::from_fn(mesh.edges(), |edge| {
@@ -61,7 +61,7 @@ impl Inflow {
     }
 }
 
-/// Checks that as much flows into each component as out of it, and takes off what rounding leaves.
+/// Checks that inflow and outflow of each component balance, and removes the remaining rounding error.
 fn balance(mesh: &SurfaceMesh, through: &mut EdgeData<f64>) -> Result<(), FluidError> {
     let of = |edge| mesh.component(mesh.ends(edge)[0]);
     // In, out.

@@ -1,24 +1,24 @@
-//! Incompressible flow on triangle surfaces of any genus, and the things it carries.
+//! Incompressible flow on triangle surfaces of any genus, with transport of densities.
 //!
 //! # Definition
-//! The Navier–Stokes equations on a surface, `u' + ∇_u u = −∇p + ν Δ u + f` with `div u = 0`, and for each density
-//! `ρ' + u·∇ρ = κ Δ ρ + s`. A velocity is `u = J G_v ψ + Σ c_k h_k`: a stream function ψ at vertices and coefficients of harmonic
-//! fields, so that nothing has to be projected away; the unknowns are the vorticity ω at vertices and the `c_k`. On a surface with
-//! handles these have equations of their own, `c_k' = −∫ ω (J u)·h_k`, without which energy is not conserved.
+//! The Navier–Stokes equations on a surface, `u' + ∇_u u = −∇p + ν Δ u + f` with `div u = 0`, and for each density `ρ' + u·∇ρ = κ Δ
+//! ρ + s`. A velocity is `u = J G_v ψ + Σ c_k h_k`: a stream function ψ at vertices and coefficients of harmonic fields, which is
+//! free of divergence without a projection. The unknowns are the vorticity ω at vertices and the `c_k`. On a surface with handles
+//! the coefficients have equations of their own, `c_k' = −∫ ω (J u)·h_k`, without which energy is not conserved.
 //!
 //! | part | what it does |
 //! |---|---|
 //! | advection | Galerkin form of the vorticity equation with consistent mass: energy, enstrophy and total vorticity are conserved in space; Runge–Kutta in substeps, or the implicit midpoint rule, which conserves them in time |
-//! | [`Scheme::AnyStep`] | traces the vorticity back instead, `MacCormack`'s correction, stable at any step |
-//! | [`Scheme::Faces`] | stores velocities on faces and traces them back, with parallel transport, stable at any step |
+//! | [`Scheme::AnyStep`] | semi-Lagrangian advection of the vorticity with `MacCormack`'s correction, stable at any step |
+//! | [`Scheme::Faces`] | semi-Lagrangian advection of velocities on faces with parallel transport, stable at any step |
 //! | [`Scheme::CrouzeixRaviart`] | viscosity on velocities at midpoints of edges, projected exactly |
 //! | viscosity | backward Euler for the Hodge, Bochner or physical Laplacian ([`ViscosityModel`]) |
-//! | densities | corrected fluxes between dual cells, or traced back ([`Transport`]); sources, diffusion |
-//! | [`square`] | the unit square on a grid: Stam's, or velocities on the sides of cells with obstacles |
+//! | densities | flux-corrected transport between dual cells, or semi-Lagrangian ([`Transport`]); sources, diffusion |
+//! | [`square`] | the unit square on a grid: Stam's method, or a MAC grid with obstacles |
 //! | forces | weight of densities, rotation of the surface, vorticity confinement, fields |
 //!
-//! # What is measured
-//! Each step says its energy, enstrophy, total vorticity, divergence, masses and harmonic coefficients: [`FluidStep`].
+//! # Measured quantities
+//! Each step reports its energy, enstrophy, total vorticity, divergence, masses and harmonic coefficients: [`FluidStep`].
 //!
 //! # Example
 //! ```

@@ -1,4 +1,4 @@
-//! What a simulation is asked for.
+//! Options of a simulation.
 
 use crate::FluidError;
 use pompeiu_core::mesh::{FaceData, VertexData};
@@ -15,11 +15,11 @@ pub enum Scheme {
     Vorticity,
     /// The same unknowns; semi-Lagrangian advection, stable at any step. Loses energy.
     AnyStep,
-    /// Velocities on faces, traced back from their centroids with parallel transport, then projected; stable at any step. Loses the
-    /// most energy.
+    /// Velocities on faces; semi-Lagrangian advection from their centroids with parallel transport, then projection; stable at any
+    /// step. Loses the most energy.
     Faces,
-    /// Velocities at midpoints of edges (Crouzeix and Raviart) for viscosity, advected by their vorticity as [`Scheme::Vorticity`]
-    /// does. Rigid rotations never gain energy. Without viscosity it is that scheme.
+    /// Velocities at midpoints of edges (Crouzeix and Raviart) for viscosity; advection by their vorticity as in
+    /// [`Scheme::Vorticity`]. Rigid rotations never gain energy. Without viscosity it is that scheme.
     CrouzeixRaviart,
 }
 
@@ -37,28 +37,29 @@ impl Scheme {
         }
     }
 
-    /// Whether the vorticity moves on by its rates of change, in substeps.
+    /// Whether the vorticity is advanced by its rates of change, in substeps.
     pub(crate) const fn is_eulerian(self) -> bool {
         matches!(self, Self::Vorticity | Self::CrouzeixRaviart)
     }
 
-    /// The scheme of a name.
+    /// The scheme with a name.
     pub fn named(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|scheme| scheme.name() == name)
     }
 }
 
-/// What is done about the blur of values that are traced back and interpolated.
+/// How the numerical diffusion of semi-Lagrangian interpolation is corrected.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Correction {
-    /// Nothing: of first order. [`Scheme::Faces`] then walks straight back as well, as Stam does.
+    /// Not at all: first order. [`Scheme::Faces`] then also traces in a straight line, as Stam does.
     Linear,
-    /// Half of what a step forth and back misses is added at the end (`MacCormack`), within the values around.
+    /// Half the error of a step forth and back is added at the end (`MacCormack`), limited to the surrounding values.
     #[default]
     MacCormack,
-    /// It is added at the beginning, and carried along (back and forth error compensation and correction), within the values around.
+    /// Half the error is added at the beginning and advected (back and forth error compensation and correction), limited to the
+    /// surrounding values.
     Bfecc,
 }
 
@@ -75,28 +76,28 @@ impl Correction {
         }
     }
 
-    /// The one of a name.
+    /// The correction with a name.
     pub fn named(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|one| one.name() == name)
     }
 }
 
-/// By which weights of edges what is stored on faces diffuses.
+/// The edge weights for diffusion of quantities on faces.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Diffusion {
-    /// Of a Laplacian: velocities by their stream function and [`ViscosityModel`], densities by the length of an edge over the
-    /// distance of the centroids beside it.
+    /// Those of a Laplacian: velocities diffuse by their stream function and [`ViscosityModel`], densities with the length of an
+    /// edge over the distance of the adjacent centroids.
     #[default]
     Laplacian,
-    /// The length of the edge alone. This is no Laplacian: how viscous a flow is depends on the size of the faces and on the unit of
-    /// length, and thin faces diffuse most across their long sides. Kept to show it.
+    /// The length of the edge alone. This is not a Laplacian: the effective viscosity depends on the size of the faces and on the
+    /// unit of length, and thin faces diffuse most across their long sides. Provided for comparison.
     EdgeLength,
 }
 
 impl Diffusion {
-    /// Both of them.
+    /// All choices.
     pub const ALL: [Self; 2] = [Self::Laplacian, Self::EdgeLength];
 
     /// The name in commands and reports.
@@ -107,13 +108,13 @@ impl Diffusion {
         }
     }
 
-    /// The one of a name.
+    /// The weights with a name.
     pub fn named(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|one| one.name() == name)
     }
 }
 
-/// How [`Scheme::Vorticity`] moves on in time.
+/// Time integration of [`Scheme::Vorticity`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -126,7 +127,7 @@ pub enum Integrator {
 }
 
 impl Integrator {
-    /// All of them.
+    /// All integrators.
     pub const ALL: [Self; 2] = [Self::RungeKutta, Self::ImplicitMidpoint];
 
     /// The name in commands and reports.
@@ -137,13 +138,13 @@ impl Integrator {
         }
     }
 
-    /// The one of a name.
+    /// The integrator with a name.
     pub fn named(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|one| one.name() == name)
     }
 }
 
-/// Which Laplacian makes the viscous force. On a flat surface without boundary they are the same.
+/// The Laplacian of the viscous force. On a flat surface without boundary they are the same.
 ///
 /// On the unit sphere a divergence-free field of degree l decays at ν times l(l + 1), l(l + 1) − 1 and l(l + 1) − 2.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -172,12 +173,12 @@ impl ViscosityModel {
         }
     }
 
-    /// The model of a name.
+    /// The model with a name.
     pub fn named(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|model| model.name() == name)
     }
 
-    /// How often the Gaussian curvature is added to the Hodge Laplacian.
+    /// The multiple of the Gaussian curvature that is added to the Hodge Laplacian.
     pub(crate) const fn curvatures(self) -> f64 {
         match self {
             Self::Hodge => 0.0,
@@ -187,12 +188,12 @@ impl ViscosityModel {
     }
 }
 
-/// What a viscous flow does at the boundary; nothing flows through it in any case.
+/// The condition for a viscous flow at walls; there is no flow through them in any case.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Wall {
-    /// It sticks to the boundary, which may move along itself.
+    /// No slip: the fluid has the velocity of the boundary, which may move tangentially.
     #[default]
     NoSlip,
     /// The boundary exerts no tangential force.
@@ -200,7 +201,7 @@ pub enum Wall {
 }
 
 impl Wall {
-    /// All of them.
+    /// All conditions.
     pub const ALL: [Self; 2] = [Self::NoSlip, Self::FreeSlip];
 
     /// The name in commands and reports.
@@ -211,18 +212,18 @@ impl Wall {
         }
     }
 
-    /// The one of a name.
+    /// The condition with a name.
     pub fn named(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|one| one.name() == name)
     }
 }
 
-/// How long steps are.
+/// Choice of the time step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum TimeStep {
-    /// All alike.
+    /// Constant.
     Fixed(f64),
-    /// The longest halved until no more than `number` times what a dual cell holds flows out of it in a step.
+    /// The longest step, halved until the outflow of each dual cell in a step is at most `number` times its content.
     Cfl {
         /// The bound of the Courant number of dual cells.
         number: f64,
@@ -231,24 +232,25 @@ pub enum TimeStep {
     },
 }
 
-/// How densities are carried.
+/// How densities are transported.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Transport {
-    /// Fluxes between dual cells, of second order, corrected to stay within the values around: conserves mass, in substeps.
+    /// Flux-corrected transport between dual cells, of second order and limited to the surrounding values: conserves mass, in
+    /// substeps.
     #[default]
     FluxCorrected,
-    /// Traced back along geodesics: mass drifts.
+    /// Semi-Lagrangian along geodesics: mass drifts.
     SemiLagrangian,
-    /// The same; then what mass is missing is distributed where values have room.
+    /// Semi-Lagrangian; afterwards the missing mass is distributed where the limits allow.
     SemiLagrangianCorrected,
-    /// Stored on faces and traced back from their centroids: mass drifts, and interpolating twice blurs.
+    /// Semi-Lagrangian on faces, from their centroids: mass drifts, and two interpolations per step add diffusion.
     Faces,
 }
 
 impl Transport {
-    /// All of them.
+    /// All methods.
     pub const ALL: [Self; 4] =
         [Self::FluxCorrected, Self::SemiLagrangian, Self::SemiLagrangianCorrected, Self::Faces];
 
@@ -262,77 +264,77 @@ impl Transport {
         }
     }
 
-    /// The one of a name.
+    /// The method with a name.
     pub fn named(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|one| one.name() == name)
     }
 }
 
-/// Something the flow carries: dye, smoke, temperature.
+/// A transported density: dye, smoke, temperature.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Density {
-    /// What it is called.
+    /// The name.
     pub name: String,
-    /// Its values at first.
+    /// Initial values.
     pub initial: VertexData<f64>,
-    /// The constant of its diffusion, squared length per time.
+    /// Diffusivity, in squared length per time.
     pub diffusivity: f64,
-    /// How heavy it is: the acceleration is this times its value times the gravity. Below zero for what rises.
+    /// The weight: the acceleration is weight times value times gravity. Negative for buoyant densities.
     pub weight: f64,
-    /// What is added per time. Where it is below zero, no value falls below zero by it.
+    /// Source per time. A negative source never makes a value negative.
     pub source: Option<VertexData<f64>>,
 }
 
 impl Density {
-    /// A density that neither diffuses nor weighs anything.
+    /// A density without diffusion or weight.
     pub fn new(name: impl Into<String>, initial: VertexData<f64>) -> Self {
         Self { name: name.into(), initial, diffusivity: 0.0, weight: 0.0, source: None }
     }
 }
 
-/// Options of a [`Simulation`](crate::Simulation). Lengths are in the unit of the surface; a unit of time is the caller's.
+/// Options of a [`Simulation`](crate::Simulation). Lengths are in the unit of the surface; the unit of time is the caller's.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FluidOptions {
     /// How the velocity is stored and advected.
     pub scheme: Scheme,
-    /// How it moves on in time.
+    /// Time integration.
     pub integrator: Integrator,
-    /// What is done about the blur of whatever is traced back.
+    /// Correction of semi-Lagrangian advection.
     pub correction: Correction,
-    /// By which weights what is stored on faces diffuses.
+    /// The edge weights for diffusion of quantities on faces.
     pub diffusion: Diffusion,
-    /// How long steps are.
+    /// Choice of the time step.
     pub time_step: TimeStep,
     /// Kinematic viscosity ν, squared length per time; 0 for none.
     pub viscosity: f64,
-    /// Which Laplacian it goes with.
+    /// The Laplacian of the viscous force.
     pub viscosity_model: ViscosityModel,
-    /// What a viscous flow does at the boundary.
+    /// The condition for a viscous flow at the boundary.
     pub wall: Wall,
     /// The velocity of the boundary along each of its edges, in the direction of its face's half-edge, for [`Wall::NoSlip`]:
     /// one value for each edge, those inside unused. At rest by default.
     pub wall_velocity: Option<pompeiu_surface::EdgeData<f64>>,
-    /// The speed at which the fluid flows in through each boundary edge, across it, below zero where it flows out; one value for each
-    /// edge, those inside unused. As much must flow into each component as out of it. What flows in brings no vorticity and no
-    /// density along; what is traced back to the boundary takes what is there.
+    /// The normal speed of inflow at each boundary edge, negative for outflow; one value for each edge, those inside unused. Inflow
+    /// and outflow of each component must balance. Inflow carries neither vorticity nor densities; semi-Lagrangian paths that reach
+    /// the boundary take the values there.
     pub inflow: Option<pompeiu_surface::EdgeData<f64>>,
-    /// The gravity along the surface, felt by densities that weigh something; see [`tangential`](crate::tangential).
+    /// Tangential gravity, which acts on densities with weight; see [`tangential`](crate::tangential).
     pub gravity: Option<FaceField>,
-    /// Twice the normal component of a rotation of the whole surface; see [`coriolis`](crate::coriolis).
+    /// Coriolis parameter, for a rotating surface; see [`coriolis`](crate::coriolis).
     pub coriolis: Option<FaceData<f64>>,
-    /// An acceleration that is always there.
+    /// A constant acceleration.
     pub force: Option<FaceField>,
-    /// The strength of vorticity confinement: the acceleration is this times the mean edge length times the vorticity, towards its
-    /// maxima.
+    /// The strength of vorticity confinement: the acceleration is this times the mean edge length times the vorticity,
+    /// perpendicular to the gradient of its absolute value.
     pub confinement: f64,
-    /// What the flow carries.
+    /// The transported densities.
     pub densities: Vec<Density>,
-    /// How it is carried.
+    /// How densities are transported.
     pub transport: Transport,
 }
 
 impl FluidOptions {
-    /// An inviscid flow without forces that carries nothing, with this step.
+    /// An inviscid flow without forces and densities, with this step.
     pub fn new(time_step: f64) -> Self {
         Self {
             scheme: Scheme::default(),
@@ -354,12 +356,12 @@ impl FluidOptions {
         }
     }
 
-    /// Whether anything is stored on faces.
+    /// Whether any quantity is stored on faces.
     pub(crate) fn on_faces(&self) -> bool {
         self.scheme == Scheme::Faces || self.transport == Transport::Faces
     }
 
-    /// Whether anything is traced back.
+    /// Whether any transport is semi-Lagrangian.
     pub(crate) fn traces_back(&self) -> bool {
         !self.scheme.is_eulerian()
             || (self.transport != Transport::FluxCorrected && !self.densities.is_empty())
@@ -372,7 +374,7 @@ impl FluidOptions {
         }
     }
 
-    /// Checks numbers and lengths.
+    /// Checks parameters and array lengths.
     pub(crate) fn check(&self, surface: &pompeiu_surface::SurfaceMesh) -> Result<(), FluidError> {
         let positive = |what: &'static str, value: f64| {
             let ok = value > 0.0 && value.is_finite();

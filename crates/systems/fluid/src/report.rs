@@ -1,4 +1,4 @@
-//! What is measured, step by step.
+//! Quantities measured at each step.
 
 use crate::options::{
     Correction, Diffusion, FluidOptions, Integrator, TimeStep, Transport, ViscosityModel, Wall,
@@ -6,21 +6,21 @@ use crate::options::{
 use crate::square::{SquareOptions, SquareScheme};
 use std::time::Duration;
 
-/// A flow after a step. Lengths and times are in the units of the input.
+/// Measured quantities after a step. Lengths and times are in the units of the input.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct FluidStep {
     /// Time since the beginning.
     pub time: f64,
-    /// Kinetic energy of a unit of mass per area, `½ ∫ |u|²`.
+    /// Kinetic energy for unit mass per area, `½ ∫ |u|²`.
     pub energy: f64,
     /// `½ ∫ ω²`, with ω the vorticity.
     pub enstrophy: f64,
-    /// `∫ ω`; zero on a closed surface, but for rounding.
+    /// `∫ ω`; zero up to rounding on a closed surface.
     pub total_vorticity: f64,
-    /// How much more flows into edges than out of them: the root of the sum of squares over the norm of the velocity. Rounding is all
-    /// there should be.
+    /// Discrete divergence: the imbalance of flow at edges, as the root of the sum of squares relative to the norm of the velocity.
+    /// Zero up to rounding.
     pub divergence: f64,
     /// The integral of each density.
     pub mass: Vec<f64>,
@@ -30,11 +30,11 @@ pub struct FluidStep {
     pub harmonic: Vec<f64>,
     /// The greatest speed of a face.
     pub max_speed: f64,
-    /// The greatest share of its content that flows out of a dual cell in the step.
+    /// The Courant number: the greatest share of its content that flows out of a dual cell in the step.
     pub cfl: f64,
     /// Substeps of the advection of the velocity.
     pub substeps: usize,
-    /// Whether viscosity alone would have added energy, so that the velocity was scaled down.
+    /// Whether the viscous step would have increased the energy, so that the velocity was scaled down.
     pub energy_guarded: bool,
 }
 
@@ -45,30 +45,30 @@ pub(crate) fn range(values: impl IntoIterator<Item = f64>) -> [f64; 2] {
     })
 }
 
-/// How a flow was computed.
+/// The scheme of a simulation.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct SchemeReport {
     /// How the velocity is stored and advected: vorticity, any-step, faces, crouzeix-raviart; in the square mac, stam.
     pub name: &'static str,
-    /// How it moves on in time, where it is not traced back.
+    /// Time integration, unless advection is semi-Lagrangian.
     pub integrator: Option<Integrator>,
-    /// What is done about the blur of what is traced back, where anything is.
+    /// Correction of semi-Lagrangian advection, if there is any.
     pub correction: Option<Correction>,
-    /// By which weights what is stored on faces diffuses, where anything is.
+    /// The edge weights for diffusion of quantities on faces, if there are any.
     pub diffusion: Option<Diffusion>,
-    /// Length of a step, the longest where it is chosen.
+    /// Length of a step; for adaptive steps the longest.
     pub time_step: f64,
-    /// The bound of the Courant number by which steps are chosen.
+    /// The largest Courant number for adaptive steps.
     pub cfl: Option<f64>,
     /// Kinematic viscosity.
     pub viscosity: f64,
-    /// Which Laplacian it goes with.
+    /// The Laplacian of the viscous force.
     pub viscosity_model: ViscosityModel,
-    /// What a viscous flow does at the boundary.
+    /// The condition for a viscous flow at the boundary.
     pub wall: Wall,
-    /// How densities are carried.
+    /// How densities are transported.
     pub transport: Transport,
     /// The names of the densities, in the order of their masses.
     pub densities: Vec<String>,
@@ -122,12 +122,12 @@ impl SchemeReport {
 /// Wall-clock times of a simulation, all steps together.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct FluidTiming {
-    /// Factoring, harmonic fields.
+    /// Factorizations and harmonic fields.
     pub factor: Duration,
     /// Forces, viscosity and the diffusion of densities.
     pub diffuse: Duration,
     /// Advection of velocity and densities, with the solves that it needs.
     pub advect: Duration,
-    /// Stream function, velocity and what is measured of them.
+    /// Stream function, velocity and measured quantities.
     pub project: Duration,
 }

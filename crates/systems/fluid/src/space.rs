@@ -1,4 +1,4 @@
-//! Velocities that are free of divergence: stream functions at vertices and harmonic fields.
+//! Divergence-free velocities: stream functions at vertices and harmonic fields.
 
 use crate::FluidError;
 use crate::inflow::Inflow;
@@ -14,12 +14,13 @@ use pompeiu_surface::plane::{Vec2, add, dot, quarter_turn, scale};
 use pompeiu_surface::{Surface, SurfaceMesh};
 use rayon::prelude::*;
 
-/// A surface with the systems that are factored once.
+/// A surface with its factored systems.
 ///
 /// # Definition
-/// A velocity is `u = u_0 + J G_v ψ + Σ c_k h_k`: `u_0` what flows through the boundary without vorticity, ψ linear on faces, zero at boundary vertices, `h_k` the harmonic fields of the dual
-/// splitting, orthonormal and tangential at the boundary. What flows across an edge is the same on both sides of it. The vorticity
-/// ω, linear on faces, satisfies `M ω = −L ψ` at inner vertices, M the consistent mass matrix, L the cotangent Laplacian.
+/// A velocity is `u = u_0 + J G_v ψ + Σ c_k h_k`: `u_0` is the flow through the boundary without vorticity; ψ is linear on faces
+/// and zero at boundary vertices; `h_k` are the harmonic fields of the dual splitting, orthonormal and tangential at the boundary.
+/// The flow across an edge is equal on both sides of it. The vorticity ω, linear on faces, satisfies `M ω = −L ψ` at inner
+/// vertices, with M the consistent mass matrix and L the cotangent Laplacian.
 #[derive(Debug)]
 pub(crate) struct Space<'s> {
     pub(crate) surface: &'s Surface,
@@ -28,14 +29,14 @@ pub(crate) struct Space<'s> {
     pub(crate) areas: VertexData<f64>,
     pub(crate) basis: HarmonicBasis,
     pub(crate) edge_length: f64,
-    /// What flows through the boundary.
+    /// The flow through the boundary.
     pub(crate) inflow: Option<Inflow>,
-    /// The two dual cells at each edge, then those at the boundary where something flows through it, with the outside as last cell.
+    /// The two dual cells at each edge; then those at the boundary with flow through it, with the outside as last cell.
     ends: Vec<[u32; 2]>,
     cell_areas: Vec<f64>,
 }
 
-/// A velocity by its parts.
+/// The parts of a velocity.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Parts {
     pub(crate) stream: VertexData<f64>,
@@ -62,7 +63,7 @@ impl<'s> Space<'s> {
         let inflow = inflow.map(|inflow| Inflow::new(surface, inflow)).transpose()?;
         if let Some(inflow) = &inflow {
             ends.extend(inflow.at_vertices().iter().map(|&(v, _)| [v.0, areas.len() as u32]));
-            // So large that nothing changes outside.
+            // So large that the outside value never changes.
             cell_areas.push(f64::MAX);
         }
         Ok(Self { surface, poisson, mass, areas, basis, edge_length, inflow, ends, cell_areas })
@@ -72,13 +73,13 @@ impl<'s> Space<'s> {
         self.surface.mesh()
     }
 
-    /// The dual cells of the vertices with what flows between them.
+    /// The dual cells of the vertices with the flows between them.
     pub(crate) fn cells(&self, velocity: &FaceField) -> Cells<'_> {
         let through = self.inflow.as_ref().map_or(&[][..], Inflow::at_vertices);
         Cells::dual(self.surface, &self.ends, &self.cell_areas, velocity, through)
     }
 
-    /// Carries values at vertices along with flows between dual cells; what flows in brings nothing along.
+    /// Transports values at vertices with the flows between dual cells; inflow carries nothing.
     pub(crate) fn carry(&self, cells: &Cells<'_>, values: &mut VertexData<f64>, time: f64) {
         let mut held = values.to_vec();
         held.resize(self.cell_areas.len(), 0.0);
@@ -115,7 +116,7 @@ impl<'s> Space<'s> {
         sums
     }
 
-    /// `M⁻¹` of integrals against hat functions.
+    /// Multiplies integrals against hat functions by `M⁻¹`.
     pub(crate) fn solve_mass(&self, integrals: &mut VertexData<f64>) -> Result<(), FluidError> {
         Ok(self.mass.solve_in_place(integrals)?)
     }
@@ -158,14 +159,14 @@ impl<'s> Space<'s> {
         velocity
     }
 
-    /// The nearest velocity without divergence, by its parts.
+    /// The parts of the nearest divergence-free velocity.
     pub(crate) fn project(&self, field: &FaceField) -> Result<Parts, FluidError> {
         let mut stream = curl(self.surface, field)?;
         self.poisson.solve_in_place(&mut stream)?;
         Ok(Parts { stream, harmonic: self.basis.coefficients(self.surface, field)? })
     }
 
-    /// The vorticity of a velocity by its parts, where the boundary moves along itself with `circulation`: integrals of its velocity
+    /// The vorticity of a velocity given by its parts. `circulation` holds the integrals of the boundary's tangential velocity
     /// against hat functions.
     pub(crate) fn vorticity(
         &self,
@@ -180,7 +181,8 @@ impl<'s> Space<'s> {
         Ok(integrals)
     }
 
-    /// `−(J G_v)ᵀ M u`: the vorticity against hat functions, without what the velocity along the boundary adds.
+    /// `−(J G_v)ᵀ M u`: the vorticity integrated against hat functions, without the contribution of the velocity along the
+    /// boundary.
     pub(crate) fn weak_vorticity(&self, parts: &Parts) -> VertexData<f64> {
         let mut sums = VertexData::filled(self.mesh().vertices(), 0.0);
         for (j, &value) in parts.stream.iter().enumerate() {
@@ -194,7 +196,7 @@ impl<'s> Space<'s> {
             if let Some(inflow) = &self.inflow {
                 add_scaled(&mut field, 1.0, inflow.field());
             }
-            // At inner vertices such a field has none, but for rounding.
+            // At inner vertices such a field has no vorticity, except for rounding.
             if let Ok(curl) = curl(self.surface, &field) {
                 for (v, value) in curl.entries().filter(|(v, _)| self.mesh().is_boundary_vertex(*v)) {
                     sums[v] -= value;
@@ -209,7 +211,7 @@ impl<'s> Space<'s> {
         self.along_boundary(|h| dot(field[h.face()], self.surface.vector(h)))
     }
 
-    /// Half of a term of each boundary half-edge at both of its ends.
+    /// Adds half of a term of each boundary half-edge to both of its ends.
     pub(crate) fn along_boundary(
         &self,
         term: impl Fn(pompeiu_surface::HalfedgeId) -> f64,
@@ -232,13 +234,13 @@ impl<'s> Space<'s> {
         0.5 * sum
     }
 
-    /// `½ ∫ ω²`, exact for what is linear on faces.
+    /// `½ ∫ ω²`, exact for functions linear on faces.
     pub(crate) fn enstrophy(&self, vorticity: &VertexData<f64>) -> f64 {
         let sum: f64 = self.integrated(vorticity).iter().zip(vorticity).map(|(m, w)| m * w).sum();
         0.5 * sum
     }
 
-    /// How much more flows into edges than out of them, against the velocity: `(Σ d_e²)^½ / ‖u‖`, without unit.
+    /// The imbalance of flow at edges relative to the velocity: `(Σ d_e²)^½ / ‖u‖`, dimensionless.
     pub(crate) fn divergence(&self, velocity: &FaceField) -> Result<f64, FluidError> {
         let norm = field_norm(self.surface, velocity);
         let mut flow = crouzeix_raviart_divergence(self.surface, velocity)?;
@@ -249,7 +251,7 @@ impl<'s> Space<'s> {
         Ok(if norm > 0.0 { sum.sqrt() / norm } else { 0.0 })
     }
 
-    /// What a force does to the vorticity, integrated, and to the harmonic coefficients, per time.
+    /// The rates of change that a force causes: of the integrated vorticity and of the harmonic coefficients.
     pub(crate) fn curl_of_force(&self, force: &FaceField) -> Result<(VertexData<f64>, Vec<f64>), FluidError> {
         let mut rate = curl(self.surface, force)?;
         let along = self.boundary_circulation(force);
@@ -260,7 +262,7 @@ impl<'s> Space<'s> {
     }
 }
 
-/// `−a J u`: what turns a velocity to its right.
+/// `−a J u`: an acceleration to the right of the velocity.
 pub(crate) fn to_the_right(a: f64, u: Vec2) -> Vec2 {
     scale(-a, quarter_turn(u))
 }

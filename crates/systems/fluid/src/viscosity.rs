@@ -1,4 +1,4 @@
-//! Viscous diffusion of a velocity by its stream function and harmonic coefficients.
+//! Viscosity for a velocity given by its stream function and harmonic coefficients.
 
 use crate::space::{Parts, Space};
 use crate::{FluidError, ViscosityModel, Wall};
@@ -9,32 +9,32 @@ use pompeiu_solve::{DenseCholesky, LinearSolver, SemidefiniteCholesky, SolveErro
 use pompeiu_surface::plane::{dot, scale};
 use pompeiu_surface::{Surface, SurfaceMesh};
 
-/// A step of backward Euler for viscosity, factored for one product of viscosity and time.
+/// A backward Euler step for viscosity, factored for one product of viscosity and time.
 ///
 /// # Definition
 /// The viscous power of a velocity `u = J G_v ψ + Σ c_k h_k` is `∫ ω² − χ ∫ K |u|²`, with χ = 0, 1, 2 for the Hodge, Bochner and
-/// physical viscosity; ω by lumped masses, K on faces from angle defects. One step solves `(E + νΔt a) x' = E x + νΔt b` with E the
-/// matrix of twice the energy, a that of the viscous power and b what the boundary drives. The harmonic coefficients border the system
-/// of the stream function.
+/// physical viscosity, ω from lumped masses, and K on faces from angle defects. One step solves `(E + νΔt a) x' = E x + νΔt b`,
+/// with E the matrix of twice the energy, a that of the viscous power and b the contribution of the boundary. The harmonic
+/// coefficients border the system of the stream function.
 ///
-/// At a boundary without slip the vorticity is `(−L ψ + ∮ φ u_wall) / A`. At one with free slip it is twice the curvature of the
-/// boundary times the velocity along it, the curvature corrected by that of the surface inside.
+/// At a no-slip boundary the vorticity is `(−L ψ + ∮ φ u_wall) / A`. At a free-slip boundary it is twice the curvature of the
+/// boundary times the tangential velocity, with the curvature corrected by that of the adjacent surface.
 #[derive(Debug)]
 pub(crate) struct Viscosity {
     /// Viscosity times time.
     product: f64,
     system: SemidefiniteCholesky,
-    /// Columns of the border, νΔt X; none without harmonic fields.
+    /// Columns of the border, νΔt X; empty without harmonic fields.
     border: Vec<Vec<f64>>,
-    /// `S⁻¹` of them.
+    /// `S⁻¹` times these columns.
     solved: Vec<Vec<f64>>,
     /// The inverse of the Schur complement, row by row.
     complement: Vec<f64>,
-    /// What the boundary drives: of the stream function and of the harmonic coefficients.
+    /// Contribution of the boundary to the stream function and to the harmonic coefficients.
     drive: (Vec<f64>, Vec<f64>),
 }
 
-/// What does not depend on the step: matrices of the viscous power.
+/// The matrices of the viscous power, which do not depend on the step.
 #[derive(Debug)]
 pub(crate) struct ViscousPower {
     matrix: SparseMatrix,
@@ -68,7 +68,7 @@ impl ViscousPower {
         let mut circulation = circulation.clone();
         let mut curved_inflow = None;
         if let Some(inflow) = &space.inflow {
-            // The wall holds what flows through it as well.
+            // A no-slip wall also applies to the flow through the boundary.
             let slipping = at_boundary(inflow.field())?;
             circulation.iter_mut().zip(&slipping).for_each(|(x, y)| *x -= y);
             let chi = model.curvatures();
@@ -159,7 +159,8 @@ impl Viscosity {
     }
 }
 
-/// The Gaussian curvature of each face: the mean of its corners' angle defects per area. At the boundary, where there is none, that of
+/// The Gaussian curvature of each face: the mean of the angle defects per area at its corners. Boundary corners take the values of
+/// their inner neighbours.
 /// the neighbours inside.
 pub(crate) fn face_curvature(surface: &Surface, areas: &VertexData<f64>) -> FaceData<f64> {
     let mesh = surface.mesh();
@@ -177,7 +178,7 @@ pub(crate) fn face_curvature(surface: &Surface, areas: &VertexData<f64>) -> Face
     FaceData::from_fn(mesh.faces(), |face| mesh.face(face).into_iter().map(|v| at[v] / 3.0).sum())
 }
 
-/// What makes vorticity of its integrals, vertex by vertex: see [`Viscosity`].
+/// The factors from integrals to vorticity at each vertex: see [`Viscosity`].
 fn weights(space: &Space<'_>, wall: Wall) -> VertexData<f64> {
     let mesh = space.mesh();
     let lumped = VertexData::from_fn(mesh.vertices(), |v| 1.0 / space.areas[v]);
@@ -193,9 +194,10 @@ fn weights(space: &Space<'_>, wall: Wall) -> VertexData<f64> {
     })
 }
 
-/// At each boundary vertex the geodesic curvature of half of the edges beside it, integrated, and their length; zero inside.
+/// At each boundary vertex the geodesic curvature integrated over half of the adjacent boundary edges, and their length; zero
+/// inside.
 ///
-/// The angle by which the boundary turns there holds curvature of the surface as well, which is taken off.
+/// The turning angle of the boundary at the vertex includes curvature of the surface, which is subtracted.
 pub(crate) fn bends(space: &Space<'_>) -> (VertexData<f64>, VertexData<f64>) {
     let mesh = space.mesh();
     let curvature = face_curvature(space.surface, &space.areas);

@@ -6,7 +6,7 @@
 //! | [`rank`] | which of many meshes is nearest to a template? Ranks follow from proven enclosures alone. |
 //! | [`matrix`] | how far apart is each pair of several meshes? Every entry is a proven enclosure. |
 
-/// The version of the algorithms behind the results of tasks: raised whenever the same task gives another result, so that
+/// The version of the algorithms behind the results of tasks. It is increased whenever the same task gives another result, so that
 /// results of two versions are never mixed.
 pub const ALGORITHM: u32 = 2;
 

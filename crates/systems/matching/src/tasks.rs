@@ -8,7 +8,7 @@ use std::ops::ControlFlow;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Instant;
 
-/// How far many tasks have come.
+/// Progress of many tasks.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct TaskProgress {
     /// Tasks done: of the round of a ranking, or pairs of a matrix.
@@ -21,10 +21,10 @@ pub struct TaskProgress {
     pub meshes: usize,
 }
 
-/// Watches a ranking or a matrix. A closure that takes a [`TaskProgress`] is one.
+/// Receives the progress of a ranking or a matrix. Closures that take a [`TaskProgress`] implement it.
 pub trait TaskObserver: Send + Sync {
-    /// Called after every task and several times a second during long searches, by one thread at a time;
-    /// [`ControlFlow::Break`] ends the computation with what is proven.
+    /// Called after every task and several times a second during long searches, by one thread at a time. [`ControlFlow::Break`]
+    /// ends the computation with the bounds proven so far.
     fn progress(&self, progress: &TaskProgress) -> ControlFlow<()>;
 }
 
@@ -40,11 +40,11 @@ impl fmt::Debug for dyn TaskObserver + '_ {
     }
 }
 
-/// Tasks for each thread that are under way at a time: their meshes are in memory together. More keep all threads busy
-/// when tasks differ in size.
+/// Tasks in progress per thread: their meshes are in memory together. More than one keeps all threads busy when tasks differ in
+/// size.
 const TASKS_PER_THREAD: usize = 2;
 
-/// The limits of tasks that are under way, and how far these have come.
+/// The limits of running tasks, and their progress.
 pub(crate) struct Watch<'o> {
     limits: &'o Limits,
     deadline: Option<Instant>,
@@ -61,30 +61,30 @@ impl<'o> Watch<'o> {
         Self { limits, deadline, control, observer, progress: Mutex::default() }
     }
 
-    /// How many tasks are begun together. With a memory limit each has what is left of it to itself, so that results do not
+    /// How many tasks run at the same time. With a memory limit, each uses the remaining memory alone, so that results do not
     /// depend on the number of threads.
     pub(crate) fn at_a_time(&self) -> usize {
         if self.limits.memory.is_some() { 1 } else { TASKS_PER_THREAD * rayon::current_num_threads() }
     }
 
-    /// What a search may take from now on: its limits and its observer. Tolerance and threshold are still to be set.
+    /// The limits and observer for a search that starts now; tolerance and threshold still have to be set.
     pub(crate) fn search(&self) -> HausdorffOptions<'_> {
         let time = self.deadline.map(|deadline| deadline.saturating_duration_since(Instant::now()));
         let limits = Limits { time, threads: None, ..self.limits.clone() };
         HausdorffOptions { limits, observer: Some(self), ..HausdorffOptions::default() }
     }
 
-    /// Whether to begin no further task.
+    /// Whether to start no further task.
     pub(crate) fn is_stopped(&self) -> bool {
         self.control.is_stopped()
     }
 
-    /// Why tasks were left undone.
+    /// Why tasks were not done.
     pub(crate) fn reason(&self) -> StopReason {
         self.control.reason().unwrap_or(StopReason::Cancelled)
     }
 
-    /// Changes what is known of the progress, and tells it.
+    /// Updates the progress and reports it.
     pub(crate) fn tell(&self, change: impl FnOnce(&mut TaskProgress)) {
         let mut progress: MutexGuard<'_, TaskProgress> =
             self.progress.lock().unwrap_or_else(PoisonError::into_inner);
@@ -107,12 +107,12 @@ pub(crate) fn bytes_of(mesh: &TriMesh) -> usize {
     size_of_val(mesh.positions()) + size_of_val(mesh.faces())
 }
 
-/// Makes less memory available: what is held beside a search.
+/// Reduces the memory limit of a search by memory held elsewhere.
 pub(crate) fn holding(search: &mut HausdorffOptions<'_>, bytes: usize) {
     search.limits.memory = search.limits.memory.map(|memory| memory.saturating_sub(bytes));
 }
 
-/// A mesh that others are measured to, prepared unless that would exceed the memory limit.
+/// A mesh that others are measured to; prepared unless that would exceed the memory limit.
 pub(crate) struct MeasuredTo<'m> {
     mesh: &'m TriMesh,
     target: Option<Target>,

@@ -1,25 +1,25 @@
-//! A flow as it is shown at a time.
+//! Frames of a flow for display.
 
 use super::Streaks;
 use super::streaks::square_curves;
 use crate::State;
 use crate::square::Square;
 
-/// Values that a page holds at most, some 20 bytes each.
+/// Largest number of values in a page, of some 20 bytes each.
 const MOST_VALUES: usize = 2_000_000;
 
-/// Frames that a page plays at most.
+/// Largest number of frames in a page.
 const MOST_FRAMES: usize = 120;
 
-/// Frames that a page plays at least.
+/// Smallest number of frames in a page.
 const LEAST_FRAMES: usize = 8;
 
-/// How many frames of a surface with this many vertices a page can play, with this many values at each.
+/// The number of frames in a page, for this many vertices and this many values at each.
 pub fn most_frames(vertices: usize, values: usize) -> usize {
     (MOST_VALUES / (vertices * values).max(1)).clamp(LEAST_FRAMES, MOST_FRAMES)
 }
 
-/// A flow after a step, to be shown.
+/// A flow after a step, for display.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct FluidFrame {
     /// Number of the step.
@@ -28,12 +28,12 @@ pub struct FluidFrame {
     pub vorticity: Vec<f64>,
     /// Densities at vertices.
     pub densities: Vec<Vec<f64>>,
-    /// Curves along the velocity.
+    /// Short curves along the velocity.
     pub curves: Vec<Vec<[f64; 3]>>,
 }
 
 impl FluidFrame {
-    /// The flow as it is.
+    /// The current flow.
     pub fn new(state: &State, streaks: &Streaks<'_>) -> Self {
         Self {
             step: state.step,
@@ -43,7 +43,7 @@ impl FluidFrame {
         }
     }
 
-    /// The flow in the square as it is, with a vertex for each cell.
+    /// The current flow in the square, with a vertex for each cell.
     pub fn of_square(square: &Square) -> Self {
         Self {
             step: square.steps(),

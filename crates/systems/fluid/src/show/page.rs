@@ -14,22 +14,22 @@ use pompeiu_figures::{
     ColorMap, Figure, FigureError, Image, Panel, Scale, Theme, Values, View, vertex_normals,
 };
 
-/// A flow to be shown.
+/// The page of a flow.
 #[derive(Clone, Copy, Debug)]
 pub struct FluidPage<'r> {
-    /// The file of the mesh, or whatever else it is called.
+    /// The file of the mesh or another name.
     pub path: &'r str,
     /// The mesh.
     pub mesh: &'r TriMesh,
-    /// How the flow was computed.
+    /// The scheme.
     pub scheme: &'r SchemeReport,
-    /// What was measured: at first and after each step.
+    /// Measured quantities, initially and after each step.
     pub steps: &'r [FluidStep],
-    /// Flows to be shown, in order.
+    /// Frames, in order.
     pub frames: &'r [FluidFrame],
-    /// Which way is up; none for what lies in the plane.
+    /// The up direction; `None` for a flow in the plane.
     pub up: Option<[f64; 3]>,
-    /// The command that makes the page again.
+    /// The command that reproduces the page.
     pub command: Option<&'r str>,
 }
 
@@ -47,10 +47,10 @@ struct Quantity<'r> {
 }
 
 impl<'r> FluidPage<'r> {
-    /// The page as a file.
+    /// The page as an HTML file.
     ///
     /// # Errors
-    /// [`PageError`] where there is no frame, or one does not fit the mesh.
+    /// [`PageError`] if there is no frame, or one does not fit the mesh.
     pub fn html(&self) -> Result<String, PageError> {
         let mut page = Page::new(format!("Flow on {}", name(self.path)));
         page.subtitle = Text::from(format!("{}, ", name(self.path)))
@@ -217,11 +217,11 @@ impl<'r> FluidPage<'r> {
         facts
     }
 
-    /// A picture of a frame, of the given size in pixels: the first density, or the vorticity where there is none. All frames have
-    /// one scale.
+    /// A picture of a frame, of the given size in pixels: the first density, or the vorticity if there is none. All frames have the
+    /// same scale.
     ///
     /// # Errors
-    /// [`FigureError`] for a size that is none.
+    /// [`FigureError`] for an invalid size.
     pub fn image(
         &self,
         frame: usize,
@@ -255,7 +255,7 @@ impl<'r> FluidPage<'r> {
     }
 }
 
-/// All quantities beside each other, and each by itself.
+/// Arrangements with all quantities side by side, and with each one alone.
 fn arrange(page: &mut Page, quantities: &[Quantity<'_>], scenes: &[SceneId]) -> Result<(), PageError> {
     for (i, (quantity, &scene)) in quantities.iter().zip(scenes).enumerate() {
         page.add_arrangement(Arrangement {

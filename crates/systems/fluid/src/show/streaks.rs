@@ -7,19 +7,19 @@ use pompeiu_core::FaceId;
 use pompeiu_surface::plane::norm;
 use pompeiu_surface::{EmbeddedSurface, Ray};
 
-/// Curves at most; fewer on surfaces with fewer faces.
+/// Largest number of curves; fewer on surfaces with fewer faces.
 const CURVES: usize = 160;
 
-/// Straight parts of each curve.
+/// Number of segments of each curve.
 const PARTS: usize = 6;
 
-/// How far the fastest goes, as a part of the square root of the area.
+/// Length of the curve with the greatest speed, relative to the square root of the area.
 const REACH: f64 = 0.09;
 
-/// What is slower than this part of the fastest has no curve.
+/// Points slower than this share of the greatest speed have no curve.
 const SLOW: f64 = 0.02;
 
-/// A surface made ready for curves along velocities, from places spread evenly by area.
+/// A surface prepared for short curves along a velocity, starting at points distributed evenly by area.
 #[derive(Debug)]
 pub struct Streaks<'s> {
     surface: &'s EmbeddedSurface,
@@ -43,7 +43,7 @@ impl<'s> Streaks<'s> {
         Self { surface, backtrace: Backtrace::new(intrinsic), seeds }
     }
 
-    /// The curves of a flow: all take the same time, so that long ones are fast.
+    /// The curves of a flow: all cover the same time, so that length shows speed.
     pub fn curves(&self, state: &State) -> Vec<Vec<[f64; 3]>> {
         let velocity = self.backtrace.at_vertices(&state.velocity);
         let fastest = velocity.iter().map(|&u| norm(u)).fold(0.0, |m, x| if x > m { x } else { m });
@@ -77,10 +77,10 @@ impl<'s> Streaks<'s> {
     }
 }
 
-/// Places on each side of the square from which curves start.
+/// Starting points along each side of the square.
 const SQUARE_SEEDS: usize = 13;
 
-/// The same in the square.
+/// The curves of a flow in the square.
 pub(super) fn square_curves(square: &Square) -> Vec<Vec<[f64; 3]>> {
     let seeds = (0..SQUARE_SEEDS * SQUARE_SEEDS)
         .map(|k| [k % SQUARE_SEEDS, k / SQUARE_SEEDS].map(|i| (i as f64 + 0.5) / SQUARE_SEEDS as f64));

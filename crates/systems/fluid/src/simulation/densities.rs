@@ -1,4 +1,4 @@
-//! What the flow carries: sources, diffusion, transport.
+//! Densities: sources, diffusion, transport.
 
 use super::velocity::mean;
 use super::{MOST_SUBSTEPS, Simulation};
@@ -10,7 +10,7 @@ use pompeiu_core::mesh::{FaceData, VertexData};
 use pompeiu_operators::FaceField;
 use pompeiu_solve::{Cholesky, LinearSolver, SparseMatrix};
 
-/// What diffuses a density, factored for one product of diffusivity and time.
+/// The factored diffusion operator of a density, for one product of diffusivity and time.
 #[derive(Debug)]
 pub(super) enum Heat {
     Vertices { product: f64, factor: Cholesky },
@@ -27,7 +27,7 @@ impl Heat {
 }
 
 impl Simulation<'_> {
-    /// Takes over values at vertices.
+    /// Sets a density from values at vertices.
     pub(super) fn take_density(&mut self, index: usize, values: VertexData<f64>) {
         if self.options.transport == Transport::Faces {
             self.state.face_densities[index] = corner_means(&self.space, &values);
@@ -35,7 +35,7 @@ impl Simulation<'_> {
         self.state.densities[index] = values;
     }
 
-    /// Makes factors ready for a step of this length.
+    /// Prepares factors for a step of this length.
     pub(super) fn factor_densities(&mut self, step: f64) -> Result<(), FluidError> {
         let options = &self.options;
         for (density, heat) in options.densities.iter().zip(&mut self.heat) {
@@ -98,7 +98,7 @@ impl Simulation<'_> {
         Ok(())
     }
 
-    /// The densities at vertices, traced back.
+    /// The densities at vertices after semi-Lagrangian transport.
     fn trace_back(&self, backtrace: &Backtrace<'_>, velocity: &FaceField, step: f64) -> Vec<VertexData<f64>> {
         let areas = &self.space.areas;
         let at_vertices = backtrace.at_vertices(velocity);
@@ -114,7 +114,7 @@ impl Simulation<'_> {
         self.state.densities.iter().map(carry).collect()
     }
 
-    /// Sources, diffusion and transport of densities on faces; those at vertices are their means.
+    /// Sources, diffusion and transport of densities on faces; values at vertices are means of these.
     fn move_on_faces(&mut self, velocity: &FaceField, step: f64) -> Result<(), FluidError> {
         let Some(backtrace) = &self.backtrace else { return Ok(()) };
         let passage = backtrace.passage_of_centroids(velocity, step, self.options.correction);
@@ -134,11 +134,11 @@ impl Simulation<'_> {
     }
 }
 
-/// What a source adds to values in a step.
+/// Adds a source to values for a step.
 pub(crate) fn add_source(values: &mut [f64], source: &[f64], step: f64) {
     for (x, rate) in values.iter_mut().zip(source) {
         let added = *x + step * rate;
-        // A sink takes what there is, and no more.
+        // A sink removes at most what is there.
         *x = if *rate < 0.0 && added < 0.0 { if *x < 0.0 { *x } else { 0.0 } } else { added };
     }
 }

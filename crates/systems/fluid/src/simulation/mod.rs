@@ -1,4 +1,4 @@
-//! A flow that moves on step by step.
+//! Time stepping of a flow.
 
 mod densities;
 mod velocity;
@@ -21,23 +21,23 @@ use pompeiu_surface::plane::norm;
 use std::time::Instant;
 use velocity::Viscous;
 
-/// Substeps of a step at most.
+/// Largest number of substeps of a step.
 const MOST_SUBSTEPS: usize = 100_000;
 
-/// How often the longest step is halved at most where steps are chosen.
+/// Largest number of halvings for adaptive steps.
 const MOST_HALVINGS: i32 = 40;
 
-/// A fluid on a surface: its velocity, and densities that it carries.
+/// A fluid on a surface: its velocity and transported densities.
 ///
 /// # Definition
-/// Each step adds forces, diffuses, advects and projects the velocity, and adds sources to the densities, diffuses and carries them.
-/// See the [crate documentation](crate) for what each of these is.
+/// Each step adds forces, diffuses, advects and projects the velocity, then adds sources to the densities, diffuses and transports
+/// them. The [crate documentation](crate) describes each part.
 ///
 /// # Accuracy
-/// First order in the step where there are forces or viscosity (splitting, backward Euler), fourth where there are none, second in
-/// the length of edges.
+/// First order in the step with forces or viscosity (splitting, backward Euler), fourth order without; second order in the edge
+/// length.
 /// # Cost
-/// Factoring O(V^1.5) once; each substep eight solves with V unknowns.
+/// One factorization of O(V^1.5); eight solves with V unknowns per substep.
 #[derive(Debug)]
 pub struct Simulation<'s> {
     space: Space<'s>,
@@ -47,13 +47,13 @@ pub struct Simulation<'s> {
     viscosity: Option<Viscous>,
     /// One for each density.
     heat: Vec<Option<Heat>>,
-    /// Integrals of the velocity of the boundary against hat functions.
+    /// Integrals of the boundary's velocity against hat functions.
     circulation: VertexData<f64>,
     state: State,
     timing: FluidTiming,
 }
 
-/// A flow at a time.
+/// The state of a flow.
 #[derive(Clone, Debug, PartialEq)]
 pub struct State {
     /// Number of steps so far.
@@ -81,7 +81,7 @@ impl<'s> Simulation<'s> {
     /// A fluid at rest.
     ///
     /// # Errors
-    /// [`FluidError`]: options that make no sense, or a system that cannot be factored.
+    /// [`FluidError`]: invalid options, or a system that cannot be factored.
     pub fn new(surface: &'s Surface, options: FluidOptions) -> Result<Self, FluidError> {
         let start = Instant::now();
         options.check(surface.mesh())?;
@@ -136,7 +136,7 @@ impl<'s> Simulation<'s> {
         Ok(simulation)
     }
 
-    /// The flow as it is.
+    /// The current state.
     pub fn state(&self) -> &State {
         &self.state
     }
@@ -151,36 +151,36 @@ impl<'s> Simulation<'s> {
         self.space.basis.fields()
     }
 
-    /// How long the parts of all steps took.
+    /// Wall-clock times of the parts of all steps.
     pub fn timing(&self) -> FluidTiming {
         self.timing
     }
 
-    /// How the flow is computed.
+    /// The scheme.
     pub fn scheme(&self) -> SchemeReport {
         SchemeReport::of(&self.options, self.space.basis.dimension())
     }
 
-    /// Makes the velocity the one without divergence that is nearest to a field.
+    /// Sets the velocity to the divergence-free one nearest to a field.
     ///
     /// # Errors
-    /// [`FluidError::Operator`] where there is no finite vector for each face.
+    /// [`FluidError::Operator`] if there is no finite vector for each face.
     pub fn set_velocity(&mut self, field: &FaceField) -> Result<(), FluidError> {
         check_field(self.space.mesh(), field)?;
         let parts = self.space.project(field)?;
-        // What slips along the boundary before viscosity has acted on it is no vorticity.
+        // Slip along the boundary before the first viscous step is not vorticity.
         let along = self.space.boundary_circulation(&self.space.velocity(&parts.stream, &parts.harmonic));
         self.set_parts(parts, &along)?;
         self.take_edges();
         Ok(())
     }
 
-    /// Makes the velocity that of a vorticity at vertices and of harmonic coefficients.
+    /// Sets the velocity to that of a vorticity at vertices and harmonic coefficients.
     ///
-    /// On closed surfaces the mean of the vorticity does not count.
+    /// On closed surfaces the mean of the vorticity is ignored.
     ///
     /// # Errors
-    /// [`FluidError`] where there is no finite value for each vertex or harmonic field.
+    /// [`FluidError`] if there is no finite value for each vertex or harmonic field.
     pub fn set_vorticity(&mut self, vorticity: &VertexData<f64>, harmonic: &[f64]) -> Result<(), FluidError> {
         let expected = self.space.mesh().vertices();
         let (what, element) = ("vorticity", "vertex");
@@ -209,7 +209,7 @@ impl<'s> Simulation<'s> {
     /// Replaces a density.
     ///
     /// # Errors
-    /// [`FluidError`] where there is no finite value for each vertex, or no such density.
+    /// [`FluidError`] if there is no finite value for each vertex, or no such density.
     pub fn set_density(&mut self, index: usize, values: VertexData<f64>) -> Result<(), FluidError> {
         let (what, element, expected) = ("density", "vertex", self.space.mesh().vertices());
         if values.len() != expected {
@@ -227,10 +227,10 @@ impl<'s> Simulation<'s> {
         Ok(())
     }
 
-    /// Goes back, or on, to a state of the same surface and options.
+    /// Restores a state of the same surface and options.
     ///
     /// # Errors
-    /// [`FluidError`] where its arrays do not fit or are not finite.
+    /// [`FluidError`] if its arrays do not fit or are not finite.
     pub fn set_state(&mut self, state: &State) -> Result<(), FluidError> {
         if state.densities.len() != self.options.densities.len() {
             let (found, expected) = (state.densities.len(), self.options.densities.len());
@@ -256,18 +256,18 @@ impl<'s> Simulation<'s> {
         Ok(())
     }
 
-    /// Moves on by one step.
+    /// Advances by one step.
     ///
     /// # Errors
-    /// [`FluidError`]; the state is then what it was.
+    /// [`FluidError`]; the state is then unchanged.
     pub fn step(&mut self) -> Result<FluidStep, FluidError> {
         self.step_with(None)
     }
 
-    /// Moves on by one step with an acceleration on faces beside those of the options.
+    /// Advances by one step with an acceleration on faces in addition to those of the options.
     ///
     /// # Errors
-    /// [`FluidError`]; the state is then what it was.
+    /// [`FluidError`]; the state is then unchanged.
     pub fn step_with(&mut self, force: Option<&FaceField>) -> Result<FluidStep, FluidError> {
         let before = self.state.clone();
         let stepped = self.try_step(force);
@@ -315,10 +315,10 @@ impl<'s> Simulation<'s> {
         Ok(measured)
     }
 
-    /// What is measured of the flow as it is.
+    /// The measured quantities of the current state.
     ///
     /// # Errors
-    /// None for a simulation that has been made.
+    /// None for a valid simulation.
     pub fn measure(&self) -> Result<FluidStep, FluidError> {
         let state = &self.state;
         let sum = |values: &VertexData<f64>| values.iter().zip(&self.space.areas).map(|(x, a)| x * a).sum();
@@ -338,7 +338,7 @@ impl<'s> Simulation<'s> {
         })
     }
 
-    /// Takes over a velocity by its parts.
+    /// Sets the velocity from its parts.
     fn set_parts(&mut self, parts: Parts, circulation: &VertexData<f64>) -> Result<(), FluidError> {
         self.state.vorticity = self.space.vorticity(&parts, circulation)?;
         self.state.velocity = self.space.velocity(&parts.stream, &parts.harmonic);
@@ -346,7 +346,7 @@ impl<'s> Simulation<'s> {
         Ok(())
     }
 
-    /// Takes over a vorticity with its velocity.
+    /// Sets the vorticity, and the velocity from it.
     fn adopt(&mut self, unknowns: Unknowns) -> Result<(), FluidError> {
         self.state.stream = self.space.stream(&unknowns.vorticity).map_err(|error| self.or_blew_up(error))?;
         self.state.velocity = self.space.velocity(&self.state.stream, &unknowns.harmonic);
@@ -354,7 +354,7 @@ impl<'s> Simulation<'s> {
         Ok(())
     }
 
-    /// Right-hand sides that are not finite come from velocities that are not.
+    /// Replaces errors about right-hand sides that are not finite: velocities were the cause.
     fn or_blew_up(&self, error: FluidError) -> FluidError {
         use pompeiu_solve::SolveError::NonFiniteRightHandSide;
         match error {
@@ -374,7 +374,7 @@ impl<'s> Simulation<'s> {
     }
 }
 
-/// The greatest speed; not a number where one is none.
+/// The greatest speed; NaN if one is NaN.
 fn greatest(velocity: &FaceField) -> f64 {
     velocity.iter().map(|&u| norm(u)).fold(0.0, |m, x| if x > m || x.is_nan() { x } else { m })
 }

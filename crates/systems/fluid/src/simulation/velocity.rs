@@ -1,4 +1,4 @@
-//! What moves the velocity: forces, viscosity, advection.
+//! Advancing the velocity: forces, viscosity, advection.
 
 use super::{MOST_HALVINGS, MOST_SUBSTEPS, Simulation};
 use crate::advection::{self, AdvectionError, Unknowns};
@@ -12,14 +12,14 @@ use pompeiu_core::mesh::{FaceData, VertexData};
 use pompeiu_operators::{FaceField, add_scaled};
 use pompeiu_surface::plane::{add, rotate, scale, sub};
 
-/// What diffuses a velocity, factored for one product of viscosity and time.
+/// The factored viscous operator, for one product of viscosity and time.
 #[derive(Debug)]
 pub(super) enum Viscous {
-    /// Its stream function and harmonic coefficients.
+    /// Acts on the stream function and harmonic coefficients.
     Stream(Viscosity),
-    /// Its values at midpoints of edges.
+    /// Acts on values at midpoints of edges.
     Edges(EdgeViscosity),
-    /// Its values on faces.
+    /// Acts on values on faces.
     Faces(FaceDiffusion),
 }
 
@@ -50,7 +50,7 @@ impl Simulation<'_> {
         )
     }
 
-    /// Makes factors ready for a step of this length.
+    /// Prepares factors for a step of this length.
     pub(super) fn factor(&mut self, step: f64) -> Result<(), FluidError> {
         let (options, space) = (&self.options, &self.space);
         let product = options.viscosity * step;
@@ -105,7 +105,7 @@ impl Simulation<'_> {
         self.adopt(unknowns)
     }
 
-    /// Viscosity; whether energy would have risen.
+    /// Applies viscosity; returns whether the energy had to be limited.
     pub(super) fn diffuse(&mut self) -> Result<bool, FluidError> {
         let Some(viscosity) = &self.viscosity else { return Ok(false) };
         let before = Parts { stream: self.state.stream.clone(), harmonic: self.state.harmonic.clone() };
@@ -144,7 +144,7 @@ impl Simulation<'_> {
         Ok(guarded)
     }
 
-    /// Adds the change of the velocity on faces to that at midpoints of edges.
+    /// Adds the change of the velocity on faces to the velocity at midpoints of edges.
     pub(super) fn move_edges(&mut self, before: &FaceField) {
         let change = pompeiu_operators::difference(&self.state.velocity, before);
         let change = edges::at_edges(&self.space, &change);
@@ -153,12 +153,12 @@ impl Simulation<'_> {
         }
     }
 
-    /// Whether there is a velocity at midpoints of edges.
+    /// Whether velocities at midpoints of edges are stored.
     pub(super) fn moves_edges(&self) -> bool {
         !self.state.edge_velocity.is_empty()
     }
 
-    /// Makes the velocity at midpoints of edges that of the faces.
+    /// Sets the velocity at midpoints of edges from that on faces.
     pub(super) fn take_edges(&mut self) {
         if self.moves_edges() {
             self.state.edge_velocity = edges::at_edges(&self.space, &self.state.velocity);
@@ -196,7 +196,7 @@ impl Simulation<'_> {
         Err(FluidError::StepTooLong { step: number, length: step, cfl, substeps, most })
     }
 
-    /// Semi-Lagrangian advection of the vorticity: once with the velocity as it is, then with the mean of that and what came out.
+    /// Semi-Lagrangian advection of the vorticity: once with the current velocity, then with the mean of that and the result.
     fn advect_back(
         &self,
         backtrace: &Backtrace<'_>,
@@ -232,10 +232,10 @@ impl Simulation<'_> {
         Ok(after)
     }
 
-    /// Semi-Lagrangian advection of the velocity on faces, and the projection after it.
+    /// Semi-Lagrangian advection of the velocity on faces, and the subsequent projection.
     ///
-    /// A projection at the end of a step loses energy in proportion to the step. With a correction, the velocity is projected halfway as
-    /// well, and what that takes off is taken off once more before the second half (advection and reflection).
+    /// A projection at the end of a step loses energy in proportion to the step. With a correction, the velocity is also projected
+    /// halfway, and the part removed there is subtracted once more before the second half (advection–reflection).
     fn advect_faces(
         &self,
         backtrace: &Backtrace<'_>,
@@ -258,7 +258,7 @@ impl Simulation<'_> {
         Ok(Unknowns { vorticity, harmonic: parts.harmonic })
     }
 
-    /// A field on faces carried along with a velocity, and turned by the rotation of the surface.
+    /// A field on faces transported with a velocity, and rotated by the rotation of the surface.
     fn carry(
         &self,
         backtrace: &Backtrace<'_>,
@@ -275,7 +275,7 @@ impl Simulation<'_> {
         carried
     }
 
-    /// Takes the mean off on closed components, where the vorticity of a velocity has none.
+    /// Subtracts the mean on closed components, where the vorticity of a velocity has mean zero.
     pub(super) fn without_mean(&self, vorticity: &mut VertexData<f64>) {
         let mesh = self.space.mesh();
         let open = mesh.boundary_loops_of_components();

@@ -1,7 +1,7 @@
-//! Velocities on the sides of cells, without divergence to rounding.
+//! A MAC grid: velocity components on the sides of cells, divergence-free to rounding.
 //!
 //! # Source
-//! `harlow_numerical_1965` for the places of the unknowns; semi-Lagrangian advection with `MacCormack`'s correction as on surfaces.
+//! `harlow_numerical_1965` for the staggered grid; semi-Lagrangian advection with `MacCormack`'s correction as on surfaces.
 
 use super::options::{Edges, SquareOptions};
 use super::sample::Lattice;
@@ -13,9 +13,9 @@ use pompeiu_solve::{Cholesky, LinearSolver, SemidefiniteCholesky, SolveError, Sp
 #[derive(Debug)]
 struct Component {
     lattice: Lattice,
-    /// The velocity of sides that nothing can change.
+    /// The prescribed velocity of sides.
     fixed: Vec<Option<f64>>,
-    /// The cells before and after each side; none beyond the edges.
+    /// The cells before and after each side; `None` outside the square.
     cells: Vec<[Option<u32>; 2]>,
     diffusion: Option<Diffusion>,
 }
@@ -25,7 +25,7 @@ struct Component {
 struct Diffusion {
     factor: Cholesky,
     free: Vec<usize>,
-    /// What sides that are fixed and walls that move add.
+    /// Contribution of prescribed sides and moving walls.
     driven: Vec<f64>,
 }
 
@@ -35,14 +35,14 @@ pub(super) struct Mac {
     n: usize,
     components: [Component; 2],
     pressure: SemidefiniteCholesky,
-    /// Cells on both sides of each side between cells; the cell beyond the square is number n².
+    /// The cells on both sides of each side; the outside is cell n².
     pub(super) ends: Vec<[u32; 2]>,
-    /// Which of the sides of which component these are.
+    /// The component and side of each.
     sides: Vec<(usize, usize)>,
     pub(super) areas: Vec<f64>,
 }
 
-/// The area of what lies beyond the square: so large that nothing changes there.
+/// The area of the outside: so large that nothing changes there.
 const BEYOND: f64 = 1e300;
 
 impl Mac {
@@ -81,7 +81,7 @@ impl Mac {
         let matrix = SparseMatrix::from_links(count, &links)?;
         let matrix = matrix.combined(1.0, &SparseMatrix::diagonal(&outflow)?, 1.0)?;
         let fixed: Vec<bool> = (0..count as u32).map(solid).collect();
-        // Numbers of groups in the order of their first cells; what meets the outside has no constants in its kernel.
+        // Groups are numbered in the order of their first cells; a group connected to the outside has no constants in its kernel.
         let outside = groups.find(count);
         let mut names = std::collections::BTreeMap::new();
         let group: Vec<Option<u32>> = (0..count)
@@ -98,17 +98,17 @@ impl Mac {
         Ok(Self { n, components, pressure, ends, sides, areas })
     }
 
-    /// Components at rest, but for what the edges prescribe.
+    /// Components at rest, except for prescribed sides.
     pub(super) fn at_rest(&self) -> [Vec<f64>; 2] {
         [0, 1].map(|axis| self.components[axis].fixed.iter().map(|fixed| fixed.unwrap_or(0.0)).collect())
     }
 
-    /// The velocity of sides that nothing can change.
+    /// The prescribed velocity of sides.
     pub(super) fn fixed(&self) -> [&[Option<f64>]; 2] {
         self.components.each_ref().map(|component| component.fixed.as_slice())
     }
 
-    /// Components from vectors in cells: means of the cells on both sides.
+    /// Components from vectors in cells: means of the adjacent cells.
     pub(super) fn means_of_cells(&self, vectors: &[[f64; 2]]) -> [Vec<f64>; 2] {
         [0, 1].map(|axis| {
             let component = &self.components[axis];
@@ -131,7 +131,7 @@ impl Mac {
         (0..self.n * self.n).map(|cell| self.at(velocity, centre(cell))).collect()
     }
 
-    /// The velocity at a place.
+    /// The velocity at a point.
     pub(super) fn at(&self, velocity: &[Vec<f64>; 2], place: [f64; 2]) -> [f64; 2] {
         [0, 1].map(|axis| self.components[axis].lattice.sample(&velocity[axis], place))
     }
@@ -142,7 +142,7 @@ impl Mac {
         self.sides.iter().map(|&(axis, side)| h * velocity[axis][side]).collect()
     }
 
-    /// What flows out of each cell.
+    /// The net outflow of each cell.
     pub(super) fn outflow(&self, velocity: &[Vec<f64>; 2]) -> Vec<f64> {
         let mut sums = vec![0.0; self.n * self.n + 1];
         for (&[a, b], flow) in self.ends.iter().zip(self.flows(velocity)) {
@@ -153,7 +153,7 @@ impl Mac {
         sums
     }
 
-    /// Takes the gradient of a pressure off, so that nothing flows out of any cell.
+    /// Subtracts the gradient of a pressure, so that the net outflow of every cell is zero.
     pub(super) fn project(&self, velocity: &mut [Vec<f64>; 2]) -> Result<(), FluidError> {
         let n = self.n as f64;
         let mut pressure: Vec<f64> = self.outflow(velocity).into_iter().map(|flow| -flow * n).collect();
@@ -169,7 +169,7 @@ impl Mac {
         Ok(())
     }
 
-    /// A step of viscosity.
+    /// A viscous step.
     pub(super) fn diffuse(&self, velocity: &mut [Vec<f64>; 2]) -> Result<(), FluidError> {
         for (component, values) in self.components.iter().zip(velocity) {
             let Some(diffusion) = &component.diffusion else { continue };
@@ -183,7 +183,7 @@ impl Mac {
         Ok(())
     }
 
-    /// Carries the velocity along itself for a time.
+    /// Advects the velocity with itself for some time.
     pub(super) fn advect(&self, velocity: &[Vec<f64>; 2], time: f64) -> [Vec<f64>; 2] {
         [0, 1].map(|axis| {
             let component = &self.components[axis];
@@ -211,7 +211,7 @@ impl Mac {
         })
     }
 
-    /// Where the points of a lattice go in a time, by the midpoint rule.
+    /// The positions of lattice points after some time, by the midpoint rule.
     fn follow(&self, velocity: &[Vec<f64>; 2], lattice: &Lattice, time: f64) -> Vec<[f64; 2]> {
         let count = lattice.points[0] * lattice.points[1];
         let moved = |from: [f64; 2], u: [f64; 2], time: f64| [from[0] + time * u[0], from[1] + time * u[1]];
@@ -264,7 +264,7 @@ impl Component {
         Self { lattice, fixed, cells, diffusion: None }
     }
 
-    /// Backward Euler for viscosity: five points, walls at half a spacing beside sides that run along them.
+    /// Backward Euler for viscosity with the five-point stencil; walls are half a spacing away from sides parallel to them.
     fn diffusion(&self, options: &SquareOptions, axis: usize) -> Result<Diffusion, SolveError> {
         let n = options.cells;
         let number = options.viscosity * options.time_step * (n * n) as f64;
@@ -282,7 +282,7 @@ impl Component {
                     links.push((side as u32, (side + next - last * next) as u32, number));
                 }
             }
-            // Walls along the component; those across it are sides that are fixed.
+            // Walls parallel to the component; those perpendicular to it are prescribed sides.
             let across = if axis == 0 { j } else { i };
             for (edge, speed) in [(0, 0.0), (n - 1, if axis == 0 { options.lid } else { 0.0 })] {
                 if held && across == edge {

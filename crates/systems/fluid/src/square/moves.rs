@@ -1,4 +1,4 @@
-//! What moves velocities and densities in the square.
+//! The parts of a step in the square.
 
 use super::mac::Mac;
 use super::simulation::{Grid, Square};
@@ -8,10 +8,10 @@ use crate::transport::Cells;
 use pompeiu_solve::{Cholesky, LinearSolver, SparseMatrix};
 use std::time::{Duration, Instant};
 
-/// Substeps of a step at most.
+/// Largest number of substeps of a step.
 const MOST_SUBSTEPS: f64 = 100_000.0;
 
-/// Adds up how long parts take.
+/// Measures the times of the parts.
 struct Clock(Instant);
 
 impl Clock {
@@ -111,7 +111,7 @@ impl Square {
         Ok(())
     }
 
-    /// Sources, diffusion and transport of what the flow carries; the Courant number.
+    /// Sources, diffusion and transport of densities; returns the Courant number.
     pub(super) fn move_densities(&mut self) -> Result<f64, FluidError> {
         let dt = self.options.time_step;
         let options = &self.options;
@@ -140,7 +140,7 @@ impl Square {
                         heat.solve_in_place(values)?;
                     }
                     clock.add(&mut timing.diffuse);
-                    // What flows in from beyond the square brings nothing along.
+                    // Inflow carries no density.
                     values.push(0.0);
                     cells.carry(values, dt);
                     values.pop();
@@ -171,7 +171,7 @@ impl Square {
         }
     }
 
-    /// Factors of the diffusion of densities: none flows into obstacles and walls.
+    /// Factored diffusion operators of densities, without flux into obstacles and walls.
     pub(super) fn heat_factors(&self) -> Result<Vec<Option<Cholesky>>, FluidError> {
         let options = &self.options;
         let n = options.cells;
@@ -201,7 +201,7 @@ impl Square {
     }
 }
 
-/// Gives sides that are fixed their velocity.
+/// Sets prescribed sides to their velocity.
 fn reset_fixed(mac: &Mac, velocity: &mut [Vec<f64>; 2]) {
     for (values, fixed) in velocity.iter_mut().zip(mac.fixed()) {
         for (u, fixed) in values.iter_mut().zip(fixed) {

@@ -1,23 +1,23 @@
-//! What a simulation in the square is asked for.
+//! Options of a simulation in the square.
 
 use crate::{FluidError, Wall};
 
 /// How the velocity is stored.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum SquareScheme {
-    /// Components on the sides of cells (marker and cell): divergence is zero to rounding. Obstacles are possible.
+    /// Components on the sides of cells (marker and cell): divergence is zero to rounding. Supports obstacles.
     #[default]
     Mac,
-    /// Both components at the centres of cells with a ring of ghost cells around, as in Stam's code for games, in double precision;
+    /// Both components at the centres of cells, with a ring of ghost cells, as in Stam's code for games but in double precision;
     /// the projection is approximate.
     Stam {
-        /// Sweeps of Gauss and Seidel for each linear system, 20 in that code; none to solve them directly.
+        /// Gauss–Seidel sweeps for each linear system, 20 in that code; `None` for direct solves.
         sweeps: Option<usize>,
     },
 }
 
 impl SquareScheme {
-    /// The one of a name: `mac`, `stam`, or `stam:SWEEPS`.
+    /// The scheme with a name: `mac`, `stam`, or `stam:SWEEPS`.
     pub fn named(name: &str) -> Option<Self> {
         match name.split_once(':') {
             None if name == "mac" => Some(Self::Mac),
@@ -31,15 +31,15 @@ impl SquareScheme {
     }
 }
 
-/// What is at the edges of the square.
+/// Conditions at the edges of the square.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Edges {
     /// Walls.
     #[default]
     Walls,
-    /// What leaves on one side enters on the other.
+    /// Opposite edges are identified.
     Periodic,
-    /// Inflow on the left with a speed, outflow on the right, walls that let slip above and below; for [`SquareScheme::Mac`].
+    /// Inflow on the left with a given speed, outflow on the right, free-slip walls above and below; for [`SquareScheme::Mac`].
     Channel {
         /// The speed of the inflow.
         speed: f64,
@@ -47,7 +47,7 @@ pub enum Edges {
 }
 
 impl Edges {
-    /// Those of a name: `walls`, `periodic`, or `channel:SPEED`.
+    /// The edges with a name: `walls`, `periodic`, or `channel:SPEED`.
     pub fn named(name: &str) -> Option<Self> {
         match name.split_once(':') {
             None if name == "walls" => Some(Self::Walls),
@@ -58,49 +58,49 @@ impl Edges {
     }
 }
 
-/// Something the flow carries in the square.
+/// A transported density in the square.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SquareDensity {
-    /// What it is called.
+    /// The name.
     pub name: String,
-    /// Its value in each cell at first, row by row from below.
+    /// Initial value in each cell, row by row from below.
     pub initial: Vec<f64>,
-    /// The constant of its diffusion.
+    /// Diffusivity.
     pub diffusivity: f64,
-    /// How heavy it is: the acceleration is this times its value times the gravity.
+    /// The weight: the acceleration is weight times value times gravity.
     pub weight: f64,
-    /// What is added in each cell per time.
+    /// Source in each cell per time.
     pub source: Option<Vec<f64>>,
 }
 
-/// Options of a [`Square`](super::Square), the unit square of n × n cells.
+/// Options of a [`Square`](super::Square), the unit square with n × n cells.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SquareOptions {
     /// Cells on each side.
     pub cells: usize,
     /// How the velocity is stored.
     pub scheme: SquareScheme,
-    /// What is at the edges.
+    /// Conditions at the edges.
     pub edges: Edges,
-    /// Length of a step in time.
+    /// Length of a time step.
     pub time_step: f64,
     /// Kinematic viscosity.
     pub viscosity: f64,
-    /// What a viscous flow does at walls and obstacles, for [`SquareScheme::Mac`]. Stam's walls let slip.
+    /// The condition for a viscous flow at walls and obstacles, for [`SquareScheme::Mac`]. Stam's walls are free-slip.
     pub wall: Wall,
-    /// The velocity of the wall above, to the right, for [`Wall::NoSlip`].
+    /// The velocity of the upper wall to the right, for [`Wall::NoSlip`].
     pub lid: f64,
-    /// The gravity, felt by densities that weigh something.
+    /// Gravity, which acts on densities with weight.
     pub gravity: [f64; 2],
     /// An acceleration in each cell.
     pub force: Option<Vec<[f64; 2]>>,
-    /// Which cells are obstacles.
+    /// The cells that are obstacles.
     pub solid: Option<Vec<bool>>,
-    /// What the flow carries.
+    /// The transported densities.
     pub densities: Vec<SquareDensity>,
 }
 
-/// Cells on a side at most: factors of larger systems take several gigabytes.
+/// Largest number of cells on a side: factors of larger systems take several gigabytes.
 pub(super) const MOST_CELLS: usize = 4096;
 
 impl SquareOptions {

@@ -1,4 +1,4 @@
-//! Values on a lattice, interpolated.
+//! Interpolation of values on a lattice.
 
 use crate::report::range;
 
@@ -7,11 +7,11 @@ use crate::report::range;
 pub(super) struct Lattice {
     /// Points along x and y.
     pub(super) points: [usize; 2],
-    /// Where the first one is, in spacings.
+    /// Position of the first point, in spacings.
     pub(super) origin: [f64; 2],
-    /// Spacings in a unit of length.
+    /// Spacings per unit of length.
     pub(super) per_length: f64,
-    /// Whether the last point of a row is followed by the first.
+    /// Whether the lattice is periodic.
     pub(super) periodic: bool,
 }
 
@@ -22,7 +22,7 @@ impl Lattice {
         [(self.origin[0] + i as f64) / self.per_length, (self.origin[1] + j as f64) / self.per_length]
     }
 
-    /// The points around a place with their shares. Beyond the lattice it is the nearest place on it.
+    /// The lattice points around a position with their weights. Positions outside are moved to the nearest one on the lattice.
     fn around(&self, place: [f64; 2]) -> [(usize, f64); 4] {
         let mut low = [0; 2];
         let mut high = [0; 2];
@@ -53,12 +53,12 @@ impl Lattice {
         ]
     }
 
-    /// The value at a place.
+    /// The interpolated value at a position.
     pub(super) fn sample(&self, values: &[f64], place: [f64; 2]) -> f64 {
         self.around(place).into_iter().map(|(index, share)| share * values[index]).sum()
     }
 
-    /// The least and the greatest of the values around a place.
+    /// The least and the greatest of the values around a position.
     pub(super) fn range(&self, values: &[f64], place: [f64; 2]) -> [f64; 2] {
         range(self.around(place).into_iter().map(|(index, _)| values[index]))
     }

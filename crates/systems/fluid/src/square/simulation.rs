@@ -1,4 +1,4 @@
-//! A flow in the square that moves on step by step.
+//! Time stepping of a flow in the square.
 
 use super::mac::Mac;
 use super::options::{MOST_CELLS, SquareOptions, SquareScheme};
@@ -8,15 +8,15 @@ use crate::{FluidError, FluidStep, FluidTiming, SchemeReport};
 use pompeiu_solve::Cholesky;
 use std::time::Instant;
 
-/// A fluid in the unit square: its velocity, and densities that it carries.
+/// A fluid in the unit square: its velocity and transported densities.
 ///
 /// Each step adds forces, diffuses, projects, advects and projects the velocity, then adds sources to the densities, diffuses and
-/// carries them: Stam's order.
+/// transports them: Stam's order.
 ///
 /// # Shapes and units
 /// Cells are numbered row by row from below. Lengths are in sides of the square.
 /// # Accuracy
-/// First order in the step, second in the size of cells but for Stam's linear interpolation, which is of first order.
+/// First order in the step; second order in the cell size, except for Stam's linear interpolation, which is of first order.
 /// # Source
 /// `stam_realtime_2003`.
 ///
@@ -34,21 +34,21 @@ pub struct Square {
     pub(super) options: SquareOptions,
     pub(super) grid: Grid,
     pub(super) densities: Vec<Vec<f64>>,
-    /// For each density the factor of its diffusion, with MAC.
+    /// For each density the factored diffusion operator, for the MAC grid.
     pub(super) heat: Vec<Option<Cholesky>>,
     pub(super) step: usize,
     time: f64,
     pub(super) timing: FluidTiming,
 }
 
-/// A flow in the square at a time, from which another simulation with the same options goes on bit for bit.
+/// The state of a flow in the square, from which another simulation with the same options continues bit for bit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SquareState {
     /// Number of steps so far.
     pub step: usize,
     /// Time so far.
     pub time: f64,
-    /// The components of the velocity where the scheme stores them.
+    /// The components of the velocity at the points where the scheme stores them.
     pub velocity: [Vec<f64>; 2],
     /// The densities in cells.
     pub densities: Vec<Vec<f64>>,
@@ -61,10 +61,10 @@ pub(super) enum Grid {
 }
 
 impl Square {
-    /// A fluid at rest, but for what flows in.
+    /// A fluid at rest, except for inflow.
     ///
     /// # Errors
-    /// [`FluidError`]: options that make no sense, or a system that cannot be factored.
+    /// [`FluidError`]: invalid options, or a system that cannot be factored.
     pub fn new(options: SquareOptions) -> Result<Self, FluidError> {
         let start = Instant::now();
         options.check()?;
@@ -96,7 +96,7 @@ impl Square {
         Ok(square)
     }
 
-    /// Whether a square may have so many cells on a side.
+    /// Checks the number of cells on a side.
     ///
     /// # Errors
     /// [`FluidError::Cells`].
@@ -110,7 +110,7 @@ impl Square {
         &self.options
     }
 
-    /// How the flow is computed.
+    /// The scheme.
     pub fn scheme(&self) -> SchemeReport {
         SchemeReport::of_square(&self.options)
     }
@@ -125,7 +125,7 @@ impl Square {
         self.time
     }
 
-    /// How long the parts of all steps took.
+    /// Wall-clock times of the parts of all steps.
     pub fn timing(&self) -> FluidTiming {
         self.timing
     }
@@ -146,7 +146,7 @@ impl Square {
         }
     }
 
-    /// The vorticity in cells, by differences of neighbours.
+    /// The vorticity in cells, by central differences.
     pub fn vorticity(&self) -> Vec<f64> {
         let (n, velocity) = (self.options.cells, self.velocity());
         let beside = |k: usize, forth: bool| match (forth, self.options.is_periodic()) {
@@ -168,7 +168,7 @@ impl Square {
             .collect()
     }
 
-    /// The velocity at a place of the square.
+    /// The velocity at a point of the square.
     pub fn velocity_at(&self, place: [f64; 2]) -> [f64; 2] {
         match &self.grid {
             Grid::Mac { mac, velocity } => mac.at(velocity, place),
@@ -184,10 +184,10 @@ impl Square {
         }
     }
 
-    /// Makes the velocity the one without divergence that is nearest to vectors in cells.
+    /// Sets the velocity to the divergence-free one nearest to vectors in cells.
     ///
     /// # Errors
-    /// [`FluidError`] where there is no finite vector for each cell.
+    /// [`FluidError`] if there is no finite vector for each cell.
     pub fn set_velocity(&mut self, vectors: &[[f64; 2]]) -> Result<(), FluidError> {
         self.check_vectors("velocity", vectors)?;
         match &mut self.grid {
@@ -217,17 +217,17 @@ impl Square {
         }
     }
 
-    /// The flow as it is stored.
+    /// The current state.
     pub fn state(&self) -> SquareState {
         let (Grid::Mac { velocity, .. } | Grid::Stam { velocity, .. }) = &self.grid;
         let (velocity, densities) = (velocity.clone(), self.densities.clone());
         SquareState { step: self.step, time: self.time, velocity, densities }
     }
 
-    /// Goes back, or on, to a state of the same options.
+    /// Restores a state of the same options.
     ///
     /// # Errors
-    /// [`FluidError`] where its arrays do not fit or are not finite.
+    /// [`FluidError`] if its arrays do not fit or are not finite.
     pub fn set_state(&mut self, state: &SquareState) -> Result<(), FluidError> {
         let element = "cell";
         let fits = |what: &'static str, now: &[Vec<f64>], then: &[Vec<f64>]| {
@@ -258,7 +258,7 @@ impl Square {
     /// Replaces a density.
     ///
     /// # Errors
-    /// [`FluidError`] where there is no finite value for each cell, or no such density.
+    /// [`FluidError`] if there is no finite value for each cell, or no such density.
     pub fn set_density(&mut self, index: usize, values: Vec<f64>) -> Result<(), FluidError> {
         let mut state = self.state();
         let found = state.densities.len();
@@ -270,18 +270,18 @@ impl Square {
         self.set_state(&state)
     }
 
-    /// Moves on by one step.
+    /// Advances by one step.
     ///
     /// # Errors
-    /// [`FluidError`] where velocities are no longer finite.
+    /// [`FluidError`] if velocities are no longer finite.
     pub fn step(&mut self) -> Result<FluidStep, FluidError> {
         self.step_with(None)
     }
 
-    /// Moves on by one step with an acceleration in cells beside those of the options.
+    /// Advances by one step with an acceleration in cells in addition to those of the options.
     ///
     /// # Errors
-    /// [`FluidError`] where there is no finite vector for each cell, or velocities are no longer finite.
+    /// [`FluidError`] if there is no finite vector for each cell, or velocities are no longer finite.
     pub fn step_with(&mut self, force: Option<&[[f64; 2]]>) -> Result<FluidStep, FluidError> {
         if let Some(force) = force {
             self.check_vectors("force", force)?;
@@ -301,10 +301,10 @@ impl Square {
         Ok(step)
     }
 
-    /// What is measured of the flow as it is. The divergence of Stam's grid is that of differences across two cells.
+    /// The measured quantities of the current state. The divergence of Stam's grid is that of differences across two cells.
     ///
     /// # Errors
-    /// None for a simulation that has been made.
+    /// None for a valid simulation.
     pub fn measure(&self) -> Result<FluidStep, FluidError> {
         let h = 1.0 / self.options.cells as f64;
         let velocity = self.velocity();

@@ -1,19 +1,19 @@
-//! Stam's grid: cells with a ring of ghosts around, velocities at centres.
+//! Stam's grid: velocities at cell centres, with a ring of ghost cells.
 //!
 //! # Source
-//! `stam_realtime_2003`, in double precision and with direct solves as a choice.
+//! `stam_realtime_2003`, in double precision, with direct solves as an option.
 
 use crate::FluidError;
 use pompeiu_solve::{Cholesky, LinearSolver, SemidefiniteCholesky, SolveError, SparseMatrix};
 
-/// What a quantity does at the edges.
+/// The boundary condition of a quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Ghosts {
-    /// It goes on: densities, pressure.
+    /// Even: densities, pressure.
     Even,
-    /// It is turned over at the left and right edges: velocities along x.
+    /// Odd at the left and right edges: velocities along x.
     OddAlongX,
-    /// It is turned over at the lower and upper edges: velocities along y.
+    /// Odd at the lower and upper edges: velocities along y.
     OddAlongY,
 }
 
@@ -24,7 +24,7 @@ pub(super) struct Stam {
     pub(super) periodic: bool,
     sweeps: Option<usize>,
     pressure: Option<SemidefiniteCholesky>,
-    /// Factors of diffusion by a number of a cell and what happens at the edges.
+    /// Factored diffusion operators by cell number and boundary condition.
     diffusion: Vec<(f64, Ghosts, Cholesky)>,
 }
 
@@ -39,7 +39,7 @@ impl Stam {
         Ok(grid)
     }
 
-    /// The place of a cell, ghosts at 0 and n + 1.
+    /// The index of a cell; ghosts are at 0 and n + 1.
     fn at(&self, i: usize, j: usize) -> usize {
         i + (self.n + 2) * j
     }
@@ -50,7 +50,7 @@ impl Stam {
         rows.map(|(i, j)| values[self.at(i, j)]).collect()
     }
 
-    /// The same with ghosts around.
+    /// The values with ghost cells around.
     pub(super) fn framed(&self, inner: &[f64], ghosts: Ghosts) -> Vec<f64> {
         let mut values = vec![0.0; (self.n + 2) * (self.n + 2)];
         for (index, value) in inner.iter().enumerate() {
@@ -60,7 +60,7 @@ impl Stam {
         values
     }
 
-    /// Gives ghosts their values.
+    /// Sets ghost cells.
     pub(super) fn set_edges(&self, ghosts: Ghosts, x: &mut [f64]) {
         let n = self.n;
         for i in 1..=n {
@@ -81,7 +81,7 @@ impl Stam {
         }
     }
 
-    /// Links between neighbouring cells.
+    /// Links between neighbouring cells, for the Laplacian.
     fn links(&self, weight: f64) -> Vec<(u32, u32, f64)> {
         let n = self.n;
         let cell = |i: usize, j: usize| (j * n + i) as u32;
@@ -99,7 +99,7 @@ impl Stam {
         links
     }
 
-    /// `(1 + 4a) x − a Σ x = x0` by sweeps; the ghosts are set after each.
+    /// Gauss–Seidel sweeps for `(1 + 4a) x − a Σ x = x0`; ghost cells are set after each.
     fn sweep(&self, ghosts: Ghosts, x: &mut [f64], x0: &[f64], [a, c]: [f64; 2], sweeps: usize) {
         let n = self.n;
         for _ in 0..sweeps {
@@ -116,7 +116,8 @@ impl Stam {
         }
     }
 
-    /// A step of backward Euler for diffusion; `number` is diffusivity times step over the area of a cell. Sweeps begin with a guess.
+    /// A backward Euler step for diffusion; `number` is diffusivity times step over the area of a cell. Sweeps start from an
+    /// initial guess.
     pub(super) fn diffuse(
         &mut self,
         ghosts: Ghosts,
@@ -147,7 +148,7 @@ impl Stam {
     fn diffusion_matrix(&self, ghosts: Ghosts, number: f64) -> Result<SparseMatrix, SolveError> {
         let n = self.n;
         let links = SparseMatrix::from_links(n * n, &self.links(number))?;
-        // A ghost that is turned over pulls its cell twice as much as a neighbour at rest would.
+        // An odd ghost has twice the effect of a neighbour at rest.
         let diagonal: Vec<f64> = (0..n * n)
             .map(|cell| {
                 let (i, j) = (cell % n, cell / n);
@@ -164,14 +165,14 @@ impl Stam {
         SparseMatrix::diagonal(&diagonal)?.combined(1.0, &links, 1.0)
     }
 
-    /// Traces values back along a velocity for a time and interpolates.
+    /// Semi-Lagrangian advection of values along a velocity.
     pub(super) fn advect(&self, ghosts: Ghosts, values: &[f64], [u, v]: [&[f64]; 2], time: f64) -> Vec<f64> {
         let n = self.n;
         let mut carried = vec![0.0; values.len()];
         let scaled = time * n as f64;
         let within = |x: f64| -> f64 {
             if self.periodic {
-                // Between the first cell and the ghost after the last.
+                // Clamped between the first cell and the ghost after the last.
                 1.0 + (x - 1.0).rem_euclid(n as f64)
             } else {
                 x.clamp(0.5, n as f64 + 0.5)
@@ -193,7 +194,7 @@ impl Stam {
         carried
     }
 
-    /// The divergence of each cell times `−½ / n`, ghosts set.
+    /// The divergence of each cell times `−½ / n`, with ghost cells set.
     pub(super) fn divergence(&self, [u, v]: [&[f64]; 2]) -> Vec<f64> {
         let n = self.n;
         let mut divergence = vec![0.0; u.len()];
@@ -210,7 +211,7 @@ impl Stam {
         divergence
     }
 
-    /// Takes the gradient of a pressure off: approximately without divergence.
+    /// Subtracts the gradient of a pressure; the result is approximately divergence-free.
     pub(super) fn project(&self, u: &mut [f64], v: &mut [f64]) -> Result<(), FluidError> {
         let n = self.n;
         let divergence = self.divergence([u, v]);

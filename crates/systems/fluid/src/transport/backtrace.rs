@@ -1,4 +1,4 @@
-//! Semi-Lagrangian transport: where what arrives at a vertex comes from.
+//! Semi-Lagrangian transport at vertices.
 
 use crate::Correction;
 use crate::report::range;
@@ -10,23 +10,24 @@ use pompeiu_surface::{CornerData, HalfedgeId, Ray, Surface, TraceOptions, Tracer
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
-/// A surface made ready for walks from its vertices.
+/// A surface prepared for tracing paths from its vertices.
 ///
-/// A tangent vector at a vertex is given in polar coordinates: angles of the faces around it, stretched to add up to a full turn.
+/// A tangent vector at a vertex is given in geodesic polar coordinates: the angles of the faces around it, scaled to add up to a
+/// full turn.
 #[derive(Debug)]
 pub(crate) struct Backtrace<'s> {
     surface: &'s Surface,
     tracer: Tracer<'s>,
     /// From the frame of a face to that of the vertex at its corner.
     to_vertex: CornerData<Rotation>,
-    /// For each corner where its face begins, as an angle in the frame of the vertex, and by how much angles are stretched.
+    /// For each corner the angle at which its face begins, in the frame of the vertex, and the scaling of angles.
     sectors: CornerData<[f64; 2]>,
 }
 
-/// Where values come from: a face and barycentric coordinates for each vertex.
+/// Departure points: a face and barycentric coordinates for each vertex.
 pub(crate) type Departures = VertexData<(FaceId, [f64; 3])>;
 
-/// Where what arrives comes from and, where what is missed is corrected, where what is there goes.
+/// Departure points and, if the transport is corrected, also arrival points.
 #[derive(Debug)]
 pub(crate) struct Passage<P> {
     pub(crate) from: P,
@@ -35,7 +36,7 @@ pub(crate) struct Passage<P> {
 }
 
 impl<P> Passage<P> {
-    /// Of a function that says where a flow carries things in a time.
+    /// From a function that traces a flow for some time.
     pub(super) fn new(correction: Correction, step: f64, follow: impl Fn(f64) -> P) -> Self {
         let to = (correction != Correction::Linear).then(|| follow(step));
         Self { from: follow(-step), to, correction }
@@ -53,7 +54,7 @@ impl<'s> Backtrace<'s> {
             for h in mesh.outgoing(v) {
                 let angle = stretch * surface.angle(h);
                 sectors[h] = [from, stretch];
-                // The bisector of the corner keeps its place.
+                // The bisector of the corner is the same direction in both frames.
                 let along = surface.vector(h);
                 let in_face = libm::atan2(along[1], along[0]) + 0.5 * surface.angle(h);
                 let turn = from + 0.5 * angle - in_face;
@@ -65,7 +66,7 @@ impl<'s> Backtrace<'s> {
         Self { surface, tracer, to_vertex, sectors }
     }
 
-    /// The velocity at vertices: the mean of the faces around, weighted by area.
+    /// The velocity at vertices: the mean of the adjacent faces, weighted by area.
     pub(crate) fn at_vertices(&self, field: &FaceField) -> VertexData<Vec2> {
         let mesh = self.surface.mesh();
         VertexData::from_fn(mesh.vertices(), |v| {
@@ -84,7 +85,7 @@ impl<'s> Backtrace<'s> {
         self.surface
     }
 
-    /// What walks on the surface.
+    /// The tracer of the surface.
     pub(crate) fn tracer(&self) -> &Tracer<'s> {
         &self.tracer
     }
@@ -100,7 +101,7 @@ impl<'s> Backtrace<'s> {
         sum
     }
 
-    /// The ray from a vertex along a vector of its tangent plane.
+    /// The ray from a vertex along a vector in its tangent plane.
     fn ray(&self, v: VertexId, vector: Vec2) -> Ray {
         let mesh = self.surface.mesh();
         let mut angle = libm::atan2(vector[1], vector[0]);
@@ -117,16 +118,16 @@ impl<'s> Backtrace<'s> {
         let h = chosen.unwrap_or(HalfedgeId(0));
         let [from, stretch] = self.sectors[h];
         let along = self.surface.vector(h);
-        // A vector that points out of the surface is turned to its boundary.
+        // A vector that points out of the surface is rotated to the boundary.
         let within = ((angle - from) / stretch).clamp(0.0, self.surface.angle(h));
         let direction = rotate([libm::cos(within), libm::sin(within)], along);
         let point = self.surface.corners(h.face())[h.corner()];
         Ray { face: h.face(), point, direction, length: norm(vector) }
     }
 
-    /// Where a flow carries each vertex in a time; a negative time asks where what is there came from.
+    /// Where a flow carries each vertex in some time; for a negative time, where it comes from.
     ///
-    /// The midpoint rule: the velocity halfway is transported back along the way to it.
+    /// Midpoint rule: the velocity halfway is parallel-transported back along the path.
     pub(crate) fn follow(&self, velocity: &VertexData<Vec2>, time: f64) -> Departures {
         let mut places = VertexData::filled(velocity.len(), (FaceId(0), [0.0; 3]));
         places.as_mut_slice().par_iter_mut().with_min_len(256).enumerate().for_each(|(v, place)| {
@@ -147,7 +148,7 @@ impl<'s> Backtrace<'s> {
         places
     }
 
-    /// What a velocity does to the vertices in a step.
+    /// The departure and arrival points of vertices for a step.
     pub(crate) fn passage(
         &self,
         velocity: &VertexData<Vec2>,
@@ -157,8 +158,8 @@ impl<'s> Backtrace<'s> {
         Passage::new(correction, step, |time| self.follow(velocity, time))
     }
 
-    /// Values carried along for a step: from where they come, corrected by what a step forth and back misses, within the values of the
-    /// face they come from.
+    /// Values after a transport step: interpolated at the departure points, corrected by the error of a step forth and back, and
+    /// limited to the values of the departure face.
     pub(crate) fn carry(&self, passage: &Passage<Departures>, values: &VertexData<f64>) -> VertexData<f64> {
         let from = &passage.from;
         let carried = self.sample(from, values);
@@ -173,13 +174,13 @@ impl<'s> Backtrace<'s> {
         VertexData::from_fn(values.len(), |v| within(corrected[v], self.range(from, values, v)))
     }
 
-    /// The least and the greatest value of the face that a value comes from.
+    /// The least and the greatest value of the departure face.
     pub(crate) fn range(&self, from: &Departures, values: &VertexData<f64>, v: VertexId) -> [f64; 2] {
         let corners = self.surface.mesh().face(from[v].0).map(|w| values[w]);
         range(corners)
     }
 
-    /// Values interpolated where they come from.
+    /// Values interpolated at points.
     fn sample(&self, places: &Departures, values: &VertexData<f64>) -> VertexData<f64> {
         VertexData::from_fn(places.len(), |v| {
             let (face, barycentric) = places[v];
@@ -188,7 +189,7 @@ impl<'s> Backtrace<'s> {
     }
 }
 
-/// The nearest number between two others; what is not a number stays.
+/// Clamps a number to a range; NaN stays.
 pub(super) fn within(x: f64, [least, most]: [f64; 2]) -> f64 {
     if x < least {
         least
@@ -199,15 +200,15 @@ pub(super) fn within(x: f64, [least, most]: [f64; 2]) -> f64 {
     }
 }
 
-/// Coordinates of a point that rounding has put outside.
+/// Barycentric coordinates, corrected for rounding that put the point outside.
 pub(super) fn inside(barycentric: [f64; 3]) -> [f64; 3] {
     let clamped = barycentric.map(|b| if b > 0.0 { b } else { 0.0 });
     let sum: f64 = clamped.iter().sum();
     if sum > 0.0 { clamped.map(|b| b / sum) } else { [1.0 / 3.0; 3] }
 }
 
-/// Adds mass where values have room below their greatest, or takes it where they have room above their least, until the sum of mass
-/// is as it was; in one pass, as far as there is room.
+/// Adds mass where values are below their upper limit, or removes it where they are above their lower limit, until the total mass
+/// is restored; in one pass, as far as the limits allow.
 pub(crate) fn restore_mass(
     areas: &VertexData<f64>,
     values: &mut VertexData<f64>,

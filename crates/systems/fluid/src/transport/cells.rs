@@ -5,7 +5,7 @@ use pompeiu_operators::FaceField;
 use pompeiu_surface::plane::{add, cross, scale, sub};
 use pompeiu_surface::{Surface, SurfaceMesh};
 
-/// What flows between cells: across each of their common sides, from one to the other.
+/// Flows between cells across their common sides.
 #[derive(Debug)]
 pub(crate) struct Cells<'c> {
     /// The two cells at each side.
@@ -14,7 +14,7 @@ pub(crate) struct Cells<'c> {
     pub(super) areas: &'c [f64],
     /// The flow across each side, from the first of its cells to the second.
     pub(super) flows: Vec<f64>,
-    /// For each cell what flows out of it per time, over its area.
+    /// For each cell its outflow per time, over its area.
     outflow_rates: Vec<f64>,
 }
 
@@ -31,10 +31,10 @@ impl<'c> Cells<'c> {
         Self { ends, areas, flows, outflow_rates }
     }
 
-    /// The dual cells of vertices: barycentric ones, which meet along the segments from midpoints of edges to centroids of faces.
-    /// `ends` are those of the edges, then one for each vertex with a flow through the boundary, `through`.
+    /// The barycentric dual cells of vertices, which meet along the segments from midpoints of edges to centroids of faces. `ends`
+    /// are those of the edges, then one for each vertex with a flow through the boundary, `through`.
     ///
-    /// What is free of divergence against hat functions has no net flow into a cell.
+    /// For a field that is divergence-free against hat functions, the net flow into each cell is zero.
     pub(crate) fn dual(
         surface: &Surface,
         ends: &'c [[u32; 2]],
@@ -59,7 +59,7 @@ impl<'c> Cells<'c> {
         Self::new(ends, areas, flows)
     }
 
-    /// The greatest share of its content that flows out of a cell in a step: the Courant number.
+    /// The Courant number: the greatest share of its content that flows out of a cell in a step.
     pub(crate) fn cfl(&self, step: f64) -> f64 {
         step * self.outflow_rates.iter().fold(0.0, |m, &x| if x > m || x.is_nan() { x } else { m })
     }

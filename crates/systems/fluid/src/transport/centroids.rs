@@ -1,4 +1,4 @@
-//! Semi-Lagrangian transport of what is stored on faces.
+//! Semi-Lagrangian transport of quantities on faces.
 
 use super::backtrace::{Backtrace, Passage, inside, within};
 use crate::Correction;
@@ -10,17 +10,18 @@ use pompeiu_surface::plane::{Rotation, Vec2, add, inverse, norm, rotate, scale, 
 use pompeiu_surface::{HalfedgeId, Ray};
 use rayon::prelude::*;
 
-/// Where what arrives at a centroid comes from.
+/// The departure point of a centroid.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct FaceDeparture {
     face: FaceId,
     barycentric: [f64; 3],
-    /// From the frame of that face to that of the one it arrives in.
+    /// The rotation from the frame of the departure face to that of the arrival face.
     back: Rotation,
 }
 
 impl Backtrace<'_> {
-    /// What a velocity does to the centroids of faces in a step: straight ahead, or by the midpoint rule where it is corrected.
+    /// The departure and arrival points of centroids for a step: in a straight line, or by the midpoint rule if the transport is
+    /// corrected.
     pub(crate) fn passage_of_centroids(
         &self,
         field: &FaceField,
@@ -31,9 +32,9 @@ impl Backtrace<'_> {
         Passage::new(correction, step, |time| self.follow_centroids(field, at_vertices.as_ref(), time))
     }
 
-    /// Where a flow carries the centroid of each face in a time; a negative time asks where what is there came from.
+    /// Where a flow carries the centroid of each face in some time; for a negative time, where it comes from.
     ///
-    /// Straight ahead with the velocity of the face, or by the midpoint rule if that at vertices is given.
+    /// In a straight line with the velocity of the face, or by the midpoint rule if the velocity at vertices is given.
     fn follow_centroids(
         &self,
         field: &FaceField,
@@ -71,7 +72,7 @@ impl Backtrace<'_> {
         places
     }
 
-    /// Vectors on faces carried along for a step, with parallel transport.
+    /// Vectors on faces after a transport step, with parallel transport.
     pub(crate) fn carry_vectors(
         &self,
         passage: &Passage<FaceData<FaceDeparture>>,
@@ -108,7 +109,7 @@ impl Backtrace<'_> {
         corners.into_iter().fold(norm(field[face]), |m, x| if x > m { x } else { m })
     }
 
-    /// Values on faces carried along for a step.
+    /// Values on faces after a transport step.
     pub(crate) fn carry_on_faces(
         &self,
         passage: &Passage<FaceData<FaceDeparture>>,

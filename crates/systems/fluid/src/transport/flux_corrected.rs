@@ -1,17 +1,17 @@
-//! Conservative transport within bounds: fluxes of second order, limited.
+//! Flux-corrected transport: conservative, second order, within bounds.
 
 use super::Cells;
 
-/// Courant number up to which a substep keeps bounds, with room for rounding.
+/// Largest Courant number of a substep that keeps bounds, with a margin for rounding.
 const SUBSTEP_CFL: f64 = 0.9;
 
 impl Cells<'_> {
-    /// Carries a density along for a time, in substeps.
+    /// Transports a density for some time, in substeps.
     ///
     /// # Definition
-    /// Fluxes of donor cells, which keep bounds, and the part of the difference to central fluxes that does not leave the values of
-    /// the neighbours, before and after (Zalesak's correction of fluxes); the strong-stability-preserving Runge–Kutta method of third
-    /// order. What leaves one cell enters another, so mass is conserved to rounding.
+    /// Donor-cell fluxes, which keep bounds, plus the part of the difference to central fluxes that does not exceed the values of
+    /// the neighbours before and after (Zalesak's flux correction); the strong-stability-preserving Runge–Kutta method of third
+    /// order. The outflow of one cell is the inflow of another, so mass is conserved to rounding.
     /// # Source
     /// `zalesak_fully_1979`, `shu_efficient_1988`.
     pub(crate) fn carry(&self, density: &mut [f64], time: f64) {
@@ -26,7 +26,7 @@ impl Cells<'_> {
         }
     }
 
-    /// Each side: its cells, the giver first if the amount that goes over it is above zero.
+    /// Each side with its cells: for a positive amount the donor comes first.
     fn sides<'a>(&'a self, amounts: &'a [f64]) -> impl Iterator<Item = ([usize; 2], f64)> + 'a {
         self.ends.iter().zip(amounts).map(|(&[a, b], &amount)| {
             let (a, b) = (a as usize, b as usize);
@@ -47,7 +47,7 @@ impl Cells<'_> {
             surplus.push(step * flow * (0.5 * (density[a] + density[b]) - donor));
         }
         let bounds = self.bounds(density, &after);
-        // What would come in and go out, and the shares that there is room for.
+        // The possible inflow and outflow of each cell, and the shares that the bounds allow.
         let mut wanted = vec![[0.0; 2]; density.len()];
         for ([giver, taker], amount) in self.sides(&surplus) {
             wanted[taker][0] += amount;
@@ -101,7 +101,7 @@ impl Cells<'_> {
     }
 }
 
-/// Substeps that a Courant number takes.
+/// The number of substeps for a Courant number.
 fn substeps(cfl: f64) -> usize {
     let count = (cfl / SUBSTEP_CFL).ceil();
     if count > 1.0 { count as usize } else { 1 }

@@ -1,4 +1,4 @@
-//! Carrying values at vertices or on faces along a velocity.
+//! Transport of values at vertices or on faces along a velocity.
 
 mod backtrace;
 mod cells;

@@ -1,4 +1,4 @@
-//! What the flow carries: masses, bounds, rates of diffusion.
+//! Densities: masses, bounds, diffusion rates.
 
 use crate::{jittered_sphere, relative, sphere, surface, values};
 use pompeiu_core::VertexId;
@@ -73,7 +73,7 @@ fn a_turning_blob_arrives() {
         (Transport::SemiLagrangian, bfecc, 0.2),
         (Transport::Faces, corrected, 0.35),
         (Transport::Faces, bfecc, 0.35),
-        // What is interpolated twice in each step blurs.
+        // Two interpolations per step add diffusion.
         (Transport::Faces, linear, 0.8),
     ] {
         let densities = vec![Density::new("dye", start.clone())];
@@ -95,7 +95,7 @@ fn a_turning_blob_arrives() {
 #[test]
 fn heat_decays_at_the_rates_of_backward_euler() {
     let surface = sphere(3);
-    // x is an eigenvector to rounding on an icosphere with lumped masses: all of its symmetries are there.
+    // On an icosphere with lumped masses x is an eigenvector to rounding, because all of its symmetries are present.
     let shape = values(&surface, |[x, _, _]| x);
     let laplacian = pompeiu_operators::cotan_laplacian(surface.surface()).unwrap();
     let areas = surface.surface().vertex_areas();
@@ -114,7 +114,7 @@ fn heat_decays_at_the_rates_of_backward_euler() {
     let factor = inner(&weighted) / inner(&mass);
     assert!((factor - 1.0 / (1.0 + 0.3 * 0.25 * eigenvalue)).abs() < 1e-4, "{factor}");
     assert!(fluid.measure().unwrap().mass[0].abs() < 1e-12);
-    // Constants stay.
+    // Constants do not change.
     let mut still = Density::new("temperature", VertexData::filled(shape.len(), 3.5));
     still.diffusivity = 7.0;
     let options = FluidOptions { densities: vec![still], ..FluidOptions::new(0.25) };

@@ -1,4 +1,4 @@
-//! Surfaces with handles: harmonic fields have a dynamics of their own.
+//! Surfaces with handles: harmonic fields have their own dynamics.
 
 use crate::{surface, values};
 use pompeiu_core::mesh::VertexData;
@@ -14,7 +14,7 @@ fn a_constant_field_on_the_flat_torus_is_a_fixed_point() {
     let torus = flat_torus([2.0, 1.0], [12, 7]).unwrap();
     let options = FluidOptions { viscosity: 0.1, ..FluidOptions::new(0.05) };
     let mut fluid = Simulation::new(&torus, options).unwrap();
-    // The frames of odd faces are turned by half a turn.
+    // The frames of odd faces are rotated by half a turn.
     let field =
         FaceField::from_fn(torus.mesh().faces(), |f| if f.0 % 2 == 0 { [0.8, 0.3] } else { [-0.8, -0.3] });
     fluid.set_velocity(&field).unwrap();
@@ -85,11 +85,11 @@ fn harmonic_coefficients_change_as_the_integral_says() {
     let errors = [1, 2].map(|n: u32| {
         let mesh = torus(big, small, 32 * n, 16 * n).unwrap();
         let surface = surface(&mesh);
-        // Which of the axes the torus turns about is that of its least extent.
+        // The axis of revolution is the axis of least extent.
         let step = 1e-4;
         let mut fluid = Simulation::new(surface.surface(), FluidOptions::new(step)).unwrap();
         fluid.set_velocity(&zonal(&surface, f)).unwrap();
-        // The harmonic field along the tube is e_θ / ρ, normed.
+        // The harmonic field along the tube is e_θ / ρ, normalised.
         let along = FaceField::from_fn(surface.mesh().faces(), |face| {
             let [x, y, _] = surface.centroid(face);
             let rho = x.hypot(y);

@@ -1,4 +1,4 @@
-//! What makes no sense is refused; what is the same gives the same bits.
+//! Invalid input is rejected; equal input gives equal bits.
 
 use crate::{sphere, values};
 use pompeiu_core::mesh::VertexData;
@@ -48,7 +48,7 @@ fn a_step_that_is_far_too_long_is_refused_and_changes_nothing() {
     let error = fluid.step().unwrap_err();
     assert!(matches!(error, FluidError::StepTooLong { .. }), "{error}");
     assert_eq!(*fluid.state(), before);
-    // At rest there is nothing to follow.
+    // A fluid at rest has no paths.
     let mut fluid = Simulation::new(surface.surface(), FluidOptions::new(1e9)).unwrap();
     fluid.step().unwrap();
 }

@@ -23,7 +23,7 @@ fn sphere(subdivisions: u32) -> EmbeddedSurface {
     surface(&icosphere(1.0, subdivisions).unwrap())
 }
 
-/// The same with vertices moved along the sphere by up to `amount` of the mean edge length or so.
+/// The same with vertices displaced along the sphere by up to about `amount` times the mean edge length.
 fn jittered_sphere(subdivisions: u32, amount: f64) -> EmbeddedSurface {
     let mesh = icosphere(1.0, subdivisions).unwrap();
     let h = amount * 1.15 / f64::from(1 << subdivisions);

@@ -12,8 +12,8 @@ fn pair(surface: &EmbeddedSurface) -> [VertexData<f64>; 2] {
     [values(surface, |[x, y, z]| (x * x - y * y) * z), values(surface, |[x, y, z]| 2.0 * x * y * z)]
 }
 
-/// How far a Rossby–Haurwitz wave of degree 3 and order 2 on a rotation has drifted from where it should be, in turns, and the relative
-/// error of the energy.
+/// The error of the drift of a Rossby–Haurwitz wave of degree 3 and order 2 on a rotation, in turns, and the relative error of the
+/// energy.
 fn rossby_haurwitz(surface: &EmbeddedSurface, options: FluidOptions, turns: f64, steps: usize) -> [f64; 2] {
     let [cosine, sine] = pair(surface);
     // Degree l drifts at α (1 − 2 / (l (l + 1))).
@@ -71,7 +71,7 @@ fn velocities_on_faces_lose_energy_and_corrections_give_most_of_it_back() {
 
 #[test]
 fn with_the_lengths_of_edges_for_weights_viscosity_depends_on_the_mesh() {
-    // (1 + ν Δt λ)^-1 with λ = 1 for rotations, were it a Laplacian.
+    // (1 + ν Δt λ)^-1 with λ = 1 for rotations, if it were a Laplacian.
     let kept = |n: u32, viscosity: f64| {
         let sphere = sphere(n);
         let options = FluidOptions {
@@ -86,7 +86,7 @@ fn with_the_lengths_of_edges_for_weights_viscosity_depends_on_the_mesh() {
         let before = fluid.measure().unwrap().energy;
         (fluid.step().unwrap().energy / before).sqrt()
     };
-    // What is interpolated twice loses energy at rest as well.
+    // Two interpolations per step lose energy even at rest.
     let rates = [2, 3, 4].map(|n| (kept(n, 0.0) / kept(n, 0.1) - 1.0) / 0.1);
     for (found, expected) in rates.into_iter().zip([0.177, 0.088, 0.044]) {
         assert!(relative(found, expected) < 0.03, "{rates:?}");
@@ -100,7 +100,7 @@ fn the_implicit_midpoint_rule_agrees() {
     assert!(found[0] < 4e-3 && found[1] < 1e-13, "{found:?}");
 }
 
-/// The rate at which the amplitude of a vorticity decays, by one step of backward Euler, over the viscosity.
+/// The decay rate of a vorticity's amplitude, by one step of backward Euler, relative to the viscosity.
 fn rate(
     surface: &EmbeddedSurface,
     scheme: Scheme,
@@ -112,7 +112,7 @@ fn rate(
         FluidOptions { scheme, viscosity: product, viscosity_model: model, ..FluidOptions::new(1.0) };
     let mut fluid = Simulation::new(surface.surface(), options).unwrap();
     let vorticity = values(surface, shape);
-    // So slow that nothing is advected.
+    // So slow that advection is negligible.
     let faint = VertexData::from_fn(vorticity.len(), |v| 1e-9 * vorticity[v]);
     fluid.set_vorticity(&faint, &[]).unwrap();
     let before = fluid.state().stream.clone();
@@ -178,7 +178,7 @@ fn a_rigid_rotation_does_not_slow_down_and_energy_does_not_rise() {
 fn antipodal_vortices_stay() {
     let surface = sphere(4);
     let mut fluid = Simulation::new(surface.surface(), FluidOptions::new(0.02)).unwrap();
-    // Centred at the axis of y, where no vertex pattern favours them.
+    // Centred on the y axis, where no vertex pattern favours them.
     let axis = [0.36, 0.48, 0.8];
     let along = |p: [f64; 3]| (0..3).map(|i| p[i] * axis[i]).sum::<f64>();
     let vorticity = values(&surface, |p| {

@@ -106,7 +106,7 @@ impl Published {
 
     fn step(&mut self, [fu, fv, source]: [&[f64]; 3], [visc, diff]: [f64; 2], dt: f64) {
         let add = |x: &[f64], s: &[f64]| x.iter().zip(s).map(|(x, s)| x + dt * s).collect::<Vec<f64>>();
-        // The buffers with the sources are where diffusion begins, as in the published program.
+        // As in the published program, the source buffers are the initial guess of diffusion.
         let (u0, v0) = (add(&self.u, fu), add(&self.v, fv));
         let (mut u, mut v) = (fu.to_vec(), fv.to_vec());
         self.diffuse(1, &mut u, &u0, visc, dt);
@@ -168,7 +168,7 @@ fn stams_grid_has_the_bits_of_the_published_program() {
         assert_eq!(velocity, [published.u[at], published.v[at]], "cell {index}");
         assert_eq!(square.densities()[0][index], published.density[at], "cell {index}");
     }
-    // Solved directly it is what many sweeps come to.
+    // The direct solution is the limit of many sweeps.
     let with = |sweeps| {
         let scheme = SquareScheme::Stam { sweeps };
         let mut square = Square::new(SquareOptions { scheme, ..options.clone() }).unwrap();
@@ -184,7 +184,7 @@ fn stams_grid_has_the_bits_of_the_published_program() {
 fn a_taylor_green_vortex_decays_at_the_discrete_rate() {
     let n = 24;
     for (scheme, bound) in [(SquareScheme::Mac, 1e-6), (SquareScheme::Stam { sweeps: None }, 1e-6)] {
-        // So slow that advection has no share in it.
+        // So slow that advection is negligible.
         let options =
             SquareOptions { scheme, edges: Edges::Periodic, viscosity: 0.02, ..SquareOptions::new(n, 0.05) };
         let mut square = Square::new(options).unwrap();
@@ -301,7 +301,7 @@ fn what_makes_no_sense_is_refused() {
     assert!(matches!(new(SquareOptions { solid, ..plain() }), FluidError::Length { found: 3, .. }));
     let mut square = Square::new(plain()).unwrap();
     assert!(square.set_velocity(&[[0.0; 2]; 5]).is_err());
-    // Everything solid: nothing moves, nothing fails.
+    // All cells are obstacles: nothing moves, nothing fails.
     let solid = Some(vec![true; 64]);
     let mut still = Square::new(SquareOptions { solid, viscosity: 1.0, ..plain() }).unwrap();
     assert_eq!(still.step().unwrap().energy, 0.0);

@@ -12,7 +12,7 @@ use std::f64::consts::PI;
 #[test]
 fn without_viscosity_energy_and_enstrophy_are_kept_between_walls_and_around_holes() {
     let (positions, faces) = grid([1.0, 1.0], [12, 12], Diagonal::Alternating).unwrap().into_parts();
-    // A hole in the middle, off centre: a harmonic field flows around it.
+    // An off-centre hole: a harmonic field flows around it.
     let middle = |face: &[u32; 3]| {
         let centre = [0, 1].map(|i| face.iter().map(|&v| positions[v as usize][i] / 3.0).sum::<f64>());
         (centre[0] - 0.1).abs() < 0.13 && (centre[1] + 0.1).abs() < 0.13
@@ -146,7 +146,7 @@ fn a_lid_drives_a_cavity() {
     assert!((depth - 0.1034).abs() < 0.004, "{depth}");
 }
 
-/// A channel 3 long and 1 wide, and the speed of what flows in on the left and out on the right.
+/// A channel of length 3 and width 1, and the inflow speeds: positive on the left, negative on the right.
 fn channel(cells: u32, speed: f64) -> (EmbeddedSurface, EdgeData<f64>) {
     let channel = surface(&grid([3.0, 1.0], [3 * cells, cells], Diagonal::Alternating).unwrap());
     let inflow = EdgeData::from_fn(channel.mesh().edges(), |edge| {
@@ -196,7 +196,7 @@ fn what_flows_in_flows_out_and_takes_densities_along() {
 #[test]
 fn between_walls_that_hold_it_a_flow_becomes_a_parabola() {
     let (channel, inflow) = channel(16, 1.0);
-    // A projection after viscosity leaves an error in proportion to the step.
+    // A projection after viscosity has an error proportional to the step.
     for (scheme, bound) in [(Scheme::Vorticity, 0.05), (Scheme::CrouzeixRaviart, 0.16)] {
         let inflow = Some(inflow.clone());
         let options = FluidOptions { scheme, viscosity: 0.5, inflow, ..FluidOptions::new(0.02) };

@@ -1,7 +1,6 @@
 //! Small dense systems.
 
-/// Solves a symmetric positive definite system, of which the lower triangle is given; none where a pivot is not positive or a
-/// number leaves its range.
+/// Solves a symmetric positive definite system, given its lower triangle; `None` if a pivot is not positive or a number overflows.
 ///
 /// # Source
 /// The Cholesky factorization row by row, `golub_matrix_2013`, section 4.2.
@@ -48,7 +47,7 @@ mod tests {
                 std::array::from_fn(|i| std::array::from_fn(|j| product(i, j) + shift(i, j)));
             let expected: [f64; 6] = std::array::from_fn(|_| random.signed_unit());
             let right = matrix.map(|row| row.iter().zip(&expected).map(|(a, x)| a * x).sum());
-            // Above the diagonal anything may stand.
+            // The upper triangle is ignored.
             let lower =
                 std::array::from_fn(|i| std::array::from_fn(|j| if j > i { f64::NAN } else { matrix[i][j] }));
             let found = solve(&lower, &right).unwrap();

@@ -2,7 +2,7 @@
 
 use glam::{DMat3, DVec3};
 
-/// Sweeps after which the off-diagonal part of a small matrix has long vanished: each at least squares what is small.
+/// Enough sweeps for the off-diagonal part of a small matrix to vanish: each at least squares a small remainder.
 const SWEEPS: usize = 12;
 
 /// Unit eigenvectors of a symmetric matrix, that of the largest eigenvalue first, as the columns of a rotation.
@@ -15,7 +15,8 @@ pub(super) fn eigenvectors(symmetric: DMat3) -> DMat3 {
 /// Eigenvalues of a symmetric matrix with their unit eigenvectors, the largest first.
 ///
 /// # Source
-/// The cyclic Jacobi method, `golub_matrix_2013`, section 8.5: for a few rows it is short, accurate, and the same on every machine.
+/// The cyclic Jacobi method, `golub_matrix_2013`, section 8.5: for small matrices it is short, accurate, and the same on every
+/// machine.
 pub(super) fn eigenpairs<const N: usize>(symmetric: [[f64; N]; N]) -> [(f64, [f64; N]); N] {
     let mut a = symmetric;
     let mut v: [[f64; N]; N] = std::array::from_fn(|i| std::array::from_fn(|j| f64::from(u8::from(i == j))));
@@ -33,7 +34,7 @@ pub(super) fn eigenpairs<const N: usize>(symmetric: [[f64; N]; N]) -> [(f64, [f6
     pairs
 }
 
-/// Makes one off-diagonal entry vanish. `v` holds the eigenvectors, one after the other.
+/// Eliminates one off-diagonal entry. `v` holds the eigenvectors, one after the other.
 fn rotate<const N: usize>(a: &mut [[f64; N]; N], v: &mut [[f64; N]; N], p: usize, q: usize) {
     let tau = (a[q][q] - a[p][p]) / (2.0 * a[p][q]);
     let sign = if tau >= 0.0 { 1.0 } else { -1.0 };

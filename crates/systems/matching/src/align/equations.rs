@@ -1,8 +1,8 @@
-//! Normal equations of distances from planes.
+//! Normal equations of point-to-plane distances.
 
 use super::cholesky::solve;
 
-/// The normal equations of linear least squares with `N` unknowns: a turn, a shift, and a growth where there is a seventh.
+/// The normal equations of linear least squares with `N` unknowns: rotation vector, translation and, as the seventh, scaling.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Equations<const N: usize> {
     /// The lower triangle.
@@ -15,7 +15,7 @@ impl<const N: usize> Equations<N> {
         Self { matrix: [[0.0; N]; N], right: [0.0; N] }
     }
 
-    /// Asks for `row · x = right`, with a weight.
+    /// Adds the equation `row · x = right` with a weight.
     pub(super) fn add(&mut self, weight: f64, row: [f64; N], right: f64) {
         for i in 0..N {
             let weighted = weight * row[i];
@@ -26,7 +26,7 @@ impl<const N: usize> Equations<N> {
         }
     }
 
-    /// The unknowns, damped by a share of the mean diagonal entry; none where numbers left their range.
+    /// The solution, damped by a share of the mean diagonal entry; `None` if numbers overflow.
     pub(super) fn solved(&self, damping: f64) -> Option<[f64; N]> {
         let mean = (0..N).map(|i| self.matrix[i][i]).sum::<f64>() / N as f64;
         let mut matrix = self.matrix;
@@ -36,7 +36,7 @@ impl<const N: usize> Equations<N> {
         solve(&matrix, &self.right)
     }
 
-    /// A column of the inverse of the matrix; none where it has none.
+    /// A column of the inverse of the matrix; `None` if it is singular.
     pub(super) fn inverse_column<const K: usize>(&self) -> Option<[f64; N]> {
         solve(&self.matrix, &std::array::from_fn(|i| f64::from(u8::from(i == K))))
     }

@@ -1,4 +1,4 @@
-//! What cannot be aligned.
+//! Errors of alignment.
 
 /// Why a mesh cannot be aligned.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -13,7 +13,7 @@ pub enum AlignError {
     /// The map leaves the range of double precision.
     #[error("the sizes or places of the two meshes are too far apart to align them in double precision")]
     Sizes,
-    /// A share of the area that is none.
+    /// The overlap is not a valid share of the area.
     #[error("the overlap is {0}; it must be a share of the area above 0 and at most 1")]
     Overlap(f64),
 }

@@ -1,4 +1,4 @@
-//! The mesh that others are moved onto.
+//! The mesh that others are aligned to.
 
 use super::AlignError;
 use super::moments::Moments;
@@ -10,10 +10,10 @@ use pompeiu_core::TriMesh;
 use pompeiu_core::mesh::Affine;
 use std::sync::OnceLock;
 
-/// A mesh that others are moved onto, prepared for many.
+/// A mesh that others are aligned to, prepared for many alignments.
 ///
 /// # Cost
-/// O(m) to prepare; the tree that a rigid alignment needs is built when the first one asks for it, in O(m log m).
+/// O(m) to prepare. A rigid alignment needs a tree; the first one builds it, in O(m log m).
 #[derive(Debug)]
 pub struct Fixed {
     mesh: TriMesh,
@@ -22,7 +22,7 @@ pub struct Fixed {
 }
 
 impl Fixed {
-    /// Prepares a mesh, of which a copy is kept.
+    /// Prepares a mesh; keeps a copy.
     ///
     /// # Errors
     /// [`AlignError::NoArea`].
@@ -53,7 +53,7 @@ impl Fixed {
             let points = samples(moving, &moments.frame, count);
             points.into_iter().map(|sample| sample.point * unit).collect::<Vec<_>>()
         };
-        // The pose that leaves everything where it is.
+        // The identity pose.
         let origins = self.origins(&moments);
         let pose = registered(
             self.surface(),
@@ -73,13 +73,13 @@ impl Fixed {
         self.surface.get_or_init(|| Surface::new(&self.mesh, &self.moments.frame))
     }
 
-    /// How long a unit of the frame of a moving mesh is in that of this one: a power of two, so exact.
+    /// The length of a unit of the moving mesh's frame in that of this one: a power of two, so exact.
     pub(super) fn unit_of(&self, moving: &Moments) -> Result<f64, AlignError> {
         let unit = self.moments.frame.length_in(moving.frame.length_out(1.0));
         if unit > 0.0 && unit.is_finite() { Ok(unit) } else { Err(AlignError::Sizes) }
     }
 
-    /// By how much each frame has moved the origin, in its own unit: that of this mesh, and that of the moving one.
+    /// The displacement of the origin in each frame, in its own unit: for this mesh, and for the moving one.
     pub(super) fn origins(&self, moving: &Moments) -> [DVec3; 2] {
         [&self.moments.frame, &moving.frame].map(|frame| -DVec3::from_array(frame.map([0.0; 3])))
     }
@@ -102,7 +102,7 @@ impl Fixed {
     }
 }
 
-/// The map, if no number of it has left the range of doubles.
+/// The map, if all its numbers are finite.
 fn finite(map: Affine) -> Result<Affine, AlignError> {
     let is_finite = map.linear.iter().flatten().chain(&map.translation).all(|x| x.is_finite());
     if is_finite { Ok(map) } else { Err(AlignError::Sizes) }

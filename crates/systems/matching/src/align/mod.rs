@@ -1,8 +1,8 @@
-//! Moving one mesh onto another before they are compared.
+//! Aligning one mesh to another before they are compared.
 //!
-//! [`Alignment`] says which maps are allowed; [`Fixed`] is the mesh that others are moved onto, prepared once. The map comes
-//! out in double precision and is applied by [`transform`](pompeiu_core::mesh::transform): what is measured afterwards is
-//! the mesh with its moved vertices *as rounded*, and a certified distance is certified for that mesh.
+//! [`Alignment`] selects the allowed maps; [`Fixed`] is the mesh that others are aligned to, prepared once. The map is computed in
+//! double precision and applied by [`transform`](pompeiu_core::mesh::transform). Distances computed afterwards, certified ones
+//! included, are those of the mesh with moved and *rounded* vertices.
 
 mod cholesky;
 mod eigen;
@@ -26,42 +26,41 @@ use serde::{Deserialize, Serialize};
 /// A map of space as a matrix of four rows that acts on columns `(x, y, z, 1)`.
 pub type Matrix = [[f64; 4]; 4];
 
-/// Which maps may bring one mesh onto another.
+/// The maps allowed for aligning one mesh to another.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Alignment {
-    /// None: coordinates are taken as they are.
+    /// None: coordinates stay.
     #[default]
     None,
-    /// A translation that brings the area centroids together.
+    /// A translation that makes the area centroids coincide.
     Centroid,
-    /// That, and a scale about the centroid that makes the root-mean-square distances from it equal.
+    /// That translation, and a scaling about the centroid that makes the root-mean-square distances from it equal.
     Scale,
     /// A rotation and a translation, found by iterated closest points from several starts: a local optimum.
     Rigid,
 }
 
-/// Finds the map that brings `moving` onto the fixed mesh; none for [`Alignment::None`], which moves nothing.
+/// Finds the map that aligns `moving` to the fixed mesh; `None` for [`Alignment::None`].
 ///
 /// # Definition
-/// Centroids and radii are those of the surface, weighted by area. [`Alignment::Rigid`] minimises the mean squared distance
-/// of points spread evenly over `moving` from the fixed surface.
+/// Centroids and radii are those of the surface, weighted by area. [`Alignment::Rigid`] minimises the mean squared distance from
+/// the fixed surface of points distributed evenly over `moving`.
 /// # Accuracy
-/// Rounded, and deterministic at any number of threads. Nothing is claimed about it: a distance that is certified after
-/// the move holds for the mesh as moved, not for the best possible place.
+/// Rounded, and deterministic at any number of threads. Nothing is proven about the map: a distance certified after the move holds
+/// for the mesh as moved, not for the best possible pose.
 /// # Limits
-/// A rigid alignment is the best local optimum that was found: from 26 starts, those of the principal axes among them, of
-/// which the three most promising are followed to the end. A mesh of which only a part matches has its other part pull
-/// it away. The mirror image of a shape is another shape. Distances are counted from `moving` alone, so that a part laid
-/// anywhere on the whole is aligned.
+/// A rigid alignment is the best local optimum found from 26 starts, including those of the principal axes; the three most
+/// promising ones are followed to convergence. If only a part of a mesh has a counterpart, the rest biases the result. Mirror
+/// images are not matched. Distances are measured from `moving` only, so that a part laid anywhere on the whole counts as aligned.
 /// # Errors
-/// [`AlignError`], when a mesh has no area or the sizes of the two are too far apart.
+/// [`AlignError`] if a mesh has no area or the sizes of the two differ too much.
 /// # Cost
-/// O(m) for centroids and radii; some 50,000 to 200,000 closest-point questions for a rigid alignment.
+/// O(m) for centroids and radii; some 50,000 to 200,000 closest-point queries for a rigid alignment.
 /// # Source
-/// `besl_method_1992` and, for distances from the planes of faces, `chen_object_1992`; damped as in
-/// `marquardt_algorithm_1963`, with closest points sought anew for every trial, so that no step makes it worse.
+/// `besl_method_1992` and, for point-to-plane distances, `chen_object_1992`; damped as in `marquardt_algorithm_1963`, with new
+/// closest points for every trial, so that no step increases the error.
 pub fn align(moving: &TriMesh, fixed: &Fixed, alignment: Alignment) -> Result<Option<Affine>, AlignError> {
     match alignment {
         Alignment::None => Ok(None),

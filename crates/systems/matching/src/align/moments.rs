@@ -13,7 +13,7 @@ pub(super) struct Moments {
     pub(super) centroid: DVec3,
     /// Second moments about the centroid, per area.
     covariance: DMat3,
-    /// In the frame.
+    /// In units of the frame.
     pub(super) area: f64,
     /// Of the box of the faces, in the frame.
     pub(super) diagonal: f64,

@@ -14,7 +14,7 @@ impl Pose {
         self.rotation * x + self.translation
     }
 
-    /// This pose, then a turn by the vector `turn` about a point, then a shift.
+    /// This pose, followed by a rotation by the vector `turn` about a point, and a translation.
     pub(super) fn then(&self, turn: DVec3, about: DVec3, shift: DVec3) -> Self {
         let by = rotation(turn);
         Self {
@@ -24,7 +24,7 @@ impl Pose {
     }
 }
 
-/// The turn about the direction of a vector by its length, in radians.
+/// The rotation about the direction of a vector by its length, in radians.
 pub(super) fn rotation(turn: DVec3) -> DMat3 {
     let angle = turn.length();
     let axis = turn / angle;
@@ -36,12 +36,12 @@ pub(super) fn rotation(turn: DVec3) -> DMat3 {
     DMat3::from_cols(across(DVec3::X), across(DVec3::Y), across(DVec3::Z))
 }
 
-/// One step of Newton's iteration for the nearest orthogonal matrix: rounding does not add up over many turns.
+/// One step of Newton's iteration for the nearest orthogonal matrix, so that rounding does not accumulate over many rotations.
 fn orthogonal(r: DMat3) -> DMat3 {
     r * (DMat3::IDENTITY * 1.5 - (r.transpose() * r) * 0.5)
 }
 
-/// The 24 rotations that take the axes to the axes; the four that keep each axis on its line come first.
+/// The 24 rotations that permute the axes; the four that keep each axis on its line come first.
 pub(super) fn axis_rotations() -> impl Iterator<Item = DMat3> {
     const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [1, 2, 0], [2, 0, 1], [0, 2, 1], [2, 1, 0], [1, 0, 2]];
     let axes = [DVec3::X, DVec3::Y, DVec3::Z];

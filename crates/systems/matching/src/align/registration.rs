@@ -1,4 +1,4 @@
-//! Iterated closest points: the pose in which points lie nearest to a surface.
+//! Iterated closest points: the pose that minimises the distance of points from a surface.
 
 use super::equations::Equations;
 use super::pose::{Pose, axis_rotations};
@@ -8,26 +8,26 @@ use pompeiu_core::geom::Frame;
 use pompeiu_core::geom::point_triangle::closest_barycentric;
 use pompeiu_core::spatial::bvh::{Bvh, Slot, Workspace};
 
-/// Points with which starts are told apart.
+/// Sample points that distinguish initial poses.
 const FEW_POINTS: usize = 200;
-/// Steps after which they are compared.
+/// Steps before initial poses are compared.
 const FEW_STEPS: usize = 8;
-/// Starts that are followed to the end.
+/// Number of poses that are refined to convergence.
 const FOLLOWED: usize = 3;
-/// Points of the alignment that is kept.
+/// Sample points for the final alignment.
 const POINTS: usize = 2000;
-/// Most steps of it.
+/// Largest number of its steps.
 const STEPS: usize = 60;
-/// Damping to begin with, of the mean diagonal entry of the normal equations; a tenth after each step that helped.
+/// Initial damping, relative to the mean diagonal entry of the normal equations; a tenth of it after each successful step.
 const DAMPING: f64 = 1e-3;
-/// Damping that is always there: keeps the equations of a sphere or a plane solvable.
+/// Smallest damping: keeps the equations of a sphere or a plane solvable.
 const LEAST_DAMPING: f64 = 1e-12;
-/// Damping beyond which no step helps any more.
+/// Damping beyond which no step can succeed.
 const MOST_DAMPING: f64 = 1e3;
-/// Relative decrease of the mean squared distance below which it is at rest.
+/// Converged if the mean squared distance decreases by less than this share.
 const REST: f64 = 1e-10;
 
-/// A surface for closest-point questions.
+/// A surface for closest-point queries.
 #[derive(Debug)]
 pub(super) struct Surface {
     bvh: Bvh,
@@ -38,7 +38,7 @@ impl Surface {
         Self { bvh: Bvh::build(mesh, frame) }
     }
 
-    /// Where a question may start.
+    /// Some slot, to start a query from.
     pub(super) fn any_slot(&self) -> Slot {
         self.bvh.any_slot()
     }
@@ -56,7 +56,7 @@ impl Surface {
     }
 }
 
-/// The best pose found: axes and centroids are those of the surface and of the points.
+/// The best pose found; axes and centroids are those of the surface and of the points.
 pub(super) fn registered(
     surface: &Surface,
     axes: [DMat3; 2],
@@ -73,7 +73,7 @@ pub(super) fn registered(
         .chain(turned)
         .map(|start| Descent::new(surface, &few, start, centroids[1]).run(FEW_STEPS))
         .collect();
-    // Stable, so that equals stay in the order of the starts.
+    // Stable, so that equal errors stay in the order of the starts.
     found.sort_by(|a, b| a.mean_square.total_cmp(&b.mean_square));
     let many = points(POINTS);
     let mut best: Option<Descent<'_>> = None;
@@ -90,13 +90,13 @@ pub(super) fn registered(
 struct Descent<'s> {
     surface: &'s Surface,
     points: &'s [DVec3],
-    /// What turns are about, before the pose.
+    /// The centre of rotation, before the pose.
     centre: DVec3,
     pose: Pose,
     /// Mean squared distance of the points from the surface, in this pose.
     mean_square: f64,
     equations: Equations<6>,
-    /// Where each point found its nearest face last.
+    /// The face nearest to each point in the previous query.
     slots: Vec<Slot>,
     workspace: Workspace,
 }
@@ -117,7 +117,7 @@ impl<'s> Descent<'s> {
         descent
     }
 
-    /// Goes downhill for at most this many trials.
+    /// Descends for at most this many trials.
     fn run(mut self, steps: usize) -> Self {
         let mut damping = DAMPING;
         for _ in 0..steps {
@@ -143,7 +143,7 @@ impl<'s> Descent<'s> {
         self
     }
 
-    /// The mean squared distance in a pose, and the equations for the next one.
+    /// The mean squared distance in a pose, and the equations for the next step.
     fn look(&mut self, pose: &Pose) -> (f64, Equations<6>) {
         let about = pose.apply(self.centre);
         let mut equations = Equations::new();

@@ -1,4 +1,4 @@
-//! Points spread evenly over a surface.
+//! Sample points distributed evenly over a surface.
 
 use glam::DVec3;
 use pompeiu_core::TriMesh;
@@ -12,10 +12,10 @@ pub(super) struct Sample {
     pub(super) normal: DVec3,
 }
 
-/// `count` points, the faces taken in their order and each as often as its share of the area asks, in a frame.
+/// `count` points in a frame; each face, in order, gets a number proportional to its area.
 ///
-/// Inside faces the points follow the sequence of multiples of `1/p, 1/p²`, where p is the real root of `p³ = p + 1`:
-/// neighbours stay apart without any random numbers. Fewer come out only where rounding drops the last.
+/// Inside faces the points follow the sequence of multiples of `1/p, 1/p²`, where p is the real root of `p³ = p + 1`: neighbours
+/// stay apart without random numbers. There are fewer points only if rounding drops the last.
 ///
 /// # Source
 /// `roberts_unreasonable_2018`.

@@ -8,27 +8,27 @@ use pompeiu_hausdorff::{DirectedReport, HausdorffOptions, OptionError, Tolerance
 use rayon::prelude::*;
 use std::borrow::Borrow;
 
-/// The meshes of a matrix, wherever they are.
+/// Provides the meshes of a matrix, in memory or elsewhere.
 pub trait Meshes: Sync {
-    /// A mesh, for as long as it is looked at.
+    /// A mesh while it is in use.
     type Mesh: Borrow<TriMesh> + Sync;
 
-    /// How many there are.
+    /// The number of meshes.
     fn count(&self) -> usize;
 
-    /// The mesh at a place; none if it cannot be used.
+    /// The mesh with an index; `None` if it cannot be used.
     fn mesh(&self, index: usize) -> Option<Self::Mesh>;
 
-    /// Bytes of memory that meshes take while none is looked at.
+    /// Bytes of memory that the meshes take when none is in use.
     fn bytes(&self) -> usize;
 
-    /// A result that is known already.
+    /// A result that is already known.
     fn known(&self, task: Task) -> Option<DirectedReport> {
         let _ = task;
         None
     }
 
-    /// Called with each result that was found as asked, by any thread.
+    /// Called with each complete result, by any thread.
     fn found(&self, task: Task, report: &DirectedReport) {
         let _ = (task, report);
     }
@@ -51,7 +51,7 @@ impl<'m> Meshes for &[&'m TriMesh] {
     }
 }
 
-/// The matrix of meshes in memory; the same bits for any number of threads, unless the clock or the observer ends it.
+/// The matrix of meshes in memory; the same bits for any number of threads, unless time runs out or the observer ends it.
 ///
 /// # Errors
 /// Those of [`MatrixOptions::check`].
@@ -63,7 +63,7 @@ pub fn matrix_of(meshes: &[TriMesh], options: &MatrixOptions<'_>) -> Result<Matr
     measure(&meshes.as_slice(), options)
 }
 
-/// The matrix of meshes wherever they are. A pair with a mesh that cannot be used is not known in it.
+/// The matrix of meshes, in memory or elsewhere. Pairs with a mesh that cannot be used stay unknown.
 ///
 /// # Errors
 /// Those of [`MatrixOptions::check`].
@@ -82,7 +82,7 @@ pub fn measure<M: Meshes>(meshes: &M, options: &MatrixOptions<'_>) -> Result<Mat
     })
 }
 
-/// All distances to one mesh: its tree is built once, and only if something is measured.
+/// All distances to one mesh. Its tree is built once, and only if a distance is computed.
 fn column<M: Meshes>(
     meshes: &M,
     tolerance: Tolerance,
@@ -100,7 +100,7 @@ fn column<M: Meshes>(
             None => left.push(task),
         }
     }
-    // A single mesh is looked at too, so that what is wrong with it is told.
+    // A single mesh is loaded too, so that errors in it are reported.
     if left.is_empty() && meshes.count() > 1 {
         return Ok(());
     }
@@ -115,7 +115,7 @@ fn column<M: Meshes>(
     let mesh: &TriMesh = mesh.borrow();
     let with_limits = || {
         let mut search = HausdorffOptions { tolerance, ..watch.search() };
-        // A search counts the mesh that is measured, whether or not it is one of those that are kept.
+        // A search counts the measured mesh against the memory limit, whether or not it is one of those kept.
         holding(&mut search, meshes.bytes().saturating_add(bytes_of(mesh)));
         search
     };

@@ -1,9 +1,9 @@
 //! Distances between all pairs of some meshes.
 //!
-//! A **task** is one directed distance, a pure function of two meshes ([`directed`]) with a plain result; [`tasks`] names them all,
-//! grouped by the mesh that is measured to, whose tree is then built once. [`Matrix`] gathers the results, in any order.
-//! [`measure`] does all tasks on this machine, until they are done or a limit of [`MatrixOptions`] or its observer ends it; what is
-//! not known then is [open](Matrix::open).
+//! A **task** is one directed distance, a pure function of two meshes ([`directed`]) with a plain result. [`tasks`] lists them all,
+//! grouped by the mesh that is measured to, so that its tree is built once. [`Matrix`] collects the results, in any order.
+//! [`measure`] runs all tasks on this machine until they are done or a limit of [`MatrixOptions`] or its observer ends it; unknown
+//! distances are then [open](Matrix::open).
 //!
 //! # Example
 //! ```
@@ -27,17 +27,17 @@ use pompeiu_core::run::StopReason;
 use pompeiu_hausdorff::{DirectedReport, HausdorffOptions, OptionError, Target};
 use serde::{Deserialize, Serialize};
 
-/// One directed distance: how far the points of a mesh are from another.
+/// One directed distance from a mesh to another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Task {
-    /// The mesh that is measured, by its place.
+    /// The index of the mesh that is measured.
     pub from: usize,
-    /// The mesh that it is measured to, by its place.
+    /// The index of the mesh that it is measured to.
     pub to: usize,
 }
 
-/// The tasks for `count` meshes, all to the same mesh together.
+/// The tasks for `count` meshes, grouped by `to`.
 pub fn tasks(count: usize) -> impl Iterator<Item = Task> {
     (0..count)
         .flat_map(move |to| (0..count).filter(move |from| *from != to).map(move |from| Task { from, to }))
@@ -57,7 +57,7 @@ pub fn directed(
         .directed_to(from, to)
 }
 
-/// What a matrix keeps of the report of a directed distance.
+/// The part of a directed report that a matrix keeps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Entry {
     lower: f64,
@@ -73,12 +73,12 @@ pub struct Matrix {
     count: usize,
     /// Row by row: row i holds the distances from mesh i.
     entries: Vec<Option<Entry>>,
-    /// Why pairs were not measured at all.
+    /// Why pairs were not measured.
     stopped: Option<StopReason>,
 }
 
 impl Matrix {
-    /// Nothing is known but that every mesh is at no distance from itself.
+    /// A matrix in which only the zero diagonal is known.
     pub fn new(count: usize) -> Self {
         let itself = Entry { lower: 0.0, upper: 0.0, stop: StopReason::Tolerance, distances: 0 };
         let entry = |at| (count > 0 && at / count == at % count).then_some(itself);
@@ -90,10 +90,10 @@ impl Matrix {
         self.count
     }
 
-    /// Notes a result.
+    /// Records a result.
     ///
     /// # Panics
-    /// If the task names a mesh that is not there.
+    /// If the task names a mesh that does not exist.
     pub fn set(&mut self, task: Task, report: &DirectedReport) {
         assert!(task.from < self.count && task.to < self.count, "{task:?} in a matrix of {}", self.count);
         let [lower, upper] = [report.distance.lower(), report.distance.upper()];
@@ -101,7 +101,7 @@ impl Matrix {
         self.entries[task.from * self.count + task.to] = Some(entry);
     }
 
-    /// Notes why the pairs that are not known were not measured; the first reason stays.
+    /// Records why the unknown pairs were not measured; the first reason stays.
     pub fn stop(&mut self, reason: StopReason) {
         self.stopped.get_or_insert(reason);
     }
@@ -115,7 +115,7 @@ impl Matrix {
         self.entry(i, j).map(|entry| [entry.lower, entry.upper])
     }
 
-    /// Encloses the symmetric distance of mesh i and mesh j, if it is known: the same both ways.
+    /// Encloses the symmetric distance of mesh i and mesh j, if it is known; symmetric in i and j.
     pub fn symmetric(&self, i: usize, j: usize) -> Option<[f64; 2]> {
         let (one, other) = (self.directed(i, j)?, self.directed(j, i)?);
         Some([0, 1].map(|end| if one[end] > other[end] { one[end] } else { other[end] }))
@@ -127,7 +127,7 @@ impl Matrix {
         self.stopped.or_else(of_pair).unwrap_or(StopReason::Tolerance)
     }
 
-    /// The distances that are not known, or enclosed less narrowly than asked because their search was stopped.
+    /// The distances that are unknown, or whose enclosures are wider than asked because their search was stopped.
     pub fn open(&self) -> impl Iterator<Item = Task> {
         tasks(self.count)
             .filter(|task| self.entry(task.from, task.to).is_none_or(|entry| entry.stop.is_early()))

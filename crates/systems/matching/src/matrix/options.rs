@@ -1,10 +1,10 @@
-//! What is asked for.
+//! Options of a distance matrix.
 
 use crate::tasks::TaskObserver;
 use pompeiu_core::run::Limits;
 use pompeiu_hausdorff::{OptionError, Tolerance};
 
-/// How to measure all pairs; the default asks for the default tolerance of a distance, without limits.
+/// Options of a distance matrix; by default the default tolerance of a distance, without limits.
 #[derive(Clone, Debug, Default)]
 pub struct MatrixOptions<'o> {
     /// Width of each enclosure.
@@ -12,12 +12,12 @@ pub struct MatrixOptions<'o> {
     /// Time, memory and threads. Preparing a mesh is not interrupted. The limits on memory and on pieces apply to each
     /// search; with a memory limit, pairs are measured one after another.
     pub limits: Limits,
-    /// Watches the tasks.
+    /// Receives progress.
     pub observer: Option<&'o dyn TaskObserver>,
 }
 
 impl MatrixOptions<'_> {
-    /// Whether the options make sense.
+    /// Checks that the options are valid.
     ///
     /// # Errors
     /// [`OptionError::Tolerance`].

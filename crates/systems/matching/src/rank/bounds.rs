@@ -1,24 +1,24 @@
-//! Proven bounds on the distance of two meshes from their summaries alone.
+//! Proven bounds on the distance of two meshes, from their summaries alone.
 
 use super::options::Measure;
 use super::summary::{Summary, lines};
 use pompeiu_core::exact::Interval;
 use pompeiu_core::geom::Aabb;
 
-/// A proven lower bound from how far the two meshes reach in fixed directions.
+/// A proven lower bound from the support functions of the two meshes in fixed directions.
 ///
 /// # Definition
-/// For a unit vector u let `s_A(u)` be the greatest `u·a` over A. The point of A where it is taken is at least
-/// `s_A(u) − s_B(u)` away from all of B, so that `h(A, B) ≥ s_A(u) − s_B(u)` and `H(A, B) ≥ |s_A(u) − s_B(u)|`, for any
-/// compact sets. The best of 98 directions is returned, rounded down.
+/// For a unit vector u let `s_A(u)` be the greatest `u·a` over A. The point of A that attains it is at least `s_A(u) − s_B(u)` away
+/// from all of B, so that `h(A, B) ≥ s_A(u) − s_B(u)` and `H(A, B) ≥ |s_A(u) − s_B(u)|`, for any compact sets. The best of 98
+/// directions is returned, rounded down.
 /// # Limits
-/// It sees convex hulls alone: two meshes of one hull get zero.
+/// It depends on convex hulls only: two meshes with the same hull get zero.
 pub fn support_lower_bound(template: &Summary, target: &Summary, measure: Measure) -> f64 {
     let rounding = Interval::point(template.rounding()) + Interval::point(target.rounding());
     let mut best = 0.0;
     for (line, (one, other)) in lines().iter().zip(template.reaches().iter().zip(target.reaches())) {
         let norm = Interval::point(f64::from(line.iter().map(|x| x * x).sum::<i32>())).sqrt();
-        // How far the template reaches beyond the target, in the direction of the line and against it.
+        // The excess of the template over the target, in both directions of the line.
         let beyond =
             [[one[1], other[1]], [other[0], one[0]]].map(|[x, y]| Interval::point(x) - Interval::point(y));
         for reach in beyond {
@@ -35,11 +35,11 @@ pub fn support_lower_bound(template: &Summary, target: &Summary, measure: Measur
     best
 }
 
-/// A proven upper bound from the two boxes.
+/// A proven upper bound from the two bounding boxes.
 ///
 /// # Definition
-/// Every side of the box of B holds a point of B. No point of A is farther from B than from the farthest point of any one
-/// of these sides, and none of these is farther than the farthest corner of the box of A allows.
+/// Every side of the bounding box of B contains a point of B. So the distance of a point of A from B is at most its greatest
+/// distance from any point of one such side, which is bounded over the corners of the bounding box of A.
 pub fn box_upper_bound(template: &Aabb, target: &Aabb, measure: Measure) -> f64 {
     let mut bound = 0.0;
     for (counts, from, to) in [
@@ -69,7 +69,7 @@ fn directed_box_upper_bound(from: &Aabb, to: &Aabb) -> f64 {
     least
 }
 
-/// The length of a vector of nonnegative entries, rounded up; squares neither overflow nor vanish.
+/// The length of a vector of nonnegative entries, rounded up; squares neither overflow nor underflow.
 fn norm_upper(extents: [f64; 3]) -> f64 {
     let longest = extents.into_iter().fold(0.0, |m: f64, x| if x > m { x } else { m });
     if longest <= 0.0 {

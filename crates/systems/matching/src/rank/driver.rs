@@ -1,4 +1,4 @@
-//! Which tasks come next: a state machine that sees results, never clocks or threads.
+//! Scheduling of tasks: a state machine that depends on results, never on clocks or threads.
 
 use super::options::{Measure, RankError, RankOptions};
 use super::report::{Bound, Report, Standing, Status, Work, ranks};
@@ -6,15 +6,14 @@ use super::task::{Action, Outcome, Request, Sight, Task};
 use pompeiu_core::run::StopReason;
 use pompeiu_hausdorff::Tolerance;
 
-/// Least number of targets in the first round of searches: their upper bounds discard many of the others. Each further
-/// round of the same tolerance has twice as many, so that there are few rounds and places for many hands.
+/// Smallest number of targets in the first round of searches: their upper bounds discard many of the others. Each further round of
+/// the same tolerance has twice as many, so that there are few rounds and enough tasks for many workers.
 const FIRST_ROUND: usize = 8;
 
-/// A ranking under way.
+/// A ranking in progress.
 ///
-/// [`Ranking::round`] names the tasks of a round, none when all is known; [`Ranking::merge`] takes their results, in the same
-/// order. What is asked next depends on the results of whole rounds, and on the names and not on the order of the
-/// targets.
+/// [`Ranking::round`] lists the tasks of a round, none when the ranking is complete; [`Ranking::merge`] takes their results in the
+/// same order. The next tasks depend on the results of whole rounds, and on the names but not the order of the targets.
 #[derive(Clone, Debug)]
 pub struct Ranking {
     measure: Measure,
@@ -22,12 +21,12 @@ pub struct Ranking {
     all: bool,
     tolerances: Vec<Tolerance>,
     candidates: Vec<Candidate>,
-    /// Candidates by name: what breaks ties.
+    /// Candidates by name, which breaks ties.
     by_name: Vec<usize>,
     round: Vec<Task>,
-    /// Rounds with the present tolerance so far.
+    /// Rounds with the current tolerance so far.
     rounds_of_tolerance: u32,
-    /// Why it ended before all was known.
+    /// Why the ranking ended before it was complete.
     stopped: Option<StopReason>,
     work: Work,
 }
@@ -50,17 +49,17 @@ struct Seen {
     sight: Sight,
     lower: f64,
     upper: f64,
-    /// What proved the lower bound.
+    /// The method that proved the lower bound.
     bound: Bound,
-    /// Tolerances that were reached.
+    /// Number of tolerances reached.
     reached: usize,
     discarded: bool,
-    /// Why a search of it ended early; it is not searched again.
+    /// Why a search of the target ended early; it is not searched again.
     stopped: Option<StopReason>,
 }
 
 impl Ranking {
-    /// A ranking of targets with these names; equal names are told apart by their order.
+    /// A ranking of targets with these names; equal names are distinguished by their order.
     ///
     /// # Errors
     /// Those of [`RankOptions::check`], and [`RankError::NoTargets`].
@@ -88,12 +87,12 @@ impl Ranking {
         })
     }
 
-    /// The tasks of this round; none when the ranking is done.
+    /// The tasks of this round; none when the ranking is complete.
     pub fn round(&self) -> &[Task] {
         &self.round
     }
 
-    /// Whether a target may still be asked for: its mesh can be forgotten when it is not.
+    /// Whether later rounds may need a target; if not, its mesh can be dropped.
     pub fn wants(&self, target: usize) -> bool {
         !self.round.is_empty()
             && match self.candidates.get(target).map(|candidate| &candidate.state) {
@@ -108,12 +107,12 @@ impl Ranking {
         seen.stopped.is_none() && seen.reached < self.tolerances.len()
     }
 
-    /// How many targets there are.
+    /// The number of targets.
     pub fn targets(&self) -> usize {
         self.candidates.len()
     }
 
-    /// Ends the ranking: no more tasks come, and the report says what is open.
+    /// Ends the ranking: there are no more tasks, and the report lists open targets.
     pub fn stop(&mut self, reason: StopReason) {
         if !self.round.is_empty() {
             self.stopped = Some(reason);
@@ -121,15 +120,15 @@ impl Ranking {
         }
     }
 
-    /// How many targets are settled: measured in full, discarded or failed.
+    /// The number of targets that are settled: measured in full, discarded or failed.
     pub fn settled(&self) -> usize {
         (0..self.candidates.len()).filter(|&target| !self.wants(target)).count()
     }
 
-    /// Takes the results of the round, in the order of its tasks, and decides on the next.
+    /// Takes the results of the round, in the order of its tasks, and selects the next tasks.
     ///
     /// # Errors
-    /// [`RankError::Results`] and [`RankError::Answer`]; the round then stays as it was.
+    /// [`RankError::Results`] and [`RankError::Answer`]; the round then stays unchanged.
     pub fn merge(&mut self, outcomes: Vec<Outcome>) -> Result<(), RankError> {
         if outcomes.len() != self.round.len() {
             return Err(RankError::Results { expected: self.round.len(), found: outcomes.len() });
@@ -137,7 +136,7 @@ impl Ranking {
         self.merge_done(outcomes.into_iter().map(Some).collect(), || StopReason::Cancelled)
     }
 
-    /// Takes the results of the round, none for tasks that were left undone: those end the ranking, for this reason.
+    /// Takes the results of the round; `None` for tasks that were not done, which end the ranking for this reason.
     pub(super) fn merge_done(
         &mut self,
         outcomes: Vec<Option<Outcome>>,
@@ -199,14 +198,15 @@ impl Ranking {
                     seen.upper = upper;
                 }
                 if request.threshold.is_some_and(|threshold| refined.lower() > threshold) {
-                    // It ended early. What is beyond the threshold is discarded, or asked again where that has changed.
+                    // The search ended early. Beyond the threshold the target is discarded, or searched again if the threshold has
+                    // changed.
                     return;
                 }
                 seen.stopped = refined.stop();
                 if seen.stopped.is_none() {
                     seen.reached += 1;
                 }
-                // A search ends rather than converges: often it is narrower than asked.
+                // Searches often end with a narrower enclosure than asked.
                 while self.tolerances.get(seen.reached).is_some_and(|t| seen.is_within(t)) {
                     seen.reached += 1;
                 }
@@ -219,7 +219,7 @@ impl Ranking {
         }
     }
 
-    /// The k-th least upper bound: what is certainly farther is not among the k best.
+    /// The k-th least upper bound: targets that are certainly farther are not among the k best.
     fn threshold(&self) -> Option<f64> {
         if self.all {
             return None;
@@ -229,7 +229,7 @@ impl Ranking {
         uppers.get(self.top - 1).copied()
     }
 
-    /// What is known of each target that could be used, by name.
+    /// The state of each usable target, by name.
     fn seen(&self) -> impl Iterator<Item = (usize, &Seen)> {
         self.by_name.iter().filter_map(|&target| match &self.candidates[target].state {
             State::Seen(seen) => Some((target, seen.as_ref())),
@@ -241,13 +241,13 @@ impl Ranking {
         let threshold = self.threshold().unwrap_or(f64::INFINITY);
         for candidate in &mut self.candidates {
             if let State::Seen(seen) = &mut candidate.state {
-                // Anew each time: where a target failed later than another was discarded, the other may count again.
+                // Recomputed each time: if a target fails after another was discarded, the other may count again.
                 seen.discarded = seen.lower > threshold;
             }
         }
     }
 
-    /// The most promising of those that lag behind.
+    /// The most promising of the targets with the widest tolerance.
     fn next_round(&mut self) -> Vec<Task> {
         let open = |seen: &Seen| !seen.discarded && self.is_wide(seen);
         let mut behind: Vec<(usize, &Seen)> = self.seen().filter(|(_, seen)| open(seen)).collect();
@@ -269,7 +269,7 @@ impl Ranking {
         round
     }
 
-    /// What is known so far; the answer once there are no tasks left.
+    /// The current state; the final report once there are no tasks left.
     pub fn report(&self) -> Report {
         let enclosures: Vec<_> = self
             .candidates
@@ -299,7 +299,7 @@ impl Ranking {
                         State::Seen(seen) if seen.reached < self.tolerances.len() => {
                             Status::Open(seen.stopped.unwrap_or(stop))
                         }
-                        // With the others open, a narrow enclosure alone does not place it among the best.
+                        // If others are open, a narrow enclosure alone does not place the target among the best.
                         State::Seen(_) if stop.is_early() && !self.is_placed(ranks[target]) => {
                             Status::Open(stop)
                         }
@@ -322,7 +322,7 @@ impl Ranking {
             Status::Failed(_) => 3,
         };
         let ends = |standing: &Standing| [standing.lower, standing.upper].map(|x| x.unwrap_or(f64::INFINITY));
-        // Stable, so that equals stay in the order of their names.
+        // Stable, so that ties stay in the order of their names.
         standings.sort_by(|a, b| {
             let by_kind = kind(a).cmp(&kind(b));
             let by_rank = if kind(a) == 0 { a.ranks.cmp(&b.ranks) } else { std::cmp::Ordering::Equal };
@@ -332,14 +332,14 @@ impl Ranking {
         Report { standings, stop, work: self.work.clone() }
     }
 
-    /// Why the ranking ended; cancelled, while it has not.
+    /// Why the ranking ended; `Cancelled` before it has.
     fn stop_reason(&self) -> StopReason {
         let unsettled = (!self.round.is_empty()).then_some(StopReason::Cancelled);
         let of_target = || self.seen().filter(|(_, seen)| !seen.discarded).find_map(|(_, seen)| seen.stopped);
         self.stopped.or(unsettled).or_else(of_target).unwrap_or(StopReason::Tolerance)
     }
 
-    /// Whether these ranks are among those asked for.
+    /// Whether these ranks are among the requested ones.
     fn is_placed(&self, ranks: Option<[usize; 2]>) -> bool {
         self.all || ranks.is_some_and(|[_, last]| last <= self.top)
     }
@@ -349,13 +349,13 @@ impl Seen {
     fn new(sight: Sight) -> Self {
         let probed = sight.probe_lower > sight.support_lower;
         let lower = if probed { sight.probe_lower } else { sight.support_lower };
-        // Both are proven, so they cannot cross; a result that was tampered with shall not make them.
+        // Both bounds are proven, so they cannot cross; this also protects against manipulated results.
         let upper = if sight.upper > lower { sight.upper } else { lower };
         let bound = if probed { Bound::Probes } else { Bound::Supports };
         Self { lower, upper, bound, sight, reached: 0, discarded: false, stopped: None }
     }
 
-    /// Whether the enclosure is as narrow as this.
+    /// Whether the enclosure meets this tolerance.
     fn is_within(&self, tolerance: &Tolerance) -> bool {
         let width = match *tolerance {
             Tolerance::RelativeToDiagonal(t) => t * self.sight.diagonal,

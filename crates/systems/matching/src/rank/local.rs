@@ -11,14 +11,13 @@ use pompeiu_core::run::on_threads;
 use pompeiu_hausdorff::HausdorffOptions;
 use rayon::prelude::*;
 
-/// Runs a ranking to its end, or until a limit or the observer of the options ends it: the report then says which targets are
-/// open.
+/// Runs a ranking to its end, or until a limit or the observer of the options ends it; the report then lists the open targets.
 ///
-/// `done` does a task, and may read a mesh or a journal for it; it is given what its searches may take and hands that on to
-/// [`perform`], less the memory that it holds itself. `after` is called after every round.
+/// `done` runs a task; it may read a mesh or a journal to do so. It receives the limits of its searches and passes them to
+/// [`perform`], after subtracting the memory that it holds itself. `after` is called after every round.
 ///
 /// # Errors
-/// Those of [`RankOptions::check`]; [`RankError::Answer`], when `done` gives results that do not fit.
+/// Those of [`RankOptions::check`]; [`RankError::Answer`] if `done` returns results that do not match.
 pub fn run(
     ranking: &mut Ranking,
     options: &RankOptions<'_>,
@@ -50,10 +49,10 @@ pub fn run(
     })
 }
 
-/// Ranks meshes in memory. They are named by their places.
+/// Ranks meshes in memory, named by their indices.
 ///
 /// # Errors
-/// [`RankError`], when the options or the template cannot be used. A target that cannot be aligned has failed in the report.
+/// [`RankError`] if the options or the template cannot be used. Targets that cannot be aligned are reported as failed.
 pub fn rank_meshes(
     template: &TriMesh,
     targets: &[TriMesh],

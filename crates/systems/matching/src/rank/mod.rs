@@ -1,21 +1,21 @@
-//! Which of these meshes is most like that one? Targets ranked by their Pompeiu–Hausdorff distance from a template.
+//! Ranking meshes by their Pompeiu–Hausdorff distance from a template.
 //!
-//! Only as much is computed as the ranking needs. Every target is looked at once: support functions and a few points of it
-//! give a first enclosure of its distance ([`look`]). Then distances are searched for, coarsely first and in rounds
-//! ([`refine`]), and a target is discarded as soon as its proven lower bound exceeds the k-th least proven upper bound. What is
-//! left are the k best, and whatever ties with them: each with the enclosure that was asked for.
+//! Only what the ranking needs is computed. First every target is read once: its support function and a few of its points give a
+//! first enclosure of its distance ([`look`]). Then distances are searched, coarsely first and in rounds ([`refine`]), and a target
+//! is discarded as soon as its proven lower bound exceeds the k-th least proven upper bound. The k best and their ties remain, each
+//! with the requested enclosure.
 //!
-//! Two halves that know nothing of each other's place: **tasks**, pure functions of a template, a mesh and a small request
-//! ([`perform`]), whose requests and results are plain serialisable values; and [`Ranking`], a state machine that says which
-//! tasks come next, given the results of the round before. Where tasks run, and in which order those of a round end, changes
-//! nothing: the same bits come out on one thread and on a cluster.
+//! The two halves are independent: **tasks** are pure functions of a template, a mesh and a small request ([`perform`]), whose
+//! requests and results are plain serialisable values; [`Ranking`] is a state machine that selects the next tasks from the results
+//! of the previous round. Where tasks run, and in which order those of a round end, has no effect: the same bits come out on one
+//! thread and on a cluster.
 //!
-//! Limits and the observer of [`RankOptions`] end a ranking at any time. What is proven by then is reported: targets that were
-//! not settled are [open](Status::Open), with their bounds and with the ranks that are still possible.
+//! Limits and the observer of [`RankOptions`] can end a ranking at any time. Everything proven by then is reported: unsettled
+//! targets are [open](Status::Open), with their bounds and the ranks that are still possible.
 //!
 //! # Accuracy
-//! Ranks follow from proven enclosures alone. Where these overlap at the finest tolerance the rank stays a range ("2 to 3").
-//! With an [alignment](crate::align) the enclosures hold for the target as moved, its coordinates rounded to doubles.
+//! Ranks follow from proven enclosures alone. If these overlap at the finest tolerance, the rank stays a range ("2 to 3"). With an
+//! [alignment](crate::align) the enclosures hold for the target as moved, with coordinates rounded to doubles.
 //!
 //! # Example
 //! ```

@@ -1,4 +1,4 @@
-//! What is asked for.
+//! Options of a ranking.
 
 use crate::align::{AlignError, Alignment};
 use crate::tasks::TaskObserver;
@@ -6,7 +6,7 @@ use pompeiu_core::run::Limits;
 use pompeiu_hausdorff::{OptionError, Tolerance};
 use serde::{Deserialize, Serialize};
 
-/// Which distance ranks the targets.
+/// The distance by which targets are ranked.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -14,50 +14,50 @@ pub enum Measure {
     /// `H`, the larger of the two directed distances.
     #[default]
     Symmetric,
-    /// How far the template's points are from the target: is the template a part of it?
+    /// The directed distance from template to target: is the template a part of the target?
     TemplateToTarget,
-    /// How far the target's points are from the template: is it a part of the template?
+    /// The directed distance from target to template: is the target a part of the template?
     TargetToTemplate,
 }
 
 impl Measure {
-    /// Whether distances of the target's points from the template count.
+    /// Whether the directed distance from target to template is needed.
     pub(super) fn has_target_to_template(self) -> bool {
         self != Self::TemplateToTarget
     }
 
-    /// Whether distances of the template's points from the target count.
+    /// Whether the directed distance from template to target is needed.
     pub(super) fn has_template_to_target(self) -> bool {
         self != Self::TargetToTemplate
     }
 }
 
-/// How to rank. Serialised without what a run may take, which is no part of the question.
+/// Options of a ranking. Limits and observer are not serialised, because they are not part of the question.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct RankOptions<'o> {
-    /// Which distance.
+    /// The distance.
     pub measure: Measure,
-    /// How targets may be moved onto the template first.
+    /// The maps allowed for aligning targets to the template first.
     pub alignment: Alignment,
-    /// How many of the best are wanted; those that tie with the last come too.
+    /// The number of best targets to report; ties with the last are reported, too.
     pub top: usize,
     /// Whether every target gets its full enclosure and rank, not only the best.
     pub all: bool,
-    /// Width of a full enclosure; the joint box is that of the template and a target.
+    /// Width of a full enclosure. The joint box is that of the template and a target.
     #[serde(flatten)]
     pub tolerance: Tolerance,
     /// Time, memory and threads. Preparing the template and aligning a target are not interrupted. The limits on memory and
     /// on pieces apply to each search; with a memory limit, targets are searched one after another.
     #[serde(skip)]
     pub limits: Limits,
-    /// Watches the ranking.
+    /// Receives progress.
     #[serde(skip)]
     pub observer: Option<&'o dyn TaskObserver>,
 }
 
 impl Default for RankOptions<'_> {
-    /// The ten best by symmetric distance, as they lie, to the default tolerance of a search.
+    /// The ten best by symmetric distance, without alignment, with the default tolerance of a search.
     fn default() -> Self {
         Self {
             measure: Measure::Symmetric,
@@ -71,12 +71,12 @@ impl Default for RankOptions<'_> {
     }
 }
 
-/// Tolerances on the way to the one asked for, fractions of the joint diagonal. The first is to tell most targets apart, the second most of the others; a
-/// search starts anew at each, so that more of them would cost more than they discard.
+/// Intermediate tolerances, relative to the joint diagonal. The first separates most targets, the second most of the rest. A search
+/// starts anew at each, so more of them would cost more than they save.
 const ON_THE_WAY: [f64; 2] = [1e-2, 1e-4];
 
 impl RankOptions<'_> {
-    /// Whether the numbers make sense.
+    /// Checks that the options are valid.
     ///
     /// # Errors
     /// [`RankError::NoPlaces`], [`RankError::Option`].
@@ -88,8 +88,8 @@ impl RankOptions<'_> {
         Ok(())
     }
 
-    /// The tolerances of searches, the last the one asked for. Fractions of the diagonal descend; which others are wider
-    /// differs from target to target.
+    /// The tolerances of searches; the last is the requested one. Relative tolerances decrease; whether an absolute one is wider
+    /// depends on the target.
     pub(super) fn tolerances(&self) -> Vec<Tolerance> {
         let coarser = |t: &f64| match self.tolerance {
             Tolerance::RelativeToDiagonal(asked) => *t > asked,
@@ -100,23 +100,23 @@ impl RankOptions<'_> {
     }
 }
 
-/// What cannot be ranked.
+/// Errors of a ranking.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum RankError {
-    /// At least one place must be asked for.
+    /// No ranks were requested.
     #[error("the number of places asked for is 0; at least 1 is needed")]
     NoPlaces,
-    /// An option of the searches cannot be used.
+    /// An option of the searches is invalid.
     #[error(transparent)]
     Option(#[from] OptionError),
-    /// There is nothing to rank.
+    /// There are no targets.
     #[error("there are no targets; at least 1 is needed")]
     NoTargets,
-    /// The template cannot be aligned to.
+    /// No mesh can be aligned to the template.
     #[error("the template cannot be aligned to: {0}")]
     Template(AlignError),
-    /// The results handed back are not those of the round.
+    /// The number of results differs from that of tasks.
     #[error("the round has {expected} tasks, but {found} results were handed back")]
     Results {
         /// Tasks of the round.
@@ -124,7 +124,7 @@ pub enum RankError {
         /// Results.
         found: usize,
     },
-    /// A result does not answer its task.
+    /// A result does not match its task.
     #[error("the result for target {target} does not answer what was asked of it")]
     Answer {
         /// The target, counted from 0.

@@ -1,4 +1,4 @@
-//! The answer.
+//! The report of a ranking.
 
 use super::row::Row;
 use crate::align::Matrix;
@@ -6,85 +6,84 @@ use pompeiu_core::run::StopReason;
 use pompeiu_hausdorff::Tolerance;
 use serde::{Serialize, Serializer};
 
-/// The targets in their order, and what it took.
+/// The targets in their order, and the work done.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Report {
-    /// The ranked ones first, best first; then those left open, and those discarded, by their lower bounds; then those that
-    /// failed.
+    /// Ranked targets first, best first; then open and discarded ones, each by their lower bounds; then those that failed.
     pub standings: Vec<Standing>,
     /// Why the ranking ended: [`StopReason::Tolerance`] unless targets are left open.
     pub stop: StopReason,
-    /// What it took.
+    /// The work done.
     pub work: Work,
 }
 
 impl Report {
-    /// The ranked ones, best first.
+    /// The ranked targets, best first.
     pub fn ranked(&self) -> impl Iterator<Item = &Standing> {
         self.standings.iter().filter(|standing| standing.status == Status::Ranked)
     }
 
-    /// Those that a limit or an observer left unsettled, the most promising first.
+    /// The targets that a limit or an observer left unsettled, most promising first.
     pub fn open(&self) -> impl Iterator<Item = &Standing> {
         self.standings.iter().filter(|standing| matches!(standing.status, Status::Open(_)))
     }
 }
 
-/// Where a target stands. Serialised as a [`Row`].
+/// The result for a target. Serialised as a [`Row`].
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(into = "Row")]
 pub struct Standing {
-    /// The target, in the order they were given in.
+    /// The index of the target in the input.
     pub target: usize,
     /// Its name.
     pub name: String,
     /// How it was settled.
     pub status: Status,
-    /// The first and the last rank that the enclosures of all targets leave possible, counted from 1; the same where the
-    /// rank is decided, none where the target failed. One that was not looked at yet may have any.
+    /// The first and the last possible rank given the enclosures of all targets, counted from 1. They are equal if the rank is
+    /// decided; `None` if the target failed. An unread target may have any rank.
     pub ranks: Option<[usize; 2]>,
     /// Proven lower bound on its distance.
     pub lower: Option<f64>,
     /// Proven upper bound on its distance.
     pub upper: Option<f64>,
-    /// Vertices and faces, where it could be looked at.
+    /// Numbers of vertices and faces, if it was read.
     pub size: Option<[usize; 2]>,
-    /// The map that brought it onto the template.
+    /// The map that aligned it to the template.
     pub transform: Option<Matrix>,
 }
 
 /// How a target was settled.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Status {
-    /// It is among the best, or ties with the last of them.
+    /// It is among the best, or tied with the last of them.
     Ranked,
-    /// The ranking ended, for this reason, before it was known whether it is among the best.
+    /// The ranking ended, for this reason, before it was decided whether the target is among the best.
     Open(StopReason),
-    /// It is proven not to be, by this bound.
+    /// It is proven not to be among the best, by this bound.
     Discarded(Bound),
-    /// It cannot be used, and why.
+    /// It cannot be used, for this reason.
     Failed(String),
 }
 
-/// What proved a lower bound.
+/// The method that proved a lower bound.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Bound {
-    /// How far it reaches in fixed directions.
+    /// Support functions in fixed directions.
     Supports,
-    /// A few of its points.
+    /// The distances of a few of its points.
     Probes,
     /// A search with this tolerance.
     Search(Tolerance),
 }
 
-/// How much was done, in counts that do not depend on the machine or on the number of threads.
+/// Amounts of work, in counts that do not depend on the machine or the number of threads.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Work {
-    /// Targets looked at.
+    /// Targets read.
     pub looks: usize,
-    /// Searches, by their tolerance: the last is the one asked for, the others are fractions of the joint diagonal.
+    /// Searches by tolerance: the last is the requested one, the others are relative to the joint diagonal.
     #[serde(serialize_with = "by_value")]
     #[cfg_attr(feature = "schema", schemars(with = "Vec<(f64, usize)>"))]
     pub searches: Vec<(Tolerance, usize)>,
@@ -101,7 +100,7 @@ fn by_value<S: Serializer>(searches: &[(Tolerance, usize)], serializer: S) -> Re
     serializer.collect_seq(searches.iter().map(|(tolerance, count)| (tolerance.value(), count)))
 }
 
-/// What every target is known to be, in the end.
+/// The possible ranks of each target.
 pub(super) fn ranks(enclosures: &[Option<[f64; 2]>]) -> Vec<Option<[usize; 2]>> {
     let sorted = |end: usize| {
         let mut ends: Vec<f64> = enclosures.iter().flatten().map(|enclosure| enclosure[end]).collect();
@@ -110,7 +109,7 @@ pub(super) fn ranks(enclosures: &[Option<[f64; 2]>]) -> Vec<Option<[usize; 2]>> 
     };
     let (lowers, uppers) = (sorted(0), sorted(1));
     let range = |[lower, upper]: [f64; 2]| {
-        // Those that are certainly nearer, and those that may be: itself is among the latter.
+        // Targets that are certainly nearer, and targets that may be, including itself.
         [uppers.partition_point(|u| *u < lower) + 1, lowers.partition_point(|l| *l <= upper)]
     };
     enclosures.iter().map(|enclosure| enclosure.map(range)).collect()

@@ -1,21 +1,21 @@
-//! Where a target stands, as one row of a table.
+//! The result for a target as one row of a table.
 
 use super::report::{Bound, Standing, Status};
 use crate::align::Matrix;
 use pompeiu_core::run::StopReason;
 use serde::Serialize;
 
-/// Where a target stands, as data for other programs.
+/// The result for a target.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Row {
-    /// Its name: the path where it is a file.
+    /// Its name: the path if it is a file.
     pub path: String,
     /// How it was settled.
     pub status: Kind,
-    /// The first rank that the enclosures of all targets leave possible, counted from 1.
+    /// The first possible rank given the enclosures of all targets, counted from 1.
     pub rank_first: Option<usize>,
-    /// The last rank that the enclosures of all targets leave possible, counted from 1.
+    /// The last possible rank given the enclosures of all targets, counted from 1.
     pub rank_last: Option<usize>,
     /// Proven lower bound on its distance.
     pub lower: Option<f64>,
@@ -25,24 +25,24 @@ pub struct Row {
     pub vertices: Option<usize>,
     /// Number of faces.
     pub faces: Option<usize>,
-    /// What proved that it is not among the best.
+    /// The method that proved that it is not among the best.
     pub discarded_by: Option<BoundKind>,
-    /// Why the ranking ended before it was known whether it is among the best.
+    /// Why the ranking ended before it was decided whether the target is among the best.
     pub stop: Option<StopReason>,
     /// Why it cannot be used.
     pub message: Option<String>,
-    /// The map that brought it onto the template: four rows of four numbers, which act on columns `(x, y, z, 1)`.
+    /// The map that aligned it to the template: four rows of four numbers, which act on columns `(x, y, z, 1)`.
     pub transform: Option<Matrix>,
 }
 
-/// How a target was settled, in a word.
+/// How a target was settled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]
 pub enum Kind {
-    /// It is among the best, or ties with the last of them.
+    /// It is among the best, or tied with the last of them.
     Ranked,
-    /// The ranking ended before that was known.
+    /// The ranking ended before that was decided.
     Open,
     /// It is proven not to be.
     Discarded,
@@ -50,21 +50,21 @@ pub enum Kind {
     Failed,
 }
 
-/// What proved a lower bound, in a word.
+/// The method that proved a lower bound.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]
 pub enum BoundKind {
-    /// How far it reaches in fixed directions.
+    /// Support functions in fixed directions.
     Supports,
-    /// A few of its points.
+    /// The distances of a few of its points.
     Probes,
     /// A search.
     Search,
 }
 
 impl Kind {
-    /// The word.
+    /// The name in JSON.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Ranked => "ranked",
@@ -76,7 +76,7 @@ impl Kind {
 }
 
 impl BoundKind {
-    /// The word.
+    /// The name in JSON.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Supports => "supports",
@@ -87,7 +87,7 @@ impl BoundKind {
 }
 
 impl Row {
-    /// The row of an input that led to no target, and why.
+    /// The row of an input that could not be used, with the reason.
     pub fn failed(path: String, message: String) -> Self {
         Self {
             path,
@@ -132,7 +132,7 @@ impl From<Standing> for Row {
 }
 
 impl Bound {
-    /// What it comes from, in a word.
+    /// The kind of the bound.
     pub const fn kind(self) -> BoundKind {
         match self {
             Self::Supports => BoundKind::Supports,

@@ -1,15 +1,15 @@
-//! What is remembered of a mesh that is no longer in memory: its box, and how far it reaches in some directions.
+//! The summary of a mesh that stays when the mesh is dropped: its bounding box and support function in some directions.
 
 use pompeiu_core::TriMesh;
 use pompeiu_core::geom::Aabb;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-/// Lines through the origin along which the reach of a mesh is remembered: 13 along small integer vectors of entries up to
-/// 1, and 36 more of entries up to 2, one of each pair of opposite directions.
+/// Number of lines through the origin along which the support function is stored: 13 along integer vectors with entries up to 1,
+/// and 36 with entries up to 2, one for each pair of opposite directions.
 pub(super) const LINES: usize = 49;
 
-/// Primitive integer vectors with entries of at most 2 in magnitude, whose first entry that is not zero is positive.
+/// Primitive integer vectors with entries of at most 2 in magnitude, whose first nonzero entry is positive.
 pub(super) fn lines() -> [[i32; 3]; LINES] {
     let mut lines = [[0; 3]; LINES];
     let mut count = 0;
@@ -32,11 +32,10 @@ pub(super) fn lines() -> [[i32; 3]; LINES] {
     lines
 }
 
-/// The box of a mesh, and its support function along fixed lines.
+/// The bounding box of a mesh, and its support function along fixed lines.
 ///
 /// # Definition
-/// For each line with integer vector d, the least and the greatest `d·x` over the points x of the mesh, each between two
-/// doubles.
+/// For each line with integer vector d, the least and the greatest `d·x` over the points x of the mesh, rounded.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Summary {
     /// Number of vertices, unreferenced ones included.
@@ -52,10 +51,10 @@ pub struct Summary {
 }
 
 impl Summary {
-    /// Looks at every corner of every face once per line.
+    /// Computes the summary of a mesh: one pass over the corners of all faces for each line.
     ///
     /// # Cost
-    /// O(n + m) on the threads of the current pool; the same bits for any number of them, since comparing does not round.
+    /// O(n + m) on the threads of the current pool; the same bits for any number of them, because comparisons do not round.
     pub fn new(mesh: &TriMesh) -> Self {
         const CHUNK: usize = 1 << 12;
         let mut used = vec![false; mesh.positions().len()];
@@ -94,15 +93,15 @@ impl Summary {
         Aabb { lower: self.lower, upper: self.upper }
     }
 
-    /// For each line its least and its greatest product, each off by at most [`Summary::rounding`].
+    /// For each line the least and the greatest product, with an error of at most [`Summary::rounding`].
     pub(super) fn reaches(&self) -> &[[f64; 2]] {
         &self.reaches
     }
 
-    /// How far the products may be off.
+    /// Bound on the error of the products.
     ///
-    /// Those with 0, 1 and 2 are exact, and each of the two sums is off by at most `u = 2^-53` times a sum of at most
-    /// `5 M`, where M is the largest coordinate: together below `10 u M`, and `16 u M` leaves room.
+    /// Products with 0, 1 and 2 are exact, and each of the two sums errs by at most `u = 2^-53` times a sum of at most `5 M`, where
+    /// M is the largest coordinate: together less than `10 u M`; `16 u M` leaves a margin.
     pub(super) fn rounding(&self) -> f64 {
         8.0 * f64::EPSILON * self.aabb().max_coordinate()
     }

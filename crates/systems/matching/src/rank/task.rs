@@ -12,16 +12,16 @@ use pompeiu_hausdorff::{DirectedReport, HausdorffOptions, OptionError, StopReaso
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 
-/// Something to be done with one target.
+/// A task for one target.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Task {
-    /// The target, in the order they were given in.
+    /// The index of the target in the input.
     pub target: usize,
-    /// What to do.
+    /// The action.
     pub action: Action,
 }
 
-/// What a task does.
+/// The action of a task.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Action {
@@ -31,38 +31,38 @@ pub enum Action {
     Refine(Request),
 }
 
-/// How narrow an enclosure is wanted.
+/// A request for an enclosure.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Request {
     /// Its width.
     #[serde(flatten)]
     pub tolerance: Tolerance,
-    /// A distance beyond which it does not matter any more.
+    /// A distance beyond which the target no longer matters.
     pub threshold: Option<f64>,
-    /// The map of the target, as found when it was looked at.
+    /// The map of the target, from its first look.
     pub transform: Option<Matrix>,
 }
 
-/// What came of a task.
+/// The result of a task.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Outcome {
-    /// Of [`Action::Look`].
+    /// The result of [`Action::Look`].
     Seen(Sight),
-    /// Of [`Action::Refine`].
+    /// The result of [`Action::Refine`].
     Refined(Box<Refined>),
-    /// The target cannot be used, and why.
+    /// The target cannot be used, for this reason.
     Failed(String),
 }
 
-/// What a first look tells about a target.
+/// The result of a first look at a target.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Sight {
     /// Vertices of the target.
     pub vertices: usize,
     /// Faces of the target.
     pub faces: usize,
-    /// The map that brings it onto the template, if one was wanted.
+    /// The map that aligns it to the template, if requested.
     pub transform: Option<Matrix>,
     /// The diagonal of the joint box of the template and the target as moved.
     pub diagonal: f64,
@@ -76,12 +76,12 @@ pub struct Sight {
     pub distances: u64,
 }
 
-/// What searches tell about a target: the reports of those directed distances that were needed.
+/// The results of searches for a target: the reports of the directed distances that were needed.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Refined {
-    /// How far the target is from the template.
+    /// The distance from target to template.
     pub target_to_template: Option<DirectedReport>,
-    /// How far the template is from the target; not searched where the other exceeds the threshold.
+    /// The distance from template to target; not searched if the other one exceeds the threshold.
     pub template_to_target: Option<DirectedReport>,
 }
 
@@ -95,7 +95,7 @@ impl Refined {
         self.reports().map(|report| report.distance.lower()).fold(0.0, larger)
     }
 
-    /// Proven upper bound; none where a distance that counts was not searched.
+    /// Proven upper bound; `None` if a required distance was not searched.
     pub fn upper(&self, measure: Measure) -> Option<f64> {
         let missing = (measure.has_target_to_template() && self.target_to_template.is_none())
             || (measure.has_template_to_target() && self.template_to_target.is_none());
@@ -123,8 +123,7 @@ fn larger(x: f64, y: f64) -> f64 {
 }
 
 impl Outcome {
-    /// Whether the task was done as asked, not only in part because of a limit or an observer: such a result is the same
-    /// whenever and wherever it is found.
+    /// Whether the task was completed, and not ended early by a limit or an observer: such a result is always the same.
     pub fn is_complete(&self) -> bool {
         match self {
             Self::Seen(_) => true,
@@ -134,10 +133,10 @@ impl Outcome {
     }
 }
 
-/// Does a task with the mesh of its target.
+/// Runs a task with the mesh of its target.
 ///
-/// Of `search`, the limits and the observer hold for each search; tolerance and threshold are those of the task. Its memory limit
-/// is for the template, the mesh and the search together. [`HausdorffOptions::default`] limits nothing.
+/// The limits and the observer of `search` apply to each search; tolerance and threshold come from the task. The memory limit
+/// covers the template, the mesh and the search together. [`HausdorffOptions::default`] sets no limits.
 pub fn perform(
     template: &Template,
     mesh: &TriMesh,
@@ -156,19 +155,19 @@ pub fn perform(
     }
 }
 
-/// Points of a target that are measured at first sight.
+/// Number of points of a target that are measured in its first look.
 const PROBES: usize = 64;
 
-/// Width of the enclosure of their distance, as a fraction of the joint diagonal.
+/// Width of the enclosure of their distance, relative to the joint diagonal.
 const PROBE_TOLERANCE: f64 = 1e-3;
 
-/// Aligns a target, and encloses its distance without a tree of it.
+/// Aligns a target, and encloses its distance without building its tree.
 ///
 /// # Errors
-/// [`AlignError`], when it cannot be aligned.
+/// [`AlignError`] if it cannot be aligned.
 ///
 /// # Cost
-/// O(n + m), a few closest-point questions, and the alignment.
+/// O(n + m), a few closest-point queries, and the alignment.
 pub fn look(template: &Template, mesh: &TriMesh) -> Result<Sight, AlignError> {
     let measure = template.measure;
     let map = match &template.fixed {
@@ -197,8 +196,8 @@ fn moved<'m>(mesh: &'m TriMesh, by: Option<&Matrix>) -> Result<Cow<'m, TriMesh>,
     by.map_or(Ok(Cow::Borrowed(mesh)), |by| transform(mesh, &affine(by)).map(Cow::Owned))
 }
 
-/// How far some corners of a mesh are from a target: corners of faces at equal steps, as a mesh of points. What holds for a
-/// part of a mesh is a lower bound for all of it.
+/// The directed distance of some corners of a mesh from a target: corners of faces at equal steps, as a mesh of points. A lower
+/// bound for a part of a mesh is a lower bound for the whole.
 fn probe(mesh: &TriMesh, target: &Target) -> DirectedReport {
     let faces = mesh.faces().len();
     let count = PROBES.min(faces);
@@ -210,26 +209,26 @@ fn probe(mesh: &TriMesh, target: &Target) -> DirectedReport {
     options.directed_to(&points, target).expect("the tolerance is positive and finite")
 }
 
-/// Why a target cannot be searched: a request or a map that is none of [`Ranking`](super::Ranking) or of a [`look`].
+/// Why a target cannot be searched: the request or map does not come from a [`Ranking`](super::Ranking) or a [`look`].
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum RefineError {
     /// The moved mesh leaves the supported range.
     #[error(transparent)]
     Mesh(#[from] MeshError),
-    /// The tolerance or the threshold makes no sense.
+    /// The tolerance or the threshold is invalid.
     #[error(transparent)]
     Option(#[from] OptionError),
 }
 
-/// Encloses the distance of a target as moved, or shows that it exceeds the threshold. See [`perform`] for `search`.
+/// Encloses the distance of a target as moved, or shows that it exceeds the threshold. [`perform`] describes `search`.
 ///
 /// # Errors
 /// [`RefineError`].
 ///
 /// # Cost
-/// One search for each direction that counts, and the tree of the target where distances from it do; a search that ends
-/// below the threshold starts again without one.
+/// One search for each required direction, and the tree of the target if the direction to it is required. A search that ends below
+/// the threshold is repeated without one.
 pub fn refine(
     template: &Template,
     mesh: &TriMesh,
@@ -240,10 +239,11 @@ pub fn refine(
     let mut search =
         HausdorffOptions { tolerance: request.tolerance, threshold: request.threshold, ..search.clone() };
     search.check()?;
-    // A search counts the meshes that it is given; beside them there are the template, or its tree, and the mesh as it was.
+    // A search counts its own meshes against the memory limit; in addition there are the template or its tree, and the original
+    // mesh.
     let original = if matches!(moved, Cow::Owned(_)) { bytes_of(mesh) } else { 0 };
     let mut found = Refined { target_to_template: None, template_to_target: None };
-    // The tree of the template is there: the direction that needs no other comes first, and may be enough.
+    // The tree of the template exists already, so this direction comes first, and may be sufficient.
     let held = original + template.bytes();
     if let Some(target) = &template.target {
         let mut search = search.clone();
@@ -261,8 +261,7 @@ pub fn refine(
     Ok(found)
 }
 
-/// A directed search. A threshold ends it on either side; where the distance turns out to be below, the enclosure is
-/// still to be narrowed.
+/// A directed search. A threshold ends it on either side; if the distance is below, the enclosure still has to be narrowed.
 fn narrowed(
     options: &HausdorffOptions<'_>,
     search: impl Fn(&HausdorffOptions<'_>) -> Result<DirectedReport, OptionError>,

@@ -1,4 +1,4 @@
-//! The mesh that the others are compared with.
+//! The template of a ranking.
 
 use super::options::{Measure, RankError, RankOptions};
 use super::summary::Summary;
@@ -7,19 +7,19 @@ use crate::tasks::bytes_of;
 use pompeiu_core::TriMesh;
 use pompeiu_hausdorff::Target;
 
-/// The template and the options, prepared once for all tasks of a place where they run.
+/// The template and the options, prepared once for all tasks of a process.
 ///
 /// # Cost
-/// O(m log m): two trees at most, one for distances and one, when the first rigid alignment asks for it, for that.
+/// O(m log m): at most two trees, one for distances and one for rigid alignment, which the first such alignment builds.
 #[derive(Debug)]
 pub struct Template {
     pub(super) mesh: TriMesh,
     pub(super) measure: Measure,
     pub(super) alignment: Alignment,
     pub(super) summary: Summary,
-    /// Where distances of targets' points from the template count.
+    /// Present if the direction from targets to the template is required.
     pub(super) target: Option<Target>,
-    /// Where targets are moved.
+    /// Present if targets are aligned.
     pub(super) fixed: Option<Fixed>,
 }
 
@@ -27,7 +27,7 @@ impl Template {
     /// Prepares a mesh.
     ///
     /// # Errors
-    /// Those of [`RankOptions::check`], and [`RankError::Template`] when nothing can be aligned to it.
+    /// Those of [`RankOptions::check`], and [`RankError::Template`] if no mesh can be aligned to it.
     pub fn new(mesh: TriMesh, options: &RankOptions<'_>) -> Result<Self, RankError> {
         options.check()?;
         let moves = options.alignment != Alignment::None;
@@ -37,7 +37,7 @@ impl Template {
         Ok(Self { summary: Summary::new(&mesh), mesh, measure, alignment, target, fixed })
     }
 
-    /// Bytes of memory that it takes beside its trees.
+    /// Bytes of memory without its trees.
     pub(super) fn bytes(&self) -> usize {
         bytes_of(&self.mesh)
     }

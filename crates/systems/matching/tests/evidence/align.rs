@@ -1,4 +1,4 @@
-//! Alignment: known motions are found again, and what cannot be aligned is said.
+//! Alignment: known motions are recovered, and meshes that cannot be aligned are reported.
 
 use pompeiu_core::TriMesh;
 use pompeiu_core::mesh::shapes::{cube, icosphere, torus};
@@ -118,7 +118,7 @@ fn what_has_no_area_is_refused_and_thin_or_flat_meshes_are_not() {
     }
 }
 
-/// The principal axes of a part are not those of the whole: only closest points can find its place.
+/// The principal axes of a part differ from those of the whole: only closest points find its pose.
 #[test]
 fn a_part_is_moved_to_its_place_in_the_whole() {
     let mesh = asymmetric();
@@ -136,7 +136,7 @@ fn a_part_is_moved_to_its_place_in_the_whole() {
     }
 }
 
-/// A part of a row of lookalikes, neither the middle nor an end of it: only from where it is does it find its place.
+/// A part of a row of identical shapes, neither the middle nor an end of it: it is found only from nearby.
 #[test]
 fn a_part_that_lies_near_its_place_is_moved_to_it() {
     /// Away from the origin, where every unit and origin of a frame counts.

@@ -1,4 +1,4 @@
-//! Alignment and ranking against known motions and against all distances computed in full.
+//! Alignment and ranking against known motions and exhaustive computation.
 
 #![allow(clippy::unwrap_used, reason = "a helper of a test fails by panicking, as the test does")]
 

@@ -1,4 +1,4 @@
-//! Ranking, held against all distances computed in full.
+//! Ranking against exhaustive computation of all distances.
 
 use pompeiu_core::TriMesh;
 use pompeiu_core::mesh::shapes::icosphere;
@@ -104,7 +104,7 @@ proptest! {
 
     #[test]
     fn the_order_of_the_targets_does_not_matter(template in any_mesh(), targets in targets(), top in 1..4_usize) {
-        // Names go with the meshes, as those of files do.
+        // Names belong to meshes, as those of files do.
         let options = RankOptions { top, ..RankOptions::default() };
         let prepared = Template::new(template, &options).unwrap();
         let rank = |order: &[usize]| {
@@ -150,7 +150,7 @@ proptest! {
     }
 }
 
-/// A sphere and rough ones like it, most of them very rough.
+/// A sphere and rough copies, most of them very rough.
 fn rough(count: usize) -> (TriMesh, Vec<TriMesh>) {
     let sphere = icosphere(1.0, 3).unwrap();
     let target = |i: usize| displace_at_random(&sphere, 0.002 * (i + 1) as f64, i as u64).unwrap();
@@ -248,7 +248,7 @@ fn failures_stay_with_their_target_and_bring_others_back() {
     let prepared = Template::new(template.clone(), &options).unwrap();
     let mut ranking = Ranking::new((0..6).map(|i| i.to_string()).collect(), &options).unwrap();
     let mut rounds = 0;
-    // The best target can be looked at, but not read again.
+    // The best target can be read once, but not again.
     while !ranking.round().is_empty() {
         let done = |task: &pompeiu_matching::rank::Task| match (&task.action, task.target) {
             (Action::Refine(request), 0) if request.tolerance.value() < 1e-3 => {

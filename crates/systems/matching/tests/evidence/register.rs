@@ -1,4 +1,4 @@
-//! Registration from any start: known motions are found again from parts, and what is not unique is said.
+//! Registration from any start: known motions are recovered from parts, and ambiguity is reported.
 
 use crate::align::{assert_near, asymmetric, inverse, motion};
 use pompeiu_core::TriMesh;
@@ -65,7 +65,7 @@ fn the_deviation_of_a_scale_is_that_of_its_scatter() {
         .collect();
     let told = found[0].scale_deviation.unwrap();
     let scatter = (found.iter().map(|found| (found.scale - 1.0).powi(2)).sum::<f64>() / 6.0).sqrt();
-    // Samples of one face share its error, so that they scatter more than if each had its own.
+    // Samples of one face share its error, so they scatter more than independent ones.
     assert!(told < 3.0 * scatter && scatter < 10.0 * told && told < 1e-3, "{told} {scatter}");
     assert_eq!(registered(&shape, &shape).scale_deviation, None);
 }
@@ -115,7 +115,7 @@ fn what_is_not_unique_is_said() {
     for other in &found.alternatives {
         let quarter = other.apart_degrees;
         assert!([90.0, 120.0, 180.0].iter().any(|angle| (angle - quarter).abs() < 0.01), "{quarter}");
-        // The axis goes through the middle of the cube.
+        // The axis passes through the centre of the cube.
         let off: [f64; 3] = std::array::from_fn(|k| other.point[k] - middle[k]);
         let along: f64 = (0..3).map(|k| off[k] * other.axis[k]).sum();
         let across: f64 = (0..3).map(|k| (off[k] - along * other.axis[k]).powi(2)).sum();

@@ -1,4 +1,4 @@
-//! Rankings and matrices that are ended early: what is reported holds, and what was not done is named.
+//! Rankings and matrices that end early: what is reported is true, and unfinished tasks are listed.
 
 use pompeiu_core::TriMesh;
 use pompeiu_core::mesh::displace_at_random;
@@ -13,7 +13,7 @@ use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
 
-/// A sphere and rough ones like it, the first the least rough.
+/// A sphere and rough copies, the first the least rough.
 fn rough(count: usize) -> (TriMesh, Vec<TriMesh>) {
     let sphere = icosphere(1.0, 3).unwrap();
     let target = |i: usize| displace_at_random(&sphere, 0.01 * (i + 1) as f64, i as u64).unwrap();
@@ -21,7 +21,7 @@ fn rough(count: usize) -> (TriMesh, Vec<TriMesh>) {
     (sphere, targets)
 }
 
-/// Every bound and every range of ranks holds what is true.
+/// Every bound and every range of ranks contains the true value.
 fn check(report: &Report, template: &TriMesh, targets: &[TriMesh]) {
     let all: Vec<_> = targets.iter().map(|target| symmetric_hausdorff(template, target).distance).collect();
     assert_eq!(report.standings.len(), targets.len());
@@ -35,7 +35,7 @@ fn check(report: &Report, template: &TriMesh, targets: &[TriMesh]) {
     }
 }
 
-/// Ends a computation when it has been told so many times how far that has come.
+/// Ends a computation after this many progress reports.
 struct Patience(AtomicUsize);
 
 impl TaskObserver for Patience {
@@ -62,7 +62,7 @@ fn a_ranking_can_be_cancelled_at_any_time() {
         }
         assert_eq!(report.stop, StopReason::Cancelled);
         let reasons = report.open().all(|standing| standing.status == Status::Open(StopReason::Cancelled));
-        // Whatever is called ranked is among the best of the full ranking.
+        // Targets reported as ranked are among the best of the full ranking.
         let best: Vec<usize> = full.ranked().map(|standing| standing.target).collect();
         assert!(reasons && report.ranked().all(|standing| best.contains(&standing.target)));
         sizes.push(report.open().count());

@@ -1,22 +1,24 @@
-//! Motions that an alignment leaves free.
+//! Motions that leave an alignment unchanged.
 
 use super::super::eigen::eigenpairs;
 use super::super::equations::Equations;
 use glam::DVec3;
 
-/// A motion is free if it moves points along their normals by less than the square root of this, of what the stiffest does.
+/// A motion is free if its eigenvalue is below this share of the largest one: it moves points along their normals by less than the
+/// square root of this share.
 const FREE: f64 = 1e-3;
 
-/// A turn and a shift that leave the fit as it is: the turn about an axis of a cylinder, the shifts within a plane.
+/// A rotation and translation that leave the fit unchanged: the rotation about the axis of a cylinder, the translations within a
+/// plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Freedom {
-    /// The turn, times the radius of the points.
+    /// The rotation vector, times the radius of the points.
     pub(super) turn: DVec3,
     pub(super) shift: DVec3,
 }
 
-/// The free motions of points with normals; arms are counted from `about`, in units of `radius`. Together the two parts of each have
-/// length 1; shifts without a turn come last.
+/// The free motions of points with normals. Lever arms are relative to `about`, in units of `radius`. The two parts of each motion
+/// together have length 1; pure translations come last.
 ///
 /// # Source
 /// Eigenvectors of the normal equations, `gelfand_geometrically_2003`.
@@ -34,12 +36,12 @@ pub(super) fn free_motions(
     let pairs = eigenpairs::<6>(std::array::from_fn(|i| std::array::from_fn(|j| lower[i.max(j)][i.min(j)])));
     let free: Vec<[f64; 6]> =
         pairs.iter().filter(|pair| pair.0 <= FREE * pairs[0].0).map(|pair| pair.1).collect();
-    // Any basis will do: that in which as many as possible are shifts alone is the one a person understands.
+    // Any basis is valid; one with as many pure translations as possible is the easiest to understand.
     let turns: Vec<DVec3> = free.iter().map(|v| DVec3::from_slice(&v[..3])).collect();
     let gram: [[f64; 6]; 6] = std::array::from_fn(|i| {
         std::array::from_fn(|j| match (turns.get(i), turns.get(j)) {
             (Some(a), Some(b)) => a.dot(*b),
-            // What is not there comes last.
+            // Zero components come last.
             _ => -f64::from(u8::from(i == j)),
         })
     });

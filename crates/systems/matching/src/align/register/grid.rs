@@ -1,9 +1,9 @@
-//! Points within a radius.
+//! Points within a radius of a point.
 
 use glam::DVec3;
 use std::collections::HashMap;
 
-/// Points sorted into cubes as wide as the radius of the question.
+/// Points sorted into cubes as wide as the query radius.
 #[derive(Debug)]
 pub(super) struct Grid {
     radius: f64,
@@ -23,8 +23,8 @@ impl Grid {
         self.cells.entry(self.cell(p)).or_default().push(index);
     }
 
-    /// The points in the cubes around a point, among them all within the radius, in an order that depends on nothing but the
-    /// order in which they came.
+    /// The points in the cubes around a point, which include all within the radius, in an order that depends only on the input
+    /// order.
     pub(super) fn near(&self, p: DVec3) -> impl Iterator<Item = u32> + '_ {
         let [x, y, z] = self.cell(p);
         (0..27).flat_map(move |k| {

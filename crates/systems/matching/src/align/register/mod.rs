@@ -1,7 +1,8 @@
-//! Where a mesh belongs on another, from any start, also if only a part of each has a counterpart.
+//! Global registration: aligning a mesh to another from any start, also if they overlap only partially.
 //!
-//! Starts come from principal axes and from [pairs of points with normals](pairs); each is [followed](refine) by closest points under
-//! weights that let go of what has no counterpart. What fits nearly as well, and what stays [free](freedom), is reported.
+//! Initial poses come from principal axes and from [pairs of points with normals](pairs); each is [refined](refine) by iterated
+//! closest points with weights that ignore points without a counterpart. Other poses that fit nearly as well, and [free
+//! motions](freedom), are reported.
 
 mod freedom;
 mod grid;
@@ -31,70 +32,72 @@ use rayon::prelude::*;
 use refine::Refinement;
 use screw::Screw;
 
-/// Spacing of points, as a share of the diagonal of the smaller surface.
+/// Spacing of sample points, relative to the diagonal of the smaller surface.
 const SPACING: f64 = 0.04;
-/// Points of a surface that the spacing is widened for.
+/// Number of points of a surface above which the spacing is increased.
 const MOST_POINTS: f64 = 1600.0;
-/// Starts by votes.
+/// Number of initial poses by voting.
 const VOTED: usize = 40;
-/// Points with which starts are told apart.
+/// Sample points that distinguish initial poses.
 const FEW_POINTS: usize = 300;
-/// Starts that are followed to the end.
+/// Number of poses that are refined to convergence.
 const FOLLOWED: usize = 20;
-/// Points of the last descent and of the figures reported.
+/// Sample points for the last refinement and the reported figures.
 const LAST_POINTS: usize = 4000;
-/// Width by which starts are told apart, and the least reach, as shares of the diagonal of the smaller surface.
+/// Width of the score that distinguishes initial poses, and the smallest reach, relative to the diagonal of the smaller surface.
 const WIDTH: f64 = 0.03;
 const LEAST_REACH: f64 = 0.01;
-/// Where surfaces lie on each other: the least share of the area that is matched, the greatest spread of its distances, and the greatest
-/// reach as a share of the diagonal of the smaller surface. Different shapes laid on each other have a reach of 7 to 10 %.
+/// Criteria for a fit: the smallest matched share of the area, the greatest spread of its distances, and the greatest reach
+/// relative to the diagonal of the smaller surface. Different shapes laid on each other have a reach of 7 to 10 %.
 const LEAST_MATCHED: f64 = 0.2;
 const MOST_SPREAD: f64 = 0.4;
 const MOST_REACH: f64 = 0.05;
-/// Scores from this share of the best on are as good.
+/// Poses whose score is at least this share of the best count as equally good.
 const AS_GOOD: f64 = 0.97;
-/// Places nearer than this angle, in radians, and this share of the diagonal, are one.
+/// Poses closer than this angle, in radians, and this share of the diagonal, count as equal.
 const SAME_ANGLE: f64 = 0.17;
 const SAME_PLACE: f64 = 0.05;
-/// Alternatives that are reported.
+/// Largest number of reported alternatives.
 const MOST_ALTERNATIVES: usize = 8;
-/// By what factor a scale may leave the first guess: far smaller, anything fits into a corner of anything.
+/// Largest factor between the final scale and the initial estimate: at much smaller scales, any shape fits into a corner of any
+/// other.
 const MOST_GROWTH: f64 = 1.5;
-/// A fit below this share lets the moving mesh be tried inside out.
+/// If the best score is below this, the moving mesh is also tried with reversed orientation.
 const POOR: f64 = 0.3;
 
-/// How to look for the place.
+/// Options of a registration.
 #[derive(Clone, Default)]
 pub struct RegistrationOptions<'o> {
-    /// Whether the mesh may be scaled, by one factor. The first guess brings the root-mean-square distances from the centroids
-    /// together, so that it needs surfaces that overlap nearly whole; what is found lies within a factor of 1.5 of it.
+    /// Whether to estimate a uniform scale. The initial estimate equates the root-mean-square distances from the centroids, so the
+    /// surfaces must overlap almost completely; the result differs from it by at most a factor of 1.5.
     pub scale: bool,
-    /// The share of the area of the moving mesh that has a counterpart, above 0 and at most 1: the last descent uses the nearest share
-    /// of the points. Without one it is found from the spread of the distances.
+    /// The share of the area of the moving mesh that has a counterpart, above 0 and at most 1: the last refinement uses the nearest
+    /// share of the points. By default it is estimated from the spread of the distances.
     pub overlap: Option<f64>,
-    /// Limits on time and threads. Where time runs out, the best place so far is the answer.
+    /// Limits on time and threads. When time runs out, the best pose so far is returned.
     pub limits: Limits,
-    /// Who is told how far it is.
+    /// Receives progress.
     pub progress: Option<&'o dyn ProgressObserver>,
 }
 
 /// Finds the rotation and translation, or the similarity, that brings `moving` onto the fixed mesh.
 ///
 /// # Definition
-/// Of the places tried the one is chosen at which most of the moving surface is near the fixed one and faces its way: the mean of
-/// `1 − (d/w)²` where the distance d is below w, 1 % of the diagonal of the smaller mesh or four standard deviations of the distances.
-/// There the squared distances of what is matched are least.
+/// Of all poses tried, the one at which most of the moving surface is near the fixed one with the same orientation: it maximises
+/// the mean of `1 − (d/w)²` over distances d below w, where w is 1 % of the diagonal of the smaller mesh or four standard
+/// deviations of the distances. At this pose the squared distances of the matched points are locally minimal.
 /// # Accuracy
 /// Rounded, and deterministic at any number of threads. Nothing is proven about it.
 /// # Limits
-/// Which part is matched is found from the shapes alone: a flat part fits on any larger flat one, and says so by its free motions.
-/// Surfaces must be oriented alike, or one throughout against the other. The mirror image of a shape is another shape.
+/// The matched parts are determined from the shapes alone: a flat part fits anywhere on a larger flat one, which the free motions
+/// show. Surfaces must have the same orientation, or one must be reversed throughout. Mirror images are not matched.
 /// # Errors
-/// [`AlignError`], when a mesh has no area, the sizes are too far apart, or the overlap is not a share.
+/// [`AlignError`] if a mesh has no area, the sizes differ too much, or the overlap is not a valid share.
 /// # Cost
-/// O(m log m) for the tree of the fixed mesh; then some million votes and closest-point questions, whatever the size.
+/// O(m log m) for the tree of the fixed mesh; then about a million votes and closest-point queries, whatever the size.
 /// # Source
-/// Starts: `drost_model_2010`. Weights that narrow: `black_unification_1996`. Planes of faces: `chen_object_1992`.
+/// Initial poses: `drost_model_2010`. Weights of decreasing width: `black_unification_1996`. Point-to-plane distances:
+/// `chen_object_1992`.
 /// # Example
 /// ```
 /// use pompeiu_core::mesh::{Affine, shapes, transform};
@@ -120,23 +123,23 @@ pub fn register(
     on_threads(options.limits.threads, || Search::new(moving, fixed, options)?.run())
 }
 
-/// One search. Coordinates are those of the frame of the fixed mesh; points of the moving one are in the unit of that frame.
+/// One registration. Coordinates are in the frame of the fixed mesh; points of the moving one are in its unit.
 struct Search<'s> {
     moving: &'s TriMesh,
     fixed: &'s Fixed,
     options: &'s RegistrationOptions<'s>,
     control: Control,
     moments: Moments,
-    /// How long a unit of the frame of the moving mesh is in that of the fixed one: a power of two, so exact.
+    /// The length of a unit of the moving mesh's frame in that of the fixed one: a power of two, so exact.
     unit: f64,
     centre: DVec3,
-    /// The factor to begin with.
+    /// The initial scale.
     scale: f64,
     /// Diagonal of the smaller surface.
     size: f64,
 }
 
-/// A place with its score.
+/// A pose with its score.
 #[derive(Clone, Copy)]
 struct Scored {
     placement: Placement,
@@ -195,7 +198,7 @@ impl<'s> Search<'s> {
         self.report(&best, &points, is_inside_out)
     }
 
-    /// The places that fit, the best first, no two the same.
+    /// The poses that fit, best first, without duplicates.
     fn placed(&self, pairs: &Pairs<'_>, moving: &[Oriented]) -> Vec<Scored> {
         let starts = self.starts(pairs, moving);
         self.tell("comparing starts", 0.3);
@@ -252,9 +255,9 @@ impl<'s> Search<'s> {
         Refinement::new(self.fixed.surface(), points, self.centre, scales, self.size)
     }
 
-    /// The best of each place, in the order of their scores.
+    /// The best pose of each group of equal ones, in the order of their scores.
     fn distinct(&self, mut found: Vec<Scored>, count: usize) -> Vec<Scored> {
-        // Stable, so that equals stay in the order of the starts.
+        // Stable, so that equal scores stay in the order of the starts.
         found.sort_by(|a, b| b.score.total_cmp(&a.score));
         let mut kept: Vec<Scored> = Vec::new();
         for scored in found {
@@ -291,7 +294,7 @@ impl<'s> Search<'s> {
         let reach = refinement.reach(WIDTH * self.size).max(LEAST_REACH * self.size);
         let scale_deviation = refinement.scale_deviation(&best, places[0].1);
         let spread = refinement.spread(reach);
-        // The share that is matched, and the root mean square distance of what the fit rests on.
+        // The matched share, and the root mean square distance of the points that determine the fit.
         let mut fit = |(placement, within): &(Placement, f64)| {
             refinement.look(placement);
             let distances = || refinement.matches().iter().map(|found| found.distance);

@@ -1,4 +1,4 @@
-//! Points with normals, evenly spaced over a surface.
+//! Points with normals, distributed evenly over a surface.
 
 use super::super::samples::{Sample, samples};
 use super::grid::Grid;
@@ -6,12 +6,12 @@ use glam::DVec3;
 use pompeiu_core::TriMesh;
 use pompeiu_core::geom::Frame;
 
-/// Samples for each point that is kept: normals are means over them.
+/// Samples per point that is kept; normals are means over samples.
 const SAMPLES_PER_POINT: f64 = 12.0;
-/// Most samples.
+/// Largest number of samples.
 const MOST_SAMPLES: f64 = 60_000.0;
 
-/// A point of a surface with the unit normal of its surroundings.
+/// A point of a surface with the mean unit normal around it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Oriented {
     pub(super) point: DVec3,
@@ -19,15 +19,15 @@ pub(super) struct Oriented {
 }
 
 impl Oriented {
-    /// A sample in the lengths of the answer, turned over if the mesh is taken inside out.
+    /// A sample in the unit of the result, reversed if the orientation of the mesh is.
     pub(super) fn of(sample: Sample, unit: f64, inside_out: bool) -> Self {
         let normal = if inside_out { -sample.normal } else { sample.normal };
         Self { point: sample.point * unit, normal }
     }
 }
 
-/// Points at least `spacing` apart where they are on one side of the surface, with normals that are means over that radius: the
-/// normals of noisy faces say little. `unit` scales from the frame of the mesh to the lengths of the answer.
+/// Points at least `spacing` apart (on each side of the surface), with normals averaged over that radius, because normals of single
+/// noisy faces are unreliable. `unit` scales from the frame of the mesh to the unit of the result.
 pub(super) fn oriented(mesh: &TriMesh, frame: &Frame, unit: f64, area: f64, spacing: f64) -> Vec<Oriented> {
     let count = (SAMPLES_PER_POINT * area / (spacing * spacing)).clamp(100.0, MOST_SAMPLES);
     let all: Vec<Oriented> =

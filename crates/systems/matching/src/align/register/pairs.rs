@@ -1,8 +1,8 @@
-//! Places of one surface on another, voted for by pairs of points with normals.
+//! Initial poses by voting of pairs of points with normals.
 //!
-//! The distance of two points and the angles between their normals and the line between them do not change when a surface is
-//! moved. Each pair of the moving surface votes for the motions that lay it on a pair of the fixed one with the same four
-//! numbers. Wrong votes scatter; right ones meet, even if only a part of each surface has a counterpart.
+//! The distance of two points, and the angles between their normals and their connecting line, are invariant under rigid motions.
+//! Each pair of the moving surface votes for the motions that map it onto a pair of the fixed one with the same four numbers. Wrong
+//! votes scatter; correct votes coincide, even if only a part of each surface has a counterpart.
 
 use super::super::pose::{Pose, rotation};
 use super::oriented::Oriented;
@@ -11,22 +11,22 @@ use glam::{DMat3, DVec3};
 use rayon::prelude::*;
 use std::f64::consts::{PI, TAU};
 
-/// Classes of an angle between 0 and π.
+/// Number of classes for an angle between 0 and π.
 const ANGLES: usize = 15;
-/// Classes of a distance.
+/// Number of classes for a distance.
 const DISTANCES: usize = 48;
-/// Classes of the turn about a normal.
+/// Number of classes for the rotation about a normal.
 const TURNS: usize = 30;
-/// Points of the moving surface for which votes are counted.
+/// Number of points of the moving surface for which votes are counted.
 const REFERENCES: usize = 240;
-/// Candidates that each of them may name.
+/// Number of candidates that each of them may contribute.
 const NAMED: usize = 4;
-/// Votes of a candidate that is named, as a share of those of the best.
+/// Smallest number of votes of a contributed candidate, relative to the best.
 const NAMED_SHARE: f32 = 0.8;
-/// Rotations within this angle of each other are one candidate, in radians.
+/// Candidates whose rotations differ by less than this angle, in radians, are merged.
 const SAME_TURN: f64 = 0.26;
 
-/// A motion and the weight of the votes for it.
+/// A motion with the weight of its votes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Candidate {
     pub(super) placement: Placement,
@@ -49,7 +49,7 @@ fn onto_first_axis(n: DVec3) -> DMat3 {
 /// The class of an angle from its cosine.
 ///
 /// # Source
-/// `abramowitz_handbook_1964`, 4.4.45: off by at most 7e-5, the same on every machine.
+/// `abramowitz_handbook_1964`, 4.4.45: error at most 7e-5, the same on every machine.
 fn angle_class(cosine: f64) -> usize {
     let x = cosine.abs().min(1.0);
     let near = (1.0 - x).sqrt() * (1.570_728_8 + x * (-0.212_114_4 + x * (0.074_261 - x * 0.018_729_3)));
@@ -57,17 +57,17 @@ fn angle_class(cosine: f64) -> usize {
     ((angle * (ANGLES as f64 / PI)) as usize).min(ANGLES - 1)
 }
 
-/// Which pairs are alike.
+/// Classification of pairs by their invariants.
 #[derive(Clone, Copy, Debug)]
 struct Classes {
-    /// Width of a class of distances.
+    /// Width of a distance class.
     step: f64,
 }
 
 impl Classes {
     const COUNT: usize = DISTANCES * ANGLES * ANGLES * ANGLES;
 
-    /// The class of a pair; none for points that coincide or are too far apart.
+    /// The class of a pair; `None` for points that coincide or are too far apart.
     fn of(self, from: &Oriented, to: &Oriented) -> Option<usize> {
         let line = to.point - from.point;
         let length = line.length();
@@ -81,22 +81,22 @@ impl Classes {
     }
 }
 
-/// The turn of a point about the normal of another, as a share of 65,536.
+/// The rotation angle of a point about the normal of another, in units of 1/65,536 of a full turn.
 fn turn(onto: &DMat3, from: DVec3, to: DVec3) -> u16 {
     let p = *onto * (to - from);
     let share = libm::atan2(p.z, p.y) / TAU;
-    // Whole turns are dropped by the width of the type.
+    // The width of the type drops full turns.
     (share * 65_536.0).floor() as i64 as u16
 }
 
-/// Pairs of points of the fixed surface by their classes.
+/// Pairs of points of the fixed surface, by class.
 pub(super) struct Pairs<'p> {
     points: &'p [Oriented],
     onto: Vec<DMat3>,
     classes: Classes,
     /// Where each class begins.
     begins: Vec<u32>,
-    /// The first point of each pair, and the turn of the second about its normal.
+    /// The first point of each pair, and the rotation angle of the second about its normal.
     entries: Vec<(u16, u16)>,
 }
 
@@ -140,8 +140,8 @@ impl<'p> Pairs<'p> {
         &self.entries[self.begins[class] as usize..self.begins[class + 1] as usize]
     }
 
-    /// The motions most voted for that lay one point of the other surface on a point of this one. A class with many pairs says
-    /// little, so that its votes weigh less.
+    /// The motions with the most votes that map one point of the other surface onto a point of this one. Votes in a class with many
+    /// pairs have less weight, because they are less specific.
     fn voted(&self, points: &[Oriented], reference: usize, votes: &mut Vec<f32>) -> Vec<Candidate> {
         votes.clear();
         votes.resize(self.points.len() * TURNS, 0.0);
@@ -160,7 +160,7 @@ impl<'p> Pairs<'p> {
         let mut best: Vec<(f32, usize)> = Vec::with_capacity(NAMED + 1);
         for (point, turns) in votes.chunks_exact(TURNS).enumerate() {
             for by in 0..TURNS {
-                // A turn near the border of two classes votes for both.
+                // An angle near the border of two classes votes for both.
                 let beside = turns[(by + 1) % TURNS].max(turns[(by + TURNS - 1) % TURNS]);
                 let value = turns[by] + 0.5 * beside;
                 if best.len() < NAMED || value > best[NAMED - 1].0 {
@@ -183,13 +183,13 @@ impl<'p> Pairs<'p> {
     }
 }
 
-/// The motions most voted for that lay the moving surface on the fixed one, at most `count`. `centre` is the place of the moving surface
-/// by which two motions are told apart.
+/// The motions with the most votes that map the moving surface onto the fixed one, at most `count`. Two motions are compared at
+/// `centre`, a point of the moving surface.
 ///
 /// # Cost
-/// As many votes as there are pairs alike.
+/// One operation per pair of pairs in the same class.
 /// # Source
-/// `drost_model_2010`; votes are weighed by how rare a class is.
+/// `drost_model_2010`; votes are weighted by the rarity of their class.
 pub(super) fn voted(pairs: &Pairs<'_>, moving: &[Oriented], centre: DVec3, count: usize) -> Vec<Placement> {
     let step = pairs.classes.step;
     let every = moving.len().div_ceil(REFERENCES).max(1);
@@ -199,7 +199,7 @@ pub(super) fn voted(pairs: &Pairs<'_>, moving: &[Oriented], centre: DVec3, count
         .map_init(Vec::new, |votes, reference| pairs.voted(moving, reference, votes))
         .collect();
     let mut named: Vec<Candidate> = named.into_iter().flatten().collect();
-    // Stable, so that equals stay in the order of the references.
+    // Stable, so that equal scores stay in the order of the references.
     named.sort_by(|a, b| b.votes.total_cmp(&a.votes));
     let mut groups: Vec<Candidate> = Vec::new();
     for candidate in named {
@@ -254,7 +254,7 @@ mod tests {
             (0..300).map(|_| Oriented { point: vector(), normal: vector().normalize() }).collect();
         let rotation = DMat3::from_axis_angle(vector().normalize(), 2.1);
         let shift = vector();
-        // What lies on the fixed points after `expected`, and as much that lies elsewhere.
+        // Points that lie on the fixed ones after `expected`, and equally many elsewhere.
         let expected = Placement { pose: Pose { rotation, translation: shift }, scale: 1.0 };
         let back = |p: &Oriented| Oriented {
             point: rotation.transpose() * (p.point - shift),

@@ -11,7 +11,7 @@ pub(super) struct Placement {
 }
 
 impl Placement {
-    /// The rotation about the second point that ends with it at the first.
+    /// The map with this rotation and scale that takes the second point to the first.
     pub(super) fn centred(rotation: DMat3, scale: f64, [to, from]: [DVec3; 2]) -> Self {
         Self { pose: Pose { rotation, translation: to - rotation * (scale * from) }, scale }
     }
@@ -20,7 +20,7 @@ impl Placement {
         self.pose.apply(self.scale * x)
     }
 
-    /// This map, then a growth by a factor and a turn, both about a point, then a shift.
+    /// This map, followed by a scaling and a rotation about a point, and a translation.
     pub(super) fn then(&self, factor: f64, turn: DVec3, about: DVec3, shift: DVec3) -> Self {
         let grown = Pose { translation: about + factor * (self.pose.translation - about), ..self.pose };
         Self { pose: grown.then(turn, about, shift), scale: factor * self.scale }

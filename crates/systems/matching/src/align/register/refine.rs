@@ -1,4 +1,4 @@
-//! Closest points under weights that let go of what has no counterpart.
+//! Iterated closest points with robust weights.
 
 use super::super::equations::Equations;
 use super::super::registration::Surface;
@@ -7,47 +7,47 @@ use super::placement::Placement;
 use glam::DVec3;
 use pompeiu_core::spatial::bvh::{Slot, Workspace};
 
-/// Widths of the weights are fractions of the size of the smaller surface. Those of the rough descent, first to last:
+/// Initial width of the weights in the rough refinement, relative to the size of the smaller surface.
 const ROUGH_WIDTH: f64 = 0.1;
-/// By what they shrink at each step.
+/// Factor of the width per step.
 const ROUGH_SHRINK: f64 = 0.8;
-/// Steps of the rough descent.
+/// Number of steps of the rough refinement.
 const ROUGH_STEPS: usize = 12;
-/// The first width of the fine descent.
+/// Initial width in the fine refinement.
 const FINE_WIDTH: f64 = 0.03;
-/// Most steps of it, and of the last one.
+/// Largest number of its steps, and of those of the last refinement.
 const FINE_STEPS: usize = 60;
-/// The least width: where residuals vanish, a width must not.
+/// Smallest width: it must stay positive if residuals vanish.
 const LEAST_WIDTH: f64 = 1e-7;
-/// The width in spreads of the residuals.
+/// Width as a multiple of the standard deviation of the residuals.
 const SPREADS: f64 = 4.0;
-/// Standard deviations in a median of absolute values of a normal distribution.
+/// Ratio of the standard deviation to the median absolute value for a normal distribution.
 const MEDIAN_TO_DEVIATION: f64 = 1.482_6;
-/// Damping of the equations, as a share of their mean diagonal entry: keeps those of a sphere or a plane solvable.
+/// Damping of the equations, relative to their mean diagonal entry: keeps those of a sphere or a plane solvable.
 const DAMPING: f64 = 1e-9;
-/// Largest turn of a step, in radians.
+/// Largest rotation of a step, in radians.
 const MOST_TURN: f64 = 0.5;
-/// A step that moves points by less than this fraction of the size is the last.
+/// Converged if a step moves points by less than this fraction of the size.
 const REST: f64 = 1e-13;
 
-/// Where a point lies and what it is nearest to.
+/// The position of a point and its nearest point on the fixed surface.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Match {
     p: DVec3,
     q: DVec3,
     normal: DVec3,
     pub(super) distance: f64,
-    /// Whether both surfaces face the same way there.
+    /// Whether the two surfaces have the same orientation there.
     facing: bool,
 }
 
-/// A descent from one place.
+/// Refinement of a pose.
 pub(super) struct Refinement<'s> {
     surface: &'s Surface,
     points: &'s [Oriented],
-    /// What turns are about, before the placement.
+    /// The centre of rotation, before the placement.
     centre: DVec3,
-    /// The least and the greatest scale; equal where it is given.
+    /// The least and the greatest scale; equal if the scale is fixed.
     scales: [f64; 2],
     /// Size of the smaller surface.
     size: f64,
@@ -76,7 +76,7 @@ impl<'s> Refinement<'s> {
         }
     }
 
-    /// A place near enough to tell good starts from bad ones.
+    /// A pose accurate enough to separate good starts from bad ones.
     pub(super) fn rough(&mut self, start: Placement) -> Placement {
         let mut placement = start;
         let mut width = ROUGH_WIDTH * self.size;
@@ -89,7 +89,7 @@ impl<'s> Refinement<'s> {
         placement
     }
 
-    /// The local optimum, as weights narrow to the spread of the residuals.
+    /// The local optimum, with weights that narrow to the spread of the residuals.
     pub(super) fn fine(&mut self, start: Placement) -> Placement {
         let mut placement = start;
         let mut width = FINE_WIDTH * self.size;
@@ -109,8 +109,8 @@ impl<'s> Refinement<'s> {
         placement
     }
 
-    /// Least squares over a share of the points, the nearest, or without one over those within the spread of the residuals; and the
-    /// greatest distance of those points. It leaves the matches of the place where it ends.
+    /// Least squares over the nearest share of the points or, without a share, over those within the spread of the residuals; and
+    /// the greatest distance of these points. Leaves the matches of the final pose.
     pub(super) fn last(&mut self, start: Placement, share: Option<f64>) -> (Placement, f64) {
         let mut placement = start;
         self.look(&placement);
@@ -129,7 +129,7 @@ impl<'s> Refinement<'s> {
         (placement, within(self))
     }
 
-    /// Asks for the nearest points.
+    /// Computes the nearest points.
     pub(super) fn look(&mut self, placement: &Placement) {
         self.matches.clear();
         for (point, slot) in self.points.iter().zip(&mut self.slots) {
@@ -144,7 +144,7 @@ impl<'s> Refinement<'s> {
         &self.matches
     }
 
-    /// How well a place fits: 1 where all points lie on the surface and face its way, 0 where none is as near as `width`.
+    /// The score of a pose: 1 if all points lie on the surface with the same orientation, 0 if none is closer than `width`.
     pub(super) fn score(&self, width: f64) -> f64 {
         let fit = |found: &Match| {
             let share = found.distance / width;
@@ -153,7 +153,7 @@ impl<'s> Refinement<'s> {
         self.matches.iter().map(fit).sum::<f64>() / self.matches.len() as f64
     }
 
-    /// How far matched points may be: spreads of the distances from the planes of what is nearer than `below`.
+    /// The reach of matched points: a multiple of the spread of point-to-plane distances below `below`.
     pub(super) fn reach(&self, below: f64) -> f64 {
         let near = self.matches.iter().filter(|found| found.facing && found.distance < below);
         let mut residuals: Vec<f64> = near.map(|found| found.normal.dot(found.p - found.q).abs()).collect();
@@ -172,7 +172,7 @@ impl<'s> Refinement<'s> {
         *distances.select_nth_unstable_by(place, f64::total_cmp).1
     }
 
-    /// A step of Gauss and Newton, and how far it moves points; none where nothing has weight or numbers left their range.
+    /// A Gauss–Newton step, and how far it moves points; `None` if all weights are zero or numbers overflow.
     fn step(&self, placement: &Placement, weight: impl Fn(&Match) -> f64) -> Option<(Placement, f64)> {
         let about = placement.apply(self.centre);
         let (equations, _) = self.equations(about, weight)?;
@@ -187,8 +187,8 @@ impl<'s> Refinement<'s> {
         Some((placement.then(factor, turn, about, shift), moved))
     }
 
-    /// Equations for a turn and a growth about a point and a shift, and the sum of the weighted squares of what they are to make up for;
-    /// none where nothing has weight.
+    /// Equations for a rotation and a scaling about a point and a translation, and the sum of the weighted squared residuals;
+    /// `None` if all weights are zero.
     fn equations(&self, about: DVec3, weight: impl Fn(&Match) -> f64) -> Option<(Equations<7>, f64)> {
         let mut equations = Equations::<7>::new();
         let (mut used, mut sum) = (0, 0.0);
@@ -217,9 +217,9 @@ impl<'s> Refinement<'s> {
         self.scales[0] < self.scales[1]
     }
 
-    /// One standard deviation of the scale at a place that was [looked](Self::look) at, from the points within a distance; none where it
-    /// is given, or the points leave it free. The covariance of least squares is the inverse of their equations times the variance of
-    /// what is left.
+    /// One standard deviation of the scale at the pose of the last [`look`](Self::look), from the points within a distance. `None`
+    /// if the scale is fixed, or the points do not determine it. The covariance of least squares is the inverse of the normal
+    /// matrix times the variance of the residuals.
     pub(super) fn scale_deviation(&self, placement: &Placement, within: f64) -> Option<f64> {
         let inside = |found: &Match| f64::from(u8::from(found.distance <= within));
         let count = self.matches.iter().map(inside).sum::<f64>();
@@ -231,7 +231,7 @@ impl<'s> Refinement<'s> {
         (variance >= 0.0).then(|| placement.scale * variance.sqrt())
     }
 
-    /// Root mean square distance of what is within a distance, as a share of it.
+    /// Root mean square of the distances below `within`, relative to it.
     pub(super) fn spread(&self, within: f64) -> f64 {
         let shares = self.matches.iter().map(|found| found.distance / within).filter(|share| *share <= 1.0);
         let (count, sum) =
@@ -240,7 +240,8 @@ impl<'s> Refinement<'s> {
     }
 }
 
-/// The Geman–`McClure` weight: falls with the fourth power of distance, so that what has no counterpart does not pull.
+/// The Geman–`McClure` weight: it decays with the fourth power of distance, so that points without a counterpart have little
+/// influence.
 fn geman_mcclure(found: &Match, width: f64) -> f64 {
     let share = found.distance / width;
     let weight = 1.0 / (1.0 + share * share);

@@ -1,4 +1,4 @@
-//! What an alignment found, and how sure it is.
+//! The result of a registration, with measures of its reliability.
 
 use super::super::{Matrix, affine};
 use super::settings::TransformSettings;
@@ -6,16 +6,16 @@ use pompeiu_core::mesh::Affine;
 use pompeiu_core::run::StopReason;
 use serde::Serialize;
 
-/// Where a mesh belongs on another. Nothing of it is proven: the distance of the mesh as moved can be.
+/// The pose of a mesh on another. Nothing is proven about it; the distance of the mesh as moved can be certified.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Registration {
     /// The map as four rows that act on columns `(x, y, z, 1)`.
     pub matrix: Matrix,
-    /// The factor by which it scales; 1 unless a scale was asked for.
+    /// The scale; 1 unless it was requested.
     pub scale: f64,
-    /// One standard deviation of that factor, if it was asked for: by how much it would scatter if the distances of the samples that the
-    /// fit rests on were errors that do not depend on each other. What is not known to be independent may scatter more.
+    /// One standard deviation of the scale, if it was requested: its scatter if the distances of the samples were independent
+    /// errors. If they are not independent, it may scatter more.
     pub scale_deviation: Option<f64>,
     /// The angle of its rotation, in degrees.
     pub turn_degrees: f64,
@@ -23,24 +23,25 @@ pub struct Registration {
     pub reach: f64,
     /// The share of the area of the moved mesh that is matched.
     pub matched: f64,
-    /// Root mean square distance of what is matched, as a share of `reach`: at most about 0.3 where surfaces lie on each other but for
-    /// noise, about 0.45 where they merely cross.
+    /// Root mean square distance of the matched points, relative to `reach`: at most about 0.3 for surfaces that coincide up to
+    /// noise, about 0.45 for surfaces that merely intersect.
     pub spread: f64,
-    /// Whether the surfaces lie on each other where they are matched, and enough of the area is: a fifth is matched at least, the spread
-    /// is at most 0.4, and the reach at most 5 % of the diagonal of the smaller mesh. Where it is false, the shapes are different ones,
-    /// or have less in common than can be found.
+    /// Whether the surfaces coincide where they are matched, and enough of the area is matched: at least a fifth, with a spread of
+    /// at most 0.4 and a reach of at most 5 % of the diagonal of the smaller mesh. If false, the shapes differ, or their common
+    /// part is too small to be found.
     pub fits: bool,
-    /// Root mean square distance of the points that the fit rests on: the share asked for, or those within four standard deviations.
+    /// Root mean square distance of the points that determine the fit: the requested share, or those within four standard
+    /// deviations.
     pub rms: f64,
-    /// Other places that fit nearly as well, the best first: a symmetric shape has them.
+    /// Other poses that fit nearly as well, best first; symmetric shapes have them.
     pub alternatives: Vec<Alternative>,
-    /// Motions that leave the fit as it is.
+    /// Motions that leave the fit unchanged.
     pub free_motions: Vec<FreeMotion>,
     /// Why it ended.
     pub stop: StopReason,
 }
 
-/// Another place.
+/// Another pose.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Alternative {
@@ -48,27 +49,27 @@ pub struct Alternative {
     pub matrix: Matrix,
     /// The angle between its rotation and that of the best map, in degrees.
     pub apart_degrees: f64,
-    /// The turn that leads from the best place to this one: the direction of its axis, of length 1; zero where there is no turn.
+    /// The axis of the rotation from the best pose to this one, of length 1; zero if there is no rotation.
     pub axis: [f64; 3],
     /// A point of that axis.
     pub point: [f64; 3],
-    /// How far it slides along the axis meanwhile; where there is no turn, how far it slides.
+    /// The translation along the axis; if there is no rotation, the length of the translation.
     pub slide: f64,
-    /// The share of the area that is matched, up to the same length.
+    /// The share of the area that is matched, with the same reach.
     pub matched: f64,
-    /// Root mean square distance of the points that the fit rests on.
+    /// Root mean square distance of the points that determine the fit.
     pub rms: f64,
 }
 
-/// A motion after the map that leaves the fit as it is, up to second order: a turn about an axis and a shift.
+/// A motion after the map that leaves the fit unchanged up to second order: a rotation about an axis and a translation.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct FreeMotion {
     /// A point of the axis.
     pub point: [f64; 3],
-    /// The turn: its direction is the axis, its length the angle in radians.
+    /// The rotation vector: its direction is the axis, its length the angle in radians.
     pub turn: [f64; 3],
-    /// The shift.
+    /// The translation.
     pub shift: [f64; 3],
 }
 
@@ -83,7 +84,7 @@ impl Registration {
         TransformSettings::of(&self.matrix, self.scale)
     }
 
-    /// Whether it fits, one place fits better than all others that were tried, and no motion is free.
+    /// Whether the mesh fits, the pose is clearly better than all others tried, and there are no free motions.
     pub fn is_unique(&self) -> bool {
         self.fits && self.alternatives.is_empty() && self.free_motions.is_empty()
     }

@@ -1,15 +1,15 @@
-//! The motion from one place to another as a turn about an axis and a slide along it.
+//! The screw motion from one pose to another: a rotation about an axis and a translation along it.
 
 use super::placement::Placement;
 use glam::{DQuat, DVec3};
 
-/// A turn whose half has a smaller sine than this is none.
+/// A rotation counts as zero if the sine of half its angle is below this.
 const LEAST_TURN: f64 = 1e-9;
 
-/// A turn about an axis with a slide along it.
+/// A rotation about an axis with a translation along it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Screw {
-    /// Of length 1; zero where nothing turns.
+    /// Of length 1; zero if there is no rotation.
     pub(super) axis: DVec3,
     /// A point of the axis.
     pub(super) point: DVec3,
@@ -17,15 +17,15 @@ pub(super) struct Screw {
 }
 
 impl Screw {
-    /// What leads from where the first map lays things to where the second does, but for their sizes. Of the points of the axis, the one
-    /// nearest to `about` is given.
+    /// The motion from the first pose to the second, ignoring scale. Of the points of the axis, the one nearest to `about` is
+    /// returned.
     ///
     /// # Source
     /// Chasles' theorem: `ball_treatise_1900`.
     pub(super) fn between(first: &Placement, second: &Placement, about: DVec3) -> Self {
         let turn = second.pose.rotation * first.pose.rotation.transpose();
         let factor = second.scale / first.scale;
-        // Where the point goes.
+        // The image of the point.
         let there = second.pose.translation + turn * (factor * (about - first.pose.translation));
         let shift = there - about;
         let q = DQuat::from_mat3(&turn);
@@ -71,7 +71,7 @@ mod tests {
             let same = if degrees == 180.0 { found.axis.dot(axis).signum() } else { 1.0 };
             assert!((found.axis - same * axis).length() < 1e-6, "{degrees}: {found:?} {axis}");
             assert!((found.slide - same * slide).abs() < 1e-6, "{degrees}: {found:?}");
-            // The point is on the axis, beside the one asked about.
+            // The point is on the axis, next to the given one.
             assert!((found.point - on_axis).cross(axis).length() < 1e-6, "{degrees}: {found:?}");
             assert!((found.point - about).dot(axis).abs() < 1e-6, "{degrees}: {found:?}");
         }

@@ -1,12 +1,12 @@
-//! A map as programs with fields for a position and three angles take it.
+//! A map as position and angles for other programs.
 
 use super::super::Matrix;
 use serde::Serialize;
 
-/// Below this cosine of the second angle, the other two turn about one axis.
+/// Below this cosine of the second angle, the other two rotations have the same axis (gimbal lock).
 const GIMBAL: f64 = 1e-9;
 
-/// The fields of `ParaView`'s filter "Transform", which does `T·Rz·Rx·Ry·S` to columns.
+/// The fields of `ParaView`'s filter "Transform", which applies `T·Rz·Rx·Ry·S` to columns.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct TransformSettings {
@@ -19,7 +19,7 @@ pub struct TransformSettings {
 }
 
 impl TransformSettings {
-    /// Of a rotation and one factor of scale, as a matrix.
+    /// From a rotation and uniform scale, given as a matrix.
     pub(super) fn of(matrix: &Matrix, scale: f64) -> Self {
         let r = |i: usize, j: usize| matrix[i][j] / scale;
         let cosine = r(2, 0).hypot(r(2, 2));
@@ -42,7 +42,7 @@ mod tests {
     use super::*;
     use pompeiu_core::mesh::Random;
 
-    /// What the filter does: the product of its steps.
+    /// The filter's matrix: the product of its steps.
     fn product(settings: &TransformSettings) -> Matrix {
         let turn = |axis: usize, degrees: f64| {
             let (sin, cos) = degrees.to_radians().sin_cos();
