@@ -26,9 +26,9 @@ pub struct Analysis {
 impl Analysis {
     /// Analyses the pattern of a symmetric matrix; its values are ignored.
     ///
+    /// # Errors
     /// [`SolveError::NotSquare`], [`SolveError::NoMemory`]; [`SolveError::Length`] or [`SolveError::OutOfRange`] when a given order
     /// is not a permutation.
-    /// a given order is not one.
     pub fn new(matrix: &SparseMatrix, ordering: &Ordering) -> Result<Self, SolveError> {
         matrix.check_square()?;
         let n = matrix.rows();

@@ -28,8 +28,10 @@
 //! Results have the same bits at any number of threads.
 
 mod assembly;
+mod banded;
 mod cholesky;
 mod dense;
+mod eigen;
 mod error;
 mod fronts;
 mod gmres;
@@ -41,8 +43,10 @@ mod solver;
 mod sparse;
 
 pub use assembly::{ElementPattern, FIXED};
+pub use banded::Banded;
 pub use cholesky::{Analysis, Cholesky};
 pub use dense::DenseCholesky;
+pub use eigen::eigenvalues;
 pub use error::SolveError;
 pub use fronts::{FrontalLu, FrontalPlan};
 pub use gmres::gmres;

@@ -17,6 +17,8 @@
 #[cfg(feature = "complexity")]
 pub use pompeiu_complexity as complexity;
 pub use pompeiu_core as core;
+#[cfg(feature = "coupling")]
+pub use pompeiu_coupling as coupling;
 #[cfg(feature = "fields")]
 pub use pompeiu_fields as fields;
 #[cfg(feature = "figures")]

@@ -1,9 +1,7 @@
 //! Fluids in the unit square, on a grid.
 
-mod mac;
 mod moves;
 mod options;
-mod sample;
 mod simulation;
 mod stam;
 

@@ -1,6 +1,5 @@
 //! The parts of a step in the square.
 
-use super::mac::Mac;
 use super::simulation::{Grid, Square};
 use super::stam::Ghosts;
 use crate::FluidError;
@@ -56,13 +55,13 @@ impl Square {
         let mut clock = Clock::start();
         let timing = &mut self.timing;
         match &mut self.grid {
-            Grid::Mac { mac, velocity } => {
+            Grid::Mac { mac, velocity, .. } => {
                 if let Some(force) = force {
                     let pushed: Vec<[f64; 2]> = force.iter().map(|f| f.map(|x| dt * x)).collect();
                     for (values, push) in velocity.iter_mut().zip(mac.means_of_cells(&pushed)) {
                         values.iter_mut().zip(push).for_each(|(u, push)| *u += push);
                     }
-                    reset_fixed(mac, velocity);
+                    mac.reset_fixed(velocity);
                 }
                 mac.diffuse(velocity)?;
                 clock.add(&mut timing.diffuse);
@@ -118,8 +117,8 @@ impl Square {
         let mut clock = Clock::start();
         let timing = &mut self.timing;
         match &mut self.grid {
-            Grid::Mac { mac, velocity } => {
-                let cells = Cells::new(&mac.ends, &mac.areas, mac.flows(velocity));
+            Grid::Mac { mac, velocity, areas } => {
+                let cells = Cells::new(mac.ends(), areas, mac.flows(velocity));
                 let cfl = cells.cfl(dt);
                 if cfl > MOST_SUBSTEPS && !self.densities.is_empty() {
                     return Err(FluidError::StepTooLong {
@@ -198,16 +197,5 @@ impl Square {
                 Ok((is_mac && number > 0.0).then(|| factor(number)).transpose()?)
             })
             .collect()
-    }
-}
-
-/// Sets prescribed sides to their velocity.
-fn reset_fixed(mac: &Mac, velocity: &mut [Vec<f64>; 2]) {
-    for (values, fixed) in velocity.iter_mut().zip(mac.fixed()) {
-        for (u, fixed) in values.iter_mut().zip(fixed) {
-            if let Some(fixed) = fixed {
-                *u = *fixed;
-            }
-        }
     }
 }

@@ -1,10 +1,10 @@
 //! Time stepping of a flow in the square.
 
-use super::mac::Mac;
-use super::options::{MOST_CELLS, SquareOptions, SquareScheme};
+use super::options::{Edges, MOST_CELLS, SquareOptions, SquareScheme};
 use super::stam::{Ghosts, Stam};
 use crate::report::range;
-use crate::{FluidError, FluidStep, FluidTiming, SchemeReport};
+use crate::{FluidError, FluidStep, FluidTiming, SchemeReport, Wall};
+use pompeiu_grid::{Lattice, Mac, MacGrid, Side};
 use pompeiu_solve::Cholesky;
 use std::time::Instant;
 
@@ -56,8 +56,32 @@ pub struct SquareState {
 
 #[derive(Debug)]
 pub(super) enum Grid {
-    Mac { mac: Box<Mac>, velocity: [Vec<f64>; 2] },
+    Mac { mac: Box<Mac>, velocity: [Vec<f64>; 2], areas: Vec<f64> },
     Stam { stam: Box<Stam>, velocity: [Vec<f64>; 2] },
+}
+
+/// The area of what lies beyond the square: so large that nothing changes there.
+const BEYOND: f64 = 1e300;
+
+/// The grid of options that have been checked.
+fn mac(options: &SquareOptions) -> Result<Mac, FluidError> {
+    let n = options.cells;
+    let grid =
+        MacGrid { cells: [n; 2], per_length: n as f64, periodic: [options.edges == Edges::Periodic; 2] };
+    let solid = options.solid.clone().unwrap_or_else(|| vec![false; n * n]);
+    let mac = Mac::new(grid, &solid, |axis, _, cells| match (cells, options.edges) {
+        ([Some(_), Some(_)], _) => Side::Free,
+        ([None, _], Edges::Channel { speed }) if axis == 0 => Side::Fixed(speed),
+        ([_, None], Edges::Channel { .. }) if axis == 0 => Side::Free,
+        _ => Side::Fixed(0.0),
+    })?;
+    if options.viscosity <= 0.0 {
+        return Ok(mac);
+    }
+    let held = options.wall == Wall::NoSlip && options.edges == Edges::Walls;
+    let number = options.viscosity * options.time_step * (n * n) as f64;
+    let along = [[0.0, options.lid], [0.0, 0.0]];
+    Ok(mac.with_viscosity(number, along.map(|speeds| speeds.map(|speed| held.then_some(speed))))?)
 }
 
 impl Square {
@@ -71,10 +95,12 @@ impl Square {
         let (n, periodic) = (options.cells, options.is_periodic());
         let grid = match options.scheme {
             SquareScheme::Mac => {
-                let mac = Box::new(Mac::new(&options)?);
+                let mac = Box::new(mac(&options)?);
                 let mut velocity = mac.at_rest();
                 mac.project(&mut velocity)?;
-                Grid::Mac { mac, velocity }
+                let mut areas = vec![1.0 / (n * n) as f64; n * n];
+                areas.push(BEYOND);
+                Grid::Mac { mac, velocity, areas }
             }
             SquareScheme::Stam { sweeps } => {
                 let count = (n + 2) * (n + 2);
@@ -138,7 +164,7 @@ impl Square {
     /// The velocity in cells.
     pub fn velocity(&self) -> Vec<[f64; 2]> {
         match &self.grid {
-            Grid::Mac { mac, velocity } => mac.to_cells(velocity),
+            Grid::Mac { mac, velocity, .. } => mac.to_cells(velocity),
             Grid::Stam { stam, velocity } => {
                 let [u, v] = velocity.each_ref().map(|values| stam.inner(values));
                 u.into_iter().zip(v).map(|(u, v)| [u, v]).collect()
@@ -171,13 +197,13 @@ impl Square {
     /// The velocity at a point of the square.
     pub fn velocity_at(&self, place: [f64; 2]) -> [f64; 2] {
         match &self.grid {
-            Grid::Mac { mac, velocity } => mac.at(velocity, place),
+            Grid::Mac { mac, velocity, .. } => mac.at(velocity, place),
             Grid::Stam { stam, velocity } => {
-                let lattice = super::sample::Lattice {
+                let lattice = Lattice {
                     points: [stam.n + 2; 2],
                     origin: [-0.5; 2],
                     per_length: stam.n as f64,
-                    periodic: false,
+                    periodic: [false; 2],
                 };
                 velocity.each_ref().map(|values| lattice.sample(values, place))
             }
@@ -191,7 +217,7 @@ impl Square {
     pub fn set_velocity(&mut self, vectors: &[[f64; 2]]) -> Result<(), FluidError> {
         self.check_vectors("velocity", vectors)?;
         match &mut self.grid {
-            Grid::Mac { mac, velocity } => {
+            Grid::Mac { mac, velocity, .. } => {
                 *velocity = mac.means_of_cells(vectors);
                 mac.project(velocity)?;
             }
@@ -310,7 +336,7 @@ impl Square {
         let velocity = self.velocity();
         let energy = 0.5 * h * h * velocity.iter().map(|[u, v]| u * u + v * v).sum::<f64>();
         let outflow: f64 = match &self.grid {
-            Grid::Mac { mac, velocity } => mac.outflow(velocity).iter().map(|flow| flow * flow).sum(),
+            Grid::Mac { mac, velocity, .. } => mac.outflow(velocity).iter().map(|flow| flow * flow).sum(),
             Grid::Stam { stam, velocity: [u, v] } => {
                 // Half of the differences over n: a flow out of a cell over its side is twice as large, times the side.
                 stam.inner(&stam.divergence([u, v])).iter().map(|d| d * d).sum()

@@ -1,23 +1,21 @@
 //! Interpolation of values on a lattice.
 
-use crate::report::range;
-
 /// Values at the points `(origin + index) · spacing` of a lattice, bilinear between them.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Lattice {
+pub struct Lattice {
     /// Points along x and y.
-    pub(super) points: [usize; 2],
+    pub points: [usize; 2],
     /// Position of the first point, in spacings.
-    pub(super) origin: [f64; 2],
+    pub origin: [f64; 2],
     /// Spacings per unit of length.
-    pub(super) per_length: f64,
-    /// Whether the lattice is periodic.
-    pub(super) periodic: bool,
+    pub per_length: f64,
+    /// Whether the lattice is periodic along x and y.
+    pub periodic: [bool; 2],
 }
 
 impl Lattice {
     /// The position of a point.
-    pub(super) fn position(&self, index: usize) -> [f64; 2] {
+    pub fn position(&self, index: usize) -> [f64; 2] {
         let (i, j) = (index % self.points[0], index / self.points[0]);
         [(self.origin[0] + i as f64) / self.per_length, (self.origin[1] + j as f64) / self.per_length]
     }
@@ -30,7 +28,7 @@ impl Lattice {
         for k in 0..2 {
             let n = self.points[k];
             let at = place[k] * self.per_length - self.origin[k];
-            if self.periodic {
+            if self.periodic[k] {
                 let wrapped = at.rem_euclid(n as f64);
                 let first = wrapped.floor();
                 share[k] = wrapped - first;
@@ -54,12 +52,15 @@ impl Lattice {
     }
 
     /// The interpolated value at a position.
-    pub(super) fn sample(&self, values: &[f64], place: [f64; 2]) -> f64 {
+    pub fn sample(&self, values: &[f64], place: [f64; 2]) -> f64 {
         self.around(place).into_iter().map(|(index, share)| share * values[index]).sum()
     }
 
     /// The least and the greatest of the values around a position.
-    pub(super) fn range(&self, values: &[f64], place: [f64; 2]) -> [f64; 2] {
-        range(self.around(place).into_iter().map(|(index, _)| values[index]))
+    pub fn range(&self, values: &[f64], place: [f64; 2]) -> [f64; 2] {
+        let around = self.around(place).into_iter().map(|(index, _)| values[index]);
+        around.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], x| {
+            [if x < least { x } else { least }, if x > most { x } else { most }]
+        })
     }
 }
