@@ -27,7 +27,7 @@ __all__ = [
 
 Vec3 = Tuple[float, float, float]
 Direction = Literal["a_to_b", "b_to_a"]
-Stop = Literal["tolerance", "threshold", "time", "memory", "pieces", "rounding", "cancelled"]
+Stop = Literal["tolerance", "threshold", "time", "memory", "pieces", "rounding", "stalled", "cancelled"]
 
 
 def _table(title: str, rows: "list[tuple[str, str]]") -> str:

@@ -37,6 +37,7 @@ pub(crate) fn stopped_by(reason: StopReason) -> &'static str {
         StopReason::Pieces => "the limit on pieces",
         StopReason::Steps => "the limit on steps",
         StopReason::Rounding => "double precision",
+        StopReason::Stalled => "lack of progress",
         _ => "request",
     }
 }

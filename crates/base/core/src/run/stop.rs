@@ -24,11 +24,13 @@ pub enum StopReason {
     Cancelled = 7,
     /// The tolerance lies below what double precision can resolve for this input.
     Rounding = 8,
+    /// More work would not narrow the result: a percentile where the distribution has a gap, for instance.
+    Stalled = 9,
 }
 
 impl StopReason {
     /// All reasons.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::Tolerance,
         Self::Threshold,
         Self::Time,
@@ -37,6 +39,7 @@ impl StopReason {
         Self::Steps,
         Self::Cancelled,
         Self::Rounding,
+        Self::Stalled,
     ];
 
     /// The reason in one word, as it appears in JSON.
@@ -50,12 +53,16 @@ impl StopReason {
             Self::Steps => "steps",
             Self::Cancelled => "cancelled",
             Self::Rounding => "rounding",
+            Self::Stalled => "stalled",
         }
     }
 
-    /// Whether a limit or an observer ended the computation before it reached what was asked.
+    /// Whether the computation ended before it reached what was asked, though double precision would have allowed more.
     pub const fn is_early(self) -> bool {
-        matches!(self, Self::Time | Self::Memory | Self::Pieces | Self::Steps | Self::Cancelled)
+        matches!(
+            self,
+            Self::Time | Self::Memory | Self::Pieces | Self::Steps | Self::Cancelled | Self::Stalled
+        )
     }
 }
 
@@ -71,9 +78,9 @@ mod tests {
     }
 
     #[test]
-    fn limits_and_cancelling_are_early() {
+    fn limits_cancelling_and_stalling_are_early() {
         let early: Vec<_> =
             StopReason::ALL.into_iter().filter(|r| r.is_early()).map(StopReason::name).collect();
-        assert_eq!(early, ["time", "memory", "pieces", "steps", "cancelled"]);
+        assert_eq!(early, ["time", "memory", "pieces", "steps", "cancelled", "stalled"]);
     }
 }

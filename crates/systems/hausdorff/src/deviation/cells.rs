@@ -184,8 +184,11 @@ impl<'b> Cells<'b> {
                 return;
             }
             if outline.count == MOST_CORNERS {
-                for outline in outline.cut_along_diagonal().into_iter().flatten() {
-                    self.parts.push(Part { outline, slot, steps: steps + 1 });
+                match outline.cut_apart() {
+                    Some(parts) => {
+                        self.parts.extend(parts.map(|outline| Part { outline, slot, steps: steps + 1 }));
+                    }
+                    None => self.rest.push(Rest { outline, near: slot }),
                 }
                 return;
             }

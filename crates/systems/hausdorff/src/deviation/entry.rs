@@ -1,7 +1,8 @@
 //! The triangles that statistics are made of, and sums over them, rounded outwards.
 
 use super::linear::{
-    Corners, greater, mean_enclosure, mean_of_positive, mean_square_enclosure, mean_square_of_positive,
+    Corners, greater, greatest, least, lesser, mean, mean_enclosure, mean_of_positive, mean_square_enclosure,
+    mean_square_of_positive,
 };
 use super::packed::Entries;
 use super::polygon::Polygon;
@@ -62,14 +63,19 @@ impl Entry {
         (self.area, (self.area + f64::from(self.more)) * MORE)
     }
 
-    /// Area times mean width, rounded.
+    /// Area times mean width, where the function below is not negative, rounded: as sums have it.
     pub(super) fn mass(&self) -> f64 {
-        let width = |j: usize| {
-            // As far as the function below is not negative.
-            let cut = if self.lower[j] < 0.0 { self.lower[j] } else { 0.0 };
-            f64::from(self.width[j]) + cut
-        };
-        self.area * (width(0) + width(1) + width(2)) * (1.0 / 3.0)
+        let [x, y, z] = self.width.map(f64::from);
+        let width = (x + y + z) * (1.0 / 3.0);
+        if least(self.lower) >= 0.0 {
+            return self.area * width;
+        }
+        self.area * (width + mean(self.lower) - mean_of_positive(self.lower))
+    }
+
+    /// The greatest width between the functions, where the one below is not negative, is no greater.
+    pub(super) fn most_width(&self) -> f64 {
+        lesser(greatest(self.width.map(f64::from)), greatest(self.upper()))
     }
 }
 

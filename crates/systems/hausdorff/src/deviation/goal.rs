@@ -1,6 +1,8 @@
 //! What pieces must satisfy to be left as they are.
 
-use super::polygon::{Polygon, Row, integral};
+use super::entry::Entry;
+use super::linear::{greatest, least};
+use super::polygon::{Polygon, Row};
 
 /// How narrow pieces should be. Lengths and areas are in the frame.
 #[derive(Clone, Debug)]
@@ -35,18 +37,26 @@ impl Goal {
         mass <= self.allowed(low, high)
     }
 
+    /// Sum of what pieces leave undecided, each as a part of what is allowed of it.
+    pub(super) fn excess(&self, pieces: impl Iterator<Item = Entry>) -> f64 {
+        let of_piece = |entry: Entry| {
+            let mass = entry.mass();
+            if mass > 0.0 { mass / self.allowed(least(entry.lower()), greatest(entry.upper())) } else { 0.0 }
+        };
+        pieces.map(of_piece).sum()
+    }
+
     /// The mean width that a piece of a face of this area should be cut to, if it is not good enough. `weights` are those of the
     /// piece.
     pub(super) fn wanted(&self, piece: &Polygon, weights: &Row, area: f64) -> Option<f64> {
-        let widths = piece.widths();
-        let mass = integral(weights, &widths) * area;
-        if mass <= self.least() {
+        if piece.mass_at_most(weights) * area <= self.least() {
+            return None;
+        }
+        let mass = piece.mass(weights) * area;
+        if mass <= self.least() || piece.most_width() <= self.floor {
             return None;
         }
         let greater = |x: f64, y: &f64| if *y > x { *y } else { x };
-        if widths[..piece.outline.count].iter().fold(0.0, greater) <= self.floor {
-            return None;
-        }
         let lesser = |x: f64, y: &f64| if *y < x { *y } else { x };
         let low = piece.lower[..piece.outline.count].iter().fold(f64::INFINITY, lesser);
         let high = piece.upper[..piece.outline.count].iter().fold(0.0, greater);

@@ -1,7 +1,6 @@
 //! Entries in half of the memory, where what is asked leaves room for their rounding.
 
 use super::entry::{Entry, SMALL, STEP, at_least};
-use super::linear::greater;
 use std::ops::Range;
 
 /// From this accuracy on entries are packed: what that adds is a thousandth of it. Few faces take little memory as it is.
@@ -133,15 +132,11 @@ impl Entries {
     pub(super) fn iter(&self) -> impl Iterator<Item = Entry> + '_ {
         self.range(0..self.len())
     }
-
-    /// Sum of areas times mean widths.
-    pub(super) fn mass(&self, range: Range<usize>) -> f64 {
-        self.range(range).map(|entry| greater(entry.mass(), 0.0)).sum()
-    }
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::linear::greater;
     use super::super::polygon::{MOST_CORNERS, Polygon};
     use super::*;
     use proptest::prelude::*;

@@ -7,6 +7,7 @@
 //! With each corner goes the value there of a function above the distance and of one below it. The one above is convex, so
 //! its linear interpolation on any triangle between corners lies above it; the one below is concave.
 
+use super::linear::{greater, lesser, mean, mean_of_positive};
 use pompeiu_core::spatial::Slot;
 
 /// Corners of a polygon at most: every cut may add one.
@@ -21,6 +22,8 @@ const UNIT: f64 = 0.5 * f64::EPSILON;
 const INTERPOLATION: f64 = 4.0 * f64::EPSILON;
 /// A part with a smaller fraction of a polygon is not worth a cut.
 const LEAST_PART: f64 = 1e-10;
+/// A cut between two opposite corners that leaves less than this fraction on one side is compared with others.
+const LEAST_APART: f64 = 0.01;
 
 /// A convex part of a face.
 #[derive(Clone, Copy, Debug)]
@@ -189,25 +192,50 @@ impl Outline {
         (s > least && t > least).then_some([(parts[0], outlines[0]), (parts[1], outlines[1])])
     }
 
-    /// Cuts along the way between two corners that are opposite of each other.
-    pub(super) fn cut_along_diagonal(&self) -> Option<[Self; 2]> {
-        if self.count > 3 { self.cut(&self.diagonal()) } else { None }
+    /// Cuts between two corners that are opposite of each other, or where that leaves little on one side, from the corner and to the
+    /// corner or the middle of an edge that leave most. No part has more corners than the whole.
+    ///
+    /// Corners may lie so close together that every way between two of them leaves nothing on one side.
+    pub(super) fn cut_apart(&self) -> Option<[Self; 2]> {
+        self.cut(&self.apart())
     }
 
-    /// Values at the corners of a side that is crossed between two that are opposite of each other.
-    fn diagonal(&self) -> Row {
-        let half = self.count / 2;
-        let mut side = [1.0; MOST_CORNERS];
-        for (i, side) in side.iter_mut().enumerate() {
-            *side = if i == 0 || i == half {
-                0.0
-            } else if i < half {
-                1.0
-            } else {
-                -1.0
-            };
+    /// Values at the corners of a side for [`Outline::cut_apart`].
+    fn apart(&self) -> Row {
+        let lesser_part = |side: &Row| {
+            let parts = self.cut(side).filter(|parts| parts.iter().all(|part| part.count <= self.count));
+            parts.map_or(0.0, |[one, two]| lesser(one.share(), two.share()))
+        };
+        let mut best = self.between(0, self.count / 2, false);
+        let mut most = lesser_part(&best);
+        if most >= LEAST_APART * self.share() {
+            return best;
         }
-        side
+        for from in 0..self.count {
+            for to in 0..self.count {
+                for on_edge in [false, true] {
+                    let side = self.between(from, to, on_edge);
+                    let part = lesser_part(&side);
+                    if part > most {
+                        (best, most) = (side, part);
+                    }
+                }
+            }
+        }
+        best
+    }
+
+    /// Values at the corners of a side that is crossed from one corner to another one, or to the middle of the edge that follows it.
+    fn between(&self, from: usize, to: usize, on_edge: bool) -> Row {
+        let places_to = |corner: usize| (corner + self.count - from) % self.count;
+        let last = places_to(to);
+        let at = |corner: usize| match places_to(corner) {
+            0 => 0.0,
+            place if place == last && !on_edge => 0.0,
+            place if place <= last => 1.0,
+            _ => -1.0,
+        };
+        std::array::from_fn(|corner| at(corner.min(self.count - 1)))
     }
 
     /// Halves a part with three corners across the edge from corner `i` to the next one.
@@ -245,13 +273,37 @@ impl Polygon {
         }
     }
 
-    /// Widths between the functions, as far as the one below is not negative.
-    pub(super) fn widths(&self) -> Row {
-        let mut widths = [0.0; MOST_CORNERS];
-        for j in 0..MOST_CORNERS {
-            widths[j] = self.upper[j] - if self.lower[j] > 0.0 { self.lower[j] } else { 0.0 };
+    /// The integral of how far apart the functions are, where the one below is not negative, as sums have it; as a part of that over
+    /// the face. `weights` are those of the outline.
+    ///
+    /// Where the function below changes its sign, its positive part is not linear: at a corner where both surfaces touch, the function
+    /// above is zero and the one below may be far less, and cutting it off at the corners would call the piece narrow.
+    pub(super) fn mass(&self, weights: &Row) -> f64 {
+        let Self { outline, lower, upper, .. } = self;
+        if lower.iter().all(|x| *x >= 0.0) {
+            return self.mass_at_most(weights);
         }
-        widths
+        let of_triangle = |triangle: [usize; 3]| {
+            let [upper, lower] = [upper, lower].map(|row| triangle.map(|j| row[j]));
+            outline.share_of(triangle) * (mean(upper) - mean_of_positive(lower))
+        };
+        outline.fan().map(of_triangle).sum()
+    }
+
+    /// The integral of how far apart the functions are, below zero as well.
+    #[inline]
+    pub(super) fn mass_at_most(&self, weights: &Row) -> f64 {
+        integral(weights, &std::array::from_fn(|j| self.upper[j] - self.lower[j]))
+    }
+
+    /// The greatest width between the functions, where the one below is not negative, is no greater.
+    pub(super) fn most_width(&self) -> f64 {
+        let (mut apart, mut upper) = (0.0, 0.0);
+        for j in 0..self.outline.count {
+            apart = greater(apart, self.upper[j] - self.lower[j]);
+            upper = greater(upper, self.upper[j]);
+        }
+        lesser(apart, upper)
     }
 
     /// See [`Outline::cut`].
@@ -259,9 +311,9 @@ impl Polygon {
         Some(self.outline.cut_at(side)?.map(|(part, outline)| self.part(&part, outline)))
     }
 
-    /// Cuts along the way between two corners that are opposite of each other.
-    pub(super) fn cut_along_diagonal(&self) -> Option<[Self; 2]> {
-        if self.outline.count > 3 { self.cut(&self.outline.diagonal()) } else { None }
+    /// See [`Outline::cut_apart`].
+    pub(super) fn cut_apart(&self) -> Option<[Self; 2]> {
+        self.cut(&self.outline.apart())
     }
 
     /// Halves a triangle across the edge from corner `i` to the next one.
@@ -346,7 +398,7 @@ mod tests {
             for side in &sides {
                 let part = parts.swap_remove(turn % parts.len());
                 turn += 7;
-                match part.cut(side).or_else(|| part.cut_along_diagonal()) {
+                match part.cut(side).or_else(|| part.cut_apart()) {
                     Some(two) => parts.extend(two),
                     None if part.outline.count == 3 => parts.extend(part.halve(turn % 3)),
                     None => parts.push(part),

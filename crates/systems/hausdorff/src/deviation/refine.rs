@@ -33,8 +33,11 @@ const NARROWER: f64 = 0.7;
 const FINER: f64 = 0.25;
 /// Rounds that make only statistics of parts of the distribution narrower.
 const FOCUSED_ROUNDS: u32 = 8;
-/// A focused round must narrow what is not yet narrow enough by this factor, or it was the last.
+/// Rounds must narrow what is not yet narrow enough by this factor, so many of them as a rule: focused ones each, once there are so
+/// many pieces; the others one of three.
 const LEAST_PROGRESS: f64 = 0.95;
+const MANY_PIECES: usize = 1 << 12;
+const ROUNDS_WITHOUT_PROGRESS: u32 = 3;
 /// Goals are not made finer than this part of the first one.
 const FINEST: f64 = 1e-15;
 /// Faces of a task at most, and tasks that there should be.
@@ -90,6 +93,8 @@ impl Refinement<'_> {
         let Aim { accuracy, floor, total, wanted, .. } = *self.aim;
         let width = accuracy * self.aim.mean + floor;
         let first = FIRST_PART * width * total / self.aim.cells as f64;
+        // What has no area has no statistics, but distances of faces.
+        let floor = if total > 0.0 { floor } else { width };
         let mut goal = Goal { mass: first, focus: Vec::new(), focus_mass: f64::INFINITY, floor };
         let mut refined = Refined::default();
         self.calibrate(&mut goal);
@@ -97,6 +102,7 @@ impl Refinement<'_> {
         self.cut_all(&goal, &mut refined);
         let mut focused_rounds = 0;
         let mut doubt_before = f64::INFINITY;
+        let (mut least_excess, mut without_progress) = (f64::INFINITY, 0);
         loop {
             refined.summary = Summary::of(&refined.distribution, wanted, self.faces.largest);
             let Some(summary) = &refined.summary else {
@@ -115,14 +121,29 @@ impl Refinement<'_> {
                 return refined;
             }
             if means_are_tight {
-                let stuck = doubt > LEAST_PROGRESS * doubt_before;
-                if focused_rounds == FOCUSED_ROUNDS || stuck {
+                let is_stuck =
+                    doubt > LEAST_PROGRESS * doubt_before && refined.distribution.len() >= MANY_PIECES;
+                if focused_rounds == FOCUSED_ROUNDS || is_stuck {
                     return refined;
                 }
                 doubt_before = doubt;
                 goal.focus_mass = lesser(goal.focus_mass, goal.mass);
-                goal.focus = focus;
+                // Earlier ranges stay: faces are cut anew, and what was narrow there would come out wide.
+                for range in focus {
+                    let is_inside = |(from, to): &(f64, f64)| *from <= range.0 && range.1 <= *to;
+                    if !goal.focus.iter().any(is_inside) {
+                        goal.focus.push(range);
+                    }
+                }
                 focused_rounds += 1;
+            } else {
+                without_progress += 1;
+                if excess < LEAST_PROGRESS * least_excess {
+                    (least_excess, without_progress) = (excess, 0);
+                }
+                if without_progress == ROUNDS_WITHOUT_PROGRESS {
+                    return refined;
+                }
             }
             // Until there is a face to be cut anew.
             loop {

@@ -55,8 +55,8 @@ pub struct DirectedDeviation {
     /// Widths of statistics below this length always suffice: [`DeviationOptions::FLOOR`](super::DeviationOptions::FLOOR) of the diagonal
     /// of both meshes, and what rounding adds.
     pub floor: f64,
-    /// Why the work ended. [`StopReason::Tolerance`]: all statistics are as narrow as asked. [`StopReason::Rounding`]: what is
-    /// wider cannot be made narrower, as a percentile where the distribution has a gap, or a share above a threshold at which much
+    /// Why the work ended. [`StopReason::Tolerance`]: all statistics are as narrow as asked. [`StopReason::Stalled`]: what is
+    /// wider did not become narrower, as a percentile where the distribution has a gap, or a share above a threshold at which much
     /// of the area lies. The enclosures are valid in every case.
     pub stop: StopReason,
     /// What it took.

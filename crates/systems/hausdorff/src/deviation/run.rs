@@ -114,7 +114,7 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
         };
         observer.progress(&progress)
     };
-    let mean = if total > 0.0 { moment / total } else { 0.0 };
+    let mean = measure::mean_distance(from, &frame, &vertices, bvh, &order, (total, moment));
     let usual = vertices.quantile(MOST_VERTICES);
     let scene = Faces {
         mesh: from,
@@ -175,7 +175,7 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
     let stop = match control.reason().or(control_of_maxima.reason()).or(of_search) {
         Some(reason) => reason,
         _ if tight => StopReason::Tolerance,
-        _ => StopReason::Rounding,
+        _ => StopReason::Stalled,
     };
     let sides = (query.signed && !control_of_maxima.is_stopped()).then(|| Sides::of(from, to));
     let areas = if summary.is_some() { distribution.cumulative(largest, query.bins) } else { Vec::new() };

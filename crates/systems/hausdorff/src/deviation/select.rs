@@ -3,7 +3,7 @@
 use super::distribution::Distribution;
 use super::entry::Portion;
 use super::goal::Goal;
-use super::linear::{Corners, greater, greatest, least, lesser};
+use super::linear::{greatest, least, lesser};
 use rayon::prelude::*;
 
 /// What cutting a face again removes of its areas times widths, at least as a rule; and how far below the allowed width a mean should
@@ -19,9 +19,8 @@ pub(super) fn flag(goal: &Goal, distribution: &Distribution) -> Vec<bool> {
         portion.of_face(face).any(|entry| {
             let mass = entry.mass();
             let wide = || {
-                let (lower, upper): (Corners, Corners) = (entry.lower(), entry.upper());
-                let width = greatest([0, 1, 2].map(|j| upper[j] - greater(lower[j], 0.0)));
-                width > goal.floor && !goal.is_met(mass, least(lower), greatest(upper))
+                let is_met = || goal.is_met(mass, least(entry.lower()), greatest(entry.upper()));
+                entry.most_width() > goal.floor && !is_met()
             };
             mass > 0.0 && wide()
         })

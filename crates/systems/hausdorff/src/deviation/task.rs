@@ -13,6 +13,7 @@ use pompeiu_core::geom::Frame;
 use pompeiu_core::run::Control;
 use pompeiu_core::spatial::{Bvh, Neighbours, Slot};
 use pompeiu_core::{FaceId, TriMesh};
+use std::ops::Range;
 use std::sync::Mutex;
 
 /// Faces of A, and B.
@@ -86,8 +87,11 @@ impl<'f> Faces<'f> {
                     }
                 }
                 // What limits have cut short may be wider than what was known.
-                let mass = entries.mass(start..entries.len());
-                keep = known.filter(|(portion, places, _)| portion.entries.mass(places.clone()) < mass);
+                let is_narrower = |(portion, places, _): &(&Portion, Range<usize>, FaceBounds)| {
+                    let excess = |entries: &Entries, places| goal.excess(entries.range(places));
+                    excess(&portion.entries, places.clone()) < excess(&entries, start..entries.len())
+                };
+                keep = known.filter(is_narrower);
             }
             if let Some((portion, places, known)) = keep {
                 entries.truncate(start);

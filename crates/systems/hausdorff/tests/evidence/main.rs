@@ -23,3 +23,4 @@ mod sampling;
 mod scales;
 mod statistics;
 mod support;
+mod touching;

@@ -258,7 +258,7 @@ impl Question<'_> {
         let stop = match reason {
             Some(reason) => reason,
             None if shares.iter().flatten().all(is_narrow) => StopReason::Tolerance,
-            None => StopReason::Rounding,
+            None => StopReason::Stalled,
         };
         let extreme = |(low, high): (f64, f64)| {
             let [lower, upper] = [low, high].map(|x| frame.length_out(x));

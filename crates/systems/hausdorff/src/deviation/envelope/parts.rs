@@ -18,7 +18,7 @@ impl Envelope<'_> {
     /// their distances are equal; or in the middle. `width` is what the piece should be cut to.
     pub(in super::super) fn cut(&self, polygon: &Polygon, look: &Look, width: f64) -> Option<[Polygon; 2]> {
         if polygon.outline.count == MOST_CORNERS {
-            return polygon.cut_along_diagonal();
+            return polygon.cut_apart();
         }
         if polygon.outline.depth < HALVE_BELOW_DEPTH {
             // Beside a face at distance d by s, the distance from it is greater by about s^2 / 2d.
@@ -83,7 +83,7 @@ impl Envelope<'_> {
         let side = std::array::from_fn(|k| {
             along.dot(self.scale.way([polygon.outline.v[k] - middle[0], polygon.outline.w[k] - middle[1]]))
         });
-        polygon.cut(&side).or_else(|| polygon.cut_along_diagonal())
+        polygon.cut(&side).or_else(|| polygon.cut_apart())
     }
 
     /// Length of the longest way between two corners.
