@@ -1,4 +1,4 @@
-//! What the default does to meshes: `cargo run --release -p pompeiu-flatten --example flatten -- MESH…`.
+//! Flattens meshes with default options: `cargo run --release -p pompeiu-flatten --example flatten -- MESH…`.
 
 #![allow(clippy::print_stdout, reason = "an example")]
 

@@ -18,10 +18,10 @@ use pompeiu_surface::plane::{Vec2, scale};
 use pompeiu_surface::{EdgeData, EmbeddedSurface, SurfaceError};
 use std::time::Instant;
 
-/// Newton steps of a map that only says where to cut next.
+/// Newton steps for a map that only decides where to cut next.
 const STEPS_BETWEEN_CUTS: usize = 12;
 
-/// The decrease that a Newton step promises, over the distortion: between cuts, and at the end.
+/// Tolerances of the predicted decrease of a Newton step, relative to the distortion: between cuts, and at the end.
 const ROUGH: f64 = 2e-2;
 const FINE: f64 = 4e-3;
 
@@ -31,7 +31,7 @@ pub(crate) struct Chart {
     /// Edges of the component that were cut.
     pub(crate) cut: EdgeData<bool>,
     pub(crate) opened: Opened,
-    /// The place of each vertex of the opened component.
+    /// The position of each vertex of the opened component.
     pub(crate) uv: Vec<Vec2>,
     pub(crate) weights: Weights,
     pub(crate) rounds: usize,
@@ -39,11 +39,11 @@ pub(crate) struct Chart {
     pub(crate) timing: Timing,
 }
 
-/// A component opened, with its geometry.
+/// An opened component with its geometry.
 pub(crate) struct Disk {
     pub(crate) opened: Opened,
     pub(crate) surface: EmbeddedSurface,
-    /// For each vertex the one that is its mirror image, if a plane is to be kept.
+    /// For each vertex its mirror image, if a plane of symmetry is given.
     partners: Option<Vec<u32>>,
 }
 
@@ -58,7 +58,7 @@ impl Disk {
         Ok(Self { opened, surface, partners: partners.map_err(CutError::from)? })
     }
 
-    /// The mean of a map of this disk and its mirror image, if a plane is to be kept.
+    /// The mean of a map of this disk and its mirror image, if a plane of symmetry is given.
     fn symmetrized(&self, uv: Vec<Vec2>) -> Vec<Vec2> {
         match &self.partners {
             Some(partners) => symmetrized(&uv, partners),
@@ -66,7 +66,7 @@ impl Disk {
         }
     }
 
-    /// The map of the same disk with less of it cut, as one of this disk: both sides of what is new lie on each other.
+    /// Transfers a map of the same disk with a smaller cut to this disk: both sides of the new cut coincide.
     fn carried(&self, from: &Self, uv: &[Vec2]) -> Vec<Vec2> {
         let mut places = vec![[0.0; 2]; self.surface.mesh().vertices()];
         for (here, there) in self.opened.faces().iter().zip(from.opened.faces()) {
@@ -88,7 +88,7 @@ pub(crate) fn opened_surface(
     Ok(EmbeddedSurface::new(&mesh.map_err(CutError::from)?)?)
 }
 
-/// Flattens a component; `requested` are the edges to cut if the caller gave them.
+/// Flattens a component; `requested` are the edges to cut, if the caller gave them.
 pub(crate) fn flatten_component(
     component: &Component,
     requested: Option<EdgeData<bool>>,
@@ -137,7 +137,7 @@ pub(crate) fn flatten_component(
     }
 }
 
-/// Maps with a free boundary, and the cuts that they ask for.
+/// Searches for maps with a free boundary, and for the cuts that they need.
 struct Search<'s, 'o, 'w> {
     component: &'s Component,
     options: &'s FlattenOptions<'o>,
@@ -151,9 +151,9 @@ struct Search<'s, 'o, 'w> {
 }
 
 impl Search<'_, '_, '_> {
-    /// Adds cuts as long as the energy is above the target, and descends to the least energy with the outline guarded.
+    /// Adds cuts while the energy is above the target, then minimises the energy without letting the outline cross itself.
     ///
-    /// While cuts are added, outlines may cross themselves: only distortion counts. Each map goes on from the last one.
+    /// While cuts are added, outlines may cross themselves, because only distortion matters. Each map starts from the previous one.
     fn run(mut self, most_steps: usize) -> Result<Chart, FlattenError> {
         let adds_cuts = self.options.cut.strategy == CutStrategy::Auto;
         let most_cuts = if adds_cuts { self.options.most_cuts } else { 0 };
@@ -207,8 +207,8 @@ impl Search<'_, '_, '_> {
         }
     }
 
-    /// The map itself, or one that is its own mirror image if a plane is to be kept: the mean of both, and should that not be one-to-one,
-    /// the map to a circle.
+    /// The map itself. If a plane of symmetry is given, the mean of it and its mirror image or, if that is not one-to-one, the map
+    /// to a circle.
     fn settled(&mut self, descender: &Descender, uv: Vec<Vec2>) -> Result<Vec<Vec2>, FlattenError> {
         if self.disk.partners.is_none() {
             return Ok(uv);
@@ -221,7 +221,7 @@ impl Search<'_, '_, '_> {
         Ok(self.disk.symmetrized(start.uv.into_vec()))
     }
 
-    /// Adds as many cuts as there are already, at least one, up to a number; whether there are more than before.
+    /// Doubles the number of cuts, adding at least one and at most `most`. Returns whether any was added.
     fn add_cuts(&mut self, most: usize, uv: &mut Vec<Vec2>) -> Result<bool, FlattenError> {
         let began = Instant::now();
         let count = most.saturating_sub(self.cuts).min(self.cuts.max(1));
@@ -275,7 +275,7 @@ impl Search<'_, '_, '_> {
     }
 }
 
-/// Maps a disk to a convex boundary, at the scale of least symmetric Dirichlet energy if it is to descend from there.
+/// Maps a disk to a convex boundary; if this is the start of a minimisation, at the scale of least symmetric Dirichlet energy.
 fn start(
     disk: &Disk,
     boundary: &ConvexBoundary,

@@ -1,4 +1,4 @@
-//! A surface taken apart into its connected components.
+//! Splitting a surface into its connected components.
 
 use crate::FlattenError;
 use crate::cut::{CutError, CutOptions, CutStrategy};
@@ -6,7 +6,7 @@ use crate::symmetry::{Images, SymmetryError, SymmetryPlane};
 use pompeiu_core::{FaceId, TriMesh, VertexId};
 use pompeiu_surface::{EdgeData, EdgeId, EmbeddedSurface, GeometryError, HalfedgeId, SurfaceMesh};
 
-/// A connected component, and where it comes from.
+/// A connected component, with its faces and vertices in the whole surface.
 #[derive(Clone, Debug)]
 pub(crate) struct Component {
     pub(crate) surface: EmbeddedSurface,
@@ -14,7 +14,7 @@ pub(crate) struct Component {
     pub(crate) faces: Vec<FaceId>,
     /// Its vertices in the whole surface, increasing.
     pub(crate) vertices: Vec<VertexId>,
-    /// The mirror images of its vertices, if a plane is to be kept.
+    /// The mirror images of its vertices, if a plane of symmetry is given.
     pub(crate) images: Option<Images>,
 }
 
@@ -36,7 +36,7 @@ impl Component {
         }
     }
 
-    /// What is asked of this component.
+    /// The options restricted to this component.
     pub(crate) fn options(&self, options: &CutOptions) -> CutOptions {
         let vertex = |v: &VertexId| self.vertices.binary_search(v).ok().map(|v| VertexId(v as u32));
         let here = |all: &[VertexId]| -> Vec<VertexId> { all.iter().filter_map(vertex).collect() };
@@ -58,7 +58,7 @@ impl Component {
     }
 }
 
-/// The components of a surface, in the order of their first vertices; with their mirror images if a plane is given.
+/// The components of a surface, in the order of their first vertices; with mirror images if a plane of symmetry is given.
 pub(crate) fn split(
     surface: &EmbeddedSurface,
     plane: Option<&SymmetryPlane>,
@@ -93,7 +93,7 @@ fn components(surface: &EmbeddedSurface) -> Result<Vec<Component>, GeometryError
     let part = |(vertices, faces): (Vec<VertexId>, Vec<FaceId>)| {
         let positions = vertices.iter().map(|&v| surface.positions()[v]).collect();
         let triples = faces.iter().map(|&face| mesh.face(face).map(|v| local[v.index()])).collect();
-        // The same numbers as in the whole surface, fewer of them.
+        // The order of indices in the whole surface is kept.
         let part = TriMesh::new(positions, triples).map_err(|_| pompeiu_surface::SurfaceError::NoFaces)?;
         Ok(Component { surface: EmbeddedSurface::new(&part)?, faces, vertices, images: None })
     };
@@ -112,7 +112,7 @@ fn symmetry_in_whole(error: SymmetryError, component: &Component) -> SymmetryErr
     }
 }
 
-/// An error of a component with the numbers of the whole surface.
+/// Converts an error of a component to the numbering of the whole surface.
 pub(crate) fn in_whole(error: CutError, component: &Component) -> CutError {
     use crate::MedialError::Open;
     use CutError::{Forbidden, Medial, NoDisk, SingleEdge, Symmetry};

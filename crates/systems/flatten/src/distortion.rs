@@ -1,4 +1,4 @@
-//! How much a map distorts a surface.
+//! Distortion of a map.
 
 use pompeiu_core::FaceId;
 use pompeiu_core::mesh::{FaceData, VertexData};
@@ -18,7 +18,7 @@ pub struct MeanMax {
     pub max: f64,
 }
 
-/// The mean over the area, values that only so much of the area exceeds, and the greatest value.
+/// The mean over the area, percentiles by area, and the greatest value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -26,7 +26,7 @@ pub struct Spread {
     /// Mean over the area of the surface; null where a face has no area in the map.
     #[cfg_attr(feature = "schema", schemars(with = "Option<f64>"))]
     pub mean: f64,
-    /// Value that half of the area exceeds.
+    /// Median by area.
     #[cfg_attr(feature = "schema", schemars(with = "Option<f64>"))]
     pub median: f64,
     /// Value that a tenth of the area exceeds.
@@ -40,15 +40,15 @@ pub struct Spread {
     pub max: f64,
 }
 
-/// How much a map distorts a surface, with σ1 ≥ σ2 the singular values of its derivative on each face, at the scale that makes the
-/// symmetric Dirichlet energy least.
+/// Distortion of a map, with σ1 ≥ σ2 the singular values of its derivative on each face, at the scale of least symmetric Dirichlet
+/// energy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Distortion {
-    /// σ1 / σ2: 1 where angles are kept.
+    /// σ1 / σ2: 1 where the map is conformal.
     pub angle: MeanMax,
-    /// σ1 σ2 or its inverse, whichever is greater, relative to the whole area: 1 where areas are kept.
+    /// σ1 σ2 or its inverse, whichever is greater, relative to the ratio of total areas: 1 where areas are preserved.
     pub area: MeanMax,
     /// L2 stretch of Sander and others: the root mean square of 1/σ1 and 1/σ2, at equal total areas; at least 1.
     #[cfg_attr(feature = "schema", schemars(with = "Option<f64>"))]
@@ -56,13 +56,13 @@ pub struct Distortion {
     /// L∞ stretch: the greatest 1/σ2, at equal total areas.
     #[cfg_attr(feature = "schema", schemars(with = "Option<f64>"))]
     pub stretch_linf: f64,
-    /// σ1² + σ2² + σ1⁻² + σ2⁻²: 4 where lengths are kept.
+    /// σ1² + σ2² + σ1⁻² + σ2⁻²: 4 where the map is isometric.
     pub symmetric_dirichlet: Spread,
-    /// The greater of σ1 and 1/σ2: 1 where lengths are kept.
+    /// The greater of σ1 and 1/σ2: 1 where the map is isometric.
     pub isometric: MeanMax,
-    /// The least σ2 of all faces over the greatest σ1; zero or below where a face is flipped.
+    /// The least σ2 of all faces over the greatest σ1; not positive if a face is flipped.
     pub least_singular_ratio: f64,
-    /// The factor by which the map must be scaled for the symmetric Dirichlet energy to be least.
+    /// The factor by which the map must be scaled to minimise the symmetric Dirichlet energy.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub scale: f64,
 }
@@ -73,7 +73,7 @@ pub(crate) fn singular_values(surface: &Surface, face: FaceId, uv: [Vec2; 3]) ->
     let (p, q) = (sub(uv[1], uv[0]), sub(uv[2], uv[0]));
     let first = scale(1.0 / length, p);
     let second = scale(1.0 / apex[1], sub(q, scale(apex[0], first)));
-    // The derivative as the sum of a similarity and a similarity with a reflection.
+    // The derivative is the sum of a similarity and a reflected similarity.
     let turning = 0.5 * (first[0] + second[1]).hypot(first[1] - second[0]);
     let reflecting = 0.5 * (first[0] - second[1]).hypot(first[1] + second[0]);
     let greatest = turning + reflecting;
@@ -92,7 +92,7 @@ pub(crate) fn symmetric_dirichlet([s, t]: [f64; 2]) -> f64 {
     if t > 0.0 { s * s + t * t + 1.0 / (s * s) + 1.0 / (t * t) } else { f64::INFINITY }
 }
 
-/// The factor that makes the symmetric Dirichlet energy of a map least; 1 where a face is flipped.
+/// The scale of least symmetric Dirichlet energy; 1 if a face is flipped.
 pub(crate) fn best_scale(values: &[([f64; 2], f64)]) -> f64 {
     let (mut direct, mut inverse) = (0.0, 0.0);
     for &([s, t], area) in values {
@@ -104,7 +104,7 @@ pub(crate) fn best_scale(values: &[([f64; 2], f64)]) -> f64 {
 }
 
 impl Distortion {
-    /// Measures charts together, each given by the singular values and areas of its faces.
+    /// The distortion of several charts, each given by the singular values and areas of its faces.
     pub(crate) fn of(values: &[([f64; 2], f64)]) -> Self {
         let scale = best_scale(values);
         let total: f64 = values.iter().map(|(_, area)| area).sum();

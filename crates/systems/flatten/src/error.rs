@@ -1,11 +1,11 @@
-//! Why a surface cannot be flattened.
+//! Errors of flattening.
 
 use crate::CutError;
 use pompeiu_core::{FaceId, VertexId};
 use pompeiu_solve::SolveError;
 use pompeiu_surface::GeometryError;
 
-/// Why a surface cannot be flattened as asked.
+/// Why a surface cannot be flattened.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum FlattenError {
@@ -15,7 +15,7 @@ pub enum FlattenError {
     /// A linear system could not be solved.
     #[error("a linear system of the map cannot be solved: {0}")]
     Solve(#[from] SolveError),
-    /// Faces are flipped, or so small that doubles hardly tell, whatever the weights.
+    /// Faces are flipped or nearly degenerate with all weights tried.
     #[error(
         "the map is crowded: {} faces are flipped or without area, face {} the first, and the least singular value is {ratio:e} of \
          the greatest; cut the surface there, or leave the boundary free",
@@ -27,7 +27,7 @@ pub enum FlattenError {
         /// The least singular value of all faces over the greatest.
         ratio: f64,
     },
-    /// The corners make no convex polygon.
+    /// The corners do not form a convex polygon.
     #[error(
         "the {corners} corners make no convex polygon; at least 3 are needed, counter-clockwise, none on a line with its neighbours"
     )]
@@ -35,7 +35,7 @@ pub enum FlattenError {
         /// Their number.
         corners: usize,
     },
-    /// There are fewer vertices on the boundary than corners for them.
+    /// The boundary has fewer vertices than the polygon has corners.
     #[error("the boundary has {boundary} vertices, fewer than the {corners} corners of the polygon")]
     FewVertices {
         /// Vertices of the boundary.
@@ -55,17 +55,17 @@ pub enum FlattenError {
         /// Greatest distance allowed.
         most: f64,
     },
-    /// A boundary that stays as it is has no virtual one around it.
+    /// A boundary that keeps its shape cannot have a virtual boundary.
     #[error("the boundary cannot stay as it is and have a virtual boundary around it; choose another curve")]
     VirtualOwn,
     /// An option is out of range.
     #[error("the {what} is {value}; {expected}")]
     Option {
-        /// What it is.
+        /// The option.
         what: &'static str,
         /// Its value.
         value: f64,
-        /// What it must be.
+        /// The valid range.
         expected: &'static str,
     },
 }

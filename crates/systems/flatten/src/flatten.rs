@@ -1,4 +1,4 @@
-//! From a surface to a flat map and what can be said of it.
+//! From a surface to a flat map and its report.
 
 use crate::chart::{Chart, flatten_component, opened_surface};
 use crate::check::{flipped_faces, outline, outline_crossings, overlapping_faces};
@@ -17,27 +17,27 @@ use pompeiu_surface::{EdgeData, EdgeId, EmbeddedSurface, SurfaceMesh};
 use rayon::prelude::*;
 use std::time::Instant;
 
-/// A surface opened and laid flat.
+/// A surface, opened and flattened.
 #[derive(Clone, Debug)]
 pub struct Flattening {
-    /// Which edges were cut.
+    /// The cut edges.
     pub cut: EdgeData<bool>,
     /// The surface after the cut.
     pub opened: Opened,
-    /// The place of each vertex of the opened surface.
+    /// The position of each vertex of the opened surface.
     pub uv: VertexData<Vec2>,
     /// The faces that are flipped, in order.
     pub flipped: Vec<FaceId>,
-    /// The faces that lie on others, in order.
+    /// The faces that overlap others, in order.
     pub overlapping: Vec<FaceId>,
-    /// The singular values of the map on each face, at the scale at which its symmetric Dirichlet energy is least.
+    /// The singular values of the map on each face, at the scale of least symmetric Dirichlet energy.
     pub singular_values: FaceData<[f64; 2]>,
-    /// What is said of the map.
+    /// The report.
     pub report: FlattenReport,
 }
 
 impl Flattening {
-    /// The place of each corner of each face.
+    /// The position of each corner of each face.
     pub fn corner_uv(&self) -> Vec<[Vec2; 3]> {
         self.opened.faces().iter().map(|face| face.map(|v| self.uv.as_slice()[v as usize])).collect()
     }
@@ -53,20 +53,20 @@ impl Flattening {
     }
 }
 
-/// Cuts a surface open and maps it to the plane: each component as one disk, all of them in the unit square.
+/// Cuts a surface open and maps it to the plane: each component becomes one disk, and all are packed into the unit square.
 ///
 /// # Definition
-/// With a free boundary, a disk is first mapped to a circle by a convex combination map whose weights are changed until it is not
-/// crowded, and descends from there to the least symmetric Dirichlet energy (see [`Method`]). With the strategy `Auto`, cuts
-/// are added where faces are distorted and far from the cut, until the energy is at most [`FlattenOptions::target`].
+/// With a free boundary, a disk is first mapped to a circle by a convex combination map, whose weights are changed until no face is
+/// nearly degenerate; from there the symmetric Dirichlet energy is minimised (see [`Method`]). With the strategy `Auto`, cuts are
+/// added where distortion is high, far from the cut, until the energy is at most [`FlattenOptions::target`].
 ///
 /// # Accuracy
-/// Whether the map is one-to-one is decided on the coordinates as they are stored, by exact predicates: all faces turn
-/// counter-clockwise, outlines do not cross or touch, boxes of charts are apart. A disk that fulfils the first two is mapped
-/// one-to-one, for a point is covered as often as the outline winds around it.
+/// Whether the map is one-to-one is decided on the coordinates as stored, by exact predicates: all faces are counter-clockwise,
+/// outlines neither cross nor touch, and bounding boxes of charts are disjoint. A disk that satisfies the first two is mapped
+/// one-to-one, because the number of faces over a point is the winding number of the outline.
 ///
 /// # Errors
-/// [`FlattenError`]: the surface cannot be cut as asked, or the map is crowded whatever the weights.
+/// [`FlattenError`]: the surface cannot be cut as requested, or faces stay nearly degenerate with all weights.
 ///
 /// # Cost
 /// Sparse factorizations with one unknown for each vertex, and with two for each Newton step.
@@ -87,7 +87,7 @@ fn run(
     let began = Instant::now();
     let mesh = surface.mesh();
     let requested = requested_edges(mesh, &options.cut)?;
-    // A cut that is given may make several disks of one component.
+    // A given cut may divide one component into several disks.
     let parts = match &requested {
         Some(cut) => disks(surface, cut)?,
         None => split(surface, options.cut.symmetry.as_ref())?,
@@ -138,7 +138,7 @@ fn run(
     Ok(result)
 }
 
-/// The disks that a cut leaves, as components of their own.
+/// The disks after a cut, as components of their own.
 fn disks(surface: &EmbeddedSurface, cut: &EdgeData<bool>) -> Result<Vec<Component>, FlattenError> {
     let opened = open(surface.mesh(), cut)?;
     opened.check_disks()?;
@@ -149,7 +149,7 @@ fn disks(surface: &EmbeddedSurface, cut: &EdgeData<bool>) -> Result<Vec<Componen
     Ok(disks)
 }
 
-/// What is said of one chart of a map.
+/// The report of one chart.
 fn part_report(surface: &EmbeddedSurface, part: &Component, chart: &Chart, whole: &Flattening) -> PartReport {
     let mesh = surface.mesh();
     let among = |faces: &[FaceId]| part.faces.iter().filter(|face| faces.binary_search(face).is_ok()).count();
@@ -172,7 +172,7 @@ fn part_report(surface: &EmbeddedSurface, part: &Component, chart: &Chart, whole
     }
 }
 
-/// The places of all vertices of all charts: at one scale, beside each other.
+/// The positions of all vertices of all charts: on one scale, side by side.
 fn arrange(parts: &[Component], charts: &[Chart], options: &FlattenOptions<'_>) -> Vec<Vec<Vec2>> {
     let mut places: Vec<Vec<Vec2>> = charts.iter().map(|chart| chart.uv.clone()).collect();
     if !options.pack && places.len() == 1 {
@@ -247,7 +247,7 @@ fn judge(
     Flattening { cut, opened, uv, flipped, overlapping, singular_values, report }
 }
 
-/// Whether the boxes of charts have no point in common.
+/// Whether the bounding boxes of charts are disjoint.
 fn are_apart(charts: &[Vec<Vec2>]) -> bool {
     let mut boxes: Vec<[Vec2; 2]> = charts.iter().map(|chart| bounds(chart)).collect();
     boxes.sort_by(|a, b| a[0][0].total_cmp(&b[0][0]));

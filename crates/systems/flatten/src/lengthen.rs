@@ -1,4 +1,4 @@
-//! Cuts that are added for the sake of distortion.
+//! Additional cuts that reduce distortion.
 
 use crate::CutOptions;
 use crate::chart::Disk;
@@ -11,13 +11,13 @@ use pompeiu_core::mesh::VertexData;
 use pompeiu_surface::plane::Vec2;
 use pompeiu_surface::{EdgeData, EdgeDistances};
 
-/// Distance from the cut, over the square root of the area, within which a tip is left alone.
+/// Tips closer than this to the cut, relative to the square root of the area, are ignored.
 const NEAR: f64 = 0.2;
 
-/// Rounds in which distortion is averaged over neighbours before its greatest place is looked for.
+/// Smoothing rounds for distortion before its maximum is determined.
 const SMOOTHINGS: usize = 5;
 
-/// The cut joined with the tips of the surface; `None` if they are on it.
+/// The cut joined with the tips of the surface; `None` if they are all on it.
 pub(crate) fn with_tips(
     component: &Component,
     cut: &EdgeData<bool>,
@@ -34,7 +34,8 @@ pub(crate) fn with_tips(
     Some(growing.into_edges()).filter(|edges| edges != cut)
 }
 
-/// The cut with so many shortest paths more, each to where faces are distorted and far from what is cut; `None` if no path leads there.
+/// The cut with `count` more shortest paths, each to where distortion is high and far from the cut; `None` if no path reaches such
+/// a place.
 pub(crate) fn lengthened(
     component: &Component,
     disk: &Disk,
@@ -82,7 +83,7 @@ pub(crate) fn lengthened(
     Some(growing.into_edges()).filter(|edges| edges != cut)
 }
 
-/// A cut that grows, on both sides of a plane alike if one is to be kept.
+/// A growing cut, symmetric if a plane of symmetry is given.
 enum Growth<'s> {
     Anywhere(GrowingCut<'s>),
     Symmetric(SymmetricCut<'s>),

@@ -1,17 +1,17 @@
 //! Cutting triangle surfaces open, and flattening them one-to-one.
 //!
-//! A cut is a set of edges. [`open`] gives a copy of each vertex to each part that they cut its faces into, which is exact and
-//! combinatorial, and [`choose_cut`] finds edges after which every component is a disk.
+//! A cut is a set of edges. [`open`] gives each vertex one copy for every fan into which the cut divides its faces; this is
+//! combinatorial and exact. [`choose_cut`] finds edges after which every component is a disk.
 //!
-//! [`flatten`] maps the opened surface to the plane, and says whether the map is one-to-one, decided exactly on the coordinates as
-//! they are stored.
+//! [`flatten`] maps the opened surface to the plane, and decides exactly, on the coordinates as stored, whether the map is
+//! one-to-one.
 //!
 //! | item | what it is |
 //! |---|---|
 //! | [`flatten`], [`FlattenOptions`], [`Flattening`] | the flat map, with a free boundary or a convex one |
-//! | [`FlattenReport`], [`Distortion`] | what is said of it |
-//! | [`choose_cut`], [`CutOptions`], [`CutStrategy`] | which edges to cut |
-//! | [`open`], [`Opened`] | the surface after the cut, and which vertex is a copy of which |
+//! | [`FlattenReport`], [`Distortion`] | whether the map is one-to-one, and its distortion |
+//! | [`choose_cut`], [`CutOptions`], [`CutStrategy`] | choosing the edges to cut |
+//! | [`open`], [`Opened`] | the surface after the cut, and the original vertex of each copy |
 //! | [`straighten`], [`Straightened`] | a cut that runs straight across faces, inserted into the mesh |
 //! | [`medial_balls`], [`MedialOptions`], [`Medial`] | balls that fill a closed surface |
 //! | [`farthest_pair`] | the two points of a set that are farthest apart |

@@ -1,4 +1,4 @@
-//! How a surface is flattened.
+//! Options of flattening.
 
 use crate::{
     Conformal, ConvexBoundary, CutError, CutOptions, FlattenError, SymmetryError, VirtualBoundary, Weights,
@@ -9,32 +9,31 @@ use pompeiu_core::run::{Limits, ProgressObserver};
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Method {
-    /// The boundary is free: the least symmetric Dirichlet energy that is reached without flips and overlaps.
+    /// Free boundary: minimises the symmetric Dirichlet energy without flips and overlaps.
     Free {
-        /// Most Newton steps for each chart after the cut is found.
+        /// Largest number of Newton steps for each chart after the cut is found.
         steps: usize,
     },
-    /// The boundary goes to a convex curve, and each vertex inside to a weighted mean of its neighbours.
+    /// Convex boundary: each inner vertex is a weighted mean of its neighbours.
     Convex {
         /// The curve.
         boundary: ConvexBoundary,
         /// The weights.
         weights: Weights,
-        /// Faces that are mapped around the disk and then dropped, so that its own boundary is free to some extent.
+        /// A virtual boundary around the disk, which gives its own boundary some freedom.
         around: Option<VirtualBoundary>,
     },
-    /// The boundary is free, and angles are kept as well as they can. Faces may flip and overlap, which the report says.
+    /// Free boundary with least angle distortion. Faces may flip and overlap; the report says so.
     Conformal(Conformal),
-    /// The boundary is free, and each face is turned as rigidly as it can, from a map onto a circle. Faces may flip and overlap, which the
-    /// report says.
+    /// Free boundary, as rigid as possible, starting from a map to a circle. Faces may flip and overlap; the report says so.
     Rigid {
-        /// Most turns of fitting rotations and places.
+        /// Largest number of alternations between rotations and positions.
         steps: usize,
     },
 }
 
 impl Method {
-    /// The name of the method, as in the command and in reports.
+    /// The name of the method in the command and in reports.
     pub const fn name(&self) -> &'static str {
         match self {
             Self::Free { .. } => "free",
@@ -52,24 +51,24 @@ impl Default for Method {
     }
 }
 
-/// How a surface is flattened.
+/// Options of flattening.
 #[derive(Clone)]
 pub struct FlattenOptions<'o> {
-    /// How it is cut.
+    /// How the surface is cut.
     pub cut: CutOptions,
     /// The kind of map.
     pub method: Method,
-    /// With the strategy [`Auto`](crate::CutStrategy::Auto) and a free boundary, cuts are added to each chart until its mean symmetric
-    /// Dirichlet energy is at most this (isometry: 4).
+    /// With the strategy [`Auto`](crate::CutStrategy::Auto) and a free boundary, cuts are added to each chart until its mean
+    /// symmetric Dirichlet energy is at most this (4 for an isometry).
     pub target: f64,
-    /// Most cuts that are added to a chart.
+    /// Largest number of cuts added to a chart.
     pub most_cuts: usize,
-    /// Whether charts are turned, scaled alike and packed into the unit square; a single chart otherwise stays as the method leaves it, in
-    /// the unit of the mesh.
+    /// Whether charts are rotated, scaled by a common factor and packed into the unit square. Otherwise a single chart keeps its
+    /// position and the unit of the mesh.
     pub pack: bool,
-    /// Limits on time and threads. When time runs out, the map is the best found so far, one-to-one like any other.
+    /// Limits on time and threads. When time runs out, the best map found so far is returned; it is one-to-one like any other.
     pub limits: Limits,
-    /// Is told how many charts are done.
+    /// Receives the number of finished charts.
     pub progress: Option<&'o dyn ProgressObserver>,
 }
 

@@ -1,14 +1,14 @@
-//! Charts beside each other in a square.
+//! Packing charts into a square.
 
 use pompeiu_surface::plane::{Rotation, Vec2, rotate};
 
-/// Distance between charts, over the side of the square.
+/// Distance between charts, relative to the side of the square.
 const MARGIN: f64 = 0.01;
 
-/// Angles that are tried for a chart, over a quarter turn.
+/// Rotations tried for a chart, over a quarter turn.
 const ANGLES: usize = 18;
 
-/// Widths that are tried for the shelves.
+/// Shelf widths tried.
 const WIDTHS: usize = 40;
 
 /// The least and greatest coordinates.
@@ -23,7 +23,7 @@ pub(crate) fn bounds<const N: usize>(points: &[[f64; N]]) -> [[f64; N]; 2] {
     bounds
 }
 
-/// Turns a chart so that its box is small, and wider than high.
+/// Rotates a chart so that its bounding box is small, and wider than high.
 pub(crate) fn turn(points: &mut [Vec2]) {
     let turned = |rotation: Rotation, points: &[Vec2]| -> Vec<Vec2> {
         points.iter().map(|&p| rotate(rotation, p)).collect()
@@ -50,10 +50,10 @@ pub(crate) fn turn(points: &mut [Vec2]) {
     }
 }
 
-/// Moves charts, and scales all of them alike, so that their boxes lie in the unit square without touching.
+/// Moves charts, and scales them by a common factor, so that their bounding boxes lie in the unit square without touching.
 ///
 /// # Definition
-/// Shelves of charts of decreasing height, of the width among several for which the square is smallest.
+/// Shelf packing by decreasing height; of several shelf widths, the one with the smallest square is used.
 pub(crate) fn pack(charts: &mut [Vec<Vec2>]) {
     let boxes: Vec<[Vec2; 2]> = charts.iter().map(|chart| bounds(chart)).collect();
     let sizes: Vec<Vec2> =

@@ -1,40 +1,39 @@
-//! What is said of a map.
+//! The report of a map.
 
 use crate::Distortion;
 use pompeiu_core::run::StopReason;
 use std::time::Duration;
 
-/// What is said of a map: whether it is one-to-one, decided exactly on the coordinates as they are stored, and how far it is from
-/// keeping lengths.
+/// The report of a map: whether it is one-to-one, decided exactly on the coordinates as stored, and its distortion.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct FlattenReport {
-    /// Number of charts: connected pieces of the map.
+    /// Number of charts: connected components of the map.
     pub charts: usize,
-    /// Number of faces that the map turns over or lays on a line.
+    /// Number of faces that are flipped or degenerate in the map.
     pub flipped: usize,
-    /// Number of faces that lie on another face. With none flipped and none overlapping, the map is one-to-one.
+    /// Number of faces that overlap another face. If no face is flipped or overlaps, the map is one-to-one.
     pub overlapping: usize,
     /// Number of pairs of boundary edges of the map that cross or touch.
     pub outline_crossings: usize,
     /// Number of boundary loops of the opened surface.
     pub boundary_loops: usize,
-    /// What was cut.
+    /// The cut.
     pub cut: CutReport,
     /// The kind of map: `"free"` or `"convex"`.
     pub method: &'static str,
-    /// The weights of the convex combination map that it is, or that it started from.
+    /// The weights of the convex combination map, which is the result or the initial map.
     pub weights: &'static str,
-    /// How often weights were changed where the map was crowded, over all charts.
+    /// Number of changes of weights against nearly degenerate faces, over all charts.
     pub reweightings: usize,
-    /// Newton steps, over all charts.
+    /// Number of Newton steps, over all charts.
     pub steps: usize,
     /// Why the computation ended.
     pub stop: StopReason,
-    /// How much the map distorts.
+    /// The distortion of the map.
     pub distortion: Distortion,
-    /// The same for each chart, in the order of their first faces.
+    /// The report of each chart, in the order of their first faces.
     pub parts: Vec<PartReport>,
     /// Time spent on each part.
     #[cfg_attr(feature = "serde", serde(rename = "timing_ms"))]
@@ -48,34 +47,34 @@ impl FlattenReport {
     }
 }
 
-/// What is said of one chart.
+/// The report of one chart.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct PartReport {
-    /// The first of its faces, by which it is known.
+    /// The first of its faces, which identifies it.
     pub first_face: u32,
     /// Number of its faces.
     pub faces: usize,
-    /// Number of faces that the map turns over or lays on a line.
+    /// Number of faces that are flipped or degenerate in the map.
     pub flipped: usize,
-    /// Number of faces that lie on another face.
+    /// Number of faces that overlap another face.
     pub overlapping: usize,
     /// Number of cut edges on its outline.
     pub cut_edges: usize,
     /// Their length, in the unit of the mesh; an edge with the chart on both sides counts once.
     pub cut_length: f64,
-    /// The weights of the convex combination map that it is, or that it started from.
+    /// The weights of the convex combination map, which is the result or the initial map.
     pub weights: &'static str,
-    /// How often weights were changed where the map was crowded.
+    /// Number of changes of weights against nearly degenerate faces.
     pub reweightings: usize,
-    /// Newton steps.
+    /// Number of Newton steps.
     pub steps: usize,
-    /// How much the map distorts, at the scale that is best for this chart.
+    /// The distortion of the map, at the best scale for this chart.
     pub distortion: Distortion,
 }
 
-/// What was cut.
+/// The cut.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -86,7 +85,7 @@ pub struct CutReport {
     pub length: f64,
     /// Their length over the square root of the area.
     pub relative_length: f64,
-    /// How they were chosen.
+    /// The strategy.
     pub strategy: &'static str,
 }
 
@@ -103,7 +102,7 @@ pub struct Timing {
     #[cfg_attr(feature = "serde", serde(serialize_with = "pompeiu_core::run::as_milliseconds::serialize"))]
     #[cfg_attr(feature = "schema", schemars(with = "f64"))]
     pub factor: Duration,
-    /// Solving them, and searching along steps.
+    /// Solving them, and line searches.
     #[cfg_attr(feature = "serde", serde(serialize_with = "pompeiu_core::run::as_milliseconds::serialize"))]
     #[cfg_attr(feature = "schema", schemars(with = "f64"))]
     pub solve: Duration,
@@ -111,7 +110,7 @@ pub struct Timing {
     #[cfg_attr(feature = "serde", serde(serialize_with = "pompeiu_core::run::as_milliseconds::serialize"))]
     #[cfg_attr(feature = "schema", schemars(with = "f64"))]
     pub check: Duration,
-    /// From the surface to the map, by the clock.
+    /// Wall-clock time of the whole computation.
     #[cfg_attr(feature = "serde", serde(serialize_with = "pompeiu_core::run::as_milliseconds::serialize"))]
     #[cfg_attr(feature = "schema", schemars(with = "f64"))]
     pub total: Duration,

@@ -1,10 +1,10 @@
-//! Telling how far a computation has come, and seeing that it shall stop.
+//! Progress and cancellation of a computation.
 
 use pompeiu_core::run::{Control, Progress, ProgressObserver, StopReason};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
-/// A computation over several components that somebody may watch.
+/// Progress of a computation over several components.
 pub(crate) struct Watch<'w> {
     control: &'w Control,
     observer: Option<Mutex<&'w dyn ProgressObserver>>,
@@ -26,7 +26,7 @@ impl<'w> Watch<'w> {
         self.done.fetch_add(1, Ordering::Relaxed);
     }
 
-    /// Tells how far it has come, and asks whether to stop.
+    /// Reports progress, and returns whether to stop.
     pub(crate) fn is_stopped(&self) -> bool {
         if let Some(observer) = &self.observer {
             let share = self.done.load(Ordering::Relaxed) as f64 / self.components as f64;

@@ -1,4 +1,4 @@
-//! Whether a map is one-to-one, decided exactly on the coordinates as they are stored.
+//! Exact tests whether a map is one-to-one, on the coordinates as stored.
 
 mod orientation;
 mod outline;
@@ -11,7 +11,7 @@ pub(crate) use overlap::overlapping_faces;
 use pompeiu_surface::plane::Vec2;
 use robust::{Coord, orient2d};
 
-/// The orientation of three points: above zero if they turn counter-clockwise, zero if they are on a line.
+/// The orientation of three points: positive if they are counter-clockwise, zero if they are collinear.
 ///
 /// # Accuracy
 /// The sign is exact where no product of differences of coordinates underflows or overflows: always for multiples of

@@ -1,4 +1,4 @@
-//! Where outlines meet.
+//! Intersections of outlines.
 
 use super::orientation;
 use pompeiu_surface::SurfaceMesh;
@@ -10,13 +10,14 @@ pub(crate) fn outline(mesh: &SurfaceMesh) -> Vec<[u32; 2]> {
     loops.map(|h| [mesh.tail(h).0, mesh.head(h).0]).collect()
 }
 
-/// The pairs of segments that have a point in common beside an end that both name, by their places in the list.
+/// The pairs of segments with a common point other than a common end vertex, as indices into the list.
 ///
-/// An outline without such a pair is a simple closed curve. A disk whose faces all turn the same way and whose outline is simple is
-/// mapped one-to-one: the number of times a point of the plane is covered is the winding number of the outline around it, which is 0 or 1.
+/// An outline without such a pair is a simple closed curve. If all faces of a disk have the same orientation and its outline is
+/// simple, it is mapped one-to-one: the number of faces over a point of the plane is the winding number of the outline around it,
+/// which is 0 or 1.
 ///
 /// # Cost
-/// O(n log n) and the pairs of segments that overlap seen from above.
+/// O(n log n), plus the pairs of segments whose projections on an axis overlap.
 pub(crate) fn outline_crossings(segments: &[[u32; 2]], uv: &[Vec2]) -> Vec<[usize; 2]> {
     let ends = |s: usize| segments[s].map(|v| uv[v as usize]);
     let range = |s: usize, k: usize| {
@@ -43,7 +44,7 @@ pub(crate) fn outline_crossings(segments: &[[u32; 2]], uv: &[Vec2]) -> Vec<[usiz
     found
 }
 
-/// Whether two segments have a point in common that is not an end that both name.
+/// Whether two segments have a common point other than a common end vertex.
 fn meet(s: [u32; 2], t: [u32; 2], uv: &[Vec2]) -> bool {
     let place = |v: u32| uv[v as usize];
     let shared: Vec<u32> = s.into_iter().filter(|v| t.contains(v)).collect();
@@ -52,7 +53,7 @@ fn meet(s: [u32; 2], t: [u32; 2], uv: &[Vec2]) -> bool {
         [v] => {
             let other = |e: [u32; 2]| place(if e[0] == v { e[1] } else { e[0] });
             let (p, q) = (other(s), other(t));
-            // From a common end, they have more in common if they lie on a line, on the same side.
+            // With a common end, they share more if they are collinear and on the same side of it.
             orientation(place(v), p, q) == 0.0
                 && (lies_between(place(v), q, p) || lies_between(place(v), p, q))
         }
@@ -90,7 +91,7 @@ mod tests {
     #[test]
     fn simple_outlines_have_none() {
         assert!(polygon(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]).is_empty());
-        // A corner of half a turn is no crossing.
+        // A straight corner is no crossing.
         assert!(polygon(&[[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [1.0, 1.0]]).is_empty());
     }
 
@@ -101,7 +102,7 @@ mod tests {
         assert_eq!(polygon(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [1.0, 0.0], [0.0, 2.0]]), [[0, 2], [0, 3]]);
         // A spike without width.
         assert_eq!(polygon(&[[0.0, 0.0], [2.0, 0.0], [1.0, 0.0], [1.0, 1.0]]), [[0, 1], [0, 2]]);
-        // Two vertices at one place.
+        // Two vertices at the same position.
         let pinched = [[0.0, 0.0], [1.0, 1.0], [2.0, 0.0], [2.0, 2.0], [1.0, 1.0], [0.0, 2.0]];
         assert_eq!(polygon(&pinched).len(), 4);
     }

@@ -1,4 +1,4 @@
-//! Faces that lie on others.
+//! Overlapping faces.
 
 use super::orientation;
 use pompeiu_core::geom::point_triangle::LANES;
@@ -8,10 +8,10 @@ use pompeiu_core::{FaceId, TriMesh};
 use pompeiu_surface::plane::Vec2;
 use rayon::prelude::*;
 
-/// The faces whose insides have a point in common with the inside of another face, in order. Faces on a line have no inside.
+/// The faces whose interior intersects that of another face, in order. Degenerate faces have no interior.
 ///
 /// # Accuracy
-/// Exact: two triangles are disjoint inside if and only if a side of one has the other on its outer side.
+/// Exact: the interiors of two triangles are disjoint if and only if a side of one separates them.
 /// # Cost
 /// O(n log n) and the pairs of faces whose boxes meet.
 pub(crate) fn overlapping_faces(faces: &[[u32; 3]], uv: &[Vec2]) -> Vec<FaceId> {
@@ -39,7 +39,7 @@ pub(crate) fn overlapping_faces(faces: &[[u32; 3]], uv: &[Vec2]) -> Vec<FaceId> 
     found
 }
 
-/// The corners counter-clockwise; none for a triangle on a line.
+/// The corners in counter-clockwise order; `None` for a degenerate triangle.
 fn turned([a, b, c]: [Vec2; 3]) -> Option<[Vec2; 3]> {
     let turn = orientation(a, b, c);
     if turn > 0.0 {
@@ -67,7 +67,7 @@ mod tests {
         let uv = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0], [0.25, 0.25]];
         assert!(overlapping_faces(&[[0, 1, 2], [1, 3, 2]], &uv).is_empty());
         assert_eq!(overlapping_faces(&[[0, 1, 2], [1, 4, 2], [1, 3, 2]], &uv).len(), 2);
-        // One inside of another, and one on a line.
+        // One inside another, and a degenerate one.
         assert_eq!(overlapping_faces(&[[0, 1, 3], [0, 3, 3]], &uv).len(), 0);
         assert_eq!(overlapping_faces(&[[0, 1, 3], [1, 3, 4]], &uv), [FaceId(0), FaceId(1)]);
     }

@@ -1,4 +1,4 @@
-//! Which edges to cut.
+//! Choosing the edges to cut.
 
 use super::costs::{Closed, Costs};
 use super::disk::disk_cut;
@@ -14,49 +14,50 @@ use pompeiu_core::{FaceId, VertexId};
 use pompeiu_surface::{EdgeData, EdgeId, EmbeddedSurface, SurfaceMesh};
 use std::num::NonZeroUsize;
 
-/// How the edges to cut are chosen.
+/// The strategy for choosing the edges to cut.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum CutStrategy {
-    /// What leaves a disk, and on closed surfaces of genus 0 the tips joined. Flattening adds cuts where faces are distorted.
+    /// A cut that leaves a disk; closed surfaces of genus 0 are cut between their tips. Flattening adds cuts where distortion is
+    /// high.
     #[default]
     Auto,
-    /// The least that makes a disk of a surface that is neither a disk nor a sphere: tree and cotree.
+    /// The smallest cut that makes a surface a disk, by tree–cotree decomposition; for surfaces that are neither disks nor spheres.
     Genus,
-    /// The pair of vertices that are farthest from each other in space, joined by a shortest path; further cuts, up to this number, from
-    /// the vertex farthest in space from what is cut.
+    /// A shortest path between the two vertices farthest from each other in space; further cuts, up to this number, from the vertex
+    /// farthest in space from the existing cut.
     Euclidean {
         /// Number of cuts, at least 1.
         cuts: usize,
     },
-    /// The same with distances along edges; the pair is the vertex farthest from the first one, and the farthest from that.
+    /// The same with distances along edges; the pair is the vertex farthest from the first one, and the vertex farthest from that.
     Geodesic {
         /// Number of cuts, at least 1.
         cuts: usize,
     },
-    /// What leaves a disk, joined with the tips: vertices that are farther from the rest of the surface than all around.
+    /// A cut that leaves a disk, joined with the tips: local maxima of the average distance from the rest of the surface.
     Tips,
-    /// The balls that fill a closed surface: of those that are farthest from each other along their edges, the touched vertices that
-    /// are farthest apart, joined.
+    /// A cut between two vertices chosen with medial balls: of the two balls farthest apart along the edges between balls, the
+    /// touched vertices that are farthest apart.
     Medial {
         /// Number of balls.
         balls: NonZeroUsize,
     },
-    /// What leaves a disk, joined with the vertices nearest to the centres of the balls that fill a closed surface.
+    /// A cut that leaves a disk, joined with the vertices nearest to the centres of medial balls.
     MedialTree {
         /// Number of balls.
         balls: NonZeroUsize,
     },
-    /// What leaves a disk, joined with a path along each bone: the edges of the shortest tree that joins the balls.
+    /// A cut that leaves a disk, joined with a path along each bone: the edges of the minimum spanning tree of the medial balls.
     Bones {
         /// Number of balls.
         balls: NonZeroUsize,
-        /// Whether an arc goes around the surface where each bone begins.
+        /// Whether to add an arc around the surface at the start of each bone.
         sections: bool,
     },
-    /// What leaves a disk, joined with these vertices by shortest paths.
+    /// A cut that leaves a disk, joined with these vertices by shortest paths.
     Through(Vec<VertexId>),
-    /// These paths of edges, each given by its vertices, and nothing else.
+    /// Exactly these paths of edges, each given by its vertices.
     Along(Vec<Vec<VertexId>>),
 }
 
@@ -65,7 +66,7 @@ impl CutStrategy {
         matches!(self, Self::Medial { .. } | Self::MedialTree { .. } | Self::Bones { .. })
     }
 
-    /// The name of the strategy, as in the command and in reports.
+    /// The name of the strategy in the command and in reports.
     pub fn name(&self) -> &'static str {
         match self {
             Self::Auto => "auto",
@@ -82,30 +83,29 @@ impl CutStrategy {
     }
 }
 
-/// How a surface is cut.
+/// Options of a cut.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct CutOptions {
-    /// How edges are chosen.
+    /// The strategy for choosing edges.
     pub strategy: CutStrategy,
     /// Vertices that no cut may touch.
     pub forbidden: Vec<VertexId>,
     /// Edges that no cut may take, by their ends.
     pub forbidden_edges: Vec<[VertexId; 2]>,
-    /// Faces that no cut may enter: it may run along the border of them.
+    /// Faces that no cut may enter; it may run along their border.
     pub forbidden_faces: Vec<FaceId>,
-    /// By how much paths keep away from curvature: an edge costs its length times 1 + this times |κ| √area, with κ the mean of the
-    /// absolute mean curvatures of both ends. At least 0.
+    /// How strongly paths avoid curvature: an edge costs its length times 1 + this times |κ| √area, with κ the mean of the absolute
+    /// mean curvatures at both ends. At least 0.
     pub curvature: f64,
-    /// With the strategies that cut to the farthest vertex, no more cuts as soon as the standard deviation over the area of the distance
-    /// along edges from what is cut is at most this, over the square root of the area. Above 0.
+    /// For strategies that cut to the farthest vertex: stop as soon as the standard deviation (over the area) of the distance to
+    /// the cut along edges is at most this, relative to the square root of the area. Above 0.
     pub spread: Option<f64>,
-    /// A plane in which each component is its own mirror image, as the cut will be, and the map of what it opens. Edges must run along
-    /// it.
+    /// A plane of symmetry of each component; the cut and the map will be symmetric, too. Edges must run along it.
     pub symmetry: Option<SymmetryPlane>,
 }
 
 impl CutOptions {
-    /// Whether anything is forbidden.
+    /// Whether any place is forbidden.
     fn forbids(&self) -> bool {
         !(self.forbidden.is_empty() && self.forbidden_edges.is_empty() && self.forbidden_faces.is_empty())
     }
@@ -117,11 +117,10 @@ impl CutOptions {
 /// See [`CutStrategy`]. Shortest paths run along edges. A cut never enters a forbidden vertex.
 ///
 /// # Errors
-/// [`CutError`]; a surface that the strategy leaves no disk is [`CutError::NoDisk`], a sphere cut by [`CutStrategy::Genus`]
-/// for instance.
+/// [`CutError`]; [`CutError::NoDisk`] if the result is no disk, for instance a sphere cut by [`CutStrategy::Genus`].
 ///
 /// # Cost
-/// O(E log E) for each path and each root that is tried.
+/// O(E log E) for each path and each root tried.
 pub fn choose_cut(surface: &EmbeddedSurface, options: &CutOptions) -> Result<EdgeData<bool>, CutError> {
     let mesh = surface.mesh();
     let requested = requested_edges(mesh, options)?;
@@ -138,7 +137,7 @@ pub fn choose_cut(surface: &EmbeddedSurface, options: &CutOptions) -> Result<Edg
     Ok(cut)
 }
 
-/// The edges of the paths that the caller gave, if they are all that is to be cut.
+/// The edges of the paths that the caller gave, if these are the whole cut.
 pub(crate) fn requested_edges(
     mesh: &SurfaceMesh,
     options: &CutOptions,
@@ -194,7 +193,7 @@ pub(crate) fn edge_between(mesh: &SurfaceMesh, [a, b]: [VertexId; 2]) -> Option<
     around.into_iter().find(|&h| a != b && [mesh.tail(h), mesh.head(h)].contains(&b)).map(|h| mesh.edge(h))
 }
 
-/// The cut of a connected surface, before any is added for the sake of distortion.
+/// The cut of a connected surface, before cuts are added to reduce distortion.
 pub(crate) fn first_cut(part: &Component, options: &CutOptions) -> Result<EdgeData<bool>, CutError> {
     if let Some(images) = &part.images {
         return symmetry::first_cut(&part.surface, images, options);
@@ -250,7 +249,7 @@ pub(crate) fn first_cut(part: &Component, options: &CutOptions) -> Result<EdgeDa
         }
     }
     if is_sphere && !cut.edges.contains(&true) && options.strategy.follows_balls() {
-        // All balls lie beside one vertex.
+        // All balls are closest to the same vertex.
         cut = GrowingCut::new(surface.surface(), &costs, cut.edges);
         iterate(surface, &costs, &mut cut, Metric::Straight, 1, None);
     }
@@ -266,7 +265,7 @@ pub(crate) fn first_cut(part: &Component, options: &CutOptions) -> Result<EdgeDa
     Ok(cut.edges)
 }
 
-/// A cut with those of some edges that join what is not yet joined, one after the other: no loop is closed that is not there already.
+/// Adds edges to a cut in order, omitting those that would close a new loop.
 pub(super) fn joined_edges(mesh: &SurfaceMesh, cut: &EdgeData<bool>, edges: &[EdgeId]) -> EdgeData<bool> {
     let mut joined = UnionFind::new(mesh.vertices());
     let of_cut = mesh.edge_ids().filter(|&edge| cut[edge] || mesh.is_boundary_edge(edge));
@@ -284,7 +283,7 @@ pub(super) fn joined_edges(mesh: &SurfaceMesh, cut: &EdgeData<bool>, edges: &[Ed
     cut
 }
 
-/// Makes two edges of the cut of a sphere that is a single one, which would open nothing.
+/// Extends a cut of a sphere that consists of a single edge, which would open nothing, to two edges.
 fn lengthen(surface: &EmbeddedSurface, costs: &Costs, cut: &mut EdgeData<bool>) {
     let mesh = surface.mesh();
     let edges: Vec<EdgeId> = mesh.edge_ids().filter(|&edge| cut[edge]).collect();

@@ -1,4 +1,4 @@
-//! What it costs to cut along each edge.
+//! Costs of cutting along edges.
 
 use super::CutOptions;
 use super::choose::edge_between;
@@ -7,7 +7,7 @@ use pompeiu_core::VertexId;
 use pompeiu_core::mesh::{FaceData, VertexData};
 use pompeiu_surface::{EdgeData, EdgeId, EmbeddedSurface, SurfaceMesh};
 
-/// Where no cut may go.
+/// Vertices and edges where no cut may go.
 #[derive(Clone, Debug)]
 pub(super) struct Closed {
     vertices: VertexData<bool>,
@@ -15,7 +15,7 @@ pub(super) struct Closed {
 }
 
 impl Closed {
-    /// What is forbidden; all of it must exist.
+    /// The forbidden places of the options; all of them must exist.
     pub(super) fn new(mesh: &SurfaceMesh, options: &CutOptions) -> Self {
         let mut vertices = VertexData::filled(mesh.vertices(), false);
         for &v in &options.forbidden {
@@ -49,7 +49,7 @@ impl Closed {
     }
 }
 
-/// The cost of each edge: its length, more where the surface is curved if that is asked for; infinite where no cut may go.
+/// The cost of each edge: its length, increased by curvature on request; infinite where no cut may go.
 #[derive(Clone, Debug)]
 pub(crate) struct Costs {
     of_edge: EdgeData<f64>,
@@ -76,13 +76,13 @@ impl Costs {
         Self { of_edge: EdgeData::from_fn(mesh.edges(), cost), is_forbidden: closed.vertices }
     }
 
-    /// Other costs of the same edges.
+    /// Modified costs of the same edges.
     pub(super) fn changed(&self, cost: impl Fn(EdgeId, f64) -> f64) -> Self {
         let of_edge = EdgeData::from_fn(self.of_edge.len(), |edge| cost(edge, self.of_edge[edge]));
         Self { of_edge, is_forbidden: self.is_forbidden.clone() }
     }
 
-    /// The costs of the edges of another mesh, whose vertices are some of these.
+    /// The costs for the edges of another mesh, whose vertices are a subset of these.
     pub(crate) fn elsewhere(
         &self,
         mesh: &SurfaceMesh,
@@ -98,7 +98,7 @@ impl Costs {
         self.of_edge[edge]
     }
 
-    /// Whether no cut may touch a vertex.
+    /// Whether cuts may not touch a vertex.
     pub(crate) fn forbid(&self, vertex: VertexId) -> bool {
         self.is_forbidden[vertex]
     }
@@ -109,8 +109,8 @@ impl Costs {
     }
 }
 
-/// The absolute mean curvature around each vertex: a quarter of the sum of lengths times angles between the faces of its edges, over its
-/// area.
+/// The absolute mean curvature around each vertex: a quarter of the sum, over its edges, of length times dihedral angle, divided by
+/// its area.
 fn mean_curvatures(surface: &EmbeddedSurface) -> VertexData<f64> {
     let mesh = surface.mesh();
     let areas = surface.surface().vertex_areas();

@@ -5,20 +5,20 @@ use pompeiu_core::VertexId;
 use pompeiu_core::mesh::UnionFind;
 use pompeiu_surface::{EdgeData, EdgeDistances, EdgeId, HalfedgeId, Surface};
 
-/// Most roots that are tried on closed surfaces, and the number of vertices beyond which fewer are.
+/// Largest number of roots tried on closed surfaces, and the number of vertices above which fewer are tried.
 const MOST_ROOTS: usize = 24;
 const VERTICES_FOR_ALL_ROOTS: usize = 200_000;
 
-/// A set of edges that leaves a disk of a connected surface; none if it is a disk, and none if it is a sphere.
+/// A set of edges that cuts a connected surface into a disk; empty for a disk and for a sphere.
 ///
 /// # Definition
-/// Faces are joined across edges into a spanning tree; edges with the greatest sum of both ends' distances and their own length
-/// first, and the edges of shortest paths last. The distances are those from the boundary, or from a root where there is none.
-/// The edges not crossed are pruned back to where they end at the boundary or in loops. Closed surfaces are cut
-/// from several roots, far from each other, and the shortest cut is taken.
+/// Faces are joined across edges into a spanning tree. Edges are taken in decreasing order of the sum of both ends' distances and
+/// their own length, and the edges of shortest paths last. The distances are those from the boundary or, without one, from a root.
+/// The edges not crossed are pruned until every branch ends at the boundary or in a loop. Closed surfaces are cut from several
+/// roots, far from each other, and the shortest cut is taken.
 ///
 /// # Source
-/// `erickson_optimally_2004` for the tree and the cotree; `erickson_greedy_2005` for the order.
+/// `erickson_optimally_2004` for the tree–cotree decomposition; `erickson_greedy_2005` for the order.
 pub(crate) fn disk_cut(surface: &Surface, costs: &Costs) -> EdgeData<bool> {
     let mesh = surface.mesh();
     let boundary: Vec<VertexId> = mesh.vertex_ids().filter(|&v| mesh.is_boundary_vertex(v)).collect();
@@ -79,7 +79,7 @@ fn cut_from(surface: &Surface, costs: &Costs, sources: &[VertexId]) -> EdgeData<
     cut
 }
 
-/// Takes edges that end nowhere off a cut until there are none; vertices that are kept are somewhere.
+/// Repeatedly removes dangling edges from a cut; edges at vertices that are kept do not dangle.
 pub(super) fn prune(surface: &Surface, cut: &mut EdgeData<bool>, is_kept: impl Fn(VertexId) -> bool) {
     let mesh = surface.mesh();
     let mut degrees = vec![0_u32; mesh.vertices()];

@@ -1,14 +1,14 @@
-//! Why a surface cannot be cut.
+//! Errors of cutting.
 
 use crate::{MedialError, SymmetryError};
 use pompeiu_core::{FaceId, VertexId};
 use pompeiu_surface::{GeometryError, SurfaceError};
 
-/// Why a surface cannot be cut as asked.
+/// Why a surface cannot be cut.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum CutError {
-    /// The mesh is no surface to measure on.
+    /// The mesh has no usable geometry.
     #[error(transparent)]
     Geometry(#[from] GeometryError),
     /// A component of the opened surface is not a disk.
@@ -24,7 +24,7 @@ pub enum CutError {
         /// Its boundary loops.
         boundary_loops: usize,
     },
-    /// A cut of a single edge, which opens nothing.
+    /// The cut is a single edge, which opens nothing.
     #[error(
         "cutting the edge from vertex {} to vertex {} alone opens nothing, because both ends stay whole; cut another edge at \
          one of them, too",
@@ -34,7 +34,7 @@ pub enum CutError {
         /// Its ends.
         ends: [VertexId; 2],
     },
-    /// No edge joins two vertices that are named one after the other.
+    /// No edge joins two consecutive vertices of a path.
     #[error("no edge joins vertices {} and {}", ends[0], ends[1])]
     NoEdge {
         /// The vertices.
@@ -56,33 +56,33 @@ pub enum CutError {
         /// Number of faces.
         faces: usize,
     },
-    /// The weight of curvature is no number from 0 on.
+    /// The weight of curvature is negative or no number.
     #[error("the weight of curvature is {weight}; it must be a number, 0 or more")]
     Curvature {
         /// The weight.
         weight: f64,
     },
-    /// The spread at which no more is cut is no number above 0.
+    /// The spread for stopping is not a positive number.
     #[error("the spread of distances is {spread}; it must be a number above 0")]
     Spread {
         /// The spread.
         spread: f64,
     },
-    /// The surface cannot be filled with balls, which the strategy follows.
+    /// Medial balls, which the strategy needs, cannot be computed.
     #[error(transparent)]
     Medial(#[from] MedialError),
-    /// A straightened path was lost by rounding.
+    /// Rounding made a straightened path invalid.
     #[error(
         "the straightened path from vertex {vertex} cannot be followed across faces, which are too thin there"
     )]
     Straight {
-        /// Where it begins.
+        /// The start of the path.
         vertex: VertexId,
     },
-    /// The plane of symmetry cannot be kept.
+    /// The cut cannot be symmetric.
     #[error(transparent)]
     Symmetry(#[from] SymmetryError),
-    /// Every cut would enter what is forbidden.
+    /// Every cut would enter a forbidden place.
     #[error(
         "no admissible cut opens the part that holds face {face}: every one enters a forbidden edge or vertex"
     )]
@@ -90,7 +90,7 @@ pub enum CutError {
         /// A face of the part.
         face: FaceId,
     },
-    /// Edges that the caller named are forbidden.
+    /// The caller requested a forbidden edge.
     #[error("the edge from vertex {} to vertex {} is to be cut, but is forbidden", ends[0], ends[1])]
     ForbiddenEdge {
         /// Its ends.

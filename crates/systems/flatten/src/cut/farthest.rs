@@ -1,11 +1,11 @@
-//! The two points of a set that are farthest from each other.
+//! The diameter of a point set.
 
 use pompeiu_core::geom::Aabb;
 
-/// Points of a part that is searched pair by pair.
+/// Up to this many points are searched pair by pair.
 const LEAF: usize = 16;
 
-/// A part of the points: a range of their order, and its box.
+/// A subset of the points: a range of their order, and its bounding box.
 struct Part {
     from: usize,
     to: usize,
@@ -13,10 +13,10 @@ struct Part {
     halves: Option<[usize; 2]>,
 }
 
-/// The indices of two points whose distance is the greatest; the first two of equal pairs found, `None` with fewer than two points.
+/// The indices of two points at the greatest distance; of equal distances the first pair found, `None` for fewer than two points.
 ///
 /// # Accuracy
-/// Squared distances are compared as they are computed, each rounded. The search leaves out only pairs whose boxes are nearer.
+/// Compares rounded squared distances. Only pairs in boxes with a smaller bound are skipped.
 /// # Cost
 /// O(n²) at worst, on a sphere for instance close to O(n log n).
 pub fn farthest_pair(points: &[[f64; 3]]) -> Option<[usize; 2]> {
@@ -27,7 +27,7 @@ pub fn farthest_pair(points: &[[f64; 3]]) -> Option<[usize; 2]> {
     let mut parts = Vec::new();
     let root = divide(points, &mut order, 0, &mut parts);
     let mut best = (-1.0, [0, 1]);
-    // What is searched last is put on the stack first.
+    // The last pair pushed is searched first.
     let mut open = vec![(f64::INFINITY, root, root)];
     while let Some((bound, a, b)) = open.pop() {
         if bound <= best.0 {
@@ -67,8 +67,8 @@ fn distance_sq(p: [f64; 3], q: [f64; 3]) -> f64 {
     d[0] * d[0] + d[1] * d[1] + d[2] * d[2]
 }
 
-/// At least the squared distance of any point of one part from any of the other: rounding is monotone, so that the bound computed
-/// from greater differences is not below any distance computed the same way.
+/// An upper bound on the rounded squared distances between points of two subsets. Rounding is monotone, so the bound, computed in
+/// the same way from greater differences, is not below any such distance.
 fn bound_sq(p: &Part, q: &Part) -> f64 {
     let (p, q) = (&p.aabb, &q.aabb);
     let side = |k: usize| {
@@ -79,7 +79,7 @@ fn bound_sq(p: &Part, q: &Part) -> f64 {
     d[0] * d[0] + d[1] * d[1] + d[2] * d[2]
 }
 
-/// Halves points across the longest side of their box.
+/// Splits points across the longest side of their bounding box.
 fn divide(points: &[[f64; 3]], order: &mut [usize], from: usize, parts: &mut Vec<Part>) -> usize {
     let mut aabb = Aabb::EMPTY;
     for &i in order.iter() {

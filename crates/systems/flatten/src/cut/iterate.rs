@@ -1,4 +1,4 @@
-//! Cuts one after the other, each to the vertex that is farthest from what is cut.
+//! Successive cuts, each to the vertex farthest from the existing cut.
 
 use super::costs::Costs;
 use super::farthest::farthest_pair;
@@ -8,17 +8,17 @@ use crate::medial::distance;
 use pompeiu_core::VertexId;
 use pompeiu_surface::{EdgeDistances, EmbeddedSurface, Surface};
 
-/// What farthest means.
+/// The distance that is maximised.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Metric {
-    /// In space, along straight lines.
+    /// Euclidean distance in space.
     Straight,
-    /// Along the edges of the surface.
+    /// Distance along the edges of the surface.
     Surface,
 }
 
-/// Joins the farthest pair of vertices, then the vertex farthest from what is cut, until there are so many cuts, or the distances of
-/// the surface from what is cut spread by no more than is asked for.
+/// Joins the farthest pair of vertices, then repeatedly the vertex farthest from the cut, until the number of cuts is reached, or
+/// the spread of distances from the cut is as small as requested.
 pub(super) fn iterate(
     surface: &EmbeddedSurface,
     costs: &Costs,
@@ -63,7 +63,7 @@ fn pair_in_space(surface: &EmbeddedSurface, costs: &Costs) -> Option<[VertexId; 
     farthest_pair(&points).map(|pair| pair.map(|i| allowed[i]))
 }
 
-/// The vertex that is farthest from any one, and the farthest from that.
+/// The vertex farthest from an arbitrary one, and the vertex farthest from that.
 fn pair_along(surface: &Surface, costs: &Costs) -> Option<[VertexId; 2]> {
     let first = surface.mesh().vertex_ids().find(|&v| !costs.forbid(v))?;
     let farthest = |from: VertexId| {
@@ -87,7 +87,7 @@ fn from_in_space(surface: &EmbeddedSurface, reached: &[VertexId]) -> Vec<f64> {
     surface.mesh().vertex_ids().map(nearest).collect()
 }
 
-/// The standard deviation over the area of distances, over the square root of the area.
+/// The standard deviation of distances over the area, relative to the square root of the area.
 fn deviation(surface: &Surface, distances: &[f64]) -> f64 {
     let (areas, total) = (surface.vertex_areas(), surface.area());
     let mean_of = |power: i32| {

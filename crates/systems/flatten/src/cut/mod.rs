@@ -1,4 +1,4 @@
-//! Cutting: which edges, and opening the surface along them.
+//! Choosing edges to cut, and opening the surface along them.
 
 mod choose;
 mod costs;
@@ -21,7 +21,7 @@ pub use open::{Opened, open};
 pub(crate) use tips::tips;
 pub(crate) use tree::GrowingCut;
 
-/// The first place of the largest finite value; 0 where there is none.
+/// The index of the first largest finite value; 0 if there is none.
 pub(crate) fn largest(values: &[f64]) -> usize {
     let mut best = (0, f64::NEG_INFINITY);
     for (i, &value) in values.iter().enumerate() {

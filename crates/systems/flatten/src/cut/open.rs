@@ -5,11 +5,11 @@ use pompeiu_core::mesh::VertexData;
 use pompeiu_core::{FaceId, VertexId};
 use pompeiu_surface::{EdgeData, HalfedgeId, SurfaceMesh};
 
-/// A surface opened along edges: the same faces with the same corners, and a copy of a vertex for each part that the edges cut its
-/// faces into.
+/// A surface opened along edges: the same faces with the same corners, and a copy of each vertex for every fan into which the cut
+/// divides its faces.
 ///
-/// The first copy keeps the number of the vertex, so that the vertices of the input are a prefix of those of the result; further
-/// copies are numbered in the order of their vertices, counter-clockwise around each.
+/// The first copy keeps the index of the vertex, so the input's vertices come first; further copies follow in the order of their
+/// vertices, counter-clockwise around each.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Opened {
     mesh: SurfaceMesh,
@@ -23,7 +23,7 @@ impl Opened {
         &self.mesh
     }
 
-    /// The faces after the cut; those of the input with other numbers.
+    /// The faces after the cut: those of the input with new vertex indices.
     pub fn faces(&self) -> &[[u32; 3]] {
         &self.faces
     }
@@ -33,7 +33,7 @@ impl Opened {
         &self.vertex_map
     }
 
-    /// The faces with all copies glued together: those of the input.
+    /// The faces with all copies identified: those of the input.
     pub fn glued_faces(&self) -> Vec<[u32; 3]> {
         self.faces.iter().map(|face| face.map(|v| self.vertex_map[VertexId(v)].0)).collect()
     }
@@ -46,7 +46,7 @@ impl Opened {
     /// Checks that every component is a disk: one boundary loop and Euler characteristic 1.
     ///
     /// # Errors
-    /// [`CutError::NoDisk`] names the first component that is none.
+    /// [`CutError::NoDisk`] names the first component that is no disk.
     pub fn check_disks(&self) -> Result<(), CutError> {
         let counts = characteristics(&self.mesh);
         let loops = self.mesh.boundary_loops_of_components();
@@ -76,16 +76,16 @@ fn characteristics(mesh: &SurfaceMesh) -> Vec<isize> {
     counts
 }
 
-/// Opens a surface along a set of edges: paths, trees, loops, whatever they are, all at once.
+/// Opens a surface along a set of edges, which may form paths, trees and loops.
 ///
 /// # Definition
-/// Two corners of neighbouring faces at the same vertex stay together unless the edge between the faces is cut. Each class of
-/// corners becomes a vertex: a vertex inside with k cut edges has max(1, k) copies, one on the boundary k + 1. Edges of the
-/// boundary may be named, and change nothing. Nothing is measured, so the result is exact.
+/// Two corners of adjacent faces at the same vertex stay together unless the edge between the faces is cut. Each class of corners
+/// becomes a vertex: an inner vertex with k cut edges has max(1, k) copies, a boundary vertex k + 1. Boundary edges may be listed,
+/// and have no effect. The operation is combinatorial, so the result is exact.
 ///
 /// # Errors
-/// [`CutError::SingleEdge`] for a cut edge both of whose ends stay whole: its two sides would join the same two vertices, and no
-/// triangle mesh tells them apart.
+/// [`CutError::SingleEdge`] for a cut edge neither of whose ends is split: both of its sides would join the same two vertices, and
+/// a triangle mesh cannot represent that.
 ///
 /// # Cost
 /// O(F).
@@ -98,7 +98,7 @@ pub fn open(mesh: &SurfaceMesh, cut: &EdgeData<bool>) -> Result<Opened, CutError
         fan.extend(mesh.outgoing(v));
         let is_cut = |h: HalfedgeId| cut[mesh.edge(h)];
         if !mesh.is_boundary_vertex(v) {
-            // A part of the fan begins at a cut edge.
+            // A new fan begins at each cut edge.
             let first = fan.iter().position(|&h| is_cut(h)).unwrap_or(0);
             fan.rotate_left(first);
         }
@@ -125,7 +125,7 @@ pub fn open(mesh: &SurfaceMesh, cut: &EdgeData<bool>) -> Result<Opened, CutError
     })
 }
 
-/// Whether both sides of an edge name the same two vertices.
+/// Whether both sides of an edge have the same two vertices.
 fn is_closed_again(mesh: &SurfaceMesh, corners: &[u32], edge: pompeiu_surface::EdgeId) -> bool {
     let h = mesh.edge_halfedge(edge);
     mesh.twin(h).is_some_and(|twin| {

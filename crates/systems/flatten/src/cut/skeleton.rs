@@ -1,4 +1,4 @@
-//! Cuts that follow the balls in a surface.
+//! Cuts along medial balls.
 
 use super::choose::joined_edges;
 use super::costs::Costs;
@@ -9,16 +9,16 @@ use pompeiu_core::VertexId;
 use pompeiu_surface::{EdgeData, EdgeDistances, EmbeddedSurface};
 use std::num::NonZeroUsize;
 
-/// Distance of a vertex from a ball, over its radius, up to which the ball counts as touching it.
+/// A ball touches a vertex if the distance between them is at most this, relative to its radius.
 const TOUCHING: f64 = 0.1;
 
-/// How much dearer an edge becomes with the square of its distance from a section, over the radius.
+/// Additional cost of an edge off a section, per squared distance from it relative to the radius.
 const OFF_SECTION: f64 = 100.0;
 
-/// A tolerance of the deviation, which does not matter here.
+/// The tolerance of the deviation, which is not used here.
 const ANY: f64 = 1.0;
 
-/// A surface with balls in it.
+/// A surface with its medial balls.
 pub(super) struct Skeleton<'s> {
     surface: &'s EmbeddedSurface,
     costs: &'s Costs,
@@ -36,7 +36,7 @@ impl<'s> Skeleton<'s> {
         Ok(Self { surface, costs, medial })
     }
 
-    /// The pair of vertices that are farthest apart, one touched by each of the balls at the ends of the longest path between balls.
+    /// Two vertices farthest apart, each touched by one of the two balls at the ends of the longest path between balls.
     pub(super) fn ends(&self) -> Vec<VertexId> {
         let ends = longest_path(&self.medial.balls, &self.medial.edges);
         let [first, second] = ends.map(|i| self.touched(&self.medial.balls[i]));
@@ -57,7 +57,7 @@ impl<'s> Skeleton<'s> {
         best.1
     }
 
-    /// The vertices that a ball touches: the nearest one, and all that are nearly on it.
+    /// The vertices that a ball touches: the nearest one, and others at nearly the same distance.
     fn touched(&self, ball: &Ball) -> Vec<VertexId> {
         let off = |v: VertexId| (distance(self.surface.positions()[v], ball.centre) - ball.radius).abs();
         let near = |v: &VertexId| !self.costs.forbid(*v) && off(*v) <= TOUCHING * ball.radius;
@@ -68,7 +68,7 @@ impl<'s> Skeleton<'s> {
         touched
     }
 
-    /// The vertex that is nearest to a place, among those where a cut may go.
+    /// The vertex nearest to a point, among those where cuts are allowed.
     fn nearest(&self, place: [f64; 3]) -> Option<VertexId> {
         let away = |v: VertexId| distance(self.surface.positions()[v], place);
         let allowed = self.surface.mesh().vertex_ids().filter(|&v| !self.costs.forbid(v));
@@ -80,8 +80,8 @@ impl<'s> Skeleton<'s> {
         self.medial.balls.iter().map(|ball| self.nearest(ball.centre)).collect()
     }
 
-    /// A cut with a path along each bone: the edges of the shortest tree between balls. What would close a loop is left out, and so is
-    /// what then ends beside a joint.
+    /// A cut with a path along each bone, that is each edge of the minimum spanning tree of the balls. Edges that would close a
+    /// loop are omitted, and dangling ends away from joints are removed.
     pub(super) fn bones(&self, base: &EdgeData<bool>) -> EdgeData<bool> {
         let (surface, mesh) = (self.surface.surface(), self.surface.mesh());
         let joints = self.joints();
@@ -95,7 +95,7 @@ impl<'s> Skeleton<'s> {
         let is_joint = |v: VertexId| joints.contains(&Some(v));
         prune(surface, &mut cut, is_joint);
         if base.contains(&true) || !mesh.boundary_loops().is_empty() {
-            // From the cut that makes the disk to the tree of bones.
+            // Connects the cut that leaves a disk with the tree of bones.
             let tree: Vec<VertexId> = joints.iter().flatten().copied().collect();
             let rest = GrowingCut::new(surface, self.costs, base.clone()).reached();
             let from = EdgeDistances::along(surface, &rest, |edge| self.costs.of(edge));
@@ -109,8 +109,8 @@ impl<'s> Skeleton<'s> {
         cut
     }
 
-    /// The cut with arcs around the surface where bones begin: along the plane through the ball's centre across the bone, to the far
-    /// side and half of the way back.
+    /// Adds arcs around the surface at the start of bones: in the plane through the ball's centre perpendicular to the bone, to the
+    /// far side and half of the way back.
     pub(super) fn with_sections(&self, cut: EdgeData<bool>) -> EdgeData<bool> {
         let (surface, mesh) = (self.surface.surface(), self.surface.mesh());
         let balls = &self.medial.balls;
@@ -135,7 +135,7 @@ impl<'s> Skeleton<'s> {
             let mut growing = GrowingCut::new(surface, &costs, cut);
             let aside = along.cross(out);
             for direction in [-out, aside, -aside] {
-                // One side is passed on the way to the far side; no path closes a loop.
+                // The path to the far side runs along one side; no path closes a loop.
                 if let Some(end) = self.nearest((centre + direction).to_array()) {
                     growing.join(&[end]);
                 }

@@ -1,19 +1,19 @@
-//! The tips of a surface: where it is farther from the rest of itself than anywhere around.
+//! Tips of a surface: local maxima of the average distance from the rest of the surface.
 
 use super::largest;
 use pompeiu_core::VertexId;
 use pompeiu_surface::{EdgeDistances, Surface};
 
-/// Vertices, far from each other, that stand for the whole surface.
+/// Number of distant vertices that represent the whole surface.
 const SOURCES: usize = 24;
 
-/// Least distance between two tips, over the square root of the area.
+/// Smallest distance between two tips, relative to the square root of the area.
 const APART: f64 = 0.25;
 
-/// Least average distance of a tip over that of the middle of the surface.
+/// Smallest average distance of a tip, relative to the minimum over the surface.
 const PROMINENCE: f64 = 1.15;
 
-/// The local maxima of the average distance to all points, along edges; the most prominent first.
+/// The local maxima of the average distance to all points, along edges; most prominent first.
 ///
 /// # Definition
 /// The average is over 24 vertices, each the farthest from those before, weighted by the area that is nearest to it. A local maximum
@@ -30,7 +30,7 @@ pub(crate) fn tips(surface: &Surface) -> Vec<VertexId> {
     let mut nearest = vec![f64::INFINITY; n];
     let mut owner = vec![0_usize; n];
     let mut fields = Vec::with_capacity(SOURCES);
-    // The first is only for the sake of the second.
+    // The first one only determines the second.
     let mut source = VertexId(largest(&distances(VertexId(0))) as u32);
     for k in 0..SOURCES.min(n) {
         let from = distances(source);

@@ -1,13 +1,13 @@
-//! Growing a cut: joining vertices to what is cut already.
+//! Growing a cut by joining vertices to it.
 
 use super::costs::Costs;
 use pompeiu_core::VertexId;
 use pompeiu_surface::{EdgeData, EdgeDistances, Surface};
 
-/// A cut that grows by shortest paths from what is cut, or from the boundary.
+/// A cut that grows by shortest paths from the existing cut or from the boundary.
 ///
-/// On a disk, or on a sphere from a single vertex on, the cut stays a tree with the boundary as its root, and the
-/// opened surface a disk.
+/// On a disk, and on a sphere from the first vertex on, the cut stays a tree rooted in the boundary, and the opened surface stays a
+/// disk.
 #[derive(Clone, Debug)]
 pub(crate) struct GrowingCut<'s> {
     surface: &'s Surface,
@@ -29,12 +29,12 @@ impl<'s> GrowingCut<'s> {
         Self { surface, costs, edges, reached }
     }
 
-    /// Whether nothing is cut and there is no boundary.
+    /// Whether the cut is empty and there is no boundary.
     pub(crate) fn is_empty(&self) -> bool {
         !self.reached.contains(&true)
     }
 
-    /// Makes a vertex the place from which the cut grows.
+    /// Makes a vertex the root of the cut.
     pub(crate) fn start_at(&mut self, v: VertexId) {
         self.reached[v.index()] = true;
     }
@@ -44,10 +44,10 @@ impl<'s> GrowingCut<'s> {
         self.surface.mesh().vertex_ids().filter(|v| self.reached[v.index()]).collect()
     }
 
-    /// Joins all these vertices, the nearest one first; those that no path reaches are given back.
+    /// Joins all these vertices, nearest first; returns those that no path reaches.
     ///
     /// # Source
-    /// `takahashi_approximate_1980`: the length is less than twice the least possible.
+    /// `takahashi_approximate_1980`: the length is less than twice the minimum.
     pub(crate) fn join(&mut self, terminals: &[VertexId]) -> Vec<VertexId> {
         let mut left = terminals.to_vec();
         if self.is_empty()

@@ -1,4 +1,4 @@
-//! As rigid as possible: each face turned by a rotation of its own, and all fitted together.
+//! As-rigid-as-possible maps: each face is rotated rigidly, and all are fitted together.
 
 use super::energy::gradients;
 use crate::FlattenError;
@@ -8,11 +8,11 @@ use pompeiu_solve::{Analysis, Cholesky, ElementPattern, FIXED, LinearSolver, Ord
 use pompeiu_surface::Surface;
 use pompeiu_surface::plane::Vec2;
 
-/// Change of the energy below which it counts as least, over the energy.
+/// Converged if the energy changes by less than this share.
 const SETTLED: f64 = 1e-6;
 
-/// Descends from a map to one whose derivative is near to rotations, by turns: the best rotation of each face, then the best
-/// places for these rotations. Faces may flip.
+/// Moves a map towards one whose derivatives are rotations, by alternating between the best rotation of each face and the best
+/// positions for these rotations. Faces may flip.
 ///
 /// # Definition
 /// The integral of the squared distance of the derivative from a rotation of each face.
@@ -29,7 +29,7 @@ pub(crate) fn as_rigid_as_possible(
     let faces: Vec<FaceId> = mesh.face_ids().collect();
     let gradient: Vec<[Vec2; 3]> = faces.iter().map(|&face| gradients(surface.corners(face))).collect();
     let corners: Vec<[usize; 3]> = faces.iter().map(|&face| mesh.face(face).map(VertexId::index)).collect();
-    // The first vertex stays: moving everything costs nothing.
+    // The first vertex is fixed, because translations do not change the energy.
     let unknown = |v: usize| if v == 0 { FIXED } else { v as u32 - 1 };
     let n = mesh.vertices() - 1;
     let elements: Vec<[u32; 3]> = corners.iter().map(|face| face.map(unknown)).collect();
@@ -54,7 +54,7 @@ pub(crate) fn as_rigid_as_possible(
                     }
                 }
             }
-            // The rotation nearest to the derivative: that of its similar part.
+            // The rotation nearest to the derivative is that of its similarity part.
             let (cosine, sine) = (j[0][0] + j[1][1], j[1][0] - j[0][1]);
             let size = cosine.hypot(sine);
             let [c, s] = if size > 0.0 { [cosine / size, sine / size] } else { [1.0, 0.0] };

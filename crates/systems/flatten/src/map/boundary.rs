@@ -1,4 +1,4 @@
-//! Where the boundary of a disk goes.
+//! Boundary positions of a disk.
 
 use crate::FlattenError;
 use crate::check::orientation;
@@ -7,7 +7,7 @@ use pompeiu_core::VertexId;
 use pompeiu_surface::plane::{Vec2, add, norm, scale, sub};
 use pompeiu_surface::{EmbeddedSurface, HalfedgeId, Surface};
 
-/// The convex curve that the boundary of a disk is mapped to.
+/// The convex curve to which the boundary of a disk is mapped.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub enum ConvexBoundary {
@@ -16,20 +16,20 @@ pub enum ConvexBoundary {
     Circle,
     /// A square; its corners are vertices.
     Square,
-    /// A convex polygon, its corners counter-clockwise.
+    /// A convex polygon, given by its corners counter-clockwise.
     Polygon(Vec<Vec2>),
-    /// The boundary as it is, in its plane.
+    /// The boundary itself, in its plane.
     Own,
 }
 
-/// Greatest distance of a boundary from a plane that it is to lie in, over its length.
+/// Largest distance of a planar boundary from its plane, relative to its length.
 const PLANAR: f64 = 1e-9;
 
 impl ConvexBoundary {
-    /// The places of the vertices of a boundary loop, in its order, counter-clockwise. The disk inside a circle and a square has the
-    /// area of the surface; lengths along the curve are in proportion to those of the boundary (chord length).
+    /// The positions of the vertices of a boundary loop, in its order, counter-clockwise. Circles and squares enclose the area of
+    /// the surface; lengths along the curve are proportional to those of the boundary (chord length).
     ///
-    /// The surface is that of the disk, or has faces around it; then its boundary has no places of its own.
+    /// The surface is the disk itself, or the disk with a virtual boundary around it, for which [`ConvexBoundary::Own`] is invalid.
     pub(crate) fn places(
         &self,
         disk: &EmbeddedSurface,
@@ -77,7 +77,7 @@ fn check_convex(corners: &[Vec2]) -> Result<(), FlattenError> {
     if n >= 3 && finite && turns { Ok(()) } else { Err(FlattenError::Polygon { corners: n }) }
 }
 
-/// Puts vertices at the corners, the nearest ones by chord length, and the others between them.
+/// Assigns to each corner the nearest vertex by chord length, and puts the others between them.
 fn on_polygon(lengths: &[f64], corners: &[Vec2]) -> Result<Vec<Vec2>, FlattenError> {
     let (n, k) = (lengths.len(), corners.len());
     if n < k {
@@ -90,7 +90,7 @@ fn on_polygon(lengths: &[f64], corners: &[Vec2]) -> Result<Vec<Vec2>, FlattenErr
     for i in 0..n {
         at[i + 1] = at[i] + lengths[i] / total;
     }
-    // The vertex at each corner: as near as possible, with enough left for those that follow.
+    // The vertex at each corner: as near as possible, leaving enough for the following corners.
     let mut first = vec![0; k + 1];
     let mut passed = 0.0;
     for i in 1..k {
@@ -130,7 +130,7 @@ fn in_plane(surface: &EmbeddedSurface, along: &[HalfedgeId]) -> Result<Vec<Vec2>
         let vertex = along.first().map_or(VertexId(0), |&h| mesh.tail(h));
         return Err(FlattenError::NotPlanar { vertex, height, most: PLANAR * perimeter });
     }
-    // The axis farthest from the normal, and what makes a right-handed frame with it: x and y where the plane is theirs.
+    // The axis farthest from the normal completes a right-handed frame: x and y if the plane is theirs.
     let axis = (0..3).fold(0, |least, k| if unit[k].abs() < unit[least].abs() { k } else { least });
     let first = DVec3::AXES[axis];
     let first = first - first.dot(unit) * unit;

@@ -1,4 +1,4 @@
-//! Maps with a free boundary that keep angles as well as they can, without a guarantee against flips.
+//! Free-boundary maps that minimise angle distortion, without a guarantee against flips.
 
 use super::energy::gradients;
 use crate::FlattenError;
@@ -9,25 +9,25 @@ use pompeiu_solve::{
 use pompeiu_surface::plane::Vec2;
 use pompeiu_surface::{EmbeddedSurface, Surface};
 
-/// How a conformal map is chosen among those of little conformal energy.
+/// Which minimiser of the conformal energy is chosen.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Conformal {
-    /// Two vertices of the boundary, the farthest from each other in space, are held.
+    /// Two boundary vertices, the farthest from each other in space, are fixed.
     LeastSquares,
-    /// No vertex is held: the eigenvector of the least eigenvalue, over the mass of the boundary.
+    /// No vertex is fixed: the eigenvector of the least eigenvalue, with the mass of the boundary.
     #[default]
     Spectral,
 }
 
-/// What is added to the diagonal for the spectral map, over its mean: translations cost nothing otherwise.
+/// Regularisation of the diagonal for the spectral map, relative to its mean, because translations do not change the energy.
 const SHIFT: f64 = 1e-9;
 
-/// Most inverse iterations, and the change of the eigenvector at which they end.
+/// Largest number of inverse iterations, and the change of the eigenvector at which they converge.
 const ITERATIONS: usize = 200;
 const SETTLED: f64 = 1e-10;
 
-/// The map of least conformal energy, at the scale of the surface.
+/// The map of least conformal energy, scaled to the area of the surface.
 ///
 /// # Definition
 /// The energy is half the integral of the squared distance of the derivative from the similarities.
@@ -49,7 +49,7 @@ pub(crate) fn conformal(surface: &EmbeddedSurface, kind: Conformal) -> Result<Ve
     Ok(uv)
 }
 
-/// The energy of one face as a matrix of the six coordinates of its corners.
+/// The energy matrix of one face, for the six coordinates of its corners.
 fn element(surface: &Surface, face: pompeiu_core::FaceId) -> [[f64; 6]; 6] {
     let area = surface.face_area(face);
     let g = gradients(surface.corners(face));
@@ -67,7 +67,7 @@ fn element(surface: &Surface, face: pompeiu_core::FaceId) -> [[f64; 6]; 6] {
     matrix
 }
 
-/// The matrix of the energy, with the unknowns that coordinates have.
+/// The matrix of the energy, for the given numbering of unknowns.
 fn energy(
     surface: &Surface,
     unknowns: &[u32],
@@ -142,7 +142,7 @@ fn spectral(surface: &Surface, boundary: &[VertexId], start: Vec<Vec2>) -> Resul
     let mean = plain.diagonal_entries().iter().sum::<f64>() / (2 * n) as f64;
     let shifted = energy(surface, &unknowns, 2 * n, &vec![SHIFT * mean; 2 * n])?;
     let factor = factor(&shifted)?;
-    // The boundary's part of a vector, without its mean; zero inside.
+    // The boundary part of a vector, without its mean; zero inside.
     let mass = |z: &[f64]| -> Vec<f64> {
         let mut out = vec![0.0; 2 * n];
         for k in 0..2 {
@@ -181,7 +181,7 @@ fn spectral(surface: &Surface, boundary: &[VertexId], start: Vec<Vec2>) -> Resul
     Ok(z.chunks_exact(2).map(|p| [p[0], p[1]]).collect())
 }
 
-/// Scales a map to the area of the surface, faces counted with their signs.
+/// Scales a map to the area of the surface, with signed areas of faces.
 fn scale_to_area(surface: &Surface, uv: &mut [Vec2]) {
     let mesh = surface.mesh();
     let flat: f64 = mesh

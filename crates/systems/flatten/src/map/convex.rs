@@ -1,4 +1,4 @@
-//! Convex combination maps: each vertex inside at a weighted mean of its neighbours.
+//! Convex combination maps: each inner vertex is a weighted mean of its neighbours.
 
 use super::weights::Link;
 use crate::FlattenError;
@@ -9,15 +9,15 @@ use pompeiu_surface::SurfaceMesh;
 use pompeiu_surface::plane::Vec2;
 use std::time::{Duration, Instant};
 
-/// Residual at which a system with weights that differ from end to end counts as solved, over that which rounding leaves of a place times
-/// the sum of the weights around it. Below, steps are lost.
+/// Residual at which a system with asymmetric weights counts as solved, relative to the rounding of a position times the sum of the
+/// weights around it. Smaller residuals cannot be reached.
 const RESIDUAL: f64 = 2.0 * f64::EPSILON;
 
-/// Steps of its iteration between restarts, and in all.
+/// Steps of GMRES between restarts, and in all.
 const RESTART: usize = 40;
 const MOST_STEPS: usize = 400;
 
-/// The linear systems of a disk whose boundary is fixed: one pattern, analysed once, for any weights of the same edges.
+/// The linear systems of a disk with a fixed boundary: one pattern, analysed once, for any weights of the same edges.
 pub(crate) struct ConvexSystem {
     /// The unknown of each vertex.
     unknowns: Vec<u32>,
@@ -67,7 +67,7 @@ impl ConvexSystem {
         Ok(factor)
     }
 
-    /// Moves the vertices inside to where symmetric weights balance.
+    /// Solves for the inner vertices with symmetric weights.
     pub(crate) fn balance(&mut self, weights: &[f64], uv: &mut VertexData<Vec2>) -> Result<(), FlattenError> {
         let n = self.inside.len();
         if n == 0 {
@@ -94,9 +94,9 @@ impl ConvexSystem {
         Ok(())
     }
 
-    /// Moves the vertices inside to where weights balance that differ from end to end.
+    /// Solves for the inner vertices with asymmetric weights.
     ///
-    /// The factor of the symmetric mean of both weights is the preconditioner of GMRES.
+    /// GMRES, preconditioned by the factor for the symmetric means of the weights.
     pub(crate) fn balance_unsymmetric(
         &mut self,
         links: &[Link],
@@ -110,7 +110,7 @@ impl ConvexSystem {
         let factor = self.factor(&symmetric)?;
         let start = Instant::now();
         let mut sums = vec![0.0; n];
-        // The weights around each unknown, row by row, and what its fixed neighbours pull.
+        // The weights around each unknown, row by row, and the contribution of fixed neighbours.
         let mut right = [vec![0.0; n], vec![0.0; n]];
         let mut counts = vec![0_usize; n + 1];
         let sides = || {
@@ -156,7 +156,7 @@ impl ConvexSystem {
         let mut columns = Vec::with_capacity(2);
         let norm = |x: &[f64]| x.iter().map(|x| x * x).sum::<f64>().sqrt();
         for (k, side) in right.iter().enumerate() {
-            // Means lie between the fixed places.
+            // Means lie between the fixed positions.
             let farthest = uv.iter().map(|p| p[k].abs()).fold(0.0, |most, x| if x > most { x } else { most });
             let tolerance = RESIDUAL * farthest * norm(&sums) / norm(side);
             columns.push(gmres(apply, &factor, side, tolerance, RESTART, MOST_STEPS)?);

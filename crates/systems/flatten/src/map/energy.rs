@@ -1,30 +1,30 @@
-//! The symmetric Dirichlet energy of triangles, its gradient, and its Hessian without negative eigenvalues.
+//! The symmetric Dirichlet energy of triangles, its gradient, and its Hessian projected to be positive semi-definite.
 
 use pompeiu_surface::Surface;
 use pompeiu_surface::plane::{Vec2, add, cross, scale, sub};
 use rayon::prelude::*;
 
-/// Triangles worth a task of their own.
+/// Triangles per task.
 const CHUNK: usize = 2048;
 
-/// Triangles with the shape that each of them should have.
+/// Triangles with their target shapes.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Elements {
     pub(crate) corners: Vec<[u32; 3]>,
-    /// Gradients of the functions that are 1 at one corner, in the frame of the wanted shape.
+    /// Gradients of the hat functions, in the frame of the target shape.
     gradients: Vec<[Vec2; 3]>,
     /// Share of each triangle in the energy.
     weights: Vec<f64>,
 }
 
-/// Gradient and Hessian of one triangle, coordinates of its corners in turn.
+/// Gradient and Hessian of one triangle; the coordinates of its corners are interleaved.
 pub(crate) struct Local {
     pub(crate) gradient: [f64; 6],
     pub(crate) hessian: [[f64; 6]; 6],
 }
 
 impl Elements {
-    /// The faces of a surface, weighted by area; the weights add up to one.
+    /// The faces of a surface, weighted by area; the weights sum to one.
     pub(crate) fn of_surface(surface: &Surface) -> Self {
         let mesh = surface.mesh();
         let area = surface.area();
@@ -39,8 +39,8 @@ impl Elements {
         elements
     }
 
-    /// Triangles that should keep the shape they have, all of one weight, however thin, so that they resist being pressed flat; the
-    /// weights add up to a number.
+    /// Triangles with their current shape as target and equal weights, even if they are thin, so that they resist compression; the
+    /// weights sum to `weight`.
     pub(crate) fn of_triangles(corners: &[[u32; 3]], places: &[Vec2], weight: f64) -> Self {
         let mut elements = Self::default();
         for &t in corners {
@@ -93,7 +93,7 @@ impl Elements {
         chunks.into_iter().sum()
     }
 
-    /// Gradient and Hessian of each triangle, the Hessian projected to have no eigenvalue below zero.
+    /// Gradient and Hessian of each triangle, the Hessian projected to be positive semi-definite.
     ///
     /// # Source
     /// `smith_analytic_2019`: the eigenvalues and eigenmatrices of an energy of the singular values.
@@ -103,7 +103,7 @@ impl Elements {
 
     fn local(&self, m: usize, x: &[Vec2]) -> Local {
         let [[a, b], [c, d]] = self.derivative(m, x);
-        // The derivative as a similarity of size q, turned, and one of size r, turned and reflected.
+        // The derivative is a rotation scaled by q plus a reflection scaled by r.
         let (e, h) = (0.5 * (a + d), 0.5 * (c - b));
         let (f, g) = (0.5 * (a - d), 0.5 * (c + b));
         let (q, r) = (e.hypot(h), f.hypot(g));
@@ -154,7 +154,7 @@ impl Elements {
         Local { gradient: spread(&stress).map(|x| weight * x), hessian }
     }
 
-    /// The step along a direction at which the first triangle loses its area; infinite if none does.
+    /// The step along a direction at which the first triangle degenerates; infinite if none does.
     pub(crate) fn longest_step(&self, x: &[Vec2], direction: &[Vec2]) -> f64 {
         let one = |corners: &[u32; 3]| {
             let [a, b, c] = corners.map(|v| x[v as usize]);
@@ -170,7 +170,7 @@ impl Elements {
     }
 }
 
-/// The least root above zero of `a + b t + c t²`, with `a` above zero; infinite if there is none.
+/// The least positive root of `a + b t + c t²`, for positive `a`; infinite if there is none.
 fn first_root(a: f64, b: f64, c: f64) -> f64 {
     let discriminant = b * b - 4.0 * a * c;
     if discriminant < 0.0 {
@@ -182,7 +182,7 @@ fn first_root(a: f64, b: f64, c: f64) -> f64 {
     roots.into_iter().filter(|t| *t > 0.0).fold(f64::INFINITY, f64::min)
 }
 
-/// The gradients of the functions that are linear on a triangle and 1 at one corner.
+/// The gradients of the hat functions of a triangle.
 pub(super) fn gradients([a, b, c]: [Vec2; 3]) -> [Vec2; 3] {
     let twice = cross(sub(b, a), sub(c, a));
     let across = |from: Vec2, to: Vec2| [-(to[1] - from[1]) / twice, (to[0] - from[0]) / twice];

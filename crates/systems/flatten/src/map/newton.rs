@@ -1,4 +1,4 @@
-//! Maps with a free boundary: the least symmetric Dirichlet energy without flips and, if asked for, without overlaps.
+//! Free-boundary maps: minimising the symmetric Dirichlet energy without flips and, on request, without overlaps.
 
 use super::energy::{Elements, Local, moved};
 use super::scaffold::Scaffold;
@@ -13,21 +13,21 @@ use pompeiu_surface::plane::Vec2;
 use std::sync::OnceLock;
 use std::time::{Duration, Instant};
 
-/// When a descent stops.
+/// Stopping criteria of a minimisation.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Descent {
-    /// Most steps.
+    /// Largest number of steps.
     pub(crate) steps: usize,
-    /// The decrease that a Newton step promises, over the distortion, below which the energy counts as least.
+    /// Converged if the decrease predicted for a Newton step, relative to the distortion, is below this.
     pub(crate) tolerance: f64,
-    /// An energy at which the descent stops; it stops as well when the energy is sure to stay above, if `gives_up`.
+    /// Energy at which the minimisation stops; with `gives_up` it also stops when the energy is certain to stay above.
     pub(crate) enough: f64,
     pub(crate) gives_up: bool,
     /// Whether the outline must not cross itself.
     pub(crate) is_guarded: bool,
 }
 
-/// Where a descent ended.
+/// The result of a minimisation.
 #[derive(Clone, Debug)]
 pub(crate) struct Minimization {
     pub(crate) uv: Vec<Vec2>,
@@ -36,35 +36,35 @@ pub(crate) struct Minimization {
     pub(crate) factor: Duration,
 }
 
-/// Share of the way to the first flip that a step may go.
+/// Largest step, as a share of the step to the first flip.
 const SAFE: f64 = 0.9;
 
-/// Share of the promised decrease that a step must keep (Armijo).
+/// Share of the predicted decrease that a step must achieve (Armijo).
 const ARMIJO: f64 = 1e-4;
 
-/// A step that is tried beyond Newton's own: where the Hessian has been projected, the energy is flatter than its model.
+/// Longer step that is tried as well: where the Hessian was projected, the energy is flatter than its model.
 const LONG: f64 = 2.0;
 
-/// Most halvings of a step.
+/// Largest number of halvings of a step.
 const HALVINGS: usize = 40;
 
-/// Weight of the scaffold over that of the surface, for each unit of mean distortion.
+/// Weight of the scaffold relative to the surface, per unit of mean distortion.
 const SCAFFOLD: f64 = 0.05 / 4.0;
 
-/// A decrease that rounding hides, over the energy.
+/// Relative decrease of the energy that rounding hides.
 const HIDDEN: f64 = 1e-13;
 
-/// What is added to the diagonal of a Hessian, over its mean: moving and turning everything costs nothing otherwise.
+/// Regularisation of a Hessian's diagonal, relative to its mean: rigid motions do not change the energy.
 const PROXIMAL: f64 = 1e-10;
 
-/// Steps that a scaffold serves before what lies between outline and box is triangulated anew, unless it stands in the way.
+/// Steps with one scaffold before the region between outline and box is triangulated again, unless it blocks progress earlier.
 const KEEP: usize = 4;
 
-/// Promised decreases by which the energy may still fall, as far as giving up is concerned. Newton's model promises half of one; while
-/// steps are cut short, more of them follow.
+/// For giving up: the possible further decrease of the energy as a multiple of the predicted decrease. Newton's model predicts half
+/// of one; if steps are shortened, more of them follow.
 const HOPE: f64 = 3.0;
 
-/// A disk whose energy is descended, with all that its maps have in common.
+/// A disk with everything that minimisations of its maps have in common.
 pub(crate) struct Descender {
     vertices: usize,
     outline: Vec<[u32; 2]>,
@@ -72,7 +72,7 @@ pub(crate) struct Descender {
     system: System,
 }
 
-/// The linear system of the Newton steps of some triangles.
+/// The linear system of Newton steps for some triangles.
 struct System {
     pattern: ElementPattern<6>,
     order: Vec<usize>,
@@ -80,20 +80,20 @@ struct System {
 }
 
 impl System {
-    /// The system of triangles; vertices from that number on are fixed.
+    /// The system of triangles; vertices from `vertices` on are fixed.
     fn new(vertices: usize, groups: &[&[[u32; 3]]]) -> Result<Self, SolveError> {
         let unknown = |v: u32| if (v as usize) < vertices { v } else { FIXED };
         let elements: Vec<[u32; 3]> =
             groups.iter().flat_map(|group| group.iter()).map(|corners| corners.map(unknown)).collect();
         let pattern = ElementPattern::new(vertices, &elements)?;
         let scalar = pattern.assemble(&vec![0.0; vertices], |_| [[0.0; 3]; 3])?;
-        // The order for one unknown at each vertex serves both of its coordinates.
+        // The ordering for one unknown per vertex is used for both coordinates.
         let scalar = Analysis::new(&scalar, &Ordering::MinimumDegree)?;
         let order = scalar.order().into_iter().flat_map(|v| [2 * v, 2 * v + 1]).collect();
         Ok(Self { pattern: pattern.doubled(), order, analysis: OnceLock::new() })
     }
 
-    /// The Newton step for these derivatives, and the decrease that it promises.
+    /// The Newton step for these derivatives, and the predicted decrease.
     fn step(&self, locals: &[Local], gradient: &[f64]) -> Result<(Vec<f64>, f64), SolveError> {
         let n = gradient.len();
         let mut diagonal = 0.0;
@@ -131,18 +131,18 @@ impl Descender {
         Ok(Self { vertices: mesh.vertices(), outline: outline(mesh), faces, system })
     }
 
-    /// Whether the outline of a map has no point twice.
+    /// Whether the outline of a map is simple.
     pub(crate) fn is_simple(&self, x: &[Vec2]) -> bool {
         outline_crossings(&self.outline, x).is_empty()
     }
 
-    /// Descends from a map without flips to one of less symmetric Dirichlet energy, by projected Newton steps that never flip a face.
-    /// If the outline is guarded, it must not cross itself at the start; as soon as a step would make it do so, the descent
-    /// goes on with a scaffold around the disk.
+    /// Minimises the symmetric Dirichlet energy from a map without flips, by projected Newton steps that never flip a face. If the
+    /// outline is guarded, it must be simple at the start; as soon as a step would make it cross itself, the minimisation continues
+    /// with a scaffold around the disk.
     ///
     /// # Definition
-    /// The mean over the area of σ1² + σ2² + σ1⁻² + σ2⁻², and with a scaffold the same for its triangles, measured from the shape that
-    /// each has before the step, by a small weight.
+    /// The mean over the area of σ1² + σ2² + σ1⁻² + σ2⁻²; with a scaffold, plus the same for its triangles relative to their shapes
+    /// before the step, with a small weight.
     ///
     /// # Source
     /// `smith_bijective_2015` for the energy and the longest step, `jiang_simplicial_2017` for the scaffold.
@@ -223,7 +223,7 @@ impl Descender {
         Ok(Minimization { uv: x, energy, steps, factor })
     }
 
-    /// The Newton step of the disk with triangles around it, and the decrease that it promises.
+    /// The Newton step of the disk with its scaffold, and the predicted decrease.
     fn newton_step(
         &self,
         system: &System,

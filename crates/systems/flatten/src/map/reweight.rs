@@ -1,4 +1,4 @@
-//! Convex combination maps that are one-to-one in doubles: where vertices crowd, weights are changed until they do not.
+//! Convex combination maps that are one-to-one in double precision: weights are changed until no face is nearly degenerate.
 
 use super::boundary::ConvexBoundary;
 use super::convex::ConvexSystem;
@@ -13,33 +13,33 @@ use pompeiu_surface::plane::Vec2;
 use pompeiu_surface::{EmbeddedSurface, Surface};
 use std::time::{Duration, Instant};
 
-/// Least ratio of the least and the greatest singular value of a map that is taken for sound.
+/// Smallest ratio of the least to the greatest singular value of an acceptable map.
 const LEAST_RATIO: f64 = 1e-10;
 
-/// Most changes of the weights to cure crowding.
+/// Largest number of changes of weights against nearly degenerate faces.
 const MOST_ROUNDS: usize = 20;
 
-/// Most changes for the sake of distortion, and the decrease below which there is no other.
+/// Largest number of changes to reduce distortion, and the decrease below which they end.
 const MOST_ROUNDS_FOR_DISTORTION: usize = 8;
 const WORTH: f64 = 0.9;
 
-/// How far a vertex's pull may change at once.
+/// Smallest and largest factor by which the weights of a vertex change at once.
 const CHANGES: [f64; 2] = [1e-2, 1e2];
 
 /// A map onto a convex boundary.
 #[derive(Clone, Debug)]
 pub(crate) struct Start {
     pub(crate) uv: VertexData<Vec2>,
-    /// The weights that were used in the end.
+    /// The final weights.
     pub(crate) weights: Weights,
-    /// How often weights were changed.
+    /// Number of changes of weights.
     pub(crate) rounds: usize,
     pub(crate) factor: Duration,
     pub(crate) solve: Duration,
     pub(crate) check: Duration,
 }
 
-/// What a map is like.
+/// Measurements of a map.
 struct Measured {
     flipped: Vec<FaceId>,
     ratio: f64,
@@ -71,9 +71,10 @@ impl Measured {
 /// Maps a disk onto a convex boundary without flips.
 ///
 /// # Definition
-/// First with the weights that are asked for; cotangent weights that flip a face give way to mean value weights. Where the result is
-/// crowded, and for the sake of distortion if that is asked for, each weight is divided by the factors of both its ends: at a
-/// vertex, the geometric mean over its faces of the square root of their area over that in the map. All weights stay above zero.
+/// First with the requested weights; cotangent weights that flip a face are replaced by mean value weights. If faces are nearly
+/// degenerate, and to reduce distortion on request, each weight is divided by the factors of both its ends. The factor of a vertex
+/// is the geometric mean, over its faces, of the square root of the ratio of their area to that in the map. All weights stay
+/// positive.
 ///
 /// # Errors
 /// [`FlattenError::Crowded`] if faces are still flipped, or nearly so, after 20 rounds.
@@ -162,7 +163,7 @@ pub(crate) fn start_map(
         if crowded.is_empty() {
             crowded = (0..faces.len()).filter(is_thin).map(|f| FaceId(f as u32)).collect();
         }
-        // Faces around the disk have no name.
+        // Faces of a virtual boundary have no id.
         crowded.retain(|face| face.index() < disk.mesh().faces());
         return Err(FlattenError::Crowded { faces: crowded, ratio: measured.ratio });
     }
@@ -170,12 +171,12 @@ pub(crate) fn start_map(
     Ok(Start { uv, weights: used, rounds, factor: system.factor, solve: system.solve, check })
 }
 
-/// The places of the vertices of the disk itself, which are the first ones.
+/// The positions of the vertices of the disk itself, which come first.
 fn uv_of_disk(disk: &EmbeddedSurface, uv: &VertexData<Vec2>) -> VertexData<Vec2> {
     VertexData::from_fn(disk.mesh().vertices(), |v: VertexId| uv[v])
 }
 
-/// By how much the pull of each vertex is lessened.
+/// The factor by which the weights of each vertex are divided.
 fn factors(surface: &Surface, values: &[([f64; 2], f64)]) -> Vec<f64> {
     let mesh = surface.mesh();
     let mut sums = vec![(0.0, 0.0); mesh.vertices()];
@@ -192,7 +193,7 @@ fn factors(surface: &Surface, values: &[([f64; 2], f64)]) -> Vec<f64> {
     sums.into_iter().map(|(sum, count)| libm::exp(sum / count).clamp(least, most)).collect()
 }
 
-/// Keeps weights in the range of doubles: scaling all of them changes nothing.
+/// Keeps weights in the range of doubles; a common factor does not change the map.
 fn rescale(weights: &mut [f64]) {
     let greatest = weights.iter().copied().fold(0.0, f64::max);
     if greatest > 0.0 {

@@ -1,4 +1,4 @@
-//! Faces around a disk that are mapped with it and then dropped, so that its boundary need not be convex.
+//! Virtual boundaries: faces around a disk that are mapped with it and then removed, so that its own boundary need not be convex.
 
 use crate::FlattenError;
 use glam::DVec3;
@@ -7,14 +7,14 @@ use pompeiu_surface::plane::{Vec2, norm, scale, sub};
 use pompeiu_surface::{EdgeData, EdgeId, EmbeddedSurface, GeometryError, HalfedgeId, Surface, SurfaceMesh};
 use std::num::NonZeroUsize;
 
-/// Faces that are put around the boundary of a disk before it is mapped to a convex curve, and dropped afterwards.
+/// A virtual boundary: faces around a disk that are mapped with it to a convex curve, and then removed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VirtualBoundary {
     /// Number of layers; each has one vertex for each vertex of the boundary.
     pub layers: NonZeroUsize,
-    /// How much wider each layer is than the one before, above 1.
+    /// Ratio of the sizes of consecutive layers, above 1.
     pub scale: f64,
-    /// How the lengths of its edges are found.
+    /// How its edge lengths are determined.
     pub kind: RingKind,
 }
 
@@ -24,22 +24,22 @@ impl Default for VirtualBoundary {
     }
 }
 
-/// How the lengths of the edges of a virtual boundary are found.
+/// How the edge lengths of a virtual boundary are determined.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum RingKind {
-    /// From circles: layer k lies on one of radius r aᵏ, with 2 π r the length of the boundary, at angles in proportion to the lengths
-    /// of its edges. Edges of the boundary keep their lengths.
+    /// From circles: layer k lies on the circle of radius r aᵏ, where 2 π r is the length of the boundary, at angles proportional
+    /// to the lengths of its edges. Edges of the boundary keep their lengths.
     #[default]
     Intrinsic,
-    /// From places in space: layer k is the boundary moved away from its centroid by the factor aᵏ.
+    /// From positions in space: layer k is the boundary scaled about its centroid by aᵏ.
     Extrinsic,
 }
 
-/// A disk with the faces of a virtual boundary after its own.
+/// A disk followed by the faces of a virtual boundary.
 ///
 /// # Source
-/// `lee_parametrization_2002`, with one vertex for each of the boundary in each layer.
+/// `lee_parametrization_2002`, with one vertex in each layer for each boundary vertex.
 pub(super) fn surrounded(
     surface: &EmbeddedSurface,
     ring: &VirtualBoundary,

@@ -1,29 +1,29 @@
-//! Triangles around a flat disk that keep its outline from crossing itself.
+//! A triangulation around a flat disk that keeps its outline from crossing itself.
 
 use crate::pack::bounds;
 use pompeiu_surface::plane::{Vec2, cross, sub};
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
 
-/// Size of the box around the disk, over that of the disk's own box.
+/// Size of the box around the disk, relative to the bounding box of the disk.
 const BOX: f64 = 1.5;
 
-/// Least area of a triangle that is kept, over that of the box.
+/// Smallest area of a scaffold triangle, relative to the box.
 const LEAST_AREA: f64 = 1e-14;
 
 /// Points on each side of the box.
 const PER_SIDE: usize = 6;
 
-/// The triangles between an outline and a box around it.
+/// The triangulation between an outline and a box around it.
 #[derive(Clone, Debug)]
 pub(crate) struct Scaffold {
-    /// Triangles; numbers from `first` on are those of the places on the box.
+    /// Triangles; vertices from `first` on are those on the box.
     pub(crate) triangles: Vec<[u32; 3]>,
     pub(crate) on_box: Vec<Vec2>,
 }
 
 impl Scaffold {
-    /// Triangulates what lies between an outline and a box, without points of its own inside. All of the outline's segments are sides;
-    /// points of the box get the numbers from the number of places on. `None` unless the outline is simple.
+    /// Triangulates the region between an outline and a box, without inner vertices. All outline segments are edges; vertices on
+    /// the box are numbered after the given positions. `None` unless the outline is simple.
     ///
     /// # Source
     /// `jiang_simplicial_2017`; the constrained Delaunay triangulation is that of the crate `spade`.
@@ -33,7 +33,7 @@ impl Scaffold {
         let [lower, upper] = bounds(&on_outline);
         let middle = [0, 1].map(|k| 0.5 * (lower[k] + upper[k]));
         let half = [0, 1].map(|k| 0.5 * BOX * (upper[k] - lower[k]));
-        // A margin along the shorter side, too.
+        // The margin also applies along the shorter side.
         let longer = half[0].max(half[1]);
         let half = half.map(|x| x.max(longer / 3.0));
         let on_box = box_points(middle, half);
@@ -52,7 +52,7 @@ impl Scaffold {
             conflicts += 1;
         });
         let cdt = cdt.ok().filter(|cdt| conflicts == 0 && cdt.num_vertices() == numbers.len())?;
-        // From the box inwards, up to the outline.
+        // Flood fill from the box inwards, up to the outline.
         let mut seen = vec![false; cdt.num_all_faces()];
         let mut open = Vec::new();
         for face in cdt.inner_faces() {
@@ -75,7 +75,7 @@ impl Scaffold {
                 }
             }
         }
-        // What has no area in doubles cannot be measured; the outline is checked apart from the scaffold.
+        // Triangles without area in double precision cannot be measured; the outline is checked independently of the scaffold.
         let place =
             |v: u32| places.get(v as usize).copied().unwrap_or_else(|| on_box[v as usize - places.len()]);
         let least = LEAST_AREA * 4.0 * half[0] * half[1];

@@ -1,4 +1,4 @@
-//! Weights of edges: how strongly each end of an edge pulls at the other.
+//! Edge weights of convex combination maps.
 
 use pompeiu_surface::plane::{cross, dot, norm, scale};
 use pompeiu_surface::{GeometryError, HalfedgeId, Surface, intrinsic_delaunay};
@@ -8,18 +8,18 @@ use std::borrow::Cow;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Weights {
-    /// One for each edge: Tutte's map. It does not know the shapes of faces.
+    /// Equal weights: Tutte's embedding. Ignores the shapes of faces.
     Uniform,
-    /// Half the sum of the cotangents opposite, on the intrinsic Delaunay triangulation: the discrete harmonic map. Faces of the surface
-    /// itself may flip; where some do, mean value weights are used instead.
+    /// Half the sum of the opposite cotangents, on the intrinsic Delaunay triangulation: the discrete harmonic map. Faces of the
+    /// original surface may flip; mean value weights are then used instead.
     Cotangent,
-    /// Floater's mean value weights, always above zero.
+    /// Floater's mean value weights, which are always positive.
     #[default]
     MeanValue,
 }
 
 impl Weights {
-    /// The name of the weights, as in the command and in reports.
+    /// The name of the weights in the command and in reports.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Uniform => "uniform",
@@ -29,7 +29,7 @@ impl Weights {
     }
 }
 
-/// An edge with the weight that its second end has for the first, and the first for the second.
+/// An edge with the weight of its second end at the first, and of the first at the second.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Link {
     pub(crate) ends: [u32; 2],
@@ -37,7 +37,7 @@ pub(crate) struct Link {
 }
 
 impl Link {
-    /// A weight for both ends alike: the geometric mean.
+    /// A symmetric weight: the geometric mean of both.
     pub(crate) fn symmetric(&self) -> f64 {
         self.weights[0].sqrt() * self.weights[1].sqrt()
     }
@@ -59,13 +59,13 @@ pub(crate) fn links(surface: &Surface, weights: Weights) -> Result<Vec<Link>, Ge
             Weights::Uniform => [1.0; 2],
             Weights::Cotangent => {
                 let opposite = |h: HalfedgeId| surface.cotangent(h.previous());
-                // Edges that are Delaunay but for rounding may fall below zero by as little.
+                // For edges that are Delaunay only up to rounding, the weight may be slightly negative.
                 let weight = 0.5 * (opposite(h) + mesh.twin(h).map_or(0.0, opposite));
                 [if weight > 0.0 { weight } else { 0.0 }; 2]
             }
             Weights::MeanValue => {
                 let twin = mesh.twin(h);
-                // At each end the two angles beside the edge.
+                // At each end, the two angles adjacent to the edge.
                 let at_tail =
                     half_tangent(&surface, h) + twin.map_or(0.0, |t| half_tangent(&surface, t.next()));
                 let at_head =
@@ -83,7 +83,7 @@ pub(crate) fn links(surface: &Surface, weights: Weights) -> Result<Vec<Link>, Ge
 fn half_tangent(surface: &Surface, corner: HalfedgeId) -> f64 {
     let out = surface.vector(corner);
     let back = scale(-1.0, surface.vector(corner.previous()));
-    // sin / (1 + cos) loses digits near half a turn, (1 − cos) / sin near none; both are scaled by the lengths.
+    // sin / (1 + cos) loses digits near π, (1 − cos) / sin near 0; both are scaled by the lengths.
     let (product, along, across) = (norm(out) * norm(back), dot(out, back), cross(out, back));
     if along > 0.0 { across / (product + along) } else { (product - along) / across }
 }

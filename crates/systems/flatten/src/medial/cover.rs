@@ -1,25 +1,26 @@
-//! How far balls and a surface are apart.
+//! The deviation between balls and a surface.
 
 use super::Ball;
 use pompeiu_core::run::Control;
 use pompeiu_core::spatial::{Bvh, Workspace};
 use std::collections::BinaryHeap;
 
-/// How far the union of balls and a surface are apart.
+/// The deviation between the union of balls and a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Deviation {
-    /// Bounds of the greatest distance of a point of the surface from the union of the balls, which is zero for points in a ball.
+    /// Bounds on the greatest distance of a point of the surface from the union of the balls; points inside a ball have distance
+    /// zero.
     pub surface_to_balls: [f64; 2],
-    /// An upper bound of the distance from the surface of all points of the balls that lie outside of it.
+    /// An upper bound on the distance from the surface of all points of the balls that lie outside of it.
     pub balls_to_surface: f64,
 }
 
-/// A bound of the rounding of a distance, over the size of coordinates, which is one: a few operations of half a unit in the last place each.
+/// Bound on the rounding error of a distance for coordinates of size one: a few operations of half a unit in the last place each.
 const ROUNDING: f64 = 1e-14;
 
-/// A part of a face with bounds of its greatest distance from the balls; the one with the greatest upper bound first.
+/// A part of a face with bounds on its greatest distance from the balls, ordered by the upper bound.
 struct Part {
     upper: f64,
     corners: [[f64; 3]; 3],
@@ -45,16 +46,16 @@ impl Ord for Part {
     }
 }
 
-/// Bounds of the deviation, no wider than `tolerance` unless the run is stopped.
+/// Bounds on the deviation, at most `tolerance` apart unless the run is stopped.
 ///
 /// # Definition
-/// The distance of a point from a ball is convex, so that over a triangle it is greatest at a corner: for the ball for which that is least,
-/// it bounds the distance of the whole triangle from the union. Triangles with the greatest bound are parted until a point is found
-/// that is nearly as far. A ball whose centre lies inside reaches no farther out than its radius exceeds the centre's
-/// distance from the surface; one whose centre lies outside, no farther than their sum.
+/// The distance of a point from a ball is convex, so over a triangle it is greatest at a corner. The least of these maxima over all
+/// balls bounds the distance of the triangle from the union. Triangles with the greatest bound are bisected until a point is found
+/// that is nearly as far. A ball with its centre inside extends out of the surface by at most the excess of its radius over the
+/// centre's distance from the surface; one with its centre outside, by at most their sum.
 ///
 /// # Accuracy
-/// The bounds are widened by the rounding of distances in a frame of size one.
+/// The bounds are widened by the rounding error of distances in a frame of size one.
 pub(super) fn deviation(
     bvh: &Bvh,
     is_inside: impl Fn([f64; 3]) -> bool,
@@ -107,7 +108,7 @@ pub(super) fn deviation(
     }
 }
 
-/// Both halves of a triangle, across its longest side.
+/// Bisects a triangle across its longest side.
 fn halves(corners: [[f64; 3]; 3]) -> [[[f64; 3]; 3]; 2] {
     let length = |i: usize| super::distance(corners[i], corners[(i + 1) % 3]);
     let longest = (0..3).fold(0, |best, i| if length(i) > length(best) { i } else { best });

@@ -3,7 +3,7 @@
 use super::{Ball, distance};
 use pompeiu_core::mesh::UnionFind;
 
-/// The ends of the longest of all shortest paths along edges; the first of equal ones. The same ball twice where there is only one.
+/// The ends of the longest of all shortest paths along edges; of several, the first. The same ball twice if there is only one.
 ///
 /// # Cost
 /// O(n³).
@@ -41,7 +41,7 @@ pub(crate) fn longest_path(balls: &[Ball], edges: &[[u32; 2]]) -> [usize; 2] {
     best.1
 }
 
-/// The edges that join all balls with the least sum of lengths, shortest first.
+/// The minimum spanning tree of all balls, shortest edges first.
 pub(crate) fn spanning_tree(balls: &[Ball], edges: &[[u32; 2]]) -> Vec<[u32; 2]> {
     let length = |edge: &[u32; 2]| distance(balls[edge[0] as usize].centre, balls[edge[1] as usize].centre);
     let mut order = edges.to_vec();

@@ -1,4 +1,4 @@
-//! Balls that fill a closed surface, few of them: where its limbs and joints are.
+//! Medial balls: few balls that fill a closed surface and show its limbs and joints.
 
 mod cover;
 mod error;
@@ -33,14 +33,15 @@ pub struct Ball {
     pub radius: f64,
 }
 
-/// How a surface is filled with balls.
+/// Options of medial balls.
 #[derive(Clone, Debug)]
 pub struct MedialOptions {
-    /// Balls in the end; fewer if so many cannot be told apart.
+    /// Number of balls after simplification; fewer if fewer are distinct.
     pub balls: NonZeroUsize,
-    /// Points of the surface from which balls are shrunk.
+    /// Number of surface points from which balls are shrunk.
     pub samples: NonZeroUsize,
-    /// Width of the enclosure of the distance from the surface to the balls, over the diagonal of the box around the surface.
+    /// Width of the enclosure of the distance from the surface to the balls, relative to the diagonal of the bounding box of the
+    /// surface.
     pub tolerance: f64,
     /// Limits on time and threads.
     pub limits: Limits,
@@ -57,19 +58,19 @@ impl Default for MedialOptions {
     }
 }
 
-/// Balls that fill a surface.
+/// Medial balls of a surface.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Medial {
     /// The balls.
     pub balls: Vec<Ball>,
-    /// Pairs of balls that lie beside each other along the medial axis, each in increasing order. They join all balls of a connected
-    /// part.
+    /// Pairs of balls that are adjacent along the medial axis, each in increasing order. They connect all balls of a connected
+    /// component.
     pub edges: Vec<[u32; 2]>,
-    /// Balls that were shrunk from points of the surface, before they were simplified.
+    /// Number of shrunk balls before simplification.
     pub shrunk: usize,
-    /// How far balls and surface are apart.
+    /// The deviation between balls and surface.
     pub deviation: Deviation,
-    /// Why it stopped.
+    /// Why the computation ended.
     pub stop: StopReason,
     /// Wall-clock time.
     pub time: Duration,
@@ -95,16 +96,16 @@ pub(crate) fn distance(p: [f64; 3], q: [f64; 3]) -> f64 {
     (0..3).map(|k| (p[k] - q[k]) * (p[k] - q[k])).sum::<f64>().sqrt()
 }
 
-/// Fills a closed surface with balls, few of them.
+/// Computes a few medial balls that fill a closed surface.
 ///
 /// # Definition
-/// From points that are spread evenly over the surface, balls are shrunk along the normals until they touch the surface on another
-/// side: their centres lie near the medial axis. Balls of neighbouring points, and of the two points that a ball touches, are joined by edges; edges are
-/// collapsed one after the other, the one first after which the ball in its place is nearest to the tangent planes that it stands for,
-/// until the number asked for is left.
+/// From points distributed evenly over the surface, balls are shrunk along the normals until they touch the surface at a second
+/// point; their centres are near the medial axis. Edges join the balls of neighbouring points, and of the two points that a ball
+/// touches. Edges are then collapsed one at a time until the requested number of balls is left; each time the one whose merged ball
+/// is nearest to its tangent planes is chosen.
 ///
 /// # Accuracy
-/// Balls of a capsule: within one percent. In general the deviation says how far they are off, both ways.
+/// Balls of a capsule: within one percent. In general the deviation bounds the error in both directions.
 ///
 /// # Errors
 /// [`MedialError`]: the surface has a boundary, or no ball fits.
@@ -137,7 +138,7 @@ fn fill(
     let faces: Vec<[u32; 3]> = mesh.face_ids().map(|face| mesh.face(face).map(|v| v.0)).collect();
     let positions = surface.positions().as_slice().to_vec();
     let whole = TriMesh::new(positions, faces).map_err(|_| MedialError::NoBall { samples: 0 })?;
-    // In a frame of size one, no square overflows or vanishes.
+    // In a frame of size one, squares neither overflow nor underflow.
     let frame = Frame::of(&Aabb::of_faces(&whole));
     let bvh = Bvh::build(&whole, &frame);
     let samples: Vec<Sample> = sample::spread(surface, &frame, options.samples.get());

@@ -1,10 +1,10 @@
-//! How far a ball is from tangent planes.
+//! The squared distance of a ball from tangent planes.
 
 use super::Ball;
 use std::ops::AddAssign;
 
-/// The weighted sum of the squared distances of a ball from planes that it should touch from inside, as a function of its centre and
-/// radius.
+/// The weighted sum of the squared distances of a ball from planes that it should touch from inside, as a function of its centre
+/// and radius.
 ///
 /// # Definition
 /// With s = (c, r) and n̄ = (n, 1): the sum of w (n̄·s − n·p)², for planes through p with unit normals n.
@@ -19,11 +19,11 @@ pub(super) struct Quadric {
     constant: f64,
 }
 
-/// Least pivot, over the trace, of a quadric whose minimum is one ball.
+/// Smallest pivot, relative to the trace, of a quadric with a unique minimum.
 const REGULAR: f64 = 1e-6;
 
 impl Quadric {
-    /// That of a plane through `point` with the unit normal `normal`.
+    /// The quadric of a plane through `point` with the unit normal `normal`.
     pub(super) fn of_plane(point: [f64; 3], normal: [f64; 3], weight: f64) -> Self {
         let [x, y, z] = normal;
         let extended = [x, y, z, 1.0];
@@ -35,7 +35,7 @@ impl Quadric {
         }
     }
 
-    /// The value for a ball; rounding may leave it slightly below zero.
+    /// The value for a ball; rounding may make it slightly negative.
     pub(super) fn at(&self, ball: &Ball) -> f64 {
         let [x, y, z] = ball.centre;
         let s = [x, y, z, ball.radius];
@@ -44,12 +44,12 @@ impl Quadric {
         square - 2.0 * linear + self.constant
     }
 
-    /// The ball where it is least, if there is one such ball, and its radius is not negative.
+    /// The minimising ball, if it is unique and its radius is not negative.
     pub(super) fn least(&self) -> Option<Ball> {
         let trace: f64 = (0..4).map(|i| self.matrix[i][i]).sum();
         let mut a = self.matrix;
         let mut x = self.vector;
-        // Without pivoting: the matrix has no negative eigenvalue.
+        // Without pivoting: the matrix is positive semi-definite.
         for k in 0..4 {
             if a[k][k].is_nan() || a[k][k] <= REGULAR * trace {
                 return None;
@@ -110,7 +110,7 @@ mod tests {
         assert!(
             super::super::distance(found.centre, ball.centre) + (found.radius - ball.radius).abs() < 1e-12
         );
-        // Planes of one direction leave the ball undecided.
+        // Parallel planes do not determine a ball.
         assert!(Quadric::of_plane([0.0; 3], [1.0, 0.0, 0.0], 1.0).least().is_none());
     }
 }

@@ -1,4 +1,4 @@
-//! Points spread evenly over a surface.
+//! Sample points distributed evenly over a surface.
 
 use glam::DVec3;
 use pompeiu_core::geom::Frame;
@@ -8,24 +8,24 @@ use pompeiu_surface::EmbeddedSurface;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sample {
     pub(super) place: DVec3,
-    /// The unit normal, interpolated from the vertices, out of the surface.
+    /// The outward unit normal, interpolated from the vertices.
     pub(super) normal: DVec3,
-    /// The area that it stands for.
+    /// The area that the sample represents.
     pub(super) area: f64,
 }
 
-/// Steps of a sequence that fills the unit square evenly.
+/// Steps of a low-discrepancy sequence in the unit square.
 const STEPS: [f64; 2] = [0.754_877_666_246_692_8, 0.569_840_290_998_053_3];
 
-/// Points of the surface in a frame, each standing for the same area; in the order of their faces.
+/// Sample points of the surface in a frame, each representing the same area, in the order of their faces.
 ///
 /// # Source
-/// `roberts_unreasonable_2018` for the places within faces.
+/// `roberts_unreasonable_2018` for the positions within faces.
 pub(super) fn spread(surface: &EmbeddedSurface, frame: &Frame, count: usize) -> Vec<Sample> {
     let mesh = surface.mesh();
     let normals = surface.vertex_normals();
     let total = surface.surface().area();
-    // Where more faces look inwards than outwards, all normals are turned.
+    // If the surface is oriented inwards, all normals are reversed.
     let volume: f64 = mesh
         .face_ids()
         .map(|face| {

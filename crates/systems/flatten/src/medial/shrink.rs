@@ -1,4 +1,4 @@
-//! Balls that touch a surface on two sides.
+//! Shrinking balls until they touch a surface at two points.
 
 use super::Ball;
 use super::sample::Sample;
@@ -7,27 +7,27 @@ use pompeiu_core::geom::point_triangle::closest_barycentric;
 use pompeiu_core::spatial::{Bvh, Workspace};
 use rayon::prelude::*;
 
-/// Angle between the two points where a ball touches the surface, seen from its centre, below which the second one is taken for a part of
-/// the surface around the first: at the first step, and later. Cosines of 20 and 40 degrees.
+/// Smallest angle, seen from the centre, between the two points where a ball touches the surface; below it the second point is
+/// attributed to the noise around the first. At the first step, and later: cosines of 20 and 40 degrees.
 const NEAR: [f64; 2] = [0.939_692_620_785_908_4, 0.766_044_443_118_978];
 
-/// Share of its radius that a ball's centre must lie away from the surface at least.
+/// Smallest distance of a ball's centre from the surface, relative to its radius.
 const INSIDE: f64 = 0.95;
 
-/// Change of the radius below which it counts as found, over the radius.
+/// Converged if the relative change of the radius is below this.
 const SETTLED: f64 = 1e-9;
 
-/// Most steps.
+/// Largest number of steps.
 const STEPS: usize = 60;
 
-/// A ball inside a surface that touches it at a sample, and where it touches it besides.
+/// A ball inside a surface that touches it at a sample, and its second contact point.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Shrunk {
     pub(super) ball: Ball,
     pub(super) opposite: DVec3,
 }
 
-/// The ball of each sample; none where the surface leaves no room for it.
+/// The ball of each sample; `None` if the surface leaves no room for it.
 ///
 /// # Source
 /// `ma_medial_2012`; distances are to the surface itself, not to samples of it.
@@ -48,7 +48,7 @@ fn shrink(bvh: &Bvh, sample: &Sample, largest: f64, workspace: &mut Workspace) -
         let touched = closest(centre, bvh.corners(slot));
         let across = place - touched;
         let depth = normal.dot(across);
-        // What lies behind the tangent plane, or as far off as the sample itself, does not shrink the ball.
+        // A point behind the tangent plane, or as far away as the sample itself, does not shrink the ball.
         if (centre - touched).length() >= radius * (1.0 - SETTLED) || depth <= 0.0 {
             break;
         }
@@ -71,7 +71,7 @@ fn shrink(bvh: &Bvh, sample: &Sample, largest: f64, workspace: &mut Workspace) -
     fits.then(|| Shrunk { ball: Ball { centre: centre.to_array(), radius }, opposite })
 }
 
-/// The point of a triangle that is nearest to a point.
+/// The point of a triangle nearest to a given point.
 fn closest(p: DVec3, corners: [[f64; 3]; 3]) -> DVec3 {
     let weights = closest_barycentric(p.to_array(), corners);
     weights.iter().zip(corners).map(|(&w, q)| w * DVec3::from_array(q)).sum()

@@ -1,4 +1,4 @@
-//! Few balls in the place of many.
+//! Simplifying many balls to few.
 
 use super::quadric::Quadric;
 use super::sample::Sample;
@@ -10,33 +10,33 @@ use rayon::prelude::*;
 use std::cmp::Reverse;
 use std::collections::{BTreeSet, BinaryHeap};
 
-/// Samples near a sample whose balls are its ball's neighbours.
+/// Number of nearest samples whose balls become neighbours.
 const NEIGHBOURS: usize = 6;
 
-/// What a collapse costs for its length alone, over the fourth power of the diagonal.
+/// Cost of a collapse by its length alone, relative to the fourth power of the diagonal.
 const STABILITY: f64 = 1e-5;
 
-/// Balls, which of them lie beside each other, and the planes that each should touch.
+/// Balls, their adjacency, and the planes that each should touch.
 #[derive(Clone, Debug)]
 pub(super) struct Net {
     balls: Vec<Ball>,
     quadrics: Vec<Quadric>,
     beside: Vec<BTreeSet<u32>>,
-    /// Bumped when a ball changes.
+    /// Incremented when a ball changes.
     versions: Vec<u32>,
     is_left: Vec<bool>,
     left: usize,
 }
 
-/// What a collapse costs, and the ball that it leaves.
+/// The cost of a collapse, and the merged ball.
 struct Collapse {
     cost: f64,
     ball: Ball,
 }
 
 impl Net {
-    /// The balls of samples. Each sample's plane goes to its own ball, or that of the nearest sample which has one, and so does the plane
-    /// of the sample nearest to where a ball touches the surface besides.
+    /// The balls of samples. The plane of each sample is assigned to its ball or, without one, to that of the nearest sample with a
+    /// ball; so is the plane of the sample nearest to the ball's second contact point.
     pub(super) fn new(samples: &[Sample], shrunk: &[Option<Shrunk>]) -> Self {
         let kept: Vec<usize> = (0..samples.len()).filter(|&i| shrunk[i].is_some()).collect();
         let balls: Vec<Ball> = shrunk.iter().flatten().map(|found| found.ball).collect();
@@ -114,7 +114,7 @@ impl Net {
         }
     }
 
-    /// Collapses edges until so many balls are left, or none can be; the balls that are left, and their edges.
+    /// Collapses edges until `count` balls are left or no edge is; returns the balls and their edges.
     pub(super) fn simplified(
         mut self,
         most: usize,
@@ -164,11 +164,11 @@ impl Net {
     #[allow(clippy::type_complexity, reason = "an entry of one heap")]
     fn entry(&self, a: u32, b: u32, diagonal: f64) -> Reverse<(u64, u32, u32, [u32; 2])> {
         let cost = self.collapse(a, b, diagonal).cost;
-        // Costs are not negative, so their bits are in their order.
+        // Costs are nonnegative, so their bits have the same order.
         Reverse((cost.to_bits(), a, b, [a, b].map(|i| self.versions[i as usize])))
     }
 
-    /// The ball in the place of two: that of the least quadric, one of both, or the one between, whichever is nearest to the planes.
+    /// The ball that replaces two: the minimum of their quadric, either of them, or the one halfway, whichever has the least cost.
     fn collapse(&self, a: u32, b: u32, diagonal: f64) -> Collapse {
         let [p, q] = [a, b].map(|i| self.balls[i as usize]);
         let mut quadric = self.quadrics[a as usize];
@@ -178,7 +178,7 @@ impl Net {
             radius: 0.5 * (p.radius + q.radius),
         };
         let apart = distance(p.centre, q.centre);
-        // Few planes, or nearly parallel ones, are also touched by balls that lie elsewhere.
+        // If planes are few or nearly parallel, balls elsewhere also touch them.
         let least = quadric.least().filter(|ball| {
             distance(ball.centre, between.centre) <= apart && (ball.radius - between.radius).abs() <= apart
         });
@@ -194,7 +194,7 @@ impl Net {
                 best = (value, ball);
             }
         }
-        // How much of the way from one ball to the other lies outside of the greater.
+        // The part of the path from one ball to the other that lies outside of the larger one.
         let gap = apart - (p.radius - q.radius).abs();
         let share = if gap > 0.0 && apart > 0.0 { gap / apart } else { 0.0 };
         let squared = diagonal * diagonal;

@@ -1,16 +1,16 @@
-//! Balls as text and as triangles.
+//! Medial balls as text and as triangles.
 
 use super::Medial;
 use pompeiu_core::mesh::shapes::icosphere;
 use pompeiu_core::{MeshError, TriMesh};
 use std::fmt::Write as _;
 
-/// Halvings of the edges of the icosahedron that stands for a ball.
+/// Subdivisions of the icosahedron that represents a ball.
 const SUBDIVISIONS: u32 = 3;
 
 impl Medial {
-    /// The balls and their edges in the text format of Q-MAT (`.ma`): the numbers of balls, edges and triangles; `v x y z r` for each
-    /// ball; `e i j` for each edge, counted from 0.
+    /// The balls and their edges in the text format of Q-MAT (`.ma`): the numbers of balls, edges and triangles; `v x y z r` for
+    /// each ball; `e i j` for each edge, with indices from 0.
     pub fn to_ma(&self) -> String {
         let mut text = format!("{} {} 0\n", self.balls.len(), self.edges.len());
         for ball in &self.balls {
@@ -23,10 +23,10 @@ impl Medial {
         text
     }
 
-    /// A sphere of 1,280 triangles for each ball, in their order, corners on the ball.
+    /// A sphere of 1,280 triangles for each ball, in order, with corners on the ball.
     ///
     /// # Errors
-    /// [`MeshError`] where coordinates overflow.
+    /// [`MeshError`] if coordinates overflow.
     pub fn spheres(&self) -> Result<TriMesh, MeshError> {
         let (unit, triangles) =
             icosphere(1.0, SUBDIVISIONS).map_or_else(|_| Default::default(), TriMesh::into_parts);

@@ -1,4 +1,4 @@
-//! The page and the picture of balls in a surface.
+//! The page and the picture of medial balls.
 
 use crate::Medial;
 use pompeiu_core::{MeshError, TriMesh};
@@ -9,29 +9,29 @@ use pompeiu_figures::page::{
 };
 use pompeiu_figures::{ColorMap, Figure, FigureError, Image, Mark, Panel, Scale, Theme, Values, View};
 
-/// A surface and the balls in it, to be shown.
+/// The page of a surface and its medial balls.
 #[derive(Clone, Debug)]
 pub struct MedialPage<'r> {
     path: &'r str,
     mesh: &'r TriMesh,
     medial: &'r Medial,
     spheres: TriMesh,
-    /// Which way is up.
+    /// The up direction.
     pub up: [f64; 3],
-    /// The command that makes the page again.
+    /// The command that reproduces the page.
     pub command: Option<&'r str>,
 }
 
 impl<'r> MedialPage<'r> {
-    /// The balls of a mesh with this name.
+    /// The page of the balls of a mesh with this name.
     ///
     /// # Errors
-    /// [`MeshError`] where coordinates overflow.
+    /// [`MeshError`] if coordinates overflow.
     pub fn new(path: &'r str, mesh: &'r TriMesh, medial: &'r Medial) -> Result<Self, MeshError> {
         Ok(Self { path, mesh, medial, spheres: medial.spheres()?, up: [0.0, 1.0, 0.0], command: None })
     }
 
-    /// The radius of its ball at each vertex of the spheres.
+    /// The radius of the ball at each vertex of its sphere.
     fn radii(&self) -> Vec<f64> {
         let each = self.spheres.positions().len() / self.medial.balls.len().max(1);
         self.medial.balls.iter().flat_map(|ball| std::iter::repeat_n(ball.radius, each)).collect()
@@ -42,10 +42,10 @@ impl<'r> MedialPage<'r> {
         self.medial.edges.iter().map(|edge| edge.map(centre).to_vec()).collect()
     }
 
-    /// The page as a file.
+    /// The page as an HTML file.
     ///
     /// # Errors
-    /// [`PageError`] where coordinates are not finite.
+    /// [`PageError`] if coordinates are not finite.
     pub fn html(&self) -> Result<String, PageError> {
         let Medial { balls, edges, deviation, .. } = self.medial;
         let mut page = Page::new(format!("Balls in {}", name(self.path)));
@@ -86,10 +86,10 @@ impl<'r> MedialPage<'r> {
         Ok(page.html())
     }
 
-    /// A picture of the surface and of its balls beside it, of the given size in pixels.
+    /// A picture of the surface with its balls beside it, of the given size in pixels.
     ///
     /// # Errors
-    /// [`FigureError`] for a size or a view that is none.
+    /// [`FigureError`] for an invalid size or view.
     pub fn image(&self, width: u32, height: u32, theme: Theme, view: View) -> Result<Image, FigureError> {
         let radii = self.radii();
         let most = radii.iter().copied().fold(0.0, f64::max);

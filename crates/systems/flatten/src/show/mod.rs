@@ -1,4 +1,4 @@
-//! A flat map as a page, a picture, a drawing and a texture; balls as a page and a picture.
+//! A flat map as a page, a picture, a drawing and a texture; medial balls as a page and a picture.
 
 mod medial;
 mod page;
@@ -10,14 +10,14 @@ pub use svg::layout_svg;
 
 use pompeiu_figures::Image;
 
-/// Squares along each side of the texture that shows distortion, and pixels of each.
+/// Squares along each side of the checkerboard texture, and the size of each in pixels.
 const SQUARES: u32 = 32;
 const PIXELS: u32 = 16;
 
-/// A picture of squares, as PNG: a texture that shows how a map distorts.
+/// A checkerboard as PNG: a texture that shows the distortion of a map.
 ///
 /// # Errors
-/// What the encoder reports.
+/// Those of the encoder.
 pub fn checker_png() -> std::io::Result<Vec<u8>> {
     let mut png = Vec::new();
     Image::checkerboard(SQUARES, PIXELS, [[236, 236, 232], [62, 96, 140]]).write_png(&mut png)?;

@@ -11,29 +11,29 @@ use pompeiu_figures::page::{
 use pompeiu_figures::{ColorMap, Figure, FigureError, Image, Mark, Panel, Scale, Theme, Values, View};
 use pompeiu_surface::EmbeddedSurface;
 
-/// A surface and its flat map, to be shown.
+/// The page of a surface and its flat map.
 #[derive(Clone, Copy, Debug)]
 pub struct FlattenPage<'r> {
-    /// The file of the mesh, or whatever else it is called.
+    /// The file of the mesh or another name.
     pub path: &'r str,
     /// The surface.
     pub surface: &'r EmbeddedSurface,
     /// Its map.
     pub flat: &'r Flattening,
-    /// Which way is up.
+    /// The up direction.
     pub up: [f64; 3],
-    /// The command that makes the page again.
+    /// The command that reproduces the page.
     pub command: Option<&'r str>,
 }
 
-/// The greatest factor of a length that colours tell apart.
+/// The greatest change of length shown by colours.
 const MOST_SHOWN: f64 = 4.0;
 
 /// The colour of outlines in pictures.
 const OUTLINE: pompeiu_figures::Rgb = [200, 40, 40];
 
 impl FlattenPage<'_> {
-    /// By how much lengths change at most on each face, as colours show it: no more than a factor of four, flipped faces included.
+    /// The greatest change of length on each face, clamped to a factor of four, flipped faces included.
     fn values(&self) -> Vec<f64> {
         let change = |&[s, t]: &[f64; 2]| {
             let shrinking = if t > 0.0 { 1.0 / t } else { MOST_SHOWN };
@@ -42,21 +42,21 @@ impl FlattenPage<'_> {
         self.flat.singular_values.iter().map(change).collect()
     }
 
-    /// The places of the map in space, as far across as the surface.
+    /// The positions of the map in space, scaled to the size of the surface.
     fn places(&self) -> Vec<[f64; 3]> {
         let factor = self.flat.report.distortion.scale;
         self.flat.uv.iter().map(|[x, y]| [factor * x, factor * y, 0.0]).collect()
     }
 
-    /// The edges that were cut, and the boundary, on the surface and on the map.
+    /// The cut edges and the boundary, on the surface and on the map.
     fn outlines(&self, positions: &[[f64; 3]]) -> Vec<Vec<[f64; 3]>> {
         self.flat.outline().into_iter().map(|ends| ends.map(|v| positions[v as usize]).to_vec()).collect()
     }
 
-    /// The page as a file.
+    /// The page as an HTML file.
     ///
     /// # Errors
-    /// [`PageError`] where coordinates are not finite.
+    /// [`PageError`] if coordinates are not finite.
     pub fn html(&self) -> Result<String, PageError> {
         let report = &self.flat.report;
         let mut page = Page::new(format!("{} laid flat", name(self.path)));
@@ -148,14 +148,14 @@ impl FlattenPage<'_> {
         ]
     }
 
-    /// A picture of the surface and of its map beside it under the same colours, of the given size in pixels.
+    /// A picture of the surface with its map beside it, on the same colour scale, of the given size in pixels.
     ///
     /// # Errors
-    /// [`FigureError`] for a size or a view that is none.
+    /// [`FigureError`] for an invalid size or view.
     pub fn image(&self, width: u32, height: u32, theme: Theme, view: View) -> Result<Image, FigureError> {
         let faces = self.flat.opened.faces();
         let positions = self.flat.opened.spread(self.surface.positions());
-        // The map stands upright before the eye, as large as the surface.
+        // The map faces the camera, with the size of the surface.
         let [right, up, _] = view.frame()?;
         let places = self.places();
         let (centre, size) = middle(&positions);
@@ -190,7 +190,7 @@ impl FlattenPage<'_> {
     }
 }
 
-/// The middle of the box of some points, and its greatest side.
+/// The centre of the bounding box of some points, and its longest side.
 fn middle(points: &[[f64; 3]]) -> ([f64; 3], f64) {
     let [lower, upper] = bounds(points);
     let size = (0..3).map(|k| upper[k] - lower[k]).fold(0.0, f64::max);

@@ -1,4 +1,4 @@
-//! The layout as a drawing.
+//! The layout as an SVG drawing.
 
 use crate::Flattening;
 use crate::pack::bounds;
@@ -11,8 +11,8 @@ const SIDE: f64 = 1000.0;
 /// Darkest and lightest channel of a colour of a cut.
 const CHANNELS: [f64; 2] = [30.0, 215.0];
 
-/// The layout of a map as SVG: edges of faces thin, the boundary of the surface black, and both sides of each cut edge in one colour, so
-/// that one sees what belongs together. Colours follow the places of the edges in space.
+/// The layout of a map as SVG: edges of faces thin, the boundary of the surface black, and both sides of each cut edge in the same
+/// colour, which depends on the position of the edge in space.
 ///
 /// # Shapes and units
 /// A square of 1000 units; the map fills it, its second axis upwards. Coordinates are rounded to a thousandth of a unit.
@@ -33,7 +33,7 @@ pub fn layout_svg(surface: &EmbeddedSurface, flat: &Flattening) -> String {
     let (mut inside, mut boundary, mut cuts) = (String::new(), String::new(), String::new());
     let whole = surface.mesh();
     for edge in mesh.edge_ids() {
-        // Half-edges keep their numbers when a surface is opened.
+        // Half-edges keep their indices when a surface is opened.
         let h = mesh.edge_halfedge(edge);
         if !mesh.is_boundary_edge(edge) {
             segment(&mut inside, h);
@@ -55,7 +55,7 @@ pub fn layout_svg(surface: &EmbeddedSurface, flat: &Flattening) -> String {
     )
 }
 
-/// A colour for an edge, by the place of its middle in the box of the surface.
+/// A colour for an edge, by the position of its midpoint in the bounding box of the surface.
 fn color(surface: &EmbeddedSurface, [lower, upper]: [[f64; 3]; 2], h: HalfedgeId) -> [u8; 3] {
     let whole = surface.mesh();
     let [a, b] = [whole.tail(h), whole.head(h)].map(|v| surface.positions()[v]);

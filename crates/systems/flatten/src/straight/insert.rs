@@ -1,15 +1,15 @@
-//! Paths across faces made edges of the mesh.
+//! Inserting paths across faces as edges of the mesh.
 
 use super::walk::Way;
 use pompeiu_core::{FaceId, VertexId};
 use pompeiu_surface::{EdgeData, EmbeddedSurface, SurfaceMesh};
 
-/// A corner of a part of a face, and the sides of the face that it lies on, as bits.
+/// A corner of a part of a face, and the sides of the face that contain it, as bits.
 type Node = (u32, u8);
 
 /// The mesh with paths as edges.
 pub(super) struct Inserted {
-    /// The vertices of the input, then those on its edges.
+    /// The vertices of the input, then those inserted on its edges.
     pub(super) positions: Vec<[f64; 3]>,
     pub(super) faces: Vec<[u32; 3]>,
     /// The face of the input that each face is a part of.
@@ -18,7 +18,7 @@ pub(super) struct Inserted {
     pub(super) paths: Vec<[u32; 2]>,
 }
 
-/// Inserts lines between vertices that do not cross each other. None if, by rounding, they do.
+/// Inserts lines between vertices that do not cross each other. `None` if rounding makes them cross.
 pub(super) fn insert(surface: &EmbeddedSurface, lines: &[(VertexId, Way, VertexId)]) -> Option<Inserted> {
     let mesh = surface.mesh();
     let mut positions = surface.positions().as_slice().to_vec();
@@ -83,7 +83,7 @@ fn split(around: Vec<Node>, chords: &[[u32; 2]]) -> Option<Vec<Vec<Node>>> {
     Some(parts)
 }
 
-/// Cuts a convex polygon into triangles, the best corner first; never one of three corners on one side of the face.
+/// Triangulates a convex polygon, best corner first, without triangles whose corners are all on one side of the face.
 fn triangulate(mut part: Vec<Node>, positions: &[[f64; 3]], faces: &mut Vec<[u32; 3]>) -> Option<()> {
     let is_flat = |nodes: &mut dyn Iterator<Item = &Node>| nodes.fold(u8::MAX, |all, node| all & node.1) != 0;
     while part.len() >= 3 {

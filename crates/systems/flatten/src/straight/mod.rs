@@ -1,4 +1,4 @@
-//! Cuts that run straight across faces: paths straightened by edge flips, and inserted into the mesh.
+//! Straight cuts across faces: paths are straightened by edge flips and inserted into the mesh.
 
 mod insert;
 mod net;
@@ -17,7 +17,7 @@ use walk::walk;
 /// A surface into which a straightened cut was inserted.
 #[derive(Clone, Debug)]
 pub struct Straightened {
-    /// The vertices of the input, those where the cut crosses its edges, and the parts of its faces.
+    /// The vertices of the input, new vertices where the cut crosses its edges, and the parts of its faces.
     pub mesh: TriMesh,
     /// The same with its geometry.
     pub surface: EmbeddedSurface,
@@ -35,20 +35,20 @@ impl Straightened {
     }
 }
 
-/// Straightens the paths of a cut by edge flips, and makes them edges of the mesh.
+/// Straightens the paths of a cut by edge flips, and inserts them as edges of the mesh.
 ///
 /// # Definition
-/// A path runs between ends, branches and the boundary, which stay where they are. While the angle on one side of a vertex of a path is less
-/// than half a turn, the path is led past it on that side: the edges there are flipped out of the way, on triangles that lie on the
-/// surface but need not be its faces. Where it would touch another path, itself or the boundary, it stays. So no path crosses or meets
-/// another, and opening the result leaves the same pieces. What is left is inserted: a vertex wherever a path crosses an edge, and
+/// A path runs between ends, branches and the boundary, which stay fixed. While the angle on one side of a vertex of a path is less
+/// than π, the path is moved past the vertex on that side, after the edges there are flipped out of the way in an intrinsic
+/// triangulation. A path that would touch another path, itself or the boundary stays. So paths do not cross or meet, and opening
+/// the result gives the same components. The final paths are inserted: with a vertex wherever a path crosses an edge, and with
 /// faces divided along the paths.
 ///
 /// # Accuracy
-/// The surface stays as it is up to the rounding of points on edges.
+/// The surface is unchanged up to the rounding of points on edges.
 ///
 /// # Errors
-/// [`CutError::Straight`] where rounding leads a path astray, and [`CutError::Geometry`] where a part of a face is too thin.
+/// [`CutError::Straight`] if rounding makes a path invalid, and [`CutError::Geometry`] if a part of a face is too thin.
 ///
 /// # Source
 /// `sharp_you_2020`.

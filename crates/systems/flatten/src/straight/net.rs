@@ -1,4 +1,4 @@
-//! Triangles with the vertices of a surface whose edges are straight along it and may be flipped.
+//! Intrinsic triangulations of a surface with edge flips.
 
 use pompeiu_core::VertexId;
 use pompeiu_core::mesh::VertexData;
@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 
 pub(super) const NONE: u32 = u32::MAX;
 
-/// Half-edges, each in a slot of its face: slot 3 f + i begins at corner i of face f. A flip moves half-edges to other slots.
+/// Half-edges, each in a slot of its face: slot 3 f + i starts at corner i of face f. Flips move half-edges to other slots.
 pub(super) struct Net {
     tails: Vec<u32>,
     twins: Vec<u32>,
@@ -80,7 +80,7 @@ impl Net {
         self.directions[slot as usize]
     }
 
-    /// The next half-edge counter-clockwise around the tail; none beyond the boundary.
+    /// The next half-edge counter-clockwise around the tail; `None` beyond the boundary.
     pub(super) fn turned(&self, slot: u32) -> Option<u32> {
         self.twin(previous(slot))
     }
@@ -88,7 +88,7 @@ impl Net {
     /// The angle of a face at the tail of a half-edge.
     pub(super) fn angle(&self, slot: u32) -> f64 {
         let [b, a, c] = [slot, next(slot), previous(slot)].map(|side| self.length(side));
-        // Half the angle opposite a, after Kahan: no cancellation beyond that of the lengths.
+        // Half the angle opposite a, by Kahan's formula: no cancellation beyond that of the lengths.
         let (long, short) = if b > c { (b, c) } else { (c, b) };
         let rest = if short >= a { a - (long - short) } else { short - (long - a) };
         let tangent = ((long - short) + a) * rest / ((long + (short + a)) * ((long - a) + short));
@@ -101,13 +101,14 @@ impl Net {
         }
     }
 
-    /// The sum of the two angles at the head of an edge, on both sides of it; none at the boundary.
+    /// The sum of the two angles at the head of an edge, on both sides of it; `None` at the boundary.
     pub(super) fn angle_at_head(&self, slot: u32) -> Option<f64> {
         let twin = self.twin(slot)?;
         Some(self.angle(next(slot)) + self.angle(twin))
     }
 
-    /// Replaces an edge by the other diagonal of its two faces; false if it has one face on both sides, or the diagonal leaves them.
+    /// Replaces an edge by the other diagonal of its two faces; returns false if both faces are the same, or the diagonal leaves
+    /// them.
     pub(super) fn flip(&mut self, slot: u32) -> bool {
         let Some(twin) = self.twin(slot).filter(|twin| twin / 3 != slot / 3) else { return false };
         let (h, t) = (slot, twin);

@@ -1,4 +1,4 @@
-//! Paths along the edges of a net that become straight as edges are flipped.
+//! Straightening paths along the edges of a triangulation by edge flips.
 
 use super::net::{Net, next};
 use pompeiu_core::VertexId;
@@ -6,15 +6,15 @@ use pompeiu_core::mesh::VertexData;
 use pompeiu_surface::{EdgeData, SurfaceMesh};
 use std::f64::consts::PI;
 
-/// An angle beside a path counts as less than half a turn below half a turn minus this: far more than rounding.
+/// An angle beside a path counts as less than π if it is below π minus this: far more than rounding.
 const STRAIGHT: f64 = 1e-6;
 
-/// Most rounds over all paths; a handful are usual.
+/// Largest number of rounds over all paths; a few are usual.
 const MOST_ROUNDS: usize = 1000;
 
-/// Paths that have no point in common but their ends.
+/// Paths that meet only at their ends.
 pub(super) struct Network {
-    /// Names of half-edges, one after the other.
+    /// Names of half-edges, in order.
     pub(super) paths: Vec<Vec<u32>>,
     /// Whether a half-edge, or its twin, is on a path.
     is_used: Vec<bool>,
@@ -35,7 +35,7 @@ impl Network {
         let is_node = |v: VertexId| mesh.is_boundary_vertex(v) || degree[v] != 2;
         let mut is_used = vec![false; mesh.halfedges()];
         let mut paths = Vec::new();
-        // Loops without a node begin anywhere.
+        // Loops without a node start anywhere.
         let nodes =
             mesh.vertex_ids().filter(|&v| is_node(v)).chain(mesh.vertex_ids().filter(|&v| !is_node(v)));
         for node in nodes {
@@ -59,10 +59,10 @@ impl Network {
         Self { paths, is_used, is_taken }
     }
 
-    /// Shortens all paths until no angle beside them is less than half a turn, but where they would touch each other or the boundary.
+    /// Shortens all paths until no angle beside them is less than π, except where they would touch each other or the boundary.
     ///
     /// # Source
-    /// `sharp_you_2020`; what may touch is left as it is here.
+    /// `sharp_you_2020`; paths that would touch stay as they are.
     pub(super) fn shorten(&mut self, net: &mut Net) {
         for _ in 0..MOST_ROUNDS {
             let mut is_changed = false;
@@ -83,13 +83,13 @@ impl Network {
         }
     }
 
-    /// Leads a path past the vertex between two of its edges, on the side where the angle is less than half a turn.
+    /// Moves a path past the vertex between two of its edges, on the side where the angle is less than π.
     fn cut_corner(&mut self, net: &mut Net, path: usize, i: usize) -> bool {
         let [before, after] = [i, i + 1].map(|i| self.paths[path][i]);
         let back = |net: &Net, name: u32| net.twin(net.slot(name)).map(|twin| net.name(twin));
         let Some(before_back) = back(net, before) else { return false };
         let corner = net.tail(net.slot(after));
-        // To the left of the path, from what goes on round to what came; and to the right.
+        // To the left of the path: counter-clockwise from the outgoing to the incoming edge. To the right: the other way.
         for (from, to, is_left) in [(after, before_back, true), (before_back, after, false)] {
             let Some(arc) = self.arc(net, from, to) else { continue };
             let names: Option<Vec<u32>> =
@@ -118,8 +118,8 @@ impl Network {
         }
     }
 
-    /// The way from the head of one half-edge to that of another with the same tail, counter-clockwise around it, after all edges between
-    /// them that can be flipped out of the way have been; none unless it is shorter, free, and touches nothing.
+    /// The path from the head of one half-edge to that of another with the same tail, counter-clockwise around it, after flipping
+    /// away all edges between them that can be flipped. `None` unless it is shorter, unoccupied, and touches nothing.
     fn arc(&self, net: &mut Net, from: u32, to: u32) -> Option<Vec<u32>> {
         let wedge = |net: &Net| {
             let mut between = Vec::new();

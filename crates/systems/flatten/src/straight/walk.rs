@@ -1,27 +1,27 @@
-//! Where a straight line from vertex to vertex crosses the faces of a surface.
+//! Tracing a straight line between two vertices across the faces of a surface.
 
 use pompeiu_core::{FaceId, VertexId};
 use pompeiu_surface::plane::{Vec2, add, cross, norm, scale, sub};
 use pompeiu_surface::{HalfedgeId, Surface};
 
-/// Distance from the end, over the length of the line, within which it is met: far more than rounding.
+/// The end is reached within this distance, relative to the length of the line: far more than rounding.
 const MET: f64 = 1e-6;
 
-/// Least distance of a crossing from the ends of its edge, over the length of the edge.
+/// Smallest distance of a crossing from the ends of its edge, relative to the length of the edge.
 const APART: f64 = 1e-9;
 
-/// Crossings for each face of the surface before a line counts as lost.
+/// Largest number of crossings per face of the surface before a line counts as lost.
 const MOST_CROSSINGS: usize = 4;
 
-/// What lies between both ends of a line.
+/// The crossings between both ends of a line.
 pub(super) enum Way {
     /// It is an edge.
     Edge,
-    /// It leaves each face through a half-edge, at this share of it from its tail, and ends in the last face.
+    /// It leaves each face through a half-edge, at this fraction from its tail, and ends in the last face.
     Crossings(Vec<(HalfedgeId, f64)>, FaceId),
 }
 
-/// Follows a line of this length from a vertex, in a direction counter-clockwise from its first half-edge, to another vertex.
+/// Traces a line of this length from a vertex, in a direction counter-clockwise from its first half-edge, to another vertex.
 pub(super) fn walk(
     surface: &Surface,
     from: VertexId,
@@ -41,7 +41,7 @@ pub(super) fn walk(
         }
         first = Some(h);
     }
-    // The line lies along `along` from the origin; what is ahead is between p on its right and q on its left.
+    // The line lies along `along` from the origin; the edge ahead has p on its right and q on its left.
     let h = first?;
     let side = |h: HalfedgeId| surface.edge_length(mesh.edge(h));
     let turned = |length: f64, angle: f64| [length * libm::cos(angle), length * libm::sin(angle)];

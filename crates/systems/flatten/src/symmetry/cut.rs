@@ -1,4 +1,4 @@
-//! Cuts that are their own mirror images.
+//! Symmetric cuts.
 
 use super::{Images, SymmetryError};
 use crate::components::Component;
@@ -9,10 +9,10 @@ use pompeiu_surface::{EdgeData, EdgeId, EmbeddedSurface, GeometryError, SurfaceM
 use std::cmp::{Ordering, Reverse};
 use std::collections::BinaryHeap;
 
-/// A cut that grows by shortest paths on one side of the plane, and by their mirror images on the other.
+/// A cut that grows by shortest paths on one side of the plane of symmetry, and by their mirror images on the other.
 ///
-/// What grows on one side reaches the plane along edges of the plane only. So a path and its mirror image meet where the path begins,
-/// and close no loop: a disk stays a disk.
+/// Paths reach the plane only along edges in it. So a path and its mirror image meet only where the path begins, and close no loop:
+/// a disk stays a disk.
 pub(crate) struct SymmetricCut<'s> {
     surface: &'s EmbeddedSurface,
     images: &'s Images,
@@ -40,7 +40,7 @@ impl<'s> SymmetricCut<'s> {
         self.surface.mesh().vertex_ids().filter(|&v| self.reached[v]).collect()
     }
 
-    /// What it costs to cut an edge and its image.
+    /// The cost of cutting an edge and its mirror image.
     fn cost(&self, edge: EdgeId) -> f64 {
         match self.images.of_edge(edge) {
             Some(image) => self.costs.of(edge).max(self.costs.of(image)),
@@ -48,7 +48,7 @@ impl<'s> SymmetricCut<'s> {
         }
     }
 
-    /// Joins all these vertices and their images, the nearest one first; those that no path reaches are given back.
+    /// Joins all these vertices and their mirror images, nearest first; returns those that no path reaches.
     pub(crate) fn join(&mut self, terminals: &[VertexId]) -> Vec<VertexId> {
         let mut left: Vec<VertexId> = terminals.iter().map(|&v| self.images.on_first_side(v)).collect();
         loop {
@@ -73,7 +73,7 @@ impl<'s> SymmetricCut<'s> {
         }
     }
 
-    /// The least costs from what is reached, on the side of the normal and on the plane, and the step before each vertex.
+    /// The least costs from the existing cut, on the side of the normal and on the plane, and the step before each vertex.
     fn distances(&self) -> (VertexData<f64>, VertexData<Option<(EdgeId, VertexId)>>) {
         let mesh = self.surface.mesh();
         let mut distances = VertexData::filled(mesh.vertices(), f64::INFINITY);
@@ -105,11 +105,11 @@ impl<'s> SymmetricCut<'s> {
     }
 }
 
-/// The cut of a connected surface that is its own mirror image, before any is added for the sake of distortion.
+/// The symmetric cut of a connected surface, before cuts are added to reduce distortion.
 ///
 /// # Definition
-/// Of a sphere or a disk, a tree that grows from the boundary, or from a vertex of the plane. Otherwise one half is cut into a disk, the other
-/// one like it, and both are joined along the longest part of the plane that no cut meets.
+/// For a sphere or a disk: a tree that grows from the boundary, or from a vertex on the plane. Otherwise one half is cut into a
+/// disk, the other one symmetrically, and both are joined along the longest part of the plane that no cut meets.
 pub(crate) fn first_cut(
     surface: &EmbeddedSurface,
     images: &Images,
@@ -135,7 +135,7 @@ pub(crate) fn first_cut(
     };
     let nowhere = || CutError::Forbidden { face: FaceId(0) };
     let begins_on_plane = is_sphere && options.strategy != CutStrategy::Genus;
-    // The farthest pair on the plane: the tree begins at one, and goes to the other if there is nothing else to join.
+    // The farthest pair on the plane: the tree starts at one, and goes to the other if there are no other vertices to join.
     let mut other = None;
     if begins_on_plane {
         let on_plane = |v: &VertexId| images.side(*v) == Ordering::Equal && !costs.forbid(*v);
@@ -174,7 +174,7 @@ fn half(surface: &EmbeddedSurface, images: &Images) -> Result<Component, Geometr
     Ok(Component { surface: EmbeddedSurface::new(&half)?, faces, vertices, images: None })
 }
 
-/// The cut that makes a disk of each half, and of both together.
+/// The cut that makes each half a disk, and both together.
 fn halves(surface: &EmbeddedSurface, images: &Images, costs: &Costs) -> Result<EdgeData<bool>, CutError> {
     let mesh = surface.mesh();
     let half = half(surface, images)?;
@@ -202,7 +202,7 @@ fn halves(surface: &EmbeddedSurface, images: &Images, costs: &Costs) -> Result<E
     Ok(cut)
 }
 
-/// The longest chain of edges along the plane that no cut of a half meets between its ends.
+/// The longest chain of edges on the plane whose inner vertices no cut of a half meets.
 fn longest_free(surface: &EmbeddedSurface, images: &Images, cut: &EdgeData<bool>) -> EdgeData<bool> {
     let mesh: &SurfaceMesh = surface.mesh();
     let mut is_met = VertexData::from_fn(mesh.vertices(), |v| mesh.is_boundary_vertex(v));

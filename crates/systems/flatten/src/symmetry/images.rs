@@ -1,4 +1,4 @@
-//! Which vertex is the mirror image of which.
+//! Mirror images of vertices.
 
 use super::{SymmetryError, SymmetryPlane};
 use crate::cut::edge_between;
@@ -9,21 +9,21 @@ use pompeiu_core::mesh::VertexData;
 use pompeiu_surface::{EdgeData, EdgeId, EmbeddedSurface, SurfaceMesh};
 use std::cmp::Ordering;
 
-/// Greatest distance of a mirror image from the vertex that it stands for, over the diagonal of the surface's box: what files with six
-/// digits leave.
+/// Largest distance of a mirror image from the nearest vertex, relative to the diagonal of the bounding box: the rounding of files
+/// with six digits.
 const TOLERANCE: f64 = 1e-5;
 
 /// The mirror images of the vertices and edges of a surface.
 #[derive(Clone, Debug)]
 pub(crate) struct Images {
     vertices: VertexData<VertexId>,
-    /// Greater for the side that the normal points to; equal on the plane.
+    /// `Greater` on the side that the normal points to, `Equal` on the plane.
     sides: VertexData<Ordering>,
     edges: EdgeData<Option<EdgeId>>,
 }
 
 impl Images {
-    /// Finds the mirror images of a surface's vertices. Edges need not have one: faces on both sides may be divided differently.
+    /// Finds the mirror images of a surface's vertices. Edges may have none: faces on both sides may be divided differently.
     pub(crate) fn new(surface: &EmbeddedSurface, plane: &SymmetryPlane) -> Result<Self, SymmetryError> {
         let mesh = surface.mesh();
         let of_plane = || SymmetryError::Plane { normal: plane.normal, offset: plane.offset };
@@ -36,7 +36,7 @@ impl Images {
         let points: Vec<DVec3> = surface.positions().iter().map(|&p| DVec3::from_array(p)).collect();
         let most = TOLERANCE * Aabb::of_points(surface.positions().as_slice()).diagonal();
         let heights: Vec<f64> = points.iter().map(|p| unit.dot(*p) - offset).collect();
-        // A direction along the plane, in general position: a point and its image have the same key.
+        // A direction parallel to the plane, in general position: a point and its mirror image have the same key.
         let across = unit.any_orthonormal_vector();
         let along = libm::cos(1.0) * across + libm::sin(1.0) * unit.cross(across);
         let mut order: Vec<(f64, u32)> =
@@ -61,7 +61,7 @@ impl Images {
         let found = mesh.vertex_ids().map(image).collect::<Result<Vec<_>, _>>()?;
         let vertices = VertexData::from_fn(found.len(), |v: VertexId| found[v.index()]);
         if let Some(v) = mesh.vertex_ids().find(|&v| vertices[vertices[v]] != v) {
-            // Two vertices at one place.
+            // Two vertices at the same position.
             let distance = points[v.index()].distance(points[vertices[vertices[v]].index()]);
             return Err(SymmetryError::NoImage { vertex: v, distance, most });
         }
@@ -86,7 +86,7 @@ impl Images {
         self.vertices[v]
     }
 
-    /// The mirror image of an edge, if there is an edge.
+    /// The mirror image of an edge, if it is an edge.
     pub(super) fn of_edge(&self, edge: EdgeId) -> Option<EdgeId> {
         self.edges[edge]
     }
@@ -101,12 +101,12 @@ impl Images {
         sides.into_iter().find(|side| *side != Ordering::Equal).unwrap_or(Ordering::Equal)
     }
 
-    /// The vertex itself, or its image if that is on the side of the normal.
+    /// The vertex itself, or its mirror image if that is on the side of the normal.
     pub(super) fn on_first_side(&self, v: VertexId) -> VertexId {
         if self.side(v) == Ordering::Less { self.of(v) } else { v }
     }
 
-    /// Whether an edge runs along the plane.
+    /// Whether an edge lies in the plane.
     pub(super) fn is_on_plane(&self, mesh: &SurfaceMesh, edge: EdgeId) -> bool {
         mesh.ends(edge).into_iter().all(|v| self.side(v) == Ordering::Equal)
     }

@@ -1,4 +1,4 @@
-//! Surfaces that are their own mirror images: cuts and maps that keep the plane.
+//! Symmetric cuts and maps of surfaces with a plane of symmetry.
 
 mod cut;
 mod images;
@@ -10,28 +10,28 @@ pub(crate) use places::{partners, symmetrized};
 
 use pompeiu_core::{FaceId, VertexId};
 
-/// A plane in which a surface is its own mirror image: all points p with normal · p = offset.
+/// A plane of symmetry: all points p with normal · p = offset.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SymmetryPlane {
-    /// A vector across the plane, of any length.
+    /// A normal vector of the plane, of any length.
     pub normal: [f64; 3],
-    /// What the product of a point of the plane with it is.
+    /// The product of the normal with a point of the plane.
     pub offset: f64,
 }
 
-/// Why a cut or a map cannot keep a plane of symmetry.
+/// Why a cut or a map cannot be symmetric.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SymmetryError {
-    /// The numbers give no plane.
+    /// The numbers do not define a plane.
     #[error("the normal {normal:?} and the offset {offset} give no plane of symmetry")]
     Plane {
-        /// The vector across it.
+        /// The normal.
         normal: [f64; 3],
-        /// The product with it.
+        /// The offset.
         offset: f64,
     },
-    /// A vertex has no mirror image among the vertices.
+    /// The mirror image of a vertex is no vertex.
     #[error(
         "the surface is not symmetric: the mirror image of vertex {vertex} is {distance:e} away from the nearest vertex, expected at \
          most {most:e}"
@@ -50,7 +50,7 @@ pub enum SymmetryError {
         /// The face.
         face: FaceId,
     },
-    /// The plane exchanges two parts.
+    /// The plane exchanges two components.
     #[error(
         "the mirror image of the part that holds face {face} is another part; flatten such parts on their own"
     )]
@@ -58,19 +58,19 @@ pub enum SymmetryError {
         /// One of its faces.
         face: FaceId,
     },
-    /// The cut has no mirror image, because edges of the part have none.
+    /// There is no symmetric cut, because mirror images of edges are missing.
     #[error("the part that holds face {face} has no cut that is its own mirror image: edges of it have none")]
     NoCut {
         /// One of its faces.
         face: FaceId,
     },
-    /// The strategy knows nothing of planes.
+    /// The strategy does not support planes of symmetry.
     #[error("the strategy {strategy} keeps no plane of symmetry; choose auto, genus, tips or through")]
     Strategy {
         /// Its name.
         strategy: &'static str,
     },
-    /// A boundary whose corners need not be symmetric.
+    /// The boundary curve does not support planes of symmetry.
     #[error("a map onto a square or a polygon keeps no plane of symmetry; choose free, circle or own")]
     Boundary,
 }

@@ -1,4 +1,4 @@
-//! Maps that are their own mirror images.
+//! Symmetric maps.
 
 use super::Images;
 use crate::cut::Opened;
@@ -6,9 +6,9 @@ use pompeiu_core::VertexId;
 use pompeiu_surface::plane::{Vec2, sub};
 use std::cmp::Ordering;
 
-/// For each vertex of a disk that a symmetric cut left, the one that is its mirror image; none if the cut is not symmetric.
+/// For each vertex of a disk, its mirror image; `None` if the cut is not symmetric.
 ///
-/// The copies of vertices are matched along the outline, which runs the other way round in the mirror.
+/// The copies of vertices are matched along the outline, which the mirror reverses.
 pub(crate) fn partners(opened: &Opened, images: &Images) -> Option<Vec<u32>> {
     let mesh = opened.mesh();
     let original = |v: VertexId| opened.vertex_map()[v];
@@ -17,7 +17,7 @@ pub(crate) fn partners(opened: &Opened, images: &Images) -> Option<Vec<u32>> {
     let n = around.len();
     let side = |i: usize| images.side_of(mesh.face(around[i].face()).map(original));
     let opposite = |s: Ordering, t: Ordering| s != Ordering::Equal && s == t.reverse();
-    // Corner i goes to corner k - i, the edge behind it to the one before that.
+    // Corner i corresponds to corner k - i, the edge after it to the one before that.
     let fits = |k: usize| {
         (0..n).all(|i| {
             let (v, w) = (original(mesh.tail(around[i])), original(mesh.tail(around[(k + n - i) % n])));
@@ -32,19 +32,20 @@ pub(crate) fn partners(opened: &Opened, images: &Images) -> Option<Vec<u32>> {
     is_involution.then_some(partners)
 }
 
-/// The mean of a map and its mirror image, turned so that the axis is x = 0: partners have opposite x and the same y, exactly.
+/// The mean of a map and its mirror image, rotated so that the axis is x = 0: mirror images have opposite x and the same y,
+/// exactly.
 pub(crate) fn symmetrized(uv: &[Vec2], partners: &[u32]) -> Vec<Vec2> {
     let count = uv.len() as f64;
     let sum = uv.iter().fold([0.0; 2], |sum, p| [sum[0] + p[0], sum[1] + p[1]]);
     let centre = sum.map(|x| x / count);
-    // The reflection [[c, s], [s, -c]] that brings the map nearest to its partners.
+    // The reflection [[c, s], [s, -c]] that maps positions nearest to those of their mirror images.
     let (mut c, mut s) = (0.0, 0.0);
     for (p, &w) in uv.iter().zip(partners) {
         let (p, q) = (sub(*p, centre), sub(uv[w as usize], centre));
         c += p[0] * q[0] - p[1] * q[1];
         s += p[0] * q[1] + p[1] * q[0];
     }
-    // The axis is at half the angle; it is turned to that of y.
+    // The axis is at half the angle; it is rotated to the y axis.
     let angle = std::f64::consts::FRAC_PI_2 - 0.5 * libm::atan2(s, c);
     let (cosine, sine) = (libm::cos(angle), libm::sin(angle));
     let turned = |v: usize| {

@@ -1,4 +1,4 @@
-//! Cuts: copies are counted, gluing gives the input back, and the farthest pair is that of all pairs.
+//! Cuts: numbers of copies, gluing restores the input, and the farthest pair agrees with an exhaustive search.
 
 use super::{real_mesh, surface, zoo};
 use pompeiu_core::mesh::{Random, displace_at_random, merge, shapes};
@@ -66,7 +66,7 @@ fn on_the_boundary_each_cut_edge_makes_one_copy_more() {
         opened.vertex_map().iter().for_each(|v| copies[v.index()] += 1);
         for v in disk.vertex_ids() {
             let is_cut = |&h: &_| cut[disk.edge(h)] && !disk.is_boundary_edge(disk.edge(h));
-            // The last edge of a fan at the boundary is a boundary edge, and is left by no half-edge.
+            // The last edge of a fan at the boundary is a boundary edge, and no outgoing half-edge.
             let cut_edges = disk.outgoing(v).filter(is_cut).count();
             let expected = if disk.is_boundary_vertex(v) { cut_edges + 1 } else { cut_edges.max(1) };
             assert_eq!(copies[v.index()], expected, "vertex {v}");
@@ -162,7 +162,7 @@ fn named_vertices_and_paths_are_on_the_cut_and_forbidden_ones_are_not() {
     assert_eq!(error.to_string(), "no edge joins vertices 0 and 400");
 }
 
-/// The least length of a tree that joins some vertices, by dynamic programming over their subsets.
+/// The least length of a tree that joins some vertices (Steiner tree), by dynamic programming over their subsets.
 fn steiner(surface: &EmbeddedSurface, terminals: &[VertexId]) -> f64 {
     let mesh = surface.mesh();
     let from: Vec<_> =

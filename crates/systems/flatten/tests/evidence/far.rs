@@ -1,4 +1,4 @@
-//! Cuts to the farthest vertex, one after the other: each is the farthest, and the rule says when to stop.
+//! Successive cuts to the farthest vertex: each is the farthest, and the stopping rule applies.
 
 use super::surface;
 use pompeiu_core::VertexId;
@@ -58,7 +58,7 @@ fn cuts_go_on_until_distances_spread_no_more_than_asked() {
         assert!(first > 1 && spreads[0] > 1.5 * asked, "{spreads:?}");
         let cut = chosen(&surface, strategy(100), Some(asked));
         assert!(cut == chosen(&surface, strategy(first + 1), None), "{spreads:?}");
-        // The number given is the most.
+        // The given number is a maximum.
         assert!(chosen(&surface, strategy(1), Some(asked)) == chosen(&surface, strategy(1), None));
     }
     for spread in [0.0, f64::NAN, f64::INFINITY] {

@@ -15,7 +15,7 @@ use pompeiu_core::mesh::subdivide;
 use pompeiu_surface::EmbeddedSurface;
 use pompeiu_testkit::data;
 
-/// A real mesh, if it is there.
+/// A real mesh, if it is present.
 fn real_mesh(name: &str) -> Option<TriMesh> {
     Some(pompeiu_io::read_mesh(data::file(&format!("meshes/{name}"))?).unwrap())
 }

@@ -1,4 +1,4 @@
-//! Maps: planar disks come back, developable surfaces keep their lengths, nothing flips, nothing overlaps.
+//! Maps: planar disks are recovered, developable surfaces keep their lengths, no face flips or overlaps.
 
 use super::{real_mesh, surface, zoo};
 use pompeiu_core::mesh::shapes::{self, Diagonal, Ends};
@@ -23,7 +23,7 @@ fn areas(flat: &Flattening) -> Vec<f64> {
     flat.corner_uv().into_iter().map(twice).collect()
 }
 
-/// A disk in the plane whose vertices inside have been moved.
+/// A planar disk with displaced inner vertices.
 fn planar_disk() -> TriMesh {
     let (positions, faces) = shapes::disk(2.0, 24, 7).unwrap().into_parts();
     let mut random = pompeiu_core::mesh::Random::new(5);
@@ -156,7 +156,7 @@ fn several_components_share_one_square_at_one_scale() {
     assert_eq!(parts.iter().map(|part| part.faces).collect::<Vec<_>>(), [24, 320, 4, 24]);
     assert_eq!(parts.iter().map(|part| part.first_face).collect::<Vec<_>>(), [0, 24, 344, 348]);
     assert!(parts.iter().all(|part| part.flipped == 0 && part.overlapping == 0));
-    // Nothing was cut of the grids, which stay as they are; lengths and edges of the others add up to the whole cut.
+    // The grids are not cut and stay unchanged; lengths and edges of the others add up to the whole cut.
     for grid in [&parts[0], &parts[3]] {
         assert_eq!(grid.cut_edges, 0);
         assert!((grid.distortion.symmetric_dirichlet.max - 4.0).abs() < 1e-9);
@@ -305,7 +305,7 @@ fn faces_around_the_disk_lessen_stretch_and_are_dropped() {
     let layers = |n: usize, scale: f64, kind: RingKind| {
         Some(VirtualBoundary { layers: std::num::NonZeroUsize::new(n).unwrap(), scale, kind })
     };
-    // A square is not round, and may stay one.
+    // A square is not round, and may stay a square.
     let square = shapes::grid([1.0, 1.0], [12, 12], Diagonal::Rising).unwrap();
     let none = stretch(&square, None);
     for kind in [RingKind::Intrinsic, RingKind::Extrinsic] {

@@ -1,4 +1,4 @@
-//! Balls: those of a capsule and of a sphere are known; the deviation is checked against points.
+//! Medial balls: those of a capsule and of a sphere are known; the deviation is checked against points.
 
 use super::{real_mesh, surface};
 use pompeiu_core::TriMesh;
@@ -33,7 +33,7 @@ fn the_two_balls_of_a_capsule_are_found_within_one_percent() {
         assert!((ball.radius - 1.0).abs() < 0.01, "{}", ball.radius);
         assert!(ball.centre[0].hypot(ball.centre[1]) < 0.01);
     }
-    // Half-way between the balls the wall is farthest from them.
+    // Halfway between the balls the wall is farthest from them.
     let [lower, upper] = medial.deviation.surface_to_balls;
     let expected = 5_f64.sqrt() - 1.0;
     assert!((lower - expected).abs() < 0.05 && upper - lower < 0.01, "{lower} {upper}");

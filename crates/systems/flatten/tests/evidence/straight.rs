@@ -1,4 +1,4 @@
-//! Straightened paths: lengths of known geodesics, the surface as it was, the same pieces after the cut.
+//! Straightened paths: lengths of known geodesics, the unchanged surface, the same components after the cut.
 
 use super::{real_mesh, surface, zoo};
 use pompeiu_core::mesh::{Random, displace_at_random, shapes};
@@ -26,7 +26,7 @@ fn path(surface: &EmbeddedSurface, ends: [[f64; 3]; 2]) -> EdgeData<bool> {
     EdgeData::from_fn(surface.mesh().edges(), |edge| path.contains(&edge))
 }
 
-/// Straightens, and checks that the surface is as it was: each face is the sum of its parts.
+/// Straightens, and checks that the surface is unchanged: each face is the sum of its parts.
 fn checked(surface: &EmbeddedSurface, cut: &EdgeData<bool>) -> Straightened {
     let straight = straighten(surface, cut).unwrap();
     let mut parts = vec![0.0; surface.mesh().faces()];
@@ -93,7 +93,7 @@ fn straightened_cuts_leave_the_same_pieces() {
             let [before, after] = [length(&surface, &cut), length(&straight.surface, &straight.cut)];
             println!("{before:.4} -> {after:.4}");
             assert!(after < 0.999 * before, "{before} {after}");
-            // Nothing is left to shorten.
+            // A second run finds nothing to shorten.
             let again = straighten(&straight.surface, &straight.cut).unwrap();
             let still = length(&again.surface, &again.cut);
             assert!((still / after - 1.0).abs() < 1e-4, "{after} {still}");

@@ -1,4 +1,4 @@
-//! Planes of symmetry: cuts are their own mirror images, and so are maps, to the last bit.
+//! Planes of symmetry: cuts and maps are symmetric, bit for bit.
 
 use super::{real_mesh, surface};
 use pompeiu_core::mesh::{merge, shapes};
@@ -31,7 +31,7 @@ fn images(mesh: &TriMesh, axis: usize) -> Vec<u32> {
     mesh.positions().iter().map(image).collect()
 }
 
-/// Checks that a cut and a map keep a plane, and gives the mean symmetric Dirichlet energy.
+/// Checks that a cut and a map are symmetric, and returns the mean symmetric Dirichlet energy.
 fn check(mesh: &TriMesh, axis: usize, options: &FlattenOptions<'_>) -> (Flattening, f64) {
     let surface = surface(mesh);
     let flat = flatten(&surface, options).unwrap();
@@ -53,7 +53,7 @@ fn check(mesh: &TriMesh, axis: usize, options: &FlattenOptions<'_>) -> (Flatteni
         image.sort_unstable();
         assert!(ends.contains(&image), "edge {edge:?} is cut, {image:?} is not");
     }
-    // The places of all copies of a vertex are the mirror images of those of its image.
+    // The positions of all copies of a vertex are the mirror images of those of its mirror image.
     let mut places: Vec<Vec<[f64; 2]>> = vec![Vec::new(); mesh.positions().len()];
     for (copy, v) in flat.opened.vertex_map().iter().enumerate() {
         // No negative zeros.
