@@ -5,7 +5,7 @@ use glam::DVec3;
 /// The golden section.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
-/// Steps of a golden-section search: the interval shrinks to 2⁻³⁰.
+/// Steps of a golden-section search: they shrink the interval to 2⁻³⁰.
 const STEPS: usize = 44;
 
 /// The balls around the points of a segment, with radii linear between its ends.
@@ -18,19 +18,19 @@ pub struct RoundCone {
 }
 
 impl RoundCone {
-    /// The least of `|p − q(t)| − r(t)` over the balls: the signed distance from the surface of the cone outside of it, and how deep
-    /// the point lies inside; and the place `t` in `[0, 1]` where it is attained.
+    /// The least value of `|p − q(t)| − r(t)` over the balls: outside of the cone the distance from its surface, inside minus the
+    /// depth; and the parameter `t` in `[0, 1]` that attains it.
     ///
     /// # Definition
-    /// The centre of the nearest ball lies at `x + k h / √(1 − k²)` along the axis, where the point lies at `x` along it and `h`
-    /// beside it, and `k` is the slope of the radius.
+    /// The centre of the nearest ball is at `x + k h / √(1 − k²)` along the axis, where `x` is the position of the point along the
+    /// axis, `h` its distance from it, and `k` the slope of the radius.
     pub fn distance(&self, p: DVec3) -> (f64, f64) {
         let [a, b] = self.ends;
         let [ra, rb] = self.radii;
         let axis = b - a;
         let length = axis.length();
         let slope = (rb - ra) / length;
-        // One ball holds all others, or there is no axis.
+        // One ball contains all others, or the axis has no length.
         if slope.is_nan() || slope.abs() >= 1.0 {
             let (da, db) = (p.distance(a) - ra, p.distance(b) - rb);
             return if da <= db { (da, 0.0) } else { (db, 1.0) };
@@ -42,12 +42,12 @@ impl RoundCone {
         (p.distance(a + axis * t) - (ra + (rb - ra) * t), t)
     }
 
-    /// The least of `|p(s) − q(t)| − r(s) − r(t)` over the balls of both: below zero exactly where the two overlap, then minus
-    /// the depth. Also the places `s` and `t`.
+    /// The least value of `|p(s) − q(t)| − r(s) − r(t)` over the balls of both cones: negative exactly if they overlap, and then
+    /// minus the depth. Also the parameters `s` and `t`.
     ///
     /// # Accuracy
-    /// The function is convex in `(s, t)`. The least over `t` is a closed form, that over `s` a golden-section search to 2⁻³⁰ of the
-    /// axis.
+    /// The function is convex in `(s, t)`. The minimum over `t` has a closed form; over `s` a golden-section search is accurate to
+    /// 2⁻³⁰ of the axis.
     pub fn gap(&self, other: &Self) -> (f64, f64, f64) {
         let at = |s: f64| {
             let (distance, t) = other.distance(self.ends[0].lerp(self.ends[1], s));
@@ -77,7 +77,7 @@ impl RoundCone {
         all.into_iter().fold(all[0], |best, next| if next.0 < best.0 { next } else { best })
     }
 
-    /// The corners of the box around it.
+    /// The corners of its bounding box.
     pub(crate) fn bounds(&self) -> [DVec3; 2] {
         let [a, b] = self.ends;
         let [ra, rb] = self.radii.map(DVec3::splat);
@@ -89,7 +89,7 @@ impl RoundCone {
 mod tests {
     use super::*;
 
-    /// Balls of each cone that are compared.
+    /// Balls compared on each cone.
     const N: usize = 200;
 
     #[test]

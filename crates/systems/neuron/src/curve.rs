@@ -1,10 +1,10 @@
-//! Smooth curves through the tubes: cubic B-splines with the samples as control points, radius included.
+//! Smooth axes of tubes: cubic B-splines with the samples, including their radii, as control points.
 
 use glam::{DVec3, DVec4, Vec4Swizzles};
 
 /// A clamped uniform B-spline of degree at most three, in space and radius.
 ///
-/// It begins at the first control point and ends at the last, and stays in the convex hull of any four that follow each other.
+/// It interpolates the first and the last control point, and stays in the convex hull of any four consecutive ones.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Curve {
     points: Vec<DVec4>,
@@ -67,7 +67,7 @@ impl Curve {
         d[degree]
     }
 
-    /// Parameters at given lengths along the curve, and its length: by a table of chords, `per_span` to each span.
+    /// The arc length of the curve and its inverse, from a table of `per_span` chords per span.
     pub fn arc_length(&self, per_span: usize) -> ArcLength {
         let steps = (self.end() as usize) * per_span.max(1);
         let mut lengths = Vec::with_capacity(steps + 1);
@@ -84,7 +84,7 @@ impl Curve {
     }
 }
 
-/// Lengths along a curve at even parameters.
+/// Arc lengths of a curve at uniform parameters.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ArcLength {
     lengths: Vec<f64>,

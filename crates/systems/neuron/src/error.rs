@@ -1,13 +1,13 @@
-//! Why a skeleton cannot be used.
+//! Errors in SWC files.
 
-/// Why a file holds no skeleton.
+/// Why an SWC file cannot be used.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SwcError {
-    /// No row states a sample.
+    /// There are no samples.
     #[error("there is no sample in the file")]
     Empty,
-    /// Too few fields.
+    /// A row has too few fields.
     #[error("line {line}: found {found} fields, expected 7: id, type, x, y, z, radius, parent")]
     Fields {
         /// Line of the file, from 1.
@@ -15,7 +15,7 @@ pub enum SwcError {
         /// How many there are.
         found: usize,
     },
-    /// Text that is no number, or no whole number where one is needed.
+    /// A field is not a number, or not an integer where one is needed.
     #[error("line {line}: the {field} of the sample is {found:?}, which is not a {}", if matches!(*.field, "id" | "type" | "parent") { "whole number" } else { "number" })]
     Number {
         /// Line of the file, from 1.
@@ -25,7 +25,7 @@ pub enum SwcError {
         /// What is there.
         found: String,
     },
-    /// A number that is no length.
+    /// A number is out of range.
     #[error(
         "line {line}: the {field} of the sample is {value}, expected a number of at most 1e12 micrometres"
     )]
@@ -37,7 +37,7 @@ pub enum SwcError {
         /// What is there.
         value: f64,
     },
-    /// Two samples of one number.
+    /// Two samples have the same number.
     #[error("line {line}: sample {id} was stated in line {first} already")]
     Duplicate {
         /// Line of the second, from 1.
@@ -47,7 +47,7 @@ pub enum SwcError {
         /// Line of the first.
         first: usize,
     },
-    /// A sample continues one that does not exist.
+    /// The parent of a sample does not exist.
     #[error(
         "line {line}: sample {id} continues sample {parent}, which does not exist; --repair makes it a root"
     )]
@@ -59,17 +59,17 @@ pub enum SwcError {
         /// The one that is missing.
         parent: i64,
     },
-    /// Samples that continue each other.
+    /// Samples form a cycle.
     #[error("line {line}: sample {id} continues itself over {length} samples; --repair makes it a root")]
     Cycle {
         /// Line of one of them, from 1.
         line: usize,
-        /// That one.
+        /// The sample in that line.
         id: i64,
-        /// How many samples the cycle has.
+        /// The length of the cycle.
         length: usize,
     },
-    /// A radius below zero.
+    /// A radius is negative.
     #[error(
         "line {line}: the radius of sample {id} is {radius}, expected at least 0; --repair takes it from its neighbours"
     )]
@@ -78,10 +78,10 @@ pub enum SwcError {
         line: usize,
         /// The sample.
         id: i64,
-        /// What is there.
+        /// Its radius.
         radius: f64,
     },
-    /// More samples than indices.
+    /// There are too many samples.
     #[error("there are {0} samples, at most 100 million can be used")]
     TooMany(usize),
 }

@@ -1,21 +1,21 @@
-//! From the skeleton of a neuron to what travels through it.
+//! From the skeleton of a neuron to flow and transport inside it.
 //!
-//! A skeleton is a tree of samples, balls with a centre and a radius, as SWC files state it. Between two neighbours there is the
-//! round cone that their balls span; the neuron is the union of all cones.
+//! A skeleton is a tree of samples, which are balls with a centre and a radius, as in SWC files. Two neighbours span a round cone;
+//! the neuron is the union of all cones.
 //!
 //! | item | what it is |
 //! |---|---|
 //! | [`read_swc`], [`write_swc`], [`SwcRow`] | the file, in all its dialects |
-//! | [`Skeleton`], [`Sample`], [`Soma`], [`Repair`] | the tree, and what a repair does to it |
-//! | [`problems`], [`Problem`] | what a mesh of it would suffer from, located |
-//! | [`smooth`], [`SkeletonDeviation`] | smoothing and resampling, and how far they move samples |
+//! | [`Skeleton`], [`Sample`], [`Soma`], [`Repair`] | the tree, and repairs of it |
+//! | [`problems`], [`Problem`] | defects that would harm a mesh, with their places |
+//! | [`smooth`], [`SkeletonDeviation`] | smoothing and resampling, with the deviation from the input |
 //! | [`mesh_neuron`], [`MeshOptions`], [`NeuronMesh`] | a conforming hexahedral mesh, every cell proven unfolded |
 //! | [`cubic_neuron`], [`CubicMesh`], [`SplineReport`] | the same with tricubic cells, and splines over them |
-//! | [`refined_splines`], [`RefineAt`] | splines refined at nodes, ends, the wall, or near places |
+//! | [`refined_splines`], [`RefineAt`] | splines refined at nodes, ends, the wall, or near points |
 //! | [`neuron_flow`], [`FlowParameters`], [`Flow`] | steady viscous flow, conservative cell by cell |
 //! | [`transport`], [`transport_in_flow`], [`Parameters`], [`read_transport_config`] | diffusion and motors in both directions, conservative and without negative concentrations |
-//! | [`NeuronMesh::from_hexahedra`], [`CubicMesh::from_hexahedra`], [`Ends`] | the same for meshes from elsewhere |
-//! | [`NeuronReport`], [`SkeletonReport`] | what is said of a neuron and of its skeleton |
+//! | [`NeuronMesh::from_hexahedra`], [`CubicMesh::from_hexahedra`], [`Ends`] | the same for imported meshes |
+//! | [`NeuronReport`], [`SkeletonReport`] | reports on a neuron and its skeleton |
 //! | [`RoundCone`], [`Curve`] | the tubes and their smooth axes |
 //!
 //! ```

@@ -1,25 +1,25 @@
-//! From the bytes of a file to the skeleton that is worked on.
+//! From the bytes of a file to a prepared skeleton.
 
 use crate::{Skeleton, SkeletonReport, SmoothOptions, SwcError, read_swc, smooth};
 
-/// What is done to a skeleton before anything else.
+/// Options for preparing a skeleton.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Preparation {
-    /// Whether what can be repaired is repaired.
+    /// Whether to repair defects.
     pub repair: bool,
     /// Smoothing and resampling; neither without steps and spacing.
     pub smooth: SmoothOptions,
 }
 
 impl Preparation {
-    /// These options and those of a mesh in one line: what cells depend on besides the file.
+    /// These options and those of a mesh in one line: together with the file they determine the cells.
     pub fn line(&self, stage: &str, parts: usize, layer: f64) -> String {
         let (repair, smooth) = (self.repair, &self.smooth);
         format!("{stage} {parts} {layer:?} {repair} {} {:?}", smooth.steps, smooth.spacing)
     }
 }
 
-/// Reads a skeleton, repairs and smooths it as asked, and looks at it.
+/// Reads a skeleton, repairs and smooths it as requested, and reports on it.
 ///
 /// # Errors
 /// [`SwcError`].

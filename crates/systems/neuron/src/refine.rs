@@ -1,4 +1,4 @@
-//! Splines over a tricubic mesh, refined where it is asked for.
+//! Splines over a tricubic mesh with local refinement.
 
 use crate::mesh::{LINEAR_PARTS, cubic_vtu, go_on};
 use crate::{CubicMesh, MeshError, Skeleton};
@@ -8,7 +8,7 @@ use pompeiu_volume::{BYTES_PER_FUNCTION, FACE_AXES, HierarchicalElement, Hierarc
 use std::collections::HashMap;
 use std::ops::ControlFlow;
 
-/// Where splines are refined.
+/// A place where splines are refined.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum RefineAt {
     /// In the patches of nodes.
@@ -19,20 +19,21 @@ pub enum RefineAt {
     Wall,
     /// In the patches of a branch.
     Branch(u32),
-    /// In elements that come this near to a place, in micrometres.
+    /// In elements within this distance of a point, in micrometres.
     Ball {
         /// The place.
         centre: DVec3,
-        /// How near.
+        /// The distance.
         radius: f64,
     },
 }
 
 impl RefineAt {
-    /// The place with a name: `nodes`, `ends`, `wall`, `branch=3`, `sample=57`, which is the ball of that sample, or `ball=x,y,z,r`.
+    /// The place with a name: `nodes`, `ends`, `wall`, `branch=3`, `sample=57`, which is the ball of that sample, or
+    /// `ball=x,y,z,r`.
     ///
     /// # Errors
-    /// [`MeshError::Place`] for another name, and for nodes and samples of a mesh that was made elsewhere, without a skeleton.
+    /// [`MeshError::Place`] for another name, and for nodes and samples of an imported mesh, which has no skeleton.
     pub fn from_name(name: &str, skeleton: Option<&Skeleton>) -> Result<Self, MeshError> {
         let wrong = |problem| MeshError::Place { place: name.to_owned(), problem };
         let unknown = || {
@@ -76,31 +77,31 @@ impl RefineAt {
     }
 }
 
-/// How splines are refined.
+/// Options of refinement.
 #[derive(Clone)]
 pub struct RefineOptions<'o> {
-    /// Elements along each edge of each patch that are not refined, 1 to 4.
+    /// Unrefined elements along each edge of each patch, 1 to 4.
     pub elements: usize,
-    /// Where; elements in any of these places are refined.
+    /// The places; elements in any of them are refined.
     pub at: &'o [RefineAt],
     /// How often elements are halved there, 0 to 5.
     pub times: usize,
     /// Limits on time and memory.
     pub limits: Limits,
-    /// Is told how often elements were halved.
+    /// Receives the number of completed levels.
     pub progress: Option<&'o dyn ProgressObserver>,
 }
 
-/// Bytes that are taken at most where no limit is given.
+/// Largest memory if no limit is given, in bytes.
 const MOST_BYTES: usize = 8 << 30;
 
-/// Splines over the patches of a mesh, refined in some places: truncated hierarchical splines, whose space contains that without
-/// refinement. In elements that are asked for, there are all functions of elements of their size.
+/// Splines over the patches of a mesh with local refinement: truncated hierarchical splines, whose space contains the unrefined
+/// one. In the requested elements, all functions of their level exist.
 ///
 /// # Shapes and units
 /// Lengths in micrometres.
 /// # Errors
-/// [`MeshError::Option`] for numbers out of range; [`MeshError::Place`] where there is no element; [`MeshError::Memory`],
+/// [`MeshError::Option`] for numbers out of range; [`MeshError::Place`] if a place contains no element; [`MeshError::Memory`],
 /// [`MeshError::Stopped`].
 /// # Cost
 /// See [`HierarchicalSplines`].
@@ -166,10 +167,10 @@ fn check_memory(
     Ok(())
 }
 
-/// Where patches are.
+/// The positions of patches.
 struct Places<'m> {
     mesh: &'m CubicMesh,
-    /// For faces of patches on the boundary whether they are on the wall.
+    /// Whether each boundary face of a patch is on the wall.
     is_wall: HashMap<(u32, u8), bool>,
 }
 
@@ -208,11 +209,11 @@ impl<'m> Places<'m> {
     }
 }
 
-/// The elements of refined splines as a VTK XML unstructured grid, of Bézier hexahedra or of trilinear cells, with the branch and the level of
-/// each as cell data.
+/// The elements of refined splines as a VTK XML unstructured grid, as Bézier hexahedra or as trilinear cells, with the branch and
+/// the level of each as cell data.
 ///
 /// # Errors
-/// None but those of an allocation.
+/// Only allocation errors.
 pub fn refined_vtu(
     mesh: &CubicMesh,
     splines: &HierarchicalSplines,

@@ -1,11 +1,11 @@
-//! What is said of a neuron.
+//! Reports on a neuron.
 
 use crate::{
     FlowReport, MeshReport, Problem, Repair, Skeleton, SkeletonDeviation, SplineReport, TransportReport,
     problems,
 };
 
-/// What is said of a skeleton.
+/// The report of a skeleton.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -14,20 +14,20 @@ pub struct SkeletonReport {
     pub samples: usize,
     /// Number of branches: paths between roots, furcations and tips.
     pub branches: usize,
-    /// Number of samples that no other continues.
+    /// Number of samples without children.
     pub tips: usize,
-    /// What deserves attention before it is meshed.
+    /// Defects that deserve attention before it is meshed.
     pub problems: Vec<Problem>,
-    /// What a repair did, a sentence each; left out where none was asked for.
+    /// The repairs, one sentence each; omitted if none were requested.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub repairs: Option<Vec<String>>,
-    /// How far smoothing and resampling moved it; left out where neither was asked for.
+    /// The deviation due to smoothing and resampling; omitted if neither was requested.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub deviation: Option<SkeletonDeviation>,
 }
 
 impl SkeletonReport {
-    /// Looks at a skeleton.
+    /// The report of a skeleton.
     pub fn new(
         skeleton: &Skeleton,
         repairs: Option<&[Repair]>,
@@ -44,12 +44,12 @@ impl SkeletonReport {
     }
 }
 
-/// What is said of a neuron: one entry for each stage that ran.
+/// The report of a neuron: one entry for each stage that ran.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct NeuronReport {
-    /// The skeleton; left out where a mesh was given.
+    /// The skeleton; omitted if a mesh was given.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub skeleton: Option<SkeletonReport>,
     /// The mesh.
@@ -64,17 +64,17 @@ pub struct NeuronReport {
     /// The transport.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub transport: Option<TransportReport>,
-    /// Time spent on each stage that ran, by the clock.
+    /// Wall-clock time of each stage that ran.
     #[cfg_attr(feature = "serde", serde(rename = "timing_ms"))]
     pub timing: Timing,
 }
 
-/// Milliseconds spent on each stage that ran.
+/// Wall-clock time of each stage that ran, in milliseconds.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Timing {
-    /// Reading and looking at the skeleton or mesh.
+    /// Reading and checking the skeleton or mesh.
     pub skeleton: f64,
     /// Meshing.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
@@ -88,6 +88,6 @@ pub struct Timing {
     /// Transport.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub transport: Option<f64>,
-    /// From the file to the report.
+    /// The whole run.
     pub total: f64,
 }

@@ -5,12 +5,12 @@ use glam::DVec3;
 use std::collections::HashMap;
 use std::fmt;
 
-/// A ball of the skeleton. Between two neighbours there is the round cone that they span.
+/// A ball of the skeleton. Two neighbours span a round cone.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sample {
     /// Its number in the file.
     pub id: i64,
-    /// Its line in the file, from 1; 0 for a sample that was made.
+    /// Its line in the file, from 1; 0 for a generated sample.
     pub line: usize,
     /// The structure, as in [`SwcRow::kind`].
     pub kind: i64,
@@ -20,47 +20,47 @@ pub struct Sample {
     pub radius: f64,
 }
 
-/// Most samples: an index fits four bytes with room for arrays made of them.
+/// Largest number of samples: an index fits into four bytes, and arrays derived from samples have room.
 const MOST_SAMPLES: usize = 100_000_000;
 
 /// The structure that is the soma.
 pub const SOMA: i64 = 1;
 
-/// What a repair did to a sample.
+/// A repair of a sample.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Repair {
     /// The sample.
     pub id: i64,
     /// Its line, from 1.
     pub line: usize,
-    /// What was done.
+    /// The action.
     pub action: RepairAction,
 }
 
-/// What can be done to a sample.
+/// The kinds of repairs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum RepairAction {
-    /// Became a root, for its parent does not exist.
+    /// Made a root, because its parent does not exist.
     Uprooted {
         /// The parent that is missing.
         parent: i64,
     },
-    /// Became a root, for it continued itself.
+    /// Made a root, because it was its own ancestor.
     CycleOpened,
-    /// Has a radius now.
+    /// Given a radius.
     Radius {
-        /// What it was.
+        /// The old radius.
         from: f64,
-        /// What it is.
+        /// The new radius.
         to: f64,
     },
-    /// Was left out, for it lies where its parent lies.
+    /// Removed, because it lies at the position of its parent.
     Merged {
         /// The parent.
         into: i64,
     },
-    /// Left out with its branch, which ends inside the ball of its node.
+    /// Removed with its branch, which ends inside the ball of its node.
     ShortBranch {
         /// Length of the branch.
         length: f64,
@@ -98,34 +98,34 @@ pub struct Skeleton {
     soma: Soma,
 }
 
-/// How the file states the soma.
+/// How the file represents the soma.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Soma {
     /// Not at all.
     None,
     /// As one sample: a ball.
     Point,
-    /// As three samples, the second and third beside the first, as NeuroMorpho.Org states a ball. The two are left out here.
+    /// As three samples, the second and third next to the first, as NeuroMorpho.Org represents a ball. These two are removed here.
     ThreePoints,
-    /// As a chain or tree of samples, which are tubes like any other.
+    /// As a chain or tree of samples, which form tubes like any others.
     Cylinders,
 }
 
 impl Skeleton {
-    /// The tree that rows state.
+    /// The tree described by rows.
     ///
     /// # Errors
-    /// [`SwcError`]: two samples of one number, a parent that does not exist, samples that continue each other, a radius below zero.
+    /// [`SwcError`]: two samples with one number, a parent that does not exist, a cycle, a negative radius.
     pub fn new(rows: &[SwcRow]) -> Result<Self, SwcError> {
         Ok(Self::build(rows, false)?.0)
     }
 
-    /// The tree that rows state, repaired: samples without a parent and one of each cycle become roots, samples without a radius
-    /// get that of their nearest neighbours along the tree, samples at the place of their parent are left out, and so are branches
-    /// that end inside the ball of their node.
+    /// The tree described by rows, repaired: samples without an existing parent and one of each cycle become roots; samples without
+    /// a radius get one from their nearest neighbours along the tree; samples at the position of their parent are removed, and so
+    /// are branches that end inside the ball of their node.
     ///
     /// # Errors
-    /// [`SwcError::Duplicate`], which nothing can repair.
+    /// [`SwcError::Duplicate`], which cannot be repaired.
     pub fn repaired(rows: &[SwcRow]) -> Result<(Self, Vec<Repair>), SwcError> {
         let (mut skeleton, mut repairs) = Self::build(rows, true)?;
         skeleton.merge_coincident(&mut repairs);
@@ -190,7 +190,7 @@ impl Skeleton {
         Ok((skeleton, repairs))
     }
 
-    /// Puts parents before children, depth first, children in the order given.
+    /// Sorts parents before children, depth first, children in the given order.
     fn ordered(samples: &[Sample], parents: &[Option<usize>], soma: Soma) -> Self {
         let mut children = vec![Vec::new(); samples.len()];
         let mut stack = Vec::new();
@@ -216,7 +216,7 @@ impl Skeleton {
         }
     }
 
-    /// Leaves samples out; their children continue their parents.
+    /// Removes samples; their children are attached to their parents.
     fn remove(&mut self, dropped: &[usize]) {
         let mut gone = vec![false; self.samples.len()];
         for &i in dropped {
@@ -253,8 +253,8 @@ impl Skeleton {
         self.remove(&dropped);
     }
 
-    /// Gives each sample without a radius the mean of the nearest ancestor and the nearest descendant that have one, weighted by
-    /// distance along the tree.
+    /// Sets the radius of each sample without one to the mean of those of the nearest ancestor and the nearest descendant with a
+    /// radius, weighted by distance along the tree.
     fn fill_radii(&mut self, repairs: &mut Vec<Repair>) {
         let n = self.samples.len();
         let length = |s: &Self, i: usize, p: usize| s.samples[i].position.distance(s.samples[p].position);
@@ -291,7 +291,7 @@ impl Skeleton {
         }
     }
 
-    /// Leaves out tip branches that end inside the ball of their node, until there is none.
+    /// Repeatedly removes tip branches that end inside the ball of their node.
     fn drop_short_tips(&mut self, repairs: &mut Vec<Repair>) {
         loop {
             let found = self.branches().iter().find_map(|branch| {
@@ -313,7 +313,7 @@ impl Skeleton {
         &self.samples
     }
 
-    /// The sample that one continues.
+    /// The parent of a sample.
     ///
     /// # Panics
     /// If there is no such sample.
@@ -321,7 +321,7 @@ impl Skeleton {
         self.parents[sample]
     }
 
-    /// The samples that continue one.
+    /// The children of a sample.
     ///
     /// # Panics
     /// If there is no such sample.
@@ -337,23 +337,23 @@ impl Skeleton {
         self.children[sample].len() + usize::from(self.parents[sample].is_some())
     }
 
-    /// How the file states the soma.
+    /// How the file represents the soma.
     pub const fn soma(&self) -> Soma {
         self.soma
     }
 
-    /// The samples that continue no other.
+    /// The samples without a parent.
     pub fn roots(&self) -> impl Iterator<Item = usize> + '_ {
         (0..self.samples.len()).filter(|&i| self.parents[i].is_none())
     }
 
-    /// The samples that no other continues.
+    /// The samples without children.
     pub fn tips(&self) -> impl Iterator<Item = usize> + '_ {
         (0..self.samples.len()).filter(|&i| self.children[i].is_empty())
     }
 
-    /// The branches: paths from a root or a furcation to the next furcation or tip, both ends included, in the order of their
-    /// second samples.
+    /// The branches: paths from a root or a furcation to the next furcation or tip, both ends included, ordered by their second
+    /// samples.
     pub fn branches(&self) -> Vec<Vec<usize>> {
         let starts = |i: usize| {
             self.parents[i].is_none_or(|p| self.parents[p].is_none() || self.children[p].len() != 1)
@@ -393,7 +393,7 @@ impl Skeleton {
         self.samples.iter().enumerate().map(row).collect()
     }
 
-    /// The same tree with other samples on its branches: for each branch its positions and radii, ends included, which must be
+    /// The same tree with new samples on its branches: for each branch its positions and radii, including the ends, which must be
     /// those of the nodes.
     pub(crate) fn with_branches(&self, branches: &[NewBranch]) -> Self {
         let mut keep: HashMap<usize, usize> = HashMap::new();
@@ -409,7 +409,7 @@ impl Skeleton {
             let mut above = keep[&first];
             for (k, &(position, radius)) in points.iter().enumerate().skip(1) {
                 let end = k + 1 == points.len();
-                // Samples in between take what they have beside their place from the end of the branch.
+                // Inner samples copy their other properties from the end of the branch.
                 let like = self.samples[last];
                 next_id += i64::from(!end);
                 let (id, line) = if end { (like.id, like.line) } else { (next_id, 0) };
@@ -425,17 +425,17 @@ impl Skeleton {
     }
 }
 
-/// The samples of a branch, and the positions and radii that it shall have.
+/// The samples of a branch, and its new positions and radii.
 pub(crate) type NewBranch = (Vec<usize>, Vec<(DVec3, f64)>);
 
-/// Finds samples that continue each other; makes one of each cycle a root, or fails.
+/// Finds cycles; makes one sample of each a root, or fails.
 fn open_cycles(
     rows: &[SwcRow],
     parents: &mut [Option<usize>],
     repair: bool,
     repairs: &mut Vec<Repair>,
 ) -> Result<(), SwcError> {
-    // 0: not seen, otherwise the walk that saw it.
+    // 0: not visited; otherwise the traversal that visited it.
     let mut seen = vec![0_usize; rows.len()];
     for start in 0..rows.len() {
         let mut at = start;
@@ -468,10 +468,10 @@ fn cycle_length(parents: &[Option<usize>], start: usize) -> usize {
     length
 }
 
-/// Slack of the three-point soma, relative and in micrometres: files hold two or three decimals.
+/// Tolerance for recognising a three-point soma, relative and in micrometres: files hold two or three decimals.
 const DECIMALS: f64 = 0.02;
 
-/// How the soma is stated, and which rows to leave out for it.
+/// The representation of the soma, and the rows to remove for it.
 fn soma_of(rows: &[SwcRow], parents: &[Option<usize>]) -> (Vec<usize>, Soma) {
     let of_soma: Vec<usize> = (0..rows.len()).filter(|&i| rows[i].kind == SOMA).collect();
     match of_soma[..] {

@@ -1,27 +1,27 @@
-//! Smoothing and resampling of branches, and how far they move.
+//! Smoothing and resampling of branches, with the deviation from the input.
 
 use crate::curve::Curve;
 use crate::{RoundCone, Skeleton};
 use glam::DVec3;
 
-/// How branches are smoothed and resampled. Nodes and tips stay.
+/// Options of smoothing and resampling. Nodes and tips stay fixed.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SmoothOptions {
-    /// Steps of Laplace smoothing, each half way to the mean of the neighbours, radius included.
+    /// Steps of Laplacian smoothing, each halfway to the mean of the neighbours, including the radius.
     pub steps: usize,
-    /// Distance of samples along the clamped cubic B-spline with the smoothed samples as control points, in micrometres; without one,
-    /// the samples are the smoothed ones.
+    /// Distance of new samples along the clamped cubic B-spline whose control points are the smoothed samples, in micrometres.
+    /// Without it, the result consists of the smoothed samples.
     pub spacing: Option<f64>,
 }
 
-/// How far smoothing and resampling moved a skeleton.
+/// The deviation of a skeleton due to smoothing and resampling.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct SkeletonDeviation {
     /// The greatest distance of a sample from the new axis of its branch, in micrometres.
     pub position: f64,
-    /// The sample that has it, by its number in the file.
+    /// The sample at this distance, by its number in the file.
     pub sample: i64,
     /// Its branch.
     pub branch: usize,
@@ -29,12 +29,12 @@ pub struct SkeletonDeviation {
     pub radius: f64,
 }
 
-/// Most samples that a branch is resampled to.
+/// Largest number of samples after resampling a branch.
 const MOST_SAMPLES: f64 = 1e6;
 
 /// Smooths and resamples every branch.
 ///
-/// A spacing that would give more than a million samples to a branch is widened to that.
+/// A spacing that would give a branch more than a million samples is increased.
 pub fn smooth(skeleton: &Skeleton, options: &SmoothOptions) -> (Skeleton, SkeletonDeviation) {
     let samples = skeleton.samples();
     let mut deviation = SkeletonDeviation::default();
@@ -69,7 +69,7 @@ pub fn smooth(skeleton: &Skeleton, options: &SmoothOptions) -> (Skeleton, Skelet
     (skeleton.with_branches(&parts), deviation)
 }
 
-/// Chords to each span of a curve whose length is measured.
+/// Chords per span for the length of a curve.
 const PER_SPAN: usize = 16;
 
 fn resampled(points: &[(DVec3, f64)], spacing: f64) -> Vec<(DVec3, f64)> {

@@ -3,20 +3,20 @@
 use crate::SwcError;
 use std::fmt::Write;
 
-/// A line of an SWC file that states a sample.
+/// A row of an SWC file: one sample.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SwcRow {
     /// Line of the file, from 1.
     pub line: usize,
-    /// The number that other rows call it by.
+    /// Its number.
     pub id: i64,
-    /// The structure: 1 soma, 2 axon, 3 and 4 dendrites, others as the file's author likes.
+    /// The structure: 1 soma, 2 axon, 3 and 4 dendrites, others by the file's author.
     pub kind: i64,
-    /// Where it is, in micrometres.
+    /// Position in micrometres.
     pub position: [f64; 3],
-    /// Radius in micrometres; 0 or less where the author knew none.
+    /// Radius in micrometres; 0 or less if unknown.
     pub radius: f64,
-    /// The sample that it continues; none for a root.
+    /// The parent's number; `None` for a root.
     pub parent: Option<i64>,
 }
 
@@ -26,11 +26,11 @@ const FIELDS: [&str; 7] = ["id", "type", "x", "y", "z", "radius", "parent"];
 /// Reads the rows of an SWC file.
 ///
 /// Comments begin with `#`, at the start of a line or after the fields. Fields are separated by blanks, tabs, commas or semicolons;
-/// lines end with LF, CR LF or CR. Whole numbers may be written as `2.0`. Columns beyond the seventh are left out. Any negative
-/// parent means a root.
+/// lines end with LF, CR LF or CR. Integers may be written as `2.0`. Columns after the seventh are ignored. Any negative parent
+/// means a root.
 ///
 /// # Errors
-/// [`SwcError`] with the line: too few fields, text that is no number, a number that is not finite, no sample at all.
+/// [`SwcError`] with the line: too few fields, a field that is not a number, a number that is not finite, or no samples.
 pub fn read_swc(bytes: &[u8]) -> Result<Vec<SwcRow>, SwcError> {
     let text = String::from_utf8_lossy(bytes);
     let text = text.trim_start_matches('\u{feff}');
@@ -54,7 +54,7 @@ pub fn read_swc(bytes: &[u8]) -> Result<Vec<SwcRow>, SwcError> {
         }
         let whole = |column: usize| {
             let value = numbers[column];
-            // Beyond this doubles skip whole numbers.
+            // Beyond this, doubles cannot represent every integer.
             if value.fract() == 0.0 && value.abs() < 9e15 {
                 Ok(value as i64)
             } else {
@@ -78,10 +78,10 @@ pub fn read_swc(bytes: &[u8]) -> Result<Vec<SwcRow>, SwcError> {
     if rows.is_empty() { Err(SwcError::Empty) } else { Ok(rows) }
 }
 
-/// Characters of a wrong field that a message shows.
+/// Characters of an invalid field shown in a message.
 const SHOWN: usize = 24;
 
-/// Greatest coordinate and radius, in micrometres: a metre is 10⁶, and squares and cubes must stay finite.
+/// Largest coordinate and radius, in micrometres: a metre is 10⁶, and squares and cubes must stay finite.
 const LARGEST: f64 = 1e12;
 
 fn parse(field: &str, name: &'static str, line: usize) -> Result<f64, SwcError> {

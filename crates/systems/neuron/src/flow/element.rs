@@ -1,4 +1,4 @@
-//! The equations over one tricubic cell.
+//! The equations on one tricubic cell.
 
 use glam::{DMat3, DVec3};
 use pompeiu_volume::bernstein::{GAUSS_4, GAUSS_5, bernstein, bernstein_slopes, value};
@@ -10,7 +10,7 @@ pub(super) const PRESSURES: usize = 10;
 /// Unknowns of a cell: 64 coefficients of three components, then the pressure.
 pub(super) const UNKNOWNS: usize = 3 * 64 + PRESSURES;
 
-/// The functions at the points of a rule.
+/// The basis functions at the points of a quadrature rule.
 struct Rule {
     lines: Vec<([f64; 4], [f64; 4])>,
     weights: Vec<f64>,
@@ -39,7 +39,7 @@ impl Rule {
         Self { lines, weights, places, values, slopes }
     }
 
-    /// For each point the weight times the determinant, and the gradients of all functions.
+    /// For each point the weight times the determinant, and the gradients of all basis functions.
     fn gradients(&self, points: &[DVec3; 64]) -> Vec<(f64, [DVec3; 64])> {
         let of = |(q, [du, dv, dw]): (usize, [DVec3; 3])| {
             let jacobian = DMat3::from_cols(du, dv, dw);
@@ -50,7 +50,7 @@ impl Rule {
     }
 }
 
-/// Rules: of four points for momentum, of five for mass, which is exact there.
+/// Quadrature rules: four points per axis for momentum, five for mass, which is then exact.
 pub(super) struct Tables {
     momentum: Rule,
     mass: Rule,
@@ -62,7 +62,7 @@ impl Tables {
     }
 }
 
-/// A cell with the polynomials of its pressure: in coordinates from its middle, in units of its size.
+/// A cell with its pressure polynomials, in coordinates relative to its centre and in units of its size.
 pub(super) struct Cell<'c> {
     tables: &'c Tables,
     points: [DVec3; 64],
@@ -77,13 +77,13 @@ impl<'c> Cell<'c> {
         Self { tables, points: *points, middle, size }
     }
 
-    /// The polynomials of the pressure at a position.
+    /// The pressure polynomials at a position.
     pub(super) fn pressures(&self, position: DVec3) -> [f64; PRESSURES] {
         let [x, y, z] = ((position - self.middle) / self.size).to_array();
         [1.0, x, y, z, x * x, x * y, x * z, y * y, y * z, z * z]
     }
 
-    /// Adds the matrix of the linear part, row by row: viscosity one, pressure, and mass.
+    /// Adds the matrix of the linear terms, row by row: unit viscosity, pressure, and mass.
     pub(super) fn add_linear(&self, matrix: &mut [f64]) {
         let mut stiffness = vec![0.0; 64 * 64];
         for (weight, gradients) in self.tables.momentum.gradients(&self.points) {
@@ -118,7 +118,7 @@ impl<'c> Cell<'c> {
         }
     }
 
-    /// Adds the derivative of convection at a velocity, times a factor.
+    /// Adds the derivative of the convection term at a velocity, times a factor.
     pub(super) fn add_convection(&self, velocity: &[DVec3; 64], factor: f64, matrix: &mut [f64]) {
         let rule = &self.tables.momentum;
         let mut carried = vec![0.0; 64 * 64];
@@ -135,7 +135,7 @@ impl<'c> Cell<'c> {
                     row[j] += share * along[j];
                 }
             }
-            // Row: the component that changes; column: the direction in which it is carried.
+            // Row: the velocity component; column: the direction of convection.
             for component in 0..3 {
                 for direction in 0..3 {
                     let slope = weight * slopes[component][direction];
@@ -162,7 +162,7 @@ impl<'c> Cell<'c> {
         }
     }
 
-    /// What the equations miss: momentum without tractions for each function and component, then mass.
+    /// The residual: momentum without tractions for each function and component, then mass.
     pub(super) fn residual(
         &self,
         velocity: &[DVec3; 64],
@@ -216,7 +216,7 @@ impl<'c> Cell<'c> {
         }
     }
 
-    /// The integrals over a face of the pressure and of one.
+    /// The integrals over a face of the pressure and of the constant one.
     pub(super) fn face_pressure(&self, face: usize, pressure: &[f64; PRESSURES]) -> [f64; 2] {
         let mut sums = [0.0; 2];
         for (place, area) in face_points(&self.points, face) {
@@ -228,7 +228,7 @@ impl<'c> Cell<'c> {
         sums
     }
 
-    /// The pressure at places of the cell.
+    /// The pressure at a parameter of the cell.
     pub(super) fn pressure_at(&self, place: [f64; 3], pressure: &[f64; PRESSURES]) -> f64 {
         self.pressures(value(&self.points, place)).iter().zip(pressure).map(|(a, b)| a * b).sum()
     }

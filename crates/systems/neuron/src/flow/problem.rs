@@ -1,9 +1,9 @@
-//! What flows, and how it is driven.
+//! The fluid and what drives it.
 
 use super::error::FlowError;
 use pompeiu_core::run::{Limits, ProgressObserver};
 
-/// What makes the fluid flow.
+/// The boundary condition at the inlet.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Drive {
     /// Mean speed at the inlet in µm/s, with the profile of a long tube.
@@ -12,18 +12,18 @@ pub enum Drive {
     Pressure(f64),
 }
 
-/// What flows. Pressures at all other flat ends are given.
+/// Parameters of a flow. Pressures are given at all flat ends other than the inlet.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlowParameters {
     /// Dynamic viscosity in Pa s.
     pub viscosity: f64,
     /// Density in kg/m³.
     pub density: f64,
-    /// What drives it.
+    /// The boundary condition at the inlet.
     pub drive: Drive,
-    /// The sample of the inlet; the root's flat end without it.
+    /// The sample of the inlet; by default the root's flat end.
     pub inlet: Option<i64>,
-    /// Pressures at flat ends in Pa, by their samples; 0 at those that are not named.
+    /// Pressures at flat ends in Pa, by sample; 0 at the others.
     pub pressures: Vec<(i64, f64)>,
 }
 
@@ -41,7 +41,7 @@ impl Default for FlowParameters {
 }
 
 impl FlowParameters {
-    /// Checks that numbers are in range.
+    /// Checks that parameters are in range.
     pub(super) fn check(&self) -> Result<(), FlowError> {
         for (what, value) in [("the viscosity", self.viscosity), ("the density", self.density)] {
             if !(value.is_finite() && value > 0.0) {
@@ -67,14 +67,14 @@ impl FlowParameters {
     }
 }
 
-/// How flow is computed.
+/// Options of a flow.
 #[derive(Clone)]
 pub struct FlowOptions<'o> {
     /// Parts of each patch along each edge: 1 to 4.
     pub elements: usize,
     /// Limits on time and memory.
     pub limits: Limits,
-    /// Is told how many steps of Newton's method are done.
+    /// Receives the number of completed Newton steps.
     pub progress: Option<&'o dyn ProgressObserver>,
 }
 

@@ -1,4 +1,4 @@
-//! Flow through the mesh of a neuron.
+//! Flow through a neuron.
 
 use super::element::{Cell, PRESSURES, Tables};
 use super::error::FlowError;
@@ -14,16 +14,16 @@ use pompeiu_volume::{BezierMesh, FACE_AXES, Faces, face_flux, face_points, place
 use std::collections::VecDeque;
 use std::ops::ControlFlow;
 
-/// A velocity and a pressure.
+/// The velocity and pressure in a neuron.
 #[derive(Clone, Debug)]
 pub struct Flow {
-    /// The cells: patches, cut into elements.
+    /// The cells: patches, subdivided into elements.
     pub mesh: BezierMesh,
     /// The faces of the cells.
     pub faces: Faces,
-    /// For each boundary face 0 where it lies on the wall, and 1 + k on cap k.
+    /// For each boundary face 0 if it lies on the wall, and 1 + k if it lies on cap k.
     pub labels: Vec<u32>,
-    /// For each cell the branch that it belongs to.
+    /// The branch of each cell.
     pub parts: Vec<i32>,
     /// The flat ends of tubes.
     pub caps: Vec<Cap>,
@@ -31,63 +31,64 @@ pub struct Flow {
     pub inlet: u32,
     /// The velocity at control points in µm/s: its Bézier coefficients.
     pub velocity: Vec<DVec3>,
-    /// For each flat end what flows out there and the mean pressure.
+    /// The outflow and the mean pressure at each flat end.
     pub ends: Vec<FlowEnd>,
-    /// What is said of it.
+    /// The report.
     pub report: FlowReport,
-    /// The mean of the pressure over each cell's middle, in Pa.
+    /// The pressure at the centre of each cell, in Pa.
     pressure: Vec<f64>,
 }
 
-/// What happens at a flat end.
+/// The flow at a flat end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FlowEnd {
     /// The number of its sample.
     pub sample: i64,
-    /// What flows out, in µm³/s.
+    /// Outflow in µm³/s.
     pub flux: f64,
     /// The mean pressure in Pa.
     pub pressure: f64,
 }
 
-/// What is said of a flow.
+/// The report of a flow.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct FlowReport {
-    /// Mean speed times diameter at the inlet over the kinematic viscosity.
+    /// Reynolds number at the inlet: mean speed times diameter over kinematic viscosity.
     pub reynolds: f64,
-    /// The norm of the residual before each step of Newton's method and after the last, relative to the first.
+    /// The norm of the residual before each Newton step and after the last, relative to the first.
     pub newton: Vec<f64>,
-    /// What flows out of all flat ends together, relative to the inlet.
+    /// Net outflow through all flat ends, relative to the inlet.
     pub imbalance: f64,
-    /// What flows through the wall, either way, relative to the inlet.
+    /// Absolute flux through the wall, relative to the inlet.
     pub wall_leak: f64,
-    /// The greatest difference between what flows through a section and what leaves at the ends behind it, relative to the inlet.
+    /// The greatest difference between the flux through a section and the outflow of the ends behind it, relative to the inlet.
     pub section_flux_drift: f64,
-    /// Mean pressure at the inlet less that at all other ends, in Pa.
+    /// Mean pressure at the inlet minus the mean over all other ends, in Pa.
     pub pressure_drop: f64,
 }
 
-/// Bytes that factors take at most where no limit is given.
+/// Largest memory for factors if no limit is given, in bytes.
 const MOST_BYTES: usize = 10 << 30;
 
-/// Solves for the flow through a neuron: steady, incompressible, viscous, at rest at the wall.
+/// Computes the flow through a neuron: steady, incompressible, viscous, at rest at the wall.
 ///
 /// # Shapes and units
 /// µm, seconds, Pa.
 /// # Definition
-/// The equations of Navier and Stokes with the velocity or the pressure given at the inlet and pressures at all other flat ends, where
-/// the derivative of the velocity along the normal times the viscosity makes up for the difference to the pressure inside.
+/// The Navier–Stokes equations with velocity or pressure given at the inlet, and pressures at all other flat ends. There, viscosity
+/// times the normal derivative of the velocity balances the difference between the inner and the given pressure.
 /// # Accuracy
-/// Velocity of the fourth order in L² and pressure of the third in the size of cells, where the mesh is smooth. What flows into a cell
-/// flows out of it, to the accuracy of the linear solves.
+/// Where the mesh is smooth, the velocity is of fourth order in L² and the pressure of third order in the cell size. Inflow and
+/// outflow of each cell balance to the accuracy of the linear solves.
 /// # Errors
 /// [`FlowError`].
 /// # Cost
-/// One factorisation along the tree for each step of Newton's method: linear in its length.
+/// One factorisation along the tree per Newton step: linear in its length.
 /// # Source
-/// Discontinuous pressures in space, not in the cell: `arnold_approximation_2002`. Pressures at ends: `heywood_artificial_1996`.
+/// Discontinuous pressures, polynomial in space coordinates: `arnold_approximation_2002`. Pressures at ends:
+/// `heywood_artificial_1996`.
 pub fn neuron_flow(
     mesh: &CubicMesh,
     parameters: &FlowParameters,
@@ -144,7 +145,7 @@ fn solve(
     if let Drive::Speed(speed) = parameters.drive {
         profile(&cells, &faces, &labels, mesh.caps[inlet as usize], inlet, speed, &mut given);
     }
-    // The wall last: the rim of the inlet is at rest.
+    // The wall comes last, because the rim of the inlet is at rest.
     for (face, _) in faces.boundary().iter().zip(&labels).filter(|(_, label)| **label == 0) {
         on_face(&cells, face.cell, face.place, |v, _| given[v as usize] = Some(DVec3::ZERO));
     }
@@ -194,7 +195,7 @@ fn solve(
     Ok(flow)
 }
 
-/// The control points on a face of a cell, with their places among the 64.
+/// The control points on a face of a cell, with their indices among the 64.
 fn on_face(mesh: &BezierMesh, cell: u32, face: u8, mut act: impl FnMut(u32, usize)) {
     let (axis, side, _) = FACE_AXES[face as usize];
     for (k, &v) in mesh.cells()[cell as usize].iter().enumerate() {
@@ -204,7 +205,7 @@ fn on_face(mesh: &BezierMesh, cell: u32, face: u8, mut act: impl FnMut(u32, usiz
     }
 }
 
-/// The velocity at the inlet: along its normal, as in a long tube, with the mean speed asked for.
+/// The velocity at the inlet: normal to it, with the profile of a long tube and the given mean speed.
 fn profile(
     mesh: &BezierMesh,
     faces: &Faces,
@@ -254,11 +255,11 @@ fn profile(
     }
 }
 
-/// Groups of cells, sections of tubes and whole nodes, as a tree from the inlet.
+/// Groups of cells (sections of tubes and whole nodes) as a tree rooted in the inlet.
 struct Tree {
-    /// For each cell its group.
+    /// The group of each cell.
     group: Vec<u32>,
-    /// Groups from the inlet on: each after its parent.
+    /// Groups in order from the inlet: each after its parent.
     order: Vec<u32>,
     parent: Vec<Option<u32>>,
     component: Vec<usize>,
@@ -267,7 +268,7 @@ struct Tree {
 
 impl Tree {
     fn new(mesh: &CubicMesh, faces: &Faces, labels: &[u32], inlet: u32, n: usize) -> Self {
-        // Five patches of a tube are a layer; a layer has as many groups as elements along it.
+        // Five patches of a tube are a layer, which has one group for each element along it.
         let mut number = std::collections::HashMap::new();
         let mut in_tube: std::collections::HashMap<i32, usize> = std::collections::HashMap::new();
         let mut group = Vec::with_capacity(mesh.parts.len() * n.pow(3));
@@ -319,7 +320,7 @@ impl Tree {
         Self { group, order, parent, component, components }
     }
 
-    /// For each cell its group in the order of elimination, from the tips to the inlet, and the parents of groups.
+    /// The group of each cell in elimination order, from the tips to the inlet, and the parents of groups.
     fn elimination(&self) -> (Vec<u32>, Vec<Option<u32>>) {
         let count = self.order.len();
         let mut rank = vec![0; count];
@@ -336,7 +337,7 @@ impl Tree {
 }
 
 impl Flow {
-    /// What flows out of a cell through a face.
+    /// The flux out of a cell through a face.
     pub fn flux(&self, cell: u32, face: u8) -> f64 {
         let field = self.mesh.cells()[cell as usize].map(|v| self.velocity[v as usize]);
         face_flux(&self.mesh.control(cell as usize), &field, face.into())
@@ -346,7 +347,7 @@ impl Flow {
         let tables = Tables::new();
         let count = self.caps.len();
         let (mut flux, mut sums, mut wall) = (vec![0.0; count], vec![[0.0; 2]; count], 0.0);
-        // What leaves each group through the ends of its own.
+        // The outflow of each group through its own ends.
         let mut leaves = vec![0.0; tree.order.len()];
         for (face, &label) in self.faces.boundary().iter().zip(&self.labels) {
             let out = self.flux(face.cell, face.place);
@@ -363,7 +364,7 @@ impl Flow {
         }
         let inlet = self.inlet as usize;
         let entering = flux[inlet].abs().max(f64::MIN_POSITIVE);
-        // What each group gives to its parent, face by face, and what its part of the tree loses at its ends.
+        // The flux from each group to its parent, face by face, and the outflow at the ends of its subtree.
         let mut given = vec![0.0; tree.order.len()];
         for face in self.faces.inner() {
             let [a, b] = face.cells.map(|cell| tree.group[cell as usize]);
@@ -400,18 +401,18 @@ impl Flow {
             .collect();
     }
 
-    /// The velocity as a VTK XML unstructured grid, exactly in Bézier hexahedra or at the corners of trilinear cells, with the pressure in
-    /// the middle of each cell, and its branch, as cell data.
+    /// The velocity as a VTK XML unstructured grid, exactly as Bézier hexahedra or at the corners of trilinear cells, with the
+    /// pressure at the centre of each cell and its branch as cell data.
     ///
     /// # Errors
-    /// None but those of an allocation.
+    /// Only allocation errors.
     pub fn vtu(&self, linear: bool) -> std::io::Result<Vec<u8>> {
         let branches: Vec<f64> = self.parts.iter().map(|&part| f64::from(part)).collect();
         let cells = [("pressure", self.pressure.as_slice()), ("branch", &branches)];
         cubic_vtu(&self.mesh, linear.then_some(LINEAR_PARTS), &[("velocity", &self.velocity, 3)], &cells)
     }
 
-    /// The pressure in the middle of each cell, in Pa.
+    /// The pressure at the centre of each cell, in Pa.
     pub fn pressure(&self) -> &[f64] {
         &self.pressure
     }

@@ -1,4 +1,4 @@
-//! The steady Navier–Stokes equations over a tricubic mesh, and Newton's method for them.
+//! The steady Navier–Stokes equations on a tricubic mesh, solved by Newton's method.
 
 use super::element::{Cell, PRESSURES, Tables, UNKNOWNS};
 use super::error::FlowError;
@@ -8,27 +8,27 @@ use pompeiu_solve::{FIXED, FrontalPlan, LinearSolver};
 use pompeiu_volume::BezierMesh;
 use rayon::prelude::*;
 
-/// The equations `−Δu + κ (u·∇) u + ∇π = f`, `∇·u = 0`, with u given at some control points.
+/// The equations `−Δu + κ (u·∇) u + ∇π = f`, `∇·u = 0`, with u prescribed at some control points.
 ///
 /// # Definition
-/// Velocity: continuous, tricubic in each cell. Pressure: in each cell a polynomial of degree two in space, without continuity. The pair
-/// is stable, and the balance of volume holds for each cell to the accuracy of the solve.
+/// Velocity: continuous, tricubic in each cell. Pressure: in each cell a quadratic polynomial in space coordinates, discontinuous
+/// between cells. The pair is stable, and the volume balance holds for each cell to the accuracy of the solve.
 pub struct FlowSystem<'s> {
     /// The cells.
     pub mesh: &'s BezierMesh,
-    /// The velocity at control points where it is given.
+    /// The prescribed velocity at control points.
     pub given: Vec<Option<DVec3>>,
-    /// Faces with a pressure from outside: cell, face, pressure.
+    /// Faces with a given pressure: cell, face, pressure.
     pub tractions: Vec<(u32, u8, f64)>,
-    /// f, where it is not zero.
+    /// The force f; zero if absent.
     pub force: Option<&'s (dyn Fn(DVec3) -> DVec3 + Sync)>,
     /// κ, the inverse of the kinematic viscosity.
     pub inverse_viscosity: f64,
-    /// For each cell its group, in the order in which groups are eliminated.
+    /// The group of each cell, in elimination order.
     pub groups: Vec<u32>,
-    /// For each group the one that is eliminated after it and next to it.
+    /// The parent of each group, which is eliminated after it.
     pub parents: Vec<Option<u32>>,
-    /// The cell whose mean pressure is fixed at zero: needed where the velocity is given all around.
+    /// The cell whose mean pressure is fixed at zero: needed if the velocity is prescribed on the whole boundary.
     pub pinned: Option<u32>,
 }
 
@@ -37,20 +37,20 @@ pub struct FlowSystem<'s> {
 pub struct FlowSolution {
     /// The velocity at control points: its Bézier coefficients.
     pub velocity: Vec<DVec3>,
-    /// The pressure of each cell by its polynomials.
+    /// The pressure of each cell, as coefficients of its polynomials.
     pub pressure: Vec<[f64; PRESSURES]>,
     /// The norm of the residual before each step and after the last, relative to the first.
     pub newton: Vec<f64>,
 }
 
-/// The residual at which Newton's method ends, relative to the first.
+/// Newton's method ends at this residual, relative to the first.
 pub const NEWTON_TOLERANCE: f64 = 1e-8;
 
-/// Most steps of Newton's method.
+/// Largest number of Newton steps.
 const MOST_STEPS: usize = 25;
 
 impl FlowSystem<'_> {
-    /// Solves: first without convection, then by Newton's method.
+    /// Solves the equations: first without convection, then by Newton's method.
     ///
     /// # Errors
     /// [`FlowError::Memory`], [`FlowError::Solve`], [`FlowError::NoConvergence`], [`FlowError::Stopped`].
@@ -90,7 +90,7 @@ impl FlowSystem<'_> {
             }
         }
         let plan = FrontalPlan::new(unknowns, &lists, &self.groups, self.parents.len(), &stay)?;
-        // What is left over between groups, and the elements on their way.
+        // Estimates the Schur complements between groups, and element matrices in progress.
         let needed = plan.bytes() + plan.bytes() / 4;
         if needed > memory {
             return Err(FlowError::Memory {
@@ -152,7 +152,7 @@ impl FlowSystem<'_> {
         Err(FlowError::NoConvergence { steps: MOST_STEPS, ratio: newton[MOST_STEPS] })
     }
 
-    /// Numbers of control points where the velocity is unknown.
+    /// Indices of the unknown velocities of control points.
     fn numbers(&self) -> Vec<u32> {
         let mut is_used = vec![false; self.given.len()];
         self.mesh.cells().iter().flatten().for_each(|&v| is_used[v as usize] = true);

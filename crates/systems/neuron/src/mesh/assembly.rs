@@ -1,4 +1,4 @@
-//! Putting the blocks of nodes and tubes together.
+//! Assembly of the blocks of nodes and tubes.
 
 use super::cluster::Layout;
 use super::node::{NodeMesh, layer_of, place_in_disc};
@@ -9,9 +9,9 @@ use glam::DVec3;
 use pompeiu_volume::bernstein::interpolate;
 use pompeiu_volume::{Refinement, RefinementKey, key_weights as weights};
 
-/// The mesh while it grows.
+/// The mesh under construction.
 pub(super) struct Assembly<'a> {
-    /// The section of tricubic cells; none for trilinear ones.
+    /// The section of tricubic cells; `None` for trilinear ones.
     section: Option<&'a Section>,
     /// Steps of the lattice in each block.
     parts: usize,
@@ -19,32 +19,32 @@ pub(super) struct Assembly<'a> {
     pub(super) positions: Vec<DVec3>,
     /// The lattice of each block.
     pub(super) lattices: Vec<Vec<u32>>,
-    /// The tube of each block, or -1 - k at node k.
+    /// The tube of each block, or -1 - k for node k.
     pub(super) blocks: Vec<i32>,
-    /// For each cap its vertices, its tube, and whether it is at the first end.
+    /// The vertices of each cap, its tube, and whether it is at the tube's first end.
     pub(super) caps: Vec<(Vec<u32>, usize, bool)>,
     corners: u32,
 }
 
-/// The blocks of a node, and the places or control points of their lattices.
+/// The blocks of a node, and the positions or control points of their lattices.
 pub(super) struct NodeBlocks<'n> {
     pub(super) node: &'n NodeMesh,
     pub(super) refinement: &'n Refinement,
     pub(super) positions: &'n [DVec3],
 }
 
-/// A tube or node as a number; there are fewer than samples.
+/// The index of a tube or node as a number; there are fewer than samples.
 fn number(index: usize) -> i32 {
     i32::try_from(index).unwrap_or(i32::MAX)
 }
 
-/// Blocks along a tube, each this many radii long.
+/// Number of blocks along a tube, each `layer` radii long.
 pub(super) fn blocks_along(lengths: &RadialLength, layer: f64) -> usize {
     (lengths.total() / layer).ceil().max(1.0) as usize
 }
 
 impl<'a> Assembly<'a> {
-    /// Trilinear cells, `parts` to each block along each edge, or the control points of tricubic ones, with three steps to each block.
+    /// Trilinear cells, `parts` per block along each edge; or the control points of tricubic cells, with three steps per block.
     pub(super) fn new(parts: usize, section: Option<&'a Section>) -> Self {
         Self {
             section,
@@ -76,7 +76,7 @@ impl<'a> Assembly<'a> {
         for (index, (span, lengths)) in layout.spans.iter().zip(lengths).enumerate() {
             let (Some(span), Some(lengths)) = (span, lengths) else { continue };
             let layers = blocks_along(lengths, layer);
-            // The section at an end: corners in the core and on the wall, and its side.
+            // The section at an end: corners in the core and on the wall, and its first side.
             let section = |end: usize| {
                 span[end].arm.and_then(|(cluster, arm)| {
                     let section = nodes[cluster].as_ref()?.node.sections[arm].clone();
@@ -118,7 +118,7 @@ impl<'a> Assembly<'a> {
         let mut stations = stations(tube, lengths, layers * parts, first.map(|(_, _, side)| side));
         let last = last.map(|(inner, outer, side)| {
             let end = stations[stations.len() - 1];
-            // The other node looks along the tube the other way.
+            // The other node sees the tube in the opposite direction.
             let across = end.sides[1].cross(end.sides[0]).cross(side);
             let corners = [0, 1, 2, 3].map(|k| {
                 let angle = std::f64::consts::FRAC_PI_4 * f64::from(2 * k + 1);
@@ -174,7 +174,7 @@ impl<'a> Assembly<'a> {
         }
     }
 
-    /// Where a place or a control point of a section lies in the disc of radius one.
+    /// The position of a lattice point or control point of a section in the unit disc.
     fn in_section(&self, inner: [f64; 4], outer: [f64; 4]) -> [f64; 2] {
         self.section.map_or_else(|| place_in_disc(inner, outer).0, |section| section.control(inner, outer))
     }
@@ -185,10 +185,10 @@ impl<'a> Assembly<'a> {
         [[0, 1, 2, 3].map(|k| base + k), [4, 5, 6, 7].map(|k| base + k)]
     }
 
-    /// The vertices of a flat end, made now.
+    /// The vertices of a flat end, created here.
     fn cap(&mut self, [inner, outer]: [[u32; 4]; 2], station: &Station) -> Vec<u32> {
         let parts = self.parts;
-        // A layer without height: its lattice names every vertex of the section.
+        // A layer without height: its lattice lists every vertex of the section.
         let mut blocks = Vec::with_capacity(5);
         layer_of(&mut blocks, [inner, outer], [inner, outer]);
         let mut vertices = Vec::new();
@@ -225,7 +225,7 @@ impl<'a> Assembly<'a> {
     }
 }
 
-/// The sections at control points along a tube, three steps to each block, from the sections at thirds.
+/// The sections at control points along a tube, three steps per block, from the sections at thirds.
 fn control_stations(stations: &[Station]) -> Vec<Station> {
     let mut result: Vec<Station> = stations
         .iter()

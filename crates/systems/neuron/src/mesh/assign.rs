@@ -1,27 +1,27 @@
-//! Which tube attaches to which quad of a core, and how the core is turned.
+//! Assigning tubes to the quads of a core, and rotating the core.
 
 use super::core::Core;
 use glam::{DMat3, DQuat, DVec3};
 
-/// A core in place: how it is turned, and the quad of each tube.
+/// A rotated core, and the quad of each tube.
 #[derive(Clone, Debug)]
 pub(super) struct Assignment {
     pub(super) rotation: DMat3,
     pub(super) quads: Vec<usize>,
-    /// Mean angle in radians between tubes and quads, plus half the greatest.
+    /// Mean angle in radians between tubes and quads, plus half the greatest one.
     pub(super) score: f64,
 }
 
-/// Rotations that are tried.
+/// Number of initial rotations.
 const TRIALS: usize = 120;
 
-/// Rounds of assigning and turning.
+/// Rounds of assigning and rotating.
 const ROUNDS: usize = 6;
 
 /// The best distinct assignments, best first.
 ///
-/// From many rotations, tubes are assigned to quads by the least sum of squared angles (Hungarian method), and the core is turned
-/// to fit best (Kabsch), in turns.
+/// From many initial rotations, tubes are assigned to quads by least squared angles (Hungarian method), and the core is rotated to
+/// the best fit (Kabsch), alternately.
 pub(super) fn assignments(core: &Core, directions: &[DVec3], most: usize) -> Vec<Assignment> {
     let normals: Vec<DVec3> = (0..core.quads.len()).map(|q| core.centre(q).normalize_or_zero()).collect();
     let mut found: Vec<Assignment> = Vec::new();
@@ -45,7 +45,7 @@ pub(super) fn assignments(core: &Core, directions: &[DVec3], most: usize) -> Vec
             directions.iter().zip(&quads).map(|(d, &q)| angle(*d, rotation * normals[q])).collect();
         let mean = angles.iter().sum::<f64>() / angles.len() as f64;
         let score = mean + 0.5 * angles.iter().fold(0.0, |a: f64, &b| a.max(b));
-        // Those that differ by a symmetry of the core have one score.
+        // Assignments that differ by a symmetry of the core have equal scores.
         if found.iter().all(|other| (other.score - score).abs() > 1e-6) {
             found.push(Assignment { rotation, quads, score });
         }
@@ -59,7 +59,7 @@ fn angle(a: DVec3, b: DVec3) -> f64 {
     libm::atan2(a.cross(b).length(), a.dot(b))
 }
 
-/// Rotations spread evenly over all, the same on every machine (Shoemake, with a sequence of low discrepancy).
+/// Rotations distributed evenly, the same on every machine (Shoemake, with a low-discrepancy sequence).
 fn spread(trial: usize) -> DQuat {
     let at = |generator: f64| (0.5 + trial as f64 * generator).fract();
     let (a, b, c) = (at(0.819_172_513_396_164), at(0.671_043_606_703_789), at(0.549_700_477_901_97));
@@ -68,8 +68,8 @@ fn spread(trial: usize) -> DQuat {
     DQuat::from_xyzw(p * libm::sin(s), p * libm::cos(s), q * libm::sin(t), q * libm::cos(t)).normalize()
 }
 
-/// The rotation that takes vectors nearest to others, near a first guess: Gauss–Newton on the rotation, which only needs solves of
-/// three equations and stays proper.
+/// The rotation that maps vectors closest to others, near an initial guess: Gauss–Newton on the rotation, which only needs 3 × 3
+/// solves and never becomes a reflection.
 fn kabsch(from: &[DVec3], to: &[DVec3], mut rotation: DMat3) -> DMat3 {
     for _ in 0..30 {
         let mut matrix = DMat3::ZERO;
@@ -88,7 +88,7 @@ fn kabsch(from: &[DVec3], to: &[DVec3], mut rotation: DMat3) -> DMat3 {
         if !size.is_finite() || size < 1e-12 {
             break;
         }
-        // Sines of the library's own, for the same bits on every machine.
+        // Sines from our own library, for the same bits on every machine.
         let half = 0.5 * size.min(0.5);
         let axis = step / size * libm::sin(half);
         let turn = DQuat::from_xyzw(axis.x, axis.y, axis.z, libm::cos(half));
@@ -101,13 +101,13 @@ fn outer(a: DVec3, b: DVec3) -> DMat3 {
     DMat3::from_cols(a * b.x, a * b.y, a * b.z)
 }
 
-/// The assignment of least cost: for each row its column; no more rows than columns.
+/// The assignment of least cost: the column of each row; there must not be more rows than columns.
 ///
 /// # Source
 /// The Hungarian method by shortest augmenting paths, `crouse_assignment_2016`.
 fn hungarian(cost: &[Vec<f64>]) -> Vec<usize> {
     let (n, m) = (cost.len(), cost[0].len());
-    // Row and column 0 stand for none.
+    // Row and column 0 are sentinels.
     let (mut u, mut v) = (vec![0.0; n + 1], vec![0.0; m + 1]);
     let mut row_of = vec![0; m + 1];
     let mut way = vec![0; m + 1];

@@ -18,17 +18,17 @@ use std::sync::Mutex;
 /// A mesh of a neuron.
 #[derive(Clone, Debug)]
 pub struct NeuronMesh {
-    /// Vertices and cells; every cell is proven to be unfolded where the report says so.
+    /// Vertices and cells; if the report says so, every cell is proven to have a positive Jacobian.
     pub mesh: HexMesh,
     /// Its faces.
     pub faces: Faces,
-    /// For each boundary face 0 where it lies on the wall, and 1 + k on cap k.
+    /// For each boundary face 0 if it lies on the wall, and 1 + k if it lies on cap k.
     pub labels: Vec<u32>,
     /// The flat ends of tubes.
     pub caps: Vec<Cap>,
-    /// For each cell the branch that it belongs to, in the order of the skeleton's tubes, or −1 − k at node k.
+    /// The branch of each cell, in the order of the skeleton's tubes, or −1 − k at node k.
     pub parts: Vec<i32>,
-    /// What is said of it.
+    /// The report.
     pub report: MeshReport,
 }
 
@@ -36,7 +36,7 @@ impl NeuronMesh {
     /// The mesh as a VTK XML unstructured grid, with the branch of each cell as cell data.
     ///
     /// # Errors
-    /// None but those of an allocation.
+    /// Only allocation errors.
     pub fn vtu(&self) -> std::io::Result<Vec<u8>> {
         let branches: Vec<f64> = self.parts.iter().map(|&part| f64::from(part)).collect();
         let mut bytes = Vec::new();
@@ -76,7 +76,7 @@ pub(crate) fn concentrations(values: &[[f64; 3]]) -> [(&'static str, Vec<f64>); 
 pub struct Cap {
     /// The sample, by its number in the file.
     pub sample: i64,
-    /// Whether the sample is a root: where material comes in, unless said otherwise.
+    /// Whether the sample is a root: the inlet by default.
     pub is_root: bool,
     /// Its centre.
     pub centre: DVec3,
@@ -87,7 +87,7 @@ pub struct Cap {
 }
 
 impl Cap {
-    /// The number of the cap at a sample, or the samples that have one.
+    /// The index of the cap at a sample, or else the samples that have one.
     pub(crate) fn at(caps: &[Self], sample: i64) -> Result<u32, String> {
         caps.iter().position(|cap| cap.sample == sample).map(|k| k as u32).ok_or_else(|| {
             let ends: Vec<String> = caps.iter().map(|cap| cap.sample.to_string()).collect();
@@ -95,19 +95,19 @@ impl Cap {
         })
     }
 
-    /// The number of the first cap at a root.
+    /// The index of the first cap at a root.
     pub(crate) fn of_root(caps: &[Self]) -> Option<u32> {
         caps.iter().position(|cap| cap.is_root).map(|k| k as u32)
     }
 }
 
-/// Bytes of memory for each cell, while faces are found and files are written.
+/// Memory per cell while faces are computed and files are written, in bytes.
 const BYTES_PER_CELL: usize = 1200;
 
-/// Bytes that are taken at most where no limit is given.
+/// Largest memory if no limit is given, in bytes.
 const MOST_BYTES: usize = 8 << 30;
 
-/// Factor on radii with which a regular polygon has the area of its circle.
+/// The factor for radii at which a regular polygon has the area of its circle.
 fn area_factor(sides: usize) -> f64 {
     let angle = std::f64::consts::TAU / sides as f64;
     (angle / libm::sin(angle)).sqrt()
@@ -116,17 +116,17 @@ fn area_factor(sides: usize) -> f64 {
 /// Meshes a neuron.
 ///
 /// # Shapes and units
-/// Lengths in micrometres. Sections are polygons with the area of the disc. At tips and at roots with one neighbour the mesh ends with
-/// a flat cap; a ball that is a soma, or the end of a branch that lost all others, is round.
+/// Lengths in micrometres. Sections are polygons with the area of the disc. The mesh ends with a flat cap at tips and at roots with
+/// one neighbour; a soma, or the end of a branch that lost all others, is round.
 /// # Accuracy
-/// [`MeshReport::certified`] is proven, rounding included. Tubes of branches that are no neighbours are meshed apart from each other
-/// even where they overlap: see [`problems`](crate::problems).
+/// [`MeshReport::certified`] is proven, rounding included. Tubes of branches that are not adjacent are meshed separately even if
+/// they overlap: see [`problems`](crate::problems).
 /// # Errors
 /// [`MeshError`]: a sample without a radius, a node that cannot be meshed, memory, a limit on time.
 /// # Cost
-/// Linear in the length of the tree in radii; some 0.3 s for each node, in parallel.
+/// Linear in the length of the tree in radii; about 0.3 s per node, in parallel.
 /// # Source
-/// The energy that unfolds cells: `garanzha_foldover_2021`.
+/// The untangling energy: `garanzha_foldover_2021`.
 pub fn mesh_neuron(skeleton: &Skeleton, options: &MeshOptions<'_>) -> Result<NeuronMesh, MeshError> {
     options.check()?;
     on_threads(options.limits.threads, || mesh(skeleton, options))
@@ -157,7 +157,7 @@ fn mesh(skeleton: &Skeleton, options: &MeshOptions<'_>) -> Result<NeuronMesh, Me
     finish(skeleton, &parts, assembled, (options, &control))
 }
 
-/// Tubes, and the nodes between them, meshed.
+/// Tubes and the meshed nodes between them.
 pub(super) struct Parts {
     pub(super) factor: f64,
     pub(super) tubes: Vec<Tube>,
@@ -167,7 +167,7 @@ pub(super) struct Parts {
 }
 
 impl Parts {
-    /// Radii are multiplied by the factor, and the blocks of nodes cut into `parts` along each edge.
+    /// Multiplies radii by the factor, and subdivides the blocks of nodes into `parts` along each edge.
     pub(super) fn new(
         skeleton: &Skeleton,
         options: &MeshOptions<'_>,
@@ -210,7 +210,7 @@ impl Parts {
         caps.iter().map(cap).collect()
     }
 
-    /// Branches that are not meshed, in sentences.
+    /// Sentences about branches that are not meshed.
     pub(super) fn left_out(&self, skeleton: &Skeleton) -> Vec<String> {
         let sentence = |&t: &usize| {
             let [a, b] = self.tubes[t].nodes.map(|node| skeleton.samples()[node].id);
@@ -223,7 +223,7 @@ impl Parts {
     }
 }
 
-/// For each boundary face 0 where it lies on the wall, and 1 + k on cap k.
+/// For each boundary face 0 if it lies on the wall, and 1 + k if it lies on cap k.
 pub(super) fn labels(faces: &Faces, caps: &[(Vec<u32>, usize, bool)], vertices: usize) -> Vec<u32> {
     let mut cap_of = vec![0_u32; vertices];
     for (k, (vertices, ..)) in caps.iter().enumerate() {
@@ -281,7 +281,7 @@ fn mesh_nodes(
                     control.stop(StopReason::Cancelled);
                 }
             }
-            // What was ended early may be folded.
+            // A mesh that was stopped early may be folded.
             go_on(control)?;
             let quality = node.as_ref().map_or(f64::NEG_INFINITY, |node| node.quality);
             if quality > 0.0 {

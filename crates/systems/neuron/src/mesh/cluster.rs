@@ -1,4 +1,4 @@
-//! Which nodes are meshed as one, and which tubes are too short to be meshed.
+//! Clusters of nodes that are meshed together, and tubes too short to be meshed.
 
 use super::node::Cluster;
 use super::tube::{End, Tube, is_ball};
@@ -6,20 +6,20 @@ use crate::Skeleton;
 use glam::DVec3;
 use std::collections::BTreeMap;
 
-/// Room between the two ends of a tube, in radii; with less, its nodes are meshed as one.
+/// Smallest room between the two ends of a tube, in radii; with less, its nodes are meshed together.
 const ROOM: f64 = 0.8;
 
-/// Room between a node and the tip of a tube, in radii; with less, the tube is left out.
+/// Smallest room between a node and the tip of a tube, in radii; with less, the tube is omitted.
 const TIP_ROOM: f64 = 0.5;
 
-/// The clusters with the lengths at which their arms end, and the tubes between them.
+/// The clusters with the lengths of their arms, and the tubes between them.
 pub(super) struct Layout {
     pub(super) clusters: Vec<Cluster>,
     pub(super) reach: Vec<Vec<f64>>,
-    /// For each tube the two places where its own mesh begins and ends, and the cluster and arm there; none for a tube that is part
-    /// of a cluster or left out.
+    /// For each tube the start and end of its own mesh, with the cluster and arm there; `None` for a tube that is part of a cluster
+    /// or omitted.
     pub(super) spans: Vec<Option<[Span; 2]>>,
-    /// Tubes that are left out.
+    /// Omitted tubes.
     pub(super) dropped: Vec<usize>,
 }
 
@@ -28,12 +28,12 @@ pub(super) struct Layout {
 pub(super) struct Span {
     /// Length from the tube's first end.
     pub(super) at: f64,
-    /// The cluster, and which of its arms; none at a tip.
+    /// The cluster and its arm; `None` at a tip.
     pub(super) arm: Option<(usize, usize)>,
 }
 
-/// Finds clusters: starts with each node alone, merges those whose tubes have no room between them, and leaves out tips without room,
-/// until nothing changes.
+/// Finds clusters: starts with one per node, merges those whose tubes have no room between them, and omits tips without room, until
+/// nothing changes.
 pub(super) fn layout(skeleton: &Skeleton, tubes: &[Tube], factor: f64) -> Layout {
     let mut ends: BTreeMap<usize, usize> = BTreeMap::new();
     for tube in tubes {

@@ -1,10 +1,10 @@
-//! The small complexes in the middle of a node, to whose boundary tubes attach.
+//! Core complexes: small hexahedral complexes in the middle of a node, to whose boundary tubes attach.
 
 use glam::DVec3;
 use pompeiu_volume::FACES;
 use std::collections::HashMap;
 
-/// Cells around the origin, of half-size about 1.
+/// Cells around the origin, with half-extent about 1.
 pub(super) struct Core {
     pub(super) vertices: Vec<DVec3>,
     pub(super) blocks: Vec<[usize; 8]>,
@@ -29,7 +29,7 @@ impl Core {
         Self { vertices, blocks, quads }
     }
 
-    /// `n` × `n` × `n` cubes, bulged towards a ball where there are several.
+    /// `n` × `n` × `n` cubes, rounded towards a ball if there are several.
     fn cube(n: usize) -> Self {
         let at = |i: usize| 2.0 * i as f64 / n as f64 - 1.0;
         let index = |i: usize, j: usize, k: usize| i + (n + 1) * (j + (n + 1) * k);
@@ -41,7 +41,7 @@ impl Core {
                     let p = DVec3::new(at(i), at(j), at(k));
                     let greatest = p.abs().max_element();
                     let length = p.length();
-                    // On the boundary half way to the ball of the same size as the middle of its sides.
+                    // Boundary vertices lie halfway to the ball through the centres of the sides.
                     let round = if length > 0.0 { p * (greatest / length) * 1.2 } else { p };
                     vertices.push(if n == 1 { p } else { p.lerp(round, 0.6) });
                     if i < n && j < n && k < n {
@@ -82,7 +82,7 @@ impl Core {
     }
 }
 
-/// The complexes with room for a number of tubes, the simplest first.
+/// The complexes for a number of tubes, simplest first.
 pub(super) fn library(arms: usize) -> Vec<Core> {
     let mut cores = Vec::new();
     if arms <= 6 {

@@ -19,26 +19,26 @@ use rayon::prelude::*;
 /// A mesh of a neuron whose cells are tricubic: each block is one patch.
 #[derive(Clone, Debug)]
 pub struct CubicMesh {
-    /// Control points and patches; every patch is proven to be unfolded where the report says so.
+    /// Control points and patches; if the report says so, every patch is proven to have a positive Jacobian.
     pub mesh: BezierMesh,
     /// The faces of patches.
     pub faces: Faces,
-    /// For each boundary face 0 where it lies on the wall, and 1 + k on cap k.
+    /// For each boundary face 0 if it lies on the wall, and 1 + k if it lies on cap k.
     pub labels: Vec<u32>,
     /// The flat ends of tubes.
     pub caps: Vec<Cap>,
-    /// For each patch the branch that it belongs to, in the order of the skeleton's tubes, or −1 − k at node k.
+    /// The branch of each patch, in the order of the skeleton's tubes, or −1 − k at node k.
     pub parts: Vec<i32>,
-    /// What is said of it.
+    /// The report.
     pub report: MeshReport,
 }
 
 impl CubicMesh {
-    /// The patches as a VTK XML unstructured grid of Bézier hexahedra, exactly, or of trilinear cells, 27 to a patch, with the branch of
-    /// each cell as cell data.
+    /// The patches as a VTK XML unstructured grid, exactly as Bézier hexahedra or as 27 trilinear cells per patch, with the branch
+    /// of each cell as cell data.
     ///
     /// # Errors
-    /// None but those of an allocation.
+    /// Only allocation errors.
     pub fn vtu(&self, linear: bool) -> std::io::Result<Vec<u8>> {
         cubic_vtu(&self.mesh, linear.then_some(LINEAR_PARTS), &[], &[("branch", &self.branches())])
     }
@@ -52,8 +52,8 @@ impl CubicMesh {
 /// Trilinear cells along each axis of a patch, in files of trilinear cells.
 pub(crate) const LINEAR_PARTS: usize = 3;
 
-/// A file of tricubic cells, or of this many trilinear ones along each of their axes, with the first components of vectors at control
-/// points, and values of cells.
+/// A file of tricubic cells, or of trilinear ones with this many along each axis; with the first components of vectors at control
+/// points, and cell data.
 pub(crate) fn cubic_vtu(
     mesh: &BezierMesh,
     linear: Option<usize>,
@@ -79,7 +79,7 @@ pub(crate) fn cubic_vtu(
     let raw: Vec<&[DVec3]> = fields.iter().map(|(_, field, _)| *field).collect();
     let wrong = |error| std::io::Error::new(std::io::ErrorKind::InvalidInput, error);
     let (fine, fine_fields) = mesh.subdivided(parts, &raw).map_err(wrong)?;
-    // Corners are points of the field; other control points are left out.
+    // Corners are points of the field; other control points are omitted.
     let corners = fine.corner_mesh().map_err(wrong)?;
     let mut number = vec![u32::MAX; corners.positions().len()];
     let mut kept = Vec::new();
@@ -113,20 +113,20 @@ pub(crate) fn cubic_vtu(
     Ok(bytes)
 }
 
-/// Meshes a neuron with tricubic cells: five patches to a section, and the complexes at nodes.
+/// Meshes a neuron with tricubic cells: five patches per section, and the core complexes at nodes.
 ///
 /// # Shapes and units
-/// Lengths in micrometres. The rim of a section is four cubic arcs, off a circle by less than 3e-4 of the radius; sections have the
-/// area of their discs. [`MeshOptions::parts`] is not used.
+/// Lengths in micrometres. The rim of a section consists of four cubic arcs, whose distance from a circle is below 3e-4 of the
+/// radius; sections have the area of their discs. [`MeshOptions::parts`] is not used.
 /// # Accuracy
-/// [`MeshReport::certified`] is proven, rounding included. The bounds of [`MeshReport::surface_distance`] are those of triangles in the
-/// wall, widened by the bound on how far these are from the patches.
+/// [`MeshReport::certified`] is proven, rounding included. The bounds of [`MeshReport::surface_distance`] are those of triangles in
+/// the wall, widened by the bound on the distance of these from the patches.
 /// # Errors
 /// [`MeshError`].
 /// # Cost
-/// Linear in the length of the tree in radii; some 0.6 s for each node, in parallel.
+/// Linear in the length of the tree in radii; about 0.6 s per node, in parallel.
 /// # Source
-/// The energy that unfolds cells: `garanzha_foldover_2021`. Bernstein coefficients of determinants: `johnen_hexahedra_2017`.
+/// The untangling energy: `garanzha_foldover_2021`. Bernstein coefficients of determinants: `johnen_hexahedra_2017`.
 pub fn cubic_neuron(skeleton: &Skeleton, options: &MeshOptions<'_>) -> Result<CubicMesh, MeshError> {
     options.check()?;
     on_threads(options.limits.threads, || mesh(skeleton, options))
@@ -218,10 +218,10 @@ fn finish(
     Ok(CubicMesh { mesh, faces, labels, caps: parts.caps(skeleton, &caps), parts: blocks, report })
 }
 
-/// Most quads of the wall's triangles.
+/// Largest number of quads in the triangulated wall.
 const MOST_QUADS: usize = 100_000;
 
-/// How far the wall is from the tubes.
+/// The distance of the wall from the tubes.
 fn measure(
     skeleton: &Skeleton,
     parts: &Parts,
@@ -256,8 +256,8 @@ fn measure(
     Some(SurfaceDistance { lower: (found.lower - deviation).max(0.0), upper: found.upper + deviation })
 }
 
-/// A bound on `|S_uu| + 2 |S_uv| + |S_vv|` over a face, by differences of its control points: an eighth of it times the square of the
-/// step bounds how far triangles on a grid are from the face.
+/// A bound on `|S_uu| + 2 |S_uv| + |S_vv|` over a face, from differences of its control points. An eighth of it times the squared
+/// step bounds the distance of triangles on a grid from the face.
 fn bend_of(points: &[DVec3; 64], axis: usize, side: usize, along: [usize; 2]) -> f64 {
     let strides = [1, 4, 16];
     let (p, q) = (strides[along[0]], strides[along[1]]);

@@ -1,4 +1,4 @@
-//! What the shape of tricubic cells costs.
+//! The shape energy of tricubic cells.
 
 use super::energy::{Shape, minimise};
 use super::wall::Wall;
@@ -7,32 +7,32 @@ use pompeiu_core::run::Control;
 use pompeiu_volume::bernstein::{bernstein, bernstein_slopes, interpolate};
 use pompeiu_volume::slopes_at;
 
-/// Values and derivatives of the four functions along an axis at a place.
+/// Values and derivatives of the four basis functions along an axis at a parameter.
 type Row = ([f64; 4], [f64; 4]);
 
-/// What is minimised over the places at thirds of tricubic cells.
+/// The objective over the positions at thirds of tricubic cells.
 pub(super) struct CubicEnergy<'e> {
     pub(super) cells: &'e [[u32; 64]],
-    /// Places that move.
+    /// Positions that may move.
     pub(super) free: &'e [u32],
     pub(super) shape: Shape,
-    /// The wall, the places on it, and what leaving it costs.
+    /// The wall, the positions on it, and the weight of leaving it.
     pub(super) wall: Option<(&'e Wall, &'e [u32], f64)>,
-    /// The size of the node, which makes the energy independent of units.
+    /// The size of the node, which makes the energy dimensionless.
     pub(super) scale: f64,
     pub(super) table: &'e [Row],
-    /// What may end it early.
+    /// May end the minimisation early.
     pub(super) control: &'e Control,
 }
 
-/// Places along each axis of a cell at which shape is measured: closer at the ends, between which a cubic turns most.
+/// Parameters along each axis of a cell at which its shape is measured: denser at the ends, where a cubic curves most.
 pub(super) const PLACES: [f64; 7] = [0.0, 0.08, 0.25, 0.5, 0.75, 0.92, 1.0];
 
-/// Places for cells that fold between the others.
+/// Parameters for cells that fold between the others.
 pub(super) const MANY_PLACES: [f64; 13] =
     [0.0, 0.04, 0.1, 0.18, 0.28, 0.39, 0.5, 0.61, 0.72, 0.82, 0.9, 0.96, 1.0];
 
-/// The cubics that are one at one of the thirds and zero at the others, at the places where shape is measured.
+/// The cubic Lagrange polynomials of the thirds, at the parameters where shape is measured.
 pub(super) fn lagrange_table(places: &[f64]) -> Vec<Row> {
     let unit = |k: usize| interpolate(std::array::from_fn(|r| if r == k { 1.0 } else { 0.0 }));
     let columns = [0, 1, 2, 3].map(unit);
@@ -70,7 +70,7 @@ impl CubicEnergy<'_> {
         total
     }
 
-    /// The least scaled Jacobian at the places where shape is measured.
+    /// The least scaled Jacobian at the parameters where shape is measured.
     pub(super) fn quality(&self, positions: &[DVec3]) -> f64 {
         let mut least = f64::INFINITY;
         for cell in self.cells {
@@ -82,7 +82,7 @@ impl CubicEnergy<'_> {
         if least.is_nan() { 0.0 } else { least }
     }
 
-    /// Moves the free places to less energy.
+    /// Minimises the energy over the free positions.
     pub(super) fn minimise(&self, positions: &mut [DVec3], steps: usize) -> f64 {
         let mut scratch = vec![DVec3::ZERO; positions.len()];
         minimise((self.free, self.scale), positions, (steps, self.control), |positions, gradient| {
@@ -91,7 +91,8 @@ impl CubicEnergy<'_> {
     }
 }
 
-/// The transpose of [`slopes_at`]: from derivatives by the slopes at all points to derivatives by the 64 coefficients.
+/// The transpose of [`slopes_at`]: from derivatives with respect to the slopes at all points to derivatives with respect to the 64
+/// coefficients.
 fn gather(by_slope: &[[DVec3; 3]], table: &[Row]) -> [DVec3; 64] {
     let q = table.len();
     let mut along_v = vec![[DVec3::ZERO; 3]; 4 * q * q];

@@ -15,18 +15,18 @@ use pompeiu_volume::{
 
 /// The blocks of a node as tricubic cells.
 pub(super) struct CubicNode {
-    /// For each place of the lattices its key.
+    /// The key of each lattice position.
     pub(super) refinement: Refinement,
-    /// Control points, in order of the keys.
+    /// Control points, in the order of the keys.
     pub(super) points: Vec<DVec3>,
     /// The least scaled Jacobian of its cells.
     pub(super) quality: f64,
 }
 
-/// Parts of each block of the trilinear mesh that this one starts from.
+/// Parts per block of the initial trilinear mesh.
 pub(super) const START: usize = 2;
 
-/// Bends the cells of a node that was meshed with [`START`] parts to each block.
+/// Makes the cells of a node tricubic; the node must have been meshed with [`START`] parts per block.
 pub(super) fn bend(
     cluster: &Cluster,
     tubes: &[Tube],
@@ -68,7 +68,7 @@ pub(super) fn bend(
     CubicNode { refinement, points, quality }
 }
 
-/// The control points, the least scaled Jacobian, and whether every cell is proven unfolded.
+/// The control points, the least scaled Jacobian, and whether every cell is proven to have a positive Jacobian.
 fn controlled(cells: &[[u32; 64]], positions: &[DVec3]) -> (Vec<DVec3>, f64, bool) {
     let (mut points, mut quality, mut certified) = (positions.to_vec(), f64::INFINITY, true);
     for cell in cells {
@@ -82,7 +82,7 @@ fn controlled(cells: &[[u32; 64]], positions: &[DVec3]) -> (Vec<DVec3>, f64, boo
     (points, quality, certified)
 }
 
-/// The value at a place in thirds of what is trilinear between 27 places: interpolation of higher degree would fold more cells.
+/// Trilinear interpolation, at a position in thirds, between 27 positions: interpolation of higher degree would fold more cells.
 fn between(coarse: &[DVec3], place: [usize; 3]) -> DVec3 {
     const WEIGHTS: [[f64; 3]; 4] =
         [[1.0, 0.0, 0.0], [1.0 / 3.0, 2.0 / 3.0, 0.0], [0.0, 2.0 / 3.0, 1.0 / 3.0], [0.0, 0.0, 1.0]];
@@ -90,7 +90,7 @@ fn between(coarse: &[DVec3], place: [usize; 3]) -> DVec3 {
     coarse.iter().enumerate().map(|(n, p)| *p * (a[n % 3] * b[n / 3 % 3] * c[n / 9])).sum()
 }
 
-/// Places the sections at the ends of arms; gives which places are fixed, and those on the wall.
+/// Positions the sections at the ends of arms; returns the fixed positions, and those on the wall.
 fn boundary(
     cluster: &Cluster,
     tubes: &[Tube],
@@ -147,7 +147,7 @@ fn boundary(
     (fixed, on_wall)
 }
 
-/// Moves the places to where the cells are best: first off folds, with the wall ever stricter, then for the least scaled Jacobian.
+/// Optimises the positions: first removes folds, with an increasing weight of the wall, then improves the least scaled Jacobian.
 fn optimise(
     (cells, fixed): (&[[u32; 64]], &[bool]),
     (wall, on_wall): (&Wall, &[u32]),

@@ -1,26 +1,26 @@
-//! What the shape of cells costs, and its least.
+//! The shape energy of cells, and its minimisation.
 
 use super::wall::Wall;
 use glam::DVec3;
 use pompeiu_core::run::Control;
 
-/// What is minimised over the vertices around a node.
+/// The objective over the vertices around a node.
 pub(super) struct Energy<'e> {
     pub(super) cells: &'e [[u32; 8]],
-    /// Vertices that move.
+    /// Vertices that may move.
     pub(super) free: &'e [u32],
-    /// Places along each axis of a cell at which its shape is measured.
+    /// Parameters along each axis of a cell at which its shape is measured.
     pub(super) places: &'e [f64],
     pub(super) shape: Shape,
-    /// The wall, the vertices on it, and what leaving it costs.
+    /// The wall, the vertices on it, and the weight of leaving it.
     pub(super) wall: Option<(&'e Wall, &'e [u32], f64)>,
-    /// The size of the node, which makes the energy independent of units.
+    /// The size of the node, which makes the energy dimensionless.
     pub(super) scale: f64,
-    /// What may end it early.
+    /// May end the minimisation early.
     pub(super) control: &'e Control,
 }
 
-/// The cost of a Jacobian matrix with columns a, b, c.
+/// The energy density of a Jacobian matrix with columns a, b, c.
 #[derive(Clone, Copy)]
 pub(super) enum Shape {
     /// `(|J|² / (3 χ(det)^{2/3}))^{3/2}` with `χ(d) = (d + √(d² + ε²)) / 2`: finite for folded cells.
@@ -30,14 +30,14 @@ pub(super) enum Shape {
 }
 
 impl Shape {
-    /// The cost and its derivatives by the columns.
+    /// The energy density and its derivatives with respect to the columns.
     pub(super) fn cost(self, [a, b, c]: [DVec3; 3]) -> (f64, [DVec3; 3]) {
         let cofactors = [b.cross(c), c.cross(a), a.cross(b)];
         let det = a.dot(cofactors[0]);
         match self {
             Self::MeanRatio { epsilon } => {
                 let root = (det * det + epsilon * epsilon).sqrt();
-                // Without cancellation where the determinant is negative.
+                // Avoids cancellation if the determinant is negative.
                 let chi = if det > 0.0 {
                     0.5 * (det + root)
                 } else {
@@ -72,7 +72,7 @@ impl Shape {
 }
 
 impl Energy<'_> {
-    /// The energy, and its gradient by the free vertices in `gradient`.
+    /// The energy; writes its gradient with respect to the free vertices to `gradient`.
     pub(super) fn value(&self, positions: &[DVec3], gradient: &mut [DVec3], at: &mut [DVec3]) -> f64 {
         at.fill(DVec3::ZERO);
         let mut total = 0.0;
@@ -136,7 +136,7 @@ impl Energy<'_> {
         total
     }
 
-    /// The least determinant over the points, in units of the size.
+    /// The least determinant over the points, relative to the size.
     pub(super) fn least_determinant(&self, positions: &[DVec3]) -> f64 {
         let mut least = f64::INFINITY;
         for cell in self.cells {
@@ -149,7 +149,7 @@ impl Energy<'_> {
         least
     }
 
-    /// Moves the free vertices to less energy.
+    /// Minimises the energy over the free vertices.
     pub(super) fn minimise(&self, positions: &mut [DVec3], steps: usize) -> f64 {
         let mut scratch = vec![DVec3::ZERO; positions.len()];
         minimise((self.free, self.scale), positions, (steps, self.control), |positions, gradient| {
@@ -158,8 +158,8 @@ impl Energy<'_> {
     }
 }
 
-/// Moves free vertices to less energy, whose value and gradient a function gives: the limited-memory method of Broyden, Fletcher, Goldfarb and Shanno, with a
-/// backtracking line search.
+/// Minimises a function of the free vertices, given its value and gradient, by the limited-memory BFGS method with a backtracking
+/// line search.
 pub(super) fn minimise(
     (free, scale): (&[u32], f64),
     positions: &mut [DVec3],
@@ -192,7 +192,7 @@ pub(super) fn minimise(
                 *d *= factor;
             }
         } else {
-            // A tenth of the size at most.
+            // At most a tenth of the size.
             let greatest = gradient.iter().map(|g| g.length()).fold(0.0, f64::max);
             if greatest == 0.0 {
                 return value;
@@ -249,7 +249,7 @@ pub(super) fn minimise(
     value
 }
 
-/// Pairs of steps that are remembered.
+/// Number of stored pairs of steps.
 const MEMORY: usize = 8;
 
 /// A corner of a cell and its neighbours along the three axes, right-handed.

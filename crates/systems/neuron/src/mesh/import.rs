@@ -1,4 +1,4 @@
-//! Hexahedral meshes that were made elsewhere.
+//! Imported hexahedral meshes.
 
 use super::build::{Cap, NeuronMesh};
 use super::cubic::CubicMesh;
@@ -11,12 +11,12 @@ use pompeiu_volume::{
 use rayon::prelude::*;
 use std::collections::VecDeque;
 
-/// A side of the box around a mesh.
+/// A side of the bounding box of a mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Side {
     /// 0, 1 and 2 for x, y and z.
     pub axis: usize,
-    /// Whether it is where the coordinate is greatest.
+    /// Whether it is the side of the greatest coordinate.
     pub is_upper: bool,
 }
 
@@ -37,31 +37,31 @@ impl Side {
         ["-x", "+x", "-y", "+y", "-z", "+z"][2 * self.axis + usize::from(self.is_upper)]
     }
 
-    /// The number of its cap where a mesh has no samples: 1 to 6, in the order of names.
+    /// The number of its cap if a mesh has no samples: 1 to 6, in the order of names.
     pub fn number(self) -> i64 {
         [1, 3, 5][self.axis] + i64::from(self.is_upper)
     }
 }
 
-/// Where material and fluid come into a mesh that was made elsewhere, and where they leave it.
+/// The ends of an imported mesh, where material and fluid enter and leave.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Ends<'e> {
     /// Nowhere.
     None,
-    /// At sides of the box around it, where faces lie flat on them: the first is the inlet.
+    /// The faces that lie flat on sides of the bounding box; the first side is the inlet.
     Sides(&'e [Side]),
-    /// By numbers of vertices, as `NeuronTransportIGA` has them: at most 0 on the wall and inside, 1 at the inlet, 2 and more at other
+    /// By labels of vertices, as in `NeuronTransportIGA`: at most 0 on the wall and inside, 1 at the inlet, 2 and more at other
     /// ends.
     Labels(&'e [f64]),
 }
 
-/// How far a face may be from a side of the box, relative to its diagonal.
+/// Largest distance of a face from a side of the bounding box, relative to its diagonal.
 const FLATNESS: f64 = 1e-6;
 
-/// The least cosine between the normals of an end and of its faces at the rim.
+/// Smallest cosine of the angle between the normal of an end and those of its faces at the rim.
 const ALIGNED: f64 = 0.7;
 
-/// Faces of the boundary by their ends, and what is said of those.
+/// The boundary faces of each end, and the caps.
 fn ends(mesh: &HexMesh, faces: &Faces, ends: Ends<'_>) -> Result<(Vec<u32>, Vec<Cap>), MeshError> {
     let numbers: Vec<i64> = match ends {
         Ends::None => vec![0; faces.boundary().len()],
@@ -99,7 +99,7 @@ fn ends(mesh: &HexMesh, faces: &Faces, ends: Ends<'_>) -> Result<(Vec<u32>, Vec<
     Ok((labels, caps))
 }
 
-/// The centre and the outward area of a face.
+/// The centre and the outward area vector of a face.
 fn quad(mesh: &HexMesh, vertices: [u32; 4]) -> (DVec3, DVec3) {
     let [a, b, c, d] = vertices.map(|v| mesh.positions()[v as usize]);
     ((a + b + c + d) / 4.0, 0.5 * (c - a).cross(d - b))
@@ -131,7 +131,7 @@ fn at_sides(mesh: &HexMesh, faces: &Faces, sides: &[Side]) -> Result<Vec<i64>, M
     Ok(numbers)
 }
 
-/// Vertices at the rim of an end may have its number or that of the wall; the normal decides where faces have both.
+/// Vertices at the rim of an end may have its label or that of the wall; the normal decides for faces with both.
 fn at_labels(mesh: &HexMesh, faces: &Faces, labels: &[f64]) -> Result<Vec<i64>, MeshError> {
     if labels.len() != mesh.positions().len() {
         let (found, vertices) = (labels.len(), mesh.positions().len());
@@ -181,12 +181,11 @@ fn report(vertices: usize, found: &[(f64, bool)]) -> Result<MeshReport, MeshErro
 }
 
 impl NeuronMesh {
-    /// A hexahedral mesh from elsewhere, and where its ends are. The number of a labelled end is its sample, that of a side is
-    /// [`Side::number`].
+    /// An imported hexahedral mesh with its ends. The sample of a labelled end is its label; that of a side is [`Side::number`].
     ///
     /// # Errors
-    /// [`MeshError::Folded`] for the worst cell if it is folded or stands on its head, [`MeshError::Side`], [`MeshError::Labels`],
-    /// [`MeshError::Volume`] where cells do not meet face to face, [`MeshError::Stopped`].
+    /// [`MeshError::Folded`] for the worst cell if it is folded or inverted, [`MeshError::Side`], [`MeshError::Labels`],
+    /// [`MeshError::Volume`] if the mesh does not conform, [`MeshError::Stopped`].
     pub fn from_hexahedra(mesh: HexMesh, at: Ends<'_>, limits: &Limits) -> Result<Self, MeshError> {
         let control = Control::start(limits);
         let found: Vec<(f64, bool)> = mesh
@@ -231,7 +230,7 @@ impl CubicMesh {
     }
 }
 
-/// Cells as patches. Their faces are in the order of those of the cells.
+/// Cells as patches. Their faces have the order of those of the cells.
 fn patches(mesh: &HexMesh, limits: &Limits) -> Result<(BezierMesh, Faces, MeshReport), MeshError> {
     let control = Control::start(limits);
     let cubic = BezierMesh::from_trilinear(mesh);
@@ -249,8 +248,8 @@ fn patches(mesh: &HexMesh, limits: &Limits) -> Result<(BezierMesh, Faces, MeshRe
     Ok((cubic, faces, report))
 }
 
-/// For each cell −1 − k, where k is the least number of faces on a way from the first end: cells of one number lie between those of
-/// the two next to it.
+/// For each cell −1 − k, where k is its distance in faces from the first end: cells of one number lie between those of the two
+/// adjacent numbers.
 fn levels(cells: usize, faces: &Faces, labels: &[u32]) -> Vec<i32> {
     let mut neighbours: Vec<Vec<u32>> = vec![Vec::new(); cells];
     for face in faces.inner() {

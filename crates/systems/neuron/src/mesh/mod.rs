@@ -1,9 +1,9 @@
 //! Hexahedral meshes of neurons.
 //!
-//! Along each branch there is a square tube, five blocks to a section: one in the core, four around it up to the wall. At each node the
-//! tubes' cores attach to a small complex, and every quad of the boundary of complex and tubes is extruded to the wall, which is a
-//! smooth union of the tubes. All blocks are cut into equal parts, and around nodes vertices are moved to where the cells are best; or
-//! each block is one tricubic cell, whose places are moved likewise.
+//! Along each branch there is a tube with five blocks per section: one in the core, four around it up to the wall. At each node the
+//! cores of the tubes attach to a small complex, and every quad of the boundary of complex and tubes is extruded to the wall, which
+//! is a smooth union of the tubes. All blocks are subdivided into equal parts, and vertices around nodes are optimised for cell
+//! quality; or each block is one tricubic cell, whose control points are optimised likewise.
 
 mod assembly;
 mod assign;

@@ -1,4 +1,5 @@
-//! The mesh around a node: a core, the tubes that attach to it up to where they are clear of each other, and the wall around.
+//! The mesh around a node: a core, the adjacent parts of the tubes up to where they are clear of each other, and the wall around
+//! them.
 
 use super::assign::{Assignment, assignments};
 use super::core::{Core, library};
@@ -10,18 +11,18 @@ use glam::DVec3;
 use pompeiu_core::run::Control;
 use pompeiu_volume::{Refinement, key_weights as weights, scaled_jacobian};
 
-/// Side of the core square of a section, half of its diagonal, in radii.
+/// Half the diagonal of the core square of a section, in radii.
 pub(super) const CORE: f64 = 0.55;
 
-/// A node, or several that are too near to each other for tubes between them.
+/// A node, or several that are too close for tubes between them.
 pub(super) struct Cluster {
     /// The samples.
     pub(super) samples: Vec<usize>,
     /// The tubes that leave it.
     pub(super) ends: Vec<End>,
-    /// The tubes inside.
+    /// The tubes between its nodes.
     pub(super) inside: Vec<usize>,
-    /// Its balls that are somata: centre and radius.
+    /// Its somata: centre and radius.
     pub(super) balls: Vec<(DVec3, f64)>,
     pub(super) centre: DVec3,
     /// Mean radius of the tubes at the node.
@@ -31,11 +32,11 @@ pub(super) struct Cluster {
 /// Distance of the ring of a section from all other tubes, in radii.
 const CLEAR: f64 = 0.15;
 
-/// Points of a ring that are looked at.
+/// Number of points checked on a ring.
 const RING: usize = 12;
 
 impl Cluster {
-    /// For each end the length along its tube at which the mesh of the node ends; none where the tube is too short.
+    /// For each end the length along its tube at which the mesh of the node ends; `None` if the tube is too short.
     pub(super) fn clearances(&self, tubes: &[Tube]) -> Vec<Option<f64>> {
         self.ends.iter().map(|&end| self.clearance(tubes, end)).collect()
     }
@@ -43,7 +44,7 @@ impl Cluster {
     fn clearance(&self, tubes: &[Tube], end: End) -> Option<f64> {
         let length = tubes[end.tube].length();
         let (mut s, mut since) = (0.0, None);
-        // Within the ball of its own node a tube begins no section.
+        // No section lies within the ball of the tube's own node.
         let least = 0.8 * end.at(tubes, 0.0).1;
         while s <= length {
             let (centre, radius) = end.at(tubes, s);
@@ -86,7 +87,7 @@ impl Cluster {
         })
     }
 
-    /// The wall around it.
+    /// The wall around the cluster.
     pub(super) fn wall(&self, tubes: &[Tube], reach: &[f64]) -> Wall {
         let mut groups: Vec<Vec<RoundCone>> = self
             .ends
@@ -106,14 +107,14 @@ impl Cluster {
     }
 }
 
-/// The end of an arm: where the tube's mesh begins.
+/// The end of an arm: where the mesh of the tube begins.
 #[derive(Clone)]
 pub(super) struct Section {
     /// Length along the tube, from the node.
     pub(super) at: f64,
-    /// The direction of the first corner's side: corners lie at 45°, 135°, … from it, counter-clockwise about the outward tangent.
+    /// The direction of the first corner: corners lie at 45°, 135°, … from it, counter-clockwise about the outward tangent.
     pub(super) side: DVec3,
-    /// Its corners in the core and on the wall, among the blocks' corners of the node.
+    /// Its corners in the core and on the wall, as indices among the block corners of the node.
     pub(super) inner: [u32; 4],
     pub(super) outer: [u32; 4],
 }
@@ -123,7 +124,7 @@ pub(super) struct NodeMesh {
     pub(super) blocks: Vec<[u32; 8]>,
     /// Number of corners of blocks.
     pub(super) corners: usize,
-    /// For each fine vertex its key and its place.
+    /// The key and index of each fine vertex.
     pub(super) refinement: Refinement,
     pub(super) positions: Vec<DVec3>,
     pub(super) sections: Vec<Section>,
@@ -131,13 +132,13 @@ pub(super) struct NodeMesh {
     pub(super) quality: f64,
 }
 
-/// From this quality on no other assignment is tried.
+/// No further assignment is tried once this quality is reached.
 const GOOD: f64 = 0.35;
 
-/// Most assignments that are tried for a node.
+/// Largest number of assignments tried for a node.
 const MOST_TRIES: usize = 6;
 
-/// Meshes a node whose arms end at the given lengths.
+/// Meshes a node with arms of the given lengths.
 pub(super) fn mesh_node(
     cluster: &Cluster,
     tubes: &[Tube],
@@ -159,7 +160,7 @@ pub(super) fn mesh_node(
         for (index, core) in cores.iter().enumerate() {
             if core.quads.len() > cluster.ends.len() {
                 let found = assignments(core, &directions, 4);
-                // A larger core has to fit better to be worth its cells.
+                // A larger core must fit better to justify its cells.
                 candidates.extend(found.into_iter().map(|mut assignment| {
                     assignment.score += 0.002 * core.blocks.len() as f64;
                     (index, assignment)
@@ -188,7 +189,8 @@ pub(super) fn mesh_node(
     best
 }
 
-/// Where the core may be: the node, and the farthest point towards the middle of the tightest pair of arms that is still deep inside.
+/// Candidate positions of the core: the node, and the farthest point towards the middle of the tightest pair of arms that is still
+/// deep inside.
 fn centres(cluster: &Cluster, tubes: &[Tube], reach: &[f64], wall: &Wall) -> Vec<DVec3> {
     let mut centres = vec![cluster.centre];
     let ends: Vec<DVec3> = cluster.ends.iter().zip(reach).map(|(end, &s)| end.at(tubes, s).0).collect();
@@ -212,7 +214,7 @@ fn centres(cluster: &Cluster, tubes: &[Tube], reach: &[f64], wall: &Wall) -> Vec
                 centres.push(cluster.centre.lerp(tightest.1, t));
             }
         }
-        // The more acute, the more it helps.
+        // The more acute the angle, the more it helps.
         if tightest.0 > 0.7 {
             centres.rotate_left(1);
         }
@@ -238,7 +240,7 @@ fn build(
     let mut corners: Vec<DVec3> =
         core.vertices.iter().map(|p| centre + assignment.rotation * (*p * (half / size))).collect();
     let mut blocks: Vec<[u32; 8]> = core.blocks.iter().map(|b| b.map(|v| v as u32)).collect();
-    // Every vertex on the core's boundary has one on the wall.
+    // Every vertex on the core's boundary has a counterpart on the wall.
     let mut on_wall = vec![None; corners.len()];
     for &v in core.quads.iter().flatten() {
         if on_wall[v].is_none() {
@@ -319,10 +321,10 @@ pub(super) fn layer_of(blocks: &mut Vec<[u32; 8]>, below: [[u32; 4]; 2], above: 
     }
 }
 
-/// The direction in a section from which corners at 45°, 135°, … turn least from those of a quad.
+/// The direction in a section whose corners at 45°, 135°, … are closest to those of a quad.
 fn side_of(quad: &[DVec3; 4], axis: DVec3) -> DVec3 {
     let (e1, e2) = axis.any_orthonormal_pair();
-    // The pair is right-handed with the axis or not.
+    // The orientation of the pair relative to the axis.
     let e2 = if e1.cross(e2).dot(axis) < 0.0 { -e2 } else { e2 };
     let middle = quad.iter().copied().sum::<DVec3>() / 4.0;
     let (mut sine, mut cosine) = (0.0, 0.0);
@@ -336,7 +338,7 @@ fn side_of(quad: &[DVec3; 4], axis: DVec3) -> DVec3 {
     (e1 * libm::cos(angle) + e2 * libm::sin(angle)).normalize()
 }
 
-/// Where a vertex of a section lies in its disc of radius 1, from the weights of the corners in the core and on the wall, and whether
+/// The position of a vertex of a section in the unit disc, from the weights of the corners in the core and on the wall, and whether
 /// it lies on the wall. The same for every section, and symmetric under quarter turns and reflections.
 pub(super) fn place_in_disc(inner: [f64; 4], outer: [f64; 4]) -> ([f64; 2], bool) {
     let corner = |k: usize| {
@@ -355,7 +357,7 @@ pub(super) fn place_in_disc(inner: [f64; 4], outer: [f64; 4]) -> ([f64; 2], bool
     if radial == 0.0 {
         return (in_core, false);
     }
-    // Along the arc between the two corners that have weight.
+    // Along the arc between the two corners with nonzero weight.
     let k = (0..4).find(|&k| total[k] > 0.0 && total[(k + 3) % 4] == 0.0).unwrap_or(0);
     let along = total[(k + 1) % 4];
     let angle = std::f64::consts::FRAC_PI_4 * ((2 * k + 1) as f64 + 2.0 * along);
@@ -363,7 +365,7 @@ pub(super) fn place_in_disc(inner: [f64; 4], outer: [f64; 4]) -> ([f64; 2], bool
     ([0, 1].map(|axis| in_core[axis] * (1.0 - radial) + arc[axis] * radial), radial > 1.0 - 1e-9)
 }
 
-/// What may happen to a vertex.
+/// How a vertex may move.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Kind {
     Fixed,
@@ -371,7 +373,7 @@ enum Kind {
     Inner,
 }
 
-/// Places the vertices of the sections, and tells what may move.
+/// Positions the vertices of the sections, and determines how each vertex may move.
 fn kinds(
     cluster: &Cluster,
     tubes: &[Tube],
@@ -381,7 +383,7 @@ fn kinds(
     positions: &mut [DVec3],
 ) -> Vec<Kind> {
     let mut kinds = vec![Kind::Inner; positions.len()];
-    // Faces of one cell lie on the boundary.
+    // Faces of a single cell lie on the boundary.
     let mut faces: Vec<([u32; 4], bool)> = cells
         .iter()
         .flat_map(|cell| {
@@ -422,7 +424,7 @@ fn kinds(
     kinds
 }
 
-/// Moves the vertices to where the cells are best; gives the least scaled Jacobian.
+/// Optimises the vertices; returns the least scaled Jacobian.
 fn optimise(
     (cells, kinds): (&[[u32; 8]], &[Kind]),
     wall: &Wall,
@@ -471,7 +473,7 @@ fn optimise(
     }
     energy.wall = Some((wall, &on_wall, 1e5));
     for power in [2, 4] {
-        // Tangential moves along the wall, then exactly onto it, unless that is worse.
+        // Tangential steps along the wall, then exactly onto it, unless that reduces quality.
         energy.shape = Shape::Scaled { power };
         let before = positions.to_vec();
         let was = best(positions);

@@ -1,20 +1,20 @@
-//! How a neuron is meshed, what is said of the mesh, and why there is none.
+//! Options, report and errors of meshing.
 
 use pompeiu_core::run::{Control, Limits, ProgressObserver, StopReason};
 use pompeiu_volume::VolumeError;
 
-/// How a neuron is meshed.
+/// Options of meshing.
 #[derive(Clone)]
 pub struct MeshOptions<'o> {
-    /// Parts of each block along each edge, 1 to 8: a section has five times the square of it as cells.
+    /// Parts of each block along each edge, 1 to 8: a section has five times its square cells.
     pub parts: usize,
     /// Length of a block along a branch, in radii, 0.25 to 20.
     pub layer: f64,
-    /// Whether the distance of the wall from the tubes is enclosed.
+    /// Whether to enclose the distance of the wall from the tubes.
     pub measure: bool,
     /// Limits on time and memory.
     pub limits: Limits,
-    /// Is told how many nodes are done.
+    /// Receives the number of finished nodes.
     pub progress: Option<&'o dyn ProgressObserver>,
 }
 
@@ -37,7 +37,7 @@ impl MeshOptions<'_> {
     }
 }
 
-/// What is said of a mesh.
+/// The report of a mesh.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -50,10 +50,11 @@ pub struct MeshReport {
     pub min_scaled_jacobian: f64,
     /// Whether the Jacobian determinant is proven positive over every cell.
     pub certified: bool,
-    /// Bounds on the greatest distance of a point of the mesh's wall from the tubes, in micrometres; left out where it was not measured.
+    /// Bounds on the greatest distance of a point of the mesh's wall from the tubes, in micrometres; omitted if it was not
+    /// computed.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub surface_distance: Option<SurfaceDistance>,
-    /// Branches that were too short to be meshed, in sentences; left out where there are none.
+    /// Sentences about branches that were too short to be meshed; omitted if there are none.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
     #[cfg_attr(feature = "schema", schemars(with = "Option<Vec<String>>"))]
     pub left_out: Vec<String>,
@@ -64,13 +65,13 @@ pub struct MeshReport {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct SurfaceDistance {
-    /// At least this.
+    /// Lower bound.
     pub lower: f64,
-    /// At most this.
+    /// Upper bound.
     pub upper: f64,
 }
 
-/// What ended a stage, in the words of a sentence.
+/// The reason for ending a stage, as part of a sentence.
 pub(crate) fn ended_by(reason: StopReason) -> &'static str {
     match reason {
         StopReason::Time => "the time limit",
@@ -79,7 +80,7 @@ pub(crate) fn ended_by(reason: StopReason) -> &'static str {
     }
 }
 
-/// Whether to go on.
+/// Returns an error if the computation should stop.
 pub(crate) fn go_on(control: &Control) -> Result<(), MeshError> {
     if control.is_stopped() {
         return Err(MeshError::Stopped(control.reason().unwrap_or(StopReason::Cancelled)));
@@ -91,7 +92,7 @@ pub(crate) fn go_on(control: &Control) -> Result<(), MeshError> {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum MeshError {
-    /// A sample without a radius.
+    /// A sample has no radius.
     #[error("line {line}: sample {sample} has the radius 0; --repair takes it from its neighbours")]
     ZeroRadius {
         /// The sample.
@@ -104,7 +105,7 @@ pub enum MeshError {
         "there is no branch to mesh: the skeleton is points only, or every branch is too short for its radius"
     )]
     NoBranch,
-    /// A node whose cells stay folded.
+    /// The cells of a node stay folded.
     #[error(
         "line {line}: the node at sample {sample} with {arms} branches cannot be meshed: the least scaled Jacobian found is {quality:.3}"
     )]
@@ -115,38 +116,38 @@ pub enum MeshError {
         line: usize,
         /// Branches that meet there.
         arms: usize,
-        /// The best that was found.
+        /// The best quality found.
         quality: f64,
     },
-    /// The mesh would not fit into memory.
+    /// The memory limit is too small.
     #[error(
         "the mesh would have about {cells} cells and take {needed} MiB, more than the limit of {limit} MiB"
     )]
     Memory {
         /// Cells, estimated.
         cells: usize,
-        /// MiB, estimated.
+        /// Estimated need in MiB.
         needed: usize,
-        /// MiB that may be used.
+        /// The limit in MiB.
         limit: usize,
     },
-    /// It was stopped before there was a mesh.
+    /// The computation was stopped.
     #[error("ended by {} before the mesh was done", ended_by(*.0))]
     Stopped(StopReason),
     /// An option is out of range.
     #[error("the {what} is {value}; expected {expected}")]
     Option {
-        /// What it is.
+        /// The option.
         what: &'static str,
         /// Its value.
         value: f64,
-        /// What it must be.
+        /// The valid range.
         expected: &'static str,
     },
-    /// There is no cell.
+    /// There are no cells.
     #[error("the mesh has no hexahedron")]
     NoCell,
-    /// A cell of a mesh from elsewhere is folded.
+    /// A cell of an imported mesh is folded.
     #[error(
         "cell {cell} (the first is 0) is folded or stands on its head: its scaled Jacobian is {quality:.3}"
     )]
@@ -156,7 +157,7 @@ pub enum MeshError {
         /// Its scaled Jacobian.
         quality: f64,
     },
-    /// A side of the box around a mesh is no end.
+    /// A side of the bounding box is no end.
     #[error("the side {side} is no end of the mesh: {problem}")]
     Side {
         /// The side.
@@ -164,29 +165,29 @@ pub enum MeshError {
         /// Why.
         problem: &'static str,
     },
-    /// A name that is no side of a box.
+    /// The name is not that of a side.
     #[error("{name:?} is no side of a box; expected -x, +x, -y, +y, -z or +z")]
     UnknownSide {
         /// The name.
         name: String,
     },
-    /// A place where nothing can be refined.
+    /// A place for refinement is invalid.
     #[error("{place} {problem}")]
     Place {
         /// Its name.
         place: String,
-        /// Why.
+        /// The reason.
         problem: &'static str,
     },
-    /// Numbers of ends are not those of vertices.
+    /// The number of labels is not that of vertices.
     #[error("there are {found} labels of ends for {vertices} vertices")]
     Labels {
-        /// Labels there are.
+        /// Number of labels.
         found: usize,
-        /// Vertices there are.
+        /// Number of vertices.
         vertices: usize,
     },
-    /// Cells do not fit together.
+    /// The mesh does not conform.
     #[error("the mesh is wrong: {0}")]
     Volume(#[from] VolumeError),
 }

@@ -4,13 +4,15 @@ use super::node::CORE;
 use pompeiu_volume::bernstein::{bernstein, bernstein_slopes};
 use std::f64::consts::{FRAC_PI_4, PI};
 
-/// By how much the sides of the core square bulge, as a share of their length: its corners then have 120°, as the patches around them.
+/// Bulge of the sides of the core square, relative to their length: it makes the angles at its corners 120°, as in the adjacent
+/// patches.
 const BULGE: f64 = 0.0893;
 
-/// The patches of a disc of radius one: the core, whose corners are at 45°, 135°, …, and four around it.
+/// The patches of a unit disc: the core, with corners at 45°, 135°, …, and four around it.
 ///
-/// The rim is four cubic arcs, each off the circle by less than 3e-4 of the radius. Along the core's patch u and v go from corner 0 to
-/// corners 1 and 3; along the others u goes outwards, v to the next corner. The section is symmetric under quarter turns and reflections.
+/// The rim consists of four cubic arcs with a distance below 3e-4 of the radius from the circle. In the core patch u and v go from
+/// corner 0 to corners 1 and 3; in the others u goes outwards, v to the next corner. The section is symmetric under quarter turns
+/// and reflections.
 pub(super) struct Section {
     /// Control points, u fastest.
     patches: [[[f64; 2]; 16]; 5],
@@ -50,7 +52,7 @@ impl Section {
         for j in 0..4 {
             for i in 0..4 {
                 let (u, v) = (i as f64 / 3.0, j as f64 / 3.0);
-                // The patch of Coons: sides 2 and 3 run the other way.
+                // A Coons patch: sides 2 and 3 run in the opposite direction.
                 patches[0][i + 4 * j] = mix(&[
                     (bottom[i], 1.0 - v),
                     (top[3 - i], v),
@@ -69,9 +71,9 @@ impl Section {
         Self { patches }
     }
 
-    /// Factor on radii with which the section has the area of its disc.
+    /// The factor for radii at which the section has the area of its disc.
     pub(super) fn area_factor(&self) -> f64 {
-        // By the formula of Green along the rim; the rule is exact for degree 5.
+        // By Green's formula along the rim; the quadrature rule is exact for degree 5.
         let places = [0.5 - 0.15_f64.sqrt(), 0.5, 0.5 + 0.15_f64.sqrt()];
         let weights = [5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0];
         let mut area = 0.0;
@@ -86,7 +88,7 @@ impl Section {
         (PI / area).sqrt()
     }
 
-    /// The patch and the place in it of a combination of corners in the core and on the rim.
+    /// The patch, and the position in it, of a combination of corners in the core and on the rim.
     fn place(inner: [f64; 4], outer: [f64; 4]) -> (usize, [f64; 2]) {
         let radial: f64 = outer.iter().sum();
         if radial == 0.0 {
@@ -97,14 +99,14 @@ impl Section {
         (k + 1, [radial, total[(k + 1) % 4]])
     }
 
-    /// The control point at a place that is a multiple of thirds.
+    /// The control point at a position in thirds.
     pub(super) fn control(&self, inner: [f64; 4], outer: [f64; 4]) -> Point {
         let (patch, place) = Self::place(inner, outer);
         let [i, j] = place.map(|t| (3.0 * t).round() as usize);
         self.patches[patch][i.min(3) + 4 * j.min(3)]
     }
 
-    /// The point of the section at a place.
+    /// The point of the section at a position.
     pub(super) fn value(&self, inner: [f64; 4], outer: [f64; 4]) -> Point {
         let (patch, [u, v]) = Self::place(inner, outer);
         let (a, b) = (bernstein(u), bernstein(v));
@@ -132,7 +134,7 @@ mod tests {
         }
         let factor = section.area_factor();
         assert!((factor - 1.0).abs() < 3e-4 && factor != 1.0, "{factor}");
-        // Neighbours agree on the core's sides.
+        // Adjacent patches agree on the core's sides.
         let [a, b] = [[0.3, 0.7, 0.0, 0.0], [0.0, 0.0, 0.3, 0.7]].map(|inner| section.value(inner, [0.0; 4]));
         assert!((a[0] + b[0]).abs() < 1e-15 && (a[1] + b[1]).abs() < 1e-15);
         let inner = section.value([0.3, 0.7, 0.0, 0.0], [1e-300, 0.0, 0.0, 0.0]);

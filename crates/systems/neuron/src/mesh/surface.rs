@@ -1,4 +1,4 @@
-//! How far the wall of the mesh is from the tubes: asked of the engine.
+//! The distance of the mesh's wall from the tubes, computed by the Hausdorff engine.
 
 use super::options::SurfaceDistance;
 use super::sweep::{RadialLength, stations};
@@ -10,16 +10,16 @@ use pompeiu_core::run::Control;
 use pompeiu_hausdorff::{HausdorffOptions, Observer, Progress};
 use std::ops::ControlFlow;
 
-/// Sides of the polygons that stand for the circles of a tube: their sagitta is 0.1 % of the radius.
+/// Sides of the polygons that approximate the circles of a tube: their sagitta is 0.1 % of the radius.
 const SIDES: u32 = 64;
 
-/// Rings of a triangulated tube to each radius of length.
+/// Rings of a triangulated tube per radius of length.
 const RINGS: f64 = 3.0;
 
-/// Subdivisions of the icosahedron that stands for a soma.
+/// Subdivisions of the icosahedron that approximates a soma.
 const SUBDIVISIONS: u32 = 4;
 
-/// Ends the search where meshing is to end.
+/// Ends the search when meshing has to end.
 struct Watch<'c>(&'c Control);
 
 impl Observer for Watch<'_> {
@@ -28,8 +28,8 @@ impl Observer for Watch<'_> {
     }
 }
 
-/// Bounds on the greatest distance of a point of the wall, given as triangles, from the tubes as triangulated here. None where
-/// the tubes are too large to be triangulated.
+/// Bounds on the greatest distance of a point of the wall, given as triangles, from the tubes as triangulated here. `None` if the
+/// tubes are too large to be triangulated.
 pub(super) fn surface_distance(
     skeleton: &Skeleton,
     tubes: &[Tube],

@@ -1,4 +1,4 @@
-//! Frames along a tube, and where its sections are.
+//! Frames and sections along a tube.
 
 use super::tube::Tube;
 use glam::DVec3;
@@ -8,7 +8,7 @@ use glam::DVec3;
 pub(super) struct Station {
     pub(super) centre: DVec3,
     pub(super) radius: f64,
-    /// Unit vectors across the tube, right-handed with the direction along it.
+    /// Unit vectors across the tube; right-handed together with its direction.
     pub(super) sides: [DVec3; 2],
 }
 
@@ -18,10 +18,10 @@ impl Station {
     }
 }
 
-/// Steps to each radius at which lengths in radii are added up.
+/// Integration steps per radius for lengths in radii.
 const STEPS: f64 = 4.0;
 
-/// Most steps along one tube.
+/// Largest number of steps along one tube.
 const MOST: f64 = 4e6;
 
 /// Lengths along a tube in units of its radius.
@@ -50,7 +50,7 @@ impl RadialLength {
         self.sum[self.sum.len() - 1]
     }
 
-    /// The length along the tube at a share of the whole.
+    /// The length along the tube at a share of the total.
     fn share(&self, share: f64) -> f64 {
         let wanted = share * self.total();
         let k = self.sum.partition_point(|&x| x < wanted).clamp(1, self.sum.len() - 1);
@@ -60,10 +60,10 @@ impl RadialLength {
     }
 }
 
-/// Sections at equal lengths in radii, with a first side given, or any.
+/// Sections at equal lengths in radii; the first side may be given.
 ///
 /// # Source
-/// Frames that turn least: double reflection, `wang_frames_2008`.
+/// Rotation-minimising frames: double reflection, `wang_frames_2008`.
 pub(super) fn stations(
     tube: &Tube,
     lengths: &RadialLength,
@@ -98,8 +98,8 @@ pub(super) fn stations(
     found
 }
 
-/// Turns the sections evenly, so that the last one meets corners given by their directions: gives the corner that the first one of the
-/// tube meets, and the angle in radians.
+/// Twists the sections evenly so that the last one meets given corners. Returns the corner that the first corner of the tube meets,
+/// and the angle in radians.
 pub(super) fn twist(stations: &mut [Station], corners: [DVec3; 4]) -> (usize, f64) {
     let last = stations[stations.len() - 1];
     let off = |corner: DVec3| {

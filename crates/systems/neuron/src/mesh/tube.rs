@@ -1,13 +1,13 @@
-//! Tubes: what is meshed between two nodes.
+//! Tubes: the parts of branches between two nodes.
 
 use crate::curve::{ArcLength, Curve};
 use crate::{RoundCone, SOMA, Skeleton, Soma};
 use glam::DVec3;
 
-/// Chords to each span of a curve whose length is measured.
+/// Chords per span for the length of a curve.
 const PER_SPAN: usize = 24;
 
-/// A branch with a smooth axis, cut into round cones.
+/// A branch with a smooth axis, divided into round cones.
 pub(super) struct Tube {
     /// The samples at its ends.
     pub(super) nodes: [usize; 2],
@@ -27,7 +27,7 @@ impl Tube {
         let mut s = 0.0;
         let mut last = tube.at(0.0);
         while s < total {
-            // Half a radius, and no less than a part of the whole.
+            // Half a radius, but at least a fraction of the whole.
             let step = (0.5 * last.1).max(total / MOST_CONES);
             s = if s + 1.5 * step >= total { total } else { s + step };
             let next = tube.at(s);
@@ -60,14 +60,14 @@ impl Tube {
     }
 }
 
-/// Most cones of a tube.
+/// Largest number of cones of a tube.
 const MOST_CONES: f64 = 20_000.0;
 
-/// A tube that leaves a node, seen from it.
+/// A tube as seen from a node at one of its ends.
 #[derive(Clone, Copy)]
 pub(super) struct End {
     pub(super) tube: usize,
-    /// Whether the node is the tube's first end.
+    /// Whether the node is at the tube's first end.
     pub(super) first: bool,
 }
 
@@ -96,10 +96,10 @@ impl End {
     }
 }
 
-/// Factor between the radius of a ball and that of its neighbour from which on it is a soma.
+/// A ball is a soma if its radius is at least this multiple of its neighbour's.
 const SOMA_FACTOR: f64 = 1.5;
 
-/// Whether a sample is a ball that tubes leave at radii of their own.
+/// Whether a sample is a ball whose tubes start with radii of their own.
 pub(super) fn is_ball(skeleton: &Skeleton, sample: usize) -> bool {
     let samples = skeleton.samples();
     let neighbours = skeleton.children(sample).iter().copied().chain(skeleton.parent(sample));
@@ -110,13 +110,13 @@ pub(super) fn is_ball(skeleton: &Skeleton, sample: usize) -> bool {
         && samples[sample].radius > SOMA_FACTOR * widest
 }
 
-/// The tubes between nodes: samples that are balls or have one neighbour or more than two.
+/// The tubes between nodes. Nodes are balls, and samples with one neighbour or more than two.
 ///
-/// Radii are multiplied by a factor. Where an axis bends more than the tube allows it is smoothed.
+/// Radii are multiplied by a factor. Axes that bend too much for their radius are smoothed.
 pub(super) fn tubes(skeleton: &Skeleton, factor: f64) -> Vec<Tube> {
     let samples = skeleton.samples();
     let mut paths = skeleton.branches();
-    // A root with two neighbours is no node unless it is a ball.
+    // A root with two neighbours is a node only if it is a ball.
     for root in skeleton.roots().filter(|&root| skeleton.degree(root) == 2 && !is_ball(skeleton, root)) {
         let at = |paths: &[Vec<usize>]| paths.iter().position(|path| path[0] == root);
         if let Some(first) = at(&paths) {
@@ -149,13 +149,13 @@ pub(super) fn tubes(skeleton: &Skeleton, factor: f64) -> Vec<Tube> {
         .collect()
 }
 
-/// Most steps of smoothing.
+/// Largest number of smoothing steps.
 const MOST_STEPS: usize = 60;
 
-/// Greatest product of curvature and radius that is left.
+/// Largest product of curvature and radius after smoothing.
 const MOST_BEND: f64 = 0.6;
 
-/// Moves control points half way to the mean of their neighbours where the curve bends too much for its radius.
+/// Moves control points halfway to the mean of their neighbours where the curve bends too much for its radius.
 fn relax(points: &mut [(DVec3, f64)]) {
     for _ in 0..MOST_STEPS {
         let bent: Vec<usize> = (1..points.len().saturating_sub(1))

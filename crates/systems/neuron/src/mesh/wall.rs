@@ -14,7 +14,7 @@ pub(super) struct Wall {
 impl Wall {
     /// `−k log Σ exp(−f / k)` over the groups, `f` the distance from the nearest cone of each, and its gradient.
     ///
-    /// It lies below the least distance by at most `k log n`, so that the wall swells by no more than that.
+    /// It is below the least distance by at most `k log n`, so the wall expands by at most that.
     pub(super) fn distance(&self, p: DVec3) -> (f64, DVec3) {
         let mut nearest = f64::INFINITY;
         let mut found = Vec::with_capacity(self.groups.len());
@@ -38,8 +38,8 @@ impl Wall {
         (nearest - self.blend * libm::log(sum), gradient / sum)
     }
 
-    /// Adds to an energy what leaving the wall costs some vertices, `weight` times the square of the distance over `scale`, and to its
-    /// gradient by all vertices.
+    /// Adds the penalty for vertices off the wall to an energy, `weight` times the squared distance over `scale`, and its
+    /// derivatives to the gradient with respect to all vertices.
     pub(super) fn add_cost(
         &self,
         (vertices, weight): (&[u32], f64),
@@ -56,7 +56,7 @@ impl Wall {
         }
     }
 
-    /// Where a ray from inside leaves the wall.
+    /// Where a ray from inside intersects the wall.
     pub(super) fn leave(&self, from: DVec3, direction: DVec3, scale: f64) -> DVec3 {
         let inside = |t: f64| self.distance(from + direction * t).0 < 0.0;
         let mut high = 0.1 * scale;
@@ -79,7 +79,7 @@ impl Wall {
         from + direction * (0.5 * (low + high))
     }
 
-    /// A point moved onto the wall along the gradient.
+    /// A point projected onto the wall along the gradient.
     pub(super) fn project(&self, mut p: DVec3) -> DVec3 {
         for _ in 0..PROJECTIONS {
             let (distance, gradient) = self.distance(p);
@@ -93,9 +93,9 @@ impl Wall {
     }
 }
 
-/// Steps of a tenth of the radius along a ray.
+/// Largest number of steps, of a tenth of the radius, along a ray.
 const MOST_STEPS: usize = 200;
-/// Halvings of the step in which a ray leaves.
+/// Halvings of the step that crosses the wall.
 const HALVINGS: usize = 40;
 /// Newton steps of a projection.
 const PROJECTIONS: usize = 8;

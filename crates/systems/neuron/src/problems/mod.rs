@@ -1,18 +1,18 @@
-//! What a mesh of the skeleton would suffer from, located.
+//! Defects of a skeleton that would harm a mesh.
 
 mod overlap;
 mod shape;
 
 use crate::Skeleton;
 
-/// Something about the skeleton that deserves attention before it is meshed.
+/// A defect of the skeleton that deserves attention before it is meshed.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Problem {
     /// What it is.
     pub kind: ProblemKind,
-    /// The branch, from 0, where it is one of a branch.
+    /// The branch, from 0, for defects of a branch.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub branch: Option<usize>,
     /// The number of the sample in the file.
@@ -25,15 +25,15 @@ pub struct Problem {
     /// The sample of the other branch.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub other_sample: Option<i64>,
-    /// The quantity that is wrong: a depth or length in micrometres, an angle in degrees, a radius, a count.
+    /// The value that is out of range: a depth or length in micrometres, an angle in degrees, a radius, a count.
     pub value: f64,
-    /// What it should be at most (angles, depths, counts) or more than (lengths, radii).
+    /// The limit: an upper limit for angles, depths and counts, a lower limit for lengths and radii.
     pub limit: f64,
-    /// The same in a sentence.
+    /// A description in a sentence.
     pub message: String,
 }
 
-/// The kinds of problems.
+/// The kinds of defects.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -44,13 +44,13 @@ pub enum ProblemKind {
     SeveralRoots,
     /// A sample without a radius.
     ZeroRadius,
-    /// A sample at the place of its parent.
+    /// A sample at the position of its parent.
     Coincident,
     /// A branch that is shorter than the balls of its nodes.
     TooShort,
-    /// A branch that ends inside a neighbour.
+    /// A branch that ends inside an adjacent one.
     Inside,
-    /// Branches that meet where they should not.
+    /// Branches that intersect where they should not.
     Overlap,
     /// A branch that turns too much within a radius.
     SharpTurn,
@@ -71,25 +71,26 @@ impl ProblemKind {
     }
 }
 
-/// Degrees that a branch may turn within one radius either way. From 60° on, the circle through the three points is narrower than
-/// the tube, so that the tube runs into itself.
+/// Largest turn of a branch, in degrees, within one radius either way. From 60° on, the circle through the three points is narrower
+/// than the tube, so that the tube intersects itself.
 pub const MOST_TURN: f64 = 60.0;
 
-/// Finds all problems, in order of kind and place.
+/// Finds all defects, ordered by kind and place.
 ///
 /// # Definition
 /// - *several roots*: more than one tree.
 /// - *no radius*: radius 0.
-/// - *coincident*: a sample exactly at the place of its parent.
+/// - *coincident*: a sample exactly at the position of its parent.
 /// - *too short*: a branch to a tip that ends inside the ball of its node, or a branch between furcations whose balls overlap.
-/// - *inside*: all samples of a branch beyond its node lie inside one neighbour.
-/// - *overlap*: tubes of branches without a common node overlap; of branches with one, they overlap again after they have parted; of
-///   one branch, parts further apart along it than π times the sum of their radii do. The deepest place of each pair is given.
-/// - *sharp turn*: the chords from a point of a branch to those one radius before and behind it enclose more than
-///   [`MOST_TURN`]. Where several samples in a row do, the worst is given.
+/// - *inside*: all samples of a branch beyond its node lie inside one adjacent branch.
+/// - *overlap*: tubes of branches without a common node overlap; tubes of branches with one overlap again after they have
+///   separated; parts of one branch overlap that are further apart along it than π times the sum of their radii. The deepest place
+///   of each pair is reported.
+/// - *sharp turn*: the chords from a point of a branch to those one radius before and behind it enclose more than [`MOST_TURN`]. Of
+///   consecutive samples the worst is reported.
 ///
 /// # Cost
-/// O(n log n) for tubes that are sparse in space: a sweep over boxes around the cones.
+/// O(n log n) for tubes that are sparse in space: a sweep over bounding boxes of the cones.
 pub fn problems(skeleton: &Skeleton) -> Vec<Problem> {
     let branches = skeleton.branches();
     let mut found = shape::problems(skeleton, &branches);

@@ -1,4 +1,4 @@
-//! Tubes that meet where they should not.
+//! Tubes that intersect where they should not.
 
 use super::{Problem, ProblemKind};
 use crate::{RoundCone, Sample, Skeleton};
@@ -8,9 +8,9 @@ use std::f64::consts::PI;
 /// A cone of a branch.
 struct Link {
     branch: usize,
-    /// Its place in the branch, from the parent's end.
+    /// Its index in the branch, from the parent's end.
     place: usize,
-    /// Length along the branch to its first end, and its own.
+    /// Length along the branch to its first end, and its own length.
     before: f64,
     length: f64,
     cone: RoundCone,
@@ -54,7 +54,7 @@ pub(super) fn problems(skeleton: &Skeleton, branches: &[Vec<usize>]) -> Vec<Prob
     found
 }
 
-/// A problem of two branches: where it is on each, what was measured and its limit.
+/// A defect of two branches: its sample on each, the measured value and its limit.
 fn of_pair(
     kind: ProblemKind,
     (branch, sample): (usize, &Sample),
@@ -83,11 +83,11 @@ fn links(skeleton: &Skeleton, branches: &[Vec<usize>]) -> Vec<Link> {
     links
 }
 
-/// The nodes at both ends of each branch, with nodes whose balls overlap taken for one.
+/// The nodes at both ends of each branch; nodes with overlapping balls are identified.
 fn clusters(skeleton: &Skeleton, branches: &[Vec<usize>]) -> Vec<[usize; 2]> {
     let samples = skeleton.samples();
     let mut leader: Vec<usize> = (0..samples.len()).collect();
-    // Parents come first, so that the leader of the first end is final.
+    // Parents come first, so the representative of the first end is final.
     for branch in branches {
         let (a, b) = (branch[0], branch[branch.len() - 1]);
         if samples[a].position.distance(samples[b].position) <= samples[a].radius + samples[b].radius {
@@ -102,7 +102,7 @@ fn pairs(nodes: &[[usize; 2]], branches: &[Vec<usize>], links: &[Link]) -> BTree
     let boxes: Vec<_> = links.iter().map(|link| link.cone.bounds()).collect();
     let mut order: Vec<usize> = (0..links.len()).collect();
     order.sort_by(|&i, &j| boxes[i][0].x.total_cmp(&boxes[j][0].x).then(i.cmp(&j)));
-    // Pairs of links that overlap, by branches; those of neighbours are judged together.
+    // Pairs of overlapping links, by branches; those of adjacent branches are judged together.
     let mut touching: BTreeMap<[usize; 2], Vec<([usize; 2], f64)>> = BTreeMap::new();
     for (k, &i) in order.iter().enumerate() {
         for &j in &order[k + 1..] {
@@ -157,7 +157,7 @@ fn is_far(a: &Link, b: &Link, places: [f64; 2]) -> bool {
     (s - t).abs() > PI * (p + q)
 }
 
-/// Where two branches have a common node: whether it is the first end of each.
+/// The common node of two branches, as whether it is the first end of each.
 fn common_node(nodes: &[[usize; 2]], [a, b]: [usize; 2]) -> Option<[bool; 2]> {
     let ends = |branch: usize| [(nodes[branch][0], true), (nodes[branch][1], false)];
     ends(a).into_iter().find_map(|(node, first)| {
@@ -165,7 +165,7 @@ fn common_node(nodes: &[[usize; 2]], [a, b]: [usize; 2]) -> Option<[bool; 2]> {
     })
 }
 
-/// Whether one of two neighbours has parted from the other between their node and this pair of links.
+/// Whether one of two adjacent branches has separated from the other between their node and this pair of links.
 fn has_parted(
     branches: &[Vec<usize>],
     links: &[Link],
@@ -183,7 +183,8 @@ fn has_parted(
     })
 }
 
-/// Tip branches whose samples beyond the node all lie inside one neighbour, though the tip lies outside the ball of the node.
+/// Tip branches whose samples beyond the node all lie inside one adjacent branch, although the tip lies outside the ball of the
+/// node.
 fn inside(skeleton: &Skeleton, branches: &[Vec<usize>]) -> Vec<Problem> {
     let samples = skeleton.samples();
     let mut at_node: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
@@ -208,7 +209,7 @@ fn inside(skeleton: &Skeleton, branches: &[Vec<usize>]) -> Vec<Problem> {
                     cone.distance(p).0 < 0.0
                 })
             };
-            // Of two that hold each other, the later is told.
+            // Of two branches that contain each other, the later is reported.
             let other_is_inside_too = other > index && {
                 let tip_of_other = branches[other][branches[other].len() - 1];
                 skeleton.children(tip_of_other).is_empty()

@@ -1,4 +1,4 @@
-//! Problems of single samples and branches.
+//! Defects of single samples and branches.
 
 use super::{MOST_TURN, Problem, ProblemKind};
 use crate::Skeleton;

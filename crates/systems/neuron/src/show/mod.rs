@@ -1,4 +1,4 @@
-//! Transport as a page that plays it.
+//! Transport as an animated page.
 
 mod page;
 mod surface;

@@ -10,10 +10,10 @@ use pompeiu_figures::page::{
     SpaceId, Span, Statistic, Table, Text, ValueScale,
 };
 
-/// Transport to be shown.
+/// The page of a transport.
 #[derive(Clone, Copy, Debug)]
 pub struct NeuronPage<'r> {
-    /// The file of the skeleton or mesh, or whatever else it is called.
+    /// The file of the skeleton or mesh, or another name.
     pub path: &'r str,
     /// The boundary of its cells.
     pub surface: &'r NeuronSurface,
@@ -21,29 +21,29 @@ pub struct NeuronPage<'r> {
     pub caps: &'r [Cap],
     /// The cap that is the inlet.
     pub inlet: u32,
-    /// What was transported.
+    /// The parameters of the transport.
     pub parameters: &'r Parameters,
-    /// What became of it.
+    /// Its result.
     pub state: &'r TransportState,
-    /// What is said of it all.
+    /// The report.
     pub report: &'r NeuronReport,
-    /// The command that makes the page again.
+    /// The command that reproduces the page.
     pub command: Option<&'r str>,
 }
 
 /// Milliseconds from one frame to the next.
 const INTERVAL: u32 = 200;
 
-/// Values that a page holds at most, some 11 bytes each.
+/// Largest number of values in a page, of about 11 bytes each.
 const MOST_VALUES: usize = 4_000_000;
 
-/// Frames that a page plays at least, where there are as many.
+/// Smallest number of frames in a page, if there are as many.
 const LEAST_FRAMES: usize = 6;
 
-/// Points of a curve at most.
+/// Largest number of points of a curve.
 const MOST_POINTS: usize = 400;
 
-/// A concentration that is shown.
+/// A displayed concentration.
 struct Quantity {
     name: &'static str,
     /// What it is in a sentence.
@@ -59,10 +59,10 @@ const KINDS: [Quantity; 3] = [
 ];
 
 impl NeuronPage<'_> {
-    /// The page as a file.
+    /// The page as an HTML file.
     ///
     /// # Errors
-    /// [`PageError`] where there is no frame, or a number that is not finite.
+    /// [`PageError`] if there is no frame, or a number is not finite.
     pub fn html(&self) -> Result<String, PageError> {
         let mut page = Page::new(format!("Transport through {}", name(self.path)));
         page.subtitle = Text::from(format!("{}, ", name(self.path)))
@@ -105,7 +105,7 @@ impl NeuronPage<'_> {
         Ok(page.html())
     }
 
-    /// The sum first, then the kinds that there are.
+    /// The sum first, then each kind that occurs.
     fn quantities(&self) -> Vec<Quantity> {
         let is_there = |quantity: &Quantity| {
             self.state.frames.iter().flat_map(|frame| &frame.values).any(|v| (quantity.of)(v) > 0.0)
@@ -114,7 +114,7 @@ impl NeuronPage<'_> {
         if kinds.len() == 1 { kinds } else { std::iter::once(TOTAL).chain(kinds).collect() }
     }
 
-    /// As many frames, evenly chosen, as a page of this size can hold.
+    /// As many evenly spaced frames as a page of this size can hold.
     fn frames(&self, quantities: usize) -> Vec<&Frame> {
         let all = &self.state.frames;
         let most = MOST_VALUES / (self.surface.vertices() * quantities).max(1);
@@ -242,7 +242,7 @@ impl NeuronPage<'_> {
     }
 }
 
-/// Each quantity by itself, and all beside each other.
+/// Each quantity alone, and all side by side.
 fn arrange(page: &mut Page, quantities: &[Quantity], scenes: &[SceneId]) -> Result<(), PageError> {
     let arrangement = |key: &str, text: &str, scenes: &[SceneId]| Arrangement {
         key: key.to_owned(),

@@ -9,11 +9,11 @@ use pompeiu_volume::{FACE_AXES, Faces, Refinement};
 pub struct NeuronSurface {
     pub(super) positions: Vec<[f64; 3]>,
     pub(super) triangles: Vec<[u32; 3]>,
-    /// For each vertex the cells of the faces that have it.
+    /// For each vertex the cells of the faces around it.
     cells: Vec<Vec<u32>>,
 }
 
-/// Faces up to which each one of tricubic cells is drawn as four.
+/// Largest number of faces at which those of tricubic cells are drawn as four each.
 const FEW_FACES: usize = 20_000;
 
 impl NeuronSurface {
@@ -33,7 +33,7 @@ impl NeuronSurface {
         surface
     }
 
-    /// The boundary of tricubic cells, by places on it.
+    /// The boundary of tricubic cells, from points on it.
     pub fn of_flow(cells: &FlowCells) -> Self {
         let parts = if cells.faces().boundary().len() > FEW_FACES { 1 } else { 2 };
         let mut surface = Self::default();
@@ -87,7 +87,7 @@ impl NeuronSurface {
         self.positions.len()
     }
 
-    /// At each vertex the mean of a quantity over the cells there.
+    /// The mean of a quantity over the cells at each vertex.
     pub(super) fn at_vertices(&self, of: impl Fn(usize) -> f64) -> Vec<f64> {
         let mean =
             |cells: &Vec<u32>| cells.iter().map(|&cell| of(cell as usize)).sum::<f64>() / cells.len() as f64;

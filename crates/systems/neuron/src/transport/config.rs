@@ -1,4 +1,4 @@
-//! Configurations: TOML with units, and the parameter files of `NeuronTransportIGA`.
+//! Configuration files: TOML with units, and the parameter files of `NeuronTransportIGA`.
 
 use super::error::TransportError;
 use super::problem::{Parameters, TimeScheme};
@@ -6,11 +6,10 @@ use super::units::Kind;
 use crate::{Drive, FlowParameters, Side};
 use toml_edit::{Document, Item, TableLike, Value};
 
-/// Reads a configuration: TOML, or the pairs of names and values of `NeuronTransportIGA`, whose lengths are micrometres here and whose times
-/// are seconds.
+/// Reads a configuration: TOML, or the name–value pairs of `NeuronTransportIGA`, with lengths in micrometres and times in seconds.
 ///
 /// # Errors
-/// [`TransportError`] with the line: what is no TOML, unknown keys, missing or wrong units, values out of range.
+/// [`TransportError`] with the line: invalid TOML, unknown keys, missing or wrong units, values out of range.
 pub fn read_transport_config(text: &str) -> Result<Parameters, TransportError> {
     let first =
         text.lines().map(str::trim).find(|line| !line.is_empty() && !line.starts_with('#')).unwrap_or("");
@@ -20,7 +19,7 @@ pub fn read_transport_config(text: &str) -> Result<Parameters, TransportError> {
     Ok(parameters)
 }
 
-/// Reads a configuration in TOML; keys that are left out keep their defaults.
+/// Reads a configuration in TOML; missing keys have their defaults.
 fn read_toml(text: &str) -> Result<Parameters, TransportError> {
     let document = Document::parse(text)
         .map_err(|error| TransportError::Syntax(error.to_string().trim_end().to_owned()))?;
@@ -81,7 +80,7 @@ impl Reader<'_> {
     fn quantity(&self, key: &str, item: &Item, kind: Kind) -> Result<f64, TransportError> {
         let number = match item.as_value() {
             Some(Value::String(text)) => kind.parse(text.value()),
-            // Only concentrations have no unit of their own.
+            // Only concentrations may omit the unit.
             Some(Value::Float(x)) if kind == Kind::Concentration => Some(*x.value()),
             Some(Value::Integer(x)) if kind == Kind::Concentration => Some(*x.value() as f64),
             _ => None,
@@ -202,7 +201,7 @@ impl Reader<'_> {
     }
 }
 
-/// Reads pairs of names and values, in any order.
+/// Reads name–value pairs, in any order.
 fn read_pairs(text: &str) -> Result<Parameters, TransportError> {
     const NAMES: &str =
         "D, vplus, vminus, kplus, kminus, k'plus, k'minus, dt, nstep, N0bc, Nplusbc, Nminusbc";
@@ -232,7 +231,7 @@ fn read_pairs(text: &str) -> Result<Parameters, TransportError> {
         match name {
             "D" => p.diffusion = number,
             "vplus" => p.speed_plus = number,
-            // Towards the inlet is below zero there.
+            // There, speeds towards the inlet are negative.
             "vminus" if number <= 0.0 => p.speed_minus = -number,
             "vminus" => return Err(wrong("a number of at most 0")),
             "kplus" => p.attach_plus = number,

@@ -4,17 +4,17 @@ use super::parts::{by_parts, deal};
 use glam::DVec3;
 use pompeiu_volume::{Faces, HexMesh, volume};
 
-/// A mesh as finite volumes.
+/// A finite-volume discretisation of a mesh.
 #[derive(Clone, Debug)]
 pub struct Discretisation {
     /// The volume of each cell.
     pub volumes: Vec<f64>,
-    /// For each inner face its two cells, and what flows from the first to the second for a unit difference of potential and unit
+    /// For each inner face its two cells, and the flux from the first to the second for a unit difference of potential and unit
     /// conductivity.
     pub links: Vec<([u32; 2], f64)>,
     /// For each face on a flat end: the cap, the cell, the area, and the conductance from the cell's centre to the face.
     pub ends: Vec<EndFace>,
-    /// For each cell its part of a partition: what a thread works on. No result depends on it.
+    /// The part of each cell, for parallel work. No result depends on it.
     pub parts: Vec<u32>,
 }
 
@@ -27,7 +27,7 @@ pub struct EndFace {
     pub cell: u32,
     /// Its area.
     pub area: f64,
-    /// From the centre of the cell to the face.
+    /// Conductance from the cell's centre to the face.
     pub conductance: f64,
 }
 
@@ -35,13 +35,13 @@ impl Discretisation {
     /// Two-point fluxes: half conductances `A·d / |d|²` from the centre of a cell to that of a face, in series.
     ///
     /// # Limits
-    /// Exact for fluxes along lines that are orthogonal to faces, as along a straight tube. Where faces are oblique, around nodes, it
-    /// is off by some percent whatever the size of cells; it is conservative and monotone in any case.
+    /// Exact for fluxes along lines orthogonal to faces, as in a straight tube. Where faces are oblique, around nodes, the error is
+    /// some percent whatever the cell size; the scheme is conservative and monotone in any case.
     pub fn new(mesh: &HexMesh, faces: &Faces, labels: &[u32]) -> Self {
         Self::dealt(mesh, faces, labels, deal(mesh.cells().len(), 1, faces))
     }
 
-    /// The same, by parts.
+    /// The same, with given parts.
     pub(super) fn dealt(mesh: &HexMesh, faces: &Faces, labels: &[u32], parts: Vec<u32>) -> Self {
         let cells = mesh.cells();
         let measured = by_parts(parts.iter().copied(), |c| {
@@ -55,7 +55,7 @@ impl Discretisation {
         };
         let half = |cell: u32, centre: DVec3, area: DVec3| {
             let d = centre - centres[cell as usize];
-            // Oblique or not, no conductance is below zero.
+            // Conductances are nonnegative even if faces are oblique.
             let along = area.dot(d).abs().max(1e-3 * area.length() * d.length());
             along / d.length_squared()
         };

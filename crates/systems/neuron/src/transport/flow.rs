@@ -1,21 +1,21 @@
-//! The field of velocity that motors follow: potential flow from the inlet to the tips.
+//! The velocity field of motors: potential flow from the inlet to the tips.
 
 use super::discretisation::Discretisation;
 use super::error::TransportError;
 use pompeiu_solve::{Cholesky, LinearSolver, SparseMatrix};
 
-/// Fluxes through faces, in µm³/s for a mean speed of 1 µm/s at the inlet; in minus out is zero for each cell.
+/// Fluxes through faces, in µm³/s for a mean speed of 1 µm/s at the inlet; they balance in each cell.
 #[derive(Clone, Debug)]
 pub struct FlowField {
-    /// For each link what flows from its first cell to its second.
+    /// For each link the flux from its first cell to its second.
     pub through: Vec<f64>,
-    /// For each face on a flat end what flows out.
+    /// For each face on a flat end the outflow.
     pub out: Vec<f64>,
-    /// The greatest difference between what flows into and out of a cell, relative to the inlet.
+    /// The greatest imbalance of a cell, relative to the inlet.
     pub imbalance: f64,
 }
 
-/// Flow with a potential: unit speed at the inlet, the same potential at all tips, nothing through the wall.
+/// Potential flow: unit speed at the inlet, the same potential at all tips, nothing through the wall.
 ///
 /// # Definition
 /// Fluxes are conductances times differences of the potential, whose sum over the faces of each cell vanishes.
@@ -52,7 +52,7 @@ pub fn potential_flow(mesh: &Discretisation, inlet: u32) -> Result<FlowField, Tr
     let matrix = SparseMatrix::from_triplets(n, n, &entries)?;
     let solver = Cholesky::new(&matrix)?;
     let mut potential = solver.solve(&right)?;
-    // One step of refinement: fluxes are differences of large numbers in a long tree.
+    // One step of iterative refinement: fluxes are differences of large numbers in a long tree.
     let rest: Vec<f64> = matrix.multiply(&potential).iter().zip(&right).map(|(a, b)| b - a).collect();
     let correction = solver.solve(&rest)?;
     potential.iter_mut().zip(correction).for_each(|(p, c)| *p += c);

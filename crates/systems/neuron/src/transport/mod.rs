@@ -1,8 +1,8 @@
 //! Transport of material through a meshed neuron.
 //!
-//! Finite volumes on the hexahedra: concentrations are constant on each cell, material goes through faces, what leaves a cell enters its
-//! neighbour. Advection is upwind and diffusion goes along the lines between cells, so that with backward Euler steps every
-//! concentration is a mean of others with weights that are not negative.
+//! Finite volumes on the hexahedra: concentrations are constant on each cell, and the flux out of a cell is the flux into its
+//! neighbour. Advection is upwind and diffusion uses two-point fluxes, so that with backward Euler steps every concentration is a
+//! weighted mean of others with nonnegative weights.
 
 mod config;
 mod discretisation;

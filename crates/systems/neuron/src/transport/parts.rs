@@ -1,20 +1,20 @@
-//! Cells and faces dealt out to threads: each works on a part of a partition with few faces between parts.
+//! Cells and faces in parts for parallel threads: a partition with few faces between parts.
 
 use pompeiu_volume::{Faces, partition};
 use rayon::prelude::*;
 
-/// Cells of a part, about.
+/// Approximate number of cells of a part.
 const CELLS: usize = 512;
 
-/// Most parts.
+/// Largest number of parts.
 const MOST_PARTS: usize = 8;
 
-/// The part of each cell, where each cell is to be cut into this many. The number of parts depends on these numbers alone.
+/// The part of each cell, if each cell is to be subdivided into `cut`. The number of parts depends on these numbers alone.
 pub(super) fn deal(cells: usize, cut: usize, faces: &Faces) -> Vec<u32> {
     partition(cells, faces, (cells * cut / CELLS).clamp(1, MOST_PARTS))
 }
 
-/// Things by the part that they belong to, each list in order.
+/// The items of each part, each list in order.
 pub(super) fn lists(of: impl Iterator<Item = u32>) -> Vec<Vec<u32>> {
     let mut lists = Vec::new();
     for (k, part) in of.enumerate() {
@@ -26,7 +26,7 @@ pub(super) fn lists(of: impl Iterator<Item = u32>) -> Vec<Vec<u32>> {
     lists
 }
 
-/// A value for each thing: the parts that things belong to are worked on in parallel, with the same bits as one after the other.
+/// A value for each item: parts are processed in parallel, with the same bits as sequentially.
 pub(super) fn by_parts<T: Send>(of: impl Iterator<Item = u32>, value: impl Fn(usize) -> T + Sync) -> Vec<T> {
     let lists = lists(of);
     let found: Vec<Vec<(u32, T)>> =

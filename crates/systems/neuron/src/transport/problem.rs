@@ -1,12 +1,12 @@
-//! What is transported, and how.
+//! Parameters of transport.
 
 use super::error::TransportError;
 use super::run::TransportState;
 use crate::{FlowParameters, Side};
 use pompeiu_core::run::{Limits, ProgressObserver};
 
-/// Material that diffuses freely, n₀, and material on motors that move away from the root, n₊, and towards it, n₋. Micrometres and
-/// seconds.
+/// Parameters of freely diffusing material, n₀, and of material on motors that move away from the inlet, n₊, and towards it, n₋. In
+/// micrometres and seconds.
 ///
 /// # Definition
 /// `∂n₀/∂t = D ∇²n₀ − (k₊ + k₋) n₀ + k′₊ n₊ + k′₋ n₋` and `∂n±/∂t + ∇·(v± n±) = k± n₀ − k′± n±`.
@@ -20,45 +20,45 @@ pub struct Parameters {
     pub speed_plus: f64,
     /// v₋: mean speed at the inlet towards it, in µm/s, at least 0.
     pub speed_minus: f64,
-    /// k₊: rate of attachment to motors away from the root, in 1/s.
+    /// k₊: rate of attachment to motors away from the inlet, in 1/s.
     pub attach_plus: f64,
-    /// k₋.
+    /// k₋: rate of attachment to motors towards the inlet.
     pub attach_minus: f64,
-    /// k′₊: rate of detachment from them, in 1/s.
+    /// k′₊: rate of detachment from motors away from the inlet, in 1/s.
     pub detach_plus: f64,
-    /// k′₋.
+    /// k′₋: rate of detachment from motors towards the inlet.
     pub detach_minus: f64,
-    /// Free material at the inlet; none where the inlet is closed to it.
+    /// Free concentration at the inlet; `None` if the inlet is closed to free material.
     pub inlet_free: Option<f64>,
-    /// Material on motors that comes in at the inlet.
+    /// Concentration on motors entering at the inlet.
     pub inlet_plus: f64,
-    /// Material on motors that comes in at the tips.
+    /// Concentration on motors entering at the tips.
     pub tips_minus: f64,
-    /// Free material at the tips; none where they are closed to it.
+    /// Free concentration at the tips; `None` if they are closed to free material.
     pub tips_free: Option<f64>,
-    /// What is there in the beginning: n₀, n₊, n₋.
+    /// Initial concentrations n₀, n₊, n₋.
     pub initial: [f64; 3],
     /// Length of a step in seconds.
     pub step: f64,
     /// Number of steps.
     pub steps: usize,
-    /// How steps are made.
+    /// The time scheme.
     pub scheme: TimeScheme,
-    /// The sample of the inlet, by its number in the file; the root's flat end where none is given.
+    /// The sample of the inlet, by its number in the file; by default the root's flat end.
     pub inlet: Option<i64>,
-    /// For a mesh without numbered ends, the sides of the box around it that are ends: the inlet first.
+    /// For a mesh without labelled ends, the sides of the bounding box that are ends: the inlet first.
     pub sides: Vec<Side>,
-    /// The fluid that flows, where its flow is solved for.
+    /// The fluid, if its flow is computed.
     pub flow: FlowParameters,
 }
 
-/// How steps in time are made.
+/// Time schemes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum TimeScheme {
     /// Backward Euler.
     #[default]
     First,
-    /// Two stages of second order, limited where they would leave something below zero.
+    /// Two stages of second order, limited where a concentration would become negative.
     Second,
 }
 
@@ -87,16 +87,16 @@ impl Default for Parameters {
     }
 }
 
-/// Most steps.
+/// Largest number of steps.
 const MOST_STEPS: usize = 10_000_000;
 
 impl Parameters {
-    /// All of them but the number of steps, in one line: what a state belongs to.
+    /// All parameters except the number of steps, in one line: identifies the run of a state.
     pub fn line(&self) -> String {
         format!("{:?}", Self { steps: 1, ..self.clone() })
     }
 
-    /// Whether the parameters make sense.
+    /// Checks that the parameters are valid.
     ///
     /// # Errors
     /// [`TransportError::Parameter`].
@@ -141,13 +141,13 @@ impl Parameters {
     }
 }
 
-/// How transport is computed.
+/// Options of transport.
 #[derive(Clone, Default)]
 pub struct TransportOptions<'o> {
-    /// Limits on time and memory. When time runs out, the steps that are done are returned.
+    /// Limits on time and memory. When time runs out, the completed steps are returned.
     pub limits: Limits,
-    /// Is told how many steps are done.
+    /// Receives the number of completed steps.
     pub progress: Option<&'o dyn ProgressObserver>,
-    /// Where to go on: the state at which a run with the same mesh and parameters was ended.
+    /// The state to resume from, of a run with the same mesh and parameters that ended early.
     pub resume: Option<&'o TransportState>,
 }

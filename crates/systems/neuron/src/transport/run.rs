@@ -1,4 +1,4 @@
-//! Steps in time.
+//! Time stepping of transport.
 
 use super::discretisation::Discretisation;
 use super::error::TransportError;
@@ -11,36 +11,36 @@ use crate::{Cap, NeuronMesh};
 use pompeiu_core::run::{Control, Progress, StopReason};
 use std::ops::ControlFlow;
 
-/// What became of the material.
+/// The result of a transport.
 #[derive(Clone, Debug)]
 pub struct Transport {
-    /// What is said of it.
+    /// The report.
     pub report: TransportReport,
-    /// Why it ended: [`StopReason::Steps`] is all steps.
+    /// Why it ended: [`StopReason::Steps`] means all steps were done.
     pub stop: StopReason,
     /// The cap that is the inlet.
     pub inlet: u32,
-    /// What there is after the last step, and on the way to it.
+    /// The state after the last step, with the history.
     pub state: TransportState,
 }
 
-/// What there is after a step: a run goes on from it to the same bits ([`TransportOptions::resume`]).
+/// The state after a step. A run can be resumed from it with the same bits ([`TransportOptions::resume`]).
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct TransportState {
-    /// The step, from 0 for the beginning.
+    /// The step, from 0 for the initial state.
     pub step: usize,
-    /// For each step, the beginning included, and each flat end the mean concentrations n₀, n₊, n₋ over the face.
+    /// For each step, including the initial state, and each flat end: the mean concentrations n₀, n₊, n₋ over its faces.
     pub ends: Vec<Vec<[f64; 3]>>,
     /// The whole field at some steps.
     pub frames: Vec<Frame>,
-    /// The field, kinds of a cell beside each other.
+    /// The field; the kinds of a cell are adjacent.
     values: Vec<f64>,
     book: Book,
 }
 
 impl TransportState {
-    /// Whether it belongs to a mesh with this many cells and ends, and is not beyond the last step.
+    /// Checks that it belongs to a mesh with this many cells and ends, and is not beyond the last step.
     fn check(&self, cells: usize, caps: usize, steps: usize) -> Result<(), TransportError> {
         let wrong = |what, found, expected| Err(TransportError::State { what, found, expected });
         if self.values.len() != 3 * cells {
@@ -66,7 +66,7 @@ impl TransportState {
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Frame {
-    /// The step, from 0 for the beginning.
+    /// The step, from 0 for the initial state.
     pub step: usize,
     /// The time in seconds.
     pub time: f64,
@@ -74,21 +74,21 @@ pub struct Frame {
     pub values: Vec<[f64; 3]>,
 }
 
-/// What is said of transport.
+/// The report of a transport.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct TransportReport {
     /// Number of steps done.
     pub steps: usize,
-    /// The greatest error of the balance of a step: change of mass minus what came in through the ends, relative to all that is there or
-    /// has gone through the ends so far.
+    /// The greatest mass balance error of a step: change of mass minus net inflow through the ends, relative to the mass present
+    /// plus that which has passed the ends so far.
     pub mass_balance: f64,
-    /// The least concentration of any kind, cell and step.
+    /// The least concentration over all kinds, cells and steps.
     pub minimum: f64,
-    /// The greatest.
+    /// The greatest concentration.
     pub maximum: f64,
-    /// The flat ends beside the inlet, after the last step.
+    /// The flat ends other than the inlet, after the last step.
     pub tips: Vec<TipReport>,
 }
 
@@ -107,27 +107,27 @@ pub struct TipReport {
     pub minus: f64,
 }
 
-/// Bytes that factors take for each cell, estimated from long branches of twenty cells to a section.
+/// Memory of factors per cell in bytes, estimated for long branches with twenty cells per section.
 const BYTES_PER_CELL: usize = 24 << 10;
 
-/// Bytes that are taken at most where no limit is given.
+/// Largest memory if no limit is given, in bytes.
 const MOST_BYTES: usize = 8 << 30;
 
-/// Transports material through a mesh, and keeps the field at this many steps, the first and the last among them.
+/// Computes transport through a mesh, and stores the field at this many steps, including the first and the last.
 ///
 /// # Shapes and units
 /// Micrometres, seconds; concentrations in the unit of the parameters.
 /// # Definition
-/// See [`Parameters`]. Motors follow the potential flow from the inlet to the tips, [`potential_flow`], at their own speeds. The wall is
-/// closed. At the inlet and the tips material on motors leaves with the concentration of the last cell.
+/// See [`Parameters`]. Motors follow the potential flow from the inlet to the tips, [`potential_flow`], at their own speeds. The
+/// wall is closed. At the inlet and the tips, material on motors leaves with the concentration of the last cell.
 /// # Accuracy
-/// Upwind: of first order in the length of cells. Of first order in the step (backward Euler), or of second: the two stages of Alexander,
-/// damped for all rates; where they leave something below zero, fluxes are mixed with those of first order. No concentration is negative
-/// but for the rounding of one solve, and mass is conserved to that.
+/// Upwind: first order in the cell length. In the time step first order (backward Euler), or second order: the two stages of
+/// Alexander, L-stable; where a concentration would become negative, fluxes are blended with those of first order. Concentrations
+/// are nonnegative and mass is conserved, both up to the rounding of one solve.
 /// # Errors
 /// [`TransportError`].
 /// # Cost
-/// One factorization of three unknowns a cell, then one solve a step; two of each of second order.
+/// One factorization with three unknowns per cell, then one solve per step; twice as much for second order.
 /// # Source
 /// Stages: `alexander_diagonally_1977`. Limited fluxes: `zalesak_fully_1979`.
 pub fn transport(
@@ -146,11 +146,11 @@ pub fn transport(
     run(&system, &mesh.caps, frames, options, &control)
 }
 
-/// Transports material along a viscous flow, at the speeds of the parameters, and keeps the field at this many steps, the first and the
-/// last among them. The inlet is that of the flow.
+/// Computes transport along a viscous flow, at the speeds of the parameters, and stores the field at this many steps, including the
+/// first and the last. The inlet is that of the flow.
 ///
 /// # Definition
-/// That of [`transport`], with the velocity of the flow at a mean speed of one at the inlet times that of the motors.
+/// As [`transport`], with the velocity of the flow, scaled to a mean speed of one at the inlet, times that of the motors.
 /// # Errors
 /// [`TransportError`].
 /// # Cost
@@ -198,7 +198,7 @@ fn run(
     let mut state = if let Some(state) = options.resume {
         state.check(cells, caps.len(), parameters.steps)?;
         let mut state = state.clone();
-        // The last one of a run that was ended early may be none of those asked for.
+        // The last step of a run that ended early may not be one of those to be stored.
         state.frames.retain(|frame| keep(frame.step));
         state
     } else {
@@ -257,7 +257,7 @@ fn inlet(mesh: &NeuronMesh, parameters: &Parameters) -> Result<u32, TransportErr
     }
 }
 
-/// The balance of mass, step by step.
+/// The mass balance, step by step.
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 struct Book {

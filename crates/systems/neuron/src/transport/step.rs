@@ -1,4 +1,4 @@
-//! A step in time: of first order, or of second order where that leaves no concentration below zero.
+//! A time step: of first order, or of second order where no concentration becomes negative.
 
 use super::error::TransportError;
 use super::problem::TimeScheme;
@@ -8,16 +8,16 @@ use pompeiu_solve::{LinearSolver, Lu};
 /// γ of the two stages: 1 − 1/√2.
 const GAMMA: f64 = 1.0 - std::f64::consts::FRAC_1_SQRT_2;
 
-/// A step that was made.
+/// A completed step.
 pub(super) struct Stepped {
     pub(super) values: Vec<f64>,
-    /// What came in through all ends.
+    /// Net inflow through all ends.
     pub(super) net: f64,
-    /// What went through them either way.
+    /// Absolute flux through all ends.
     pub(super) gross: f64,
 }
 
-/// Makes steps, with matrices that are factored once.
+/// Makes steps with matrices that are factored once.
 pub(super) struct Stepper<'s> {
     system: &'s System<'s>,
     source: Vec<f64>,
@@ -26,7 +26,7 @@ pub(super) struct Stepper<'s> {
 
 enum Scheme {
     First(Lu),
-    /// Both stages have one matrix. That of first order is factored when it is needed for the first time.
+    /// Both stages have the same matrix. That of first order is factored when it is first needed.
     Second {
         stages: Lu,
         first: Option<Box<Lu>>,
@@ -90,8 +90,8 @@ impl<'s> Stepper<'s> {
     }
 }
 
-/// The step of first order, with as much of what the fluxes of second order differ from its own as leaves nothing below zero: the limiter
-/// of Zalesak, for the lower bound alone.
+/// The first-order step plus as much of the difference to second-order fluxes as keeps concentrations nonnegative: Zalesak's
+/// limiter with the lower bound only.
 fn limited(system: &System<'_>, low: &[f64], high: [(&[f64], f64); 2]) -> Stepped {
     let step = system.parameters.step;
     let mut fluxes = Vec::new();

@@ -1,4 +1,4 @@
-//! The equations of transport on finite volumes, and what flows between unknowns.
+//! The finite-volume equations of transport, and the fluxes between unknowns.
 
 use super::discretisation::Discretisation;
 use super::error::TransportError;
@@ -8,7 +8,7 @@ use super::problem::Parameters;
 use pompeiu_solve::SparseMatrix;
 use rayon::prelude::*;
 
-/// A row, a column, and what is added there.
+/// A row, a column, and the value added there.
 type Entry = (usize, usize, f64);
 
 /// The equations: unknown `3 i + s` is kind s in cell i.
@@ -19,7 +19,7 @@ pub(super) struct System<'s> {
     pub(super) inlet: u32,
 }
 
-/// What flows from one unknown to another in a second; none is outside of the mesh.
+/// A flux from one unknown to another per second; `None` is the outside.
 pub(super) struct Flux {
     pub(super) from: Option<usize>,
     pub(super) to: Option<usize>,
@@ -32,7 +32,7 @@ impl System<'_> {
         [(1, self.parameters.speed_plus), (2, -self.parameters.speed_minus)]
     }
 
-    /// Free material at an end, and what comes in on motors.
+    /// The given free concentration at an end, and the incoming concentrations on motors.
     fn given(&self, cap: u32) -> (Option<f64>, [f64; 3]) {
         let p = self.parameters;
         if cap == self.inlet {
@@ -42,8 +42,7 @@ impl System<'_> {
         }
     }
 
-    /// Volumes times a rate, in 1/s, and what leaves each unknown for others. Each part of the partition has a thread that assembles its
-    /// rows.
+    /// Volumes times a rate, in 1/s, plus the outflow of each unknown. Each part of the partition is assembled by one thread.
     pub(super) fn matrix(&self, rate: f64) -> Result<SparseMatrix, TransportError> {
         let n = 3 * self.mesh.volumes.len();
         let parts = &self.mesh.parts;
@@ -75,7 +74,7 @@ impl System<'_> {
         Ok(SparseMatrix::from_triplets(n, n, &entries)?)
     }
 
-    /// The rows of the cells of a part, without what leaves through ends: entries of one place are in the same order for any parts.
+    /// The rows of the cells of a part, without outflow through ends; entries at one place are in the same order for any parts.
     fn rows(&self, part: u32, cells: &[u32], links: &[u32], rate: f64) -> Vec<Entry> {
         let p = self.parameters;
         let mut entries = Vec::with_capacity(7 * cells.len() + 12 * links.len());
@@ -100,7 +99,7 @@ impl System<'_> {
             [(a, a, d), (a, b, -d), (b, b, d), (b, a, -d)].into_iter().for_each(&mut add);
             for (kind, speed) in self.speeds() {
                 let q = speed * self.flow.through[k as usize];
-                // From where it comes to where it goes.
+                // From the source to the destination.
                 let (from, to) = if q > 0.0 { (a + kind, b + kind) } else { (b + kind, a + kind) };
                 [(from, from, q.abs()), (to, from, -q.abs())].into_iter().for_each(&mut add);
             }
@@ -108,7 +107,7 @@ impl System<'_> {
         entries
     }
 
-    /// What comes in through the ends whatever is there.
+    /// The inflow through the ends that does not depend on the state.
     pub(super) fn source(&self) -> Vec<f64> {
         let mut source = vec![0.0; 3 * self.mesh.volumes.len()];
         for (end, &out) in self.mesh.ends.iter().zip(&self.flow.out) {
@@ -124,7 +123,7 @@ impl System<'_> {
         source
     }
 
-    /// What flows between unknowns and through the ends: always the same list, in the same order.
+    /// The fluxes between unknowns and through the ends: always the same list, in the same order.
     pub(super) fn each_flux(&self, values: &[f64], mut act: impl FnMut(Flux)) {
         let p = self.parameters;
         let mut between = |from: usize, to: usize, amount: f64| {
@@ -147,7 +146,7 @@ impl System<'_> {
         self.each_end_flux(values, act);
     }
 
-    /// What flows through the ends.
+    /// The fluxes through the ends.
     pub(super) fn each_end_flux(&self, values: &[f64], mut act: impl FnMut(Flux)) {
         for (end, &out) in self.mesh.ends.iter().zip(&self.flow.out) {
             let at = 3 * end.cell as usize;
@@ -173,7 +172,7 @@ impl System<'_> {
         values.iter().enumerate().map(|(k, x)| self.volume(k) * x).sum()
     }
 
-    /// Mean concentrations over the faces on each flat end.
+    /// Mean concentrations over the faces of each flat end.
     pub(super) fn at_ends(&self, values: &[f64], caps: usize) -> Vec<[f64; 3]> {
         let mut sums = vec![([0.0; 3], 0.0); caps];
         for end in &self.mesh.ends {

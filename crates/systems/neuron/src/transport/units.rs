@@ -50,7 +50,7 @@ impl Kind {
         }
     }
 
-    /// The factor of a unit; none where it is no unit of the kind.
+    /// The factor of a unit; `None` if it is no unit of the kind.
     fn factor(self, unit: &str) -> Option<f64> {
         let find = |list: &[(&str, f64)], name: &str| list.iter().find(|(n, _)| *n == name).map(|(_, f)| *f);
         let length = |name: &str| find(&LENGTHS, name);
@@ -91,7 +91,7 @@ impl Kind {
     }
 }
 
-/// Whether an e belongs to a number.
+/// Whether an e is part of a number.
 fn is_exponent(text: &str, at: usize, c: char) -> bool {
     let after = text[at..].chars().nth(1);
     matches!(c, 'e' | 'E') && at > 0 && after.is_some_and(|c| c.is_ascii_digit() || "+-".contains(c))

@@ -1,4 +1,4 @@
-//! Transport along a viscous flow, in the parts of its cells.
+//! Transport along a viscous flow, on subdivided cells.
 
 use super::discretisation::{Discretisation, EndFace};
 use super::error::TransportError;
@@ -12,7 +12,7 @@ use pompeiu_solve::{Cholesky, LinearSolver, SparseMatrix};
 use pompeiu_volume::bernstein::value;
 use pompeiu_volume::{BezierMesh, FACE_AXES, Faces, InnerFace, bezier_volume, face_flux, face_points};
 
-/// The cells of a flow, cut into parts, with what flows through their faces.
+/// The cells of a flow, subdivided, with the fluxes through their faces.
 #[derive(Clone, Debug)]
 pub struct FlowCells {
     mesh: BezierMesh,
@@ -24,13 +24,14 @@ pub struct FlowCells {
 }
 
 impl FlowCells {
-    /// Cuts each cell of the flow into `parts` along each edge, 1 to 8.
+    /// Subdivides each cell of the flow into `parts` along each edge, 1 to 8.
     ///
     /// # Accuracy
-    /// Volumes, areas and fluxes are those of the tricubic cells, exact but for rounding. Parts of a cell of the flow keep their volume
-    /// up to what the pressure does not resolve; the least change of fluxes, weighted by conductances, makes up for that.
+    /// Volumes, areas and fluxes are those of the tricubic cells, exact but for rounding. The flow conserves the volume of
+    /// subdivided cells only up to what the pressure resolves; the least change of fluxes, weighted by conductances, corrects the
+    /// rest.
     /// # Errors
-    /// [`TransportError::Parameter`] for other parts, or where nothing flows through the inlet; [`TransportError::Solve`].
+    /// [`TransportError::Parameter`] for invalid `parts`, or if there is no flow through the inlet; [`TransportError::Solve`].
     pub fn new(flow: &Flow, parts: usize) -> Result<Self, TransportError> {
         if !(1..=8).contains(&parts) {
             let value = parts as f64;
@@ -40,7 +41,7 @@ impl FlowCells {
         let velocity = fields.pop().unwrap_or_default();
         let faces = Faces::new(&mesh.corner_mesh()?)?;
         let labels = labels_of_parts(&flow.faces, &flow.labels, &faces, parts);
-        // Cells stay in the part of the cell that they are cut from.
+        // Subdivided cells stay in the part of their cell.
         let dealt = deal(flow.mesh.cells().len(), parts.pow(3), &flow.faces);
         let dealt: Vec<u32> =
             dealt.into_iter().flat_map(|part| std::iter::repeat_n(part, parts.pow(3))).collect();
@@ -48,7 +49,7 @@ impl FlowCells {
             let points = mesh.control(cell);
             (bezier_volume(&points), value(&points, [0.5; 3]))
         });
-        // The middle of a face, its area, and what flows out there.
+        // The centre of a face, its area, and the outflow there.
         let face = |cell: u32, place: u8| {
             let points = mesh.control(cell as usize);
             let (axis, side, _) = FACE_AXES[place as usize];
@@ -107,7 +108,7 @@ impl FlowCells {
         &self.faces
     }
 
-    /// Concentrations of each cell as a VTK XML unstructured grid: `total`, `free`, `plus` and `minus`, of Bézier hexahedra, or of
+    /// Concentrations of each cell as a VTK XML unstructured grid: `total`, `free`, `plus` and `minus`, as Bézier hexahedra or as
     /// trilinear cells.
     ///
     /// # Errors
@@ -119,7 +120,7 @@ impl FlowCells {
     }
 }
 
-/// The labels of boundary faces of cells cut into parts, from those of the cells.
+/// The labels of boundary faces of subdivided cells, from those of the cells.
 pub(crate) fn labels_of_parts(faces: &Faces, labels: &[u32], fine: &Faces, parts: usize) -> Vec<u32> {
     let of: std::collections::HashMap<(u32, u8), u32> =
         faces.boundary().iter().zip(labels).map(|(face, &label)| ((face.cell, face.place), label)).collect();
@@ -128,8 +129,8 @@ pub(crate) fn labels_of_parts(faces: &Faces, labels: &[u32], fine: &Faces, parts
     fine.boundary().iter().map(|face| label(face.cell, face.place)).collect()
 }
 
-/// Fluxes that balance in every cell, with a mean speed of one at the inlet: what flows at the ends stays, and differences of a potential
-/// are added between cells.
+/// Fluxes that balance in every cell, with a mean speed of one at the inlet: fluxes at the ends are kept, and differences of a
+/// potential are added between cells.
 fn balanced(
     mesh: &Discretisation,
     mut through: Vec<f64>,
@@ -164,14 +165,14 @@ fn balanced(
         let (a, b) = (a as usize, b as usize);
         entries.extend([(a, a, c), (b, b, c), (a, b, -c), (b, a, -c)]);
     }
-    // One cell of each part that hangs together holds the potential.
+    // In each connected component, one cell fixes the potential.
     let mut joined = UnionFind::new(n);
     for &([a, b], _) in &mesh.links {
         joined.union(a as usize, b as usize);
     }
     entries.extend((0..n).filter(|&k| joined.find(k) == k).map(|k| (k, k, 1.0)));
     let solver = Cholesky::new(&SparseMatrix::from_triplets(n, n, &entries)?)?;
-    // The second time for what rounding left.
+    // The second pass removes the rounding errors of the first.
     for _ in 0..2 {
         let mut potential: Vec<f64> = net(&through).iter().map(|x| -x).collect();
         solver.solve_in_place(&mut potential)?;

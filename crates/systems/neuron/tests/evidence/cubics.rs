@@ -33,7 +33,7 @@ fn straight_tubes_have_the_volume_and_the_wall_of_the_cylinder() {
     // The tubes have 64 sides; the triangles are 8 to each side of a patch.
     assert!(distance.upper < 0.02 * 1.5, "{distance:?}");
     assert!(found.report.min_scaled_jacobian > 0.8, "{:?}", found.report);
-    // A frustum, whose sections are scaled alike, and which cubics along it follow exactly.
+    // A frustum: its sections are similar, and cubics along it represent it exactly.
     let cone = cubic("1 2 0 0 0 1 -1\n2 2 30 0 0 2 1\n", &quick());
     assert!((cone.mesh.volume() / (PI * 30.0 * 7.0 / 3.0) - 1.0).abs() < 1e-12);
 }

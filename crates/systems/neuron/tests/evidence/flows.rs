@@ -1,4 +1,4 @@
-//! Flow: Poiseuille, a manufactured solution, a network of tubes, conservation through every section, refusals.
+//! Flow: Poiseuille, a manufactured solution, a network of tubes, conservation through every section, rejected input.
 
 use glam::DVec3;
 use pompeiu_core::run::{Control, Limits};
@@ -45,12 +45,12 @@ fn a_long_tube_has_the_profile_and_the_pressure_of_poiseuille() {
     let core = found.mesh.cells()[0].map(|v| found.velocity[v as usize]);
     let greatest = value(&core, [0.5; 3]).length();
     assert!((greatest - 2.0).abs() < 0.01, "{greatest}");
-    // With a pressure at the inlet, the same flux for the same drop.
+    // With a pressure at the inlet, the same flux for the same pressure drop.
     let driven = FlowParameters { drive: Drive::Pressure(expected), ..FlowParameters::default() };
     let found = flow(&mesh, &driven);
     let flux = found.ends.iter().find(|end| end.sample == 2).unwrap().flux;
     assert!((flux / (PI * 0.25) - 1.0).abs() < 2e-3, "{flux}");
-    // Backwards, with the pressure at the other end.
+    // Reversed, with the pressure at the other end.
     let back = FlowParameters {
         drive: Drive::Pressure(0.0),
         pressures: vec![(2, expected)],
@@ -71,14 +71,14 @@ fn cells_of_any_size_keep_the_pressure_and_the_balance() {
         (found.report.pressure_drop / (8.0 * 1e-3 * 2.0) - 1.0).abs()
     };
     let (coarse, fine) = (drop(1), drop(2));
-    // What remains is the rim, which is no exact circle.
+    // The rest is due to the rim, which is not an exact circle.
     assert!(coarse < 2e-4 && fine < 2e-4, "{coarse:e} {fine:e}");
 }
 
 #[test]
 fn a_furcation_divides_the_flow_as_a_network_of_tubes_does() {
     let found = flow(&FORKED, &FlowParameters::default());
-    // Tubes of Hagen and Poiseuille, whose radii change along them: ∫ ds / R⁴.
+    // Hagen–Poiseuille tubes whose radii vary along them: ∫ ds / R⁴.
     let tube = |from: [f64; 4], to: [f64; 4]| -> f64 {
         let length = (0..3).map(|k| (to[k] - from[k]).powi(2)).sum::<f64>().sqrt();
         let n = 1000.0_f64;
@@ -254,7 +254,7 @@ fn transport_along_a_viscous_flow_keeps_mass_and_bounds() {
     assert!(moved.report.mass_balance < 1e-10 && moved.report.minimum >= -1e-10, "{:?}", moved.report);
     assert!(moved.report.maximum < 4.0 && moved.report.maximum > 1.0, "{:?}", moved.report);
     assert_eq!(moved.state.frames[2].values.len(), cells.cells());
-    // Nothing but motors, which fill what they reach and no more: bounds, as the fluxes balance.
+    // Only motors: they fill what they reach within bounds, because the fluxes balance.
     let only = Parameters {
         diffusion: 0.0,
         attach_plus: 0.0,

@@ -1,4 +1,4 @@
-//! Meshes from elsewhere: heat in a block and in a rod, flow through a duct, labels, refusals; the page.
+//! Imported meshes: heat in a block and in a rod, flow through a duct, labels, rejected input; the page.
 
 use glam::DVec3;
 use pompeiu_core::run::Limits;
@@ -37,7 +37,7 @@ fn heat_in_a_block_becomes_linear_between_its_sides() {
 
 #[test]
 fn a_rod_with_labels_has_ends_whatever_stands_at_their_rims() {
-    // A quarter turn, as others ship rods: numbers at vertices, the wall's or the end's at the rim.
+    // A rod bent by a quarter turn, as in files of others: labels at vertices, at the rim those of the wall or the end.
     let rod = |p: DVec3| {
         let angle = p.z * 0.5;
         DVec3::new((5.0 + p.x) * angle.cos(), p.y, (5.0 + p.x) * angle.sin())
@@ -82,7 +82,7 @@ fn flow_through_a_square_duct_is_that_of_the_series() {
     let mesh = CubicMesh::from_hexahedra(&grid, Ends::Sides(&sides), &Limits::default()).unwrap();
     let parameters = FlowParameters { drive: Drive::Pressure(1.0), ..FlowParameters::default() };
     let flow = neuron_flow(&mesh, &parameters, &FlowOptions::default()).unwrap();
-    // 0.035144 a⁴ Δp / (μ L): the series of Boussinesq, to what four cells to a section resolve.
+    // 0.035144 a⁴ Δp / (μ L): the series of Boussinesq, as far as four cells per section resolve it.
     let expected = 0.035_144_25 / (1e-3 * 3.0);
     assert!((flow.ends[1].flux / expected - 1.0).abs() < 6e-4, "{} {expected}", flow.ends[1].flux);
     assert!(flow.report.section_flux_drift < 1e-10 && flow.report.wall_leak < 1e-14);

@@ -1,4 +1,4 @@
-//! Evidence for what is said of neurons.
+//! Evidence for the results on neurons.
 
 #![allow(clippy::unwrap_used, reason = "tests may panic")]
 

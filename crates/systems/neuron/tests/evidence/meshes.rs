@@ -1,4 +1,4 @@
-//! Meshes: closed forms, conformity, certificates, stress, refusals, the same bits at any number of threads.
+//! Meshes: closed forms, conformity, certificates, difficult cases, rejected input, the same bits at any number of threads.
 
 use pompeiu_core::run::{Limits, StopReason};
 use pompeiu_neuron::{MeshError, MeshOptions, NeuronMesh, Skeleton, mesh_neuron, read_swc};
@@ -55,7 +55,7 @@ fn a_straight_tube_has_the_volume_of_the_cylinder() {
         assert_eq!((on(1), on(2)), (cells, cells));
         assert_eq!((found.caps[0].sample, found.caps[0].is_root), (1, true));
     }
-    // A frustum, whose sections are scaled alike.
+    // A frustum, whose sections are similar.
     let cone = mesh("1 2 0 0 0 1 -1\n2 2 30 0 0 2 1\n", &quick());
     assert!((total(&cone) / (PI * 30.0 * 7.0 / 3.0) - 1.0).abs() < 1e-12);
 }

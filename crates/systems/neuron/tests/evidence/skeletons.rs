@@ -1,4 +1,4 @@
-//! Skeletons in all their dialects, what is wrong with them, and what repairs and smoothing do.
+//! Skeletons in all dialects, their defects, repairs and smoothing.
 
 use pompeiu_neuron::{
     ProblemKind, Skeleton, SkeletonReport, SmoothOptions, Soma, SwcError, SwcRow, problems, read_swc, smooth,
@@ -94,7 +94,7 @@ fn repairs_are_done_when_asked_and_told() {
     assert!(again.is_empty(), "a repaired skeleton needs no repair");
     let short = read_swc(b"1 2 0 0 0 3 -1\n2 2 9 0 0 3 1\n3 2 19 0 0 3 2\n4 2 9 2 0 1 2\n").unwrap();
     let (skeleton, repairs) = Skeleton::repaired(&short).unwrap();
-    // The furcation is none any more.
+    // The furcation no longer exists.
     assert_eq!((skeleton.branches().len(), repairs.len()), (1, 1));
 }
 
@@ -128,7 +128,7 @@ fn overlaps_are_those_of_tubes_and_not_of_samples() {
     assert_eq!((overlap.branch, overlap.other_branch), (Some(0), Some(1)));
     assert!((overlap.value - 0.3).abs() < 1e-9, "{}", overlap.value);
     assert!(kinds(&crossing(1.6)).iter().all(|(kind, _)| *kind != ProblemKind::Overlap));
-    // A branch that comes back to its neighbour after it has left it.
+    // A branch that returns to its neighbour after leaving it.
     let back = "1 2 0 0 0 1 -1\n2 2 10 0 0 1 1\n3 2 20 0 0 1 2\n4 2 30 0 0 1 3\n5 2 40 0 0 1 4\n6 2 10 6 0 1 2\n7 2 25 6 0 1 6\n8 2 25 1 0 1 7\n";
     let found = problems(&skeleton(back));
     assert!(
@@ -210,7 +210,7 @@ fn damaged_bytes_never_panic() {
     }
 }
 
-/// What the skeletons of a peer are, counted from its files; left out where they are not present.
+/// Properties of another program's skeletons, counted from its files; skipped if they are not present.
 #[test]
 fn skeletons_of_neurons() {
     let folder = std::env::var("POMPEIU_DATA").unwrap_or_else(|_| "../../../../shared/data".to_owned());

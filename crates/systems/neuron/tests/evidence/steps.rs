@@ -1,4 +1,4 @@
-//! Steps in time: of second order, without negative concentrations, and gone on with to the same bits.
+//! Time steps of second order: nonnegative concentrations, and resuming with the same bits.
 
 use pompeiu_core::run::{Progress, StopReason};
 use pompeiu_neuron::{
@@ -42,7 +42,7 @@ fn the_second_order_is_seen_in_exchange_and_along_a_tube() {
     let ratio = |scheme: TimeScheme| error(scheme, 10) / error(scheme, 20);
     assert!((ratio(TimeScheme::First) - 2.0).abs() < 0.1, "{}", ratio(TimeScheme::First));
     assert!((ratio(TimeScheme::Second) - 4.0).abs() < 0.3, "{}", ratio(TimeScheme::Second));
-    // With motors and diffusion, beside ten times as many steps.
+    // With motors and diffusion, compared with ten times as many steps.
     let at = |scheme: TimeScheme, steps: usize| {
         let parameters = Parameters {
             scheme,

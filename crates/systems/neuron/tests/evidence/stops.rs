@@ -1,4 +1,4 @@
-//! Stages that are ended early: at once, and somewhere on the way.
+//! Stages that are ended early: immediately, and during the computation.
 
 use crate::flows::{FORK, FORKED};
 use pompeiu_core::run::{CancelToken, Limits, Progress, StopReason};
@@ -15,7 +15,7 @@ fn skeleton() -> Skeleton {
     Skeleton::new(&read_swc(FORK.as_bytes()).unwrap()).unwrap()
 }
 
-/// What each stage says under limits.
+/// The result of each stage under limits.
 fn all(limits: &Limits) -> Vec<Result<(), String>> {
     let options = || MeshOptions { limits: limits.clone(), ..MeshOptions::default() };
     let mesh = |error: MeshError| error.to_string();
@@ -50,7 +50,7 @@ fn every_stage_says_what_ended_it() {
 
 #[test]
 fn stages_end_wherever_they_are() {
-    // Cancelled on the way: all of it, or the statement that it was ended, and nothing in between.
+    // Cancelled during the computation: either the complete result or the error, nothing in between.
     let cancelled = |work: &(dyn Fn(&Limits) + Sync)| {
         for milliseconds in [20, 100] {
             let token = CancelToken::default();

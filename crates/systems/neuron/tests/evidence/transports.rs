@@ -1,4 +1,4 @@
-//! Transport: closed forms, balance of mass, bounds, exchange, configurations, refusals.
+//! Transport: closed forms, mass balance, bounds, exchange, configurations, rejected input.
 
 use pompeiu_core::run::{Limits, StopReason};
 use pompeiu_neuron::{
@@ -31,7 +31,7 @@ fn run(mesh: &NeuronMesh, parameters: &Parameters) -> Transport {
     found
 }
 
-/// Nothing moves, attaches or comes in.
+/// Nothing moves, attaches or enters.
 fn still() -> Parameters {
     Parameters {
         speed_plus: 0.0,
@@ -43,7 +43,7 @@ fn still() -> Parameters {
     }
 }
 
-/// The places of cells along the tube, with a value each.
+/// The positions of cells along the tube, each with a value.
 fn along(mesh: &NeuronMesh, values: &[[f64; 3]], kind: usize) -> Vec<(f64, f64)> {
     let place = |&cell: &[u32; 8]| mesh.mesh.corners(cell).iter().map(|p| p.x).sum::<f64>() / 8.0;
     mesh.mesh.cells().iter().map(place).zip(values.iter().map(|v| v[kind])).collect()
@@ -71,7 +71,7 @@ fn diffusion_from_one_end_follows_the_error_function() {
         along(&mesh, &found.state.frames.last().unwrap().values, 0).into_iter().map(error).fold(0.0, f64::max)
     };
     let (coarse, fine) = (error_at(0.8, 20), error_at(0.4, 80));
-    // The step is quartered where the layer is halved: both errors fall by four.
+    // The step is quartered when the layer is halved: both errors decrease by a factor of four.
     assert!(coarse < 0.02 && fine < 0.35 * coarse, "{coarse} {fine}");
 }
 
@@ -81,7 +81,7 @@ fn fronts_move_with_the_motors_and_never_undershoot() {
     let parameters = Parameters { speed_plus: 1.0, inlet_plus: 2.0, step: 0.025, steps: 200, ..still() };
     let found = run(&mesh, &parameters);
     assert!(found.report.minimum >= -1e-12 && found.report.maximum <= 2.0 + 1e-12, "{:?}", found.report);
-    // After 5 s what is in the tube is what came in: half of its length is full, and the front is in the middle.
+    // After 5 s the content of the tube is the inflow: half of its length is filled, with the front in the middle.
     let values = along(&mesh, &found.state.frames.last().unwrap().values, 1);
     let mean: f64 = values.iter().map(|v| v.1).sum::<f64>() / values.len() as f64;
     assert!((mean - 1.0).abs() < 0.01, "{mean}");
@@ -112,7 +112,7 @@ fn exchange_ends_in_equilibrium_at_the_sum_of_the_rates() {
     let expected = 0.4 + 0.6 * libm::exp(-1.0);
     assert!((found.report.tips[0].free - expected).abs() < 3e-4, "{}", found.report.tips[0].free);
     assert!((found.report.tips[0].free + found.report.tips[0].plus - 1.0).abs() < 1e-12);
-    // Motors towards the inlet exchange alike.
+    // Motors towards the inlet exchange likewise.
     let back =
         Parameters { attach_plus: 0.0, detach_plus: 0.0, attach_minus: 0.6, detach_minus: 0.4, ..parameters };
     assert!((run(&mesh, &back).report.tips[0].minus - found.report.tips[0].plus).abs() < 1e-12);
@@ -156,7 +156,7 @@ fn mass_is_kept_through_a_furcation_in_both_directions() {
     assert!(found.report.minimum >= 0.0, "{:e}", found.report.minimum);
     assert_eq!(found.report.tips.iter().map(|tip| tip.sample).collect::<Vec<_>>(), [3, 4]);
     assert_eq!((found.state.ends.len(), found.state.frames.len()), (41, 3));
-    // A closed neuron keeps what it has.
+    // A closed neuron keeps its content.
     let closed = Parameters {
         diffusion: 2.0,
         initial: [1.0, 0.0, 0.0],
@@ -239,7 +239,7 @@ fn what_cannot_be_transported_is_refused() {
     assert!(matches!(error, TransportError::Memory { .. }), "{error}");
     // The other end may be the inlet, too.
     assert!(transport(&mesh, &with(2), 2, &TransportOptions::default()).is_ok());
-    // No time is no error: what is done is returned.
+    // Running out of time is no error: the completed steps are returned.
     let now = Limits { time: Some(std::time::Duration::ZERO), ..Limits::default() };
     let options = TransportOptions { limits: now, ..TransportOptions::default() };
     let found = transport(&mesh, &Parameters::default(), 2, &options).unwrap();
