@@ -55,7 +55,7 @@ class Session:
         after = resource.getrusage(resource.RUSAGE_CHILDREN)
         if not done.stdout:
             raise RuntimeError(f"{' '.join(words)}: {done.stderr.strip()}")
-        answer = json.loads(done.stdout)
+        answer = json.loads(done.stdout)["report"]
         cpu = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
         timing = answer["timing_ms"]
         spent = (timing["total"] - timing.get("check", 0)) / 1000

@@ -17,6 +17,14 @@ _Limits = tuple[Optional[int], Optional[float], Optional[int]]
 _Options = dict[str, Any]
 _Beside = dict[str, Any]
 
+def ask(
+    name: str,
+    meshes: Sequence[Mesh],
+    options: str,
+    limits: _Limits,
+    progress: Optional[Callable[..., Optional[bool]]],
+) -> tuple[str, dict[str, Any]]: ...
+
 class Mesh:
     def __new__(cls, vertices: ArrayLike, faces: ArrayLike) -> Mesh: ...
     @property
@@ -241,20 +249,9 @@ def distance_matrix(
     meshes: list[Mesh], width: tuple[float, str], most: _Limits, progress: _Steps
 ) -> _Matrix: ...
 def matrix_entries(to: Mesh, from_: list[Mesh], width: tuple[float, str], threads: int) -> list[str]: ...
-def cut(mesh: Mesh, cutting: _Options) -> tuple[Mesh, tuple[NDArray[np.uint32], NDArray[np.uint32]]]: ...
 def straighten(
     mesh: Mesh, edges: list[list[int]]
 ) -> tuple[Mesh, NDArray[np.uint32], NDArray[np.uint32]]: ...
-def medial(
-    mesh: Mesh, filling: _Options
-) -> tuple[
-    NDArray[np.float64],
-    NDArray[np.float64],
-    NDArray[np.uint32],
-    NDArray[np.uint32],
-    tuple[list[float], float],
-    str,
-]: ...
 def read_outlines(
     path: str, level: Optional[float], foreground: str, staircase: bool
 ) -> list[NDArray[np.float64]]: ...
@@ -277,16 +274,6 @@ def puzzle(
     image: Optional[bytes],
     progress: Optional[Callable[[float], Optional[bool]]],
 ) -> tuple[list[NDArray[np.float64]], str, list[bytes]]: ...
-def flatten(
-    mesh: Mesh, cutting: _Options, mapping: _Options, progress: Optional[Callable[[float], Optional[bool]]]
-) -> tuple[
-    NDArray[np.float64],
-    NDArray[np.uint32],
-    NDArray[np.uint32],
-    NDArray[np.uint32],
-    NDArray[np.float64],
-    str,
-]: ...
 def neuron_parameters(config: str) -> str: ...
 def neuron_options(
     stage: str, parts: int, layer: float, repair: bool, steps: int, spacing: Optional[float]

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import dataclass
-from typing import Any, Callable, Dict, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, Literal, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
 from . import _native
+from ._asking import ask
 from .errors import OptionError
 from .sources import Mesh, MeshLike, as_mesh
 
@@ -56,6 +56,8 @@ class Flattening:
         The symmetric Dirichlet energy of each face: 4 where lengths are kept, infinite where it is flipped.
     report : dict
         What ``pompeiu flatten --json`` says of the map.
+    mesh : Mesh or None
+        With ``straighten``, the mesh into which the cut was inserted: the other numbers are those of its vertices and faces.
     """
 
     coordinates: np.ndarray
@@ -64,6 +66,7 @@ class Flattening:
     edges: np.ndarray
     face_distortion: np.ndarray
     report: Dict[str, Any]
+    mesh: Optional[Mesh] = None
 
     @property
     def uv(self) -> np.ndarray:
@@ -95,77 +98,23 @@ class Flattening:
         return f"Flattening({verdict}, {self.charts} charts, {len(self.edges)} edges cut)"
 
 
-def _cutting(
-    strategy: str,
-    cuts: Optional[int],
-    through: Optional[Sequence[int]],
-    along: Optional[Sequence[Sequence[int]]],
-    balls: int,
-    sections: bool,
-    forbidden: Sequence[int],
-    forbidden_edges: Sequence[Sequence[int]],
-    forbidden_faces: Sequence[int],
-    curvature: float,
-    spread: Optional[float],
-    symmetry: Optional[Sequence[float]],
-) -> Dict[str, Any]:
-    if through is not None and along is not None:
-        raise OptionError("through and along are both given; choose one")
-    if cuts is None:
-        cuts = 1 if spread is None else 100
-    if cuts < 1:
-        raise OptionError(f"the number of cuts is {cuts}; at least 1 is needed")
-    if balls < 1:
-        raise OptionError(f"the number of balls is {balls}; at least 1 is needed")
-
-    plane = None if symmetry is None else [float(x) for x in symmetry]
-    if plane is not None and len(plane) != 4:
-        raise OptionError(f"symmetry has {len(plane)} numbers; a plane is given by 4, its normal and its offset")
-
-    def indices(list_: Sequence[int], of: str = "vertex") -> list[int]:
-        found = [int(i) for i in list_]
-        for i in found:
-            if not 0 <= i < 2**32:
-                raise OptionError(f"there is no {of} {i}")
-        return found
-
-    if through is not None:
-        strategy = "through"
-    elif along is not None:
-        strategy = "along"
-    elif strategy in ("through", "along"):
-        raise OptionError(f"strategy is {strategy!r}, which is chosen by giving {strategy}")
-    return {
-        "strategy": strategy,
-        "cuts": int(cuts),
-        "through": indices([] if through is None else through),
-        "along": [indices(path) for path in ([] if along is None else along)],
-        "balls": int(balls),
-        "sections": bool(sections),
-        "forbidden": indices(forbidden),
-        "forbidden_edges": [indices(ends) for ends in forbidden_edges],
-        "forbidden_faces": indices(forbidden_faces, "face"),
-        "curvature": float(curvature),
-        "spread": None if spread is None else float(spread),
-        "symmetry": None if plane is None else (plane[:3], plane[3]),
-    }
-
-
 def cut(
     mesh: MeshLike,
     *,
-    strategy: str = "auto",
+    strategy: Literal["auto", "genus", "euclidean", "geodesic", "tips", "medial", "medial-tree", "bones"] = "auto",
     cuts: Optional[int] = None,
-    through: Optional[Sequence[int]] = None,
-    along: Optional[Sequence[Sequence[int]]] = None,
+    spread: Optional[float] = None,
     balls: int = 30,
     sections: bool = False,
-    forbidden: Sequence[int] = (),
-    forbidden_edges: Sequence[Sequence[int]] = (),
-    forbidden_faces: Sequence[int] = (),
-    curvature: float = 0.0,
-    spread: Optional[float] = None,
-    symmetry: Optional[Sequence[float]] = None,
+    through: Sequence[int] = (),
+    along: Sequence[Sequence[int]] = (),
+    forbid: Sequence[int] = (),
+    forbid_edges: Sequence[Sequence[int]] = (),
+    forbid_faces: Sequence[int] = (),
+    forbid_box: Optional[Sequence[float]] = None,
+    avoid_curvature: float = 0.0,
+    symmetry: Optional[Union[str, Sequence[float]]] = None,
+    straighten: bool = False,
 ) -> Cut:
     """Opens a surface along edges, so that each of its parts becomes a disk.
 
@@ -174,34 +123,42 @@ def cut(
     mesh : MeshLike
         An oriented manifold.
     strategy : str
-        ``"auto"``: what leaves disks; ``"genus"``: the least that makes disks of what are neither disks nor spheres;
-        ``"euclidean"``: the farthest pair of vertices joined, then the vertex farthest from the cut, both in space; ``"geodesic"``: the
-        same along the surface; ``"tips"``: what leaves disks, joined with the tips; ``"medial"``, ``"medial-tree"`` and ``"bones"`` follow the balls that :func:`medial` finds: from end to
-        end of the longest path between them, through the vertices nearest to their centres, along the edges of their shortest tree.
+        How the edges to cut are chosen. ``"auto"``: what leaves a disk of each part; the tips of a sphere joined;
+        ``"genus"``: the least that makes a disk of what is neither a disk nor a sphere; ``"euclidean"``: the farthest
+        pair of vertices in space joined, then the vertex farthest from the cut; ``"geodesic"``: the same with distances
+        along the surface; ``"tips"``: what leaves a disk, and all tips; ``"medial"``: the touched vertices farthest
+        apart of the balls at the ends of the longest path between balls; ``"medial-tree"``: what leaves a disk, and the
+        vertices nearest to the centres of balls; ``"bones"``: a path along each edge of the shortest tree between
+        balls.
     cuts : int, optional
-        Number of cuts of ``"euclidean"`` and ``"geodesic"``: 1 unless given; with ``spread`` the most, 100.
-    through : sequence of int, optional
-        Join these vertices by shortest paths instead.
-    along : sequence of sequences of int, optional
-        Cut along these paths of vertices instead, and along nothing else.
-    balls : int
-        Number of balls of ``"medial"``, ``"medial-tree"`` and ``"bones"``.
-    sections : bool
-        With ``"bones"``, an arc around the surface where each bone begins.
-    forbidden : sequence of int
-        Vertices that no cut may touch.
-    forbidden_edges : sequence of pairs of int
-        Edges that no cut may take, by their ends.
-    forbidden_faces : sequence of int
-        Faces that no cut may enter; it may run along their border.
-    curvature : float
-        Paths keep away from curvature: an edge costs its length times 1 + this |κ| √area.
+        Number of cuts of the strategies euclidean and geodesic; with spread the most, 1 and 100 unless given.
     spread : float, optional
-        Go on with the cuts of ``"euclidean"`` and ``"geodesic"`` until the standard deviation of the distance from the cut is at most
-        this times √area.
-    symmetry : sequence of 4 floats, optional
-        A plane (nx, ny, nz, d) of all points p with n · p = d in which the surface is its own mirror image: the cut will be, too, and so
-        will the map. Edges must run along the plane. With ``"auto"``, ``"genus"``, ``"tips"`` and ``through``.
+        With the strategies euclidean and geodesic, go on until the standard deviation of the distance from the cut is
+        at most S √area.
+    balls : int
+        Number of balls of the strategies medial, medial-tree and bones.
+    sections : bool
+        With the strategy bones, cut along an arc around the surface where each bone begins, too.
+    through : Sequence[int]
+        Join these vertices, counted from 0, by shortest paths, instead of a strategy.
+    along : Sequence[Sequence[int]]
+        Cut along this path of vertices joined by edges, and along nothing else; may be repeated.
+    forbid : Sequence[int]
+        Let no cut touch these vertices.
+    forbid_edges : Sequence[Sequence[int]]
+        Let no cut take this edge, given by its ends; may be repeated.
+    forbid_faces : Sequence[int]
+        Let no cut enter these faces; it may run along their border.
+    forbid_box : Sequence[float], optional
+        Let no cut touch the vertices in this box, given by its least and its greatest coordinates.
+    avoid_curvature : float
+        Let paths keep away from curvature: an edge costs its length times 1 + W |κ| √area.
+    symmetry : Union[str, Sequence[float]], optional
+        Keep a plane in which the surface is its own mirror image: x, y or z for the plane across that axis through the
+        origin, x=C through C, or NX,NY,NZ,D for all points p with N · p = D; with the strategies auto, genus and tips,
+        and with through.
+    straighten : bool
+        Straighten the cut across faces, and insert it into the mesh.
 
     Raises
     ------
@@ -217,45 +174,33 @@ def cut(
     >>> opened.mesh.n_vertices - 24 * 16 == len(opened.edges) + 1
     True
     """
-    cutting = _cutting(
-        strategy,
-        cuts,
-        through,
-        along,
-        balls,
-        sections,
-        forbidden,
-        forbidden_edges,
-        forbidden_faces,
-        curvature,
-        spread,
-        symmetry,
-    )
-    opened, seams = _native.cut(as_mesh(mesh), cutting)
-    return Cut(opened, *seams)
+    answer, beside = ask("cut", locals())
+    return Cut(beside["mesh"], np.asarray(answer["report"]["vertex_map"], dtype=np.uint32), beside["edges"])
 
 
 def flatten(
     mesh: MeshLike,
     *,
-    boundary: Union[str, Sequence[Sequence[float]]] = "free",
-    weights: str = "mean-value",
-    energy: str = "symmetric-dirichlet",
-    virtual_layers: int = 0,
-    virtual_scale: float = 1.2,
-    virtual_kind: str = "intrinsic",
-    strategy: str = "auto",
+    strategy: Literal["auto", "genus", "euclidean", "geodesic", "tips", "medial", "medial-tree", "bones"] = "auto",
     cuts: Optional[int] = None,
-    through: Optional[Sequence[int]] = None,
-    along: Optional[Sequence[Sequence[int]]] = None,
+    spread: Optional[float] = None,
     balls: int = 30,
     sections: bool = False,
-    forbidden: Sequence[int] = (),
-    forbidden_edges: Sequence[Sequence[int]] = (),
-    forbidden_faces: Sequence[int] = (),
-    curvature: float = 0.0,
-    spread: Optional[float] = None,
-    symmetry: Optional[Sequence[float]] = None,
+    through: Sequence[int] = (),
+    along: Sequence[Sequence[int]] = (),
+    forbid: Sequence[int] = (),
+    forbid_edges: Sequence[Sequence[int]] = (),
+    forbid_faces: Sequence[int] = (),
+    forbid_box: Optional[Sequence[float]] = None,
+    avoid_curvature: float = 0.0,
+    symmetry: Optional[Union[str, Sequence[float]]] = None,
+    straighten: bool = False,
+    boundary: Union[str, Sequence[Sequence[float]]] = "free",
+    weights: Literal["uniform", "cotangent", "mean-value"] = "mean-value",
+    energy: Literal["symmetric-dirichlet", "lscm", "spectral", "arap"] = "symmetric-dirichlet",
+    virtual_layers: int = 0,
+    virtual_scale: float = 1.2,
+    virtual_kind: Literal["intrinsic", "extrinsic"] = "intrinsic",
     target: float = 4.25,
     most_cuts: int = 6,
     pack: bool = True,
@@ -269,30 +214,76 @@ def flatten(
     ----------
     mesh : MeshLike
         An oriented manifold.
-    boundary : str or sequence of pairs of floats
-        ``"free"``: the least symmetric Dirichlet energy found; ``"circle"``, ``"square"``, ``"own"`` where it lies in a plane, or
-        the corners of a convex polygon, counter-clockwise.
+    strategy : str
+        How the edges to cut are chosen. ``"auto"``: what leaves a disk of each part; the tips of a sphere joined;
+        ``"genus"``: the least that makes a disk of what is neither a disk nor a sphere; ``"euclidean"``: the farthest
+        pair of vertices in space joined, then the vertex farthest from the cut; ``"geodesic"``: the same with distances
+        along the surface; ``"tips"``: what leaves a disk, and all tips; ``"medial"``: the touched vertices farthest
+        apart of the balls at the ends of the longest path between balls; ``"medial-tree"``: what leaves a disk, and the
+        vertices nearest to the centres of balls; ``"bones"``: a path along each edge of the shortest tree between
+        balls.
+    cuts : int, optional
+        Number of cuts of the strategies euclidean and geodesic; with spread the most, 1 and 100 unless given.
+    spread : float, optional
+        With the strategies euclidean and geodesic, go on until the standard deviation of the distance from the cut is
+        at most S √area.
+    balls : int
+        Number of balls of the strategies medial, medial-tree and bones.
+    sections : bool
+        With the strategy bones, cut along an arc around the surface where each bone begins, too.
+    through : Sequence[int]
+        Join these vertices, counted from 0, by shortest paths, instead of a strategy.
+    along : Sequence[Sequence[int]]
+        Cut along this path of vertices joined by edges, and along nothing else; may be repeated.
+    forbid : Sequence[int]
+        Let no cut touch these vertices.
+    forbid_edges : Sequence[Sequence[int]]
+        Let no cut take this edge, given by its ends; may be repeated.
+    forbid_faces : Sequence[int]
+        Let no cut enter these faces; it may run along their border.
+    forbid_box : Sequence[float], optional
+        Let no cut touch the vertices in this box, given by its least and its greatest coordinates.
+    avoid_curvature : float
+        Let paths keep away from curvature: an edge costs its length times 1 + W |κ| √area.
+    symmetry : Union[str, Sequence[float]], optional
+        Keep a plane in which the surface is its own mirror image: x, y or z for the plane across that axis through the
+        origin, x=C through C, or NX,NY,NZ,D for all points p with N · p = D; with the strategies auto, genus and tips,
+        and with through.
+    straighten : bool
+        Straighten the cut across faces, and insert it into the mesh.
+    boundary : Union[str, Sequence[Sequence[float]]]
+        Where the boundary goes: free, circle, square, own or polygon:X,Y;… with the corners of a convex polygon,
+        counter-clockwise.
     weights : str
-        Where the boundary goes to a convex curve: ``"uniform"``, ``"cotangent"`` or ``"mean-value"``.
+        Weights of edges where the boundary goes to a convex curve. ``"uniform"``: one for each edge: Tutte's map. It
+        does not know the shapes of faces; ``"cotangent"``: half the sum of the cotangents opposite, on the intrinsic
+        Delaunay triangulation: the discrete harmonic map. Faces of the surface itself may flip; where some do, mean
+        value weights are used instead; ``"mean-value"``: floater's mean value weights, always above zero.
     energy : str
-        What is least where the boundary is free: ``"symmetric-dirichlet"``, without flips and overlaps; ``"lscm"`` or
-        ``"spectral"``, which keep angles, and ``"arap"``, which may flip faces.
+        What is least where the boundary is free. ``"symmetric-dirichlet"``: lengths, without flips and overlaps;
+        ``"lscm"``: angles, two vertices held; faces may flip; ``"spectral"``: angles, by an eigenvector; faces may
+        flip; ``"arap"``: lengths, as rigid as possible; faces may flip.
     virtual_layers : int
-        Layers of faces that are mapped around the disk of a convex boundary and then dropped.
+        Layers of faces that are mapped around a convex boundary's disk and then dropped, so that its own boundary is
+        freer.
     virtual_scale : float
         How much wider each of these layers is than the one before.
     virtual_kind : str
-        Where the lengths of their edges come from: ``"intrinsic"`` from circles, ``"extrinsic"`` from places in space.
-    strategy, cuts, through, along, balls, sections, forbidden, forbidden_edges, forbidden_faces, curvature, spread, symmetry
-        Where to cut: see :func:`cut`.
+        Where the lengths of their edges come from. ``"intrinsic"``: from circles: layer k lies on one of radius r aᵏ,
+        with 2 π r the length of the boundary, at angles in proportion to the lengths of its edges. Edges of the
+        boundary keep their lengths; ``"extrinsic"``: from places in space: layer k is the boundary moved away from its
+        centroid by the factor aᵏ.
     target : float
-        With a free boundary and the strategy ``"auto"``, cuts are added until the mean symmetric Dirichlet energy is at most this.
+        Add cuts until the mean symmetric Dirichlet energy is at most this (isometry: 4).
     most_cuts : int
-        Most cuts that are added to a part.
+        Most cuts that are added to a chart.
     pack : bool
-        Whether the map fills the unit square; a single part is otherwise as large as the surface.
-    threads, time_limit : optional
-        Limits; the map reached is returned when the time is over.
+        Pack all charts into the unit square; otherwise a single chart stays as large as the surface, where the method
+        puts it.
+    threads : int, optional
+        Threads to use; all processors by default. The answer does not depend on it.
+    time_limit : float, optional
+        Stop after so many seconds with the answer found by then.
     progress : callable, optional
         Called with the share that is done; ``False`` ends it.
 
@@ -310,43 +301,8 @@ def flatten(
     >>> flat.is_one_to_one, flat.uv.shape
     (True, (1280, 3, 2))
     """
-    if most_cuts < 0:
-        raise OptionError(f"the number of cuts to add is {most_cuts}; it must not be negative")
-    if virtual_layers < 0:
-        raise OptionError(f"the number of virtual layers is {virtual_layers}; it must not be negative")
-    polygon = [] if isinstance(boundary, str) else [[float(x) for x in corner] for corner in boundary]
-    if isinstance(boundary, str) and boundary == "polygon":
-        raise OptionError("boundary is 'polygon'; give its corners")
-    mapping = {
-        "boundary": boundary if isinstance(boundary, str) else "polygon",
-        "polygon": polygon,
-        "weights": weights,
-        "energy": energy,
-        "virtual_layers": int(virtual_layers),
-        "virtual_scale": float(virtual_scale),
-        "virtual_kind": virtual_kind,
-        "target": float(target),
-        "most_cuts": int(most_cuts),
-        "pack": bool(pack),
-        "threads": threads,
-        "time_limit": time_limit,
-    }
-    cutting = _cutting(
-        strategy,
-        cuts,
-        through,
-        along,
-        balls,
-        sections,
-        forbidden,
-        forbidden_edges,
-        forbidden_faces,
-        curvature,
-        spread,
-        symmetry,
-    )
-    *arrays, report = _native.flatten(as_mesh(mesh), cutting, mapping, progress)
-    return Flattening(*arrays, json.loads(report))
+    answer, beside = ask("flatten", locals())
+    return Flattening(report=answer["report"], **beside)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -443,7 +399,7 @@ def medial(
     *,
     balls: int = 30,
     samples: int = 2000,
-    tolerance: float = 1e-3,
+    tolerance: float = 0.001,
     threads: Optional[int] = None,
     time_limit: Optional[float] = None,
 ) -> Medial:
@@ -454,13 +410,16 @@ def medial(
     mesh : MeshLike
         An oriented manifold without boundary.
     balls : int
-        Number of balls in the end.
+        Number of balls; fewer are left if so many cannot be told apart.
     samples : int
         Points of the surface from which balls are shrunk.
     tolerance : float
-        Width of the interval ``surface_to_balls``, over the diagonal of the box around the surface.
-    threads, time_limit : optional
-        Limits; more balls are returned when the time is over.
+        Width of the interval of the distance from the surface to the balls, over the diagonal of the box around the
+        surface.
+    threads : int, optional
+        Threads to use; all processors by default. The answer does not depend on it.
+    time_limit : float, optional
+        Stop after so many seconds with the answer found by then.
 
     Raises
     ------
@@ -476,14 +435,12 @@ def medial(
     >>> round(float(ball.radii[0]), 1)
     1.0
     """
-    if balls < 1 or samples < 1:
-        raise OptionError(f"balls is {balls} and samples is {samples}; at least 1 of each is needed")
-    filling = {
-        "balls": int(balls),
-        "samples": int(samples),
-        "tolerance": float(tolerance),
-        "threads": threads,
-        "time_limit": time_limit,
-    }
-    centres, radii, edges, overlaps, (bounds, out), stop = _native.medial(as_mesh(mesh), filling)
-    return Medial(centres, radii, edges, overlaps, (bounds[0], bounds[1]), out, json.loads(stop))
+    answer, beside = ask("medial", locals())
+    report = answer["report"]
+    lower, upper = report["deviation"]["surface_to_balls"]
+    return Medial(
+        surface_to_balls=(lower, upper),
+        balls_to_surface=report["deviation"]["balls_to_surface"],
+        stop=answer["stop"],
+        **beside,
+    )

@@ -1,11 +1,12 @@
-//! Foundation of pompeiu: meshes, distances between simple shapes, interval arithmetic, spatial trees, and control of running
-//! computations.
+//! Foundation of pompeiu: meshes, distances between simple shapes, interval arithmetic, spatial trees, requests and answers of systems, and
+//! control of running computations.
 //!
 //! This crate opens no files and solves no linear systems.
 
 pub mod exact;
 pub mod geom;
 pub mod mesh;
+pub mod request;
 pub mod run;
 pub mod spatial;
 

@@ -1,5 +1,6 @@
 //! What the exit code says.
 
+use pompeiu::core::request::{Conclusion, Report};
 use pompeiu::core::run::StopReason;
 use std::process::ExitCode;
 use std::time::Duration;
@@ -15,6 +16,17 @@ pub(crate) enum Exit {
     Unusable,
     /// The budget, or double precision, ran out before the answer.
     Undecided,
+}
+
+impl Exit {
+    /// What follows from a report.
+    pub(crate) fn of(report: &impl Report) -> Self {
+        match report.conclusion() {
+            Conclusion::AsAsked => Self::Done,
+            Conclusion::Refuted => Self::Above,
+            Conclusion::Incomplete => Self::Undecided,
+        }
+    }
 }
 
 /// The time limit was over before the files were read.
@@ -45,10 +57,10 @@ pub(crate) fn stopped_by(reason: StopReason) -> &'static str {
 impl From<Exit> for ExitCode {
     fn from(exit: Exit) -> Self {
         Self::from(match exit {
-            Exit::Done => 0,
-            Exit::Above => 1,
-            Exit::Unusable => 2,
-            Exit::Undecided => 3,
+            Exit::Done => Conclusion::AsAsked.exit_code(),
+            Exit::Above => Conclusion::Refuted.exit_code(),
+            Exit::Unusable => Conclusion::UNUSABLE,
+            Exit::Undecided => Conclusion::Incomplete.exit_code(),
         })
     }
 }

@@ -4,10 +4,13 @@ mod aligned;
 mod args;
 mod called;
 mod commands;
+mod door;
 mod exit;
 mod expression;
 mod field;
 mod files;
+#[cfg(test)]
+mod generated;
 mod interrupt;
 mod json;
 mod lengths;
@@ -17,8 +20,6 @@ mod numbers;
 mod page;
 mod pair;
 mod printer;
-#[cfg(test)]
-mod schema;
 mod series;
 mod surface;
 mod threads;

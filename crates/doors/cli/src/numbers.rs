@@ -1,60 +1,10 @@
 //! Numbers on the command line and in answers for people.
 
+pub(crate) use pompeiu::core::request::values::{counts, direction, magnitude, share, tuple};
 use pompeiu::hausdorff::digits::MOST_DIGITS;
 pub(crate) use pompeiu::hausdorff::digits::{agreed, between, brief, briefly_agreed, shortest};
 use pompeiu::remesh::IntersectionCount;
 use std::time::Duration;
-
-/// Parses numbers separated by commas.
-pub(crate) fn tuple<const N: usize>(text: &str) -> Result<[f64; N], String> {
-    let numbers: Vec<f64> = text
-        .split(',')
-        .map(|part| part.trim().parse::<f64>().map_err(|_| format!("`{part}` is not a number")))
-        .collect::<Result<_, _>>()?;
-    let found = numbers.len();
-    numbers.try_into().map_err(|_| format!("expected {N} numbers separated by commas, found {found}"))
-}
-
-/// Parses a direction: a coordinate, or three finite numbers that are not all zero.
-pub(crate) fn direction(text: &str) -> Result<[f64; 3], String> {
-    match text {
-        "x" => Ok([1.0, 0.0, 0.0]),
-        "y" => Ok([0.0, 1.0, 0.0]),
-        "z" => Ok([0.0, 0.0, 1.0]),
-        _ => {
-            let direction = tuple::<3>(text).ok();
-            let usable = direction.filter(|d| d.iter().all(|x| x.is_finite()) && *d != [0.0; 3]);
-            usable.ok_or_else(|| "expected x, y, z or three numbers separated by commas".to_owned())
-        }
-    }
-}
-
-/// Parses counts separated by commas.
-pub(crate) fn counts(text: &str) -> Result<[u32; 2], String> {
-    let parse = |part: &str| part.trim().parse().map_err(|_| format!("`{part}` is not a count"));
-    match text.split(',').collect::<Vec<_>>()[..] {
-        [both] => parse(both).map(|n| [n, n]),
-        [n, m] => Ok([parse(n)?, parse(m)?]),
-        ref parts => Err(format!("expected one count, or two separated by a comma, found {}", parts.len())),
-    }
-}
-
-/// Parses a length or a fraction: a finite number that is not negative.
-pub(crate) fn magnitude(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(x) if x.is_finite() && x >= 0.0 => Ok(x),
-        _ => Err("expected a finite number that is not negative".to_owned()),
-    }
-}
-
-/// Parses a share above 0 and at most 1, also in percent.
-pub(crate) fn share(text: &str) -> Result<f64, String> {
-    let (number, whole) = text.trim().strip_suffix('%').map_or((text, 1.0), |percent| (percent, 100.0));
-    match number.trim().parse::<f64>() {
-        Ok(share) if share > 0.0 && share <= whole => Ok(share / whole),
-        _ => Err("expected a share above 0 and at most 1, such as 0.5 or 50%".to_owned()),
-    }
-}
 
 /// Parses an amount of memory, such as `512MiB` or `2GB`.
 pub(crate) fn memory(text: &str) -> Result<usize, String> {
@@ -134,34 +84,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn lists_are_parsed_or_explained() {
-        assert_eq!(tuple::<3>("1, -2e3,0.5"), Ok([1.0, -2000.0, 0.5]));
-        assert_eq!(tuple::<3>("1,2").unwrap_err(), "expected 3 numbers separated by commas, found 2");
-        assert_eq!(tuple::<2>("1,x").unwrap_err(), "`x` is not a number");
-        assert_eq!((counts("3"), counts("3,4")), (Ok([3, 3]), Ok([3, 4])));
-        assert!(counts("1,2,3").is_err() && counts("-1").is_err() && counts("").is_err());
-    }
-
-    #[test]
-    fn directions_are_coordinates_or_numbers() {
-        assert_eq!((direction("y"), direction("0,-1,2")), (Ok([0.0, 1.0, 0.0]), Ok([0.0, -1.0, 2.0])));
-        assert!(["w", "0,0,0", "1,inf,0", "1,2", ""].iter().all(|t| direction(t).is_err()));
-    }
-
-    #[test]
-    fn magnitudes_memory_and_time_have_units_and_limits() {
-        assert_eq!(magnitude("1e-12"), Ok(1e-12));
-        assert!(["-1", "nan", "inf", "1m", ""].iter().all(|t| magnitude(t).is_err()));
+    fn memory_and_time_have_units_and_limits() {
         assert_eq!((memory("2GiB"), memory("3 MB"), memory("17")), (Ok(2 << 30), Ok(3_000_000), Ok(17)));
         assert!(memory("-1MB").is_err() && memory("lots").is_err());
         assert_eq!(duration("10s"), Ok(Duration::from_secs(10)));
         assert!(duration("10").is_err() && duration("-1s").is_err());
-    }
-
-    #[test]
-    fn shares_are_numbers_or_percentages() {
-        assert_eq!(["0.3", "30 %", "100%", "1"].map(share), [Ok(0.3), Ok(0.3), Ok(1.0), Ok(1.0)]);
-        assert!(["0", "1.5", "-1", "nan", "", "%", "101%"].iter().all(|text| share(text).is_err()));
     }
 
     #[test]

@@ -2,8 +2,9 @@
 
 use crate::printer::Printer;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use pompeiu::core::run::Progress;
+use pompeiu::core::run::{Progress, ProgressObserver};
 use std::io::IsTerminal;
+use std::ops::ControlFlow;
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::thread::JoinHandle;
 use std::time::Duration;
@@ -39,6 +40,11 @@ impl Wait {
             (sender, thread)
         });
         Self { bar, curtain }
+    }
+
+    /// Nothing.
+    pub(crate) fn hidden() -> Self {
+        Self { bar: ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden()), curtain: None }
     }
 
     /// Tells what is being done, without knowing how long it takes.
@@ -82,6 +88,14 @@ impl Wait {
     /// Lets something else be printed.
     pub(crate) fn suspend(&self, print: impl FnOnce()) {
         self.bar.suspend(print);
+    }
+}
+
+/// Shows the progress, and ends the computation at Ctrl-C.
+impl ProgressObserver for Wait {
+    fn progress(&self, progress: &Progress<'_>) -> ControlFlow<()> {
+        Self::progress(self, progress);
+        crate::interrupt::flow()
     }
 }
 

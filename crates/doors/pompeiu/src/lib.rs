@@ -51,6 +51,9 @@ pub use pompeiu_surface as surface;
 #[cfg(feature = "neuron")]
 pub use pompeiu_volume as volume;
 
+#[cfg(feature = "serde")]
+pub mod options;
+
 /// What most programs need.
 pub mod prelude {
     pub use pompeiu_core::{FaceId, MeshError, MeshSummary, TriMesh, VertexId};

@@ -16,6 +16,7 @@ use pompeiu::matching::align::AlignError;
 use pompeiu::matching::rank::RankError;
 use pompeiu::neuron::{FlowError as NeuronFlowError, MeshError as NeuronMeshError, SwcError, TransportError};
 use pompeiu::operators::OperatorError;
+use pompeiu::options::OptionsError;
 use pompeiu::planar::OutlineError;
 use pompeiu::planar::picture::PictureError;
 use pompeiu::puzzle::PuzzleError;
@@ -85,6 +86,8 @@ raise_as! {
     SwcError => ReadError,
     TransportError => OptionError,
     UnknownOption => OptionError,
+    UnusableLimit => OptionError,
+    OptionsError => OptionError,
     WriteError => WriteError,
 }
 
@@ -149,7 +152,7 @@ impl Raise for FlattenError {
             | Self::FewVertices { .. }
             | Self::Option { .. }
             | Self::VirtualOwn
-            | Self::Cut(CutError::Curvature { .. } | CutError::Spread { .. }) => {
+            | Self::Cut(CutError::Both { .. } | CutError::Curvature { .. } | CutError::Spread { .. }) => {
                 classes::OptionError::new_err(sentence)
             }
             _ => classes::SurfaceError::new_err(sentence),
@@ -260,6 +263,16 @@ pub(crate) enum UnknownOption {
     /// Not a span of time.
     #[error("the time limit is {0} seconds; it must be a finite number that is not negative")]
     Time(f64),
+}
+
+/// A limit that a function does not obey.
+#[derive(Debug, thiserror::Error)]
+#[error("{function} has no {limit}")]
+pub(crate) struct UnusableLimit {
+    /// The function.
+    pub(crate) function: &'static str,
+    /// The limit.
+    pub(crate) limit: &'static str,
 }
 
 /// The exception for an option that is none of the names there are.

@@ -4,6 +4,7 @@
 //! it (`python/pompeiu`); what is computed is in the library.
 
 mod arrays;
+mod ask;
 mod complexity;
 mod errors;
 mod fields;
@@ -27,13 +28,15 @@ mod wait;
 #[pyo3::pymodule]
 mod _native {
     #[pymodule_export]
+    use crate::ask::ask;
+    #[pymodule_export]
     use crate::complexity::{complexity, k_medoids, noisy_circle, polyline, read_outlines};
     #[pymodule_export]
     use crate::fields::{HodgeDecomposition, degrees_of_freedom};
     #[pymodule_export]
     use crate::files::{read_mesh, write_mesh};
     #[pymodule_export]
-    use crate::flatten::{cut, flatten, medial, straighten};
+    use crate::flatten::straighten;
     #[pymodule_export]
     use crate::flow::{intersections, mean_curvature_flow, remesh, simplify};
     #[pymodule_export]

@@ -8,6 +8,7 @@
 //!
 //! | item | what it is |
 //! |---|---|
+//! | [`FlattenRequest`], [`CutRequest`], [`MedialRequest`] | all that can be asked, as the command and Python offer it |
 //! | [`flatten`], [`FlattenOptions`], [`Flattening`] | the flat map, with a free boundary or a convex one |
 //! | [`FlattenReport`], [`Distortion`] | whether the map is one-to-one, and its distortion |
 //! | [`choose_cut`], [`CutOptions`], [`CutStrategy`] | choosing the edges to cut |
@@ -44,6 +45,7 @@ mod medial;
 mod options;
 mod pack;
 mod report;
+mod request;
 #[cfg(feature = "figures")]
 pub mod show;
 mod straight;
@@ -58,5 +60,9 @@ pub use map::{Conformal, ConvexBoundary, RingKind, VirtualBoundary, Weights};
 pub use medial::{Ball, Deviation, Medial, MedialError, MedialOptions, medial_balls};
 pub use options::{FlattenOptions, Method};
 pub use report::{CutReport, FlattenReport, PartReport, Timing};
+pub use request::{
+    Boundary, CutAnswer, CutEdges, CutRequest, Energy, FlatSurface, FlattenRequest, MedialReport,
+    MedialRequest, MedialTiming, OpenedReport, Strategy,
+};
 pub use straight::{Straightened, straighten};
 pub use symmetry::{SymmetryError, SymmetryPlane};

@@ -2,7 +2,8 @@
 //!
 //! A computation takes [`Limits`] among its options, makes a [`Control`] of them when it starts, and calls [`Control::is_stopped`]
 //! at regular intervals from any of its threads. Its report carries a [`StopReason`]. What it returns is valid whatever the reason,
-//! but less accurate if it ended early.
+//! but less accurate if it ended early. Callers that start
+//! several computations that belong together make one [`RunContext`] for all of them.
 //!
 //! # Example
 //! ```
@@ -21,6 +22,7 @@
 #[cfg(feature = "serde")]
 pub mod as_milliseconds;
 mod cancel;
+mod context;
 mod control;
 mod limits;
 mod progress;
@@ -28,6 +30,7 @@ mod stop;
 mod threads;
 
 pub use cancel::CancelToken;
+pub use context::RunContext;
 pub use control::Control;
 pub use limits::{LimitError, Limits};
 pub use progress::{Progress, ProgressObserver};

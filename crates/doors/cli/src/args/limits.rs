@@ -4,7 +4,8 @@ use crate::exit::OutOfTime;
 use crate::interrupt;
 use crate::numbers::{duration, memory};
 use crate::threads::use_threads;
-use clap::Args;
+use clap::{ArgMatches, Args, Command};
+use pompeiu::core::request::Limit;
 use std::panic::resume_unwind;
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::{Duration, Instant};
@@ -26,6 +27,25 @@ pub(crate) struct Limits {
 }
 
 impl Limits {
+    /// Adds the options of those limits that a command obeys.
+    pub(crate) fn augment_offered(command: Command, offered: &[Limit]) -> Command {
+        let all = Self::augment_args(Command::new(""));
+        let is_offered = |arg: &&clap::Arg| offered.iter().any(|limit| arg.get_id() == limit.name());
+        command.args(all.get_arguments().filter(is_offered).cloned())
+    }
+
+    /// The limits among the options that were offered.
+    pub(crate) fn from_offered(matches: &ArgMatches) -> Self {
+        fn of<T: Clone + Send + Sync + 'static>(matches: &ArgMatches, limit: Limit) -> Option<T> {
+            matches.try_get_one(limit.name()).ok().flatten().cloned()
+        }
+        Self {
+            threads: of(matches, Limit::Threads),
+            time_limit: of(matches, Limit::Time),
+            memory_limit: of(matches, Limit::Memory),
+        }
+    }
+
     /// Lets everything that runs in parallel use as many threads as asked.
     pub(crate) fn apply_threads(&self) -> anyhow::Result<()> {
         self.threads.map_or(Ok(()), use_threads)

@@ -1,19 +1,19 @@
 //! The command line as typed values: what all commands have in common, and options that several share.
 
-mod cut;
 mod intersections;
 mod limits;
 mod many;
 mod meshes;
 mod picture;
+mod selection;
 mod tolerance;
 
-pub(crate) use cut::CutChoice;
 pub(crate) use intersections::Intersections;
 pub(crate) use limits::Limits;
 pub(crate) use many::Many;
 pub(crate) use meshes::Meshes;
 pub(crate) use picture::Picture;
+pub(crate) use selection::ForbidFile;
 pub(crate) use tolerance::{Tolerance, ToleranceKind};
 
 use crate::commands::Command;

@@ -1,5 +1,6 @@
-//! One folder for each command: `args.rs` for its options, `run.rs` for what it does, `text.rs`, `json.rs` and `csv.rs` for how it
-//! answers.
+//! One file or folder for each command. Those marked as systems are a struct of files with [`System`](crate::door::System); their
+//! options are the request of the system. The others have `args.rs` for their options, `run.rs` for what they do, `text.rs`, `json.rs`
+//! and `csv.rs` for how they answer.
 
 mod align;
 mod completions;
@@ -28,20 +29,26 @@ use crate::exit::Exit;
 use crate::printer::Printer;
 use clap::Subcommand;
 
-/// The commands in the order of the help; each is a folder with a struct of options and a function `run`.
+/// The commands in the order of the help. Each is a module with a struct of arguments and a function `run`.
 macro_rules! commands {
-    ($($folder:ident::$Name:ident,)*) => {
+    ($($module:ident::$Name:ident $(: $system:ident)?,)*) => {
         #[derive(Subcommand)]
         pub(crate) enum Command {
-            $($Name($folder::$Name),)*
+            $($Name($module::$Name),)*
         }
 
         impl Command {
             pub(crate) fn run(&self, printer: &Printer) -> anyhow::Result<Exit> {
                 match self {
-                    $(Self::$Name(args) => $folder::run(args, printer),)*
+                    $(Self::$Name(args) => $module::run(args, printer),)*
                 }
             }
+        }
+
+        /// Visits the commands that are systems.
+        #[cfg(test)]
+        pub(crate) fn visit_systems(visitor: &mut impl crate::generated::Visitor) {
+            $($(visitor.$system::<$module::Files>();)?)*
         }
     };
 }
@@ -57,9 +64,9 @@ commands! {
     remesh::Remesh,
     flow::Flow,
     fluid::Fluid,
-    flatten::Flatten,
-    cut::Cut,
-    medial::Medial,
+    flatten::Flatten: system,
+    cut::Cut: system,
+    medial::Medial: system,
     neuron::Neuron,
     complexity::Complexity,
     puzzle::Puzzle,
@@ -71,21 +78,18 @@ commands! {
     man::Man,
 }
 
-/// The JSON answers, by their commands.
+/// The JSON answers of commands that are no systems yet.
 #[cfg(test)]
 pub(crate) mod answers {
     pub(crate) use super::align::Json as Align;
     pub(crate) use super::complexity::Json as Complexity;
-    pub(crate) use super::cut::Json as Cut;
     pub(crate) use super::decompose::Json as Decompose;
     pub(crate) use super::deviation::Json as Deviation;
     pub(crate) use super::distance::Json as Distance;
-    pub(crate) use super::flatten::Json as Flatten;
     pub(crate) use super::flow::Json as Flow;
     pub(crate) use super::fluid::Json as Fluid;
     pub(crate) use super::info::Json as Info;
     pub(crate) use super::matrix::Json as Matrix;
-    pub(crate) use super::medial::Json as Medial;
     pub(crate) use super::neuron::Json as Neuron;
     pub(crate) use super::puzzle::Json as Puzzle;
     pub(crate) use super::rank::Json as Rank;

@@ -4,6 +4,7 @@
 
 mod answers;
 mod common;
+mod contract;
 mod deviation;
 mod guide;
 mod many;

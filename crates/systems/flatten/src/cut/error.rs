@@ -1,7 +1,7 @@
 //! Errors of cutting.
 
 use crate::{MedialError, SymmetryError};
-use pompeiu_core::{FaceId, VertexId};
+use pompeiu_core::{FaceId, MeshError, VertexId};
 use pompeiu_surface::{GeometryError, SurfaceError};
 
 /// Why a surface cannot be cut.
@@ -11,6 +11,17 @@ pub enum CutError {
     /// The mesh has no usable geometry.
     #[error(transparent)]
     Geometry(#[from] GeometryError),
+    /// The opened surface has more vertices than indices can name.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+    /// Two options that exclude each other.
+    #[error("{first} and {second} are both given; choose one")]
+    Both {
+        /// One.
+        first: &'static str,
+        /// The other.
+        second: &'static str,
+    },
     /// A component of the opened surface is not a disk.
     #[error(
         "the part that holds face {face} is no disk after the cut: it has {boundary_loops} boundary loops and Euler \

@@ -27,6 +27,9 @@ impl Default for VirtualBoundary {
 /// How the edge lengths of a virtual boundary are determined.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum RingKind {
     /// From circles: layer k lies on the circle of radius r aᵏ, where 2 π r is the length of the boundary, at angles proportional
     /// to the lengths of its edges. Edges of the boundary keep their lengths.

@@ -7,6 +7,9 @@ use std::borrow::Cow;
 /// The weights of a convex combination map.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Weights {
     /// Equal weights: Tutte's embedding. Ignores the shapes of faces.
     Uniform,

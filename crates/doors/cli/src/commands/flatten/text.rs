@@ -1,14 +1,15 @@
-//! The outcome for people.
+//! The answer for people.
 
-use super::run::Outcome;
+use super::Files;
+use crate::door::AnswerOf;
 use crate::exit::stopped_by;
 use crate::numbers::{grouped, shortest, time};
 use crate::page::Page;
 use pompeiu::flatten::PartReport;
 
 /// The verdict first, then a row for each quantity.
-pub(super) fn text(outcome: &Outcome) -> String {
-    let report = &outcome.report;
+pub(super) fn text(answer: &AnswerOf<Files>) -> String {
+    let report = &answer.report;
     let number = |n: usize| grouped(n as u64);
     let mut page = Page::new();
     let verdict = if report.is_one_to_one() { "yes" } else { "no" };
@@ -18,7 +19,7 @@ pub(super) fn text(outcome: &Outcome) -> String {
             "one-to-one: {verdict}, {} flipped, {} overlapping of {} faces",
             number(report.flipped),
             number(report.overlapping),
-            number(outcome.input.faces)
+            number(report.parts.iter().map(|part| part.faces).sum())
         ),
     );
     if report.stop.is_early() {
@@ -87,7 +88,7 @@ pub(super) fn text(outcome: &Outcome) -> String {
             time(timing.factor),
             time(timing.solve),
             time(timing.check),
-            time(outcome.total)
+            time(answer.timing.total)
         ),
     );
     page.into_text()

@@ -1,0 +1,18 @@
+//! Options from a file.
+
+use anyhow::Context;
+use pompeiu::options::{Options, options_of_toml};
+use std::fmt::Display;
+use std::path::Path;
+
+/// The options in a TOML file.
+pub(super) fn read(path: &Path) -> anyhow::Result<Options> {
+    crate::files::check_readable(path)?;
+    let text = std::fs::read_to_string(path).with_context(|| path.display().to_string())?;
+    options_of_toml(&text).map_err(|error| in_file(path, &error))
+}
+
+/// An error with the file that it may lie in.
+pub(super) fn in_file(path: &Path, error: &impl Display) -> anyhow::Error {
+    anyhow::anyhow!("{}: {error}", path.display())
+}

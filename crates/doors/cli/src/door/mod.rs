@@ -1,0 +1,65 @@
+//! How a command asks a system: the request from the command line and `--config`, one session with one clock and one set of limits,
+//! one answer, one rule for exit codes.
+//!
+//! A command is a struct of files, what goes in and out, with [`System`]: its options are those of the system's request.
+
+mod config;
+mod invocation;
+mod session;
+
+pub(crate) use invocation::Invocation;
+pub(crate) use session::Session;
+
+use crate::exit::Exit;
+use crate::json::line;
+use crate::printer::Printer;
+use clap::Args;
+use pompeiu::core::request::{Answer, Request, Timing};
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+
+/// What a system reports.
+pub(crate) type ReportOf<S> = <<S as System>::Request as Request>::Report;
+
+/// What a command answers.
+pub(crate) type AnswerOf<S> = Answer<<S as System>::Request, ReportOf<S>>;
+
+#[cfg(test)]
+pub(crate) use schemars::JsonSchema as Described;
+
+/// What tests describe; anything.
+#[cfg(not(test))]
+pub(crate) trait Described {}
+
+#[cfg(not(test))]
+impl<T> Described for T {}
+
+/// The files of a command and the text that a person reads. Everything else follows from the request of the system.
+pub(crate) trait System: Args {
+    /// What can be asked.
+    type Request: Request<Report: Serialize + Described> + Args + Serialize + DeserializeOwned + Described;
+
+    /// Refuses, before anything is read, files that cannot be read or written, and a run that would leave nothing.
+    fn check(&self, json: bool) -> anyhow::Result<()>;
+
+    /// Reads, computes and writes.
+    fn run(&self, request: &mut Self::Request, session: &mut Session<'_>) -> anyhow::Result<ReportOf<Self>>;
+
+    /// The answer for people.
+    fn text(&self, answer: &AnswerOf<Self>) -> String;
+}
+
+/// Asks a system.
+pub(crate) fn run<S: System>(invocation: &Invocation<S>, printer: &Printer) -> anyhow::Result<Exit> {
+    let Invocation { system, limits, json, .. } = invocation;
+    let mut session = Session::start(limits, printer);
+    let mut request = invocation.request()?;
+    system.check(*json)?;
+    limits.apply_threads()?;
+    let report = system.run(&mut request, &mut session)?;
+    session.stop_waiting();
+    let timing = Timing { read: session.read_time(), total: session.elapsed() };
+    let answer = Answer::new(session.inputs(*json), request, report, timing);
+    Printer::answer(&if *json { line(&answer)? } else { system.text(&answer) })?;
+    Ok(Exit::of(&answer.report))
+}

@@ -1,0 +1,85 @@
+//! What a command does while it runs: it reads within the limits, shows progress, and remembers what it read and how long that took.
+
+use crate::args::Limits;
+use crate::printer::Printer;
+use crate::wait::Wait;
+use crate::{files, interrupt, surface};
+use pompeiu::core::TriMesh;
+use pompeiu::core::request::Input;
+use pompeiu::core::run::RunContext;
+use pompeiu::surface::EmbeddedSurface;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+pub(crate) struct Session<'s> {
+    pub(crate) printer: &'s Printer,
+    pub(crate) wait: Wait,
+    limits: &'s Limits,
+    started: Instant,
+    read: Duration,
+    inputs: Vec<(PathBuf, Input)>,
+}
+
+impl<'s> Session<'s> {
+    /// The clock starts, and Ctrl-C ends what computes from here on.
+    pub(super) fn start(limits: &'s Limits, printer: &'s Printer) -> Self {
+        Self {
+            printer,
+            wait: Wait::new(printer),
+            limits,
+            started: Instant::now(),
+            read: Duration::ZERO,
+            inputs: Vec::new(),
+        }
+    }
+
+    #[allow(dead_code, reason = "the next commands need it")]
+    /// Reads a mesh, and warns of what its file has that a mesh has not.
+    pub(crate) fn read_mesh(&mut self, path: &Path) -> anyhow::Result<TriMesh> {
+        let mesh = files::read_shown(path, &self.wait, self.printer)?;
+        self.note(path, &mesh);
+        Ok(mesh)
+    }
+
+    /// Reads a mesh as an oriented surface, see [`surface::read`].
+    pub(crate) fn read_surface(&mut self, path: &Path) -> anyhow::Result<(TriMesh, EmbeddedSurface)> {
+        let (mesh, surface) = surface::read(path, &self.wait, self.printer)?;
+        self.note(path, &mesh);
+        Ok((mesh, surface))
+    }
+
+    /// Remembers what was read until now.
+    pub(crate) fn note(&mut self, path: &Path, mesh: &TriMesh) {
+        let input = Input { path: Some(path.display().to_string()), ..Input::of_mesh(mesh) };
+        self.inputs.push((path.to_owned(), input));
+        self.read = self.started.elapsed();
+    }
+
+    /// What a computation runs with: what is left of the limits, Ctrl-C and the progress bar.
+    pub(crate) fn context(&self) -> RunContext<'_> {
+        interrupt::listen();
+        RunContext::start(self.limits.after(self.started.elapsed())).watched_by(&self.wait)
+    }
+
+    /// Takes the progress bar away.
+    pub(crate) fn stop_waiting(&mut self) {
+        self.wait = Wait::hidden();
+    }
+
+    pub(crate) fn elapsed(&self) -> Duration {
+        self.started.elapsed()
+    }
+
+    pub(super) fn read_time(&self) -> Duration {
+        self.read
+    }
+
+    /// What was read, with the sums of the files where they are asked for.
+    pub(super) fn inputs(&self, with_sums: bool) -> Vec<Input> {
+        let with_sum = |(path, input): &(PathBuf, Input)| Input {
+            sha256: if with_sums { files::sha256(path).ok() } else { None },
+            ..input.clone()
+        };
+        self.inputs.iter().map(with_sum).collect()
+    }
+}

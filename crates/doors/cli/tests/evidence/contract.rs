@@ -1,0 +1,156 @@
+//! What holds of every command: the limits that it offers act, an early end is exit code 3 and a `stop` in its answer, options from a
+//! file give the answer of those on the command line.
+
+use crate::common::Folder;
+use serde_json::Value;
+use std::collections::BTreeMap;
+
+/// Commands that are no systems yet: their options are not those of a request.
+const NOT_YET: [&str; 15] = [
+    "align",
+    "complexity",
+    "decompose",
+    "deviation",
+    "distance",
+    "flow",
+    "fluid",
+    "info",
+    "matrix",
+    "neuron",
+    "puzzle",
+    "rank",
+    "remesh",
+    "repair",
+    "simplify",
+];
+
+/// Commands that compute nothing that could be asked for in another way.
+const NO_ANSWER: [&str; 5] = ["completions", "convert", "generate", "help", "man"];
+
+/// A call of each system, with options and the same as a file.
+const CALLS: [(&str, &str, &str, &str); 3] = [
+    (
+        "cut",
+        "dense.obj",
+        "--strategy tips --avoid-curvature 0.5",
+        "strategy = \"tips\"\navoid_curvature = 0.5\n",
+    ),
+    (
+        "flatten",
+        "dense.obj",
+        "--strategy genus --boundary circle --virtual-layers 1 --no-pack",
+        "strategy = \"genus\"\nboundary = \"circle\"\nvirtual_layers = 1\npack = false\n",
+    ),
+    (
+        "medial",
+        "dense.obj",
+        "--balls 4 --samples 40 --tolerance 0.01",
+        "balls = 4\nsamples = 40\ntolerance = 0.01\n",
+    ),
+];
+
+fn folder() -> Folder {
+    let folder = Folder::new();
+    folder.ok("generate torus --major-segments 48 --minor-segments 32 -o dense.obj");
+    folder
+}
+
+/// The commands of the program, with their help.
+fn commands(folder: &Folder) -> BTreeMap<String, String> {
+    let whole = folder.ok("--help");
+    let listed =
+        whole.lines().skip_while(|line| *line != "Commands:").skip(1).take_while(|line| !line.is_empty());
+    let names = listed.filter(|line| line.starts_with("  ") && !line.starts_with("   "));
+    let names = names.filter_map(|line| line.split_whitespace().next().map(str::to_owned));
+    names.map(|name| (name.clone(), folder.ok(&format!("help {name}")))).collect()
+}
+
+/// An answer without its times and without what depends on the command line alone.
+fn compared(mut answer: Value) -> Value {
+    fn without_times(value: &mut Value) {
+        if let Value::Object(entries) = value {
+            entries.retain(|key, _| !key.ends_with("_ms"));
+            entries.values_mut().for_each(without_times);
+        }
+    }
+    without_times(&mut answer);
+    answer
+}
+
+fn answer(folder: &Folder, args: &str) -> (Option<i32>, Value) {
+    let output = folder.run(&format!("{args} --json"));
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    let message = String::from_utf8_lossy(&output.stderr).into_owned();
+    (output.status.code(), serde_json::from_str(&text).unwrap_or_else(|_| panic!("{args}: {message}")))
+}
+
+#[test]
+fn every_command_is_a_system_or_listed() {
+    let folder = folder();
+    let mut known: Vec<&str> = CALLS.iter().map(|call| call.0).chain(NOT_YET).chain(NO_ANSWER).collect();
+    known.sort_unstable();
+    let commands = commands(&folder);
+    assert_eq!(commands.keys().map(String::as_str).collect::<Vec<_>>(), known);
+    for (name, help) in &commands {
+        let is_system = CALLS.iter().any(|call| call.0 == name);
+        assert_eq!(help.contains("Take options from this TOML file"), is_system, "{name}");
+    }
+}
+
+#[test]
+fn limits_that_are_offered_act() {
+    let folder = folder();
+    let commands = commands(&folder);
+    for (name, files, ..) in CALLS {
+        for (limit, value, stop) in [("--time-limit", "0s", "time"), ("--memory-limit", "1KiB", "memory")] {
+            let is_offered = commands[name].contains(&format!("{limit} <"));
+            let called = format!("{name} {files} {limit} {value}");
+            if is_offered {
+                let (code, answer) = answer(&folder, &called);
+                assert_eq!((code, &answer["stop"]), (Some(3), &Value::from(stop)), "{called}");
+            } else {
+                assert_eq!(folder.run(&called).status.code(), Some(2), "{called}");
+            }
+        }
+    }
+}
+
+#[test]
+fn options_of_a_file_are_those_of_the_command_line() {
+    let folder = folder();
+    for (name, files, options, config) in CALLS {
+        folder.write("options.toml", config);
+        let (code, by_line) = answer(&folder, &format!("{name} {files} {options}"));
+        let (code_by_file, by_file) = answer(&folder, &format!("{name} {files} --config options.toml"));
+        assert_eq!((code, compared(by_line.clone())), (code_by_file, compared(by_file)), "{name}");
+        assert!(matches!(code, Some(0 | 3)), "{name}");
+        let sum = by_line["inputs"][0]["sha256"].as_str().unwrap();
+        assert!(sum.len() == 64 && by_line["command"] == name, "{name}");
+    }
+    // The command line comes before the file, the file before defaults.
+    folder.write("options.toml", "balls = 4\nsamples = 40\n");
+    let (_, both) = answer(&folder, "medial dense.obj --config options.toml --balls 3");
+    let request = &both["request"];
+    assert_eq!(
+        (&request["balls"], &request["samples"], &request["tolerance"]),
+        (&3.into(), &40.into(), &0.001.into())
+    );
+}
+
+#[test]
+fn files_of_options_that_cannot_be_used() {
+    let folder = folder();
+    for (config, message) in [
+        ("bals = 4\n", "medial has no option `bals`; did you mean `balls`?"),
+        ("balls = 0\n", "option `balls` of medial"),
+        ("tolerance = inf\n", "inf is no finite number"),
+        ("balls = \n", "options.toml: TOML parse error at line 1"),
+        ("[medial]\nballs = 4\n", "medial has no option `medial`"),
+    ] {
+        folder.write("options.toml", config);
+        let (code, stdout, stderr) = folder.transcript("medial dense.obj --config options.toml --json");
+        assert_eq!((code, stdout.as_str()), (Some(2), ""), "{config}");
+        assert!(stderr.contains("options.toml") && stderr.contains(message), "{config}: {stderr}");
+    }
+    assert_eq!(folder.run("medial dense.obj --config missing.toml --json").status.code(), Some(2));
+}

@@ -1,0 +1,212 @@
+//! Asking a system: its request from a dictionary, one answer as JSON, arrays and meshes beside it.
+
+use crate::arrays::array_of_rows;
+use crate::errors::{InternalError, Raise, UnusableLimit};
+use crate::hausdorff::limits;
+use crate::json::{parsed, written};
+use crate::mesh::Mesh;
+use crate::wait::{self, Share, Told, Watch};
+use numpy::IntoPyArray;
+use pompeiu::core::TriMesh;
+use pompeiu::core::request::{Answer, Input, Limit, Request, Timing};
+use pompeiu::core::run::{Limits, RunContext};
+use pompeiu::flatten::{CutRequest, FlattenError, FlattenRequest, MedialReport, MedialRequest};
+use pompeiu::options::request_from;
+use pompeiu::surface::{EdgeData, EmbeddedSurface};
+use pyo3::exceptions::PyKeyError;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+use std::time::{Duration, Instant};
+
+/// Why there is no answer.
+type Failure = Box<dyn Raise + Send>;
+
+fn failure(error: impl Raise + Send + 'static) -> Failure {
+    Box::new(error)
+}
+
+/// What passes beside the JSON of an answer.
+pub(crate) enum Beside {
+    Numbers(Vec<f64>),
+    Indices(Vec<u32>),
+    Pairs(Vec<[u32; 2]>),
+    Triples(Vec<[u32; 3]>),
+    Plane(Vec<[f64; 2]>),
+    Points(Vec<[f64; 3]>),
+    Mesh(TriMesh),
+}
+
+impl Beside {
+    fn object(self, py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
+        Ok(match self {
+            Self::Numbers(numbers) => numbers.into_pyarray(py).into_any(),
+            Self::Indices(indices) => indices.into_pyarray(py).into_any(),
+            Self::Pairs(rows) => array_of_rows(py, rows)?.into_any(),
+            Self::Triples(rows) => array_of_rows(py, rows)?.into_any(),
+            Self::Plane(rows) => array_of_rows(py, rows)?.into_any(),
+            Self::Points(rows) => array_of_rows(py, rows)?.into_any(),
+            Self::Mesh(mesh) => Bound::new(py, Mesh::from(mesh))?.into_any(),
+        })
+    }
+}
+
+/// A report with what passes beside it.
+pub(crate) type Found<R> = (R, Vec<(&'static str, Beside)>);
+
+/// A system as Python asks it.
+pub(crate) trait Asked: Request<Report: Serialize + Send> + Serialize + DeserializeOwned {
+    /// What the callback in Python is called with.
+    type Told: Told + 'static;
+
+    /// Runs a request on meshes.
+    fn ask(
+        &self,
+        meshes: &[&TriMesh],
+        context: RunContext<'_>,
+        watch: &Watch<'_, Self::Told>,
+    ) -> Result<Found<Self::Report>, Failure>;
+}
+
+macro_rules! systems {
+    ($($Request:ty),* $(,)?) => {
+        /// Asks a system by its name: the answer as JSON, and what passes beside it.
+        #[pyfunction]
+        pub(crate) fn ask<'py>(
+            py: Python<'py>,
+            name: &str,
+            meshes: Vec<Bound<'py, Mesh>>,
+            options: &str,
+            limits: (Option<usize>, Option<f64>, Option<usize>),
+            progress: Option<&Bound<'py, PyAny>>,
+        ) -> PyResult<(String, Bound<'py, PyDict>)> {
+            match name {
+                $(<$Request>::NAME => answer::<$Request>(py, meshes, options, limits, progress),)*
+                _ => Err(PyKeyError::new_err(name.to_owned())),
+            }
+        }
+    };
+}
+
+systems!(CutRequest, FlattenRequest, MedialRequest);
+
+fn answer<'py, Q: Asked>(
+    py: Python<'py>,
+    meshes: Vec<Bound<'py, Mesh>>,
+    options: &str,
+    limits: (Option<usize>, Option<f64>, Option<usize>),
+    progress: Option<&Bound<'py, PyAny>>,
+) -> PyResult<(String, Bound<'py, PyDict>)> {
+    let request: Q = request_from(parsed(options)?).map_err(Raise::raise)?;
+    let limits = limits_of::<Q>(limits)?;
+    let meshes: Vec<Py<Mesh>> = meshes.into_iter().map(Bound::unbind).collect();
+    let found = wait::run_detached(py, progress, move |watch: &mut Watch<'_, Q::Told>| {
+        let started = Instant::now();
+        let meshes: Vec<&TriMesh> = meshes.iter().map(|mesh| mesh.get().inner()).collect();
+        let context = RunContext::start(Limits { cancel: Some(watch.token()), ..limits });
+        let (report, beside) = request.ask(&meshes, context, watch)?;
+        let inputs = meshes.iter().map(|mesh| Input::of_mesh(mesh)).collect();
+        let timing = Timing { read: Duration::ZERO, total: started.elapsed() };
+        Ok((Answer::new(inputs, request, report, timing), beside))
+    })?;
+    let (answer, beside) = found.map_err(|error: Failure| error.exception(error.to_string()))?;
+    let objects = PyDict::new(py);
+    for (name, one) in beside {
+        objects.set_item(name, one.object(py)?)?;
+    }
+    Ok((written(&answer)?, objects))
+}
+
+/// The limits, of which a system takes only those that it obeys.
+fn limits_of<Q: Request>(given: (Option<usize>, Option<f64>, Option<usize>)) -> PyResult<Limits> {
+    let (threads, seconds, memory) = given;
+    let given = [
+        (Limit::Threads, threads.is_some()),
+        (Limit::Time, seconds.is_some()),
+        (Limit::Memory, memory.is_some()),
+    ];
+    let dropped = given.into_iter().find(|(limit, is_given)| *is_given && !Q::LIMITS.contains(limit));
+    if let Some((limit, _)) = dropped {
+        return Err(UnusableLimit { function: Q::NAME, limit: limit.name() }.raise());
+    }
+    limits(threads, seconds, memory)
+}
+
+/// The only mesh that a system is asked about.
+fn single<'m>(meshes: &[&'m TriMesh]) -> Result<&'m TriMesh, Failure> {
+    match meshes {
+        [mesh] => Ok(mesh),
+        _ => Err(failure(InternalError::Mesh { found: 1, count: meshes.len() })),
+    }
+}
+
+fn surface_of(meshes: &[&TriMesh]) -> Result<EmbeddedSurface, Failure> {
+    EmbeddedSurface::new(single(meshes)?).map_err(failure)
+}
+
+/// The ends of the edges that are cut.
+fn ends(surface: &EmbeddedSurface, cut: &EdgeData<bool>) -> Beside {
+    let mesh = surface.mesh();
+    let cut = mesh.edge_ids().filter(|&edge| cut[edge]);
+    Beside::Pairs(cut.map(|edge| mesh.ends(edge).map(|v| v.0)).collect())
+}
+
+impl Asked for CutRequest {
+    type Told = Share;
+
+    fn ask(
+        &self,
+        meshes: &[&TriMesh],
+        _: RunContext<'_>,
+        _: &Watch<'_, Share>,
+    ) -> Result<Found<Self::Report>, Failure> {
+        let found = self.run(surface_of(meshes)?).map_err(|error| failure(FlattenError::from(error)))?;
+        let edges = ends(&found.surface, &found.cut);
+        Ok((found.report, vec![("mesh", Beside::Mesh(found.mesh)), ("edges", edges)]))
+    }
+}
+
+impl Asked for FlattenRequest {
+    type Told = Share;
+
+    fn ask(
+        &self,
+        meshes: &[&TriMesh],
+        context: RunContext<'_>,
+        watch: &Watch<'_, Share>,
+    ) -> Result<Found<Self::Report>, Failure> {
+        let found = self.run(surface_of(meshes)?, &context.watched_by(watch)).map_err(failure)?;
+        let flat = found.flat;
+        let mut beside = vec![
+            ("edges", ends(&found.surface, &flat.cut)),
+            ("corners", Beside::Triples(flat.opened.faces().to_vec())),
+            ("vertex_map", Beside::Indices(flat.opened.vertex_map().iter().map(|v| v.0).collect())),
+            ("face_distortion", Beside::Numbers(flat.face_distortion().into_vec())),
+            ("coordinates", Beside::Plane(flat.uv.into_vec())),
+        ];
+        beside.extend(found.inserted.map(|mesh| ("mesh", Beside::Mesh(mesh))));
+        Ok((flat.report, beside))
+    }
+}
+
+impl Asked for MedialRequest {
+    type Told = Share;
+
+    fn ask(
+        &self,
+        meshes: &[&TriMesh],
+        context: RunContext<'_>,
+        _: &Watch<'_, Share>,
+    ) -> Result<Found<Self::Report>, Failure> {
+        let found = self.run(&surface_of(meshes)?, &context).map_err(failure)?;
+        let report = MedialReport::from(&found);
+        let beside = vec![
+            ("centres", Beside::Points(found.balls.iter().map(|ball| ball.centre).collect())),
+            ("radii", Beside::Numbers(found.balls.iter().map(|ball| ball.radius).collect())),
+            ("edges", Beside::Pairs(found.edges)),
+            ("overlaps", Beside::Pairs(report.overlaps.clone())),
+        ];
+        Ok((report, beside))
+    }
+}
