@@ -27,6 +27,7 @@ mod crossing;
 mod curve;
 mod distance;
 pub mod dxf;
+mod fairing;
 mod file;
 mod offset;
 mod outline;

@@ -1,9 +1,10 @@
 //! The shape in a picture.
 
-use crate::contour::{Contour, contours, staircases};
+use crate::contour::{Contour, staircases};
+use crate::fairing::fair;
 use crate::outline::signed_area;
 use crate::picture::Picture;
-use crate::{Outline, Region};
+use crate::{Outline, Point, Region};
 
 /// Which part of a picture is the shape.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -24,7 +25,7 @@ pub struct SilhouetteOptions {
     pub level: Option<f64>,
     /// Which part is the shape.
     pub foreground: Foreground,
-    /// Whether the outline goes along the sides of pixels, instead of between their centres where the level is.
+    /// Whether the outline goes along the sides of pixels, instead of smoothly between them.
     pub staircase: bool,
 }
 
@@ -67,6 +68,18 @@ pub enum SilhouetteError {
 /// # Definition
 /// The picture is surrounded by background. The default level is the one that separates the levels best (`otsu_threshold_1979`).
 ///
+/// The outline of a picture of two levels is the smoothest curve within half a pixel of the sides of its pixels, with
+/// corners where straight sides meet; that of a picture with levels between, as anti-aliasing makes them, is the
+/// smoothest within 0.15 pixels of where the level is between the centres of pixels.
+///
+/// # Accuracy
+/// Compactness and total curvature of smooth shapes and polygons are within 2 % of those of the shape that was drawn, from 256 pixels across,
+/// or 128 where the picture is anti-aliased; at 128 pixels of two levels within 5 %. The example `pictures` of `pompeiu-complexity` prints the
+/// errors. A detail of less than half a pixel is lost: a dent of half a pixel in a straight side is not in the outline.
+///
+/// # Source
+/// `sloboda_minimum_1998` for the shortest curve, from which the smoothest one is sought.
+///
 /// # Errors
 /// [`SilhouetteError`] if there is no shape.
 pub fn silhouette(picture: &Picture, options: &SilhouetteOptions) -> Result<Region, SilhouetteError> {
@@ -95,9 +108,50 @@ pub fn silhouette(picture: &Picture, options: &SilhouetteOptions) -> Result<Regi
         }
     }
     let level = if is_dark { 1.0 - level } else { level };
-    let found =
-        if options.staircase { staircases(&values, across, level) } else { contours(&values, across, level) };
-    largest(&found).ok_or(SilhouetteError::Nothing { width, height })
+    let found = staircases(&values, across, level);
+    let mut region = largest(&found).ok_or(SilhouetteError::Nothing { width, height })?;
+    if !options.staircase {
+        let is_binary = is_binary(&values, across, level);
+        let value = |p: Point| f64::from(values[(p[1] + 1.0) as usize * across + (p[0] + 1.0) as usize]);
+        let crossing = |left: Point, right: Point| {
+            let [a, b] = [value(left), value(right)];
+            (!is_binary && a != b).then(|| (level - b) / (a - b) - 0.5)
+        };
+        for outline in std::iter::once(&mut region.outer).chain(&mut region.holes) {
+            *outline = smooth(outline, crossing);
+        }
+    }
+    Ok(region)
+}
+
+/// The share of the range of levels by which neighbours differ across the outline in a picture of two levels.
+const JUMP: f32 = 0.8;
+
+/// The share of such neighbours among those on different sides of the level.
+const JUMPS: f64 = 0.9;
+
+/// Whether the levels on both sides of the outline are the extreme ones, with nothing between.
+fn is_binary(values: &[f32], width: usize, level: f64) -> bool {
+    let (low, high) = range(values);
+    let (mut all, mut jumps) = (0_usize, 0_usize);
+    let mut pair = |a: f32, b: f32| {
+        if (f64::from(a) > level) != (f64::from(b) > level) {
+            all += 1;
+            jumps += usize::from((a - b).abs() >= JUMP * (high - low));
+        }
+    };
+    for line in values.chunks_exact(width) {
+        line.windows(2).for_each(|ends| pair(ends[0], ends[1]));
+    }
+    values.iter().zip(&values[width.min(values.len())..]).for_each(|(a, b)| pair(*a, *b));
+    jumps as f64 >= JUMPS * all as f64
+}
+
+/// The smooth outline of pixels, or that through the middles of their sides where it is too short for one.
+fn smooth(staircase: &Outline, crossing: impl Fn(Point, Point) -> Option<f64>) -> Outline {
+    let points = fair(staircase.points(), crossing)
+        .unwrap_or_else(|| staircase.sides().map(|[a, b]| [0, 1].map(|k| 0.5 * (a[k] + b[k]))).collect());
+    Outline::new(points).unwrap_or_else(|_| staircase.clone())
 }
 
 /// The largest outline, and the holes directly inside it.

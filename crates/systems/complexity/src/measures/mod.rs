@@ -23,7 +23,7 @@ use sampling::Samples;
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeasureOptions {
     /// Standard deviation of the Gaussian that smooths the points before curvature is computed, as a share of the length of the
-    /// outline; 0 for none. With the default, the pixels of a picture of about 200 × 200 do not count as corners.
+    /// outline; 0 for none. With the default, the steps of a staircase of about 200 × 200 pixels do not count as corners.
     pub smoothing: f64,
 }
 

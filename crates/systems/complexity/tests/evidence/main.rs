@@ -4,6 +4,7 @@
 
 mod clusters;
 mod measures;
+mod pictures;
 mod rankings;
 
 use pompeiu_planar::{Outline, Point};

@@ -68,7 +68,7 @@ pub(crate) struct Silhouette {
     /// Which part of a picture is the shape
     #[arg(long, value_enum, default_value_t)]
     pub(crate) foreground: ForegroundName,
-    /// Follow the sides of pixels instead of the level between their centres
+    /// Follow the sides of pixels instead of the smoothest curve within half a pixel of them
     #[arg(long)]
     pub(crate) staircase: bool,
 }

@@ -1,0 +1,186 @@
+//! Corners of a smooth curve: sharp bends between straight sides, which smoothing has rounded.
+
+use super::relax::{Frame, Station};
+use crate::Point;
+use crate::outline::{cross, distance, dot, minus};
+use std::f64::consts::PI;
+
+/// Curvature, per pixel, from which on a bend is sharp.
+const SHARP: f64 = 0.045;
+
+/// The least turn of a corner, 20°.
+const LEAST_TURN: f64 = 0.35;
+
+/// How far, in pixels, a corner can have been rounded: about half a pixel, measured along its bisector.
+const ROUNDED: f64 = 0.6;
+
+/// What the steps of pixels add to the length of a bend.
+const SLACK: f64 = 2.0;
+
+/// The length on both sides of a bend that must be straight, in pixels, after the first one of them.
+const FLANK: [f64; 2] = [1.0, 7.0];
+
+/// How much of the bend's turn a flank may turn the same way, and the other way, which it does where a corner has been rounded.
+const SAME_WAY: f64 = 0.3;
+const OTHER_WAY: f64 = 0.6;
+
+/// How far on both sides of a bend stations are taken out, in pixels.
+const CLEAR: f64 = 1.6;
+
+/// The length on both sides that is extended, in pixels, and the least that there must be.
+const EXTENDED: f64 = 4.0;
+const LEAST_EXTENDED: f64 = 1.5;
+
+/// How far, in pixels, the corner may lie from what was taken out, times the sine of half the angle inside.
+const REACH: f64 = 0.75;
+
+/// A corner that was taken out of the curve.
+pub(super) struct Corner {
+    /// The station before it.
+    after: usize,
+    /// The points that were there.
+    old: Vec<Point>,
+}
+
+/// Takes the stations at corners out of the curve; the stations beside them become free.
+pub(super) fn open(stations: &[Station]) -> (Vec<Station>, Vec<Corner>) {
+    let frame = Frame::of(stations);
+    let n = stations.len();
+    let by_curvature = |i: &usize, j: &usize| frame.curvature(*i).abs().total_cmp(&frame.curvature(*j).abs());
+    // From the straightest place on, so that no bend goes round the end of the list.
+    let start = (0..n).min_by(by_curvature).unwrap_or(0);
+    let mut spans = spans(&frame, start).into_iter().peekable();
+    let mut kept: Vec<Station> = Vec::with_capacity(n);
+    let mut corners = Vec::new();
+    let (mut k, mut is_after) = (0, false);
+    while k < n {
+        if let (Some((_, to)), Some(last)) = (spans.next_if(|(from, _)| *from == k), kept.last_mut()) {
+            last.is_free = true;
+            let old = (k..=to).map(|q| stations[(start + q) % n].at).collect();
+            corners.push(Corner { after: kept.len() - 1, old });
+            is_after = true;
+            k = to + 1;
+        } else {
+            let mut station = stations[(start + k) % n].clone();
+            station.is_free |= std::mem::take(&mut is_after);
+            kept.push(station);
+            k += 1;
+        }
+    }
+    (kept, corners)
+}
+
+/// The first and last station of each corner, counted from a start, with those taken out on both sides.
+fn spans(frame: &Frame, start: usize) -> Vec<(usize, usize)> {
+    let n = frame.turns.len();
+    let at = |k: usize| (start + k) % n;
+    let is_sharp = |k: usize, sign: f64| sign * frame.curvature(at(k)) > SHARP;
+    let mut spans: Vec<(usize, usize)> = Vec::new();
+    let mut k = 0;
+    while k < n {
+        let sign = frame.curvature(at(k)).signum();
+        if !is_sharp(k, sign) {
+            k += 1;
+            continue;
+        }
+        let from = k;
+        while k + 1 < n && is_sharp(k + 1, sign) {
+            k += 1;
+        }
+        if is_corner(frame, (from, k), at) {
+            let (mut low, mut high, mut length) = (from, k, [0.0; 2]);
+            while low > 0 && length[0] < CLEAR {
+                low -= 1;
+                length[0] += frame.lengths[at(low)];
+            }
+            while high + 1 < n && length[1] < CLEAR {
+                length[1] += frame.lengths[at(high)];
+                high += 1;
+            }
+            let is_apart = spans.last().is_none_or(|(_, last)| last + 2 < low);
+            if is_apart && low > 1 && high + 2 < n {
+                spans.push((low, high));
+            }
+        }
+        k += 1;
+    }
+    spans
+}
+
+/// Whether a bend is what a corner between straight sides becomes: no longer than smoothing makes it, and its flanks straight.
+fn is_corner(frame: &Frame, (from, to): (usize, usize), at: impl Fn(usize) -> usize) -> bool {
+    let n = frame.turns.len();
+    let turn: f64 = (from..=to).map(|k| frame.turns[at(k)]).sum();
+    let length: f64 = (from..to).map(|k| frame.lengths[at(k)]).sum();
+    if turn.abs() < LEAST_TURN {
+        return false;
+    }
+    // An arc of this radius leaves the corner by as much as it can have been rounded.
+    let half = (0.5 * turn.abs()).min(0.45 * PI);
+    let radius = ROUNDED / (1.0 / libm::cos(half) - 1.0);
+    let flank = |end: usize, is_forward: bool| {
+        let (mut k, mut length, mut turned) = (end, 0.0, 0.0);
+        while length < FLANK[1] {
+            if is_forward {
+                length += frame.lengths[k];
+                k = (k + 1) % n;
+            } else {
+                k = (k + n - 1) % n;
+                length += frame.lengths[k];
+            }
+            if length > FLANK[0] {
+                turned += frame.turns[k];
+            }
+        }
+        turned / turn
+    };
+    let is_straight = |share: f64| share < SAME_WAY && share > -OTHER_WAY;
+    length < turn.abs() * radius + SLACK
+        && is_straight(flank(at(from), false))
+        && is_straight(flank(at(to), true))
+}
+
+/// The points of the curve, with the corners where the sides meet, or with what was there where they do not meet near by.
+pub(super) fn with_corners(stations: &[Station], corners: &[Corner]) -> Vec<Point> {
+    let mut points = Vec::with_capacity(stations.len() + corners.len());
+    let mut corners = corners.iter().peekable();
+    for (i, station) in stations.iter().enumerate() {
+        points.push(station.at);
+        if let Some(corner) = corners.next_if(|corner| corner.after == i) {
+            match meeting(stations, corner) {
+                Some(place) => points.push(place),
+                None => points.extend(&corner.old),
+            }
+        }
+    }
+    points
+}
+
+/// Where the sides before and after a corner meet.
+fn meeting(stations: &[Station], corner: &Corner) -> Option<Point> {
+    let n = stations.len();
+    let (before, after) = (corner.after, (corner.after + 1) % n);
+    let back = |from: usize, step: usize| {
+        let (mut k, mut length) = (from, 0.0);
+        while length < EXTENDED && !stations[(k + step) % n].is_free {
+            let next = (k + step) % n;
+            length += distance(stations[next].at, stations[k].at);
+            k = next;
+        }
+        minus(stations[from].at, stations[k].at)
+    };
+    let (a, b) = (stations[before].at, stations[after].at);
+    let (u, v) = (back(before, n - 1), back(after, 1).map(|x| -x));
+    if dot(u, u).min(dot(v, v)) < LEAST_EXTENDED * LEAST_EXTENDED {
+        return None;
+    }
+    let scale = cross(u, v);
+    let turn = libm::atan2(scale, dot(u, v)).abs();
+    let [forwards, backwards] = [cross(minus(b, a), v) / scale, cross(minus(b, a), u) / scale];
+    if turn < 0.5 * LEAST_TURN || !(forwards > 0.0 && backwards < 0.0) {
+        return None;
+    }
+    let place = [0, 1].map(|k| a[k] + forwards * u[k]);
+    let off = corner.old.iter().map(|p| distance(*p, place)).fold(f64::INFINITY, f64::min);
+    (off * libm::sin(0.5 * (PI - turn)) <= REACH).then_some(place)
+}
