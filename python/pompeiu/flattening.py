@@ -255,10 +255,10 @@ def flatten(
         Where the boundary goes: free, circle, square, own or polygon:X,Y;… with the corners of a convex polygon,
         counter-clockwise.
     weights : str
-        Weights of edges where the boundary goes to a convex curve. ``"uniform"``: one for each edge: Tutte's map. It
-        does not know the shapes of faces; ``"cotangent"``: half the sum of the cotangents opposite, on the intrinsic
-        Delaunay triangulation: the discrete harmonic map. Faces of the surface itself may flip; where some do, mean
-        value weights are used instead; ``"mean-value"``: floater's mean value weights, always above zero.
+        Weights of edges where the boundary goes to a convex curve. ``"uniform"``: equal weights: Tutte's embedding.
+        Ignores the shapes of faces; ``"cotangent"``: half the sum of the opposite cotangents, on the intrinsic Delaunay
+        triangulation: the discrete harmonic map. Faces of the original surface may flip; mean value weights are then
+        used instead; ``"mean-value"``: floater's mean value weights, which are always positive.
     energy : str
         What is least where the boundary is free. ``"symmetric-dirichlet"``: lengths, without flips and overlaps;
         ``"lscm"``: angles, two vertices held; faces may flip; ``"spectral"``: angles, by an eigenvector; faces may
@@ -269,10 +269,10 @@ def flatten(
     virtual_scale : float
         How much wider each of these layers is than the one before.
     virtual_kind : str
-        Where the lengths of their edges come from. ``"intrinsic"``: from circles: layer k lies on one of radius r aᵏ,
-        with 2 π r the length of the boundary, at angles in proportion to the lengths of its edges. Edges of the
-        boundary keep their lengths; ``"extrinsic"``: from places in space: layer k is the boundary moved away from its
-        centroid by the factor aᵏ.
+        Where the lengths of their edges come from. ``"intrinsic"``: from circles: layer k lies on the circle of radius
+        r aᵏ, where 2 π r is the length of the boundary, at angles proportional to the lengths of its edges. Edges of
+        the boundary keep their lengths; ``"extrinsic"``: from positions in space: layer k is the boundary scaled about
+        its centroid by aᵏ.
     target : float
         Add cuts until the mean symmetric Dirichlet energy is at most this (isometry: 4).
     most_cuts : int
