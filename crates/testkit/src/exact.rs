@@ -186,7 +186,11 @@ impl Lattice {
         Self::integer_mean(triangle, &weights)
     }
 
-    pub(crate) fn integer_mean(triangle: &Triangle, weights: &[IBig; 3]) -> Point {
+    /// The same with integers as weights, whose sum is positive.
+    ///
+    /// # Panics
+    /// Unless it is.
+    pub fn integer_mean(triangle: &Triangle, weights: &[IBig; 3]) -> Point {
         let denominator = &weights[0] + &weights[1] + &weights[2];
         assert!(denominator > IBig::ZERO, "the weights must have a positive sum");
         let numerators = [0, 1, 2].map(|k| {

@@ -29,6 +29,7 @@
 //! # Ok::<(), pompeiu_core::MeshError>(())
 //! ```
 
+pub mod certificate;
 mod certify;
 pub mod classic;
 mod coarse;

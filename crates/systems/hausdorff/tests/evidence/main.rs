@@ -4,6 +4,7 @@
 
 mod analytic;
 mod bands;
+mod certificate;
 mod classic;
 mod determinism;
 mod deviation;

@@ -1,0 +1,406 @@
+//! Certificates: what is written is accepted, what is false is not, and each cell that is accepted is near its face in exact arithmetic.
+
+use dashu_int::IBig;
+use pompeiu_core::geom::Aabb;
+use pompeiu_core::mesh::shapes::{Diagonal, grid, icosphere, torus};
+use pompeiu_core::run::Limits;
+use pompeiu_core::{FaceId, TriMesh};
+use pompeiu_hausdorff::certificate::{
+    Certificate, CertificateError, CertificateOptions, Goal, write_certificate,
+};
+use pompeiu_hausdorff::{HausdorffOptions, Method, Tolerance, directed_hausdorff, symmetric_hausdorff};
+use pompeiu_testkit::effort::cases;
+use pompeiu_testkit::exact::{Lattice, point_triangle_sq};
+use pompeiu_testkit::strategies::{pair, scaled};
+use pompeiu_verify::{Rejected, Soup, Verified, verify};
+use proptest::prelude::*;
+
+type Written = Result<(Certificate, Vec<u8>), CertificateError>;
+
+fn write(a: &TriMesh, b: &TriMesh, goals: [Option<Goal>; 2]) -> Written {
+    let mut bytes = Vec::new();
+    let made = write_certificate(a, b, goals, &CertificateOptions::default(), &mut bytes)?;
+    Ok((made, bytes))
+}
+
+fn check(a: &TriMesh, b: &TriMesh, bytes: &[u8], threads: usize) -> Result<Verified, Rejected> {
+    let [a, b] = [a, b].map(|mesh| Soup::new(mesh.positions(), mesh.faces()).unwrap());
+    verify(&a, &b, bytes, threads)
+}
+
+/// Both ends of a report, the upper one raised by what commands raise it by unless told otherwise.
+fn both(a: &TriMesh, b: &TriMesh) -> [Option<Goal>; 2] {
+    let diagonal = Aabb::of_faces(a).union(Aabb::of_faces(b)).diagonal();
+    Goal::of_both(&symmetric_hausdorff(a, b), Goal::SLACK * diagonal)
+}
+
+fn meshes() -> (TriMesh, TriMesh) {
+    (torus(1.0, 0.3, 60, 40).unwrap(), torus(1.01, 0.31, 37, 23).unwrap())
+}
+
+#[test]
+fn what_is_written_is_accepted_at_the_ends_of_the_report() {
+    let (a, b) = meshes();
+    let report = symmetric_hausdorff(&a, &b);
+    let (made, bytes) = write(&a, &b, Goal::of_both(&report, 0.0)).unwrap();
+    let verified = check(&a, &b, &bytes, 1).unwrap();
+    assert_eq!(made.bytes, bytes.len() as u64);
+    for (claim, (certified, direction)) in
+        verified.claims.iter().zip([(made.a_to_b, &report.a_to_b), (made.b_to_a, &report.b_to_a)])
+    {
+        let (claim, certified) = (claim.unwrap(), certified.unwrap());
+        assert_eq!(
+            (claim.lower, claim.upper, claim.cells),
+            (certified.lower, certified.upper, certified.cells)
+        );
+        assert_eq!(claim.upper, direction.distance.upper());
+        let lost = direction.distance.lower() - claim.lower;
+        assert!((0.0..1e-14).contains(&lost), "{lost:e}");
+    }
+}
+
+#[test]
+fn the_bytes_and_the_verdict_are_those_of_any_number_of_threads() {
+    let (a, b) = (icosphere(1.0, 5).unwrap(), torus(0.8, 0.5, 150, 90).unwrap());
+    let goals = both(&a, &b);
+    let at = |threads| {
+        let limits = Limits { threads: Limits::threads(threads).ok(), ..Limits::default() };
+        let mut bytes = Vec::new();
+        write_certificate(&a, &b, goals, &CertificateOptions { limits }, &mut bytes).unwrap();
+        bytes
+    };
+    let bytes = at(1);
+    assert!(at(2) == bytes && at(8) == bytes);
+    let mut damaged = bytes.clone();
+    for part in 1..5 {
+        damaged[bytes.len() * part / 5] ^= 0x10;
+    }
+    let errors = [1, 2, 8].map(|threads| check(&a, &b, &damaged, threads).unwrap_err().to_string());
+    assert!(errors.iter().all(|error| *error == errors[0]), "{errors:?}");
+    assert_eq!(check(&a, &b, &bytes, 8).unwrap(), check(&a, &b, &bytes, 1).unwrap());
+}
+
+#[test]
+fn answers_of_every_method_and_within_limits_are_certified() {
+    let (a, b) = meshes();
+    let soon = Limits { time: Some(std::time::Duration::ZERO), ..Limits::default() };
+    let small = Limits { memory: Some(1), ..Limits::default() };
+    for options in [
+        HausdorffOptions {
+            method: Method::Classic,
+            tolerance: Tolerance::Absolute(0.01),
+            ..Default::default()
+        },
+        HausdorffOptions { limits: soon, ..Default::default() },
+        HausdorffOptions { limits: small, ..Default::default() },
+        HausdorffOptions { threshold: Some(0.001), ..Default::default() },
+        HausdorffOptions { threshold: Some(1.0), ..Default::default() },
+    ] {
+        let report = options.symmetric(&a, &b).unwrap();
+        let (_, bytes) = write(&a, &b, Goal::of_both(&report, 0.0)).unwrap();
+        check(&a, &b, &bytes, 2).unwrap();
+    }
+    let (made, bytes) = write(&a, &b, [None, Some(Goal::within(0.5))]).unwrap();
+    let claims = check(&a, &b, &bytes, 2).unwrap().claims;
+    assert!(made.a_to_b.is_none() && claims[0].is_none());
+    assert_eq!(claims[1].map(|claim| (claim.lower, claim.upper)), Some((0.0, 0.5)));
+}
+
+#[test]
+fn less_than_the_distance_is_refused_by_the_writer() {
+    let (a, b) = meshes();
+    let h = directed_hausdorff(&a, &b).distance;
+    for below in [1e-13, 1e-9, 1e-3, 0.5, 1.0] {
+        let upper = h.lower() * (1.0 - below);
+        let refused = write(&a, &b, [Some(Goal::within(upper)), None]);
+        assert!(matches!(refused, Err(CertificateError::Far { .. })), "{below:e}: {refused:?}");
+    }
+}
+
+#[test]
+fn other_meshes_and_other_claims_are_rejected() {
+    let (a, b) = meshes();
+    let (_, bytes) = write(&a, &b, both(&a, &b)).unwrap();
+    assert!(matches!(check(&b, &a, &bytes, 1), Err(Rejected::Hash(0))));
+    let moved = icosphere(1.0, 3).unwrap();
+    assert!(matches!(check(&a, &moved, &bytes, 1), Err(Rejected::Hash(1))));
+    let with = |at: usize, change: &dyn Fn(f64) -> f64| {
+        let mut forged = bytes.clone();
+        let number = f64::from_le_bytes(forged[at..at + 8].try_into().unwrap());
+        forged[at..at + 8].copy_from_slice(&change(number).to_le_bytes());
+        check(&a, &b, &forged, 2)
+    };
+    let (lower, upper) = (73, 81);
+    assert!(matches!(with(lower, &|x| x * 1.000_001), Err(Rejected::Witness(..))));
+    assert!(matches!(with(upper, &|x| x * 0.999), Err(Rejected::Cell { .. })));
+    for bad in [f64::NAN, f64::INFINITY, -1.0] {
+        assert!(matches!(with(lower, &|_| bad), Err(Rejected::Claim(..))));
+        assert!(matches!(with(upper, &|_| bad), Err(Rejected::Claim(..))));
+    }
+    assert!(with(lower, &|_| 0.0).is_ok() && with(upper, &|x| 2.0 * x).is_ok(), "weaker claims hold");
+}
+
+#[test]
+fn every_shortened_certificate_is_unreadable() {
+    let (a, b) = (icosphere(1.0, 1).unwrap(), torus(0.8, 0.5, 12, 9).unwrap());
+    let (_, bytes) = write(&a, &b, both(&a, &b)).unwrap();
+    for length in 0..bytes.len() {
+        assert!(check(&a, &b, &bytes[..length], 1).unwrap_err().is_unreadable(), "{length}");
+    }
+    assert!(check(&a, &b, &[&bytes[..], &[0]].concat(), 1).unwrap_err().is_unreadable());
+}
+
+/// Reads trees as the guide describes them, with corners as exact weights, and asks of every leaf whether its corners are near.
+struct Judge<'j> {
+    lattice: Lattice,
+    a: &'j TriMesh,
+    b: &'j TriMesh,
+    bytes: &'j [u8],
+}
+
+/// A corner: integer weights of the corners of the face, and the offset that the format computes from the first of them.
+#[derive(Clone, Debug)]
+struct Exact {
+    weights: [IBig; 3],
+    offset: [f64; 3],
+}
+
+fn minus(p: [f64; 3], q: [f64; 3]) -> [f64; 3] {
+    [0, 1, 2].map(|k| p[k] - q[k])
+}
+
+fn cross(p: [f64; 3], q: [f64; 3]) -> [f64; 3] {
+    [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]]
+}
+
+impl Exact {
+    fn between(p: &Self, q: &Self, t: f64) -> Self {
+        const PLACES: f64 = (1_u64 << 52) as f64;
+        let (one, part) = (IBig::from(1_u64 << 52), IBig::from((t * PLACES) as u64));
+        assert!(t * PLACES == (t * PLACES).trunc());
+        // Both with weights of the same sum first.
+        let sum = |x: &Self| &x.weights[0] + &x.weights[1] + &x.weights[2];
+        let (sp, sq) = (sum(p), sum(q));
+        let weights = [0, 1, 2].map(|i| (&one - &part) * &p.weights[i] * &sq + &part * &q.weights[i] * &sp);
+        Self { weights, offset: [0, 1, 2].map(|k| (1.0 - t) * p.offset[k] + t * q.offset[k]) }
+    }
+}
+
+impl Judge<'_> {
+    fn take<const N: usize>(&mut self) -> [u8; N] {
+        let (head, rest) = self.bytes.split_at(N);
+        self.bytes = rest;
+        head.try_into().unwrap()
+    }
+
+    fn number(&mut self) -> u64 {
+        let byte = u64::from(self.take::<1>()[0]);
+        if byte < 128 { byte } else { byte - 128 + 128 * self.number() }
+    }
+
+    fn place(&mut self, count: u64) -> f64 {
+        let value = (0..count).fold(0, |value, _| 256 * value + u64::from(self.take::<1>()[0]));
+        value as f64 / if count == 7 { (1_u64 << 52) as f64 } else { (1_u64 << (8 * count)) as f64 }
+    }
+
+    /// Whether each cell of one direction is near its face.
+    fn direction(&mut self) -> bool {
+        let [_, upper] = [self.take::<8>(), self.take::<8>()].map(f64::from_le_bytes);
+        self.take::<28>();
+        let limit = self.lattice.length_sq(upper);
+        let count = self.a.faces().len();
+        let mut is_near = true;
+        let (mut last, mut run) = (0_i64, 0);
+        for face in 0..count {
+            if face % 4096 == 0 {
+                self.take::<4>();
+                last = 0;
+            }
+            let corners = self.a.corners(FaceId(face as u32));
+            let triangle = self.lattice.triangle(corners);
+            let weights = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map(|w| w.map(IBig::from));
+            let whole = [0, 1, 2]
+                .map(|i| Exact { weights: weights[i].clone(), offset: minus(corners[i], corners[0]) });
+            let mut waiting = vec![whole.to_vec()];
+            let mut first = true;
+            while let Some(mut polygon) = waiting.pop() {
+                if run > 0 {
+                    run -= 1;
+                } else {
+                    let code = self.number();
+                    let n = polygon.len();
+                    if code % 4 == 1 {
+                        let sides = (code / 256) as usize;
+                        let (i, j) = (sides / n, sides % n);
+                        let (s, t) = (self.place(code / 32 % 8), self.place(code / 4 % 8));
+                        waiting.push(part(&polygon, (j, t), (i, s)));
+                        waiting.push(part(&polygon, (i, s), (j, t)));
+                        first = false;
+                        continue;
+                    }
+                    let z = if code % 4 == 2 { code / 32 } else { code / 4 };
+                    let size = z.div_ceil(2).cast_signed();
+                    last += if z % 2 == 0 { size } else { -size };
+                    if code % 4 == 2 {
+                        let to = self.b.corners(FaceId(last as u32)).map(|p| minus(p, corners[0]));
+                        for side in (0..3).filter(|side| (code / 4) >> side & 1 == 1) {
+                            let edge = minus(to[(side + 1) % 3], to[side]);
+                            let inward = cross(cross(minus(to[1], to[0]), minus(to[2], to[0])), edge);
+                            let [out, back] = crossing(inward, to[side], &polygon);
+                            waiting.push(part(&polygon, out, back));
+                            polygon = part(&polygon, back, out);
+                        }
+                    }
+                    run = if first && code == 0 { self.number() } else { 0 };
+                }
+                first = false;
+                let near = self.lattice.triangle(self.b.corners(FaceId(last as u32)));
+                is_near &= polygon.iter().all(|x| {
+                    point_triangle_sq(&Lattice::integer_mean(&triangle, &x.weights), &near) <= limit
+                });
+            }
+        }
+        is_near
+    }
+}
+
+fn crossing(inward: [f64; 3], from: [f64; 3], polygon: &[Exact]) -> [(usize, f64); 2] {
+    let heights: Vec<f64> = polygon
+        .iter()
+        .map(|x| {
+            let d = minus(x.offset, from);
+            inward[0] * d[0] + inward[1] * d[1] + inward[2] * d[2]
+        })
+        .collect();
+    let n = polygon.len();
+    [false, true].map(|back| {
+        let i =
+            (0..n).find(|&i| (heights[i] >= 0.0) != back && (heights[(i + 1) % n] >= 0.0) == back).unwrap();
+        let t = heights[i] / (heights[i] - heights[(i + 1) % n]);
+        let places = (1_u64 << 52) as f64;
+        let t = (t * places).floor() / places;
+        if t < 1.0 { (i, t) } else { ((i + 1) % n, 0.0) }
+    })
+}
+
+fn part(polygon: &[Exact], (i, s): (usize, f64), (j, t): (usize, f64)) -> Vec<Exact> {
+    let n = polygon.len();
+    let end = |i: usize, t: f64| {
+        if t == 0.0 { polygon[i].clone() } else { Exact::between(&polygon[i], &polygon[(i + 1) % n], t) }
+    };
+    let mut corners = vec![end(i, s)];
+    let count = (j + n - i) % n;
+    corners.extend((1..=count).map(|step| polygon[(i + step) % n].clone()));
+    corners.extend((t != 0.0).then(|| end(j, t)));
+    corners
+}
+
+/// Whether what a certificate says of each cell is true, in exact arithmetic.
+fn is_true(a: &TriMesh, b: &TriMesh, bytes: &[u8]) -> bool {
+    let directions = bytes[72];
+    let lattice = Lattice::of(&[a, b]);
+    let mut judge = Judge { lattice, a, b, bytes: &bytes[73..] };
+    let mut is_true = true;
+    for direction in 0..2 {
+        (judge.a, judge.b) = if direction == 0 { (a, b) } else { (b, a) };
+        is_true &= directions >> direction & 1 == 0 || judge.direction();
+    }
+    assert!(judge.bytes.is_empty());
+    is_true
+}
+
+/// The second verifier, in Python with exact fractions; none where there is no Python.
+fn exact_verdict(a: &TriMesh, b: &TriMesh, bytes: &[u8]) -> Option<i32> {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    for (name, mesh) in [("a.obj", a), ("b.obj", b)] {
+        pompeiu_io::write(path(name), mesh).unwrap();
+    }
+    std::fs::write(path("certificate"), bytes).unwrap();
+    let program = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../examples/verify/verify.py");
+    let mut command = std::process::Command::new("python3");
+    let arguments = ["certificate", "a.obj", "b.obj"].map(path);
+    command.arg(program).args(arguments).output().ok().and_then(|output| output.status.code())
+}
+
+#[test]
+fn both_verifiers_agree_on_what_is_written_and_on_what_is_damaged() {
+    let turned = |mesh: &TriMesh| {
+        let turn = |[x, y, z]: [f64; 3]| [0.8 * x - 0.6 * y, 0.6 * x + 0.8 * y, z];
+        TriMesh::new(mesh.positions().iter().map(|p| turn(*p)).collect(), mesh.faces().to_vec()).unwrap()
+    };
+    let square = |n| grid([1.0; 2], [n; 2], Diagonal::Rising).unwrap();
+    let pairs = [
+        (icosphere(1.0, 0).unwrap(), torus(0.8, 0.5, 7, 5).unwrap()),
+        (square(3), turned(&square(2))),
+        (square(2), square(3)),
+    ];
+    for (a, b) in pairs {
+        let (_, bytes) = write(&a, &b, both(&a, &b)).unwrap();
+        let Some(code) = exact_verdict(&a, &b, &bytes) else {
+            println!("skipped: there is no python3");
+            return;
+        };
+        assert_eq!((code, check(&a, &b, &bytes, 1).is_ok()), (0, true));
+        for step in 0..6 {
+            let mut damaged = bytes.clone();
+            damaged[(step * 7919 + 73) % bytes.len()] ^= 1 << (step % 8);
+            let code = exact_verdict(&a, &b, &damaged).unwrap();
+            match check(&a, &b, &damaged, 1) {
+                Ok(_) => assert_eq!(code, 0, "what arithmetic with bounds accepts is true"),
+                Err(error) if error.is_unreadable() => assert_eq!(code, 2, "{error}"),
+                // Bounds may reject what is true by less than rounding.
+                Err(_) => assert!(code < 2),
+            }
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(cases(24)))]
+
+    #[test]
+    fn less_than_the_distance_is_never_accepted((a, b) in pair(), digits in 1..16_i32) {
+        let h = directed_hausdorff(&a, &b).distance;
+        let goal = Goal::within(h.lower() * (1.0 - 10_f64.powi(-digits)));
+        let diagonal = Aabb::of_faces(&a).union(Aabb::of_faces(&b)).diagonal();
+        if h.lower() * 10_f64.powi(-digits) > 1e-15 * diagonal {
+            prop_assert!(write(&a, &b, [Some(goal), None]).is_err());
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(cases(300)))]
+
+    #[test]
+    fn random_pairs_are_certified_and_every_cell_is_near_in_exact_arithmetic((a, b) in pair()) {
+        let written = write(&a, &b, both(&a, &b));
+        prop_assert!(written.is_ok(), "{written:?}");
+        let (_, bytes) = written.unwrap();
+        check(&a, &b, &bytes, 1).unwrap();
+        prop_assert!(is_true(&a, &b, &bytes));
+    }
+
+    #[test]
+    fn any_scale_is_certified((a, b) in pair(), exponent in -980..980_i32) {
+        if let Some((a, b)) = scaled(&a, exponent).zip(scaled(&b, exponent)) {
+            let report = symmetric_hausdorff(&a, &b);
+            let slack = Goal::SLACK * Aabb::of_faces(&a).union(Aabb::of_faces(&b)).diagonal();
+            let (_, bytes) = write(&a, &b, Goal::of_both(&report, slack)).unwrap();
+            check(&a, &b, &bytes, 1).unwrap();
+        }
+    }
+
+    #[test]
+    fn what_is_accepted_after_damage_is_true((a, b) in pair(), at in 73..10_000_usize, bit in 0..8_u32, times in 1..4_usize) {
+        let (_, mut bytes) = write(&a, &b, both(&a, &b)).unwrap();
+        for i in 0..times {
+            let length = bytes.len() - 73;
+            bytes[73 + (at * (2 * i + 1)) % length] ^= 1 << bit;
+        }
+        if check(&a, &b, &bytes, 1).is_ok() {
+            prop_assert!(is_true(&a, &b, &bytes));
+        }
+    }
+}
