@@ -16,6 +16,8 @@
 
 #[cfg(feature = "complexity")]
 pub use pompeiu_complexity as complexity;
+#[cfg(feature = "contact")]
+pub use pompeiu_contact as contact;
 pub use pompeiu_core as core;
 #[cfg(feature = "coupling")]
 pub use pompeiu_coupling as coupling;

@@ -1,0 +1,79 @@
+//! Small symmetric matrices: positive semi-definite parts by Jacobi's method.
+
+/// Sweeps of Jacobi's method at most; it converges quadratically.
+const SWEEPS: usize = 30;
+
+/// Replaces a symmetric matrix by the nearest positive semi-definite one.
+pub(crate) fn project<const N: usize>(matrix: &mut [[f64; N]; N]) {
+    let (values, vectors) = eigen(*matrix);
+    if values.iter().all(|value| *value >= 0.0) {
+        return;
+    }
+    for i in 0..N {
+        for j in 0..=i {
+            let part =
+                |k: usize| if values[k] > 0.0 { values[k] * vectors[i][k] * vectors[j][k] } else { 0.0 };
+            let sum: f64 = (0..N).map(part).sum();
+            matrix[i][j] = sum;
+            matrix[j][i] = sum;
+        }
+    }
+}
+
+/// Eigenvalues, and eigenvectors in columns.
+pub(crate) fn eigen<const N: usize>(mut a: [[f64; N]; N]) -> ([f64; N], [[f64; N]; N]) {
+    let mut v = [[0.0; N]; N];
+    for (i, row) in v.iter_mut().enumerate() {
+        row[i] = 1.0;
+    }
+    for _ in 0..SWEEPS {
+        let square = |i: usize, j: usize| a[i][j] * a[i][j];
+        let off: f64 = (0..N).map(|i| (0..i).map(|j| square(i, j)).sum::<f64>()).sum();
+        let diagonal: f64 = (0..N).map(|i| square(i, i)).sum();
+        if off <= 1e-34 * diagonal {
+            break;
+        }
+        for p in 0..N {
+            for q in p + 1..N {
+                if a[p][q] == 0.0 {
+                    continue;
+                }
+                let theta = (a[q][q] - a[p][p]) / (2.0 * a[p][q]);
+                let t = theta.signum() / (theta.abs() + (theta * theta + 1.0).sqrt());
+                let c = 1.0 / (t * t + 1.0).sqrt();
+                let s = t * c;
+                for k in 0..N {
+                    let (x, y) = (a[k][p], a[k][q]);
+                    (a[k][p], a[k][q]) = (c * x - s * y, s * x + c * y);
+                }
+                for k in 0..N {
+                    let (x, y) = (a[p][k], a[q][k]);
+                    (a[p][k], a[q][k]) = (c * x - s * y, s * x + c * y);
+                    let (x, y) = (v[k][p], v[k][q]);
+                    (v[k][p], v[k][q]) = (c * x - s * y, s * x + c * y);
+                }
+            }
+        }
+    }
+    (std::array::from_fn(|i| a[i][i]), v)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_matrix_of_known_eigenvalues_loses_the_negative_ones() {
+        // Householder's reflection of diag(3, −2, 1).
+        let u = [2.0 / 3.0, -1.0 / 3.0, 2.0 / 3.0_f64];
+        let of = |d: [f64; 3]| -> [[f64; 3]; 3] {
+            let q = |i: usize, j: usize| f64::from(u8::from(i == j)) - 2.0 * u[i] * u[j];
+            std::array::from_fn(|i| std::array::from_fn(|j| (0..3).map(|k| q(i, k) * d[k] * q(j, k)).sum()))
+        };
+        let mut matrix = of([3.0, -2.0, 1.0]);
+        project(&mut matrix);
+        for (row, expected) in matrix.iter().zip(of([3.0, 0.0, 1.0])) {
+            assert!(row.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-14));
+        }
+    }
+}
