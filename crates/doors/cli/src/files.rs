@@ -5,6 +5,7 @@ use crate::printer::Printer;
 use crate::wait::Wait;
 use anyhow::{Context, bail};
 use pompeiu::core::TriMesh;
+use pompeiu::core::mesh::{Precision, Rounding};
 use pompeiu::io::{Attributes, OutputFormat, ReadMesh, WriteError};
 use sha2::{Digest, Sha256};
 use std::fmt::Write as _;
@@ -117,16 +118,39 @@ pub(crate) fn write_with(
     pompeiu::io::write_with(path, mesh, attributes)?;
     let shown = path.display();
     let is_rounded = |x: &f64| f64::from(*x as f32) != *x;
-    if OutputFormat::from_path(path) == Some(OutputFormat::Stl)
+    if let Some(format) = OutputFormat::from_path(path)
+        && format.precision() == Precision::Single
         && mesh.positions().iter().flatten().any(is_rounded)
     {
         printer.warning(format_args!(
-            "{shown}: STL holds single precision, so coordinates were rounded; PLY and OBJ keep every bit"
+            "{shown}: {} holds single precision, so coordinates were rounded; PLY and OBJ keep every bit",
+            format.name()
         ));
     }
     let [vertices, faces] = [mesh.positions().len(), mesh.faces().len()].map(|n| grouped(n as u64));
     printer.note(format_args!("{shown}: {vertices} vertices, {faces} faces"));
     Ok(())
+}
+
+/// Writes a mesh whose coordinates were rounded to those of the format, moved by the shift that goes with them.
+pub(crate) fn write_rounded(
+    path: &Path,
+    mesh: &TriMesh,
+    rounding: &Rounding,
+    printer: &Printer,
+) -> anyhow::Result<()> {
+    write_shifted(path, mesh, &Attributes::for_mesh(mesh), rounding, printer)
+}
+
+/// The same with attributes.
+pub(crate) fn write_shifted(
+    path: &Path,
+    mesh: &TriMesh,
+    attributes: &Attributes,
+    rounding: &Rounding,
+    printer: &Printer,
+) -> anyhow::Result<()> {
+    write_with(path, &rounding.written(mesh)?, attributes, printer)
 }
 
 /// Writes a file, whole or not at all, and says so.

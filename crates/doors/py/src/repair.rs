@@ -34,8 +34,11 @@ pub(crate) fn repair(
     let mesh = mesh.clone().unbind();
     let (repaired, distance) = wait::run_detached(py, None, move |watch: &mut Watch<'_, Progress>| {
         let mesh = mesh.get().inner();
-        let repaired = repaired_mesh(mesh, &RepairOptions { weld, fill_holes: options.fill_holes })
-            .map_err(Raise::raise)?;
+        let repaired = repaired_mesh(
+            mesh,
+            &RepairOptions { weld, fill_holes: options.fill_holes, ..RepairOptions::default() },
+        )
+        .map_err(Raise::raise)?;
         let asked = HausdorffOptions { observer: Some(&*watch), ..HausdorffOptions::default() };
         let distance = options.measure.then(|| asked.symmetric(mesh, &repaired.mesh)).transpose();
         Ok::<_, PyErr>((repaired, distance.map_err(Raise::raise)?))

@@ -2,6 +2,7 @@
 
 use super::FlowError;
 use super::observer::FlowObserver;
+use pompeiu_core::mesh::Coordinates;
 use pompeiu_core::run::Limits;
 use pompeiu_remesh::Intersections;
 use std::num::NonZeroUsize;
@@ -126,6 +127,8 @@ pub struct FlowOptions<'o> {
     pub improve: bool,
     /// Remeshing on the way.
     pub remesh: Option<Remeshing>,
+    /// The coordinates of the file that the result is for: the surface is rounded to them at the end.
+    pub coordinates: Coordinates,
     /// What is done about faces of the result that intersect; on the way they are not looked for.
     pub intersections: Intersections,
     /// Whether the least eigenvalue of the Hessian is computed for a stationary surface.
@@ -148,6 +151,7 @@ impl FlowOptions<'_> {
             keep_volume: false,
             improve: matches!(until, Until::Stationary(_)),
             remesh: None,
+            coordinates: Coordinates::default(),
             intersections: Intersections::Ignore,
             stability: true,
             limits: Limits::default(),

@@ -7,6 +7,7 @@ use super::options::Scheme;
 use super::pinch::Neck;
 use super::stability::Stability;
 use pompeiu_core::TriMesh;
+use pompeiu_core::mesh::Rounding;
 use pompeiu_remesh::IntersectionCount;
 use std::time::Duration;
 
@@ -149,6 +150,8 @@ pub struct Flow {
     pub cone: Option<Cone>,
     /// The neck that pinches off.
     pub neck: Option<Neck>,
+    /// What rounding to the coordinates of the file did to the surface at the end; area and gradient are those before.
+    pub rounding: Rounding,
     /// How many pairs of faces of the result intersect, where that was asked for.
     pub intersections: Option<IntersectionCount>,
     /// How long it took.

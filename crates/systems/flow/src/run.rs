@@ -15,6 +15,7 @@ use super::time::TimeStep;
 use super::{FlowError, discs, stability};
 use glam::{DMat3, DVec3};
 use pompeiu_core::TriMesh;
+use pompeiu_core::geom::Aabb;
 use pompeiu_core::run::{Control, on_threads};
 use pompeiu_remesh::DynamicMesh;
 use std::ops::ControlFlow;
@@ -324,7 +325,12 @@ impl<'r> Runner<'r> {
         let neck = neck.map(|neck| Neck { position: back(neck.position), ..neck });
         let mut mesh = self.surface.mesh.clone();
         mesh.map_positions(back);
-        let mesh = mesh.to_mesh()?;
+        let mut mesh = mesh.to_mesh()?;
+        let grid = self.options.coordinates.within(&Aabb::of_faces(&mesh));
+        let rounding = grid.rounding(&mesh);
+        if !grid.holds_all() {
+            mesh = grid.round_mesh(&mesh)?;
+        }
         let intersections = self.options.intersections.of(&mesh)?;
         let slides = self.options.boundary != BoundaryCondition::Fixed && !loops.is_empty();
         self.timing.verdict += started.elapsed();
@@ -341,6 +347,7 @@ impl<'r> Runner<'r> {
             discs,
             cone: self.cone,
             neck,
+            rounding,
             intersections,
             timing: self.timing,
         })

@@ -3,6 +3,7 @@
 use super::connectivity::{NONE, previous};
 use super::cover::{Cover, Covering};
 use super::marked::Marked;
+use super::places::Places;
 use super::quadric::Quadric;
 use super::queue::{Entry, Queue};
 use super::smooth::area_vector;
@@ -51,6 +52,7 @@ pub(super) struct Collapses<'i> {
     batch: u32,
     queue: Queue,
     input: Input<'i>,
+    places: Places,
     limit: f64,
     cover: Option<Cover>,
     least_faces: usize,
@@ -60,7 +62,7 @@ pub(super) struct Collapses<'i> {
 }
 
 impl<'i> Collapses<'i> {
-    pub(super) fn new(surface: Marked, bvh: &'i Bvh, within: bool) -> Self {
+    pub(super) fn new(surface: Marked, bvh: &'i Bvh, places: Places, within: bool) -> Self {
         let mesh = &surface.mesh;
         Self {
             quadrics: vertex_quadrics(&surface),
@@ -70,6 +72,7 @@ impl<'i> Collapses<'i> {
             batch: 0,
             queue: Queue::new(),
             input: Input { bvh, limit_sq: f64::INFINITY },
+            places,
             limit: f64::INFINITY,
             cover: within.then(|| Cover::new(mesh, bvh)),
             least_faces: 1,
@@ -158,6 +161,7 @@ impl<'i> Collapses<'i> {
             surface: &self.surface,
             quadrics: &self.quadrics,
             input: &self.input,
+            places: &self.places,
             limit: self.limit,
             cover: self.cover.as_ref(),
         };

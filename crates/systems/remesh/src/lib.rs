@@ -23,6 +23,7 @@ mod lengths;
 mod marked;
 mod near;
 mod options;
+mod places;
 mod quadric;
 mod quality;
 mod queue;

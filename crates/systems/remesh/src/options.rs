@@ -5,6 +5,7 @@ use super::features::{FeatureError, Features};
 use super::guard::{IntersectionCount, Intersections, Intersects};
 use super::lengths::{LengthError, NotWithin, check_length};
 use pompeiu_core::mesh::repair::RepairError;
+use pompeiu_core::mesh::{Coordinates, Rounding, TooCoarse};
 use pompeiu_core::run::{Limits, ProgressObserver, StopReason};
 use pompeiu_core::{MeshError, TriMesh, VertexId};
 use pompeiu_hausdorff::SymmetricReport;
@@ -28,6 +29,9 @@ pub struct SimplifyOptions<'o> {
     pub features: Features<'o>,
     /// Whether a mesh that is no oriented manifold is repaired first.
     pub repair: bool,
+    /// The coordinates of the file that the result is for: every vertex is where the file can hold it, so that what is proven is true
+    /// of the file.
+    pub coordinates: Coordinates,
     /// What is done about faces of the result that intersect.
     pub intersections: Intersections,
     /// Time and threads. When the time is over, the mesh reached so far is returned; it keeps the distance.
@@ -43,6 +47,7 @@ impl SimplifyOptions<'_> {
             target,
             features: Features::default(),
             repair: false,
+            coordinates: Coordinates::default(),
             intersections: Intersections::Ignore,
             limits: Limits::default(),
             progress: None,
@@ -84,6 +89,8 @@ pub struct Simplified {
     pub kept: Vec<[VertexId; 2]>,
     /// What was asked for.
     pub target: SimplifyTarget,
+    /// What rounding to the coordinates of the file does to the input.
+    pub rounding: Rounding,
     /// Both directed distances, enclosed: A is the input, B the result.
     pub distance: SymmetricReport,
     /// How many pairs of faces intersect, where that was asked for.
@@ -127,6 +134,9 @@ pub enum SimplifyError {
     /// No level of detail was asked for.
     #[error("the number of levels is 0; at least 1 is needed")]
     NoLevels,
+    /// The numbers of the file are too coarse for the distance.
+    #[error(transparent)]
+    TooCoarse(#[from] TooCoarse),
     /// The result is no mesh.
     #[error(transparent)]
     Mesh(#[from] MeshError),

@@ -6,6 +6,7 @@ use super::guard::{IntersectionCount, Intersections, Intersects};
 use super::lengths::{LengthError, NotWithin, check_length};
 use super::quality::Quality;
 use super::sizing::Sizing;
+use pompeiu_core::mesh::{Coordinates, Rounding, TooCoarse};
 use pompeiu_core::run::{Limits, ProgressObserver, StopReason};
 use pompeiu_core::{MeshError, TriMesh};
 use pompeiu_hausdorff::SymmetricReport;
@@ -28,6 +29,8 @@ pub struct RemeshOptions<'o> {
     pub measure: bool,
     /// Most faces that the result may have.
     pub most_faces: usize,
+    /// The coordinates of the file that the result is for: rounded to before anything is said of the result.
+    pub coordinates: Coordinates,
     /// What is done about faces of the result that intersect.
     pub intersections: Intersections,
     /// Time and threads. When the time is over, the mesh reached so far is returned.
@@ -52,6 +55,7 @@ impl<'o> RemeshOptions<'o> {
             project: true,
             measure: true,
             most_faces: Self::MOST_FACES,
+            coordinates: Coordinates::default(),
             intersections: Intersections::Ignore,
             limits: Limits::default(),
             progress: None,
@@ -94,6 +98,8 @@ pub struct Remeshed {
     pub after: Quality,
     /// Both directed distances, enclosed: A is the input, B the result. None where it was not measured.
     pub distance: Option<SymmetricReport>,
+    /// What rounding to the coordinates of the file does to the input.
+    pub rounding: Rounding,
     /// How many pairs of faces intersect, where that was asked for.
     pub intersections: Option<IntersectionCount>,
     /// Number of iterations done, those that a distance asked for included.
@@ -173,6 +179,9 @@ pub enum RemeshError {
         /// Most faces allowed.
         most: usize,
     },
+    /// The numbers of the file are too coarse for the distance.
+    #[error(transparent)]
+    TooCoarse(#[from] TooCoarse),
     /// The result is no mesh.
     #[error(transparent)]
     Mesh(#[from] MeshError),

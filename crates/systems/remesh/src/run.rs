@@ -6,6 +6,7 @@ use super::isotropic::{finish, iterate, split_longer_than};
 use super::lengths::NotWithin;
 use super::marked::Marked;
 use super::near::far_places;
+use super::places::Places;
 use super::quality::Quality;
 use super::reference::Reference;
 use super::request::{RemeshError, RemeshOptions, RemeshTiming, Remeshed};
@@ -13,6 +14,7 @@ use super::sizing::{self, Lengths, limit_growth};
 use super::smooth::area_vector;
 use pompeiu_core::TriMesh;
 use pompeiu_core::geom::{Aabb, Frame};
+use pompeiu_core::mesh::Rounding;
 use pompeiu_core::run::{Control, Progress, StopReason, on_threads};
 use pompeiu_hausdorff::symmetric_hausdorff;
 use std::time::Instant;
@@ -72,6 +74,8 @@ struct Work<'w> {
     control: Control,
     started: Instant,
     frame: Frame,
+    places: Places,
+    rounding: Rounding,
     before: Quality,
     /// The input, cut finer where lengths vary within its faces.
     copy: Marked,
@@ -86,6 +90,11 @@ impl<'w> Work<'w> {
         let aabb = Aabb::of_faces(mesh);
         options.check(aabb.diagonal(), mesh.positions().len())?;
         let frame = Frame::of(&aabb);
+        let places = Places { frame, grid: options.coordinates.within(&aabb) };
+        let rounding = places.grid.rounding(mesh);
+        if let Some(within) = options.within {
+            rounding.check(within)?;
+        }
         let mut dynamic = DynamicMesh::new(mesh.positions(), mesh.faces())?;
         dynamic.map_positions(|p| frame.map(p));
         let before = Quality::in_frame(&dynamic, &frame, None);
@@ -116,6 +125,8 @@ impl<'w> Work<'w> {
             control,
             started,
             frame,
+            places,
+            rounding,
             before,
             copy,
             reference,
@@ -133,7 +144,7 @@ impl<'w> Work<'w> {
         let shares: Vec<f64> = self.surface.mesh.edges().map(|h| self.surface.share_sq(h).sqrt()).collect();
         let after = Quality::in_frame(&self.surface.mesh, &self.frame, Some(&shares));
         let mut result = self.surface.mesh;
-        result.map_positions(|p| self.frame.unmap(p));
+        self.places.bring_out(&mut result);
         let mesh = result.to_mesh()?;
         let remeshing = self.started.elapsed();
         let intersections = self.options.intersections.of(&mesh)?;
@@ -149,6 +160,7 @@ impl<'w> Work<'w> {
             before: self.before,
             after,
             distance,
+            rounding: self.rounding,
             intersections,
             iterations: self.iterations,
             stop,
@@ -162,13 +174,16 @@ impl<'w> Work<'w> {
         for i in 0..count {
             self.report("remeshing", i as f64 / count as f64);
             if self.control.is_stopped() {
-                return Ok(());
+                break;
             }
             iterate(&mut self.surface, reference, self.options.most_faces, &self.control)
                 .map_err(|_| self.too_many())?;
             self.iterations += 1;
         }
-        finish(&mut self.surface, reference);
+        if !self.control.is_stopped() {
+            finish(&mut self.surface, reference);
+        }
+        self.places.settle(&mut self.surface.mesh);
         Ok(())
     }
 

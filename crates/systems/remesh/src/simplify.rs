@@ -6,6 +6,7 @@ use super::features::{Curves, FeatureError};
 use super::lengths::NotWithin;
 use super::marked::Marked;
 use super::options::{Simplified, SimplifyError, SimplifyOptions, SimplifyTarget, SimplifyTiming};
+use super::places::Places;
 use pompeiu_core::TriMesh;
 use pompeiu_core::geom::{Aabb, Frame};
 use pompeiu_core::mesh::repair::{RepairOptions, repair};
@@ -83,21 +84,33 @@ fn simplify_here(
         return Err(FeatureError::Repaired.into());
     }
     let frame = Frame::of(&aabb);
-    let repaired = if options.repair { Some(repair(mesh, &RepairOptions::default())?.mesh) } else { None };
+    let places = Places { frame, grid: options.coordinates.within(&aabb) };
+    let rounding = places.grid.rounding(mesh);
+    for target in &targets {
+        if let SimplifyTarget::Within(d) = target {
+            rounding.check(*d)?;
+        }
+    }
+    let repairs = RepairOptions { coordinates: options.coordinates, ..RepairOptions::default() };
+    let repaired = if options.repair { Some(repair(mesh, &repairs)?.mesh) } else { None };
     let manifold = repaired.as_ref().unwrap_or(mesh);
     let control = Control::start(&options.limits);
     let bvh = Bvh::build(manifold, &frame);
-    let surface = surface_of(manifold, &frame, &bvh, options)?;
-    let mut work = Collapses::new(surface, &bvh, matches!(options.target, SimplifyTarget::Within(_)));
+    let surface = surface_of(manifold, &places, &bvh, options)?;
+    let mut work = Collapses::new(surface, &bvh, places, matches!(options.target, SimplifyTarget::Within(_)));
     let mut found = Vec::with_capacity(levels);
     for target in targets {
         match target {
-            SimplifyTarget::Within(d) => work.come_within(LOCAL_SHARE * frame.length_in(d)),
+            // Of a repaired mesh rounding moved vertices before, which the local tests do not see.
+            SimplifyTarget::Within(d) => {
+                let moved = if options.repair { rounding.moved } else { 0.0 };
+                work.come_within(frame.length_in(LOCAL_SHARE * d - moved));
+            }
             SimplifyTarget::Faces(n) => work.leave_faces(n),
         }
         work.run(&control, options.progress);
         let mut result = work.surface.mesh.clone();
-        result.map_positions(|p| frame.unmap(p));
+        places.bring_out(&mut result);
         let result = result.to_mesh()?;
         let collapse = started.elapsed();
         let intersections = options.intersections.of(&result)?;
@@ -109,6 +122,7 @@ fn simplify_here(
             mesh: result,
             kept: work.surface.kept(),
             target,
+            rounding,
             distance,
             intersections,
             collapses: work.count,
@@ -123,12 +137,12 @@ fn simplify_here(
 /// The mesh in its frame, with the curves that are kept.
 fn surface_of(
     mesh: &TriMesh,
-    frame: &Frame,
+    places: &Places,
     bvh: &Bvh,
     options: &SimplifyOptions<'_>,
 ) -> Result<Marked, SimplifyError> {
     let mut dynamic = DynamicMesh::new(mesh.positions(), mesh.faces())?;
-    dynamic.map_positions(|p| frame.map(p));
+    places.bring_in(&mut dynamic);
     let mut near = vec![bvh.any_slot(); mesh.positions().len()];
     for slot in bvh.slots() {
         for v in mesh.faces()[bvh.face(slot).index()] {

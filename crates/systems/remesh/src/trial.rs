@@ -2,6 +2,7 @@
 
 use super::cover::{Affected, Cover, Covering};
 use super::marked::{Collapse, Freedom, Marked};
+use super::places::Places;
 use super::quadric::Quadric;
 use super::smooth::area_vector;
 use super::within::{Input, Triangle};
@@ -98,6 +99,7 @@ pub(super) struct Trial<'t> {
     pub(super) surface: &'t Marked,
     pub(super) quadrics: &'t [Quadric],
     pub(super) input: &'t Input<'t>,
+    pub(super) places: &'t Places,
     pub(super) limit: f64,
     /// Which faces of the input each face covers; none where no distance was asked for.
     pub(super) cover: Option<&'t Cover>,
@@ -199,7 +201,7 @@ impl Trial<'_> {
         // In flat places several are one.
         let apart = SAME_POSITION * p.distance_squared(q);
         let mut different: Vec<DVec3> = Vec::with_capacity(all.len());
-        for position in all {
+        for position in all.into_iter().map(|p| self.places.near(p)) {
             if different.iter().all(|x| x.distance_squared(position) > apart) {
                 different.push(position);
             }

@@ -1,5 +1,6 @@
 //! Triangle meshes, valid by construction.
 
+mod coordinates;
 mod data;
 mod edges;
 pub mod edit;
@@ -10,6 +11,7 @@ pub mod shapes;
 pub mod topology;
 mod trimesh;
 
+pub use coordinates::{Coordinates, Grid, Precision, Rounding, TooCoarse};
 pub use data::{DataLengthError, ElementData, ElementId, FaceData, VertexData};
 pub(crate) use edges::has_three_vertices;
 pub use edit::{

@@ -1,5 +1,6 @@
 //! The command line as typed values: what all commands have in common, and options that several share.
 
+mod coordinates;
 mod intersections;
 mod limits;
 mod many;
@@ -8,6 +9,7 @@ mod picture;
 mod selection;
 mod tolerance;
 
+pub(crate) use coordinates::{Centered, tell};
 pub(crate) use intersections::Intersections;
 pub(crate) use limits::Limits;
 pub(crate) use many::Many;

@@ -8,5 +8,6 @@ mod contract;
 mod deviation;
 mod guide;
 mod many;
+mod precision;
 mod simplify;
 mod transcripts;

@@ -1,6 +1,7 @@
 //! The formats that can be written, and what each can store.
 
 use super::{Attributes, EncodeError};
+use pompeiu_core::mesh::Precision;
 use std::path::Path;
 
 /// A format that can be written.
@@ -74,6 +75,16 @@ impl OutputFormat {
             Self::Vtp => "VTP",
             Self::Vtu => "VTU",
             Self::Glb => "GLB",
+        }
+    }
+
+    /// The numbers in which it has coordinates.
+    ///
+    /// GLB counts as single precision although the translation of its node can hold more: programs add it in single precision.
+    pub const fn precision(self) -> Precision {
+        match self {
+            Self::Stl | Self::Glb => Precision::Single,
+            Self::Obj | Self::Ply | Self::Off | Self::Vtp | Self::Vtu => Precision::Double,
         }
     }
 

@@ -2,6 +2,7 @@
 //!
 //! | operation | what it does |
 //! |---|---|
+//! | round | to [`Coordinates`] that a file can hold, where that is asked for |
 //! | drop unreferenced vertices | those that no face names |
 //! | [`Weld`] | one vertex for positions that are equal, or within a length |
 //! | drop degenerate faces | area zero, decided exactly |
@@ -11,7 +12,7 @@
 //! | fill holes | triangles for boundary loops with few edges, of least area |
 //!
 //! The result is a manifold with boundary, oriented where that is possible; components that are not orientable, such as a Möbius
-//! strip, are listed in the [`RepairReport`]. Positions change only by welding within a length. Faces that are kept keep their
+//! strip, are listed in the [`RepairReport`]. Positions change only by rounding and by welding within a length. Faces that are kept keep their
 //! order.
 
 mod degenerate;
@@ -25,7 +26,8 @@ mod weld;
 
 pub use report::{Change, RepairReport};
 
-use super::{MeshError, TriMesh};
+use super::{Coordinates, MeshError, Rounding, TriMesh};
+use crate::geom::Aabb;
 use parts::Parts;
 
 /// Which vertices become one.
@@ -49,6 +51,8 @@ pub struct RepairOptions {
     /// The largest number of edges of boundary loops to fill, at most [`RepairOptions::MOST_HOLE_EDGES`]; 0 fills none. The rim of
     /// an open sheet is a boundary loop like any other: it is filled too if it has few edges.
     pub fill_holes: usize,
+    /// The coordinates of the file that the result is for: rounded first, so that the result is sound as it is written.
+    pub coordinates: Coordinates,
 }
 
 impl RepairOptions {
@@ -113,6 +117,8 @@ pub struct Repaired {
     pub mesh: TriMesh,
     /// What was done.
     pub report: RepairReport,
+    /// What rounding did before anything else.
+    pub rounding: Rounding,
 }
 
 /// Repairs a mesh; the table of operations is in [the documentation of the module](self), in the order in which they are done.
@@ -145,7 +151,11 @@ pub struct Repaired {
 /// ```
 pub fn repair(mesh: &TriMesh, options: &RepairOptions) -> Result<Repaired, RepairError> {
     options.check()?;
-    let mut parts = Parts { positions: mesh.positions().to_vec(), faces: mesh.faces().to_vec() };
+    let grid = options.coordinates.within(&Aabb::of_faces(mesh));
+    let rounding = grid.rounding(mesh);
+    let (positions, faces) =
+        if grid.holds_all() { mesh.clone() } else { grid.round_mesh(mesh)? }.into_parts();
+    let mut parts = Parts { positions, faces };
     let unreferenced = parts.drop_unreferenced();
     let welded = match options.weld {
         Weld::Never => Change::default(),
@@ -174,7 +184,7 @@ pub fn repair(mesh: &TriMesh, options: &RepairOptions) -> Result<Repaired, Repai
         holes_left: holes.left,
         faces_added: holes.faces_added,
     };
-    Ok(Repaired { mesh: TriMesh::new(parts.positions, parts.faces)?, report })
+    Ok(Repaired { mesh: TriMesh::new(parts.positions, parts.faces)?, report, rounding })
 }
 
 #[cfg(test)]

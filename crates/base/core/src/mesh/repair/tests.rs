@@ -29,7 +29,8 @@ const CORNERS: [[f64; 3]; 5] =
 #[test]
 fn a_sound_mesh_stays_as_it_is() {
     for mesh in [icosphere(1.0, 2).unwrap(), torus(2.0, 0.7, 9, 7).unwrap(), cube(1.0, 2).unwrap()] {
-        let found = repaired(&mesh, RepairOptions { weld: Weld::Equal, fill_holes: 10 });
+        let found =
+            repaired(&mesh, RepairOptions { weld: Weld::Equal, fill_holes: 10, ..RepairOptions::default() });
         assert!(found.report.is_unchanged(), "{:?}", found.report);
         assert_eq!(found.mesh, mesh);
     }
@@ -49,7 +50,8 @@ fn loose_triangles_become_the_surface_they_came_from() {
         &[[0, 1, 2], [4, 3, 5]],
     );
     assert_eq!(repaired(&signed, RepairOptions::default()).report.welded.count, 2);
-    let never = repaired(&signed, RepairOptions { weld: Weld::Never, fill_holes: 0 });
+    let never =
+        repaired(&signed, RepairOptions { weld: Weld::Never, fill_holes: 0, ..RepairOptions::default() });
     assert_eq!(never.mesh, signed);
 }
 
@@ -62,14 +64,17 @@ fn vertices_within_a_length_become_one_and_no_others() {
     let shaken = TriMesh::new(shaken, loose.faces().to_vec()).unwrap();
     for scale in [1e-150, 1.0, 1e150] {
         let scaled = transform(&shaken, &Affine::scale([scale; 3])).unwrap();
-        let found = repaired(&scaled, RepairOptions { weld: Weld::Within(1e-3 * scale), fill_holes: 0 });
+        let found = repaired(
+            &scaled,
+            RepairOptions { weld: Weld::Within(1e-3 * scale), fill_holes: 0, ..RepairOptions::default() },
+        );
         assert_eq!(found.mesh.positions().len(), sphere.positions().len());
         assert_eq!(MeshSummary::of(&found.mesh).connectivity, MeshSummary::of(&sphere).connectivity);
         let exact = repaired(&scaled, RepairOptions::default());
         assert_eq!(exact.report.welded.count, 0);
     }
     let far = transform(&sphere, &Affine::translate([1e10; 3])).unwrap();
-    let options = RepairOptions { weld: Weld::Within(1e-9), fill_holes: 0 };
+    let options = RepairOptions { weld: Weld::Within(1e-9), fill_holes: 0, ..RepairOptions::default() };
     assert!(matches!(repair(&far, &options), Err(RepairError::WeldBelowRounding { .. })));
 }
 
@@ -149,14 +154,18 @@ fn small_holes_are_filled_and_large_ones_are_not() {
     let open = without_unreferenced(&TriMesh::new(positions, kept).unwrap());
     assert_eq!(MeshSummary::of(&open).connectivity.boundary_loops, 2);
     for (most, filled, faces) in [(0, 0, 0), (4, 0, 0), (5, 1, 3), (6, 2, 7)] {
-        let found = repaired(&open, RepairOptions { weld: Weld::Equal, fill_holes: most });
+        let found = repaired(
+            &open,
+            RepairOptions { weld: Weld::Equal, fill_holes: most, ..RepairOptions::default() },
+        );
         assert_eq!((found.report.filled_holes.count, found.report.faces_added), (filled, faces), "{most}");
         let topology = MeshSummary::of(&found.mesh).connectivity;
         assert_eq!((topology.boundary_loops, topology.genus), (2 - filled, Some(0)));
     }
     // The boundary of an isolated face has three edges; filling it would duplicate the face.
     let alone = mesh(&CORNERS[..3], &[[0, 1, 2]]);
-    let found = repaired(&alone, RepairOptions { weld: Weld::Equal, fill_holes: 3 });
+    let found =
+        repaired(&alone, RepairOptions { weld: Weld::Equal, fill_holes: 3, ..RepairOptions::default() });
     assert_eq!((found.report.holes_left.count, found.mesh), (1, alone));
 }
 
@@ -170,7 +179,7 @@ fn random_triangles_on_few_vertices_become_a_manifold() {
         let faces: Vec<_> = (0..count).map(|_| [0; 3].map(|_| random.below(vertices))).collect();
         let mesh = mesh(&positions, &faces);
         for fill_holes in [0, 6] {
-            let options = RepairOptions { weld: Weld::Equal, fill_holes };
+            let options = RepairOptions { weld: Weld::Equal, fill_holes, ..RepairOptions::default() };
             match repair(&mesh, &options) {
                 Err(error) => assert!(matches!(error, RepairError::NothingLeft { .. }), "{error}"),
                 Ok(_) => drop(repaired(&mesh, options)),
@@ -188,9 +197,9 @@ fn random_triangles_on_few_vertices_become_a_manifold() {
 fn options_are_checked() {
     let cube = cube(1.0, 1).unwrap();
     for length in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        let options = RepairOptions { weld: Weld::Within(length), fill_holes: 0 };
+        let options = RepairOptions { weld: Weld::Within(length), fill_holes: 0, ..RepairOptions::default() };
         assert!(matches!(repair(&cube, &options), Err(RepairError::WeldLength(_))), "{length}");
     }
-    let options = RepairOptions { weld: Weld::Equal, fill_holes: 257 };
+    let options = RepairOptions { weld: Weld::Equal, fill_holes: 257, ..RepairOptions::default() };
     assert_eq!(repair(&cube, &options), Err(RepairError::HoleEdges(257)));
 }

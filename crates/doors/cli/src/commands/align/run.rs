@@ -2,6 +2,7 @@
 
 use super::args::Align;
 use super::{json, text};
+use crate::args::tell;
 use crate::exit::Exit;
 use crate::files;
 use crate::interrupt;
@@ -10,9 +11,11 @@ use crate::pair::{self, File};
 use crate::printer::Printer;
 use crate::wait::Wait;
 use anyhow::Context;
-use pompeiu::core::mesh::transform;
+use pompeiu::core::geom::Aabb;
+use pompeiu::core::mesh::{Coordinates, transform};
 use pompeiu::core::run::{Limits, Progress};
 use pompeiu::hausdorff::{HausdorffOptions, SymmetricReport};
+use pompeiu::io::OutputFormat;
 use pompeiu::matching::align::{Fixed, Registration, RegistrationOptions, register};
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -59,11 +62,18 @@ pub(crate) fn run(args: &Align, printer: &Printer) -> anyhow::Result<Exit> {
     let aligned = started.elapsed();
     wait.show("measuring the distance".to_owned());
     let moved = transform(&moving, &found.map()).with_context(|| args.moving.display().to_string())?;
+    // What is said of the distance is true of the file.
+    let precision = args.output.as_deref().and_then(OutputFormat::from_path).map(OutputFormat::precision);
+    let coordinates = Coordinates { precision: precision.unwrap_or_default(), centered: false };
+    let grid = coordinates.within(&Aabb::of_faces(&moved));
+    let rounding = grid.rounding(&moved);
+    let moved = grid.round_mesh(&moved)?;
     let limits = args.limits.after(aligned);
     let distance = HausdorffOptions { limits, ..HausdorffOptions::default() }.symmetric(&moved, &fixed)?;
     let measured = started.elapsed();
     drop(wait);
     if let Some(path) = &args.output {
+        tell(path, &rounding, printer);
         files::write(path, &moved, printer)?;
     }
     if let Some(path) = &args.matrix {

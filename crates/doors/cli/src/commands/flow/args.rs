@@ -1,6 +1,6 @@
 //! Options of the flow command.
 
-use crate::args::{Intersections, Limits, Picture};
+use crate::args::{Centered, Intersections, Limits, Picture};
 use crate::numbers::{direction, magnitude};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
@@ -61,6 +61,8 @@ pub(crate) struct Flow {
     pub(crate) remesh_every: NonZeroUsize,
     #[command(flatten)]
     pub(crate) guard: Intersections,
+    #[command(flatten)]
+    pub(crate) centered: Centered,
     /// The mesh file to write
     #[arg(long, short, value_name = "OUT")]
     pub(crate) output: Option<PathBuf>,

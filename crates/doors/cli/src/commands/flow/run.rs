@@ -2,6 +2,7 @@
 
 use super::args::{Flow as Args, Volume};
 use super::{json, text};
+use crate::args::tell;
 use crate::called::called;
 use crate::exit::Exit;
 use crate::files;
@@ -74,6 +75,7 @@ pub(crate) fn run(args: &Args, printer: &Printer) -> anyhow::Result<Exit> {
         boundary: args.planes.map_or(BoundaryCondition::Fixed, BoundaryCondition::Planes),
         keep_volume: args.volume == Volume::Keep,
         remesh: args.remesh.map(|edge_length| Remeshing { edge_length, every: args.remesh_every }),
+        coordinates: args.output.as_deref().map(|path| args.centered.coordinates(path)).unwrap_or_default(),
         intersections: args.guard.intersections.into(),
         limits: Limits { time: args.limits.time_after(started.elapsed()), ..Limits::default() },
         observer: Some(&watch),
@@ -85,7 +87,8 @@ pub(crate) fn run(args: &Args, printer: &Printer) -> anyhow::Result<Exit> {
         series.finish(printer)?;
     }
     if let Some(output) = &args.output {
-        files::write(output, &flow.mesh, printer)?;
+        tell(output, &flow.rounding, printer);
+        files::write_rounded(output, &flow.mesh, &flow.rounding, printer)?;
     }
     let page = FlowPage {
         path: &args.mesh.display().to_string(),

@@ -1,6 +1,6 @@
 //! Options of the remesh command.
 
-use crate::args::{Intersections, Limits, Picture};
+use crate::args::{Centered, Intersections, Limits, Picture};
 use crate::numbers::magnitude;
 use clap::{ArgGroup, Args};
 use pompeiu::remesh::RemeshOptions;
@@ -47,6 +47,8 @@ pub(crate) struct Remesh {
     pub(crate) most_faces: usize,
     #[command(flatten)]
     pub(crate) guard: Intersections,
+    #[command(flatten)]
+    pub(crate) centered: Centered,
     /// The mesh file to write
     #[arg(long, short, value_name = "OUT")]
     pub(crate) output: PathBuf,

@@ -3,6 +3,7 @@
 use super::run::Outcome;
 use crate::json::{line, milliseconds};
 use crate::pair::File;
+use pompeiu::core::mesh::Rounding;
 use pompeiu::core::run::StopReason;
 use pompeiu::hausdorff::Enclosure;
 use pompeiu::remesh::{IntersectionCount, Quality};
@@ -23,6 +24,7 @@ pub(super) fn json(outcome: &Outcome) -> serde_json::Result<String> {
         distance: distance.map(|d| d.distance),
         input_to_output: distance.map(|d| d.a_to_b.distance),
         output_to_input: distance.map(|d| d.b_to_a.distance),
+        rounding: found.rounding,
         intersections: found.intersections,
         iterations: found.iterations,
         stop: found.stop,
@@ -56,6 +58,8 @@ pub(crate) struct Json<'o> {
     input_to_output: Option<Enclosure>,
     /// How far the output is from the input.
     output_to_input: Option<Enclosure>,
+    /// What rounding to the coordinates of the output does to the input.
+    rounding: Rounding,
     /// How many pairs of faces of the output intersect; null where they were not looked for.
     intersections: Option<IntersectionCount>,
     /// Number of rounds of splits, collapses, flips and moves.

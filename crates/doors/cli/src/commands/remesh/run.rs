@@ -2,6 +2,7 @@
 
 use super::args::Remesh;
 use super::{json, text};
+use crate::args::tell;
 use crate::called::called;
 use crate::exit::Exit;
 use crate::files;
@@ -59,6 +60,7 @@ pub(crate) fn run(args: &Remesh, printer: &Printer) -> anyhow::Result<Exit> {
         iterations: args.iterations,
         within: args.within,
         most_faces: args.most_faces,
+        coordinates: args.centered.coordinates(&args.output),
         intersections: args.guard.intersections.into(),
         limits: Limits { time: args.limits.time_after(started.elapsed()), ..Limits::default() },
         progress: Some(&show),
@@ -66,7 +68,8 @@ pub(crate) fn run(args: &Remesh, printer: &Printer) -> anyhow::Result<Exit> {
     };
     let found = remesh(&mesh, &options).with_context(|| args.mesh.display().to_string())?;
     drop(wait);
-    files::write(&args.output, &found.mesh, printer)?;
+    tell(&args.output, &found.rounding, printer);
+    files::write_rounded(&args.output, &found.mesh, &found.rounding, printer)?;
     let page = RemeshPage {
         path: &args.mesh.display().to_string(),
         input: &mesh,

@@ -1,5 +1,6 @@
 //! Options of the repair command.
 
+use crate::args::Centered;
 use crate::numbers::magnitude;
 use clap::Args;
 use std::path::PathBuf;
@@ -35,6 +36,8 @@ pub(crate) struct Repair {
     /// Largest distance from the input, in its unit, to be proven
     #[arg(long, value_parser = magnitude, value_name = "LENGTH")]
     pub(crate) within: Option<f64>,
+    #[command(flatten)]
+    pub(crate) centered: Centered,
     /// Print one JSON object
     #[arg(long)]
     pub(crate) json: bool,

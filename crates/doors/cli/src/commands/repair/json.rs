@@ -3,6 +3,7 @@
 use super::run::Outcome;
 use crate::json::line;
 use crate::pair::File;
+use pompeiu::core::mesh::Rounding;
 use pompeiu::core::mesh::repair::RepairReport;
 use pompeiu::hausdorff::Enclosure;
 use serde::Serialize;
@@ -14,6 +15,7 @@ pub(super) fn json(outcome: &Outcome) -> serde_json::Result<String> {
         output: &outcome.output,
         written: outcome.written,
         report: &outcome.report,
+        rounding: outcome.rounding,
         within: outcome.distance.map(|(within, _)| within),
         distance: outcome.distance.map(|(_, distance)| distance),
     })
@@ -29,6 +31,8 @@ pub(crate) struct Json<'o> {
     written: bool,
     #[serde(flatten)]
     report: &'o RepairReport,
+    /// What rounding to the coordinates of the output did first.
+    rounding: Rounding,
     /// The distance asked for; null without.
     within: Option<f64>,
     /// The Pompeiu–Hausdorff distance of input and output; null where none was asked for.

@@ -2,12 +2,14 @@
 
 use super::args::Repair;
 use super::{json, text};
+use crate::args::tell;
 use crate::exit::Exit;
 use crate::files;
 use crate::numbers::shortest;
 use crate::pair::File;
 use crate::printer::Printer;
 use anyhow::Context;
+use pompeiu::core::mesh::Rounding;
 use pompeiu::core::mesh::repair::{RepairOptions, RepairReport, Weld, repair};
 use pompeiu::hausdorff::{Enclosure, symmetric_hausdorff};
 
@@ -16,6 +18,7 @@ pub(super) struct Outcome {
     pub(super) input: File,
     pub(super) output: File,
     pub(super) report: RepairReport,
+    pub(super) rounding: Rounding,
     /// The distance asked for, and the one found.
     pub(super) distance: Option<(f64, Enclosure)>,
     /// Whether the output was written.
@@ -32,7 +35,11 @@ pub(crate) fn run(args: &Repair, printer: &Printer) -> anyhow::Result<Exit> {
         None if args.no_weld => Weld::Never,
         _ => Weld::Equal,
     };
-    let options = RepairOptions { weld, fill_holes: args.fill_holes };
+    let options = RepairOptions {
+        weld,
+        fill_holes: args.fill_holes,
+        coordinates: args.centered.coordinates(&args.output),
+    };
     let found = repair(&read.mesh, &options).with_context(|| args.input.display().to_string())?;
     let distance = args.within.map(|within| (within, symmetric_hausdorff(&read.mesh, &found.mesh).distance));
     let exit = match distance {
@@ -44,11 +51,13 @@ pub(crate) fn run(args: &Repair, printer: &Printer) -> anyhow::Result<Exit> {
         input: File::new(&args.input, &read.mesh),
         output: File::new(&args.output, &found.mesh),
         report: found.report,
+        rounding: found.rounding,
         distance,
         written: exit == Exit::Done,
     };
     if outcome.written {
-        files::write(&args.output, &found.mesh, printer)?;
+        tell(&args.output, &outcome.rounding, printer);
+        files::write_rounded(&args.output, &found.mesh, &outcome.rounding, printer)?;
     } else if let Some((within, _)) = distance {
         printer.warning(format_args!(
             "{}: not written, for the result is not proven to be within {} of the input; allow more, or repair less",

@@ -122,7 +122,7 @@ impl Appearance {
             attributes =
                 attributes.with_vertex_colors(carried.map(|c| c.map(|x| x.round() as u8)).collect())?;
         }
-        files::write_with(path, mesh, &attributes, printer)
+        files::write_shifted(path, mesh, &attributes, &found.rounding, printer)
     }
 }
 

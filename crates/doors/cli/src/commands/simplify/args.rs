@@ -1,6 +1,6 @@
 //! Options of the simplify command.
 
-use crate::args::{Intersections, Limits};
+use crate::args::{Centered, Intersections, Limits};
 use crate::numbers::magnitude;
 use clap::{ArgGroup, Args};
 use std::path::PathBuf;
@@ -42,6 +42,8 @@ pub(crate) struct Simplify {
     pub(crate) repair: bool,
     #[command(flatten)]
     pub(crate) guard: Intersections,
+    #[command(flatten)]
+    pub(crate) centered: Centered,
     /// Write so many levels of detail: OUT, and before its suffix `-1`, `-2`, ... for meshes with half the distance, or twice the
     /// number of faces, of the one before
     #[arg(long, value_name = "N", default_value_t = 1, hide_default_value = true,

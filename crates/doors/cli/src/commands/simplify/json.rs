@@ -4,6 +4,7 @@ use super::appearance::Kept;
 use super::run::{Outcome, within};
 use crate::json::{line, milliseconds};
 use crate::pair::File;
+use pompeiu::core::mesh::Rounding;
 use pompeiu::core::run::StopReason;
 use pompeiu::hausdorff::Enclosure;
 use pompeiu::remesh::IntersectionCount;
@@ -27,6 +28,7 @@ pub(super) fn json(outcome: &Outcome) -> serde_json::Result<String> {
         distance: distance.distance,
         input_to_output: distance.a_to_b.distance,
         output_to_input: distance.b_to_a.distance,
+        rounding: found.rounding,
         intersections: found.intersections,
         kept: outcome.kept,
         collapses: found.collapses,
@@ -54,6 +56,8 @@ pub(crate) struct Json<'o> {
     input_to_output: Enclosure,
     /// How far the output is from the input.
     output_to_input: Enclosure,
+    /// What rounding to the coordinates of the output does to the input.
+    rounding: Rounding,
     /// How many pairs of faces of the output intersect; null where they were not looked for.
     intersections: Option<IntersectionCount>,
     kept: Kept,

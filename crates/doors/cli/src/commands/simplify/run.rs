@@ -3,6 +3,7 @@
 use super::appearance::{Appearance, Kept};
 use super::args::Simplify;
 use super::{json, text};
+use crate::args::tell;
 use crate::exit::Exit;
 use crate::files;
 use crate::interrupt;
@@ -72,6 +73,7 @@ pub(crate) fn run(args: &Simplify, printer: &Printer) -> anyhow::Result<Exit> {
     let options = SimplifyOptions {
         features: Features { angle: args.features, edges: &appearance.seams, ..Features::default() },
         repair: args.repair,
+        coordinates: args.centered.coordinates(&args.output),
         intersections: args.guard.intersections.into(),
         limits,
         progress: Some(&show),
@@ -82,6 +84,9 @@ pub(crate) fn run(args: &Simplify, printer: &Printer) -> anyhow::Result<Exit> {
     drop(wait);
     found.reverse();
     let mut levels = Vec::new();
+    if let Some(level) = found.first() {
+        tell(&args.output, &level.rounding, printer);
+    }
     for (place, level) in places.iter().zip(found) {
         appearance.write(place, &level, printer)?;
         levels.push((File::new(place, &level.mesh), level));

@@ -1,0 +1,138 @@
+//! What commands say of a result is true of the bytes that they wrote, whatever the numbers of the format.
+
+use crate::common::Folder;
+use pompeiu::core::TriMesh;
+use pompeiu::core::mesh::{Affine, shapes, transform};
+use pompeiu::hausdorff::symmetric_hausdorff;
+use serde_json::Value;
+
+/// Where surveyors have their coordinates.
+const FAR: [f64; 3] = [1_234_560.25, -7_654_313.125, 0.5];
+
+/// A binary STL as its specification has it: 80 bytes, a count, a normal and three corners for each triangle.
+fn read_stl(bytes: &[u8]) -> TriMesh {
+    let number = |at: usize| f64::from(f32::from_le_bytes(bytes[at..at + 4].try_into().unwrap()));
+    let count = u32::from_le_bytes(bytes[80..84].try_into().unwrap());
+    let corner = |i: u32| {
+        let at = 84 + 50 * (i / 3) as usize + 12 + 12 * (i % 3) as usize;
+        [number(at), number(at + 4), number(at + 8)]
+    };
+    TriMesh::new(
+        (0..3 * count).map(corner).collect(),
+        (0..count).map(|f| [3 * f, 3 * f + 1, 3 * f + 2]).collect(),
+    )
+    .unwrap()
+}
+
+/// A binary glTF with one node, as programs read it that add up in single precision.
+fn read_glb(bytes: &[u8]) -> TriMesh {
+    let word = |at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().unwrap());
+    let json = word(12) as usize;
+    let document: Value = serde_json::from_slice(&bytes[20..20 + json]).unwrap();
+    let data = &bytes[28 + json..];
+    let primitive = &document["meshes"][0]["primitives"][0];
+    let view = |accessor: &Value| {
+        let accessor = &document["accessors"][accessor.as_u64().unwrap() as usize];
+        let view = &document["bufferViews"][accessor["bufferView"].as_u64().unwrap() as usize];
+        let from = view["byteOffset"].as_u64().unwrap_or(0) as usize;
+        (from, accessor["count"].as_u64().unwrap() as usize)
+    };
+    let moved = |k: usize| document["nodes"][0]["translation"][k].as_f64().unwrap_or(0.0) as f32;
+    let (from, count) = view(&primitive["attributes"]["POSITION"]);
+    let at = |i: usize| data[from + 4 * i..from + 4 * i + 4].try_into().unwrap();
+    let positions =
+        (0..count).map(|v| [0, 1, 2].map(|k| f64::from(f32::from_le_bytes(at(3 * v + k)) + moved(k))));
+    let (from, count) = view(&primitive["indices"]);
+    let at = |i: usize| data[from + 4 * i..from + 4 * i + 4].try_into().unwrap();
+    let faces = (0..count / 3).map(|f| [0, 1, 2].map(|k| u32::from_le_bytes(at(3 * f + k))));
+    TriMesh::new(positions.collect(), faces.collect()).unwrap()
+}
+
+fn read(folder: &Folder, name: &str) -> TriMesh {
+    let bytes = std::fs::read(folder.path().join(name)).unwrap();
+    if name.ends_with(".stl") { read_stl(&bytes) } else { read_glb(&bytes) }
+}
+
+/// A sphere of radius 10 far from zero, in double precision.
+fn sphere() -> TriMesh {
+    transform(&shapes::icosphere(10.0, 3).unwrap(), &Affine::translate(FAR)).unwrap()
+}
+
+fn number(answer: &Value, path: &str) -> f64 {
+    answer.pointer(path).and_then(Value::as_f64).unwrap_or(0.0)
+}
+
+#[test]
+fn a_proven_distance_is_that_of_the_file() {
+    let folder = Folder::new();
+    let sphere = sphere();
+    pompeiu::io::write(folder.path().join("far.obj"), &sphere).unwrap();
+    let commands = [
+        ("simplify far.obj", "--within 0.05"),
+        ("simplify far.obj", "--faces 300"),
+        ("remesh far.obj --relative 0.08", "--within 0.3"),
+        ("remesh far.obj --relative 0.08", ""),
+    ];
+    for (command, asked) in commands {
+        for suffix in ["stl", "glb"] {
+            for center in ["", "--center"] {
+                let call = format!("{command} {asked} -o out.{suffix} {center} --json");
+                let output = folder.run(&call);
+                let allowed = asked.strip_prefix("--within ").map(|d| d.parse::<f64>().unwrap());
+                if output.status.code() != Some(0) {
+                    let told = String::from_utf8(output.stderr).unwrap();
+                    assert!(center.is_empty() && allowed.is_some(), "{call}: {told}");
+                    assert!(told.contains("--center") && told.contains("PLY"), "{call}: {told}");
+                    assert!(!folder.path().join(format!("out.{suffix}")).exists(), "{call}");
+                    continue;
+                }
+                let answer: Value = serde_json::from_slice(&output.stdout).unwrap();
+                let shift = [0, 1, 2].map(|k| number(&answer, &format!("/rounding/shift/{k}")));
+                assert_eq!(shift != [0.0; 3], !center.is_empty(), "{call}");
+                let found = read(&folder, &format!("out.{suffix}"));
+                let back = transform(&found, &Affine::translate(shift)).unwrap();
+                let distance = symmetric_hausdorff(&sphere, &back).distance;
+                let said = ["lower", "upper"].map(|end| number(&answer, &format!("/distance/{end}")));
+                assert!(
+                    distance.lower() <= said[1] && said[0] <= distance.upper(),
+                    "{call}: {distance:?} {said:?}"
+                );
+                assert!(allowed.is_none_or(|d| distance.lower() <= d), "{call}: {distance:?}");
+                std::fs::remove_file(folder.path().join(format!("out.{suffix}"))).unwrap();
+            }
+        }
+    }
+}
+
+#[test]
+fn a_mesh_is_repaired_as_it_is_written() {
+    let folder = Folder::new();
+    let small = transform(&shapes::icosphere(1.0, 3).unwrap(), &Affine::translate(FAR)).unwrap();
+    pompeiu::io::write(folder.path().join("far.obj"), &small).unwrap();
+    for center in ["", "--center"] {
+        let answer: Value =
+            serde_json::from_str(&folder.ok(&format!("repair far.obj out.stl {center} --json"))).unwrap();
+        let found = read(&folder, "out.stl");
+        assert_eq!(answer["degenerate_faces"]["count"].as_u64() > Some(0), center.is_empty(), "{answer}");
+        let area = |face| {
+            let [a, b, c] = found.corners(face);
+            let [u, v] = [b, c].map(|p| [0, 1, 2].map(|k| p[k] - a[k]));
+            [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]] != [0.0; 3]
+        };
+        assert!(found.face_ids().all(area), "a face without area was written");
+    }
+}
+
+#[test]
+fn an_aligned_mesh_is_measured_as_it_is_written() {
+    let folder = Folder::new();
+    let sphere = transform(&shapes::icosphere(10.0, 2).unwrap(), &Affine::translate(FAR)).unwrap();
+    let moved = transform(&sphere, &Affine::translate([0.3, -0.2, 0.1])).unwrap();
+    pompeiu::io::write(folder.path().join("fixed.obj"), &sphere).unwrap();
+    pompeiu::io::write(folder.path().join("moving.obj"), &moved).unwrap();
+    let output = folder.run("align moving.obj fixed.obj -o out.stl --json");
+    let answer: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let distance = symmetric_hausdorff(&read(&folder, "out.stl"), &sphere).distance;
+    assert!(distance.lower() > 0.05, "single precision is coarse here: {distance:?}");
+    assert!(number(&answer, "/moved_to_fixed/upper") >= distance.lower(), "{answer} {distance:?}");
+}
