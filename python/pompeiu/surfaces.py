@@ -185,6 +185,7 @@ def simplify(
     *,
     within: Optional[float] = None,
     faces: Optional[int] = None,
+    effort: str = "best",
     features: Optional[float] = None,
     repair: bool = False,
     texture: Optional[Tuple[ArrayLike, ArrayLike]] = None,
@@ -203,6 +204,8 @@ def simplify(
         Largest Pompeiu–Hausdorff distance from the input. Either this or ``faces`` is given.
     faces : int, optional
         Number of faces to reach; the distance follows.
+    effort : str
+        ``"best"`` makes that distance small, ``"fast"`` goes by quadric errors alone.
     features : float, optional
         Keeps boundaries, and edges whose faces meet at more than this angle between their normals, in degrees.
     repair : bool
@@ -235,6 +238,8 @@ def simplify(
         raise OptionError("give either within, a length, or faces, a number")
     if faces is not None and faces < 0:
         raise OptionError(f"the number of faces is {faces}; at least 1 is needed")
+    if effort not in ("best", "fast"):
+        raise OptionError(f'effort is {effort!r}; it must be "best" or "fast"')
     if repair and not (texture is None and colors is None):
         raise OptionError("texture and colours cannot be carried over from a mesh that is repaired first; repair it before")
     options = {
@@ -242,6 +247,7 @@ def simplify(
         "faces": faces or 0,
         "features": features,
         "repair": repair,
+        "fast": effort == "fast",
         "threads": threads,
         "time_limit": time_limit,
     }

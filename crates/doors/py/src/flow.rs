@@ -12,7 +12,8 @@ use pompeiu::core::spatial::self_intersections;
 use pompeiu::flow::{BoundaryCondition, FlowOptions, FlowStep, Remeshing, Scheme, Until};
 use pompeiu::io::AttributeError;
 use pompeiu::remesh::{
-    Carrier, CornerValues, Features, Intersections, RemeshOptions, SimplifyOptions, SimplifyTarget, Sizing,
+    Carrier, CornerValues, Effort, Features, Intersections, RemeshOptions, SimplifyOptions, SimplifyTarget,
+    Sizing,
 };
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
@@ -102,6 +103,7 @@ pub(crate) struct SimplifyChoice {
     faces: usize,
     features: Option<f64>,
     repair: bool,
+    fast: bool,
     threads: Option<usize>,
     time_limit: Option<f64>,
 }
@@ -154,6 +156,7 @@ pub(crate) fn simplify<'py>(
         let options = SimplifyOptions {
             features: Features { angle: options.features, edges: &seams, ..Features::default() },
             repair: options.repair,
+            effort: if options.fast { Effort::Fast } else { Effort::Best },
             limits,
             progress: Some(&*watch),
             ..SimplifyOptions::new(target)

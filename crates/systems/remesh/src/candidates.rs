@@ -48,6 +48,11 @@ impl Candidates {
         near(points, must, &self.blocks, limit_sq, masks)
     }
 
+    /// The squared distance of a point from the nearest.
+    pub(crate) fn distance_sq(&self, p: [f64; 3]) -> f64 {
+        nearest(p, &self.blocks).0
+    }
+
     /// A mask for each of three points.
     pub(crate) fn near_each(&self, points: &[[f64; 3]; 3], limit_sq: f64) -> [u64; 3] {
         let mut masks = [0; 3];

@@ -7,7 +7,7 @@ use super::places::Places;
 use super::quadric::Quadric;
 use super::queue::{Entry, Queue};
 use super::smooth::area_vector;
-use super::trial::{Accepted, Scratch, Trial};
+use super::trial::{Accepted, Refused, Scratch, Trial, place_in_queue};
 use super::within::Input;
 use pompeiu_core::run::{Control, Progress, ProgressObserver, StopReason};
 use pompeiu_core::spatial::bvh::Bvh;
@@ -24,19 +24,17 @@ const FACES_PER_TRIED: usize = 32;
 /// Edges whose errors are computed by one task.
 const PUSHED_TASK: usize = 64;
 
-/// Weight of the planes that hold a boundary edge in its place, relative to the area of its face.
+/// Weight of the planes that hold a boundary edge in its place, relative to the plane of its face.
 const BOUNDARY_WEIGHT: f64 = 4.0;
-
-/// Weight of the squared length of an edge in its place in the queue, relative to the squared distances from planes: short edges first
-/// where all errors vanish.
-const LENGTH_WEIGHT: f64 = 1e-9;
 
 /// What became of a try.
 enum Outcome {
     /// Nothing has changed around the edge since the last one.
     Same,
-    /// No position passed all tests, with what was around the edge.
-    Failed(u64),
+    /// No position passed all tests, with what was around the edge and the least distance that may do.
+    Failed(u64, f64),
+    /// It costs more than it was queued for.
+    Costs(f64),
     Accepted(Accepted),
 }
 
@@ -45,8 +43,8 @@ pub(super) struct Collapses<'i> {
     quadrics: Vec<Quadric>,
     /// Counts the changes of each vertex.
     versions: Vec<u32>,
-    /// What was around each halfedge, by [`Collapses::surroundings`], when it was last tried in vain.
-    failed: Vec<Option<u64>>,
+    /// What was around each halfedge, by [`Collapses::surroundings`], when it was last tried in vain, and the least distance that may do.
+    failed: Vec<Option<(u64, f64)>>,
     /// The batch in which each face was changed last.
     changed: Vec<u32>,
     batch: u32,
@@ -56,16 +54,49 @@ pub(super) struct Collapses<'i> {
     limit: f64,
     cover: Option<Cover>,
     least_faces: usize,
+    most_passes: usize,
     pub(super) count: usize,
     /// One for each thread.
     scratch: Vec<Mutex<Scratch>>,
 }
 
+/// What planes count for in quadrics.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum PlaneWeight {
+    /// The area of their face.
+    Area,
+    /// One, as much as any other.
+    One,
+}
+
+/// A surface on its way, to go on from.
+#[derive(Clone)]
+pub(super) struct Snapshot {
+    pub(super) surface: Marked,
+    quadrics: Vec<Quadric>,
+    count: usize,
+}
+
 impl<'i> Collapses<'i> {
-    pub(super) fn new(surface: Marked, bvh: &'i Bvh, places: Places, within: bool) -> Self {
+    /// Collapses edges of a surface in order of their quadric error alone.
+    pub(super) fn by_error(surface: Marked, bvh: &'i Bvh, places: Places) -> Self {
+        let quadrics = vertex_quadrics(&surface, PlaneWeight::One);
+        Self::on(Snapshot { surface, quadrics, count: 0 }, None, bvh, places)
+    }
+
+    /// Collapses edges of the input while it stays within a distance of itself.
+    pub(super) fn within(surface: Marked, bvh: &'i Bvh, places: Places) -> Self {
+        let cover = Cover::new(&surface.mesh, bvh);
+        let quadrics = vertex_quadrics(&surface, PlaneWeight::Area);
+        Self::on(Snapshot { surface, quadrics, count: 0 }, Some(cover), bvh, places)
+    }
+
+    /// Goes on from a surface that covers the input.
+    pub(super) fn on(from: Snapshot, cover: Option<Cover>, bvh: &'i Bvh, places: Places) -> Self {
+        let Snapshot { surface, quadrics, count } = from;
         let mesh = &surface.mesh;
         Self {
-            quadrics: vertex_quadrics(&surface),
+            quadrics,
             versions: vec![0; mesh.positions.len()],
             failed: vec![None; mesh.origin.len()],
             changed: vec![0; mesh.origin.len() / 3],
@@ -74,12 +105,18 @@ impl<'i> Collapses<'i> {
             input: Input { bvh, limit_sq: f64::INFINITY },
             places,
             limit: f64::INFINITY,
-            cover: within.then(|| Cover::new(mesh, bvh)),
+            cover,
             least_faces: 1,
-            count: 0,
+            most_passes: MOST_PASSES,
+            count,
             scratch: (0..=rayon::current_num_threads()).map(|_| Mutex::default()).collect(),
             surface,
         }
+    }
+
+    /// The surface as it is.
+    pub(super) fn snapshot(&self) -> Snapshot {
+        Snapshot { surface: self.surface.clone(), quadrics: self.quadrics.clone(), count: self.count }
     }
 
     /// From now on the surface stays within this distance, which is not less than before.
@@ -87,6 +124,14 @@ impl<'i> Collapses<'i> {
         self.limit = limit;
         self.input.limit_sq = limit * limit;
         self.failed.fill(None);
+    }
+
+    /// As [`Collapses::come_within`], for one of many distances that hardly grow: edges are gone through once, and those that were seen to
+    /// need a greater distance are passed over.
+    pub(super) fn grow_to(&mut self, limit: f64) {
+        self.limit = limit;
+        self.input.limit_sq = limit * limit;
+        self.most_passes = 1;
     }
 
     /// From now on there may be as few faces as this.
@@ -97,7 +142,7 @@ impl<'i> Collapses<'i> {
     /// Collapses edges until none can be, or the computation is told to stop: the surface stays within the distance all the time.
     pub(super) fn run(&mut self, control: &Control, progress: Option<&dyn ProgressObserver>) {
         let all = self.surface.mesh.face_count() as f64;
-        for _ in 0..MOST_PASSES {
+        for _ in 0..self.most_passes {
             let before = self.count;
             let edges: Vec<u32> = self.surface.mesh.edges().collect();
             self.push(&edges);
@@ -120,15 +165,16 @@ impl<'i> Collapses<'i> {
     }
 
     /// The next edges.
-    fn next_batch(&mut self) -> Vec<u32> {
+    fn next_batch(&mut self) -> Vec<Entry> {
         let most = (self.surface.mesh.face_count() / FACES_PER_TRIED).clamp(1, MOST_TRIED);
         let mut tried = Vec::with_capacity(most);
         while tried.len() < most
-            && let Some(Entry { halfedge, versions }) = self.queue.pop()
+            && let Some(entry) = self.queue.pop()
         {
-            let is_new = !tried.contains(&halfedge);
-            if is_new && self.surface.mesh.names_edge(halfedge) && self.versions_of(halfedge) == versions {
-                tried.push(halfedge);
+            let is_new = tried.iter().all(|other: &Entry| other.halfedge != entry.halfedge);
+            let exists = self.surface.mesh.names_edge(entry.halfedge);
+            if is_new && exists && self.versions_of(entry.halfedge) == entry.versions {
+                tried.push(entry);
             }
         }
         tried
@@ -136,14 +182,16 @@ impl<'i> Collapses<'i> {
 
     /// Tries edges, all on the surface as it is, and collapses those that can be, one after the other. What another collapse came in
     /// the way of is put into the queue again.
-    fn collapse_each(&mut self, tried: &[u32]) {
-        let outcomes: Vec<Outcome> = tried.par_iter().map(|&h| self.outcome(h)).collect();
+    fn collapse_each(&mut self, tried: &[Entry]) {
+        let outcomes: Vec<Outcome> = tried.par_iter().map(|entry| self.outcome(entry)).collect();
         self.batch += 1;
         let mut again = Vec::new();
-        for (&h, outcome) in tried.iter().zip(outcomes) {
+        for (&entry, outcome) in tried.iter().zip(outcomes) {
+            let h = entry.halfedge;
             match outcome {
                 Outcome::Same => {}
-                Outcome::Failed(around) => self.failed[h as usize] = Some(around),
+                Outcome::Failed(around, least) => self.failed[h as usize] = Some((around, least)),
+                Outcome::Costs(error) => self.queue.push(Entry { error, ..entry }),
                 Outcome::Accepted(_) if self.surface.mesh.face_count() <= self.least_faces => break,
                 Outcome::Accepted(accepted) if self.stands(&accepted) => self.collapse(&accepted, &mut again),
                 Outcome::Accepted(_) => again.push(h),
@@ -152,9 +200,10 @@ impl<'i> Collapses<'i> {
         self.push(&again);
     }
 
-    fn outcome(&self, h: u32) -> Outcome {
+    fn outcome(&self, entry: &Entry) -> Outcome {
+        let h = entry.halfedge;
         let around = self.surroundings(h);
-        if self.failed[h as usize] == Some(around) {
+        if self.failed[h as usize].is_some_and(|(then, least)| then == around && self.limit <= least) {
             return Outcome::Same;
         }
         let trial = Trial {
@@ -167,7 +216,15 @@ impl<'i> Collapses<'i> {
         };
         let thread = rayon::current_thread_index().map_or(0, |i| i + 1) % self.scratch.len();
         let mut scratch = self.scratch[thread].lock().unwrap_or_else(PoisonError::into_inner);
-        trial.of(h, &mut scratch).map_or(Outcome::Failed(around), Outcome::Accepted)
+        match trial.of(h, entry.error, &mut scratch) {
+            Ok(accepted) => Outcome::Accepted(accepted),
+            Err(Refused::Costs(error)) => Outcome::Costs(error),
+            Err(Refused::Never) => Outcome::Failed(around, f64::INFINITY),
+            // The same limit fails again.
+            Err(Refused::Below(least)) => {
+                Outcome::Failed(around, if least > self.limit { least } else { self.limit })
+            }
+        }
     }
 
     /// Whether what a collapse was tested against is as it was.
@@ -210,14 +267,13 @@ impl<'i> Collapses<'i> {
             let [u, v] = [mesh.from(h), mesh.to(h)].map(|x| x as usize);
             let quadric = quadrics[u].plus(&quadrics[v]);
             let [p, q] = [u, v].map(|x| mesh.positions[x]);
-            let error = quadric.at(quadric.optimum(0.5 * (p + q)))
-                + LENGTH_WEIGHT * quadric.weight() * p.distance_squared(q);
-            (error, Entry { halfedge: h, versions: [versions[u], versions[v]] })
+            let error = place_in_queue(&quadric, quadric.optimum(0.5 * (p + q)), [p, q]);
+            Entry { halfedge: h, error, versions: [versions[u], versions[v]] }
         };
         let exist = edges.par_iter().with_min_len(PUSHED_TASK).filter(|h| mesh.exists(**h));
-        let entries: Vec<(f64, Entry)> = exist.map(entry).collect();
-        for (error, entry) in entries {
-            queue.push(error, entry);
+        let entries: Vec<Entry> = exist.map(entry).collect();
+        for entry in entries {
+            queue.push(entry);
         }
     }
 
@@ -249,7 +305,7 @@ impl<'i> Collapses<'i> {
 }
 
 /// For each vertex the planes of its faces, and at boundary edges planes that stand upright on them.
-fn vertex_quadrics(surface: &Marked) -> Vec<Quadric> {
+fn vertex_quadrics(surface: &Marked, weight: PlaneWeight) -> Vec<Quadric> {
     let mesh = &surface.mesh;
     let mut quadrics = vec![Quadric::default(); mesh.positions.len()];
     for h in 0..mesh.halfedge_slots() {
@@ -258,12 +314,13 @@ fn vertex_quadrics(surface: &Marked) -> Vec<Quadric> {
         let Some(normal) = normal.try_normalize() else { continue };
         let (u, v) = (mesh.from(h), mesh.to(h));
         let p = mesh.positions[u as usize];
-        let face = Quadric::of_plane(normal, p, area / 3.0);
+        let weight = if weight == PlaneWeight::Area { area } else { 1.0 };
+        let face = Quadric::of_plane(normal, p, weight / 3.0);
         quadrics[u as usize] = quadrics[u as usize].plus(&face);
         if mesh.twin[h as usize] == NONE
             && let Some(upright) = normal.cross(mesh.positions[v as usize] - p).try_normalize()
         {
-            let edge = Quadric::of_plane(upright, p, BOUNDARY_WEIGHT * area);
+            let edge = Quadric::of_plane(upright, p, BOUNDARY_WEIGHT * weight);
             for end in [u, v] {
                 quadrics[end as usize] = quadrics[end as usize].plus(&edge);
             }

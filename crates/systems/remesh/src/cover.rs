@@ -2,13 +2,24 @@
 
 use super::candidates::Candidates;
 use super::connectivity::{DynamicMesh, NONE};
-use super::within::{Triangle, is_covered};
+use super::reference::identity;
+use super::within::{Input, Triangle, is_covered};
 use glam::DVec3;
-use pompeiu_core::spatial::bvh::Bvh;
+use pompeiu_core::MeshError;
+use pompeiu_core::spatial::bvh::{Bvh, Workspace};
+use rayon::prelude::*;
 use std::collections::BTreeMap;
 
 /// Stands for more than one face.
 const SEVERAL: u32 = NONE;
+
+/// A collapse leaves something uncovered: the least squared distance at which it would not, as far as is known; 0 where nothing is.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Uncovered(pub(crate) f64);
+
+/// Pieces of a face of the input that are looked at until it counts as not covered, and faces of a task.
+const MOST_COVERING_PIECES: usize = 4096;
+const COVERING_TASK: usize = 1024;
 
 /// Faces of the input that are tried first, for each face that goes.
 const TRIED_FIRST: usize = 3;
@@ -101,6 +112,53 @@ impl Cover {
         cover
     }
 
+    /// A surface that is no longer the input covers it within a limit: for each face of the input some of its faces are looked for. None
+    /// if one is not covered, as far as is found.
+    pub(crate) fn of(
+        mesh: &DynamicMesh,
+        input: &DynamicMesh,
+        bvh: &Bvh,
+        limit: f64,
+    ) -> Result<Option<Self>, MeshError> {
+        let mut cover = Self::new(input, bvh);
+        cover.covers = vec![Vec::new(); mesh.origin.len() / 3];
+        let alive: Vec<u32> = (0..mesh.origin.len() as u32 / 3).filter(|&f| mesh.exists(3 * f)).collect();
+        let now = Bvh::build(&mesh.to_mesh()?, &identity());
+        let near = Input { bvh: &now, limit_sq: limit * limit };
+        let of_task = |faces: &[[u32; 3]]| -> Vec<Vec<u32>> {
+            let (mut workspace, mut start) = (Workspace::default(), now.any_slot());
+            let witnesses = |face: &[u32; 3]| {
+                let triangle = face.map(|v| DVec3::from_array(cover.positions[v as usize]));
+                let mut used = Vec::new();
+                let covered =
+                    near.is_covered(triangle, MOST_COVERING_PIECES, &mut start, &mut workspace, &mut used);
+                used.sort_unstable();
+                used.dedup();
+                if covered {
+                    used.iter().map(|slot| alive[now.face(*slot).index()]).collect()
+                } else {
+                    Vec::new()
+                }
+            };
+            faces.iter().map(witnesses).collect()
+        };
+        let found: Vec<Vec<Vec<u32>>> = cover.faces.par_chunks(COVERING_TASK).map(of_task).collect();
+        for (f, by) in (0..).zip(found.into_iter().flatten()) {
+            match by[..] {
+                [] => return Ok(None),
+                [one] => cover.witness[f as usize] = one,
+                _ => cover.witness[f as usize] = SEVERAL,
+            }
+            for &g in &by {
+                cover.covers[g as usize].push(f);
+            }
+            if by.len() > 1 {
+                cover.several.insert(f, by);
+            }
+        }
+        Ok(Some(cover))
+    }
+
     /// The faces of the result that cover a face of the input.
     fn witnesses(&self, f: u32) -> &[u32] {
         match self.witness[f as usize] {
@@ -114,7 +172,7 @@ impl Cover {
         self.covers[face as usize].len()
     }
 
-    /// Whether the new faces come near some points of what the faces `gone` cover alone: most positions that leave something uncovered are
+    /// Looks whether the new faces come near some points of what the faces `gone` cover alone: most positions that leave something uncovered are
     /// found out here.
     pub(crate) fn may_cover(
         &self,
@@ -122,7 +180,7 @@ impl Cover {
         gone: &[u32],
         new: &[Triangle],
         limit_sq: f64,
-    ) -> bool {
+    ) -> Result<(), Uncovered> {
         affected.candidates.set(new.iter().copied());
         affected.first.clear();
         for &g in gone {
@@ -136,7 +194,7 @@ impl Cover {
         let Affected { first, masks, candidates, .. } = affected;
         masks.resize(first.len().max(masks.len()), 0);
         let all = vec![true; first.len()];
-        candidates.near(first, &all, limit_sq, masks).is_ok()
+        candidates.near(first, &all, limit_sq, masks).map_err(|i| Uncovered(candidates.distance_sq(first[i])))
     }
 
     /// Finds what the faces `gone` cover.
@@ -175,8 +233,7 @@ impl Cover {
         masks.resize(points.len(), 0);
     }
 
-    /// Covers anew what [`Cover::find_affected`] found: by the faces `kept`, which would become `new`, and by others as they are. None
-    /// if something is left uncovered.
+    /// Covers anew what [`Cover::find_affected`] found: by the faces `kept`, which would become `new`, and by others as they are.
     pub(crate) fn cover_anew(
         &self,
         mesh: &DynamicMesh,
@@ -185,7 +242,7 @@ impl Cover {
         kept: &[u32],
         new: &[Triangle],
         limit_sq: f64,
-    ) -> Option<Covering> {
+    ) -> Result<Covering, Uncovered> {
         affected.candidates.set(new.iter().copied());
         affected.find_near(limit_sq)?;
         let mut covering = Covering::default();
@@ -210,14 +267,14 @@ impl Cover {
                 if !is_covered(&triangle, by, limit_sq, &mut used) {
                     // A position beside this one may fail here, too.
                     affected.last_failed = corners[0];
-                    return None;
+                    return Err(Uncovered(0.0));
                 }
                 covering.witnesses.extend(bits(used).map(|bit| names[bit]));
             }
             covering.faces.push(f);
             covering.ends.push(covering.witnesses.len() as u32);
         }
-        Some(covering)
+        Ok(covering)
     }
 
     /// Takes over what [`Cover::cover_anew`] found.
@@ -248,17 +305,18 @@ impl Cover {
 }
 
 impl Affected {
-    /// Finds which candidates each point is near; none if one is near none of those that may cover it.
-    fn find_near(&mut self, limit_sq: f64) -> Option<()> {
+    /// Finds which candidates each point is near, unless one is near none of those that may cover it.
+    fn find_near(&mut self, limit_sq: f64) -> Result<(), Uncovered> {
         let last = self.last_failed;
         if let (Some(p), Some(must)) = (self.points.get(last), self.must.get(last)) {
-            self.candidates.near(&[*p], &[*must], limit_sq, &mut [0]).ok()?;
+            let near = self.candidates.near(&[*p], &[*must], limit_sq, &mut [0]);
+            near.map_err(|_| Uncovered(self.candidates.distance_sq(*p)))?;
         }
         match self.candidates.near(&self.points, &self.must, limit_sq, &mut self.masks) {
-            Ok(()) => Some(()),
+            Ok(()) => Ok(()),
             Err(failed) => {
                 self.last_failed = failed;
-                None
+                Err(Uncovered(self.candidates.distance_sq(self.points[failed])))
             }
         }
     }

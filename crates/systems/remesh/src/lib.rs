@@ -30,6 +30,7 @@ mod queue;
 mod reference;
 mod request;
 mod run;
+mod schedule;
 #[cfg(feature = "figures")]
 pub mod show;
 mod simplify;
@@ -44,7 +45,7 @@ pub use edit::Illegal;
 pub use features::{FeatureError, Features};
 pub use guard::{IntersectionCount, Intersections, Intersects};
 pub use lengths::{LengthError, NotWithin};
-pub use options::{Simplified, SimplifyError, SimplifyOptions, SimplifyTarget, SimplifyTiming};
+pub use options::{Effort, Simplified, SimplifyError, SimplifyOptions, SimplifyTarget, SimplifyTiming};
 pub use quality::{Quality, Range, angles};
 pub use request::{RemeshError, RemeshOptions, RemeshTiming, Remeshed};
 pub use run::remesh;

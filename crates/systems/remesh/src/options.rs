@@ -20,11 +20,24 @@ pub enum SimplifyTarget {
     Faces(usize),
 }
 
+/// How much time is spent to make the distance small at a given number of faces.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Effort {
+    /// Quadric errors alone decide.
+    Fast,
+    /// Every collapse is tested, as for a distance: some ten to twenty times the time of [`Effort::Fast`], mostly a third to a half of its
+    /// distance.
+    #[default]
+    Best,
+}
+
 /// Options of [`simplify`](super::simplify()).
 #[derive(Clone)]
 pub struct SimplifyOptions<'o> {
     /// When it ends.
     pub target: SimplifyTarget,
+    /// How much time is spent to make the distance small where a number of faces is asked for.
+    pub effort: Effort,
     /// What is kept. By default nothing, not even the corners of boundaries; with any feature boundaries are curves that are kept, too.
     pub features: Features<'o>,
     /// Whether a mesh that is no oriented manifold is repaired first.
@@ -45,6 +58,7 @@ impl SimplifyOptions<'_> {
     pub fn new(target: SimplifyTarget) -> Self {
         Self {
             target,
+            effort: Effort::default(),
             features: Features::default(),
             repair: false,
             coordinates: Coordinates::default(),

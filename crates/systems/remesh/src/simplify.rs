@@ -5,13 +5,15 @@ use super::connectivity::DynamicMesh;
 use super::features::{Curves, FeatureError};
 use super::lengths::NotWithin;
 use super::marked::Marked;
-use super::options::{Simplified, SimplifyError, SimplifyOptions, SimplifyTarget, SimplifyTiming};
+use super::options::{Effort, Simplified, SimplifyError, SimplifyOptions, SimplifyTarget, SimplifyTiming};
 use super::places::Places;
-use pompeiu_core::TriMesh;
+use super::schedule;
 use pompeiu_core::geom::{Aabb, Frame};
+use pompeiu_core::mesh::Rounding;
 use pompeiu_core::mesh::repair::{RepairOptions, repair};
 use pompeiu_core::run::{Control, StopReason, on_threads};
 use pompeiu_core::spatial::bvh::Bvh;
+use pompeiu_core::{MeshError, TriMesh};
 use pompeiu_hausdorff::symmetric_hausdorff;
 use std::time::Instant;
 
@@ -28,6 +30,8 @@ const LOCAL_SHARE: f64 = 0.9999;
 /// With [`SimplifyTarget::Within`] every collapse is tested on both sides: each new face lies near the input, and each face of the
 /// input near the new faces. These tests steer only. What is returned was measured by
 /// [`symmetric_hausdorff`], and its upper end is at most the distance asked for, rounding included.
+/// With [`SimplifyTarget::Faces`] the distance is not asked for, and measured in the same way. [`Effort::Best`] makes it small: it is
+/// the better of two results, one by quadric errors alone, one within distances that grow by a tenth until the number is reached.
 /// # Limits
 /// The number of faces is not the least possible one: collapses are chosen greedily. The distance between boundary *curves* is
 /// not bounded: a thin spike in the plane of a sheet can be cut off where the rest of the sheet is near it. With
@@ -76,7 +80,7 @@ fn simplify_here(
     options: &SimplifyOptions<'_>,
     levels: usize,
 ) -> Result<Vec<Simplified>, SimplifyError> {
-    let mut started = Instant::now();
+    let started = Instant::now();
     let aabb = Aabb::of_faces(mesh);
     let targets = options.targets(aabb.diagonal(), levels)?;
     options.features.check(mesh.positions().len())?;
@@ -97,41 +101,92 @@ fn simplify_here(
     let control = Control::start(&options.limits);
     let bvh = Bvh::build(manifold, &frame);
     let surface = surface_of(manifold, &places, &bvh, options)?;
-    let mut work = Collapses::new(surface, &bvh, places, matches!(options.target, SimplifyTarget::Within(_)));
-    let mut found = Vec::with_capacity(levels);
-    for target in targets {
-        match target {
-            // Of a repaired mesh rounding moved vertices before, which the local tests do not see.
-            SimplifyTarget::Within(d) => {
-                let moved = if options.repair { rounding.moved } else { 0.0 };
-                work.come_within(frame.length_in(LOCAL_SHARE * d - moved));
-            }
-            SimplifyTarget::Faces(n) => work.leave_faces(n),
+    let run = Run { mesh, options, places, rounding, bvh: &bvh, control };
+    match (options.target, options.effort) {
+        (SimplifyTarget::Faces(_), Effort::Best) => schedule::levels(&run, surface, &targets, started),
+        (SimplifyTarget::Faces(_), Effort::Fast) => {
+            run.levels(Collapses::by_error(surface, &bvh, places), &targets, started)
         }
-        work.run(&control, options.progress);
-        let mut result = work.surface.mesh.clone();
-        places.bring_out(&mut result);
-        let result = result.to_mesh()?;
+        (SimplifyTarget::Within(_), _) => {
+            run.levels(Collapses::within(surface, &bvh, places), &targets, started)
+        }
+    }
+}
+
+/// What all of a simplification share.
+pub(super) struct Run<'r> {
+    pub(super) mesh: &'r TriMesh,
+    pub(super) options: &'r SimplifyOptions<'r>,
+    pub(super) places: Places,
+    pub(super) rounding: Rounding,
+    pub(super) bvh: &'r Bvh,
+    pub(super) control: Control,
+}
+
+impl Run<'_> {
+    /// Goes from level to level, the finest first.
+    fn levels(
+        &self,
+        mut work: Collapses<'_>,
+        targets: &[SimplifyTarget],
+        mut started: Instant,
+    ) -> Result<Vec<Simplified>, SimplifyError> {
+        let mut found = Vec::with_capacity(targets.len());
+        for &target in targets {
+            match target {
+                // Rounding moved vertices before, which the local tests do not see.
+                SimplifyTarget::Within(d) => {
+                    work.come_within(self.places.frame.length_in(LOCAL_SHARE * d - self.rounding.moved));
+                }
+                SimplifyTarget::Faces(n) => work.leave_faces(n),
+            }
+            work.run(&self.control, self.options.progress);
+            let result = self.measured(&work.surface, work.count, target, started)?;
+            found.push(self.guarded(result)?);
+            started = Instant::now();
+        }
+        Ok(found)
+    }
+
+    /// The surface as a mesh where the file can hold it.
+    pub(super) fn mesh_of(&self, surface: &Marked) -> Result<TriMesh, MeshError> {
+        let mut result = surface.mesh.clone();
+        self.places.bring_out(&mut result);
+        result.to_mesh()
+    }
+
+    /// Measures a surface.
+    pub(super) fn measured(
+        &self,
+        surface: &Marked,
+        collapses: usize,
+        target: SimplifyTarget,
+        started: Instant,
+    ) -> Result<Simplified, SimplifyError> {
+        let mesh = self.mesh_of(surface)?;
         let collapse = started.elapsed();
-        let intersections = options.intersections.of(&result)?;
-        let distance = symmetric_hausdorff(mesh, &result);
+        let distance = symmetric_hausdorff(self.mesh, &mesh);
         if let SimplifyTarget::Within(d) = target {
             NotWithin::check(d, &distance)?;
         }
-        found.push(Simplified {
-            mesh: result,
-            kept: work.surface.kept(),
+        Ok(Simplified {
+            mesh,
+            kept: surface.kept(),
             target,
-            rounding,
+            rounding: self.rounding,
             distance,
-            intersections,
-            collapses: work.count,
-            stop: control.reason().unwrap_or(StopReason::Tolerance),
+            intersections: None,
+            collapses,
+            stop: self.control.reason().unwrap_or(StopReason::Tolerance),
             timing: SimplifyTiming { collapse, distance: started.elapsed().saturating_sub(collapse) },
-        });
-        started = Instant::now();
+        })
     }
-    Ok(found)
+
+    /// Counts the faces of a result that intersect, where that is asked for.
+    pub(super) fn guarded(&self, mut result: Simplified) -> Result<Simplified, SimplifyError> {
+        result.intersections = self.options.intersections.of(&result.mesh)?;
+        Ok(result)
+    }
 }
 
 /// The mesh in its frame, with the curves that are kept.

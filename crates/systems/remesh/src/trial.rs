@@ -19,6 +19,18 @@ const LEAST_COSINE: f64 = 0.2;
 /// Positions nearer to each other than the root of this share of the edge's length are tried once.
 const SAME_POSITION: f64 = 1e-6;
 
+/// A position that costs more than this many times what its edge was queued for waits until it is its turn.
+const MOST_ABOVE: f64 = 1.01;
+
+/// Weight of the squared length of an edge in its place in the queue, relative to the squared distances from planes: short edges first
+/// where all errors vanish.
+const LENGTH_WEIGHT: f64 = 1e-9;
+
+/// Where an edge with some ends comes in the queue if it is collapsed to a position.
+pub(super) fn place_in_queue(quadric: &Quadric, position: DVec3, [p, q]: [DVec3; 2]) -> f64 {
+    quadric.at(position) + LENGTH_WEIGHT * quadric.weight() * p.distance_squared(q)
+}
+
 /// How far to move from the best position along the normal, as shares of the distance.
 const OFFSETS: [f64; 4] = [0.25, -0.25, 0.5, -0.5];
 
@@ -27,6 +39,17 @@ const OFFSETS: [f64; 4] = [0.25, -0.25, 0.5, -0.5];
 pub(super) struct Scratch {
     workspace: Workspace,
     affected: Affected,
+}
+
+/// Why an edge is not collapsed.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Refused {
+    /// No position keeps the normals of all faces, or connectivity forbids it.
+    Never,
+    /// A distance below this one does not suffice, as far as is known.
+    Below(f64),
+    /// The best position costs this much, more than the edge was queued for.
+    Costs(f64),
 }
 
 /// A collapse that passed all tests.
@@ -106,15 +129,17 @@ pub(super) struct Trial<'t> {
 }
 
 impl Trial<'_> {
-    /// How to collapse an edge; none if no position passes all tests.
-    pub(super) fn of(&self, h: u32, scratch: &mut Scratch) -> Option<Accepted> {
+    /// How to collapse an edge whose place in the queue is that of an error.
+    pub(super) fn of(&self, h: u32, queued: f64, scratch: &mut Scratch) -> Result<Accepted, Refused> {
         let mesh = &self.surface.mesh;
         // Of an edge between the boundary and the inside, the end on the boundary stays.
         let h = match mesh.twin_of(h) {
             Some(t) if mesh.is_boundary(mesh.from(h)) && !mesh.is_boundary(mesh.to(h)) => t,
             _ => h,
         };
-        let way = self.surface.collapse_of(h)?;
+        let way = self.surface.collapse_of(h).ok_or(Refused::Never)?;
+        let mut least = f64::INFINITY;
+        let mut fails = |needed_sq: f64| least = if needed_sq < least { needed_sq } else { least };
         let star = Star::new(self.surface, way.halfedge);
         let mut near = self.surface.near[mesh.to(way.halfedge) as usize];
         let mut faces = Vec::with_capacity(star.kept.len());
@@ -125,37 +150,66 @@ impl Trial<'_> {
                 continue;
             }
             let Some(cover) = self.cover else {
+                let error = self.error_at(way.halfedge, position);
+                if error > MOST_ABOVE * queued {
+                    return Err(Refused::Costs(error));
+                }
                 let collapse = Collapse { position, ..way };
-                return Some(Accepted { collapse, gone: star.gone, covering: None, near });
+                return Ok(Accepted { collapse, gone: star.gone, covering: None, near });
             };
-            if !self.may_be_near(position, &star, &faces, &mut near, scratch) {
+            if let Err(needed_sq) = self.may_be_near(position, &star, &faces, &mut near, scratch) {
+                fails(needed_sq);
                 continue;
             }
             let at_position = near;
             let limit_sq = self.input.limit_sq;
-            if !gathered && !cover.may_cover(&mut scratch.affected, &star.gone, &faces, limit_sq) {
+            if !gathered
+                && let Err(needed) = cover.may_cover(&mut scratch.affected, &star.gone, &faces, limit_sq)
+            {
+                fails(needed.0);
                 continue;
             }
             if !std::mem::replace(&mut gathered, true) {
                 cover.find_affected(&star.gone, &mut scratch.affected);
             }
-            let covering =
+            let anew =
                 cover.cover_anew(mesh, &mut scratch.affected, &star.gone, &star.kept, &faces, limit_sq);
+            let covering = match anew {
+                Ok(covering) => covering,
+                Err(needed) => {
+                    fails(needed.0);
+                    continue;
+                }
+            };
             // A face over many faces of the input takes as many pieces.
             let over: usize = star.kept.iter().map(|f| cover.covered_by(*f)).sum();
             let most_pieces = LEAST_PIECES + PIECES_PER_FACE * over;
             let workspace = &mut scratch.workspace;
             let mut start = near;
             let is_near = |t: &Triangle| self.input.is_near(*t, most_pieces, &mut start, workspace);
-            if covering.is_some() && faces.iter().all(is_near) {
+            if faces.iter().all(is_near) {
                 let collapse = Collapse { position, ..way };
-                return Some(Accepted { collapse, gone: star.gone, covering, near: at_position });
+                return Ok(Accepted {
+                    collapse,
+                    gone: star.gone,
+                    covering: Some(covering),
+                    near: at_position,
+                });
             }
+            fails(0.0);
         }
-        None
+        Err(if least < f64::INFINITY { Refused::Below(least.sqrt()) } else { Refused::Never })
     }
 
-    /// Whether some points of new faces are near the input: most positions that must be rejected are rejected here.
+    /// What a position costs in the queue.
+    fn error_at(&self, h: u32, position: DVec3) -> f64 {
+        let mesh = &self.surface.mesh;
+        let [u, v] = [mesh.from(h), mesh.to(h)].map(|x| x as usize);
+        let quadric = self.quadrics[u].plus(&self.quadrics[v]);
+        place_in_queue(&quadric, position, [mesh.positions[u], mesh.positions[v]])
+    }
+
+    /// Looks whether some points of new faces are near the input: most positions that must be rejected are rejected here.
     fn may_be_near(
         &self,
         position: DVec3,
@@ -163,16 +217,14 @@ impl Trial<'_> {
         faces: &[Triangle],
         near: &mut Slot,
         scratch: &mut Scratch,
-    ) -> bool {
+    ) -> Result<(), f64> {
         let workspace = &mut scratch.workspace;
-        if !self.input.has_near(position, near, workspace) {
-            return false;
-        }
+        self.input.find_near(position, near, workspace)?;
         let mut start = *near;
-        faces.iter().zip(&star.corners).all(|([a, b, c], corner)| {
+        faces.iter().zip(&star.corners).try_for_each(|([a, b, c], corner)| {
             let beside = [a, b, c][(corner + 1) % 3];
-            self.input.has_near((*a + *b + *c) / 3.0, &mut start, workspace)
-                && self.input.has_near(0.5 * (position + *beside), &mut start, workspace)
+            self.input.find_near((*a + *b + *c) / 3.0, &mut start, workspace)?;
+            self.input.find_near(0.5 * (position + *beside), &mut start, workspace)
         })
     }
 
@@ -205,6 +257,10 @@ impl Trial<'_> {
             if different.iter().all(|x| x.distance_squared(position) > apart) {
                 different.push(position);
             }
+        }
+        if self.cover.is_none() {
+            let quadric = self.quadrics[u].plus(&self.quadrics[v]);
+            different.sort_by(|x, y| quadric.at(*x).total_cmp(&quadric.at(*y)));
         }
         different
     }

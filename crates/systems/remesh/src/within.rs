@@ -122,14 +122,52 @@ pub(crate) struct Input<'i> {
 }
 
 impl Input<'_> {
-    /// Whether a point lies within the distance of the input; `start` is a face believed near, and becomes one that is.
-    pub(crate) fn has_near(&self, p: DVec3, start: &mut Slot, workspace: &mut Workspace) -> bool {
+    /// Looks whether a point lies within the distance of the input, and says how far it is if not; `start` is a face believed near, and
+    /// becomes one that is.
+    pub(crate) fn find_near(&self, p: DVec3, start: &mut Slot, workspace: &mut Workspace) -> Result<(), f64> {
         if self.bvh.distance_sq(p.to_array(), *start) <= self.limit_sq {
-            return true;
+            return Ok(());
         }
         let found = self.bvh.nearest(p.to_array(), *start, workspace);
         *start = found.slot;
-        found.distance_sq <= self.limit_sq
+        if found.distance_sq <= self.limit_sq { Ok(()) } else { Err(found.distance_sq) }
+    }
+
+    /// Whether a triangle lies within the distance, as [`Input::is_near`], with faces that together are near all of it: each of its pieces
+    /// lies near one of them.
+    pub(crate) fn is_covered(
+        &self,
+        triangle: Triangle,
+        most_pieces: usize,
+        start: &mut Slot,
+        workspace: &mut Workspace,
+        used: &mut Vec<Slot>,
+    ) -> bool {
+        all_near(triangle, most_pieces, |piece| {
+            let centre = centroid(piece);
+            let points = [0, 1, 2].map(|k| [piece[0][k], piece[1][k], piece[2][k], centre[k]]);
+            let [x, y, z, distance_sq] = self.bvh.four_distances_sq(&points, *start, workspace);
+            if greater(x, greater(y, z)) <= self.limit_sq {
+                used.push(*start);
+                return Verdict::Near;
+            }
+            let known = Nearest { slot: *start, distance_sq };
+            match self.bvh.cover(&points, self.limit_sq, known, workspace) {
+                Cover::By { slot, .. } => {
+                    *start = slot;
+                    used.push(slot);
+                    Verdict::Near
+                }
+                Cover::Nearest(found) | Cover::Neighbour(found) => {
+                    *start = found.slot;
+                    if found.distance_sq > self.limit_sq {
+                        Verdict::Far
+                    } else {
+                        Verdict::Open(self.bvh.corners(found.slot).map(DVec3::from_array))
+                    }
+                }
+            }
+        })
     }
 
     /// Whether a triangle lies within the distance of the input, as far as so many pieces can tell; `start` is a face believed near,

@@ -3,12 +3,16 @@
 use crate::operations::topology;
 use pompeiu_core::TriMesh;
 use pompeiu_core::mesh::shapes::{self, Diagonal, Ends};
-use pompeiu_core::mesh::{Affine, VertexId, displace_at_random, merge, subdivide, transform};
+use pompeiu_core::mesh::{
+    Affine, Coordinates, Precision, VertexId, displace_at_random, merge, subdivide, transform,
+};
+use pompeiu_core::run::Limits;
 use pompeiu_hausdorff::symmetric_hausdorff;
 use pompeiu_remesh::{
-    FeatureError, Features, Intersections, LengthError, Simplified, SimplifyError, SimplifyOptions,
+    Effort, FeatureError, Features, Intersections, LengthError, Simplified, SimplifyError, SimplifyOptions,
     SimplifyTarget, simplify_levels,
 };
+use std::num::NonZeroUsize;
 
 fn simplify(mesh: &TriMesh, target: SimplifyTarget) -> Result<Simplified, SimplifyError> {
     pompeiu_remesh::simplify(mesh, &SimplifyOptions::new(target))
@@ -204,4 +208,58 @@ fn faces_that_intersect_are_counted_or_refused() {
     };
     // Both spheres have centres 1.2 apart: their common circle lies in the plane x = 0.6.
     assert!(error.pairs == count.pairs && (error.place[0] - 0.6).abs() < 0.2, "{error}");
+}
+
+#[test]
+fn effort_makes_the_distance_small_at_the_same_number_of_faces() {
+    let rough = displace_at_random(&shapes::torus(2.0, 0.7, 60, 40).unwrap(), 0.01, 3).unwrap();
+    let far = transform(&rough, &Affine::translate([1e5, -2e5, 3e4])).unwrap();
+    let tube = shapes::cylinder(1.0, 3.0, 40, 30, Ends::Open).unwrap();
+    for mesh in [&rough, &far, &tube] {
+        let by = |effort, faces| {
+            let target = SimplifyTarget::Faces(faces);
+            let options = SimplifyOptions { effort, ..SimplifyOptions::new(target) };
+            let found = pompeiu_remesh::simplify(mesh, &options).unwrap();
+            assert!(found.mesh.faces().len() <= faces, "{} of {faces}", found.mesh.faces().len());
+            assert_eq!(topology(&found.mesh), topology(mesh));
+            found.distance.distance.upper()
+        };
+        for share in [10, 30] {
+            let faces = mesh.faces().len() / share;
+            let [fast, best] = [Effort::Fast, Effort::Best].map(|effort| by(effort, faces));
+            // Quadric errors alone are exact on the tube while there are enough faces.
+            assert!(best <= 0.7 * fast || fast < 1e-9, "{best} within {fast} at {faces} faces");
+        }
+    }
+}
+
+#[test]
+fn effort_changes_nothing_with_the_number_of_threads() {
+    let rough = displace_at_random(&shapes::torus(2.0, 0.7, 60, 40).unwrap(), 0.01, 3).unwrap();
+    let on = |threads| {
+        let limits = Limits { threads: NonZeroUsize::new(threads), ..Limits::default() };
+        let options = SimplifyOptions { limits, ..SimplifyOptions::new(SimplifyTarget::Faces(300)) };
+        pompeiu_remesh::simplify(&rough, &options).unwrap().mesh
+    };
+    let one = on(1);
+    assert!([2, 8].iter().all(|&threads| on(threads) == one));
+}
+
+#[test]
+fn vertices_are_where_single_precision_has_them() {
+    let sphere =
+        transform(&shapes::icosphere(10.0, 4).unwrap(), &Affine::translate([4e4, -7e4, 0.1])).unwrap();
+    for (centered, within) in [(false, 0.1), (true, 0.02), (true, 0.1)] {
+        let coordinates = Coordinates { precision: Precision::Single, centered };
+        let options = SimplifyOptions { coordinates, ..SimplifyOptions::new(SimplifyTarget::Within(within)) };
+        let found = pompeiu_remesh::simplify(&sphere, &options).unwrap();
+        let written = found.rounding.written(&found.mesh).unwrap();
+        assert!(written.positions().iter().flatten().all(|x| f64::from(*x as f32) == *x));
+        assert!(symmetric_hausdorff(&sphere, &found.mesh).distance.upper() <= within);
+        assert!(found.mesh.faces().len() < sphere.faces().len() / 2);
+    }
+    let coordinates = Coordinates { precision: Precision::Single, centered: false };
+    let options = SimplifyOptions { coordinates, ..SimplifyOptions::new(SimplifyTarget::Within(1e-3)) };
+    let refused = pompeiu_remesh::simplify(&sphere, &options).map(|found| found.distance);
+    assert!(matches!(refused, Err(SimplifyError::TooCoarse(_))), "{refused:?}");
 }

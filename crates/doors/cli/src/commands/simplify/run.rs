@@ -1,7 +1,7 @@
 //! Runs the command.
 
 use super::appearance::{Appearance, Kept};
-use super::args::Simplify;
+use super::args::{Effort as Asked, Simplify};
 use super::{json, text};
 use crate::args::tell;
 use crate::exit::Exit;
@@ -13,7 +13,7 @@ use crate::wait::Wait;
 use anyhow::Context;
 use pompeiu::core::geom::Aabb;
 use pompeiu::core::run::{Limits, Progress, StopReason};
-use pompeiu::remesh::{Features, Simplified, SimplifyOptions, SimplifyTarget, simplify_levels};
+use pompeiu::remesh::{Effort, Features, Simplified, SimplifyOptions, SimplifyTarget, simplify_levels};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
@@ -72,6 +72,10 @@ pub(crate) fn run(args: &Simplify, printer: &Printer) -> anyhow::Result<Exit> {
     let limits = Limits { time: args.limits.time_after(started.elapsed()), ..Limits::default() };
     let options = SimplifyOptions {
         features: Features { angle: args.features, edges: &appearance.seams, ..Features::default() },
+        effort: match args.effort {
+            Asked::Best => Effort::Best,
+            Asked::Fast => Effort::Fast,
+        },
         repair: args.repair,
         coordinates: args.centered.coordinates(&args.output),
         intersections: args.guard.intersections.into(),

@@ -1,0 +1,188 @@
+//! The least distance at a given number of faces: a distance that grows until the number is reached.
+
+use super::collapses::{Collapses, Snapshot};
+use super::cover::Cover;
+use super::marked::Marked;
+use super::options::{Simplified, SimplifyError, SimplifyTarget, SimplifyTiming};
+use super::simplify::Run;
+use pompeiu_core::geom::Aabb;
+use pompeiu_core::run::StopReason;
+use pompeiu_hausdorff::{HausdorffOptions, Tolerance};
+use std::time::Instant;
+
+/// By how much the distance grows from one pass over the edges to the next.
+const GROWTH: f64 = 1.1;
+
+/// The schedule starts from a surface of so many times the faces asked for that quadric errors made, the coarsest that is near enough.
+const SEEDS: [usize; 3] = [16, 8, 4];
+
+/// What the first distance of the schedule is at least, in that of the surface it starts from.
+const ABOVE_SEED: f64 = 1.1;
+
+/// The first distance of the schedule in that of quadric errors at the number of faces: the largest, and the least, of each attempt. The
+/// next attempt is made where the one before reached the number of faces in its first pass.
+const ATTEMPTS: [(f64, f64); 3] = [(0.3, 0.2), (0.1, 0.07), (0.03, 0.02)];
+
+/// Below this share of the diagonal quadric errors are exact, but for rounding.
+const EXACT: f64 = 1e-9;
+
+/// How exactly the distance of a seed is measured.
+const SEED_TOLERANCE: Tolerance = Tolerance::RelativeToDistance(0.05);
+
+/// A surface to start from, with its distance once that is measured.
+type Seed = (Snapshot, Option<f64>);
+
+/// For each number of faces, the finest first, the better of two results: by quadric errors alone, and by a schedule of distances.
+pub(super) fn levels(
+    run: &Run<'_>,
+    surface: Marked,
+    targets: &[SimplifyTarget],
+    started: Instant,
+) -> Result<Vec<Simplified>, SimplifyError> {
+    let input = surface.clone();
+    let (seeds, by_error) = by_error(run, surface, targets, started)?;
+    let exact = EXACT * Aabb::of_faces(run.mesh).diagonal();
+    let is_exact = by_error.iter().all(|found| upper(found) <= exact);
+    let mut by_distance = Vec::new();
+    if !is_exact && !run.control.is_stopped() {
+        by_distance = Schedule { run, input, seeds, targets, by_error: &by_error }.run()?;
+    }
+    by_distance.resize_with(by_error.len(), || None);
+    by_error.into_iter().zip(by_distance).map(|(one, other)| better(run, one, other)).collect()
+}
+
+/// Simplifies by quadric errors alone; keeps surfaces to start from, the coarsest first.
+fn by_error(
+    run: &Run<'_>,
+    surface: Marked,
+    targets: &[SimplifyTarget],
+    mut started: Instant,
+) -> Result<(Vec<Seed>, Vec<Simplified>), SimplifyError> {
+    let all = surface.mesh.face_count();
+    let mut work = Collapses::by_error(surface, run.bvh, run.places);
+    let finest = targets.first().map_or(1, faces_of);
+    let mut seeds = Vec::new();
+    for faces in SEEDS.map(|times| finest.saturating_mul(times)).into_iter().filter(|n| *n < all) {
+        work.leave_faces(faces);
+        work.run(&run.control, run.options.progress);
+        seeds.insert(0, (work.snapshot(), None));
+    }
+    let mut found = Vec::with_capacity(targets.len());
+    for &target in targets {
+        work.leave_faces(faces_of(&target));
+        work.run(&run.control, run.options.progress);
+        found.push(run.measured(&work.surface, work.count, target, started)?);
+        started = Instant::now();
+    }
+    Ok((seeds, found))
+}
+
+fn faces_of(target: &SimplifyTarget) -> usize {
+    match *target {
+        SimplifyTarget::Faces(n) => n,
+        SimplifyTarget::Within(_) => usize::MAX,
+    }
+}
+
+fn upper(found: &Simplified) -> f64 {
+    found.distance.distance.upper()
+}
+
+/// The result that is nearer to the input and has no faces that are to be refused.
+fn better(run: &Run<'_>, one: Simplified, other: Option<Simplified>) -> Result<Simplified, SimplifyError> {
+    let Some(other) = other else { return run.guarded(one) };
+    let distance = one.timing.distance + other.timing.distance;
+    let collapse = one.timing.collapse + other.timing.collapse;
+    let stop = run.control.reason().unwrap_or(StopReason::Tolerance);
+    let falls_short = one.mesh.faces().len() > faces_of(&one.target);
+    let (first, second) =
+        if falls_short || upper(&other) < upper(&one) { (other, one) } else { (one, other) };
+    let found = run.guarded(first).or_else(|refused| run.guarded(second).map_err(|_| refused))?;
+    Ok(Simplified { stop, timing: SimplifyTiming { collapse, distance }, ..found })
+}
+
+/// What the schedule is made from.
+struct Schedule<'s> {
+    run: &'s Run<'s>,
+    input: Marked,
+    /// Surfaces to start from, the coarsest first, with their distances once measured; the last resort is the input.
+    seeds: Vec<Seed>,
+    targets: &'s [SimplifyTarget],
+    by_error: &'s [Simplified],
+}
+
+impl<'s> Schedule<'s> {
+    /// A result for each target; none where quadric errors alone do as well, or time ran out.
+    fn run(mut self) -> Result<Vec<Option<Simplified>>, SimplifyError> {
+        let to_beat = self.by_error.first().map_or(0.0, upper);
+        let mut found = Vec::new();
+        for (most, least) in ATTEMPTS {
+            let (mut work, distance) = self.start(most * to_beat, least * to_beat)?;
+            let (results, passes) = self.grow(&mut work, distance)?;
+            found = results;
+            if passes > 1 || self.run.control.is_stopped() {
+                break;
+            }
+        }
+        Ok(found)
+    }
+
+    /// The coarsest surface that is near enough to the input, and the first distance.
+    fn start(&mut self, most: f64, least: f64) -> Result<(Collapses<'s>, f64), SimplifyError> {
+        let Run { mesh, places, bvh, .. } = *self.run;
+        while let Some((seed, known)) = self.seeds.first_mut() {
+            let own = if let Some(distance) = *known {
+                distance
+            } else {
+                let options = HausdorffOptions { tolerance: SEED_TOLERANCE, ..HausdorffOptions::default() };
+                let seed = self.run.mesh_of(&seed.surface)?;
+                // The tolerance makes sense, so the options do.
+                options.symmetric(mesh, &seed).map_or(f64::INFINITY, |found| found.distance.upper())
+            };
+            *known = Some(own);
+            if ABOVE_SEED * own <= most {
+                let distance = if ABOVE_SEED * own > least { ABOVE_SEED * own } else { least };
+                let limit = places.frame.length_in(distance);
+                if let Some(cover) = Cover::of(&seed.surface.mesh, &self.input.mesh, bvh, limit)? {
+                    return Ok((Collapses::on(seed.clone(), Some(cover), bvh, places), distance));
+                }
+            }
+            // Nor is it near enough for a lesser distance.
+            self.seeds.remove(0);
+        }
+        Ok((Collapses::within(self.input.clone(), bvh, places), least))
+    }
+
+    /// Collapses edges within a distance that grows until each number of faces is reached; the results, and in how many passes the first
+    /// was reached.
+    fn grow(
+        &self,
+        work: &mut Collapses<'_>,
+        mut distance: f64,
+    ) -> Result<(Vec<Option<Simplified>>, usize), SimplifyError> {
+        let mut started = Instant::now();
+        let (mut found, mut passes, mut in_first) = (Vec::new(), 0, usize::MAX);
+        for (&target, by_error) in self.targets.iter().zip(self.by_error) {
+            let faces = faces_of(&target);
+            work.leave_faces(faces);
+            while work.surface.mesh.face_count() > faces
+                && distance <= upper(by_error)
+                && !self.run.control.is_stopped()
+            {
+                work.grow_to(self.run.places.frame.length_in(distance));
+                work.run(&self.run.control, self.run.options.progress);
+                passes += 1;
+                distance *= GROWTH;
+            }
+            let reached = work.surface.mesh.face_count() <= faces;
+            if reached {
+                in_first = in_first.min(passes);
+                found.push(Some(self.run.measured(&work.surface, work.count, target, started)?));
+            } else {
+                found.push(None);
+            }
+            started = Instant::now();
+        }
+        Ok((found, in_first))
+    }
+}
