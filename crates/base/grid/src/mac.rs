@@ -18,7 +18,7 @@ pub struct MacGrid {
     pub cells: [usize; 2],
     /// Cells in a unit of length.
     pub per_length: f64,
-    /// Whether what leaves on one end along x, or y, enters at the other.
+    /// Whether the rectangle is periodic along x and y.
     pub periodic: [bool; 2],
 }
 
@@ -119,13 +119,13 @@ pub struct Mac {
 }
 
 impl Mac {
-    /// A grid whose sides are these; sides of solid cells stay at rest.
+    /// A grid with these sides; sides of solid cells stay at rest.
     ///
     /// # Shapes and units
     /// `side` is called with the component, the number of the side and the cells before and after it; `solid` has one entry per cell.
     ///
     /// # Errors
-    /// [`SolveError::Length`] if `solid` has not one entry per cell; those of factoring the pressure.
+    /// [`SolveError::Length`] if `solid` does not have one entry per cell; those of the factorisation for the pressure.
     pub fn new(
         grid: MacGrid,
         solid: &[bool],
@@ -190,10 +190,10 @@ impl Mac {
 
     /// Adds viscosity: a step of backward Euler with `number` = viscosity · step / h².
     ///
-    /// `along` is the velocity of the wall along each component at the low and at the high edge across it; none lets slip.
+    /// `along` is the velocity of the wall along each component at the low and at the high edge across it; none for a slip wall.
     ///
     /// # Errors
-    /// Those of factoring.
+    /// Those of the factorisation.
     pub fn with_viscosity(mut self, number: f64, along: [[Option<f64>; 2]; 2]) -> Result<Self, SolveError> {
         for (axis, component) in self.components.iter_mut().enumerate() {
             component.diffusion = Some(component.diffusion(number, axis, along[axis])?);

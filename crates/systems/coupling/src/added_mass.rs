@@ -1,26 +1,26 @@
-//! Why plain iteration does not converge, from the solves themselves.
+//! Why fixed-point iteration does not converge, estimated from the solves.
 
 use crate::columns::{Model, Pair};
 use std::fmt;
 
-/// What plain iteration between two solvers does to the part of the interface that is worst.
+/// The effect of fixed-point iteration between two solvers on the least stable mode of the interface.
 ///
 /// # Definition
 /// The composition of both solvers has a Jacobian whose most negative eigenvalue is `−μ`, with μ the added-mass number: the ratio of
 /// the inertia of the fluid that a wall moves to that of the wall, in the simplest cases. Relaxed iteration multiplies errors by
 /// `1 − ω(1 + μ)`.
 /// # Accuracy
-/// The eigenvalue is that of the Jacobian restricted to the inputs that were tried (a Ritz value): μ is underestimated until they hold
-/// the worst one.
+/// The eigenvalue is that of the Jacobian restricted to the inputs that were tried (a Ritz value): μ is underestimated until they contain
+/// the least stable mode.
 /// # Source
 /// `causin_added_2005`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct AddedMass {
-    /// μ; not positive where no eigenvalue is negative.
+    /// μ; not positive if no eigenvalue is negative.
     pub number: f64,
-    /// Relaxed iteration converges for ω below this, as far as the solves tell.
+    /// Relaxed iteration converges for ω below this, as estimated from the solves.
     pub relaxation_below: f64,
 }
 
@@ -38,11 +38,11 @@ impl fmt::Display for AddedMass {
     }
 }
 
-/// Parts of columns that others explain to this are of no use for eigenvalues.
+/// Columns that depend linearly on others up to this share are not used for eigenvalues.
 const FILTER: f64 = 1e-3;
 
 impl AddedMass {
-    /// From pairs of inputs and outputs of both solvers, one after the other; none where there are no pairs.
+    /// From pairs of inputs and outputs of both solvers, applied in sequence; none if there are no pairs.
     pub(crate) fn of<'a>(pairs: impl Iterator<Item = &'a Pair>) -> Option<Self> {
         let model = Model::new(pairs, FILTER);
         if model.is_empty() {

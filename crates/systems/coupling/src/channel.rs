@@ -2,14 +2,14 @@
 //!
 //! # Definition
 //! The Euler equations in a rectangle of square cells, velocities on their sides; the wall above moves with small displacements, so
-//! that the grid stays where it is. In each window the velocity is carried along itself once, and each solve projects it with the
+//! that the grid is fixed. In each window the velocity is advected once, and each solve projects it with the
 //! velocity of the wall. The pressure at the wall is that of the cell below and the gradient over half a cell,
-//! `p = p_cell − ρ (v_wall − v*) h / (2 Δt)`, with v* the velocity of the wall before.
+//! `p = p_cell − ρ (v_wall − v*) h / (2 Δt)`, with v* the previous velocity of the wall.
 //!
 //! # Accuracy
 //! Second order in the size of cells for linear waves; first order in the step with backward Euler, second with the trapezoidal rule.
 //! # Limits
-//! Large displacements need a grid that moves. Walls let slip.
+//! Large displacements require a moving grid. Walls are slip walls.
 
 use crate::piston::TimeRule;
 use crate::wall::{ElasticWall, Ends, Motion, WallOptions};
@@ -21,21 +21,21 @@ use pompeiu_grid::{Mac, MacGrid, Side};
 pub enum Drive {
     /// Both ends are open; the pressure at the left one is `pressure · sin²(π t / duration)` until it ends.
     Pulse {
-        /// The greatest pressure.
+        /// The maximum pressure.
         pressure: f64,
         /// How long it takes.
         duration: f64,
     },
-    /// The channel is periodic; nothing drives it but the first displacement `amplitude · sin(2π waves x / length)`.
+    /// The channel is periodic; driven only by the initial displacement `amplitude · sin(2π waves x / length)`.
     Periodic {
-        /// The first amplitude.
+        /// The initial amplitude.
         amplitude: f64,
         /// Waves along the channel.
         waves: usize,
     },
     /// A box: `volume` flows in at the left until `duration` at a constant rate, nothing flows out.
     Injection {
-        /// The area in the plane that flows in in all.
+        /// The total inflow, an area in the plane.
         volume: f64,
         /// How long it takes.
         duration: f64,
@@ -53,9 +53,9 @@ pub struct ChannelOptions {
     pub density: f64,
     /// Length of a step.
     pub time_step: f64,
-    /// How steps are taken.
+    /// Time integration.
     pub rule: TimeRule,
-    /// Whether the velocity is carried along itself; without it the flow is linear.
+    /// Whether the velocity is advected; otherwise the flow is linear.
     pub advect: bool,
     /// What drives the flow.
     pub drive: Drive,
@@ -78,10 +78,10 @@ impl Default for ChannelOptions {
     }
 }
 
-/// Cells at most.
+/// Largest number of cells.
 const MOST_CELLS: usize = 1 << 22;
 
-/// A channel whose numbers make sense.
+/// A channel with valid parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Channel {
     options: ChannelOptions,
@@ -154,7 +154,7 @@ impl Channel {
         self.options.height / self.options.cells[1] as f64
     }
 
-    /// The first displacement of the wall, cell by cell, from which a coupling starts.
+    /// The initial displacement of the wall in each cell, from which a coupling starts.
     pub fn start(&self) -> Vec<f64> {
         let n = self.options.cells[0];
         match self.options.drive {
@@ -217,7 +217,7 @@ pub struct ChannelFluid {
     mac: Mac,
     velocity: [Vec<f64>; 2],
     pressure: Vec<f64>,
-    /// The velocity after it was carried along itself.
+    /// The velocity after advection.
     carried: [Vec<f64>; 2],
     wall: Motion,
     /// Velocity, wall and pressure of the last solve.
@@ -236,7 +236,7 @@ impl ChannelFluid {
         &self.pressure
     }
 
-    /// The most that flows out of a cell, or into it, per time.
+    /// The largest net flow rate out of a cell or into it.
     pub fn divergence(&self) -> f64 {
         self.mac.outflow(&self.velocity).into_iter().map(f64::abs).fold(0.0, f64::max)
     }

@@ -1,6 +1,6 @@
-//! Least squares with columns that are left out when newer ones say the same.
+//! Least squares in which columns that depend linearly on newer ones are dropped.
 
-/// Columns that are kept at most.
+/// Largest number of columns.
 pub(crate) const MOST_COLUMNS: usize = 50;
 
 pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
@@ -22,7 +22,7 @@ pub(crate) fn add_scaled(y: &mut [f64], a: f64, x: &[f64]) {
     }
 }
 
-/// What changed between two solves: the data that went in and the data that came out.
+/// The differences of inputs and of outputs of two solves.
 #[derive(Clone, Debug)]
 pub(crate) struct Pair {
     pub(crate) from: Vec<f64>,
@@ -37,12 +37,12 @@ pub(crate) struct Model<'a> {
     /// Columns of the upper triangle R: `from = Q R`.
     upper: Vec<Vec<f64>>,
     pub(crate) kept: Vec<&'a Pair>,
-    /// How many columns were left out.
+    /// Number of dropped columns.
     pub(crate) dropped: usize,
 }
 
 impl<'a> Model<'a> {
-    /// Gram and Schmidt twice over the columns, the newest first.
+    /// Gram–Schmidt twice over the columns, the newest first.
     pub(crate) fn new(pairs: impl Iterator<Item = &'a Pair>, filter: f64) -> Self {
         let mut model = Self { orthonormal: Vec::new(), upper: Vec::new(), kept: Vec::new(), dropped: 0 };
         for pair in pairs.take(MOST_COLUMNS) {
@@ -80,7 +80,7 @@ impl<'a> Model<'a> {
         self.kept.len()
     }
 
-    /// The weights of the columns whose sum is nearest to a vector.
+    /// The weights of the columns whose weighted sum is nearest to a vector.
     pub(crate) fn weights(&self, of: &[f64]) -> Vec<f64> {
         let mut weights: Vec<f64> = self.orthonormal.iter().map(|q| dot(q, of)).collect();
         self.back_substitute(&mut weights);
@@ -97,12 +97,12 @@ impl<'a> Model<'a> {
         }
     }
 
-    /// The sum of what goes in, with weights.
+    /// The weighted sum of inputs.
     pub(crate) fn from(&self, weights: &[f64], size: usize) -> Vec<f64> {
         self.sum(weights, size, |pair| &pair.from)
     }
 
-    /// The sum of what comes out, with weights.
+    /// The weighted sum of outputs.
     pub(crate) fn to(&self, weights: &[f64], size: usize) -> Vec<f64> {
         self.sum(weights, size, |pair| &pair.to)
     }

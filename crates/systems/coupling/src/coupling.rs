@@ -1,28 +1,28 @@
-//! Windows in time, one after the other.
+//! Time windows in sequence.
 
 use crate::added_mass::AddedMass;
 use crate::columns::difference;
 use crate::iteration::{Iteration, Memory, relative};
 use crate::{Closed, CouplingError, CouplingOptions, Imbalance, Refusal, Scheme, Subproblem, WindowReport};
 
-/// Interface values for which IQN-IMVJ keeps a dense matrix at most: half a gigabyte.
+/// Largest number of interface values for the dense matrix of IQN-IMVJ: half a gigabyte.
 const MOST_DENSE: usize = 8192;
 
-/// Inflow less outflow, relative to both, that counts as none.
+/// Inflow minus outflow, relative to both, that counts as zero.
 const BALANCED: f64 = 1e-13;
 
-/// Inflow less outflow, relative to both, beyond which an enclosed region is refused when nothing is to be done about it.
+/// Inflow minus outflow, relative to both, above which an enclosed region is rejected unless it is to be corrected.
 const REFUSED: f64 = 1e-9;
 
-/// Steps of the secant method for the constant of the pressure; a linear solid needs two.
+/// Steps of the secant method for the pressure constant; a linear solid needs two.
 const MOST_SECANTS: usize = 20;
 
-/// Two solvers, and what is remembered of them.
+/// Two coupled solvers with the data of their previous solves.
 ///
 /// # Shapes and units
-/// The first takes x and gives y, the second takes y and gives x. Units are theirs: change is measured relative to each data's norm.
+/// The first maps x to y, the second y to x. Units are those of the solvers: changes are relative to the norm of x and of y.
 /// # Cost
-/// A solve of both solvers for each iteration; O(n c²) beside that for n values and c ≤ 50 columns, O(n² c) for IQN-IMVJ.
+/// One solve of both solvers for each iteration, plus O(n c²) for n values and c ≤ 50 columns, O(n² c) for IQN-IMVJ.
 #[derive(Debug)]
 pub struct Coupling<F, S> {
     fluid: F,
@@ -34,17 +34,17 @@ pub struct Coupling<F, S> {
     y: Option<Vec<f64>>,
     window: usize,
     constant: Constant,
-    /// Which part of the unexplained rest the last window ended with.
+    /// The damping factor with which the last window ended.
     rung: usize,
 }
 
-/// The constant of the pressure of an enclosed region.
+/// The pressure constant of an enclosed region.
 #[derive(Clone, Copy, Debug, Default)]
 struct Constant {
     value: f64,
-    /// How much more flows in for a greater constant.
+    /// Derivative of the inflow by the constant.
     slope: Option<f64>,
-    /// The most that has flowed in and out so far, by which the rest is judged: at the end of a motion all that is left is rounding.
+    /// The largest flow in and out so far, the scale for the remainder: at the end of a motion only rounding errors remain.
     gross: f64,
 }
 
@@ -73,7 +73,7 @@ impl<F: Subproblem, S: Subproblem> Coupling<F, S> {
     /// Couples two solvers from given interface data.
     ///
     /// # Errors
-    /// [`CouplingError`] where options make no sense, or one solver does not give what the other takes.
+    /// [`CouplingError`] if options are invalid, or if the outputs of one solver do not match the inputs of the other.
     pub fn new(fluid: F, solid: S, x0: &[f64], options: CouplingOptions) -> Result<Self, CouplingError> {
         options.check()?;
         let fits = |what, found: usize, expected: usize| {
@@ -102,35 +102,35 @@ impl<F: Subproblem, S: Subproblem> Coupling<F, S> {
         })
     }
 
-    /// The solver that is asked first.
+    /// The first solver.
     pub fn fluid(&self) -> &F {
         &self.fluid
     }
 
-    /// The solver that is asked second.
+    /// The second solver.
     pub fn solid(&self) -> &S {
         &self.solid
     }
 
-    /// Windows so far.
+    /// Number of converged windows.
     pub fn windows(&self) -> usize {
         self.window
     }
 
-    /// The interface data that both agree on.
+    /// The converged interface data.
     pub fn x(&self) -> &[f64] {
         &self.accepted[0]
     }
 
-    /// What the first solver gave for it; none before the first window.
+    /// The output of the first solver for it; none before the first window.
     pub fn y(&self) -> Option<&[f64]> {
         self.y.as_deref()
     }
 
-    /// Solves the next window. When it fails, the state is that before.
+    /// Solves the next window. On failure the state is unchanged.
     ///
     /// # Errors
-    /// [`CouplingError::NotConverged`] with the reason as far as it is known; [`CouplingError::Closed`] and
+    /// [`CouplingError::NotConverged`] with the reason if known; [`CouplingError::Closed`] and
     /// [`CouplingError::ClosedUnsolved`] for enclosed regions.
     pub fn advance(&mut self) -> Result<WindowReport, CouplingError> {
         let mut report = WindowReport::default();
@@ -208,7 +208,7 @@ impl<F: Subproblem, S: Subproblem> Coupling<F, S> {
         self.solid.reject();
     }
 
-    /// The parts of the unexplained rest to try, first with what earlier windows taught, then without.
+    /// The damping factors to try, first with the model from earlier windows, then without.
     fn attempts(&self) -> Vec<(f64, bool)> {
         let parts = match self.options.damping.as_slice() {
             parts if self.options.scheme.has_model() && !parts.is_empty() => parts,
@@ -221,7 +221,7 @@ impl<F: Subproblem, S: Subproblem> Coupling<F, S> {
     }
 }
 
-/// The first guess of a window: a polynomial through the last ones.
+/// The initial guess of a window: polynomial extrapolation of the last ones.
 fn guess(accepted: &[Vec<f64>], order: usize) -> Vec<f64> {
     let weights: &[f64] = match order.min(accepted.len() - 1) {
         0 => &[1.0],
@@ -298,7 +298,7 @@ fn attempt<F: Subproblem, S: Subproblem>(
     failed(options.most_solves, least, None)
 }
 
-/// What the first solver gave, with the constant of the pressure where there is one.
+/// The output of the first solver, with the pressure constant if there is one.
 fn with_constant<F: Subproblem>(
     y: &[f64],
     given: &[f64],
@@ -311,9 +311,9 @@ fn with_constant<F: Subproblem>(
     y.iter().map(|y| y + constant).collect()
 }
 
-/// Solves for the constant of the pressure with which the solid takes in what flows in: the secant method, its slope kept.
+/// Computes the pressure constant for which the displacement of the solid equals the inflow, by the secant method; the slope is kept.
 ///
-/// On return `given` has the constant. False where there is none.
+/// On return `given` contains the constant. False if there is none.
 fn take_in<F: Subproblem, S: Subproblem>(
     fluid: &F,
     solid: &mut S,

@@ -1,13 +1,13 @@
-//! Why a coupling cannot start or go on.
+//! Why a coupling cannot start or continue.
 
 use crate::{AddedMass, Refusal};
 use pompeiu_solve::SolveError;
 
-/// Why two solvers are not coupled.
+/// Why two solvers cannot be coupled.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum CouplingError {
-    /// A number makes no sense.
+    /// A parameter is invalid.
     #[error("the {what} is {value}; it must be finite and {expected}")]
     Parameter {
         /// What it is.
@@ -17,43 +17,43 @@ pub enum CouplingError {
         /// What it should be.
         expected: &'static str,
     },
-    /// What one gives is not what the other takes.
+    /// The numbers of outputs of one solver and inputs of the other differ.
     #[error("the {what} has {found} values, expected {expected}")]
     Length {
-        /// What has them.
+        /// The data concerned.
         what: &'static str,
         /// How many there are.
         found: usize,
         /// How many there should be.
         expected: usize,
     },
-    /// There are more values at the interface than the scheme can keep a dense matrix for.
+    /// The interface has too many values for the dense matrix of the scheme.
     #[error(
         "the interface has {found} values; iqn-imvj keeps a dense matrix and takes {most} at most; choose iqn-ils"
     )]
     TooLarge {
         /// How many there are.
         found: usize,
-        /// How many there may be.
+        /// The largest number.
         most: usize,
     },
-    /// The solvers did not agree.
+    /// The iteration did not converge.
     #[error("{}", not_converged(*.window, *.solves, *.change, *.tolerance, .added_mass.as_ref(), .refusal.as_ref()))]
     NotConverged {
         /// Number of the window, from 1.
         window: usize,
-        /// Solves that were spent on it.
+        /// Number of solves.
         solves: usize,
-        /// The least relative change of the interface that was reached.
+        /// The smallest relative change of the interface.
         change: f64,
-        /// The change that was asked for.
+        /// The requested change.
         tolerance: f64,
-        /// What the solves say about plain iteration, where there were enough.
+        /// The added-mass number, if there were enough solves to estimate it.
         added_mass: Option<AddedMass>,
-        /// What a solver said last, if one refused.
+        /// The last refusal of a solver, if any.
         refusal: Option<Refusal>,
     },
-    /// An enclosed region whose walls do not keep its volume.
+    /// An enclosed region whose walls do not conserve its volume.
     #[error(
         "window {window}: the fluid is enclosed and -∮u·n is {net:e}, must be 0: as much must flow in as out, and the pressure is known \
          up to a constant only; let the coupling choose the constant (closed: project), or free the pressure on one side"
@@ -64,7 +64,7 @@ pub enum CouplingError {
         /// Inflow minus outflow.
         net: f64,
     },
-    /// No constant of the pressure lets the solid take in what flows in.
+    /// For no pressure constant does the displacement of the solid equal the inflow.
     #[error(
         "window {window}: no constant of the pressure lets the solid take in what flows into the enclosed fluid; \
          {net:e} of ∮u·n is left"
@@ -72,10 +72,10 @@ pub enum CouplingError {
     ClosedUnsolved {
         /// Number of the window, from 1.
         window: usize,
-        /// What is left.
+        /// The remaining imbalance.
         net: f64,
     },
-    /// A reference that is solved at once did not converge.
+    /// A monolithic reference solution did not converge.
     #[error("window {window}: Newton's method for both solvers at once did not converge")]
     Monolithic {
         /// Number of the window, from 1.

@@ -1,10 +1,10 @@
-//! The next input from the solves so far.
+//! The next input from the previous solves.
 
 use crate::columns::{MOST_COLUMNS, Model, Pair, add_scaled, difference, dot, norm};
 use crate::{CouplingOptions, Scheme};
 use std::collections::VecDeque;
 
-/// What the solves of a window, and of earlier ones, say of both solvers together (`whole`) or of each (`first`, `second`).
+/// Differences of solves of this window and of earlier ones, for both solvers together (`whole`) or for each (`first`, `second`).
 #[derive(Debug, Default)]
 pub(crate) struct Pairs {
     /// From `x̃ − x` to `x̃`.
@@ -15,19 +15,19 @@ pub(crate) struct Pairs {
     pub(crate) second: Vec<Pair>,
 }
 
-/// What is remembered from window to window.
+/// Data kept between windows.
 #[derive(Debug, Default)]
 pub(crate) struct Memory {
     /// The newest window first.
     windows: VecDeque<Pairs>,
-    /// The last part that Aitken's formula chose.
+    /// The last relaxation factor of Aitken's formula.
     relaxation: Option<f64>,
     /// The inverse Jacobian of the last window, row by row.
     jacobian: Option<Vec<f64>>,
 }
 
 impl Memory {
-    /// Forgets all solves.
+    /// Discards all solves.
     pub(crate) fn clear(&mut self) {
         *self = Self::default();
     }
@@ -37,12 +37,12 @@ impl Memory {
     }
 }
 
-/// One solve: what went in and what came out.
+/// One solve: its inputs and outputs.
 #[derive(Clone, Debug)]
 struct Solve {
     x: Vec<f64>,
     y: Vec<f64>,
-    /// What the second solver got: y, or what the models say y should be.
+    /// Input of the second solver: y, or y as predicted by the models.
     given: Vec<f64>,
     out: Vec<f64>,
 }
@@ -77,7 +77,7 @@ impl<'a> Iteration<'a> {
         Model::new(self.all(of), self.options.filter)
     }
 
-    /// What the second solver gets when the first one has given y for x.
+    /// Input of the second solver after the first one has returned y for x.
     pub(crate) fn between(&mut self, x: &[f64], y: &[f64]) -> Vec<f64> {
         let Some(last) = &self.last else { return y.to_vec() };
         if self.options.scheme != Scheme::TwoModels {
@@ -96,7 +96,7 @@ impl<'a> Iteration<'a> {
         }
     }
 
-    /// Records a solve, and gives the input of the next one.
+    /// Records a solve and returns the input of the next one.
     pub(crate) fn next(&mut self, x: &[f64], y: &[f64], given: &[f64], out: &[f64]) -> Vec<f64> {
         self.record(x, y, given, out);
         let rest = difference(out, x);
@@ -133,7 +133,7 @@ impl<'a> Iteration<'a> {
         self.last = Some(solve);
     }
 
-    /// The change without any model: a small part, a smaller one when that has failed.
+    /// The change without a model: relaxed, and damped after a failure.
     fn blind(&self, rest: &[f64]) -> Vec<f64> {
         rest.iter().map(|r| self.options.initial_relaxation * self.damping * r).collect()
     }
@@ -145,7 +145,7 @@ impl<'a> Iteration<'a> {
             self.blind(rest)
         } else {
             let (explained, unexplained, out) = explain(&model, rest);
-            // The input moves by what comes out less what it changes the rest by, and by a part of what is left.
+            // The input changes by the modelled change of the output minus that of the residual, plus the damped unexplained part.
             let mut change = difference(&out, &explained);
             add_scaled(&mut change, self.damping, &unexplained);
             change
@@ -198,7 +198,7 @@ impl<'a> Iteration<'a> {
         change
     }
 
-    /// Changes of inputs in this window, and what both solvers, one after the other, make of them.
+    /// Changes of inputs in this window, and the changes of outputs of both solvers applied in sequence.
     pub(crate) fn composed(&self) -> Vec<Pair> {
         if self.options.scheme == Scheme::TwoModels {
             // The second solver did not get what the first one gave.
@@ -211,7 +211,7 @@ impl<'a> Iteration<'a> {
         pairs.map(|pair| Pair { from: difference(&pair.to, &pair.from), to: pair.to.clone() }).collect()
     }
 
-    /// What the next window needs to know.
+    /// Data for the next window.
     pub(crate) fn into_memory(self) -> (Pairs, Option<f64>, Option<Vec<f64>>) {
         let jacobian = (self.options.scheme == Scheme::IqnImvj).then(|| self.new_jacobian());
         (self.pairs, self.relaxation, jacobian)
@@ -237,7 +237,7 @@ impl<'a> Iteration<'a> {
 }
 
 impl Memory {
-    /// Keeps what an accepted window has taught.
+    /// Keeps the data of an accepted window.
     pub(crate) fn keep(
         &mut self,
         (pairs, relaxation, jacobian): (Pairs, Option<f64>, Option<Vec<f64>>),
@@ -250,8 +250,8 @@ impl Memory {
     }
 }
 
-/// For a rest `r`: the part `−V c` of it that columns explain with its sign turned, the part that they do not, and what comes out with
-/// the weights c that remove it.
+/// For a residual `r`: its negated projection `−V c` onto the columns, the part orthogonal to them, and the combination of outputs with
+/// the weights c that cancel it.
 fn explain(model: &Model<'_>, rest: &[f64]) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
     let weights: Vec<f64> = model.weights(rest).into_iter().map(|w| -w).collect();
     let explained = model.from(&weights, rest.len());
@@ -260,7 +260,7 @@ fn explain(model: &Model<'_>, rest: &[f64]) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
     (explained, unexplained, model.to(&weights, rest.len()))
 }
 
-/// The δ with `δ = A (wanted + B δ)` for two models A and B; none where no δ is.
+/// The δ with `δ = A (wanted + B δ)` for two models A and B; none if there is no solution.
 fn answer(a: &Model<'_>, b: &Model<'_>, wanted: &[f64]) -> Option<Vec<f64>> {
     let k = a.len();
     if k == 0 {
@@ -279,7 +279,7 @@ fn answer(a: &Model<'_>, b: &Model<'_>, wanted: &[f64]) -> Option<Vec<f64>> {
     Some(a.to(&weights, size))
 }
 
-/// Gauss's elimination with partial pivoting; the matrix row by row.
+/// Gaussian elimination with partial pivoting; the matrix is row-major.
 fn solve_dense(mut a: Vec<f64>, mut b: Vec<f64>) -> Option<Vec<f64>> {
     let n = b.len();
     for k in 0..n {
@@ -311,24 +311,24 @@ fn multiply(matrix: &[f64], x: &[f64]) -> Vec<f64> {
     matrix.chunks_exact(x.len().max(1)).map(|row| dot(row, x)).collect()
 }
 
-/// Aitken's part from the last one, the rest before, and its change; between −1 and 1.
+/// Aitken's relaxation factor from the previous factor, the previous residual and its change; between −1 and 1.
 fn aitken(last: f64, before: &[f64], change: &[f64]) -> f64 {
     let square = dot(change, change);
     let part = -last * dot(before, change) / square;
     if square > 0.0 && part.is_finite() && part != 0.0 { part.clamp(-1.0, 1.0) } else { last }
 }
 
-/// Changes below this part of what changes are rounding, not derivatives.
+/// Changes below this share of the value are rounding errors, not derivatives.
 const ROUNDING: f64 = 1e-10;
 
-/// Keeps a pair unless it is rounding of data of this size.
+/// Keeps a pair unless it is a rounding error of data of this size.
 fn push(pairs: &mut Vec<Pair>, pair: Pair, of: &[f64]) {
     if norm(&pair.from) > ROUNDING * norm(of) {
         pairs.push(pair);
     }
 }
 
-/// Whether a change is less than a part of something.
+/// Whether a change is less than a share of a reference value.
 pub(crate) fn relative(change: &[f64], of: &[f64]) -> f64 {
     let (change, of) = (norm(change), norm(of));
     if change == 0.0 { 0.0 } else { change / of }

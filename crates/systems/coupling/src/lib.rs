@@ -1,33 +1,33 @@
-//! Two solvers that each know half of a problem, made to agree at the interface between them.
+//! Partitioned coupling of two black-box solvers at the interface between them.
 //!
 //! # Definition
-//! In each window in time a fluid gives `y = F(x)`, pressures for displacements, and a solid `x̃ = S(y)`, displacements for pressures.
-//! The window is done when `x̃ = x`. Both are black boxes ([`Subproblem`]); the [`Scheme`] sees only what goes in and comes out.
+//! In each time window a fluid solver computes `y = F(x)`, pressures from displacements, and a solid solver `x̃ = S(y)`, displacements
+//! from pressures. The window has converged when `x̃ = x`. Both are black boxes ([`Subproblem`]); the [`Scheme`] uses only inputs and outputs.
 //! One *solve* is one F and one S.
 //!
 //! | scheme | the next input |
 //! |---|---|
 //! | [`Scheme::Fixed`], [`Scheme::Constant`], [`Scheme::Aitken`] | relaxed: `x + ω (x̃ − x)` |
-//! | [`Scheme::IqnIls`] | the change that least squares over earlier solves, of earlier windows too, say removes `x̃ − x` |
+//! | [`Scheme::IqnIls`] | the change that cancels `x̃ − x` in the least-squares model of previous solves, also of earlier windows |
 //! | [`Scheme::IqnImvj`] | the same, with the Jacobian nearest to the last window's |
 //! | [`Scheme::TwoModels`] | from a least-squares model of each solver |
 //!
-//! When a window fails it is tried again with only a part of what the model does not explain. When it fails for good, the error says
-//! why plain iteration cannot work: the [`AddedMass`] number.
+//! A failed window is repeated with a damped part of the residual that the model does not explain. If all attempts fail, the error contains
+//! the [`AddedMass`] number, which explains why fixed-point iteration diverges.
 //!
 //! # Enclosed regions
-//! Where all walls of an incompressible fluid have given velocities, its pressure is known up to a constant, and iteration converges to
-//! a wrong volume without a sign. This is detected ([`Subproblem::imbalance`]), and cured by choosing the constant so that the solid
-//! takes in what flows in, or refused ([`Closed`]).
+//! If all walls of an incompressible fluid have prescribed velocities, its pressure is determined up to a constant, and iteration converges
+//! to a wrong volume without notice. This is detected ([`Subproblem::imbalance`]), and either corrected by choosing the constant so that
+//! the displacement of the solid equals the inflow, or rejected ([`Closed`]).
 //!
 //! # Limits
-//! No scheme makes every pair of solvers agree.
+//! No scheme converges for every pair of solvers.
 //!
 //! # Example
 //! ```
 //! use pompeiu_coupling::{Coupling, CouplingOptions, piston::{Piston, PistonOptions}};
 //!
-//! // A fluid column ten times as heavy as its piston: plain iteration diverges.
+//! // A fluid column ten times as heavy as its piston: fixed-point iteration diverges.
 //! let piston = Piston::new(PistonOptions { fluid_mass: 10.0, ..PistonOptions::default() })?;
 //! let mut coupling = Coupling::new(piston.fluid(), piston.solid(), &[piston.start()], CouplingOptions::default())?;
 //! let first = coupling.advance()?;

@@ -1,24 +1,24 @@
-//! What a coupling is asked for.
+//! Options of a coupling.
 
 use crate::CouplingError;
 
-/// How the next input is found from the solves so far.
+/// How the next input is computed from the previous solves.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 #[non_exhaustive]
 pub enum Scheme {
-    /// What comes out goes in.
+    /// Fixed-point iteration: the output is the next input.
     Fixed,
-    /// A constant part of the change: `x + ω (x̃ − x)`.
+    /// Constant relaxation: `x + ω (x̃ − x)`.
     Constant(f64),
-    /// The part is chosen by Aitken's formula from the last two changes; the first one is given.
+    /// Relaxation by Aitken's formula from the last two changes; the first factor is given.
     Aitken(f64),
     /// Interface quasi-Newton with the inverse Jacobian from least squares.
     #[default]
     IqnIls,
-    /// Interface quasi-Newton with the inverse Jacobian that is nearest to that of the window before: a dense matrix.
+    /// Interface quasi-Newton with the inverse Jacobian that is nearest to that of the previous window: a dense matrix.
     IqnImvj,
     /// A least-squares model of each solver (block quasi-Newton).
     TwoModels,
@@ -55,45 +55,45 @@ impl Scheme {
         }
     }
 
-    /// Whether it has a model, the rest of which may be damped.
+    /// Whether it has a model, whose residual may be damped.
     pub(crate) fn has_model(self) -> bool {
         matches!(self, Self::IqnIls | Self::IqnImvj | Self::TwoModels)
     }
 }
 
-/// What is done about a region that is enclosed.
+/// Treatment of an enclosed region.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum Closed {
-    /// The constant of the pressure is chosen so that the solid takes in what flows in.
+    /// The pressure constant is chosen so that the displacement of the solid equals the inflow.
     #[default]
     Project,
-    /// The run ends with the imbalance named.
+    /// The run ends with an error that states the imbalance.
     Refuse,
 }
 
 /// Options of a [`Coupling`](crate::Coupling).
 #[derive(Clone, Debug, PartialEq)]
 pub struct CouplingOptions {
-    /// How the next input is found.
+    /// How the next input is computed.
     pub scheme: Scheme,
-    /// A window ends when both data change by less than this, relative to their Euclidean norms.
+    /// A window has converged when both data change by less than this, relative to their Euclidean norms.
     pub tolerance: f64,
-    /// Solves of each attempt at a window at most.
+    /// Largest number of solves of each attempt at a window.
     pub most_solves: usize,
-    /// Earlier windows whose solves are used again.
+    /// Number of earlier windows whose solves are reused.
     pub reuse: usize,
-    /// A column is left out when its part that is orthogonal to newer ones is shorter than this part of it.
+    /// A column is dropped if its component orthogonal to newer ones is shorter than this share of its length.
     pub filter: f64,
-    /// Order of the extrapolation of the first guess of a window: 0, 1 or 2.
+    /// Order of extrapolation for the initial guess of a window: 0, 1 or 2.
     pub extrapolation: usize,
-    /// The part of the first change that is taken when no model is known yet.
+    /// Relaxation factor of the first change, before there is a model.
     pub initial_relaxation: f64,
-    /// Parts of what the model does not explain that are tried one after the other, when a window fails.
+    /// Damping factors for the residual that the model does not explain, tried in order when a window fails.
     pub damping: Vec<f64>,
-    /// What is done about an enclosed region.
+    /// Treatment of an enclosed region.
     pub closed: Closed,
 }
 

@@ -1,22 +1,22 @@
-//! A column of fluid that moves a piston on a spring: the smallest problem with all that is hard about coupling.
+//! A column of fluid that moves a piston on a spring: the smallest problem with all difficulties of coupling.
 //!
 //! # Definition
 //! `m_s x″ + k x = −p A` and `p A = m_f x″`, with A = 1. Together `(m_s + m_f) x″ + k x = 0`, of angular frequency
-//! `√(k / (m_s + m_f))`. With backward Euler, plain iteration relaxed by ω multiplies errors by `1 − ω (1 + μ)`,
+//! `√(k / (m_s + m_f))`. With backward Euler, fixed-point iteration relaxed by ω multiplies errors by `1 − ω (1 + μ)`,
 //! `μ = m_f / (m_s + k Δt²)`.
 
 use crate::{CouplingError, Refusal, Subproblem};
 
-/// How a time step is taken.
+/// Time integration.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum TimeRule {
-    /// First order; takes energy out of oscillations.
+    /// First order; dissipates the energy of oscillations.
     #[default]
     BackwardEuler,
-    /// Newmark's rule with ¼ and ½: second order, keeps the energy of linear oscillations.
+    /// Newmark's method with ¼ and ½: second order, conserves the energy of linear oscillations.
     Trapezoidal,
 }
 
@@ -42,9 +42,9 @@ pub struct PistonOptions {
     pub fluid_mass: f64,
     /// Length of a step.
     pub time_step: f64,
-    /// Where it starts, at rest.
+    /// The initial position, at rest.
     pub start: f64,
-    /// How steps are taken.
+    /// Time integration.
     pub rule: TimeRule,
 }
 
@@ -55,7 +55,7 @@ impl Default for PistonOptions {
     }
 }
 
-/// A piston whose numbers make sense.
+/// A piston with valid parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Piston {
     options: PistonOptions,
@@ -69,7 +69,7 @@ struct State {
     a: f64,
 }
 
-/// The column of fluid or the piston: a position in, a pressure out, or the other way.
+/// The column of fluid or the piston: from position to pressure, or the reverse.
 #[derive(Clone, Debug)]
 pub struct PistonHalf {
     options: PistonOptions,
@@ -103,12 +103,12 @@ impl Piston {
         Ok(Self { options })
     }
 
-    /// Where it starts.
+    /// The initial position.
     pub fn start(&self) -> f64 {
         self.options.start
     }
 
-    /// The acceleration with which it starts: of both together.
+    /// The initial acceleration of the coupled system.
     fn first(&self) -> State {
         let PistonOptions { mass, fluid_mass, stiffness, start, .. } = self.options;
         State { x: start, v: 0.0, a: -stiffness * start / (mass + fluid_mass) }
@@ -135,7 +135,7 @@ impl Piston {
         fluid_mass / (mass + stiffness / self.options.inertia())
     }
 
-    /// Positions after each step with both solved at once.
+    /// Positions after each step of the monolithic solution.
     pub fn monolithic(&self, steps: usize) -> Vec<f64> {
         let PistonOptions { mass, stiffness, fluid_mass, .. } = self.options;
         let mut state = self.first();
@@ -152,7 +152,7 @@ impl Piston {
 }
 
 impl PistonOptions {
-    /// How much acceleration a displacement means.
+    /// Derivative of the acceleration by the displacement.
     fn inertia(&self) -> f64 {
         let square = self.time_step * self.time_step;
         match self.rule {
@@ -163,7 +163,7 @@ impl PistonOptions {
 }
 
 impl State {
-    /// The part of the acceleration that the past has decided, with its sign turned.
+    /// The negated part of the acceleration that depends on the previous state.
     fn predicted(&self, options: &PistonOptions) -> f64 {
         let dt = options.time_step;
         match options.rule {

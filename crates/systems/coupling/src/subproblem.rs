@@ -1,6 +1,6 @@
-//! What a solver must offer to be coupled.
+//! The interface that a solver must implement to be coupled.
 
-/// Why a solver gives no answer for an input: a sentence for a person.
+/// Why a solver has no solution for an input: a sentence for users.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{reason}")]
 pub struct Refusal {
@@ -15,38 +15,38 @@ impl Refusal {
     }
 }
 
-/// What flows into an enclosed region whose pressure is known up to a constant only.
+/// The net inflow of an enclosed region whose pressure is determined only up to a constant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Imbalance {
-    /// `−∮ u·n`, inflow minus outflow per time. An incompressible fluid needs it to be zero.
+    /// `−∮ u·n`, inflow minus outflow per time. An incompressible fluid requires zero.
     pub net: f64,
-    /// `∮ |u·n|`, by which `net` is judged.
+    /// `∮ |u·n|`, the scale for `net`.
     pub gross: f64,
 }
 
-/// A solver for one window in time, as the coupling sees it: data of the interface in, data of the interface out.
+/// A solver for one time window as a map of interface data to interface data.
 ///
 /// Every [`solve`](Self::solve) starts from the state of the last [`accept`](Self::accept), however many solves there were since.
 pub trait Subproblem {
-    /// Number of values that it takes.
+    /// Number of input values.
     fn inputs(&self) -> usize;
 
-    /// Number of values that it gives.
+    /// Number of output values.
     fn outputs(&self) -> usize;
 
     /// Solves the window for an input.
     ///
     /// # Errors
-    /// [`Refusal`] where the input has no answer, an inverted element for instance: the coupling then tries a shorter way.
+    /// [`Refusal`] if the input has no solution, for instance due to an inverted element: the coupling then tries a smaller change.
     fn solve(&mut self, input: &[f64], output: &mut [f64]) -> Result<(), Refusal>;
 
-    /// Makes the last solve the beginning of the next window.
+    /// Makes the result of the last solve the initial state of the next window.
     fn accept(&mut self);
 
-    /// Forgets the solves since the last accepted one.
+    /// Discards the solves since the last accepted one.
     fn reject(&mut self) {}
 
-    /// What flows in for an input, where nothing else fixes the constant of the pressure; none where something does.
+    /// The inflow for an input, if nothing else determines the pressure constant; otherwise none.
     fn imbalance(&self, _input: &[f64]) -> Option<Imbalance> {
         None
     }
@@ -78,7 +78,7 @@ impl<T: Subproblem + ?Sized> Subproblem for Box<T> {
     }
 }
 
-/// A function of its input without a state, as a solver.
+/// A stateless function as a solver.
 ///
 /// # Example
 /// ```
@@ -101,7 +101,7 @@ pub struct Function<G> {
 }
 
 impl<G: FnMut(&[f64], &mut [f64]) -> Result<(), Refusal>> Function<G> {
-    /// A function of so many values with so many values.
+    /// A function with these numbers of inputs and outputs.
     pub fn new(inputs: usize, outputs: usize, function: G) -> Self {
         Self { inputs, outputs, call: function }
     }

@@ -3,7 +3,7 @@
 //! # Definition
 //! Conservation of volume and momentum, `a_t + (a v)_x = 0` and `(a v)_t + (a v²)_x + a p_x = 0` at density 1, and the wall
 //! `a = a₀ (2c² / (2c² − p))²`, `c² = E / (2 r₀)`, with `a₀ = 1`. Finite volumes, backward Euler; the velocity at the inlet is given,
-//! the outlet lets waves of pressure leave. With the wall at rest, waves travel at `v ± c`.
+//! the outlet does not reflect pressure waves. With the wall at rest, waves travel at `v ± c`.
 //!
 //! # Source
 //! The equations and numbers are those of the tutorial `elastic-tube-1d` of preCICE, which publishes logs of its runs;
@@ -12,14 +12,14 @@
 use crate::{CouplingError, Refusal, Subproblem};
 use pompeiu_solve::Banded;
 
-/// What flows in.
+/// Velocity at the inlet.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Inlet {
     /// `mean + amplitude · sin(π · frequency · t)`.
     Periodic {
         /// The mean velocity.
         mean: f64,
-        /// How far it goes beyond.
+        /// The amplitude.
         amplitude: f64,
         /// Half-periods in a unit of time.
         frequency: f64,
@@ -62,7 +62,7 @@ pub struct TubeOptions {
     pub modulus: f64,
     /// Length of a step.
     pub time_step: f64,
-    /// What flows in.
+    /// Velocity at the inlet.
     pub inlet: Inlet,
 }
 
@@ -73,10 +73,10 @@ impl Default for TubeOptions {
     }
 }
 
-/// Segments at most.
+/// Largest number of segments.
 const MOST_SEGMENTS: usize = 1_000_000;
 
-/// A tube whose numbers make sense.
+/// A tube with valid parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tube {
     options: TubeOptions,
@@ -84,7 +84,7 @@ pub struct Tube {
     speed_sq: f64,
 }
 
-/// A flow at a time.
+/// The flow at one time.
 #[derive(Clone, Debug, PartialEq)]
 struct Flow {
     time: f64,
@@ -93,7 +93,7 @@ struct Flow {
     section: Vec<f64>,
 }
 
-/// Steps of Newton's method at most.
+/// Largest number of steps of Newton's method.
 const MOST_STEPS: usize = 50;
 
 /// The norm of the residual relative to that of velocities and pressures at which Newton's method ends.
@@ -138,17 +138,17 @@ impl Tube {
         vec![1.0; self.options.segments + 1]
     }
 
-    /// Cross-sections in, pressures out.
+    /// The solver from cross-sections to pressures.
     pub fn fluid(&self) -> TubeFluid {
         TubeFluid { tube: *self, accepted: self.first(), solved: self.first() }
     }
 
-    /// Pressures in, cross-sections out.
+    /// The solver from pressures to cross-sections.
     pub fn solid(&self) -> TubeWall {
         TubeWall { tube: *self }
     }
 
-    /// The tube solved at once.
+    /// The monolithic solver of the tube.
     pub fn monolithic(&self) -> MonolithicTube {
         MonolithicTube { tube: *self, flow: self.first(), windows: 0 }
     }
@@ -159,7 +159,7 @@ impl Tube {
         Flow { time: 0.0, velocity, pressure: vec![0.0; count], section: vec![1.0; count] }
     }
 
-    /// The cross-section for a pressure, and its derivative; none where the wall gives way.
+    /// The cross-section for a pressure, and its derivative; none from the pressure `2c²` on.
     fn section(&self, pressure: f64) -> Option<[f64; 2]> {
         let most = 2.0 * self.speed_sq;
         let left = most - pressure;
@@ -167,7 +167,7 @@ impl Tube {
         (left > 0.0 && ratio.is_finite()).then(|| [ratio * ratio, 2.0 * ratio * ratio / left])
     }
 
-    /// Newton's method for a step from a flow. Cross-sections are those given, or follow the pressure.
+    /// Newton's method for a step. Cross-sections are prescribed or depend on the pressure.
     fn step(&self, from: &Flow, given: Option<&[f64]>) -> Result<Flow, Refusal> {
         let count = from.velocity.len();
         let mut to = Flow { time: from.time + self.options.time_step, ..from.clone() };
@@ -219,7 +219,7 @@ impl Tube {
         Err(Refusal::new("Newton's method for the flow in the tube did not converge"))
     }
 
-    /// The residual and its derivative; unknowns are velocity and pressure in turns. `slope` is that of sections by pressure.
+    /// The residual and its derivative; unknowns are velocity and pressure alternately. `slope` is the derivative of cross-sections by pressure.
     fn system(&self, from: &Flow, to: &Flow, slope: &[f64]) -> Result<(Vec<f64>, Banded), Refusal> {
         let n = self.options.segments;
         let rate = self.options.length / n as f64 / self.options.time_step;
@@ -315,7 +315,7 @@ impl Subproblem for TubeFluid {
     }
 }
 
-/// The wall of a tube, which has no mass.
+/// The massless wall of a tube.
 #[derive(Clone, Debug)]
 pub struct TubeWall {
     tube: Tube,
@@ -342,7 +342,7 @@ impl Subproblem for TubeWall {
     fn accept(&mut self) {}
 }
 
-/// Flow and wall of a tube solved at once.
+/// Monolithic solver of flow and wall of a tube.
 #[derive(Clone, Debug)]
 pub struct MonolithicTube {
     tube: Tube,

@@ -7,18 +7,18 @@ use crate::piston::TimeRule;
 use crate::{CouplingError, Refusal, Subproblem};
 use pompeiu_solve::{Cholesky, LinearSolver, SparseMatrix};
 
-/// What the ends of a wall do.
+/// Boundary condition at the ends of a wall.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum Ends {
-    /// They stay where they are.
+    /// They are fixed.
     #[default]
     Held,
-    /// They slide across the wall.
+    /// They move freely across the wall.
     Free,
-    /// They are the same.
+    /// They coincide.
     Periodic,
 }
 
@@ -34,7 +34,7 @@ impl Ends {
     }
 }
 
-/// A wall, by area.
+/// A wall; quantities per area.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WallOptions {
     /// Mass, m.
@@ -45,7 +45,7 @@ pub struct WallOptions {
     pub tension: f64,
     /// Damping, c.
     pub damping: f64,
-    /// What its ends do.
+    /// Boundary condition at its ends.
     pub ends: Ends,
 }
 
@@ -75,7 +75,7 @@ impl WallOptions {
     }
 }
 
-/// The wall as a solver: pressures in, displacements out, one for each cell of the grid beside it.
+/// The wall as a solver from pressures to displacements, one for each cell of the adjacent grid.
 #[derive(Debug)]
 pub struct ElasticWall {
     options: WallOptions,
@@ -96,7 +96,7 @@ pub(crate) struct Motion {
 }
 
 impl Motion {
-    /// The velocity that a displacement at the end of a step means.
+    /// The velocity for a displacement at the end of a step.
     pub(crate) fn velocity_to(&self, to: &[f64], time_step: f64, rule: TimeRule) -> Vec<f64> {
         let mean = to.iter().zip(&self.displacement).map(|(to, from)| (to - from) / time_step);
         match rule {
@@ -110,7 +110,7 @@ impl ElasticWall {
     /// A wall with this displacement, at rest; `spacing` is the width of a cell.
     ///
     /// # Errors
-    /// [`CouplingError`] where numbers make no sense.
+    /// [`CouplingError`] if parameters are invalid.
     pub fn new(
         options: WallOptions,
         displacement: &[f64],
@@ -146,12 +146,12 @@ impl ElasticWall {
         Ok(Self { options, time_step, rule, stiffness, factor, solved: accepted.clone(), accepted })
     }
 
-    /// Where it is.
+    /// Its displacement.
     pub fn displacement(&self) -> &[f64] {
         &self.accepted.displacement
     }
 
-    /// How fast it moves.
+    /// Its velocity.
     pub fn velocity(&self) -> &[f64] {
         &self.accepted.velocity
     }
