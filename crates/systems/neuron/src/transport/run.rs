@@ -36,7 +36,7 @@ pub struct TransportState {
     pub frames: Vec<Frame>,
     /// The field; the kinds of a cell are adjacent.
     values: Vec<f64>,
-    book: Book,
+    book: MassBalance,
 }
 
 impl TransportState {
@@ -205,7 +205,7 @@ fn run(
         let values = parameters.initial.repeat(cells);
         TransportState {
             step: 0,
-            book: Book::new(system, &values),
+            book: MassBalance::new(system, &values),
             ends: vec![system.at_ends(&values, caps.len())],
             frames: vec![frame(system, 0, &values)],
             values,
@@ -217,7 +217,7 @@ fn run(
             break;
         }
         let stepped = stepper.step(&state.values)?;
-        state.book.enter(system, &stepped);
+        state.book.add_step(system, &stepped);
         state.values = stepped.values;
         state.step = step;
         state.ends.push(system.at_ends(&state.values, caps.len()));
@@ -257,17 +257,17 @@ fn inlet(mesh: &NeuronMesh, parameters: &Parameters) -> Result<u32, TransportErr
     }
 }
 
-/// The mass balance, step by step.
+/// The mass balance and the range of values over all steps.
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-struct Book {
+struct MassBalance {
     mass: f64,
     turnover: f64,
     error: f64,
     range: [f64; 2],
 }
 
-impl Book {
+impl MassBalance {
     fn new(system: &System<'_>, values: &[f64]) -> Self {
         let mass = system.mass(values);
         let [low, high] = system
@@ -278,7 +278,7 @@ impl Book {
         Self { mass, turnover: mass, error: 0.0, range: [low, high] }
     }
 
-    fn enter(&mut self, system: &System<'_>, stepped: &Stepped) {
+    fn add_step(&mut self, system: &System<'_>, stepped: &Stepped) {
         let mass = system.mass(&stepped.values);
         self.turnover += stepped.gross;
         let scale = self.turnover.max(mass).max(f64::MIN_POSITIVE);
