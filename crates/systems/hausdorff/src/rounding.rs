@@ -34,6 +34,16 @@
 //! of a face of A and interpolates; that interpolation, and corners of pieces that are placed by weights and not by cuts, are
 //! accounted for in `deviation/candidates.rs`.
 //!
+//! **A plane in front of a box** (`deviation/planes.rs`) is computed as `|r| + (r . w) / |r|` with `r = c - y` for the point y of the box nearest to c
+//! and `w = p - c`. A component of r is one difference of stored numbers, or zero where c lies between the sides, so r has the signs of the exact one,
+//! and the plane through y with normal r touches the box whatever its digits are: only its value at p is off. The length of r is off by `3 u`
+//! relative, of at most `2 sqrt(3) M`: below 11. Components of r and w are off by 2, products and sums of `r . w` by at most `5 u` of
+//! `|r| |w|`, and the division adds 4: together below `4 + 12 sqrt(3) + 4` times M, less than 30. The length of `r / |r|` is off by `4 u`, of a result of at
+//! most `2 sqrt(3) M`: below 14; the last sum by 4 sqrt(3), 7. Together below 62, as for separating planes. The least of such values over a
+//! whole face, no greater than 4 M, is interpolated for its parts by two differences, two products and two sums, off by less than 10 u times 4 M:
+//! 40. Corners of parts are placed up to 28 from where they are said to be. Together below 130: less than twice [`EVALUATION`], which is what
+//! values on pieces are lowered by.
+//!
 //! **The lower bound** is computed in interval arithmetic and needs no model. The search counts on it to lie no more than
 //! [`LOWER`] units below the plain computed distance; where it does not, the enclosure comes out wider, not wrong.
 

@@ -106,6 +106,15 @@ impl Scale {
         v * self.edges[0] + w * self.edges[1]
     }
 
+    /// The square of the length of the longest edge.
+    pub(super) fn longest_edge_sq(&self) -> f64 {
+        let [u, v] = self.edges;
+        [u, v, v - u]
+            .into_iter()
+            .map(DVec3::length_squared)
+            .fold(0.0, |most, x| if x > most { x } else { most })
+    }
+
     /// The normal of the face, or zero.
     pub(super) fn normal(&self) -> DVec3 {
         let normal = self.edges[0].cross(self.edges[1]);

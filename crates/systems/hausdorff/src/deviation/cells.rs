@@ -98,18 +98,18 @@ impl<'b> Cells<'b> {
         }
     }
 
-    /// Cuts a whole face of A into cells that are narrow enough, and what is left. `near` is a face of B near its first corner.
+    /// Cuts parts of a face of A, each with a face of B near it, into cells that are narrow enough, and what is left.
     pub(super) fn cut(
         &mut self,
         task: Task<'_>,
-        near: Slot,
+        parts: &[Rest],
         limits: Limits<'_>,
         workspace: &mut Workspace,
         pieces: &mut Vec<Piece>,
     ) {
         self.rest.clear();
         self.again.clear();
-        self.again.push(Part { outline: Outline::WHOLE, slot: near, steps: 0 });
+        self.again.extend(parts.iter().map(|part| Part { outline: part.outline, slot: part.near, steps: 0 }));
         while let Some(part) = self.again.pop() {
             if pieces.len() + self.again.len() + self.rest.len() >= limits.most || limits.control.is_stopped()
             {

@@ -1,9 +1,10 @@
 //! One face of A, cut into pieces until they are as narrow as asked.
 
-use super::cells::{Cells, Limits, Task};
+use super::cells::{Cells, Limits, Rest, Task};
 use super::envelope::{Envelope, Open, Wish};
 use super::goal::Goal;
-use super::polygon::{Piece, Polygon};
+use super::planes::Planes;
+use super::polygon::{Outline, Piece, Polygon};
 use crate::rounding::Rounding;
 use pompeiu_core::run::Control;
 use pompeiu_core::spatial::{Bvh, Neighbours, Slot};
@@ -16,8 +17,8 @@ pub(super) struct Start {
     pub(super) area: f64,
     /// Distances of the corners from B, rounded.
     pub(super) distances: [f64; 3],
-    /// The face of B nearest to the first corner.
-    pub(super) near: Slot,
+    /// The faces of B nearest to them.
+    pub(super) near: [Slot; 3],
 }
 
 /// Pieces whose longest edge is no longer than this many units of rounding are not cut.
@@ -32,7 +33,10 @@ const REACH: f64 = 1.25;
 /// Cuts faces, one after the other.
 pub(super) struct Cutter<'c> {
     envelope: Envelope<'c>,
+    planes: Option<Planes<'c>>,
     cells: Option<Cells<'c>>,
+    /// Parts of a face that are left to cells.
+    left: Vec<Rest>,
     control: &'c Control,
     rounding: Rounding,
     /// No distance is greater.
@@ -56,6 +60,8 @@ impl<'c> Cutter<'c> {
     ) -> Self {
         Self {
             envelope: Envelope::new(bvh, rounding),
+            planes: neighbours.map(|neighbours| Planes::new(bvh, neighbours)),
+            left: Vec::new(),
             cells: neighbours.map(|neighbours| Cells::new(bvh, neighbours, rounding, scale)),
             control,
             rounding,
@@ -86,15 +92,24 @@ impl<'c> Cutter<'c> {
         let whole = Polygon::whole(self.largest);
         let mut stopped = self.control.is_stopped();
         if stopped {
-            let polygon = self.envelope.without_looking(whole, start.near, start.distances);
-            self.pieces.push(Piece { polygon, near: start.near });
+            let near = start.near[0];
+            let polygon = self.envelope.without_looking(whole, near, start.distances);
+            self.pieces.push(Piece { polygon, near });
             return;
         }
         if let Some(cells) = &mut self.cells {
             let Envelope { scale, workspace, .. } = &mut self.envelope;
             let limits = Limits { most, control: self.control };
             let task = Task { scale, goal, area: start.area };
-            cells.cut(task, start.near, limits, workspace, &mut self.pieces);
+            let planes = self.planes.as_mut();
+            let left = &mut self.left;
+            left.clear();
+            let tried = planes
+                .is_some_and(|planes| planes.cut(task, start, limits, workspace, &mut self.pieces, left));
+            if !tried {
+                left.push(Rest { outline: Outline::WHOLE, near: start.near[0] });
+            }
+            cells.cut(task, left, limits, workspace, &mut self.pieces);
             stopped = self.control.is_stopped();
             self.looks += self.pieces.len() as u64;
             for rest in &cells.rest {
@@ -102,7 +117,7 @@ impl<'c> Cutter<'c> {
                 self.stack.push(self.envelope.open(&polygon, rest.near));
             }
         } else {
-            self.stack.push(self.envelope.open(&whole, start.near));
+            self.stack.push(self.envelope.open(&whole, start.near[0]));
         }
         while let Some(mut open) = self.stack.pop() {
             if stopped {

@@ -34,6 +34,7 @@ mod options;
 mod packed;
 mod part;
 mod percentiles;
+mod planes;
 mod polygon;
 mod refine;
 mod regions;

@@ -26,12 +26,14 @@ use pompeiu_core::geom::point_triangle::{LANES, TriangleBlock, closest_barycentr
 use pompeiu_core::spatial::bvh::{LEAST_SQUARE, Leaf, Support};
 use pompeiu_core::spatial::{Bvh, Neighbours, Slot, Workspace};
 
-/// A face whose distance from a linear function, estimated as this part of the square of its longest edge by the distance, is more
-/// than so many times the allowed width would be halved too often.
-const CURVATURE: f64 = 0.1;
-const MOST_WIDTHS: f64 = 40.0;
+/// The square of the longest edge by the distance is some ten times what a linear function misses. A face of which that is more than so
+/// many times the allowed width would be halved too often: cells are quicker. Not so where the distance, squared, is more than a part of
+/// that of the longest edge: what is nearest to parts of a cell is then seen in many directions, and cells come out wide.
+const MOST_WIDTHS: f64 = 600.0;
+const MOST_WIDTHS_OF_FAR: f64 = 6000.0;
+const FAR: f64 = 0.5;
 /// Pieces looked at, of a face.
-const MOST_LOOKS: usize = 48;
+const MOST_LOOKS: usize = 64;
 /// Leaves that a face keeps for its parts; beyond, each part asks the tree.
 const MOST_LEAVES: usize = 96;
 /// Part of the allowed width by which planes may lie below the function above.
@@ -48,6 +50,8 @@ pub(super) struct Planes<'b> {
     /// The triangles that may be nearest on the face, eight to a block, and their places in the tree.
     blocks: Vec<TriangleBlock>,
     slots: Vec<[Slot; LANES]>,
+    /// What is known of all others, as a function on the whole face; none where too many leaves may be nearest.
+    beyond: Option<Linear>,
     parts: Vec<(Outline, Slot)>,
 }
 
@@ -56,10 +60,6 @@ struct Looked {
     polygon: Polygon,
     near: Slot,
 }
-
-/// What is known of all faces that are not among the blocks: a function on the whole face. None before the tree was asked, or where too many
-/// leaves came of it.
-type Beyond = Option<Linear>;
 
 impl<'b> Planes<'b> {
     pub(super) fn new(bvh: &'b Bvh, neighbours: &'b Neighbours) -> Self {
@@ -70,6 +70,7 @@ impl<'b> Planes<'b> {
             leaves: Vec::new(),
             blocks: Vec::new(),
             slots: Vec::new(),
+            beyond: None,
             parts: Vec::new(),
         }
     }
@@ -87,12 +88,12 @@ impl<'b> Planes<'b> {
         let Task { scale, goal, area } = task;
         let longest = scale.longest_edge_sq();
         let [x, y, z] = start.distances;
-        let nearest = if x < y { x } else { y };
-        let nearest = if nearest < z { nearest } else { z };
-        if !(CURVATURE * longest <= MOST_WIDTHS * goal.width_of(area) * nearest) {
+        let distance = (x + y + z) * (1.0 / 3.0);
+        let widths = if distance * distance > FAR * longest { MOST_WIDTHS_OF_FAR } else { MOST_WIDTHS };
+        if longest > widths * goal.width_of(area) * distance {
             return false;
         }
-        let mut beyond = None;
+        self.beyond = None;
         let mut looks = 0;
         self.parts.clear();
         self.parts.push((Outline::WHOLE, self.face_near(start, workspace)));
@@ -105,15 +106,11 @@ impl<'b> Planes<'b> {
                 rest.push(Rest { outline, near });
                 continue;
             }
-            let is_whole = outline.depth == 0;
-            let looked = self.look(task, &outline, near, &beyond, workspace);
+            let looked = self.look(task, &outline, near, workspace);
             let weights = outline.weights();
             if goal.wanted(&looked.polygon, &weights, area).is_none() {
                 pieces.push(Piece { polygon: looked.polygon, near: looked.near });
                 continue;
-            }
-            if is_whole {
-                beyond = self.keep_what_may_be_nearest(task, &looked);
             }
             for half in outline.halve_triangle(scale) {
                 self.parts.push((half, looked.near));
@@ -159,7 +156,6 @@ impl<'b> Planes<'b> {
         Task { scale, goal, area }: Task<'_>,
         outline: &Outline,
         near: Slot,
-        beyond: &Beyond,
         workspace: &mut Workspace,
     ) -> Looked {
         let points = scale.points(outline);
@@ -174,26 +170,24 @@ impl<'b> Planes<'b> {
         let mut looked = Looked { polygon, near };
         for again in [false, true] {
             let support = self.support(&looked, &points, SLACK * width + 2.0 * margin);
-            let (mut below, met) = match beyond {
+            let of_whole = self.beyond.filter(|_| outline.depth > 0);
+            let (below, met) = match of_whole {
                 Some(beyond) => {
                     let row = beyond.row(outline);
                     least_of_planes(&self.blocks, &support, [row[0], row[1], row[2]])
                 }
-                None => {
-                    let below = self.bvh.leaves_in_front(&support, &mut self.walk, &mut self.leaves);
-                    least_of_leaves(self.bvh, &self.leaves, &support, below)
-                }
+                None => self.ask_the_tree(&support, outline.depth == 0, 4.0 * scale.size),
             };
-            below = below.map(|value| value - margin);
+            let below = below.map(|value| value - margin);
             let row: Row = std::array::from_fn(|j| below[j.min(2)]);
             // Both are valid: the better one stays.
             if !again || integral(&weights, &row) > integral(&weights, &looked.polygon.lower) {
                 looked.polygon.lower = row;
             }
-            let nearest = match (met, beyond) {
-                (Some(Met { place, .. }), Some(_)) => self.slots[place / LANES][place % LANES],
-                (Some(Met { place, .. }), None) => self.bvh.slot_in(self.leaves[place / LANES], place % LANES),
-                (None, _) => looked.near,
+            let nearest = match of_whole {
+                _ if met.distance_sq == f64::INFINITY => looked.near,
+                Some(_) => self.slots[met.place / LANES][met.place % LANES],
+                None => self.bvh.slot_in(self.leaves[met.place / LANES], met.place % LANES),
             };
             if again || nearest == looked.near {
                 break;
@@ -230,49 +224,48 @@ impl<'b> Planes<'b> {
         }
     }
 
-    /// Puts the triangles that may be nearest somewhere on the whole face into blocks, and returns what bounds the others.
-    fn keep_what_may_be_nearest(&mut self, Task { scale, goal, area }: Task<'_>, looked: &Looked) -> Beyond {
-        let outline = &looked.polygon.outline;
-        let slack = SLACK * goal.width_of(area) + 2.0 * scale.margin;
-        let support = self.support(looked, &scale.points(outline), slack);
-        let mut beyond = self.bvh.leaves_in_front(&support, &mut self.walk, &mut self.leaves);
-        self.blocks.clear();
-        self.slots.clear();
-        if self.leaves.len() > MOST_LEAVES {
-            return None;
+    /// The least of the planes of all triangles, and the nearest one that was met, by its place among the leaves. Of a whole face, those that
+    /// may be nearest somewhere on it are put into blocks for its parts; no distance is greater than `far`.
+    fn ask_the_tree(&mut self, support: &Support, is_whole: bool, far: f64) -> ([f64; 3], Met) {
+        let mut beyond = self.bvh.leaves_in_front(support, &mut self.walk, &mut self.leaves);
+        let mut below = beyond;
+        let mut met = Met { place: 0, distance_sq: f64::INFINITY };
+        let keeps = is_whole && self.leaves.len() <= MOST_LEAVES;
+        if is_whole {
+            self.blocks.clear();
+            self.slots.clear();
         }
         let mut lane = LANES;
-        for leaf in &self.leaves {
+        for (place, leaf) in self.leaves.iter().enumerate() {
             let block = self.bvh.triangles(*leaf);
-            let planes = planes_of(block, &support);
-            for l in 0..LANES {
-                let row = [0, 1, 2].map(|i| planes.rows[i][l]);
-                if (0..3).all(|i| row[i] >= support.wanted[i]) {
-                    for i in 0..3 {
-                        beyond[i] = if row[i] < beyond[i] { row[i] } else { beyond[i] };
-                    }
-                    continue;
-                }
+            let mut near = least_of_leaf(block, place, support, &mut below, &mut beyond, &mut met);
+            while keeps && near != 0 {
+                let l = near.trailing_zeros() as usize;
+                near &= near - 1;
                 let slot = self.bvh.slot_in(*leaf, l);
+                let corners = lane_of(block, l);
                 if lane == LANES {
                     // Lanes without a triangle repeat the first.
                     let mut first = [[[0.0; LANES]; 3]; 3];
                     for l in 0..LANES {
-                        set_lane(&mut first, l, self.bvh.corners(slot));
+                        set_lane(&mut first, l, corners);
                     }
                     self.blocks.push(first);
                     self.slots.push([slot; LANES]);
                     lane = 0;
                 }
                 let last = self.blocks.len() - 1;
-                set_lane(&mut self.blocks[last], lane, lane_of(block, l));
+                set_lane(&mut self.blocks[last], lane, corners);
                 self.slots[last][lane] = slot;
                 lane += 1;
             }
         }
-        // Nothing may lie beyond: no distance is greater than this, which can be interpolated.
-        let far = 4.0 * scale.size;
-        Some(Linear::through(beyond.map(|value| if value < far { value } else { far })))
+        if is_whole {
+            // Nothing may lie beyond: what no distance exceeds can be interpolated.
+            let beyond = beyond.map(|value| if value < far { value } else { far });
+            self.beyond = keeps.then(|| Linear::through(beyond));
+        }
+        (below, met)
     }
 }
 
@@ -283,36 +276,65 @@ struct Met {
     distance_sq: f64,
 }
 
+/// The least of the planes of all triangles in some blocks, and the nearest one, from what is known of others.
 #[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2", "aarch64+neon"))]
-fn least_of_planes(blocks: &[TriangleBlock], support: &Support, mut below: [f64; 3]) -> ([f64; 3], Option<Met>) {
-    let mut met = None;
+fn least_of_planes(blocks: &[TriangleBlock], support: &Support, below: [f64; 3]) -> ([f64; 3], Met) {
+    let (mut below, mut met) = (below, Met { place: 0, distance_sq: f64::INFINITY });
     for (i, block) in blocks.iter().enumerate() {
         include(&planes_of(block, support), i, &mut below, &mut met);
     }
     (below, met)
 }
 
+/// The same of the triangles of a leaf. Returns bits for those that come nearer than wanted; the others go into `beyond`.
 #[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2", "aarch64+neon"))]
-fn least_of_leaves(bvh: &Bvh, leaves: &[Leaf], support: &Support, mut below: [f64; 3]) -> ([f64; 3], Option<Met>) {
-    let mut met = None;
-    for (i, leaf) in leaves.iter().enumerate() {
-        include(&planes_of(bvh.triangles(*leaf), support), i, &mut below, &mut met);
+fn least_of_leaf(
+    block: &TriangleBlock,
+    place: usize,
+    support: &Support,
+    below: &mut [f64; 3],
+    beyond: &mut [f64; 3],
+    met: &mut Met,
+) -> u8 {
+    let planes = planes_of(block, support);
+    include(&planes, place, below, met);
+    let mut near = 0;
+    for l in 0..LANES {
+        let mut short = 0_u8;
+        for i in 0..3 {
+            short |= u8::from(planes.rows[i][l] < support.wanted[i]);
+        }
+        near |= short << l;
     }
-    (below, met)
+    for i in 0..3 {
+        for l in 0..LANES {
+            let value = if near >> l & 1 == 0 { planes.rows[i][l] } else { f64::INFINITY };
+            beyond[i] = if value < beyond[i] { value } else { beyond[i] };
+        }
+    }
+    near
 }
 
 #[inline(always)]
 #[allow(clippy::inline_always, reason = "compiled once per instruction set of its caller")]
-fn include(planes: &PlanesOfBlock, block: usize, below: &mut [f64; 3], met: &mut Option<Met>) {
-    let mut nearest = met.map_or(f64::INFINITY, |met| met.distance_sq);
+fn include(planes: &PlanesOfBlock, block: usize, below: &mut [f64; 3], met: &mut Met) {
+    for i in 0..3 {
+        let mut least = below[i];
+        for l in 0..LANES {
+            least = if planes.rows[i][l] < least { planes.rows[i][l] } else { least };
+        }
+        below[i] = least;
+    }
+    let mut nearest = f64::INFINITY;
     for l in 0..LANES {
-        for i in 0..3 {
-            below[i] = if planes.rows[i][l] < below[i] { planes.rows[i][l] } else { below[i] };
+        nearest = if planes.distances_sq[l] < nearest { planes.distances_sq[l] } else { nearest };
+    }
+    if nearest < met.distance_sq {
+        let mut lane = 0;
+        while lane < LANES - 1 && planes.distances_sq[lane] != nearest {
+            lane += 1;
         }
-        if planes.distances_sq[l] < nearest {
-            nearest = planes.distances_sq[l];
-            *met = Some(Met { place: block * LANES + l, distance_sq: nearest });
-        }
+        *met = Met { place: block * LANES + lane, distance_sq: nearest };
     }
 }
 
@@ -322,41 +344,38 @@ struct PlanesOfBlock {
     distances_sq: [f64; LANES],
 }
 
+// What follows is written without closures: these are not compiled for the instruction set of their caller.
+
 #[inline(always)]
 #[allow(clippy::inline_always, reason = "compiled once per instruction set of its caller")]
 fn planes_of([a, b, c]: &TriangleBlock, support: &Support) -> PlanesOfBlock {
-    let mut planes = PlanesOfBlock { rows: [[0.0; LANES]; 3], distances_sq: [0.0; LANES] };
+    let support = *support;
     let o = support.centre;
+    let [mut first, mut second, mut third, mut distances_sq] = [[0.0; LANES]; 4];
     for l in 0..LANES {
-        let from_centre = |p: &[[f64; LANES]; 3]| [p[0][l] - o[0], p[1][l] - o[1], p[2][l] - o[2]];
-        let (row, distance_sq) = best_plane(from_centre(a), from_centre(b), from_centre(c), support);
-        for i in 0..3 {
-            planes.rows[i][l] = row[i];
-        }
-        planes.distances_sq[l] = distance_sq;
+        let a = [a[0][l] - o[0], a[1][l] - o[1], a[2][l] - o[2]];
+        let b = [b[0][l] - o[0], b[1][l] - o[1], b[2][l] - o[2]];
+        let c = [c[0][l] - o[0], c[1][l] - o[1], c[2][l] - o[2]];
+        let ([x, y, z], distance_sq) = best_plane([a, b, c], &support);
+        first[l] = x;
+        second[l] = y;
+        third[l] = z;
+        distances_sq[l] = distance_sq;
     }
-    planes
+    PlanesOfBlock { rows: [first, second, third], distances_sq }
 }
 
-/// The best of three planes of a triangle, whose corners are given from the centre. Any direction is valid, for how far the triangle reaches
-/// along it is computed; one that is no number is not chosen.
+/// The best of three planes of a triangle, whose corners are given from the centre. Any direction no longer than one is valid, for how far the
+/// triangle reaches along it is computed.
 #[inline(always)]
 #[allow(clippy::inline_always, reason = "must be inlined into the lane loops to be vectorised")]
-#[allow(clippy::needless_bitwise_bool, reason = "a branch here would keep the lane loops from being vectorised")]
-fn best_plane(a: [f64; 3], b: [f64; 3], c: [f64; 3], support: &Support) -> ([f64; 3], f64) {
+#[allow(
+    clippy::needless_bitwise_bool,
+    reason = "a branch here would keep the lane loops from being vectorised"
+)]
+fn best_plane(corners: [[f64; 3]; 3], support: &Support) -> ([f64; 3], f64) {
+    let [a, b, c] = corners;
     let (ab, ac, bc) = (minus(b, a), minus(c, a), minus(c, b));
-    // From the nearest point of each edge, and of the plane, to the centre.
-    let from_edge = |p: [f64; 3], edge: [f64; 3]| {
-        let t = -dot(p, edge) / dot(edge, edge);
-        let t = if t > 0.0 { t } else { 0.0 };
-        let t = if t < 1.0 { t } else { 1.0 };
-        let r = [0, 1, 2].map(|k| -(p[k] + t * edge[k]));
-        (r, dot(r, r))
-    };
-    let nearer = |x: ([f64; 3], f64), y: ([f64; 3], f64)| {
-        let first = x.1 < y.1;
-        ([0, 1, 2].map(|k| if first { x.0[k] } else { y.0[k] }), if first { x.1 } else { y.1 })
-    };
     let edges = nearer(nearer(from_edge(a, ab), from_edge(a, ac)), from_edge(b, bc));
     let normal = cross(ab, ac);
     let square = dot(normal, normal);
@@ -365,35 +384,77 @@ fn best_plane(a: [f64; 3], b: [f64; 3], c: [f64; 3], support: &Support) -> ([f64
     let v = dot(cross(ac, a), normal) * inverse;
     let w = dot(cross(a, ab), normal) * inverse;
     let inside = (v >= 0.0) & (w >= 0.0) & (v + w <= 1.0);
-    let foot = height * inverse;
-    let of_foot = [0, 1, 2].map(|k| foot * normal[k]);
-    let of_foot = (of_foot, if inside { dot(of_foot, of_foot) } else { f64::INFINITY });
-    let (r, distance_sq) = nearer(of_foot, edges);
-
-    let plane = |g: [f64; 3]| {
-        let (x, y, z) = (dot(g, a), dot(g, b), dot(g, c));
-        let reach = if x > y { x } else { y };
-        let reach = if reach > z { reach } else { z };
-        let row = support.ways.map(|way| dot(g, way) - reach);
-        let short = |i: usize| {
-            let short = row[i] - support.wanted[i];
-            if short < 0.0 { short } else { 0.0 * short }
-        };
-        (row, short(0) + short(1) + short(2))
-    };
-    let better = |x: ([f64; 3], f64), y: ([f64; 3], f64)| {
-        let second = y.1 > x.1;
-        ([0, 1, 2].map(|i| if second { y.0[i] } else { x.0[i] }), if second { y.1 } else { x.1 })
-    };
-    let direction = |g: [f64; 3], square: f64| {
-        let inverse = 1.0 / square.sqrt();
-        let inverse = if square > LEAST_SQUARE { inverse } else { f64::NAN };
-        g.map(|x| x * inverse)
-    };
+    let foot = times(height * inverse, normal);
+    let (r, distance_sq) = nearer((foot, if inside { dot(foot, foot) } else { f64::INFINITY }), edges);
     let side = if height < 0.0 { -1.0 } else { 1.0 };
-    let own = direction(normal, square).map(|x| x * side);
-    let best = better(plane(support.common), plane(direction(r, distance_sq)));
-    (better(best, plane(own)).0, distance_sq)
+    let common = plane(support.common, corners, support);
+    let tangent = plane(times(inverse_length(distance_sq), r), corners, support);
+    let own = plane(times(side * inverse_length(square), normal), corners, support);
+    (better(better(common, tangent), own).0, distance_sq)
+}
+
+/// Values at the corners of P of the plane that touches a triangle along a direction, and how far they are short of the wanted ones together:
+/// not positive.
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "part of the lane loops")]
+fn plane(g: [f64; 3], [a, b, c]: [[f64; 3]; 3], support: &Support) -> ([f64; 3], f64) {
+    let (x, y, z) = (dot(g, a), dot(g, b), dot(g, c));
+    let reach = if x > y { x } else { y };
+    let reach = if reach > z { reach } else { z };
+    let [u, v, w] = support.ways;
+    let row = [dot(g, u) - reach, dot(g, v) - reach, dot(g, w) - reach];
+    let short = minus(row, support.wanted);
+    (row, at_most_zero(short[0]) + at_most_zero(short[1]) + at_most_zero(short[2]))
+}
+
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "part of the lane loops")]
+fn at_most_zero(x: f64) -> f64 {
+    if x < 0.0 { x } else { 0.0 }
+}
+
+/// From the nearest point of an edge to the centre, and the square of its length.
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "part of the lane loops")]
+fn from_edge(p: [f64; 3], edge: [f64; 3]) -> ([f64; 3], f64) {
+    let t = -dot(p, edge) / dot(edge, edge);
+    let t = if t > 0.0 { t } else { 0.0 };
+    let t = if t < 1.0 { t } else { 1.0 };
+    let r = [-(p[0] + t * edge[0]), -(p[1] + t * edge[1]), -(p[2] + t * edge[2])];
+    (r, dot(r, r))
+}
+
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "part of the lane loops")]
+fn nearer(x: ([f64; 3], f64), y: ([f64; 3], f64)) -> ([f64; 3], f64) {
+    let first = x.1 < y.1;
+    (chosen(first, x.0, y.0), if first { x.1 } else { y.1 })
+}
+
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "part of the lane loops")]
+fn better(x: ([f64; 3], f64), y: ([f64; 3], f64)) -> ([f64; 3], f64) {
+    let second = y.1 > x.1;
+    (chosen(second, y.0, x.0), if second { y.1 } else { x.1 })
+}
+
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "part of the lane loops")]
+fn chosen(first: bool, x: [f64; 3], y: [f64; 3]) -> [f64; 3] {
+    [if first { x[0] } else { y[0] }, if first { x[1] } else { y[1] }, if first { x[2] } else { y[2] }]
+}
+
+/// One by a length, given its square; less where digits of the square are lost. A direction that comes out shorter than one is valid, too.
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "part of the lane loops")]
+fn inverse_length(square: f64) -> f64 {
+    1.0 / (if square > LEAST_SQUARE { square } else { LEAST_SQUARE }).sqrt()
+}
+
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "part of the lane loops")]
+fn times(s: f64, a: [f64; 3]) -> [f64; 3] {
+    [s * a[0], s * a[1], s * a[2]]
 }
 
 #[inline(always)]
@@ -412,4 +473,67 @@ fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
 #[allow(clippy::inline_always, reason = "part of the lane loops")]
 fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::candidates::Scale;
+    use super::super::goal::Goal;
+    use super::*;
+    use crate::Target;
+    use crate::rounding::Rounding;
+    use pompeiu_core::TriMesh;
+    use pompeiu_core::run::Control;
+    use pompeiu_testkit::effort::cases;
+    use pompeiu_testkit::plain::point_triangle;
+    use proptest::prelude::*;
+
+    fn coordinate() -> impl Strategy<Value = f64> {
+        prop_oneof![-1.0..1.0_f64, (-2..3_i32).prop_map(|k| 0.25 * f64::from(k))]
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(cases(400)))]
+
+        /// Pieces and what is left cover the face, and on each piece the distance from all triangles of B lies between both functions.
+        #[test]
+        fn pieces_enclose_the_distance_from_every_triangle(
+            points in prop::collection::vec([coordinate(), coordinate(), coordinate()], 3..120),
+            t in prop::array::uniform3([coordinate(), coordinate(), coordinate()]),
+            above in 0.0..2.0_f64,
+            size in 0.05..1.0_f64,
+            width in prop_oneof![Just(1e-1), Just(1e-2), Just(1e-3), Just(1e-9)],
+        ) {
+            let faces: Vec<[u32; 3]> = (0..points.len() as u32 - 2).map(|i| [i, i + 1, i + 2]).collect();
+            let mesh = TriMesh::new(points, faces).unwrap();
+            let rounding = Rounding::new(4.0);
+            let target = Target::in_frame(&mesh, pompeiu_core::geom::Frame::of(&pompeiu_core::geom::Aabb::of_faces(&mesh)));
+            let bvh = target.bvh();
+            let neighbours = Neighbours::new(&mesh, bvh);
+            let corners = t.map(|[x, y, z]| target.frame().map([size * x, size * y, size * z + above]));
+            let triangles: Vec<_> = bvh.slots().map(|slot| bvh.corners(slot)).collect();
+            let distance = |p: [f64; 3]| triangles.iter().map(|t| point_triangle(p, *t)).fold(f64::INFINITY, f64::min);
+            let scale = Scale::new(corners, rounding);
+            let start = Start { corners, area: 1.0, distances: corners.map(distance), near: [bvh.any_slot(); 3] };
+            let goal = Goal { mass: 0.1 * width, focus: Vec::new(), focus_mass: f64::INFINITY, floor: 1e-12 };
+            let control = Control::default();
+            let (mut pieces, mut rest) = (Vec::new(), Vec::new());
+            let mut planes = Planes::new(bvh, &neighbours);
+            let task = Task { scale: &scale, goal: &goal, area: start.area };
+            let limits = Limits { most: 1000, control: &control };
+            if planes.cut(task, &start, limits, &mut Workspace::default(), &mut pieces, &mut rest) {
+                let outlines = pieces.iter().map(|piece| piece.polygon.outline).chain(rest.iter().map(|rest| rest.outline));
+                let share: f64 = outlines.map(|outline| outline.share()).sum();
+                prop_assert!((share - 1.0).abs() < 1e-12, "{share}");
+            }
+            for Piece { polygon, .. } in &pieces {
+                let Polygon { outline, lower, upper, .. } = polygon;
+                for (v, w) in [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (0.5, 0.5), (0.3, 0.3), (0.1, 0.6)] {
+                    let at = |row: &Row| row[0] + v * (row[1] - row[0]) + w * (row[2] - row[0]);
+                    let exact = distance(scale.point([at(&outline.v), at(&outline.w)]).to_array());
+                    prop_assert!(at(lower) <= exact && exact <= at(upper), "{} {exact} {}", at(lower), at(upper));
+                }
+            }
+        }
+    }
 }

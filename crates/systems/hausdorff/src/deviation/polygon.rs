@@ -7,6 +7,7 @@
 //! With each corner goes the value there of a function above the distance and of one below it. The one above is convex, so
 //! its linear interpolation on any triangle between corners lies above it; the one below is concave.
 
+use super::candidates::Scale;
 use super::linear::{greater, lesser, mean, mean_of_positive};
 use pompeiu_core::spatial::Slot;
 
@@ -236,6 +237,17 @@ impl Outline {
             _ => -1.0,
         };
         std::array::from_fn(|corner| at(corner.min(self.count - 1)))
+    }
+
+    /// Halves a part with three corners across its longest edge.
+    pub(super) fn halve_triangle(&self, scale: &Scale) -> [Self; 2] {
+        let mut longest = (f64::NEG_INFINITY, 0);
+        for i in 0..3 {
+            let j = (i + 1) % 3;
+            let square = scale.way([self.v[j] - self.v[i], self.w[j] - self.w[i]]).length_squared();
+            longest = if square > longest.0 { (square, i) } else { longest };
+        }
+        Self::halves(longest.1).map(|part| self.part(&part))
     }
 
     /// Halves a part with three corners across the edge from corner `i` to the next one.

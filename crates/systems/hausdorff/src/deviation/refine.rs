@@ -21,12 +21,14 @@ const FACES_OF_SAMPLE: (usize, usize) = (4, 16);
 const LEAST_CALIBRATED: usize = 4 * SAMPLES * FACES_OF_SAMPLE.0;
 /// Part of the faces that samples should have.
 const SAMPLED: f64 = 0.01;
-const CALIBRATIONS: usize = 2;
-const AIMED: (f64, f64) = (0.3, 0.6);
+const CALIBRATIONS: usize = 4;
+const AIMED: (f64, f64) = (0.5, 0.85);
+/// A goal that leaves no fewer than this part of the pieces of the one before is coarse enough: pieces are what they are for other reasons.
+const LEAST_FEWER: f64 = 0.9;
 const MOST_FACTOR: f64 = 5.0;
 /// The same of percentiles, which a few faces show less well: the greatest part of the allowed width; how far around one pieces are
 /// made narrower, as a factor, and what more than in proportion.
-const AIMED_AT_PERCENTILES: f64 = 0.55;
+const AIMED_AT_PERCENTILES: f64 = 0.8;
 const BESIDE_PERCENTILES: f64 = 1.2;
 const NARROWER: f64 = 0.7;
 /// How much finer each round is.
@@ -175,6 +177,7 @@ impl Refinement<'_> {
         let most = self.most(0, count);
         let size = (SAMPLED * (count / SAMPLES) as f64) as usize;
         let size = size.clamp(FACES_OF_SAMPLE.0, FACES_OF_SAMPLE.1);
+        let mut pieces_before = usize::MAX;
         for trials_left in (0..CALIBRATIONS).rev() {
             let trial = &*goal;
             let of_sample = |i: usize| {
@@ -189,7 +192,10 @@ impl Refinement<'_> {
             }
             let part = greater(self.excess(summary.mean), self.excess(summary.rms));
             let (least, most) = AIMED;
-            let is_good = part.is_nan() || part <= 0.0 || (least..=most).contains(&part);
+            let pieces = sample.len();
+            let is_coarse = part < least && pieces as f64 > LEAST_FEWER * pieces_before as f64;
+            pieces_before = pieces;
+            let is_good = part.is_nan() || part <= 0.0 || is_coarse || (least..=most).contains(&part);
             if !is_good {
                 // A coarser goal may leave far more than in proportion, so that it must be tried.
                 let most_factor = if trials_left > 0 { MOST_FACTOR } else { 1.0 };

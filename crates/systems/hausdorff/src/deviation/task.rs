@@ -50,7 +50,7 @@ impl<'f> Faces<'f> {
             corners,
             area: 0.5 * (area.0 + area.1),
             distances: vertices.map(|v| self.vertices.distances[v]),
-            near: self.vertices.near[vertices[0]],
+            near: vertices.map(|v| self.vertices.near[v]),
         };
         (start, area)
     }

@@ -39,7 +39,7 @@ fn is_near(enclosure: Enclosure, value: f64, slack: f64) {
 #[test]
 fn parallel_plates() {
     for cells in [1, 5] {
-        let report = DeviationOptions { threshold: Some(0.1), ..DeviationOptions::default() }
+        let report = DeviationOptions { accuracy: 1e-6, threshold: Some(0.1), ..DeviationOptions::default() }
             .symmetric(&plate(3), &lifted(&plate(cells), |_| 0.25))
             .unwrap();
         for direction in [&report.a_to_b, &report.b_to_a] {

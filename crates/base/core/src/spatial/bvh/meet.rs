@@ -7,7 +7,7 @@ use multiversion::multiversion;
 
 /// A leaf of a [`Bvh`]: up to eight triangles that lie together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Leaf(u32);
+pub struct Leaf(pub(super) u32);
 
 impl Leaf {
     /// Its place among the leaves.

@@ -8,6 +8,7 @@ mod cover;
 mod meet;
 mod nearest;
 mod split;
+mod support;
 
 use crate::FaceId;
 use crate::geom::Aabb;
@@ -18,6 +19,7 @@ use std::ops::ControlFlow;
 pub use cover::Cover;
 pub use meet::Leaf;
 pub use nearest::{Nearest, Workspace};
+pub use support::{LEAST_SQUARE, Support};
 
 /// Place of a triangle in the leaves of a [`Bvh`]; by default the first, which every tree has.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]

@@ -47,15 +47,13 @@ impl Bvh {
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2", "aarch64+neon"))]
-fn leaves_in_front(
-    bvh: &Bvh,
-    support: &Support,
-    stack: &mut Vec<u32>,
-    leaves: &mut Vec<Leaf>,
-) -> [f64; 3] {
-    let along = support.ways.map(|way| dot(support.common, way));
+fn leaves_in_front(bvh: &Bvh, support: &Support, stack: &mut Vec<u32>, leaves: &mut Vec<Leaf>) -> [f64; 3] {
+    // Without closures, which are not compiled for the instruction set of this function.
+    let [u, v, w] = support.ways;
+    let along = [dot(support.common, u), dot(support.common, v), dot(support.common, w)];
+    let [p, q, r] = support.wanted;
     // What reaches no farther along the common direction lies behind a plane that is wanted.
-    let room = least([0, 1, 2].map(|i| along[i] - support.wanted[i]));
+    let room = least([along[0] - p, along[1] - q, along[2] - r]);
     let mut behind = f64::NEG_INFINITY;
     let mut below = [f64::INFINITY; 3];
     stack.clear();
@@ -140,6 +138,8 @@ fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "compiled once per instruction set of its caller")]
 fn least([a, b, c]: [f64; 3]) -> f64 {
     let m = if a < b { a } else { b };
     if m < c { m } else { c }
