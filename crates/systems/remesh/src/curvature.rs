@@ -1,6 +1,7 @@
 //! Curvature of a mesh at its vertices, from the angles between its faces.
 
-use super::connectivity::DynamicMesh;
+use super::connectivity::{DynamicMesh, NONE};
+use super::marked::{Hold, Marked};
 use super::quadric::eigenvalues;
 use rayon::prelude::*;
 
@@ -30,6 +31,31 @@ pub(super) fn largest_curvatures(mesh: &DynamicMesh) -> Vec<f64> {
             if area > 0.0 { largest / area } else { 0.0 }
         })
         .collect()
+}
+
+/// The curvature of the curve through each vertex that one passes; 0 elsewhere, at corners too.
+///
+/// # Definition
+/// That of the circle through the vertex and its neighbours on the curve.
+pub(super) fn curvatures_of_curves(surface: &Marked) -> Vec<f64> {
+    let mesh = &surface.mesh;
+    let mut curvatures = vec![0.0; mesh.positions.len()];
+    let mut beside: Vec<[u32; 2]> = vec![[NONE; 2]; mesh.positions.len()];
+    for h in mesh.edges().filter(|&h| surface.curve[h as usize] != NONE) {
+        for (v, w) in [(mesh.from(h), mesh.to(h)), (mesh.to(h), mesh.from(h))] {
+            let known = &mut beside[v as usize];
+            known[usize::from(known[0] != NONE)] = w;
+        }
+    }
+    for (v, [u, w]) in beside.into_iter().enumerate() {
+        if w != NONE && matches!(surface.hold[v], Hold::Curve(_)) {
+            let [p, a, b] = [v, u as usize, w as usize].map(|v| mesh.positions[v]);
+            let lengths = (a - p).length() * (b - p).length() * (b - a).length();
+            let curvature = 2.0 * (a - p).cross(b - p).length() / lengths;
+            curvatures[v] = if curvature.is_finite() { curvature } else { 0.0 };
+        }
+    }
+    curvatures
 }
 
 fn measure_at(mesh: &DynamicMesh, v: u32) -> Measure {

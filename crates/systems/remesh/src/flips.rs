@@ -2,7 +2,7 @@
 
 use super::connectivity::{DynamicMesh, NONE, next, previous};
 use super::marked::Marked;
-use super::smooth::area_vector;
+use super::smooth::{area_vector, is_no_thinner, shape};
 use glam::DVec3;
 
 /// Cosine between the normals of both faces at an edge, before and after a flip, below which it is left alone.
@@ -21,8 +21,10 @@ fn stays_smooth([u, v, a, b]: [DVec3; 4]) -> bool {
     let [old_a, old_b, new_u, new_v] = [[u, v, a], [v, u, b], [a, u, b], [b, v, a]].map(area_vector);
     let near = |n: DVec3, m: DVec3| n.dot(m) > LEAST_COSINE * n.length() * m.length();
     let all = old_a + old_b;
-    // A face without area may go, but not come.
-    (near(old_a, old_b) || old_a == DVec3::ZERO || old_b == DVec3::ZERO)
+    let thinnest = |s: [DVec3; 3], t: [DVec3; 3]| if shape(s) < shape(t) { s } else { t };
+    // A face that is thin or without area may go, but not come.
+    is_no_thinner(thinnest([a, u, b], [b, v, a]), thinnest([u, v, a], [v, u, b]))
+        && (near(old_a, old_b) || old_a == DVec3::ZERO || old_b == DVec3::ZERO)
         && near(new_u, new_v)
         && near(new_u, all)
         && near(new_v, all)

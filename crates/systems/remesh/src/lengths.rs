@@ -46,17 +46,22 @@ pub(super) fn check_length(what: &'static str, length: f64, diagonal: f64) -> Re
 
 /// A result is farther from the input than asked for, as far as is proven.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-#[error("the result is up to {upper} away from the input, more than the {distance} asked for")]
+#[error("the result is up to {upper} away from the input near {place:?}, more than the {distance} asked for")]
 pub struct NotWithin {
     /// What was asked for.
     pub distance: f64,
     /// The proven upper bound.
     pub upper: f64,
+    /// A point of one surface that is about as far from the other.
+    pub place: [f64; 3],
 }
 
 impl NotWithin {
     pub(super) fn check(distance: f64, found: &SymmetricReport) -> Result<(), Self> {
         let upper = found.distance.upper();
-        if upper <= distance { Ok(()) } else { Err(Self { distance, upper }) }
+        let directed = [&found.a_to_b, &found.b_to_a];
+        let [a, b] = directed.map(|report| report.distance.upper());
+        let place = directed[usize::from(b > a)].witness.from.position;
+        if upper <= distance { Ok(()) } else { Err(Self { distance, upper, place }) }
     }
 }

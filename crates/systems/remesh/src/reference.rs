@@ -14,14 +14,9 @@ pub(super) struct Reference<'f> {
     pub(super) bvh: Bvh,
     pub(super) frame: Frame,
     faces: Vec<[u32; 3]>,
-    curves: Option<CurveTree>,
+    /// The segments of each curve, as triangles without area.
+    curves: Vec<Option<Bvh>>,
     pub(super) lengths: Lengths<'f>,
-}
-
-/// The segments of all curves as triangles without area, and the curve of each.
-struct CurveTree {
-    bvh: Bvh,
-    curve: Vec<u32>,
 }
 
 /// The point of the input nearest to another one.
@@ -42,7 +37,7 @@ impl<'f> Reference<'f> {
         let mesh = TriMesh::new(positions, faces)?;
         let bvh = Bvh::build(&mesh, &identity());
         let (positions, faces) = mesh.into_parts();
-        Ok(Self { bvh, frame, faces, curves: CurveTree::new(surface, positions), lengths })
+        Ok(Self { bvh, frame, faces, curves: trees_of_curves(surface, &positions), lengths })
     }
 
     /// A slot with a face at each vertex.
@@ -68,30 +63,33 @@ impl<'f> Reference<'f> {
         Projected { position, slot, normal: (b - a).cross(c - a), length }
     }
 
-    /// The nearest point of a curve; the point itself where another curve is nearer.
+    /// The nearest point of a curve.
     pub(super) fn project_to_curve(&self, p: DVec3, curve: u32, workspace: &mut Workspace) -> Option<DVec3> {
-        let tree = self.curves.as_ref()?;
-        let slot = tree.bvh.nearest(p.to_array(), tree.bvh.any_slot(), workspace).slot;
-        if tree.curve[tree.bvh.face(slot).index()] != curve {
-            return None;
-        }
-        let [a, b, _] = tree.bvh.corners(slot).map(DVec3::from_array);
+        let tree = self.curves.get(curve as usize)?.as_ref()?;
+        let slot = tree.nearest(p.to_array(), tree.any_slot(), workspace).slot;
+        let [a, b, _] = tree.corners(slot).map(DVec3::from_array);
         let t = (p - a).dot(b - a) / (b - a).length_squared();
         let t = if t > 0.0 { t } else { 0.0 };
         Some(a + (b - a) * if t < 1.0 { t } else { 1.0 })
     }
 }
 
-impl CurveTree {
-    /// None where there are no curves.
-    fn new(surface: &Marked, positions: Vec<[f64; 3]>) -> Option<Self> {
-        let mesh = &surface.mesh;
-        let segments: Vec<u32> = mesh.edges().filter(|&h| surface.curve[h as usize] != NONE).collect();
-        let faces = segments.iter().map(|&h| [mesh.from(h), mesh.to(h), mesh.to(h)]).collect();
-        let tree = TriMesh::new(positions, faces).ok()?;
-        let bvh = Bvh::build(&tree, &identity());
-        Some(Self { bvh, curve: segments.iter().map(|&h| surface.curve[h as usize]).collect() })
+/// A tree over the segments of each curve, by its number.
+fn trees_of_curves(surface: &Marked, positions: &[[f64; 3]]) -> Vec<Option<Bvh>> {
+    let mesh = &surface.mesh;
+    let mut segments: Vec<(u32, u32)> =
+        mesh.edges().map(|h| (surface.curve[h as usize], h)).filter(|(curve, _)| *curve != NONE).collect();
+    segments.sort_unstable();
+    let mut trees = Vec::new();
+    let at = |v: u32| positions[v as usize];
+    for own in segments.chunk_by(|x, y| x.0 == y.0) {
+        let corners = own.iter().flat_map(|&(_, h)| [at(mesh.from(h)), at(mesh.to(h))]).collect();
+        let faces = (0..own.len() as u32).map(|i| [2 * i, 2 * i + 1, 2 * i + 1]).collect();
+        let curve = own.first().map_or(0, |(curve, _)| *curve as usize);
+        trees.resize_with(curve, || None);
+        trees.push(TriMesh::new(corners, faces).ok().map(|tree| Bvh::build(&tree, &identity())));
     }
+    trees
 }
 
 /// The frame of what is in a frame already.

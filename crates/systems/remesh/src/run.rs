@@ -15,8 +15,8 @@ use super::smooth::area_vector;
 use pompeiu_core::TriMesh;
 use pompeiu_core::geom::{Aabb, Frame};
 use pompeiu_core::mesh::Rounding;
-use pompeiu_core::run::{Control, Progress, StopReason, on_threads};
-use pompeiu_hausdorff::symmetric_hausdorff;
+use pompeiu_core::run::{Control, Limits, Progress, StopReason, on_threads};
+use pompeiu_hausdorff::HausdorffOptions;
 use std::time::Instant;
 
 /// Share of the distance that tests of single faces may use; the rest covers their rounding.
@@ -41,7 +41,7 @@ const INPUT_SPLIT: f64 = 2.0;
 /// flip and move only. Topology does not change. Boundaries, creases and selected edges stay curves on the curves of
 /// the input; their corners and selected vertices stay where they are.
 /// # Accuracy
-/// What the report says of the distance was measured by [`symmetric_hausdorff`], rounding included. With
+/// What the report says of the distance was measured by [`symmetric_hausdorff`](pompeiu_hausdorff::symmetric_hausdorff), rounding included. With
 /// [`within`](RemeshOptions::within) its upper end is at most that length, or there is no result: where faces are farther away,
 /// target lengths are shortened until they are not.
 /// # Limits
@@ -98,23 +98,24 @@ impl<'w> Work<'w> {
         let mut dynamic = DynamicMesh::new(mesh.positions(), mesh.faces())?;
         dynamic.map_positions(|p| frame.map(p));
         let before = Quality::in_frame(&dynamic, &frame, None);
-        let mut lengths = Lengths::new(&options.sizing, &dynamic, &frame);
-        let mut at_vertices = lengths.at_vertices(&dynamic.positions, &frame);
+        let curves = Curves::find(&dynamic, &options.features);
+        let (curve, hold) = (curves.of_halfedge, curves.hold);
+        let mut copy = Marked { curve, hold, length: Vec::new(), near: Vec::new(), mesh: dynamic };
+        let mut lengths = Lengths::new(&options.sizing, &copy, &frame);
+        let mut at_vertices = lengths.at_vertices(&copy.mesh.positions, &frame);
         if let Some(v) = at_vertices.iter().position(|x| !(*x > 0.0 && *x < f64::INFINITY)) {
             let (length, position) = (frame.length_out(at_vertices[v]), mesh.positions()[v]);
             return Err(RemeshError::Field { length, position });
         }
         if let Some(within) = options.within {
-            at_vertices = sizing::no_longer_than_chords(at_vertices, frame.length_in(within), &dynamic);
+            at_vertices = sizing::no_longer_than_chords(at_vertices, frame.length_in(within), &copy);
             lengths = Lengths::AtVertices(at_vertices.clone());
         }
-        let faces = expected_faces(&dynamic, &at_vertices);
+        let faces = expected_faces(&copy.mesh, &at_vertices);
         if faces > options.most_faces as f64 {
             return Err(RemeshError::TooManyFaces { faces, most: options.most_faces });
         }
-        let curves = Curves::find(&dynamic, &options.features);
-        let (curve, hold) = (curves.of_halfedge, curves.hold);
-        let mut copy = Marked { curve, hold, length: at_vertices, near: Vec::new(), mesh: dynamic };
+        copy.length = at_vertices;
         let reference = Reference::new(&copy, frame, lengths)?;
         copy.near = reference.slots_at_vertices(copy.mesh.positions.len());
         let surface = copy.clone();
@@ -149,7 +150,14 @@ impl<'w> Work<'w> {
         let remeshing = self.started.elapsed();
         let intersections = self.options.intersections.of(&mesh)?;
         let wanted = self.options.measure || self.options.within.is_some();
-        let distance = wanted.then(|| symmetric_hausdorff(self.input, &mesh));
+        // What is to be proven is, whatever the time; what is only told ends with the time.
+        let time = self.options.limits.time.filter(|_| self.options.within.is_none());
+        let limits = Limits {
+            time: time.map(|time| time.saturating_sub(self.started.elapsed())),
+            ..Limits::default()
+        };
+        let measuring = HausdorffOptions { limits, ..HausdorffOptions::default() };
+        let distance = if wanted { measuring.symmetric(self.input, &mesh).ok() } else { None };
         if let (Some(asked), Some(found)) = (self.options.within, &distance) {
             NotWithin::check(asked, found)?;
         }
@@ -202,11 +210,14 @@ impl<'w> Work<'w> {
         }
     }
 
-    /// Shortens lengths where the surface is farther from the input than a limit, until it is nowhere.
+    /// Shortens lengths where the surface is farther from the input than a limit, until it is nowhere, or many rounds were in vain.
     fn come_within(&mut self, limit: f64) -> Result<(), RemeshError> {
         for _ in 0..MOST_SHORTENINGS {
+            if self.control.is_stopped() {
+                return Ok(());
+            }
             let far = far_places(&self.copy, &self.reference, &self.surface, limit)?;
-            if !far.contains(&true) || self.control.is_stopped() {
+            if !far.contains(&true) {
                 return Ok(());
             }
             let copy = &mut self.copy;

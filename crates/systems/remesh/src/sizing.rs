@@ -1,8 +1,9 @@
 //! How long edges should be: one length, a field, or what a chord height allows where the surface bends.
 
 use super::connectivity::DynamicMesh;
-use super::curvature::largest_curvatures;
+use super::curvature::{curvatures_of_curves, largest_curvatures};
 use super::isotropic::LONGEST;
+use super::marked::Marked;
 use glam::DVec3;
 use pompeiu_core::geom::Frame;
 use std::cmp::Reverse;
@@ -41,7 +42,7 @@ const GRADATION: f64 = 0.5;
 
 impl<'f> Lengths<'f> {
     /// The lengths that a sizing asks for.
-    pub(super) fn new(sizing: &Sizing<'f>, dynamic: &DynamicMesh, frame: &Frame) -> Self {
+    pub(super) fn new(sizing: &Sizing<'f>, surface: &Marked, frame: &Frame) -> Self {
         match *sizing {
             Sizing::Length(length) => Self::Uniform(frame.length_in(length)),
             Sizing::Field(field) => Self::Field(field),
@@ -58,8 +59,8 @@ impl<'f> Lengths<'f> {
                         longest
                     }
                 };
-                let mut lengths: Vec<f64> = largest_curvatures(dynamic).into_iter().map(of).collect();
-                limit_growth(dynamic, &mut lengths);
+                let mut lengths: Vec<f64> = bends(surface).into_iter().map(of).collect();
+                limit_growth(&surface.mesh, &mut lengths);
                 Self::AtVertices(lengths)
             }
         }
@@ -94,14 +95,24 @@ fn chord_of(height: f64, curvature: f64) -> f64 {
     if square > 0.0 { square.sqrt() / LONGEST } else { 0.0 }
 }
 
+/// The largest curvature at each vertex, of the surface or of the curve through it.
+fn bends(surface: &Marked) -> Vec<f64> {
+    let of_curves = curvatures_of_curves(surface);
+    largest_curvatures(&surface.mesh)
+        .into_iter()
+        .zip(of_curves)
+        .map(|(x, y)| if x > y { x } else { y })
+        .collect()
+}
+
 /// Lowers lengths to those of chords of a height, for vertices on a smooth surface; not below the height itself.
-pub(super) fn no_longer_than_chords(mut lengths: Vec<f64>, height: f64, mesh: &DynamicMesh) -> Vec<f64> {
-    for (length, curvature) in lengths.iter_mut().zip(largest_curvatures(mesh)) {
+pub(super) fn no_longer_than_chords(mut lengths: Vec<f64>, height: f64, surface: &Marked) -> Vec<f64> {
+    for (length, curvature) in lengths.iter_mut().zip(bends(surface)) {
         let chord = chord_of(height, curvature);
         let most = if chord > height { chord } else { height };
         *length = if *length < most { *length } else { most };
     }
-    limit_growth(mesh, &mut lengths);
+    limit_growth(&surface.mesh, &mut lengths);
     lengths
 }
 

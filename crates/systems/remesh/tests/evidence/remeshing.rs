@@ -2,11 +2,11 @@
 
 use crate::operations::topology;
 use pompeiu_core::mesh::shapes::{self, Diagonal, Ends};
-use pompeiu_core::mesh::{MeshSummary, displace_at_random, merge};
+use pompeiu_core::mesh::{Affine, MeshSummary, displace_at_random, merge, transform};
 use pompeiu_core::{FaceId, TriMesh, VertexId};
 use pompeiu_remesh::{
-    ConnectivityError, FeatureError, Features, LengthError, Quality, RemeshError, RemeshOptions, Remeshed,
-    Sizing, remesh,
+    ConnectivityError, FeatureError, Features, Intersections, LengthError, Quality, RemeshError,
+    RemeshOptions, Remeshed, Sizing, remesh,
 };
 
 fn with_length(mesh: &TriMesh, length: f64) -> Remeshed {
@@ -246,4 +246,35 @@ fn a_real_mesh() {
     let Quality { least_angle, near_target, .. } = found.after;
     assert!(least_angle.least > 30.0 && least_angle.mean > 53.0, "{:?}", found.after);
     assert!(near_target.unwrap() > 0.9);
+}
+
+#[test]
+fn features_meet_in_valid_faces() {
+    // Two blocks with creases in many directions, turned so that nothing is axis-parallel.
+    let cube = shapes::cube(2.0, 6).unwrap();
+    let cylinder = shapes::cylinder(1.0, 2.0, 48, 12, Ends::Capped).unwrap();
+    for mesh in [&cube, &cylinder] {
+        let turn = Affine::rotate([1.0, 2.0, 3.0], 31.0).unwrap();
+        let mesh = transform(mesh, &turn).unwrap();
+        for length in [0.11, 0.23, 0.47] {
+            let options = RemeshOptions {
+                features: Features { angle: Some(40.0), ..Features::default() },
+                intersections: Intersections::Report,
+                ..RemeshOptions::new(Sizing::Length(length))
+            };
+            let found = remesh(&mesh, &options).unwrap();
+            // No face is thinner than a twentieth of its longest edge.
+            assert!(found.after.least_angle.least > 2.5, "{length}: {:?}", found.after.least_angle);
+            assert_eq!(found.intersections.map(|count| count.pairs), Some(0), "{length}");
+        }
+    }
+}
+
+#[test]
+fn an_outline_is_followed_to_a_chord_height() {
+    // A disc has no curvature but that of its boundary.
+    let disc = shapes::disk(1.0, 200, 20).unwrap();
+    let sizing = Sizing::ChordHeight { tolerance: 0.01, between: [1e-3, 1.0] };
+    let found = remesh(&disc, &RemeshOptions::new(sizing)).unwrap();
+    assert!(distance(&found) < 0.02, "{}", distance(&found));
 }

@@ -12,7 +12,7 @@ use crate::printer::Printer;
 use crate::wait::Wait;
 use anyhow::Context;
 use pompeiu::core::geom::Aabb;
-use pompeiu::core::run::{Limits, Progress, StopReason};
+use pompeiu::core::run::{Limits, Progress};
 use pompeiu::remesh::show::RemeshPage;
 use pompeiu::remesh::{Features, RemeshOptions, Remeshed, Sizing, remesh};
 use std::time::{Duration, Instant};
@@ -92,5 +92,5 @@ pub(crate) fn run(args: &Remesh, printer: &Printer) -> anyhow::Result<Exit> {
         total: started.elapsed(),
     };
     Printer::answer(&if args.json { json::json(&outcome)? } else { text::text(&outcome) })?;
-    Ok(if outcome.found.stop == StopReason::Cancelled { Exit::Undecided } else { Exit::Done })
+    Ok(if outcome.found.stop.is_early() { Exit::Undecided } else { Exit::Done })
 }

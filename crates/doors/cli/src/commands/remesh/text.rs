@@ -35,6 +35,17 @@ pub(super) fn text(outcome: &Outcome) -> String {
         };
         row("H(A, B)", value(report.distance) + &proven);
     }
+    if let (Some(height), Some(report)) = (outcome.chord_height, &found.distance)
+        && report.distance.lower() > height
+    {
+        row(
+            "chord",
+            format!(
+                "farther than the height of {} asked for, which is estimated; require --within",
+                shortest(height)
+            ),
+        );
+    }
     if let Some(count) = found.intersections {
         row("intersect", pairs_that_intersect(count));
     }

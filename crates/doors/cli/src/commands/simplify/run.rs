@@ -12,7 +12,7 @@ use crate::printer::Printer;
 use crate::wait::Wait;
 use anyhow::Context;
 use pompeiu::core::geom::Aabb;
-use pompeiu::core::run::{Limits, Progress, StopReason};
+use pompeiu::core::run::{Limits, Progress};
 use pompeiu::remesh::{Effort, Features, Simplified, SimplifyOptions, SimplifyTarget, simplify_levels};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
@@ -98,6 +98,6 @@ pub(crate) fn run(args: &Simplify, printer: &Printer) -> anyhow::Result<Exit> {
     let (input, kept) = (File::new(&args.mesh, &mesh), appearance.kept());
     let outcome = Outcome { input, levels, kept, total: started.elapsed() };
     Printer::answer(&if args.json { json::json(&outcome)? } else { text::text(&outcome) })?;
-    let cancelled = outcome.levels.iter().any(|(_, level)| level.stop == StopReason::Cancelled);
-    Ok(if cancelled { Exit::Undecided } else { Exit::Done })
+    let early = outcome.levels.iter().any(|(_, level)| level.stop.is_early());
+    Ok(if early { Exit::Undecided } else { Exit::Done })
 }
