@@ -29,7 +29,7 @@ class Flow:
     mesh : Mesh
         The surface it ended in.
     stop : str
-        ``"stationary"``, ``"time"``, ``"steps"``, ``"pinched"``, ``"stalled"``, ``"limit"`` or ``"cancelled"``.
+        ``"stationary"``, ``"time"``, ``"steps"``, ``"pinched"``, ``"stalled"``, ``"degenerate"``, ``"limit"`` or ``"cancelled"``.
     steps : int
         Number of steps.
     area : tuple of float

@@ -83,6 +83,14 @@ impl MovingSurface {
         corners.flat_map(angles).fold(f64::INFINITY, f64::min)
     }
 
+    /// The middle of the triangle with the least angle.
+    pub(crate) fn thinnest(&self) -> Option<DVec3> {
+        let corners = self.faces().iter().map(|face| face.map(|v| self.positions()[v as usize]));
+        let least = |t: &[DVec3; 3]| angles(*t).into_iter().fold(f64::INFINITY, f64::min);
+        let thinnest = corners.min_by(|s, t| least(s).total_cmp(&least(t)))?;
+        Some((thinnest[0] + thinnest[1] + thinnest[2]) / 3.0)
+    }
+
     pub(crate) fn positions(&self) -> &[DVec3] {
         self.mesh.positions()
     }

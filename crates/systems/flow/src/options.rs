@@ -125,8 +125,11 @@ pub struct FlowOptions<'o> {
     pub keep_volume: bool,
     /// Whether edges are flipped towards Delaunay triangles and vertices moved within the surface while it flows to a stationary one.
     pub improve: bool,
-    /// Remeshing on the way.
+    /// Remeshing on the way, every so many steps.
     pub remesh: Option<Remeshing>,
+    /// Whether the surface is remeshed with edges as long as they are in the mean when its angles decay; not by schemes that keep the metric
+    /// of the first surface.
+    pub keep_angles: bool,
     /// The coordinates of the file that the result is for: the surface is rounded to them at the end.
     pub coordinates: Coordinates,
     /// What is done about faces of the result that intersect; on the way they are not looked for.
@@ -151,6 +154,7 @@ impl FlowOptions<'_> {
             keep_volume: false,
             improve: matches!(until, Until::Stationary(_)),
             remesh: None,
+            keep_angles: true,
             coordinates: Coordinates::default(),
             intersections: Intersections::Ignore,
             stability: true,

@@ -25,8 +25,10 @@ pub enum FlowStop {
     Steps,
     /// A neck has become too narrow for the mesh, or the surface has shrunk to almost nothing.
     Pinched,
-    /// No step makes the area less, though the gradient is larger than asked.
+    /// No step makes the area less, or hardly, though the gradient is larger than asked.
     Stalled,
+    /// Triangles have become so thin that nothing can be said of the surface; remeshing did not help, or was not to be used.
+    Degenerate,
     /// The limit on the time of the computation was reached.
     Limit,
     /// The observer asked for it.
@@ -42,6 +44,7 @@ impl FlowStop {
             Self::Steps => "steps",
             Self::Pinched => "pinched",
             Self::Stalled => "stalled",
+            Self::Degenerate => "degenerate",
             Self::Limit => "limit",
             Self::Cancelled => "cancelled",
         }
@@ -148,6 +151,8 @@ pub struct Flow {
     pub discs: Option<Discs>,
     /// A cone that separates the two boundary loops so that no connected minimal surface spans them.
     pub cone: Option<Cone>,
+    /// Where a flow that stalled has its largest gradient, or one that became degenerate its thinnest triangle.
+    pub place: Option<[f64; 3]>,
     /// The neck that pinches off.
     pub neck: Option<Neck>,
     /// What rounding to the coordinates of the file did to the surface at the end; area and gradient are those before.

@@ -33,6 +33,16 @@ const RELAXATIONS: usize = 3;
 const GOOD_ANGLE: f64 = 25.0;
 /// Least volume that can be kept, as a part of the area to the power 3/2.
 const LEAST_VOLUME: f64 = 1e-9;
+/// Angles have decayed where the least is below this one, in degrees, and below half of that of the surface given.
+const DECAYED_ANGLE: f64 = 5.0;
+/// Steps between two remeshings because angles decayed.
+const STEPS_BETWEEN: usize = 5;
+/// A surface whose least angle is below this one, in degrees, and below half of that of the surface given, is degenerate.
+const DEGENERATE_ANGLE: f64 = 0.1;
+/// Over so many steps the area falls by this part, or the gradient below this part of what it was, or the flow has stalled.
+const STALLED_STEPS: usize = 100;
+const STALLED_AREA: f64 = 1e-5;
+const STALLED_GRADIENT: f64 = 0.9;
 /// Necks are looked for whenever vertices may have moved by this many mean edges.
 const EDGES_BETWEEN_CHECKS: f64 = 0.1;
 /// A surface whose area is below this part of the area at first has vanished.
@@ -69,6 +79,9 @@ struct Runner<'r> {
     full: Option<FullSystem>,
     first: FirstMetric,
     initial: (f64, f64),
+    initial_angle: f64,
+    /// The step after which the surface was remeshed last because angles had decayed, and whether that helped.
+    remeshed: (usize, bool),
     time: Option<f64>,
     time_step: TimeStep,
     history: Vec<FlowRecord>,
@@ -135,6 +148,8 @@ impl<'r> Runner<'r> {
             full: None,
             first: FirstMetric { triangles, masses },
             initial: (area, volume),
+            initial_angle: surface.least_angle(),
+            remeshed: (0, options.keep_angles && options.remesh.is_none() && !scheme.keeps_first_metric()),
             time: Some(0.0),
             time_step: TimeStep::new(options, &surface, area),
             history: Vec::new(),
@@ -189,7 +204,7 @@ impl<'r> Runner<'r> {
                 if small {
                     Some(FlowStop::Stationary)
                 } else {
-                    (steps >= MOST_STEPS).then_some(FlowStop::Stalled)
+                    (steps >= MOST_STEPS || self.hardly_falls()).then_some(FlowStop::Stalled)
                 }
             }
             Until::Time(time) => self.time.is_some_and(|t| t >= time).then_some(FlowStop::Time),
@@ -204,6 +219,9 @@ impl<'r> Runner<'r> {
         if derivatives.area <= VANISHED * self.initial.0 {
             return Some(FlowStop::Pinched);
         }
+        if !self.scheme.keeps_first_metric() && self.has_decayed(DEGENERATE_ANGLE) {
+            return Some(FlowStop::Degenerate);
+        }
         let edge = mean_edge(&derivatives.triangles);
         if self.watch_necks && self.way > EDGES_BETWEEN_CHECKS * edge {
             let started = Instant::now();
@@ -212,6 +230,40 @@ impl<'r> Runner<'r> {
             self.timing.verdict += started.elapsed();
         }
         found.map(|_| FlowStop::Pinched)
+    }
+
+    /// Whether the least angle is below this one, and half of what it was at first.
+    fn has_decayed(&self, below: f64) -> bool {
+        let least = self.surface.least_angle();
+        least < below && least < 0.5 * self.initial_angle
+    }
+
+    /// Whether many steps to a stationary surface led nowhere.
+    fn hardly_falls(&self) -> bool {
+        let Some(last) = self.history.last() else { return false };
+        let Some(before) = self.history.len().checked_sub(1 + STALLED_STEPS) else { return false };
+        let least = |records: &[FlowRecord]| {
+            records
+                .iter()
+                .fold(f64::INFINITY, |m, r| if r.gradient.normal < m { r.gradient.normal } else { m })
+        };
+        let (early, late) = self.history.split_at(before + 1);
+        early[before].area - last.area < STALLED_AREA * last.area
+            && least(late) > STALLED_GRADIENT * least(early)
+    }
+
+    /// The place that keeps a flow from its end.
+    fn place(&self, derivatives: &Derivatives, stop: FlowStop) -> Option<[f64; 3]> {
+        let position = match stop {
+            FlowStop::Stalled => {
+                let along = |v: usize| derivatives.gradient[v].dot(derivatives.directions[v]).abs();
+                let worst = (0..derivatives.gradient.len()).max_by(|v, w| along(*v).total_cmp(&along(*w)))?;
+                self.surface.positions()[worst]
+            }
+            FlowStop::Degenerate => self.surface.thinnest()?,
+            _ => return None,
+        };
+        Some(self.turn_back(position))
     }
 
     /// Notes the surface, and shows it to the observer.
@@ -285,6 +337,15 @@ impl<'r> Runner<'r> {
         let improves = self.options.improve
             && (reason == StepReason::Smoothing || may_improve && self.surface.least_angle() < GOOD_ANGLE);
         let fixed = self.options.boundary == BoundaryCondition::Fixed;
+        let decayed =
+            self.remeshed.1 && steps >= self.remeshed.0 + STEPS_BETWEEN && self.has_decayed(DECAYED_ANGLE);
+        if decayed {
+            let before = self.surface.least_angle();
+            let mesh = self.surface.mesh.remeshed(mean_edge(&self.surface.triangles()), fixed)?;
+            self.replace(mesh, started);
+            self.remeshed = (steps, self.surface.least_angle() > before);
+            return Ok(Some(StepReason::Remeshed));
+        }
         let mesh = if let Some(remeshing) = asked {
             self.surface.mesh.remeshed(remeshing.edge_length, fixed)?
         } else if improves {
@@ -293,10 +354,15 @@ impl<'r> Runner<'r> {
         } else {
             return Ok(None);
         };
+        self.replace(mesh, started);
+        Ok(Some(if asked.is_some() { StepReason::Remeshed } else { StepReason::Improved }))
+    }
+
+    /// Goes on with other triangles.
+    fn replace(&mut self, mesh: DynamicMesh, started: Instant) {
         self.surface = MovingSurface::new(mesh, self.options.boundary);
         (self.systems, self.full) = (None, None);
         self.timing.remesh += started.elapsed();
-        Ok(Some(if asked.is_some() { StepReason::Remeshed } else { StepReason::Improved }))
     }
 
     fn finish(
@@ -321,6 +387,7 @@ impl<'r> Runner<'r> {
             }
             _ => None,
         };
+        let place = self.place(derivatives, stop);
         let back = |p: [f64; 3]| self.turn_back(DVec3::from_array(p));
         let neck = neck.map(|neck| Neck { position: back(neck.position), ..neck });
         let mut mesh = self.surface.mesh.clone();
@@ -346,6 +413,7 @@ impl<'r> Runner<'r> {
             stability,
             discs,
             cone: self.cone,
+            place,
             neck,
             rounding,
             intersections,

@@ -46,6 +46,28 @@ fn a_tube_becomes_the_catenoid_with_order_two() {
 }
 
 #[test]
+fn an_unstable_catenoid_comes_to_an_end_that_is_said() {
+    // The other catenoid between circles of radius 1 at heights ±0.5: r = c cosh(z / c), a saddle.
+    let c = 0.235_095_034_1;
+    for (around, along) in [(24, 16), (64, 48)] {
+        let tube = tube(0.5, around, along);
+        let narrow = |p: &[f64; 3]| {
+            let shrunk = c * (p[2] / c).cosh() / p[0].hypot(p[1]);
+            [p[0] * shrunk, p[1] * shrunk, p[2]]
+        };
+        let start =
+            TriMesh::new(tube.positions().iter().map(narrow).collect(), tube.faces().to_vec()).unwrap();
+        let flow = stationary(&start);
+        assert!(flow.steps < 1_000, "{} steps, {:?}", flow.steps, flow.stop);
+        let has_place = matches!(flow.stop, FlowStop::Stalled | FlowStop::Degenerate);
+        assert_eq!(flow.place.is_some(), has_place, "{:?}", flow.stop);
+        if flow.stop == FlowStop::Stationary {
+            assert!(flow.stability.is_some());
+        }
+    }
+}
+
+#[test]
 fn the_catenoid_is_a_minimum_and_its_least_eigenvalue_is_known() {
     let flow = stationary(&tube(0.5, 96, 24));
     let stability = flow.stability.unwrap();

@@ -11,8 +11,8 @@ use std::path::PathBuf;
 /// Let a surface flow to less area: minimal surfaces, mean curvature flow, bubbles
 #[derive(Args)]
 #[command(after_help = "\
-The mesh must be an oriented manifold. Its boundary stays, or slides in planes (--planes). The area falls at each step; every step is
-recorded with its scheme and the reason for it.
+The mesh must be an oriented manifold. Its boundary stays, or slides in planes (--planes). Every step is recorded with its
+scheme, the reason for it and the area after it. Where angles decay the surface is remeshed on the way.
 
 Ends:
   stationary       a minimal surface: the gradient of the area along vertex normals vanishes. The answer says whether it is a local

@@ -1,7 +1,7 @@
 //! The outcome for people.
 
 use super::run::Outcome;
-use crate::numbers::{grouped, pairs_that_intersect, shortest, time};
+use crate::numbers::{grouped, pairs_that_intersect, point, shortest, time};
 use crate::page::Page;
 use pompeiu::flow::{Flow, FlowStop};
 
@@ -88,6 +88,17 @@ fn verdict(flow: &Flow) -> String {
         }
         FlowStop::Limit => format!("stopped after {steps}: the time limit was reached"),
         FlowStop::Cancelled => format!("stopped after {steps}, as asked"),
-        _ => format!("stalled after {steps}: no step makes the area less"),
+        FlowStop::Degenerate => format!(
+            "degenerate after {steps}: triangles{} became too thin to go on; remesh on the way (--remesh)",
+            near(flow)
+        ),
+        _ => {
+            format!("stalled after {steps}: the area hardly falls, and the gradient is largest{}", near(flow))
+        }
     }
+}
+
+/// Where the flow could not go on.
+fn near(flow: &Flow) -> String {
+    flow.place.map(|place| format!(" near {}", point(place))).unwrap_or_default()
 }
