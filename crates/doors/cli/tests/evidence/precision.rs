@@ -50,7 +50,7 @@ fn read_glb(bytes: &[u8]) -> TriMesh {
 
 fn read(folder: &Folder, name: &str) -> TriMesh {
     let bytes = std::fs::read(folder.path().join(name)).unwrap();
-    if name.ends_with(".stl") { read_stl(&bytes) } else { read_glb(&bytes) }
+    if bytes.starts_with(b"glTF") { read_glb(&bytes) } else { read_stl(&bytes) }
 }
 
 /// A sphere of radius 10 far from zero, in double precision.
