@@ -1,14 +1,14 @@
 //! The command: its exit codes and what it says.
 
-use pompeiu_verify::{MAGIC, Soup, mesh};
+use pompeiu_verify::{MAGIC, Rejected, Soup, mesh, verify};
 use std::path::Path;
 use std::process::Command;
 
 const A: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 const B: &str = "v 0 0 2\nv 1 0 2\nv 0 1 2\nf 1 2 3\n";
 
-/// That h(A, B) is 2 with the upper end `upper`: one face of A, one leaf.
-fn certificate(lower: f64, upper: f64) -> Vec<u8> {
+/// That h(A, B) is 2 with the upper end `upper`: one face of A, and its tree.
+fn certificate_of(lower: f64, upper: f64, tree: &[u8]) -> Vec<u8> {
     let hash = |text: &str| {
         let mesh = mesh::read(text.as_bytes()).unwrap();
         Soup::new(&mesh.positions, &mesh.faces).unwrap().hash()
@@ -19,9 +19,45 @@ fn certificate(lower: f64, upper: f64) -> Vec<u8> {
     bytes.extend([lower, upper].map(f64::to_le_bytes).concat());
     bytes.extend(0_u32.to_le_bytes());
     bytes.extend([0.25, 0.25, 0.5].map(f64::to_le_bytes).concat());
-    // A block of two bytes: the leaf is face 0 of B, and no more faces have it.
-    bytes.extend([2, 0, 0, 0, 0, 0]);
+    bytes.extend((tree.len() as u32).to_le_bytes());
+    bytes.extend(tree);
     bytes
+}
+
+/// The same with a leaf: it is face 0 of B, and no more faces have it.
+fn certificate(lower: f64, upper: f64) -> Vec<u8> {
+    certificate_of(lower, upper, &[0, 0])
+}
+
+#[test]
+fn trees_that_are_none_are_refused() {
+    let [a, b] = [A, B].map(|text| mesh::read(text.as_bytes()).unwrap());
+    let [a, b] = [&a, &b].map(|mesh| Soup::new(&mesh.positions, &mesh.faces).unwrap());
+    let verdict = |tree: &[u8]| verify(&a, &b, certificate_of(0.0, 3.0, tree).as_slice(), 1);
+    // Between sides 0 and 1, the first end at seven bytes over 2^52, the second at a corner.
+    let chord = |first: u8| [&[0xE1, 0x03, first, 0, 0, 0, 0, 0, 0], &[0_u8; 2][..]].concat();
+    assert_eq!(verdict(&[0, 0]).unwrap().claims[0].unwrap().cells, 1);
+    assert_eq!(verdict(&chord(0x08)).unwrap().claims[0].unwrap().cells, 2);
+    for upper in [f64::INFINITY, f64::NAN, -1.0] {
+        let found = verify(&a, &b, certificate_of(0.0, upper, &[0, 0]).as_slice(), 1);
+        assert!(matches!(found, Err(Rejected::Claim(..))), "{upper} is no length");
+    }
+    for (tree, what) in [
+        (chord(0x10), "a position at the end of a side"),
+        (chord(0x1F), "a position beyond it"),
+        (vec![3], "a node of no kind"),
+        (vec![1, 0, 0], "a chord from a side to itself"),
+        (vec![0x81, 0x06, 0, 0], "sides in the wrong order"),
+        (vec![8, 0], "a face that B does not have"),
+        (vec![4, 0], "a face below the first"),
+        (vec![0, 1], "a run beyond the last face"),
+        (vec![0, 0, 0], "a spare byte"),
+        (vec![0], "an early end"),
+        (vec![0x80; 12], "an endless number"),
+        (vec![0x22, 0], "a side that crosses nothing"),
+    ] {
+        assert!(verdict(&tree).is_err_and(|error| error.is_unreadable()), "{what}");
+    }
 }
 
 fn run(folder: &Path, arguments: &[&str]) -> (i32, String, String) {

@@ -107,6 +107,18 @@ proptest! {
 }
 
 #[test]
+fn the_radius_of_a_corner_counts_in_full() {
+    let facet = Facet::new([[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], [0.0; 3]);
+    let x = Corner { offset: [0.25, 0.25, 1.0], radius: 0.125 };
+    assert!(facet.at_most(&x) >= 1.125, "the exact corner may be as far as that");
+    for enough in [0.0, 0.9, f64::INFINITY] {
+        assert!(facet.at_least(&x, enough) <= 0.875, "or as near as that");
+    }
+    let (p, q) = (x, Corner { radius: 0.25, ..x });
+    assert!(between(&p, &q, 0.5).radius >= 0.1875);
+}
+
+#[test]
 fn weights_that_mean_no_point_are_refused() {
     let face = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
     for weights in

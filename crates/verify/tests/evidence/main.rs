@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests, too, fail")]
 
+mod attack;
 mod command;
 mod kernels;
 mod readers;
