@@ -344,135 +344,177 @@ struct PlanesOfBlock {
     distances_sq: [f64; LANES],
 }
 
-// What follows is written without closures: these are not compiled for the instruction set of their caller.
+// What follows goes over all lanes one operation at a time, without closures: so it is compiled for the instruction set of its caller.
+
+/// A number for each of eight triangles, and a vector.
+type Lanes = [f64; LANES];
+type Vectors = [Lanes; 3];
+
+/// The best of three planes of each triangle: any direction no longer than one is valid, for how far the triangle reaches along it is computed.
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "compiled once per instruction set of its caller")]
+fn planes_of(block: &TriangleBlock, support: &Support) -> PlanesOfBlock {
+    let o = broadcast(support.centre);
+    let (a, b, c) = (minus(&block[0], &o), minus(&block[1], &o), minus(&block[2], &o));
+    let (ab, ac, bc) = (minus(&b, &a), minus(&c, &a), minus(&c, &b));
+    let edges = nearer(from_edge(&a, &ab), from_edge(&a, &ac));
+    let edges = nearer(edges, from_edge(&b, &bc));
+    let normal = cross(&ab, &ac);
+    let square = dot(&normal, &normal);
+    let (height, v, w) = (dot(&normal, &a), dot(&cross(&ac, &a), &normal), dot(&cross(&a, &ab), &normal));
+    let mut foot = [0.0; LANES];
+    let mut side = [0.0; LANES];
+    let own_length = inverse_length(&square);
+    for l in 0..LANES {
+        foot[l] = -height[l] / square[l];
+        side[l] = if height[l] > 0.0 { -own_length[l] } else { own_length[l] };
+    }
+    let foot = times(&foot, &normal);
+    let mut foot_square = dot(&foot, &foot);
+    for l in 0..LANES {
+        // What is no number counts as outside.
+        let least = if v[l] < w[l] { v[l] } else { w[l] };
+        let most = v[l] + w[l];
+        let beside = if least >= 0.0 { most } else { f64::INFINITY };
+        foot_square[l] = if beside <= square[l] { foot_square[l] } else { f64::INFINITY };
+    }
+    let (way, distances_sq) = nearer((foot, foot_square), edges);
+    let common = plane(&broadcast(support.common), [&a, &b, &c], support);
+    let tangent = plane(&times(&inverse_length(&distances_sq), &way), [&a, &b, &c], support);
+    let own = plane(&times(&side, &normal), [&a, &b, &c], support);
+    let (rows, _) = better(better(common, tangent), own);
+    PlanesOfBlock { rows, distances_sq }
+}
+
+/// Values at the corners of P of the planes that touch triangles along directions, and how far they are short of the wanted ones together:
+/// not positive.
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "compiled once per instruction set of its caller")]
+fn plane(g: &Vectors, [a, b, c]: [&Vectors; 3], support: &Support) -> (Vectors, Lanes) {
+    let (x, y, z) = (dot(g, a), dot(g, b), dot(g, c));
+    let mut rows = [[0.0; LANES]; 3];
+    let mut short = [0.0; LANES];
+    for i in 0..3 {
+        let (way, wanted) = (support.ways[i], support.wanted[i]);
+        for l in 0..LANES {
+            let reach = if x[l] > y[l] { x[l] } else { y[l] };
+            let reach = if reach > z[l] { reach } else { z[l] };
+            let value = g[0][l] * way[0] + g[1][l] * way[1] + g[2][l] * way[2] - reach;
+            rows[i][l] = value;
+            short[l] += if value < wanted { value - wanted } else { 0.0 };
+        }
+    }
+    (rows, short)
+}
+
+/// From the nearest points of edges to the centre, and the squares of these ways.
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "compiled once per instruction set of its caller")]
+fn from_edge(p: &Vectors, edge: &Vectors) -> (Vectors, Lanes) {
+    let (along, square) = (dot(p, edge), dot(edge, edge));
+    let mut r = [[0.0; LANES]; 3];
+    let mut t = [0.0; LANES];
+    for l in 0..LANES {
+        let x = -along[l] / square[l];
+        let x = if x > 0.0 { x } else { 0.0 };
+        t[l] = if x < 1.0 { x } else { 1.0 };
+    }
+    for k in 0..3 {
+        for l in 0..LANES {
+            r[k][l] = -(p[k][l] + t[l] * edge[k][l]);
+        }
+    }
+    (r, dot(&r, &r))
+}
 
 #[inline(always)]
 #[allow(clippy::inline_always, reason = "compiled once per instruction set of its caller")]
-fn planes_of([a, b, c]: &TriangleBlock, support: &Support) -> PlanesOfBlock {
-    let support = *support;
-    let o = support.centre;
-    let [mut first, mut second, mut third, mut distances_sq] = [[0.0; LANES]; 4];
+fn nearer(x: (Vectors, Lanes), y: (Vectors, Lanes)) -> (Vectors, Lanes) {
+    let (mut r, mut square) = y;
     for l in 0..LANES {
-        let a = [a[0][l] - o[0], a[1][l] - o[1], a[2][l] - o[2]];
-        let b = [b[0][l] - o[0], b[1][l] - o[1], b[2][l] - o[2]];
-        let c = [c[0][l] - o[0], c[1][l] - o[1], c[2][l] - o[2]];
-        let ([x, y, z], distance_sq) = best_plane([a, b, c], &support);
-        first[l] = x;
-        second[l] = y;
-        third[l] = z;
-        distances_sq[l] = distance_sq;
+        for k in 0..3 {
+            r[k][l] = if x.1[l] < y.1[l] { x.0[k][l] } else { y.0[k][l] };
+        }
+        square[l] = if x.1[l] < y.1[l] { x.1[l] } else { y.1[l] };
     }
-    PlanesOfBlock { rows: [first, second, third], distances_sq }
-}
-
-/// The best of three planes of a triangle, whose corners are given from the centre. Any direction no longer than one is valid, for how far the
-/// triangle reaches along it is computed.
-#[inline(always)]
-#[allow(clippy::inline_always, reason = "must be inlined into the lane loops to be vectorised")]
-#[allow(
-    clippy::needless_bitwise_bool,
-    reason = "a branch here would keep the lane loops from being vectorised"
-)]
-fn best_plane(corners: [[f64; 3]; 3], support: &Support) -> ([f64; 3], f64) {
-    let [a, b, c] = corners;
-    let (ab, ac, bc) = (minus(b, a), minus(c, a), minus(c, b));
-    let edges = nearer(nearer(from_edge(a, ab), from_edge(a, ac)), from_edge(b, bc));
-    let normal = cross(ab, ac);
-    let square = dot(normal, normal);
-    let height = -dot(normal, a);
-    let inverse = 1.0 / square;
-    let v = dot(cross(ac, a), normal) * inverse;
-    let w = dot(cross(a, ab), normal) * inverse;
-    let inside = (v >= 0.0) & (w >= 0.0) & (v + w <= 1.0);
-    let foot = times(height * inverse, normal);
-    let (r, distance_sq) = nearer((foot, if inside { dot(foot, foot) } else { f64::INFINITY }), edges);
-    let side = if height < 0.0 { -1.0 } else { 1.0 };
-    let common = plane(support.common, corners, support);
-    let tangent = plane(times(inverse_length(distance_sq), r), corners, support);
-    let own = plane(times(side * inverse_length(square), normal), corners, support);
-    (better(better(common, tangent), own).0, distance_sq)
-}
-
-/// Values at the corners of P of the plane that touches a triangle along a direction, and how far they are short of the wanted ones together:
-/// not positive.
-#[inline(always)]
-#[allow(clippy::inline_always, reason = "part of the lane loops")]
-fn plane(g: [f64; 3], [a, b, c]: [[f64; 3]; 3], support: &Support) -> ([f64; 3], f64) {
-    let (x, y, z) = (dot(g, a), dot(g, b), dot(g, c));
-    let reach = if x > y { x } else { y };
-    let reach = if reach > z { reach } else { z };
-    let [u, v, w] = support.ways;
-    let row = [dot(g, u) - reach, dot(g, v) - reach, dot(g, w) - reach];
-    let short = minus(row, support.wanted);
-    (row, at_most_zero(short[0]) + at_most_zero(short[1]) + at_most_zero(short[2]))
+    (r, square)
 }
 
 #[inline(always)]
-#[allow(clippy::inline_always, reason = "part of the lane loops")]
-fn at_most_zero(x: f64) -> f64 {
-    if x < 0.0 { x } else { 0.0 }
+#[allow(clippy::inline_always, reason = "compiled once per instruction set of its caller")]
+fn better(x: (Vectors, Lanes), y: (Vectors, Lanes)) -> (Vectors, Lanes) {
+    let (mut rows, mut short) = x;
+    for l in 0..LANES {
+        for i in 0..3 {
+            rows[i][l] = if y.1[l] > x.1[l] { y.0[i][l] } else { x.0[i][l] };
+        }
+        short[l] = if y.1[l] > x.1[l] { y.1[l] } else { x.1[l] };
+    }
+    (rows, short)
 }
 
-/// From the nearest point of an edge to the centre, and the square of its length.
+/// One by a length, given its square; less where digits of the square are lost.
 #[inline(always)]
-#[allow(clippy::inline_always, reason = "part of the lane loops")]
-fn from_edge(p: [f64; 3], edge: [f64; 3]) -> ([f64; 3], f64) {
-    let t = -dot(p, edge) / dot(edge, edge);
-    let t = if t > 0.0 { t } else { 0.0 };
-    let t = if t < 1.0 { t } else { 1.0 };
-    let r = [-(p[0] + t * edge[0]), -(p[1] + t * edge[1]), -(p[2] + t * edge[2])];
-    (r, dot(r, r))
-}
-
-#[inline(always)]
-#[allow(clippy::inline_always, reason = "part of the lane loops")]
-fn nearer(x: ([f64; 3], f64), y: ([f64; 3], f64)) -> ([f64; 3], f64) {
-    let first = x.1 < y.1;
-    (chosen(first, x.0, y.0), if first { x.1 } else { y.1 })
-}
-
-#[inline(always)]
-#[allow(clippy::inline_always, reason = "part of the lane loops")]
-fn better(x: ([f64; 3], f64), y: ([f64; 3], f64)) -> ([f64; 3], f64) {
-    let second = y.1 > x.1;
-    (chosen(second, y.0, x.0), if second { y.1 } else { x.1 })
+#[allow(clippy::inline_always, reason = "compiled once per instruction set of its caller")]
+fn inverse_length(square: &Lanes) -> Lanes {
+    let mut inverse = [0.0; LANES];
+    for l in 0..LANES {
+        let square = if square[l] > LEAST_SQUARE { square[l] } else { LEAST_SQUARE };
+        inverse[l] = 1.0 / square.sqrt();
+    }
+    inverse
 }
 
 #[inline(always)]
-#[allow(clippy::inline_always, reason = "part of the lane loops")]
-fn chosen(first: bool, x: [f64; 3], y: [f64; 3]) -> [f64; 3] {
-    [if first { x[0] } else { y[0] }, if first { x[1] } else { y[1] }, if first { x[2] } else { y[2] }]
-}
-
-/// One by a length, given its square; less where digits of the square are lost. A direction that comes out shorter than one is valid, too.
-#[inline(always)]
-#[allow(clippy::inline_always, reason = "part of the lane loops")]
-fn inverse_length(square: f64) -> f64 {
-    1.0 / (if square > LEAST_SQUARE { square } else { LEAST_SQUARE }).sqrt()
+#[allow(clippy::inline_always, reason = "compiled once per instruction set of its caller")]
+fn broadcast(a: [f64; 3]) -> Vectors {
+    [[a[0]; LANES], [a[1]; LANES], [a[2]; LANES]]
 }
 
 #[inline(always)]
-#[allow(clippy::inline_always, reason = "part of the lane loops")]
-fn times(s: f64, a: [f64; 3]) -> [f64; 3] {
-    [s * a[0], s * a[1], s * a[2]]
+#[allow(clippy::inline_always, reason = "compiled once per instruction set of its caller")]
+fn times(s: &Lanes, a: &Vectors) -> Vectors {
+    let mut out = [[0.0; LANES]; 3];
+    for k in 0..3 {
+        for l in 0..LANES {
+            out[k][l] = s[l] * a[k][l];
+        }
+    }
+    out
 }
 
 #[inline(always)]
-#[allow(clippy::inline_always, reason = "part of the lane loops")]
-fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+#[allow(clippy::inline_always, reason = "compiled once per instruction set of its caller")]
+fn minus(a: &Vectors, b: &Vectors) -> Vectors {
+    let mut out = [[0.0; LANES]; 3];
+    for k in 0..3 {
+        for l in 0..LANES {
+            out[k][l] = a[k][l] - b[k][l];
+        }
+    }
+    out
 }
 
 #[inline(always)]
-#[allow(clippy::inline_always, reason = "part of the lane loops")]
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+#[allow(clippy::inline_always, reason = "compiled once per instruction set of its caller")]
+fn dot(a: &Vectors, b: &Vectors) -> Lanes {
+    let mut out = [0.0; LANES];
+    for l in 0..LANES {
+        out[l] = a[0][l] * b[0][l] + a[1][l] * b[1][l] + a[2][l] * b[2][l];
+    }
+    out
 }
 
 #[inline(always)]
-#[allow(clippy::inline_always, reason = "part of the lane loops")]
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+#[allow(clippy::inline_always, reason = "compiled once per instruction set of its caller")]
+fn cross(a: &Vectors, b: &Vectors) -> Vectors {
+    let mut out = [[0.0; LANES]; 3];
+    for l in 0..LANES {
+        out[0][l] = a[1][l] * b[2][l] - a[2][l] * b[1][l];
+        out[1][l] = a[2][l] * b[0][l] - a[0][l] * b[2][l];
+        out[2][l] = a[0][l] * b[1][l] - a[1][l] * b[0][l];
+    }
+    out
 }
 
 #[cfg(test)]
