@@ -33,7 +33,7 @@ def certified(pair):
     done = subprocess.run(
         [environment.pompeiu(), "distance", *pair.files, "--direction", "a-to-b", "--json", "--quiet", "--time-limit",
          CERTIFYING], capture_output=True, text=True)
-    answer = json.loads(done.stdout)["a_to_b"]
+    answer = json.loads(done.stdout)["report"]["a_to_b"]
     return answer["lower"], answer["upper"]
 
 

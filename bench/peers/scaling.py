@@ -62,13 +62,14 @@ def run(files, direction, threads, count, limit):
         out, peak, cpu = session.measured(command)
         took = 1e3 * (time.perf_counter() - began)
         answer = json.loads(out)
-        runs.append(answer["timing_ms"] | {"process": took, "cpu": cpu, "peak": peak})
+        report = answer["report"]
+        runs.append(answer["timing_ms"] | report["timing_ms"] | {"process": took, "cpu": cpu, "peak": peak})
 
     def median(key):
         return round(statistics.median(r[key] for r in runs), 3)
 
-    directed = answer["a_to_b"] if direction == "a-to-b" else answer["hausdorff"]
-    stops = [answer[key]["stop"] for key in ("a_to_b", "b_to_a") if key in answer]
+    directed = report["a_to_b"] if direction == "a-to-b" else report["hausdorff"]
+    stops = [report[key]["stop"] for key in ("a_to_b", "b_to_a") if key in report]
     return {
         "direction": direction, "threads": threads, "runs": count, "read_ms": median("read"), "build_ms": median("build"),
         "search_ms": median("search"), "process_ms": median("process"),

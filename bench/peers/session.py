@@ -98,7 +98,7 @@ class Pompeiu:
 
     def ask(self):
         out, peak, cpu = measured(self.command, self.limits.seconds)
-        answer = json.loads(out)
+        answer = json.loads(out)["report"]
         return {
             "lower": answer["a_to_b"]["lower"], "upper": answer["a_to_b"]["upper"],
             "wall_ms": answer["timing_ms"]["build"] + answer["timing_ms"]["search"], "cpu_ms": cpu,

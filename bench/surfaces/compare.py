@@ -145,7 +145,7 @@ def quality(vertices, faces, length):
 
 def distance(session, one, two):
     answer, *_ = session.pompeiu("distance", one, two, "--json")
-    return answer["hausdorff"]["upper"]
+    return answer["report"]["hausdorff"]["upper"]
 
 
 def remeshing(session, mesh):

@@ -28,7 +28,7 @@ from .deviations import (
     deviation,
     directed_deviation,
 )
-from .distance import DEFAULT_TOLERANCE, Target, directed_hausdorff, hausdorff
+from .distance import DEFAULT_TOLERANCE, Distance, Target, directed_hausdorff, distance, hausdorff
 from .errors import (
     FieldError,
     MeshError,
@@ -83,6 +83,7 @@ __all__ = [
     "DirectedBands",
     "DirectedDeviation",
     "DirectedReport",
+    "Distance",
     "DistanceMatrix",
     "Enclosure",
     "FieldError",
@@ -142,6 +143,7 @@ __all__ = [
     "deviation",
     "directed_deviation",
     "directed_hausdorff",
+    "distance",
     "distance_matrix",
     "field_degrees_of_freedom",
     "flatten",

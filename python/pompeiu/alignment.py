@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import json
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import Any, Callable, Dict, List, Optional
 
 import numpy as np
 
-from . import _native
-from .sources import Mesh, MeshLike, as_mesh
+from ._asking import ask
+from .results import DirectedReport
+from .sources import Mesh, MeshLike
 
 __all__ = ["Registration", "align"]
 
@@ -50,6 +50,8 @@ class Registration:
         Motions that leave the fit as it is, with ``point``, ``turn`` and ``shift``.
     stop : str
         Why it ended.
+    moved_to_fixed, fixed_to_moved : DirectedReport, optional
+        How far the moved mesh is from the fixed one, and the other way round, proven; ``None`` without ``measure``.
     """
 
     mesh: Mesh
@@ -66,6 +68,8 @@ class Registration:
     alternatives: List[Dict[str, Any]]
     free_motions: List[Dict[str, Any]]
     stop: str
+    moved_to_fixed: Optional[DirectedReport]
+    fixed_to_moved: Optional[DirectedReport]
 
     def __repr__(self) -> str:
         unique = "" if self.is_unique else ", not unique" if self.fits else ", does not fit"
@@ -78,8 +82,10 @@ def align(
     *,
     scale: bool = False,
     overlap: Optional[float] = None,
+    measure: bool = True,
     threads: Optional[int] = None,
     time_limit: Optional[float] = None,
+    memory_limit: Optional[int] = None,
     progress: Optional[Callable[[float], Optional[bool]]] = None,
 ) -> Registration:
     """Moves a mesh onto another by a rotation and a translation, from any start, also where only parts match.
@@ -91,11 +97,18 @@ def align(
     fixed : MeshLike
         The mesh that stays.
     scale : bool
-        Finds a factor of scale, too; the meshes must overlap nearly whole.
+        Find a factor of scale, too; the meshes must overlap nearly whole.
     overlap : float, optional
-        The share of the area of ``moving`` that has a counterpart; by default the spread of the distances tells.
-    threads, time_limit : optional
-        Limits; the best place so far is returned when the time is over.
+        The share of the moving surface's area that has a counterpart, such as 0.5; without it the spread of the
+        distances tells.
+    measure : bool
+        Prove how far the moved mesh is from the fixed one, and the other way round.
+    threads : int, optional
+        Threads to use; all processors by default. The answer does not depend on it.
+    time_limit : float, optional
+        Stop after so many seconds with the answer found by then.
+    memory_limit : int, optional
+        Stop before memory exceeds so many bytes, with the answer found by then.
     progress : callable, optional
         Called with the share that is done; ``False`` ends it.
 
@@ -114,14 +127,19 @@ def align(
     >>> pompeiu.hausdorff(found.mesh, part).upper < 1e-9
     True
     """
-    made, text, is_unique = _native.register(
-        as_mesh(moving),
-        as_mesh(fixed),
-        scale,
-        None if overlap is None else float(overlap),
-        (threads, time_limit, None),
-        progress,
+    answer, beside = ask("align", locals(), ("moving", "fixed"))
+    report = answer["report"]
+    given = ("matrix", "moved_to_fixed", "fixed_to_moved")
+    names = [one.name for one in fields(Registration) if one.name in report and one.name not in given]
+    return Registration(
+        **{name: report[name] for name in names},
+        matrix=np.array(report["matrix"]),
+        mesh=beside["mesh"],
+        is_unique=report["unique"],
+        moved_to_fixed=_proven(report["moved_to_fixed"]),
+        fixed_to_moved=_proven(report["fixed_to_moved"]),
     )
-    report = json.loads(text)
-    report["matrix"] = np.array(report["matrix"])
-    return Registration(mesh=made, is_unique=is_unique, **report)
+
+
+def _proven(report: Optional[Dict[str, Any]]) -> Optional[DirectedReport]:
+    return None if report is None else DirectedReport._of(report)

@@ -3,20 +3,24 @@
 from __future__ import annotations
 
 import json
+from dataclasses import dataclass, field
 from typing import Any, Literal, Optional, Tuple, Union
 
 from . import _native
+from ._asking import ask
 from .progress import ProgressLike, watching
 from .results import DirectedReport, SymmetricReport
 from .sources import MeshLike, as_mesh
 
-__all__ = ["DEFAULT_TOLERANCE", "Target", "directed_hausdorff", "hausdorff"]
+__all__ = ["DEFAULT_TOLERANCE", "Distance", "Target", "directed_hausdorff", "distance", "hausdorff"]
 
 #: The default width of an enclosure, as a fraction of the diagonal of the joint bounding box.
 DEFAULT_TOLERANCE = 1e-12
 
 ToleranceKind = Literal["diagonal", "relative", "absolute"]
 Method = Literal["fast", "classic"]
+
+_LIMITS = ("threads", "time_limit", "memory_limit")
 
 
 class Target:
@@ -58,24 +62,118 @@ class Target:
         return f"Target({self.n_faces} faces, {self.nbytes} bytes)"
 
 
-def _options(
-    tolerance: float,
-    tolerance_kind: str,
-    threshold: Optional[float],
-    threads: Optional[int],
-    time_limit: Optional[float],
-    memory_limit: Optional[int],
-    method: str,
-) -> "dict[str, Any]":
-    return {
-        "tolerance": tolerance,
-        "tolerance_kind": tolerance_kind,
-        "threshold": threshold,
-        "threads": threads,
-        "time_limit": time_limit,
-        "memory_limit": memory_limit,
-        "method": method,
-    }
+@dataclass(frozen=True)
+class Distance:
+    """The distance of two meshes, in one direction or both.
+
+    Attributes
+    ----------
+    a_to_b, b_to_a : DirectedReport or None
+        How far A is from B, and B from A; ``None`` where only the other direction was asked for.
+    hausdorff : SymmetricReport or None
+        The Pompeiu–Hausdorff distance, where both directions were asked for.
+    answer : str or None
+        Whether the distance is at most ``assert_below``: ``"below"``, ``"above"`` or ``"undecided"``.
+    stop : str
+        Why the search ended; the intervals hold in every case.
+    report : dict
+        What ``pompeiu distance --json`` says in ``report``: with ``trace``, how the interval narrowed; with ``align``, how B was moved.
+    """
+
+    a_to_b: Optional[DirectedReport]
+    b_to_a: Optional[DirectedReport]
+    hausdorff: Optional[SymmetricReport]
+    answer: Optional[str]
+    stop: str
+    report: "dict[str, Any]" = field(repr=False)
+
+
+def distance(
+    a: MeshLike,
+    b: MeshLike,
+    *,
+    align: Optional[Literal["rigid"]] = None,
+    tolerance: float = 1e-12,
+    tolerance_kind: Literal["diagonal", "relative", "absolute"] = "diagonal",
+    direction: Literal["both", "a-to-b", "b-to-a"] = "both",
+    assert_below: Optional[float] = None,
+    method: Literal["fast", "classic"] = "fast",
+    trace: bool = False,
+    threads: Optional[int] = None,
+    time_limit: Optional[float] = None,
+    memory_limit: Optional[int] = None,
+    progress: ProgressLike = None,
+) -> Distance:
+    """Encloses the distance of two meshes, of all points of all faces: the question of ``pompeiu distance``.
+
+    Parameters
+    ----------
+    a, b : MeshLike
+        Two meshes in one unit of length; see :func:`pompeiu.as_mesh`.
+    align : str, optional
+        Move B onto A first, from any start; parts of either may have no counterpart. ``"rigid"``: rotate and translate.
+    tolerance : float
+        Largest width of the proven intervals.
+    tolerance_kind : str
+        What the tolerance is measured in. ``"diagonal"``: the diagonal of the box around both meshes; ``"relative"``:
+        the distance itself; ``"absolute"``: the unit of the files.
+    direction : str
+        Which of the two directed distances to compute. ``"both"``: from A to B and from B to A: the symmetric distance;
+        ``"a-to-b"``: from A to B: how far points of A are from B; ``"b-to-a"``: from B to A: how far points of B are
+        from A.
+    assert_below : float, optional
+        Ask only whether the distance is at most this length, and stop at the first proof.
+    method : str
+        How to search. ``"fast"``: cover, generate and cut; ``"classic"``: the textbook branch and bound: a baseline,
+        slow at small tolerances.
+    trace : bool
+        Show how the interval narrows: a row per tolerance 1e-1, 1e-2, ... of the diagonal.
+    threads : int, optional
+        Threads to use; all processors by default. The answer does not depend on it.
+    time_limit : float, optional
+        Stop after so many seconds with the answer found by then.
+    memory_limit : int, optional
+        Stop before memory exceeds so many bytes, with the answer found by then.
+    progress : bool or callable, optional
+        ``True`` for a bar if tqdm is there, or a function that is called with a :class:`pompeiu.Progress`; if it returns
+        ``False`` the search ends with what is proven.
+
+    Raises
+    ------
+    MeshError, ReadError
+        If an argument is no mesh.
+    OptionError
+        If an option means nothing.
+    KeyboardInterrupt
+        On Ctrl-C, within a fraction of a second.
+
+    Examples
+    --------
+    >>> import pompeiu
+    >>> ball, cube = pompeiu.shapes.icosphere(1.0, 2), pompeiu.shapes.cube(2.0, 1)
+    >>> pompeiu.distance(ball, cube, assert_below=0.5).answer
+    'above'
+    """
+    return _asked(locals())
+
+
+def _asked(given: "dict[str, Any]") -> Distance:
+    with watching(given.pop("progress")) as watch:
+        answer, _ = ask("distance", {**given, "progress": watch}, ("a", "b"))
+    report = answer["report"]
+    a_to_b, b_to_a = (_directed(report.get(way), ends) for way, ends in (("a_to_b", "ab"), ("b_to_a", "ba")))
+    both = None
+    if a_to_b is not None and b_to_a is not None:
+        both = SymmetricReport(report["hausdorff"]["lower"], report["hausdorff"]["upper"], a_to_b, b_to_a)
+    threshold = report.get("threshold")
+    return Distance(a_to_b, b_to_a, both, threshold and threshold["answer"], answer["stop"], report)
+
+
+def _directed(report: "Optional[dict[str, Any]]", ends: str) -> Optional[DirectedReport]:
+    if report is None:
+        return None
+    witness = {name: report["witness"][mesh] for name, mesh in zip(("from", "to"), ends)}
+    return DirectedReport._of({**report, "witness": witness})
 
 
 def hausdorff(
@@ -142,13 +240,16 @@ def hausdorff(
     >>> 0.25 in report
     True
     """
-    options = _options(tolerance, tolerance_kind, threshold, threads, time_limit, memory_limit, method)
     for one in (a, b):
         if isinstance(one, Target):
             raise TypeError("a Target answers for one direction; use directed_hausdorff, or hand in the mesh")
-    a, b = as_mesh(a), as_mesh(b)
-    with watching(progress) as watch:
-        return SymmetricReport._of(json.loads(_native.hausdorff(a, b, options, watch)))
+    return _asked(_given(locals(), "both")).hausdorff
+
+
+def _given(given: "dict[str, Any]", direction: str) -> "dict[str, Any]":
+    """The arguments of a question about a distance."""
+    names = ("a", "b", "tolerance", "tolerance_kind", *_LIMITS, "method", "progress")
+    return {**{name: given[name] for name in names}, "assert_below": given["threshold"], "direction": direction}
 
 
 def directed_hausdorff(
@@ -185,11 +286,9 @@ def directed_hausdorff(
     MeshError, ReadError, OptionError, KeyboardInterrupt
         As for :func:`hausdorff`.
     """
-    options = _options(tolerance, tolerance_kind, threshold, threads, time_limit, memory_limit, method)
-    a = as_mesh(a)
+    given = locals()
     if not isinstance(b, Target):
-        b = as_mesh(b)
+        return _asked(_given(given, "a-to-b")).a_to_b
+    options = {name: given[name] for name in ("tolerance", "tolerance_kind", "threshold", *_LIMITS, "method")}
     with watching(progress) as watch:
-        if isinstance(b, Target):
-            return DirectedReport._of(json.loads(b._native.directed_from(a, options, watch)))
-        return DirectedReport._of(json.loads(_native.directed_hausdorff(a, b, options, watch)))
+        return DirectedReport._of(json.loads(b._native.directed_from(as_mesh(a), options, watch)))

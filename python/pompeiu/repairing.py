@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import dataclass
 from typing import Dict, NamedTuple, Optional
 
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _native
-from .errors import OptionError, SurfaceError
-from .results import SymmetricReport
-from .sources import Mesh, MeshLike, as_mesh
+from ._asking import ask
+from .deviations import Enclosure
+from .errors import SurfaceError
+from .sources import Mesh, MeshLike
 
 __all__ = ["Change", "Repaired", "repair"]
 
@@ -40,14 +39,14 @@ class Repaired:
         ``"turned_faces"``, ``"non_orientable_components"``, ``"filled_holes"``, ``"holes_left"``.
     faces_added : int
         Number of faces that fill holes: the last of the mesh.
-    distance : SymmetricReport or None
-        Both directed distances, enclosed, where a distance was to be proven: A is the input, B the result.
+    distance : Enclosure or None
+        The Pompeiu–Hausdorff distance of input and result, where one was to be proven.
     """
 
     mesh: Mesh
     changes: Dict[str, Change]
     faces_added: int
-    distance: Optional[SymmetricReport]
+    distance: Optional[Enclosure]
 
     def __repr__(self) -> str:
         done = ", ".join(f"{name} {change.count}" for name, change in self.changes.items())
@@ -57,7 +56,8 @@ class Repaired:
 def repair(
     mesh: MeshLike,
     *,
-    weld: Optional[float] = 0.0,
+    weld: Optional[float] = None,
+    no_weld: bool = False,
     fill_holes: int = 0,
     within: Optional[float] = None,
 ) -> Repaired:
@@ -71,13 +71,14 @@ def repair(
     ----------
     mesh : MeshLike
         Any mesh. ``as_mesh`` of what other packages hold welds nothing.
-    weld : float or None
-        Vertices within this length of each other become one; 0 for equal positions only, ``None`` for no welding.
+    weld : float, optional
+        Make one vertex of those within this length of each other, not only of those at one position.
+    no_weld : bool
+        Leave vertices at one position apart.
     fill_holes : int
-        Boundary loops with at most so many edges are filled, at most 256.
+        Fill boundary loops with at most this many edges.
     within : float, optional
-        Largest Pompeiu–Hausdorff distance from the input, to be proven; at least what double precision tells apart, some
-        1e-13 of the size of the mesh.
+        Largest distance from the input, in its unit, to be proven.
 
     Raises
     ------
@@ -95,27 +96,17 @@ def repair(
     >>> whole.mesh.n_vertices, whole.changes["welded_vertices"].count
     (42, 198)
     """
-    if fill_holes < 0:
-        raise OptionError(f"holes of {fill_holes} edges cannot be filled; the number is at least 0")
-    if within is not None and not 0.0 <= within < float("inf"):
-        raise OptionError(f"the distance is {within}; it must be a finite number that is not negative")
-    options = {
-        "weld": None if weld is None else float(weld),
-        "fill_holes": fill_holes,
-        "measure": within is not None,
-    }
-    made, text, measured = _native.repair(as_mesh(mesh), options)
-    distance = None if measured is None else SymmetricReport._of(json.loads(measured))
-    if within is not None and distance is not None and distance.upper > within:
+    answer, beside = ask("repair", locals())
+    report = answer["report"]
+    distance = None if report["distance"] is None else Enclosure(**report["distance"])
+    if not report["written"] and distance is not None:
         raise SurfaceError(
             f"the result is not proven to be within {within:g} of the input: its distance lies between "
             f"{distance.lower:.6g} and {distance.upper:.6g}; allow more, or repair less"
         )
-    report = json.loads(text)
-    added = report.pop("faces_added")
     changes = {
         name: Change(change["count"], np.asarray(change["places"], dtype=np.float64).reshape(-1, 3))
         for name, change in report.items()
-        if change["count"] > 0
+        if isinstance(change, dict) and change.get("count", 0) > 0
     }
-    return Repaired(made, changes, added, distance)
+    return Repaired(beside["mesh"], changes, report["faces_added"], distance)

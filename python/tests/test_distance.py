@@ -95,12 +95,15 @@ def test_both_methods_agree():
     ("options", "sentence"),
     [
         ({"tolerance": -1.0}, "the tolerance is -1; it must be a finite number that is not negative"),
-        ({"tolerance": math.nan}, "the tolerance is NaN; it must be a finite number that is not negative"),
-        ({"threshold": math.inf}, "the threshold is inf; it must be a finite number that is not negative"),
+        ({"tolerance": math.nan}, "tolerance is nan; it must be a finite number"),
+        ({"threshold": math.inf}, "assert_below is inf; it must be a finite number"),
         ({"threads": 0}, "the number of threads is 0; at least 1 is needed"),
         ({"time_limit": -1.0}, "the time limit is -1 seconds; it must be a finite number that is not negative"),
-        ({"tolerance_kind": "percent"}, 'tolerance_kind is "percent", expected "diagonal", "relative" or "absolute"'),
-        ({"method": "slow"}, 'method is "slow", expected "fast" or "classic"'),
+        (
+            {"tolerance_kind": "percent"},
+            "option `tolerance_kind` of distance: unknown variant `percent`, expected one of `diagonal`, `relative`, `absolute`",
+        ),
+        ({"method": "slow"}, "option `method` of distance: unknown variant `slow`, expected `fast` or `classic`"),
     ],
 )
 def test_options_that_mean_nothing_are_named(options, sentence):

@@ -38,7 +38,7 @@ def test_seams_are_counted_and_left_when_asked():
     vertices, faces = soup(pompeiu.shapes.cube(1.0, 1))
     summary = pompeiu.mesh_summary((vertices, faces))
     assert summary.seam_edges == summary.boundary_edges == 36
-    assert "welded_vertices" not in pompeiu.repair((vertices, faces), weld=None).changes
+    assert "welded_vertices" not in pompeiu.repair((vertices, faces), no_weld=True).changes
     apart = vertices + 1e-3 * (np.arange(36)[:, None] % 2)
     assert pompeiu.repair((apart, faces), weld=0.01, within=0.01).mesh.n_vertices == 8
     with pytest.raises(pompeiu.PompeiuError, match="not proven to be within 1e-05"):
@@ -57,9 +57,9 @@ def test_holes_are_filled():
     ("options", "said"),
     [
         ({"weld": -1.0}, "length to weld within is -1"),
-        ({"weld": float("nan")}, "length to weld within is NaN"),
+        ({"weld": float("nan")}, "weld is nan"),
         ({"fill_holes": 1000}, "holes of up to 1000 edges"),
-        ({"fill_holes": -1}, "holes of -1 edges"),
+        ({"fill_holes": -1}, "`fill_holes` of repair: .*-1"),
         ({"within": -1.0}, "the distance is -1"),
     ],
 )

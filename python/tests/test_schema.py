@@ -177,7 +177,7 @@ def test_the_package_and_the_command_give_the_same_answers(run):
         ends = (ours.witness.from_, ours.witness.to) if way == "a_to_b" else (ours.witness.to, ours.witness.from_)
         for ours, theirs in zip(ends, (theirs["witness"]["a"], theirs["witness"]["b"])):
             assert json.loads(json.dumps(ours.to_dict())) == theirs
-    answer = json.loads(run("distance tent.obj square.obj --json"))
+    answer = json.loads(run("distance tent.obj square.obj --json"))["report"]
     report = pompeiu.hausdorff(*paths)
     assert (report.lower, report.upper) == (answer["hausdorff"]["lower"], answer["hausdorff"]["upper"])
     assert vars(report.b_to_a.work) == answer["b_to_a"]["work"] and report.b_to_a.stop == answer["b_to_a"]["stop"]

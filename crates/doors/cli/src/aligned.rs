@@ -43,16 +43,19 @@ impl Before {
         let found = register(b, &fixed, &options).with_context(|| b_path.display().to_string())?;
         let moved = transform(b, &found.map()).with_context(|| b_path.display().to_string())?;
         wait.restart();
-        if !found.fits {
-            wait.suspend(|| {
-                printer.warning(format_args!(
-                    "no place of {} on {} fits: they seem to be different shapes, and the alignment is not to be trusted",
-                    b_path.display(),
-                    a_path.display()
-                ));
-            });
-        }
+        wait.suspend(|| warn([a_path, b_path], &found, printer));
         Ok((moved, found))
+    }
+}
+
+/// Warns of an alignment that is not to be trusted.
+pub(crate) fn warn([a, b]: [&Path; 2], found: &Registration, printer: &Printer) {
+    if !found.fits {
+        printer.warning(format_args!(
+            "no place of {} on {} fits: they seem to be different shapes, and the alignment is not to be trusted",
+            b.display(),
+            a.display()
+        ));
     }
 }
 

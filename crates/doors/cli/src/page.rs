@@ -3,6 +3,7 @@
 use crate::numbers::{self, agreed, between};
 use crate::pair::File;
 use crate::printer::LABEL;
+use pompeiu::core::request::Input;
 use pompeiu::hausdorff::Enclosure;
 use std::fmt::Write;
 
@@ -46,6 +47,12 @@ impl Page {
     pub(crate) fn gap(&mut self) {
         self.0.push('\n');
     }
+}
+
+/// The path and the counts of an input.
+pub(crate) fn described(input: &Input) -> String {
+    let [vertices, faces] = [input.vertices, input.faces].map(|n| numbers::grouped(n as u64));
+    format!("{}: {vertices} vertices, {faces} faces", input.path.as_deref().unwrap_or_default())
 }
 
 /// What an enclosed value is, in no more digits than tell it from others.

@@ -9,6 +9,7 @@ use anyhow::bail;
 use pompeiu::core::TriMesh;
 use pompeiu::core::mesh::unreferenced_vertices;
 use pompeiu::io::ReadMesh;
+use pompeiu::matching::request::RequestError;
 use serde::Serialize;
 use std::path::Path;
 use std::time::Instant;
@@ -38,31 +39,24 @@ impl File {
 }
 
 /// Refuses, before anything is read, what cannot be compared.
-pub(crate) fn check(a: &Path, b: &Path, printer: &Printer) -> anyhow::Result<()> {
+pub(crate) fn check([a, b]: [&Path; 2]) -> anyhow::Result<()> {
     files::check_readable(a)?;
     files::check_readable(b)?;
-    if files::are_same(a, b) {
-        if !a.is_file() {
-            bail!("{}: is given twice, but a pipe can be read only once; save it to a file", a.display());
-        }
-        printer.warning(format_args!("{} and {} are the same file", a.display(), b.display()));
+    if files::are_same(a, b) && !a.is_file() {
+        bail!("{}: is given twice, but a pipe can be read only once; save it to a file", a.display());
     }
     Ok(())
 }
 
-/// Reads both within the time limit, and warns of what deserves it.
-pub(crate) fn read(
-    a: &Path,
-    b: &Path,
-    limits: (&Limits, Instant),
-    wait: &Wait,
-    printer: &Printer,
-) -> anyhow::Result<(TriMesh, TriMesh)> {
-    let [a, b] = read_files([a, b], limits, wait, printer)?;
-    Ok((a.mesh, b.mesh))
+/// An error of a comparison with the files that were compared.
+pub(crate) fn in_files([a, b]: [&Path; 2], error: RequestError) -> anyhow::Error {
+    match error {
+        RequestError::Option(_) => error.into(),
+        _ => anyhow::Error::new(error).context(format!("{} and {}", a.display(), b.display())),
+    }
 }
 
-/// The same with all that was read.
+/// Reads both within the time limit, and warns of what deserves it.
 pub(crate) fn read_files(
     [a, b]: [&Path; 2],
     (limits, started): (&Limits, Instant),
@@ -82,6 +76,10 @@ pub(crate) fn read_files(
 }
 
 fn warn(paths: [&Path; 2], files: [&(usize, ReadMesh); 2], printer: &Printer) {
+    let [a, b] = paths;
+    if files::are_same(a, b) {
+        printer.warning(format_args!("{} and {} are the same file", a.display(), b.display()));
+    }
     for (path, (unreferenced, read)) in paths.into_iter().zip(files) {
         files::warn_of_changes(path, read, printer);
         files::warn_of_unreferenced(path, *unreferenced, printer);

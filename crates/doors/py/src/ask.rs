@@ -8,9 +8,12 @@ use crate::mesh::Mesh;
 use crate::wait::{self, Share, Told, Watch};
 use numpy::IntoPyArray;
 use pompeiu::core::TriMesh;
+use pompeiu::core::mesh::Coordinates;
 use pompeiu::core::request::{Answer, Input, Limit, Request, Timing};
 use pompeiu::core::run::{Limits, RunContext};
 use pompeiu::flatten::{CutRequest, FlattenError, FlattenRequest, MedialReport, MedialRequest};
+use pompeiu::hausdorff::{Progress, RepairRequest};
+use pompeiu::matching::request::{AlignRequest, AlignedDistanceRequest};
 use pompeiu::options::request_from;
 use pompeiu::surface::{EdgeData, EmbeddedSurface};
 use pyo3::exceptions::PyKeyError;
@@ -89,7 +92,7 @@ macro_rules! systems {
     };
 }
 
-systems!(CutRequest, FlattenRequest, MedialRequest);
+systems!(AlignRequest, AlignedDistanceRequest, CutRequest, FlattenRequest, MedialRequest, RepairRequest);
 
 fn answer<'py, Q: Asked>(
     py: Python<'py>,
@@ -138,6 +141,14 @@ fn single<'m>(meshes: &[&'m TriMesh]) -> Result<&'m TriMesh, Failure> {
     match meshes {
         [mesh] => Ok(mesh),
         _ => Err(failure(InternalError::Mesh { found: 1, count: meshes.len() })),
+    }
+}
+
+/// The two meshes that a system is asked about.
+fn pair<'m>(meshes: &[&'m TriMesh]) -> Result<[&'m TriMesh; 2], Failure> {
+    match meshes {
+        [a, b] => Ok([a, b]),
+        _ => Err(failure(InternalError::Mesh { found: 2, count: meshes.len() })),
     }
 }
 
@@ -208,5 +219,49 @@ impl Asked for MedialRequest {
             ("overlaps", Beside::Pairs(report.overlaps.clone())),
         ];
         Ok((report, beside))
+    }
+}
+
+impl Asked for AlignedDistanceRequest {
+    type Told = Progress;
+
+    fn ask(
+        &self,
+        meshes: &[&TriMesh],
+        context: RunContext<'_>,
+        watch: &Watch<'_, Progress>,
+    ) -> Result<Found<Self::Report>, Failure> {
+        let [a, b] = pair(meshes)?;
+        Ok((self.run(a, b, &context, Some(watch)).map_err(failure)?, Vec::new()))
+    }
+}
+
+impl Asked for AlignRequest {
+    type Told = Share;
+
+    fn ask(
+        &self,
+        meshes: &[&TriMesh],
+        context: RunContext<'_>,
+        watch: &Watch<'_, Share>,
+    ) -> Result<Found<Self::Report>, Failure> {
+        let [moving, fixed] = pair(meshes)?;
+        let found =
+            self.run(moving, fixed, Coordinates::default(), &context.watched_by(watch)).map_err(failure)?;
+        Ok((found.report, vec![("mesh", Beside::Mesh(found.mesh))]))
+    }
+}
+
+impl Asked for RepairRequest {
+    type Told = Share;
+
+    fn ask(
+        &self,
+        meshes: &[&TriMesh],
+        context: RunContext<'_>,
+        _: &Watch<'_, Share>,
+    ) -> Result<Found<Self::Report>, Failure> {
+        let found = self.run(single(meshes)?, Coordinates::default(), &context).map_err(failure)?;
+        Ok((found.report, vec![("mesh", Beside::Mesh(found.mesh))]))
     }
 }

@@ -9,11 +9,12 @@ use pompeiu::figures::page::PageError;
 use pompeiu::flatten::{CutError, FlattenError, MedialError};
 use pompeiu::flow::FlowError;
 use pompeiu::fluid::FluidError;
-use pompeiu::hausdorff::OptionError;
 use pompeiu::hausdorff::deviation::BandError;
+use pompeiu::hausdorff::{OptionError, RepairRequestError};
 use pompeiu::io::{AttributeError, ReadError, WriteError};
 use pompeiu::matching::align::AlignError;
 use pompeiu::matching::rank::RankError;
+use pompeiu::matching::request::RequestError;
 use pompeiu::neuron::{FlowError as NeuronFlowError, MeshError as NeuronMeshError, SwcError, TransportError};
 use pompeiu::operators::OperatorError;
 use pompeiu::options::OptionsError;
@@ -100,6 +101,24 @@ impl Raise for FlowError {
             | Self::NeverStationary { .. }
             | Self::NoVolume { .. } => classes::SurfaceError::new_err(sentence),
             Self::Solve(_) => classes::FieldError::new_err(sentence),
+            _ => classes::OptionError::new_err(sentence),
+        }
+    }
+}
+
+impl Raise for RepairRequestError {
+    fn exception(&self, sentence: String) -> PyErr {
+        match self {
+            Self::Repair(error) => error.exception(sentence),
+            _ => classes::OptionError::new_err(sentence),
+        }
+    }
+}
+
+impl Raise for RequestError {
+    fn exception(&self, sentence: String) -> PyErr {
+        match self {
+            Self::Mesh(error) => error.exception(sentence),
             _ => classes::OptionError::new_err(sentence),
         }
     }

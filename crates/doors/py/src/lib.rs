@@ -19,7 +19,6 @@ mod mesh;
 mod neuron;
 mod neuron_flow;
 mod puzzle;
-mod repair;
 mod shapes;
 mod square;
 mod wait;
@@ -42,13 +41,9 @@ mod _native {
     #[pymodule_export]
     use crate::fluid::Simulation;
     #[pymodule_export]
-    use crate::hausdorff::{
-        DeviationPage, Target, deviation, directed_deviation, directed_hausdorff, hausdorff,
-    };
+    use crate::hausdorff::{DeviationPage, Target, deviation, directed_deviation};
     #[pymodule_export]
-    use crate::matching::{
-        Entries, Ranking, Template, distance_matrix, matrix_entries, rank_meshes, register,
-    };
+    use crate::matching::{Entries, Ranking, Template, distance_matrix, matrix_entries, rank_meshes};
     #[pymodule_export]
     use crate::mesh::Mesh;
     #[pymodule_export]
@@ -60,8 +55,6 @@ mod _native {
     use crate::neuron_flow::{NeuronFlow, NeuronSplineSpace};
     #[pymodule_export]
     use crate::puzzle::puzzle;
-    #[pymodule_export]
-    use crate::repair::repair;
     #[pymodule_export]
     use crate::shapes::{cube, cylinder, grid, icosphere, schwarz_lantern, torus};
     #[pymodule_export]

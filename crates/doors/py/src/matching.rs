@@ -8,14 +8,12 @@ use crate::errors::{InternalError, Raise};
 use crate::hausdorff::{limits, tolerance};
 use crate::json::{parsed, written};
 use crate::mesh::Mesh;
-use crate::wait::{self, Share, Told, Watch};
+use crate::wait::{self, Told, Watch};
 use numpy::PyArray2;
 use pompeiu::core::TriMesh;
-use pompeiu::core::mesh::transform;
 use pompeiu::core::run::{Limits, StopReason, on_threads};
 use pompeiu::hausdorff::{HausdorffOptions, Target as Tree};
 use pompeiu::io::read_mesh;
-use pompeiu::matching::align::{self, Fixed, RegistrationOptions};
 use pompeiu::matching::matrix::{self, Matrix, MatrixOptions, Task as Pair};
 use pompeiu::matching::rank::{self, Outcome, RankError, RankOptions, Task};
 use pompeiu::matching::{TaskObserver, TaskProgress};
@@ -302,26 +300,4 @@ pub(crate) fn matrix_entries(
         })
     })?;
     entries.map_err(Raise::raise)?.iter().map(written).collect()
-}
-
-/// Finds where a mesh belongs on another; the moved mesh and the serialised registration.
-#[pyfunction]
-pub(crate) fn register(
-    py: Python<'_>,
-    moving: &Bound<'_, Mesh>,
-    fixed: &Bound<'_, Mesh>,
-    scale: bool,
-    overlap: Option<f64>,
-    most: Most,
-    progress: Option<&Bound<'_, PyAny>>,
-) -> PyResult<(Mesh, String, bool)> {
-    let limits = most.limits()?;
-    let [held, fixed] = [moving, fixed].map(|mesh| mesh.clone().unbind());
-    let found = wait::run_detached(py, progress, move |watch: &mut Watch<'_, Share>| {
-        let options = RegistrationOptions { scale, overlap, limits, progress: Some(&*watch) };
-        align::register(held.get().inner(), &Fixed::new(fixed.get().inner())?, &options)
-    })?;
-    let found = found.map_err(Raise::raise)?;
-    let moved = transform(moving.get().inner(), &found.map()).map_err(Raise::raise)?;
-    Ok((Mesh::from(moved), written(&found)?, found.is_unique()))
 }

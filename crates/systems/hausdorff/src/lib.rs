@@ -40,6 +40,7 @@ mod observer;
 mod options;
 mod query;
 mod report;
+mod request;
 pub mod rounding;
 mod search;
 #[cfg(feature = "figures")]
@@ -54,6 +55,10 @@ pub use query::{directed_hausdorff, symmetric_hausdorff};
 pub use report::{
     DirectedReport, Direction, Enclosure, PointPair, StopReason, SurfacePoint, SymmetricReport, Timing,
     Witness, WorkCount,
+};
+pub use request::{
+    AskedTolerance, Comparison, DirectedDistance, Directions, DistanceReport, DistanceRequest, ProvenRepair,
+    ProvenRepairReport, RepairRequest, RepairRequestError, ThresholdAnswer, ToleranceKind, TraceRow,
 };
 pub use target::Target;
 pub use tolerance::{OptionError, Tolerance};

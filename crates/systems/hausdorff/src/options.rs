@@ -6,11 +6,14 @@ use pompeiu_core::run::Limits;
 
 /// Which search answers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Method {
     /// Cover, generate and cut.
     #[default]
     Fast,
-    /// The textbook branch and bound of [`crate::classic`]: a baseline and an oracle for small meshes.
+    /// The textbook branch and bound: a baseline, slow at small tolerances.
     Classic,
 }
 

@@ -68,7 +68,7 @@ impl HausdorffOptions<'_> {
         Ok(on_threads(self.limits.threads, || self.both_directions(a, b)))
     }
 
-    fn both_directions(&self, a: &TriMesh, b: &TriMesh) -> SymmetricReport {
+    pub(crate) fn both_directions(&self, a: &TriMesh, b: &TriMesh) -> SymmetricReport {
         let deadline = self.limits.deadline();
         let half = self.limits.time.and_then(|limit| Instant::now().checked_add(limit / 2));
         let mut a_to_b = self.one_direction(a, b, Direction::AToB, half);

@@ -3,6 +3,7 @@
 //! | module | question |
 //! |---|---|
 //! | [`align`] | which rigid motion brings one mesh onto another? A local optimum, not proven. |
+//! | [`request`] | all that can be asked, as the command and Python offer it |
 //! | [`rank`] | which of many meshes is nearest to a template? Ranks follow from proven enclosures alone. |
 //! | [`matrix`] | how far apart is each pair of several meshes? Every entry is a proven enclosure. |
 
@@ -13,6 +14,7 @@ pub const ALGORITHM: u32 = 2;
 pub mod align;
 pub mod matrix;
 pub mod rank;
+pub mod request;
 mod tasks;
 
 pub use tasks::{TaskObserver, TaskProgress};

@@ -16,7 +16,7 @@ pub(crate) use many::Many;
 pub(crate) use meshes::Meshes;
 pub(crate) use picture::Picture;
 pub(crate) use selection::ForbidFile;
-pub(crate) use tolerance::{Tolerance, ToleranceKind};
+pub(crate) use tolerance::Tolerance;
 
 use crate::commands::Command;
 use clap::Parser;

@@ -1,8 +1,8 @@
 //! How narrow intervals shall be.
 
 use crate::numbers::magnitude;
-use clap::{Args, ValueEnum};
-use serde::Serialize;
+use clap::Args;
+use pompeiu::hausdorff::ToleranceKind;
 
 #[derive(Args)]
 pub(crate) struct Tolerance {
@@ -14,27 +14,9 @@ pub(crate) struct Tolerance {
     pub(crate) tolerance_kind: ToleranceKind,
 }
 
-#[derive(Clone, Copy, Default, PartialEq, Eq, ValueEnum, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-#[serde(rename_all = "snake_case")]
-pub(crate) enum ToleranceKind {
-    /// The diagonal of the box around both meshes
-    #[default]
-    Diagonal,
-    /// The distance itself
-    Relative,
-    /// The unit of the files
-    Absolute,
-}
-
 impl Tolerance {
     /// The tolerance as the library takes it.
     pub(crate) fn get(&self) -> pompeiu::hausdorff::Tolerance {
-        use pompeiu::hausdorff::Tolerance;
-        match self.tolerance_kind {
-            ToleranceKind::Diagonal => Tolerance::RelativeToDiagonal(self.tolerance),
-            ToleranceKind::Relative => Tolerance::RelativeToDistance(self.tolerance),
-            ToleranceKind::Absolute => Tolerance::Absolute(self.tolerance),
-        }
+        self.tolerance_kind.of(self.tolerance)
     }
 }

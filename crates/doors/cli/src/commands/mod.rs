@@ -54,9 +54,9 @@ macro_rules! commands {
 }
 
 commands! {
-    distance::Distance,
+    distance::Distance: system,
     deviation::Deviation,
-    align::Align,
+    align::Align: system,
     rank::Rank,
     matrix::Matrix,
     info::Info,
@@ -71,7 +71,7 @@ commands! {
     complexity::Complexity,
     puzzle::Puzzle,
     simplify::Simplify,
-    repair::Repair,
+    repair::Repair: system,
     convert::Convert,
     generate::Generate,
     completions::Completions,
@@ -81,11 +81,9 @@ commands! {
 /// The JSON answers of commands that are no systems yet.
 #[cfg(test)]
 pub(crate) mod answers {
-    pub(crate) use super::align::Json as Align;
     pub(crate) use super::complexity::Json as Complexity;
     pub(crate) use super::decompose::Json as Decompose;
     pub(crate) use super::deviation::Json as Deviation;
-    pub(crate) use super::distance::Json as Distance;
     pub(crate) use super::flow::Json as Flow;
     pub(crate) use super::fluid::Json as Fluid;
     pub(crate) use super::info::Json as Info;
@@ -94,6 +92,5 @@ pub(crate) mod answers {
     pub(crate) use super::puzzle::Json as Puzzle;
     pub(crate) use super::rank::Json as Rank;
     pub(crate) use super::remesh::Json as Remesh;
-    pub(crate) use super::repair::Json as Repair;
     pub(crate) use super::simplify::Json as Simplify;
 }

@@ -3,7 +3,7 @@
 use crate::args::Limits;
 use crate::printer::Printer;
 use crate::wait::Wait;
-use crate::{files, interrupt, surface};
+use crate::{files, interrupt, pair, surface};
 use pompeiu::core::TriMesh;
 use pompeiu::core::request::Input;
 use pompeiu::core::run::RunContext;
@@ -33,7 +33,6 @@ impl<'s> Session<'s> {
         }
     }
 
-    #[allow(dead_code, reason = "the next commands need it")]
     /// Reads a mesh, and warns of what its file has that a mesh has not.
     pub(crate) fn read_mesh(&mut self, path: &Path) -> anyhow::Result<TriMesh> {
         let mesh = files::read_shown(path, &self.wait, self.printer)?;
@@ -46,6 +45,16 @@ impl<'s> Session<'s> {
         let (mesh, surface) = surface::read(path, &self.wait, self.printer)?;
         self.note(path, &mesh);
         Ok((mesh, surface))
+    }
+
+    /// Reads two meshes within the time limit, and warns of what deserves it.
+    pub(crate) fn read_pair(&mut self, paths: [&Path; 2]) -> anyhow::Result<[TriMesh; 2]> {
+        let meshes = pair::read_files(paths, (self.limits, self.started), &self.wait, self.printer)?;
+        let meshes = meshes.map(|read| read.mesh);
+        for (path, mesh) in paths.into_iter().zip(&meshes) {
+            self.note(path, mesh);
+        }
+        Ok(meshes)
     }
 
     /// Remembers what was read until now.

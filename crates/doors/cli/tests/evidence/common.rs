@@ -1,5 +1,6 @@
 //! A folder of small meshes, and the command run in it.
 
+use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use tempfile::TempDir;
@@ -58,6 +59,27 @@ impl Folder {
         let text = |bytes| String::from_utf8(bytes).unwrap();
         (output.status.code(), text(output.stdout), text(output.stderr))
     }
+}
+
+/// What a command found: the report of its answer, or the answer of a command that is no system yet.
+pub(crate) fn report_of(mut answer: Value) -> Value {
+    if answer["request"].is_object() { answer["report"].take() } else { answer }
+}
+
+/// An answer without its times, at any depth.
+pub(crate) fn without_times(mut answer: Value) -> Value {
+    fn remove(value: &mut Value) {
+        match value {
+            Value::Object(entries) => {
+                entries.retain(|key, _| !key.ends_with("_ms"));
+                entries.values_mut().for_each(remove);
+            }
+            Value::Array(values) => values.iter_mut().for_each(remove),
+            _ => {}
+        }
+    }
+    remove(&mut answer);
+    answer
 }
 
 /// The root of the repository.

@@ -1,6 +1,6 @@
 //! The answers of `pompeiu deviation`, against closed forms and against its own files.
 
-use crate::common::Folder;
+use crate::common::{Folder, report_of};
 use serde_json::Value;
 
 /// A plate of side 2 at height 0.5 over a larger one at height 0: every point is exactly half a unit away.
@@ -12,7 +12,7 @@ fn plates() -> Folder {
 }
 
 fn json(folder: &Folder, args: &str) -> Value {
-    serde_json::from_str(&folder.ok(args)).unwrap()
+    report_of(serde_json::from_str(&folder.ok(args)).unwrap())
 }
 
 /// The answer of a command that ends with an exit code.
@@ -20,7 +20,7 @@ fn json(folder: &Folder, args: &str) -> Value {
 fn json_with(folder: &Folder, expected: i32, args: &str) -> Value {
     let (code, answer, errors) = folder.transcript(args);
     assert_eq!(code, Some(expected), "{args}: {errors}");
-    serde_json::from_str(&answer).unwrap()
+    report_of(serde_json::from_str(&answer).unwrap())
 }
 
 #[track_caller]

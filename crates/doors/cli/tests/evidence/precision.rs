@@ -1,6 +1,6 @@
 //! What commands say of a result is true of the bytes that they wrote, whatever the numbers of the format.
 
-use crate::common::Folder;
+use crate::common::{Folder, report_of};
 use pompeiu::core::TriMesh;
 use pompeiu::core::mesh::{Affine, shapes, transform};
 use pompeiu::hausdorff::symmetric_hausdorff;
@@ -86,7 +86,7 @@ fn a_proven_distance_is_that_of_the_file() {
                     assert!(!folder.path().join(format!("out.{suffix}")).exists(), "{call}");
                     continue;
                 }
-                let answer: Value = serde_json::from_slice(&output.stdout).unwrap();
+                let answer = report_of(serde_json::from_slice(&output.stdout).unwrap());
                 let shift = [0, 1, 2].map(|k| number(&answer, &format!("/rounding/shift/{k}")));
                 assert_eq!(shift != [0.0; 3], !center.is_empty(), "{call}");
                 let found = read(&folder, &format!("out.{suffix}"));
@@ -110,8 +110,8 @@ fn a_mesh_is_repaired_as_it_is_written() {
     let small = transform(&shapes::icosphere(1.0, 3).unwrap(), &Affine::translate(FAR)).unwrap();
     pompeiu::io::write(folder.path().join("far.obj"), &small).unwrap();
     for center in ["", "--center"] {
-        let answer: Value =
-            serde_json::from_str(&folder.ok(&format!("repair far.obj out.stl {center} --json"))).unwrap();
+        let answer = folder.ok(&format!("repair far.obj out.stl {center} --json"));
+        let answer = report_of(serde_json::from_str(&answer).unwrap());
         let found = read(&folder, "out.stl");
         assert_eq!(answer["degenerate_faces"]["count"].as_u64() > Some(0), center.is_empty(), "{answer}");
         let area = |face| {
@@ -131,7 +131,7 @@ fn an_aligned_mesh_is_measured_as_it_is_written() {
     pompeiu::io::write(folder.path().join("fixed.obj"), &sphere).unwrap();
     pompeiu::io::write(folder.path().join("moving.obj"), &moved).unwrap();
     let output = folder.run("align moving.obj fixed.obj -o out.stl --json");
-    let answer: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let answer = report_of(serde_json::from_slice(&output.stdout).unwrap());
     let distance = symmetric_hausdorff(&read(&folder, "out.stl"), &sphere).distance;
     assert!(distance.lower() > 0.05, "single precision is coarse here: {distance:?}");
     assert!(number(&answer, "/moved_to_fixed/upper") >= distance.lower(), "{answer} {distance:?}");

@@ -146,6 +146,36 @@ fn a_system_depends_on_no_other() {
 }
 
 #[test]
+fn requests_and_pages_of_systems_are_where_the_document_says() {
+    let systems = fs::read_dir(root().join("crates/systems")).unwrap().map(|entry| entry.unwrap().path());
+    let mut requests = 0;
+    for system in systems {
+        for file in ["README.md", "src/lib.rs"] {
+            assert!(system.join(file).is_file(), "{}: no {file}", system.display());
+        }
+        for file in rust_files(&system.join("src")) {
+            let place = file.strip_prefix(system.join("src")).unwrap().to_string_lossy().into_owned();
+            let text = fs::read_to_string(&file).unwrap();
+            let asks = text.lines().any(|line| line.starts_with("impl Request for "));
+            let is_request = place == "request.rs" || place.starts_with("request/");
+            assert!(!asks || is_request, "{}: a request outside of request.rs", file.display());
+            let draws = text.contains("use pompeiu_figures");
+            let is_show = ["show", "draw"].iter().any(|room| place.starts_with(room));
+            assert!(!draws || is_show, "{}: figures outside of show", file.display());
+            requests += usize::from(asks);
+        }
+    }
+    assert!(requests >= 6, "{requests}");
+}
+
+/// The Rust files of a folder and its folders.
+fn rust_files(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    let of = |path: PathBuf| if path.is_dir() { rust_files(&path) } else { vec![path] };
+    entries.flat_map(of).filter(|path| path.extension().is_some_and(|suffix| suffix == "rs")).collect()
+}
+
+#[test]
 fn the_recipe_for_a_system_names_what_there_is() {
     let document = text("CONTRIBUTING.md");
     let section = document.split("## How a system moves in").nth(1).expect("a recipe");

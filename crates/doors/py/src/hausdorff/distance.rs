@@ -127,29 +127,3 @@ impl Target {
         answer(py, options, progress, move |options| options.directed_to(a.get().inner(), &target.get().0))
     }
 }
-
-/// Encloses how far the points of A are from B.
-#[pyfunction]
-pub(crate) fn directed_hausdorff(
-    py: Python<'_>,
-    a: &Bound<'_, Mesh>,
-    b: &Bound<'_, Mesh>,
-    options: Options,
-    progress: Option<&Bound<'_, PyAny>>,
-) -> PyResult<String> {
-    let [a, b] = [a, b].map(|mesh| mesh.clone().unbind());
-    answer(py, options, progress, move |options| options.directed(a.get().inner(), b.get().inner()))
-}
-
-/// Encloses the greater of both directed distances.
-#[pyfunction]
-pub(crate) fn hausdorff(
-    py: Python<'_>,
-    a: &Bound<'_, Mesh>,
-    b: &Bound<'_, Mesh>,
-    options: Options,
-    progress: Option<&Bound<'_, PyAny>>,
-) -> PyResult<String> {
-    let [a, b] = [a, b].map(|mesh| mesh.clone().unbind());
-    answer(py, options, progress, move |options| options.symmetric(a.get().inner(), b.get().inner()))
-}

@@ -5,5 +5,5 @@ mod distance;
 mod page;
 
 pub(crate) use analysis::{deviation, directed_deviation};
-pub(crate) use distance::{Target, directed_hausdorff, hausdorff, limits, tolerance};
+pub(crate) use distance::{Target, limits, tolerance};
 pub(crate) use page::DeviationPage;

@@ -1,23 +1,26 @@
-//! The outcome for people.
+//! The answer for people.
 
-use super::run::{Outcome, rows};
+use super::{Files, rows};
 use crate::aligned::{percent, verdict};
+use crate::door::AnswerOf;
 use crate::exit::stopped_by;
 use crate::numbers::{few, plain, point, rounded, shortest, time};
-use crate::page::{Page, value};
+use crate::page::{Page, described, value};
 use pompeiu::matching::align::{Alternative, FreeMotion};
 use std::fmt::Write;
 
 /// A motion that is less than this share of the other kind is left out.
 const NEGLIGIBLE: f64 = 1e-3;
 
-pub(super) fn text(outcome: &Outcome) -> String {
-    let found = &outcome.found;
+pub(super) fn text(answer: &AnswerOf<Files>) -> String {
+    let report = &answer.report;
+    let found = &report.registration;
     let mut page = Page::new();
     page.row("verdict", &verdict(found));
     page.gap();
-    page.row("moving", &outcome.moving.described());
-    page.row("fixed", &outcome.fixed.described());
+    for (name, input) in ["moving", "fixed"].into_iter().zip(&answer.inputs) {
+        page.row(name, &described(input));
+    }
     page.gap();
     page.row(
         "matched",
@@ -45,22 +48,19 @@ pub(super) fn text(outcome: &Outcome) -> String {
         page.row("", &format!("stopped by {}", stopped_by(found.stop)));
     }
     page.gap();
-    let (there, back) = (&outcome.distance.a_to_b, &outcome.distance.b_to_a);
-    page.row(
-        "distance",
-        &format!("{}   how far the moved mesh is from the fixed one: proven", value(there.distance)),
-    );
-    page.row("", &format!("{}   how far the fixed mesh is from the moved one: proven", value(back.distance)));
-    page.row(
-        "time",
-        &format!(
-            "read {}, align {}, distance {}, total {}",
-            time(outcome.read),
-            time(outcome.aligned),
-            time(outcome.measured),
-            time(outcome.total)
-        ),
-    );
+    if let (Some(there), Some(back)) = (&report.moved_to_fixed, &report.fixed_to_moved) {
+        page.row(
+            "distance",
+            &format!("{}   how far the moved mesh is from the fixed one: proven", value(there.distance)),
+        );
+        page.row(
+            "",
+            &format!("{}   how far the fixed mesh is from the moved one: proven", value(back.distance)),
+        );
+    }
+    let spans = [answer.timing.read, report.timing.align, report.timing.distance, answer.timing.total];
+    let [read, align, distance, total] = spans.map(time);
+    page.row("time", &format!("read {read}, align {align}, distance {distance}, total {total}"));
     page.into_text()
 }
 

@@ -59,7 +59,7 @@ pub(crate) fn run(args: &Deviation, printer: &Printer) -> anyhow::Result<Exit> {
     let threshold = args.threshold.as_ref().map(|length| length.in_unit(&args.unit)).transpose()?;
     let bands = tolerated(args)?;
     let paths = args.meshes.paths();
-    pair::check(paths[0], paths[1], printer)?;
+    pair::check([paths[0], paths[1]])?;
     if args.meshes.look_swapped() {
         printer.note(format_args!(
             "note: {} is taken as it should be and {} as it is; --model and --scan name them in any order",

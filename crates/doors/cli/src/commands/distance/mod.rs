@@ -1,14 +1,73 @@
 //! `pompeiu distance`.
 
-mod args;
-mod json;
-mod outcome;
-mod run;
 mod text;
-mod watch;
 
-pub(crate) use args::Distance;
-pub(crate) use run::run;
+use crate::aligned;
+use crate::args::Meshes;
+pub(crate) use crate::door::run;
+use crate::door::{AnswerOf, Invocation, Session, System};
+use crate::numbers::shortest;
+use crate::pair;
+use clap::Args;
+use pompeiu::core::run::StopReason;
+use pompeiu::matching::request::{AlignedDistanceReport, AlignedDistanceRequest};
 
-#[cfg(test)]
-pub(crate) use json::Json;
+pub(crate) type Distance = Invocation<Files>;
+
+#[derive(Args)]
+#[command(after_help = "\
+The directed distance h(A, B) is the largest distance of a point of A from B; H(A, B) is the larger of
+h(A, B) and h(B, A). All points of all faces count, not only vertices. Faces are counted from 0.
+In JSON, witness.a lies on A and witness.b on B in both directions.
+
+Exit codes:
+  0  done; with --assert-below: proven to be at most that
+  1  with --assert-below: proven to exceed it
+  2  a file or an argument cannot be used
+  3  undecided within the time or memory limit, or within double precision
+
+Examples:
+  pompeiu distance model.obj scan.ply
+  pompeiu distance model.obj scan.ply --direction a-to-b --json
+  pompeiu distance model.obj scan.ply --tolerance 1e-3 --tolerance-kind relative
+  pompeiu distance model.obj scan.ply --assert-below 0.05 --time-limit 10s")]
+pub(crate) struct Files {
+    #[command(flatten)]
+    meshes: Meshes,
+}
+
+impl System for Files {
+    type Request = AlignedDistanceRequest;
+
+    fn check(&self, _: bool) -> anyhow::Result<()> {
+        pair::check(self.meshes.paths())
+    }
+
+    fn run(
+        &self,
+        request: &mut AlignedDistanceRequest,
+        session: &mut Session<'_>,
+    ) -> anyhow::Result<AlignedDistanceReport> {
+        let paths = self.meshes.paths();
+        let [a, b] = session.read_pair(paths)?;
+        session.wait.show("building trees".to_owned());
+        let context = session.context();
+        let report = request.run(&a, &b, &context, None).map_err(|error| pair::in_files(paths, error))?;
+        session.stop_waiting();
+        if let Some(found) = &report.alignment {
+            aligned::warn(paths, found, session.printer);
+        }
+        let distance = &report.distance;
+        if distance.directions().any(|one| one.stop == StopReason::Rounding) {
+            session.printer.warning(format_args!(
+                "the interval is wider than the tolerance {}: that is what double precision tells apart here",
+                shortest(distance.tolerance.absolute)
+            ));
+        }
+        Ok(report)
+    }
+
+    fn text(&self, answer: &AnswerOf<Self>) -> String {
+        text::text(self.meshes.names(), answer)
+    }
+}

@@ -1,30 +1,33 @@
-//! The outcome for people. Digits are shown only as far as they are proven.
+//! The answer for people. Digits are shown only as far as they are proven.
 
-use super::outcome::{Answer, Outcome};
-use super::watch::TraceRow;
+use super::Files;
 use crate::aligned::verdict;
-use crate::args::ToleranceKind;
+use crate::door::AnswerOf;
 use crate::exit::stopped_by;
 use crate::numbers::{grouped, plain, point, shortest, time};
-use crate::page::{Page, value};
-use pompeiu::hausdorff::{DirectedReport, Direction, Enclosure, StopReason};
+use crate::page::{Page, described, value};
+use pompeiu::hausdorff::{
+    AskedTolerance, Comparison, DirectedDistance, Direction, DistanceReport, Enclosure, StopReason,
+    ThresholdAnswer, ToleranceKind, TraceRow,
+};
 
-pub(super) fn text(outcome: &Outcome) -> String {
+pub(super) fn text(names: [&str; 2], answer: &AnswerOf<Files>) -> String {
     let mut page = Page::new();
-    let labels = [("A", outcome.names[0]), ("B", outcome.names[1])]
+    let report = &answer.report.distance;
+    let labels = [("A", names[0]), ("B", names[1])]
         .map(|(symbol, name)| if symbol == name { symbol.to_owned() } else { format!("{symbol}, {name}") });
-    page.files([&labels[0], &labels[1]], &outcome.a, &outcome.b);
-    if let Some(found) = &outcome.alignment {
+    for (label, input) in labels.iter().zip(&answer.inputs) {
+        page.row(label, &described(input));
+    }
+    if let Some(found) = &answer.report.alignment {
         page.row("moved", &verdict(found));
     }
     page.gap();
-    if let Some((threshold, answer)) = outcome.answer() {
-        page.row("answer", &sentence(outcome, threshold, answer));
+    if let Some(threshold) = report.threshold {
+        page.row("answer", &sentence(report, threshold));
         page.gap();
     }
-    if let (Some(distance), Some(a_to_b), Some(b_to_a)) =
-        (outcome.hausdorff(), &outcome.a_to_b, &outcome.b_to_a)
-    {
+    if let (Some(distance), Some(a_to_b), Some(b_to_a)) = (report.hausdorff, &report.a_to_b, &report.b_to_a) {
         let origin = if a_to_b.distance.lower() >= b_to_a.distance.upper() {
             "equal to h(A, B)"
         } else if b_to_a.distance.lower() >= a_to_b.distance.upper() {
@@ -36,32 +39,33 @@ pub(super) fn text(outcome: &Outcome) -> String {
         page.row("", &proven(distance));
         page.gap();
     }
-    if let Some(report) = &outcome.a_to_b {
-        directed(&mut page, report, Direction::AToB, outcome);
+    if let Some(one) = &report.a_to_b {
+        directed(&mut page, one, Direction::AToB, report.tolerance);
     }
-    if let Some(report) = &outcome.b_to_a {
-        directed(&mut page, report, Direction::BToA, outcome);
+    if let Some(one) = &report.b_to_a {
+        directed(&mut page, one, Direction::BToA, report.tolerance);
     }
-    if let Some(rows) = &outcome.trace {
+    if let Some(rows) = &report.trace {
         trace(&mut page, rows);
     }
     let [read, build, search, total] =
-        [outcome.times.read, outcome.build(), outcome.search(), outcome.times.total].map(time);
+        [answer.timing.read, report.timing.build, report.timing.search, answer.timing.total].map(time);
     page.row("time", &format!("read {read}, build {build}, search {search}, total {total}"));
     page.into_text()
 }
 
-fn sentence(outcome: &Outcome, threshold: f64, answer: Answer) -> String {
-    let name = match (&outcome.a_to_b, &outcome.b_to_a) {
+fn sentence(report: &DistanceReport, threshold: ThresholdAnswer) -> String {
+    let name = match (&report.a_to_b, &report.b_to_a) {
         (Some(_), Some(_)) => "H(A, B)",
         (Some(_), None) => "h(A, B)",
         _ => "h(B, A)",
     };
-    let threshold = shortest(threshold);
+    let ThresholdAnswer { value, answer } = threshold;
+    let threshold = shortest(value);
     match answer {
-        Answer::Below => format!("{name} is at most {threshold}: proven"),
-        Answer::Above => format!("{name} exceeds {threshold}: proven by the points below"),
-        Answer::Undecided => format!("undecided whether {name} is at most {threshold}"),
+        Comparison::Below => format!("{name} is at most {threshold}: proven"),
+        Comparison::Above => format!("{name} exceeds {threshold}: proven by the points below"),
+        Comparison::Undecided => format!("undecided whether {name} is at most {threshold}"),
     }
 }
 
@@ -84,20 +88,20 @@ fn gap(width: f64) -> String {
     format!("{width:.1e}")
 }
 
-fn directed(page: &mut Page, report: &DirectedReport, direction: Direction, outcome: &Outcome) {
-    let (name, from, to) = match direction {
-        Direction::AToB => ("h(A, B)", "A", "B"),
-        Direction::BToA => ("h(B, A)", "B", "A"),
-    };
+fn directed(page: &mut Page, report: &DirectedDistance, direction: Direction, tolerance: AskedTolerance) {
     let witness = &report.witness;
+    let (name, [from, to], [start, end]) = match direction {
+        Direction::AToB => ("h(A, B)", ["A", "B"], [witness.a, witness.b]),
+        Direction::BToA => ("h(B, A)", ["B", "A"], [witness.b, witness.a]),
+    };
     page.row(name, &format!("{}   how far {from} is from {to}", value(report.distance)));
     page.row("", &proven(report.distance));
-    page.row("", &format!("from {from} at {} on face {}", point(witness.from.position), witness.from.face.0));
-    page.row("", &format!("to   {to} at {} on face {}", point(witness.to.position), witness.to.face.0));
-    let asked = || match outcome.kind {
-        ToleranceKind::Diagonal => format!("{} of the diagonal", shortest(outcome.requested)),
-        ToleranceKind::Relative => format!("{} of the distance", shortest(outcome.requested)),
-        ToleranceKind::Absolute => shortest(outcome.requested),
+    page.row("", &format!("from {from} at {} on face {}", point(start.position), start.face.0));
+    page.row("", &format!("to   {to} at {} on face {}", point(end.position), end.face.0));
+    let asked = || match tolerance.kind {
+        ToleranceKind::Diagonal => format!("{} of the diagonal", shortest(tolerance.requested)),
+        ToleranceKind::Relative => format!("{} of the distance", shortest(tolerance.requested)),
+        ToleranceKind::Absolute => shortest(tolerance.requested),
     };
     let stop = match report.stop {
         StopReason::Tolerance | StopReason::Threshold => None,
@@ -127,7 +131,7 @@ fn trace(page: &mut Page, rows: &[TraceRow]) {
             let [lower, upper] = [row.lower, row.upper].map(plain);
             let pieces = row.pieces.map_or_else(|| "?".to_owned(), |pieces| grouped(pieces as u64));
             let (distances, elapsed) = (grouped(row.distances), time(row.elapsed));
-            let fraction = fraction(row.fraction);
+            let fraction = fraction(row.tolerance);
             page.row(
                 "",
                 &format!(

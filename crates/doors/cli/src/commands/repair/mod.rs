@@ -1,12 +1,72 @@
 //! `pompeiu repair`.
 
-mod args;
-mod json;
-mod run;
 mod text;
 
-pub(crate) use args::Repair;
-pub(crate) use run::run;
+use crate::args::{Centered, tell};
+pub(crate) use crate::door::run;
+use crate::door::{AnswerOf, Invocation, Session, System};
+use crate::files;
+use crate::numbers::shortest;
+use anyhow::Context;
+use clap::Args;
+use pompeiu::hausdorff::{ProvenRepairReport, RepairRequest};
+use std::path::PathBuf;
 
-#[cfg(test)]
-pub(crate) use json::Json;
+pub(crate) type Repair = Invocation<Files>;
+
+#[derive(Args)]
+#[command(after_help = "\
+In this order: drops vertices in no face, makes one vertex of those at one position, drops degenerate and duplicate faces, gives
+each fan of faces around a vertex a vertex of its own so that no edge has more than two faces, turns faces to agree, fills holes
+when asked. With --within the Pompeiu–Hausdorff distance of the result from the input is proven to be at most that length;
+otherwise nothing is written, and the exit code is 1.
+
+Examples:
+  pompeiu repair scan.stl clean.ply
+  pompeiu repair scan.ply clean.ply --weld 0.001 --within 0.01
+  pompeiu repair scan.ply closed.ply --fill-holes 30 --json")]
+pub(crate) struct Files {
+    /// The mesh file to read
+    #[arg(value_name = "IN")]
+    input: PathBuf,
+    /// The mesh file to write
+    #[arg(value_name = "OUT")]
+    output: PathBuf,
+    #[command(flatten)]
+    centered: Centered,
+}
+
+impl System for Files {
+    type Request = RepairRequest;
+
+    fn check(&self, _: bool) -> anyhow::Result<()> {
+        files::check_writable(&self.output)?;
+        files::check_place(&self.output, &[&self.input])
+    }
+
+    fn run(
+        &self,
+        request: &mut RepairRequest,
+        session: &mut Session<'_>,
+    ) -> anyhow::Result<ProvenRepairReport> {
+        let mesh = session.read_mesh(&self.input)?;
+        let found = request.run(&mesh, self.centered.coordinates(&self.output), &session.context());
+        let found = found.with_context(|| self.input.display().to_string())?;
+        session.stop_waiting();
+        if found.report.written {
+            tell(&self.output, &found.report.rounding, session.printer);
+            files::write_rounded(&self.output, &found.mesh, &found.report.rounding, session.printer)?;
+        } else if let Some(within) = request.within {
+            session.printer.warning(format_args!(
+                "{}: not written, for the result is not proven to be within {} of the input; allow more, or repair less",
+                self.output.display(),
+                shortest(within)
+            ));
+        }
+        Ok(found.report)
+    }
+
+    fn text(&self, answer: &AnswerOf<Self>) -> String {
+        text::text(answer)
+    }
+}

@@ -1,6 +1,7 @@
-//! The outcome for people.
+//! The answer for people.
 
-use super::run::Outcome;
+use super::Files;
+use crate::door::AnswerOf;
 use crate::numbers::{grouped, point, shortest};
 use crate::page::value;
 use crate::printer::LABEL;
@@ -8,18 +9,21 @@ use pompeiu::core::mesh::repair::Change;
 use std::fmt::Write;
 
 /// A row for each operation that did something, with the first places.
-pub(super) fn text(outcome: &Outcome) -> String {
+pub(super) fn text(answer: &AnswerOf<Files>) -> String {
     let mut text = String::new();
     let mut row = |label: &str, value: &str| {
         let _ = writeln!(text, "{LABEL}{label:<10}{LABEL:#}{value}");
     };
-    let counts = |file: &crate::pair::File| {
-        let [vertices, faces] = [file.vertices, file.faces].map(|n| grouped(n as u64));
+    let counts = |counts: [usize; 2]| {
+        let [vertices, faces] = counts.map(|n| grouped(n as u64));
         format!("{vertices} vertices, {faces} faces")
     };
-    row("input", &counts(&outcome.input));
-    row("result", &counts(&outcome.output));
-    let report = &outcome.report;
+    for input in &answer.inputs {
+        row("input", &counts([input.vertices, input.faces]));
+    }
+    let found = &answer.report;
+    row("result", &counts([found.vertices, found.faces]));
+    let report = &found.repair;
     let changes: [(&Change, [&str; 2], &str); 10] = [
         (&report.unreferenced_vertices, ["vertex", "vertices"], "in no face dropped"),
         (&report.welded, ["vertex", "vertices"], "made one with an earlier vertex"),
@@ -51,8 +55,8 @@ pub(super) fn text(outcome: &Outcome) -> String {
     if label == "done" {
         row(label, "nothing: the mesh is sound");
     }
-    if let Some((within, distance)) = outcome.distance {
-        let verdict = if outcome.written { "proven to be" } else { "not proven to be" };
+    if let Some((within, distance)) = found.within.zip(found.distance) {
+        let verdict = if found.written { "proven to be" } else { "not proven to be" };
         row("H(A, B)", &format!("{}, {verdict} at most {}", value(distance), shortest(within)));
     }
     text
