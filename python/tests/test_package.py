@@ -5,7 +5,6 @@ import doctest
 import importlib
 import inspect
 import pkgutil
-import re
 import shutil
 import sys
 from pathlib import Path
@@ -80,9 +79,11 @@ def test_the_version_is_that_of_the_crates(repository):
 
 
 def test_only_numpy_is_needed():
-    imports = re.compile(r"^ *(?:from|import) +([a-zA-Z_.]+)", re.MULTILINE)
     for file in FOLDER.glob("*.py"):
-        for name in imports.findall(file.read_text(encoding="utf-8")):
+        nodes = list(ast.walk(ast.parse(file.read_text(encoding="utf-8"))))
+        imported = [one.name for node in nodes if isinstance(node, ast.Import) for one in node.names]
+        imported += ["." * node.level + (node.module or "") for node in nodes if isinstance(node, ast.ImportFrom)]
+        for name in imported:
             known = {"numpy", *sys.stdlib_module_names}
             if (file.stem, name) in {("ray", "ray"), ("progress", "tqdm.auto")}:
                 continue
