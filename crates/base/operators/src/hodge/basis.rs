@@ -106,8 +106,8 @@ const PASSES: usize = 2;
 /// Closed forms, and the gradients that make their fields harmonic.
 ///
 /// A harmonic field is `w + ∇p`, with `w` the field of a closed form, nonzero near a few edges, and a potential `p`. Forms,
-/// potentials and coefficients are stored; dense fields are made one at a time. As a harmonic field is orthogonal to gradients, `⟨w
-/// + ∇p, h⟩ = ⟨w, h⟩` for any other harmonic field h: a sum over the faces along the form.
+/// potentials and coefficients are stored; dense fields are made one at a time. As a harmonic field is orthogonal to gradients,
+/// `⟨w + ∇p, h⟩ = ⟨w, h⟩` for any other harmonic field h: a sum over the faces along the form.
 struct Combinations<'s> {
     surface: &'s Surface,
     forms: Vec<Chain>,

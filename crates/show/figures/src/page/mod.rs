@@ -156,6 +156,7 @@ impl Page {
 
     /// Adds a mesh again with other vertex positions, possibly in another space. The two meshes are linked.
     ///
+    /// # Errors
     /// [`PageError`] if the number of positions differs from the number of vertices, a coordinate is not finite, or the mesh has no
     /// vertices of its own because it is made of polygons.
     pub fn add_moved_mesh(
@@ -421,6 +422,7 @@ impl Page {
 
     /// Adds a card beside the view.
     ///
+    /// # Errors
     /// [`PageError`] if it refers to a part that the page does not have, a number is not finite, an interval is reversed, or lists
     /// that belong together differ in length.
     pub fn add_card(&mut self, card: Card) -> Result<(), PageError> {
