@@ -29,6 +29,8 @@ pub(super) struct Ends<'e> {
     pub(super) a: &'e TriMesh,
     pub(super) b_part: &'e TriMesh,
     pub(super) b: &'e TriMesh,
+    /// How far the parts are at most, where that is known.
+    pub(super) farthest: [Option<f64>; 2],
 }
 
 impl DeviationOptions<'_> {
@@ -40,7 +42,7 @@ impl DeviationOptions<'_> {
         self.check()?;
         Ok(on_threads(self.limits.threads, || {
             let room = self.limits.memory.map(|most| memory::room(most, a, b, 0));
-            self.one_direction([a, b], Direction::AToB, self.deadline(1), room).report
+            self.one_direction([a, b], Direction::AToB, None, self.deadline(1), room).report
         }))
     }
 
@@ -50,17 +52,17 @@ impl DeviationOptions<'_> {
     /// # Errors
     /// [`DeviationOptions::check`].
     pub fn symmetric(&self, a: &TriMesh, b: &TriMesh) -> Result<Deviation, OptionError> {
-        self.symmetric_of_parts([a, a], [b, b])
+        self.symmetric_of_parts([a, a], [b, b], [None; 2])
     }
 
-    pub(super) fn of_ends(&self, Ends { a_part, a, b_part, b }: Ends<'_>) -> Deviation {
+    pub(super) fn of_ends(&self, Ends { a_part, a, b_part, b, farthest }: Ends<'_>) -> Deviation {
         let (half, whole) = (self.deadline(2), self.deadline(1));
         let room = |from, to, held| self.limits.memory.map(|most| memory::room(most, from, to, held));
         let both = room(a_part, b, 0).zip(room(b_part, a, memory::of_report(a_part)));
         let first = both.map(|(there, back)| there.min(back) / 2);
-        let there = self.one_direction([a_part, b], Direction::AToB, half, first);
+        let there = self.one_direction([a_part, b], Direction::AToB, farthest[0], half, first);
         let rest = room(b_part, a, there.bytes());
-        let back = self.one_direction([b_part, a], Direction::BToA, whole, rest);
+        let back = self.one_direction([b_part, a], Direction::BToA, farthest[1], whole, rest);
         self.both(a, b, there, back)
     }
 
@@ -108,6 +110,7 @@ impl DeviationOptions<'_> {
         &self,
         [from, to]: [&TriMesh; 2],
         direction: Direction,
+        farthest: Option<f64>,
         deadline: Option<Instant>,
         room: Option<usize>,
     ) -> Outcome {
@@ -122,13 +125,13 @@ impl DeviationOptions<'_> {
             let stop = if too_small { StopReason::Memory } else { StopReason::Time };
             let options = HausdorffOptions::default();
             let question = Question { options: &options, direction, deadline };
-            let distance = coarse::bound_quickly(&question, from, to, stop);
+            let distance = coarse::bound_quickly(&question, from, to, stop).at_most(farthest);
             let floor = Self::floor(&frame, &joint, rounding);
             return unknown(self, from, &frame, direction, floor, distance, stop);
         }
         let target = Target::in_frame(to, frame);
         let build = started.elapsed();
-        let pair = Pair { from, to, target: &target, direction, deadline, room };
+        let pair = Pair { from, to, target: &target, direction, farthest, deadline, room };
         let mut outcome = run(self, &pair);
         outcome.report.work.build = build;
         outcome

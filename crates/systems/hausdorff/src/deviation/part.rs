@@ -3,17 +3,20 @@
 use super::analysis::Ends;
 use super::connected::{Sets, Touching, places};
 use super::entry::Sum;
-use super::measure;
+use super::linear::greater;
+use super::measure::{self, VertexDistances};
 use super::options::DeviationOptions;
 use super::report::{Deviation, DirectedDeviation};
 use super::statistics::share_of;
 use crate::engine::joint_frame;
-use crate::report::Enclosure;
+use crate::observer::{Observer, Progress};
+use crate::report::{Direction, Enclosure};
+use crate::search::{Limits, Local, Scene, Start, search_each};
 use crate::target::Target;
 use crate::tolerance::OptionError;
 use pompeiu_core::geom::{Aabb, Frame};
-use pompeiu_core::run::on_threads;
-use pompeiu_core::spatial::{Bvh, Workspace, morton_order};
+use pompeiu_core::run::{Control, on_threads};
+use pompeiu_core::spatial::{Bvh, Neighbours, Workspace, morton_order};
 use pompeiu_core::{FaceId, TriMesh};
 use rayon::prelude::*;
 
@@ -26,6 +29,8 @@ pub struct Part {
     pub faces: Vec<FaceId>,
     /// What is not in it.
     pub left_out: LeftOut,
+    /// No point of it is known to be farther than this from the other mesh, if it was chosen so ([`DeviationOptions::within`]).
+    pub farthest: Option<f64>,
 }
 
 /// What of a mesh is left out.
@@ -53,7 +58,7 @@ impl Part {
             components: count_components(mesh, |face| !kept[face as usize]),
             share: share(mesh, |face| !kept[face as usize]),
         };
-        Some(Self { mesh: part, faces, left_out })
+        Some(Self { mesh: part, faces, left_out, farthest: None })
     }
 
     /// Only the faces of it that are wanted, by their places in the whole mesh `of`.
@@ -164,7 +169,8 @@ fn boundary(mesh: &TriMesh) -> Option<TriMesh> {
 }
 
 impl DeviationOptions<'_> {
-    /// How far parts of A and B are from the other mesh as a whole. Faces in the report are those of the parts.
+    /// How far parts of A and B are from the other mesh as a whole. Faces in the report are those of the parts. Of each part may be known how
+    /// far its farthest point is at most ([`Part::farthest`]): no more is reported then, though limits end the work early.
     ///
     /// # Errors
     /// [`DeviationOptions::check`].
@@ -172,30 +178,115 @@ impl DeviationOptions<'_> {
         &self,
         [a_part, a]: [&TriMesh; 2],
         [b_part, b]: [&TriMesh; 2],
+        farthest: [Option<f64>; 2],
     ) -> Result<Deviation, OptionError> {
         self.check()?;
-        let ends = Ends { a_part, a, b_part, b };
+        let ends = Ends { a_part, a, b_part, b, farthest };
         Ok(on_threads(self.limits.threads, || self.of_ends(ends)))
     }
 
-    /// For each face of A an enclosure of the distance of its farthest point from B, to about one part in 256, whatever else the
-    /// options ask for.
+    /// The faces of a part that do not reach farther than a length from another mesh; none if there is no such face. Faces that reach just so
+    /// far, as far as double precision tells, stay; those of which limits leave it open do not. Of the options only the limits and the
+    /// observer matter.
     ///
     /// # Errors
     /// [`DeviationOptions::check`].
-    pub fn farthest_of_faces(&self, a: &TriMesh, b: &TriMesh) -> Result<Vec<Enclosure>, OptionError> {
-        let options = Self {
-            accuracy: 1.0,
-            threshold: None,
-            percentiles: Vec::new(),
-            bins: 0,
-            regions: 0,
-            signed: false,
-            ..self.clone()
+    pub fn within(
+        &self,
+        part: &Part,
+        whole: &TriMesh,
+        other: &TriMesh,
+        length: f64,
+    ) -> Result<Option<Part>, OptionError> {
+        self.check()?;
+        let farthest = on_threads(self.limits.threads, || self.farthest_if_within(&part.mesh, other, length));
+        let mut kept = vec![false; whole.faces().len()];
+        let mut most = 0.0;
+        for (face, farthest) in part.faces.iter().zip(farthest) {
+            if let Some(farthest) = farthest {
+                kept[face.index()] = true;
+                most = greater(most, farthest);
+            }
+        }
+        let within = part.and(whole, |face| kept[face.index()]);
+        Ok(within.map(|within| Self::known(within, most)))
+    }
+
+    fn known(part: Part, farthest: f64) -> Part {
+        Part { farthest: Some(farthest), ..part }
+    }
+
+    /// How far each face is at most, of those that are proven to be within a length but for rounding.
+    fn farthest_if_within(&self, mesh: &TriMesh, other: &TriMesh, length: f64) -> Vec<Option<f64>> {
+        let (frame, _, rounding) = joint_frame(mesh, other);
+        let control = Control::start(&self.limits);
+        let mut found = vec![None; mesh.faces().len()];
+        let target = Target::in_frame(other, frame);
+        let bvh = target.bvh();
+        let order = morton_order(mesh, &Aabb::of_faces(mesh));
+        let Some(vertices) = VertexDistances::limited(mesh, &frame, bvh, &order, &control) else {
+            return found;
         };
-        Ok(options.directed(a, b)?.faces.into_iter().map(|face| face.max).collect())
+        let threshold = frame.length_in(length);
+        // A corner that is too far settles most of the others.
+        let is_open = |face: &u32| {
+            let corners = mesh.faces()[*face as usize];
+            corners.iter().all(|v| vertices.distances[*v as usize] - rounding.bound(0) <= threshold)
+        };
+        let open: Vec<u32> = order.iter().copied().filter(is_open).collect();
+        let neighbours = Neighbours::new(other, bvh);
+        let scene = Scene {
+            a: mesh,
+            order: &order,
+            frame: &frame,
+            bvh,
+            neighbours: Some(&neighbours),
+            control: &control,
+        };
+        let limits = Limits {
+            diagonal: 1.0,
+            tolerance: 0.0,
+            tolerance_of_distance: 0.0,
+            threshold: Some(threshold),
+            rounding,
+            least_size: 16.0 * rounding.unit(),
+        };
+        let most = threshold + rounding.least_tolerance();
+        let observer: &dyn Observer = self.observer.unwrap_or(&());
+        let mut examined = 0;
+        for round in open.chunks(FACES_OF_TASK * TASKS_PER_ROUND) {
+            let of_task = |faces: &[u32]| {
+                let start = |face: &u32| {
+                    let first = mesh.faces()[*face as usize][0] as usize;
+                    let point = frame.map(mesh.positions()[first]);
+                    Start { face: *face, point, depth: 0, near: vertices.near[first] }
+                };
+                search_each(&scene, limits, &faces.iter().map(start).collect::<Vec<_>>())
+            };
+            let locals: Vec<Vec<Local>> = round.par_chunks(FACES_OF_TASK).map(of_task).collect();
+            for (face, local) in round.iter().zip(locals.into_iter().flatten()) {
+                let is_within = local.upper <= most;
+                found[*face as usize] = is_within.then(|| frame.length_out(local.upper).next_up());
+            }
+            examined += round.len();
+            let progress = Progress {
+                direction: Direction::AToB,
+                lower: 0.0,
+                upper: length,
+                examined: examined as u64,
+                left: (open.len() - examined) as u64,
+            };
+            if observer.progress(&progress).is_break() || control.is_stopped() {
+                return found;
+            }
+        }
+        found
     }
 }
+
+/// Faces searched by a task, and tasks between two looks at the limits.
+const FACES_OF_TASK: usize = 32;
+const TASKS_PER_ROUND: usize = 64;
 
 impl DirectedDeviation {
     /// Faces of the measured mesh are those of a part of another one from now on: `faces` says which they are.
@@ -278,7 +369,7 @@ mod tests {
         assert!(whole.a_to_b.outlying_component(&a, 0.01).is_none());
         // Without the first faces: they are counted as in the whole.
         let part = Part::of(&b, |face| face.0 >= 5).unwrap();
-        let mut found = options.symmetric_of_parts([&a, &a], [&part.mesh, &b]).unwrap();
+        let mut found = options.symmetric_of_parts([&a, &a], [&part.mesh, &b], [None; 2]).unwrap();
         assert_eq!(found.a_to_b.distance.distance, whole.a_to_b.distance.distance);
         found.b_to_a.renumber(&part.faces);
         // The small cube has the last faces, in the whole as in the part.
@@ -286,7 +377,34 @@ mod tests {
         assert!((upper[0] - upper[1]).abs() < 1e-9);
         assert!(found.b_to_a.distance.witness.from.face.0 >= 48);
         assert_eq!(found.b_to_a.regions[0].faces, (48..60).map(FaceId).collect::<Vec<_>>());
-        let farthest = options.farthest_of_faces(&b, &a).unwrap();
-        assert!(farthest[59].lower() > 7.0 && farthest[0].upper() < 1e-9);
+    }
+
+    /// Faces that reach just as far as the length stay, others do not, whatever part of their distance that is.
+    #[test]
+    fn exactly_the_faces_beyond_a_length_are_left_out() {
+        let plate = grid([4.0, 1.0], [4, 1], Diagonal::Rising).unwrap();
+        // Steps at heights that differ by a thousandth of themselves, and by nothing.
+        let heights = [1.0, 1.0, 1.001, 0.999];
+        let steps: Vec<TriMesh> = (0..4)
+            .map(|i| {
+                let step = grid([0.5, 0.5], [1, 1], Diagonal::Rising).unwrap();
+                transform(&step, &Affine::translate([f64::from(i) - 1.5, 0.0, heights[i as usize]])).unwrap()
+            })
+            .collect();
+        let steps = merge(&steps.iter().collect::<Vec<_>>()).unwrap();
+        let all = Part::of(&steps, |_| true).unwrap();
+        let options = DeviationOptions::default();
+        let kept = options.within(&all, &steps, &plate, 1.0).unwrap().unwrap();
+        assert_eq!(kept.faces, [0, 1, 2, 3, 6, 7].map(FaceId).to_vec());
+        assert!((kept.farthest.unwrap() - 1.0).abs() < 1e-12);
+        assert!(options.within(&all, &steps, &plate, 0.9).unwrap().is_none());
+        // Without time nothing is known but that.
+        let limits =
+            pompeiu_core::run::Limits { time: Some(std::time::Duration::ZERO), ..Default::default() };
+        let hurried = DeviationOptions { limits, ..DeviationOptions::default() };
+        let found = hurried
+            .symmetric_of_parts([&kept.mesh, &steps], [&plate, &plate], [kept.farthest, None])
+            .unwrap();
+        assert!(found.a_to_b.distance.distance.upper() <= kept.farthest.unwrap());
     }
 }

@@ -36,6 +36,8 @@ pub(super) struct Pair<'p> {
     pub(super) to: &'p TriMesh,
     pub(super) target: &'p Target,
     pub(super) direction: Direction,
+    /// How far it is at most, where that is known.
+    pub(super) farthest: Option<f64>,
     pub(super) deadline: Option<Instant>,
     /// Bytes that entries may take.
     pub(super) room: Option<usize>,
@@ -60,7 +62,7 @@ pub(super) struct Outcome {
 
 pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
     let started = Instant::now();
-    let Pair { from, to, target, direction, deadline, room } = *pair;
+    let Pair { from, to, target, direction, farthest, deadline, room } = *pair;
     let a_box = Aabb::of_faces(from);
     let frame = *target.frame();
     let bvh = target.bvh();
@@ -74,6 +76,7 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
     let options = HausdorffOptions { observer: Some(&watched), ..HausdorffOptions::default() };
     let question = Question { options: &options, direction, deadline: half };
     let (distance, neighbours) = engine::search(&question, from, target, Some(to));
+    let distance = distance.at_most(farthest);
     let search = started.elapsed();
     let largest = frame.length_in(distance.distance.upper()).next_up();
 

@@ -89,6 +89,13 @@ pub struct DirectedReport {
 }
 
 impl DirectedReport {
+    /// The same of a distance that is known to be no greater than a length.
+    pub(crate) fn at_most(self, length: Option<f64>) -> Self {
+        let lesser = length.filter(|length| *length < self.distance.upper());
+        let narrower = lesser.and_then(|upper| Enclosure::new(self.distance.lower(), upper));
+        Self { distance: narrower.unwrap_or(self.distance), ..self }
+    }
+
     /// This report and a later one of the same distance in one: the better of both ends, and the work and time of both.
     #[must_use]
     pub fn narrowed_by(&self, later: &Self) -> Self {

@@ -110,12 +110,7 @@ impl Parts {
         let Some(beyond) = beyond else { return Ok(Some(part)) };
         let options =
             DeviationOptions { limits: limits.clone(), observer: Some(&Stop), ..DeviationOptions::default() };
-        let farthest = options.farthest_of_faces(&part.mesh, other)?;
-        let mut within = vec![false; mesh.faces().len()];
-        for (face, farthest) in part.faces.iter().zip(farthest) {
-            within[face.index()] = farthest.upper() <= beyond;
-        }
-        Ok(part.and(mesh, |face| within[face.index()]))
+        Ok(options.within(&part, mesh, other, beyond)?)
     }
 }
 

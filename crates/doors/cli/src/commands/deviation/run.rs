@@ -91,9 +91,10 @@ pub(crate) fn run(args: &Deviation, printer: &Printer) -> anyhow::Result<Exit> {
         Some([a_part, b_part]) => [&a_part.mesh, &b_part.mesh],
         None => [&a, &b],
     };
+    let farthest = chosen.as_ref().map_or([None; 2], |[a, b]| [a.farthest, b.farthest]);
     let deviation =
         DeviationOptions { observer: Some(&Watch(&wait)), ..options(args, threshold, started.elapsed()) }
-            .symmetric_of_parts([a_part, &a], [b_part, &b])?;
+            .symmetric_of_parts([a_part, &a], [b_part, &b], farthest)?;
     let bands = bands.map(|bands| {
         wait.restart();
         let limits = args.limits.after(started.elapsed());
