@@ -38,11 +38,6 @@ fn number(index: usize) -> i32 {
     i32::try_from(index).unwrap_or(i32::MAX)
 }
 
-/// Number of blocks along a tube, each `layer` radii long.
-pub(super) fn blocks_along(lengths: &RadialLength, layer: f64) -> usize {
-    (lengths.total() / layer).ceil().max(1.0) as usize
-}
-
 impl<'a> Assembly<'a> {
     /// Trilinear cells, `parts` per block along each edge; or the control points of tricubic cells, with three steps per block.
     pub(super) fn new(parts: usize, section: Option<&'a Section>) -> Self {
@@ -75,7 +70,7 @@ impl<'a> Assembly<'a> {
         }
         for (index, (span, lengths)) in layout.spans.iter().zip(lengths).enumerate() {
             let (Some(span), Some(lengths)) = (span, lengths) else { continue };
-            let layers = blocks_along(lengths, layer);
+            let places = lengths.places(layer, self.parts);
             // The section at an end: corners in the core and on the wall, and its first side.
             let section = |end: usize| {
                 span[end].arm.and_then(|(cluster, arm)| {
@@ -84,7 +79,7 @@ impl<'a> Assembly<'a> {
                     Some((section.inner.map(|c| c + offset), section.outer.map(|c| c + offset), section.side))
                 })
             };
-            self.add_tube(index, &tubes[index], lengths, layers, section(0), section(1));
+            self.add_tube(index, &tubes[index], &places, section(0), section(1));
         }
         self
     }
@@ -109,13 +104,13 @@ impl<'a> Assembly<'a> {
         &mut self,
         index: usize,
         tube: &Tube,
-        lengths: &RadialLength,
-        layers: usize,
+        places: &[f64],
         first: Option<([u32; 4], [u32; 4], DVec3)>,
         last: Option<([u32; 4], [u32; 4], DVec3)>,
     ) {
         let parts = self.parts;
-        let mut stations = stations(tube, lengths, layers * parts, first.map(|(_, _, side)| side));
+        let layers = (places.len() - 1) / parts;
+        let mut stations = stations(tube, places, first.map(|(_, _, side)| side));
         let last = last.map(|(inner, outer, side)| {
             let end = stations[stations.len() - 1];
             // The other node sees the tube in the opposite direction.

@@ -1,6 +1,6 @@
 //! From a skeleton to the mesh.
 
-use super::assembly::{Assembly, NodeBlocks, blocks_along};
+use super::assembly::{Assembly, NodeBlocks};
 use super::cluster::{Layout, layout};
 use super::node::{NodeMesh, mesh_node};
 use super::options::{MeshError, MeshOptions, MeshReport, go_on};
@@ -178,8 +178,7 @@ impl Parts {
         if let Some(sample) = skeleton.samples().iter().find(|sample| sample.radius <= 0.0) {
             return Err(MeshError::ZeroRadius { sample: sample.id, line: sample.line });
         }
-        let tubes = tubes(skeleton, factor);
-        let layout = layout(skeleton, &tubes, factor);
+        let (tubes, layout) = arranged(skeleton, factor);
         let lengths: Vec<Option<RadialLength>> = layout
             .spans
             .iter()
@@ -189,6 +188,18 @@ impl Parts {
         check_memory(&layout, &lengths, options)?;
         let nodes = mesh_nodes(skeleton, &tubes, &layout, parts, options, control)?;
         Ok(Self { factor, tubes, layout, lengths, nodes })
+    }
+
+    /// Sentences about branches whose axis is farther from the samples than the tolerance.
+    pub(super) fn moved(&self, skeleton: &Skeleton) -> Vec<String> {
+        let sentence = |tube: &Tube| {
+            let [a, b] = tube.nodes.map(|node| skeleton.samples()[node].id);
+            format!(
+                "the branch from sample {a} to {b}: its axis is up to {:.2} radii from the samples",
+                tube.moved
+            )
+        };
+        self.tubes.iter().filter(|tube| tube.moved > 0.0).map(sentence).collect()
     }
 
     /// The flat ends.
@@ -223,6 +234,27 @@ impl Parts {
     }
 }
 
+/// The tubes and the layout of the nodes between them. Where the corners of a tube have no room beside its nodes, its samples are moved.
+fn arranged(skeleton: &Skeleton, factor: f64) -> (Vec<Tube>, Layout) {
+    let mut is_moved = Vec::new();
+    loop {
+        let tubes = tubes(skeleton, factor, &is_moved);
+        let layout = layout(skeleton, &tubes, factor);
+        is_moved.resize(tubes.len(), false);
+        let mut is_done = true;
+        for ((span, tube), is_moved) in layout.spans.iter().zip(&tubes).zip(&mut is_moved) {
+            if let Some([a, b]) = span
+                && !tube.has_room(a.at, b.at)
+            {
+                (*is_moved, is_done) = (true, false);
+            }
+        }
+        if is_done {
+            return (tubes, layout);
+        }
+    }
+}
+
 /// For each boundary face 0 if it lies on the wall, and 1 + k if it lies on cap k.
 pub(super) fn labels(faces: &Faces, caps: &[(Vec<u32>, usize, bool)], vertices: usize) -> Vec<u32> {
     let mut cap_of = vec![0_u32; vertices];
@@ -243,7 +275,7 @@ fn check_memory(
     lengths: &[Option<RadialLength>],
     options: &MeshOptions<'_>,
 ) -> Result<(), MeshError> {
-    let along: usize = lengths.iter().flatten().map(|lengths| 5 * blocks_along(lengths, options.layer)).sum();
+    let along: usize = lengths.iter().flatten().map(|lengths| 5 * lengths.blocks_along(options.layer)).sum();
     let at_nodes: usize = layout.clusters.iter().map(|cluster| 10 * cluster.ends.len() + 8).sum();
     let cells = (along + at_nodes) * options.parts.pow(3);
     let needed = cells.saturating_mul(BYTES_PER_CELL);
@@ -338,6 +370,7 @@ fn finish(
         certified,
         surface_distance,
         left_out: parts.left_out(skeleton),
+        moved: parts.moved(skeleton),
     };
     let caps = parts.caps(skeleton, &caps);
     let parts = blocks.iter().flat_map(|&block| std::iter::repeat_n(block, per_block)).collect();

@@ -214,6 +214,7 @@ fn finish(
         certified: found.iter().all(|f| f.1),
         surface_distance: distance,
         left_out: parts.left_out(skeleton),
+        moved: parts.moved(skeleton),
     };
     Ok(CubicMesh { mesh, faces, labels, caps: parts.caps(skeleton, &caps), parts: blocks, report })
 }

@@ -177,6 +177,7 @@ fn report(vertices: usize, found: &[(f64, bool)]) -> Result<MeshReport, MeshErro
         certified: found.iter().all(|f| f.1),
         surface_distance: None,
         left_out: Vec::new(),
+        moved: Vec::new(),
     })
 }
 

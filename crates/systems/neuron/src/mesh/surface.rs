@@ -41,9 +41,10 @@ pub(super) fn surface_distance(
     let (mut positions, mut triangles): (Vec<[f64; 3]>, Vec<[u32; 3]>) = (Vec::new(), Vec::new());
     for tube in tubes {
         let lengths = RadialLength::new(tube, 0.0, tube.length());
-        let rings = (RINGS * lengths.total() * factor).ceil().max(1.0) as usize;
+        let places = lengths.places(1.0 / (RINGS * factor), 1);
+        let rings = places.len() - 1;
         let base = u32::try_from(positions.len()).ok()?;
-        for station in stations(tube, &lengths, rings, None) {
+        for station in stations(tube, &places, None) {
             for k in 0..SIDES {
                 let angle = std::f64::consts::TAU * f64::from(k) / f64::from(SIDES);
                 let place = [libm::cos(angle), libm::sin(angle)].map(|x| x / factor);

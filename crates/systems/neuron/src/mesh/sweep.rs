@@ -1,6 +1,6 @@
 //! Frames and sections along a tube.
 
-use super::tube::Tube;
+use super::tube::{Mitre, Tube};
 use glam::DVec3;
 
 /// A section of a tube.
@@ -8,7 +8,7 @@ use glam::DVec3;
 pub(super) struct Station {
     pub(super) centre: DVec3,
     pub(super) radius: f64,
-    /// Unit vectors across the tube; right-handed together with its direction.
+    /// Unit vectors across the tube; right-handed together with its direction. In a slanted section, their images in its plane.
     pub(super) sides: [DVec3; 2],
 }
 
@@ -28,6 +28,8 @@ const MOST: f64 = 4e6;
 pub(super) struct RadialLength {
     at: Vec<f64>,
     sum: Vec<f64>,
+    /// The lengths so far at the ends and at corners of the tube.
+    ends: Vec<f64>,
 }
 
 impl RadialLength {
@@ -43,16 +45,43 @@ impl RadialLength {
             at.push(s);
             sum.push(total);
         }
-        Self { at, sum }
+        let mut lengths = Self { at, sum, ends: vec![0.0] };
+        let corners: Vec<f64> = tube.mitres(from, to).iter().map(|mitre| lengths.up_to(mitre.at)).collect();
+        lengths.ends.extend(corners);
+        lengths.ends.push(total);
+        lengths
     }
 
-    pub(super) fn total(&self) -> f64 {
-        self.sum[self.sum.len() - 1]
+    /// The length in radii up to a length along the tube.
+    fn up_to(&self, s: f64) -> f64 {
+        let k = self.at.partition_point(|&x| x < s).clamp(1, self.at.len() - 1);
+        let share = (s - self.at[k - 1]) / (self.at[k] - self.at[k - 1]);
+        self.sum[k - 1] + share * (self.sum[k] - self.sum[k - 1])
     }
 
-    /// The length along the tube at a share of the total.
-    fn share(&self, share: f64) -> f64 {
-        let wanted = share * self.total();
+    /// Blocks of at most `layer` radii between one end or corner and the next.
+    fn blocks(&self, layer: f64) -> impl Iterator<Item = usize> {
+        self.ends.windows(2).map(move |ends| ((ends[1] - ends[0]) / layer).ceil().max(1.0) as usize)
+    }
+
+    /// Blocks of at most `layer` radii along the tube.
+    pub(super) fn blocks_along(&self, layer: f64) -> usize {
+        self.blocks(layer).sum()
+    }
+
+    /// Lengths along the tube at which sections lie: the ends of blocks, and `parts` in each block.
+    pub(super) fn places(&self, layer: f64, parts: usize) -> Vec<f64> {
+        let mut found = vec![self.share(0.0)];
+        for (ends, blocks) in self.ends.windows(2).zip(self.blocks(layer)) {
+            let count = blocks * parts;
+            let wanted = |k: usize| ends[0] + (k as f64 / count as f64) * (ends[1] - ends[0]);
+            found.extend((1..=count).map(|k| self.share(wanted(k))));
+        }
+        found
+    }
+
+    /// The length along the tube up to which there are so many radii.
+    fn share(&self, wanted: f64) -> f64 {
         let k = self.sum.partition_point(|&x| x < wanted).clamp(1, self.sum.len() - 1);
         let (low, high) = (self.sum[k - 1], self.sum[k]);
         let within = if high > low { ((wanted - low) / (high - low)).clamp(0.0, 1.0) } else { 0.0 };
@@ -60,20 +89,21 @@ impl RadialLength {
     }
 }
 
-/// Sections at equal lengths in radii; the first side may be given.
+/// Sections at lengths along a tube; the first side may be given.
 ///
 /// # Source
 /// Rotation-minimising frames: double reflection, `wang_frames_2008`.
-pub(super) fn stations(
-    tube: &Tube,
-    lengths: &RadialLength,
-    count: usize,
-    side: Option<DVec3>,
-) -> Vec<Station> {
-    let mut found: Vec<Station> = Vec::with_capacity(count + 1);
+pub(super) fn stations(tube: &Tube, places: &[f64], side: Option<DVec3>) -> Vec<Station> {
+    let mitres = match (places.first(), places.last()) {
+        (Some(from), Some(to)) => tube.mitres(*from, *to),
+        _ => Vec::new(),
+    };
+    if !mitres.is_empty() {
+        return mitred(tube, places, &mitres, side);
+    }
+    let mut found: Vec<Station> = Vec::with_capacity(places.len());
     let mut last: Option<(DVec3, DVec3, DVec3)> = None;
-    for k in 0..=count {
-        let s = lengths.share(k as f64 / count as f64);
+    for &s in places {
         let (centre, radius) = tube.at(s);
         let tangent = tube.tangent(s);
         let first = match last {
@@ -96,6 +126,42 @@ pub(super) fn stations(
         found.push(Station { centre, radius, sides: [first, tangent.cross(first)] });
     }
     found
+}
+
+/// Sections of a tube with corners: across it at its ends, in the bisecting plane at corners, linear in between.
+fn mitred(tube: &Tube, places: &[f64], mitres: &[Mitre], side: Option<DVec3>) -> Vec<Station> {
+    let (from, to) = (places[0], places[places.len() - 1]);
+    let mut direction = mitres[0].directions[0];
+    let any = side.unwrap_or_else(|| direction.any_orthonormal_vector());
+    let mut first = (any - direction * any.dot(direction)).normalize_or(direction.any_orthonormal_vector());
+    let section = |s: f64, sides: [DVec3; 2]| {
+        let (centre, radius) = tube.at(s);
+        (s, Station { centre, radius: 1.0, sides: sides.map(|side| side * radius) })
+    };
+    let mut keys = vec![section(from, [first, direction.cross(first)])];
+    for mitre in mitres {
+        let [before, after] = mitre.directions;
+        let plane = before + after;
+        // Along the tube onto the plane.
+        let slanted = |v: DVec3| v - before * (v.dot(plane) / before.dot(plane));
+        keys.push(section(mitre.at, [first, before.cross(first)].map(slanted)));
+        // The points of the slanted section, along the next segment onto a plane across it.
+        let next = slanted(first);
+        first = (next - after * next.dot(after)).normalize_or(after.any_orthonormal_vector());
+        direction = after;
+    }
+    keys.push(section(to, [first, direction.cross(first)]));
+    let at = |&s: &f64| {
+        let k = keys.partition_point(|(key, _)| *key <= s).clamp(1, keys.len() - 1);
+        let ((a, low), (b, high)) = (&keys[k - 1], &keys[k]);
+        let t = ((s - a) / (b - a)).clamp(0.0, 1.0);
+        Station {
+            centre: low.centre.lerp(high.centre, t),
+            radius: 1.0,
+            sides: [0, 1].map(|k| low.sides[k].lerp(high.sides[k], t)),
+        }
+    };
+    places.iter().map(at).collect()
 }
 
 /// Twists the sections evenly so that the last one meets given corners. Returns the corner that the first corner of the tube meets,

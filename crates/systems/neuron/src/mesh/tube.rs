@@ -7,23 +7,43 @@ use glam::DVec3;
 /// Chords per span for the length of a curve.
 const PER_SPAN: usize = 24;
 
-/// A branch with a smooth axis, divided into round cones.
+/// A branch, divided into round cones.
 pub(super) struct Tube {
     /// The samples at its ends.
     pub(super) nodes: [usize; 2],
-    curve: Curve,
-    lengths: ArcLength,
+    axis: Axis,
     /// Round cones along it, and the lengths at which they begin; one more length than cones.
     pub(super) cones: Vec<RoundCone>,
     pub(super) starts: Vec<f64>,
+    /// The greatest distance of the axis from the samples, over the radius, where it is more than the tolerance; otherwise 0.
+    pub(super) moved: f64,
+}
+
+/// The axis of a tube.
+enum Axis {
+    /// A spline whose control points are the samples.
+    Smooth { curve: Curve, lengths: ArcLength },
+    /// The polyline through the samples, and the lengths up to each of them.
+    Straight { points: Vec<(DVec3, f64)>, lengths: Vec<f64> },
+}
+
+/// A sample at which a tube turns. The section there lies in the plane that bisects the angle.
+pub(super) struct Mitre {
+    /// Length along the tube.
+    pub(super) at: f64,
+    /// Directions before and after.
+    pub(super) directions: [DVec3; 2],
+    /// Half the extent of the section along the axis.
+    reach: f64,
 }
 
 impl Tube {
-    fn new(nodes: [usize; 2], points: Vec<(DVec3, f64)>) -> Self {
+    fn smooth(nodes: [usize; 2], points: Vec<(DVec3, f64)>, moved: f64) -> Self {
         let curve = Curve::new(points);
         let lengths = curve.arc_length(PER_SPAN);
         let total = lengths.total();
-        let mut tube = Self { nodes, curve, lengths, cones: Vec::new(), starts: vec![0.0] };
+        let axis = Axis::Smooth { curve, lengths };
+        let mut tube = Self { nodes, axis, cones: Vec::new(), starts: vec![0.0], moved };
         let mut s = 0.0;
         let mut last = tube.at(0.0);
         while s < total {
@@ -38,19 +58,46 @@ impl Tube {
         tube
     }
 
+    fn straight(nodes: [usize; 2], points: Vec<(DVec3, f64)>) -> Self {
+        let mut lengths = vec![0.0];
+        let mut cones = Vec::with_capacity(points.len());
+        for pair in points.windows(2) {
+            lengths.push(lengths[lengths.len() - 1] + pair[0].0.distance(pair[1].0));
+            cones.push(RoundCone { ends: [pair[0].0, pair[1].0], radii: [pair[0].1, pair[1].1] });
+        }
+        let starts = lengths.clone();
+        Self { nodes, axis: Axis::Straight { points, lengths }, cones, starts, moved: 0.0 }
+    }
+
     pub(super) fn length(&self) -> f64 {
-        self.lengths.total()
+        match &self.axis {
+            Axis::Smooth { lengths, .. } => lengths.total(),
+            Axis::Straight { lengths, .. } => lengths[lengths.len() - 1],
+        }
     }
 
     /// Position and radius at a length along the tube.
     pub(super) fn at(&self, s: f64) -> (DVec3, f64) {
-        self.curve.at(self.lengths.parameter(s))
+        match &self.axis {
+            Axis::Smooth { curve, lengths } => curve.at(lengths.parameter(s)),
+            Axis::Straight { points, lengths } => {
+                let k = segment(lengths, s);
+                let t = ((s - lengths[k]) / (lengths[k + 1] - lengths[k])).clamp(0.0, 1.0);
+                let (a, b) = (points[k], points[k + 1]);
+                (a.0.lerp(b.0, t), a.1 + (b.1 - a.1) * t)
+            }
+        }
     }
 
     /// Direction along the tube.
     pub(super) fn tangent(&self, s: f64) -> DVec3 {
-        let t = self.lengths.parameter(s);
-        let direct = self.curve.derivative(t).normalize_or_zero();
+        let direct = match &self.axis {
+            Axis::Smooth { curve, lengths } => curve.derivative(lengths.parameter(s)).normalize_or_zero(),
+            Axis::Straight { points, lengths } => {
+                let k = segment(lengths, s);
+                (points[k + 1].0 - points[k].0).normalize_or_zero()
+            }
+        };
         if direct != DVec3::ZERO {
             return direct;
         }
@@ -58,6 +105,90 @@ impl Tube {
         let (a, b) = (self.at((s - h).max(0.0)).0, self.at((s + h).min(self.length())).0);
         (b - a).normalize_or(DVec3::X)
     }
+
+    /// The samples between two lengths at which the axis has a corner.
+    pub(super) fn mitres(&self, from: f64, to: f64) -> Vec<Mitre> {
+        let Axis::Straight { points, lengths } = &self.axis else { return Vec::new() };
+        let mitre = |k: usize| {
+            let directions = [k - 1, k].map(|k| (points[k + 1].0 - points[k].0).normalize_or_zero());
+            let cosine = directions[0].dot(directions[1]);
+            // tan θ/2 from cos θ.
+            let tangent = ((1.0 - cosine) / (1.0 + cosine)).max(0.0).sqrt();
+            Mitre { at: lengths[k], directions, reach: points[k].1 * tangent }
+        };
+        (1..points.len() - 1).filter(|k| lengths[*k] > from && lengths[*k] < to).map(mitre).collect()
+    }
+
+    /// Whether the sections at corners between two lengths are disjoint, and disjoint from those at the ends.
+    pub(super) fn has_room(&self, from: f64, to: f64) -> bool {
+        let mut last = (from, 0.0);
+        let mitres = self.mitres(from, to);
+        let mut ends = mitres.iter().map(|mitre| (mitre.at, mitre.reach)).chain([(to, 0.0)]);
+        mitres.is_empty()
+            || ends.all(|(at, reach)| {
+                let (before, taken) = std::mem::replace(&mut last, (at, reach));
+                taken + reach <= ROOM * (at - before)
+            })
+    }
+}
+
+/// The segment that contains a length.
+fn segment(lengths: &[f64], s: f64) -> usize {
+    lengths.partition_point(|&l| l <= s).clamp(1, lengths.len() - 1) - 1
+}
+
+/// Largest share of a segment that the sections at its ends may take.
+const ROOM: f64 = 0.9;
+
+/// Largest distance of a smooth axis from the polyline through the samples, over the radius.
+const WITHIN: f64 = 0.2;
+
+/// Largest turn, in degrees, at which the section lies in the bisecting plane: beyond it cells are too slanted.
+const MOST_MITRE: f64 = 125.0;
+
+/// Steps per span of a spline whose distance from the samples is computed.
+const STEPS_PER_SPAN: usize = 8;
+
+/// The larger one of the two distances, over the radius, from the spline of points to the polyline through samples and back.
+fn deviation(points: &[(DVec3, f64)], samples: &[(DVec3, f64)]) -> f64 {
+    let curve = Curve::new(points.iter().copied());
+    let steps = STEPS_PER_SPAN * curve.end() as usize;
+    let on_curve: Vec<(DVec3, f64)> =
+        (0..=steps).map(|k| curve.at(curve.end() * k as f64 / steps as f64)).collect();
+    farthest(&on_curve, samples).max(farthest(samples, &on_curve))
+}
+
+/// The greatest distance of points from a path, over their radii. Points and path run the same way, so that the segments near the same
+/// share of the whole suffice.
+fn farthest(points: &[(DVec3, f64)], path: &[(DVec3, f64)]) -> f64 {
+    let spans = path.len() - 1;
+    let around = (spans / 8).max(4 * STEPS_PER_SPAN);
+    let distance = |(i, (p, radius)): (usize, &(DVec3, f64))| {
+        let middle = i * spans / points.len();
+        let near = middle.saturating_sub(around)..(middle + around).min(spans);
+        let axis = |k: usize| RoundCone { ends: [path[k].0, path[k + 1].0], radii: [0.0; 2] };
+        near.map(|k| axis(k).distance(*p).0).fold(f64::INFINITY, f64::min) / radius
+    };
+    points.iter().enumerate().map(distance).fold(0.0, f64::max)
+}
+
+/// The tube through samples: smooth if the spline is within the tolerance of them, otherwise the polyline with a mitre at each sample. If the
+/// mitres have no room or `is_moved` asks for it, the samples are moved until the spline can be meshed.
+fn tube(nodes: [usize; 2], samples: Vec<(DVec3, f64)>, is_moved: bool) -> Tube {
+    let mut points = samples.clone();
+    relax(&mut points);
+    let moved = deviation(&points, &samples);
+    if moved <= WITHIN {
+        return Tube::smooth(nodes, points, 0.0);
+    }
+    let straight = Tube::straight(nodes, samples);
+    let length = straight.length();
+    let least = libm::cos(MOST_MITRE.to_radians());
+    let is_slanted = |mitre: &Mitre| mitre.directions[0].dot(mitre.directions[1]) < least;
+    if !is_moved && straight.has_room(0.0, length) && !straight.mitres(0.0, length).iter().any(is_slanted) {
+        return straight;
+    }
+    Tube::smooth(nodes, points, moved)
 }
 
 /// Largest number of cones of a tube.
@@ -112,8 +243,8 @@ pub(super) fn is_ball(skeleton: &Skeleton, sample: usize) -> bool {
 
 /// The tubes between nodes. Nodes are balls, and samples with one neighbour or more than two.
 ///
-/// Radii are multiplied by a factor. Axes that bend too much for their radius are smoothed.
-pub(super) fn tubes(skeleton: &Skeleton, factor: f64) -> Vec<Tube> {
+/// Radii are multiplied by a factor. The samples of tubes for which `is_moved` is set are moved where the tube turns.
+pub(super) fn tubes(skeleton: &Skeleton, factor: f64, is_moved: &[bool]) -> Vec<Tube> {
     let samples = skeleton.samples();
     let mut paths = skeleton.branches();
     // A root with two neighbours is a node only if it is a ball.
@@ -129,7 +260,8 @@ pub(super) fn tubes(skeleton: &Skeleton, factor: f64) -> Vec<Tube> {
     }
     paths
         .into_iter()
-        .map(|path| {
+        .enumerate()
+        .map(|(index, path)| {
             let last = path.len() - 1;
             let mut points: Vec<(DVec3, f64)> =
                 path.iter().map(|&i| (samples[i].position, factor * samples[i].radius)).collect();
@@ -143,8 +275,7 @@ pub(super) fn tubes(skeleton: &Skeleton, factor: f64) -> Vec<Tube> {
             if points.len() < 2 {
                 points.push(points[0]);
             }
-            relax(&mut points);
-            Tube::new([path[0], path[last]], points)
+            tube([path[0], path[last]], points, is_moved.get(index).is_some_and(|is| *is))
         })
         .collect()
 }

@@ -81,6 +81,9 @@ pub(super) fn text(path: &str, report: &NeuronReport) -> String {
         for (i, branch) in mesh.left_out.iter().enumerate() {
             page.row(if i == 0 { "left out" } else { "" }, branch);
         }
+        for (i, branch) in mesh.moved.iter().enumerate() {
+            page.row(if i == 0 { "moved" } else { "" }, branch);
+        }
     }
     if let Some(spline) = &report.spline {
         let off = spline.partition_of_unity_error;
