@@ -99,7 +99,7 @@ def read_outlines(
     foreground : str
         Which part of a picture is the shape: ``"auto"`` (what most of the border is not), ``"dark"`` or ``"light"``.
     staircase : bool
-        Whether outlines follow the sides of pixels instead of the level between their centres.
+        Whether outlines follow the sides of pixels instead of the smoothest curve within half a pixel of them.
 
     Returns
     -------
