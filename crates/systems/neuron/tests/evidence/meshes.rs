@@ -178,7 +178,7 @@ fn turns_are_followed() {
         let (mut text, mut place, mut angle) = (String::new(), [0.0_f64; 2], 0.0_f64);
         for i in 0..6_i32 {
             let parent = if i == 0 { -1 } else { i };
-            text += &format!("{} 2 {} {} 0 1 {parent}\n", i + 1, place[0], place[1]);
+            let _ = writeln!(text, "{} 2 {} {} 0 1 {parent}", i + 1, place[0], place[1]);
             place = [place[0] + 6.0 * angle.cos(), place[1] + 6.0 * angle.sin()];
             angle += f64::to_radians(if i % 2 == 0 { degrees } else { -degrees });
         }
