@@ -72,6 +72,7 @@ COMMANDS = {
         "fluid rough.obj --vorticity x*y --steps 2 --dt 0.05 --scheme any-step",
         "fluid --square 12 --lid 1 --viscosity 0.01 --steps 2 --dt 0.1",
     ],
+    "couple": ["couple tube.toml", "couple tube.toml --compare", "couple tube.toml --scheme fixed"],
     "simplify": [
         "simplify rough.obj -o simple.ply --within 0.1",
         "simplify rough.obj -o few.ply --faces 200",
@@ -118,6 +119,7 @@ def run(repository, tmp_path_factory):
     (folder / "shapes").mkdir()
     (folder / "shapes" / "circle.svg").write_text('<svg><circle r="9"/></svg>')
     (folder / "shapes" / "arch.svg").write_text('<svg><path d="M0 0h9v9h-3V3H3v6H0z"/></svg>')
+    (folder / "tube.toml").write_text('kind = "tube"\nwindows = 3\n')
     (folder / "places.csv").write_text("circle,1\narch,2\n")
     (folder / "fork.swc").write_text("1 2 0 0 0 1 -1\n2 2 6 0 0 1 1\n3 2 12 5 0 1 2\n4 2 12 -5 0 1 2\n", encoding="utf-8")
     (folder / "run.toml").write_text("[transport]\nsteps = 3\n[inlet]\nsample = 3\n", encoding="utf-8")

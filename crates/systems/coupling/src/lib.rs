@@ -48,6 +48,7 @@ mod iteration;
 mod options;
 pub mod piston;
 mod report;
+pub mod scenario;
 mod subproblem;
 pub mod tube;
 pub mod wall;

@@ -6,6 +6,7 @@ mod align;
 mod completions;
 mod complexity;
 mod convert;
+mod couple;
 mod cut;
 mod decompose;
 mod deviation;
@@ -64,6 +65,7 @@ commands! {
     remesh::Remesh,
     flow::Flow,
     fluid::Fluid,
+    couple::Couple,
     flatten::Flatten: system,
     cut::Cut: system,
     medial::Medial: system,
@@ -82,6 +84,7 @@ commands! {
 #[cfg(test)]
 pub(crate) mod answers {
     pub(crate) use super::complexity::Json as Complexity;
+    pub(crate) use super::couple::Json as Couple;
     pub(crate) use super::decompose::Json as Decompose;
     pub(crate) use super::deviation::Json as Deviation;
     pub(crate) use super::flow::Json as Flow;

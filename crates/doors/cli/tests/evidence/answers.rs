@@ -725,6 +725,44 @@ fn complexity_measures_a_folder_and_goes_on_after_files_that_cannot_be_used() {
 }
 
 #[test]
+fn couple_solves_scenes_compares_schemes_and_says_why_solvers_do_not_agree() {
+    let folder = Folder::new();
+    folder.write("tube.toml", "kind = 'tube'\nwindows = 3\n[coupling]\ntolerance = 1e-5\n");
+    let report = json(&folder, "couple tube.toml -o sections.csv --json");
+    let run = &report["runs"][0];
+    assert_eq!((&run["scheme"], &run["windows"][0]["solves"]), (&"iqn-ils".into(), &20.into()));
+    assert!(run["from_monolithic"].as_f64().unwrap() < 1e-4);
+    let table = std::fs::read_to_string(folder.path().join("sections.csv")).unwrap();
+    assert_eq!(table.lines().count(), 1 + 2 * 3);
+    assert!(table.lines().all(|line| line.split(',').count() == 2 + 101));
+
+    let report = json(&folder, "couple tube.toml --compare --json");
+    assert_eq!(report["runs"].as_array().unwrap().len(), 7);
+    let (code, answer, _) = folder.transcript("couple tube.toml --scheme fixed");
+    assert_eq!(code, Some(3));
+    assert!(answer.contains("AGREED in 0 of 3 windows") && answer.contains("added-mass number"), "{answer}");
+
+    folder.write("box.toml", "kind = 'box'\nwindows = 3\n[box]\ncells = [8, 8]\n");
+    let report = json(&folder, "couple box.toml --json");
+    assert!(report["runs"][0]["windows"][2]["pressure_constant"].as_f64().unwrap() > 0.0);
+    let (code, answer, _) = folder.transcript("couple box.toml --closed refuse");
+    assert!(code == Some(3) && answer.contains("-∮u·n is"), "{answer}");
+
+    folder.write("wrong.toml", "kind = 'tube'\n[tube]\nmodulos = 1\n");
+    folder.write("soft.toml", "kind = 'tube'\n[tube]\nmodulus = -1\n");
+    for (arguments, words) in [
+        ("couple missing.toml", "missing.toml"),
+        ("couple wrong.toml", "did you mean `modulus`?"),
+        ("couple soft.toml", "the modulus of the wall is -1"),
+        ("couple tube.toml --scheme magic", "there is no scheme `magic`"),
+        ("couple tube.toml --extrapolate 3", "the order of the extrapolation is 3"),
+    ] {
+        let (code, _, message) = folder.transcript(arguments);
+        assert!(code == Some(2) && message.contains(words), "{arguments}: {message}");
+    }
+}
+
+#[test]
 fn puzzle_says_whether_pieces_can_move_and_draws_them() {
     let folder = Folder::new();
     let report = json(&folder, "puzzle --pieces 12 -o pieces.svg --cuts cuts.dxf --report page.html --json");

@@ -6,8 +6,9 @@ use serde_json::Value;
 use std::collections::BTreeMap;
 
 /// Commands that are no systems yet: their options are not those of a request.
-const NOT_YET: [&str; 12] = [
+const NOT_YET: [&str; 13] = [
     "complexity",
+    "couple",
     "decompose",
     "deviation",
     "flow",

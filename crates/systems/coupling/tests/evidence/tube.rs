@@ -91,3 +91,18 @@ fn a_pulse_travels_with_the_stream_and_the_speed_of_waves() {
     let expected = 10.0 + tube.wave_speed();
     assert!((speed / expected - 1.0).abs() < 2e-3, "{speed} {expected}");
 }
+
+#[test]
+fn a_scenario_runs_until_it_ends_or_is_told_to() {
+    use pompeiu_coupling::scenario::Scenario;
+    let scenario = Scenario::Tube(TubeOptions::default());
+    let report = scenario.run(&CouplingOptions::default(), 10, &mut |_, _, _| true).unwrap();
+    assert_eq!((report.windows.len(), report.failure), (10, None));
+    assert!(report.from_monolithic.unwrap() < 1e-4);
+    let report = scenario.run(&CouplingOptions::default(), 10, &mut |window, _, _| window < 3).unwrap();
+    assert_eq!(report.windows.len(), 3);
+    assert!(report.failure.unwrap().contains("after window 3"));
+    let options = CouplingOptions { scheme: Scheme::Fixed, ..CouplingOptions::default() };
+    let report = scenario.run(&options, 10, &mut |_, _, _| true).unwrap();
+    assert!(report.windows.is_empty() && report.added_mass.unwrap().number > 1.0);
+}

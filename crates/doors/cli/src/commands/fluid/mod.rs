@@ -4,7 +4,7 @@ mod args;
 mod build;
 mod checkpoint;
 mod json;
-mod reader;
+pub(crate) mod reader;
 mod run;
 mod scene;
 mod square;

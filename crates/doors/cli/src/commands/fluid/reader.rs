@@ -5,13 +5,13 @@ use std::path::Path;
 use toml_edit::{Document, Item, TableLike, Value};
 
 /// A scene file.
-pub(super) struct SceneFile {
+pub(crate) struct SceneFile {
     document: Document<String>,
     place: String,
 }
 
 /// A table of it. Every key must be asked for before the end.
-pub(super) struct Reader<'t> {
+pub(crate) struct Reader<'t> {
     file: &'t SceneFile,
     table: &'t dyn TableLike,
     known: Vec<&'static str>,
@@ -21,7 +21,7 @@ pub(super) struct Reader<'t> {
 const SIMILAR: f64 = 0.6;
 
 impl SceneFile {
-    pub(super) fn parse(path: &Path, text: String) -> anyhow::Result<Self> {
+    pub(crate) fn parse(path: &Path, text: String) -> anyhow::Result<Self> {
         let place = path.display().to_string();
         let lines = text.clone();
         let document = Document::parse(text).map_err(|error| {
@@ -33,7 +33,7 @@ impl SceneFile {
         Ok(Self { document, place })
     }
 
-    pub(super) fn top(&self) -> Reader<'_> {
+    pub(crate) fn top(&self) -> Reader<'_> {
         Reader { file: self, table: self.document.as_table(), known: Vec::new() }
     }
 }
@@ -51,19 +51,19 @@ impl<'t> Reader<'t> {
         anyhow!("{place}: line {line}: `{key}` is {}, expected {expected}", described(item))
     }
 
-    pub(super) fn number(&mut self, key: &'static str) -> anyhow::Result<Option<f64>> {
+    pub(crate) fn number(&mut self, key: &'static str) -> anyhow::Result<Option<f64>> {
         let Some(item) = self.item(key) else { return Ok(None) };
         let number = item.as_value().and_then(number);
         number.map(Some).ok_or_else(|| self.error(key, item, "a number"))
     }
 
-    pub(super) fn count(&mut self, key: &'static str) -> anyhow::Result<Option<usize>> {
+    pub(crate) fn count(&mut self, key: &'static str) -> anyhow::Result<Option<usize>> {
         let Some(item) = self.item(key) else { return Ok(None) };
         let count = item.as_integer().and_then(|n| usize::try_from(n).ok());
         count.map(Some).ok_or_else(|| self.error(key, item, "a whole number that is not negative"))
     }
 
-    pub(super) fn text(&mut self, key: &'static str) -> anyhow::Result<Option<String>> {
+    pub(crate) fn text(&mut self, key: &'static str) -> anyhow::Result<Option<String>> {
         let Some(item) = self.item(key) else { return Ok(None) };
         item.as_str()
             .map(|text| Some(text.to_owned()))
@@ -71,7 +71,7 @@ impl<'t> Reader<'t> {
     }
 
     /// One of some names.
-    pub(super) fn name<T>(
+    pub(crate) fn name<T>(
         &mut self,
         key: &'static str,
         names: &[&str],
@@ -82,13 +82,13 @@ impl<'t> Reader<'t> {
         found.map(Some).ok_or_else(|| self.error(key, item, &format!("one of {}", names.join(", "))))
     }
 
-    pub(super) fn numbers(&mut self, key: &'static str) -> anyhow::Result<Option<Vec<f64>>> {
+    pub(crate) fn numbers(&mut self, key: &'static str) -> anyhow::Result<Option<Vec<f64>>> {
         let Some(item) = self.item(key) else { return Ok(None) };
         let numbers = item.as_array().and_then(|array| array.iter().map(number).collect());
         numbers.map(Some).ok_or_else(|| self.error(key, item, "a list of numbers"))
     }
 
-    pub(super) fn vector(&mut self, key: &'static str) -> anyhow::Result<Option<[f64; 3]>> {
+    pub(crate) fn vector(&mut self, key: &'static str) -> anyhow::Result<Option<[f64; 3]>> {
         let Some(numbers) = self.numbers(key)? else { return Ok(None) };
         let Some(item) = self.item(key) else { return Ok(None) };
         <[f64; 3]>::try_from(numbers)
@@ -97,7 +97,7 @@ impl<'t> Reader<'t> {
     }
 
     /// Tables of one name: `[[name]]`, `[name]`, or lists of inline tables.
-    pub(super) fn tables(&mut self, key: &'static str) -> anyhow::Result<Vec<Reader<'t>>> {
+    pub(crate) fn tables(&mut self, key: &'static str) -> anyhow::Result<Vec<Reader<'t>>> {
         let Some(item) = self.item(key) else { return Ok(Vec::new()) };
         let file = self.file;
         let reader = |table: &'t dyn TableLike| Reader { file, table, known: Vec::new() };
@@ -114,7 +114,7 @@ impl<'t> Reader<'t> {
     }
 
     /// A key that must be there.
-    pub(super) fn required<T>(&self, key: &str, value: Option<T>) -> anyhow::Result<T> {
+    pub(crate) fn required<T>(&self, key: &str, value: Option<T>) -> anyhow::Result<T> {
         value.ok_or_else(|| {
             let start = self.table.iter().find_map(|(key, _)| self.table.key(key)?.span());
             let line = start.map_or(1, |span| line(self.file.document.raw(), span.start));
@@ -123,7 +123,7 @@ impl<'t> Reader<'t> {
     }
 
     /// Refuses keys that nobody asked for.
-    pub(super) fn finish(self) -> anyhow::Result<()> {
+    pub(crate) fn finish(self) -> anyhow::Result<()> {
         let unknown = self.table.iter().find(|(key, _)| !self.known.contains(key));
         let Some((key, _)) = unknown else { return Ok(()) };
         let span = self.table.key(key).and_then(toml_edit::Key::span);

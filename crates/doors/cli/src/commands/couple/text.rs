@@ -1,0 +1,88 @@
+//! The outcome for people.
+
+use super::run::Outcome;
+use crate::numbers::{few, grouped, time};
+use crate::page::Page;
+use pompeiu::coupling::scenario::RunReport;
+use std::fmt::Write;
+
+pub(super) fn text(outcome: &Outcome) -> String {
+    let windows = outcome.scene.windows;
+    if outcome.is_comparison {
+        return table(outcome);
+    }
+    let mut page = Page::new();
+    let run = &outcome.runs[0];
+    let done = run.windows.len();
+    let verdict = if done == windows {
+        format!("AGREED in all {} windows", grouped(windows as u64))
+    } else {
+        format!("AGREED in {} of {} windows", grouped(done as u64), grouped(windows as u64))
+    };
+    let mut text = verdict + "\n\n";
+    page.row("scene", outcome.scene.kind);
+    page.row("scheme", &run.scheme);
+    if let Some(mean) = run.mean_solves() {
+        let most = run.windows.iter().map(|window| window.solves).max().unwrap_or(0);
+        page.row("solves", &format!("{} a window, at most {most}, the last one verifies", few(mean)));
+    }
+    let damped = run.windows.iter().filter(|window| window.damping < 1.0).count();
+    if damped > 0 {
+        page.row("damped", &format!("{damped} windows, where the model alone failed"));
+    }
+    if let Some(added_mass) = run.added_mass {
+        page.row("stability", &added_mass.to_string());
+    }
+    if let Some(constant) = run.windows.last().and_then(|window| window.pressure_constant) {
+        page.row(
+            "enclosed",
+            &format!("the constant of the pressure is chosen in each window, {} in the last", few(constant)),
+        );
+    }
+    if let Some(distance) = run.from_monolithic {
+        page.row(
+            "reference",
+            &format!(
+                "{} from both solved at once (monolithic), relative to the greatest value",
+                few(distance)
+            ),
+        );
+    }
+    if let Some(failure) = &run.failure {
+        page.row("ended", failure);
+    }
+    page.row("time", &time(outcome.total));
+    text += &page.into_text();
+    text
+}
+
+/// A line for each scheme.
+fn table(outcome: &Outcome) -> String {
+    let widest = outcome.runs.iter().map(|run| run.scheme.len()).max().unwrap_or(0).max(6);
+    let mut text =
+        format!("{:<widest$}  {:>7}  {:>6}  {:>10}  ended\n", "scheme", "windows", "solves", "monolithic");
+    for run in &outcome.runs {
+        let mean = run.mean_solves().map_or(String::new(), |mean| format!("{mean:.2}"));
+        let distance = run.from_monolithic.filter(|_| !run.windows.is_empty()).map_or(String::new(), few);
+        let _ = writeln!(
+            text,
+            "{:<widest$}  {:>7}  {mean:>6}  {distance:>10}  {}",
+            run.scheme,
+            run.windows.len(),
+            ended(run)
+        );
+    }
+    let greatest = outcome.runs.iter().filter_map(|run| run.added_mass);
+    if let Some(added_mass) = greatest.max_by(|a, b| a.number.total_cmp(&b.number)) {
+        let _ = writeln!(text, "\n{added_mass}");
+    }
+    text
+}
+
+fn ended(run: &RunReport) -> String {
+    match &run.failure {
+        None => "all windows solved".to_owned(),
+        Some(failure) if failure.starts_with("interrupted") => failure.clone(),
+        Some(_) => format!("fails in window {}", run.windows.len() + 1),
+    }
+}
