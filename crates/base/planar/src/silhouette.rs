@@ -73,9 +73,10 @@ pub enum SilhouetteError {
 /// smoothest within 0.15 pixels of where the level is between the centres of pixels.
 ///
 /// # Accuracy
-/// Compactness and total curvature of smooth shapes and polygons are within 2 % of those of the shape that was drawn, from 256 pixels across,
-/// or 128 where the picture is anti-aliased; at 128 pixels of two levels within 5 %. The example `pictures` of `pompeiu-complexity` prints the
-/// errors. A detail of less than half a pixel is lost: a dent of half a pixel in a straight side is not in the outline.
+/// No bound is proven. The example `pictures` of `pompeiu-complexity` prints the errors of compactness and total curvature for shapes whose
+/// values are known: from 128 pixels across they are mostly within 2 %; polygons with many sides and stars are off by up to 5 %, and a curve
+/// with bends narrower than some pixels by more. A detail of less than half a pixel is lost: a dent of half a pixel in a straight side is not
+/// in the outline.
 ///
 /// # Source
 /// `sloboda_minimum_1998` for the shortest curve, from which the smoothest one is sought.
