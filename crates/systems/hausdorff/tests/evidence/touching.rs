@@ -4,7 +4,7 @@
 //! by corners called such pieces narrow, refined everything else in vain, and took millions of looks.
 
 use pompeiu_core::TriMesh;
-use pompeiu_hausdorff::{DeviationOptions, DirectedDeviation, StopReason};
+use pompeiu_hausdorff::{DeviationOptions, DirectedDeviation, Enclosure, StopReason};
 use pompeiu_testkit::data;
 use pompeiu_testkit::effort::cases;
 use proptest::prelude::*;
@@ -24,14 +24,13 @@ fn check(a: &TriMesh, b: &TriMesh) -> DirectedDeviation {
     let found = options.directed(a, b).unwrap();
     assert!(found.work.looks <= MOST_LOOKS, "{:?}", found.work);
     let Some(statistics) = &found.statistics else { return found };
-    // Percentiles may lie at a gap of the distribution, means may not.
-    for ends in [statistics.mean, statistics.rms] {
-        assert!(ends.gap() <= options.accuracy * ends.lower() + found.floor, "{ends} {:?}", found.stop);
-    }
-    let is_narrow = statistics
-        .percentiles
-        .iter()
-        .all(|p| p.distance.gap() <= options.accuracy * p.distance.lower() + found.floor);
+    // Percentiles may lie at a gap of the distribution, means may not. One pair in thousands, coplanar but for rounding, ends with means
+    // that are wider than the floor, and says so; never by more than twice.
+    let allowed = |ends: &Enclosure| options.accuracy * ends.lower() + found.floor;
+    let means = [statistics.mean, statistics.rms];
+    assert!(means.iter().all(|ends| ends.gap() <= 2.0 * allowed(ends)), "{means:?} {:?}", found.stop);
+    let percentiles = statistics.percentiles.iter().map(|p| &p.distance);
+    let is_narrow = percentiles.chain(&means).all(|ends| ends.gap() <= allowed(ends));
     let expected = if is_narrow { StopReason::Tolerance } else { StopReason::Stalled };
     assert_eq!(found.stop, expected, "{:?}", statistics.percentiles);
     found
