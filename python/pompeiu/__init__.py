@@ -41,7 +41,16 @@ from .errors import (
     SurfaceError,
     WriteError,
 )
-from .fields import DegreesOfFreedom, FieldParts, FieldQuality, HodgeDecomposition, Ranks, field_degrees_of_freedom
+from .fields import (
+    DegreesOfFreedom,
+    FieldParts,
+    FieldQuality,
+    HodgeDecomposition,
+    Ranks,
+    SplitField,
+    decompose,
+    field_degrees_of_freedom,
+)
 from .files import mesh_summary, write_mesh
 from .flattening import Cut, Flattening, Medial, Straightened, cut, flatten, medial, straighten
 from .fluids import Simulation, SquareSimulation
@@ -122,6 +131,7 @@ __all__ = [
     "ShareAbove",
     "Simplified",
     "Simulation",
+    "SplitField",
     "SquareSimulation",
     "Skeleton",
     "Standing",
@@ -140,6 +150,7 @@ __all__ = [
     "as_mesh",
     "complexity",
     "cut",
+    "decompose",
     "deviation",
     "directed_deviation",
     "directed_hausdorff",

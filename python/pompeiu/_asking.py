@@ -35,7 +35,10 @@ def _written(options: Dict[str, Any]) -> str:
     for name, value in options.items():
         if isinstance(value, (float, np.floating)) and not np.isfinite(value):
             raise OptionError(f"{name} is {value}; it must be a finite number")
-    return json.dumps(options, default=_plain)
+    try:
+        return json.dumps(options, default=_plain, allow_nan=False)
+    except ValueError:
+        raise OptionError("a sequence among the options holds a number that is not finite") from None
 
 
 def _plain(value: Any) -> Any:

@@ -4,16 +4,26 @@ from __future__ import annotations
 
 import json
 from dataclasses import asdict, dataclass, fields
-from typing import Any, Iterable, List, Literal, Mapping
+from typing import Any, Dict, Iterable, List, Literal, Mapping, Optional, Sequence, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native
+from ._asking import ask
 from .results import _Arrays, _table
 from .sources import MeshLike, as_mesh
 
-__all__ = ["DegreesOfFreedom", "FieldParts", "FieldQuality", "HodgeDecomposition", "Ranks", "field_degrees_of_freedom"]
+__all__ = [
+    "DegreesOfFreedom",
+    "FieldParts",
+    "FieldQuality",
+    "HodgeDecomposition",
+    "Ranks",
+    "SplitField",
+    "decompose",
+    "field_degrees_of_freedom",
+]
 
 Splitting = Literal["primal", "dual"]
 Boundary = Literal["tangential", "normal"]
@@ -137,6 +147,29 @@ class FieldParts(_Arrays):
         return cls(**{**data, "quality": FieldQuality._of(json.loads(data["quality"]))})
 
 
+@dataclass(frozen=True, eq=False, repr=False)
+class SplitField:
+    """The degrees of freedom of a surface, and the parts of a field on it.
+
+    Attributes
+    ----------
+    degrees_of_freedom : DegreesOfFreedom
+        The degrees of freedom, counted.
+    parts : FieldParts or None
+        The parts, if there was a field.
+    report : dict
+        What ``pompeiu decompose --json`` reports.
+    """
+
+    degrees_of_freedom: DegreesOfFreedom
+    parts: Optional[FieldParts]
+    report: Dict[str, Any]
+
+    def __repr__(self) -> str:
+        split = "no field" if self.parts is None else f"residual {self.parts.quality.residual:.1e}"
+        return f"SplitField({self.degrees_of_freedom.total} degrees of freedom, {split})"
+
+
 class HodgeDecomposition:
     """A surface made ready to split tangent fields: factored once, used for as many fields as there are.
 
@@ -240,3 +273,59 @@ def field_degrees_of_freedom(mesh: MeshLike, boundary: Boundary = "tangential") 
         If the mesh is no oriented manifold.
     """
     return DegreesOfFreedom._of(json.loads(_native.degrees_of_freedom(as_mesh(mesh), boundary)))
+
+
+def decompose(
+    mesh: MeshLike,
+    *,
+    field: Optional[Union[str, Sequence[Sequence[float]]]] = None,
+    name: Optional[str] = None,
+    splitting: Literal["primal", "dual"] = "primal",
+    boundary: Literal["tangential", "normal"] = "tangential",
+) -> SplitField:
+    """Splits a tangent field into a gradient, a rotated gradient and a harmonic part.
+
+    To split many fields on one surface, use :class:`HodgeDecomposition`, which factors once.
+
+    Parameters
+    ----------
+    mesh : MeshLike
+        An oriented manifold without degenerate faces or unreferenced vertices (:meth:`Mesh.without_unreferenced`).
+    field : Union[str, Sequence[Sequence[float]]], optional
+        The field to split: a file of vectors on faces, rotation:AXIS, gradient:WHAT, random:SEED or harmonic:K; without
+        one only the degrees of freedom are counted.
+    name : str, optional
+        Which vectors of the file, if it has several.
+    splitting : str
+        Which kind of function makes gradients. ``"primal"``: gradients of continuous functions, rotated gradients of
+        functions that agree at midpoints of edges; ``"dual"``: gradients of functions that agree at midpoints of edges,
+        rotated gradients of continuous functions.
+    boundary : str
+        How the harmonic part meets the boundary. ``"tangential"``: harmonic Neumann fields, tangential to the boundary:
+        the potential of the rotated gradient is zero there, so that neither the rotated gradient nor the harmonic part
+        has a normal component; ``"normal"``: harmonic Dirichlet fields, normal to the boundary: the potential of the
+        gradient is zero there, so that neither the gradient nor the harmonic part has a tangential component.
+
+    Raises
+    ------
+    SurfaceError
+        If the mesh is no surface; the message names the face, edge or vertex.
+    FieldError
+        If there is not one finite vector for each face, or a system cannot be factored.
+    OptionError
+        If options make no sense.
+
+    Examples
+    --------
+    >>> import pompeiu
+    >>> split = pompeiu.decompose(pompeiu.shapes.torus(), field="rotation:z")
+    >>> split.degrees_of_freedom.harmonic, split.parts.quality.residual < 1e-12
+    (2, True)
+    """
+    answer, beside = ask("decompose", locals())
+    report = answer["report"]
+    found = report["decomposition"]
+    parts = None
+    if found is not None:
+        parts = FieldParts(normal_part=found["normal_part"], quality=FieldQuality._of(found), **beside)
+    return SplitField(DegreesOfFreedom._of(report), parts, report)

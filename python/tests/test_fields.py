@@ -116,3 +116,28 @@ def test_fields_that_do_not_fit_are_named():
         pompeiu.HodgeDecomposition(TORUS, "both")
     with pytest.raises(pompeiu.OptionError, match='boundary is "none", expected "tangential" or "normal"'):
         pompeiu.HodgeDecomposition(TORUS, boundary="none")
+
+
+def test_a_field_is_split_once_as_by_a_prepared_surface():
+    field = np.random.default_rng(4).normal(size=(TORUS.n_faces, 3))
+    for splitting, boundary in [("primal", "tangential"), ("dual", "normal")]:
+        split = pompeiu.decompose(TORUS, field=field, splitting=splitting, boundary=boundary)
+        assert split.parts == pompeiu.HodgeDecomposition(TORUS, splitting, boundary).decompose(field)
+    assert pompeiu.decompose(TORUS).parts is None
+    assert pompeiu.decompose(TORUS).degrees_of_freedom == pompeiu.field_degrees_of_freedom(TORUS)
+    named = pompeiu.decompose(TORUS, field="gradient:x*y").parts.gradient
+    assert np.allclose(named, pompeiu.HodgeDecomposition(TORUS).decompose(named).gradient)
+
+
+def test_fields_that_cannot_be_named(tmp_path):
+    for options, error in [
+        ({"field": "rotation:w"}, pompeiu.OptionError),
+        ({"field": "gradient:w"}, pompeiu.OptionError),
+        ({"field": "harmonic:2"}, pompeiu.OptionError),
+        ({"name": "wind"}, pompeiu.OptionError),
+        ({"field": tmp_path / "missing.csv"}, pompeiu.MissingFileError),
+        ({"field": np.zeros((3, 3))}, pompeiu.FieldError),
+        ({"field": np.full((TORUS.n_faces, 3), np.nan)}, pompeiu.OptionError),
+    ]:
+        with pytest.raises(error):
+            pompeiu.decompose(TORUS, **options)

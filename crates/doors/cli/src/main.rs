@@ -6,7 +6,6 @@ mod called;
 mod commands;
 mod door;
 mod exit;
-mod expression;
 mod field;
 mod files;
 #[cfg(test)]

@@ -11,9 +11,12 @@ use pompeiu::core::TriMesh;
 use pompeiu::core::mesh::Coordinates;
 use pompeiu::core::request::{Answer, Input, Limit, Request, Timing};
 use pompeiu::core::run::{Limits, RunContext};
+use pompeiu::fields::DecomposeRequest;
 use pompeiu::flatten::{CutRequest, FlattenError, FlattenRequest, MedialReport, MedialRequest};
 use pompeiu::hausdorff::{Progress, RepairRequest};
+use pompeiu::io::read_face_vectors;
 use pompeiu::matching::request::{AlignRequest, AlignedDistanceRequest};
+use pompeiu::operators::FaceField;
 use pompeiu::options::request_from;
 use pompeiu::surface::{EdgeData, EmbeddedSurface};
 use pyo3::exceptions::PyKeyError;
@@ -92,7 +95,15 @@ macro_rules! systems {
     };
 }
 
-systems!(AlignRequest, AlignedDistanceRequest, CutRequest, FlattenRequest, MedialRequest, RepairRequest);
+systems!(
+    AlignRequest,
+    AlignedDistanceRequest,
+    CutRequest,
+    DecomposeRequest,
+    FlattenRequest,
+    MedialRequest,
+    RepairRequest
+);
 
 fn answer<'py, Q: Asked>(
     py: Python<'py>,
@@ -175,6 +186,35 @@ impl Asked for CutRequest {
         let found = self.run(surface_of(meshes)?).map_err(|error| failure(FlattenError::from(error)))?;
         let edges = ends(&found.surface, &found.cut);
         Ok((found.report, vec![("mesh", Beside::Mesh(found.mesh)), ("edges", edges)]))
+    }
+}
+
+impl Asked for DecomposeRequest {
+    type Told = Share;
+
+    fn ask(
+        &self,
+        meshes: &[&TriMesh],
+        _: RunContext<'_>,
+        _: &Watch<'_, Share>,
+    ) -> Result<Found<Self::Report>, Failure> {
+        let surface = surface_of(meshes)?;
+        let file = self.field.as_ref().and_then(|source| source.file());
+        let read = file.map(|path| read_face_vectors(path, self.name.as_deref())).transpose();
+        let found = self.run(&surface, read.map_err(failure)?.as_deref()).map_err(failure)?;
+        let Some((_, parts)) = found.split else { return Ok((found.report, Vec::new())) };
+        let in_space = |u: &FaceField| {
+            Beside::Points(u.entries().map(|(face, &vector)| surface.to_space(face, vector)).collect())
+        };
+        let beside = vec![
+            ("gradient", in_space(&parts.gradient)),
+            ("rotated", in_space(&parts.rotated)),
+            ("harmonic", in_space(&parts.harmonic)),
+            ("vertex_potential", Beside::Numbers(parts.vertex_potential.into_vec())),
+            ("edge_potential", Beside::Numbers(parts.edge_potential.into_vec())),
+            ("harmonic_coefficients", Beside::Numbers(parts.harmonic_coefficients)),
+        ];
+        Ok((found.report, beside))
     }
 }
 

@@ -4,6 +4,7 @@ use pompeiu::complexity::ComplexityError;
 use pompeiu::core::MeshError;
 use pompeiu::core::mesh::repair::RepairError;
 use pompeiu::core::mesh::shapes::ShapeError;
+use pompeiu::fields::DecomposeError;
 use pompeiu::figures::FigureError;
 use pompeiu::figures::page::PageError;
 use pompeiu::flatten::{CutError, FlattenError, MedialError};
@@ -16,7 +17,7 @@ use pompeiu::matching::align::AlignError;
 use pompeiu::matching::rank::RankError;
 use pompeiu::matching::request::RequestError;
 use pompeiu::neuron::{FlowError as NeuronFlowError, MeshError as NeuronMeshError, SwcError, TransportError};
-use pompeiu::operators::OperatorError;
+use pompeiu::operators::{FieldSourceError, OperatorError};
 use pompeiu::options::OptionsError;
 use pompeiu::planar::OutlineError;
 use pompeiu::planar::picture::PictureError;
@@ -175,6 +176,18 @@ impl Raise for FlattenError {
                 classes::OptionError::new_err(sentence)
             }
             _ => classes::SurfaceError::new_err(sentence),
+        }
+    }
+}
+
+impl Raise for DecomposeError {
+    fn exception(&self, sentence: String) -> PyErr {
+        match self {
+            Self::NoField
+            | Self::Source(FieldSourceError::Expression { .. } | FieldSourceError::Harmonic { .. }) => {
+                classes::OptionError::new_err(sentence)
+            }
+            _ => classes::FieldError::new_err(sentence),
         }
     }
 }

@@ -16,6 +16,7 @@
 //! | [`DecompositionOptions`] | which decomposition |
 //! | [`HodgeSolver`] | a surface factored once, to decompose many fields |
 //! | [`Decomposition`], [`Quality`] | the three parts and potentials, and a bound on the error of each part |
+//! | [`DecomposeRequest`] | what the command and Python ask: a field by its name, split once |
 //! | [`DegreesOfFreedom`] | the dimensions of the spaces: why a single function space is not enough |
 //! | [`SingleSpaceSolver`] | the decomposition with a single function space, to show how it fails |
 #![cfg_attr(feature = "figures", doc = "| [`show`] | pages and pictures of a decomposition |")]
@@ -43,6 +44,7 @@ mod data;
 mod decomposition;
 mod degrees_of_freedom;
 mod options;
+mod request;
 mod scale;
 #[cfg(feature = "figures")]
 pub mod show;
@@ -52,4 +54,8 @@ pub use decomposition::{Decomposition, HodgeSolver, InnerProducts, Norms, Qualit
 pub use degrees_of_freedom::{DegreesOfFreedom, Ranks};
 pub use options::DecompositionOptions;
 pub use pompeiu_operators::{Boundary, HarmonicBasis, OperatorError, Splitting};
+pub use request::{
+    DecomposeAnswer, DecomposeError, DecomposeReport, DecomposeRequest, DecompositionReport,
+    DecompositionTiming,
+};
 pub use single_space::{FunctionSpace, SingleSpaceParts, SingleSpaceSolver};

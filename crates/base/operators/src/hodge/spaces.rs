@@ -8,25 +8,32 @@ use pompeiu_surface::{Relative, Surface, SurfaceMesh};
 
 /// Which of the two potentials is conforming, and which is nonconforming (Crouzeix–Raviart).
 ///
-/// The harmonic fields of one splitting are those of the other, rotated by a quarter turn; they are different fields.
+/// `u = G_v a + J G_e b + h` in the primal splitting, `u = G_e b + J G_v a + h` in the dual one. The harmonic fields of one splitting
+/// are those of the other, rotated by a quarter turn; they are different fields.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Splitting {
-    /// `u = G_v a + J G_e b + h`: gradients of continuous functions.
+    /// Gradients of continuous functions, rotated gradients of functions that agree at midpoints of edges.
     #[default]
     Primal,
-    /// `u = G_e b + J G_v a + h`: rotated gradients of continuous functions.
+    /// Gradients of functions that agree at midpoints of edges, rotated gradients of continuous functions.
     Dual,
 }
 
 /// The boundary condition. It has no effect on closed components.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Boundary {
-    /// Harmonic Neumann fields, tangential to the boundary: the potential of the rotated gradient is zero at the boundary, so
-    /// that neither the rotated gradient nor the harmonic part has a normal component there.
+    /// Harmonic Neumann fields, tangential to the boundary: the potential of the rotated gradient is zero there, so that neither the
+    /// rotated gradient nor the harmonic part has a normal component.
     #[default]
     Tangential,
-    /// Harmonic Dirichlet fields, normal to the boundary: the potential of the gradient is zero at the boundary, so that
-    /// neither the gradient nor the harmonic part has a tangential component there.
+    /// Harmonic Dirichlet fields, normal to the boundary: the potential of the gradient is zero there, so that neither the gradient
+    /// nor the harmonic part has a tangential component.
     Normal,
 }
 

@@ -61,7 +61,7 @@ commands! {
     rank::Rank,
     matrix::Matrix,
     info::Info,
-    decompose::Decompose,
+    decompose::Decompose: system,
     remesh::Remesh,
     flow::Flow,
     fluid::Fluid,
@@ -85,7 +85,6 @@ commands! {
 pub(crate) mod answers {
     pub(crate) use super::complexity::Json as Complexity;
     pub(crate) use super::couple::Json as Couple;
-    pub(crate) use super::decompose::Json as Decompose;
     pub(crate) use super::deviation::Json as Deviation;
     pub(crate) use super::flow::Json as Flow;
     pub(crate) use super::fluid::Json as Fluid;

@@ -40,7 +40,6 @@ fn published_schemas_are_those_of_the_types() {
     visit_systems(&mut published);
     published.check::<answers::Complexity<'static>>("complexity");
     published.check::<answers::Couple<'static>>("couple");
-    published.check::<answers::Decompose<'static>>("decompose");
     published.check::<answers::Deviation<'static>>("deviation");
     published.check::<answers::Flow<'static>>("flow");
     published.check::<answers::Fluid<'static>>("fluid");

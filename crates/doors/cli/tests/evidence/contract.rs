@@ -6,10 +6,9 @@ use serde_json::Value;
 use std::collections::BTreeMap;
 
 /// Commands that are no systems yet: their options are not those of a request.
-const NOT_YET: [&str; 13] = [
+const NOT_YET: [&str; 12] = [
     "complexity",
     "couple",
-    "decompose",
     "deviation",
     "flow",
     "fluid",
@@ -26,7 +25,7 @@ const NOT_YET: [&str; 13] = [
 const NO_ANSWER: [&str; 5] = ["completions", "convert", "generate", "help", "man"];
 
 /// A call of each system, with options and the same as a file.
-const CALLS: [(&str, &str, &str, &str); 6] = [
+const CALLS: [(&str, &str, &str, &str); 7] = [
     (
         "align",
         "dense.obj turned.obj",
@@ -59,6 +58,12 @@ within = 0.1
         "dense.obj",
         "--strategy tips --avoid-curvature 0.5",
         "strategy = \"tips\"\navoid_curvature = 0.5\n",
+    ),
+    (
+        "decompose",
+        "dense.obj",
+        "--field gradient:x*y --splitting dual --boundary normal",
+        "field = \"gradient:x*y\"\nsplitting = \"dual\"\nboundary = \"normal\"\n",
     ),
     (
         "flatten",

@@ -1,15 +1,14 @@
 //! From a scene to a simulation.
 
 use super::scene::{Ball, DensityScene, Overlay, Region, Scene};
-use crate::expression::values;
-use crate::field::{self, FieldSource};
+use crate::field;
 use crate::printer::Printer;
 use anyhow::{Context, bail};
 use pompeiu::core::TriMesh;
 use pompeiu::core::geom::Aabb;
 use pompeiu::core::mesh::VertexData;
 use pompeiu::fluid::{Density, FluidOptions, Simulation, TimeStep, coriolis, tangential};
-use pompeiu::operators::FaceField;
+use pompeiu::operators::{FaceField, FieldSource, vertex_values};
 use pompeiu::planar::picture::Picture;
 use pompeiu::surface::{EdgeData, EdgeId, EmbeddedSurface};
 
@@ -32,9 +31,13 @@ pub(super) fn simulation<'s>(
         }
     }
     if let Some(text) = &scene.velocity {
-        let source = FieldSource::parse(text, "velocity")?;
-        let harmonic = fluid.harmonic_fields();
-        let start = field::field(&source, "velocity", None, mesh, surface, harmonic, printer)?;
+        let source: FieldSource = text.parse().map_err(anyhow::Error::msg).context("velocity")?;
+        let read = field::vectors(&source, None)?;
+        let found = source.field(surface, fluid.harmonic_fields(), read.as_deref());
+        let place = || source.file().map_or_else(|| "velocity".to_owned(), |path| path.display().to_string());
+        let found = found.with_context(place)?;
+        field::warn_of_normal_part(&source, &found, printer);
+        let start = found.field;
         fluid.set_velocity(&start)?;
         let (kept, given) = [&fluid.state().velocity, &start]
             .map(|u| pompeiu::operators::field_norm(surface.surface(), u))
@@ -93,7 +96,9 @@ fn options(scene: &Scene, mesh: &TriMesh, surface: &EmbeddedSurface) -> anyhow::
 fn vorticity(scene: &Scene, mesh: &TriMesh, surface: &EmbeddedSurface) -> anyhow::Result<VertexData<f64>> {
     let count = surface.mesh().vertices();
     let mut sum = match &scene.vorticity {
-        Some(expression) => VertexData::new(count, values(expression, "vorticity", mesh)?)?,
+        Some(expression) => {
+            VertexData::new(count, vertex_values(expression, mesh.positions()).context("vorticity")?)?
+        }
         None => VertexData::filled(count, 0.0),
     };
     for vortex in &scene.vortices {
@@ -208,7 +213,8 @@ pub(super) struct Amounts {
 pub(super) fn amounts(density: &DensityScene, mesh: &TriMesh, around: &Aabb) -> anyhow::Result<Amounts> {
     let count = mesh.positions().len();
     let mut initial = match &density.initial {
-        Some(expression) => values(expression, &format!("density \"{}\"", density.name), mesh)?,
+        Some(expression) => vertex_values(expression, mesh.positions())
+            .with_context(|| format!("density \"{}\"", density.name))?,
         None => vec![0.0; count],
     };
     if let Some(picture) = &density.picture {

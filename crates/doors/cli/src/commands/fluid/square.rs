@@ -2,12 +2,12 @@
 
 use super::build::{Amounts, amounts, darkness, distance_sq, within};
 use super::scene::{Ball, Overlay, Scene};
-use crate::expression::values;
-use anyhow::{anyhow, bail};
+use anyhow::{Context, anyhow, bail};
 use pompeiu::core::TriMesh;
 use pompeiu::core::geom::Aabb;
 use pompeiu::core::mesh::shapes::{Diagonal, grid};
 use pompeiu::fluid::square::{Square, SquareDensity, SquareOptions};
+use pompeiu::operators::vertex_values;
 use std::path::Path;
 
 /// Cells on a side at most: what a page and the systems of larger squares need no machine has.
@@ -57,7 +57,8 @@ pub(super) fn simulation(scene: &Scene, cells: usize, mesh: &TriMesh) -> anyhow:
         let (u, v) = text.split_once(';').ok_or_else(|| {
             anyhow!("velocity: expected two expressions with `;` between them, found `{text}`")
         })?;
-        let (u, v) = (values(u, "velocity", mesh)?, values(v, "velocity", mesh)?);
+        let values = |text: &str| vertex_values(text, mesh.positions()).context("velocity");
+        let (u, v) = (values(u)?, values(v)?);
         square.set_velocity(&u.into_iter().zip(v).map(|(u, v)| [u, v]).collect::<Vec<_>>())?;
     } else if !scene.vortices.is_empty() {
         square.set_velocity(&around_vortices(scene, mesh))?;
