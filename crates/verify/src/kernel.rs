@@ -1,7 +1,7 @@
 //! Points known up to a radius, triangles near them, and polygons cut along chords.
 //!
 //! `u = 2^-53`. Correct rounding gives `|fl(x) - x| <= u |fl(x)|` and `<= u |x|`, plus at most 2^-1075 below the normal numbers,
-//! which [`TINY`] covers: coordinates are at most 2^200 ([`crate::Pair`]), so nothing overflows, and every constant below leaves
+//! which `TINY` covers: coordinates are at most 2^200 ([`crate::Pair`]), so nothing overflows, and every constant below leaves
 //! room for the products of several `u`.
 
 /// A point or a difference of points.
