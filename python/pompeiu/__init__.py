@@ -15,6 +15,7 @@ from .alignment import Registration, align
 from . import shapes
 from ._native import Mesh, __version__
 from .bands import BandReport, DirectedBands
+from .certificates import Certificate, Certified, UnprovenStatement, Verified, verify
 from .deviations import (
     Deviation,
     DeviationWork,
@@ -83,6 +84,8 @@ from .surfaces import Flow, Intersections, Remeshed, Simplified, flow, intersect
 
 __all__ = [
     "BandReport",
+    "Certificate",
+    "Certified",
     "DEFAULT_TOLERANCE",
     "Complexity",
     "Cut",
@@ -142,6 +145,8 @@ __all__ = [
     "SymmetricReport",
     "Target",
     "Timing",
+    "UnprovenStatement",
+    "Verified",
     "Witness",
     "WorkCount",
     "WriteError",
@@ -178,5 +183,6 @@ __all__ = [
     "simplify",
     "straighten",
     "sweep_neurons",
+    "verify",
     "write_mesh",
 ]

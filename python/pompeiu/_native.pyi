@@ -25,6 +25,18 @@ def ask(
     progress: Optional[Callable[..., Optional[bool]]],
 ) -> tuple[str, dict[str, Any]]: ...
 
+_Ends = tuple[float, int, tuple[float, float, float], float]
+
+def write_certificate(
+    path: str | os.PathLike[str],
+    a: Mesh,
+    b: Mesh,
+    ends: tuple[Optional[_Ends], Optional[_Ends]],
+    slack: float,
+    given: _Limits,
+) -> str: ...
+def verify_certificate(path: str | os.PathLike[str], a: Mesh, b: Mesh, threads: Optional[int]) -> str: ...
+
 class Mesh:
     def __new__(cls, vertices: ArrayLike, faces: ArrayLike) -> Mesh: ...
     @property

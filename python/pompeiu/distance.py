@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import json
+import os
 from dataclasses import dataclass, field
 from typing import Any, Literal, Optional, Tuple, Union
 
 from . import _native
 from ._asking import ask
+from .certificates import Certificate
+from .errors import OptionError
 from .progress import ProgressLike, watching
 from .results import DirectedReport, SymmetricReport
-from .sources import MeshLike, as_mesh
+from .sources import Mesh, MeshLike, as_mesh
 
 __all__ = ["DEFAULT_TOLERANCE", "Distance", "Target", "directed_hausdorff", "distance", "hausdorff"]
 
@@ -86,6 +89,56 @@ class Distance:
     answer: Optional[str]
     stop: str
     report: "dict[str, Any]" = field(repr=False)
+    _meshes: "Tuple[Mesh, Mesh]" = field(repr=False, compare=False)
+    _slack: float = field(repr=False, compare=False)
+
+    def certificate(
+        self,
+        path: "str | os.PathLike[str]",
+        *,
+        threads: Optional[int] = None,
+        time_limit: Optional[float] = None,
+        memory_limit: Optional[int] = None,
+    ) -> Certificate:
+        """Writes a file from which anybody can prove the distance anew; see :func:`pompeiu.verify`.
+
+        The upper ends are raised by ``certificate_slack`` of the question, a fraction of the joint diagonal. Where the distance is
+        proven to be at most ``assert_below``, that length is the upper end.
+
+        Parameters
+        ----------
+        path : str or path-like
+            The file; it appears whole or not at all.
+        threads : int, optional
+            Threads to use; all processors by default. The bytes do not depend on it.
+        time_limit : float, optional
+            Give up after so many seconds.
+        memory_limit : int, optional
+            Give up before memory exceeds so many bytes.
+
+        Raises
+        ------
+        OptionError
+            If B was moved by ``align``: a certificate is about the triangles that were handed in.
+        WriteError
+            If the file cannot be written, a limit was reached, or rounding hides that the interval holds; a little more slack
+            decides that.
+        """
+        if self.report.get("alignment") is not None:
+            raise OptionError("a certificate is about the triangles that were handed in, but align moved B; move it first")
+        threshold = self.report["threshold"]["value"] if self.answer == "below" else None
+        ends = tuple(
+            None if one is None else (
+                one.upper if threshold is None else threshold,
+                one.witness.from_.face,
+                one.witness.from_.barycentric,
+                one.lower,
+            )
+            for one in (self.a_to_b, self.b_to_a)
+        )
+        slack = self._slack if threshold is None else 0.0
+        limits = (threads, time_limit, memory_limit)
+        return Certificate._of(json.loads(_native.write_certificate(path, *self._meshes, ends, slack, limits)))
 
 
 def distance(
@@ -99,6 +152,7 @@ def distance(
     assert_below: Optional[float] = None,
     method: Literal["fast", "classic"] = "fast",
     trace: bool = False,
+    certificate_slack: float = 1e-12,
     threads: Optional[int] = None,
     time_limit: Optional[float] = None,
     memory_limit: Optional[int] = None,
@@ -128,6 +182,8 @@ def distance(
         slow at small tolerances.
     trace : bool
         Show how the interval narrows: a row per tolerance 1e-1, 1e-2, ... of the diagonal.
+    certificate_slack : float
+        Raise the upper ends that a certificate states by this fraction of the diagonal: the more, the shorter it is.
     threads : int, optional
         Threads to use; all processors by default. The answer does not depend on it.
     time_limit : float, optional
@@ -158,15 +214,17 @@ def distance(
 
 
 def _asked(given: "dict[str, Any]") -> Distance:
+    meshes = as_mesh(given["a"]), as_mesh(given["b"])
     with watching(given.pop("progress")) as watch:
-        answer, _ = ask("distance", {**given, "progress": watch}, ("a", "b"))
+        answer, _ = ask("distance", {**given, "a": meshes[0], "b": meshes[1], "progress": watch}, ("a", "b"))
     report = answer["report"]
     a_to_b, b_to_a = (_directed(report.get(way), ends) for way, ends in (("a_to_b", "ab"), ("b_to_a", "ba")))
     both = None
     if a_to_b is not None and b_to_a is not None:
         both = SymmetricReport(report["hausdorff"]["lower"], report["hausdorff"]["upper"], a_to_b, b_to_a)
     threshold = report.get("threshold")
-    return Distance(a_to_b, b_to_a, both, threshold and threshold["answer"], answer["stop"], report)
+    slack = answer["request"]["certificate_slack"]
+    return Distance(a_to_b, b_to_a, both, threshold and threshold["answer"], answer["stop"], report, meshes, slack)
 
 
 def _directed(report: "Optional[dict[str, Any]]", ends: str) -> Optional[DirectedReport]:

@@ -3,6 +3,7 @@
 mod aligned;
 mod args;
 mod called;
+mod certificate;
 mod commands;
 mod door;
 mod exit;

@@ -10,6 +10,7 @@ use pompeiu::figures::page::PageError;
 use pompeiu::flatten::{CutError, FlattenError, MedialError};
 use pompeiu::flow::FlowError;
 use pompeiu::fluid::FluidError;
+use pompeiu::hausdorff::certificate::CertificateError;
 use pompeiu::hausdorff::deviation::BandError;
 use pompeiu::hausdorff::{OptionError, RepairRequestError};
 use pompeiu::io::{AttributeError, ReadError, WriteError};
@@ -152,6 +153,48 @@ impl Raise for ShapeFileError {
                 classes::MissingFileError::new_err(sentence)
             }
             _ => classes::ReadError::new_err(sentence),
+        }
+    }
+}
+
+/// A certificate that was not written or cannot be read, with its file.
+#[derive(Debug, thiserror::Error)]
+pub(crate) enum CertificateFileError {
+    /// There is no certificate.
+    #[error("{}: {error}", path.display())]
+    Write {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        error: CertificateError,
+    },
+    /// There is no file.
+    #[error("{}: {error}", path.display())]
+    Open {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        error: std::io::Error,
+    },
+    /// It is no certificate.
+    #[error("{}: {error}", path.display())]
+    Read {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        error: String,
+    },
+}
+
+impl Raise for CertificateFileError {
+    fn exception(&self, sentence: String) -> PyErr {
+        match self {
+            Self::Open { error, .. } if error.kind() == ErrorKind::NotFound => {
+                classes::MissingFileError::new_err(sentence)
+            }
+            Self::Open { .. } | Self::Read { .. } => classes::ReadError::new_err(sentence),
+            Self::Write { error: CertificateError::Option(_), .. } => classes::OptionError::new_err(sentence),
+            Self::Write { .. } => classes::WriteError::new_err(sentence),
         }
     }
 }

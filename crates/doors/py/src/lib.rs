@@ -5,6 +5,7 @@
 
 mod arrays;
 mod ask;
+mod certificate;
 mod complexity;
 mod errors;
 mod fields;
@@ -28,6 +29,8 @@ mod wait;
 mod _native {
     #[pymodule_export]
     use crate::ask::ask;
+    #[pymodule_export]
+    use crate::certificate::{verify_certificate, write_certificate};
     #[pymodule_export]
     use crate::complexity::{complexity, k_medoids, noisy_circle, polyline, read_outlines};
     #[pymodule_export]

@@ -40,6 +40,6 @@ pub use hexahedra::{Hexahedra, read_hexahedra};
 pub use loops::read_loops;
 pub use read::{ReadMesh, read, read_bytes, read_mesh, referenced_files};
 pub use write::{
-    AttributeError, Attributes, EncodeError, OutputFormat, WriteError, encode, write, write_as, write_whole,
-    write_with,
+    AttributeError, Attributes, EncodeError, OutputFormat, WriteError, encode, write, write_as, write_stream,
+    write_whole, write_with,
 };

@@ -58,7 +58,8 @@ pub use report::{
 };
 pub use request::{
     AskedTolerance, Comparison, DirectedDistance, Directions, DistanceReport, DistanceRequest, ProvenRepair,
-    ProvenRepairReport, RepairRequest, RepairRequestError, ThresholdAnswer, ToleranceKind, TraceRow,
+    ProvenRepairReport, RepairRequest, RepairRequestError, Statement, ThresholdAnswer, ToleranceKind,
+    TraceRow, UnprovenStatement, VerifyReport, VerifyRequest,
 };
 pub use target::Target;
 pub use tolerance::{OptionError, Tolerance};

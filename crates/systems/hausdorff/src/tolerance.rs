@@ -70,6 +70,9 @@ pub enum OptionError {
     /// The threshold is negative or not a finite number.
     #[error("the threshold is {0}; it must be a finite number that is not negative")]
     Threshold(f64),
+    /// The slack of a certificate is negative or not a finite number.
+    #[error("the slack of the certificate is {0}; it must be a finite number that is not negative")]
+    Slack(f64),
     /// The accuracy is not a positive, finite number.
     #[error("the accuracy is {0}; it must be a finite number greater than 0")]
     Accuracy(f64),

@@ -25,6 +25,7 @@ mod rank;
 mod remesh;
 mod repair;
 mod simplify;
+mod verify;
 
 use crate::exit::Exit;
 use crate::printer::Printer;
@@ -56,6 +57,7 @@ macro_rules! commands {
 
 commands! {
     distance::Distance: system,
+    verify::Verify: system,
     deviation::Deviation,
     align::Align: system,
     rank::Rank,

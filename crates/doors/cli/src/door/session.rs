@@ -70,6 +70,12 @@ impl<'s> Session<'s> {
         RunContext::start(self.limits.after(self.started.elapsed())).watched_by(&self.wait)
     }
 
+    /// The limits for something beside the computation, whose time starts now.
+    pub(crate) fn limits_anew(&self) -> pompeiu::core::run::Limits {
+        interrupt::listen();
+        self.limits.after(Duration::ZERO)
+    }
+
     /// Takes the progress bar away.
     pub(crate) fn stop_waiting(&mut self) {
         self.wait = Wait::hidden();

@@ -31,6 +31,9 @@ impl Visitor for Pages {
 }
 
 fn table(command: &Command, options: &[Described]) -> String {
+    if options.is_empty() {
+        return "\nIt has no options of its own beside limits and those of the output.\n\n".to_owned();
+    }
     let mut text = "\n| option | in Python and files | default | meaning |\n|---|---|---|---|\n".to_owned();
     for option in options {
         let arg = command.get_arguments().find(|arg| arg.get_id() == option.name.as_str());

@@ -25,7 +25,7 @@ const NOT_YET: [&str; 12] = [
 const NO_ANSWER: [&str; 5] = ["completions", "convert", "generate", "help", "man"];
 
 /// A call of each system, with options and the same as a file.
-const CALLS: [(&str, &str, &str, &str); 7] = [
+const CALLS: [(&str, &str, &str, &str); 8] = [
     (
         "align",
         "dense.obj turned.obj",
@@ -53,6 +53,7 @@ fill_holes = 5
 within = 0.1
 ",
     ),
+    ("verify", "proof.phc dense.obj turned.obj", "", "# there are no options\n"),
     (
         "cut",
         "dense.obj",
@@ -83,6 +84,7 @@ fn folder() -> Folder {
     let folder = Folder::new();
     folder.ok("generate torus --major-segments 48 --minor-segments 32 -o dense.obj");
     folder.ok("generate torus --major-segments 40 --minor-segments 24 --rotate 1,0,0,30 -o turned.obj");
+    folder.ok("distance dense.obj turned.obj --certificate proof.phc");
     folder
 }
 

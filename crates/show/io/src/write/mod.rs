@@ -98,7 +98,25 @@ fn in_file(path: &Path, error: EncodeError) -> WriteError {
 /// [`WriteError::Io`]; a file that existed before is unchanged.
 pub fn write_whole(path: impl AsRef<Path>, content: &[u8]) -> Result<(), WriteError> {
     let path = path.as_ref();
-    replace::replace_file(path, |file| Ok(file.write_all(content)?)).map_err(|error| in_file(path, error))
+    replace::replace_file(path, |file| Ok(file.write_all(content)?))
+        .map_err(|error: EncodeError| in_file(path, error))
+}
+
+/// Writes a file of any kind piece by piece, atomically: it appears, or is replaced, only once `fill` has succeeded. Writes of any size are
+/// collected to blocks.
+///
+/// # Errors
+/// Those of `fill`, and of the file as they become one of these; a file that existed before is unchanged.
+pub fn write_stream<R, E: From<io::Error>>(
+    path: impl AsRef<Path>,
+    fill: impl FnOnce(&mut (dyn Write + Send)) -> Result<R, E>,
+) -> Result<R, E> {
+    replace::replace_file(path.as_ref(), |file| {
+        let mut out = io::BufWriter::with_capacity(BLOCK, file);
+        let filled = fill(&mut out)?;
+        out.flush()?;
+        Ok(filled)
+    })
 }
 
 /// Encodes a mesh with attributes into any writer, uncompressed; flushes at the end.

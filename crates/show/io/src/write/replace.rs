@@ -1,6 +1,5 @@
 //! Atomic replacement of files.
 
-use super::EncodeError;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -10,10 +9,10 @@ use std::path::{Path, PathBuf};
 /// Links are followed. If `path` is not a regular file (a folder, a device), it is left unchanged and an error is returned. The
 /// temporary file is removed on every error and panic. On Linux, if the file system supports it, the file has no name while it is
 /// written, so that the system removes it even when the process is killed.
-pub(super) fn replace_file(
+pub(super) fn replace_file<R, E: From<io::Error>>(
     path: &Path,
-    fill: impl FnOnce(&mut fs::File) -> Result<(), EncodeError>,
-) -> Result<(), EncodeError> {
+    fill: impl FnOnce(&mut fs::File) -> Result<R, E>,
+) -> Result<R, E> {
     let path = destination(path)?;
     let folder = match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
@@ -29,17 +28,17 @@ pub(super) fn replace_file(
     }
     #[cfg(target_os = "linux")]
     if let Some(mut file) = unnamed::file(folder) {
-        fill(&mut file)?;
+        let filled = fill(&mut file)?;
         builder
             .make_in(folder, |name| unnamed::give_name(&file, name))?
             .persist(&path)
             .map_err(|failure| failure.error)?;
-        return Ok(());
+        return Ok(filled);
     }
     let mut file = builder.tempfile_in(folder)?;
-    fill(file.as_file_mut())?;
+    let filled = fill(file.as_file_mut())?;
     file.persist(&path).map_err(|failure| failure.error)?;
-    Ok(())
+    Ok(filled)
 }
 
 /// Files that have no name until they are complete.
@@ -102,7 +101,7 @@ mod tests {
                 file.write_all(text.as_bytes())?;
                 file.flush()?;
                 assert_eq!(names(folder.path()), before, "a killed process leaves nothing");
-                Ok(())
+                io::Result::Ok(())
             })
             .unwrap();
             assert_eq!((fs::read_to_string(&path).unwrap().as_str(), names(folder.path()).len()), (text, 1));

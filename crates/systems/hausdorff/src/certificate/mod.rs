@@ -7,11 +7,17 @@
 //!
 //! What is written is described byte by byte in the guide, and checked by [`pompeiu_verify`].
 
+mod answer;
 mod chord;
 mod encode;
 mod face;
 
+pub use answer::CertificateAnswer;
+pub(crate) use answer::check_slack;
+
+use crate::engine::bytes_to_start;
 use crate::report::{DirectedReport, SymmetricReport};
+use crate::tolerance::OptionError;
 use face::{Scene, Trees, Unfinished};
 use pompeiu_core::TriMesh;
 use pompeiu_core::geom::{Aabb, Frame};
@@ -58,7 +64,7 @@ impl Goal {
 /// How much a certificate may take.
 #[derive(Clone, Debug, Default)]
 pub struct CertificateOptions {
-    /// Time, threads and cancelling. The limit on pieces is that on the cells of one face.
+    /// Time, threads, memory and cancelling. The limit on pieces is that on the cells of one face.
     pub limits: Limits,
 }
 
@@ -133,6 +139,9 @@ pub enum CertificateError {
     /// The upper end is not a finite length, or too small beside the meshes to be computed with.
     #[error("no certificate can be made for an upper end of {0}")]
     Upper(f64),
+    /// An option that cannot be used.
+    #[error(transparent)]
+    Option(#[from] OptionError),
     /// A limit was reached.
     #[error("the certificate was given up, for the limit on {} was reached", .0.name())]
     Stopped(StopReason),
@@ -236,6 +245,10 @@ impl Writer<'_> {
 
         let frame = Frame::of(&Aabb::of_faces(a).union(Aabb::of_faces(b)));
         let stopped = || CertificateError::Stopped(self.control.reason().unwrap_or(StopReason::Cancelled));
+        self.control.check_memory(bytes_to_start(a, b));
+        if self.control.is_stopped() {
+            return Err(stopped());
+        }
         let bvh = Bvh::build_unless_stopped(b, &frame, self.control).ok_or_else(stopped)?;
         let near = nearest(a, &bvh, &frame);
         let neighbours = (upper < FINE * mean_side(a)).then(|| Neighbours::new(b, &bvh));

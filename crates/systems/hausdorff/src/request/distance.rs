@@ -1,5 +1,6 @@
 //! What can be asked of two meshes: their distance in one direction or both, whether it is at most a length, how the search narrowed it.
 
+use crate::certificate::{CertificateAnswer, Goal, check_slack};
 use crate::{
     DirectedReport, Direction, Enclosure, HausdorffOptions, Method, Observer, OptionError, PointPair,
     Progress, Stage, StopReason, Timing, Tolerance, WorkCount, digits,
@@ -49,6 +50,12 @@ pub struct DistanceRequest {
     /// Show how the interval narrows: a row per tolerance 1e-1, 1e-2, ... of the diagonal.
     #[cfg_attr(feature = "clap", arg(long))]
     pub trace: bool,
+    /// Raise the upper ends that a certificate states by this fraction of the diagonal: the more, the shorter it is.
+    #[cfg_attr(
+        feature = "clap",
+        arg(long, value_parser = magnitude, allow_negative_numbers = true, value_name = "X")
+    )]
+    pub certificate_slack: f64,
 }
 
 impl Default for DistanceRequest {
@@ -60,6 +67,7 @@ impl Default for DistanceRequest {
             assert_below: None,
             method: Method::default(),
             trace: false,
+            certificate_slack: Goal::SLACK,
         }
     }
 }
@@ -127,6 +135,9 @@ pub struct DistanceReport {
     /// How the interval narrowed; absent if that was not asked.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub trace: Option<Vec<TraceRow>>,
+    /// What came of the certificate; absent if none was asked for.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub certificate: Option<CertificateAnswer>,
     /// Time spent on both directions, in milliseconds.
     #[cfg_attr(feature = "serde", serde(rename = "timing_ms"))]
     pub timing: Timing,
@@ -247,12 +258,15 @@ impl Report for DistanceReport {
         first.or_else(|| reasons().next()).unwrap_or(StopReason::Tolerance)
     }
 
-    /// A question about a threshold is answered or not; otherwise limits decide.
+    /// A question about a threshold is answered or not; otherwise limits decide, and whether the certificate was written that was asked for.
     fn conclusion(&self) -> Conclusion {
         match self.threshold.map(|threshold| threshold.answer) {
             Some(Comparison::Above) => Conclusion::Refuted,
             Some(Comparison::Undecided) => Conclusion::Incomplete,
             None if self.stop().is_early() => Conclusion::Incomplete,
+            _ if self.certificate.as_ref().is_some_and(|answer| answer.written.is_none()) => {
+                Conclusion::Incomplete
+            }
             Some(Comparison::Below) | None => Conclusion::AsAsked,
         }
     }
@@ -270,6 +284,7 @@ impl DistanceRequest {
         context: &RunContext<'_>,
         observer: Option<&dyn Observer>,
     ) -> Result<DistanceReport, OptionError> {
+        check_slack(self.certificate_slack)?;
         let diagonal = Aabb::of_faces(a).union(Aabb::of_faces(b)).diagonal();
         let stages = self.stages(diagonal);
         let watch = Watch {
@@ -333,6 +348,7 @@ impl DistanceRequest {
             hausdorff: a_to_b.zip(b_to_a).map(|(there, back)| there.distance.max(back.distance)),
             threshold,
             trace,
+            certificate: None,
             timing,
         }
     }

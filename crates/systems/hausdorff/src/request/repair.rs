@@ -1,5 +1,6 @@
 //! Repairing a mesh, with a proof of how far the result is from it.
 
+use crate::certificate::CertificateAnswer;
 use crate::{Enclosure, HausdorffOptions};
 use pompeiu_core::TriMesh;
 use pompeiu_core::mesh::repair::{RepairError, RepairOptions, RepairReport, Weld, repair};
@@ -84,6 +85,9 @@ pub struct ProvenRepairReport {
     pub within: Option<f64>,
     /// The Pompeiu–Hausdorff distance of input and result; null where none was asked for.
     pub distance: Option<Enclosure>,
+    /// What came of the certificate; absent if none was asked for.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub certificate: Option<CertificateAnswer>,
     /// Why the search for the distance ended.
     pub stop: StopReason,
 }
@@ -98,6 +102,9 @@ impl Report for ProvenRepairReport {
         match self.within.zip(self.distance) {
             Some((within, distance)) if distance.lower() > within => Conclusion::Refuted,
             Some((within, distance)) if distance.upper() > within => Conclusion::Incomplete,
+            _ if self.certificate.as_ref().is_some_and(|answer| answer.written.is_none()) => {
+                Conclusion::Incomplete
+            }
             _ => Conclusion::AsAsked,
         }
     }
@@ -136,6 +143,7 @@ impl RepairRequest {
             within: self.within,
             stop: stops.into_iter().find(|stop| stop.is_early()).unwrap_or(StopReason::Tolerance),
             distance: measured.map(|report| report.distance),
+            certificate: None,
         };
         report.written = report.conclusion() == Conclusion::AsAsked;
         Ok(ProvenRepair { mesh: found.mesh, report })

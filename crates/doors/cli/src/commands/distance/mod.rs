@@ -8,9 +8,12 @@ pub(crate) use crate::door::run;
 use crate::door::{AnswerOf, Invocation, Session, System};
 use crate::numbers::shortest;
 use crate::pair;
+use crate::{certificate, files};
+use anyhow::bail;
 use clap::Args;
 use pompeiu::core::run::StopReason;
 use pompeiu::matching::request::{AlignedDistanceReport, AlignedDistanceRequest};
+use std::path::PathBuf;
 
 pub(crate) type Distance = Invocation<Files>;
 
@@ -24,23 +27,29 @@ Exit codes:
   0  done; with --assert-below: proven to be at most that
   1  with --assert-below: proven to exceed it
   2  a file or an argument cannot be used
-  3  undecided within the time or memory limit, or within double precision
+  3  undecided within the time or memory limit, or within double precision; or the certificate could not be written
 
 Examples:
   pompeiu distance model.obj scan.ply
   pompeiu distance model.obj scan.ply --direction a-to-b --json
   pompeiu distance model.obj scan.ply --tolerance 1e-3 --tolerance-kind relative
-  pompeiu distance model.obj scan.ply --assert-below 0.05 --time-limit 10s")]
+  pompeiu distance model.obj scan.ply --assert-below 0.05 --time-limit 10s
+  pompeiu distance model.obj scan.ply --certificate proof.phc")]
 pub(crate) struct Files {
     #[command(flatten)]
     meshes: Meshes,
+    /// Write a file from which anybody can prove the answer anew, see `pompeiu verify`. A time limit holds for the search, and again
+    /// for writing
+    #[arg(long, value_name = "FILE")]
+    certificate: Option<PathBuf>,
 }
 
 impl System for Files {
     type Request = AlignedDistanceRequest;
 
     fn check(&self, _: bool) -> anyhow::Result<()> {
-        pair::check(self.meshes.paths())
+        pair::check(self.meshes.paths())?;
+        self.certificate.as_ref().map_or(Ok(()), |path| files::check_place(path, &self.meshes.paths()))
     }
 
     fn run(
@@ -49,10 +58,23 @@ impl System for Files {
         session: &mut Session<'_>,
     ) -> anyhow::Result<AlignedDistanceReport> {
         let paths = self.meshes.paths();
+        if self.certificate.is_some() && request.align.is_some() {
+            bail!(
+                "a certificate is about the triangles in the files, but --align moves B; \
+                 write the moved mesh with `pompeiu align` and compare that"
+            );
+        }
         let [a, b] = session.read_pair(paths)?;
         session.wait.show("building trees".to_owned());
         let context = session.context();
-        let report = request.run(&a, &b, &context, None).map_err(|error| pair::in_files(paths, error))?;
+        let mut report = request.run(&a, &b, &context, None).map_err(|error| pair::in_files(paths, error))?;
+        if let Some(path) = &self.certificate {
+            let (found, slack) = (&report.distance, request.distance.certificate_slack);
+            let answer = certificate::write(path, session, |options, into| {
+                found.certify([&a, &b], slack, options, into)
+            })?;
+            report.distance.certificate = Some(answer);
+        }
         session.stop_waiting();
         if let Some(found) = &report.alignment {
             aligned::warn(paths, found, session.printer);
@@ -68,6 +90,6 @@ impl System for Files {
     }
 
     fn text(&self, answer: &AnswerOf<Self>) -> String {
-        text::text(self.meshes.names(), answer)
+        text::text(self.meshes.names(), self.certificate.as_deref(), answer)
     }
 }

@@ -10,8 +10,9 @@ use pompeiu::hausdorff::{
     AskedTolerance, Comparison, DirectedDistance, Direction, DistanceReport, Enclosure, StopReason,
     ThresholdAnswer, ToleranceKind, TraceRow,
 };
+use std::path::Path;
 
-pub(super) fn text(names: [&str; 2], answer: &AnswerOf<Files>) -> String {
+pub(super) fn text(names: [&str; 2], certificate: Option<&Path>, answer: &AnswerOf<Files>) -> String {
     let mut page = Page::new();
     let report = &answer.report.distance;
     let labels = [("A", names[0]), ("B", names[1])]
@@ -47,6 +48,10 @@ pub(super) fn text(names: [&str; 2], answer: &AnswerOf<Files>) -> String {
     }
     if let Some(rows) = &report.trace {
         trace(&mut page, rows);
+    }
+    if let Some((path, answer)) = certificate.zip(report.certificate.as_ref()) {
+        crate::certificate::rows(&mut page, path, answer);
+        page.gap();
     }
     let [read, build, search, total] =
         [answer.timing.read, report.timing.build, report.timing.search, answer.timing.total].map(time);

@@ -5,8 +5,8 @@ mod text;
 use crate::args::{Centered, tell};
 pub(crate) use crate::door::run;
 use crate::door::{AnswerOf, Invocation, Session, System};
-use crate::files;
 use crate::numbers::shortest;
+use crate::{certificate, files};
 use anyhow::Context;
 use clap::Args;
 use pompeiu::hausdorff::{ProvenRepairReport, RepairRequest};
@@ -24,6 +24,7 @@ otherwise nothing is written, and the exit code is 1.
 Examples:
   pompeiu repair scan.stl clean.ply
   pompeiu repair scan.ply clean.ply --weld 0.001 --within 0.01
+  pompeiu repair scan.ply clean.ply --weld 0.001 --within 0.01 --certificate proof.phc
   pompeiu repair scan.ply closed.ply --fill-holes 30 --json")]
 pub(crate) struct Files {
     /// The mesh file to read
@@ -34,6 +35,9 @@ pub(crate) struct Files {
     output: PathBuf,
     #[command(flatten)]
     centered: Centered,
+    /// Write a file from which anybody can prove anew that the result is within --within of the input, see `pompeiu verify`
+    #[arg(long, value_name = "FILE")]
+    certificate: Option<PathBuf>,
 }
 
 impl System for Files {
@@ -41,7 +45,8 @@ impl System for Files {
 
     fn check(&self, _: bool) -> anyhow::Result<()> {
         files::check_writable(&self.output)?;
-        files::check_place(&self.output, &[&self.input])
+        let outputs = [Some(&self.output), self.certificate.as_ref()];
+        files::check_places(outputs.into_iter().flatten().map(PathBuf::as_path), &[&self.input])
     }
 
     fn run(
@@ -49,9 +54,14 @@ impl System for Files {
         request: &mut RepairRequest,
         session: &mut Session<'_>,
     ) -> anyhow::Result<ProvenRepairReport> {
+        certificate::check_result(self.certificate.as_deref(), request.within, self.centered.center)?;
         let mesh = session.read_mesh(&self.input)?;
         let found = request.run(&mesh, self.centered.coordinates(&self.output), &session.context());
-        let found = found.with_context(|| self.input.display().to_string())?;
+        let mut found = found.with_context(|| self.input.display().to_string())?;
+        if let (true, Some(path), Some(within)) = (found.report.written, &self.certificate, request.within) {
+            let answer = certificate::write_within(path, [&mesh, &found.mesh], within, session)?;
+            found.report.certificate = Some(answer);
+        }
         session.stop_waiting();
         if found.report.written {
             tell(&self.output, &found.report.rounding, session.printer);
@@ -67,6 +77,6 @@ impl System for Files {
     }
 
     fn text(&self, answer: &AnswerOf<Self>) -> String {
-        text::text(answer)
+        text::text(self.certificate.as_deref(), answer)
     }
 }

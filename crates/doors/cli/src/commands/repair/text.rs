@@ -3,13 +3,14 @@
 use super::Files;
 use crate::door::AnswerOf;
 use crate::numbers::{grouped, point, shortest};
-use crate::page::value;
+use crate::page::{Page, value};
 use crate::printer::LABEL;
 use pompeiu::core::mesh::repair::Change;
 use std::fmt::Write;
+use std::path::Path;
 
 /// A row for each operation that did something, with the first places.
-pub(super) fn text(answer: &AnswerOf<Files>) -> String {
+pub(super) fn text(certificate: Option<&Path>, answer: &AnswerOf<Files>) -> String {
     let mut text = String::new();
     let mut row = |label: &str, value: &str| {
         let _ = writeln!(text, "{LABEL}{label:<10}{LABEL:#}{value}");
@@ -58,6 +59,11 @@ pub(super) fn text(answer: &AnswerOf<Files>) -> String {
     if let Some((within, distance)) = found.within.zip(found.distance) {
         let verdict = if found.written { "proven to be" } else { "not proven to be" };
         row("H(A, B)", &format!("{}, {verdict} at most {}", value(distance), shortest(within)));
+    }
+    if let Some((path, answer)) = certificate.zip(found.certificate.as_ref()) {
+        let mut page = Page::new();
+        crate::certificate::rows(&mut page, path, answer);
+        text += &page.into_text();
     }
     text
 }

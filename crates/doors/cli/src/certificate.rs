@@ -1,0 +1,85 @@
+//! Certificates beside an answer: written, whole or not at all, and told.
+
+use crate::door::Session;
+use crate::page::Page;
+use anyhow::{Context, bail};
+use bytesize::ByteSize;
+use pompeiu::core::TriMesh;
+use pompeiu::hausdorff::certificate::{
+    Certificate, CertificateAnswer, CertificateError, CertificateOptions, Certified, Goal, write_certificate,
+};
+use std::io::Write;
+use std::path::Path;
+
+/// Writes a certificate by a function that streams it, within the limits of the command. Those on time count anew: a search that used
+/// all of its time leaves an answer that can be certified.
+pub(crate) fn write(
+    path: &Path,
+    session: &Session<'_>,
+    fill: impl FnOnce(&CertificateOptions, &mut (dyn Write + Send)) -> Result<Certificate, CertificateError>,
+) -> anyhow::Result<CertificateAnswer> {
+    session.wait.show(format!("writing {}", path.display()));
+    let options = CertificateOptions { limits: session.limits_anew() };
+    let attempt = pompeiu::io::write_stream(path, |into| fill(&options, into));
+    let answer = CertificateAnswer::of(attempt).with_context(|| path.display().to_string())?;
+    if let Some(problem) = &answer.problem {
+        session.wait.suspend(|| {
+            session
+                .printer
+                .warning(format_args!("{}: no certificate was written: {problem}", path.display()));
+        });
+    }
+    Ok(answer)
+}
+
+/// Refuses a certificate of a result for which nothing is to be proven, or whose file has other coordinates than what was measured.
+pub(crate) fn check_result(
+    path: Option<&Path>,
+    within: Option<f64>,
+    is_centered: bool,
+) -> anyhow::Result<()> {
+    if path.is_some() && within.is_none() {
+        bail!(
+            "--certificate proves how far the result is from the input; say with --within how far it may be"
+        );
+    }
+    if path.is_some() && is_centered {
+        bail!(
+            "a certificate is about the triangles in the files, but --center moves those of the result; leave one of both out"
+        );
+    }
+    Ok(())
+}
+
+/// Writes a certificate that no point of a mesh is farther from the other than a length, in both directions.
+pub(crate) fn write_within(
+    path: &Path,
+    [input, result]: [&TriMesh; 2],
+    within: f64,
+    session: &Session<'_>,
+) -> anyhow::Result<CertificateAnswer> {
+    let goals = [Some(Goal::within(within)); 2];
+    write(path, session, |options, into| write_certificate(input, result, goals, options, into))
+}
+
+/// What a certificate proves, and where it is.
+pub(crate) fn rows(page: &mut Page, path: &Path, answer: &CertificateAnswer) {
+    let Some(written) = &answer.written else {
+        page.row("proof", "not written, see the warning");
+        return;
+    };
+    page.row(
+        "proof",
+        &format!("{}, {}; `pompeiu verify` checks it", path.display(), ByteSize(written.bytes)),
+    );
+    proven(page, written.a_to_b.as_ref(), written.b_to_a.as_ref());
+}
+
+/// A row for each direction.
+pub(crate) fn proven(page: &mut Page, a_to_b: Option<&Certified>, b_to_a: Option<&Certified>) {
+    for (name, claim) in [("h(A, B)", a_to_b), ("h(B, A)", b_to_a)] {
+        if let Some(Certified { lower, upper, .. }) = claim {
+            page.row("", &format!("{lower} <= {name} <= {upper}"));
+        }
+    }
+}
