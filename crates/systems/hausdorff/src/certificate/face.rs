@@ -50,6 +50,8 @@ const FINE: f64 = 30.0;
 const ENOUGH: f64 = 0.2;
 /// A cut that takes away less than this is none.
 const LEAST: f64 = 0.02;
+/// A polygon whose area is less than this part of the square of its extent is taken for a segment.
+const FLAT: f64 = 1e-15;
 /// Polygons that wait: fewer than a verifier allows.
 const MOST_WAITING: usize = 900;
 
@@ -187,13 +189,14 @@ impl<'s> Trees<'s> {
         if is_fine && self.along_sides(polygon) {
             return true;
         }
-        let whole = area(polygon);
+        let measure = Measure::of(polygon);
+        let whole = measure.size(polygon);
         let mut best: Option<(f64, [Cut; 2], Slot)> = None;
         for (slot, mask) in candidates.iter().copied() {
             let Some(ends) = self.carve(polygon, slot, mask) else { continue };
             self.scratch.clear();
             part(polygon, &ends[1], &ends[0], &mut self.scratch);
-            let gain = area(&self.scratch) / whole;
+            let gain = measure.size(&self.scratch) / whole;
             if best.is_none_or(|best| gain > best.0) {
                 best = Some((gain, ends, slot));
             }
@@ -470,6 +473,28 @@ fn extent(polygon: &[Tagged]) -> f64 {
     let of = |k: usize| polygon.iter().map(move |x| x.corner.offset[k]);
     let span = |k| of(k).fold(f64::NEG_INFINITY, f64::max) - of(k).fold(f64::INFINITY, f64::min);
     span(0).max(span(1)).max(span(2))
+}
+
+/// How much of a polygon a part is.
+#[derive(Clone, Copy, Debug)]
+enum Measure {
+    Area,
+    /// Of a polygon that is a segment but for rounding, no part has more area than another.
+    Extent,
+}
+
+impl Measure {
+    fn of(polygon: &[Tagged]) -> Self {
+        let extent = extent(polygon);
+        if area(polygon) > FLAT * extent * extent { Self::Area } else { Self::Extent }
+    }
+
+    fn size(self, polygon: &[Tagged]) -> f64 {
+        match self {
+            Self::Area => area(polygon),
+            Self::Extent => extent(polygon),
+        }
+    }
 }
 
 /// The area of a polygon.

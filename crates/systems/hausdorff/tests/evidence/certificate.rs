@@ -1,5 +1,6 @@
 //! Certificates: what is written is accepted, what is false is not, and each cell that is accepted is near its face in exact arithmetic.
 
+use crate::touching::{Triangle, on_lattice, soup, touching, triangles};
 use pompeiu_core::TriMesh;
 use pompeiu_core::geom::Aabb;
 use pompeiu_core::mesh::shapes::{Diagonal, grid, icosphere, torus};
@@ -13,6 +14,9 @@ use pompeiu_testkit::effort::cases;
 use pompeiu_testkit::strategies::{pair, scaled};
 use pompeiu_verify::{Rejected, Soup, Verified, verify};
 use proptest::prelude::*;
+
+/// Cells of a pair of some faces: of 46,000 random pairs of these kinds the worst took 41.
+const MOST_CELLS: u64 = 200;
 
 type Written = Result<(Certificate, Vec<u8>), CertificateError>;
 
@@ -242,5 +246,50 @@ proptest! {
         if check(&a, &b, &bytes, 1).is_ok() {
             prop_assert!(is_true(&a, &b, &bytes));
         }
+    }
+}
+
+/// The certificate of a pair is written at the ends of the report, holds, and takes few cells.
+fn takes_few_cells(a: &[Triangle], b: &[Triangle]) {
+    let (a, b) = (soup(a), soup(b));
+    let (made, bytes) = write(&a, &b, both(&a, &b)).unwrap();
+    let cells = [made.a_to_b, made.b_to_a].into_iter().flatten().map(|one| one.cells).sum::<u64>();
+    assert!(cells <= MOST_CELLS, "{cells}");
+    check(&a, &b, &bytes, 1).unwrap();
+}
+
+/// A face of A that is a segment lies where two faces of B tie: no part of it has more area than another.
+#[test]
+fn a_segment_among_coplanar_faces_takes_few_cells() {
+    takes_few_cells(
+        &[
+            [[1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [1.0, 2.0, 0.0]],
+            [[0.0, -2.0, 0.0], [-2.0, 2.0, 0.0], [0.0, -2.0, 0.0]],
+        ],
+        &[
+            [[-1.0, 2.0, 0.0], [-2.0, -1.0, 0.0], [0.0, -1.0, 0.0]],
+            [[0.0, 2.0, 0.0], [-2.0, 0.0, 0.0], [-2.0, 2.0, 0.0]],
+            [[0.0, -2.0, 0.0], [0.0, 0.0, 0.0], [2.0, 2.0, 0.0]],
+        ],
+    );
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(cases(200)))]
+
+    #[test]
+    fn lattice_pairs_take_few_cells(a in triangles(on_lattice(), 3), b in triangles(on_lattice(), 4)) {
+        takes_few_cells(&a, &b);
+    }
+
+    #[test]
+    fn coplanar_lattice_pairs_take_few_cells(a in triangles(on_lattice(), 3), b in triangles(on_lattice(), 4)) {
+        let flat = |all: Vec<Triangle>| all.into_iter().map(|t| t.map(|[x, y, _]| [x, y, 0.0])).collect::<Vec<_>>();
+        takes_few_cells(&flat(a), &flat(b));
+    }
+
+    #[test]
+    fn touching_pairs_take_few_cells((a, b) in touching()) {
+        takes_few_cells(&a, &b);
     }
 }

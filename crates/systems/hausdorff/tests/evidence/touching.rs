@@ -9,12 +9,12 @@ use pompeiu_testkit::data;
 use pompeiu_testkit::effort::cases;
 use proptest::prelude::*;
 
-type Triangle = [[f64; 3]; 3];
+pub(crate) type Triangle = [[f64; 3]; 3];
 
 /// Pieces looked at: of 9,000 random pairs the worst took a quarter, for a percentile at a jump of the distribution.
 const MOST_LOOKS: u64 = 100_000;
 
-fn soup(triangles: &[Triangle]) -> TriMesh {
+pub(crate) fn soup(triangles: &[Triangle]) -> TriMesh {
     let faces = (0..triangles.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
     TriMesh::new(triangles.concat(), faces).unwrap()
 }
@@ -40,16 +40,19 @@ fn anywhere() -> BoxedStrategy<[f64; 3]> {
     prop::array::uniform3(-2.0..2.0_f64).boxed()
 }
 
-fn on_lattice() -> BoxedStrategy<[f64; 3]> {
+pub(crate) fn on_lattice() -> BoxedStrategy<[f64; 3]> {
     prop::array::uniform3((-2..3_i32).prop_map(f64::from)).boxed()
 }
 
-fn triangles(corner: BoxedStrategy<[f64; 3]>, most: usize) -> impl Strategy<Value = Vec<Triangle>> {
+pub(crate) fn triangles(
+    corner: BoxedStrategy<[f64; 3]>,
+    most: usize,
+) -> impl Strategy<Value = Vec<Triangle>> {
     prop::collection::vec(prop::array::uniform3(corner), 1..=most)
 }
 
 /// Corners of A that lie on faces of B, on their edges and at their corners, or anywhere.
-fn touching() -> impl Strategy<Value = (Vec<Triangle>, Vec<Triangle>)> {
+pub(crate) fn touching() -> impl Strategy<Value = (Vec<Triangle>, Vec<Triangle>)> {
     triangles(anywhere(), 4).prop_flat_map(|b| {
         let on = (prop::sample::select(b.clone()), 0..5_u8, 0..5_u8).prop_map(|(t, v, w)| {
             let [v, w] = if v + w > 4 { [4 - v, 4 - w] } else { [v, w] }.map(|x| 0.25 * f64::from(x));
