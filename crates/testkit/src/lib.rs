@@ -2,7 +2,7 @@
 //!
 //! Nothing here shares code with the engine: a judge of accepted [`certificate`]s, [`exact`] numbers and an [`oracle`] that proves its enclosures in them,
 //! [`plain`] arithmetic, [`sampling`] with a covering radius, [`cases`] with closed forms, [`strategies`] for random
-//! meshes, [`effort`]: how many of them are tried, and [`data`]: where real meshes are.
+//! meshes, [`mod@mutate`]: inputs that are nearly right, [`effort`]: how many of them are tried, and [`data`]: where real meshes are.
 
 #![allow(clippy::missing_panics_doc, reason = "a test kit panics to fail a test")]
 
@@ -11,6 +11,7 @@ pub mod certificate;
 pub mod data;
 pub mod effort;
 pub mod exact;
+pub mod mutate;
 pub mod oracle;
 pub mod plain;
 pub mod sampling;

@@ -6,6 +6,7 @@ mod answers;
 mod certificate;
 mod common;
 mod contract;
+mod damaged;
 mod deviation;
 mod guide;
 mod many;

@@ -108,7 +108,7 @@ fn crate_folders() -> Vec<String> {
         let folders = fs::read_dir(root().join(group)).unwrap().map(Result::unwrap);
         folders.map(move |folder| format!("{group}/{}", folder.file_name().into_string().unwrap()))
     });
-    inside.chain(["crates/testkit", VERIFIER].map(str::to_owned)).collect()
+    inside.chain(["crates/fuzz", "crates/testkit", VERIFIER].map(str::to_owned)).collect()
 }
 
 /// The packages of the crates in a folder of `crates`.
