@@ -41,7 +41,7 @@ class Session:
             raise RuntimeError(f"{' '.join(map(str, words))}: {done.stderr.strip()}")
         seconds = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
         answer, peak = done.stdout.strip().splitlines()
-        return json.loads(answer), seconds, float(peak)
+        return json.loads(answer)["report"], seconds, float(peak)
 
     def config(self, steps):
         place = self.folder / f"run-{steps}.toml"

@@ -125,7 +125,7 @@ def puzzles(session):
     program = session.target / "pompeiu"
     for words in [["--layout", "voronoi", "-n", 1000], ["--piece", "bird", "-n", 24], ["--piece", "fish", "-n", 24]]:
         text, cpu, wall = session.run(program, "puzzle", *words, "--json", threads=2)
-        answer = json.loads(text)
+        answer = json.loads(text)["report"]
         fits = [piece["similarity"]["iou"] for piece in answer["pieces"] if piece["similarity"]]
         found = f"{len(answer['clusters'])} clusters" + (f", mean overlap {np.mean(fits):.3f}" if fits else "")
         session.add("puzzle " + " ".join(map(str, words)), len(answer["pieces"]), "pompeiu", 2, cpu, wall, found)

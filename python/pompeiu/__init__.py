@@ -52,16 +52,19 @@ from .fields import (
     decompose,
     field_degrees_of_freedom,
 )
+from .coupling import Coupled, couple
 from .files import mesh_summary, write_mesh
 from .flattening import Cut, Flattening, Medial, Straightened, cut, flatten, medial, straighten
 from .fluids import Simulation, SquareSimulation
 from .many import DistanceMatrix, RankReport, RankWork, Standing, distance_matrix, rank
 from .neurons import (
+    Neuron,
     NeuronFlow,
     NeuronMesh,
     NeuronSplines,
     NeuronTransport,
     Skeleton,
+    neuron,
     read_neuron_mesh,
     read_skeleton,
     sweep_neurons,
@@ -88,6 +91,7 @@ __all__ = [
     "Certified",
     "DEFAULT_TOLERANCE",
     "Complexity",
+    "Coupled",
     "Cut",
     "DegreesOfFreedom",
     "Deviation",
@@ -113,6 +117,7 @@ __all__ = [
     "MeshSummary",
     "MeshWarning",
     "MissingFileError",
+    "Neuron",
     "NeuronFlow",
     "NeuronMesh",
     "NeuronSplines",
@@ -154,6 +159,7 @@ __all__ = [
     "align",
     "as_mesh",
     "complexity",
+    "couple",
     "cut",
     "decompose",
     "deviation",
@@ -169,6 +175,7 @@ __all__ = [
     "k_medoids",
     "medial",
     "mesh_summary",
+    "neuron",
     "noisy_circle",
     "polyline",
     "puzzle",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import os
-from typing import Any, Dict, Sequence, Tuple
+from typing import Any, Dict, Mapping, Sequence, Tuple
 
 import numpy as np
 
@@ -12,23 +12,32 @@ from . import _native
 from .errors import OptionError
 from .sources import as_mesh
 
-__all__ = ["ask"]
+__all__ = ["ask", "split"]
 
 #: Options of a function that are no part of the request.
 _LIMITS = ("threads", "time_limit", "memory_limit")
 
 
-def ask(name: str, given: Dict[str, Any], meshes: Sequence[str] = ("mesh",)) -> Tuple[Dict[str, Any], Dict[str, Any]]:
+def ask(
+    name: str, given: Dict[str, Any], meshes: Sequence[str] = ("mesh",), others: Sequence[Any] = ()
+) -> Tuple[Dict[str, Any], Dict[str, Any]]:
     """The answer to a request, and arrays and meshes beside it.
 
-    ``given`` are the arguments of the function: the meshes of these names, limits, ``progress``, and the options of the request.
+    ``given`` are the arguments of the function: the meshes of these names, limits, ``progress``, and the options of the request;
+    ``others`` are inputs that are no meshes.
     """
     options = dict(given)
-    sources = [as_mesh(options.pop(mesh)) for mesh in meshes]
+    sources = [as_mesh(options.pop(mesh)) for mesh in meshes] + list(others)
+    answer, beside = _native.ask(name, sources, *split(options))
+    return json.loads(answer), beside
+
+
+def split(given: Dict[str, Any]) -> Tuple[str, Tuple[Any, ...], Any]:
+    """The options of a request as JSON, limits, and ``progress``."""
+    options = dict(given)
     limits = tuple(options.pop(limit, None) for limit in _LIMITS)
     progress = options.pop("progress", None)
-    answer, beside = _native.ask(name, sources, _written(options), limits, progress)
-    return json.loads(answer), beside
+    return _written(options), limits, progress
 
 
 def _written(options: Dict[str, Any]) -> str:
@@ -36,9 +45,14 @@ def _written(options: Dict[str, Any]) -> str:
         if isinstance(value, (float, np.floating)) and not np.isfinite(value):
             raise OptionError(f"{name} is {value}; it must be a finite number")
     try:
-        return json.dumps(options, default=_plain, allow_nan=False)
+        return json.dumps({name: _keyed(value) for name, value in options.items()}, default=_plain, allow_nan=False)
     except ValueError:
         raise OptionError("a sequence among the options holds a number that is not finite") from None
+
+
+def _keyed(value: Any) -> Any:
+    """A mapping as a dictionary whose keys are text."""
+    return {str(key): item for key, item in value.items()} if isinstance(value, Mapping) else value
 
 
 def _plain(value: Any) -> Any:

@@ -19,7 +19,7 @@ _Beside = dict[str, Any]
 
 def ask(
     name: str,
-    meshes: Sequence[Mesh],
+    given: Sequence[Mesh | tuple[str, Any] | str | bytes],
     options: str,
     limits: _Limits,
     progress: Optional[Callable[..., Optional[bool]]],
@@ -36,6 +36,18 @@ def write_certificate(
     given: _Limits,
 ) -> str: ...
 def verify_certificate(path: str | os.PathLike[str], a: Mesh, b: Mesh, threads: Optional[int]) -> str: ...
+
+def couple(
+    fluid: Any,
+    solid: Any,
+    x0: ArrayLike,
+    options: str,
+    limits: _Limits,
+    progress: Optional[Callable[[float], Optional[bool]]],
+) -> tuple[str, NDArray[np.float64], NDArray[np.float64]]: ...
+
+class PuzzleDrawings:
+    def draw(self, what: str, suffix: str, pull: float, image: Optional[bytes]) -> Optional[bytes]: ...
 
 class Mesh:
     def __new__(cls, vertices: ArrayLike, faces: ArrayLike) -> Mesh: ...
@@ -68,7 +80,7 @@ class NeuronFlow:
         parts: int,
         config: str,
         frames: int,
-        resume: Optional[str],
+        origin: tuple[bytes, str, Optional[tuple[str, bytes]]],
         time_limit: Optional[float],
         memory_limit: Optional[int],
         progress: Optional[Callable[[float], Optional[bool]]],
@@ -76,7 +88,7 @@ class NeuronFlow:
     def other_than(self, config: str) -> str: ...
 
 class NeuronRun:
-    def state(self) -> str: ...
+    def checkpoint(self) -> bytes: ...
     def html(self, name: str) -> str: ...
 
 class NeuronHexahedra:
@@ -84,7 +96,7 @@ class NeuronHexahedra:
         self,
         config: str,
         frames: int,
-        resume: Optional[str],
+        origin: tuple[bytes, str, Optional[tuple[str, bytes]]],
         time_limit: Optional[float],
         memory_limit: Optional[int],
         progress: Optional[Callable[[float], Optional[bool]]],
@@ -267,26 +279,9 @@ def straighten(
 def read_outlines(
     path: str, level: Optional[float], foreground: str, staircase: bool
 ) -> list[NDArray[np.float64]]: ...
-def complexity(
-    shapes: list[tuple[str, Any]], analysis: _Options, progress: Optional[Callable[[float], Optional[bool]]]
-) -> str: ...
 def k_medoids(distances: Any, start: list[int]) -> tuple[float, list[int]]: ...
 def polyline(points: int, seed: int, order: str) -> NDArray[np.float64]: ...
 def noisy_circle(radius: int, level: int, steps: int, seed: int) -> NDArray[np.float64]: ...
-def puzzle(
-    outline: Optional[Any],
-    pieces: int,
-    size: tuple[float, float],
-    layout: str,
-    tab: str,
-    seed: int,
-    piece: Optional[_Options],
-    whimsies: Sequence[Any],
-    cut: float,
-    image: Optional[bytes],
-    progress: Optional[Callable[[float], Optional[bool]]],
-) -> tuple[list[NDArray[np.float64]], str, list[bytes]]: ...
-def neuron_parameters(config: str) -> str: ...
 def neuron_options(
     stage: str, parts: int, layer: float, repair: bool, steps: int, spacing: Optional[float]
 ) -> str: ...

@@ -2,26 +2,28 @@
 
 from __future__ import annotations
 
-import hashlib
 import json
 import math
 import os
 from dataclasses import dataclass, replace
 from functools import lru_cache
-from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, List, Literal, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
 from . import _native
+from ._asking import ask
 from .errors import MissingFileError, OptionError, ReadError, WriteError
 from .files import write_whole
 
 __all__ = [
+    "Neuron",
     "NeuronFlow",
     "NeuronMesh",
     "NeuronSplines",
     "NeuronTransport",
     "Skeleton",
+    "neuron",
     "read_neuron_mesh",
     "read_skeleton",
     "sweep_neurons",
@@ -39,10 +41,11 @@ class _Origin:
     layer: float = 2.0
     stage: str = "transport"
 
-    def digest(self, parts: int, other: str = "") -> str:
-        """The digest that ``pompeiu neuron`` has in a checkpoint for the same file and options."""
+    def run(self, parts: int, resume: Optional[Union[str, "os.PathLike[str]"]], other: str = "") -> Tuple[Any, ...]:
+        """What ``pompeiu neuron`` has in a checkpoint for the same file and options, and the checkpoint to go on from."""
         options = (self.stage, parts, self.layer, self.repair, self.smooth, self.spacing)
-        return hashlib.sha256(self.content + (_native.neuron_options(*options) + other).encode()).hexdigest()
+        state = None if resume is None else (os.fspath(resume), _content(resume))
+        return self.content, _native.neuron_options(*options) + other, state
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -70,7 +73,6 @@ class NeuronTransport:
     frames: np.ndarray
     report: Dict[str, Any]
     _run: Optional[_native.NeuronRun] = None
-    _names: Tuple[str, str] = ("", "")
 
     def __getstate__(self) -> Dict[str, Any]:
         # What pages and checkpoints need does not travel.
@@ -109,10 +111,7 @@ class NeuronTransport:
         ValueError, WriteError
             As for :meth:`save_html`.
         """
-        mesh, parameters = self._names
-        state = self._here().state()
-        head = {"version": _native.__version__, "mesh": mesh, "parameters": parameters}
-        _write(path, (json.dumps(head)[:-1] + f', "state": {state}}}').encode())
+        _write(path, self._here().checkpoint())
 
     def __repr__(self) -> str:
         steps, balance = self.report["steps"], self.report["mass_balance"]
@@ -127,32 +126,16 @@ def _write(path: Union[str, "os.PathLike[str]"], content: bytes) -> None:
         raise WriteError(f"{name}: {error.strerror}") from error
 
 
-def _state(path: Optional[Union[str, "os.PathLike[str]"]], names: Tuple[str, str]) -> Optional[str]:
-    """The state in a checkpoint, which has to be of the same cells and parameters."""
-    if path is None:
-        return None
+def _content(path: Union[str, "os.PathLike[str]"]) -> bytes:
+    """The bytes of a file."""
     name = os.fspath(path)
     try:
         with open(name, "rb") as file:
-            read = json.load(file)
-        version, mesh, parameters, state = (read[key] for key in ("version", "mesh", "parameters", "state"))
+            return file.read()
     except FileNotFoundError as error:
         raise MissingFileError(f"{name}: there is no such file; check the name and the folder") from error
     except OSError as error:
         raise ReadError(f"{name}: {error.strerror}") from error
-    except (ValueError, KeyError, TypeError) as error:
-        raise ReadError(f"{name}: no checkpoint") from error
-    if version != _native.__version__:
-        raise OptionError(f"{name}: written by version {version}, this is {_native.__version__}; begin anew")
-    if mesh != names[0]:
-        raise OptionError(f"{name}: is of other cells; use the same file with the same options")
-    if parameters != names[1]:
-        raise OptionError(f"{name}: was written with another configuration; only the number of steps may differ")
-    return json.dumps(state)
-
-
-def _names(origin: _Origin, parts: int, config: str, other: str = "") -> Tuple[str, str]:
-    return origin.digest(parts, other), hashlib.sha256(_native.neuron_parameters(config).encode()).hexdigest()
 
 
 def _check_frames(frames: int) -> None:
@@ -174,7 +157,7 @@ def _config(config: Union[str, "os.PathLike[str]"]) -> str:
         raise ReadError(f"{name}: {error}") from error
 
 
-def _transport(found: Any, ends: int, names: Tuple[str, str]) -> NeuronTransport:
+def _transport(found: Any, ends: int) -> NeuronTransport:
     run, rows, steps, values, step, report = found
     count = len(rows) // ends
     return NeuronTransport(
@@ -184,7 +167,6 @@ def _transport(found: Any, ends: int, names: Tuple[str, str]) -> NeuronTransport
         values.reshape(len(steps), -1, 3),
         json.loads(report),
         run,
-        names,
     )
 
 
@@ -338,10 +320,9 @@ class NeuronFlow:
         if parts < 1:
             raise OptionError(f"the number of parts of a cell is {parts}; expected 1 to 8")
         text = _config(config)
-        names = _names(self._origin, int(parts), text, self._flow.other_than(text))
-        state = _state(resume, names)
-        found = self._flow.transport(int(parts), text, int(frames), state, time_limit, memory_limit, progress)
-        return _transport(found, len(self.end_samples), names)
+        run = self._origin.run(int(parts), resume, self._flow.other_than(text))
+        found = self._flow.transport(int(parts), text, int(frames), run, time_limit, memory_limit, progress)
+        return _transport(found, len(self.end_samples))
 
     def __repr__(self) -> str:
         reynolds, drift = self.report["flow"]["reynolds"], self.report["flow"]["section_flux_drift"]
@@ -432,10 +413,9 @@ class NeuronMesh:
         """
         _check_frames(frames)
         text = _config(config)
-        names = _names(self._origin, self._parts, text)
-        state = _state(resume, names)
-        found = self._mesh.transport(text, int(frames), state, time_limit, memory_limit, progress)
-        return _transport(found, len(self.cap_samples), names)
+        run = self._origin.run(self._parts, resume)
+        found = self._mesh.transport(text, int(frames), run, time_limit, memory_limit, progress)
+        return _transport(found, len(self.cap_samples))
 
     def splines(
         self,
@@ -502,7 +482,11 @@ def _splines(
 ) -> NeuronSplines:
     if not 1 <= levels <= 5:
         raise OptionError(f"the number of levels of refinement is {levels}; expected 1 to 5")
-    space, *found, mesh, spline = source.splines(meshing, list(refine), int(levels), progress)
+    return _splines_of(source.splines(meshing, list(refine), int(levels), progress))
+
+
+def _splines_of(parts: Any) -> NeuronSplines:
+    space, *found, mesh, spline = parts
     return NeuronSplines(*found, {"mesh": json.loads(mesh), "spline": json.loads(spline)}, space)
 
 
@@ -513,7 +497,11 @@ def _flow(
     progress: Optional[Callable[[float], Optional[bool]]],
     origin: _Origin,
 ) -> NeuronFlow:
-    native, *found, samples, ends, vtu, mesh, flow = source.flow(meshing, _config(config), progress)
+    return _flow_of(source.flow(meshing, _config(config), progress), origin)
+
+
+def _flow_of(parts: Any, origin: _Origin) -> NeuronFlow:
+    native, *found, samples, ends, vtu, mesh, flow = parts
     report = {"mesh": json.loads(mesh), "flow": json.loads(flow)}
     return NeuronFlow(*found, samples, ends[:, 0], ends[:, 1], vtu, report, native, origin)
 
@@ -722,14 +710,7 @@ def read_skeleton(
     if isinstance(source, bytes):
         content, name = source, None
     else:
-        name = os.fspath(source)
-        try:
-            with open(name, "rb") as file:
-                content = file.read()
-        except FileNotFoundError as error:
-            raise MissingFileError(f"{name}: there is no such file; check the name and the folder") from error
-        except OSError as error:
-            raise ReadError(f"{name}: {error.strerror}") from error
+        content, name = _content(source), os.fspath(source)
     try:
         native, *parts, report = _native.read_skeleton(content, bool(repair), int(smooth), spacing)
     except ReadError as error:
@@ -763,6 +744,161 @@ def read_neuron_mesh(source: Union[str, "os.PathLike[str]"], *, sides: Sequence[
     native, *found, report = _native.read_neuron_mesh(name, list(sides))
     with open(name, "rb") as file:
         return NeuronMesh(*found, json.loads(report), native, _Origin(file.read()))
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Neuron:
+    """What the stages of :func:`neuron` left; what was not computed is none.
+
+    Attributes
+    ----------
+    report : dict
+        What ``pompeiu neuron --json`` says of each stage.
+    stop : str
+        Why the computation ended: ``"tolerance"`` if all stages are done, else the limit that ended it.
+    skeleton : Skeleton
+        The skeleton, unless a mesh was given.
+    mesh : NeuronMesh
+        Trilinear cells of the stage mesh.
+    splines : NeuronSplines
+        Tricubic cells and splines of the stage spline.
+    flow : NeuronFlow
+        The flow of the stage flow.
+    transport : NeuronTransport
+        What became of material.
+    """
+
+    report: Dict[str, Any]
+    stop: str
+    skeleton: Optional[Skeleton] = None
+    mesh: Optional[NeuronMesh] = None
+    splines: Optional[NeuronSplines] = None
+    flow: Optional[NeuronFlow] = None
+    transport: Optional[NeuronTransport] = None
+
+    def __repr__(self) -> str:
+        done = [name for name in ("skeleton", "mesh", "spline", "flow", "transport") if name in self.report]
+        return f"Neuron({', '.join(done)})" if self.stop == "tolerance" else f"Neuron({', '.join(done)}, stopped by {self.stop})"
+
+
+def neuron(
+    source: Union[str, "os.PathLike[str]", bytes],
+    *,
+    stage: Literal["check", "mesh", "spline", "flow", "transport", "all"] = "all",
+    repair: bool = False,
+    smooth: int = 0,
+    spacing: Optional[float] = None,
+    parts: int = 2,
+    layer: float = 2.0,
+    elements: int = 1,
+    refine: Sequence[str] = (),
+    levels: int = 1,
+    frames: int = 20,
+    resume: Optional[str] = None,
+    parameters: Optional[str] = None,
+    transport: Optional[Mapping[str, Any]] = None,
+    flow: Optional[Mapping[str, Any]] = None,
+    inlet: Optional[Mapping[str, Any]] = None,
+    tips: Optional[Mapping[str, Any]] = None,
+    initial: Optional[Mapping[str, Any]] = None,
+    threads: Optional[int] = None,
+    time_limit: Optional[float] = None,
+    memory_limit: Optional[int] = None,
+    progress: Optional[Callable[[float], Optional[bool]]] = None,
+) -> Neuron:
+    """Computes what travels through a neuron, from its skeleton on: what ``pompeiu neuron`` does.
+
+    To work with what a stage left, or to repeat one of them, use :func:`read_skeleton` and the methods of its result.
+
+    Parameters
+    ----------
+    source : path or bytes
+        A skeleton (SWC) or what is in one, or a hexahedral mesh (``.vtk``, ``.vtu``).
+    stage : str
+        Where to end; the command also takes its name before the file. ``"check"``: the skeleton is read, and what is
+        wrong with it is reported; ``"mesh"``: the neuron is filled with trilinear cells; ``"spline"``: the neuron is
+        filled with tricubic cells, and the splines over them are counted; ``"flow"``: tricubic cells, and the steady
+        viscous flow through them; ``"transport"``: trilinear cells, and transport through them along the potential
+        flow; ``"all"``: tricubic cells, the viscous flow, and transport along it.
+    repair : bool
+        Repair what can be repaired: missing parents, cycles, missing radii, coincident samples, branches within the
+        ball of their node; each repair is reported.
+    smooth : int
+        Steps of smoothing along branches, radius included.
+    spacing : float, optional
+        Distance of new samples along smooth branches, in micrometres.
+    parts : int
+        Parts of each block along each edge, 1 to 8: for trilinear cells 1, 2 and 3 give 5, 20 and 45 to a section;
+        cells of a flow are cut into so many for transport.
+    layer : float
+        Length of a block or a patch along a branch, in radii.
+    elements : int
+        Elements of each patch along each edge, 1 to 4, for splines and flow.
+    refine : Sequence[str]
+        Stage spline: halve elements here: nodes, ends, wall, branch=N, sample=ID or ball=X,Y,Z,R; may be given more
+        than once.
+    levels : int
+        Stage spline: how often elements are halved there, 1 to 5.
+    frames : int
+        Frames of transport that are kept, the first and the last among them.
+    resume : str, optional
+        Go on from a state that was written as a checkpoint, with the same options; steps count from the beginning.
+    parameters : str, optional
+        A file of parameters, in the place of the tables below: TOML with units, or pairs of names and values as
+        NeuronTransportIGA has them.
+    transport : Mapping[str, Any], optional
+        Diffusion, speeds, rates and time steps of transport; in files the table [transport].
+    flow : Mapping[str, Any], optional
+        The fluid and what drives it; in files the table [flow].
+    inlet : Mapping[str, Any], optional
+        Where the inlet is, and what enters there; in files the table [inlet].
+    tips : Mapping[str, Any], optional
+        What is at the other flat ends; in files the table [tips].
+    initial : Mapping[str, Any], optional
+        Concentrations in the beginning; in files the table [initial].
+    threads : int, optional
+        Threads to use; all processors by default. The answer does not depend on it.
+    time_limit : float, optional
+        Stop after so many seconds with the answer found by then.
+    memory_limit : int, optional
+        Stop before memory exceeds so many bytes, with the answer found by then.
+    progress : callable, optional
+        Called with the share of a stage that is done; ``False`` ends it.
+
+    Raises
+    ------
+    ReadError
+        If the file cannot be used: the message says in which line, and why.
+    OptionError
+        If options make no sense, the neuron cannot be meshed, or nothing can flow.
+
+    Examples
+    --------
+    >>> import pompeiu
+    >>> rod = b"1 2 0 0 0 1 -1\\n2 2 8 0 0 1 1\\n"
+    >>> pompeiu.neuron(rod, stage="transport", parts=1, transport={"steps": 5})
+    Neuron(skeleton, mesh, transport)
+    """
+    given = dict(locals())
+    del given["source"]
+    answer, beside = ask("neuron", given, meshes=(), others=[source if isinstance(source, bytes) else os.fspath(source)])
+    made = beside["parts"]
+    content = source if isinstance(source, bytes) else _content(source)
+    origin = _Origin(content, bool(repair), int(smooth), spacing, float(layer))
+    found: Dict[str, Any] = {}
+    if "skeleton" in made:
+        native, *rows, report = made["skeleton"]
+        found["skeleton"] = Skeleton(*rows, json.loads(report), native, origin)
+    if "mesh" in made:
+        native, *rows, report = made["mesh"]
+        found["mesh"] = NeuronMesh(*rows, json.loads(report), native, origin, int(parts))
+    if "splines" in made:
+        found["splines"] = _splines_of(made["splines"])
+    if "flow" in made:
+        found["flow"] = _flow_of(made["flow"], replace(origin, stage=f"all {elements}"))
+    if "transport" in made:
+        found["transport"] = _transport(made["transport"], len(made["transport"][1]) // (answer["report"]["transport"]["steps"] + 1))
+    return Neuron(answer["report"], answer["stop"], **found)
 
 
 @lru_cache(maxsize=2)

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-import json
 import os
+import warnings
 from dataclasses import dataclass
-from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, List, Literal, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _native
+from ._asking import ask
 from .errors import OptionError
 
 __all__ = ["Complexity", "complexity", "k_medoids", "noisy_circle", "polyline", "read_outlines"]
@@ -49,6 +50,11 @@ class Complexity:
     def clusters(self) -> Optional[Dict[str, Any]]:
         """The clusters, if they were asked for."""
         return self.report["clusters"]
+
+    @property
+    def failed(self) -> List[Dict[str, str]]:
+        """The files that cannot be used: the path and the message of each."""
+        return self.report["failed"]
 
     def table(self) -> Dict[str, List[Any]]:
         """A column for each measure, as ``pandas.DataFrame`` takes them; histograms are left out.
@@ -120,15 +126,15 @@ def _area(points: np.ndarray) -> float:
 
 
 def complexity(
-    shapes: Union[Mapping[str, ShapeLike], Sequence[ShapeLike]],
+    shapes: Union[str, "os.PathLike[str]", Mapping[str, ShapeLike], Sequence[ShapeLike]],
     *,
     rank_by: str = "total-curvature",
-    against: Optional[Mapping[str, float]] = None,
+    against: Optional[Union[str, Mapping[str, float]]] = None,
     clusters: Optional[int] = None,
-    features: Sequence[str] = ("log:peaks", "log:total-curvature"),
+    features: Sequence[str] = ("log:peaks", "log:total-curvature",),
     smoothing: float = 0.004,
     level: Optional[float] = None,
-    foreground: str = "auto",
+    foreground: Literal["auto", "dark", "light"] = "auto",
     staircase: bool = False,
     threads: Optional[int] = None,
     time_limit: Optional[float] = None,
@@ -138,22 +144,31 @@ def complexity(
 
     Parameters
     ----------
-    shapes : mapping or sequence
-        Outlines as arrays of shape (n, 2), or files (see :func:`read_outlines`); with names, or without.
+    shapes : path, mapping or sequence
+        A folder of shapes, or outlines as arrays of shape (n, 2), files (see :func:`read_outlines`) and folders; with names, or
+        without. Files that cannot be used are in :attr:`Complexity.failed`, with a warning, and the others are measured.
     rank_by : str
-        The measure that ranks; the guide lists them.
-    against : mapping of str to float, optional
-        Another ranking: the place of each name, 1 for the simplest.
+        The measure that ranks the shapes.
+    against : Union[str, Mapping[str, float]], optional
+        Compare with another ranking: a file with lines name,place, 1 for the simplest shape; in Python also the place
+        of each name.
     clusters : int, optional
-        Number of clusters.
-    features : sequence of str
-        What clusters are made by: measures, or ``"log:"`` and a measure.
+        Divide the shapes into so many clusters around shapes of their own.
+    features : Sequence[str]
+        What clusters are made by: measures, or log:MEASURE for ln(1 + value).
     smoothing : float
         Standard deviation of the Gaussian that smooths outlines for curvature, as a share of their length.
-    level, foreground, staircase
-        How the shape in a picture is found: see :func:`read_outlines`.
-    threads, time_limit : optional
-        Limits; shapes that were not measured in time are left out.
+    level : float, optional
+        The level between shape and background of a picture, from 0 (black) to 1 (white); Otsu's by default.
+    foreground : str
+        Which part of a picture is the shape. ``"auto"``: the part that differs from most pixels of the border;
+        ``"dark"``: the part darker than the level; ``"light"``: the part lighter than the level.
+    staircase : bool
+        Follow the sides of pixels instead of the smoothest curve within half a pixel of them.
+    threads : int, optional
+        Threads to use; all processors by default. The answer does not depend on it.
+    time_limit : float, optional
+        Stop after so many seconds with the answer found by then.
     progress : callable, optional
         Called with the share that is done; ``False`` ends it.
 
@@ -162,7 +177,7 @@ def complexity(
     OutlineError
         If points make no closed polygon.
     ReadError
-        If a file cannot be read.
+        If none of the files can be read, or the ranking cannot.
     OptionError
         If options make no sense.
 
@@ -173,31 +188,24 @@ def complexity(
     >>> pompeiu.complexity(shapes).ranking
     ['5', '25']
     """
-    if isinstance(shapes, Mapping):
-        named = [(str(name), shape) for name, shape in shapes.items()]
-    else:
-        is_path = lambda shape: isinstance(shape, (str, os.PathLike))  # noqa: E731
-        named = [(os.fspath(shape) if is_path(shape) else str(i), shape) for i, shape in enumerate(shapes)]
+    given = dict(locals())
+    del given["shapes"]
     if clusters is not None and clusters < 1:
         raise OptionError(f"{clusters} clusters are asked for; at least 1 is needed")
+    answer, _ = ask("complexity", given, meshes=(), others=_named(shapes))
+    for failed in answer["report"]["failed"]:
+        warnings.warn(f"{failed['path']}: {failed['message']}", stacklevel=2)
+    return Complexity(answer["report"])
 
-    def outline(shape: ShapeLike) -> Any:
-        if isinstance(shape, (str, os.PathLike)):
-            found = read_outlines(shape, level=level, foreground=foreground, staircase=staircase)
-            return max(found, key=_area)
-        return shape
 
-    analysis = {
-        "rank_by": rank_by,
-        "against": None if against is None else [(str(name), float(place)) for name, place in against.items()],
-        "clusters": clusters,
-        "features": list(features),
-        "smoothing": float(smoothing),
-        "threads": threads,
-        "time_limit": time_limit,
-    }
-    report = _native.complexity([(name, outline(shape)) for name, shape in named], analysis, progress)
-    return Complexity(json.loads(report))
+def _named(shapes: Any) -> List[Tuple[str, Any]]:
+    """Names with paths or arrays."""
+    is_path = lambda shape: isinstance(shape, (str, os.PathLike))  # noqa: E731
+    if is_path(shapes):
+        shapes = [shapes]
+    if not isinstance(shapes, Mapping):
+        shapes = {os.fspath(shape) if is_path(shape) else str(i): shape for i, shape in enumerate(shapes)}
+    return [(str(name), os.fspath(shape) if is_path(shape) else shape) for name, shape in shapes.items()]
 
 
 def k_medoids(distances: Any, start: Sequence[int]) -> Tuple[float, List[int]]:

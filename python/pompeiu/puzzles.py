@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import json
 import os
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, List, Literal, Optional, Sequence, Union
 
 import numpy as np
 
-from . import _native
+from ._asking import ask
 from .errors import OptionError, ReadError, WriteError
 from .files import write_whole
 
@@ -31,7 +30,8 @@ class Puzzle:
 
     outlines: List[np.ndarray]
     report: Dict[str, Any]
-    _drawings: Tuple[bytes, ...] = field(default=())
+    _drawings: Any = field(default=None)
+    _stop: str = "tolerance"
 
     @property
     def is_locked(self) -> bool:
@@ -48,31 +48,60 @@ class Puzzle:
         """Whether no two pieces can part with the gap of the cut between them; none without a cut."""
         return self.report["kerf"]["holds"] if "kerf" in self.report else None
 
-    def write(self, path: Union[str, "os.PathLike[str]"], *, cuts: bool = False, motion: bool = False) -> None:
+    @property
+    def stop(self) -> str:
+        """Why the computation ended: ``"tolerance"`` if it reached what was asked, else the limit that ended it."""
+        return self._stop
+
+    def write(
+        self,
+        path: Union[str, "os.PathLike[str]"],
+        *,
+        cuts: bool = False,
+        motion: bool = False,
+        pull: float = 0.0,
+        image: Optional[Union[str, "os.PathLike[str]"]] = None,
+    ) -> None:
         """Writes a drawing, a picture or a page.
 
         Parameters
         ----------
         path : str or path
-            ``.svg`` or ``.dxf``: a drawing; ``.png``: the pieces as a picture; ``.html``: a page on which pieces can be dragged.
+            ``.svg`` or ``.dxf``: a drawing; ``.png``: a picture; ``.html``: a page on which pieces can be dragged.
         cuts : bool
             Each border once, in the order to cut them, instead of one closed path for each piece.
         motion : bool
-            The motion that takes a puzzle apart which is not locked, as an SVG that plays it, instead of the pieces.
+            The motion that takes a puzzle apart which is not locked, as an SVG that plays it or a PNG of its end, instead of the
+            pieces.
+        pull : float
+            Pull the pieces apart, by this factor of their distance from the middle.
+        image : path, optional
+            A picture to lie on the pieces: PNG, JPEG, GIF or BMP.
 
         Raises
         ------
         WriteError
             If the file cannot be written, its suffix is another one, or there is no motion.
+        ReadError
+            If the picture cannot be read.
         """
         suffix = Path(path).suffix.lower()
-        place = {".svg": 6 if motion else int(cuts), ".dxf": 2 + cuts, ".html": 4, ".png": 5}.get(suffix)
-        if place is None:
-            raise WriteError(f"{path}: puzzles are written as .svg, .dxf, .png or .html")
-        if not self._drawings[place]:
+        what = "page" if suffix == ".html" else "motion" if motion else "cuts" if cuts else "pieces"
+        known = {"page": (".html",), "motion": (".svg", ".png"), "cuts": (".svg", ".dxf"), "pieces": (".svg", ".dxf", ".png")}[what]
+        if suffix not in known:
+            names = f"{', '.join(known[:-1])} or {known[-1]}" if len(known) > 1 else known[0]
+            raise WriteError(f"{path}: {what} of puzzles are written as {names}")
+        picture = None
+        if image is not None:
+            try:
+                picture = Path(image).read_bytes()
+            except OSError as error:
+                raise ReadError(f"{os.fspath(image)}: {error.strerror}") from error
+        drawn = self._drawings.draw(what, suffix[1:], float(pull), picture)
+        if drawn is None:
             raise WriteError(f"{path}: no motion takes the puzzle apart")
         try:
-            write_whole(path, self._drawings[place])
+            write_whole(path, drawn)
         except OSError as error:
             raise WriteError(f"{path}: {error.strerror}") from error
 
@@ -83,24 +112,22 @@ class Puzzle:
 def puzzle(
     pieces: int = 24,
     *,
-    outline: Optional[Any] = None,
-    size: Sequence[float] = (300.0, 200.0),
-    layout: str = "grid",
-    tab: str = "knob",
+    outline: Optional[Union[str, Sequence[Sequence[float]]]] = None,
+    size: Sequence[float] = (300.0, 200.0,),
+    layout: Literal["grid", "hexagons", "voronoi"] = "grid",
+    tab: Literal["none", "knob", "dovetail"] = "knob",
     seed: int = 0,
-    piece: Optional[Any] = None,
-    method: str = "descent",
-    metric: str = "distance",
+    piece: Optional[Union[str, Sequence[Sequence[float]]]] = None,
+    method: Literal["descent", "lloyd"] = "descent",
+    metric: Literal["least", "greatest", "distance"] = "distance",
     corners: bool = False,
     feedback: bool = True,
     mirrors: bool = True,
     free_outline: bool = False,
-    whimsies: Sequence[Any] = (),
+    whimsy: Sequence[Union[str, Sequence[Sequence[float]]]] = (),
     kerf: float = 0.0,
-    image: Optional[Union[str, "os.PathLike[str]"]] = None,
     threads: Optional[int] = None,
     time_limit: Optional[float] = None,
-    memory_limit: Optional[int] = None,
     progress: Optional[Callable[[float], Optional[bool]]] = None,
 ) -> Puzzle:
     """Makes a jigsaw puzzle on a rectangle or within an outline, and tests whether it holds together.
@@ -109,36 +136,48 @@ def puzzle(
     ----------
     pieces : int
         Number of pieces; hexagons, and pieces within an outline, come near to it.
-    outline : array of shape (n, 2), optional
-        What is around the puzzle; a rectangle by default. See :func:`read_outlines` for those in files.
-    size : pair of float
-        Width and height; an outline is scaled to fit into that.
+    outline : Union[str, Sequence[Sequence[float]]], optional
+        What is around the puzzle: a picture (its largest part), a drawing, a list of points, or in Python corners; a
+        rectangle by default.
+    size : Sequence[float]
+        Width and height, in millimetres for drawings; an outline is scaled to fit into that.
     layout : str
-        ``"grid"``, ``"hexagons"`` or ``"voronoi"``.
+        What pieces are before they get tabs. ``"grid"``: rows of rectangles; ``"hexagons"``: rows of hexagons;
+        ``"voronoi"``: voronoi cells of random sites, made regular by Lloyd's method.
     tab : str
-        ``"none"``, ``"knob"`` or ``"dovetail"``.
+        What borders between pieces get. ``"none"``: straight borders; ``"knob"``: a round head on a narrower neck;
+        ``"dovetail"``: a trapezium that is wider at its head.
     seed : int
-        The same seed gives the same puzzle on every machine.
-    piece : str or array of shape (n, 2), optional
-        Make pieces as like this shape as they can be, with as few tabs as hold the puzzle together: ``"square"``, ``"hexagon"``,
-        ``"classic"``, ``"corner"``, ``"fish"``, ``"bird"``, ``"star"``, or the corners of an outline. The layout is not used then.
+        Seed of places and sides.
+    piece : Union[str, Sequence[Sequence[float]]], optional
+        Make pieces as similar to a shape as possible, with as few tabs as hold the puzzle together: square, hexagon,
+        classic, corner, fish, bird, star, a file, or in Python corners; the layout is not used then.
     method : str
-        How copies of the shape are placed: ``"descent"`` from lattices, or ``"lloyd"``.
-    metric, corners, feedback
-        For Lloyd's method: what counts where a ray meets the shape several times (``"distance"``, ``"least"``, ``"greatest"``); whether
-        to measure by corners instead of sides; whether copies turn as the registration on their regions says.
+        How copies of the shape of pieces are placed. ``"descent"``: from lattices, by a descent whose energy never
+        increases, and hops; ``"lloyd"``: lloyd's method with the shape-matching metric.
+    metric : str
+        Lloyd's method: what counts where a ray from the site meets the shape several times. ``"least"``: the least
+        factor, of the outermost intersection: the metric of the star hull; ``"greatest"``: the greatest factor, of the
+        innermost intersection: the metric of the part of the shape visible from the site; ``"distance"``: the signed
+        distance to the shape instead of a factor, negative inside. It is continuous everywhere.
+    corners : bool
+        Lloyd's method: measure by the shape's corners instead of its sides.
+    feedback : bool
+        Lloyd's method: turn copies as the registration of the shape on their regions says.
     mirrors : bool
-        Whether copies may be mirrored.
+        Mirror copies of the shape where they fit better.
     free_outline : bool
-        Let the outline be what whole copies of the shape leave, so that it cuts no piece.
-    whimsies : sequence of arrays of shape (n, 2)
-        Outlines that become pieces of their own, each twice as large as the others; not with ``piece``.
+        Let the outline be what whole copies of the shape leave, so that it cuts no piece; it comes near to the one
+        asked for.
+    whimsy : Sequence[Union[str, Sequence[Sequence[float]]]]
+        Make a piece of an outline, twice as large as the others: a picture (its largest part), a drawing or a list of
+        points; may be repeated.
     kerf : float
-        Width of the cut. Paths are moved by half of it, and :attr:`Puzzle.holds` says whether the puzzle holds with the gap.
-    image : path, optional
-        A picture to lie on the pieces: PNG, JPEG, GIF or BMP.
-    threads, time_limit, memory_limit : optional
-        Limits on the placing of copies; the best pieces found by then are made. With fewer bytes, borders are drawn coarser.
+        Width of the cut: paths are moved by half of it, and whether the puzzle holds with the gap is tested.
+    threads : int, optional
+        Threads to use; all processors by default. The answer does not depend on it.
+    time_limit : float, optional
+        Stop after so many seconds with the answer found by then.
     progress : callable, optional
         Called with the share of the placing that is done; ``False`` ends it.
 
@@ -147,7 +186,7 @@ def puzzle(
     OptionError
         If options make no sense.
     ReadError
-        If the picture cannot be read.
+        If a file cannot be read.
 
     Examples
     --------
@@ -157,37 +196,7 @@ def puzzle(
     >>> pompeiu.puzzle(12, tab="none").is_locked
     False
     """
-    sides = tuple(float(side) for side in size)
-    if len(sides) != 2:
-        raise OptionError(f"size has {len(sides)} numbers; a width and a height are needed")
     if pieces < 0:
         raise OptionError(f"{pieces} pieces are asked for; there must be at least 2")
-    like = None
-    if piece is not None:
-        like = {
-            "name": piece if isinstance(piece, str) else "",
-            "points": None if isinstance(piece, str) else piece,
-            "method": method,
-            "metric": metric,
-            "corners": bool(corners),
-            "feedback": bool(feedback),
-            "mirrors": bool(mirrors),
-            "free_outline": bool(free_outline),
-            "threads": threads,
-            "time_limit": time_limit,
-            "memory_limit": memory_limit,
-        }
-    if piece is not None and len(whimsies) > 0:
-        raise OptionError("whimsies are for pieces without a shape; leave out piece or whimsies")
-    if not (kerf >= 0 and kerf < float("inf")):
-        raise OptionError(f"kerf is {kerf}; it must be a width, or 0")
-    picture = None
-    if image is not None:
-        try:
-            picture = Path(image).read_bytes()
-        except OSError as error:
-            raise ReadError(f"{os.fspath(image)}: {error.strerror}") from error
-    outlines, report, drawings = _native.puzzle(
-        outline, pieces, sides, layout, tab, seed, like, list(whimsies), float(kerf), picture, progress
-    )
-    return Puzzle(outlines, json.loads(report), tuple(drawings))
+    answer, beside = ask("puzzle", locals(), meshes=())
+    return Puzzle(beside["outlines"], answer["report"], beside["drawings"], answer["stop"])

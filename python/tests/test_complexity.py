@@ -41,6 +41,22 @@ def test_files_are_read(tmp_path):
     assert result.shapes[0]["area"] == 81 and result.shapes[1]["file"] == "1"
 
 
+def test_folders_are_measured_and_what_is_left_out_is_said(tmp_path):
+    for n in (5, 9):
+        points = "\n".join(f"{x} {y}" for x, y in pompeiu.polyline(n, seed=1, order="angle"))
+        (tmp_path / f"{n}.txt").write_text(points)
+    (tmp_path / "open.svg").write_text("<svg><path d='M0 0H9V9'/></svg>")
+    (tmp_path / "mine.rank").write_text("name,place\n5,1\n9,2\n")
+    with pytest.warns(UserWarning, match="open.svg: curve 0"):
+        result = pompeiu.complexity(tmp_path, against=str(tmp_path / "mine.rank"))
+    assert len(result.shapes) == 2 and result.failed[0]["path"].endswith("open.svg")
+    assert result.agreement["count"] == 2
+    limited = pompeiu.complexity([circle(9)], time_limit=0)
+    assert limited.report["stop"] == "time" and limited.shapes == []
+    with pytest.raises(pompeiu.ReadError, match="no shapes to measure"):
+        pompeiu.complexity(tmp_path / "none.svg")
+
+
 def test_what_makes_no_sense(tmp_path):
     square = [(0, 0), (1, 0), (1, 1), (0, 1)]
     with pytest.raises(pompeiu.OptionError, match="there is no measure `size`"):

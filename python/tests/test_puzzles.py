@@ -78,13 +78,13 @@ def test_the_motion_of_a_free_puzzle_is_drawn(tmp_path):
 
 def test_a_cut_leaves_a_gap_and_a_picture_lies_on_the_pieces(tmp_path):
     pompeiu.puzzle(6).write(tmp_path / "any.png")
-    made = pompeiu.puzzle(6, kerf=0.2, image=tmp_path / "any.png")
+    made = pompeiu.puzzle(6, kerf=0.2)
     assert made.holds and made.report["kerf"]["widest"] >= 0.2 and pompeiu.puzzle(6).holds is None
     assert not pompeiu.puzzle(6, tab="none", kerf=0.2).holds
-    made.write(tmp_path / "pieces.svg")
+    made.write(tmp_path / "pieces.svg", image=tmp_path / "any.png")
     assert "data:image/png" in (tmp_path / "pieces.svg").read_text()
     with pytest.raises(pompeiu.ReadError):
-        pompeiu.puzzle(6, image=tmp_path / "none.png")
+        made.write(tmp_path / "pieces.png", image=tmp_path / "none.png")
     with pytest.raises(pompeiu.OptionError, match="kerf"):
         pompeiu.puzzle(6, kerf=-1)
 
@@ -93,9 +93,11 @@ def test_what_makes_no_sense():
     for options, words in [
         ({"pieces": 1}, "1 pieces are asked for"),
         ({"size": (0, 1)}, "width"),
-        ({"size": (1,)}, "1 numbers"),
-        ({"layout": "spiral"}, "expected \"grid\""),
-        ({"tab": "glue"}, "expected \"none\""),
+        ({"size": (1,)}, "option `size` of puzzle: invalid length 1"),
+        ({"layout": "spiral"}, "option `layout` of puzzle: unknown variant `spiral`"),
+        ({"corners": True}, "corners is for pieces of a given shape"),
+        ({"piece": "star", "layout": "voronoi"}, "piece and layout exclude each other"),
+        ({"tab": "glue"}, "option `tab` of puzzle: unknown variant `glue`"),
     ]:
         with pytest.raises(pompeiu.OptionError, match=words):
             pompeiu.puzzle(**options)
@@ -104,10 +106,25 @@ def test_what_makes_no_sense():
 def test_whimsies_and_outlines_of_whole_pieces():
     angles = 2 * np.pi * np.arange(12) / 12
     star = np.column_stack([np.cos(angles), np.sin(angles)]) * np.where(np.arange(12) % 2, 0.6, 1.0)[:, None]
-    made = pompeiu.puzzle(40, layout="voronoi", whimsies=[star], seed=5)
+    made = pompeiu.puzzle(40, layout="voronoi", whimsy=[star], seed=5)
     assert made.is_locked and sum(map(area, made.outlines)) == pytest.approx(60000, rel=1e-9)
     assert max(map(area, made.outlines)) == pytest.approx(2 * 60000 / 40, rel=0.1)
-    with pytest.raises(pompeiu.OptionError, match="whimsies"):
-        pompeiu.puzzle(9, piece="square", whimsies=[star])
-    with pytest.raises(pompeiu.OptionError, match="bytes"):
-        pompeiu.puzzle(9, piece="square", memory_limit=1000)
+    with pytest.raises(pompeiu.OptionError, match="piece and whimsy exclude each other"):
+        pompeiu.puzzle(9, piece="square", whimsy=[star])
+
+
+def test_a_limit_ends_every_part_early_and_says_so(tmp_path):
+    made = pompeiu.puzzle(60, layout="voronoi", kerf=0.2, time_limit=0)
+    assert made.stop == "time" and not made.is_locked and not made.holds
+    assert sum(map(area, made.outlines)) == pytest.approx(60000, rel=1e-12)
+    assert pompeiu.puzzle(4).stop == "tolerance"
+    stopped = pompeiu.puzzle(6, piece="square", progress=lambda share: False)
+    assert stopped.stop == "cancelled"
+
+
+def test_shapes_in_files_are_read(tmp_path):
+    (tmp_path / "star.svg").write_text("<svg><path d='M0-10 2.4-3.2 9.5-3.1 3.8 1.2 5.9 8.1 0 4-5.9 8.1-3.8 1.2-9.5-3.1-2.4-3.2z'/></svg>")
+    made = pompeiu.puzzle(8, outline=tmp_path / "star.svg", layout="voronoi")
+    assert made.report["area"]["sum"] == pytest.approx(made.report["area"]["outline"], rel=1e-12)
+    with pytest.raises(pompeiu.MissingFileError, match="none.svg"):
+        pompeiu.puzzle(8, outline=tmp_path / "none.svg")

@@ -5,7 +5,7 @@ use crate::picture::{Picture, PictureError, PictureFormat};
 use crate::silhouette::{SilhouetteError, SilhouetteOptions, silhouette};
 use crate::svg::{self, Polyline, SvgError};
 use crate::{Outline, OutlineError, Region};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Why a file cannot be used as outlines.
 #[derive(Debug, thiserror::Error)]
@@ -56,6 +56,9 @@ pub enum FileError {
         /// Where it ends.
         end: crate::Point,
     },
+    /// A folder without a shape.
+    #[error("holds no picture (PNG, JPEG, GIF, BMP), drawing (SVG, DXF) or list of points")]
+    NoShapes,
     /// Neither a picture nor a drawing.
     #[error("it is neither a picture (PNG, JPEG, GIF, BMP) nor a drawing (SVG, DXF) nor a list of points")]
     Unrecognised,
@@ -82,6 +85,21 @@ pub fn is_picture(path: &Path) -> bool {
 /// Whether a file's suffix is that of a picture, a drawing or a list of points.
 pub fn is_shape(path: &Path) -> bool {
     is_picture(path) || has_suffix(path, &DRAWINGS)
+}
+
+/// The shapes in a folder, by their suffixes and in the order of their names; a file itself.
+///
+/// # Errors
+/// [`FileError`] if the folder cannot be read, or holds none.
+pub fn shapes_in(path: &Path) -> Result<Vec<PathBuf>, FileError> {
+    if !path.is_dir() {
+        return Ok(vec![path.to_owned()]);
+    }
+    let entries = std::fs::read_dir(path)?.map(|entry| entry.map(|entry| entry.path()));
+    let mut found = entries.collect::<Result<Vec<_>, _>>()?;
+    found.retain(|path| path.is_file() && is_shape(path));
+    found.sort();
+    if found.is_empty() { Err(FileError::NoShapes) } else { Ok(found) }
 }
 
 /// The closed outlines in a file, in their order: the shape in a picture followed by its holes; the curves of a drawing; or the

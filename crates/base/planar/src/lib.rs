@@ -12,6 +12,8 @@
 //! | [`picture`], [`contour`], [`silhouette`], [`fill`] | pictures, their contours at a level, the shape in them; rasterised
 //! outlines |
 //! | [`svg`], [`dxf`] | drawings |
+//! | [`ShapeSource`], [`read_region`], [`read_outlines`], [`shapes_in`] | shapes in files of all these kinds, or given by their
+//! corners |
 //!
 //! ```
 //! use pompeiu_planar::{Outline, resample};
@@ -35,18 +37,20 @@ mod overlap;
 pub mod picture;
 mod predicates;
 mod raster;
+mod shape_source;
 pub mod silhouette;
 pub mod svg;
 
 pub use crossing::{Crossing, first_crossing};
 pub use curve::{catmull_rom, resample, resample_points};
 pub use distance::{distance_to_outline, hausdorff};
-pub use file::{FileError, is_picture, is_shape, read_outlines, read_region};
+pub use file::{FileError, is_picture, is_shape, read_outlines, read_region, shapes_in};
 pub use offset::offset;
 pub use outline::{Outline, OutlineError, Region};
 pub use overlap::intersection_area;
 pub use predicates::{Turn, orientation, segments_meet};
 pub use raster::fill;
+pub use shape_source::{ShapeError, ShapeSource};
 
 /// A point or a vector in the plane.
 pub type Point = [f64; 2];

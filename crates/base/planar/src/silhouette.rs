@@ -8,6 +8,9 @@ use crate::{Outline, Point, Region};
 
 /// Which part of a picture is the shape.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Foreground {
     /// The part that differs from most pixels of the border.
     #[default]

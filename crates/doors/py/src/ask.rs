@@ -1,29 +1,37 @@
 //! Asking a system: its request from a dictionary, one answer as JSON, arrays and meshes beside it.
 
-use crate::arrays::array_of_rows;
+use crate::arrays::{array_of_rows, vectors};
 use crate::errors::{InternalError, Raise, UnusableLimit};
 use crate::hausdorff::limits;
 use crate::json::{parsed, written};
 use crate::mesh::Mesh;
+use crate::neuron;
+use crate::puzzle::PuzzleDrawings;
 use crate::wait::{self, Share, Told, Watch};
 use numpy::IntoPyArray;
+use pompeiu::complexity::{ComplexityRequest, NamedShape};
 use pompeiu::core::TriMesh;
 use pompeiu::core::mesh::Coordinates;
 use pompeiu::core::request::{Answer, Input, Limit, Request, Timing};
 use pompeiu::core::run::{Limits, RunContext};
+use pompeiu::coupling::{CoupleRequest, Scene};
 use pompeiu::fields::DecomposeRequest;
 use pompeiu::flatten::{CutRequest, FlattenError, FlattenRequest, MedialReport, MedialRequest};
 use pompeiu::hausdorff::{Progress, RepairRequest};
 use pompeiu::io::read_face_vectors;
 use pompeiu::matching::request::{AlignRequest, AlignedDistanceRequest};
+use pompeiu::neuron::{NeuronAnswer, NeuronRequest, NeuronSource};
 use pompeiu::operators::FaceField;
 use pompeiu::options::request_from;
+use pompeiu::planar::ShapeSource;
+use pompeiu::puzzle::PuzzleRequest;
 use pompeiu::surface::{EdgeData, EmbeddedSurface};
 use pyo3::exceptions::PyKeyError;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PyList, PyTuple};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
+use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 /// Why there is no answer.
@@ -31,6 +39,54 @@ type Failure = Box<dyn Raise + Send>;
 
 fn failure(error: impl Raise + Send + 'static) -> Failure {
     Box::new(error)
+}
+
+/// What a system is asked about.
+pub(crate) enum Given {
+    /// A mesh.
+    Mesh(Py<Mesh>),
+    /// A shape in the plane, or a folder of them.
+    Shape(NamedShape),
+    /// A neuron.
+    Neuron(NeuronSource),
+    /// The file of a scene.
+    Scene(PathBuf),
+}
+
+impl Given {
+    /// A mesh, a shape as its name with a path or its corners, the file or the bytes of a neuron, or the file
+    /// of a scene alone in a tuple.
+    fn new(object: &Bound<'_, PyAny>) -> PyResult<Self> {
+        if let Ok(mesh) = object.cast::<Mesh>() {
+            return Ok(Self::Mesh(mesh.clone().unbind()));
+        }
+        if let Ok((path,)) = object.extract::<(PathBuf,)>() {
+            return Ok(Self::Scene(path));
+        }
+        if !object.is_instance_of::<PyTuple>() {
+            return Ok(Self::Neuron(neuron::source(object)?));
+        }
+        let (name, source): (String, Bound<'_, PyAny>) = object.extract()?;
+        let source = match source.extract::<PathBuf>() {
+            Ok(path) => ShapeSource::File(path),
+            Err(_) => ShapeSource::Corners(vectors::<2>(&source, "the outline", "(n, 2)")?),
+        };
+        Ok(Self::Shape(NamedShape { name, source }))
+    }
+
+    fn input(&self) -> Input {
+        match self {
+            Self::Mesh(mesh) => Input::of_mesh(mesh.get().inner()),
+            Self::Shape(NamedShape { source: ShapeSource::File(path), .. }) => {
+                Input { path: Some(path.display().to_string()), ..Input::default() }
+            }
+            Self::Shape(NamedShape { source: ShapeSource::Corners(corners), .. }) => {
+                Input { vertices: corners.len(), ..Input::default() }
+            }
+            Self::Neuron(_) => Input::default(),
+            Self::Scene(path) => Input { path: Some(path.display().to_string()), ..Input::default() },
+        }
+    }
 }
 
 /// What passes beside the JSON of an answer.
@@ -42,6 +98,9 @@ pub(crate) enum Beside {
     Plane(Vec<[f64; 2]>),
     Points(Vec<[f64; 3]>),
     Mesh(TriMesh),
+    Outlines(Vec<Vec<[f64; 2]>>),
+    Puzzle(Box<PuzzleDrawings>),
+    Neuron { found: Box<NeuronAnswer>, request: Box<NeuronRequest> },
 }
 
 impl Beside {
@@ -54,6 +113,12 @@ impl Beside {
             Self::Plane(rows) => array_of_rows(py, rows)?.into_any(),
             Self::Points(rows) => array_of_rows(py, rows)?.into_any(),
             Self::Mesh(mesh) => Bound::new(py, Mesh::from(mesh))?.into_any(),
+            Self::Outlines(outlines) => {
+                let arrays = outlines.into_iter().map(|rows| array_of_rows(py, rows));
+                PyList::new(py, arrays.collect::<PyResult<Vec<_>>>()?)?.into_any()
+            }
+            Self::Puzzle(drawings) => Bound::new(py, *drawings)?.into_any(),
+            Self::Neuron { found, request } => neuron::answer_parts(py, *found, &request)?.into_any(),
         })
     }
 }
@@ -73,6 +138,20 @@ pub(crate) trait Asked: Request<Report: Serialize + Send> + Serialize + Deserial
         context: RunContext<'_>,
         watch: &Watch<'_, Self::Told>,
     ) -> Result<Found<Self::Report>, Failure>;
+
+    /// Runs a request on whatever it is about; on meshes unless a system says otherwise.
+    fn ask_about(
+        &self,
+        given: &[Given],
+        context: RunContext<'_>,
+        watch: &Watch<'_, Self::Told>,
+    ) -> Result<Found<Self::Report>, Failure> {
+        let meshes: Vec<&TriMesh> = given
+            .iter()
+            .filter_map(|one| if let Given::Mesh(mesh) = one { Some(mesh.get().inner()) } else { None })
+            .collect();
+        self.ask(&meshes, context, watch)
+    }
 }
 
 macro_rules! systems {
@@ -82,13 +161,13 @@ macro_rules! systems {
         pub(crate) fn ask<'py>(
             py: Python<'py>,
             name: &str,
-            meshes: Vec<Bound<'py, Mesh>>,
+            given: Vec<Bound<'py, PyAny>>,
             options: &str,
             limits: (Option<usize>, Option<f64>, Option<usize>),
             progress: Option<&Bound<'py, PyAny>>,
         ) -> PyResult<(String, Bound<'py, PyDict>)> {
             match name {
-                $(<$Request>::NAME => answer::<$Request>(py, meshes, options, limits, progress),)*
+                $(<$Request>::NAME => answer::<$Request>(py, given, options, limits, progress),)*
                 _ => Err(PyKeyError::new_err(name.to_owned())),
             }
         }
@@ -98,29 +177,32 @@ macro_rules! systems {
 systems!(
     AlignRequest,
     AlignedDistanceRequest,
+    ComplexityRequest,
+    CoupleRequest,
     CutRequest,
     DecomposeRequest,
     FlattenRequest,
     MedialRequest,
+    NeuronRequest,
+    PuzzleRequest,
     RepairRequest
 );
 
 fn answer<'py, Q: Asked>(
     py: Python<'py>,
-    meshes: Vec<Bound<'py, Mesh>>,
+    given: Vec<Bound<'py, PyAny>>,
     options: &str,
     limits: (Option<usize>, Option<f64>, Option<usize>),
     progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<(String, Bound<'py, PyDict>)> {
     let request: Q = request_from(parsed(options)?).map_err(Raise::raise)?;
     let limits = limits_of::<Q>(limits)?;
-    let meshes: Vec<Py<Mesh>> = meshes.into_iter().map(Bound::unbind).collect();
+    let given: Vec<Given> = given.iter().map(Given::new).collect::<PyResult<_>>()?;
     let found = wait::run_detached(py, progress, move |watch: &mut Watch<'_, Q::Told>| {
         let started = Instant::now();
-        let meshes: Vec<&TriMesh> = meshes.iter().map(|mesh| mesh.get().inner()).collect();
         let context = RunContext::start(Limits { cancel: Some(watch.token()), ..limits });
-        let (report, beside) = request.ask(&meshes, context, watch)?;
-        let inputs = meshes.iter().map(|mesh| Input::of_mesh(mesh)).collect();
+        let (report, beside) = request.ask_about(&given, context, watch)?;
+        let inputs = given.iter().map(Given::input).collect();
         let timing = Timing { read: Duration::ZERO, total: started.elapsed() };
         Ok((Answer::new(inputs, request, report, timing), beside))
     })?;
@@ -132,8 +214,11 @@ fn answer<'py, Q: Asked>(
     Ok((written(&answer)?, objects))
 }
 
+/// Threads, seconds and bytes, where they are limited.
+pub(crate) type Limited = (Option<usize>, Option<f64>, Option<usize>);
+
 /// The limits, of which a system takes only those that it obeys.
-fn limits_of<Q: Request>(given: (Option<usize>, Option<f64>, Option<usize>)) -> PyResult<Limits> {
+pub(crate) fn limits_of<Q: Request>(given: Limited) -> PyResult<Limits> {
     let (threads, seconds, memory) = given;
     let given = [
         (Limit::Threads, threads.is_some()),
@@ -172,6 +257,108 @@ fn ends(surface: &EmbeddedSurface, cut: &EdgeData<bool>) -> Beside {
     let mesh = surface.mesh();
     let cut = mesh.edge_ids().filter(|&edge| cut[edge]);
     Beside::Pairs(cut.map(|edge| mesh.ends(edge).map(|v| v.0)).collect())
+}
+
+impl Asked for ComplexityRequest {
+    type Told = Share;
+
+    fn ask(
+        &self,
+        _: &[&TriMesh],
+        context: RunContext<'_>,
+        watch: &Watch<'_, Share>,
+    ) -> Result<Found<Self::Report>, Failure> {
+        self.ask_about(&[], context, watch)
+    }
+
+    fn ask_about(
+        &self,
+        given: &[Given],
+        context: RunContext<'_>,
+        watch: &Watch<'_, Share>,
+    ) -> Result<Found<Self::Report>, Failure> {
+        let shapes: Vec<NamedShape> = given
+            .iter()
+            .filter_map(|one| if let Given::Shape(shape) = one { Some(shape.clone()) } else { None })
+            .collect();
+        let found = self.run(&shapes, &context.watched_by(watch)).map_err(failure)?;
+        Ok((found.report, Vec::new()))
+    }
+}
+
+impl Asked for CoupleRequest {
+    type Told = Share;
+
+    fn ask(
+        &self,
+        meshes: &[&TriMesh],
+        _: RunContext<'_>,
+        _: &Watch<'_, Share>,
+    ) -> Result<Found<Self::Report>, Failure> {
+        Err(failure(InternalError::Mesh { found: 0, count: meshes.len() }))
+    }
+
+    fn ask_about(
+        &self,
+        given: &[Given],
+        context: RunContext<'_>,
+        watch: &Watch<'_, Share>,
+    ) -> Result<Found<Self::Report>, Failure> {
+        let [Given::Scene(path)] = given else { return self.ask(&[], context, watch) };
+        let scene = Scene::read(path).map_err(failure)?;
+        let (mut xs, mut ys) = (Vec::new(), Vec::new());
+        let mut keep = |_: usize, x: &[f64], y: &[f64]| {
+            xs.extend_from_slice(x);
+            ys.extend_from_slice(y);
+        };
+        let report = self.run(&scene, &mut keep, &context.watched_by(watch)).map_err(failure)?;
+        Ok((report, vec![("x", Beside::Numbers(xs)), ("y", Beside::Numbers(ys))]))
+    }
+}
+
+impl Asked for NeuronRequest {
+    type Told = Share;
+
+    fn ask(
+        &self,
+        meshes: &[&TriMesh],
+        _: RunContext<'_>,
+        _: &Watch<'_, Share>,
+    ) -> Result<Found<Self::Report>, Failure> {
+        Err(failure(InternalError::Mesh { found: 0, count: meshes.len() }))
+    }
+
+    fn ask_about(
+        &self,
+        given: &[Given],
+        context: RunContext<'_>,
+        watch: &Watch<'_, Share>,
+    ) -> Result<Found<Self::Report>, Failure> {
+        let [Given::Neuron(source)] = given else { return self.ask(&[], context, watch) };
+        let found = self.run(source.clone(), true, &context.watched_by(watch)).map_err(failure)?;
+        let report = found.report.clone();
+        let parts = Beside::Neuron { found: Box::new(found), request: Box::new(self.clone()) };
+        Ok((report, vec![("parts", parts)]))
+    }
+}
+
+impl Asked for PuzzleRequest {
+    type Told = Share;
+
+    fn ask(
+        &self,
+        _: &[&TriMesh],
+        context: RunContext<'_>,
+        watch: &Watch<'_, Share>,
+    ) -> Result<Found<Self::Report>, Failure> {
+        let found = self.run(true, &context.watched_by(watch)).map_err(failure)?;
+        let outlines = (0..found.puzzle.pieces()).map(|piece| found.puzzle.outline(piece)).collect();
+        let report = found.report.clone();
+        let drawings = PuzzleDrawings::new(found, self.kerf);
+        let beside =
+            vec![("outlines", Beside::Outlines(outlines)), ("drawings", Beside::Puzzle(Box::new(drawings)))];
+        Ok((report, beside))
+    }
 }
 
 impl Asked for CutRequest {

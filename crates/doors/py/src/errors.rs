@@ -1,9 +1,10 @@
 //! Errors of the library as exceptions of the package, with the library's own sentences.
 
-use pompeiu::complexity::ComplexityError;
+use pompeiu::complexity::{ComplexityError, ComplexityRequestError, RankingError};
 use pompeiu::core::MeshError;
 use pompeiu::core::mesh::repair::RepairError;
 use pompeiu::core::mesh::shapes::ShapeError;
+use pompeiu::coupling::{CouplingError, SceneError};
 use pompeiu::fields::DecomposeError;
 use pompeiu::figures::FigureError;
 use pompeiu::figures::page::PageError;
@@ -17,12 +18,15 @@ use pompeiu::io::{AttributeError, ReadError, WriteError};
 use pompeiu::matching::align::AlignError;
 use pompeiu::matching::rank::RankError;
 use pompeiu::matching::request::RequestError;
-use pompeiu::neuron::{FlowError as NeuronFlowError, MeshError as NeuronMeshError, SwcError, TransportError};
+use pompeiu::neuron::{
+    CheckpointError, FlowError as NeuronFlowError, MeshError as NeuronMeshError, NeuronRequestError,
+    SwcError, TransportError,
+};
 use pompeiu::operators::{FieldSourceError, OperatorError};
 use pompeiu::options::OptionsError;
-use pompeiu::planar::OutlineError;
 use pompeiu::planar::picture::PictureError;
-use pompeiu::puzzle::PuzzleError;
+use pompeiu::planar::{FileError, OutlineError};
+use pompeiu::puzzle::{PuzzleError, PuzzleRequestError};
 use pompeiu::remesh::{CarryError, RemeshError, SimplifyError};
 use pompeiu::surface::GeometryError;
 use pyo3::PyErr;
@@ -73,6 +77,7 @@ raise_as! {
     BandError => OptionError,
     ComplexityError => OptionError,
     FigureError => OptionError,
+    CouplingError => OptionError,
     GeometryError => SurfaceError,
     InternalError => OptionError,
     MeshError => MeshError,
@@ -85,6 +90,7 @@ raise_as! {
     PictureError => ReadError,
     PuzzleError => OptionError,
     RankError => OptionError,
+    RankingError => ReadError,
     ShapeError => OptionError,
     SwcError => ReadError,
     TransportError => OptionError,
@@ -136,20 +142,11 @@ impl Raise for RepairError {
     }
 }
 
-/// A file of outlines that cannot be read, with its name.
-#[derive(Debug, thiserror::Error)]
-#[error("{}: {error}", path.display())]
-pub(crate) struct ShapeFileError {
-    /// The file.
-    pub(crate) path: PathBuf,
-    /// What is wrong.
-    pub(crate) error: pompeiu::planar::FileError,
-}
-
-impl Raise for ShapeFileError {
+impl Raise for pompeiu::planar::ShapeError {
     fn exception(&self, sentence: String) -> PyErr {
-        match &self.error {
-            pompeiu::planar::FileError::Io(error) if error.kind() == ErrorKind::NotFound => {
+        match self {
+            Self::Outline(error) => error.exception(sentence),
+            Self::File { error: FileError::Io(error), .. } if error.kind() == ErrorKind::NotFound => {
                 classes::MissingFileError::new_err(sentence)
             }
             _ => classes::ReadError::new_err(sentence),
@@ -195,6 +192,64 @@ impl Raise for CertificateFileError {
             Self::Open { .. } | Self::Read { .. } => classes::ReadError::new_err(sentence),
             Self::Write { error: CertificateError::Option(_), .. } => classes::OptionError::new_err(sentence),
             Self::Write { .. } => classes::WriteError::new_err(sentence),
+        }
+    }
+}
+
+impl Raise for CheckpointError {
+    fn exception(&self, sentence: String) -> PyErr {
+        match self {
+            Self::Syntax(_) => classes::ReadError::new_err(sentence),
+            _ => classes::OptionError::new_err(sentence),
+        }
+    }
+}
+
+impl Raise for NeuronRequestError {
+    fn exception(&self, sentence: String) -> PyErr {
+        match self {
+            Self::File { error, .. } if error.kind() == ErrorKind::NotFound => {
+                classes::MissingFileError::new_err(sentence)
+            }
+            Self::File { .. } => classes::ReadError::new_err(sentence),
+            Self::Checkpoint { error, .. } => error.exception(sentence),
+            Self::Skeleton(error) => error.exception(sentence),
+            _ => classes::OptionError::new_err(sentence),
+        }
+    }
+}
+
+impl Raise for SceneError {
+    fn exception(&self, sentence: String) -> PyErr {
+        match self {
+            Self::File { error, .. } if error.kind() == ErrorKind::NotFound => {
+                classes::MissingFileError::new_err(sentence)
+            }
+            Self::File { .. } | Self::Large { .. } | Self::Syntax { .. } => {
+                classes::ReadError::new_err(sentence)
+            }
+            _ => classes::OptionError::new_err(sentence),
+        }
+    }
+}
+
+impl Raise for ComplexityRequestError {
+    fn exception(&self, sentence: String) -> PyErr {
+        match self {
+            Self::NoShapes { .. } => classes::ReadError::new_err(sentence),
+            Self::Ranking(error) => error.exception(sentence),
+            Self::Shape(error) => error.exception(sentence),
+            Self::Analysis(error) => error.exception(sentence),
+            _ => classes::OptionError::new_err(sentence),
+        }
+    }
+}
+
+impl Raise for PuzzleRequestError {
+    fn exception(&self, sentence: String) -> PyErr {
+        match self {
+            Self::Shape(error) => error.exception(sentence),
+            _ => classes::OptionError::new_err(sentence),
         }
     }
 }

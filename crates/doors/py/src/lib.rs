@@ -7,6 +7,7 @@ mod arrays;
 mod ask;
 mod certificate;
 mod complexity;
+mod couple;
 mod errors;
 mod fields;
 mod files;
@@ -32,7 +33,9 @@ mod _native {
     #[pymodule_export]
     use crate::certificate::{verify_certificate, write_certificate};
     #[pymodule_export]
-    use crate::complexity::{complexity, k_medoids, noisy_circle, polyline, read_outlines};
+    use crate::complexity::{k_medoids, noisy_circle, polyline, read_outlines};
+    #[pymodule_export]
+    use crate::couple::couple;
     #[pymodule_export]
     use crate::fields::{HodgeDecomposition, degrees_of_freedom};
     #[pymodule_export]
@@ -51,13 +54,12 @@ mod _native {
     use crate::mesh::Mesh;
     #[pymodule_export]
     use crate::neuron::{
-        NeuronHexahedra, NeuronRun, NeuronSkeleton, neuron_options, neuron_parameters, read_neuron_mesh,
-        read_skeleton,
+        NeuronHexahedra, NeuronRun, NeuronSkeleton, neuron_options, read_neuron_mesh, read_skeleton,
     };
     #[pymodule_export]
     use crate::neuron_flow::{NeuronFlow, NeuronSplineSpace};
     #[pymodule_export]
-    use crate::puzzle::puzzle;
+    use crate::puzzle::PuzzleDrawings;
     #[pymodule_export]
     use crate::shapes::{cube, cylinder, grid, icosphere, schwarz_lantern, torus};
     #[pymodule_export]

@@ -3,20 +3,21 @@
 use crate::arrays::array_of_rows;
 use crate::errors::Raise;
 use crate::hausdorff::limits;
-use crate::json::{parsed, written};
+use crate::json::written;
 use crate::neuron_flow::{self, FlowParts, Source, SplineParts};
 use crate::wait::{self, Share, Watch};
 use numpy::{IntoPyArray, PyArray1, PyArray2};
 use pompeiu::core::run::Limits;
 use pompeiu::neuron::{
-    Ends, FlowCells, FlowReport, MeshError, MeshOptions, MeshReport, NeuronMesh, NeuronPage, NeuronReport,
-    NeuronSurface, Parameters, Preparation, Side, Skeleton, SmoothOptions, SwcError, SwcRow, Timing,
-    Transport, TransportOptions, TransportState, mesh_neuron, prepare, read_transport_config, transport,
-    write_swc,
+    Checkpoint, Ends, FlowCells, FlowReport, MaterialCells, MeshError, MeshOptions, MeshReport, NeuronAnswer,
+    NeuronMesh, NeuronPage, NeuronReport, NeuronRequest, NeuronRequestError, NeuronSource, NeuronSurface,
+    Parameters, Preparation, RunIdentity, Side, Skeleton, SkeletonReport, SmoothOptions, SplineReport,
+    SwcError, SwcRow, Transport, TransportOptions, TransportState, Transported, mesh_neuron, prepare,
+    read_transport_config, refined_vtu, transport, write_swc,
 };
 use pompeiu::volume::HexMesh;
 use pyo3::prelude::*;
-use pyo3::types::PyBytes;
+use pyo3::types::{PyBytes, PyDict};
 
 /// A skeleton that was read.
 #[pyclass(frozen, module = "pompeiu._native")]
@@ -46,6 +47,11 @@ pub(crate) fn read_skeleton<'py>(
     let (skeleton, report) = py
         .detach(|| prepare(bytes, &Preparation { repair, smooth: SmoothOptions { steps, spacing } }))
         .map_err(|error: SwcError| error.raise())?;
+    skeleton_parts(py, skeleton, &report)
+}
+
+/// A skeleton as the Python half takes it.
+fn skeleton_parts<'py>(py: Python<'py>, skeleton: Skeleton, report: &SkeletonReport) -> PyResult<Parts<'py>> {
     let rows = skeleton.rows();
     let column = |of: fn(&SwcRow) -> i64| rows.iter().map(of).collect::<Vec<_>>().into_pyarray(py);
     let ids = skeleton.samples().iter().map(|sample| sample.id).collect::<Vec<_>>();
@@ -58,7 +64,7 @@ pub(crate) fn read_skeleton<'py>(
         rows.iter().map(|row| row.radius).collect::<Vec<_>>().into_pyarray(py),
         column(|row| row.parent.map_or(-1, |parent| parent - 1)),
         write_swc(&rows),
-        written(&report)?,
+        written(report)?,
     ))
 }
 
@@ -185,6 +191,23 @@ pub(crate) struct NeuronRun {
     parameters: Parameters,
     cells: RunCells,
     report: NeuronReport,
+    identity: RunIdentity,
+}
+
+/// What a checkpoint belongs to: the bytes of a file and the options that make cells of it; and the checkpoint to go on from, with its name.
+#[derive(FromPyObject)]
+pub(crate) struct Origin(Vec<u8>, String, Option<(std::path::PathBuf, Vec<u8>)>);
+
+impl Origin {
+    /// The identity of a run with these parameters, and the state to go on from.
+    pub(crate) fn resumed(self, parameters: &Parameters) -> PyResult<(RunIdentity, Option<TransportState>)> {
+        let Self(content, options, checkpoint) = self;
+        let identity = RunIdentity::new(&content, &options, parameters);
+        let Some((path, bytes)) = checkpoint else { return Ok((identity, None)) };
+        let read = Checkpoint::from_bytes(&bytes, &identity);
+        let read = read.map_err(|error| NeuronRequestError::Checkpoint { path, error }.raise())?;
+        Ok((identity, Some(read.state)))
+    }
 }
 
 /// The cells of a run.
@@ -195,9 +218,10 @@ pub(crate) enum RunCells {
 
 #[pymethods]
 impl NeuronRun {
-    /// The state after the last step, from which another run goes on.
-    fn state(&self) -> PyResult<String> {
-        written(&self.state)
+    /// The state after the last step, from which another run goes on, as the bytes of a checkpoint.
+    fn checkpoint<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
+        let bytes = Checkpoint::new(&self.identity, self.state.clone()).to_bytes();
+        Ok(PyBytes::new(py, &bytes.map_err(Raise::raise)?))
     }
 
     /// A page that plays the transport.
@@ -221,12 +245,6 @@ impl NeuronRun {
     }
 }
 
-/// The parameters in a configuration but for the number of steps, in one line.
-#[pyfunction]
-pub(crate) fn neuron_parameters(config: &str) -> PyResult<String> {
-    Ok(read_transport_config(config).map_err(Raise::raise)?.line())
-}
-
 /// The options that make cells of a skeleton, in one line.
 #[pyfunction]
 pub(crate) fn neuron_options(
@@ -246,6 +264,7 @@ pub(crate) fn transport_parts(
     found: Transport,
     parameters: Parameters,
     cells: RunCells,
+    identity: RunIdentity,
     (mesh, flow): (Option<MeshReport>, Option<FlowReport>),
 ) -> PyResult<TransportParts<'_>> {
     let state = found.state;
@@ -253,9 +272,8 @@ pub(crate) fn transport_parts(
     let values = state.frames.iter().flat_map(|frame| frame.values.iter().copied()).collect();
     let ends = array_of_rows(py, state.ends.iter().flatten().copied().collect())?;
     let (step, said) = (parameters.step, written(&found.report)?);
-    let (skeleton, spline, transport) = (None, None, Some(found.report));
-    let report = NeuronReport { skeleton, mesh, spline, flow, transport, timing: Timing::default() };
-    let run = NeuronRun { state, inlet: found.inlet, parameters, cells, report };
+    let report = NeuronReport { mesh, flow, transport: Some(found.report), ..NeuronReport::default() };
+    let run = NeuronRun { state, inlet: found.inlet, parameters, cells, report, identity };
     Ok((run, ends, steps, array_of_rows(py, values)?, step, said))
 }
 
@@ -266,7 +284,7 @@ impl NeuronHexahedra {
         slf: &Bound<'py, Self>,
         config: &str,
         frames: usize,
-        resume: Option<&str>,
+        origin: Origin,
         time_limit: Option<f64>,
         memory_limit: Option<usize>,
         progress: Option<&Bound<'_, PyAny>>,
@@ -274,14 +292,14 @@ impl NeuronHexahedra {
         let (py, mesh) = (slf.py(), &slf.get().0);
         let parameters = read_transport_config(config).map_err(Raise::raise)?;
         let mut limits = limits(None, time_limit, memory_limit)?;
-        let resume = resume.map(parsed::<TransportState>).transpose()?;
+        let (identity, resume) = origin.resumed(&parameters)?;
         let found = wait::run(py, progress, |watch: &mut Watch<'_, Share>| {
             limits.cancel = Some(watch.token());
             let options = TransportOptions { limits, progress: Some(&*watch), resume: resume.as_ref() };
             transport(mesh, &parameters, frames, &options)
         })?;
         let (cells, mesh) = (RunCells::Mesh(slf.clone().unbind()), mesh.report.clone());
-        transport_parts(py, found.map_err(Raise::raise)?, parameters, cells, (Some(mesh), None))
+        transport_parts(py, found.map_err(Raise::raise)?, parameters, cells, identity, (Some(mesh), None))
     }
 
     /// Makes each cell a patch, cut into this many spline elements along each edge, which are halved in some places.
@@ -334,4 +352,63 @@ pub(crate) fn read_neuron_mesh(
         NeuronMesh::from_hexahedra(mesh, ends, &Limits::default())
     });
     mesh_parts(py, found.map_err(Raise::raise)?)
+}
+
+/// What is asked about: the bytes of a skeleton, or a file of a skeleton or a mesh.
+pub(crate) fn source(given: &Bound<'_, PyAny>) -> PyResult<NeuronSource> {
+    if let Ok(bytes) = given.cast::<PyBytes>() {
+        return Ok(NeuronSource::skeleton(bytes.as_bytes().to_vec()));
+    }
+    let path: std::path::PathBuf = given.extract()?;
+    let content = std::fs::read(&path)
+        .map_err(|error| NeuronRequestError::File { path: path.clone(), error }.raise())?;
+    let name = path.to_string_lossy().to_ascii_lowercase();
+    let name = name.strip_suffix(".gz").unwrap_or(&name);
+    if !name.ends_with(".vtk") && !name.ends_with(".vtu") {
+        return Ok(NeuronSource::skeleton(content));
+    }
+    let read = pompeiu::io::read_hexahedra(&path).map_err(Raise::raise)?;
+    let positions = read.positions.into_iter().map(Into::into).collect();
+    let mesh = HexMesh::new(positions, read.cells).map_err(MeshError::from).map_err(Raise::raise)?;
+    Ok(NeuronSource::mesh(content, mesh, read.labels))
+}
+
+/// What the stages left, as the Python half takes it: a tuple for each of them.
+pub(crate) fn answer_parts<'py>(
+    py: Python<'py>,
+    found: NeuronAnswer,
+    request: &NeuronRequest,
+) -> PyResult<Bound<'py, PyDict>> {
+    let parts = PyDict::new(py);
+    let NeuronAnswer { skeleton, hexahedra, patches, splines, flow, transported, report, .. } = found;
+    if let (Some(skeleton), Some(report)) = (skeleton, &report.skeleton) {
+        parts.set_item("skeleton", skeleton_parts(py, skeleton, report)?)?;
+    }
+    if let Some(mesh) = hexahedra {
+        parts.set_item("mesh", mesh_parts(py, mesh)?)?;
+    }
+    match (patches, splines, flow) {
+        (Some(mesh), _, Some(flow)) => {
+            let parameters = request.parameters().map_err(Raise::raise)?.flow;
+            parts.set_item("flow", neuron_flow::flow_parts(py, flow, mesh.report, parameters)?)?;
+        }
+        (Some(mesh), Some(splines), None) => {
+            let (file, report) = if !request.refine.is_empty() {
+                (refined_vtu(&mesh, &splines, false), SplineReport::of_refined(&splines))
+            } else {
+                (mesh.vtu(false), SplineReport::new(&mesh.mesh, request.elements))
+            };
+            parts.set_item("splines", neuron_flow::spline_parts(py, mesh, splines, &file?, &report)?)?;
+        }
+        _ => {}
+    }
+    if let Some(Transported { cells, found, parameters, run }) = transported {
+        let reports = (report.mesh, report.flow);
+        let cells = match cells {
+            MaterialCells::Hexahedra(mesh) => RunCells::Mesh(Bound::new(py, NeuronHexahedra(mesh))?.unbind()),
+            MaterialCells::Flow(cells) => RunCells::Flow(Box::new(cells)),
+        };
+        parts.set_item("transport", transport_parts(py, found, parameters, cells, run, reports)?)?;
+    }
+    Ok(parts)
 }

@@ -3,14 +3,14 @@
 use crate::arrays::array_of_rows;
 use crate::errors::Raise;
 use crate::hausdorff::limits;
-use crate::json::{parsed, written};
-use crate::neuron::{Meshing, RunCells, TransportParts, transport_parts};
+use crate::json::written;
+use crate::neuron::{Meshing, Origin, RunCells, TransportParts, transport_parts};
 use crate::wait::{self, Share, Watch};
 use numpy::{IntoPyArray, PyArray1, PyArray2};
 use pompeiu::neuron::{
     CubicMesh, Flow, FlowCells, FlowOptions, FlowParameters, MeshError, MeshOptions, MeshReport, NeuronMesh,
-    RefineAt, RefineOptions, Skeleton, SplineReport, TransportError, TransportOptions, TransportState,
-    cubic_neuron, neuron_flow, read_transport_config, refined_splines, refined_vtu, transport_in_flow,
+    RefineAt, RefineOptions, Skeleton, SplineReport, TransportError, TransportOptions, cubic_neuron,
+    neuron_flow, read_transport_config, refined_splines, refined_vtu, transport_in_flow,
 };
 use pompeiu::volume::{HierarchicalElement, HierarchicalSplines};
 use pyo3::prelude::*;
@@ -134,17 +134,27 @@ pub(crate) fn splines<'py>(
         Ok::<_, MeshError>((found, splines, file, report))
     })?;
     let (found, splines, file, report) = found.map_err(Raise::raise)?;
-    let file = file?;
+    spline_parts(py, found, splines, &file?, &report)
+}
+
+/// Splines as the Python half takes them.
+pub(crate) fn spline_parts<'py>(
+    py: Python<'py>,
+    found: CubicMesh,
+    splines: HierarchicalSplines,
+    file: &[u8],
+    report: &SplineReport,
+) -> PyResult<SplineParts<'py>> {
     let row = |element: &HierarchicalElement| {
         let [i, j, k] = element.place.map(u32::from);
         [element.level.into(), element.patch, i, j, k]
     };
-    let (mesh, spline) = (written(&found.report)?, written(&report)?);
+    let (mesh, spline) = (written(&found.report)?, written(report)?);
     let points = array_of_rows(py, places(found.mesh.points()))?;
     let cells = array_of_rows(py, found.mesh.cells().to_vec())?;
     let branches = found.parts.clone().into_pyarray(py);
     let elements = array_of_rows(py, splines.elements().iter().map(row).collect())?;
-    let file = PyBytes::new(py, &file);
+    let file = PyBytes::new(py, file);
     Ok((NeuronSplineSpace(found, splines), points, cells, branches, elements, file, mesh, spline))
 }
 
@@ -168,7 +178,16 @@ pub(crate) fn flow<'py>(
         Ok::<_, MeshError>((mesh.report, flow))
     })?;
     let (mesh, flow) = found.map_err(Raise::raise)?;
-    let flow = flow.map_err(Raise::raise)?;
+    flow_parts(py, flow.map_err(Raise::raise)?, mesh, parameters)
+}
+
+/// A flow as the Python half takes it.
+pub(crate) fn flow_parts(
+    py: Python<'_>,
+    flow: Flow,
+    mesh: MeshReport,
+    parameters: FlowParameters,
+) -> PyResult<FlowParts<'_>> {
     let file = flow.vtu(false).map_err(PyErr::from)?;
     let ends = flow.ends.iter().map(|end| [end.flux, end.pressure]).collect();
     let samples = flow.ends.iter().map(|end| end.sample).collect::<Vec<_>>();
@@ -194,14 +213,14 @@ impl NeuronFlow {
         parts: usize,
         config: &str,
         frames: usize,
-        resume: Option<&str>,
+        origin: Origin,
         time_limit: Option<f64>,
         memory_limit: Option<usize>,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<TransportParts<'py>> {
         let parameters = read_transport_config(config).map_err(Raise::raise)?;
         let mut limits = limits(None, time_limit, memory_limit)?;
-        let resume = resume.map(parsed::<TransportState>).transpose()?;
+        let (identity, resume) = origin.resumed(&parameters)?;
         let found = wait::run(py, progress, |watch: &mut Watch<'_, Share>| {
             limits.cancel = Some(watch.token());
             let cells = FlowCells::new(&self.flow, parts)?;
@@ -211,7 +230,7 @@ impl NeuronFlow {
         })?;
         let (cells, found) = found.map_err(Raise::raise)?;
         let reports = (Some(self.mesh.clone()), Some(self.flow.report.clone()));
-        transport_parts(py, found, parameters, RunCells::Flow(Box::new(cells)), reports)
+        transport_parts(py, found, parameters, RunCells::Flow(Box::new(cells)), identity, reports)
     }
 
     /// The parameters of the flow in one line, where they are not those of a configuration: it is another flow then.

@@ -33,7 +33,7 @@ pub struct AnalyseOptions<'o> {
     pub clusters: Option<usize>,
     /// The features for distances between shapes: names of measures, or `log:` and a name for ln(1 + value).
     pub features: Vec<String>,
-    /// Limits on time and threads. Shapes that are not measured in time are omitted.
+    /// Limits on time and threads. Shapes that are not measured in time are omitted; then there are no clusters.
     pub limits: Limits,
     /// Receives the share of shapes measured so far.
     pub progress: Option<&'o dyn ProgressObserver>,
@@ -73,8 +73,9 @@ pub fn analyse(shapes: &[Shape], options: &AnalyseOptions<'_>) -> Result<Complex
     let started = Instant::now();
     let measured = on_threads(options.limits.threads, || measured(shapes, options, &control))?;
     let mut timing = Timing { measures: started.elapsed(), ..Timing::default() };
+    let stop = control.reason().unwrap_or(StopReason::Tolerance);
     if measured.is_empty() {
-        return Err(ComplexityError::Empty);
+        return Ok(ComplexityReport { timing, ..ComplexityReport::empty(&options.rank_by, stop) });
     }
 
     let started = Instant::now();
@@ -83,8 +84,9 @@ pub fn analyse(shapes: &[Shape], options: &AnalyseOptions<'_>) -> Result<Complex
     let places = ranks(&complexity);
     let against = options.against.as_ref().map(|list| other_places(&measured, list)).transpose()?;
     let agreement = match &against {
-        Some(other) => Some(compare_rankings(&complexity, other)?),
-        None => None,
+        // Fewer than two shapes measured in time have no agreement.
+        Some(other) if !stop.is_early() || measured.len() > 1 => Some(compare_rankings(&complexity, other)?),
+        _ => None,
     };
     let against = against.map(|other| ranks(&other));
     let mut order: Vec<usize> = (0..measured.len()).collect();
@@ -101,7 +103,8 @@ pub fn analyse(shapes: &[Shape], options: &AnalyseOptions<'_>) -> Result<Complex
     let started = Instant::now();
     let row = |shape: &ShapeReport| features.iter().map(|value| value(&shape.measures)).collect();
     let rows: Vec<Vec<f64>> = measured.iter().map(row).collect();
-    let clusters = options.clusters.map(|count| cluster(&rows, &options.features, count)).transpose()?;
+    let count = options.clusters.filter(|_| !stop.is_early());
+    let clusters = count.map(|count| cluster(&rows, &options.features, count)).transpose()?;
     timing.clusters = started.elapsed();
     Ok(ComplexityReport {
         shapes: measured,
@@ -109,7 +112,8 @@ pub fn analyse(shapes: &[Shape], options: &AnalyseOptions<'_>) -> Result<Complex
         ranking,
         agreement,
         clusters,
-        stop: control.reason().unwrap_or(StopReason::Tolerance),
+        failed: Vec::new(),
+        stop,
         timing,
     })
 }

@@ -11,6 +11,7 @@
 //! | [`cluster`], [`Clusters`] | k-medoids with silhouettes |
 //! | [`generate`] | shapes of growing complexity, seeded |
 //! | [`analyse`], [`ComplexityReport`] | the whole analysis of many shapes |
+//! | [`ComplexityRequest`], [`NamedShape`] | the same for files and folders, with options as every door offers them |
 //!
 //! ```
 //! use pompeiu_complexity::{MeasureOptions, Measures, generate};
@@ -29,6 +30,7 @@ pub mod generate;
 mod measures;
 mod ranking;
 mod report;
+mod request;
 #[cfg(feature = "figures")]
 pub mod show;
 
@@ -41,4 +43,7 @@ pub use measures::{
     Boundary, Coverage, Curvature, Direction, Global, Measure, MeasureOptions, Measures, Moments, Skeleton,
 };
 pub use ranking::{Agreement, compare_rankings, kendall, ranks, spearman};
-pub use report::{ComplexityReport, RankedShape, ShapeReport, Timing};
+pub use report::{ComplexityReport, FailedShape, RankedShape, ShapeReport, Timing};
+pub use request::{
+    ComplexityAnswer, ComplexityRequest, ComplexityRequestError, NamedShape, RankingError, RankingSource,
+};

@@ -2,6 +2,7 @@
 
 use crate::{Agreement, Clusters, Measures};
 use pompeiu_core::run::StopReason;
+use std::fmt;
 use std::time::Duration;
 
 /// The report of an analysis.
@@ -17,13 +18,48 @@ pub struct ComplexityReport {
     pub ranking: Vec<RankedShape>,
     /// The agreement with the other ranking.
     pub agreement: Option<Agreement>,
-    /// Clusters of similar shapes, if requested.
+    /// Clusters of similar shapes, if requested and all shapes were measured.
     pub clusters: Option<Clusters>,
+    /// Files that cannot be used.
+    pub failed: Vec<FailedShape>,
     /// Why the computation ended.
     pub stop: StopReason,
     /// Time spent on each part.
     #[cfg_attr(feature = "serde", serde(rename = "timing_ms"))]
     pub timing: Timing,
+}
+
+impl ComplexityReport {
+    /// A report without shapes.
+    pub(crate) fn empty(ranked_by: &str, stop: StopReason) -> Self {
+        Self {
+            shapes: Vec::new(),
+            ranked_by: ranked_by.to_owned(),
+            ranking: Vec::new(),
+            agreement: None,
+            clusters: None,
+            failed: Vec::new(),
+            stop,
+            timing: Timing::default(),
+        }
+    }
+}
+
+/// A file that cannot be used.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct FailedShape {
+    /// The file or folder.
+    pub path: String,
+    /// What is wrong with it, in one sentence.
+    pub message: String,
+}
+
+impl fmt::Display for FailedShape {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.path, self.message)
+    }
 }
 
 /// A shape and its measures.

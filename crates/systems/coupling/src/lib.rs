@@ -48,6 +48,8 @@ mod iteration;
 mod options;
 pub mod piston;
 mod report;
+#[cfg(feature = "serde")]
+mod request;
 pub mod scenario;
 mod subproblem;
 pub mod tube;
@@ -58,4 +60,6 @@ pub use coupling::Coupling;
 pub use error::CouplingError;
 pub use options::{Closed, CouplingOptions, Scheme};
 pub use report::WindowReport;
+#[cfg(feature = "serde")]
+pub use request::{CoupleReport, CoupleRequest, Kind, Scene, SceneError};
 pub use subproblem::{Function, Imbalance, Refusal, Subproblem};

@@ -133,7 +133,7 @@ impl Scenario {
     }
 }
 
-fn advance<F: Subproblem, S: Subproblem>(
+pub(crate) fn advance<F: Subproblem, S: Subproblem>(
     mut coupling: Coupling<F, S>,
     options: &CouplingOptions,
     windows: usize,

@@ -15,6 +15,8 @@
 //! | [`neuron_flow`], [`FlowParameters`], [`Flow`] | steady viscous flow, conservative cell by cell |
 //! | [`transport`], [`transport_in_flow`], [`Parameters`], [`read_transport_config`] | diffusion and motors in both directions, conservative and without negative concentrations |
 //! | [`NeuronMesh::from_hexahedra`], [`CubicMesh::from_hexahedra`], [`Ends`] | the same for imported meshes |
+//! | `NeuronRequest`, `NeuronAnswer`, `NeuronSource`, [`MaterialCells`] | all stages in one call, with options as every door offers them (feature `serde`) |
+//! | `Checkpoint` | the state of a transport, from which another run goes on (feature `serde`) |
 //! | [`NeuronReport`], [`SkeletonReport`] | reports on a neuron and its skeleton |
 //! | [`RoundCone`], [`Curve`] | the tubes and their smooth axes |
 //!
@@ -29,6 +31,9 @@
 //! # Ok::<(), pompeiu_neuron::SwcError>(())
 //! ```
 
+mod cells;
+#[cfg(feature = "serde")]
+mod checkpoint;
 mod cone;
 mod curve;
 mod error;
@@ -38,14 +43,21 @@ mod prepare;
 mod problems;
 mod refine;
 mod report;
+#[cfg(feature = "serde")]
+mod request;
 #[cfg(feature = "figures")]
 mod show;
 mod skeleton;
 mod smooth;
+#[cfg(feature = "serde")]
+mod source;
 mod spline;
 mod swc;
 mod transport;
 
+pub use cells::MaterialCells;
+#[cfg(feature = "serde")]
+pub use checkpoint::{Checkpoint, CheckpointError, RunIdentity};
 pub use cone::RoundCone;
 pub use curve::{ArcLength, Curve};
 pub use error::SwcError;
@@ -61,10 +73,14 @@ pub use prepare::{Preparation, prepare};
 pub use problems::{MOST_TURN, Problem, ProblemKind, problems};
 pub use refine::{RefineAt, RefineOptions, refined_splines, refined_vtu};
 pub use report::{NeuronReport, SkeletonReport, Timing};
+#[cfg(feature = "serde")]
+pub use request::{NeuronAnswer, NeuronRequest, NeuronRequestError, ParameterTable, Stage, Transported};
 #[cfg(feature = "figures")]
 pub use show::{NeuronPage, NeuronSurface};
 pub use skeleton::{Repair, RepairAction, SOMA, Sample, Skeleton, Soma};
 pub use smooth::{SkeletonDeviation, SmoothOptions, smooth};
+#[cfg(feature = "serde")]
+pub use source::NeuronSource;
 pub use spline::{LevelReport, SplineReport};
 pub use swc::{SwcRow, read_swc, write_swc};
 pub use transport::{

@@ -4,6 +4,7 @@ use crate::{
     FlowReport, MeshReport, Problem, Repair, Skeleton, SkeletonDeviation, SplineReport, TransportReport,
     problems,
 };
+use pompeiu_core::run::StopReason;
 
 /// The report of a skeleton.
 #[derive(Clone, Debug, PartialEq)]
@@ -64,9 +65,38 @@ pub struct NeuronReport {
     /// The transport.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub transport: Option<TransportReport>,
+    /// Whether the splines over the mesh agree with those in files; omitted unless they were compared.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub agrees: Option<bool>,
+    /// What a limit ended, in one sentence; omitted if nothing was ended.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub ended: Option<String>,
+    /// Why the computation ended.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub stop: StopReason,
+    /// Whether only the skeleton was to be checked: then its problems refute that it is sound.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub is_check: bool,
     /// Wall-clock time of each stage that ran.
     #[cfg_attr(feature = "serde", serde(rename = "timing_ms"))]
     pub timing: Timing,
+}
+
+impl Default for NeuronReport {
+    fn default() -> Self {
+        Self {
+            skeleton: None,
+            mesh: None,
+            spline: None,
+            flow: None,
+            transport: None,
+            agrees: None,
+            ended: None,
+            stop: StopReason::Tolerance,
+            is_check: false,
+            timing: Timing::default(),
+        }
+    }
 }
 
 /// Wall-clock time of each stage that ran, in milliseconds.

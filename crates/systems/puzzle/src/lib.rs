@@ -16,6 +16,7 @@
 //! | [`PuzzleReport`], [`report`] | the report of a puzzle |
 //! | [`pieces_svg`], [`cuts_svg`], [`pieces_dxf`], [`cuts_dxf`], [`pieces_png`], [`Print`] | drawings for cutting, and pieces with
 //! a picture on them |
+//! | [`PuzzleRequest`], [`PuzzleAnswer`] | all of this in one call, with options as every door offers them |
 //! | [`motion_svg`], [`motion_png`], [`page`] | drawings of the motion, and an interactive page |
 //!
 //! ```
@@ -39,6 +40,7 @@ mod motion;
 mod order;
 mod puzzle;
 mod report;
+mod request;
 mod shape;
 mod space;
 
@@ -51,7 +53,10 @@ pub use lock::{Escape, Lock, Proof, lock};
 pub use make::{Layout, PuzzleOptions, Tab, make};
 pub use motion::{Motion, shake, take_apart};
 pub use puzzle::{Border, Puzzle};
-pub use report::{AreaReport, PieceReport, PuzzleReport, Similarity, Timing, report, report_like};
+pub use report::{
+    AreaReport, MotionReport, PieceReport, PuzzleReport, Similarity, Timing, report, report_like,
+};
+pub use request::{PieceSource, Placing, PuzzleAnswer, PuzzleRequest, PuzzleRequestError};
 pub use shape::{
     Answer, Fit, Like, LikeOptions, Map, Method, PieceName, PieceShape, Pose, Registered, Variant, gauge,
     make_like, meetings, register,

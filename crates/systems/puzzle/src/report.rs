@@ -1,6 +1,8 @@
 //! The report of a puzzle.
 
-use crate::{Kerf, Like, Lock, Proof, Puzzle, lock};
+use crate::lock::lock_until;
+use crate::{Fit, Kerf, Like, Lock, Motion, Proof, Puzzle};
+use pompeiu_core::run::{Control, StopReason};
 use std::time::{Duration, Instant};
 
 /// The report of a puzzle. Lengths are in the unit of its outline.
@@ -31,10 +33,19 @@ pub struct PuzzleReport {
     /// Number of straight borders between pieces.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub straight_borders: usize,
+    /// The pieces with outlines of their own.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub whimsies: Vec<usize>,
     /// Areas.
     pub area: AreaReport,
     /// The energy after each step of placing pieces of a given shape, see [`Like::energy`]; empty without a shape.
     pub energy: Vec<f64>,
+    /// The motion that takes the puzzle apart; absent if there is none, or it was not wanted.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub motion: Option<MotionReport>,
+    /// Why the computation ended.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub stop: StopReason,
     /// Time spent on each part.
     #[cfg_attr(feature = "serde", serde(rename = "timing_ms"))]
     pub timing: Timing,
@@ -51,14 +62,34 @@ pub struct PieceReport {
     pub area: f64,
     /// The number of corners of its outline; the drawings contain their positions.
     pub outline_points: usize,
+    /// Whether it has a border on the outline of the puzzle.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub is_at_outline: bool,
     /// The pieces that it shares a border with.
     pub neighbours: Vec<usize>,
     /// Its similarity to the requested shape in the best pose found; `null` without a shape.
     pub similarity: Option<Similarity>,
-    /// `locked` if it belongs to the largest cluster, otherwise `free`.
+    /// `locked` if it belongs to the largest cluster, otherwise `free`, or `undecided` where that is not known.
     pub lock: &'static str,
     /// A motion of the piece: velocity at the origin and angular velocity. Empty if none is known.
     pub escape: Vec<f64>,
+}
+
+/// The motion that takes a puzzle apart, as far as it was followed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct MotionReport {
+    /// The pieces that move.
+    pub moving: Vec<usize>,
+    /// Whether they have left the others.
+    pub is_apart: bool,
+}
+
+impl From<&Motion> for MotionReport {
+    fn from(motion: &Motion) -> Self {
+        Self { moving: motion.moving().collect(), is_apart: motion.is_apart }
+    }
 }
 
 /// The similarity of a piece to the requested shape.
@@ -115,21 +146,40 @@ const DEPTHS: [f64; 7] = [0.005, 0.01, 0.02, 0.03, 0.05, 0.08, 0.12];
 /// Tests a puzzle with pieces of a given shape and reports the results.
 pub fn report_like(like: &Like) -> PuzzleReport {
     let mut report = report(&like.puzzle);
-    for (piece, fit) in report.pieces.iter_mut().zip(&like.fits) {
-        piece.similarity = fit.map(|fit| Similarity { iou: fit.iou, hausdorff: fit.hausdorff });
-    }
-    report.energy.clone_from(&like.energy);
+    report.add_similarities(&like.fits, &like.energy);
+    report.stop = like.stop.unwrap_or(StopReason::Tolerance);
     report
+}
+
+impl PuzzleReport {
+    /// Adds how similar pieces are to the shape that was asked for.
+    pub(crate) fn add_similarities(&mut self, fits: &[Option<Fit>], energy: &[f64]) {
+        for (piece, fit) in self.pieces.iter_mut().zip(fits) {
+            piece.similarity = fit.map(|fit| Similarity { iou: fit.iou, hausdorff: fit.hausdorff });
+        }
+        self.energy = energy.to_vec();
+    }
+
+    /// The square root of the mean area of a piece: the unit of length for tabs and depths.
+    pub fn unit(&self) -> f64 {
+        (self.area.outline / self.pieces.len() as f64).sqrt()
+    }
 }
 
 /// Tests a puzzle and reports the results.
 pub fn report(puzzle: &Puzzle) -> PuzzleReport {
+    report_until(puzzle, &Control::default())
+}
+
+/// As [`report`]. What is not decided when the control stops is reported as undecided; the depth is the greatest proven by then.
+pub(crate) fn report_until(puzzle: &Puzzle, control: &Control) -> PuzzleReport {
     let started = Instant::now();
-    let found = lock(puzzle);
+    let found = lock_until(puzzle, control);
     let mut timing = Timing { lock: started.elapsed(), ..Timing::default() };
     let started = Instant::now();
     let depth = found.is_locked().then(|| {
-        let holds = |depth: &&f64| lock(&puzzle.simplified(**depth * puzzle.unit())).is_locked();
+        let holds =
+            |depth: &&f64| lock_until(&puzzle.simplified(**depth * puzzle.unit()), control).is_locked();
         DEPTHS.iter().take_while(holds).last().copied().unwrap_or(0.0)
     });
     timing.depth = started.elapsed();
@@ -143,17 +193,25 @@ pub fn report(puzzle: &Puzzle) -> PuzzleReport {
         let all = found.escape.as_ref().map(|escape| escape.twists[piece]).filter(|twist| *twist != [0.0; 3]);
         found.alone[piece].or(all).map(|twist| twist.to_vec()).unwrap_or_default()
     };
+    let mut is_at_outline = vec![false; puzzle.pieces()];
+    for border in puzzle.borders.iter().filter(|border| border.right.is_none()) {
+        is_at_outline[border.left] = true;
+    }
+    let state = |piece: usize| match found.proof {
+        _ if found.is_locked() || (found.clusters[piece] == largest && clusters[largest].len() > 1) => {
+            "locked"
+        }
+        Proof::Undecided => "undecided",
+        _ => "free",
+    };
     let pieces = (0..puzzle.pieces()).map(|piece| PieceReport {
         id: piece,
         area: puzzle.area(piece),
         outline_points: puzzle.corners(piece).len(),
+        is_at_outline: is_at_outline[piece],
         neighbours: puzzle.neighbours(piece),
         similarity: None,
-        lock: if found.is_locked() || (found.clusters[piece] == largest && clusters[largest].len() > 1) {
-            "locked"
-        } else {
-            "free"
-        },
+        lock: state(piece),
         escape: escape(piece),
     });
     let pieces: Vec<PieceReport> = pieces.collect();
@@ -174,8 +232,11 @@ pub fn report(puzzle: &Puzzle) -> PuzzleReport {
         kerf: None,
         found,
         straight_borders,
+        whimsies: puzzle.whimsies.clone(),
         area,
         energy: Vec::new(),
+        motion: None,
+        stop: control.reason().unwrap_or(StopReason::Tolerance),
         timing,
     }
 }

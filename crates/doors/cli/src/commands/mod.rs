@@ -67,13 +67,13 @@ commands! {
     remesh::Remesh,
     flow::Flow,
     fluid::Fluid,
-    couple::Couple,
+    couple::Couple: system,
     flatten::Flatten: system,
     cut::Cut: system,
     medial::Medial: system,
-    neuron::Neuron,
-    complexity::Complexity,
-    puzzle::Puzzle,
+    neuron::Neuron: system,
+    complexity::Complexity: system,
+    puzzle::Puzzle: system,
     simplify::Simplify,
     repair::Repair: system,
     convert::Convert,
@@ -85,15 +85,11 @@ commands! {
 /// The JSON answers of commands that are no systems yet.
 #[cfg(test)]
 pub(crate) mod answers {
-    pub(crate) use super::complexity::Json as Complexity;
-    pub(crate) use super::couple::Json as Couple;
     pub(crate) use super::deviation::Json as Deviation;
     pub(crate) use super::flow::Json as Flow;
     pub(crate) use super::fluid::Json as Fluid;
     pub(crate) use super::info::Json as Info;
     pub(crate) use super::matrix::Json as Matrix;
-    pub(crate) use super::neuron::Json as Neuron;
-    pub(crate) use super::puzzle::Json as Puzzle;
     pub(crate) use super::rank::Json as Rank;
     pub(crate) use super::remesh::Json as Remesh;
     pub(crate) use super::simplify::Json as Simplify;

@@ -24,7 +24,7 @@ impl<S: System> Invocation<S> {
     /// What is asked: the command line over the file over defaults.
     pub(crate) fn request(&self) -> anyhow::Result<S::Request> {
         let mut options = match &self.config {
-            Some(path) => config::read(path)?,
+            Some(path) => config::read::<S>(path)?,
             None => Options::new(),
         };
         let from_file = options.len();

@@ -15,8 +15,10 @@ use crate::json::line;
 use crate::printer::Printer;
 use clap::Args;
 use pompeiu::core::request::{Answer, Request, Timing};
+use pompeiu::options::{Options, OptionsError, options_of_toml};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
+use std::path::Path;
 
 /// What a system reports.
 pub(crate) type ReportOf<S> = <<S as System>::Request as Request>::Report;
@@ -42,6 +44,11 @@ pub(crate) trait System: Args {
     /// Refuses, before anything is read, files that cannot be read or written, and a run that would leave nothing.
     fn check(&self, json: bool) -> anyhow::Result<()>;
 
+    /// The options in a file: TOML, unless a command knows another kind.
+    fn options_in(_: &Path, text: &str) -> Result<Options, OptionsError> {
+        options_of_toml(text)
+    }
+
     /// Reads, computes and writes.
     fn run(&self, request: &mut Self::Request, session: &mut Session<'_>) -> anyhow::Result<ReportOf<Self>>;
 
@@ -52,7 +59,7 @@ pub(crate) trait System: Args {
 /// Asks a system.
 pub(crate) fn run<S: System>(invocation: &Invocation<S>, printer: &Printer) -> anyhow::Result<Exit> {
     let Invocation { system, limits, json, .. } = invocation;
-    let mut session = Session::start(limits, printer);
+    let mut session = Session::start(limits, *json, printer);
     let mut request = invocation.request()?;
     system.check(*json)?;
     limits.apply_threads()?;

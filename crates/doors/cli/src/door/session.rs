@@ -15,6 +15,7 @@ pub(crate) struct Session<'s> {
     pub(crate) printer: &'s Printer,
     pub(crate) wait: Wait,
     limits: &'s Limits,
+    json: bool,
     started: Instant,
     read: Duration,
     inputs: Vec<(PathBuf, Input)>,
@@ -22,11 +23,12 @@ pub(crate) struct Session<'s> {
 
 impl<'s> Session<'s> {
     /// The clock starts, and Ctrl-C ends what computes from here on.
-    pub(super) fn start(limits: &'s Limits, printer: &'s Printer) -> Self {
+    pub(super) fn start(limits: &'s Limits, json: bool, printer: &'s Printer) -> Self {
         Self {
             printer,
             wait: Wait::new(printer),
             limits,
+            json,
             started: Instant::now(),
             read: Duration::ZERO,
             inputs: Vec::new(),
@@ -64,6 +66,12 @@ impl<'s> Session<'s> {
         self.read = self.started.elapsed();
     }
 
+    /// Remembers an input of so many points that is no mesh: an outline or a skeleton.
+    pub(crate) fn note_points(&mut self, path: &Path, points: usize) {
+        let input = Input { path: Some(path.display().to_string()), vertices: points, ..Input::default() };
+        self.inputs.push((path.to_owned(), input));
+    }
+
     /// What a computation runs with: what is left of the limits, Ctrl-C and the progress bar.
     pub(crate) fn context(&self) -> RunContext<'_> {
         interrupt::listen();
@@ -74,6 +82,11 @@ impl<'s> Session<'s> {
     pub(crate) fn limits_anew(&self) -> pompeiu::core::run::Limits {
         interrupt::listen();
         self.limits.after(Duration::ZERO)
+    }
+
+    /// Whether the answer is JSON.
+    pub(crate) fn is_json(&self) -> bool {
+        self.json
     }
 
     /// Takes the progress bar away.

@@ -107,6 +107,10 @@ fn named(kind: &Value, schema: &Value, root: &Value) -> String {
             format!("Sequence[{}]", python_type(&schema["items"], root))
         }
         "array" => format!("Sequence[{}]", python_type(&schema["prefixItems"][0], root)),
+        "object" if schema["additionalProperties"].is_object() => {
+            format!("Mapping[str, {}]", python_type(&schema["additionalProperties"], root))
+        }
+        "object" => "Mapping[str, Any]".to_owned(),
         _ => "Any".to_owned(),
     }
 }

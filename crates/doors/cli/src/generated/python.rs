@@ -41,7 +41,15 @@ pub(super) fn function_of(text: &str, options: &[Described], limits: &[Limit]) -
     let progress = text[signature..end].lines().find(|line| line.starts_with("    progress:"));
     let mut made = text[..signature].to_owned();
     for Described { name, python, default, .. } in options {
-        let _ = writeln!(made, "    {name}: {python} = {},", literal(default));
+        let parameter = format!("    {name}: {python} = {},\n", literal(default));
+        // An option may also be given by its position.
+        let head = format!("\n    {name}:");
+        if let Some(start) = made[..signature].find(&head).map(|found| found + 1) {
+            let end = start + made[start..].find('\n')? + 1;
+            made.replace_range(start..end, &parameter);
+        } else {
+            made += &parameter;
+        }
     }
     for (name, kind, _) in &limits {
         let _ = writeln!(made, "    {name}: Optional[{kind}] = None,");

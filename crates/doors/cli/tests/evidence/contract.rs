@@ -6,26 +6,13 @@ use serde_json::Value;
 use std::collections::BTreeMap;
 
 /// Commands that are no systems yet: their options are not those of a request.
-const NOT_YET: [&str; 12] = [
-    "complexity",
-    "couple",
-    "deviation",
-    "flow",
-    "fluid",
-    "info",
-    "matrix",
-    "neuron",
-    "puzzle",
-    "rank",
-    "remesh",
-    "simplify",
-];
+const NOT_YET: [&str; 8] = ["deviation", "flow", "fluid", "info", "matrix", "rank", "remesh", "simplify"];
 
 /// Commands that compute nothing that could be asked for in another way.
 const NO_ANSWER: [&str; 5] = ["completions", "convert", "generate", "help", "man"];
 
 /// A call of each system, with options and the same as a file.
-const CALLS: [(&str, &str, &str, &str); 8] = [
+const CALLS: [(&str, &str, &str, &str); 12] = [
     (
         "align",
         "dense.obj turned.obj",
@@ -43,6 +30,30 @@ tolerance = 1e-3
 tolerance_kind = \"relative\"
 trace = true
 ",
+    ),
+    (
+        "complexity",
+        "shapes",
+        "--rank-by boundary-25 --features convexity --clusters 2 --staircase",
+        "rank_by = \"boundary-25\"\nfeatures = [\"convexity\"]\nclusters = 2\nstaircase = true\n",
+    ),
+    (
+        "couple",
+        "tube.toml",
+        "--windows 3 --scheme two-models --extrapolate 1",
+        "windows = 3\nscheme = \"two-models\"\nextrapolate = 1\n",
+    ),
+    (
+        "neuron",
+        "transport rod.swc",
+        "--parts 1 --layer 3 --set-transport steps=5,order=2",
+        "parts = 1\nlayer = 3\n[transport]\nsteps = 5\norder = 2\n",
+    ),
+    (
+        "puzzle",
+        "--outline shapes/b.svg",
+        "-n 9 --layout voronoi --tab dovetail --size 80,80",
+        "pieces = 9\nlayout = \"voronoi\"\ntab = \"dovetail\"\nsize = [80, 80]\n",
     ),
     (
         "repair",
@@ -83,6 +94,11 @@ within = 0.1
 fn folder() -> Folder {
     let folder = Folder::new();
     folder.ok("generate torus --major-segments 48 --minor-segments 32 -o dense.obj");
+    std::fs::create_dir(folder.path().join("shapes")).unwrap();
+    folder.write("tube.toml", "kind = 'tube'\nwindows = 4\n[tube]\nsegments = 20\n");
+    folder.write("rod.swc", "1 2 0 0 0 1 -1\n2 2 12 0 0 1 1\n");
+    folder.ok("generate polyline --order angle --points 9 -o shapes/a.svg");
+    folder.ok("generate noisy-circle --radius 8 -o shapes/b.svg");
     folder.ok("generate torus --major-segments 40 --minor-segments 24 --rotate 1,0,0,30 -o turned.obj");
     folder.ok("distance dense.obj turned.obj --certificate proof.phc");
     folder

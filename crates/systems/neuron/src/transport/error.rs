@@ -11,9 +11,9 @@ pub enum TransportError {
     #[error("{0}")]
     Syntax(String),
     /// A key is unknown.
-    #[error("line {line}: there is no key {key:?} in [{table}]; expected one of {expected}")]
+    #[error("{}there is no key {key:?} in [{table}]; expected one of {expected}", at(*.line))]
     UnknownKey {
-        /// Line of the file, from 1.
+        /// Line of the file, from 1; 0 if it is in no file.
         line: usize,
         /// The table.
         table: String,
@@ -23,9 +23,9 @@ pub enum TransportError {
         expected: String,
     },
     /// A value is not a quantity of the expected kind.
-    #[error("line {line}: {key} is {found}; expected {expected}")]
+    #[error("{}{key} is {found}; expected {expected}", at(*.line))]
     Value {
-        /// Line of the file, from 1.
+        /// Line of the file, from 1; 0 if it is in no file.
         line: usize,
         /// The key.
         key: String,
@@ -86,4 +86,20 @@ pub enum TransportError {
     /// Cells cannot be subdivided.
     #[error("the mesh is wrong: {0}")]
     Volume(#[from] VolumeError),
+}
+
+/// The place of an error, where there is a file.
+fn at(line: usize) -> String {
+    if line == 0 { String::new() } else { format!("line {line}: ") }
+}
+
+#[cfg(feature = "serde")]
+impl TransportError {
+    /// The error of a table that is in no file.
+    pub(crate) fn without_line(mut self) -> Self {
+        if let Self::UnknownKey { line, .. } | Self::Value { line, .. } = &mut self {
+            *line = 0;
+        }
+        self
+    }
 }

@@ -117,7 +117,7 @@ fn what_is_no_mesh_or_end_is_refused() {
 #[cfg(feature = "figures")]
 #[test]
 fn a_page_plays_what_was_transported() {
-    use pompeiu_neuron::{NeuronPage, NeuronReport, NeuronSurface, Timing};
+    use pompeiu_neuron::{NeuronPage, NeuronReport, NeuronSurface};
     let parameters = read_transport_config(HEAT).unwrap();
     let block = HexMesh::grid([4, 1, 1], [4.0, 1.0, 1.0]);
     let mesh = NeuronMesh::from_hexahedra(block, Ends::Sides(&parameters.sides), &Limits::default()).unwrap();
@@ -125,12 +125,9 @@ fn a_page_plays_what_was_transported() {
     let surface = NeuronSurface::new(&mesh);
     assert_eq!(surface.vertices(), 20);
     let report = NeuronReport {
-        skeleton: None,
         mesh: Some(mesh.report.clone()),
-        spline: None,
-        flow: None,
         transport: Some(found.report.clone()),
-        timing: Timing::default(),
+        ..NeuronReport::default()
     };
     let page = NeuronPage {
         path: "block.vtk",

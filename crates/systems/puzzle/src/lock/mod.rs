@@ -7,6 +7,7 @@ mod program;
 
 use crate::Puzzle;
 use cone::{Cone, Row};
+use pompeiu_core::run::Control;
 use program::Verdict;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
@@ -25,7 +26,8 @@ pub enum Proof {
     Multipliers,
     /// Free: several clusters can move at once, in double precision.
     SeveralMove,
-    /// Undecided: no cluster can move alone, and because of rounding it is not known whether several can move jointly.
+    /// Undecided: no cluster can move alone, and because of rounding it is not known whether several can move jointly; or a limit
+    /// ended the test.
     Undecided,
 }
 
@@ -80,6 +82,11 @@ impl Lock {
 /// # Source
 /// `wang_desia_2018` for rows and multipliers; merging is ours.
 pub fn lock(puzzle: &Puzzle) -> Lock {
+    lock_until(puzzle, &Control::default())
+}
+
+/// As [`lock`]. What is not decided when the control stops is reported as undecided; clusters and motions found by then are valid.
+pub(crate) fn lock_until(puzzle: &Puzzle, control: &Control) -> Lock {
     let mut clusters: Vec<usize> = (0..puzzle.pieces()).collect();
     let mut open: BTreeMap<[usize; 2], bool> = BTreeMap::new();
     loop {
@@ -89,7 +96,9 @@ pub fn lock(puzzle: &Puzzle) -> Lock {
             shared.iter().filter(|(pair, _)| !open.contains_key(*pair)).collect();
         let is_locked: Vec<bool> = changed
             .par_iter()
-            .map(|(pair, borders)| pair_cone(puzzle, &clusters, **pair, borders).is_none())
+            .map(|(pair, borders)| {
+                !control.is_stopped() && pair_cone(puzzle, &clusters, **pair, borders).is_none()
+            })
             .collect();
         let mut parent: Vec<usize> = (0..puzzle.pieces()).collect();
         let mut merged = false;
@@ -102,7 +111,7 @@ pub fn lock(puzzle: &Puzzle) -> Lock {
                 open.insert(**pair, true);
             }
         }
-        if !merged {
+        if !merged || control.is_stopped() {
             break;
         }
         let touched: Vec<usize> =
@@ -113,11 +122,11 @@ pub fn lock(puzzle: &Puzzle) -> Lock {
             *cluster = root(&mut parent, *cluster);
         }
     }
-    verdict(puzzle, &clusters)
+    verdict(puzzle, &clusters, control)
 }
 
 /// The result once no two clusters hold each other pairwise.
-fn verdict(puzzle: &Puzzle, names: &[usize]) -> Lock {
+fn verdict(puzzle: &Puzzle, names: &[usize], control: &Control) -> Lock {
     let mut order: Vec<usize> = names.to_vec();
     order.sort_unstable();
     order.dedup();
@@ -128,7 +137,7 @@ fn verdict(puzzle: &Puzzle, names: &[usize]) -> Lock {
         return Lock { clusters, count, proof: Proof::Merging, escape: None, alone: none };
     }
     let motions: Vec<Option<[f64; 3]>> =
-        (0..count).into_par_iter().map(|cluster| alone(puzzle, &clusters, cluster)).collect();
+        (0..count).into_par_iter().map(|cluster| alone(puzzle, &clusters, cluster, control)).collect();
     let alone: Vec<Option<[f64; 3]>> = clusters.iter().map(|cluster| motions[*cluster]).collect();
     // The smallest cluster that can move is the clearest example.
     let size = |cluster: usize| clusters.iter().filter(|c| **c == cluster).count();
@@ -137,7 +146,7 @@ fn verdict(puzzle: &Puzzle, names: &[usize]) -> Lock {
         let escape = Some(Escape { twists: clusters.iter().map(moves).collect() });
         return Lock { clusters, count, proof: Proof::OneMoves, escape, alone };
     }
-    let (proof, escape) = match program::solve(puzzle, &clusters, count) {
+    let (proof, escape) = match program::solve(puzzle, &clusters, count, control) {
         Verdict::Locked => (Proof::Multipliers, None),
         Verdict::Moves(twists) => (Proof::SeveralMove, Some(twists)),
         Verdict::Unclear => (Proof::Undecided, None),
@@ -199,8 +208,11 @@ fn pair_cone(
     cone.motion()
 }
 
-/// A motion of a cluster while all others stay: velocity at the origin and angular velocity.
-fn alone(puzzle: &Puzzle, clusters: &[usize], cluster: usize) -> Option<[f64; 3]> {
+/// A motion of a cluster while all others stay: velocity at the origin and angular velocity. None once the control stops.
+fn alone(puzzle: &Puzzle, clusters: &[usize], cluster: usize, control: &Control) -> Option<[f64; 3]> {
+    if control.is_stopped() {
+        return None;
+    }
     let mut cone = Cone::default();
     let mut origin = None;
     for (i, border) in puzzle.borders.iter().enumerate() {
@@ -262,7 +274,7 @@ mod tests {
                 PuzzleOptions { layout: Layout::Voronoi, tab, pieces, seed: 6, ..PuzzleOptions::default() };
             let puzzle = make(&options).unwrap();
             let single: Vec<usize> = (0..pieces).collect();
-            match program::solve(&puzzle, &single, pieces) {
+            match program::solve(&puzzle, &single, pieces, &Control::default()) {
                 Verdict::Locked => assert!(lock(&puzzle).is_locked(), "{tab:?}"),
                 Verdict::Moves(twists) => {
                     assert!(!lock(&puzzle).is_locked() && enters_nothing(&puzzle, &twists), "{tab:?}");
@@ -323,7 +335,7 @@ mod tests {
             }
             let found = lock(&puzzle);
             let single: Vec<usize> = (0..puzzle.pieces()).collect();
-            let direct = match program::solve(&puzzle, &single, puzzle.pieces()) {
+            let direct = match program::solve(&puzzle, &single, puzzle.pieces(), &Control::default()) {
                 Verdict::Locked => true,
                 Verdict::Moves(twists) => {
                     assert!(enters_nothing(&puzzle, &twists), "seed {seed}");

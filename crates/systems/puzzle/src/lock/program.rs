@@ -3,6 +3,7 @@
 use super::exact::proves;
 use super::{least, rows};
 use crate::Puzzle;
+use pompeiu_core::run::Control;
 use pompeiu_solve::{Analysis, Cholesky, LinearSolver, Ordering, SparseMatrix};
 
 /// The result of the optimisation.
@@ -53,22 +54,27 @@ const SHIFT: f64 = 1e-13;
 /// if the rows span the space, F has a minimum, where λ = exp(−a·x); `exact.rs` checks in integers that these multipliers prove the
 /// lock. In the second case x grows without bound along a motion; a projection onto the contacts that stay closed removes its
 /// rounding errors.
-pub(super) fn solve(puzzle: &Puzzle, clusters: &[usize], count: usize) -> Verdict {
-    match by_exponentials(puzzle, clusters, count) {
-        Verdict::Unclear if count <= FEW => {
+///
+/// Once the control stops, the verdict is unclear.
+pub(super) fn solve(puzzle: &Puzzle, clusters: &[usize], count: usize, control: &Control) -> Verdict {
+    match by_exponentials(puzzle, clusters, count, control) {
+        Verdict::Unclear if count <= FEW && !control.is_stopped() => {
             least::motion(puzzle, clusters, count).map_or(Verdict::Unclear, Verdict::Moves)
         }
         found => found,
     }
 }
 
-fn by_exponentials(puzzle: &Puzzle, clusters: &[usize], count: usize) -> Verdict {
+fn by_exponentials(puzzle: &Puzzle, clusters: &[usize], count: usize, control: &Control) -> Verdict {
     let contacts = contacts(puzzle, clusters);
     let columns = 3 * (count - 1);
     let mut analysis = None;
     let mut x = vec![0.0; columns];
     let mut before = x.clone();
     for round in 0..STEPS {
+        if control.is_stopped() {
+            return Verdict::Unclear;
+        }
         let exponents: Vec<f64> = contacts.iter().map(|c| opening(c, &x)).collect();
         if round > 0 && round % LOOK == 0 {
             // If nothing moves, the twists converge; otherwise their change tends to a motion.

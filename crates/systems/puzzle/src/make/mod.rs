@@ -12,10 +12,14 @@ pub(crate) use tree::lock_by_tabs;
 use crate::puzzle::Corner;
 use crate::{Puzzle, PuzzleError};
 use pompeiu_core::mesh::edit::Random;
+use pompeiu_core::run::Control;
 use pompeiu_planar::{Outline, Point, first_crossing};
 
 /// The shapes of pieces before tabs are added.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Layout {
     /// Rows of rectangles.
     #[default]
@@ -28,6 +32,9 @@ pub enum Layout {
 
 /// The shape of tabs on borders between pieces.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Tab {
     /// Straight borders.
     None,
@@ -98,22 +105,27 @@ const ROUNDS: usize = 12;
 /// # Errors
 /// [`PuzzleError`] if sizes or numbers are out of range.
 pub fn make(options: &PuzzleOptions) -> Result<Puzzle, PuzzleError> {
+    make_until(options, &Control::default())
+}
+
+/// As [`make`]. Once the control stops, sites stay where they are and no further border gets a tab.
+pub(crate) fn make_until(options: &PuzzleOptions, control: &Control) -> Result<Puzzle, PuzzleError> {
     options.check()?;
     let mut random = Random::new(options.seed);
     let mut puzzle = match &options.outline {
-        None if options.whimsies.is_empty() => rectangle(options, &mut random)?,
+        None if options.whimsies.is_empty() => rectangle(options, &mut random, control)?,
         None => {
             let [w, h] = options.size;
             let sides = Outline::new(vec![[0.0, 0.0], [w, 0.0], [w, h], [0.0, h]]);
-            shaped(options, &sides.map_err(|_| PuzzleError::Narrow { piece: 0 })?, &mut random)?
+            shaped(options, &sides.map_err(|_| PuzzleError::Narrow { piece: 0 })?, &mut random, control)?
         }
-        Some(outline) => shaped(options, outline, &mut random)?,
+        Some(outline) => shaped(options, outline, &mut random, control)?,
     };
     if options.tab != Tab::None {
-        tabs::add(&mut puzzle, options.tab, &mut random);
+        tabs::add(&mut puzzle, options.tab, &mut random, control);
     }
     if !puzzle.whimsies.is_empty() {
-        whimsy::hold(&mut puzzle, options.tab);
+        whimsy::hold(&mut puzzle, options.tab, control);
     }
     Ok(puzzle)
 }
@@ -147,7 +159,7 @@ impl PuzzleOptions {
     }
 }
 
-fn rectangle(options: &PuzzleOptions, random: &mut Random) -> Result<Puzzle, PuzzleError> {
+fn rectangle(options: &PuzzleOptions, random: &mut Random, control: &Control) -> Result<Puzzle, PuzzleError> {
     let step = step(options.size);
     let size = options.size.map(|side| (side / step).round());
     let sites = match options.layout {
@@ -158,7 +170,11 @@ fn rectangle(options: &PuzzleOptions, random: &mut Random) -> Result<Puzzle, Puz
             let mut sites: Vec<Point> =
                 (0..options.pieces).map(|_| size.map(|side| side * unit(random))).collect();
             for _ in 0..ROUNDS {
-                sites = cells::partition(&sites, size, step)?.centroids();
+                let cells = cells::partition(&sites, size, step)?;
+                if control.is_stopped() {
+                    return Ok(cells);
+                }
+                sites = cells.centroids();
             }
             sites
         }
@@ -175,7 +191,12 @@ const TRIES: usize = 12;
 /// Size of that displacement, relative to the mean side of a piece.
 const MOVE: f64 = 1e-3;
 
-fn shaped(options: &PuzzleOptions, outline: &Outline, random: &mut Random) -> Result<Puzzle, PuzzleError> {
+fn shaped(
+    options: &PuzzleOptions,
+    outline: &Outline,
+    random: &mut Random,
+    control: &Control,
+) -> Result<Puzzle, PuzzleError> {
     let [low, high] = outline.bounds();
     let scale =
         [0, 1].map(|k| options.size[k] / (high[k] - low[k])).into_iter().fold(f64::INFINITY, f64::min);
@@ -214,6 +235,12 @@ fn shaped(options: &PuzzleOptions, outline: &Outline, random: &mut Random) -> Re
     let rounds = if options.layout == Layout::Voronoi { ROUNDS } else { 0 };
     for _ in 0..rounds {
         let parts = cut(&mut sites, size, step, (&corners, &[]), unit, random)?;
+        if control.is_stopped() && whimsies.is_empty() {
+            return Ok(parts);
+        }
+        if control.is_stopped() {
+            break;
+        }
         sites = parts.centroids();
     }
     cut(&mut sites, size, step, (&corners, &whimsies), unit, random)

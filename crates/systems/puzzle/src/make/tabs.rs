@@ -5,6 +5,7 @@ use crate::Puzzle;
 use crate::puzzle::Corner;
 use crate::space::Space;
 use pompeiu_core::mesh::edit::Random;
+use pompeiu_core::run::Control;
 use pompeiu_planar::Point;
 
 /// Heights of tabs to try, relative to the mean side of a piece.
@@ -19,11 +20,14 @@ const SHIFTS: [f64; 5] = [0.0, -0.08, 0.08, -0.2, 0.2];
 /// Number of corners of a round head.
 const HEAD: usize = 14;
 
-/// Gives every border between two pieces a tab where one fits.
-pub(super) fn add(puzzle: &mut Puzzle, tab: Tab, random: &mut Random) {
+/// Gives every border between two pieces a tab where one fits, until the control stops.
+pub(super) fn add(puzzle: &mut Puzzle, tab: Tab, random: &mut Random, control: &Control) {
     let unit = puzzle.unit() / puzzle.step;
     let mut space = Space::new(puzzle, unit);
     for border in 0..puzzle.borders.len() {
+        if control.is_stopped() {
+            break;
+        }
         let of = &puzzle.borders[border];
         if of.right.is_none_or(|right| [of.left, right].iter().any(|piece| puzzle.whimsies.contains(piece))) {
             continue;

@@ -3,9 +3,10 @@
 use super::Tab;
 use super::tabs::profile;
 use crate::Puzzle;
-use crate::lock::{holds, lock};
+use crate::lock::{holds, lock_until};
 use crate::puzzle::Corner;
 use crate::space::Space;
+use pompeiu_core::run::Control;
 use pompeiu_planar::Point;
 
 /// Heights of tabs, relative to the mean side of a piece, in the order in which they are tried.
@@ -37,20 +38,31 @@ struct Candidate {
 ///
 /// `is_in` tells whether a point, in the unit of the outline, lies in the desired shape of a piece.
 ///
-/// A tab is used only if it alone holds its two pieces together, decided in integers. If none does, the border stays unchanged.
-pub(crate) fn lock_by_tabs(puzzle: &mut Puzzle, tab: Tab, is_in: &(dyn Fn(usize, Point) -> bool + Sync)) {
+/// Once the control stops, no further tab is added. A tab is used only if it alone holds its two pieces together, decided in integers. If none does, the border stays unchanged.
+pub(crate) fn lock_by_tabs(
+    puzzle: &mut Puzzle,
+    tab: Tab,
+    control: &Control,
+    is_in: &(dyn Fn(usize, Point) -> bool + Sync),
+) {
     if tab == Tab::None {
         return;
     }
     let unit = puzzle.unit() / puzzle.step;
-    let mut clusters = lock(&puzzle.simplified(DEPTH * puzzle.unit())).clusters;
+    let mut clusters = lock_until(&puzzle.simplified(DEPTH * puzzle.unit()), control).clusters;
     let mut space = Space::new(puzzle, unit);
     let mut is_tabbed = vec![false; puzzle.borders.len()];
     for height in HEIGHTS {
+        if control.is_stopped() {
+            return;
+        }
         let height = height * unit;
         let mut candidates = candidates(puzzle, &clusters, &is_tabbed, tab, height, is_in);
         candidates.sort_by(|a, b| b.gain.total_cmp(&a.gain));
         for Candidate { border, along, side, .. } in candidates {
+            if control.is_stopped() {
+                return;
+            }
             let of = &puzzle.borders[border];
             let Some(right) = of.right else { continue };
             let [a, b] = [clusters[of.left], clusters[right]];

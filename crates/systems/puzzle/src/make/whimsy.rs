@@ -4,6 +4,7 @@ use super::{Tab, lock_by_tabs};
 use crate::puzzle::Corner;
 use crate::{Puzzle, PuzzleError};
 use pompeiu_core::mesh::edit::Random;
+use pompeiu_core::run::Control;
 use pompeiu_planar::{Outline, Point, distance_to_outline, resample};
 
 /// The area of a whimsy, relative to the mean area of a piece.
@@ -108,11 +109,13 @@ fn arrangement(
 }
 
 /// Adds the fewest tabs that hold whimsies and all other pieces together; tabs preferably extend out of whimsies, not into them.
-pub(super) fn hold(puzzle: &mut Puzzle, tab: Tab) {
+pub(super) fn hold(puzzle: &mut Puzzle, tab: Tab, control: &Control) {
     let shapes: Vec<Option<Outline>> = (0..puzzle.pieces())
         .map(|piece| {
             puzzle.whimsies.contains(&piece).then(|| Outline::new(puzzle.outline(piece)).ok()).flatten()
         })
         .collect();
-    lock_by_tabs(puzzle, tab, &|piece, p| shapes[piece].as_ref().is_some_and(|shape| shape.contains(p)));
+    lock_by_tabs(puzzle, tab, control, &|piece, p| {
+        shapes[piece].as_ref().is_some_and(|shape| shape.contains(p))
+    });
 }

@@ -5,6 +5,7 @@ mod bodies;
 use crate::{Lock, Proof, Puzzle};
 use bodies::{Bodies, Place, TOUCH};
 use pompeiu_core::mesh::edit::Random;
+use pompeiu_core::run::Control;
 use pompeiu_planar::Point;
 
 /// Step length, relative to the mean side of a piece: longer steps would jump over details of tabs.
@@ -65,12 +66,12 @@ const DIRECTIONS: usize = 16;
 ///
 /// First it tries the motion of the lock. That motion may lie on the boundary of the possible ones and lead into other pieces at
 /// once, so a single moving cluster is also pulled in 16 directions. The first motion that separates the pieces is returned,
-/// otherwise the one that goes farthest.
+/// otherwise the one that goes farthest. Once the control stops, no motion is followed further.
 ///
 /// # Accuracy
 /// Pieces may overlap by up to 0.001 of a piece's side on their way. The motion is an illustration; the proof is that of
 /// [`crate::lock`].
-pub fn take_apart(puzzle: &Puzzle, lock: &Lock) -> Option<Motion> {
+pub fn take_apart(puzzle: &Puzzle, lock: &Lock, control: &Control) -> Option<Motion> {
     let twists = &lock.escape.as_ref()?.twists;
     let bodies = Bodies::new(puzzle)?;
     let is_fixed: Vec<bool> = twists.iter().map(|twist| *twist == [0.0; 3]).collect();
@@ -85,26 +86,29 @@ pub fn take_apart(puzzle: &Puzzle, lock: &Lock) -> Option<Motion> {
     });
     let mut farthest: Option<Motion> = None;
     for velocity in std::iter::once(of_lock).chain(directions) {
-        let motion = follow(&bodies, &is_fixed, velocity);
+        let motion = follow(&bodies, &is_fixed, velocity, control);
         if motion.is_apart {
             return Some(motion);
         }
         if farthest.as_ref().is_none_or(|known| known.frames.len() < motion.frames.len()) {
             farthest = Some(motion);
         }
+        if control.is_stopped() {
+            break;
+        }
     }
     farthest.filter(|motion| motion.frames.len() > 2)
 }
 
 /// Continues in the direction in which pieces went after they were separated, until they are apart or stuck.
-fn follow(bodies: &Bodies, is_fixed: &[bool], mut velocity: Vec<Place>) -> Motion {
+fn follow(bodies: &Bodies, is_fixed: &[bool], mut velocity: Vec<Place>, control: &Control) -> Motion {
     let n = is_fixed.len();
     let mut places = vec![[0.0; 3]; n];
     let mut frames = vec![places.clone()];
     let mut is_apart = false;
     for step in 1..=STEPS {
         let speed = largest(bodies, &velocity);
-        if speed == 0.0 {
+        if speed == 0.0 || control.is_stopped() {
             break;
         }
         let before = places.clone();

@@ -4,6 +4,9 @@ use pompeiu_planar::{Outline, Point};
 
 /// The value of the metric if the ray from the site to a point meets the outline several times.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Answer {
     /// The least factor, of the outermost intersection: the metric of the star hull.
     Least,
@@ -11,6 +14,8 @@ pub enum Answer {
     Greatest,
     /// The signed distance to the shape instead of a factor, negative inside. It is continuous everywhere.
     #[default]
+    #[cfg_attr(feature = "clap", value(name = "distance"))]
+    #[cfg_attr(feature = "serde", serde(rename = "distance"))]
     SignedDistance,
 }
 

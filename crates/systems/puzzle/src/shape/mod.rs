@@ -113,15 +113,25 @@ const TRIES: i64 = 8;
 /// # Cost
 /// A few seconds for 24 pieces: each step of the descent evaluates 300 points per piece.
 pub fn make_like(options: &PuzzleOptions, like: &LikeOptions) -> Result<Like, PuzzleError> {
-    options.check()?;
-    let target = Target::new(&like.shape.outline()?);
     let control = Control::start(&like.limits);
-    let tell = |share: f64| {
-        let progress = Progress { doing: "placing pieces", share: Some(share) };
-        if like.progress.is_some_and(|observer| observer.progress(&progress).is_break()) {
+    let tell = |progress: &Progress<'_>| {
+        if like.progress.is_some_and(|observer| observer.progress(progress).is_break()) {
             control.stop(StopReason::Cancelled);
         }
     };
+    make_like_until(options, like, &control, &tell)
+}
+
+/// As [`make_like`], with a control in the place of the limits, and without an observer.
+pub(crate) fn make_like_until(
+    options: &PuzzleOptions,
+    like: &LikeOptions,
+    control: &Control,
+    tell: &(dyn Fn(&Progress<'_>) + Sync),
+) -> Result<Like, PuzzleError> {
+    options.check()?;
+    let target = Target::new(&like.shape.outline()?);
+    let tell = |share: f64| tell(&Progress { doing: "placing pieces", share: Some(share) });
     let frame = Frame::new(options)?;
     let most_pixels = regions::most_pixels(options.pieces, like.limits.memory)?;
     let (answer, variant) = match like.method {
@@ -136,15 +146,9 @@ pub fn make_like(options: &PuzzleOptions, like: &LikeOptions) -> Result<Like, Pu
         (poses, Vec::new(), puzzle)
     } else {
         let Placed { poses, energy } = match like.method {
-            Method::Descent => place::place(
-                &map,
-                &frame.outline,
-                options.pieces,
-                like.mirrors,
-                options.seed,
-                &control,
-                &tell,
-            ),
+            Method::Descent => {
+                place::place(&map, &frame.outline, options.pieces, like.mirrors, options.seed, control, &tell)
+            }
             Method::Lloyd { feedback, .. } => lloyd::lloyd(
                 &map,
                 &target.outline,
@@ -152,7 +156,7 @@ pub fn make_like(options: &PuzzleOptions, like: &LikeOptions) -> Result<Like, Pu
                 options.pieces,
                 feedback.then_some(like.mirrors),
                 options.seed,
-                &control,
+                control,
             ),
         };
         tell(0.9);
@@ -169,7 +173,7 @@ pub fn make_like(options: &PuzzleOptions, like: &LikeOptions) -> Result<Like, Pu
         .iter()
         .map(|fit| fit.and_then(|fit| fit.pose.apply(&target.outline, fit.scale).ok()))
         .collect();
-    lock_by_tabs(&mut puzzle, options.tab, &|piece, p| {
+    lock_by_tabs(&mut puzzle, options.tab, control, &|piece, p| {
         shapes[piece].as_ref().is_some_and(|shape| shape.contains(p))
     });
     let placed: Vec<Pose> = before.iter().flatten().map(|fit| fit.pose).collect();

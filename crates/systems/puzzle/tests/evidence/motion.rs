@@ -55,7 +55,7 @@ fn a_free_puzzle_is_taken_apart_without_pieces_going_into_each_other() {
     };
     let puzzle = make(&options).unwrap();
     let found = lock(&puzzle);
-    let motion = take_apart(&puzzle, &found).unwrap();
+    let motion = take_apart(&puzzle, &found, &Control::default()).unwrap();
     assert!(motion.is_apart && motion.frames.len() > 10);
     let depth = 0.002 * puzzle.unit();
     for frame in (0..motion.frames.len()).step_by(5) {
@@ -74,11 +74,17 @@ fn a_free_puzzle_is_taken_apart_without_pieces_going_into_each_other() {
     assert!(page(&puzzle, &report(&puzzle), Some(&motion), None, "free").contains("\"frames\":[["));
     let locked = make(&PuzzleOptions { pieces: 6, ..options.clone() }).unwrap();
     let tabbed = make(&PuzzleOptions { pieces: 6, tab: Tab::Knob, ..options }).unwrap();
-    assert!(take_apart(&locked, &lock(&locked)).is_some() && take_apart(&tabbed, &lock(&tabbed)).is_none());
+    assert!(
+        take_apart(&locked, &lock(&locked), &Control::default()).is_some()
+            && take_apart(&tabbed, &lock(&tabbed), &Control::default()).is_none()
+    );
     // Squares touch along their whole sides, and the motion of the lock rotates.
     for pieces in [4, 6, 12] {
         let plain = make(&PuzzleOptions { pieces, tab: Tab::None, ..PuzzleOptions::default() }).unwrap();
-        assert!(take_apart(&plain, &lock(&plain)).is_some_and(|motion| motion.is_apart), "{pieces} squares");
+        assert!(
+            take_apart(&plain, &lock(&plain), &Control::default()).is_some_and(|motion| motion.is_apart),
+            "{pieces} squares"
+        );
     }
 }
 

@@ -1,6 +1,7 @@
 //! The outcome for people.
 
-use super::run::Outcome;
+use super::Files;
+use crate::door::AnswerOf;
 use crate::exit::stopped_by;
 use crate::numbers::{few, grouped, time};
 use crate::page::Page;
@@ -8,8 +9,8 @@ use pompeiu::complexity::{Clusters, Direction, Measure};
 use std::fmt::Write;
 
 /// A line for each shape, from the simplest to the most complex, and what is said of all of them.
-pub(super) fn text(outcome: &Outcome) -> String {
-    let report = &outcome.report;
+pub(super) fn text(answer: &AnswerOf<Files>) -> String {
+    let report = &answer.report;
     let mut text = String::new();
     let widest = report.ranking.iter().map(|ranked| ranked.file.chars().count()).max().unwrap_or(0).max(4);
     let has_other = report.agreement.is_some();
@@ -39,11 +40,11 @@ pub(super) fn text(outcome: &Outcome) -> String {
     }
     // Cells are padded, lines are not.
     let text = text.lines().map(|line| line.trim_end().to_owned() + "\n").collect::<String>();
-    text + "\n" + &summary(outcome)
+    text + "\n" + &summary(answer)
 }
 
-fn summary(outcome: &Outcome) -> String {
-    let report = &outcome.report;
+fn summary(answer: &AnswerOf<Files>) -> String {
+    let report = &answer.report;
     let mut page = Page::new();
     let direction = Measure::named(&report.ranked_by).map(|measure| measure.direction);
     let grows = if direction == Ok(Direction::Down) { "falls" } else { "grows" };
@@ -82,7 +83,7 @@ fn summary(outcome: &Outcome) -> String {
     if let Some(clusters) = &report.clusters {
         describe(&mut page, clusters, |i| &report.shapes[i].file);
     }
-    page.row("time", &time(outcome.total));
+    page.row("time", &time(answer.timing.total));
     page.into_text()
 }
 

@@ -1,13 +1,101 @@
 //! `pompeiu couple`.
 
-mod args;
-mod json;
-mod run;
-mod scene;
 mod text;
 
-pub(crate) use args::Couple;
-pub(crate) use run::run;
+use crate::door::{AnswerOf, Invocation, Session, System};
+use crate::files;
+use anyhow::bail;
+use clap::Args;
+use pompeiu::coupling::{CoupleReport, CoupleRequest, Scene};
+use std::fmt::Write;
+use std::path::PathBuf;
 
-#[cfg(test)]
-pub(crate) use json::Json;
+pub(crate) use crate::door::run;
+
+pub(crate) type Couple = Invocation<Files>;
+
+#[derive(Args)]
+#[command(after_help = "\
+A scene says what is coupled and how; options of the command line and of --config replace what it says.
+
+  kind = \"tube\"              # piston, tube, channel, box
+  windows = 100
+  time-step = 0.01
+  [tube]
+  modulus = 1e4              # of the wall
+
+  [piston]   mass, stiffness, fluid-mass, start, rule
+  [tube]     length, segments, modulus, mean, amplitude, frequency
+  [channel]  height, cells, density, rule, advect, pressure, duration
+  [box]      height, cells, density, rule, advect, volume, duration
+  [wall]     mass, stiffness, tension, damping, ends; of channel and box
+  [coupling] scheme, tolerance, most-solves, reuse, filter, extrapolate, closed
+
+Schemes: fixed, constant:W, aitken, aitken:W, iqn-ils, iqn-imvj, two-models. One solve is one of the fluid and one of the solid.
+
+Exit codes:
+  0  all windows were solved; with --compare: some scheme solved all
+  2  the scene or an argument cannot be used
+  3  a window could not be solved, the time limit was reached, or Ctrl-C; what was solved before is written
+
+Examples:
+  pompeiu couple tube.toml
+  pompeiu couple tube.toml --compare
+  pompeiu couple channel.toml --scheme aitken -o wall.csv --json")]
+pub(crate) struct Files {
+    /// The scene
+    #[arg(value_name = "SCENE.toml")]
+    scene: PathBuf,
+    /// Write interface data of each window: displacements or cross-sections, and pressures
+    #[arg(short, long, value_name = "FILE.csv")]
+    output: Option<PathBuf>,
+}
+
+impl System for Files {
+    type Request = CoupleRequest;
+
+    fn check(&self, _: bool) -> anyhow::Result<()> {
+        files::check_places(self.output.as_deref(), &[self.scene.as_path()])
+    }
+
+    fn run(&self, request: &mut CoupleRequest, session: &mut Session<'_>) -> anyhow::Result<CoupleReport> {
+        if request.compare && self.output.is_some() {
+            bail!("--output has the data of one run, and --compare makes several; leave out one of them");
+        }
+        let scene = Scene::read(&self.scene)?;
+        session.note_points(&self.scene, 0);
+        let mut table = String::from("window,quantity");
+        let mut watch = |window: usize, x: &[f64], y: &[f64]| {
+            if self.output.is_some() {
+                add_rows(&mut table, window, x, y);
+            }
+        };
+        let report = request.run(&scene, &mut watch, &session.context())?;
+        session.stop_waiting();
+        if let Some(path) = &self.output {
+            files::write_whole(path, table.as_bytes(), session.printer)?;
+        }
+        Ok(report)
+    }
+
+    fn text(&self, answer: &AnswerOf<Self>) -> String {
+        text::text(answer)
+    }
+}
+
+/// A row for each of the interface's data, with a column for each value.
+fn add_rows(table: &mut String, window: usize, x: &[f64], y: &[f64]) {
+    if window == 1 {
+        for i in 0..x.len() {
+            let _ = write!(table, ",{i}");
+        }
+        table.push('\n');
+    }
+    for (name, values) in [("x", x), ("y", y)] {
+        let _ = write!(table, "{window},{name}");
+        for value in values {
+            let _ = write!(table, ",{value:?}");
+        }
+        table.push('\n');
+    }
+}

@@ -1,18 +1,21 @@
 //! The outcome for people.
 
-use super::run::Outcome;
+use super::Files;
+use crate::door::AnswerOf;
 use crate::numbers::{few, grouped, time};
 use crate::page::Page;
+use pompeiu::coupling::CoupleReport;
 use pompeiu::coupling::scenario::RunReport;
 use std::fmt::Write;
 
-pub(super) fn text(outcome: &Outcome) -> String {
-    let windows = outcome.scene.windows;
-    if outcome.is_comparison {
-        return table(outcome);
+pub(super) fn text(answer: &AnswerOf<Files>) -> String {
+    let report = &answer.report;
+    let windows = report.windows;
+    if answer.request.compare {
+        return table(report);
     }
     let mut page = Page::new();
-    let run = &outcome.runs[0];
+    let run = &report.runs[0];
     let done = run.windows.len();
     let verdict = if done == windows {
         format!("AGREED in all {} windows", grouped(windows as u64))
@@ -20,7 +23,7 @@ pub(super) fn text(outcome: &Outcome) -> String {
         format!("AGREED in {} of {} windows", grouped(done as u64), grouped(windows as u64))
     };
     let mut text = verdict + "\n\n";
-    page.row("scene", outcome.scene.kind);
+    page.row("scene", &report.kind);
     page.row("scheme", &run.scheme);
     if let Some(mean) = run.mean_solves() {
         let most = run.windows.iter().map(|window| window.solves).max().unwrap_or(0);
@@ -51,17 +54,17 @@ pub(super) fn text(outcome: &Outcome) -> String {
     if let Some(failure) = &run.failure {
         page.row("ended", failure);
     }
-    page.row("time", &time(outcome.total));
+    page.row("time", &time(answer.timing.total));
     text += &page.into_text();
     text
 }
 
 /// A line for each scheme.
-fn table(outcome: &Outcome) -> String {
-    let widest = outcome.runs.iter().map(|run| run.scheme.len()).max().unwrap_or(0).max(6);
+fn table(report: &CoupleReport) -> String {
+    let widest = report.runs.iter().map(|run| run.scheme.len()).max().unwrap_or(0).max(6);
     let mut text =
         format!("{:<widest$}  {:>7}  {:>6}  {:>10}  ended\n", "scheme", "windows", "solves", "monolithic");
-    for run in &outcome.runs {
+    for run in &report.runs {
         let mean = run.mean_solves().map_or(String::new(), |mean| format!("{mean:.2}"));
         let distance = run.from_monolithic.filter(|_| !run.windows.is_empty()).map_or(String::new(), few);
         let _ = writeln!(
@@ -72,7 +75,7 @@ fn table(outcome: &Outcome) -> String {
             ended(run)
         );
     }
-    let greatest = outcome.runs.iter().filter_map(|run| run.added_mass);
+    let greatest = report.runs.iter().filter_map(|run| run.added_mass);
     if let Some(added_mass) = greatest.max_by(|a, b| a.number.total_cmp(&b.number)) {
         let _ = writeln!(text, "\n{added_mass}");
     }

@@ -1,8 +1,10 @@
 //! The outcome for people.
 
+use super::Files;
+use crate::door::AnswerOf;
 use crate::numbers::{agreed, between, few, grouped, time};
 use crate::page::Page;
-use pompeiu::neuron::{NeuronReport, SkeletonReport};
+use pompeiu::neuron::SkeletonReport;
 use std::time::Duration;
 
 /// Problems that are listed; JSON lists all.
@@ -46,7 +48,8 @@ fn add_skeleton(page: &mut Page, path: &str, skeleton: &SkeletonReport) {
 }
 
 /// The verdict first, then a row for each quantity.
-pub(super) fn text(path: &str, report: &NeuronReport) -> String {
+pub(super) fn text(path: &str, answer: &AnswerOf<Files>) -> String {
+    let report = &answer.report;
     let mut page = Page::new();
     let number = |n: usize| grouped(n as u64);
     let of_skeleton = report.skeleton.as_ref().map(|skeleton| match skeleton.problems.len() {
@@ -134,6 +137,9 @@ pub(super) fn text(path: &str, report: &NeuronReport) -> String {
             page.row("", &format!("and {} more, all in --json", number(transport.tips.len() - LISTED)));
         }
     }
+    if let Some(ended) = &report.ended {
+        page.row("ended", ended);
+    }
     let span = |milliseconds: f64| time(Duration::from_secs_f64(milliseconds / 1e3));
     let timing = &report.timing;
     let stages: String = [
@@ -147,6 +153,6 @@ pub(super) fn text(path: &str, report: &NeuronReport) -> String {
     .collect();
     let stages =
         if stages.is_empty() { stages } else { format!("skeleton {}, {stages}", span(timing.skeleton)) };
-    page.row("time", &format!("{stages}total {}", span(report.timing.total)));
+    page.row("time", &format!("{stages}total {}", time(answer.timing.total)));
     page.into_text()
 }

@@ -1,13 +1,15 @@
 //! The outcome for people.
 
-use super::run::Outcome;
+use super::Files;
+use crate::door::AnswerOf;
+use crate::exit::stopped_by;
 use crate::numbers::{few, grouped, time};
 use crate::page::Page;
-use pompeiu::puzzle::Proof;
+use pompeiu::puzzle::{Proof, PuzzleReport};
 
 /// The verdict first, then a row for each quantity.
-pub(super) fn text(outcome: &Outcome) -> String {
-    let report = &outcome.report;
+pub(super) fn text(answer: &AnswerOf<Files>) -> String {
+    let report = &answer.report;
     let number = |n: usize| grouped(n as u64);
     let mut page = Page::new();
     let verdict = match report.proof {
@@ -19,13 +21,14 @@ pub(super) fn text(outcome: &Outcome) -> String {
         }
         Proof::OneMoves => "not locked: pieces can move while all others stay, decided in integers",
         Proof::SeveralMove => "not locked: several pieces can move at once, in double precision",
+        Proof::Undecided if report.stop.is_early() => "undecided: the test for motions was ended early",
         Proof::Undecided => {
             "undecided: no cluster can move alone, and rounding does not let tell whether several can"
         }
     };
     page.row("result", verdict);
     if let Some(depth) = report.depth {
-        let unit = outcome.puzzle.unit();
+        let unit = report.unit();
         page.row(
             "depth",
             &format!("{}: holds without detail of up to {depth} of a piece's side", few(depth * unit)),
@@ -67,10 +70,10 @@ pub(super) fn text(outcome: &Outcome) -> String {
         "pieces",
         &format!("{} in {} clusters", number(report.pieces.len()), number(report.clusters.len())),
     );
-    if !outcome.puzzle.whimsies().is_empty() {
-        page.row("whimsies", &format!("pieces {}", names(outcome.puzzle.whimsies())));
+    if !report.whimsies.is_empty() {
+        page.row("whimsies", &format!("pieces {}", names(&report.whimsies)));
     }
-    likeness(&mut page, outcome);
+    likeness(&mut page, report);
     let exact = if report.area.is_exact { "equal in integers" } else { "not equal" };
     page.row(
         "areas",
@@ -82,11 +85,14 @@ pub(super) fn text(outcome: &Outcome) -> String {
             &format!("{} borders between pieces have no tab", number(report.straight_borders)),
         );
     }
-    if let Some(motion) = &outcome.motion {
+    if let Some(motion) = &report.motion {
         let end = if motion.is_apart { "until they are apart" } else { "as far as it was followed" };
-        page.row("motion", &format!("of {} pieces, {end}", number(motion.moving().count())));
+        page.row("motion", &format!("of {} pieces, {end}", number(motion.moving.len())));
     }
-    page.row("time", &format!("lock {}, total {}", time(report.timing.lock), time(report.timing.total)));
+    if report.stop.is_early() {
+        page.row("stopped", &format!("early by {}: the best puzzle found by then", stopped_by(report.stop)));
+    }
+    page.row("time", &format!("lock {}, total {}", time(report.timing.lock), time(answer.timing.total)));
     page.into_text()
 }
 
@@ -97,32 +103,21 @@ fn names(list: &[usize]) -> String {
     names + if list.len() > SHOWN { ", …" } else { "" }
 }
 
-/// How much pieces are like the shape: all, those inside, those at the outline.
-fn likeness(page: &mut Page, outcome: &Outcome) {
-    let at_outline: Vec<usize> = outcome
-        .puzzle
-        .borders()
-        .iter()
-        .filter(|border| border.right.is_none())
-        .map(|border| border.left)
-        .collect();
-    let of = |which: &dyn Fn(usize) -> bool| -> Option<[f64; 2]> {
-        let found: Vec<_> =
-            outcome.report.pieces.iter().filter(|p| which(p.id)).filter_map(|p| p.similarity).collect();
+/// How similar pieces are to the shape: all, those inside, those at the outline.
+fn likeness(page: &mut Page, report: &PuzzleReport) {
+    let of = |which: &dyn Fn(bool) -> bool| -> Option<[f64; 2]> {
+        let pieces = report.pieces.iter().filter(|piece| which(piece.is_at_outline));
+        let found: Vec<_> = pieces.filter_map(|piece| piece.similarity).collect();
         let n = found.len() as f64;
-        let unit = outcome.puzzle.unit();
-        let sums = found.iter().fold([0.0; 2], |s, f| [s[0] + f.iou, s[1] + f.hausdorff / unit]);
+        let sums = found.iter().fold([0.0; 2], |s, f| [s[0] + f.iou, s[1] + f.hausdorff / report.unit()]);
         (n > 0.0).then(|| sums.map(|sum| sum / n))
     };
     let Some([iou, hausdorff]) = of(&|_| true) else { return };
-    let part = |name: &str, which: &dyn Fn(usize) -> bool| {
+    let part = |name: &str, which: &dyn Fn(bool) -> bool| {
         of(which).map_or_else(String::new, |[iou, _]| format!(", {name} {iou:.3}"))
     };
-    let inside = part("inside", &|id| !at_outline.contains(&id));
-    let outer = part("at the outline", &|id| at_outline.contains(&id));
+    let inside = part("inside", &|is_at_outline| !is_at_outline);
+    let outer = part("at the outline", &|is_at_outline| is_at_outline);
     page.row("likeness", &format!("mean overlap {iou:.3}{inside}{outer}"));
     page.row("", &format!("mean Hausdorff distance {hausdorff:.2} of a piece's side"));
-    if let Some(stop) = outcome.stop {
-        page.row("stopped", &format!("{}: the best pieces found by then", crate::exit::stopped_by(stop)));
-    }
 }

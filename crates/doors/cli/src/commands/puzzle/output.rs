@@ -1,0 +1,123 @@
+//! Drawings of the puzzle.
+
+use super::Files;
+use crate::files;
+use crate::printer::Printer;
+use anyhow::{Context, bail};
+use pompeiu::puzzle::{
+    PieceDrawing, Print, PuzzleAnswer, PuzzleRequest, cuts_dxf, cuts_svg, motion_png, motion_svg, page,
+    pieces_dxf, pieces_png, pieces_svg,
+};
+use std::path::{Path, PathBuf};
+
+/// A kind of drawing.
+#[derive(Clone, Copy)]
+enum Drawing {
+    Svg,
+    Dxf,
+    Png,
+}
+
+/// The files to write, with the kinds that their suffixes name.
+pub(super) struct Outputs<'f> {
+    files: &'f Files,
+    output: Option<(&'f Path, Drawing)>,
+    cuts: Option<(&'f Path, Drawing)>,
+    motion: Option<(&'f Path, Drawing)>,
+}
+
+impl<'f> Outputs<'f> {
+    /// Refuses files that cannot be written, or that the request reads.
+    pub(super) fn of(files: &'f Files, request: &PuzzleRequest) -> anyhow::Result<Self> {
+        let outputs = [&files.output, &files.cuts, &files.motion, &files.report];
+        let inputs: Vec<&Path> = request.files().chain(files.image.as_deref()).collect();
+        files::check_places(outputs.into_iter().flatten().map(PathBuf::as_path), &inputs)?;
+        Ok(Self {
+            files,
+            output: kind(files.output.as_deref(), &[Drawing::Svg, Drawing::Dxf, Drawing::Png])?,
+            cuts: kind(files.cuts.as_deref(), &[Drawing::Svg, Drawing::Dxf])?,
+            motion: kind(files.motion.as_deref(), &[Drawing::Svg, Drawing::Png])?,
+        })
+    }
+
+    /// The picture on the pieces.
+    pub(super) fn print(&self) -> anyhow::Result<Option<Print>> {
+        let Some(path) = &self.files.image else { return Ok(None) };
+        files::check_readable(path)?;
+        let read = || anyhow::Ok(Print::read(&std::fs::read(path)?)?);
+        read().map(Some).with_context(|| path.display().to_string())
+    }
+
+    pub(super) fn write(
+        &self,
+        found: &PuzzleAnswer,
+        kerf: f64,
+        print: Option<&Print>,
+        printer: &Printer,
+    ) -> anyhow::Result<()> {
+        let PuzzleAnswer { puzzle, report, motion, .. } = found;
+        if let Some((path, kind)) = self.output {
+            let drawing = PieceDrawing { pull: self.files.pull, kerf, print };
+            let content = match kind {
+                Drawing::Svg => pieces_svg(puzzle, &drawing).into_bytes(),
+                Drawing::Dxf => pieces_dxf(puzzle, &drawing).into_bytes(),
+                Drawing::Png => png(path, pieces_png(puzzle, print))?,
+            };
+            files::write_whole(path, &content, printer)?;
+        }
+        if let Some((path, kind)) = self.cuts {
+            let text = match kind {
+                Drawing::Dxf => cuts_dxf(puzzle, kerf),
+                _ => cuts_svg(puzzle, kerf),
+            };
+            files::write_whole(path, text.as_bytes(), printer)?;
+        }
+        match (self.motion, motion) {
+            (Some((path, kind)), Some(motion)) => {
+                let content = match kind {
+                    Drawing::Png => png(path, motion_png(puzzle, motion))?,
+                    _ => motion_svg(puzzle, motion).into_bytes(),
+                };
+                files::write_whole(path, &content, printer)?;
+            }
+            (Some((path, _)), None) => printer.warning(format_args!(
+                "{}: not written, for no motion takes the puzzle apart",
+                path.display()
+            )),
+            (None, _) => {}
+        }
+        if let Some(path) = &self.files.report {
+            let title = format!("Puzzle of {} pieces", puzzle.pieces());
+            let text = page(puzzle, report, motion.as_ref(), print, &title);
+            files::write_whole(path, text.as_bytes(), printer)?;
+        }
+        Ok(())
+    }
+}
+
+fn png(path: &Path, found: Result<Vec<u8>, String>) -> anyhow::Result<Vec<u8>> {
+    found.map_err(|why| anyhow::anyhow!("{}: {why}", path.display()))
+}
+
+impl Drawing {
+    fn suffix(self) -> &'static str {
+        match self {
+            Self::Svg => ".svg",
+            Self::Dxf => ".dxf",
+            Self::Png => ".png",
+        }
+    }
+}
+
+/// The kind of drawing that a suffix names, one of those that may be.
+fn kind<'p>(path: Option<&'p Path>, kinds: &[Drawing]) -> anyhow::Result<Option<(&'p Path, Drawing)>> {
+    let Some(path) = path else { return Ok(None) };
+    let is = |kind: &&Drawing| {
+        path.extension().is_some_and(|found| found.eq_ignore_ascii_case(&kind.suffix()[1..]))
+    };
+    let Some(kind) = kinds.iter().find(is) else {
+        let names: Vec<&str> = kinds.iter().map(|kind| kind.suffix()).collect();
+        bail!("{}: puzzles are written as {}", path.display(), names.join(" or "))
+    };
+    Ok(Some((path, *kind)))
+}

@@ -1,0 +1,106 @@
+//! What is worked on: a skeleton, or a hexahedral mesh that was made elsewhere.
+
+use crate::{
+    CubicMesh, Ends, MeshError, MeshOptions, NeuronMesh, Preparation, Side, Skeleton, SkeletonReport,
+    SwcError, cubic_neuron, mesh_neuron, prepare,
+};
+use pompeiu_volume::HexMesh;
+
+/// What is in a file: the bytes of a skeleton (SWC), or a mesh.
+#[derive(Clone, Debug)]
+pub struct NeuronSource {
+    /// The bytes of the file, to which a checkpoint belongs.
+    pub(crate) content: Vec<u8>,
+    mesh: Option<(HexMesh, Option<Vec<f64>>)>,
+}
+
+impl NeuronSource {
+    /// A skeleton.
+    pub fn skeleton(content: Vec<u8>) -> Self {
+        Self { content, mesh: None }
+    }
+
+    /// A mesh with the numbers of its ends at vertices: 1 at the inlet, 2 and more at others.
+    pub fn mesh(content: Vec<u8>, mesh: HexMesh, labels: Option<Vec<f64>>) -> Self {
+        Self { content, mesh: Some((mesh, labels)) }
+    }
+
+    /// Whether it is a mesh.
+    pub fn is_mesh(&self) -> bool {
+        self.mesh.is_some()
+    }
+
+    /// A skeleton is prepared as asked.
+    pub(crate) fn prepared(self, preparation: &Preparation) -> Result<Prepared, SwcError> {
+        Ok(match self.mesh {
+            Some((mesh, labels)) => Prepared::Mesh(mesh, labels),
+            None => {
+                let (skeleton, report) = prepare(&self.content, preparation)?;
+                Prepared::Skeleton(Box::new(skeleton), report)
+            }
+        })
+    }
+}
+
+/// A prepared skeleton, or a mesh.
+pub(crate) enum Prepared {
+    Skeleton(Box<Skeleton>, SkeletonReport),
+    Mesh(HexMesh, Option<Vec<f64>>),
+}
+
+impl Prepared {
+    pub(crate) fn skeleton(&self) -> Option<&Skeleton> {
+        match self {
+            Self::Skeleton(skeleton, _) => Some(skeleton),
+            Self::Mesh(..) => None,
+        }
+    }
+
+    pub(crate) fn report(&self) -> Option<&SkeletonReport> {
+        match self {
+            Self::Skeleton(_, report) => Some(report),
+            Self::Mesh(..) => None,
+        }
+    }
+
+    /// Points that are read: samples, or vertices of a mesh.
+    pub(crate) fn points(&self) -> usize {
+        match self {
+            Self::Skeleton(skeleton, _) => skeleton.samples().len(),
+            Self::Mesh(mesh, _) => mesh.positions().len(),
+        }
+    }
+
+    /// Trilinear cells.
+    pub(crate) fn hexahedra(
+        &self,
+        sides: &[Side],
+        options: &MeshOptions<'_>,
+    ) -> Result<NeuronMesh, MeshError> {
+        match self {
+            Self::Skeleton(skeleton, _) => mesh_neuron(skeleton, options),
+            Self::Mesh(mesh, labels) => {
+                NeuronMesh::from_hexahedra(mesh.clone(), ends(sides, labels.as_ref()), &options.limits)
+            }
+        }
+    }
+
+    /// Tricubic cells.
+    pub(crate) fn patches(&self, sides: &[Side], options: &MeshOptions<'_>) -> Result<CubicMesh, MeshError> {
+        match self {
+            Self::Skeleton(skeleton, _) => cubic_neuron(skeleton, options),
+            Self::Mesh(mesh, labels) => {
+                CubicMesh::from_hexahedra(mesh, ends(sides, labels.as_ref()), &options.limits)
+            }
+        }
+    }
+}
+
+/// Where a mesh has its ends: at sides that are named, or where its vertices say so.
+fn ends<'e>(sides: &'e [Side], labels: Option<&'e Vec<f64>>) -> Ends<'e> {
+    match labels {
+        _ if !sides.is_empty() => Ends::Sides(sides),
+        Some(labels) => Ends::Labels(labels),
+        None => Ends::None,
+    }
+}
