@@ -14,6 +14,8 @@ COMMANDS = {
         "distance tent.obj square.obj",
         "distance tent.obj square.obj --direction a-to-b --tolerance 1e-3 --tolerance-kind relative",
         "distance tent.obj square.obj --trace --assert-below 2",
+        "distance tent.obj square.obj --certificate again.phc",
+        "distance tent.obj square.obj --certificate none.phc --time-limit 0s",
         "distance rough.obj square.obj --time-limit 1ns",
         "distance huge.obj square.obj --tolerance-kind absolute --tolerance 1",
     ],
@@ -41,6 +43,7 @@ COMMANDS = {
     "repair": [
         "repair rough.obj repaired.ply",
         "repair rough.obj repaired.obj --within 0.1",
+        "repair rough.obj proven.obj --within 0.1 --certificate proven.phc",
     ],
     "align": [
         "align rough.obj tube.obj",
@@ -57,6 +60,7 @@ COMMANDS = {
         "complexity shapes --clusters 2 --against places.csv",
     ],
     "puzzle": ["puzzle --pieces 9", "puzzle --pieces 12 --tab none --layout voronoi", "puzzle --pieces 6 --piece square", "puzzle --pieces 6 --kerf 0.2"],
+    "verify": ["verify proof.phc tent.obj square.obj", "verify proof.phc square.obj tent.obj"],
     "flatten": [
         "flatten torus.ply.gz -o flat.glb",
         "flatten torus.ply.gz --boundary circle --weights uniform -o flat.svg",
@@ -115,6 +119,7 @@ def run(repository, tmp_path_factory):
 
     for shape in SHAPES:
         run(f"generate {shape}")
+    run("distance tent.obj square.obj --certificate proof.phc")
     (folder / "cell.swc").write_text("1 1 0 0 0 5 -1\n2 3 6 0 0 1 1\n3 3 20 0 0 1 2\n4 3 20 1 0 0 1\n", encoding="utf-8")
     (folder / "shapes").mkdir()
     (folder / "shapes" / "circle.svg").write_text('<svg><circle r="9"/></svg>')
