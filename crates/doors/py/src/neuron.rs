@@ -364,7 +364,7 @@ pub(crate) fn source(given: &Bound<'_, PyAny>) -> PyResult<NeuronSource> {
         .map_err(|error| NeuronRequestError::File { path: path.clone(), error }.raise())?;
     let name = path.to_string_lossy().to_ascii_lowercase();
     let name = name.strip_suffix(".gz").unwrap_or(&name);
-    if !name.ends_with(".vtk") && !name.ends_with(".vtu") {
+    if ![".vtk", ".vtu"].iter().any(|suffix| name.ends_with(suffix)) {
         return Ok(NeuronSource::skeleton(content));
     }
     let read = pompeiu::io::read_hexahedra(&path).map_err(Raise::raise)?;
