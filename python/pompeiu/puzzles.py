@@ -33,6 +33,10 @@ class Puzzle:
     _drawings: Any = field(default=None)
     _stop: str = "tolerance"
 
+    def __getstate__(self) -> Dict[str, Any]:
+        # What drawings need does not travel.
+        return {name: value for name, value in self.__dict__.items() if name != "_drawings"}
+
     @property
     def is_locked(self) -> bool:
         """Whether no piece can move against another one, over all motions of all pieces at once."""
@@ -84,6 +88,8 @@ class Puzzle:
             If the file cannot be written, its suffix is another one, or there is no motion.
         ReadError
             If the picture cannot be read.
+        ValueError
+            If this puzzle was pickled.
         """
         suffix = Path(path).suffix.lower()
         what = "page" if suffix == ".html" else "motion" if motion else "cuts" if cuts else "pieces"
@@ -97,6 +103,8 @@ class Puzzle:
                 picture = Path(image).read_bytes()
             except OSError as error:
                 raise ReadError(f"{os.fspath(image)}: {error.strerror}") from error
+        if self._drawings is None:
+            raise ValueError("this puzzle was pickled: what its drawings need does not travel with it")
         drawn = self._drawings.draw(what, suffix[1:], float(pull), picture)
         if drawn is None:
             raise WriteError(f"{path}: no motion takes the puzzle apart")

@@ -1,5 +1,7 @@
 """Puzzles: exact areas, locks, drawings, errors."""
 
+import pickle
+
 import numpy as np
 import pompeiu
 import pytest
@@ -120,6 +122,14 @@ def test_a_limit_ends_every_part_early_and_says_so(tmp_path):
     assert pompeiu.puzzle(4).stop == "tolerance"
     stopped = pompeiu.puzzle(6, piece="square", progress=lambda share: False)
     assert stopped.stop == "cancelled"
+
+
+def test_a_pickled_puzzle_has_its_outlines_but_no_drawings(tmp_path):
+    made = pompeiu.puzzle(4)
+    again = pickle.loads(pickle.dumps(made))
+    assert again.report == made.report and all(map(np.array_equal, again.outlines, made.outlines))
+    with pytest.raises(ValueError, match="pickled"):
+        again.write(tmp_path / "pieces.svg")
 
 
 def test_shapes_in_files_are_read(tmp_path):
