@@ -26,6 +26,7 @@ from .deviations import (
     Region,
     ShareAbove,
     Statistics,
+    Verdict,
     deviation,
     directed_deviation,
 )
@@ -151,6 +152,7 @@ __all__ = [
     "Target",
     "Timing",
     "UnprovenStatement",
+    "Verdict",
     "Verified",
     "Witness",
     "WorkCount",

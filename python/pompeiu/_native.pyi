@@ -15,7 +15,6 @@ _Steps = Optional[Callable[[int, int, int, int], Optional[bool]]]
 _Matrix = tuple[NDArray[np.float64], NDArray[np.float64], int, str, list[tuple[int, int]]]
 _Limits = tuple[Optional[int], Optional[float], Optional[int]]
 _Options = dict[str, Any]
-_Beside = dict[str, Any]
 
 def ask(
     name: str,
@@ -349,10 +348,6 @@ class DeviationPage:
         paper: str,
     ) -> bytes: ...
 
-def deviation(
-    a: Mesh, b: Mesh, options: _Options, progress: _Watch
-) -> tuple[str, _Beside, _Beside, DeviationPage, Optional[str]]: ...
-def directed_deviation(a: Mesh, b: Mesh, options: _Options, progress: _Watch) -> tuple[str, _Beside]: ...
 def read_mesh(path: str | os.PathLike[str]) -> tuple[Mesh, str, int, int]: ...
 def write_mesh(
     path: str | os.PathLike[str],

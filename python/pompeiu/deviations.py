@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-import json
 import os
 from dataclasses import dataclass, field, fields
-from typing import Any, Iterable, Literal, Mapping, Optional, Sequence, Tuple
+from typing import Any, Iterable, Literal, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _native
+from ._asking import ask
 from .bands import BandReport
 from .errors import OptionError
 from .files import write_whole
@@ -28,7 +28,7 @@ from .results import (
     number,
     shown_bounds,
 )
-from .sources import MeshLike, as_mesh
+from .sources import MeshLike
 
 __all__ = [
     "Deviation",
@@ -40,6 +40,7 @@ __all__ = [
     "Region",
     "ShareAbove",
     "Statistics",
+    "Verdict",
     "deviation",
     "directed_deviation",
 ]
@@ -70,6 +71,11 @@ class ShareAbove:
 
     threshold: float
     share: Enclosure
+
+
+def _read_only(array: NDArray[Any]) -> NDArray[Any]:
+    array.flags.writeable = False
+    return array
 
 
 def _plain(value: Any) -> Any:
@@ -203,9 +209,9 @@ class Region(_Arrays):
         return {f.name: _plain(getattr(self, f.name)) for f in fields(self)}
 
     @classmethod
-    def _of(cls, data: Mapping[str, Any], faces: NDArray[np.uint32]) -> "Region":
+    def _of(cls, data: Mapping[str, Any]) -> "Region":
         return cls(
-            faces=faces,
+            faces=_read_only(np.array(data["faces"], np.uint32)),
             area=number(data["area"]),
             centre=tuple(data["centre"]),
             lower_corner=tuple(data["lowest"]),
@@ -316,23 +322,60 @@ class DirectedDeviation(_Arrays):
         return _table("deviation", self._rows())
 
     @classmethod
-    def _of(cls, data: Mapping[str, Any], beside: Mapping[str, Any], threshold: Optional[float]) -> "DirectedDeviation":
+    def _of(
+        cls, direction: Direction, data: Mapping[str, Any], beside: Mapping[str, Any], threshold: Optional[float]
+    ) -> "DirectedDeviation":
         """From what is serialised, and the arrays beside it."""
-        regions = (
-            tuple(map(Region._of, data.get(name, ()), beside[faces]))
-            for name, faces in (("regions", "region_faces"), ("beyond_threshold", "beyond_threshold_faces"))
-        )
-        named = {f.name for f in fields(cls)}
+        ends = zip(("from", "to"), "ab" if direction == "a_to_b" else "ba")
+        witness = {name: data["witness"][mesh] for name, mesh in ends}
+        search = data["search"]
+        arrays = {name: beside.get(f"{direction}.{name}") for name in _ARRAYS}
         return cls(
-            **{name: value for name, value in beside.items() if name in named and name != "timing"},
-            distance=DirectedReport._of(json.loads(beside["largest"])),
+            direction=direction,
+            distance=DirectedReport._of({**data["distance"], "witness": witness, **search}),
             statistics=Statistics._of(data["statistics"], threshold),
-            regions=next(regions),
-            beyond_threshold=next(regions),
+            **{**arrays, "vertex_error": float(arrays["vertex_error"][0])},
+            regions=tuple(map(Region._of, data["regions"])),
+            beyond_threshold=tuple(map(Region._of, data.get("beyond_threshold", ()))),
             stop=data["stop"],
             work=DeviationWork(**data["work"]),
-            timing=dict(zip(("build", "search", "refine"), beside["timing"])),
+            timing={name.removesuffix("_ms"): 1e-3 * spent for name, spent in data["timing_ms"].items()},
         )
+
+
+#: Fields of a direction that pass beside the JSON.
+_ARRAYS = (
+    "face_max",
+    "face_min",
+    "face_mean",
+    "vertex_distances",
+    "vertex_error",
+    "signed_vertex_distances",
+    "vertex_winding",
+    "face_winding",
+)
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """Whether both surfaces are within a tolerance of each other.
+
+    Attributes
+    ----------
+    answer : str
+        ``"within"`` or ``"out"`` if that is proven, else ``"undecided"``.
+    allowed : float
+        The share of the area of each surface that may be outside.
+    sentence : str
+        The answer in a sentence, with the tolerance, what is outside of it and the worst place.
+    """
+
+    answer: Literal["within", "out", "undecided"]
+    allowed: float
+    sentence: str
+
+    def __str__(self) -> str:
+        return self.sentence
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -353,6 +396,10 @@ class Deviation(_Arrays, _Interval):
         Over the areas of both together; none if neither has any.
     bands : BandReport, optional
         How much lies in which tolerance band, if some were given.
+    verdict : Verdict, optional
+        Whether both are within the threshold or the bands, if one of these was given.
+    report : dict
+        What ``pompeiu deviation --json`` says in ``report``: with parts left out, what that is; with ``align``, how B was moved.
     """
 
     lower: float
@@ -362,19 +409,21 @@ class Deviation(_Arrays, _Interval):
     greater_percentiles: Optional[Tuple[Percentile, ...]]
     pooled: Optional[Statistics]
     bands: Optional[BandReport] = None
+    verdict: Optional[Verdict] = None
+    report: "dict[str, Any]" = field(default_factory=dict, compare=False, repr=False)
     _page: Optional[_native.DeviationPage] = field(default=None, compare=False, repr=False)
     _names: Tuple[str, str] = field(default=("A", "B"), compare=False, repr=False)
 
     def to_dict(self) -> "dict[str, Any]":
         """A dictionary of plain values, ready for ``json.dumps``."""
-        return {f.name: _plain(getattr(self, f.name)) for f in fields(self) if not f.name.startswith("_")}
+        return {f.name: _plain(getattr(self, f.name)) for f in fields(self) if not f.name.startswith("_") and f.name != "report"}
 
     def save_html(
         self,
         path: "str | os.PathLike[str]",
         *,
         names: Optional[Tuple[str, str]] = None,
-        unit: str = "",
+        unit: Optional[str] = None,
         up: "str | Vec3" = "y",
     ) -> None:
         """Writes a page to explore in a browser: one file that needs no network. It appears whole or not at all.
@@ -385,8 +434,8 @@ class Deviation(_Arrays, _Interval):
             The file.
         names : tuple of str, optional
             What the two meshes are called; by default their paths, or A and B.
-        unit : str
-            The unit of length, such as ``"mm"``.
+        unit : str, optional
+            The unit of length, such as ``"mm"``; by default the one that the analysis was asked with.
         up : {"x", "y", "z"} or three floats
             Which way is up.
 
@@ -403,7 +452,7 @@ class Deviation(_Arrays, _Interval):
         self,
         *,
         names: Optional[Tuple[str, str]] = None,
-        unit: str = "",
+        unit: Optional[str] = None,
         up: "str | Vec3" = "y",
         direction_to_eye: Optional[Vec3] = None,
         size: Tuple[int, int] = (1600, 900),
@@ -436,7 +485,7 @@ class Deviation(_Arrays, _Interval):
         path: "str | os.PathLike[str]",
         *,
         names: Optional[Tuple[str, str]] = None,
-        unit: str = "",
+        unit: Optional[str] = None,
         up: "str | Vec3" = "y",
         direction_to_eye: Optional[Vec3] = None,
         verdict: Optional[str] = None,
@@ -451,7 +500,7 @@ class Deviation(_Arrays, _Interval):
         names, unit, up, direction_to_eye
             As for :meth:`image`.
         verdict : str, optional
-            A sentence above all.
+            A sentence above all; by default that of :attr:`verdict`.
         paper : {"a4", "letter"}
             The size of the paper.
 
@@ -476,7 +525,7 @@ class Deviation(_Arrays, _Interval):
             raise ValueError("the meshes of this answer are not here: it was pickled; analyse the meshes again")
         return self._page
 
-    def _look(self, names: Optional[Tuple[str, str]], unit: str, up: "str | Vec3") -> "dict[str, Any]":
+    def _look(self, names: Optional[Tuple[str, str]], unit: Optional[str], up: "str | Vec3") -> "dict[str, Any]":
         return {"names": list(names or self._names), "unit": unit, "up": _axis(up)}
 
     def __getstate__(self) -> "dict[str, Any]":
@@ -492,23 +541,19 @@ class Deviation(_Arrays, _Interval):
         return _table("deviation", rows)
 
     @classmethod
-    def _of(
-        cls,
-        data: Mapping[str, Any],
-        beside: "tuple[Mapping[str, Any], Mapping[str, Any], _native.DeviationPage, Optional[str]]",
-        threshold: Optional[float],
-        names: Tuple[str, str],
-    ) -> "Deviation":
-        there, back, page, bands = beside
-        greater = data["greater_percentiles"]
+    def _of(cls, data: "dict[str, Any]", beside: Mapping[str, Any], names: Tuple[str, str]) -> "Deviation":
+        greater, bands, verdict = data["greater_percentiles"], data.get("bands"), data.get("verdict")
+        threshold = data.get("threshold")
         return cls(
             **data["distance"],
-            a_to_b=DirectedDeviation._of(data["a_to_b"], there, threshold),
-            b_to_a=DirectedDeviation._of(data["b_to_a"], back, threshold),
+            a_to_b=DirectedDeviation._of("a_to_b", data["a_to_b"], beside, threshold),
+            b_to_a=DirectedDeviation._of("b_to_a", data["b_to_a"], beside, threshold),
             greater_percentiles=None if greater is None else _percentiles(greater),
             pooled=Statistics._of(data["pooled"], threshold),
-            bands=None if bands is None else BandReport._of(json.loads(bands)),
-            _page=page,
+            bands=None if bands is None else BandReport._of(bands),
+            verdict=None if verdict is None else Verdict(**verdict),
+            report=data,
+            _page=beside["page"],
             _names=names,
         )
 
@@ -528,67 +573,91 @@ def _name(mesh: Any, otherwise: str) -> str:
     return os.fspath(mesh) if isinstance(mesh, (str, os.PathLike)) else otherwise
 
 
-#: Width of an enclosure relative to its lower end, by default.
-DEFAULT_ACCURACY = 0.01
-#: Shares whose percentiles are computed by default.
-DEFAULT_PERCENTILES = (0.5, 0.9, 0.95, 0.99)
-#: Bins of the histogram, by default.
-DEFAULT_BINS = 64
-#: Regions listed, by default.
-DEFAULT_REGIONS = 5
-#: Pieces at most, in each direction, by default.
-DEFAULT_PIECES = 4_000_000
-
-
 def deviation(
     a: MeshLike,
     b: MeshLike,
     *,
-    accuracy: float = DEFAULT_ACCURACY,
-    threshold: Optional[float] = None,
-    percentiles: Sequence[float] = DEFAULT_PERCENTILES,
-    bins: int = DEFAULT_BINS,
-    regions: int = DEFAULT_REGIONS,
+    align: Optional[Literal["rigid"]] = None,
+    threshold: Optional[Union[float, str]] = None,
     signed: bool = False,
-    bands: Sequence[Tuple[float, float]] = (),
-    most_pieces: int = DEFAULT_PIECES,
+    accuracy: float = 0.01,
+    percentiles: Sequence[float] = (50.0, 90.0, 95.0, 99.0,),
+    bins: int = 64,
+    regions: int = 5,
+    most_pieces: Optional[int] = None,
+    unit: str = "",
+    bands: Sequence[Sequence[Union[float, str]]] = (),
+    allow: Optional[float] = None,
+    ignore_beyond: Optional[Union[float, str]] = None,
+    only_overlap: bool = False,
+    box: Optional[Sequence[float]] = None,
+    group: Sequence[str] = (),
+    ignore_components: Optional[float] = None,
     threads: Optional[int] = None,
     time_limit: Optional[float] = None,
     memory_limit: Optional[int] = None,
     progress: ProgressLike = None,
 ) -> Deviation:
-    """Analyses how far two surfaces deviate from each other, where, and over how much of the area.
+    """Measures how far two surfaces deviate from each other, where, over how much of the area, and whether that is within a tolerance.
 
-    Every statistic is an enclosure of the exact value over all points of all faces, rounding included.
+    Every statistic is an enclosure of the exact value over all points of all faces, rounding included: what ``pompeiu deviation`` answers.
 
     Parameters
     ----------
     a, b : MeshLike
-        Two meshes in one unit of length; see :func:`pompeiu.as_mesh`.
+        Two meshes in one unit of length, A as it should be and B as it is; see :func:`pompeiu.as_mesh`.
+    align : str, optional
+        Move B onto A first, from any start; parts of either may have no counterpart. ``"rigid"``: rotate and translate.
+    threshold : Union[float, str], optional
+        Say whether both are within this length of each other, such as 0.1 or, with the unit given, 0.1mm; enclose the
+        share of the area that is farther, and list the regions beyond it.
+    signed : bool
+        Tell inside from outside, by generalised winding numbers: distances inside the other mesh are shown negative.
     accuracy : float
-        How narrow enclosures should be, relative to their lower ends; of the share beyond the threshold, absolutely.
-    threshold : float, optional
-        A distance: the share of the area beyond it is enclosed, and the regions beyond it are listed.
-    percentiles : sequence of float
-        Shares of the area, between 0 and 1.
+        Largest width of the intervals of mean, root mean square and percentiles, relative to their values; widths below
+        1e-9 of the diagonal of both meshes always suffice.
+    percentiles : Sequence[float]
+        Percentiles to enclose, in percent of the area, such as 50 for the median.
     bins : int
         Bins of the histogram.
     regions : int
-        How many regions are listed, of each kind.
-    signed : bool
-        Whether to find out on which side of the other mesh vertices and faces lie.
-    bands : sequence of pairs of float
-        Tolerance bands of the deviation of B from A, negative where B lacks something and positive where it has more: the share of the
-        area of each surface in each is enclosed.
-    most_pieces : int
-        Refining stops at about so many pieces, with wider enclosures.
-    threads, time_limit, memory_limit, progress
+        How many of the worst regions to list.
+    most_pieces : int, optional
+        Pieces that the faces of a mesh may be cut into before intervals stay wider than asked; by default 4,000,000, or
+        twelve for each face of both meshes if that is more.
+    unit : str
+        The unit of the coordinates, such as mm; files have none.
+    bands : Sequence[Sequence[Union[float, str]]]
+        Say whether B deviates from A by no less and no more than this, such as -0.05..0.1: negative where B lacks
+        something, positive where it has more; several bands make classes, and what is in none is too low or too high.
+    allow : float, optional
+        The share of each area that may be farther than the threshold, or outside of all bands, such as 0.01.
+    ignore_beyond : Union[float, str], optional
+        Leave out the faces of both that reach farther than this from the other mesh: what has no counterpart, such as a
+        fixture, or what was not scanned; what is kept is proven to be within.
+    only_overlap : bool
+        Leave out the faces beside the other mesh: those whose nearest point lies on its boundary, as of the part of a
+        model that a partial scan does not show.
+    box : Sequence[float], optional
+        Measure only faces that lie in this box as a whole: its least and its greatest coordinates.
+    group : Sequence[str]
+        Measure only faces of this group or object of OBJ, or node of glTF; of several with the option given again; a
+        mesh that has no group of any of these names is measured whole.
+    ignore_components : float, optional
+        Leave out connected parts with less than this share of the area of their mesh, such as 0.001.
+    threads : int, optional
+        Threads to use; all processors by default. The answer does not depend on it.
+    time_limit : float, optional
+        Stop after so many seconds with the answer found by then.
+    memory_limit : int, optional
+        Stop before memory exceeds so many bytes, with the answer found by then.
+    progress : bool or callable, optional
         As for :func:`pompeiu.hausdorff`.
 
     Returns
     -------
     Deviation
-        Both directions, with fields by face and by vertex as arrays.
+        Both directions, with fields by face and by vertex as arrays, and the verdict on the tolerance.
 
     Raises
     ------
@@ -604,38 +673,37 @@ def deviation(
     >>> import pompeiu
     >>> sheet = pompeiu.shapes.grid((2.0, 2.0))
     >>> lifted = (sheet.vertices + [0, 0, 0.25], sheet.faces)
-    >>> report = pompeiu.deviation(sheet, lifted)
+    >>> report = pompeiu.deviation(sheet, lifted, threshold="0.3mm", unit="mm")
     >>> 0.25 in report.a_to_b.statistics.mean
     True
+    >>> report.verdict.answer
+    'within'
     """
-    options = _options(
-        accuracy, threshold, percentiles, bins, regions, signed, most_pieces, threads, time_limit, memory_limit
-    )
-    options["bands"] = [(float(low), float(high)) for low, high in bands]
+    given = locals()
     names = (_name(a, "A"), _name(b, "B"))
-    a, b = as_mesh(a), as_mesh(b)
-    with watching(progress) as watch:
-        text, *beside = _native.deviation(a, b, options, watch)
-    return Deviation._of(json.loads(text), tuple(beside), threshold, names)
+    with watching(given.pop("progress")) as watch:
+        answer, beside = ask("deviation", {**given, "progress": watch}, ("a", "b"))
+    return Deviation._of(answer["report"], beside, names)
 
 
 def directed_deviation(
     a: MeshLike,
     b: MeshLike,
     *,
-    accuracy: float = DEFAULT_ACCURACY,
-    threshold: Optional[float] = None,
-    percentiles: Sequence[float] = DEFAULT_PERCENTILES,
-    bins: int = DEFAULT_BINS,
-    regions: int = DEFAULT_REGIONS,
-    signed: bool = False,
-    most_pieces: int = DEFAULT_PIECES,
-    threads: Optional[int] = None,
-    time_limit: Optional[float] = None,
-    memory_limit: Optional[int] = None,
     progress: ProgressLike = None,
+    **options: Any,
 ) -> DirectedDeviation:
-    """Analyses how far the points of A are from B: one direction of :func:`deviation`, with the same parameters.
+    """Measures how far the points of A are from B: one direction of :func:`deviation`.
+
+    Parameters
+    ----------
+    a, b : MeshLike
+        Two meshes in one unit of length; see :func:`pompeiu.as_mesh`.
+    progress : bool or callable, optional
+        As for :func:`pompeiu.hausdorff`.
+    **options
+        ``threshold``, ``signed``, ``accuracy``, ``percentiles``, ``bins``, ``regions``, ``most_pieces``, ``unit``, ``threads``, ``time_limit``
+        and ``memory_limit`` as for :func:`deviation`.
 
     Returns
     -------
@@ -646,37 +714,7 @@ def directed_deviation(
     MeshError, ReadError, OptionError, KeyboardInterrupt
         As for :func:`deviation`.
     """
-    options = _options(
-        accuracy, threshold, percentiles, bins, regions, signed, most_pieces, threads, time_limit, memory_limit
-    )
-    a, b = as_mesh(a), as_mesh(b)
     with watching(progress) as watch:
-        text, beside = _native.directed_deviation(a, b, options, watch)
-    return DirectedDeviation._of(json.loads(text), beside, threshold)
-
-
-def _options(
-    accuracy: float,
-    threshold: Optional[float],
-    percentiles: Sequence[float],
-    bins: int,
-    regions: int,
-    signed: bool,
-    most_pieces: int,
-    threads: Optional[int],
-    time_limit: Optional[float],
-    memory_limit: Optional[int],
-) -> "dict[str, Any]":
-    return {
-        "accuracy": accuracy,
-        "threshold": threshold,
-        "percentiles": list(percentiles),
-        "bins": bins,
-        "regions": regions,
-        "signed": signed,
-        "bands": [],
-        "most_pieces": most_pieces,
-        "threads": threads,
-        "time_limit": time_limit,
-        "memory_limit": memory_limit,
-    }
+        answer, beside = ask("directed_deviation", {"a": a, "b": b, **options, "progress": watch}, ("a", "b"))
+    report = answer["report"]
+    return DirectedDeviation._of("a_to_b", report, beside, report["threshold"])

@@ -16,7 +16,7 @@ LEANING = mesh([[0, 0, 0], [1, 0, 0.3], [0, 1, 0]], [[0, 1, 2]])
 
 
 def test_statistics_of_a_linear_distance():
-    report = pompeiu.directed_deviation(LEANING, FLAT, threshold=0.15, percentiles=(0.5, 0.75))
+    report = pompeiu.directed_deviation(LEANING, FLAT, threshold=0.15, percentiles=(50, 75))
     statistics = report.statistics
     # The share of a triangle where a linear function from 0 to 1 is at most t is 1 - (1 - t)².
     assert 0.1 in statistics.mean and 0.3 / math.sqrt(6) in statistics.rms
@@ -135,8 +135,8 @@ def test_limits_and_callbacks_end_it_with_wider_enclosures():
     ("options", "sentence"),
     [
         ({"accuracy": 0.0}, "the accuracy is 0; it must be"),
-        ({"percentiles": [1.0]}, "the share is 1; it must lie between 0 and 1, both excluded"),
-        ({"threshold": -1.0}, "the threshold is -1; it must be a finite number that is not negative"),
+        ({"percentiles": [0.5]}, "the percentile is 0.5; percentiles are in percent of the area, at least 1 and below 100"),
+        ({"threshold": -1.0}, "option `threshold` of deviation: expected a length"),
         ({"threads": 0}, "the number of threads is 0; at least 1 is needed"),
         ({"time_limit": math.inf}, "the time limit is inf seconds; it must be a finite number that is not negative"),
     ],
@@ -200,3 +200,42 @@ def test_documents_for_printing(tmp_path):
     with pytest.raises(pompeiu.OptionError, match="paper"):
         report.save_pdf(tmp_path / "no.pdf", paper="a3")
     assert not (tmp_path / "no.pdf").exists()
+
+
+def test_verdicts_and_units():
+    report = pompeiu.deviation(LEANING, FLAT, threshold="0.2mm", unit="cm")
+    # The leaning triangle reaches 0.3 cm, so 0.02 cm is exceeded.
+    assert report.verdict.answer == "out" and report.a_to_b.statistics.above.threshold == pytest.approx(0.02)
+    assert str(report.verdict).startswith("OUT OF TOLERANCE 0.02 cm: beyond it")
+    cube = pompeiu.shapes.cube(2.0)
+    within = pompeiu.deviation(cube, pompeiu.shapes.cube(2.2), bands=["0um..0.2mm"], unit="mm")
+    assert within.verdict.answer == "within" and within.bands.edges == (0.0, 0.2)
+    assert pompeiu.deviation(LEANING, FLAT).verdict is None
+    with pytest.raises(pompeiu.OptionError, match="give one of them"):
+        pompeiu.deviation(LEANING, FLAT, threshold=1, bands=[(-1, 1)])
+    with pytest.raises(pompeiu.OptionError, match="mesh files have none"):
+        pompeiu.deviation(LEANING, FLAT, threshold="1mm")
+
+
+def test_parts_and_groups(tmp_path):
+    whole, part = grid(3.0, 6), grid(1.0, 2)
+    near = (part[0] + [0, 0, 0.1], part[1])
+    report = pompeiu.deviation(whole, near, only_overlap=True, threshold=0.15)
+    assert report.verdict.answer == "within" and 0.1 in report.a_to_b.distance
+    assert report.report["left_out"]["a"]["faces"] == len(whole[1]) - len(part[1])
+    report.save_html(tmp_path / "part.html")
+    path = tmp_path / "two.obj"
+    path.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 5\nv 1 0 5\nv 0 1 5\no low\nf 1 2 3\no high\nf 4 5 6\n")
+    above = mesh([[0, 0, 5.5], [1, 0, 5.5], [0, 1, 5.5]], [[0, 1, 2]])
+    report = pompeiu.deviation(path, above, group=["high"])
+    assert 0.5 in report and report.a_to_b.regions[0].faces.tolist() == [1]
+    with pytest.raises(pompeiu.OptionError, match="there are low, high"):
+        pompeiu.deviation(path, above, group=["lid"])
+
+
+def test_a_moved_copy_is_aligned_first():
+    vertices = np.array([[0, 0, 0], [4, 0, 0], [0, 2, 0], [1, 0.5, 1.0]])
+    faces = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]
+    turned = (vertices[:, [2, 0, 1]] + [10, -3, 7], faces)
+    report = pompeiu.deviation((vertices, faces), turned, align="rigid")
+    assert report.upper < 1e-6 and report.report["alignment"]["matched"] > 0.99

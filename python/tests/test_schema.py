@@ -170,7 +170,7 @@ def test_answers_are_what_their_schema_says(repository, run, name, arguments):
 
 def test_the_package_and_the_command_give_the_same_answers(run):
     paths = [run.folder / "tent.obj", run.folder / "square.obj"]
-    answer = json.loads(run("deviation tent.obj square.obj --threshold 0.3 --json"))
+    answer = json.loads(run("deviation tent.obj square.obj --threshold 0.3 --json"))["report"]
     report = pompeiu.deviation(*paths, threshold=0.3)
     for way in ("a_to_b", "b_to_a"):
         ours, theirs = getattr(report, way), answer[way]

@@ -13,7 +13,6 @@ mod files;
 mod generated;
 mod interrupt;
 mod json;
-mod lengths;
 mod many;
 mod meant;
 mod numbers;

@@ -1,8 +1,8 @@
 //! Numbers on the command line and in answers for people.
 
-pub(crate) use pompeiu::core::request::values::{counts, direction, magnitude, share, tuple};
+pub(crate) use pompeiu::core::request::values::{counts, direction, magnitude, tuple};
 use pompeiu::hausdorff::digits::MOST_DIGITS;
-pub(crate) use pompeiu::hausdorff::digits::{agreed, between, brief, briefly_agreed, shortest};
+pub(crate) use pompeiu::hausdorff::digits::{agreed, between, brief, shortest};
 use pompeiu::remesh::IntersectionCount;
 use std::time::Duration;
 

@@ -1,10 +1,10 @@
 //! Answers for people: rows of a name and a line each.
 
 use crate::numbers::{self, agreed, between};
-use crate::pair::File;
 use crate::printer::LABEL;
 use pompeiu::core::request::Input;
-use pompeiu::hausdorff::Enclosure;
+use pompeiu::hausdorff::deviation::LeftOut;
+use pompeiu::hausdorff::{BothLeftOut, DeviationReport, Enclosure, digits};
 use std::fmt::Write;
 
 /// Width of the column of names.
@@ -32,13 +32,6 @@ impl Page {
         };
     }
 
-    /// What was compared.
-    pub(crate) fn files(&mut self, [a_name, b_name]: [&str; 2], a: &File, b: &File) {
-        for (name, file) in [(a_name, a), (b_name, b)] {
-            self.row(name, &file.described());
-        }
-    }
-
     /// A name, and the same of two things beside each other.
     pub(crate) fn columns(&mut self, name: &str, [left, right]: [&str; 2]) {
         self.row(name, format!("{left:COLUMN$}{right}").trim_end());
@@ -64,4 +57,45 @@ pub(crate) fn brief(distance: Enclosure) -> String {
 pub(crate) fn value(distance: Enclosure) -> String {
     let (lower, upper) = (distance.lower(), distance.upper());
     agreed(lower, upper).unwrap_or_else(|| between(lower, upper))
+}
+
+/// The verdict of a deviation, what was compared, and what was left out of it.
+pub(crate) fn compared(
+    page: &mut Page,
+    names: [&str; 2],
+    inputs: &[Input],
+    report: &DeviationReport,
+    unit: &str,
+) {
+    if let Some(sentence) = report.sentence(names, unit) {
+        page.row("verdict", &sentence);
+        page.gap();
+    }
+    for (name, input) in names.into_iter().zip(inputs) {
+        page.row(name, &described(input));
+    }
+    for (i, sentence) in left_out(names, report.left_out.as_ref()).iter().enumerate() {
+        page.row(if i == 0 { "left out" } else { "" }, sentence);
+    }
+}
+
+/// What was left out of each mesh, if something was to be.
+pub(crate) fn left_out([a, b]: [&str; 2], both: Option<&BothLeftOut>) -> Vec<String> {
+    both.map_or_else(Vec::new, |both| vec![left_out_of(a, &both.a), left_out_of(b, &both.b)])
+}
+
+fn left_out_of(name: &str, left_out: &LeftOut) -> String {
+    if left_out.faces == 0 {
+        return format!("nothing of {name}");
+    }
+    let parts = match left_out.components {
+        1 => "1 connected part".to_owned(),
+        n => format!("{} connected parts", numbers::grouped(n as u64)),
+    };
+    let faces = match left_out.faces {
+        1 => "1 face".to_owned(),
+        n => format!("{} faces", numbers::grouped(n as u64)),
+    };
+    let share = digits::percentage(left_out.share.lower(), left_out.share.upper());
+    format!("{share} of {name}'s area, {faces} in {parts}")
 }

@@ -2,7 +2,6 @@
 
 use crate::args::Limits;
 use crate::files;
-use crate::numbers::grouped;
 use crate::printer::Printer;
 use crate::wait::Wait;
 use anyhow::bail;
@@ -30,12 +29,6 @@ impl File {
     pub(crate) fn new(path: &Path, mesh: &TriMesh) -> Self {
         Self { path: path.display().to_string(), vertices: mesh.positions().len(), faces: mesh.faces().len() }
     }
-
-    /// The path and the counts.
-    pub(crate) fn described(&self) -> String {
-        let [vertices, faces] = [self.vertices, self.faces].map(|n| grouped(n as u64));
-        format!("{}: {vertices} vertices, {faces} faces", self.path)
-    }
 }
 
 /// Refuses, before anything is read, what cannot be compared.
@@ -51,7 +44,7 @@ pub(crate) fn check([a, b]: [&Path; 2]) -> anyhow::Result<()> {
 /// An error of a comparison with the files that were compared.
 pub(crate) fn in_files([a, b]: [&Path; 2], error: RequestError) -> anyhow::Error {
     match error {
-        RequestError::Option(_) => error.into(),
+        RequestError::Option(_) | RequestError::Deviation(_) => error.into(),
         _ => anyhow::Error::new(error).context(format!("{} and {}", a.display(), b.display())),
     }
 }

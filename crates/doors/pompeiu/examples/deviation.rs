@@ -6,7 +6,9 @@
 
 #![allow(clippy::print_stdout, reason = "this program is there to print")]
 
-use pompeiu::hausdorff::show::{DeviationPage, NamedMesh, search_stages};
+use pompeiu::core::run::Limits;
+use pompeiu::hausdorff::PreparedPair;
+use pompeiu::hausdorff::show::{DeviationPage, search_stages};
 use pompeiu::prelude::*;
 
 fn main() -> anyhow::Result<()> {
@@ -14,8 +16,8 @@ fn main() -> anyhow::Result<()> {
     let [a_path, b_path, page] = files.as_slice() else {
         anyhow::bail!("expected two meshes, and the page to write");
     };
-    let (a, b) = (read_mesh(a_path)?, read_mesh(b_path)?);
-    let deviation = DeviationOptions { regions: 3, ..DeviationOptions::default() }.symmetric(&a, &b)?;
+    let pair = PreparedPair::new(read_mesh(a_path)?, read_mesh(b_path)?);
+    let deviation = DeviationOptions { regions: 3, ..DeviationOptions::default() }.symmetric_of(&pair)?;
 
     for (meaning, directed) in [("missing", &deviation.a_to_b), ("invented", &deviation.b_to_a)] {
         println!("{meaning}: the largest distance lies in {:.4}", directed.distance.distance);
@@ -26,11 +28,13 @@ fn main() -> anyhow::Result<()> {
             println!("  {} faces around {:?} reach {:.4}", region.faces.len(), region.centre, region.peak);
         }
     }
+    let limits = Limits::default();
     let page_of = DeviationPage {
-        a: NamedMesh { path: a_path, mesh: &a, whole: &a },
-        b: NamedMesh { path: b_path, mesh: &b, whole: &b },
+        pair: &pair,
+        paths: [a_path, b_path],
+        names: ["A", "B"],
         deviation: &deviation,
-        stages: &search_stages(&a, &b),
+        stages: &search_stages(&pair, &limits),
         unit: "",
         up: [0.0, 0.0, 1.0],
         threshold: None,
@@ -38,6 +42,6 @@ fn main() -> anyhow::Result<()> {
         verdict: None,
         command: None,
     };
-    pompeiu::io::write_whole(page, page_of.figures().html()?.as_bytes())?;
+    pompeiu::io::write_whole(page, page_of.figures(&limits).html()?.as_bytes())?;
     Ok(())
 }

@@ -2,7 +2,7 @@
 
 use crate::arrays::{array_of_rows, vectors};
 use crate::errors::{InternalError, Raise, UnusableLimit};
-use crate::hausdorff::limits;
+use crate::hausdorff::{DeviationPage, limits};
 use crate::json::{parsed, written};
 use crate::mesh::Mesh;
 use crate::neuron;
@@ -17,9 +17,9 @@ use pompeiu::core::run::{Limits, RunContext};
 use pompeiu::coupling::{CoupleRequest, Scene};
 use pompeiu::fields::DecomposeRequest;
 use pompeiu::flatten::{CutRequest, FlattenError, FlattenRequest, MedialReport, MedialRequest};
-use pompeiu::hausdorff::{Progress, RepairRequest};
+use pompeiu::hausdorff::{DeviationMeasures, Progress, RepairRequest};
 use pompeiu::io::read_face_vectors;
-use pompeiu::matching::request::{AlignRequest, AlignedDistanceRequest};
+use pompeiu::matching::request::{AlignRequest, AlignedDeviationRequest, AlignedDistanceRequest};
 use pompeiu::neuron::{NeuronAnswer, NeuronRequest, NeuronSource};
 use pompeiu::operators::FaceField;
 use pompeiu::options::request_from;
@@ -35,9 +35,9 @@ use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 /// Why there is no answer.
-type Failure = Box<dyn Raise + Send>;
+pub(crate) type Failure = Box<dyn Raise + Send>;
 
-fn failure(error: impl Raise + Send + 'static) -> Failure {
+pub(crate) fn failure(error: impl Raise + Send + 'static) -> Failure {
     Box::new(error)
 }
 
@@ -92,6 +92,8 @@ impl Given {
 /// What passes beside the JSON of an answer.
 pub(crate) enum Beside {
     Numbers(Vec<f64>),
+    /// Lower and upper ends.
+    Intervals(Vec<[f64; 2]>),
     Indices(Vec<u32>),
     Pairs(Vec<[u32; 2]>),
     Triples(Vec<[u32; 3]>),
@@ -100,13 +102,18 @@ pub(crate) enum Beside {
     Mesh(TriMesh),
     Outlines(Vec<Vec<[f64; 2]>>),
     Puzzle(Box<PuzzleDrawings>),
-    Neuron { found: Box<NeuronAnswer>, request: Box<NeuronRequest> },
+    Neuron {
+        found: Box<NeuronAnswer>,
+        request: Box<NeuronRequest>,
+    },
+    Page(Box<DeviationPage>),
 }
 
 impl Beside {
     fn object(self, py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
         Ok(match self {
             Self::Numbers(numbers) => numbers.into_pyarray(py).into_any(),
+            Self::Intervals(rows) => array_of_rows(py, rows)?.into_any(),
             Self::Indices(indices) => indices.into_pyarray(py).into_any(),
             Self::Pairs(rows) => array_of_rows(py, rows)?.into_any(),
             Self::Triples(rows) => array_of_rows(py, rows)?.into_any(),
@@ -119,6 +126,7 @@ impl Beside {
             }
             Self::Puzzle(drawings) => Bound::new(py, *drawings)?.into_any(),
             Self::Neuron { found, request } => neuron::answer_parts(py, *found, &request)?.into_any(),
+            Self::Page(page) => Bound::new(py, *page)?.into_any(),
         })
     }
 }
@@ -176,11 +184,13 @@ macro_rules! systems {
 
 systems!(
     AlignRequest,
+    AlignedDeviationRequest,
     AlignedDistanceRequest,
     ComplexityRequest,
     CoupleRequest,
     CutRequest,
     DecomposeRequest,
+    DeviationMeasures,
     FlattenRequest,
     MedialRequest,
     NeuronRequest,
@@ -241,7 +251,7 @@ fn single<'m>(meshes: &[&'m TriMesh]) -> Result<&'m TriMesh, Failure> {
 }
 
 /// The two meshes that a system is asked about.
-fn pair<'m>(meshes: &[&'m TriMesh]) -> Result<[&'m TriMesh; 2], Failure> {
+pub(crate) fn pair<'m>(meshes: &[&'m TriMesh]) -> Result<[&'m TriMesh; 2], Failure> {
     match meshes {
         [a, b] => Ok([a, b]),
         _ => Err(failure(InternalError::Mesh { found: 2, count: meshes.len() })),

@@ -12,8 +12,7 @@ use pompeiu::flatten::{CutError, FlattenError, MedialError};
 use pompeiu::flow::FlowError;
 use pompeiu::fluid::FluidError;
 use pompeiu::hausdorff::certificate::CertificateError;
-use pompeiu::hausdorff::deviation::BandError;
-use pompeiu::hausdorff::{OptionError, RepairRequestError};
+use pompeiu::hausdorff::{DeviationRequestError, OptionError, RepairRequestError};
 use pompeiu::io::{AttributeError, ReadError, WriteError};
 use pompeiu::matching::align::AlignError;
 use pompeiu::matching::rank::RankError;
@@ -74,8 +73,8 @@ raise_as! {
     AlignError => OptionError,
     ArrayError => MeshError,
     AttributeError => WriteError,
-    BandError => OptionError,
     ComplexityError => OptionError,
+    DeviationRequestError => OptionError,
     FigureError => OptionError,
     CouplingError => OptionError,
     GeometryError => SurfaceError,

@@ -4,6 +4,7 @@ use crate::arrays::{colors, values, vectors};
 use crate::errors::Raise;
 use crate::mesh::Mesh;
 use crate::wait;
+use pompeiu::hausdorff::NamedFaces;
 use pompeiu::io::{self, Attributes};
 use pyo3::prelude::*;
 use std::path::PathBuf;
@@ -12,7 +13,10 @@ use std::path::PathBuf;
 #[pyfunction]
 pub(crate) fn read_mesh(py: Python<'_>, path: PathBuf) -> PyResult<(Mesh, String, u64, u64)> {
     let read = wait::abandonable(py, move || io::read(path))?.map_err(Raise::raise)?;
-    Ok((read.mesh.into(), read.format.to_string(), read.polygons_triangulated, read.faces_dropped))
+    let groups =
+        read.groups.iter().map(|group| NamedFaces { name: group.name.clone(), faces: group.faces.clone() });
+    let mesh = Mesh::with_groups(read.mesh, groups.collect());
+    Ok((mesh, read.format.to_string(), read.polygons_triangulated, read.faces_dropped))
 }
 
 /// A name and an array for each attribute.

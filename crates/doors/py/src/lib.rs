@@ -47,7 +47,7 @@ mod _native {
     #[pymodule_export]
     use crate::fluid::Simulation;
     #[pymodule_export]
-    use crate::hausdorff::{DeviationPage, Target, deviation, directed_deviation};
+    use crate::hausdorff::{DeviationPage, Target};
     #[pymodule_export]
     use crate::matching::{Entries, Ranking, Template, distance_matrix, matrix_entries, rank_meshes};
     #[pymodule_export]

@@ -6,6 +6,7 @@ use crate::json::written;
 use numpy::PyArray2;
 use pompeiu::core::mesh::without_unreferenced;
 use pompeiu::core::{MeshSummary, TriMesh};
+use pompeiu::hausdorff::NamedFaces;
 use pyo3::prelude::*;
 
 /// A triangle mesh, checked once: finite coordinates, indices in range, at least one face.
@@ -27,17 +28,26 @@ use pyo3::prelude::*;
 ///     If the arrays are no mesh; the message names the first vertex or face that is wrong.
 #[allow(clippy::doc_markdown, reason = "read by people of Python, in whose own form of documentation it is")]
 #[pyclass(frozen, module = "pompeiu")]
-pub(crate) struct Mesh(TriMesh);
+pub(crate) struct Mesh(TriMesh, Vec<NamedFaces>);
 
 impl From<TriMesh> for Mesh {
     fn from(mesh: TriMesh) -> Self {
-        Self(mesh)
+        Self(mesh, Vec::new())
     }
 }
 
 impl Mesh {
+    /// A mesh with the groups of faces that its file names.
+    pub(crate) fn with_groups(mesh: TriMesh, groups: Vec<NamedFaces>) -> Self {
+        Self(mesh, groups)
+    }
+
     pub(crate) fn inner(&self) -> &TriMesh {
         &self.0
+    }
+
+    pub(crate) fn groups(&self) -> &[NamedFaces] {
+        &self.1
     }
 }
 
@@ -47,7 +57,7 @@ impl Mesh {
     fn new(py: Python<'_>, vertices: &Bound<'_, PyAny>, faces: &Bound<'_, PyAny>) -> PyResult<Self> {
         let positions = vectors::<3>(vertices, "vertices", "(n, 3)")?;
         let faces = self::faces(faces, positions.len())?;
-        py.detach(|| TriMesh::new(positions, faces)).map(Self).map_err(Raise::raise)
+        py.detach(|| TriMesh::new(positions, faces)).map(Self::from).map_err(Raise::raise)
     }
 
     /// A copy of the coordinates: float64, shape (n, 3).
@@ -76,7 +86,8 @@ impl Mesh {
 
     /// The same mesh without the vertices that no face names; the others keep their order.
     fn without_unreferenced(&self, py: Python<'_>) -> Self {
-        Self(py.detach(|| without_unreferenced(&self.0)))
+        // Faces keep their order, and so their names.
+        Self(py.detach(|| without_unreferenced(&self.0)), self.1.clone())
     }
 
     fn _summary(&self, py: Python<'_>) -> PyResult<String> {

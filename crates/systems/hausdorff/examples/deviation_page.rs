@@ -78,6 +78,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         signed,
         threshold: Some(0.25),
         bands,
+        labels: Default::default(),
         verdict: None,
         still: None,
         distance: Some([0, 1].map(|end| if there[end] > back[end] { there[end] } else { back[end] })),
@@ -247,6 +248,7 @@ fn measured(
         triangles: DisplayTriangles {
             corners: triangles.iter().map(|t| t.map(shift)).collect(),
             faces: (0..triangles.len() as u32).collect(),
+            groups: None,
         },
         deviation: Some(SurfaceDeviation {
             values: triangles.iter().map(|t| t.map(value)).collect(),

@@ -10,7 +10,7 @@ use crate::tolerance::Tolerance;
 use pompeiu_core::geom::point_triangle::closest_barycentric;
 use pompeiu_core::geom::{Aabb, Frame};
 use pompeiu_core::run::Control;
-use pompeiu_core::spatial::{Bvh, Neighbours, Slot, morton_order};
+use pompeiu_core::spatial::{Bvh, Slot, morton_order};
 use pompeiu_core::{FaceId, TriMesh};
 use std::ops::ControlFlow;
 use std::time::Instant;
@@ -61,14 +61,14 @@ pub(crate) fn joint_frame(a: &TriMesh, b: &TriMesh) -> (Frame, Aabb, Rounding) {
     (frame, joint, Rounding::new(frame.max_coordinate(&joint)))
 }
 
-/// Searches in the frame of the target. A target without neighbours comes with the mesh `b` that it was made of; the neighbours are
-/// returned if the search needed them.
+/// Searches in the frame of the target. A target without neighbours comes with the mesh `b` that it was made of; the target keeps the
+/// neighbours if the search needed them.
 pub(crate) fn search(
     question: &Question<'_>,
     a: &TriMesh,
     target: &Target,
     b: Option<&TriMesh>,
-) -> (DirectedReport, Option<Neighbours>) {
+) -> DirectedReport {
     let started = Instant::now();
     let a_box = Aabb::of_faces(a);
     let joint = a_box.union(target.aabb());
@@ -98,9 +98,8 @@ pub(crate) fn search(
     search.sample();
     // A prepared target with its neighbours gives the same report as one without.
     let tries_overlays = search.tries_overlays();
-    let made =
-        b.filter(|_| tries_overlays && !control.is_stopped()).map(|b| Neighbours::new(b, target.bvh()));
-    let neighbours = target.neighbours().filter(|_| tries_overlays).or(made.as_ref());
+    let made = |b: &TriMesh| (!control.is_stopped()).then(|| target.neighbours_in(b));
+    let neighbours = if tries_overlays { target.neighbours().or_else(|| made(b?)) } else { None };
     let result = search.run(neighbours, &stages);
 
     let found = result.found;
@@ -115,15 +114,14 @@ pub(crate) fn search(
     let lower = certified_lower(&x, &farthest, target.bvh(), rounding);
     let (distance, stop, tolerance) =
         conclude(question, &limits, target.frame(), lower, result.upper, control.reason());
-    let report = DirectedReport {
+    DirectedReport {
         distance,
         witness,
         stop,
         tolerance,
         work: result.work,
         timing: Timing { search: started.elapsed(), ..Timing::default() },
-    };
-    (report, made)
+    }
 }
 
 /// The farthest point of A that a search found, and the face of B nearest to it, in its frame.

@@ -38,6 +38,7 @@ pub mod digits;
 mod engine;
 mod observer;
 mod options;
+mod prepared;
 mod query;
 mod report;
 mod request;
@@ -51,15 +52,18 @@ mod tolerance;
 pub use deviation::{Deviation, DeviationOptions, DirectedDeviation};
 pub use observer::{Discard, Observer, Progress, Proof, RemainingPiece, Stage};
 pub use options::{HausdorffOptions, Method};
+pub use prepared::{Held, PreparedPair};
 pub use query::{directed_hausdorff, symmetric_hausdorff};
 pub use report::{
     DirectedReport, Direction, Enclosure, PointPair, StopReason, SurfacePoint, SymmetricReport, Timing,
     Witness, WorkCount,
 };
 pub use request::{
-    AskedTolerance, Comparison, DirectedDistance, Directions, DistanceReport, DistanceRequest, ProvenRepair,
-    ProvenRepairReport, RepairRequest, RepairRequestError, Statement, ThresholdAnswer, ToleranceKind,
-    TraceRow, UnprovenStatement, VerifyReport, VerifyRequest,
+    AskedTolerance, BothLeftOut, Comparison, DeviationMeasures, DeviationReport, DeviationRequest,
+    DeviationRequestError, DirectedDeviationReport, DirectedDistance, Directions, DistanceReport,
+    DistanceRequest, MeasuredParts, NamedFaces, Outlier, ProvenRepair, ProvenRepairReport, RepairRequest,
+    RepairRequestError, Statement, ThresholdAnswer, ToleranceKind, TraceRow, UnprovenStatement, Verdict,
+    VerdictAnswer, VerifyReport, VerifyRequest,
 };
 pub use target::Target;
 pub use tolerance::{OptionError, Tolerance};

@@ -4,6 +4,7 @@ use pompeiu_core::TriMesh;
 use pompeiu_core::geom::{Aabb, Frame};
 use pompeiu_core::run::Control;
 use pompeiu_core::spatial::{Bvh, Neighbours};
+use std::sync::OnceLock;
 
 /// Bytes per face of the neighbours of a tree.
 pub(crate) const NEIGHBOURS: usize = 12;
@@ -17,8 +18,8 @@ pub(crate) const NEIGHBOURS: usize = 12;
 #[derive(Clone, Debug)]
 pub struct Target {
     bvh: Bvh,
-    /// None in a target for one question: its search finds them if it tries overlays.
-    neighbours: Option<Neighbours>,
+    /// Empty in a target for one question until its search tries overlays.
+    neighbours: OnceLock<Neighbours>,
     frame: Frame,
     aabb: Aabb,
 }
@@ -27,23 +28,25 @@ impl Target {
     /// Prepares a mesh.
     pub fn new(mesh: &TriMesh) -> Self {
         let target = Self::in_frame(mesh, Frame::of(&Aabb::of_faces(mesh)));
-        let neighbours = Neighbours::new(mesh, &target.bvh);
-        Self { neighbours: Some(neighbours), ..target }
+        target.neighbours_in(mesh);
+        target
     }
 
-    /// The same for one question, in which it may turn out that neighbours are not wanted; none if it is told to stop before the tree is
-    /// built.
-    pub(crate) fn unless_stopped(mesh: &TriMesh, control: &Control) -> Option<Self> {
-        let aabb = Aabb::of_faces(mesh);
-        let frame = Frame::of(&aabb);
+    /// The same in a given frame, without neighbours until they are wanted; none if it is told to stop before the tree is built.
+    pub(crate) fn unless_stopped(mesh: &TriMesh, frame: Frame, control: &Control) -> Option<Self> {
         let bvh = Bvh::build_unless_stopped(mesh, &frame, control)?;
-        Some(Self { bvh, neighbours: None, frame, aabb })
+        Some(Self::of_tree(bvh, frame, Aabb::of_faces(mesh)))
     }
 
     /// The same in a given frame, for one question.
     pub(crate) fn in_frame(mesh: &TriMesh, frame: Frame) -> Self {
-        let aabb = Aabb::of_faces(mesh);
-        Self { bvh: Bvh::build(mesh, &frame), neighbours: None, frame, aabb }
+        Self::of_tree(Bvh::build(mesh, &frame), frame, Aabb::of_faces(mesh))
+    }
+
+    fn of_tree(bvh: Bvh, frame: Frame, aabb: Aabb) -> Self {
+        #[cfg(test)]
+        tests::TREES.with(|trees| trees.set(trees.get() + 1));
+        Self { bvh, neighbours: OnceLock::new(), frame, aabb }
     }
 
     /// Number of faces.
@@ -58,7 +61,7 @@ impl Target {
 
     /// Bytes of memory held: about 97 per face.
     pub fn bytes(&self) -> usize {
-        self.bvh.bytes() + self.neighbours.as_ref().map_or(0, Neighbours::bytes)
+        self.bvh.bytes() + self.neighbours().map_or(0, Neighbours::bytes)
     }
 
     /// Bytes of memory that preparing a mesh with so many faces takes at most, its own not included.
@@ -71,7 +74,12 @@ impl Target {
     }
 
     pub(crate) fn neighbours(&self) -> Option<&Neighbours> {
-        self.neighbours.as_ref()
+        self.neighbours.get()
+    }
+
+    /// The neighbours, found at the first call. `mesh` must be the one that the target was made of.
+    pub(crate) fn neighbours_in(&self, mesh: &TriMesh) -> &Neighbours {
+        self.neighbours.get_or_init(|| Neighbours::new(mesh, &self.bvh))
     }
 
     pub(crate) fn frame(&self) -> &Frame {
@@ -100,5 +108,15 @@ impl Target {
         let frame = Frame::of(joint);
         let bvh = self.bvh.mapped(|p| frame.map(self.frame.unmap(p)));
         Self { bvh, neighbours: self.neighbours.clone(), frame, aabb: self.aabb }
+    }
+}
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use std::cell::Cell;
+
+    thread_local! {
+        /// Trees that this thread has built.
+        pub(crate) static TREES: Cell<usize> = const { Cell::new(0) };
     }
 }

@@ -6,9 +6,11 @@
 //! A [`Report`] says what was found; an [`Answer`] is both, with the inputs and times.
 
 mod answer;
+mod length;
 pub mod values;
 
 pub use answer::{Answer, Conclusion, Input, Report, Timing};
+pub use length::{Band, Length, LengthError};
 
 /// A limit of a computation that a person may set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -58,7 +58,7 @@ macro_rules! commands {
 commands! {
     distance::Distance: system,
     verify::Verify: system,
-    deviation::Deviation,
+    deviation::Deviation: system,
     align::Align: system,
     rank::Rank,
     matrix::Matrix,
@@ -85,7 +85,6 @@ commands! {
 /// The JSON answers of commands that are no systems yet.
 #[cfg(test)]
 pub(crate) mod answers {
-    pub(crate) use super::deviation::Json as Deviation;
     pub(crate) use super::flow::Json as Flow;
     pub(crate) use super::fluid::Json as Fluid;
     pub(crate) use super::info::Json as Info;

@@ -19,6 +19,7 @@ use pompeiu::options::{Options, OptionsError, options_of_toml};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use std::path::Path;
+use std::time::Duration;
 
 /// What a system reports.
 pub(crate) type ReportOf<S> = <<S as System>::Request as Request>::Report;
@@ -56,17 +57,72 @@ pub(crate) trait System: Args {
     fn text(&self, answer: &AnswerOf<Self>) -> String;
 }
 
+/// A system whose files are written after its answer was printed, because they may take long.
+pub(crate) trait Writes: System {
+    /// What files are made of, beside the answer.
+    type Found;
+
+    /// Reads and computes.
+    fn find(
+        &self,
+        request: &mut Self::Request,
+        session: &mut Session<'_>,
+    ) -> anyhow::Result<(ReportOf<Self>, Self::Found)>;
+
+    /// Writes files.
+    fn write(
+        &self,
+        answer: &AnswerOf<Self>,
+        found: Self::Found,
+        session: &mut Session<'_>,
+    ) -> anyhow::Result<()>;
+
+    /// The end of the answer for people: how long everything took, and writing alone.
+    fn closing(&self, answer: &AnswerOf<Self>, total: Duration, writing: Duration) -> String;
+}
+
 /// Asks a system.
 pub(crate) fn run<S: System>(invocation: &Invocation<S>, printer: &Printer) -> anyhow::Result<Exit> {
+    let ask = |request: &mut S::Request, session: &mut Session<'_>| {
+        Ok((invocation.system.run(request, session)?, ()))
+    };
+    let (answer, ..) = answered(invocation, printer, ask)?;
+    Ok(Exit::of(&answer.report))
+}
+
+/// Asks a system, prints the answer, and then writes files.
+pub(crate) fn run_and_write<S: Writes>(
+    invocation: &Invocation<S>,
+    printer: &Printer,
+) -> anyhow::Result<Exit> {
+    let system = &invocation.system;
+    let ask = |request: &mut S::Request, session: &mut Session<'_>| system.find(request, session);
+    let (answer, found, mut session) = answered(invocation, printer, ask)?;
+    let answered = session.elapsed();
+    system.write(&answer, found, &mut session)?;
+    session.stop_waiting();
+    let total = session.elapsed();
+    if !invocation.json {
+        Printer::answer(&system.closing(&answer, total, total.saturating_sub(answered)))?;
+    }
+    Ok(Exit::of(&answer.report))
+}
+
+/// What was found, once it is printed.
+fn answered<'s, S: System, F>(
+    invocation: &'s Invocation<S>,
+    printer: &'s Printer,
+    ask: impl FnOnce(&mut S::Request, &mut Session<'_>) -> anyhow::Result<(ReportOf<S>, F)>,
+) -> anyhow::Result<(AnswerOf<S>, F, Session<'s>)> {
     let Invocation { system, limits, json, .. } = invocation;
     let mut session = Session::start(limits, *json, printer);
     let mut request = invocation.request()?;
     system.check(*json)?;
     limits.apply_threads()?;
-    let report = system.run(&mut request, &mut session)?;
+    let (report, found) = ask(&mut request, &mut session)?;
     session.stop_waiting();
     let timing = Timing { read: session.read_time(), total: session.elapsed() };
     let answer = Answer::new(session.inputs(*json), request, report, timing);
     Printer::answer(&if *json { line(&answer)? } else { system.text(&answer) })?;
-    Ok(Exit::of(&answer.report))
+    Ok((answer, found, session))
 }

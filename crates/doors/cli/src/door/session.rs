@@ -7,6 +7,7 @@ use crate::{files, interrupt, pair, surface};
 use pompeiu::core::TriMesh;
 use pompeiu::core::request::Input;
 use pompeiu::core::run::RunContext;
+use pompeiu::io::ReadMesh;
 use pompeiu::surface::EmbeddedSurface;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
@@ -51,12 +52,16 @@ impl<'s> Session<'s> {
 
     /// Reads two meshes within the time limit, and warns of what deserves it.
     pub(crate) fn read_pair(&mut self, paths: [&Path; 2]) -> anyhow::Result<[TriMesh; 2]> {
-        let meshes = pair::read_files(paths, (self.limits, self.started), &self.wait, self.printer)?;
-        let meshes = meshes.map(|read| read.mesh);
-        for (path, mesh) in paths.into_iter().zip(&meshes) {
-            self.note(path, mesh);
+        Ok(self.read_pair_with_groups(paths)?.map(|read| read.mesh))
+    }
+
+    /// The same with the groups of faces that the files name.
+    pub(crate) fn read_pair_with_groups(&mut self, paths: [&Path; 2]) -> anyhow::Result<[ReadMesh; 2]> {
+        let files = pair::read_files(paths, (self.limits, self.started), &self.wait, self.printer)?;
+        for (path, file) in paths.into_iter().zip(&files) {
+            self.note(path, &file.mesh);
         }
-        Ok(meshes)
+        Ok(files)
     }
 
     /// Remembers what was read until now.
@@ -87,6 +92,12 @@ impl<'s> Session<'s> {
     /// Whether the answer is JSON.
     pub(crate) fn is_json(&self) -> bool {
         self.json
+    }
+
+    /// Shows what is done next, after the bar was taken away.
+    pub(crate) fn wait_for(&mut self, message: &str) {
+        self.wait = Wait::new(self.printer);
+        self.wait.show(message.to_owned());
     }
 
     /// Takes the progress bar away.

@@ -47,6 +47,7 @@ fn table(command: &Command, options: &[Described]) -> String {
         let default = match &option.default {
             Value::Null => String::new(),
             Value::Array(values) if values.is_empty() => String::new(),
+            Value::String(name) if name.is_empty() => String::new(),
             Value::String(name) => format!("`{name}`"),
             other => format!("`{other}`"),
         };

@@ -6,13 +6,13 @@ use serde_json::Value;
 use std::collections::BTreeMap;
 
 /// Commands that are no systems yet: their options are not those of a request.
-const NOT_YET: [&str; 8] = ["deviation", "flow", "fluid", "info", "matrix", "rank", "remesh", "simplify"];
+const NOT_YET: [&str; 7] = ["flow", "fluid", "info", "matrix", "rank", "remesh", "simplify"];
 
 /// Commands that compute nothing that could be asked for in another way.
 const NO_ANSWER: [&str; 5] = ["completions", "convert", "generate", "help", "man"];
 
 /// A call of each system, with options and the same as a file.
-const CALLS: [(&str, &str, &str, &str); 12] = [
+const CALLS: [(&str, &str, &str, &str); 13] = [
     (
         "align",
         "dense.obj turned.obj",
@@ -54,6 +54,19 @@ trace = true
         "--outline shapes/b.svg",
         "-n 9 --layout voronoi --tab dovetail --size 80,80",
         "pieces = 9\nlayout = \"voronoi\"\ntab = \"dovetail\"\nsize = [80, 80]\n",
+    ),
+    (
+        "deviation",
+        "dense.obj turned.obj",
+        "--band -1000um..2mm --unit mm --allow 5% --accuracy 0.1 --percentiles 50,99 --ignore-beyond 0.9mm --box -9,-9,-9,9,9,9",
+        "bands = [[\"-1000um\", \"2mm\"]]
+unit = \"mm\"
+allow = 0.05
+accuracy = 0.1
+percentiles = [50, 99]
+ignore_beyond = \"0.9mm\"
+box = [-9, -9, -9, 9, 9, 9]
+",
     ),
     (
         "repair",

@@ -170,6 +170,13 @@ fn what_has_no_counterpart_can_be_left_out() {
     assert!(text.contains("% of A's area, 6 faces in 1 connected part"), "{text}");
     let (_, _, warned) = folder.transcript("deviation plate.obj scan.obj --threshold 1e-3");
     assert!(warned.contains("--align rigid"), "{warned}");
+    // Without a threshold, too, if they are far apart for their size.
+    folder.ok("generate cube --side 2 -o here.obj");
+    folder.ok("generate cube --side 2 --translate 9,0,0 -o there.obj");
+    let (_, _, warned) = folder.transcript("deviation here.obj there.obj");
+    assert!(warned.contains("--align rigid"), "{warned}");
+    let (_, _, warned) = folder.transcript("deviation here.obj here.obj");
+    assert!(!warned.contains("--align rigid"), "{warned}");
 }
 
 #[test]
@@ -269,7 +276,7 @@ fn a_time_limit_leaves_true_and_wider_numbers() {
     let full = json(&folder, "deviation a.ply b.ply --json");
     let output = folder.run("deviation a.ply b.ply --time-limit 1ns --json");
     assert_eq!(output.status.code(), Some(3));
-    let short: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let short = report_of(serde_json::from_slice(&output.stdout).unwrap());
     let ends =
         |v: &Value| ["lower", "upper"].map(|end| v["a_to_b"]["statistics"]["mean"][end].as_f64().unwrap());
     let ([low, high], [wide_low, wide_high]) = (ends(&full), ends(&short));
@@ -307,4 +314,36 @@ fn a_moved_copy_is_aligned_before_it_is_compared() {
         let unmoved = json(&folder, &format!("{command} here.obj there.obj --json"));
         assert!(upper(&unmoved).unwrap() > 1.0 && unmoved.get("alignment").is_none(), "{unmoved}");
     }
+}
+
+/// A page that cannot be written does not cost the answer.
+#[test]
+fn the_answer_is_printed_before_files_are_written() {
+    let folder = plates();
+    let impossible = format!("{}.html", "x".repeat(300));
+    let called = format!("deviation above.obj below.obj --threshold 0.25 --report {impossible}");
+    let (code, text, errors) = folder.transcript(&called);
+    assert_eq!(code, Some(2), "{errors}");
+    assert!(text.starts_with("verdict") && text.contains("largest") && !text.contains("total"), "{text}");
+    let (_, text, _) =
+        folder.transcript("deviation above.obj below.obj --threshold 0.25 --report r.html --unit mm");
+    let last = text.lines().last().unwrap();
+    assert!(last.starts_with("time") && last.contains("files") && last.contains("total"), "{text}");
+    let page = std::fs::read_to_string(folder.path().join("r.html")).unwrap();
+    assert!(
+        page.contains("\"banner\":{\"head\":\"OUT OF TOLERANCE\",\"kind\":\"bad\""),
+        "the verdict is above all"
+    );
+}
+
+/// What a time limit leaves undone on a page is drawn coarsely, and the names of the meshes are those that were given.
+#[test]
+fn limits_act_on_pages_and_names_are_shown() {
+    let folder = plates();
+    let output = folder
+        .run("deviation --model above.obj --scan below.obj --time-limit 1ns --report r.html --pdf p.pdf");
+    assert_eq!(output.status.code(), Some(3));
+    let page = std::fs::read_to_string(folder.path().join("r.html")).unwrap();
+    assert!(page.contains("model \u{2192} scan") && page.contains("Missing in scan"), "names");
+    assert!(folder.path().join("p.pdf").exists());
 }

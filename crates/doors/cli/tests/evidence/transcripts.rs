@@ -26,7 +26,7 @@ fn help_shows_examples() {
     let folder = Folder::new();
     check(&folder, "help", "--help");
     check(&folder, "help_short", "-h");
-    for command in ["deviation", "info", "decompose", "convert", "generate", "completions", "man"] {
+    for command in ["info", "decompose", "convert", "generate", "completions", "man"] {
         check(&folder, &format!("help_{command}"), &format!("{command} --help"));
     }
     check(&folder, "help_torus", "generate torus --help");

@@ -4,6 +4,5 @@ mod analysis;
 mod distance;
 mod page;
 
-pub(crate) use analysis::{deviation, directed_deviation};
 pub(crate) use distance::{Target, limits, tolerance};
 pub(crate) use page::DeviationPage;

@@ -1,23 +1,21 @@
 //! A deviation as people look at it.
 
 use crate::errors::{Raise, unknown};
-use crate::mesh::Mesh;
 use crate::wait;
 use pompeiu::core::TriMesh;
+use pompeiu::core::run::Limits;
 use pompeiu::figures::paper::Paper;
 use pompeiu::figures::{Theme, View};
-use pompeiu::hausdorff::deviation::{BandReport, Deviation};
-use pompeiu::hausdorff::show::{self, NamedMesh, search_stages};
+use pompeiu::hausdorff::show::{self, search_stages};
+use pompeiu::hausdorff::{DeviationReport, PreparedPair, Stage};
 use pyo3::prelude::*;
 
-/// What a page and a picture are made from: both meshes and what was found.
+/// What a page and a picture are made from: both meshes with their trees, and what was found.
 #[pyclass(frozen, module = "pompeiu._native")]
 pub(crate) struct DeviationPage {
-    a: Py<Mesh>,
-    b: Py<Mesh>,
-    deviation: Deviation,
-    threshold: Option<f64>,
-    bands: Option<BandReport>,
+    pair: PreparedPair<'static>,
+    report: DeviationReport,
+    unit: String,
 }
 
 /// How the meshes are called and shown, from a dictionary.
@@ -25,38 +23,34 @@ pub(crate) struct DeviationPage {
 #[pyo3(from_item_all)]
 pub(crate) struct Look {
     names: [String; 2],
-    unit: String,
+    unit: Option<String>,
     up: [f64; 3],
 }
 
 impl DeviationPage {
-    pub(super) fn new(
-        [a, b]: [&Bound<'_, Mesh>; 2],
-        deviation: Deviation,
-        threshold: Option<f64>,
-        bands: Option<BandReport>,
-    ) -> Self {
-        Self { a: a.clone().unbind(), b: b.clone().unbind(), deviation, threshold, bands }
+    pub(super) fn new(pair: PreparedPair<'static>, report: DeviationReport, unit: String) -> Self {
+        Self { pair, report, unit }
     }
 
-    fn page<'r>(&'r self, [a, b]: &'r [String; 2], unit: &'r str, up: [f64; 3]) -> show::DeviationPage<'r> {
+    fn unit<'r>(&'r self, look: &'r Look) -> &'r str {
+        look.unit.as_deref().unwrap_or(&self.unit)
+    }
+
+    fn page<'r>(&'r self, look: &'r Look, stages: &'r [Stage]) -> show::DeviationPage<'r> {
         show::DeviationPage {
-            a: named(a, self.a.get().inner()),
-            b: named(b, self.b.get().inner()),
-            deviation: &self.deviation,
-            stages: &[],
-            unit,
-            up,
-            threshold: self.threshold,
-            bands: self.bands.as_ref(),
-            verdict: None,
+            pair: &self.pair,
+            paths: look.names.each_ref().map(String::as_str),
+            deviation: &self.report.deviation,
+            stages,
+            unit: self.unit(look),
+            up: look.up,
+            threshold: self.report.threshold,
+            bands: self.report.bands.as_ref(),
+            names: ["A", "B"],
+            verdict: self.report.verdict.as_ref().map(|found| (found.answer, found.sentence.as_str())),
             command: None,
         }
     }
-}
-
-fn named<'m>(path: &'m str, mesh: &'m TriMesh) -> NamedMesh<'m> {
-    NamedMesh { path, mesh, whole: mesh }
 }
 
 fn looking(up: [f64; 3], direction_to_eye: Option<[f64; 3]>) -> View {
@@ -77,10 +71,12 @@ fn drawn<R: Send + 'static>(
 impl DeviationPage {
     /// The page as a file.
     fn html(of: &Bound<'_, Self>, look: Look) -> PyResult<String> {
-        let Look { names, unit, up } = look;
         let html = drawn(of, move |this| {
-            let stages = search_stages(this.a.get().inner(), this.b.get().inner());
-            show::DeviationPage { stages: &stages, ..this.page(&names, &unit, up) }.figures().html()
+            let limits = Limits::default();
+            // The search is that of whole meshes.
+            let is_whole = this.pair.parts().is_none();
+            let stages = if is_whole { search_stages(&this.pair, &limits) } else { Vec::new() };
+            this.page(&look, &stages).figures(&limits).html()
         })?;
         html.map_err(Raise::raise)
     }
@@ -93,24 +89,24 @@ impl DeviationPage {
         verdict: Option<String>,
         paper: &str,
     ) -> PyResult<Vec<u8>> {
-        let Look { names, unit, up } = look;
         let paper = match paper {
             "a4" => Paper::A4,
             "letter" => Paper::Letter,
             other => return Err(unknown("paper", other, "\"a4\" or \"letter\"")),
         };
-        let view = looking(up, direction_to_eye);
+        let view = looking(look.up, direction_to_eye);
         let measured = |name: &str, mesh: &TriMesh| {
             let (vertices, faces) = (mesh.positions().len(), mesh.faces().len());
             [name.to_owned(), format!("{vertices} vertices, {faces} faces")]
         };
+        let pair = &of.get().pair;
         let provenance = [
-            measured(&names[0], of.get().a.get().inner()),
-            measured(&names[1], of.get().b.get().inner()),
+            measured(&look.names[0], pair.a()),
+            measured(&look.names[1], pair.b()),
             ["program".to_owned(), format!("pompeiu {} in Python", env!("CARGO_PKG_VERSION"))],
         ];
         let pdf = drawn(of, move |this| {
-            let figures = this.page(&names, &unit, up).figures();
+            let figures = this.page(&look, &[]).figures(&Limits::default());
             figures.document(verdict, &provenance, view, paper).map(|document| document.pdf())
         })?;
         pdf.map_err(Raise::raise)
@@ -124,16 +120,16 @@ impl DeviationPage {
         size: (u32, u32),
         theme: &str,
     ) -> PyResult<Vec<u8>> {
-        let Look { names, unit, up } = look;
         let theme = match theme {
             "light" => Theme::Light,
             "dark" => Theme::Dark,
             other => return Err(unknown("theme", other, "\"light\" or \"dark\"")),
         };
-        let view = looking(up, direction_to_eye);
+        let view = looking(look.up, direction_to_eye);
         let (width, height) = size;
-        let image =
-            drawn(of, move |this| this.page(&names, &unit, up).figures().image(width, height, theme, view))?;
+        let image = drawn(of, move |this| {
+            this.page(&look, &[]).figures(&Limits::default()).image(width, height, theme, view)
+        })?;
         let mut png = Vec::new();
         image.map_err(Raise::raise)?.write_png(&mut png)?;
         Ok(png)

@@ -49,6 +49,7 @@
 //! # Cost
 //! Linear in the size of the data. A page takes 0.7 MB, plus some 30 bytes for each face of a mesh with values at corners.
 
+mod banner;
 mod card;
 mod chart;
 mod document;
@@ -63,6 +64,7 @@ mod table;
 mod text;
 mod values;
 
+pub use banner::{Banner, BannerKind};
 pub use card::{Amount, Block, Button, Card, Classes, Fact, PlaceItem, PlaceList, Statistic, Threshold};
 pub use chart::{Chart, ChartAxis, ScatterPoint, Series};
 pub use error::PageError;
@@ -92,6 +94,8 @@ pub struct Page {
     title: String,
     /// The subtitle.
     pub subtitle: Text,
+    /// The answer above everything else, if there is one.
+    pub banner: Option<Banner>,
     /// The answer in one sentence, for readers without scripts.
     pub summary: String,
     /// File name for a saved picture of the view, without `.png`.
@@ -518,7 +522,7 @@ impl Page {
             &self.arrangements
         };
         json!({
-            "title": self.title, "subtitle": self.subtitle, "picture": self.picture,
+            "title": self.title, "subtitle": self.subtitle, "banner": self.banner, "picture": self.picture,
             "command": self.command, "version": self.version,
             "still": self.still.as_ref().and_then(encode::png),
             "spaces": self.spaces.iter().zip(&placements).map(space).collect::<Vec<_>>(),

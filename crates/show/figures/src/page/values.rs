@@ -153,6 +153,8 @@ pub struct ValueScale {
     /// the last boundary form classes, too. A boundary belongs to the class below it, except the first, which belongs to the class
     /// above.
     pub bands: Vec<f64>,
+    /// Whether what is beyond the threshold is painted in one colour at first.
+    pub painting: bool,
 }
 
 impl Default for ValueScale {
@@ -164,6 +166,7 @@ impl Default for ValueScale {
             span: Span::default(),
             threshold: None,
             bands: Vec::new(),
+            painting: false,
         }
     }
 }
@@ -219,7 +222,7 @@ impl RangedScale {
 
     /// `largest` is the greatest absolute value on this scale.
     pub(super) fn data(&self, largest: f64) -> Value {
-        let ValueScale { title, unit, colors, span, threshold, bands } = &self.scale;
+        let ValueScale { title, unit, colors, span, threshold, bands, painting } = &self.scale;
         let (low, end) = match span {
             Span::Between(low, high) => (Some(low), high - low),
             Span::Size | Span::Signed => (None, largest),
@@ -232,7 +235,7 @@ impl RangedScale {
             "title": title, "unit": unit, "signed": *span == Span::Signed, "low": low, "end": end,
             "colors": { "name": colors.name(), "table": colors.table().as_flattened(), "contrast": colors.contrast() },
             "threshold": threshold, "bands": bands, "ranges": self.ranges.iter().map(range).collect::<Vec<_>>(),
-            "range": self.first,
+            "range": self.first, "painting": painting,
         })
     }
 }

@@ -103,7 +103,7 @@ export class App {
     this.below = data.below && playerControls(this, data.below);
     const below = this.below && h("div", { class: "below" }, this.below.element);
     this.shell = shell({
-      title: data.title, subtitle: textOf(data.subtitle), toolbar: this.toolbar?.elements ?? [], view: this.view?.element ?? this.#still(),
+      title: data.title, subtitle: textOf(data.subtitle), banner: data.banner, toolbar: this.toolbar?.elements ?? [], view: this.view?.element ?? this.#still(),
       below, panel: this.panel.element, onTheme: () => this.update(),
     });
     if (!this.view) document.body.append(this.spoken);

@@ -34,7 +34,7 @@ export class Scale {
     this.end = this.whole;
     this.range = data.range ?? 0;
     this.threshold = data.threshold ?? this.whole;
-    this.painting = false;
+    this.painting = data.painting ?? false;
     this.table = Uint8Array.from(data.colors.table);
     this.contrast = `rgb(${data.colors.contrast.join(", ")})`;
     this.uniforms = {

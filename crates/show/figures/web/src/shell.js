@@ -4,7 +4,15 @@ import { h } from "./dom.js";
 
 const THEMES = [["auto", "Theme: as the system", "light dark"], ["light", "Theme: light", "light"], ["dark", "Theme: dark", "dark"]];
 
-export function shell({ title, subtitle, toolbar, view, below, panel, onTheme }) {
+/** What kinds of answers are marked with, beside their colours. */
+const SIGNS = { good: "\u2714", bad: "\u2718", open: "?" };
+
+function bannerOf({ kind, head, text }) {
+  return h("div", { class: `banner ${kind}`, id: "banner", role: "status" }, h("span", { class: "sign", "aria-hidden": "true" }, SIGNS[kind]),
+    h("p", {}, h("strong", {}, head), " ", text));
+}
+
+export function shell({ title, subtitle, banner, toolbar, view, below, panel, onTheme }) {
   let theme = 0;
   const button = h("button", { type: "button", id: "theme", "data-control": "theme", onclick: () => setTheme((theme + 1) % THEMES.length) });
   const setTheme = (next) => {
@@ -20,7 +28,8 @@ export function shell({ title, subtitle, toolbar, view, below, panel, onTheme })
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => onTheme?.());
   document.body.replaceChildren(
     h("a", { class: "skip", href: "#panel" }, "Skip to the numbers"),
-    h("header", {}, h("div", { class: "brand" }, h("h1", {}, title), h("p", {}, subtitle)), button),
+    h("div", {}, banner && bannerOf(banner),
+      h("header", {}, h("div", { class: "brand" }, h("h1", {}, title), h("p", {}, subtitle)), button)),
     h("main", { class: view ? undefined : "plain" },
       view && h("div", { class: "stage-area" }, h("div", { class: "toolbar", role: "toolbar", "aria-label": "View" }, toolbar.filter((part) => part)), view, below ?? ""),
       h("aside", { id: "panel", "aria-label": "Numbers", tabindex: "-1" }, panel)));

@@ -12,8 +12,8 @@ use super::unknown::unknown;
 use crate::coarse;
 use crate::engine::{Question, joint_frame};
 use crate::options::HausdorffOptions;
+use crate::prepared::PreparedPair;
 use crate::report::{Direction, StopReason};
-use crate::target::Target;
 use crate::tolerance::OptionError;
 use pompeiu_core::TriMesh;
 use pompeiu_core::run::on_threads;
@@ -21,17 +21,6 @@ use std::time::{Duration, Instant};
 
 /// Trees are not built when there is less time for each face of both meshes.
 const LEAST_TIME: Duration = Duration::from_nanos(200);
-
-/// Two meshes, and the parts of them that are measured.
-#[derive(Clone, Copy)]
-pub(super) struct Ends<'e> {
-    pub(super) a_part: &'e TriMesh,
-    pub(super) a: &'e TriMesh,
-    pub(super) b_part: &'e TriMesh,
-    pub(super) b: &'e TriMesh,
-    /// How far the parts are at most, where that is known.
-    pub(super) farthest: [Option<f64>; 2],
-}
 
 impl DeviationOptions<'_> {
     /// How far A is from B.
@@ -42,7 +31,8 @@ impl DeviationOptions<'_> {
         self.check()?;
         Ok(on_threads(self.limits.threads, || {
             let room = self.limits.memory.map(|most| memory::room(most, a, b, 0));
-            self.one_direction([a, b], Direction::AToB, None, self.deadline(1), room).report
+            let pair = PreparedPair::for_one_question(a, b);
+            self.one_direction(&pair, Direction::AToB, self.deadline(1), room).report
         }))
     }
 
@@ -52,17 +42,31 @@ impl DeviationOptions<'_> {
     /// # Errors
     /// [`DeviationOptions::check`].
     pub fn symmetric(&self, a: &TriMesh, b: &TriMesh) -> Result<Deviation, OptionError> {
-        self.symmetric_of_parts([a, a], [b, b], [None; 2])
+        self.symmetric_of(&PreparedPair::for_one_question(a, b))
     }
 
-    pub(super) fn of_ends(&self, Ends { a_part, a, b_part, b, farthest }: Ends<'_>) -> Deviation {
+    /// The same of a prepared pair: its trees and the distances of its vertices serve what follows, such as
+    /// [`Deviation::bands_of`] and figures. Of a pair with parts these are measured, to the other mesh as a whole, and faces in the report
+    /// are those of the parts. Where it is known how far a part is at most ([`Part::farthest`](super::Part::farthest)), no more is
+    /// reported, even if limits end the work early.
+    ///
+    /// # Errors
+    /// [`DeviationOptions::check`].
+    pub fn symmetric_of(&self, pair: &PreparedPair<'_>) -> Result<Deviation, OptionError> {
+        self.check()?;
+        Ok(on_threads(self.limits.threads, || self.both_directions(pair)))
+    }
+
+    fn both_directions(&self, pair: &PreparedPair<'_>) -> Deviation {
         let (half, whole) = (self.deadline(2), self.deadline(1));
+        let [a_part, b_part] = [Direction::AToB, Direction::BToA].map(|direction| pair.measured(direction));
+        let (a, b) = (pair.a(), pair.b());
         let room = |from, to, held| self.limits.memory.map(|most| memory::room(most, from, to, held));
         let both = room(a_part, b, 0).zip(room(b_part, a, memory::of_report(a_part)));
         let first = both.map(|(there, back)| there.min(back) / 2);
-        let there = self.one_direction([a_part, b], Direction::AToB, farthest[0], half, first);
-        let rest = room(b_part, a, there.bytes());
-        let back = self.one_direction([b_part, a], Direction::BToA, farthest[1], whole, rest);
+        let there = self.one_direction(pair, Direction::AToB, half, first);
+        let rest = room(b_part, a, there.bytes() + pair.bytes());
+        let back = self.one_direction(pair, Direction::BToA, whole, rest);
         self.both(a, b, there, back)
     }
 
@@ -108,13 +112,13 @@ impl DeviationOptions<'_> {
 
     fn one_direction(
         &self,
-        [from, to]: [&TriMesh; 2],
+        prepared: &PreparedPair<'_>,
         direction: Direction,
-        farthest: Option<f64>,
         deadline: Option<Instant>,
         room: Option<usize>,
     ) -> Outcome {
         let started = Instant::now();
+        let (from, to) = (prepared.measured(direction), prepared.other(direction));
         let (frame, joint, rounding) = joint_frame(from, to);
         let faces = from.faces().len() as u32;
         let least_time = LEAST_TIME * faces.saturating_add(to.faces().len() as u32);
@@ -125,13 +129,14 @@ impl DeviationOptions<'_> {
             let stop = if too_small { StopReason::Memory } else { StopReason::Time };
             let options = HausdorffOptions::default();
             let question = Question { options: &options, direction, deadline };
-            let distance = coarse::bound_quickly(&question, from, to, stop).at_most(farthest);
+            let distance = coarse::bound_quickly(&question, from, to, stop);
+            let distance = distance.at_most(prepared.farthest(direction));
             let floor = Self::floor(&frame, &joint, rounding);
             return unknown(self, from, &frame, direction, floor, distance, stop);
         }
-        let target = Target::in_frame(to, frame);
+        let target = prepared.target(direction, frame);
         let build = started.elapsed();
-        let pair = Pair { from, to, target: &target, direction, farthest, deadline, room };
+        let pair = Pair { from, to, target: &target, direction, prepared, deadline, room };
         let mut outcome = run(self, &pair);
         outcome.report.work.build = build;
         outcome

@@ -3,9 +3,10 @@
 use super::regions::Region;
 use super::report::{DeviationWork, DirectedDeviation, Sides};
 use super::statistics::Statistics;
-use crate::report::{Enclosure, PointPair, StopReason, SurfacePoint};
+use crate::report::{Enclosure, PointPair, StopReason, SurfacePoint, Timing, WorkCount};
 use pompeiu_core::FaceId;
 use serde::{Serialize, Serializer};
+use std::time::Duration;
 
 /// Serialises one type as another one that is made of a reference to it.
 macro_rules! serialise_as {
@@ -37,6 +38,8 @@ struct Directed<'d> {
     distance: Enclosure,
     /// The two points that prove its lower end.
     witness: PointPair,
+    /// What it took to find these.
+    search: Search,
     /// Over the area of the mesh; null if it has no area.
     statistics: &'d Option<Statistics>,
     /// Number of vertices inside the other mesh, if that was asked.
@@ -53,6 +56,40 @@ struct Directed<'d> {
     floor: f64,
     /// What it took.
     work: DeviationWork,
+    /// Time spent, in milliseconds.
+    timing_ms: Times,
+}
+
+/// The search for the largest distance.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "DeviationSearch"))]
+struct Search {
+    /// Why it ended; the distance is enclosed in every case.
+    stop: StopReason,
+    /// The width that was asked for, as a length.
+    tolerance: f64,
+    /// What it took.
+    work: WorkCount,
+    /// Time spent, in milliseconds.
+    timing_ms: Timing,
+}
+
+/// Time spent on a direction, in milliseconds.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "DeviationTiming"))]
+struct Times {
+    /// Building the tree over the other mesh.
+    #[serde(serialize_with = "pompeiu_core::run::as_milliseconds::serialize")]
+    #[cfg_attr(feature = "schema", schemars(with = "f64"))]
+    build: Duration,
+    /// Finding the largest distance.
+    #[serde(serialize_with = "pompeiu_core::run::as_milliseconds::serialize")]
+    #[cfg_attr(feature = "schema", schemars(with = "f64"))]
+    search: Duration,
+    /// Everything else.
+    #[serde(serialize_with = "pompeiu_core::run::as_milliseconds::serialize")]
+    #[cfg_attr(feature = "schema", schemars(with = "f64"))]
+    refine: Duration,
 }
 
 impl<'d> From<&'d DirectedDeviation> for Directed<'d> {
@@ -60,6 +97,12 @@ impl<'d> From<&'d DirectedDeviation> for Directed<'d> {
         Self {
             distance: deviation.distance.distance,
             witness: deviation.distance.witness.by_mesh(deviation.direction),
+            search: Search {
+                stop: deviation.distance.stop,
+                tolerance: deviation.distance.tolerance,
+                work: deviation.distance.work,
+                timing_ms: deviation.distance.timing,
+            },
             statistics: &deviation.statistics,
             vertices_inside: deviation.sides.as_ref().map(Sides::vertices_inside),
             regions: &deviation.regions,
@@ -67,6 +110,11 @@ impl<'d> From<&'d DirectedDeviation> for Directed<'d> {
             stop: deviation.stop,
             floor: deviation.floor,
             work: deviation.work,
+            timing_ms: Times {
+                build: deviation.work.build,
+                search: deviation.work.search,
+                refine: deviation.work.refine,
+            },
         }
     }
 }

@@ -71,20 +71,16 @@ pub(super) fn mean_distance(
 }
 
 /// Distances of vertices in a frame, each with a nearest face of the other mesh.
-pub(super) struct VertexDistances {
+#[derive(Debug)]
+pub(crate) struct VertexDistances {
     /// NaN for vertices that belong to no face.
     pub(super) distances: Vec<f64>,
     pub(super) near: Vec<Slot>,
 }
 
 impl VertexDistances {
-    pub(super) fn new(mesh: &TriMesh, frame: &Frame, bvh: &Bvh, order: &[u32]) -> Self {
-        let (referenced, found) = Self::found(mesh, frame, bvh, order, &Control::default());
-        Self::by_vertex(mesh, bvh, &referenced, found)
-    }
-
-    /// The same, or none if it was told to stop before all were known.
-    pub(super) fn limited(
+    /// The distances of all vertices of faces; none if it was told to stop before all were known.
+    pub(crate) fn limited(
         mesh: &TriMesh,
         frame: &Frame,
         bvh: &Bvh,
@@ -138,6 +134,11 @@ impl VertexDistances {
             (distances[*v as usize], near[*v as usize]) = (distance, slot);
         }
         Self { distances, near }
+    }
+
+    /// Bytes that they take.
+    pub(crate) fn bytes(&self) -> usize {
+        size_of_val(&self.distances[..]) + size_of_val(&self.near[..])
     }
 
     /// The distance that this part of the vertices does not exceed; zero if no vertex belongs to a face.

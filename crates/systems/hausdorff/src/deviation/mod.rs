@@ -47,8 +47,11 @@ mod task;
 mod tessellation;
 mod unknown;
 
+pub(crate) use measure::VertexDistances;
+
 pub use bands::{BandError, BandReport, Bands, DirectedBands, Extreme};
 pub use options::DeviationOptions;
+pub(crate) use part::overlapping_of;
 pub use part::{LeftOut, Part, component_shares, overlapping};
 pub use regions::Region;
 pub use report::{Deviation, DeviationWork, DirectedDeviation, FaceDeviation, Sides};

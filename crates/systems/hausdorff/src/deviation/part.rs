@@ -1,22 +1,22 @@
 //! Parts of a mesh that are measured while the rest is left out, with a statement of what that is.
 
-use super::analysis::Ends;
 use super::connected::{Sets, Touching, places};
 use super::entry::Sum;
 use super::linear::greater;
 use super::measure::{self, VertexDistances};
 use super::options::DeviationOptions;
-use super::report::{Deviation, DirectedDeviation};
+use super::report::DirectedDeviation;
 use super::statistics::share_of;
 use crate::engine::joint_frame;
 use crate::observer::{Observer, Progress};
+use crate::prepared::PreparedPair;
 use crate::report::{Direction, Enclosure};
 use crate::search::{Limits, Local, Scene, Start, search_each};
 use crate::target::Target;
 use crate::tolerance::OptionError;
 use pompeiu_core::geom::{Aabb, Frame};
 use pompeiu_core::run::{Control, on_threads};
-use pompeiu_core::spatial::{Bvh, Neighbours, Workspace, morton_order};
+use pompeiu_core::spatial::{Bvh, Workspace, morton_order};
 use pompeiu_core::{FaceId, TriMesh};
 use rayon::prelude::*;
 
@@ -124,11 +124,20 @@ pub fn component_shares(mesh: &TriMesh) -> Vec<f64> {
 /// For each face of A whether it lies over B rather than beside it: whether the nearest point of B to its centroid is not on the
 /// boundary of B, where an edge belongs to one face. Over a closed surface every face does.
 pub fn overlapping(a: &TriMesh, b: &TriMesh) -> Vec<bool> {
+    overlapping_of(&PreparedPair::for_one_question(a, b), Direction::AToB)
+}
+
+/// The same for the faces of the whole mesh that a prepared pair measures in a direction.
+pub(crate) fn overlapping_of(pair: &PreparedPair<'_>, direction: Direction) -> Vec<bool> {
     /// Distances that differ by no more than this part of them, or of the frame, are the same.
     const SAME: f64 = 1e-12;
+    let (a, b) = match direction {
+        Direction::AToB => (pair.a(), pair.b()),
+        Direction::BToA => (pair.b(), pair.a()),
+    };
     let Some(boundary) = boundary(b) else { return vec![true; a.faces().len()] };
     let frame = joint_frame(a, b).0;
-    let [surface, rim] = [b, &boundary].map(|mesh| Target::in_frame(mesh, frame));
+    let (surface, rim) = (pair.target(direction, frame), Target::in_frame(&boundary, frame));
     let order = morton_order(a, &Aabb::of_faces(a));
     let lies_over = |task: &[u32]| -> Vec<bool> {
         let mut workspace = Workspace::default();
@@ -169,23 +178,7 @@ fn boundary(mesh: &TriMesh) -> Option<TriMesh> {
 }
 
 impl DeviationOptions<'_> {
-    /// How far parts of A and B are from the other mesh as a whole. Faces in the report are those of the parts. Of each part may be known how
-    /// far its farthest point is at most ([`Part::farthest`]): no more is reported then, though limits end the work early.
-    ///
-    /// # Errors
-    /// [`DeviationOptions::check`].
-    pub fn symmetric_of_parts(
-        &self,
-        [a_part, a]: [&TriMesh; 2],
-        [b_part, b]: [&TriMesh; 2],
-        farthest: [Option<f64>; 2],
-    ) -> Result<Deviation, OptionError> {
-        self.check()?;
-        let ends = Ends { a_part, a, b_part, b, farthest };
-        Ok(on_threads(self.limits.threads, || self.of_ends(ends)))
-    }
-
-    /// The faces of a part that do not reach farther than a length from another mesh; none if there is no such face. Faces that reach just so
+    /// The faces of a part of a mesh that do not reach farther than a length from the other mesh of a pair; none if there is no such face. Faces that reach just so
     /// far, as far as double precision tells, stay; those of which limits leave it open do not. Of the options only the limits and the
     /// observer matter.
     ///
@@ -194,12 +187,17 @@ impl DeviationOptions<'_> {
     pub fn within(
         &self,
         part: &Part,
-        whole: &TriMesh,
-        other: &TriMesh,
+        pair: &PreparedPair<'_>,
+        direction: Direction,
         length: f64,
     ) -> Result<Option<Part>, OptionError> {
         self.check()?;
-        let farthest = on_threads(self.limits.threads, || self.farthest_if_within(&part.mesh, other, length));
+        let find = || self.farthest_if_within(&part.mesh, pair, direction, length);
+        let farthest = on_threads(self.limits.threads, find);
+        let whole = match direction {
+            Direction::AToB => pair.a(),
+            Direction::BToA => pair.b(),
+        };
         let mut kept = vec![false; whole.faces().len()];
         let mut most = 0.0;
         for (face, farthest) in part.faces.iter().zip(farthest) {
@@ -217,11 +215,18 @@ impl DeviationOptions<'_> {
     }
 
     /// How far each face is at most, of those that are proven to be within a length but for rounding.
-    fn farthest_if_within(&self, mesh: &TriMesh, other: &TriMesh, length: f64) -> Vec<Option<f64>> {
+    fn farthest_if_within(
+        &self,
+        mesh: &TriMesh,
+        pair: &PreparedPair<'_>,
+        direction: Direction,
+        length: f64,
+    ) -> Vec<Option<f64>> {
+        let other = pair.other(direction);
         let (frame, _, rounding) = joint_frame(mesh, other);
         let control = Control::start(&self.limits);
         let mut found = vec![None; mesh.faces().len()];
-        let target = Target::in_frame(other, frame);
+        let target = pair.target(direction, frame);
         let bvh = target.bvh();
         let order = morton_order(mesh, &Aabb::of_faces(mesh));
         let Some(vertices) = VertexDistances::limited(mesh, &frame, bvh, &order, &control) else {
@@ -234,13 +239,13 @@ impl DeviationOptions<'_> {
             corners.iter().all(|v| vertices.distances[*v as usize] - rounding.bound(0) <= threshold)
         };
         let open: Vec<u32> = order.iter().copied().filter(is_open).collect();
-        let neighbours = Neighbours::new(other, bvh);
+        let neighbours = target.neighbours_in(other);
         let scene = Scene {
             a: mesh,
             order: &order,
             frame: &frame,
             bvh,
-            neighbours: Some(&neighbours),
+            neighbours: Some(neighbours),
             control: &control,
         };
         let limits = Limits {
@@ -270,7 +275,7 @@ impl DeviationOptions<'_> {
             }
             examined += round.len();
             let progress = Progress {
-                direction: Direction::AToB,
+                direction,
                 lower: 0.0,
                 upper: length,
                 examined: examined as u64,
@@ -369,7 +374,9 @@ mod tests {
         assert!(whole.a_to_b.outlying_component(&a, 0.01).is_none());
         // Without the first faces: they are counted as in the whole.
         let part = Part::of(&b, |face| face.0 >= 5).unwrap();
-        let mut found = options.symmetric_of_parts([&a, &a], [&part.mesh, &b], [None; 2]).unwrap();
+        let of_a = Part::of(&a, |_| true).unwrap();
+        let pair = PreparedPair::new(&a, &b).with_parts([of_a, part.clone()]);
+        let mut found = options.symmetric_of(&pair).unwrap();
         assert_eq!(found.a_to_b.distance.distance, whole.a_to_b.distance.distance);
         found.b_to_a.renumber(&part.faces);
         // The small cube has the last faces, in the whole as in the part.
@@ -394,17 +401,19 @@ mod tests {
         let steps = merge(&steps.iter().collect::<Vec<_>>()).unwrap();
         let all = Part::of(&steps, |_| true).unwrap();
         let options = DeviationOptions::default();
-        let kept = options.within(&all, &steps, &plate, 1.0).unwrap().unwrap();
+        let pair = PreparedPair::new(&steps, &plate);
+        let within = |length| options.within(&all, &pair, Direction::AToB, length).unwrap();
+        let kept = within(1.0).unwrap();
         assert_eq!(kept.faces, [0, 1, 2, 3, 6, 7].map(FaceId).to_vec());
         assert!((kept.farthest.unwrap() - 1.0).abs() < 1e-12);
-        assert!(options.within(&all, &steps, &plate, 0.9).unwrap().is_none());
+        assert!(within(0.9).is_none());
         // Without time nothing is known but that.
         let limits =
             pompeiu_core::run::Limits { time: Some(std::time::Duration::ZERO), ..Default::default() };
         let hurried = DeviationOptions { limits, ..DeviationOptions::default() };
-        let found = hurried
-            .symmetric_of_parts([&kept.mesh, &steps], [&plate, &plate], [kept.farthest, None])
-            .unwrap();
-        assert!(found.a_to_b.distance.distance.upper() <= kept.farthest.unwrap());
+        let most = kept.farthest.unwrap();
+        let parts = [kept, Part::of(&plate, |_| true).unwrap()];
+        let found = hurried.symmetric_of(&pair.with_parts(parts)).unwrap();
+        assert!(found.a_to_b.distance.distance.upper() <= most);
     }
 }

@@ -5,7 +5,7 @@ use super::entry::Sum;
 use super::faces;
 use super::linear::{greater, lesser};
 use super::maxima::{Maxima, Maximum, Precision};
-use super::measure::{self, VertexDistances};
+use super::measure;
 use super::options::DeviationOptions;
 use super::packed::{Entries, are_packed};
 use super::refine::{Aim, Refined, Refinement};
@@ -17,6 +17,7 @@ use super::unknown::unknown;
 use crate::engine::{self, Question};
 use crate::observer::{Observer, Progress};
 use crate::options::HausdorffOptions;
+use crate::prepared::PreparedPair;
 use crate::report::{DirectedReport, Direction, StopReason};
 use crate::rounding::Rounding;
 use crate::search::Scene;
@@ -24,7 +25,7 @@ use crate::target::Target;
 use pompeiu_core::TriMesh;
 use pompeiu_core::geom::Aabb;
 use pompeiu_core::run::Control;
-use pompeiu_core::spatial::{Neighbours, morton_order};
+use pompeiu_core::spatial::morton_order;
 use std::ops::ControlFlow;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -36,8 +37,7 @@ pub(super) struct Pair<'p> {
     pub(super) to: &'p TriMesh,
     pub(super) target: &'p Target,
     pub(super) direction: Direction,
-    /// How far it is at most, where that is known.
-    pub(super) farthest: Option<f64>,
+    pub(super) prepared: &'p PreparedPair<'p>,
     pub(super) deadline: Option<Instant>,
     /// Bytes that entries may take.
     pub(super) room: Option<usize>,
@@ -62,7 +62,7 @@ pub(super) struct Outcome {
 
 pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
     let started = Instant::now();
-    let Pair { from, to, target, direction, farthest, deadline, room } = *pair;
+    let Pair { from, to, target, direction, prepared, deadline, room } = *pair;
     let a_box = Aabb::of_faces(from);
     let frame = *target.frame();
     let bvh = target.bvh();
@@ -75,8 +75,7 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
     // What a search takes is counted before (see `memory`).
     let options = HausdorffOptions { observer: Some(&watched), ..HausdorffOptions::default() };
     let question = Question { options: &options, direction, deadline: half };
-    let (distance, neighbours) = engine::search(&question, from, target, Some(to));
-    let distance = distance.at_most(farthest);
+    let distance = engine::search(&question, from, target, Some(to)).at_most(prepared.farthest(direction));
     let search = started.elapsed();
     let largest = frame.length_in(distance.distance.upper()).next_up();
 
@@ -87,14 +86,14 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
         early.stop(StopReason::Cancelled);
     }
     let order = if early.is_stopped() { Vec::new() } else { morton_order(from, &a_box) };
-    let Some(vertices) = VertexDistances::limited(from, &frame, bvh, &order, &early) else {
+    let Some(vertices) = prepared.vertices(direction, &order, target, &early) else {
         let stop = early.reason().unwrap_or(StopReason::Time);
         let mut outcome = unknown(query, from, &frame, direction, floor, distance, stop);
         outcome.report.work.search = search;
         outcome.report.work.refine = refining.elapsed();
         return outcome;
     };
-    let neighbours = neighbours.unwrap_or_else(|| Neighbours::new(to, bvh));
+    let neighbours = target.neighbours_in(to);
     let (total, moment) = measure::area_and_moment(from, &frame, &vertices);
     let wanted = Wanted::of(query, &frame);
     let cells = from.faces().len() + to.faces().len();
@@ -124,7 +123,7 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
         frame: &frame,
         vertices: &vertices,
         bvh,
-        neighbours: Some(&neighbours),
+        neighbours: Some(neighbours),
         rounding,
         control: &control,
         largest,
@@ -154,7 +153,7 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
         order: &order,
         frame: &frame,
         bvh,
-        neighbours: Some(&neighbours),
+        neighbours: Some(neighbours),
         control: &control_of_maxima,
     };
     let mut maxima = Maxima { scene: &scene, rounding, floor, largest, of_faces: bounds, searched: 0 };

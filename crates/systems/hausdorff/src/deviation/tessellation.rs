@@ -3,15 +3,15 @@
 use super::face::Cutter;
 use super::goal::Goal;
 use super::linear::{greater, lesser};
-use super::measure::VertexDistances;
 use super::polygon::Piece;
-use super::report::DirectedDeviation;
+use super::report::{DirectedDeviation, FaceDeviation};
 use super::task::Faces;
-use crate::engine::joint_frame;
-use crate::target::Target;
+use crate::engine::{bytes_to_start, joint_frame};
+use crate::prepared::PreparedPair;
+use crate::report::Direction;
 use pompeiu_core::geom::Aabb;
-use pompeiu_core::run::Control;
-use pompeiu_core::spatial::{Neighbours, morton_order};
+use pompeiu_core::run::{Control, Limits};
+use pompeiu_core::spatial::morton_order;
 use pompeiu_core::{FaceId, TriMesh};
 use rayon::prelude::*;
 use std::sync::Mutex;
@@ -51,20 +51,43 @@ impl DirectedDeviation {
         tolerance: f64,
         most: usize,
     ) -> Vec<DisplayTriangle> {
+        let pair = match self.direction {
+            Direction::AToB => PreparedPair::for_one_question(mesh, other),
+            Direction::BToA => PreparedPair::for_one_question(other, mesh),
+        };
+        self.tessellation_of(&pair, tolerance, most, &Limits::default())
+    }
+
+    /// The same of the prepared pair that was measured, whose trees are used again. Time and memory of the limits are kept, and
+    /// cancelling ends it: faces that are not looked at then stay whole, with the error that follows from the enclosures of their
+    /// distances.
+    pub fn tessellation_of(
+        &self,
+        pair: &PreparedPair<'_>,
+        tolerance: f64,
+        most: usize,
+        limits: &Limits,
+    ) -> Vec<DisplayTriangle> {
+        let control = Control::start(limits);
+        let (mesh, other) = (pair.measured(self.direction), pair.other(self.direction));
         let (frame, _, rounding) = joint_frame(mesh, other);
-        let target = Target::in_frame(other, frame);
+        control.check_memory(bytes_to_start(mesh, other));
+        let Some(target) = pair.target_unless_stopped(self.direction, frame, &control) else {
+            return self.whole_faces(mesh);
+        };
         let order = morton_order(mesh, &Aabb::of_faces(mesh));
-        let vertices = VertexDistances::new(mesh, &frame, target.bvh(), &order);
+        let Some(vertices) = pair.vertices(self.direction, &order, &target, &control) else {
+            return self.whole_faces(mesh);
+        };
         let largest = frame.length_in(self.distance.distance.upper()).next_up();
-        let neighbours = Neighbours::new(other, target.bvh());
-        let control = Control::default();
+        let neighbours = target.neighbours_in(other);
         let tolerance = frame.length_in(tolerance);
         let faces = Faces {
             mesh,
             frame: &frame,
             vertices: &vertices,
             bvh: target.bvh(),
-            neighbours: Some(&neighbours),
+            neighbours: Some(neighbours),
             rounding,
             control: &control,
             largest,
@@ -80,6 +103,9 @@ impl DirectedDeviation {
             .map(|task| {
                 let mut cutter = faces.cutter(true);
                 let of_face = |face: &u32| {
+                    if control.is_stopped() {
+                        return (self.whole_face(mesh, FaceId(*face)), 1);
+                    }
                     cutter.cut(&faces.start(*face).0, &goal, MOST_PIECES);
                     let triangles =
                         cutter.pieces.iter().map(|piece| piece.polygon.outline.fan().count() as u32).sum();
@@ -114,6 +140,9 @@ impl DirectedDeviation {
                 let mut cutter = faces.cutter(true);
                 let of_face = |place: &usize| {
                     let face = order[*place];
+                    if control.is_stopped() {
+                        return vec![self.whole_face(mesh, FaceId(face))];
+                    }
                     cutter.cut(&faces.start(face).0, &goal, MOST_PIECES);
                     display_parts(&faces, &cutter, face)
                 };
@@ -124,6 +153,19 @@ impl DirectedDeviation {
         let mut triangles: Vec<DisplayTriangle> = stay.chain(parts.into_iter().flatten()).collect();
         triangles.sort_by_key(|triangle| triangle.face);
         triangles
+    }
+
+    /// All faces as they are, without a look at the other mesh.
+    fn whole_faces(&self, mesh: &TriMesh) -> Vec<DisplayTriangle> {
+        mesh.face_ids().map(|face| self.whole_face(mesh, face)).collect()
+    }
+
+    fn whole_face(&self, mesh: &TriMesh, face: FaceId) -> DisplayTriangle {
+        let distances = mesh.faces()[face.index()].map(|v| self.vertices[v as usize]);
+        let FaceDeviation { max, min, .. } = self.faces[face.index()];
+        let error =
+            distances.iter().fold(0.0, |error, d| greater(error, greater(max.upper() - d, d - min.lower())));
+        DisplayTriangle { face, corners: mesh.corners(face), distances, error }
     }
 }
 

@@ -1,14 +1,15 @@
 //! What can be asked of two meshes: their distance in one direction or both, whether it is at most a length, how the search narrowed it.
 
+use super::watch::tell;
 use crate::certificate::{CertificateAnswer, Goal, check_slack};
 use crate::{
     DirectedReport, Direction, Enclosure, HausdorffOptions, Method, Observer, OptionError, PointPair,
-    Progress, Stage, StopReason, Timing, Tolerance, WorkCount, digits,
+    Progress, Stage, StopReason, Timing, Tolerance, WorkCount,
 };
 use pompeiu_core::TriMesh;
 use pompeiu_core::geom::Aabb;
 use pompeiu_core::request::{Conclusion, Limit, Report, Request};
-use pompeiu_core::run::{self, ProgressObserver, RunContext};
+use pompeiu_core::run::{ProgressObserver, RunContext};
 use std::ops::ControlFlow;
 use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
@@ -412,15 +413,7 @@ impl Observer for Watch<'_> {
         if let Some(observer) = self.observer {
             observer.progress(&progress)?;
         }
-        let Some(watching) = self.progress else { return ControlFlow::Continue(()) };
-        let ends = match progress.direction {
-            Direction::AToB => "A to B",
-            Direction::BToA => "B to A",
-        };
-        let doing = format!("{ends}: {}", digits::between(progress.lower, progress.upper));
-        let all = progress.examined.saturating_add(progress.left).max(1);
-        let share = progress.examined as f64 / all as f64;
-        watching.progress(&run::Progress { doing: &doing, share: Some(share) })
+        self.progress.map_or(ControlFlow::Continue(()), |watching| tell(watching, &progress))
     }
 
     fn stage(&self, stage: &Stage) {

@@ -47,7 +47,9 @@ impl DeviationContent {
         let Some(&(_, first)) = directions.first() else { return Err(PageError::NothingToShow) };
         let mut page = Page::new(self.title.clone());
         let [a, b] = [&self.surfaces[0], &self.surfaces[1]];
-        page.subtitle = Text::from(format!("A: {}  \u{b7}  B: {}", a.name, b.name));
+        let labels = [0, 1].map(|i| self.label(i));
+        page.subtitle = Text::from(format!("{}: {}  \u{b7}  {}: {}", labels[0], a.name, labels[1], b.name));
+        page.banner.clone_from(&self.verdict);
         page.summary = self.summary();
         page.picture = "deviation".into();
         page.command.clone_from(&self.command);
@@ -57,8 +59,14 @@ impl DeviationContent {
         let space = page.add_space(Space::Spatial(self.up));
         let mesh = |page: &mut Page, i: usize| {
             let MeasuredSurface { triangles, faces, .. } = &self.surfaces[i];
-            let mesh = Mesh::from_corners(LABELS[i], &triangles.corners);
-            page.add_mesh(space, mesh.with_faces(triangles.faces.clone(), *faces))
+            let mesh = Mesh::from_corners(self.label(i), &triangles.corners);
+            let mesh = match triangles.groups {
+                Some(groups) => {
+                    mesh.with_faces(triangles.faces.clone(), groups).with_element("group of faces")
+                }
+                None => mesh.with_faces(triangles.faces.clone(), *faces),
+            };
+            page.add_mesh(space, mesh)
         };
         let meshes = [mesh(&mut page, 0)?, mesh(&mut page, 1)?];
         let scale = page.add_scale(ValueScale {
@@ -68,6 +76,7 @@ impl DeviationContent {
             span: if self.signed { Span::Signed } else { Span::Size },
             threshold: Some(self.threshold.unwrap_or_else(|| first.distance_covering(0.95))),
             bands: self.bands.clone(),
+            painting: self.is_judged_by_threshold(),
         })?;
         let steps = directions.iter().map(|(_, deviation)| deviation.stages.len()).max().unwrap_or(0);
         let player = Player {
@@ -85,8 +94,8 @@ impl DeviationContent {
             .into_iter()
             .map(|(index, deviation)| self.add_scene(&mut page, &shared, index, deviation))
             .collect::<Result<Vec<_>, _>>()?;
-        Self::add_ranges(&mut page, scale, &sides)?;
-        Self::add_arrangements(&mut page, &sides)?;
+        self.add_ranges(&mut page, scale, &sides)?;
+        self.add_arrangements(&mut page, &sides)?;
         self.add_cards(&mut page, &shared, &sides)?;
         Ok(page)
     }
@@ -102,11 +111,11 @@ impl DeviationContent {
         let values = MeshValues::on_corners(deviation.values.clone());
         let values = page.add_values(mesh, shared.scale, values)?;
         let bounds = page.add_bounds(mesh, deviation.face_bounds.clone())?;
-        let [from, to] = [LABELS[index], LABELS[1 - index]];
+        let [from, to] = [self.label(index), self.label(1 - index)];
         let label = if self.bands.is_empty() {
             format!("{from}, {} from {to}", self.quantity())
         } else {
-            format!("{from}, deviation of B from A")
+            format!("{from}, deviation of {} from {}", self.label(1), self.label(0))
         };
         let mut scene = Scene::new(label, shared.space);
         scene.name = format!("{from} \u{2192} {to}");
@@ -138,7 +147,7 @@ impl DeviationContent {
         Ok(Side { index, deviation, largest: deviation.largest(), values, bounds, scene })
     }
 
-    fn add_ranges(page: &mut Page, scale: ScaleId, sides: &[Side<'_>]) -> Result<(), PageError> {
+    fn add_ranges(&self, page: &mut Page, scale: ScaleId, sides: &[Side<'_>]) -> Result<(), PageError> {
         let all = largest(sides);
         let ends = |end: &dyn Fn(&Side<'_>) -> f64| {
             RangeEnd::Scenes(sides.iter().map(|side| (side.scene, end(side))).collect())
@@ -152,16 +161,20 @@ impl DeviationContent {
         for (text, end) in ranges {
             page.add_range(scale, Range { text: text.into(), end })?;
         }
-        // A few far points would leave everything else in one dark colour.
-        page.start_with_range(scale, 2)
+        // Where a tolerance is asked for, colours end there. Else a few far points would leave everything else in one dark colour.
+        page.start_with_range(scale, if self.is_judged_by_threshold() { 3 } else { 2 })
     }
 
-    fn add_arrangements(page: &mut Page, sides: &[Side<'_>]) -> Result<(), PageError> {
+    fn add_arrangements(&self, page: &mut Page, sides: &[Side<'_>]) -> Result<(), PageError> {
         let one = |side: &Side<'_>| {
-            let (key, text) = [("missing", "Missing in B"), ("invented", "Invented by B")][side.index];
-            let [from, to] = [LABELS[side.index], LABELS[1 - side.index]];
+            let b = self.label(1);
+            let (key, text) =
+                [("missing", format!("Missing in {b}")), ("invented", format!("Invented by {b}"))]
+                    [side.index]
+                    .clone();
+            let [from, to] = [self.label(side.index), self.label(1 - side.index)];
             let hint = format!("{from} \u{2192} {to}");
-            Arrangement { key: key.into(), text: text.into(), hint, scenes: vec![side.scene] }
+            Arrangement { key: key.into(), text, hint, scenes: vec![side.scene] }
         };
         let mut arrangements: Vec<_> = sides.iter().map(one).collect();
         if sides.len() > 1 {
@@ -176,18 +189,18 @@ impl DeviationContent {
     }
 
     fn add_cards(&self, page: &mut Page, shared: &Shared, sides: &[Side<'_>]) -> Result<(), PageError> {
-        if let Some(verdict) = &self.verdict {
-            page.add_card(Card::new("Verdict", vec![Block::Text(verdict.as_str().into())]))?;
-        }
         page.add_card(self.distance(sides))?;
         let most = largest(sides);
         for side in sides {
             page.add_card(
-                Card::new("Out of tolerance", vec![side.threshold(shared.scale, most)])
-                    .with_scene(side.scene),
+                Card::new(
+                    "Out of tolerance",
+                    vec![side.threshold(shared.scale, most, self.label(side.index))],
+                )
+                .with_scene(side.scene),
             )?;
             if !side.deviation.bands.is_empty() {
-                let classes = vec![side.classes(shared.scale)];
+                let classes = vec![side.classes(shared.scale, self.label(side.index))];
                 page.add_card(Card::new("Tolerance bands", classes).with_scene(side.scene))?;
             }
             if sides.iter().any(|side| !side.deviation.regions.is_empty()) {
@@ -209,7 +222,7 @@ impl DeviationContent {
             let MeasuredSurface { path, faces, vertices, .. } = &self.surfaces[i];
             let note =
                 Text::default().count(*faces, "face").text(", ").count(*vertices, "").text(" vertices");
-            Fact { name: LABELS[i].into(), value: path.as_str().into(), note }
+            Fact { name: self.label(i).into(), value: path.as_str().into(), note }
         };
         let run = self.facts.iter().map(|[name, value]| Fact::new(name, value.as_str()));
         let facts = [file(0), file(1)].into_iter().chain(run).collect();
@@ -229,7 +242,7 @@ impl DeviationContent {
             }));
         }
         let directed = |side: &Side<'_>| Statistic {
-            name: format!("{} \u{2192} {}", LABELS[side.index], LABELS[1 - side.index]),
+            name: format!("{} \u{2192} {}", self.label(side.index), self.label(1 - side.index)),
             value: Amount::Enclosure { ends: side.deviation.distance },
             note: side.deviation.stop.as_str().into(),
             ..Statistic::default()
@@ -240,6 +253,16 @@ impl DeviationContent {
             Button::ShowAll("Show all".into()),
         ]));
         Card::new("Distance", blocks)
+    }
+
+    /// What a surface is called.
+    fn label(&self, i: usize) -> &str {
+        if self.labels[i].is_empty() { LABELS[i] } else { &self.labels[i] }
+    }
+
+    /// Whether there is a verdict on a threshold.
+    fn is_judged_by_threshold(&self) -> bool {
+        self.verdict.is_some() && self.threshold.is_some_and(|threshold| threshold > 0.0)
     }
 
     /// What colours show.
@@ -280,7 +303,7 @@ impl DeviationContent {
                 .number(stage.tolerance, 3)
                 .text(format!("{unit}: "))
                 .count(stage.remaining.len(), "part")
-                .text(format!(" of {} left, distance in ", LABELS[side.index]))
+                .text(format!(" of {} left, distance in ", self.label(side.index)))
                 .enclosure(stage.distance)
         };
         let off = match stages.len() {
@@ -321,7 +344,7 @@ impl DeviationContent {
         let found = &side.deviation.histogram;
         Block::Chart(Chart {
             key: "histogram".into(),
-            title: format!("Histogram: share of the area of {} by distance", LABELS[side.index]).into(),
+            title: format!("Histogram: share of the area of {} by distance", self.label(side.index)).into(),
             x: ChartAxis { label: self.distance_label(), ..ChartAxis::default() },
             y: ChartAxis { label: "% of area".into(), percent: true, low: Some(0.0), ..ChartAxis::default() },
             series: vec![Series::Histogram { edges: found.edges.clone(), shares: found.fractions.clone() }],
@@ -335,7 +358,8 @@ impl DeviationContent {
         let found = &side.deviation.exceedance;
         let last = found.distances.last().copied().unwrap_or(0.0);
         let high = if last > side.largest { last } else { side.largest };
-        let title = format!("Share of the area of {} that is farther than a distance", LABELS[side.index]);
+        let title =
+            format!("Share of the area of {} that is farther than a distance", self.label(side.index));
         let band = Series::Band {
             label: String::new(),
             x: found.distances.clone(),
@@ -389,10 +413,10 @@ impl DeviationContent {
 
 impl Side<'_> {
     /// The share of the area in each tolerance band.
-    fn classes(&self, scale: ScaleId) -> Block {
+    fn classes(&self, scale: ScaleId, label: &str) -> Block {
         Block::Classes(Classes {
             key: "bands".into(),
-            caption: format!("Shares of the area of {} in each tolerance band", LABELS[self.index]),
+            caption: format!("Shares of the area of {label} in each tolerance band"),
             scale,
             values: self.values,
             outer: ["too low", "too high"].map(str::to_owned),
@@ -400,12 +424,12 @@ impl Side<'_> {
         })
     }
 
-    fn threshold(&self, scale: ScaleId, end: f64) -> Block {
+    fn threshold(&self, scale: ScaleId, end: f64, label: &str) -> Block {
         let found = &self.deviation.exceedance;
         Block::Threshold(Threshold {
             scale,
             end,
-            of: LABELS[self.index].into(),
+            of: label.into(),
             beyond: "farther".into(),
             share: Some((found.distances.clone(), found.fractions.clone())),
             bounds: Some(self.bounds),

@@ -1,7 +1,7 @@
 //! What a page of two surfaces shows, as plain data: from this engine, from closed forms, or from elsewhere.
 
 use pompeiu_figures::Image;
-use pompeiu_figures::page::{Axis, Bounds, PointPair};
+use pompeiu_figures::page::{Axis, Banner, Bounds, PointPair};
 
 /// Two surfaces, A and B, how far the points of each are from the other one, where it is farthest, and how sure that is.
 ///
@@ -25,7 +25,7 @@ use pompeiu_figures::page::{Axis, Bounds, PointPair};
 ///     path: format!("parts/{name}"),
 ///     vertices: 3,
 ///     faces: 1,
-///     triangles: DisplayTriangles { corners, faces: vec![0] },
+///     triangles: DisplayTriangles { corners, faces: vec![0], groups: None },
 ///     deviation,
 /// };
 /// let deviation = SurfaceDeviation {
@@ -58,8 +58,11 @@ pub struct DeviationContent {
     pub threshold: Option<f64>,
     /// Ends of tolerance bands, ascending: values are deviations of B from A, negative where it lacks something. May be empty.
     pub bands: Vec<f64>,
-    /// The sentence that a person acts on, if there is one.
-    pub verdict: Option<String>,
+    /// What the surfaces are called; where that is empty, A and B.
+    pub labels: [String; 2],
+    /// The answer that a person acts on, above everything else, if there is one. Then colours end at the threshold at first, and what is
+    /// farther is painted.
+    pub verdict: Option<Banner>,
     /// A picture for browsers that cannot draw the surfaces.
     pub still: Option<Image>,
     /// Encloses the greater of both directed distances, if both were measured.
@@ -100,6 +103,9 @@ pub struct DisplayTriangles {
     pub corners: Vec<[[f64; 3]; 3]>,
     /// The face of the mesh that each is a part of.
     pub faces: Vec<u32>,
+    /// Where a mesh has more faces than can be drawn, the number of groups of faces that are drawn as one each; then the numbers above and
+    /// those of regions and bounds are those of groups.
+    pub groups: Option<usize>,
 }
 
 /// How far the points of a surface are from the other one.
@@ -107,7 +113,7 @@ pub struct DisplayTriangles {
 pub struct SurfaceDeviation {
     /// The distance at each corner of each display triangle; between them it is drawn linear.
     pub values: Vec<[f64; 3]>,
-    /// For each face, an enclosure of the largest distance (without sign) that it reaches.
+    /// For each face, or each group of faces, an enclosure of the largest distance (without sign) that it reaches.
     pub face_bounds: Vec<Bounds>,
     /// Encloses the directed distance.
     pub distance: Bounds,

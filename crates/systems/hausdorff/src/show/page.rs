@@ -4,44 +4,35 @@ use super::content::{
     self, DeviationContent, DisplayTriangles, Exceedance, Histogram, MeasuredSurface, SearchStage,
     SurfaceDeviation,
 };
+use super::draw::{Drawing, Style};
+use super::paper::four_digits;
 use super::spread;
-use crate::deviation::{
-    BandReport, Deviation, DirectedDeviation, DisplayTriangle, Region, Sides, Statistics,
-};
-use crate::{Direction, Enclosure, Stage, StopReason, Witness};
+use crate::deviation::{BandReport, Deviation, DirectedDeviation, DisplayTriangle, Region, Statistics};
+use crate::{Direction, Enclosure, PreparedPair, Stage, StopReason, VerdictAnswer, Witness};
 use pompeiu_core::geom::{Aabb, Frame};
-use pompeiu_core::spatial::{Winding, WindingNumber};
+use pompeiu_core::run::Limits;
 use pompeiu_core::{FaceId, MeshError, TriMesh};
 use pompeiu_figures::names::{axis, name};
-use pompeiu_figures::page::{Bounds, PageError, PointPair};
+use pompeiu_figures::page::{Banner, BannerKind, Bounds, PageError, PointPair};
 use pompeiu_figures::{ColorMap, Figure, FigureError, Image, Mark, Panel, Scale, Theme, Values, View};
 use std::fmt::{self, Write};
-
-/// A mesh as a page or a picture names it.
-#[derive(Clone, Copy, Debug)]
-pub struct NamedMesh<'m> {
-    /// The file, or whatever else tells it from the other one.
-    pub path: &'m str,
-    /// The mesh that was measured, or the part of it.
-    pub mesh: &'m TriMesh,
-    /// The mesh that the other one was measured to: the same, or that of which it is a part.
-    pub whole: &'m TriMesh,
-}
 
 /// A deviation analysis to be shown: its [`figures`](Self::figures) are a page to explore, pictures and documents.
 ///
 /// # Example
 /// ```
 /// use pompeiu_core::mesh::shapes::{icosphere, torus};
-/// use pompeiu_hausdorff::DeviationOptions;
-/// use pompeiu_hausdorff::show::{DeviationPage, NamedMesh, search_stages};
+/// use pompeiu_hausdorff::show::{DeviationPage, search_stages};
+/// use pompeiu_hausdorff::{DeviationOptions, PreparedPair};
 ///
-/// let (a, b) = (icosphere(1.0, 2)?, torus(0.75, 0.25, 32, 16)?);
+/// let pair = PreparedPair::new(icosphere(1.0, 2)?, torus(0.75, 0.25, 32, 16)?);
+/// let limits = Default::default();
 /// let found = DeviationPage {
-///     a: NamedMesh { path: "sphere.obj", mesh: &a, whole: &a },
-///     b: NamedMesh { path: "torus.obj", mesh: &b, whole: &b },
-///     deviation: &DeviationOptions::default().symmetric(&a, &b)?,
-///     stages: &search_stages(&a, &b),
+///     pair: &pair,
+///     paths: ["sphere.obj", "torus.obj"],
+///     names: ["model", "scan"],
+///     deviation: &DeviationOptions::default().symmetric_of(&pair)?,
+///     stages: &search_stages(&pair, &limits),
 ///     unit: "mm",
 ///     up: [0.0, 0.0, 1.0],
 ///     threshold: Some(0.25),
@@ -49,18 +40,21 @@ pub struct NamedMesh<'m> {
 ///     verdict: None,
 ///     command: None,
 /// };
-/// let figures = found.figures();
+/// let figures = found.figures(&limits);
 /// assert!(figures.html()?.contains("torus.obj"));
 /// assert_eq!(figures.image(640, 360, Default::default(), Default::default())?.width(), 640);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct DeviationPage<'r> {
-    /// The surface as it should be.
-    pub a: NamedMesh<'r>,
-    /// The surface as it is.
-    pub b: NamedMesh<'r>,
-    /// What was found, of these very meshes.
+    /// The surface as it should be, and the surface as it is.
+    pub pair: &'r PreparedPair<'r>,
+    /// Their files, or whatever else tells one from the other.
+    pub paths: [&'r str; 2],
+    /// What the two are called: A and B, or what they are.
+    pub names: [&'r str; 2],
+    /// What was found of this very pair. Where it has parts, regions name faces of the whole meshes
+    /// ([`DirectedDeviation::renumber`]).
     pub deviation: &'r Deviation,
     /// What the search had left at coarser tolerances, both directions; may be empty.
     pub stages: &'r [Stage],
@@ -72,20 +66,21 @@ pub struct DeviationPage<'r> {
     pub threshold: Option<f64>,
     /// How much lies in which tolerance band. Sides must have been asked for with the analysis.
     pub bands: Option<&'r BandReport>,
-    /// The sentence that a person acts on, above all others.
-    pub verdict: Option<&'r str>,
+    /// The answer that a person acts on, above everything else, and its sentence
+    /// ([`DeviationReport::sentence`](crate::DeviationReport::sentence)).
+    pub verdict: Option<(VerdictAnswer, &'r str)>,
     /// The command that makes the page again.
     pub command: Option<&'r str>,
 }
 
 /// Pixels of the picture for browsers that cannot draw the surfaces.
-const STILL: [u32; 2] = [1200, 560];
+const STILL: [u32; 2] = [560, 260];
 
 /// The part of the colour scale that a drawn distance may be off by.
 const COLOR_TOLERANCE: f64 = 1.0 / 256.0;
 
-/// Triangles drawn of a mesh, unless it has more faces.
-const MOST_TRIANGLES: usize = 400_000;
+/// Triangles drawn of each mesh at most: pages stay below 5 MiB.
+const MOST_TRIANGLES: usize = 90_000;
 
 /// What of the area colours are told apart for, unless more is asked: few points that are far would leave all others in one colour.
 const COVERED: f64 = 0.99;
@@ -96,14 +91,12 @@ const COVERED_TOLERANCE: f64 = 1.0 / 32.0;
 /// Columns of the histograms beside the colours of a picture.
 const COLUMNS: usize = 48;
 
-/// By how much colours go beyond a threshold.
-const BEYOND_THRESHOLD: f64 = 1.25;
-
 /// One direction: the surface that is measured, and what was found on it.
 struct Side<'r> {
-    measured: NamedMesh<'r>,
+    path: &'r str,
+    mesh: &'r TriMesh,
     found: &'r DirectedDeviation,
-    triangles: Vec<DisplayTriangle>,
+    drawing: Drawing,
 }
 
 /// A deviation analysis with what is drawn of it: a page, pictures and documents of the same triangles.
@@ -119,30 +112,29 @@ impl fmt::Debug for DeviationFigures<'_> {
 }
 
 impl<'r> DeviationPage<'r> {
-    /// Cuts faces into triangles on which distances are drawn, once for all figures.
+    /// Cuts faces into triangles on which distances are drawn, once for all figures. Limits end that with coarser drawings.
     ///
     /// # Cost
     /// Some microseconds for each face, more for those on which distances bend.
-    pub fn figures(&self) -> DeviationFigures<'r> {
-        DeviationFigures { of: *self, sides: self.sides() }
+    pub fn figures(&self, limits: &Limits) -> DeviationFigures<'r> {
+        DeviationFigures { of: *self, sides: self.sides(limits) }
     }
 
-    fn sides(&self) -> [Side<'r>; 2] {
+    fn sides(&self, limits: &Limits) -> [Side<'r>; 2] {
         let whole = COLOR_TOLERANCE * self.deviation.distance.upper();
         let tolerance = whole.min(COVERED_TOLERANCE * self.extent());
-        let ways = [(self.a, self.b, &self.deviation.a_to_b), (self.b, self.a, &self.deviation.b_to_a)];
-        ways.map(|(measured, other, found)| {
-            let mut triangles = found.tessellation(measured.mesh, other.whole, tolerance, MOST_TRIANGLES);
-            if let Some(sides) = &found.sides {
-                give_signs(&mut triangles, measured.mesh, other.whole, sides);
-                // Where B has more, points of A are inside of it.
-                if self.bands.is_some() && found.direction == Direction::AToB {
-                    for distance in triangles.iter_mut().flat_map(|triangle| &mut triangle.distances) {
-                        *distance = -*distance;
-                    }
+        let ways = [(self.paths[0], &self.deviation.a_to_b), (self.paths[1], &self.deviation.b_to_a)];
+        ways.map(|(path, found)| {
+            let mesh = self.pair.measured(found.direction);
+            let mut drawing =
+                Drawing::new(found, self.pair, Style { tolerance, most: MOST_TRIANGLES }, limits);
+            // Where B has more, points of A are inside of it.
+            if found.sides.is_some() && self.bands.is_some() && found.direction == Direction::AToB {
+                for distance in drawing.triangles.iter_mut().flat_map(|triangle| &mut triangle.distances) {
+                    *distance = -*distance;
                 }
             }
-            Side { measured, found, triangles }
+            Side { path, mesh, found, drawing }
         })
     }
 
@@ -150,7 +142,7 @@ impl<'r> DeviationPage<'r> {
         self.deviation.a_to_b.sides.is_some()
     }
 
-    /// The distance up to which colours are told apart: that of 99 % of the area, and a threshold with room beyond it.
+    /// The distance up to which colours are told apart: the threshold, or that of 99 % of the area.
     fn extent(&self) -> f64 {
         let largest = self.deviation.distance.upper();
         let both = [&self.deviation.a_to_b, &self.deviation.b_to_a];
@@ -158,25 +150,31 @@ impl<'r> DeviationPage<'r> {
             let within = found.statistics.as_ref().map(exceedance);
             within.and_then(|found| found.covering(1.0 - COVERED)).unwrap_or(largest)
         });
-        let covering = covering.fold(0.0, f64::max);
-        largest.min(covering.max(self.threshold.map_or(0.0, |threshold| BEYOND_THRESHOLD * threshold)))
+        // Colours end at a tolerance that is asked for; what is farther has one of its own.
+        match self.threshold.filter(|threshold| *threshold > 0.0) {
+            Some(threshold) => threshold,
+            None => largest.min(covering.fold(0.0, f64::max)),
+        }
     }
 
     fn surface(&self, side: &Side<'_>) -> MeasuredSurface {
-        let Side { measured, found, triangles } = side;
-        let stages = self.stages.iter().filter(|stage| stage.direction == found.direction);
+        let Side { path, mesh, found, drawing } = side;
+        let Drawing { triangles, groups, bounds: face_bounds } = drawing;
+        let direction = found.direction;
+        let stages = self.stages.iter().filter(|stage| stage.direction == direction);
         MeasuredSurface {
-            name: name(measured.path).to_owned(),
-            path: measured.path.to_owned(),
-            vertices: measured.mesh.positions().len(),
-            faces: measured.mesh.faces().len(),
+            name: name(path).to_owned(),
+            path: (*path).to_owned(),
+            vertices: mesh.positions().len(),
+            faces: mesh.faces().len(),
             triangles: DisplayTriangles {
                 corners: triangles.iter().map(|triangle| triangle.corners).collect(),
                 faces: triangles.iter().map(|triangle| triangle.face.0).collect(),
+                groups: groups.as_ref().map(|_| face_bounds.len()),
             },
             deviation: Some(SurfaceDeviation {
                 values: triangles.iter().map(|triangle| triangle.distances).collect(),
-                face_bounds: found.faces.iter().map(|face| bounds(face.max)).collect(),
+                face_bounds: face_bounds.clone(),
                 distance: bounds(found.distance.distance),
                 stop: stop(found).to_owned(),
                 witness: pair(&found.distance.witness),
@@ -184,7 +182,11 @@ impl<'r> DeviationPage<'r> {
                 bands: self.shares(found.direction),
                 histogram: found.statistics.as_ref().map(histogram).unwrap_or_default(),
                 exceedance: found.statistics.as_ref().map(exceedance).unwrap_or_default(),
-                regions: found.regions.iter().map(region).collect(),
+                regions: found
+                    .regions
+                    .iter()
+                    .map(|found| self.region(found, direction, groups.as_deref()))
+                    .collect(),
                 stages: stages.map(search_stage).collect(),
             }),
         }
@@ -195,8 +197,8 @@ impl<'r> DeviationPage<'r> {
         if !scale.classes().is_empty() {
             return self.shares(side.found.direction).iter().map(|[low, high]| 0.5 * (low + high)).collect();
         }
-        let frame = Frame::of(&Aabb::of_faces(side.measured.mesh));
-        spread::shares(&side.triangles, &frame, scale.range(), COLUMNS)
+        let frame = Frame::of(&Aabb::of_faces(side.mesh));
+        spread::shares(&side.drawing.triangles, &frame, scale.range(), COLUMNS)
     }
 
     /// Shares of the area in the tolerance bands.
@@ -206,6 +208,24 @@ impl<'r> DeviationPage<'r> {
             Direction::BToA => bands.b_to_a.shares.as_ref(),
         });
         found.map(|shares| shares.iter().copied().map(bounds).collect()).unwrap_or_default()
+    }
+
+    fn region(&self, found: &Region, direction: Direction, groups: Option<&[u32]>) -> content::Region {
+        let drawn = |face: &FaceId| {
+            let face = self.pair.face_of_measured(direction, *face)?;
+            Some(groups.map_or(face.0, |groups| groups[face.index()]))
+        };
+        let mut faces: Vec<u32> = found.faces.iter().filter_map(drawn).collect();
+        faces.sort_unstable();
+        faces.dedup();
+        content::Region {
+            center: found.centre,
+            extent: found.aabb.diagonal(),
+            area: found.area,
+            peak: bounds(found.peak),
+            pair: pair(&found.witness),
+            faces,
+        }
     }
 
     fn facts(&self) -> Vec<[String; 2]> {
@@ -225,6 +245,23 @@ impl<'r> DeviationPage<'r> {
         let work = [&self.deviation.a_to_b.work, &self.deviation.b_to_a.work];
         facts.push(["pieces".to_owned(), work.map(|w| w.pieces).iter().sum::<u64>().to_string()]);
         facts
+    }
+
+    /// The verdict, with the place where the distance is greatest.
+    fn banner(&self) -> Option<Banner> {
+        let (answer, sentence) = self.verdict?;
+        let (kind, head) = match answer {
+            VerdictAnswer::Within => (BannerKind::Good, "WITHIN TOLERANCE"),
+            VerdictAnswer::Out => (BannerKind::Bad, "OUT OF TOLERANCE"),
+            VerdictAnswer::Undecided => (BannerKind::Open, "UNDECIDED"),
+        };
+        let [there, back] = [&self.deviation.a_to_b, &self.deviation.b_to_a];
+        let is_back = back.distance.distance.upper() > there.distance.distance.upper();
+        let (name, worst) = if is_back { (self.names[1], back) } else { (self.names[0], there) };
+        let [x, y, z] = worst.distance.witness.from.position.map(four_digits);
+        let rest = sentence.trim_start_matches(|c: char| c.is_uppercase() || c == ' ');
+        let text = format!("{rest}, at ({x}, {y}, {z}) on {name}");
+        Some(Banner { kind, head: head.to_owned(), text })
     }
 
     /// What colours of a picture mean.
@@ -269,13 +306,14 @@ impl DeviationFigures<'_> {
         let bands = of.bands.filter(|_| of.is_signed());
         let [width, height] = STILL;
         DeviationContent {
-            title: format!("{} and {}", name(of.a.path), name(of.b.path)),
+            title: format!("{} and {}", name(of.paths[0]), name(of.paths[1])),
             unit: of.unit.to_owned(),
             up: axis(of.up),
             signed: of.is_signed(),
             threshold: of.threshold,
             bands: bands.map(|bands| bands.edges.clone()).unwrap_or_default(),
-            verdict: of.verdict.map(str::to_owned),
+            labels: of.names.map(str::to_owned),
+            verdict: of.banner(),
             still: self.image(width, height, Theme::Light, view).ok(),
             distance: Some(bounds(of.deviation.distance)),
             surfaces: self.sides.each_ref().map(|side| of.surface(side)),
@@ -286,31 +324,45 @@ impl DeviationFigures<'_> {
         }
     }
 
-    /// A picture with one panel for each direction, of the given size in pixels. Colours are told apart up to the distance that 99 % of
-    /// the area is within; tolerance bands have one colour each, as on the page. Beside them, a histogram for each direction.
+    /// A picture with one panel for each direction, of the given size in pixels, with the verdict above. Colours are told apart up to the
+    /// threshold, or the distance that 99 % of the area is within; tolerance bands have one colour each, as on the page. Beside them, a histogram for each direction.
     ///
     /// # Errors
     /// [`FigureError`] for a size that is none.
     pub fn image(&self, width: u32, height: u32, theme: Theme, view: View) -> Result<Image, FigureError> {
-        let (of, sides) = (&self.of, &self.sides);
+        self.drawn_as(&self.of, width, height, theme, view)
+    }
+
+    pub(super) fn drawn_as(
+        &self,
+        of: &DeviationPage<'_>,
+        width: u32,
+        height: u32,
+        theme: Theme,
+        view: View,
+    ) -> Result<Image, FigureError> {
+        let sides = &self.sides;
         let (scale, label) = of.scale()?;
-        let drawn = sides.each_ref().map(|side| (soup(&side.triangles), side));
+        let drawn = sides.each_ref().map(|side| (soup(&side.drawing.triangles), side));
         let mut figure =
             Figure::new(width, height).with_theme(theme).with_view(view).with_scale(scale, label);
-        let values =
-            sides.each_ref().map(|side| side.triangles.iter().map(|t| t.distances).collect::<Vec<_>>());
+        if let Some((_, sentence)) = of.verdict {
+            figure = figure.with_title(sentence);
+        }
+        let values = sides
+            .each_ref()
+            .map(|side| side.drawing.triangles.iter().map(|t| t.distances).collect::<Vec<_>>());
         for ((mesh, side), values) in drawn.iter().zip(&values) {
             // Without anything to draw there is no panel.
             let Ok(mesh) = mesh else { continue };
             let (from, to) = match side.found.direction {
-                Direction::AToB => (of.a, of.b),
-                Direction::BToA => (of.b, of.a),
+                Direction::AToB => (of.paths[0], of.paths[1]),
+                Direction::BToA => (of.paths[1], of.paths[0]),
             };
             let meaning = if side.found.direction == Direction::AToB { "missing" } else { "invented" };
             figure = figure.with_histogram(meaning, of.spread(side, &scale));
             let distance = rounded(side.found.distance.distance);
-            let title =
-                format!("{meaning}: {} to {}, {distance} {}", name(from.path), name(to.path), of.unit);
+            let title = format!("{meaning}: {} to {}, {distance} {}", name(from), name(to), of.unit);
             let PointPair { from, to } = pair(&side.found.distance.witness);
             figure = figure.with_panel(
                 Panel::new(mesh)
@@ -321,27 +373,6 @@ impl DeviationFigures<'_> {
             );
         }
         figure.draw()
-    }
-}
-
-/// Makes distances inside the other mesh negative: at the vertices of a face drawn whole, elsewhere on a piece of a face as a whole.
-fn give_signs(triangles: &mut [DisplayTriangle], mesh: &TriMesh, other: &TriMesh, sides: &Sides) {
-    let is_part = |triangle: &DisplayTriangle| triangle.corners != mesh.corners(triangle.face);
-    let centre = |t: &DisplayTriangle| [0, 1, 2].map(|k| t.corners.iter().map(|p| p[k] / 3.0).sum());
-    let centres: Vec<[f64; 3]> = triangles.iter().filter(|t| is_part(t)).map(centre).collect();
-    let windings = Winding::new(other).about_all(&centres);
-    let mut of_parts = windings.iter().map(WindingNumber::is_inside);
-    for triangle in triangles {
-        let inside = if is_part(triangle) {
-            [of_parts.next().unwrap_or(false); 3]
-        } else {
-            mesh.faces()[triangle.face.index()].map(|v| Sides::is_inside(sides.vertex_winding[v as usize]))
-        };
-        for (distance, inside) in triangle.distances.iter_mut().zip(inside) {
-            if inside {
-                *distance = -*distance;
-            }
-        }
     }
 }
 
@@ -439,17 +470,6 @@ fn exceedance(found: &Statistics) -> Exceedance {
         fractions.insert(place, [least, beyond.min(most).max(least)]);
     }
     Exceedance { distances, fractions }
-}
-
-fn region(found: &Region) -> content::Region {
-    content::Region {
-        center: found.centre,
-        extent: found.aabb.diagonal(),
-        area: found.area,
-        peak: bounds(found.peak),
-        pair: pair(&found.witness),
-        faces: found.faces.iter().map(|FaceId(face)| *face).collect(),
-    }
 }
 
 fn search_stage(stage: &Stage) -> SearchStage {

@@ -18,7 +18,7 @@ impl DeviationFigures<'_> {
     /// The same for printing: the verdict, a picture of both surfaces with its legend, the numbers, the worst regions, and what was
     /// measured with what.
     ///
-    /// `verdict` is a sentence above all, if there is one; `provenance` are names and values, such as the files and their sums.
+    /// `verdict` is a sentence above all in place of that of the analysis; `provenance` are names and values, such as the files and their sums.
     ///
     /// # Errors
     /// [`FigureError`] if the picture cannot be drawn.
@@ -31,9 +31,15 @@ impl DeviationFigures<'_> {
     ) -> Result<Document, FigureError> {
         let [width, height] = PICTURE;
         let of = &self.of;
-        let image = self.image(width, height, Theme::Light, view)?;
-        let names = [of.a.path, of.b.path].map(name);
-        let mut blocks: Vec<Block> = verdict.map(Block::Statement).into_iter().collect();
+        // The verdict stands above the picture, as text.
+        let untitled = DeviationPage { verdict: None, ..self.of };
+        let image = self.drawn_as(&untitled, width, height, Theme::Light, view)?;
+        let names = of.paths.map(name);
+        let mut blocks: Vec<Block> = verdict
+            .or_else(|| of.verdict.map(|(_, sentence)| sentence.to_owned()))
+            .map(Block::Statement)
+            .into_iter()
+            .collect();
         let caption = format!(
             "Left: {}, as it should be, coloured by its distance from {}; what is far is missing there. Right: {}, as it is, coloured by \
              its distance from {}; what is far was invented. The line joins the farthest point and its nearest one. Beside the \
@@ -152,7 +158,7 @@ fn place(region: &Region, name: &str) -> Vec<String> {
 }
 
 /// Four digits of what is not claimed to be exact.
-fn four_digits(x: f64) -> String {
+pub(super) fn four_digits(x: f64) -> String {
     let rounded: f64 = format!("{x:.3e}").parse().unwrap_or(x);
     rounded.to_string()
 }

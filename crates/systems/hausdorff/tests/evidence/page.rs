@@ -1,10 +1,14 @@
 //! Pages of deviation: what is in them, and what is refused.
 
+use pompeiu_core::mesh::displace_at_random;
+use pompeiu_core::mesh::shapes::icosphere;
+use pompeiu_core::run::Limits;
 use pompeiu_figures::page::{PageError, PointPair};
 use pompeiu_hausdorff::show::{
-    DeviationContent, DisplayTriangles, Exceedance, Histogram, MeasuredSurface, Region, SearchStage,
-    SurfaceDeviation,
+    DeviationContent, DeviationPage, DisplayTriangles, Exceedance, Histogram, MeasuredSurface, Region,
+    SearchStage, SurfaceDeviation, search_stages,
 };
+use pompeiu_hausdorff::{DeviationOptions, PreparedPair};
 
 const UPPER: [[f64; 3]; 3] = [[0.0, 0.0, 1.0], [1.0, 0.0, 1.0], [0.0, 1.0, 1.0]];
 const LOWER: [[f64; 3]; 3] = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
@@ -16,7 +20,7 @@ fn page() -> DeviationContent {
         path: name.into(),
         vertices: 3,
         faces: 1,
-        triangles: DisplayTriangles { corners: vec![corners], faces: vec![0] },
+        triangles: DisplayTriangles { corners: vec![corners], faces: vec![0], groups: None },
         deviation,
     };
     let pair = PointPair { from: UPPER[0], to: LOWER[0] };
@@ -135,4 +139,28 @@ fn data_that_do_not_belong_together_are_refused() {
         PageError::NoTriangles { mesh: 1 }
     );
     assert_eq!(refused(&|p| p.surfaces[0].deviation = None), PageError::NothingToShow);
+}
+
+/// Rough surfaces with as many faces as are drawn one by one make the longest page.
+#[test]
+fn a_page_is_short_whatever_the_pair() {
+    let rough = |seed| displace_at_random(&icosphere(1.0, 6).unwrap(), 0.004, seed).unwrap();
+    let pair = PreparedPair::new(rough(1), rough(2));
+    let options = DeviationOptions { accuracy: 0.5, regions: 20, ..DeviationOptions::default() };
+    let limits = Limits::default();
+    let found = DeviationPage {
+        pair: &pair,
+        paths: ["a.ply", "b.ply"],
+        names: ["A", "B"],
+        deviation: &options.symmetric_of(&pair).unwrap(),
+        stages: &search_stages(&pair, &limits),
+        unit: "mm",
+        up: [0.0, 0.0, 1.0],
+        threshold: None,
+        bands: None,
+        verdict: None,
+        command: None,
+    };
+    let bytes = found.figures(&limits).html().unwrap().len();
+    assert!(bytes < 5 << 20, "{bytes}");
 }

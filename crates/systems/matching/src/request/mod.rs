@@ -2,9 +2,11 @@
 //! other first.
 
 mod align;
+mod deviation;
 mod distance;
 mod moved;
 
 pub use align::{AlignReport, AlignRequest, AlignTiming, Aligned};
+pub use deviation::{AlignedDeviationReport, AlignedDeviationRequest};
 pub use distance::{AlignedDistanceReport, AlignedDistanceRequest};
 pub use moved::{MovedFirst, RequestError, moved};

@@ -4,7 +4,7 @@ use crate::align::{AlignError, Fixed, Registration, RegistrationOptions, registe
 use pompeiu_core::mesh::transform;
 use pompeiu_core::run::{Limits, RunContext};
 use pompeiu_core::{MeshError, TriMesh};
-use pompeiu_hausdorff::OptionError;
+use pompeiu_hausdorff::{DeviationRequestError, OptionError};
 use serde::{Deserialize, Serialize};
 
 /// What may be done to B before it is compared with A.
@@ -18,7 +18,7 @@ pub enum MovedFirst {
 }
 
 /// Why two meshes cannot be compared as asked.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum RequestError {
     /// B cannot be moved onto A.
@@ -30,6 +30,9 @@ pub enum RequestError {
     /// An option makes no sense.
     #[error(transparent)]
     Option(#[from] OptionError),
+    /// The deviation cannot be measured as asked.
+    #[error(transparent)]
+    Deviation(#[from] DeviationRequestError),
 }
 
 /// B as it is compared with A: moved onto it if that is asked for. The memory of the search for the place is not limited.

@@ -1,14 +1,13 @@
 //! The statistics as comma-separated values: one row for each number, with both ends of what is proven of it.
 
-use super::bands;
-use super::run::{Outcome, directions, percent};
+use super::{directions, percent};
 use crate::numbers::shortest;
-use pompeiu::hausdorff::Enclosure;
 use pompeiu::hausdorff::deviation::Statistics;
+use pompeiu::hausdorff::{DeviationReport, Enclosure};
 use std::fmt::Write;
 
-pub(super) fn csv(outcome: &Outcome) -> String {
-    let deviation = &outcome.deviation;
+pub(super) fn csv(report: &DeviationReport) -> String {
+    let deviation = &report.deviation;
     let mut rows = Rows("direction,statistic,lower,upper\n".to_owned());
     rows.push("both", "max", deviation.distance);
     for (name, directed) in directions(deviation) {
@@ -23,11 +22,11 @@ pub(super) fn csv(outcome: &Outcome) -> String {
     if let Some(statistics) = &deviation.pooled {
         rows.statistics("pooled", statistics);
     }
-    if let Some(report) = &outcome.bands {
-        for (name, found) in [("a_to_b", &report.a_to_b), ("b_to_a", &report.b_to_a)] {
+    if let Some(bands) = &report.bands {
+        for (name, found) in [("a_to_b", &bands.a_to_b), ("b_to_a", &bands.b_to_a)] {
             rows.ends(name, "lowest", [found.lowest.lower, found.lowest.upper]);
             rows.ends(name, "highest", [found.highest.lower, found.highest.upper]);
-            for (share, class) in found.shares.iter().flatten().zip(bands::names(&report.edges)) {
+            for (share, class) in found.shares.iter().flatten().zip(bands.class_names()) {
                 rows.push(name, &format!("share {class}").replace(' ', "_"), *share);
             }
         }

@@ -1,31 +1,21 @@
 //! The whole outcome for people. Digits are shown only as far as they are proven.
 
-use super::bands;
-use super::parts;
-use super::run::{Outcome, percent};
+use super::{Files, percent, percentage};
 use crate::aligned::verdict as alignment;
+use crate::door::AnswerOf;
 use crate::exit::stopped_by;
-use crate::numbers::{few, grouped, point, rounded, shortest, time};
-use crate::page::{Page, value};
+use crate::numbers::{few, grouped, point, rounded, shortest};
+use crate::page::{Page, compared, value};
 use pompeiu::hausdorff::deviation::{DirectedDeviation, Percentile, Region, Statistics};
-use pompeiu::hausdorff::digits;
-use pompeiu::hausdorff::{Direction, Enclosure};
+use pompeiu::hausdorff::{DeviationReport, Direction};
 
-pub(super) fn text(outcome: &Outcome) -> String {
-    let deviation = &outcome.deviation;
+pub(super) fn text([a, b]: [&str; 2], answer: &AnswerOf<Files>) -> String {
+    let report = &answer.report.measured;
+    let deviation = &report.deviation;
     let mut page = Page::new();
-    if let Some(verdict) = outcome.verdict() {
-        page.row("verdict", &verdict.sentence(outcome));
-        page.gap();
-    }
-    let [a, b] = outcome.names;
-    page.files(outcome.names, &outcome.a, &outcome.b);
-    if let Some(left_out) = &outcome.left_out {
-        for (i, (name, left_out)) in outcome.names.into_iter().zip(left_out).enumerate() {
-            page.row(if i == 0 { "left out" } else { "" }, &parts::described(name, left_out));
-        }
-    }
-    if let Some(found) = &outcome.alignment {
+    let unit = &answer.request.deviation.measures.unit;
+    compared(&mut page, [a, b], &answer.inputs, report, unit);
+    if let Some(found) = &answer.report.alignment {
         page.row("moved", &alignment(found));
     }
     page.gap();
@@ -36,8 +26,8 @@ pub(super) fn text(outcome: &Outcome) -> String {
     };
     page.row("H(A, B)", &format!("{}   {origin}", value(deviation.distance)));
     page.gap();
-    directed(&mut page, outcome, &deviation.a_to_b, [a, b], &format!("what is missing in {b}"));
-    directed(&mut page, outcome, &deviation.b_to_a, [b, a], &format!("what {b} has invented"));
+    directed(&mut page, report, &deviation.a_to_b, [a, b], &format!("what is missing in {b}"));
+    directed(&mut page, report, &deviation.b_to_a, [b, a], &format!("what {b} has invented"));
     if let (Some(greater), Some(pooled)) = (&deviation.greater_percentiles, &deviation.pooled) {
         page.row("both", "by area; the greater of the two directions | pooled over both surfaces");
         page.row("  mean", &format!("| {}", value(pooled.mean)));
@@ -47,26 +37,12 @@ pub(super) fn text(outcome: &Outcome) -> String {
         }
         page.gap();
     }
-    let sum = |part: fn(&DirectedDeviation) -> std::time::Duration| {
-        time(part(&deviation.a_to_b) + part(&deviation.b_to_a))
-    };
-    page.row(
-        "time",
-        &format!(
-            "read {}, build {}, search {}, refine {}, total {}",
-            time(outcome.read),
-            sum(|d| d.work.build),
-            sum(|d| d.work.search),
-            sum(|d| d.work.refine),
-            time(outcome.total)
-        ),
-    );
     page.into_text()
 }
 
 fn directed(
     page: &mut Page,
-    outcome: &Outcome,
+    report: &DeviationReport,
     directed: &DirectedDeviation,
     [from, to]: [&str; 2],
     meaning: &str,
@@ -79,11 +55,11 @@ fn directed(
         Some(found) => statistics(page, found),
         None => page.row("", "no face has an area to take a mean over"),
     }
-    if let Some(report) = &outcome.bands {
-        let found = if directed.direction == Direction::AToB { &report.a_to_b } else { &report.b_to_a };
-        let extremes = [found.lowest, found.highest].map(bands::extreme);
+    if let Some(bands) = &report.bands {
+        let found = if directed.direction == Direction::AToB { &bands.a_to_b } else { &bands.b_to_a };
+        let extremes = [found.lowest, found.highest].map(|extreme| extreme.shown());
         page.row("  signed", &format!("from {} to {}", extremes[0], extremes[1]));
-        for (share, class) in found.shares.iter().flatten().zip(bands::names(&report.edges)) {
+        for (share, class) in found.shares.iter().flatten().zip(bands.class_names()) {
             page.row("  band", &format!("{} of the area {class}", percentage(*share)));
         }
         if !found.closed {
@@ -99,7 +75,7 @@ fn directed(
         page.row("  inside", &format!("{inside} of {} vertices", grouped(all as u64)));
     }
     regions(page, "  regions", &directed.regions);
-    if let Some(threshold) = outcome.threshold {
+    if let Some(threshold) = report.threshold {
         let name = format!("  > {}", shortest(threshold));
         if directed.beyond_threshold.is_empty() {
             page.row(&name, "no region");
@@ -127,11 +103,6 @@ fn statistics(page: &mut Page, statistics: &Statistics) {
 
 fn label(percentile: &Percentile) -> String {
     format!("  {} %", percent(percentile.share))
-}
-
-/// A share of the area in percent, rounded outwards to two decimals.
-pub(super) fn percentage(share: Enclosure) -> String {
-    digits::percentage(share.lower(), share.upper())
 }
 
 /// How many faces a region has.

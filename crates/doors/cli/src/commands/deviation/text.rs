@@ -1,54 +1,38 @@
 //! A screenful of the outcome for people: the verdict, both directions beside each other, the worst regions.
 
-use super::bands;
-use super::full::{faces, percentage};
-use super::parts;
-use super::run::{Outcome, directions, percent};
+use super::full::faces;
+use super::{Files, directions, percent, percentage};
 use crate::aligned;
+use crate::door::AnswerOf;
 use crate::exit::stopped_by;
-use crate::numbers::{few, grouped, point, rounded, time};
-use crate::page::{Page, brief};
+use crate::numbers::{few, grouped, point, rounded};
+use crate::page::{Page, brief, compared};
+use pompeiu::hausdorff::DeviationReport;
 use pompeiu::hausdorff::deviation::{DirectedBands, DirectedDeviation, Region, Statistics};
-use std::time::Duration;
 
 /// Regions that are listed at most.
 const REGIONS: usize = 3;
 
-pub(super) fn text(outcome: &Outcome) -> String {
-    let deviation = &outcome.deviation;
+pub(super) fn text(names: [&str; 2], answer: &AnswerOf<Files>) -> String {
+    let report = &answer.report.measured;
     let mut page = Page::new();
-    if let Some(verdict) = outcome.verdict() {
-        page.row("verdict", &verdict.sentence(outcome));
-        page.gap();
-    }
-    page.files(outcome.names, &outcome.a, &outcome.b);
-    if let Some(left_out) = &outcome.left_out {
-        for (i, (name, left_out)) in outcome.names.into_iter().zip(left_out).enumerate() {
-            page.row(if i == 0 { "left out" } else { "" }, &parts::described(name, left_out));
-        }
-    }
-    if let Some(found) = &outcome.alignment {
+    let unit = &answer.request.deviation.measures.unit;
+    compared(&mut page, names, &answer.inputs, report, unit);
+    if let Some(found) = &answer.report.alignment {
         page.row("moved", &aligned::verdict(found));
     }
     page.gap();
-    let unit = if outcome.unit.is_empty() { String::new() } else { format!(" {}", outcome.unit) };
-    page.row("H(A, B)", &format!("{}{unit}   the largest distance", brief(deviation.distance)));
+    let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
+    page.row("H(A, B)", &format!("{}{unit}   the largest distance", brief(report.deviation.distance)));
     page.gap();
-    both(&mut page, outcome);
-    regions(&mut page, outcome);
-    let [read, refine] = [outcome.read, sum(outcome, |directed| directed.work.refine)].map(time);
-    let search = time(sum(outcome, |directed| directed.work.build + directed.work.search));
-    page.row(
-        "time",
-        &format!("read {read}, search {search}, refine {refine}, total {}", time(outcome.total)),
-    );
+    both(&mut page, names, report);
+    regions(&mut page, names, report);
     page.into_text()
 }
 
 /// Both directions beside each other.
-fn both(page: &mut Page, outcome: &Outcome) {
-    let [a, b] = outcome.names;
-    let found = [&outcome.deviation.a_to_b, &outcome.deviation.b_to_a];
+fn both(page: &mut Page, [a, b]: [&str; 2], report: &DeviationReport) {
+    let found = [&report.deviation.a_to_b, &report.deviation.b_to_a];
     page.columns("", [&format!("{a} to {b}"), &format!("{b} to {a}")]);
     page.columns("", [&format!("missing in {b}"), &format!("invented by {b}")]);
     let mut row = |name: &str, cell: &dyn Fn(&DirectedDeviation) -> String| {
@@ -71,19 +55,19 @@ fn both(page: &mut Page, outcome: &Outcome) {
             Some(brief(statistics.percentiles.get(i)?.distance))
         });
     }
-    if outcome.threshold.is_some() {
+    if report.threshold.is_some() {
         statistic("beyond", &|statistics| {
             Some(format!("{} of the area", percentage(statistics.above.as_ref()?.share)))
         });
     }
-    if let Some(report) = &outcome.bands {
-        for (i, class) in bands::names(&report.edges).iter().enumerate() {
+    if let Some(bands) = &report.bands {
+        for (i, class) in bands.class_names().iter().enumerate() {
             let cell = |found: &DirectedBands| match &found.shares {
                 Some(shares) => format!("{} {class}", percentage(shares[i])),
                 None => "no area".to_owned(),
             };
             let name = if i == 0 { "bands" } else { "" };
-            page.columns(name, [&cell(&report.a_to_b), &cell(&report.b_to_a)]);
+            page.columns(name, [&cell(&bands.a_to_b), &cell(&bands.b_to_a)]);
         }
     }
     let mut row = |name: &str, cell: &dyn Fn(&DirectedDeviation) -> String| {
@@ -109,9 +93,8 @@ fn inside(directed: &DirectedDeviation) -> Option<String> {
 }
 
 /// The worst places of both directions, each once.
-fn regions(page: &mut Page, outcome: &Outcome) {
-    let [a, b] = outcome.names;
-    let named = directions(&outcome.deviation).into_iter().zip([[a, b], [b, a]]);
+fn regions(page: &mut Page, [a, b]: [&str; 2], report: &DeviationReport) {
+    let named = directions(&report.deviation).into_iter().zip([[a, b], [b, a]]);
     let mut all: Vec<(&Region, [&str; 2])> = named
         .flat_map(|((_, directed), names)| directed.regions.iter().map(move |region| (region, names)))
         .collect();
@@ -139,8 +122,4 @@ fn is_beside(other: &Region, region: &Region) -> bool {
     let reach = other.peak.upper();
     let place = region.witness.from.position;
     (0..3).all(|k| (other.aabb.lower[k] - reach..=other.aabb.upper[k] + reach).contains(&place[k]))
-}
-
-fn sum(outcome: &Outcome, part: fn(&DirectedDeviation) -> Duration) -> Duration {
-    directions(&outcome.deviation).map(|(_, directed)| part(directed)).iter().sum()
 }

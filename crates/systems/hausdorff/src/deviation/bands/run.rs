@@ -3,23 +3,24 @@
 use super::super::connected::{Sets, Touching};
 use super::super::face::Cutter;
 use super::super::linear::{greater, lesser};
-use super::super::measure::{self, VertexDistances};
+use super::super::measure;
 use super::super::packed::Entries;
 use super::super::report::{Deviation, DirectedDeviation};
 use super::super::statistics::share_of;
 use super::super::task::Faces;
+use super::boundary::Boundary;
 use super::cut::Cutting;
 use super::share::{Reach, Sign, Tally};
 use super::side::SideOf;
 use super::{BandReport, Bands, DirectedBands, Extreme};
-use crate::engine::joint_frame;
+use crate::engine::{bytes_to_start, joint_frame};
 use crate::observer::{Observer, Progress};
+use crate::prepared::PreparedPair;
 use crate::report::{Direction, Enclosure, StopReason};
-use crate::target::Target;
 use glam::DVec3;
 use pompeiu_core::geom::{Aabb, Frame};
 use pompeiu_core::run::{Control, Limits, on_threads};
-use pompeiu_core::spatial::{Neighbours, morton_order};
+use pompeiu_core::spatial::morton_order;
 use pompeiu_core::{FaceId, TriMesh};
 use rayon::prelude::*;
 use std::ops::ControlFlow;
@@ -55,15 +56,14 @@ impl Deviation {
         limits: &Limits,
         observer: Option<&dyn Observer>,
     ) -> BandReport {
-        self.bands_of_parts([a, a], [b, b], bands, accuracy, limits, observer)
+        self.bands_of(&PreparedPair::for_one_question(a, b), bands, accuracy, limits, observer)
     }
 
-    /// The same of parts that were measured to the other mesh as a whole
-    /// ([`DeviationOptions::symmetric_of_parts`](crate::DeviationOptions::symmetric_of_parts)).
-    pub fn bands_of_parts(
+    /// The same of the prepared pair that was measured
+    /// ([`DeviationOptions::symmetric_of`](crate::DeviationOptions::symmetric_of)), whose trees are used again.
+    pub fn bands_of(
         &self,
-        [a_part, a]: [&TriMesh; 2],
-        [b_part, b]: [&TriMesh; 2],
+        pair: &PreparedPair<'_>,
         bands: &Bands,
         accuracy: f64,
         limits: &Limits,
@@ -72,12 +72,12 @@ impl Deviation {
         on_threads(limits.threads, || {
             let now = Instant::now();
             let until = |part: u32| limits.time.and_then(|time| now.checked_add(time / part));
-            let question =
-                |part| Question { bands, accuracy, deadline: until(part), observer: observer.unwrap_or(&()) };
+            let observer = observer.unwrap_or(&());
+            let question = |part| Question { bands, accuracy, limits, deadline: until(part), observer };
             BandReport {
                 edges: bands.edges().to_vec(),
-                a_to_b: question(2).ask(&self.a_to_b, a_part, b),
-                b_to_a: question(1).ask(&self.b_to_a, b_part, a),
+                a_to_b: question(2).ask(&self.a_to_b, pair),
+                b_to_a: question(1).ask(&self.b_to_a, pair),
             }
         })
     }
@@ -86,25 +86,32 @@ impl Deviation {
 struct Question<'q> {
     bands: &'q Bands,
     accuracy: f64,
+    limits: &'q Limits,
     deadline: Option<Instant>,
     observer: &'q dyn Observer,
 }
 
 impl Question<'_> {
-    fn ask(&self, found: &DirectedDeviation, mesh: &TriMesh, other: &TriMesh) -> DirectedBands {
+    fn ask(&self, found: &DirectedDeviation, pair: &PreparedPair<'_>) -> DirectedBands {
+        let (mesh, other) = (pair.measured(found.direction), pair.other(found.direction));
         let (frame, _, rounding) = joint_frame(mesh, other);
-        let target = Target::in_frame(other, frame);
+        let control = Control::start(self.limits).until(self.deadline);
+        control.check_memory(bytes_to_start(mesh, other));
+        let Some(target) = pair.target_unless_stopped(found.direction, frame, &control) else {
+            return self.unknown(found, other, &control);
+        };
         let order = morton_order(mesh, &Aabb::of_faces(mesh));
-        let vertices = VertexDistances::new(mesh, &frame, target.bvh(), &order);
-        let neighbours = Neighbours::new(other, target.bvh());
-        let control = Control::default().until(self.deadline);
+        let Some(vertices) = pair.vertices(found.direction, &order, &target, &control) else {
+            return self.unknown(found, other, &control);
+        };
+        let neighbours = target.neighbours_in(other);
         let largest = frame.length_in(found.distance.distance.upper()).next_up();
         let faces = Faces {
             mesh,
             frame: &frame,
             vertices: &vertices,
             bvh: target.bvh(),
-            neighbours: Some(&neighbours),
+            neighbours: Some(neighbours),
             rounding,
             control: &control,
             largest,
@@ -149,6 +156,20 @@ impl Question<'_> {
         }
         self.cut_all(&cutting, found, &to_cut, (&reaches, &signs), &mut sum);
         self.publish(&sum, &frame, sides.is_closed(), control.reason())
+    }
+
+    /// What is said where limits leave no room to look at faces: no deviation is greater than the largest distance.
+    fn unknown(&self, found: &DirectedDeviation, other: &TriMesh, control: &Control) -> DirectedBands {
+        let largest = found.distance.distance.upper();
+        let anywhere = Extreme { lower: -largest, upper: largest };
+        let classes = self.bands.edges().len() + 1;
+        DirectedBands {
+            lowest: anywhere,
+            highest: anywhere,
+            shares: found.statistics.as_ref().map(|_| vec![share_of((0.0, 1.0)); classes]),
+            closed: Boundary::new(other, &joint_frame(other, other).0).is_empty(),
+            stop: control.reason().unwrap_or(StopReason::Time),
+        }
     }
 
     /// The signs of faces as a whole, where classes depend on them.

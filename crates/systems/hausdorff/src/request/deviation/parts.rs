@@ -1,0 +1,153 @@
+//! Which faces are measured, and what is left out.
+
+use super::DeviationRequestError;
+use crate::deviation::{DeviationOptions, Part, component_shares, overlapping_of};
+use crate::{Direction, Observer, PreparedPair};
+use pompeiu_core::request::Length;
+use pompeiu_core::run::Limits;
+use pompeiu_core::{FaceId, TriMesh};
+use std::ops::Range;
+
+#[cfg(feature = "clap")]
+use pompeiu_core::request::values::{share, tuple};
+
+/// Consecutive faces that have a name in the file of a mesh. Names may repeat, and faces may have several.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct NamedFaces {
+    /// The name.
+    pub name: String,
+    /// The faces.
+    pub faces: Range<usize>,
+}
+
+/// Which faces are measured, to the other mesh as a whole.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "clap", derive(clap::Args))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct MeasuredParts {
+    /// Leave out the faces of both that reach farther than this from the other mesh: what has no counterpart, such as a fixture, or what was
+    /// not scanned; what is kept is proven to be within.
+    #[cfg_attr(feature = "clap", arg(long, allow_negative_numbers = true, value_name = "LENGTH"))]
+    pub ignore_beyond: Option<Length>,
+    /// Leave out the faces beside the other mesh: those whose nearest point lies on its boundary, as of the part of a model that a partial scan
+    /// does not show.
+    #[cfg_attr(feature = "clap", arg(long))]
+    pub only_overlap: bool,
+    /// Measure only faces that lie in this box as a whole: its least and its greatest coordinates.
+    #[cfg_attr(
+        feature = "clap",
+        arg(id = "box", long = "box", value_parser = tuple::<6>, allow_hyphen_values = true, value_name = "X,Y,Z,X,Y,Z")
+    )]
+    #[cfg_attr(feature = "serde", serde(rename = "box"))]
+    pub bounds: Option<[f64; 6]>,
+    /// Measure only faces of this group or object of OBJ, or node of glTF; of several with the option given again; a mesh that has no group of
+    /// any of these names is measured whole.
+    #[cfg_attr(feature = "clap", arg(long, value_name = "NAME"))]
+    pub group: Vec<String>,
+    /// Leave out connected parts with less than this share of the area of their mesh, such as 0.001.
+    #[cfg_attr(feature = "clap", arg(long, value_parser = share, value_name = "SHARE"))]
+    pub ignore_components: Option<f64>,
+}
+
+/// Most names of groups that an error lists.
+const MOST_NAMES: usize = 20;
+
+impl MeasuredParts {
+    fn is_empty(&self) -> bool {
+        *self == Self::default()
+    }
+
+    /// Whether the options make sense.
+    pub(super) fn check(&self, unit: &str) -> Result<(), DeviationRequestError> {
+        self.ignore_beyond.as_ref().map(|length| length.in_unit(unit)).transpose()?;
+        match self.ignore_components {
+            Some(share) if !(share > 0.0 && share <= 1.0) => Err(DeviationRequestError::Component(share)),
+            _ => Ok(()),
+        }
+    }
+
+    /// The faces of both that are measured; none if that is all of them because nothing was asked.
+    pub(super) fn choose(
+        &self,
+        pair: &PreparedPair<'_>,
+        groups: [&[NamedFaces]; 2],
+        unit: &str,
+        limits: &Limits,
+        observer: &dyn Observer,
+    ) -> Result<Option<[Part; 2]>, DeviationRequestError> {
+        if self.is_empty() {
+            return Ok(None);
+        }
+        if !self.group.is_empty() && !groups.iter().any(|groups| self.names_any(groups)) {
+            return Err(self.unknown_group(groups));
+        }
+        let beyond = self.ignore_beyond.as_ref().map(|length| length.in_unit(unit)).transpose()?;
+        let options = DeviationOptions {
+            limits: limits.clone(),
+            observer: Some(observer),
+            ..DeviationOptions::default()
+        };
+        let choose = |name, direction, mesh: &TriMesh, groups: &[NamedFaces]| {
+            let part = self.kept(pair, direction, mesh, groups);
+            let part = match (part, beyond) {
+                (Some(part), Some(length)) => options.within(&part, pair, direction, length)?,
+                (part, _) => part,
+            };
+            part.ok_or(DeviationRequestError::NothingLeft(name))
+        };
+        let a = choose("A", Direction::AToB, pair.a(), groups[0])?;
+        let b = choose("B", Direction::BToA, pair.b(), groups[1])?;
+        Ok(Some([a, b]))
+    }
+
+    fn names_any(&self, groups: &[NamedFaces]) -> bool {
+        groups.iter().any(|group| self.group.contains(&group.name))
+    }
+
+    fn unknown_group(&self, groups: [&[NamedFaces]; 2]) -> DeviationRequestError {
+        let mut known: Vec<String> = Vec::new();
+        for group in groups.into_iter().flatten() {
+            if known.len() < MOST_NAMES && !known.contains(&group.name) {
+                known.push(group.name.clone());
+            }
+        }
+        DeviationRequestError::Group { names: self.group.clone(), known }
+    }
+
+    /// The faces that are kept, whatever their distance.
+    fn kept(
+        &self,
+        pair: &PreparedPair<'_>,
+        direction: Direction,
+        mesh: &TriMesh,
+        groups: &[NamedFaces],
+    ) -> Option<Part> {
+        let mut kept = vec![true; mesh.faces().len()];
+        let mut keep = |wanted: &dyn Fn(FaceId) -> bool| {
+            for (face, kept) in mesh.face_ids().zip(&mut kept) {
+                *kept &= wanted(face);
+            }
+        };
+        if self.names_any(groups) {
+            let mut named = vec![false; mesh.faces().len()];
+            for group in groups.iter().filter(|group| self.group.contains(&group.name)) {
+                named[group.faces.clone()].fill(true);
+            }
+            keep(&|face| named[face.index()]);
+        }
+        if let Some(least) = self.ignore_components {
+            let shares = component_shares(mesh);
+            keep(&|face| shares[face.index()] >= least);
+        }
+        if let Some(ends) = self.bounds {
+            let inside = |p: [f64; 3]| (0..3).all(|k| ends[k] <= p[k] && p[k] <= ends[k + 3]);
+            keep(&|face| mesh.corners(face).into_iter().all(inside));
+        }
+        if self.only_overlap {
+            let over = overlapping_of(pair, direction);
+            keep(&|face| over[face.index()]);
+        }
+        Part::of(mesh, |face| kept[face.index()])
+    }
+}

@@ -1,0 +1,95 @@
+//! What is answered.
+
+use super::verdict::Verdict;
+use crate::deviation::{BandReport, Deviation, DirectedDeviation, LeftOut};
+use crate::{Direction, PreparedPair, StopReason};
+use pompeiu_core::request::{Conclusion, Report};
+
+/// How far two meshes deviate from each other, and whether that is within a tolerance. Lengths are in the unit of the meshes; faces have the
+/// numbers that they have in the files, though parts were left out.
+#[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct DeviationReport {
+    /// The length beyond which shares and regions were asked for; absent if none was.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub threshold: Option<f64>,
+    /// Whether both surfaces are within the threshold or the bands; absent without either.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub verdict: Option<Verdict>,
+    /// How much lies in which tolerance band; absent if there is none.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub bands: Option<BandReport>,
+    /// What was left out of both; absent if nothing was to be.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub left_out: Option<BothLeftOut>,
+    /// Small parts of which alone the largest distance is, of A and of B.
+    pub outliers: Vec<Outlier>,
+    /// The deviation.
+    #[cfg_attr(feature = "serde", serde(flatten))]
+    pub deviation: Deviation,
+}
+
+/// What was left out of each mesh.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct BothLeftOut {
+    /// Of A.
+    pub a: LeftOut,
+    /// Of B.
+    pub b: LeftOut,
+}
+
+/// A connected part with little of the area, of which the largest distance is, while everything else is within half of it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Outlier {
+    /// The direction whose largest distance it is.
+    pub direction: Direction,
+    /// Its share of the area of the mesh, rounded.
+    pub share: f64,
+    /// All larger parts are within this distance.
+    pub others_within: f64,
+}
+
+/// Shares of the area below which a component is probably junk.
+const JUNK: f64 = 0.01;
+
+/// The outliers of both directions, before faces are renumbered.
+pub(super) fn outliers(deviation: &Deviation, pair: &PreparedPair<'_>) -> Vec<Outlier> {
+    let of = |found: &DirectedDeviation| {
+        let (share, others_within) = found.outlying_component(pair.measured(found.direction), JUNK)?;
+        Some(Outlier { direction: found.direction, share, others_within })
+    };
+    [&deviation.a_to_b, &deviation.b_to_a].into_iter().filter_map(of).collect()
+}
+
+impl DirectedDeviation {
+    /// Why the work ended: of the search for the largest distance or of the statistics, whichever a limit ended first.
+    pub fn first_stop(&self) -> StopReason {
+        if self.distance.stop.is_early() { self.distance.stop } else { self.stop }
+    }
+}
+
+impl Report for DeviationReport {
+    /// The reason of the direction that ended early, if one did.
+    fn stop(&self) -> StopReason {
+        let reasons = [self.deviation.a_to_b.first_stop(), self.deviation.b_to_a.first_stop()];
+        let of_bands = self.bands.iter().flat_map(|bands| [bands.a_to_b.stop, bands.b_to_a.stop]);
+        let early = reasons.into_iter().chain(of_bands).find(|stop| stop.is_early());
+        early
+            .or_else(|| reasons.into_iter().find(|stop| *stop != StopReason::Tolerance))
+            .unwrap_or(reasons[0])
+    }
+
+    /// A question about a tolerance is answered or not; otherwise limits decide.
+    fn conclusion(&self) -> Conclusion {
+        match self.verdict.as_ref().map(Verdict::conclusion) {
+            Some(conclusion) => conclusion,
+            None if self.stop().is_early() => Conclusion::Incomplete,
+            None => Conclusion::AsAsked,
+        }
+    }
+}

@@ -1,0 +1,388 @@
+//! What of a surface is drawn: triangles with distances at their corners, as many as a page or a picture can show.
+//!
+//! Between the corners distances are drawn linear. They are sampled on edges and inside faces, and faces where they bend by more than a
+//! tolerance are drawn in parts: this is for the eye, and proves nothing. A mesh with more faces than can be drawn is drawn by groups of
+//! them, each with the enclosure of the largest distance of all its faces. Coordinates and distances are rounded to what can be seen, which
+//! makes pages short.
+
+use super::group::Groups;
+use crate::PreparedPair;
+use crate::deviation::{DirectedDeviation, DisplayTriangle, Sides};
+use crate::engine::joint_frame;
+use pompeiu_core::geom::{Aabb, Frame};
+use pompeiu_core::run::{Control, Limits};
+use pompeiu_core::spatial::{Bvh, Slot, Winding, WindingNumber, Workspace, morton_order};
+use pompeiu_core::{FaceId, TriMesh};
+use pompeiu_figures::page::Bounds;
+use rayon::prelude::*;
+
+/// What is drawn of a surface.
+pub(super) struct Drawing {
+    /// Triangles with the distances at their corners; their faces are numbers of groups where faces are drawn by groups.
+    pub(super) triangles: Vec<DisplayTriangle>,
+    /// The group of each face; none where faces are drawn one by one.
+    pub(super) groups: Option<Vec<u32>>,
+    /// For each face or group, an enclosure of its largest distance.
+    pub(super) bounds: Vec<Bounds>,
+}
+
+/// What a drawing is to be.
+#[derive(Clone, Copy)]
+pub(super) struct Style {
+    /// By how much drawn distances may be off between corners, as far as samples tell.
+    pub(super) tolerance: f64,
+    /// Triangles at most.
+    pub(super) most: usize,
+}
+
+/// Parts of the box around a surface that coordinates are rounded to.
+const PLACES: f64 = (1_u64 << 14) as f64;
+/// Parts of the tolerance that distances are rounded to.
+const LEVELS: f64 = 8.0;
+/// Parts of an edge at most.
+const MOST_PARTS: u32 = 64;
+/// Faces of a task.
+const TASK: usize = 128;
+
+impl Drawing {
+    /// Draws what was measured of a pair in one direction. Limits end sampling: then faces are drawn whole.
+    pub(super) fn new(
+        found: &DirectedDeviation,
+        pair: &PreparedPair<'_>,
+        style: Style,
+        limits: &Limits,
+    ) -> Self {
+        let mesh = pair.measured(found.direction);
+        let snap = Snap::new(mesh, style.tolerance);
+        if mesh.faces().len() > style.most {
+            return Groups::new(found, mesh, style.most).drawing(found, mesh, &snap);
+        }
+        let sampled = Sampler::sampled(found, pair, style, limits);
+        let mut triangles = Vec::with_capacity(mesh.faces().len());
+        let mut is_part = Vec::with_capacity(mesh.faces().len());
+        for (face, parts) in mesh.face_ids().zip(sampled) {
+            is_part
+                .resize(triangles.len() + parts.as_ref().map_or(1, |grid| grid.triangles()), parts.is_some());
+            let corners = snap.corners(mesh.corners(face));
+            if let Some(grid) = parts {
+                grid.push(face, corners, &snap, &mut triangles);
+            } else {
+                let distances = mesh.faces()[face.index()].map(|v| snap.distance(found.vertices[v as usize]));
+                triangles.push(DisplayTriangle { face, corners, distances, error: style.tolerance });
+            }
+        }
+        if let Some(sides) = &found.sides {
+            give_signs(&mut triangles, &is_part, mesh, pair.other(found.direction), sides);
+        }
+        let bounds = found.faces.iter().map(|face| rounded([face.max.lower(), face.max.upper()])).collect();
+        Self { triangles, groups: None, bounds }
+    }
+}
+
+/// Rounds what is drawn.
+pub(super) struct Snap {
+    place: f64,
+    level: f64,
+}
+
+impl Snap {
+    fn new(mesh: &TriMesh, tolerance: f64) -> Self {
+        Self { place: below(Aabb::of_faces(mesh).diagonal() / PLACES), level: below(tolerance / LEVELS) }
+    }
+
+    pub(super) fn corners(&self, corners: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
+        corners.map(|p| p.map(|x| to_multiple(x, self.place)))
+    }
+
+    pub(super) fn distance(&self, distance: f64) -> f64 {
+        to_multiple(distance, self.level)
+    }
+}
+
+/// The greatest power of two that is not above a length; zero for zero.
+fn below(length: f64) -> f64 {
+    if length >= f64::MIN_POSITIVE { length.log2().floor().exp2() } else { 0.0 }
+}
+
+/// The nearest multiple of a step; the number itself where multiples are too large for doubles, or there is no step.
+fn to_multiple(x: f64, step: f64) -> f64 {
+    let multiple = (x / step).round() * step;
+    if multiple.is_finite() { multiple } else { x }
+}
+
+/// Bits of a mantissa that are kept of a bound.
+const KEPT: u32 = 12;
+
+/// Bounds with few digits that lie around the given ones, which are not negative.
+pub(super) fn rounded([lower, upper]: Bounds) -> Bounds {
+    let dropped = (1_u64 << (52 - KEPT)) - 1;
+    let down = f64::from_bits(lower.to_bits() & !dropped);
+    let up = f64::from_bits((upper.to_bits() + dropped) & !dropped);
+    [down, if up.is_finite() { up } else { upper }]
+}
+
+/// Distances on a face at the points of a triangular grid, row by row from the first corner on.
+struct Grid {
+    parts: u32,
+    distances: Vec<f64>,
+}
+
+impl Grid {
+    fn triangles(&self) -> usize {
+        (self.parts * self.parts) as usize
+    }
+
+    /// Weights of the second and the third corner at each point.
+    fn weights(parts: u32) -> impl Iterator<Item = [f64; 2]> {
+        let step = 1.0 / f64::from(parts);
+        (0..=parts).flat_map(move |i| (0..=i).map(move |j| [f64::from(i - j) * step, f64::from(j) * step]))
+    }
+
+    /// Adds the triangles of the grid. Points are exact where the number of parts is a power of two and corners are rounded, so that they
+    /// lie on the edges of neighbours.
+    fn push(&self, face: FaceId, corners: [[f64; 3]; 3], snap: &Snap, triangles: &mut Vec<DisplayTriangle>) {
+        let points: Vec<([f64; 3], f64)> = Self::weights(self.parts)
+            .zip(&self.distances)
+            .map(|(weights, distance)| (between(corners, weights), snap.distance(*distance)))
+            .collect();
+        let place = |i: u32, j: u32| (i * (i + 1) / 2 + j) as usize;
+        let mut push = |places: [usize; 3]| {
+            triangles.push(DisplayTriangle {
+                face,
+                corners: places.map(|at| points[at].0),
+                distances: places.map(|at| points[at].1),
+                error: snap.level * LEVELS,
+            });
+        };
+        for i in 0..self.parts {
+            for j in 0..=i {
+                push([place(i, j), place(i + 1, j), place(i + 1, j + 1)]);
+                if j < i {
+                    push([place(i, j), place(i + 1, j + 1), place(i, j + 1)]);
+                }
+            }
+        }
+    }
+}
+
+/// The point of a triangle with these weights of the second and the third corner.
+fn between([a, b, c]: [[f64; 3]; 3], [v, w]: [f64; 2]) -> [f64; 3] {
+    [0, 1, 2].map(|k| a[k] + v * (b[k] - a[k]) + w * (c[k] - a[k]))
+}
+
+/// Measures distances at points of faces.
+struct Sampler<'s> {
+    found: &'s DirectedDeviation,
+    mesh: &'s TriMesh,
+    frame: Frame,
+    bvh: &'s Bvh,
+    control: &'s Control,
+    tolerance: f64,
+}
+
+impl Sampler<'_> {
+    /// For each face a grid of distances where the face is drawn in parts.
+    fn sampled(
+        found: &DirectedDeviation,
+        pair: &PreparedPair<'_>,
+        Style { tolerance, most }: Style,
+        limits: &Limits,
+    ) -> Vec<Option<Grid>> {
+        let control = Control::start(limits);
+        let (mesh, other) = (pair.measured(found.direction), pair.other(found.direction));
+        let count = mesh.faces().len();
+        let mut grids: Vec<Option<Grid>> = std::iter::repeat_with(|| None).take(count).collect();
+        let (frame, ..) = joint_frame(mesh, other);
+        control.check_memory(crate::engine::bytes_to_start(mesh, other));
+        let Some(target) = pair.target_unless_stopped(found.direction, frame, &control) else { return grids };
+        let sampler = Sampler { found, mesh, frame, bvh: target.bvh(), control: &control, tolerance };
+        let order = morton_order(mesh, &Aabb::of_faces(mesh));
+        // Large faces are looked at in more places.
+        let first = ((most / count) as f64).sqrt() as u32;
+        let first = (1_u32 << (first.max(2).ilog2())).min(MOST_PARTS);
+        let bends = sampler.each(&order, |face, workspace, hint| sampler.bend(face, first, workspace, hint));
+        let mut bent: Vec<(u32, f64)> = bends.into_iter().filter(|(_, bend)| *bend > tolerance).collect();
+        bent.sort_by(|x, y| y.1.total_cmp(&x.1).then(x.0.cmp(&y.0)));
+        let mut room = most.saturating_sub(count);
+        let mut chosen: Vec<(u32, u32)> = Vec::new();
+        for (face, bend) in bent {
+            // Halving the parts of an edge quarters the bend of a smooth function.
+            let wanted =
+                ((bend / tolerance).sqrt().ceil() as u32).clamp(first, MOST_PARTS).next_power_of_two();
+            let mut fitting = std::iter::successors(Some(wanted), |parts| (*parts > 2).then_some(parts / 2));
+            let Some(parts) = fitting.find(|parts| (parts * parts) as usize <= room + 1) else { break };
+            room -= (parts * parts) as usize - 1;
+            chosen.push((face, parts));
+        }
+        let parts_of: std::collections::HashMap<u32, u32> = chosen.iter().copied().collect();
+        let ordered: Vec<u32> = order.into_iter().filter(|face| parts_of.contains_key(face)).collect();
+        let made = sampler.each(&ordered, |face, workspace, hint| {
+            let parts = parts_of.get(&face).copied().unwrap_or(1);
+            sampler.grid(face, parts, workspace, hint)
+        });
+        for (face, grid) in made {
+            grids[face as usize] = grid;
+        }
+        grids
+    }
+
+    /// Does something with each face, neighbours after each other.
+    fn each<R: Send>(
+        &self,
+        faces: &[u32],
+        look: impl Fn(u32, &mut Workspace, &mut Slot) -> R + Sync,
+    ) -> Vec<(u32, R)> {
+        let of_task = |task: &[u32]| {
+            let (mut workspace, mut hint) = (Workspace::default(), self.bvh.any_slot());
+            task.iter().map(|face| (*face, look(*face, &mut workspace, &mut hint))).collect::<Vec<_>>()
+        };
+        faces.par_chunks(TASK).flat_map_iter(of_task).collect()
+    }
+
+    fn at_corners(&self, face: u32) -> [f64; 3] {
+        self.mesh.faces()[face as usize].map(|v| self.found.vertices[v as usize])
+    }
+
+    /// How far the distance is from linear at the points of a grid; zero where it is known to be nearly constant.
+    fn bend(&self, face: u32, parts: u32, workspace: &mut Workspace, hint: &mut Slot) -> f64 {
+        let bounds = &self.found.faces[face as usize];
+        if bounds.max.upper() - bounds.min.lower() <= self.tolerance || self.control.is_stopped() {
+            return 0.0;
+        }
+        let [a, b, c] = self.at_corners(face);
+        let corners = self.mesh.corners(FaceId(face));
+        let mut bend = 0.0;
+        for [v, w] in Grid::weights(parts) {
+            if [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]].contains(&[v, w]) {
+                continue;
+            }
+            let off = (self.distance(between(corners, [v, w]), workspace, hint)
+                - (a + v * (b - a) + w * (c - a)))
+                .abs();
+            bend = if off > bend { off } else { bend };
+        }
+        bend
+    }
+
+    fn grid(&self, face: u32, parts: u32, workspace: &mut Workspace, hint: &mut Slot) -> Option<Grid> {
+        if self.control.is_stopped() {
+            return None;
+        }
+        let corners = self.mesh.corners(FaceId(face));
+        let distances =
+            Grid::weights(parts).map(|weights| self.distance(between(corners, weights), workspace, hint));
+        Some(Grid { parts, distances: distances.collect() })
+    }
+
+    fn distance(&self, point: [f64; 3], workspace: &mut Workspace, hint: &mut Slot) -> f64 {
+        let nearest = self.bvh.nearest(self.frame.map(point), *hint, workspace);
+        *hint = nearest.slot;
+        self.frame.length_out(nearest.distance_sq.sqrt())
+    }
+}
+
+/// Makes distances inside the other mesh negative: at the vertices of a face drawn whole, elsewhere on a part of a face as a whole.
+fn give_signs(
+    triangles: &mut [DisplayTriangle],
+    is_part: &[bool],
+    mesh: &TriMesh,
+    other: &TriMesh,
+    sides: &Sides,
+) {
+    let centre = |t: &DisplayTriangle| [0, 1, 2].map(|k| t.corners.iter().map(|p| p[k] / 3.0).sum());
+    let parts = triangles.iter().zip(is_part).filter(|(_, is_part)| **is_part);
+    let centres: Vec<[f64; 3]> = parts.map(|(triangle, _)| centre(triangle)).collect();
+    let windings = if centres.is_empty() { Vec::new() } else { Winding::new(other).about_all(&centres) };
+    let mut of_parts = windings.iter().map(WindingNumber::is_inside);
+    for (triangle, is_part) in triangles.iter_mut().zip(is_part) {
+        let inside = if *is_part {
+            [of_parts.next().unwrap_or(false); 3]
+        } else {
+            mesh.faces()[triangle.face.index()].map(|v| Sides::is_inside(sides.vertex_winding[v as usize]))
+        };
+        for (distance, inside) in triangle.distances.iter_mut().zip(inside) {
+            if inside {
+                *distance = -*distance;
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::DeviationOptions;
+    use pompeiu_core::mesh::displace_at_random;
+    use pompeiu_core::mesh::shapes::{cube, icosphere};
+
+    fn drawn(a: &TriMesh, b: &TriMesh, tolerance: f64, most: usize) -> (Drawing, DirectedDeviation) {
+        let pair = PreparedPair::new(a, b);
+        let found = DeviationOptions::default().symmetric_of(&pair).unwrap().a_to_b;
+        (Drawing::new(&found, &pair, Style { tolerance, most }, &Limits::default()), found)
+    }
+
+    fn area([a, b, c]: [[f64; 3]; 3]) -> f64 {
+        let [a, b, c] = [a, b, c].map(glam::DVec3::from_array);
+        0.5 * (b - a).cross(c - a).length()
+    }
+
+    #[test]
+    fn bounds_are_rounded_outwards() {
+        for x in [0.0, 1.0, 0.1, 1e-300, 123.456, f64::MIN_POSITIVE / 2.0] {
+            let [low, high] = rounded([x, x]);
+            assert!(low <= x && x <= high && high - low <= x * 3e-4 + 1e-300, "{x} {low} {high}");
+        }
+    }
+
+    /// The drawing covers the surface, and shows distances within the tolerance at other points than those that were sampled.
+    #[test]
+    fn faces_are_cut_where_distances_bend() {
+        let (a, b) = (cube(2.0, 1).unwrap(), icosphere(1.0, 3).unwrap());
+        let (drawing, _) = drawn(&a, &b, 0.01, 20_000);
+        let whole: f64 = drawing.triangles.iter().map(|triangle| area(triangle.corners)).sum();
+        assert!((whole - 24.0).abs() < 1e-3 && drawing.triangles.len() > 1000);
+        assert!(drawing.triangles.len() <= 20_000);
+        for triangle in &drawing.triangles {
+            let centre = [0, 1, 2].map(|k| triangle.corners.iter().map(|p| p[k] / 3.0).sum::<f64>());
+            let shown = triangle.distances.iter().sum::<f64>() / 3.0;
+            let d = b.face_ids().map(|f| {
+                let [x, y, z] = b.corners(f);
+                pompeiu_core::geom::point_triangle::distance_sq(centre, x, y, z).sqrt()
+            });
+            let d = d.fold(f64::INFINITY, f64::min);
+            assert!((d - shown).abs() <= 0.015, "{d} {shown}");
+        }
+        // Nothing bends between two spheres with the same faces.
+        let (drawing, _) = drawn(&icosphere(1.0, 2).unwrap(), &icosphere(2.0, 2).unwrap(), 0.5, 20_000);
+        assert_eq!(drawing.triangles.len(), 320);
+    }
+
+    /// Without time faces stay whole, as far as vertices are known.
+    #[test]
+    fn limits_end_sampling() {
+        let (a, b) = (cube(2.0, 1).unwrap(), icosphere(1.0, 3).unwrap());
+        let pair = PreparedPair::new(&a, &b);
+        let found = DeviationOptions::default().symmetric_of(&pair).unwrap().a_to_b;
+        let limits = Limits { time: Some(std::time::Duration::ZERO), ..Limits::default() };
+        let drawing = Drawing::new(&found, &pair, Style { tolerance: 0.01, most: 20_000 }, &limits);
+        assert_eq!(drawing.triangles.len(), a.faces().len());
+    }
+
+    /// Groups are as few as asked, hold every face, and enclose the largest distance of each.
+    #[test]
+    fn many_faces_are_drawn_by_groups() {
+        let b = icosphere(1.0, 4).unwrap();
+        let a = displace_at_random(&icosphere(1.0, 5).unwrap(), 0.01, 7).unwrap();
+        let (drawing, found) = drawn(&a, &b, 1e-4, 3000);
+        assert!(drawing.triangles.len() <= 3000 && drawing.triangles.len() > 500);
+        let groups = drawing.groups.unwrap();
+        assert_eq!(groups.len(), a.faces().len());
+        for (group, face) in groups.iter().zip(&found.faces) {
+            let [lower, upper] = drawing.bounds[*group as usize];
+            assert!(face.max.upper() <= upper && lower <= upper);
+        }
+        let most = drawing.bounds.iter().map(|bounds| bounds[0]).fold(0.0, f64::max);
+        assert!(most >= found.distance.distance.lower() * (1.0 - 1e-3), "the worst place is drawn");
+        assert!(drawing.triangles.iter().all(|triangle| triangle.face.index() < drawing.bounds.len()));
+    }
+}
