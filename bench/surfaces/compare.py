@@ -166,7 +166,7 @@ def remeshing(session, mesh):
     answer, cpu, wall = session.pompeiu(*words, "--json")
     ours = read_obj(out)
     # Of one thread: the command's processor time is shared out by the clock.
-    share = answer["timing_ms"]["remesh"] / answer["timing_ms"]["total"]
+    share = answer["report"]["timing_ms"]["remesh"] / answer["timing_ms"]["total"]
     add("pompeiu", ours, cpu * share, wall * share, length)
 
     def gpy(target):
@@ -230,7 +230,7 @@ def simplification(session, mesh):
                 "simplify", source, "--within", limit, "--intersections", "ignore", "-o", out, "--json", threads=threads
             )
             judged = f"H {100 * distance(session, source, out) / diagonal:.5f} % of the diagonal"
-            count = answer["output"]["faces"]
+            count = answer["report"]["faces"]
             session.add("simplify", name, asked, "pompeiu", count, cpu, wall, judged, threads)
         for program, work in [
             ("pymeshlab", lambda count: timed(lambda: meshlab(count))),
@@ -302,21 +302,21 @@ def flow(session, evolver):
         tube = session.path("obj")
         session.pompeiu("generate", "schwarz-lantern", "--segments", segments, "--bands", bands, "--height", 1, "-o", tube)
         answer, cpu, wall = session.pompeiu("flow", tube, "--json", "--intersections", "ignore")
-        error = answer["area"]["final"] / CATENOID[0] - 1
+        error = answer["report"]["area"]["final"] / CATENOID[0] - 1
         judged = (
-            f"{answer['stop']} area error {error:.3e} normal gradient {answer['gradient']['normal']:.1e}"
-            f" least eigenvalue {answer['stability']['least_eigenvalue']:.4f}"
+            f"{answer['report']['stop']} area error {error:.3e} normal gradient {answer['report']['gradient']['normal']:.1e}"
+            f" least eigenvalue {answer['report']['stability']['least_eigenvalue']:.4f}"
         )
-        session.add("flow", "tube R=1 h=0.5", "stationary", "pompeiu", answer["input"]["faces"], cpu, wall, judged)
+        session.add("flow", "tube R=1 h=0.5", "stationary", "pompeiu", answer["inputs"][0]["faces"], cpu, wall, judged)
     # The catenoid of waist 1 between rings at heights 1 and -1: its area is pi (2 + sinh 2).
     exact = math.pi * (2 + math.sinh(2))
     tube = session.path("obj")
     words = ["--radius", math.cosh(1), "--segments", 192, "--bands", 64, "--height", 2]
     session.pompeiu("generate", "schwarz-lantern", *words, "-o", tube)
     answer, cpu, wall = session.pompeiu("flow", tube, "--json", "--intersections", "ignore")
-    share = (answer["timing_ms"]["steps"] + answer["timing_ms"]["remesh"]) / answer["timing_ms"]["total"]
-    judged = f"{answer['stop']} area error {answer['area']['final'] / exact - 1:.3e}"
-    session.add("flow", "tube R=cosh 1 h=1", "stationary", "pompeiu", answer["input"]["faces"], cpu * share, wall * share, judged)
+    share = (answer["report"]["timing_ms"]["steps"] + answer["report"]["timing_ms"]["remesh"]) / answer["timing_ms"]["total"]
+    judged = f"{answer['report']['stop']} area error {answer['report']['area']['final'] / exact - 1:.3e}"
+    session.add("flow", "tube R=cosh 1 h=1", "stationary", "pompeiu", answer["inputs"][0]["faces"], cpu * share, wall * share, judged)
     neck(session)
     if evolver is None:
         return
@@ -355,10 +355,10 @@ def neck(session, around=48, along=60, length=0.04):
         answer, cpu, wall = session.pompeiu("flow", start, *words, "-o", out, "--json")
         points, _ = read_obj(out)
         found = np.hypot(*points[np.abs(points[:, 2]) < length, :2].T).min()
-        ended = answer["history"][-1]["time"]
+        ended = answer["report"]["history"][-1]["time"]
         # Near the end the squared radius falls by about 1.7 in each unit of time.
         reached = ended + (found**2 - radius**2) / 1.7
-        judged = f"{answer['stop']} at {ended:.6f} radius {found:.4f}; radius {radius} at {reached:.6f}, {100 * (reached / time_there - 1):+.2f} %"
+        judged = f"{answer['report']['stop']} at {ended:.6f} radius {found:.4f}; radius {radius} at {reached:.6f}, {100 * (reached / time_there - 1):+.2f} %"
         asked = f"time {time_there}, edges {length}"
         session.add("flow", "neck between planes", asked, "pompeiu", len(faces), cpu, wall, judged)
 

@@ -54,7 +54,7 @@ from .fields import (
     field_degrees_of_freedom,
 )
 from .coupling import Coupled, couple
-from .files import mesh_summary, write_mesh
+from .files import Info, info, mesh_summary, write_mesh
 from .flattening import Cut, Flattening, Medial, Straightened, cut, flatten, medial, straighten
 from .fluids import Simulation, SquareSimulation
 from .many import DistanceMatrix, RankReport, RankWork, Standing, distance_matrix, rank
@@ -110,6 +110,7 @@ __all__ = [
     "Flow",
     "Histogram",
     "HodgeDecomposition",
+    "Info",
     "Intersections",
     "Medial",
     "Mesh",
@@ -173,6 +174,7 @@ __all__ = [
     "flatten",
     "flow",
     "hausdorff",
+    "info",
     "intersections",
     "k_medoids",
     "medial",

@@ -307,26 +307,14 @@ def read_skeleton(
     str,
     str,
 ]: ...
-def mean_curvature_flow(
-    mesh: Mesh, options: _Options, progress: Optional[Callable[[int, float, float], Optional[bool]]]
-) -> tuple[Mesh, str]: ...
 def simplify(
     mesh: Mesh,
-    options: _Options,
+    options: str,
+    limits: _Limits,
     texture: Optional[tuple[ArrayLike, ArrayLike]],
     colors: Optional[ArrayLike],
     progress: Optional[Callable[[float], Optional[bool]]],
-) -> tuple[
-    Mesh,
-    str,
-    int,
-    str,
-    Optional[tuple[NDArray[np.float64], NDArray[np.uint32]]],
-    Optional[NDArray[np.uint8]],
-]: ...
-def remesh(
-    mesh: Mesh, options: _Options, progress: Optional[Callable[[float], Optional[bool]]]
-) -> tuple[Mesh, list[str], int, str]: ...
+) -> tuple[str, dict[str, Any]]: ...
 def intersections(
     mesh: Mesh, most_pairs: int
 ) -> tuple[NDArray[np.uint32], NDArray[np.float64], int, bool]: ...

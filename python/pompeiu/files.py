@@ -6,15 +6,17 @@ import io
 import json
 import os
 import tempfile
-from typing import Any, Mapping, Optional
+from dataclasses import dataclass
+from typing import Any, Dict, Mapping, Optional
 
 import numpy as np
 
 from . import _native
+from ._asking import ask
 from .results import MeshSummary
 from .sources import MeshLike, as_mesh
 
-__all__ = ["mesh_summary", "write_mesh"]
+__all__ = ["Info", "info", "mesh_summary", "write_mesh"]
 
 
 def write_whole(path: "str | os.PathLike[str]", content: bytes) -> None:
@@ -84,6 +86,52 @@ def write_mesh(
         vertex_colors,
         face_colors,
     )
+
+
+@dataclass(frozen=True, repr=False)
+class Info:
+    """What is said of a mesh.
+
+    Attributes
+    ----------
+    summary : MeshSummary
+        Counts, measures and connectivity.
+    self_intersections : dict or None
+        ``count``, ``touching``, ``complete`` and the ``first`` thousand pairs of faces that intersect; ``None`` unless asked for.
+    """
+
+    summary: MeshSummary
+    self_intersections: Optional[Dict[str, Any]]
+
+    def __repr__(self) -> str:
+        return f"Info({self.summary!r})"
+
+
+def info(
+    mesh: MeshLike,
+    *,
+    intersections: bool = False,
+) -> Info:
+    """Describes a mesh: counts, size, area, volume, topology, oddities.
+
+    Parameters
+    ----------
+    mesh : MeshLike
+        Any mesh.
+    intersections : bool
+        Find pairs of faces that intersect, decided exactly.
+
+    Examples
+    --------
+    >>> import pompeiu
+    >>> ball = pompeiu.info(pompeiu.shapes.icosphere(1.0, 2), intersections=True)
+    >>> ball.summary.genus, ball.self_intersections["count"]
+    (0, 0)
+    """
+    report = ask("info", locals())[0]["report"]
+    intersections = report.pop("self_intersections")
+    del report["file"]
+    return Info(MeshSummary._of(report), intersections)
 
 
 def mesh_summary(mesh: MeshLike) -> MeshSummary:

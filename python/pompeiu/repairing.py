@@ -60,6 +60,8 @@ def repair(
     no_weld: bool = False,
     fill_holes: int = 0,
     within: Optional[float] = None,
+    precision: Literal["double", "single"] = "double",
+    center: bool = False,
 ) -> Repaired:
     """Makes a mesh an oriented manifold with boundary, and says what was done.
 
@@ -79,6 +81,13 @@ def repair(
         Fill boundary loops with at most this many edges.
     within : float, optional
         Largest distance from the input, in its unit, to be proven.
+    precision : str
+        Numbers in which the coordinates of the result are kept; single where the file that is written holds no others,
+        as STL and GLB do. ``"double"``: 53 bits: every mesh in memory; ``"single"``: 24 bits: files such as STL and
+        GLB.
+    center : bool
+        Count the coordinates of the result from a point near the centre of the mesh, which is reported: far from zero
+        this keeps digits for which single precision has no room.
 
     Raises
     ------

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass
-from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, List, Literal, Optional, Sequence, Tuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native
+from ._asking import ask, split
 from .errors import OptionError
 from .results import SymmetricReport
 from .sources import Mesh, MeshLike, as_mesh
@@ -27,28 +28,39 @@ class Flow:
     Attributes
     ----------
     mesh : Mesh
-        The surface it ended in.
-    stop : str
-        ``"stationary"``, ``"time"``, ``"steps"``, ``"pinched"``, ``"stalled"``, ``"degenerate"``, ``"limit"`` or ``"cancelled"``.
-    steps : int
-        Number of steps.
-    area : tuple of float
-        Area at first and at the end.
-    gradient : tuple of float
-        Greatest gradient of the area at a vertex, along its normal and across it: lengths.
-    least_eigenvalue : float or None
-        Of a stationary surface: above zero for a local minimum of the area, below for a saddle.
+        The surface it ended in; with ``center`` without the shift that ``report["rounding"]`` has.
     report : dict
-        All of it, as ``pompeiu flow --json`` has it: volume, pressure, stability, discs, cone, neck, history.
+        What ``pompeiu flow --json`` says of it: volume, pressure, stability, discs, cone, neck, history.
     """
 
     mesh: Mesh
-    stop: str
-    steps: int
-    area: Tuple[float, float]
-    gradient: Tuple[float, float]
-    least_eigenvalue: Optional[float]
     report: Dict[str, Any]
+
+    @property
+    def stop(self) -> str:
+        """``"stationary"``, ``"time"``, ``"steps"``, ``"pinched"``, ``"stalled"``, ``"degenerate"``, ``"limit"`` or ``"cancelled"``."""
+        return self.report["stop"]
+
+    @property
+    def steps(self) -> int:
+        """Number of steps."""
+        return self.report["steps"]
+
+    @property
+    def area(self) -> Tuple[float, float]:
+        """Area at first and at the end."""
+        return self.report["area"]["initial"], self.report["area"]["final"]
+
+    @property
+    def gradient(self) -> Tuple[float, float]:
+        """Greatest gradient of the area at a vertex, along its normal and across it: lengths."""
+        return self.report["gradient"]["normal"], self.report["gradient"]["tangential"]
+
+    @property
+    def least_eigenvalue(self) -> Optional[float]:
+        """Of a stationary surface: above zero for a local minimum of the area, below for a saddle."""
+        stability = self.report["stability"]
+        return None if stability is None else stability["least_eigenvalue"]
 
     @property
     def history(self) -> List[Dict[str, Any]]:
@@ -62,15 +74,17 @@ class Flow:
 def flow(
     mesh: MeshLike,
     *,
-    stationary: float = 1e-11,
-    time: Optional[float] = None,
-    steps: Optional[int] = None,
-    scheme: Optional[str] = None,
+    scheme: Optional[Literal["explicit", "fixed-laplacian", "implicit", "conformalized", "normal-newton", "newton", "newton-or-gradient"]] = None,
+    until: str = "stationary",
     time_step: Optional[float] = None,
     planes: Optional[Sequence[float]] = None,
-    keep_volume: bool = False,
-    remesh: Union[float, None] = None,
+    volume: Literal["free", "keep"] = "free",
+    remesh: Optional[float] = None,
     remesh_every: int = 5,
+    keep_angles: bool = True,
+    intersections: Literal["ignore", "report", "refuse", "refuse-new"] = "report",
+    precision: Literal["double", "single"] = "double",
+    center: bool = False,
     threads: Optional[int] = None,
     time_limit: Optional[float] = None,
     progress: StepLike = None,
@@ -81,25 +95,47 @@ def flow(
     ----------
     mesh : MeshLike
         An oriented manifold whose faces have an area.
-    stationary : float
-        Ends once the gradient along vertex normals is at most this part of the square root of the area; the default end.
-    time : float, optional
-        Ends at this time instead, in squared lengths.
-    steps : int, optional
-        Ends after so many steps instead.
     scheme : str, optional
-        ``"normal-newton"``, ``"implicit"``, ``"conformalized"``, ``"fixed-laplacian"``, ``"explicit"``, ``"newton"`` or
-        ``"newton-or-gradient"``.
+        How the surface is moved; normal-newton to a stationary surface, implicit otherwise. ``"explicit"``: gradient
+        descent X − δ M⁻¹ g, with a line search (Armijo); ``"fixed-laplacian"``: (M₀ + δ L₀) X' = M₀ X with both
+        matrices of the first step. It minimises the Dirichlet energy in the metric of the first surface, not the area,
+        and its limit is no minimal surface; ``"implicit"``: (M + δ L) X' = M X with both matrices rebuilt at each step:
+        backward Euler; ``"conformalized"``: (M + δ L₀) X' = M X: conformalized mean curvature flow. It does not pinch,
+        and is no gradient flow of the area; ``"normal-newton"``: newton's method for motions along vertex normals;
+        where the Hessian is not positive definite, blended with L; ``"newton"``: newton's method for all coordinates;
+        the negative in-plane part of the Hessian of each face is left out; ``"newton-or-gradient"``: newton's method
+        with the whole Hessian while the area falls, gradient descent where it would not.
+    until : str
+        When to end: stationary, stationary:TOL, time:T or steps:N.
     time_step : float, optional
-        Length of a step in time; by default chosen step by step.
-    planes : sequence of three floats, optional
-        Lets each vertex of the boundary slide in the plane through it with this normal; by default the boundary stays.
-    keep_volume : bool
-        Keeps the enclosed volume.
+        Length of a step in time, in squared lengths; by default each is chosen.
+    planes : Sequence[float], optional
+        Let the boundary slide in planes with this normal, three numbers (on the command line also x, y or z); otherwise
+        it stays.
+    volume : str
+        What becomes of the enclosed volume. ``"free"``: it changes; ``"keep"``: it stays: a soap bubble.
     remesh : float, optional
-        Remeshes to edges of this length every ``remesh_every`` steps.
-    threads, time_limit : optional
-        Limits; the surface reached is returned when the time is over.
+        Remesh to edges of this length on the way.
+    remesh_every : int
+        Steps between two remeshings to that length.
+    keep_angles : bool
+        Where angles decay, remesh to the mean length of edges; not by schemes that keep the metric of the first
+        surface.
+    intersections : str
+        What is done about faces of the result that intersect. ``"ignore"``: they are not looked for; ``"report"``: they
+        are counted; ``"refuse"``: there is no result; ``"refuse-new"``: there is no result where the input has none
+        that intersect; otherwise they are counted.
+    precision : str
+        Numbers in which the coordinates of the result are kept; single where the file that is written holds no others,
+        as STL and GLB do. ``"double"``: 53 bits: every mesh in memory; ``"single"``: 24 bits: files such as STL and
+        GLB.
+    center : bool
+        Count the coordinates of the result from a point near the centre of the mesh, which is reported: far from zero
+        this keeps digits for which single precision has no room.
+    threads : int, optional
+        Threads to use; all processors by default. The answer does not depend on it.
+    time_limit : float, optional
+        Stop after so many seconds with the answer found by then.
     progress : callable, optional
         Called with the number of the step, the area and the gradient, at most twenty times a second; ``False`` ends the flow.
 
@@ -120,33 +156,8 @@ def flow(
     >>> abs(film.area[1] / 5.991796975802282 - 1) < 5e-4
     True
     """
-    if time is not None and steps is not None:
-        raise OptionError("time and steps are both given; a flow has one end")
-    until = ("time", float(time)) if time is not None else ("steps", float(steps)) if steps is not None else ("stationary", float(stationary))
-    if until[1] < 0 or until[1] != until[1]:
-        raise OptionError(f"{until[0]} is {until[1]}; it must not be negative")
-    options = {
-        "scheme": scheme,
-        "until": until,
-        "time_step": time_step,
-        "planes": None if planes is None else list(planes),
-        "keep_volume": keep_volume,
-        "remesh": None if remesh is None else (remesh, remesh_every),
-        "threads": threads,
-        "time_limit": time_limit,
-    }
-    made, text = _native.mean_curvature_flow(as_mesh(mesh), options, progress)
-    report = json.loads(text)
-    stability = report["stability"]
-    return Flow(
-        mesh=made,
-        stop=report["stop"],
-        steps=report["steps"],
-        area=(report["area"]["initial"], report["area"]["final"]),
-        gradient=(report["gradient"]["normal"], report["gradient"]["tangential"]),
-        least_eigenvalue=None if stability is None else stability["least_eigenvalue"],
-        report=report,
-    )
+    answer, beside = ask("flow", locals())
+    return Flow(beside["mesh"], answer["report"])
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -156,67 +167,112 @@ class Simplified:
     Attributes
     ----------
     mesh : Mesh
-        The result.
-    distance : SymmetricReport
-        Both directed distances, enclosed: A is the input, B the result.
-    collapses : int
-        Number of edges collapsed.
-    stop : str
-        Why it ended.
+        The result; with ``center`` without the shift that ``report["rounding"]`` has.
+    report : dict
+        What ``pompeiu simplify --json`` says of the result.
     texture : tuple of ndarray or None
         Texture coordinates, shape (k, 2), and which of them each corner of each face has, shape (m, 3); ``None`` unless given.
     colors : ndarray of uint8 or None
         Colours of the vertices, shape (n, 3); ``None`` unless given.
+    finer : tuple of Simplified
+        Other levels of detail, each finer than the one before; empty unless asked for.
     """
 
     mesh: Mesh
-    distance: SymmetricReport
-    collapses: int
-    stop: str
+    report: Dict[str, Any]
     texture: Optional[Tuple[NDArray[np.float64], NDArray[np.uint32]]] = None
     colors: Optional[NDArray[np.uint8]] = None
+    finer: Tuple["Simplified", ...] = ()
+
+    @property
+    def distance(self) -> SymmetricReport:
+        """Both directed distances, enclosed: A is the input, B the result."""
+        return SymmetricReport._of(self.report["distance"])
+
+    @property
+    def collapses(self) -> int:
+        """Number of edges collapsed."""
+        return self.report["collapses"]
+
+    @property
+    def stop(self) -> str:
+        """Why it ended."""
+        return self.report["stop"]
 
     def __repr__(self) -> str:
         return f"Simplified({self.mesh.n_faces} faces, at most {self.distance.upper:.6g} from the input)"
 
+    @classmethod
+    def _of(cls, report: Dict[str, Any], beside: Dict[str, Any], finer: Tuple["Simplified", ...] = ()) -> "Simplified":
+        texture = (beside["texture"], beside["corners"]) if "texture" in beside else None
+        return cls(beside["mesh"], report, texture, beside.get("colors"), finer)
+
 
 def simplify(
     mesh: MeshLike,
-    *,
-    within: Optional[float] = None,
-    faces: Optional[int] = None,
-    effort: str = "best",
-    features: Optional[float] = None,
-    repair: bool = False,
     texture: Optional[Tuple[ArrayLike, ArrayLike]] = None,
     colors: Optional[ArrayLike] = None,
+    *,
+    within: Optional[float] = None,
+    relative: Optional[float] = None,
+    faces: Optional[int] = None,
+    effort: Literal["fast", "best"] = "best",
+    features: Optional[float] = None,
+    repair: bool = False,
+    intersections: Literal["ignore", "report", "refuse", "refuse-new"] = "report",
+    levels: int = 1,
+    precision: Literal["double", "single"] = "double",
+    center: bool = False,
     threads: Optional[int] = None,
     time_limit: Optional[float] = None,
     progress: Optional[Callable[[float], Optional[bool]]] = None,
 ) -> Simplified:
     """Reduces the number of faces, and proves how far the result is from the input.
 
+    One of ``within``, ``relative`` and ``faces`` is given.
+
     Parameters
     ----------
     mesh : MeshLike
         An oriented manifold.
-    within : float, optional
-        Largest Pompeiu–Hausdorff distance from the input. Either this or ``faces`` is given.
-    faces : int, optional
-        Number of faces to reach; the distance follows.
-    effort : str
-        ``"best"`` makes that distance small, ``"fast"`` goes by quadric errors alone.
-    features : float, optional
-        Keeps boundaries, and edges whose faces meet at more than this angle between their normals, in degrees.
-    repair : bool
-        Repairs the mesh first; the distance is measured from the mesh as it was.
     texture : tuple of array_like, optional
         Texture coordinates, shape (k, 2), and which of them each corner of each face has, shape (m, 3). Edges with other coordinates on both
         sides stay curves, and the result has coordinates of its own.
     colors : array_like of uint8, optional
         Colours of the vertices, shape (n, 3), carried over to the result.
-    threads, time_limit : optional
-        Limits; the mesh reached is returned when the time is over.
+    within : float, optional
+        Largest distance from the input, in its unit.
+    relative : float, optional
+        Largest distance as a fraction of the diagonal of the bounding box.
+    faces : int, optional
+        Number of faces to reach; the distance follows.
+    effort : str
+        Where a number of faces is asked for, how much time is spent to make the distance small. ``"fast"``: quadric
+        errors alone decide; ``"best"``: every collapse is tested, as for a distance: some ten to twenty times the time
+        of fast, mostly a third to a half of its distance.
+    features : float, optional
+        Keep edges whose faces meet at more than this angle between their normals, in degrees, and boundaries: as curves
+        with the same corners.
+    repair : bool
+        Repair the mesh first; the distance is measured from the mesh as it was.
+    intersections : str
+        What is done about faces of the result that intersect. ``"ignore"``: they are not looked for; ``"report"``: they
+        are counted; ``"refuse"``: there is no result; ``"refuse-new"``: there is no result where the input has none
+        that intersect; otherwise they are counted.
+    levels : int
+        Number of levels of detail: each further one has half the distance, or twice the number of faces, of the one
+        before.
+    precision : str
+        Numbers in which the coordinates of the result are kept; single where the file that is written holds no others,
+        as STL and GLB do. ``"double"``: 53 bits: every mesh in memory; ``"single"``: 24 bits: files such as STL and
+        GLB.
+    center : bool
+        Count the coordinates of the result from a point near the centre of the mesh, which is reported: far from zero
+        this keeps digits for which single precision has no room.
+    threads : int, optional
+        Threads to use; all processors by default. The answer does not depend on it.
+    time_limit : float, optional
+        Stop after so many seconds with the answer found by then.
     progress : callable, optional
         Called with the share that is done; ``False`` ends it.
 
@@ -225,7 +281,8 @@ def simplify(
     SurfaceError
         If the mesh is no oriented manifold.
     OptionError
-        If not exactly one of ``within`` and ``faces`` is given, or it makes no sense; if a mesh with texture or colours is to be repaired.
+        If not exactly one of ``within``, ``relative`` and ``faces`` is given, or an option makes no sense; if a mesh with texture or colours
+        is to be repaired.
 
     Examples
     --------
@@ -234,25 +291,18 @@ def simplify(
     >>> few.mesh.n_faces < 300 and few.distance.upper <= 0.05
     True
     """
-    if (within is None) == (faces is None):
-        raise OptionError("give either within, a length, or faces, a number")
-    if faces is not None and faces < 0:
-        raise OptionError(f"the number of faces is {faces}; at least 1 is needed")
-    if effort not in ("best", "fast"):
-        raise OptionError(f'effort is {effort!r}; it must be "best" or "fast"')
+    given = dict(locals())
+    texture, colors = given.pop("texture"), given.pop("colors")
     if repair and not (texture is None and colors is None):
         raise OptionError("texture and colours cannot be carried over from a mesh that is repaired first; repair it before")
-    options = {
-        "within": None if within is None else float(within),
-        "faces": faces or 0,
-        "features": features,
-        "repair": repair,
-        "fast": effort == "fast",
-        "threads": threads,
-        "time_limit": time_limit,
-    }
-    made, text, *rest = _native.simplify(as_mesh(mesh), options, texture, colors, progress)
-    return Simplified(made, SymmetricReport._of(json.loads(text)), *rest)
+    mesh = as_mesh(given.pop("mesh"))
+    options, limits, progress = split(given)
+    answer, beside = _native.simplify(mesh, options, limits, texture, colors, progress)
+    report = json.loads(answer)["report"]
+    finer = tuple(
+        Simplified._of({**report, **level, "finer": []}, arrays) for level, arrays in zip(report["finer"], beside["finer"])
+    )
+    return Simplified._of(report, beside, finer)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -262,24 +312,39 @@ class Remeshed:
     Attributes
     ----------
     mesh : Mesh
-        The result.
-    before, after : dict
-        The triangles of the input and of the result, as ``pompeiu remesh --json`` has them: ``faces``, ``edge_length``,
-        ``least_angle`` (degrees; each with ``least``, ``mean``, ``greatest``), ``regular`` and so on.
-    distance : SymmetricReport
-        Both directed distances, enclosed: A is the input, B the result.
-    iterations : int
-        Number of rounds done.
-    stop : str
-        Why it ended.
+        The result; with ``center`` without the shift that ``report["rounding"]`` has.
+    report : dict
+        What ``pompeiu remesh --json`` says of the result.
     """
 
     mesh: Mesh
-    before: Dict[str, Any]
-    after: Dict[str, Any]
-    distance: SymmetricReport
-    iterations: int
-    stop: str
+    report: Dict[str, Any]
+
+    @property
+    def before(self) -> Dict[str, Any]:
+        """The triangles of the input: ``faces``, ``edge_length``, ``least_angle`` (degrees; each with ``least``, ``mean``, ``greatest``),
+        ``regular`` and so on."""
+        return self.report["before"]
+
+    @property
+    def after(self) -> Dict[str, Any]:
+        """The triangles of the result."""
+        return self.report["after"]
+
+    @property
+    def distance(self) -> SymmetricReport:
+        """Both directed distances, enclosed: A is the input, B the result."""
+        return SymmetricReport._of(self.report["distance"])
+
+    @property
+    def iterations(self) -> int:
+        """Number of rounds done."""
+        return self.report["iterations"]
+
+    @property
+    def stop(self) -> str:
+        """Why it ended."""
+        return self.report["stop"]
 
     def __repr__(self) -> str:
         least = self.after["least_angle"]["least"]
@@ -288,34 +353,59 @@ class Remeshed:
 
 def remesh(
     mesh: MeshLike,
-    edge_length: Optional[float] = None,
     *,
-    chord_height: Optional[float] = None,
+    edge_length: Optional[float] = None,
+    relative: Optional[float] = None,
+    adaptive: Optional[float] = None,
     within: Optional[float] = None,
     features: Optional[float] = None,
     iterations: int = 10,
+    most_faces: int = 20000000,
+    intersections: Literal["ignore", "report", "refuse", "refuse-new"] = "refuse-new",
+    precision: Literal["double", "single"] = "double",
+    center: bool = False,
     threads: Optional[int] = None,
     time_limit: Optional[float] = None,
     progress: Optional[Callable[[float], Optional[bool]]] = None,
 ) -> Remeshed:
     """Gives a surface nearly equilateral faces of a wanted size.
 
+    One of ``edge_length``, ``relative`` and ``adaptive`` is given.
+
     Parameters
     ----------
     mesh : MeshLike
         An oriented manifold.
     edge_length : float, optional
-        Length of edges. Either this or ``chord_height`` is given.
-    chord_height : float, optional
+        Length of edges, in the unit of the mesh.
+    relative : float, optional
+        Length of edges as a fraction of the diagonal of the bounding box.
+    adaptive : float, optional
         Height of chords: edges are as long as the curvature allows.
     within : float, optional
-        Largest Pompeiu–Hausdorff distance from the input, to be proven.
+        Largest distance from the input, in its unit, to be proven.
     features : float, optional
-        Keeps edges whose faces meet at more than this angle between their normals, in degrees. Boundaries are always kept.
+        Keep edges whose faces meet at more than this angle between their normals, in degrees; boundaries are always
+        kept.
     iterations : int
         Rounds of splits, collapses, flips and moves.
-    threads, time_limit : optional
-        Limits; the mesh reached is returned when the time is over.
+    most_faces : int
+        Most faces that the result may have.
+    intersections : str
+        What is done about faces of the result that intersect. ``"ignore"``: they are not looked for; ``"report"``: they
+        are counted; ``"refuse"``: there is no result; ``"refuse-new"``: there is no result where the input has none
+        that intersect; otherwise they are counted.
+    precision : str
+        Numbers in which the coordinates of the result are kept; single where the file that is written holds no others,
+        as STL and GLB do. ``"double"``: 53 bits: every mesh in memory; ``"single"``: 24 bits: files such as STL and
+        GLB.
+    center : bool
+        Count the coordinates of the result from a point near the centre of the mesh, which is reported: far from zero
+        this keeps digits for which single precision has no room.
+    threads : int, optional
+        Threads to use; all processors by default. The answer does not depend on it.
+    time_limit : float, optional
+        Stop after so many seconds with the answer found by then.
     progress : callable, optional
         Called with the share that is done; ``False`` ends it.
 
@@ -324,31 +414,17 @@ def remesh(
     SurfaceError
         If the mesh is no oriented manifold.
     OptionError
-        If not exactly one of ``edge_length`` and ``chord_height`` is given, or an option makes no sense.
+        If not exactly one of ``edge_length``, ``relative`` and ``adaptive`` is given, or an option makes no sense.
 
     Examples
     --------
     >>> import pompeiu
-    >>> even = pompeiu.remesh(pompeiu.shapes.icosphere(1.0, 3), 0.15)
+    >>> even = pompeiu.remesh(pompeiu.shapes.icosphere(1.0, 3), edge_length=0.15)
     >>> even.after["least_angle"]["least"] > 35 and even.distance.upper < 0.02
     True
     """
-    if (edge_length is None) == (chord_height is None):
-        raise OptionError("give either edge_length or chord_height, both are lengths")
-    if iterations < 0:
-        raise OptionError(f"the number of iterations is {iterations}; it must not be negative")
-    options = {
-        "edge_length": edge_length,
-        "chord_height": chord_height,
-        "within": within,
-        "features": features,
-        "iterations": iterations,
-        "threads": threads,
-        "time_limit": time_limit,
-    }
-    made, reports, done, stop = _native.remesh(as_mesh(mesh), options, progress)
-    before, after, distance = (json.loads(text) for text in reports)
-    return Remeshed(made, before, after, SymmetricReport._of(distance), done, stop)
+    answer, beside = ask("remesh", locals())
+    return Remeshed(beside["mesh"], answer["report"])
 
 
 @dataclass(frozen=True, eq=False, repr=False)

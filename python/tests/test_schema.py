@@ -191,6 +191,6 @@ def test_the_package_and_the_command_give_the_same_answers(run):
 
 
 def test_an_area_beyond_double_precision_is_null_in_json_and_infinite_here(run):
-    assert json.loads(run("info huge.obj --json"))["area"] is None
+    assert json.loads(run("info huge.obj --json"))["report"]["area"] is None
     huge = pompeiu.read_mesh(run.folder / "huge.obj")
     assert pompeiu.mesh_summary(huge).area == math.inf

@@ -7,7 +7,7 @@ import pytest
 
 def test_a_sphere_shrinks_in_time():
     steps = []
-    found = pompeiu.flow(pompeiu.shapes.icosphere(1.0, 3), time=0.1, progress=lambda *told: steps.append(told))
+    found = pompeiu.flow(pompeiu.shapes.icosphere(1.0, 3), until="time:0.1", progress=lambda *told: steps.append(told))
     assert found.stop == "time" and found.history[-1]["time"] == pytest.approx(0.1)
     # R^2 = 1 - 4 t.
     assert np.linalg.norm(found.mesh.vertices, axis=1).mean() == pytest.approx(0.6**0.5, rel=1e-2)
@@ -21,17 +21,17 @@ def test_a_film_between_distant_rings_breaks():
 
 
 def test_a_flow_ends_when_it_is_told_to():
-    found = pompeiu.flow(pompeiu.shapes.icosphere(1.0, 2), time=0.2, time_step=1e-5, progress=lambda *told: False)
+    found = pompeiu.flow(pompeiu.shapes.icosphere(1.0, 2), until="time:0.2", time_step=1e-5, progress=lambda *told: False)
     assert found.stop == "cancelled"
 
 
 @pytest.mark.parametrize(
     ("options", "words"),
     [
-        ({"time": 1.0, "steps": 2}, "one end"),
-        ({"scheme": "fast"}, "expected the name of a scheme"),
-        ({"scheme": "newton", "time": 1.0}, "has no time"),
-        ({"keep_volume": True, "scheme": "explicit"}, "does not keep the volume"),
+        ({"until": "never"}, "expected stationary"),
+        ({"scheme": "fast"}, "option `scheme` of flow: unknown variant `fast`"),
+        ({"scheme": "newton", "until": "time:1"}, "has no time"),
+        ({"volume": "keep", "scheme": "explicit"}, "does not keep the volume"),
         ({"time_limit": -1.0}, "time limit"),
     ],
 )
@@ -102,13 +102,13 @@ def test_texture_and_colours_are_carried_over():
 def test_nearly_equilateral_faces():
     told = []
     sphere = pompeiu.shapes.icosphere(1.0, 4)
-    found = pompeiu.remesh(sphere, 0.12, progress=told.append)
+    found = pompeiu.remesh(sphere, edge_length=0.12, progress=told.append)
     assert found.before["faces"] == sphere.n_faces and found.after["faces"] == found.mesh.n_faces
     assert found.after["least_angle"]["mean"] > 54 and found.stop == "tolerance"
     assert found.distance.upper == pytest.approx(pompeiu.hausdorff(sphere, found.mesh).upper, abs=1e-9)
-    within = pompeiu.remesh(sphere, 0.5, within=0.01)
+    within = pompeiu.remesh(sphere, edge_length=0.5, within=0.01)
     assert within.distance.upper <= 0.01
-    for options in ({}, {"edge_length": 0.1, "chord_height": 0.1}, {"edge_length": -1.0}, {"edge_length": 1e9}):
+    for options in ({}, {"edge_length": 0.1, "adaptive": 0.1}, {"edge_length": -1.0}, {"edge_length": 1e9}):
         with pytest.raises(pompeiu.OptionError):
             pompeiu.remesh(sphere, **options)
 

@@ -11,12 +11,13 @@ use crate::wait::{self, Share, Told, Watch};
 use numpy::IntoPyArray;
 use pompeiu::complexity::{ComplexityRequest, NamedShape};
 use pompeiu::core::TriMesh;
-use pompeiu::core::mesh::Coordinates;
-use pompeiu::core::request::{Answer, Input, Limit, Request, Timing};
+use pompeiu::core::mesh::{Coordinates, Rounding};
+use pompeiu::core::request::{Answer, InfoRequest, Input, Limit, Request, Timing};
 use pompeiu::core::run::{Limits, RunContext};
 use pompeiu::coupling::{CoupleRequest, Scene};
 use pompeiu::fields::DecomposeRequest;
 use pompeiu::flatten::{CutRequest, FlattenError, FlattenRequest, MedialReport, MedialRequest};
+use pompeiu::flow::FlowRequest;
 use pompeiu::hausdorff::{DeviationMeasures, Progress, RepairRequest};
 use pompeiu::io::read_face_vectors;
 use pompeiu::matching::request::{AlignRequest, AlignedDeviationRequest, AlignedDistanceRequest};
@@ -25,6 +26,7 @@ use pompeiu::operators::FaceField;
 use pompeiu::options::request_from;
 use pompeiu::planar::ShapeSource;
 use pompeiu::puzzle::PuzzleRequest;
+use pompeiu::remesh::RemeshRequest;
 use pompeiu::surface::{EdgeData, EmbeddedSurface};
 use pyo3::exceptions::PyKeyError;
 use pyo3::prelude::*;
@@ -99,6 +101,7 @@ pub(crate) enum Beside {
     Triples(Vec<[u32; 3]>),
     Plane(Vec<[f64; 2]>),
     Points(Vec<[f64; 3]>),
+    Colors(Vec<[u8; 3]>),
     Mesh(TriMesh),
     Outlines(Vec<Vec<[f64; 2]>>),
     Puzzle(Box<PuzzleDrawings>),
@@ -107,6 +110,8 @@ pub(crate) enum Beside {
         request: Box<NeuronRequest>,
     },
     Page(Box<DeviationPage>),
+    /// Several results, each with what passes beside it.
+    Each(Vec<Vec<(&'static str, Beside)>>),
 }
 
 impl Beside {
@@ -119,6 +124,7 @@ impl Beside {
             Self::Triples(rows) => array_of_rows(py, rows)?.into_any(),
             Self::Plane(rows) => array_of_rows(py, rows)?.into_any(),
             Self::Points(rows) => array_of_rows(py, rows)?.into_any(),
+            Self::Colors(rows) => array_of_rows(py, rows)?.into_any(),
             Self::Mesh(mesh) => Bound::new(py, Mesh::from(mesh))?.into_any(),
             Self::Outlines(outlines) => {
                 let arrays = outlines.into_iter().map(|rows| array_of_rows(py, rows));
@@ -127,8 +133,20 @@ impl Beside {
             Self::Puzzle(drawings) => Bound::new(py, *drawings)?.into_any(),
             Self::Neuron { found, request } => neuron::answer_parts(py, *found, &request)?.into_any(),
             Self::Page(page) => Bound::new(py, *page)?.into_any(),
+            Self::Each(all) => {
+                let all = all.into_iter().map(|one| dictionary(py, one));
+                PyList::new(py, all.collect::<PyResult<Vec<_>>>()?)?.into_any()
+            }
         })
     }
+}
+
+fn dictionary<'py>(py: Python<'py>, beside: Vec<(&'static str, Beside)>) -> PyResult<Bound<'py, PyDict>> {
+    let objects = PyDict::new(py);
+    for (name, one) in beside {
+        objects.set_item(name, one.object(py)?)?;
+    }
+    Ok(objects)
 }
 
 /// A report with what passes beside it.
@@ -154,11 +172,7 @@ pub(crate) trait Asked: Request<Report: Serialize + Send> + Serialize + Deserial
         context: RunContext<'_>,
         watch: &Watch<'_, Self::Told>,
     ) -> Result<Found<Self::Report>, Failure> {
-        let meshes: Vec<&TriMesh> = given
-            .iter()
-            .filter_map(|one| if let Given::Mesh(mesh) = one { Some(mesh.get().inner()) } else { None })
-            .collect();
-        self.ask(&meshes, context, watch)
+        self.ask(&meshes_of(given), context, watch)
     }
 }
 
@@ -171,11 +185,11 @@ macro_rules! systems {
             name: &str,
             given: Vec<Bound<'py, PyAny>>,
             options: &str,
-            limits: (Option<usize>, Option<f64>, Option<usize>),
+            limits: Limited,
             progress: Option<&Bound<'py, PyAny>>,
-        ) -> PyResult<(String, Bound<'py, PyDict>)> {
+        ) -> PyResult<Answered<'py>> {
             match name {
-                $(<$Request>::NAME => answer::<$Request>(py, given, options, limits, progress),)*
+                $(<$Request>::NAME => answer(py, given, options, limits, progress, <$Request>::ask_about),)*
                 _ => Err(PyKeyError::new_err(name.to_owned())),
             }
         }
@@ -192,36 +206,45 @@ systems!(
     DecomposeRequest,
     DeviationMeasures,
     FlattenRequest,
+    FlowRequest,
+    InfoRequest,
     MedialRequest,
     NeuronRequest,
     PuzzleRequest,
+    RemeshRequest,
     RepairRequest
 );
 
-fn answer<'py, Q: Asked>(
+/// The answer as JSON, and what passes beside it.
+pub(crate) type Answered<'py> = (String, Bound<'py, PyDict>);
+
+/// Asks a system by a function that runs its request.
+pub(crate) fn answer<'py, Q, T: Told + 'static>(
     py: Python<'py>,
     given: Vec<Bound<'py, PyAny>>,
     options: &str,
-    limits: (Option<usize>, Option<f64>, Option<usize>),
+    limits: Limited,
     progress: Option<&Bound<'py, PyAny>>,
-) -> PyResult<(String, Bound<'py, PyDict>)> {
+    ask: impl FnOnce(&Q, &[Given], RunContext<'_>, &Watch<'_, T>) -> Result<Found<Q::Report>, Failure>
+    + Send
+    + 'static,
+) -> PyResult<Answered<'py>>
+where
+    Q: Request<Report: Serialize + Send> + Serialize + DeserializeOwned,
+{
     let request: Q = request_from(parsed(options)?).map_err(Raise::raise)?;
     let limits = limits_of::<Q>(limits)?;
     let given: Vec<Given> = given.iter().map(Given::new).collect::<PyResult<_>>()?;
-    let found = wait::run_detached(py, progress, move |watch: &mut Watch<'_, Q::Told>| {
+    let found = wait::run_detached(py, progress, move |watch: &mut Watch<'_, T>| {
         let started = Instant::now();
         let context = RunContext::start(Limits { cancel: Some(watch.token()), ..limits });
-        let (report, beside) = request.ask_about(&given, context, watch)?;
+        let (report, beside) = ask(&request, &given, context, watch)?;
         let inputs = given.iter().map(Given::input).collect();
         let timing = Timing { read: Duration::ZERO, total: started.elapsed() };
         Ok((Answer::new(inputs, request, report, timing), beside))
     })?;
     let (answer, beside) = found.map_err(|error: Failure| error.exception(error.to_string()))?;
-    let objects = PyDict::new(py);
-    for (name, one) in beside {
-        objects.set_item(name, one.object(py)?)?;
-    }
-    Ok((written(&answer)?, objects))
+    Ok((written(&answer)?, dictionary(py, beside)?))
 }
 
 /// Threads, seconds and bytes, where they are limited.
@@ -242,8 +265,16 @@ pub(crate) fn limits_of<Q: Request>(given: Limited) -> PyResult<Limits> {
     limits(threads, seconds, memory)
 }
 
+/// The meshes among what a system is asked about.
+pub(crate) fn meshes_of(given: &[Given]) -> Vec<&TriMesh> {
+    let meshes = given
+        .iter()
+        .filter_map(|one| if let Given::Mesh(mesh) = one { Some(mesh.get().inner()) } else { None });
+    meshes.collect()
+}
+
 /// The only mesh that a system is asked about.
-fn single<'m>(meshes: &[&'m TriMesh]) -> Result<&'m TriMesh, Failure> {
+pub(crate) fn single<'m>(meshes: &[&'m TriMesh]) -> Result<&'m TriMesh, Failure> {
     match meshes {
         [mesh] => Ok(mesh),
         _ => Err(failure(InternalError::Mesh { found: 1, count: meshes.len() })),
@@ -256,6 +287,14 @@ pub(crate) fn pair<'m>(meshes: &[&'m TriMesh]) -> Result<[&'m TriMesh; 2], Failu
         [a, b] => Ok([a, b]),
         _ => Err(failure(InternalError::Mesh { found: 2, count: meshes.len() })),
     }
+}
+
+/// A mesh as a file holds it: where coordinates are counted from the centre, moved by the shift.
+pub(crate) fn shifted(mesh: TriMesh, rounding: &Rounding) -> Result<Beside, Failure> {
+    Ok(Beside::Mesh(match rounding.shift {
+        [0.0, 0.0, 0.0] => mesh,
+        _ => rounding.written(&mesh).map_err(failure)?,
+    }))
 }
 
 fn surface_of(meshes: &[&TriMesh]) -> Result<EmbeddedSurface, Failure> {
@@ -438,6 +477,19 @@ impl Asked for FlattenRequest {
     }
 }
 
+impl Asked for InfoRequest {
+    type Told = Share;
+
+    fn ask(
+        &self,
+        meshes: &[&TriMesh],
+        _: RunContext<'_>,
+        _: &Watch<'_, Share>,
+    ) -> Result<Found<Self::Report>, Failure> {
+        Ok((self.run(single(meshes)?), Vec::new()))
+    }
+}
+
 impl Asked for MedialRequest {
     type Told = Share;
 
@@ -498,7 +550,23 @@ impl Asked for RepairRequest {
         context: RunContext<'_>,
         _: &Watch<'_, Share>,
     ) -> Result<Found<Self::Report>, Failure> {
-        let found = self.run(single(meshes)?, Coordinates::default(), &context).map_err(failure)?;
-        Ok((found.report, vec![("mesh", Beside::Mesh(found.mesh))]))
+        let found = self.run(single(meshes)?, &context).map_err(failure)?;
+        let mesh = shifted(found.mesh, &found.report.rounding)?;
+        Ok((found.report, vec![("mesh", mesh)]))
+    }
+}
+
+impl Asked for RemeshRequest {
+    type Told = Share;
+
+    fn ask(
+        &self,
+        meshes: &[&TriMesh],
+        context: RunContext<'_>,
+        watch: &Watch<'_, Share>,
+    ) -> Result<Found<Self::Report>, Failure> {
+        let answer = self.run(single(meshes)?, &context.watched_by(watch)).map_err(failure)?;
+        let mesh = shifted(answer.found.mesh, &answer.report.rounding)?;
+        Ok((answer.report, vec![("mesh", mesh)]))
     }
 }

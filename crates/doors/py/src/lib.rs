@@ -43,7 +43,7 @@ mod _native {
     #[pymodule_export]
     use crate::flatten::straighten;
     #[pymodule_export]
-    use crate::flow::{intersections, mean_curvature_flow, remesh, simplify};
+    use crate::flow::{intersections, simplify};
     #[pymodule_export]
     use crate::fluid::Simulation;
     #[pymodule_export]

@@ -15,6 +15,7 @@ mod observer;
 mod options;
 mod pinch;
 mod report;
+mod request;
 mod run;
 #[cfg(feature = "figures")]
 pub mod show;
@@ -32,5 +33,6 @@ pub use observer::{FlowObserver, FlowStep};
 pub use options::{BoundaryCondition, FlowOptions, Remeshing, Scheme, Until};
 pub use pinch::Neck;
 pub use report::{Change, Flow, FlowRecord, FlowStop, FlowTiming, StepReason};
+pub use request::{FlowRequest, Volume};
 pub use run::mean_curvature_flow;
 pub use stability::Stability;

@@ -11,23 +11,24 @@ use std::num::NonZeroUsize;
 ///
 /// M is the diagonal matrix of vertex areas, L the cotangent stiffness, `g = L X` the gradient of the area, δ the time step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Scheme {
-    /// Gradient descent `X − δ M⁻¹ g`, with a line search (Armijo).
+    /// Gradient descent X − δ M⁻¹ g, with a line search (Armijo).
     Explicit,
-    /// `(M₀ + δ L₀) X' = M₀ X` with both matrices of the first step. It minimises the Dirichlet energy in the metric of the first
+    /// (M₀ + δ L₀) X' = M₀ X with both matrices of the first step. It minimises the Dirichlet energy in the metric of the first
     /// surface, not the area, and its limit is no minimal surface.
     FixedLaplacian,
-    /// `(M + δ L) X' = M X` with both matrices rebuilt at each step: backward Euler.
+    /// (M + δ L) X' = M X with both matrices rebuilt at each step: backward Euler.
     Implicit,
-    /// `(M + δ L₀) X' = M X`: conformalized mean curvature flow. It does not pinch, and is no gradient flow of the area.
+    /// (M + δ L₀) X' = M X: conformalized mean curvature flow. It does not pinch, and is no gradient flow of the area.
     Conformalized,
-    /// Newton's method for motions along vertex normals; where the Hessian is not positive definite, blended with L.
+    /// Motions along vertex normals by Newton's method; where the Hessian is not positive definite, blended with L.
     NormalNewton,
-    /// Newton's method for all coordinates; the negative in-plane part of the Hessian of each face is left out.
+    /// All coordinates by Newton's method; the negative in-plane part of the Hessian of each face is left out.
     Newton,
-    /// Newton's method with the whole Hessian while the area falls, gradient descent where it would not.
+    /// All coordinates by Newton's method with the whole Hessian while the area falls, gradient descent where it would not.
     NewtonOrGradient,
 }
 
@@ -56,11 +57,6 @@ impl Scheme {
         }
     }
 
-    /// The scheme of a name.
-    pub fn named(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|scheme| scheme.name() == name)
-    }
-
     /// Whether it uses the stiffness of the first surface, whose faces must stay.
     pub const fn keeps_first_metric(self) -> bool {
         matches!(self, Self::FixedLaplacian | Self::Conformalized)
@@ -74,6 +70,9 @@ impl Scheme {
 
 /// When a flow ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(try_from = "String", into = "String"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(with = "String"))]
 pub enum Until {
     /// Once the gradient along the normal, a length, is nowhere greater than this part of the square root of the area.
     Stationary(f64),

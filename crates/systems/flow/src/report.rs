@@ -122,13 +122,15 @@ pub struct Change {
     pub r#final: f64,
 }
 
-/// Where a flow ended, and how it came there. As data it has neither the surface nor times.
+/// Where a flow ended, and how it came there. As data it has the numbers of vertices and faces in place of the surface. Lengths are in the unit of
+/// the mesh, times in its square.
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Flow {
     /// The surface it ended in.
-    #[cfg_attr(feature = "serde", serde(skip))]
+    #[cfg_attr(feature = "serde", serde(flatten, serialize_with = "counts"))]
+    #[cfg_attr(feature = "schema", schemars(with = "Counts"))]
     pub mesh: TriMesh,
     /// Why it ended.
     pub stop: FlowStop,
@@ -160,17 +162,42 @@ pub struct Flow {
     /// How many pairs of faces of the result intersect, where that was asked for.
     pub intersections: Option<IntersectionCount>,
     /// How long it took.
-    #[cfg_attr(feature = "serde", serde(skip))]
+    #[cfg_attr(feature = "serde", serde(rename = "timing_ms"))]
     pub timing: FlowTiming,
 }
 
-/// Wall-clock times of a flow.
+/// The numbers of vertices and faces of a surface.
+#[cfg(feature = "serde")]
+#[derive(serde::Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct Counts {
+    /// Number of vertices of the surface it ended in.
+    vertices: usize,
+    /// Number of its faces.
+    faces: usize,
+}
+
+#[cfg(feature = "serde")]
+fn counts<S: serde::Serializer>(mesh: &TriMesh, serializer: S) -> Result<S::Ok, S::Error> {
+    let counts = Counts { vertices: mesh.positions().len(), faces: mesh.faces().len() };
+    serde::Serialize::serialize(&counts, serializer)
+}
+
+/// Wall-clock times of a flow; milliseconds in JSON.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct FlowTiming {
     /// Steps: assembling, factoring, solving, line searches.
+    #[cfg_attr(feature = "serde", serde(serialize_with = "pompeiu_core::run::as_milliseconds::serialize"))]
+    #[cfg_attr(feature = "schema", schemars(with = "f64"))]
     pub steps: Duration,
     /// Flips, moves within the surface, remeshing.
+    #[cfg_attr(feature = "serde", serde(serialize_with = "pompeiu_core::run::as_milliseconds::serialize"))]
+    #[cfg_attr(feature = "schema", schemars(with = "f64"))]
     pub remesh: Duration,
     /// Stability, discs, cone, necks.
+    #[cfg_attr(feature = "serde", serde(serialize_with = "pompeiu_core::run::as_milliseconds::serialize"))]
+    #[cfg_attr(feature = "schema", schemars(with = "f64"))]
     pub verdict: Duration,
 }

@@ -16,7 +16,7 @@ use super::{FlowError, discs, stability};
 use glam::{DMat3, DVec3};
 use pompeiu_core::TriMesh;
 use pompeiu_core::geom::Aabb;
-use pompeiu_core::run::{Control, on_threads};
+use pompeiu_core::run::{Control, StopReason, on_threads};
 use pompeiu_remesh::DynamicMesh;
 use std::ops::ControlFlow;
 use std::time::Instant;
@@ -69,6 +69,7 @@ pub fn mean_curvature_flow(mesh: &TriMesh, options: &FlowOptions<'_>) -> Result<
 
 /// A flow on its way.
 struct Runner<'r> {
+    input: &'r TriMesh,
     options: &'r FlowOptions<'r>,
     scheme: Scheme,
     control: Control,
@@ -98,7 +99,7 @@ struct Runner<'r> {
 }
 
 impl<'r> Runner<'r> {
-    fn new(mesh: &TriMesh, options: &'r FlowOptions<'r>) -> Result<Self, FlowError> {
+    fn new(mesh: &'r TriMesh, options: &'r FlowOptions<'r>) -> Result<Self, FlowError> {
         let turn = match options.boundary {
             BoundaryCondition::Fixed => DMat3::IDENTITY,
             BoundaryCondition::Planes(normal) => {
@@ -140,6 +141,7 @@ impl<'r> Runner<'r> {
         // With the stiffness of the first surface triangles stay alike, and necks do not pinch.
         let watch_necks = !scheme.keeps_first_metric() && neck(&surface, mean_edge(&triangles)).is_none();
         Ok(Self {
+            input: mesh,
             options,
             scheme,
             control: Control::start(&options.limits),
@@ -214,7 +216,8 @@ impl<'r> Runner<'r> {
             return stop;
         }
         if self.control.is_stopped() {
-            return Some(FlowStop::Limit);
+            let cancelled = self.control.reason() == Some(StopReason::Cancelled);
+            return Some(if cancelled { FlowStop::Cancelled } else { FlowStop::Limit });
         }
         if derivatives.area <= VANISHED * self.initial.0 {
             return Some(FlowStop::Pinched);
@@ -398,7 +401,7 @@ impl<'r> Runner<'r> {
         if !grid.holds_all() {
             mesh = grid.round_mesh(&mesh)?;
         }
-        let intersections = self.options.intersections.of(&mesh)?;
+        let intersections = self.options.intersections.of(&mesh, self.input)?;
         let slides = self.options.boundary != BoundaryCondition::Fixed && !loops.is_empty();
         self.timing.verdict += started.elapsed();
         Ok(Flow {

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 /// A sum over edges and the area around: xx, xy, xz, yy, yz, zz of the tensor, then the area.
 type Measure = [f64; 7];
 
-/// The larger principal curvature at each vertex, in magnitude.
+/// The larger principal curvature at each vertex, in magnitude; some halfedges may be left out, as if the surface were flat across them.
 ///
 /// # Definition
 /// Each edge turns the surface by the angle between its faces, about itself. The tensor of a vertex is the sum of
@@ -16,9 +16,10 @@ type Measure = [f64; 7];
 /// the vertex and its neighbours first.
 /// # Source
 /// `cohensteiner_restricted_2003`, with neighbourhoods that follow the mesh.
-pub(super) fn largest_curvatures(mesh: &DynamicMesh) -> Vec<f64> {
+pub(super) fn largest_curvatures(mesh: &DynamicMesh, is_left_out: impl Fn(u32) -> bool + Sync) -> Vec<f64> {
     let vertices = 0..mesh.positions.len() as u32;
-    let own: Vec<Measure> = vertices.clone().into_par_iter().map(|v| measure_at(mesh, v)).collect();
+    let own: Vec<Measure> =
+        vertices.clone().into_par_iter().map(|v| measure_at(mesh, v, &is_left_out)).collect();
     vertices
         .into_par_iter()
         .map(|v| {
@@ -58,7 +59,7 @@ pub(super) fn curvatures_of_curves(surface: &Marked) -> Vec<f64> {
     curvatures
 }
 
-fn measure_at(mesh: &DynamicMesh, v: u32) -> Measure {
+fn measure_at(mesh: &DynamicMesh, v: u32, is_left_out: &impl Fn(u32) -> bool) -> Measure {
     let mut sum = [0.0; 7];
     let normal = |f: u32| {
         let [a, b, c] = mesh.corners(f).map(|v| mesh.positions[v as usize]);
@@ -67,7 +68,7 @@ fn measure_at(mesh: &DynamicMesh, v: u32) -> Measure {
     for h in mesh.halfedges_from(v) {
         let n = normal(h / 3);
         sum[6] += n.length() / 6.0;
-        let Some(t) = mesh.twin_of(h) else { continue };
+        let Some(t) = mesh.twin_of(h).filter(|_| !is_left_out(h)) else { continue };
         let m = normal(t / 3);
         let along = mesh.positions[mesh.to(h) as usize] - mesh.positions[v as usize];
         let Some(e) = along.try_normalize() else { continue };
@@ -88,7 +89,9 @@ mod tests {
     #[test]
     fn spheres_cylinders_and_tori() {
         let curvatures = |mesh: &pompeiu_core::TriMesh| {
-            largest_curvatures(&DynamicMesh::new(mesh.positions(), mesh.faces()).expect("a manifold"))
+            largest_curvatures(&DynamicMesh::new(mesh.positions(), mesh.faces()).expect("a manifold"), |_| {
+                false
+            })
         };
         for curvature in curvatures(&icosphere(2.0, 4).expect("a sphere")) {
             assert!((curvature - 0.5).abs() < 0.03, "{curvature}");

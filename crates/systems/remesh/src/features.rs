@@ -4,6 +4,7 @@ use super::connectivity::{DynamicMesh, NONE};
 use super::marked::Hold;
 use glam::DVec3;
 use pompeiu_core::VertexId;
+use pompeiu_core::mesh::UnionFind;
 
 /// A curve that turns by more than this at a vertex has a corner there, in degrees.
 const CORNER_TURN: f64 = 50.0;
@@ -126,22 +127,7 @@ impl Curves {
 fn kept_edges(mesh: &DynamicMesh, features: &Features<'_>) -> Vec<bool> {
     let mut kept: Vec<bool> = mesh.twin.iter().map(|t| *t == NONE).collect();
     if let Some(angle) = features.angle {
-        let least = angle.to_radians().cos();
-        let normal = |f: u32| {
-            let [a, b, c] = mesh.corners(f).map(|v| mesh.positions[v as usize]);
-            (b - a).cross(c - a).normalize_or_zero()
-        };
-        for h in 0..mesh.halfedge_slots() {
-            // Beside a face without area there is no angle.
-            if let Some(t) = mesh.twin_of(h)
-                && let [n, m] = [normal(h / 3), normal(t / 3)]
-                && n != DVec3::ZERO
-                && m != DVec3::ZERO
-                && n.dot(m) < least
-            {
-                kept[h as usize] = true;
-            }
-        }
+        creases(mesh, angle).for_each(|h| kept[h as usize] = true);
     }
     for [u, v] in features.edges {
         for [from, to] in [[u.0, v.0], [v.0, u.0]] {
@@ -152,6 +138,52 @@ fn kept_edges(mesh: &DynamicMesh, features: &Features<'_>) -> Vec<bool> {
         }
     }
     kept
+}
+
+/// The halfedges whose faces meet at more than an angle between their normals, in degrees.
+fn creases(mesh: &DynamicMesh, angle: f64) -> impl Iterator<Item = u32> {
+    let least = angle.to_radians().cos();
+    let normal = |f: u32| {
+        let [a, b, c] = mesh.corners(f).map(|v| mesh.positions[v as usize]);
+        (b - a).cross(c - a).normalize_or_zero()
+    };
+    let is_crease = move |&h: &u32| {
+        // Beside a face without area there is no angle.
+        mesh.twin_of(h).is_some_and(|t| {
+            let [n, m] = [normal(h / 3), normal(t / 3)];
+            n != DVec3::ZERO && m != DVec3::ZERO && n.dot(m) < least
+        })
+    };
+    (0..mesh.halfedge_slots()).filter(is_crease)
+}
+
+/// Connected creases are curves if they have at most so many edges for each of their vertices; the creases of a rough surface have more.
+const CURVES: f64 = 1.5;
+
+/// The creases that lead to marked vertices, along other creases, where they form curves.
+pub(super) fn creases_to(mesh: &DynamicMesh, angle: f64, marked: &[bool]) -> Vec<[VertexId; 2]> {
+    let mut ends: Vec<[u32; 2]> =
+        creases(mesh, angle).filter(|&h| mesh.names_edge(h)).map(|h| [mesh.from(h), mesh.to(h)]).collect();
+    let count = mesh.positions.len();
+    let mut parts = UnionFind::new(count);
+    for [v, w] in &ends {
+        parts.union(*v as usize, *w as usize);
+    }
+    let (mut edges, mut vertices, mut leads) = (vec![0_u32; count], vec![0_u32; count], vec![false; count]);
+    let mut seen = vec![false; count];
+    for [v, w] in &ends {
+        edges[parts.find(*v as usize)] += 1;
+        for v in [*v as usize, *w as usize] {
+            let part = parts.find(v);
+            leads[part] |= marked[v];
+            vertices[part] += u32::from(!std::mem::replace(&mut seen[v], true));
+        }
+    }
+    ends.retain(|[v, _]| {
+        let part = parts.find(*v as usize);
+        leads[part] && f64::from(edges[part]) <= CURVES * f64::from(vertices[part])
+    });
+    ends.into_iter().map(|ends| ends.map(VertexId)).collect()
 }
 
 /// Whether two edges that are kept run straight enough through a vertex to be one curve.

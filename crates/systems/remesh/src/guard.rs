@@ -1,6 +1,7 @@
 //! What is done about faces of a result that intersect.
 
 use pompeiu_core::TriMesh;
+use pompeiu_core::run::StopReason;
 use pompeiu_core::spatial::self_intersections;
 
 /// Pairs that are counted at most.
@@ -8,14 +9,19 @@ const MOST_PAIRS: usize = 1_000_000;
 
 /// What is done about faces of a result that intersect.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Intersections {
-    /// Nothing; they are not looked for.
+    /// They are not looked for.
     #[default]
     Ignore,
     /// They are counted.
     Report,
     /// There is no result.
     Refuse,
+    /// There is no result where the input has none that intersect; otherwise they are counted.
+    RefuseNew,
 }
 
 /// How many pairs of faces intersect, as [`self_intersections`] finds them.
@@ -31,7 +37,11 @@ pub struct IntersectionCount {
 
 /// Faces of the result intersect, and that was to be refused.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-#[error("{} of the result intersect, the first near {place:?}", pairs_of_faces(*.pairs))]
+#[error(
+    "{} of the result intersect, the first near {place:?}; ask for shorter edges or a smaller distance, or let them be counted (intersections: \
+     report)",
+    pairs_of_faces(*.pairs)
+)]
 pub struct Intersects {
     /// Number of pairs.
     pub pairs: usize,
@@ -44,21 +54,32 @@ fn pairs_of_faces(pairs: usize) -> String {
 }
 
 impl Intersections {
-    /// Counts the pairs of faces of a result that intersect, if that is asked for.
+    /// What is done where a run has ended: a result that is not finished is not refused for what the end would have mended.
+    pub(super) fn after(self, stop: Option<StopReason>) -> Self {
+        match (self, stop) {
+            (Self::RefuseNew, Some(_)) => Self::Report,
+            _ => self,
+        }
+    }
+
+    /// Counts the pairs of faces of a result that intersect, if that is asked for; the input is what it was made from.
     ///
     /// # Errors
     /// [`Intersects`] if there are some and they are to be refused.
     /// # Cost
     /// That of [`self_intersections`]; nothing for [`Intersections::Ignore`].
-    pub fn of(self, mesh: &TriMesh) -> Result<Option<IntersectionCount>, Intersects> {
+    pub fn of(self, mesh: &TriMesh, input: &TriMesh) -> Result<Option<IntersectionCount>, Intersects> {
         if self == Self::Ignore {
             return Ok(None);
         }
         let found = self_intersections(mesh, MOST_PAIRS);
+        let is_refused = || match self {
+            Self::Refuse => true,
+            Self::RefuseNew => self_intersections(input, 1).pairs.is_empty(),
+            Self::Ignore | Self::Report => false,
+        };
         match found.pairs.first() {
-            Some(first) if self == Self::Refuse => {
-                Err(Intersects { pairs: found.pairs.len(), place: first.place })
-            }
+            Some(first) if is_refused() => Err(Intersects { pairs: found.pairs.len(), place: first.place }),
             _ => Ok(Some(IntersectionCount { pairs: found.pairs.len(), complete: found.complete })),
         }
     }

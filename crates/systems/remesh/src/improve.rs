@@ -4,7 +4,7 @@ use super::connectivity::{DynamicMesh, NONE};
 use super::features::Features;
 use super::flips::flip_to_delaunay;
 use super::marked::{Hold, Marked};
-use super::request::{RemeshError, RemeshOptions};
+use super::remesh_options::{RemeshError, RemeshOptions};
 use super::run::remesh;
 use super::sizing::Sizing;
 use super::smooth::smooth;

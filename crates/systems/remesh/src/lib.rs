@@ -22,18 +22,19 @@ mod isotropic;
 mod lengths;
 mod marked;
 mod near;
-mod options;
 mod places;
 mod quadric;
 mod quality;
 mod queue;
 mod reference;
+mod remesh_options;
 mod request;
 mod run;
 mod schedule;
 #[cfg(feature = "figures")]
 pub mod show;
 mod simplify;
+mod simplify_options;
 mod sizing;
 mod smooth;
 mod trial;
@@ -45,9 +46,15 @@ pub use edit::Illegal;
 pub use features::{FeatureError, Features};
 pub use guard::{IntersectionCount, Intersections, Intersects};
 pub use lengths::{LengthError, NotWithin};
-pub use options::{Effort, Simplified, SimplifyError, SimplifyOptions, SimplifyTarget, SimplifyTiming};
 pub use quality::{Quality, Range, angles};
-pub use request::{RemeshError, RemeshOptions, RemeshTiming, Remeshed};
+pub use remesh_options::{RemeshError, RemeshOptions, RemeshTiming, Remeshed};
+pub use request::{
+    Kept, LevelReport, RemeshAnswer, RemeshReport, RemeshRequest, SimplifyAnswer, SimplifyReport,
+    SimplifyRequest,
+};
 pub use run::remesh;
 pub use simplify::{simplify, simplify_levels};
+pub use simplify_options::{
+    Effort, Simplified, SimplifyError, SimplifyOptions, SimplifyTarget, SimplifyTiming,
+};
 pub use sizing::{LengthField, Sizing};

@@ -62,6 +62,17 @@ impl Marked {
         on_curve.map(ends).collect()
     }
 
+    /// The edges of curves, by their ends.
+    pub(super) fn on_curves(&self) -> Vec<[VertexId; 2]> {
+        let on_curve = self.mesh.edges().filter(|&h| self.curve[h as usize] != NONE);
+        on_curve.map(|h| [self.mesh.from(h), self.mesh.to(h)].map(VertexId)).collect()
+    }
+
+    /// Whether the edge between two vertices belongs to a curve.
+    pub(super) fn is_on_curve(&self, [from, to]: [u32; 2]) -> bool {
+        self.mesh.halfedges_from(from).any(|h| self.mesh.to(h) == to && self.curve[h as usize] != NONE)
+    }
+
     /// The vector along a halfedge.
     pub(super) fn along(&self, h: u32) -> DVec3 {
         self.mesh.positions[self.mesh.to(h) as usize] - self.mesh.positions[self.mesh.from(h) as usize]

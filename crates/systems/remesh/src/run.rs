@@ -1,7 +1,7 @@
 //! Remeshing from the input to the report.
 
 use super::connectivity::DynamicMesh;
-use super::features::Curves;
+use super::features::{Curves, Features, creases_to};
 use super::isotropic::{finish, iterate, split_longer_than};
 use super::lengths::NotWithin;
 use super::marked::Marked;
@@ -9,7 +9,7 @@ use super::near::far_places;
 use super::places::Places;
 use super::quality::Quality;
 use super::reference::Reference;
-use super::request::{RemeshError, RemeshOptions, RemeshTiming, Remeshed};
+use super::remesh_options::{RemeshError, RemeshOptions, RemeshTiming, Remeshed};
 use super::sizing::{self, Lengths, limit_growth};
 use super::smooth::area_vector;
 use pompeiu_core::TriMesh;
@@ -22,11 +22,21 @@ use std::time::Instant;
 /// Share of the distance that tests of single faces may use; the rest covers their rounding.
 const LOCAL_SHARE: f64 = 0.9999;
 
-/// Times that edges are shortened and the input is remeshed anew where the result is too far from the input.
-const MOST_SHORTENINGS: usize = 16;
+/// Times that creases are kept or edges shortened, and the input is remeshed anew, where the result is too far from the input.
+const MOST_ROUNDS: usize = 12;
 
-/// By how much they are shortened each time.
+/// By how much edges are shortened each time.
 const SHORTENED: f64 = 0.6;
+
+/// Iterations of each of these rounds at most.
+const ITERATIONS: usize = 5;
+
+/// Creases at which a distance asks for edges shorter than this many times their target are kept from the start.
+const MUCH_SHORTER: f64 = 0.5;
+
+/// Edges whose faces meet at more than this angle between their normals, in degrees, are kept where the result is too far from the input:
+/// without them it cuts off what lies beside them, however short its edges are.
+const CREASE: f64 = 30.0;
 
 /// The input carries lengths at its vertices, so its edges are split where they are longer than this many target lengths.
 const INPUT_SPLIT: f64 = 2.0;
@@ -108,7 +118,20 @@ impl<'w> Work<'w> {
             return Err(RemeshError::Field { length, position });
         }
         if let Some(within) = options.within {
-            at_vertices = sizing::no_longer_than_chords(at_vertices, frame.length_in(within), &copy);
+            let chords = |lengths: &[f64], copy: &Marked| {
+                sizing::no_longer_than_chords(lengths.to_vec(), frame.length_in(within), copy)
+            };
+            let mut short = chords(&at_vertices, &copy);
+            // Creases that would need much shorter edges are kept instead.
+            let is_short: Vec<bool> = short
+                .iter()
+                .zip(&at_vertices)
+                .map(|(chord, wanted)| *chord < MUCH_SHORTER * wanted)
+                .collect();
+            if options.features.angle.is_none() && keep_creases(&mut copy, &options.features, &is_short) {
+                short = chords(&at_vertices, &copy);
+            }
+            at_vertices = short;
             lengths = Lengths::AtVertices(at_vertices.clone());
         }
         let faces = expected_faces(&copy.mesh, &at_vertices);
@@ -148,7 +171,7 @@ impl<'w> Work<'w> {
         self.places.bring_out(&mut result);
         let mesh = result.to_mesh()?;
         let remeshing = self.started.elapsed();
-        let intersections = self.options.intersections.of(&mesh)?;
+        let intersections = self.options.intersections.after(self.control.reason()).of(&mesh, self.input)?;
         let wanted = self.options.measure || self.options.within.is_some();
         // What is to be proven is, whatever the time; what is only told ends with the time.
         let time = self.options.limits.time.filter(|_| self.options.within.is_none());
@@ -210,9 +233,10 @@ impl<'w> Work<'w> {
         }
     }
 
-    /// Shortens lengths where the surface is farther from the input than a limit, until it is nowhere, or many rounds were in vain.
+    /// Keeps creases, or else shortens lengths, where the surface is farther from the input than a limit, until it is nowhere, or many
+    /// rounds were in vain.
     fn come_within(&mut self, limit: f64) -> Result<(), RemeshError> {
-        for _ in 0..MOST_SHORTENINGS {
+        for _ in 0..MOST_ROUNDS {
             if self.control.is_stopped() {
                 return Ok(());
             }
@@ -222,10 +246,12 @@ impl<'w> Work<'w> {
             }
             let copy = &mut self.copy;
             copy.length = self.reference.lengths.at_vertices(&copy.mesh.positions, &self.frame);
-            for (length, _) in copy.length.iter_mut().zip(far).filter(|(_, far)| *far) {
-                *length *= SHORTENED;
+            if !keep_creases(copy, &self.options.features, &far) {
+                for (length, _) in copy.length.iter_mut().zip(far).filter(|(_, far)| *far) {
+                    *length *= SHORTENED;
+                }
+                limit_growth(&copy.mesh, &mut copy.length);
             }
-            limit_growth(&copy.mesh, &mut copy.length);
             split_longer_than(copy, INPUT_SPLIT, self.options.most_faces, &self.control)
                 .map_err(|_| self.too_many())?;
             let lengths = Lengths::AtVertices(self.copy.length.clone());
@@ -233,10 +259,24 @@ impl<'w> Work<'w> {
             self.copy.near = self.reference.slots_at_vertices(self.copy.mesh.positions.len());
             // From the input again: a surface that was too coarse may have closed where the input is thin.
             self.surface = self.copy.clone();
-            self.iterate(self.options.iterations)?;
+            self.iterate(self.options.iterations.min(ITERATIONS))?;
         }
         Ok(())
     }
+}
+
+/// Makes curves of the creases of the input that lead to marked vertices; whether there are any that were none before. Vertices and edges that
+/// were selected must not have been split yet.
+fn keep_creases(copy: &mut Marked, features: &Features<'_>, marked: &[bool]) -> bool {
+    let mut edges = creases_to(&copy.mesh, CREASE, marked);
+    edges.retain(|ends| !copy.is_on_curve(ends.map(|v| v.0)));
+    if edges.is_empty() {
+        return false;
+    }
+    edges.extend(copy.on_curves());
+    let curves = Curves::find(&copy.mesh, &Features { edges: &edges, ..*features });
+    (copy.curve, copy.hold) = (curves.of_halfedge, curves.hold);
+    true
 }
 
 /// Number of equilateral faces with edges of the target length that have the area of the surface.

@@ -3,8 +3,8 @@
 use super::collapses::{Collapses, Snapshot};
 use super::cover::Cover;
 use super::marked::Marked;
-use super::options::{Simplified, SimplifyError, SimplifyTarget, SimplifyTiming};
 use super::simplify::Run;
+use super::simplify_options::{Simplified, SimplifyError, SimplifyTarget, SimplifyTiming};
 use pompeiu_core::geom::Aabb;
 use pompeiu_core::run::StopReason;
 use pompeiu_hausdorff::{HausdorffOptions, Tolerance};
@@ -134,7 +134,8 @@ impl<'s> Schedule<'s> {
             let own = if let Some(distance) = *known {
                 distance
             } else {
-                let options = HausdorffOptions { tolerance: SEED_TOLERANCE, ..HausdorffOptions::default() };
+                let measuring = self.run.measuring(self.run.options.target);
+                let options = HausdorffOptions { tolerance: SEED_TOLERANCE, ..measuring };
                 let seed = self.run.mesh_of(&seed.surface)?;
                 // The tolerance makes sense, so the options do.
                 options.symmetric(mesh, &seed).map_or(f64::INFINITY, |found| found.distance.upper())

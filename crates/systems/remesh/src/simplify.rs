@@ -5,16 +5,18 @@ use super::connectivity::DynamicMesh;
 use super::features::{Curves, FeatureError};
 use super::lengths::NotWithin;
 use super::marked::Marked;
-use super::options::{Effort, Simplified, SimplifyError, SimplifyOptions, SimplifyTarget, SimplifyTiming};
 use super::places::Places;
 use super::schedule;
+use super::simplify_options::{
+    Effort, Simplified, SimplifyError, SimplifyOptions, SimplifyTarget, SimplifyTiming,
+};
 use pompeiu_core::geom::{Aabb, Frame};
 use pompeiu_core::mesh::Rounding;
 use pompeiu_core::mesh::repair::{RepairOptions, repair};
-use pompeiu_core::run::{Control, StopReason, on_threads};
+use pompeiu_core::run::{Control, Limits, RunContext, StopReason, on_threads};
 use pompeiu_core::spatial::bvh::Bvh;
 use pompeiu_core::{MeshError, TriMesh};
-use pompeiu_hausdorff::symmetric_hausdorff;
+use pompeiu_hausdorff::{HausdorffOptions, symmetric_hausdorff};
 use std::time::Instant;
 
 /// Share of the distance that the local tests may use; the rest covers their rounding.
@@ -81,6 +83,7 @@ fn simplify_here(
     levels: usize,
 ) -> Result<Vec<Simplified>, SimplifyError> {
     let started = Instant::now();
+    let context = RunContext::start(options.limits.clone());
     let aabb = Aabb::of_faces(mesh);
     let targets = options.targets(aabb.diagonal(), levels)?;
     options.features.check(mesh.positions().len())?;
@@ -98,10 +101,9 @@ fn simplify_here(
     let repairs = RepairOptions { coordinates: options.coordinates, ..RepairOptions::default() };
     let repaired = if options.repair { Some(repair(mesh, &repairs)?.mesh) } else { None };
     let manifold = repaired.as_ref().unwrap_or(mesh);
-    let control = Control::start(&options.limits);
     let bvh = Bvh::build(manifold, &frame);
     let surface = surface_of(manifold, &places, &bvh, options)?;
-    let run = Run { mesh, options, places, rounding, bvh: &bvh, control };
+    let run = Run { mesh, options, places, rounding, bvh: &bvh, control: context.control(), context };
     match (options.target, options.effort) {
         (SimplifyTarget::Faces(_), Effort::Best) => schedule::levels(&run, surface, &targets, started),
         (SimplifyTarget::Faces(_), Effort::Fast) => {
@@ -121,6 +123,8 @@ pub(super) struct Run<'r> {
     pub(super) rounding: Rounding,
     pub(super) bvh: &'r Bvh,
     pub(super) control: Control,
+    /// The limits, counted from the start.
+    context: RunContext<'r>,
 }
 
 impl Run<'_> {
@@ -165,7 +169,10 @@ impl Run<'_> {
     ) -> Result<Simplified, SimplifyError> {
         let mesh = self.mesh_of(surface)?;
         let collapse = started.elapsed();
-        let distance = symmetric_hausdorff(self.mesh, &mesh);
+        let measuring = self.measuring(target);
+        // Only the limits are not those of the defaults, and limits are always valid.
+        let distance =
+            measuring.symmetric(self.mesh, &mesh).unwrap_or_else(|_| symmetric_hausdorff(self.mesh, &mesh));
         if let SimplifyTarget::Within(d) = target {
             NotWithin::check(d, &distance)?;
         }
@@ -182,9 +189,19 @@ impl Run<'_> {
         })
     }
 
+    /// How a distance is measured: one that was asked for is proven, whatever the time; one that follows is enclosed as well as time allows.
+    pub(super) fn measuring(&self, target: SimplifyTarget) -> HausdorffOptions<'static> {
+        let limits = match target {
+            SimplifyTarget::Within(_) => Limits::default(),
+            SimplifyTarget::Faces(_) => self.context.limits(),
+        };
+        HausdorffOptions { limits, ..HausdorffOptions::default() }
+    }
+
     /// Counts the faces of a result that intersect, where that is asked for.
     pub(super) fn guarded(&self, mut result: Simplified) -> Result<Simplified, SimplifyError> {
-        result.intersections = self.options.intersections.of(&result.mesh)?;
+        let intersections = self.options.intersections.after(self.control.reason());
+        result.intersections = intersections.of(&result.mesh, self.mesh)?;
         Ok(result)
     }
 }

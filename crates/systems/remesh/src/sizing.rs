@@ -1,6 +1,6 @@
 //! How long edges should be: one length, a field, or what a chord height allows where the surface bends.
 
-use super::connectivity::DynamicMesh;
+use super::connectivity::{DynamicMesh, NONE};
 use super::curvature::{curvatures_of_curves, largest_curvatures};
 use super::isotropic::LONGEST;
 use super::marked::Marked;
@@ -59,7 +59,7 @@ impl<'f> Lengths<'f> {
                         longest
                     }
                 };
-                let mut lengths: Vec<f64> = bends(surface).into_iter().map(of).collect();
+                let mut lengths: Vec<f64> = bends(surface, |_| false).into_iter().map(of).collect();
                 limit_growth(&surface.mesh, &mut lengths);
                 Self::AtVertices(lengths)
             }
@@ -95,10 +95,10 @@ fn chord_of(height: f64, curvature: f64) -> f64 {
     if square > 0.0 { square.sqrt() / LONGEST } else { 0.0 }
 }
 
-/// The largest curvature at each vertex, of the surface or of the curve through it.
-fn bends(surface: &Marked) -> Vec<f64> {
+/// The largest curvature at each vertex, of the surface or of the curve through it. Some halfedges may be left out of that of the surface.
+fn bends(surface: &Marked, is_left_out: impl Fn(u32) -> bool + Sync) -> Vec<f64> {
     let of_curves = curvatures_of_curves(surface);
-    largest_curvatures(&surface.mesh)
+    largest_curvatures(&surface.mesh, is_left_out)
         .into_iter()
         .zip(of_curves)
         .map(|(x, y)| if x > y { x } else { y })
@@ -106,8 +106,11 @@ fn bends(surface: &Marked) -> Vec<f64> {
 }
 
 /// Lowers lengths to those of chords of a height, for vertices on a smooth surface; not below the height itself.
+///
+/// Across curves, which are kept, the surface may bend as it likes.
 pub(super) fn no_longer_than_chords(mut lengths: Vec<f64>, height: f64, surface: &Marked) -> Vec<f64> {
-    for (length, curvature) in lengths.iter_mut().zip(bends(surface)) {
+    let on_curve = |h: u32| surface.curve[h as usize] != NONE;
+    for (length, curvature) in lengths.iter_mut().zip(bends(surface, on_curve)) {
         let chord = chord_of(height, curvature);
         let most = if chord > height { chord } else { height };
         *length = if *length < most { *length } else { most };

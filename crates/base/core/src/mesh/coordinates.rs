@@ -5,7 +5,8 @@ use crate::geom::Aabb;
 
 /// The numbers in which coordinates are kept.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum Precision {
@@ -16,23 +17,29 @@ pub enum Precision {
     Single,
 }
 
-/// What coordinates a result is wanted in.
+/// What coordinates a result is wanted in: options that the requests of several systems share.
 ///
 /// Whoever writes a mesh to a file with fewer bits moves its vertices. What is said of the result must be true of the file, so a
 /// system is told beforehand: it rounds, and proves afterwards.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "clap", derive(clap::Args))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Coordinates {
-    /// The numbers of the file.
+    /// Numbers in which the coordinates of the result are kept; single where the file that is written holds no others, as STL and GLB do.
+    #[cfg_attr(feature = "clap", arg(long, value_enum))]
     pub precision: Precision,
-    /// Whether coordinates are counted from a point near the centre of the input instead of from zero, which saves bits far from zero.
-    pub centered: bool,
+    /// Count the coordinates of the result from a point near the centre of the mesh, which is reported: far from zero this keeps digits
+    /// for which single precision has no room.
+    #[cfg_attr(feature = "clap", arg(long))]
+    pub center: bool,
 }
 
 impl Coordinates {
     /// Where the points of a mesh with this bounding box can be.
     pub fn within(self, aabb: &Aabb) -> Grid {
         let mut grid = Grid { precision: self.precision, shift: [0.0; 3], step: 0.0 };
-        if !self.centered || aabb.is_empty() {
+        if !self.center || aabb.is_empty() {
             return grid;
         }
         // Twice the largest coordinate leaves room for points beside the box.
@@ -192,8 +199,8 @@ mod tests {
     use super::*;
     use crate::mesh::{Affine, Random, displace_at_random, shapes, transform};
 
-    fn coordinates(precision: Precision, centered: bool) -> Coordinates {
-        Coordinates { precision, centered }
+    fn coordinates(precision: Precision, center: bool) -> Coordinates {
+        Coordinates { precision, center }
     }
 
     /// A sphere of a size somewhere, with all bits of its coordinates in use.

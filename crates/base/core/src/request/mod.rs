@@ -6,10 +6,12 @@
 //! A [`Report`] says what was found; an [`Answer`] is both, with the inputs and times.
 
 mod answer;
+mod info;
 mod length;
 pub mod values;
 
 pub use answer::{Answer, Conclusion, Input, Report, Timing};
+pub use info::{FileFacts, InfoReport, InfoRequest, IntersectingFacePair, IntersectingFaces};
 pub use length::{Band, Length, LengthError};
 
 /// A limit of a computation that a person may set.

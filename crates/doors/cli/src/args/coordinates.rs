@@ -2,24 +2,14 @@
 
 use crate::numbers::{few, point};
 use crate::printer::Printer;
-use clap::Args;
 use pompeiu::core::mesh::{Coordinates, Precision, Rounding};
 use pompeiu::io::OutputFormat;
 use std::path::Path;
 
-#[derive(Args)]
-pub(crate) struct Centered {
-    /// Count the coordinates of the output from a point near the centre of the mesh, which is said: far from zero this keeps digits that
-    /// STL and GLB have no room for
-    #[arg(long)]
-    pub(crate) center: bool,
-}
-
-impl Centered {
-    /// What the file can hold.
-    pub(crate) fn coordinates(&self, output: &Path) -> Coordinates {
-        let precision = OutputFormat::from_path(output).map_or(Precision::Double, OutputFormat::precision);
-        Coordinates { precision, centered: self.center }
+/// Lets a result have the coordinates that a file can hold.
+pub(crate) fn hold_in(output: &Path, coordinates: &mut Coordinates) {
+    if OutputFormat::from_path(output).is_some_and(|format| format.precision() == Precision::Single) {
+        coordinates.precision = Precision::Single;
     }
 }
 

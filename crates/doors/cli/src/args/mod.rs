@@ -1,7 +1,6 @@
 //! The command line as typed values: what all commands have in common, and options that several share.
 
 mod coordinates;
-mod intersections;
 mod limits;
 mod many;
 mod meshes;
@@ -9,8 +8,7 @@ mod picture;
 mod selection;
 mod tolerance;
 
-pub(crate) use coordinates::{Centered, tell};
-pub(crate) use intersections::Intersections;
+pub(crate) use coordinates::{hold_in, tell};
 pub(crate) use limits::Limits;
 pub(crate) use many::Many;
 pub(crate) use meshes::Meshes;

@@ -62,10 +62,10 @@ commands! {
     align::Align: system,
     rank::Rank,
     matrix::Matrix,
-    info::Info,
+    info::Info: system,
     decompose::Decompose: system,
-    remesh::Remesh,
-    flow::Flow,
+    remesh::Remesh: system,
+    flow::Flow: system,
     fluid::Fluid,
     couple::Couple: system,
     flatten::Flatten: system,
@@ -74,7 +74,7 @@ commands! {
     neuron::Neuron: system,
     complexity::Complexity: system,
     puzzle::Puzzle: system,
-    simplify::Simplify,
+    simplify::Simplify: system,
     repair::Repair: system,
     convert::Convert,
     generate::Generate,
@@ -85,11 +85,7 @@ commands! {
 /// The JSON answers of commands that are no systems yet.
 #[cfg(test)]
 pub(crate) mod answers {
-    pub(crate) use super::flow::Json as Flow;
     pub(crate) use super::fluid::Json as Fluid;
-    pub(crate) use super::info::Json as Info;
     pub(crate) use super::matrix::Json as Matrix;
     pub(crate) use super::rank::Json as Rank;
-    pub(crate) use super::remesh::Json as Remesh;
-    pub(crate) use super::simplify::Json as Simplify;
 }

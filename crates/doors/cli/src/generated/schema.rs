@@ -38,13 +38,9 @@ impl Visitor for Published {
 fn published_schemas_are_those_of_the_types() {
     let mut published = Published(Vec::new());
     visit_systems(&mut published);
-    published.check::<answers::Flow<'static>>("flow");
     published.check::<answers::Fluid<'static>>("fluid");
-    published.check::<answers::Info<'static>>("info");
     published.check::<answers::Matrix<'static>>("matrix");
     published.check::<answers::Rank<'static>>("rank");
-    published.check::<answers::Remesh<'static>>("remesh");
-    published.check::<answers::Simplify<'static>>("simplify");
     let names = std::fs::read_dir(folder()).unwrap().map(|entry| entry.unwrap().file_name());
     let mut names: Vec<String> = names.map(|name| name.into_string().unwrap()).collect();
     names.sort();

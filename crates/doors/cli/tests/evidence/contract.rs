@@ -6,13 +6,13 @@ use serde_json::Value;
 use std::collections::BTreeMap;
 
 /// Commands that are no systems yet: their options are not those of a request.
-const NOT_YET: [&str; 7] = ["flow", "fluid", "info", "matrix", "rank", "remesh", "simplify"];
+const NOT_YET: [&str; 3] = ["fluid", "matrix", "rank"];
 
 /// Commands that compute nothing that could be asked for in another way.
 const NO_ANSWER: [&str; 5] = ["completions", "convert", "generate", "help", "man"];
 
 /// A call of each system, with options and the same as a file.
-const CALLS: [(&str, &str, &str, &str); 13] = [
+const CALLS: [(&str, &str, &str, &str); 17] = [
     (
         "align",
         "dense.obj turned.obj",
@@ -67,6 +67,25 @@ percentiles = [50, 99]
 ignore_beyond = \"0.9mm\"
 box = [-9, -9, -9, 9, 9, 9]
 ",
+    ),
+    (
+        "flow",
+        "dense.obj -o flowed.obj --until steps:2",
+        "--scheme conformalized --time-step 0.001 --no-keep-angles",
+        "scheme = \"conformalized\"\ntime_step = 0.001\nkeep_angles = false\n",
+    ),
+    ("info", "dense.obj", "--intersections", "intersections = true\n"),
+    (
+        "remesh",
+        "dense.obj -o even.stl --relative 0.1",
+        "--features 60 --iterations 3 --intersections refuse --center",
+        "features = 60\niterations = 3\nintersections = \"refuse\"\ncenter = true\n",
+    ),
+    (
+        "simplify",
+        "dense.obj -o few.stl --faces 300",
+        "--effort fast --levels 2 --intersections ignore --precision single",
+        "effort = \"fast\"\nlevels = 2\nintersections = \"ignore\"\nprecision = \"single\"\n",
     ),
     (
         "repair",

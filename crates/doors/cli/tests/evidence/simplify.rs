@@ -1,7 +1,6 @@
 //! `pompeiu simplify`: what is carried over from the input.
 
-use crate::common::Folder;
-use serde_json::Value;
+use crate::common::{Folder, report_of};
 use std::fmt::Write;
 
 /// Number of squares along each side.
@@ -43,7 +42,7 @@ fn texture_coordinates_materials_and_colours_are_carried_over() {
     let folder = Folder::new();
     folder.write("square.obj", square());
     let report = folder.ok("simplify square.obj --within 0.001 -o few.obj --json");
-    let report: Value = serde_json::from_str(&report).unwrap();
+    let report = report_of(serde_json::from_str(&report).unwrap());
     let kept = serde_json::json!({ "texture": true, "seam_edges": SIDE, "materials": 2, "colors": true });
     assert_eq!(report["kept"], kept);
     let text = std::fs::read_to_string(folder.path().join("few.obj")).unwrap();
@@ -91,7 +90,7 @@ fn texture_coordinates_materials_and_colours_are_carried_over() {
         "{talk}"
     );
     let report = folder.ok("simplify few.ply --faces 8 -o fewer.ply --json");
-    let report: Value = serde_json::from_str(&report).unwrap();
+    let report = report_of(serde_json::from_str(&report).unwrap());
     assert_eq!(report["kept"]["colors"], true);
     let (_, _, talk) = folder.transcript("simplify square.obj --within 0.001 --repair -o repaired.obj");
     assert!(talk.contains("repair the mesh first"), "{talk}");

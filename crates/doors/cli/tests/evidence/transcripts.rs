@@ -15,6 +15,8 @@ fn check(folder: &Folder, name: &str, args: &str) {
         (r"(at most )?\d\.\de-?\d+ of the", "[rounding] of the"),
         (r"\d(\.\d+)?e-\d+ \(0\.000 %", "[rounding] (0.000 %"),
         (r"pompeiu \d+\.\d+\.\d+", "pompeiu [version]"),
+        (r#""timing_ms":\{[^}]*\}"#, r#""timing_ms":[times]"#),
+        (r#""version":"[^"]*""#, r#""version":"[version]""#),
     ] {
         settings.add_filter(pattern, replacement);
     }

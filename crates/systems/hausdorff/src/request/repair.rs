@@ -14,11 +14,7 @@ use pompeiu_core::request::values::magnitude;
 /// Make a mesh an oriented manifold, and say what was done.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "clap", derive(clap::Args))]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize, serde::Deserialize),
-    serde(default, deny_unknown_fields)
-)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct RepairRequest {
     /// Make one vertex of those within this length of each other, not only of those at one position.
@@ -33,6 +29,10 @@ pub struct RepairRequest {
     /// Largest distance from the input, in its unit, to be proven.
     #[cfg_attr(feature = "clap", arg(long, value_parser = magnitude, value_name = "LENGTH"))]
     pub within: Option<f64>,
+    /// Coordinates of the result.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[cfg_attr(feature = "serde", serde(flatten))]
+    pub coordinates: Coordinates,
 }
 
 impl Request for RepairRequest {
@@ -115,12 +115,7 @@ impl RepairRequest {
     ///
     /// # Errors
     /// [`RepairRequestError`].
-    pub fn run(
-        &self,
-        mesh: &TriMesh,
-        coordinates: Coordinates,
-        context: &RunContext<'_>,
-    ) -> Result<ProvenRepair, RepairRequestError> {
+    pub fn run(&self, mesh: &TriMesh, context: &RunContext<'_>) -> Result<ProvenRepair, RepairRequestError> {
         if let Some(within) = self.within.filter(|within| !(0.0..f64::INFINITY).contains(within)) {
             return Err(RepairRequestError::Within(within));
         }
@@ -130,7 +125,8 @@ impl RepairRequest {
             None if self.no_weld => Weld::Never,
             _ => Weld::Equal,
         };
-        let found = repair(mesh, &RepairOptions { weld, fill_holes: self.fill_holes, coordinates })?;
+        let (fill_holes, coordinates) = (self.fill_holes, self.coordinates);
+        let found = repair(mesh, &RepairOptions { weld, fill_holes, coordinates })?;
         let options = HausdorffOptions { limits: context.limits(), ..HausdorffOptions::default() };
         let measured = self.within.map(|_| options.both_directions(mesh, &found.mesh));
         let stops = measured.iter().flat_map(|report| [report.a_to_b.stop, report.b_to_a.stop]);

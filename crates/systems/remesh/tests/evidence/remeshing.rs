@@ -122,7 +122,9 @@ fn the_distance_asked_for_is_proven() {
     let cube = shapes::cube(2.0, 1).unwrap();
     let options = RemeshOptions { within: Some(0.1), ..RemeshOptions::new(Sizing::Length(0.5)) };
     assert!(distance(&remesh(&cube, &options).unwrap()) <= 0.1);
-    let few = RemeshOptions { within: Some(0.02), most_faces: 2000, ..options };
+    // Unless others are asked for.
+    let features = Features { angle: Some(180.0), ..Features::default() };
+    let few = RemeshOptions { features, within: Some(0.02), most_faces: 2000, ..options };
     let error = remesh(&cube, &few).unwrap_err();
     assert!(matches!(error, RemeshError::TooManyFacesWithin { most: 2000, .. }), "{error}");
 }
@@ -277,4 +279,46 @@ fn an_outline_is_followed_to_a_chord_height() {
     let sizing = Sizing::ChordHeight { tolerance: 0.01, between: [1e-3, 1.0] };
     let found = remesh(&disc, &RemeshOptions::new(sizing)).unwrap();
     assert!(distance(&found) < 0.02, "{}", distance(&found));
+}
+
+#[test]
+fn creases_are_kept_where_a_distance_asks_for_it() {
+    // Without curves along its edges a cube is cut off there by a share of the edge length.
+    let cube = shapes::cube(2.0, 8).unwrap();
+    let within = |distance| {
+        let options = RemeshOptions { within: Some(distance), ..RemeshOptions::new(Sizing::Length(0.3)) };
+        remesh(&cube, &options).unwrap()
+    };
+    let near = within(1e-6);
+    assert!(near.distance.unwrap().distance.upper() <= 1e-6);
+    assert!(near.after.faces < 2000, "{} faces", near.after.faces);
+    // Where the distance allows it they are rounded off, as without.
+    let free = remesh(&cube, &RemeshOptions::new(Sizing::Length(0.3))).unwrap();
+    let allowed = free.distance.unwrap().distance.upper() * 1.5;
+    assert_eq!(within(allowed).mesh.faces().len(), free.mesh.faces().len());
+}
+
+#[test]
+fn faces_that_intersect_are_refused_where_the_input_has_none() {
+    // Two sheets that are nearer to each other than edges are long.
+    let outer = shapes::icosphere(1.0, 4).unwrap();
+    let inner = shapes::icosphere(0.995, 4).unwrap();
+    let join = |inner: &TriMesh| {
+        let count = outer.positions().len() as u32;
+        let positions = [outer.positions(), inner.positions()].concat();
+        let moved = inner.faces().iter().map(|face| face.map(|v| v + count));
+        TriMesh::new(positions, outer.faces().iter().copied().chain(moved).collect()).unwrap()
+    };
+    let with = |mesh: &TriMesh, intersections| {
+        let options = RemeshOptions { intersections, ..RemeshOptions::new(Sizing::Length(0.5)) };
+        remesh(mesh, &options)
+    };
+    let apart = join(&inner);
+    let found = with(&apart, Intersections::Report).unwrap().intersections.unwrap();
+    assert!(found.pairs > 0);
+    assert!(matches!(with(&apart, Intersections::RefuseNew), Err(RemeshError::Intersects(_))));
+    // An input with intersections is none the worse.
+    let crossed = join(&transform(&inner, &Affine::translate([0.01, 0.0, 0.0])).unwrap());
+    let counted = with(&crossed, Intersections::RefuseNew).unwrap().intersections.unwrap();
+    assert!(counted.pairs > 0);
 }

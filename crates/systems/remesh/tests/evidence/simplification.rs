@@ -249,8 +249,8 @@ fn effort_changes_nothing_with_the_number_of_threads() {
 fn vertices_are_where_single_precision_has_them() {
     let sphere =
         transform(&shapes::icosphere(10.0, 4).unwrap(), &Affine::translate([4e4, -7e4, 0.1])).unwrap();
-    for (centered, within) in [(false, 0.1), (true, 0.02), (true, 0.1)] {
-        let coordinates = Coordinates { precision: Precision::Single, centered };
+    for (center, within) in [(false, 0.1), (true, 0.02), (true, 0.1)] {
+        let coordinates = Coordinates { precision: Precision::Single, center };
         let options = SimplifyOptions { coordinates, ..SimplifyOptions::new(SimplifyTarget::Within(within)) };
         let found = pompeiu_remesh::simplify(&sphere, &options).unwrap();
         let written = found.rounding.written(&found.mesh).unwrap();
@@ -258,7 +258,7 @@ fn vertices_are_where_single_precision_has_them() {
         assert!(symmetric_hausdorff(&sphere, &found.mesh).distance.upper() <= within);
         assert!(found.mesh.faces().len() < sphere.faces().len() / 2);
     }
-    let coordinates = Coordinates { precision: Precision::Single, centered: false };
+    let coordinates = Coordinates { precision: Precision::Single, center: false };
     let options = SimplifyOptions { coordinates, ..SimplifyOptions::new(SimplifyTarget::Within(1e-3)) };
     let refused = pompeiu_remesh::simplify(&sphere, &options).map(|found| found.distance);
     assert!(matches!(refused, Err(SimplifyError::TooCoarse(_))), "{refused:?}");

@@ -70,7 +70,7 @@ impl System for Files {
         let paths = [self.moving.as_path(), self.fixed.as_path()];
         let [moving, fixed] = session.read_pair(paths)?;
         let precision = self.output.as_deref().and_then(OutputFormat::from_path).map(OutputFormat::precision);
-        let coordinates = Coordinates { precision: precision.unwrap_or_default(), centered: false };
+        let coordinates = Coordinates { precision: precision.unwrap_or_default(), center: false };
         let found = request.run(&moving, &fixed, coordinates, &session.context());
         let found = found.map_err(|error| pair::in_files(paths, error))?;
         session.stop_waiting();

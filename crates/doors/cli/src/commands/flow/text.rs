@@ -1,13 +1,14 @@
 //! The outcome for people.
 
-use super::run::Outcome;
+use super::Files;
+use crate::door::AnswerOf;
 use crate::numbers::{grouped, pairs_that_intersect, point, shortest, time};
 use crate::page::Page;
 use pompeiu::flow::{Flow, FlowStop};
 
 /// The verdict first, then a row for each quantity.
-pub(super) fn text(outcome: &Outcome) -> String {
-    let flow = &outcome.flow;
+pub(super) fn text(answer: &AnswerOf<Files>) -> String {
+    let flow = &answer.report;
     let mut page = Page::new();
     page.row("result", &verdict(flow));
     let fall = 100.0 * (1.0 - flow.area.r#final / flow.area.initial);
@@ -56,7 +57,7 @@ pub(super) fn text(outcome: &Outcome) -> String {
     if let Some(count) = flow.intersections {
         page.row("intersect", &pairs_that_intersect(count));
     }
-    let [vertices, faces] = [outcome.output.vertices, outcome.output.faces].map(|n| grouped(n as u64));
+    let [vertices, faces] = [flow.mesh.positions().len(), flow.mesh.faces().len()].map(|n| grouped(n as u64));
     page.row("mesh", &format!("{vertices} vertices, {faces} faces"));
     let timing = flow.timing;
     page.row(
@@ -66,7 +67,7 @@ pub(super) fn text(outcome: &Outcome) -> String {
             time(timing.steps),
             time(timing.remesh),
             time(timing.verdict),
-            time(outcome.total)
+            time(answer.timing.total)
         ),
     );
     page.into_text()

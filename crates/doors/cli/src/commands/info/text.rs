@@ -2,18 +2,13 @@
 
 use crate::numbers::{grouped, plain, point};
 use crate::printer::LABEL;
-use pompeiu::core::MeshSummary;
-use pompeiu::core::spatial::SelfIntersections;
-use pompeiu::io::ReadMesh;
+use pompeiu::core::request::{InfoReport, IntersectingFaces};
 use std::fmt::Write;
+use std::path::Path;
 
 /// A row for each quantity.
-pub(super) fn text(
-    path: &str,
-    read: &ReadMesh,
-    summary: &MeshSummary,
-    intersections: Option<&SelfIntersections>,
-) -> String {
+pub(super) fn text(path: &Path, report: &InfoReport) -> String {
+    let InfoReport { file, summary, self_intersections } = report;
     let (bounds, topology) = (summary.bounding_box, summary.connectivity);
     let number = |n: usize| grouped(n as u64);
     let size = [0, 1, 2].map(|k| plain(bounds.upper[k] - bounds.lower[k]));
@@ -29,9 +24,11 @@ pub(super) fn text(
         None if topology.inconsistent_edges > 0 => "none: faces of opposite orientation meet".to_owned(),
         None => "none: the faces do not enclose one".to_owned(),
     };
-    let compressed = if read.compressed { ", compressed" } else { "" };
+    let (format, compressed) = file
+        .as_ref()
+        .map_or(("", ""), |file| (file.format.as_str(), if file.compressed { ", compressed" } else { "" }));
     let rows = [
-        ("file", format!("{path} ({}{compressed})", read.format)),
+        ("file", format!("{} ({format}{compressed})", path.display())),
         ("vertices", number(summary.vertices)),
         ("edges", number(topology.edges)),
         ("faces", number(summary.faces)),
@@ -68,7 +65,7 @@ pub(super) fn text(
     if label == "oddities" {
         row(label, "none");
     }
-    if let Some(found) = intersections {
+    if let Some(found) = self_intersections {
         row("self-intersections", &pairs(found));
         if found.touching > 0 {
             let count = grouped(found.touching as u64);
@@ -79,14 +76,14 @@ pub(super) fn text(
 }
 
 /// How many pairs of faces intersect, and where the first ones do.
-fn pairs(found: &SelfIntersections) -> String {
-    let count = found.pairs.len();
+fn pairs(found: &IntersectingFaces) -> String {
+    let count = found.count;
     if count == 0 {
         return "none".to_owned();
     }
     let at_least = if found.complete { "" } else { "at least " };
     let noun = if count == 1 { "pair" } else { "pairs" };
-    let first: Vec<String> = found.pairs.iter().take(3).map(|pair| point(pair.place)).collect();
+    let first: Vec<String> = found.first.iter().take(3).map(|pair| point(pair.place)).collect();
     let more = if count > 3 { ", …" } else { "" };
     format!("{at_least}{} {noun} of faces, at {}{more}", grouped(count as u64), first.join(", "))
 }

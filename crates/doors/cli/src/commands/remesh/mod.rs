@@ -1,12 +1,71 @@
 //! `pompeiu remesh`.
 
-mod args;
-mod json;
-mod run;
 mod text;
 
-pub(crate) use args::Remesh;
-pub(crate) use run::run;
+use crate::args::{Picture, hold_in, tell};
+use crate::called::called;
+pub(crate) use crate::door::run;
+use crate::door::{AnswerOf, Invocation, Session, System};
+use crate::files;
+use anyhow::Context;
+use clap::Args;
+use pompeiu::remesh::show::RemeshPage;
+use pompeiu::remesh::{RemeshReport, RemeshRequest};
+use std::path::PathBuf;
 
-#[cfg(test)]
-pub(crate) use json::Json;
+pub(crate) type Remesh = Invocation<Files>;
+
+#[derive(Args)]
+#[command(after_help = "\
+One of --edge-length, --relative and --adaptive is given. Edges are split, collapsed and flipped, vertices move within the surface
+and onto the input. Topology, boundaries and the edges that --features names are kept. The Pompeiu–Hausdorff distance from the
+input is measured; with --within it is proven to be at most that length, for which edges are shortened where they must be; otherwise
+nothing is written. The mesh must be an oriented manifold, with or without boundary. Only positions and faces are read: colours,
+normals and texture coordinates are not in the output.
+
+Examples:
+  pompeiu remesh scan.ply --edge-length 0.5 -o even.ply
+  pompeiu remesh part.stl --relative 0.01 --features 40 -o even.ply
+  pompeiu remesh scan.ply --adaptive 0.01 --within 0.05 -o light.ply --report light.html")]
+pub(crate) struct Files {
+    /// The mesh file
+    mesh: PathBuf,
+    /// The mesh file to write
+    #[arg(long, short, value_name = "OUT")]
+    output: PathBuf,
+    #[command(flatten)]
+    picture: Picture,
+}
+
+impl System for Files {
+    type Request = RemeshRequest;
+
+    fn check(&self, _: bool) -> anyhow::Result<()> {
+        files::check_writable(&self.output)?;
+        let outputs = std::iter::once(self.output.as_path()).chain(self.picture.outputs());
+        files::check_places(outputs, &[&self.mesh])
+    }
+
+    fn run(&self, request: &mut RemeshRequest, session: &mut Session<'_>) -> anyhow::Result<RemeshReport> {
+        let shown = self.mesh.display().to_string();
+        let mesh = session.read_mesh(&self.mesh)?;
+        hold_in(&self.output, &mut request.coordinates);
+        let answer = request.run(&mesh, &session.context()).with_context(|| shown.clone())?;
+        session.stop_waiting();
+        let (found, printer) = (&answer.found, session.printer);
+        tell(&self.output, &found.rounding, printer);
+        files::write_rounded(&self.output, &found.mesh, &found.rounding, printer)?;
+        let (up, command) = (self.picture.up.axis(), called());
+        let page = RemeshPage { path: &shown, input: &mesh, found, up, command: Some(&command) };
+        self.picture.write(
+            || page.html(),
+            |width, height, theme, view| page.image(width, height, theme, view),
+            printer,
+        )?;
+        Ok(answer.report)
+    }
+
+    fn text(&self, answer: &AnswerOf<Self>) -> String {
+        text::text(answer)
+    }
+}

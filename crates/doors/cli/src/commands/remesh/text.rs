@@ -1,6 +1,7 @@
 //! The outcome for people.
 
-use super::run::Outcome;
+use super::Files;
+use crate::door::AnswerOf;
 use crate::numbers::{few, grouped, pairs_that_intersect, shortest, time};
 use crate::page::value;
 use crate::printer::LABEL;
@@ -8,12 +9,12 @@ use pompeiu::remesh::Quality;
 use std::fmt::Write;
 
 /// A row for each quantity, before and after, and the distance.
-pub(super) fn text(outcome: &Outcome) -> String {
+pub(super) fn text(answer: &AnswerOf<Files>) -> String {
     let mut text = String::new();
     let mut row = |label: &str, value: String| {
         let _ = writeln!(text, "{LABEL}{label:<13}{LABEL:#}{value}");
     };
-    let found = &outcome.found;
+    let (asked, found) = (&answer.request, &answer.report);
     let both =
         |of: &dyn Fn(&Quality) -> String| format!("{}, before {}", of(&found.after), of(&found.before));
     let count = |n: usize| grouped(n as u64);
@@ -29,13 +30,13 @@ pub(super) fn text(outcome: &Outcome) -> String {
     );
     row("valence", both(&|q| format!("{:.1} % regular", 100.0 * q.regular)));
     if let Some(report) = &found.distance {
-        let proven = match outcome.within {
+        let proven = match asked.within {
             Some(within) => format!(", proven to be at most {}", shortest(within)),
             None => String::new(),
         };
         row("H(A, B)", value(report.distance) + &proven);
     }
-    if let (Some(height), Some(report)) = (outcome.chord_height, &found.distance)
+    if let (Some(height), Some(report)) = (asked.adaptive, &found.distance)
         && report.distance.lower() > height
     {
         row(
@@ -59,7 +60,7 @@ pub(super) fn text(outcome: &Outcome) -> String {
             "remesh {}, distance {}, total {}",
             time(timing.remesh),
             time(timing.distance),
-            time(outcome.total)
+            time(answer.timing.total)
         ),
     );
     text

@@ -2,14 +2,15 @@
 
 mod text;
 
-use crate::args::{Centered, tell};
+use crate::args::{hold_in, tell};
 pub(crate) use crate::door::run;
 use crate::door::{AnswerOf, Invocation, Session, System};
 use crate::numbers::shortest;
 use crate::{certificate, files};
-use anyhow::Context;
+use anyhow::{Context, bail};
 use clap::Args;
 use pompeiu::hausdorff::{ProvenRepairReport, RepairRequest};
+use pompeiu::io::OutputFormat;
 use std::path::PathBuf;
 
 pub(crate) type Repair = Invocation<Files>;
@@ -33,8 +34,6 @@ pub(crate) struct Files {
     /// The mesh file to write
     #[arg(value_name = "OUT")]
     output: PathBuf,
-    #[command(flatten)]
-    centered: Centered,
     /// Write a file from which anybody can prove anew that the result is within --within of the input, see `pompeiu verify`
     #[arg(long, value_name = "FILE")]
     certificate: Option<PathBuf>,
@@ -54,15 +53,23 @@ impl System for Files {
         request: &mut RepairRequest,
         session: &mut Session<'_>,
     ) -> anyhow::Result<ProvenRepairReport> {
-        certificate::check_result(self.certificate.as_deref(), request.within, self.centered.center)?;
+        certificate::check_result(self.certificate.as_deref(), request.within, request.coordinates.center)?;
         let mesh = session.read_mesh(&self.input)?;
-        let found = request.run(&mesh, self.centered.coordinates(&self.output), &session.context());
+        hold_in(&self.output, &mut request.coordinates);
+        let found = request.run(&mesh, &session.context());
         let mut found = found.with_context(|| self.input.display().to_string())?;
+        session.stop_waiting();
+        let split = found.report.repair.split_edges.count + found.report.repair.split_vertices.count;
+        if split > 0 && OutputFormat::from_path(&self.output) == Some(OutputFormat::Stl) {
+            bail!(
+                "{}: STL holds no shared vertices, so its readers join again what was split at {split} edges and vertices; write PLY or OBJ",
+                self.output.display()
+            );
+        }
         if let (true, Some(path), Some(within)) = (found.report.written, &self.certificate, request.within) {
             let answer = certificate::write_within(path, [&mesh, &found.mesh], within, session)?;
             found.report.certificate = Some(answer);
         }
-        session.stop_waiting();
         if found.report.written {
             tell(&self.output, &found.report.rounding, session.printer);
             files::write_rounded(&self.output, &found.mesh, &found.report.rounding, session.printer)?;

@@ -1,13 +1,11 @@
 //! Texture coordinates, materials and colours of the input, carried over to what is written.
 
 use crate::files;
-use crate::numbers::grouped;
 use crate::printer::Printer;
 use anyhow::Context;
 use pompeiu::core::{TriMesh, VertexId};
 use pompeiu::io::{Attributes, Materials, OutputFormat, read_appearance};
-use pompeiu::remesh::{Carrier, CornerValues, Simplified};
-use serde::Serialize;
+use pompeiu::remesh::{Carrier, CornerValues, Kept, Simplified};
 use std::path::Path;
 
 /// How the input looks, as far as the output has a place for it.
@@ -19,20 +17,6 @@ pub(super) struct Appearance {
     materials: Option<Materials>,
     colors: Option<Carrier<3>>,
     pub(super) seams: Vec<[VertexId; 2]>,
-}
-
-/// What of the look of the input is in the output.
-#[derive(Clone, Copy, Default, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema), schemars(rename = "Kept"))]
-pub(super) struct Kept {
-    /// Whether the output has texture coordinates.
-    texture: bool,
-    /// Number of edges of the input at which texture coordinates or materials change; they were kept as curves.
-    seam_edges: usize,
-    /// Number of materials.
-    materials: usize,
-    /// Whether the vertices of the output have colours.
-    colors: bool,
 }
 
 impl Appearance {
@@ -123,29 +107,5 @@ impl Appearance {
                 attributes.with_vertex_colors(carried.map(|c| c.map(|x| x.round() as u8)).collect())?;
         }
         files::write_shifted(path, mesh, &attributes, &found.rounding, printer)
-    }
-}
-
-impl Kept {
-    /// What is kept, for people; none if there was nothing.
-    pub(super) fn text(&self) -> Option<String> {
-        let mut parts = Vec::new();
-        if self.texture {
-            parts.push("texture coordinates".to_owned());
-        }
-        match self.materials {
-            0 => {}
-            1 => parts.push("1 material".into()),
-            n => parts.push(format!("{n} materials")),
-        }
-        if self.colors {
-            parts.push("colours".into());
-        }
-        match self.seam_edges {
-            0 => {}
-            1 => parts.push("1 seam edge as a curve".into()),
-            n => parts.push(format!("{} seam edges as curves", grouped(n as u64))),
-        }
-        (!parts.is_empty()).then(|| parts.join(", "))
     }
 }

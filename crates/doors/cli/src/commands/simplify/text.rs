@@ -1,54 +1,73 @@
-//! The outcome for people.
+//! The answer for people.
 
-use super::run::{Outcome, within};
+use super::{Files, place};
+use crate::door::AnswerOf;
 use crate::numbers::{grouped, pairs_that_intersect, shortest, time};
 use crate::page::value;
 use crate::printer::LABEL;
+use pompeiu::remesh::Kept;
 use std::fmt::Write;
-use std::time::Duration;
+use std::path::Path;
 
 /// A row for each quantity, the verdict first.
-pub(super) fn text(outcome: &Outcome) -> String {
+pub(super) fn text(output: &Path, answer: &AnswerOf<Files>) -> String {
     let mut text = String::new();
     let mut row = |label: &str, value: String| {
         let _ = writeln!(text, "{LABEL}{label:<10}{LABEL:#}{value}");
     };
-    let (output, found) = outcome.asked();
-    let [before, after] = [outcome.input.faces, output.faces];
-    let share = 100.0 * after as f64 / before as f64;
+    let found = &answer.report;
+    let level = &found.level;
+    let before = answer.inputs.first().map_or(0, |input| input.faces);
+    let share = 100.0 * level.faces as f64 / before as f64;
     let faces = |n: usize| grouped(n as u64);
-    row("faces", format!("{} of {}, {share:.3} %", faces(after), faces(before)));
-    let report = &found.distance;
-    let proven = match within(found) {
+    row("faces", format!("{} of {}, {share:.3} %", faces(level.faces), faces(before)));
+    let report = &level.distance;
+    let proven = match level.within {
         Some(within) => format!(", proven to be at most {}", shortest(within)),
         None => String::new(),
     };
     row("H(A, B)", value(report.distance) + &proven);
     row("h(A, B)", value(report.a_to_b.distance) + ", from the input to the result");
     row("h(B, A)", value(report.b_to_a.distance) + ", from the result to the input");
-    if let Some(count) = found.intersections {
+    if let Some(count) = level.intersections {
         row("intersect", pairs_that_intersect(count));
     }
-    if let Some(kept) = outcome.kept.text() {
+    if let Some(kept) = kept(&found.kept) {
         row("kept", kept);
     }
-    let mut label = "finer";
-    for (file, level) in &outcome.levels[1..] {
-        row(
-            label,
-            format!("{} faces, H(A, B) {}: {}", faces(file.faces), value(level.distance.distance), file.path),
-        );
-        label = "";
+    for (i, level) in found.finer.iter().enumerate() {
+        let path = place(output, i + 1);
+        let distance = value(level.distance.distance);
+        let label = if i == 0 { "finer" } else { "" };
+        row(label, format!("{} faces, H(A, B) {distance}: {}", faces(level.faces), path.display()));
     }
     if found.stop.is_early() {
         row("stopped", format!("early ({}): fewer faces may do", found.stop.name()));
     }
-    let timings = outcome.levels.iter().map(|(_, level)| level.timing);
-    let (collapse, distance) =
-        timings.fold(Default::default(), |(c, d): (Duration, Duration), t| (c + t.collapse, d + t.distance));
-    row(
-        "time",
-        format!("collapse {}, distance {}, total {}", time(collapse), time(distance), time(outcome.total)),
-    );
+    let [collapse, distance, total] =
+        [found.timing.collapse, found.timing.distance, answer.timing.total].map(time);
+    row("time", format!("collapse {collapse}, distance {distance}, total {total}"));
     text
+}
+
+/// What is kept of the look of the input; none if there was nothing.
+fn kept(kept: &Kept) -> Option<String> {
+    let mut parts = Vec::new();
+    if kept.texture {
+        parts.push("texture coordinates".to_owned());
+    }
+    match kept.materials {
+        0 => {}
+        1 => parts.push("1 material".into()),
+        n => parts.push(format!("{n} materials")),
+    }
+    if kept.colors {
+        parts.push("colours".into());
+    }
+    match kept.seam_edges {
+        0 => {}
+        1 => parts.push("1 seam edge as a curve".into()),
+        n => parts.push(format!("{} seam edges as curves", grouped(n as u64))),
+    }
+    (!parts.is_empty()).then(|| parts.join(", "))
 }

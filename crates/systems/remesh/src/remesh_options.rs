@@ -110,12 +110,18 @@ pub struct Remeshed {
     pub timing: RemeshTiming,
 }
 
-/// Wall-clock times of remeshing.
+/// Wall-clock times of remeshing; milliseconds in JSON.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct RemeshTiming {
     /// Changing triangles, preparation included.
+    #[cfg_attr(feature = "serde", serde(serialize_with = "pompeiu_core::run::as_milliseconds::serialize"))]
+    #[cfg_attr(feature = "schema", schemars(with = "f64"))]
     pub remesh: Duration,
     /// Measuring the distance of the result.
+    #[cfg_attr(feature = "serde", serde(serialize_with = "pompeiu_core::run::as_milliseconds::serialize"))]
+    #[cfg_attr(feature = "schema", schemars(with = "f64"))]
     pub distance: Duration,
 }
 
@@ -132,6 +138,9 @@ pub enum RemeshError {
     /// What is to be kept makes no sense.
     #[error(transparent)]
     Features(#[from] FeatureError),
+    /// No size is asked for, or more than one.
+    #[error("the size of faces is given in one way: edge_length, relative or adaptive; choose one")]
+    OneSize,
     /// Edges would be longer than the mesh.
     #[error(
         "edges of length {length} are longer than the diagonal of the bounding box, {diagonal}; ask for less"

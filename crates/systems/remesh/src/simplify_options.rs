@@ -22,11 +22,13 @@ pub enum SimplifyTarget {
 
 /// How much time is spent to make the distance small at a given number of faces.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Effort {
     /// Quadric errors alone decide.
     Fast,
-    /// Every collapse is tested, as for a distance: some ten to twenty times the time of [`Effort::Fast`], mostly a third to a half of its
-    /// distance.
+    /// Every collapse is tested, as for a distance: some ten to twenty times the time of fast, mostly a third to a half of its distance.
     #[default]
     Best,
 }
@@ -117,12 +119,18 @@ pub struct Simplified {
     pub timing: SimplifyTiming,
 }
 
-/// Wall-clock times of a simplification.
+/// Wall-clock times of a simplification; milliseconds in JSON.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct SimplifyTiming {
     /// Collapsing edges, preparation included.
+    #[cfg_attr(feature = "serde", serde(serialize_with = "pompeiu_core::run::as_milliseconds::serialize"))]
+    #[cfg_attr(feature = "schema", schemars(with = "f64"))]
     pub collapse: Duration,
     /// Measuring the distance of the result.
+    #[cfg_attr(feature = "serde", serde(serialize_with = "pompeiu_core::run::as_milliseconds::serialize"))]
+    #[cfg_attr(feature = "schema", schemars(with = "f64"))]
     pub distance: Duration,
 }
 
@@ -142,6 +150,14 @@ pub enum SimplifyError {
     /// The mesh could not be repaired.
     #[error(transparent)]
     Repair(#[from] RepairError),
+    /// No target is asked for, or more than one.
+    #[error("what to reach is given in one way: within, relative or faces; choose one")]
+    OneTarget,
+    /// The effort applies where a number of faces is asked for.
+    #[error(
+        "the effort is for a number of faces; within a distance every collapse is tested, so leave it out"
+    )]
+    EffortWithin,
     /// No face was asked for.
     #[error("the number of faces is 0; at least 1 is needed")]
     NoFaces,

@@ -1,0 +1,180 @@
+//! New triangles for a surface.
+
+use crate::{
+    Features, IntersectionCount, Intersections, Quality, RemeshError, RemeshOptions, RemeshTiming, Remeshed,
+    Sizing, remesh,
+};
+use pompeiu_core::TriMesh;
+use pompeiu_core::geom::Aabb;
+use pompeiu_core::mesh::{Coordinates, Rounding};
+use pompeiu_core::request::{Limit, Report, Request};
+use pompeiu_core::run::{RunContext, StopReason};
+use pompeiu_hausdorff::SymmetricReport;
+
+#[cfg(feature = "clap")]
+use pompeiu_core::request::values::magnitude;
+
+/// Least and greatest length of edges that follow curvature, as fractions of the diagonal.
+const ADAPTIVE_BETWEEN: [f64; 2] = [1e-4, 0.1];
+
+/// Give a mesh nearly equilateral faces of a wanted size.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "clap", derive(clap::Args))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct RemeshRequest {
+    /// Length of edges, in the unit of the mesh.
+    #[cfg_attr(feature = "clap", arg(long, value_parser = magnitude, value_name = "LENGTH"))]
+    pub edge_length: Option<f64>,
+    /// Length of edges as a fraction of the diagonal of the bounding box.
+    #[cfg_attr(feature = "clap", arg(long, value_parser = magnitude, value_name = "FRACTION"))]
+    pub relative: Option<f64>,
+    /// Height of chords: edges are as long as the curvature allows.
+    #[cfg_attr(feature = "clap", arg(long, value_parser = magnitude, value_name = "HEIGHT"))]
+    pub adaptive: Option<f64>,
+    /// Largest distance from the input, in its unit, to be proven.
+    #[cfg_attr(feature = "clap", arg(long, value_parser = magnitude, value_name = "LENGTH"))]
+    pub within: Option<f64>,
+    /// Keep edges whose faces meet at more than this angle between their normals, in degrees; boundaries are always kept.
+    #[cfg_attr(feature = "clap", arg(long, value_parser = magnitude, value_name = "ANGLE"))]
+    pub features: Option<f64>,
+    /// Rounds of splits, collapses, flips and moves.
+    #[cfg_attr(feature = "clap", arg(long, value_name = "N"))]
+    pub iterations: usize,
+    /// Most faces that the result may have.
+    #[cfg_attr(feature = "clap", arg(long, value_name = "N"))]
+    pub most_faces: usize,
+    /// What is done about faces of the result that intersect.
+    #[cfg_attr(feature = "clap", arg(long, value_enum, value_name = "WHAT"))]
+    pub intersections: Intersections,
+    /// Coordinates of the result.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[cfg_attr(feature = "serde", serde(flatten))]
+    pub coordinates: Coordinates,
+}
+
+impl Default for RemeshRequest {
+    fn default() -> Self {
+        Self {
+            edge_length: None,
+            relative: None,
+            adaptive: None,
+            within: None,
+            features: None,
+            iterations: RemeshOptions::ITERATIONS,
+            most_faces: RemeshOptions::MOST_FACES,
+            intersections: Intersections::RefuseNew,
+            coordinates: Coordinates::default(),
+        }
+    }
+}
+
+impl Request for RemeshRequest {
+    const NAME: &'static str = "remesh";
+    const LIMITS: &'static [Limit] = &[Limit::Threads, Limit::Time];
+    type Report = RemeshReport;
+}
+
+/// A remeshed surface, and what is said of it.
+#[derive(Clone, Debug)]
+pub struct RemeshAnswer {
+    /// The surface.
+    pub found: Remeshed,
+    /// What is said of it.
+    pub report: RemeshReport,
+}
+
+/// Triangles before and after, and how far both surfaces are apart. Lengths are in the unit of the mesh.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct RemeshReport {
+    /// The length of edges asked for; null where a chord height was.
+    pub edge_length: Option<f64>,
+    /// The triangles of the input.
+    pub before: Quality,
+    /// The triangles of the result.
+    pub after: Quality,
+    /// The Pompeiu–Hausdorff distance of input (A) and result (B), and both directed distances.
+    pub distance: Option<SymmetricReport>,
+    /// What rounding to the coordinates of the output does to the input.
+    pub rounding: Rounding,
+    /// How many pairs of faces of the result intersect; null where they were not looked for.
+    pub intersections: Option<IntersectionCount>,
+    /// Number of rounds of splits, collapses, flips and moves, those that a distance asked for included.
+    pub iterations: usize,
+    /// Why it ended.
+    pub stop: StopReason,
+    /// Time spent, in milliseconds.
+    #[cfg_attr(feature = "serde", serde(rename = "timing_ms"))]
+    pub timing: RemeshTiming,
+}
+
+impl Report for RemeshReport {
+    fn stop(&self) -> StopReason {
+        self.stop
+    }
+}
+
+impl RemeshRequest {
+    /// Remeshes a surface. The time limit ends the rounds; a distance asked for is proven nevertheless.
+    ///
+    /// # Errors
+    /// [`RemeshError`].
+    pub fn run(&self, mesh: &TriMesh, context: &RunContext<'_>) -> Result<RemeshAnswer, RemeshError> {
+        let diagonal = Aabb::of_faces(mesh).diagonal();
+        let edge_length = self.edge_length.or_else(|| self.relative.map(|share| share * diagonal));
+        let sizing = match (edge_length, self.adaptive) {
+            (Some(length), None) if self.edge_length.is_none() || self.relative.is_none() => {
+                Sizing::Length(length)
+            }
+            (None, Some(tolerance)) => {
+                Sizing::ChordHeight { tolerance, between: ADAPTIVE_BETWEEN.map(|share| share * diagonal) }
+            }
+            _ => return Err(RemeshError::OneSize),
+        };
+        let options = RemeshOptions {
+            features: Features { angle: self.features, ..Features::default() },
+            iterations: self.iterations,
+            within: self.within,
+            most_faces: self.most_faces,
+            coordinates: self.coordinates,
+            intersections: self.intersections,
+            limits: context.limits(),
+            progress: context.progress(),
+            ..RemeshOptions::new(sizing)
+        };
+        let found = remesh(mesh, &options)?;
+        let report = RemeshReport {
+            edge_length,
+            before: found.before,
+            after: found.after,
+            distance: found.distance.clone(),
+            rounding: found.rounding,
+            intersections: found.intersections,
+            iterations: found.iterations,
+            stop: found.stop,
+            timing: found.timing,
+        };
+        Ok(RemeshAnswer { found, report })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pompeiu_core::mesh::shapes::icosphere;
+
+    #[test]
+    fn one_size_is_asked_for() {
+        let sphere = icosphere(1.0, 1).expect("a sphere");
+        let run = |request: RemeshRequest| request.run(&sphere, &RunContext::default());
+        let one = RemeshRequest { relative: Some(0.2), ..RemeshRequest::default() };
+        assert!(run(one.clone()).is_ok_and(|answer| answer.report.edge_length > Some(0.6)));
+        let both = RemeshRequest { edge_length: Some(0.5), ..one.clone() };
+        let adaptive = RemeshRequest { adaptive: Some(0.1), ..one };
+        for wrong in [RemeshRequest::default(), both, adaptive] {
+            assert_eq!(run(wrong).map(|answer| answer.report).unwrap_err(), RemeshError::OneSize);
+        }
+    }
+}

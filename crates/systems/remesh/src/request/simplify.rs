@@ -1,0 +1,243 @@
+//! Fewer faces for a surface.
+
+use crate::{
+    Effort, Features, IntersectionCount, Intersections, Simplified, SimplifyError, SimplifyOptions,
+    SimplifyTarget, SimplifyTiming, simplify_levels,
+};
+use pompeiu_core::geom::Aabb;
+use pompeiu_core::mesh::{Coordinates, Rounding};
+use pompeiu_core::request::{Limit, Report, Request};
+use pompeiu_core::run::{RunContext, StopReason};
+use pompeiu_core::{TriMesh, VertexId};
+use pompeiu_hausdorff::SymmetricReport;
+
+#[cfg(feature = "clap")]
+use pompeiu_core::request::values::magnitude;
+
+/// Reduce the number of faces within a distance that is proven.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "clap", derive(clap::Args))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct SimplifyRequest {
+    /// Largest distance from the input, in its unit.
+    #[cfg_attr(feature = "clap", arg(long, value_parser = magnitude, value_name = "LENGTH"))]
+    pub within: Option<f64>,
+    /// Largest distance as a fraction of the diagonal of the bounding box.
+    #[cfg_attr(feature = "clap", arg(long, value_parser = magnitude, value_name = "FRACTION"))]
+    pub relative: Option<f64>,
+    /// Number of faces to reach; the distance follows.
+    #[cfg_attr(feature = "clap", arg(long, value_name = "N"))]
+    pub faces: Option<usize>,
+    /// Where a number of faces is asked for, how much time is spent to make the distance small.
+    #[cfg_attr(feature = "clap", arg(long, value_enum))]
+    pub effort: Effort,
+    /// Keep edges whose faces meet at more than this angle between their normals, in degrees, and boundaries: as curves with the same
+    /// corners.
+    #[cfg_attr(feature = "clap", arg(long, value_parser = magnitude, value_name = "ANGLE"))]
+    pub features: Option<f64>,
+    /// Repair the mesh first; the distance is measured from the mesh as it was.
+    #[cfg_attr(feature = "clap", arg(long))]
+    pub repair: bool,
+    /// What is done about faces of the result that intersect.
+    #[cfg_attr(feature = "clap", arg(long, value_enum, value_name = "WHAT"))]
+    pub intersections: Intersections,
+    /// Number of levels of detail: each further one has half the distance, or twice the number of faces, of the one before.
+    #[cfg_attr(feature = "clap", arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=32)))]
+    pub levels: u8,
+    /// Coordinates of the result.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[cfg_attr(feature = "serde", serde(flatten))]
+    pub coordinates: Coordinates,
+}
+
+impl Default for SimplifyRequest {
+    fn default() -> Self {
+        Self {
+            within: None,
+            relative: None,
+            faces: None,
+            effort: Effort::default(),
+            features: None,
+            repair: false,
+            intersections: Intersections::Report,
+            levels: 1,
+            coordinates: Coordinates::default(),
+        }
+    }
+}
+
+impl Request for SimplifyRequest {
+    const NAME: &'static str = "simplify";
+    const LIMITS: &'static [Limit] = &[Limit::Threads, Limit::Time];
+    type Report = SimplifyReport;
+}
+
+/// Levels of detail, and what is said of them.
+#[derive(Clone, Debug)]
+pub struct SimplifyAnswer {
+    /// The level that was asked for, and then finer and finer ones.
+    pub levels: Vec<Simplified>,
+    /// What is said of them.
+    pub report: SimplifyReport,
+}
+
+/// What is said of a simplified mesh. Lengths are in the unit of the mesh.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct LevelReport {
+    /// Number of vertices.
+    pub vertices: usize,
+    /// Number of faces.
+    pub faces: usize,
+    /// The distance that it keeps; null where a number of faces was asked for.
+    pub within: Option<f64>,
+    /// The Pompeiu–Hausdorff distance of input (A) and result (B), and both directed distances.
+    pub distance: SymmetricReport,
+    /// How many pairs of faces intersect; null where they were not looked for.
+    pub intersections: Option<IntersectionCount>,
+    /// Number of edges that were collapsed.
+    pub collapses: usize,
+}
+
+impl From<&Simplified> for LevelReport {
+    fn from(found: &Simplified) -> Self {
+        let within = match found.target {
+            SimplifyTarget::Within(d) => Some(d),
+            SimplifyTarget::Faces(_) => None,
+        };
+        Self {
+            vertices: found.mesh.positions().len(),
+            faces: found.mesh.faces().len(),
+            within,
+            distance: found.distance.clone(),
+            intersections: found.intersections,
+            collapses: found.collapses,
+        }
+    }
+}
+
+/// A simplified mesh, and finer ones where they were asked for. Lengths are in the unit of the mesh.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct SimplifyReport {
+    /// The level that was asked for.
+    #[cfg_attr(feature = "serde", serde(flatten))]
+    pub level: LevelReport,
+    /// What rounding to the coordinates of the output does to the input.
+    pub rounding: Rounding,
+    /// What was carried over from the input.
+    pub kept: Kept,
+    /// Other levels of detail, each finer than the one before; empty unless asked for.
+    pub finer: Vec<LevelReport>,
+    /// Why it ended.
+    pub stop: StopReason,
+    /// Time spent, in milliseconds.
+    #[cfg_attr(feature = "serde", serde(rename = "timing_ms"))]
+    pub timing: SimplifyTiming,
+}
+
+/// What was carried over from the input with its [appearance](crate::Carrier).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Kept {
+    /// Whether the result has texture coordinates.
+    pub texture: bool,
+    /// Number of edges of the input at which texture coordinates or materials change; they were kept as curves.
+    pub seam_edges: usize,
+    /// Number of materials.
+    pub materials: usize,
+    /// Whether the vertices of the result have colours.
+    pub colors: bool,
+}
+
+impl Report for SimplifyReport {
+    fn stop(&self) -> StopReason {
+        self.stop
+    }
+}
+
+impl SimplifyRequest {
+    /// Simplifies a mesh, and keeps edges, given by their ends, as curves. The time limit ends the collapses; a distance asked for is
+    /// proven nevertheless.
+    ///
+    /// # Errors
+    /// [`SimplifyError`].
+    pub fn run(
+        &self,
+        mesh: &TriMesh,
+        keep: &[[VertexId; 2]],
+        context: &RunContext<'_>,
+    ) -> Result<SimplifyAnswer, SimplifyError> {
+        let options = SimplifyOptions {
+            features: Features { angle: self.features, edges: keep, ..Features::default() },
+            effort: self.effort,
+            repair: self.repair,
+            coordinates: self.coordinates,
+            intersections: self.intersections,
+            limits: context.limits(),
+            progress: context.progress(),
+            ..SimplifyOptions::new(self.target(mesh)?)
+        };
+        let mut levels = simplify_levels(mesh, &options, usize::from(self.levels))?;
+        levels.reverse();
+        let report = report(&levels)?;
+        Ok(SimplifyAnswer { levels, report })
+    }
+
+    /// When it ends: exactly one way is given.
+    fn target(&self, mesh: &TriMesh) -> Result<SimplifyTarget, SimplifyError> {
+        let target = match (self.within, self.relative, self.faces) {
+            (Some(length), None, None) => SimplifyTarget::Within(length),
+            (None, Some(share), None) => SimplifyTarget::Within(share * Aabb::of_faces(mesh).diagonal()),
+            (None, None, Some(faces)) => SimplifyTarget::Faces(faces),
+            _ => return Err(SimplifyError::OneTarget),
+        };
+        match target {
+            SimplifyTarget::Within(_) if self.effort != Effort::default() => Err(SimplifyError::EffortWithin),
+            _ => Ok(target),
+        }
+    }
+}
+
+fn report(levels: &[Simplified]) -> Result<SimplifyReport, SimplifyError> {
+    let (asked, finer) = levels.split_first().ok_or(SimplifyError::NoLevels)?;
+    let mut timing = SimplifyTiming::default();
+    for level in levels {
+        timing.collapse += level.timing.collapse;
+        timing.distance += level.timing.distance;
+    }
+    let early = levels.iter().map(|level| level.stop).find(|stop| stop.is_early());
+    Ok(SimplifyReport {
+        level: asked.into(),
+        rounding: asked.rounding,
+        kept: Kept::default(),
+        finer: finer.iter().map(LevelReport::from).collect(),
+        stop: early.unwrap_or(asked.stop),
+        timing,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pompeiu_core::mesh::shapes::icosphere;
+
+    #[test]
+    fn one_target_is_asked_for() {
+        let sphere = icosphere(1.0, 2).expect("a sphere");
+        let run = |request: &SimplifyRequest| request.run(&sphere, &[], &RunContext::default());
+        let faces = SimplifyRequest { faces: Some(200), levels: 2, ..SimplifyRequest::default() };
+        let found = run(&faces).expect("a mesh").report;
+        assert!(found.level.faces <= 200 && found.finer.len() == 1 && found.finer[0].faces > 200);
+        let both = SimplifyRequest { relative: Some(0.1), ..faces };
+        for wrong in [SimplifyRequest::default(), both] {
+            assert_eq!(run(&wrong).map(|answer| answer.report).unwrap_err(), SimplifyError::OneTarget);
+        }
+        let fast = SimplifyRequest { within: Some(0.1), effort: Effort::Fast, ..SimplifyRequest::default() };
+        assert_eq!(run(&fast).map(|answer| answer.report).unwrap_err(), SimplifyError::EffortWithin);
+    }
+}
