@@ -204,6 +204,7 @@ def flatten(
     target: float = 4.25,
     most_cuts: int = 6,
     pack: bool = True,
+    precision: Literal["double", "single"] = "double",
     threads: Optional[int] = None,
     time_limit: Optional[float] = None,
     progress: Optional[Callable[[float], Optional[bool]]] = None,
@@ -280,6 +281,9 @@ def flatten(
     pack : bool
         Pack all charts into the unit square; otherwise a single chart stays as large as the surface, where the method
         puts it.
+    precision : str
+        Numbers in which the coordinates of the map are kept; single where the file that is written holds no others, as
+        GLB does. ``"double"``: 53 bits: every mesh in memory; ``"single"``: 24 bits: files such as STL and GLB.
     threads : int, optional
         Threads to use; all processors by default. The answer does not depend on it.
     time_limit : float, optional

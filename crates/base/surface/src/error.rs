@@ -26,7 +26,7 @@ pub enum SurfaceError {
         vertices: usize,
     },
     /// A face names a vertex more than once.
-    #[error("face {face} names vertex {vertex} more than once")]
+    #[error("face {face} names vertex {vertex} more than once; `pompeiu repair` removes such faces")]
     RepeatedVertex {
         /// The face.
         face: FaceId,
@@ -41,7 +41,7 @@ pub enum SurfaceError {
     },
     /// An edge has more than two faces.
     #[error(
-        "the edge from vertex {} to vertex {} is in {faces} faces, {} and {} among them; expected one or two",
+        "the edge from vertex {} to vertex {} is in {faces} faces, {} and {} among them, expected one or two; `pompeiu repair` splits such edges",
         ends[0], ends[1], first[0], first[1]
     )]
     NonManifoldEdge {
@@ -54,7 +54,7 @@ pub enum SurfaceError {
     },
     /// Two neighbours run along their common edge in the same direction, although a consistent orientation exists.
     #[error(
-        "faces {} and {} both run from vertex {} to vertex {}: one of them is turned over; orient the faces first",
+        "faces {} and {} both run from vertex {} to vertex {}: one of them is turned over; `pompeiu repair` turns it",
         faces[0], faces[1], ends[0], ends[1]
     )]
     Misoriented {
@@ -77,7 +77,7 @@ pub enum SurfaceError {
     },
     /// The faces around a vertex form more than one fan.
     #[error(
-        "the {faces} faces around vertex {vertex} form more than one fan; give each fan a vertex of its own"
+        "the {faces} faces around vertex {vertex} form more than one fan; `pompeiu repair` splits such vertices"
     )]
     NonManifoldVertex {
         /// The vertex.

@@ -200,13 +200,16 @@ pub(crate) fn warn_of_changes(path: &Path, read: &ReadMesh, printer: &Printer) {
     );
 }
 
-/// Warns of vertices that do not count.
+/// Warns of vertices that are left out.
 pub(crate) fn warn_of_unreferenced(path: &Path, count: usize, printer: &Printer) {
     warn_of(
         path,
         count as u64,
         printer,
-        ["vertex belongs to no face and does not count", "vertices belong to no face and do not count"],
+        [
+            "vertex belongs to no face and is left out; the others are numbered anew, in their order",
+            "vertices belong to no face and are left out; the others are numbered anew, in their order",
+        ],
     );
 }
 

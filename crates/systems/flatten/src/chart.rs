@@ -6,8 +6,7 @@ use crate::cut::{CutError, CutStrategy, Opened, first_cut, open};
 use crate::distortion::{all_singular_values, best_scale};
 use crate::lengthen::{lengthened, with_tips};
 use crate::map::{
-    ConvexBoundary, Descender, Descent, Start, VirtualBoundary, Weights, as_rigid_as_possible, conformal,
-    start_map,
+    Descender, Descent, Start, StartOptions, Weights, as_rigid_as_possible, conformal, start_map,
 };
 use crate::report::Timing;
 use crate::symmetry::{SymmetryError, partners, symmetrized};
@@ -36,6 +35,8 @@ pub(crate) struct Chart {
     pub(crate) weights: Weights,
     pub(crate) rounds: usize,
     pub(crate) steps: usize,
+    /// Whether the energy asked for was not reached with all cuts.
+    pub(crate) misses_target: bool,
     pub(crate) timing: Timing,
 }
 
@@ -103,31 +104,52 @@ pub(crate) fn flatten_component(
     };
     let disk = Disk::new(component, &cut).map_err(|error| error_in_whole(error, component))?;
     let timing = Timing { cut: began.elapsed(), ..Timing::default() };
+    // From here a map takes at least one linear system: a run whose time is over makes the least that is valid, and says so.
+    watch.is_stopped();
     match &options.method {
         Method::Convex { boundary, weights, around } => {
             let mut timing = timing;
-            let start = start(&disk, boundary, *weights, around.as_ref(), false, component, &mut timing)?;
+            let (weights, around) = (*weights, around.as_ref());
+            let options = StartOptions { boundary, weights, around, lessens_distortion: false };
+            let start = start(&disk, options, component, watch, &mut timing)?;
             let Start { uv, weights, rounds, .. } = start;
             let uv = disk.symmetrized(uv.into_vec());
-            Ok(Chart { cut, opened: disk.opened, uv, weights, rounds, steps: 0, timing })
+            Ok(Chart {
+                cut,
+                opened: disk.opened,
+                uv,
+                weights,
+                rounds,
+                steps: 0,
+                misses_target: false,
+                timing,
+            })
         }
         Method::Conformal(kind) => {
             let began = Instant::now();
             let uv = disk.symmetrized(conformal(&disk.surface, *kind)?);
             let timing = Timing { solve: began.elapsed(), ..timing };
             let weights = Weights::Cotangent;
-            Ok(Chart { cut, opened: disk.opened, uv, weights, rounds: 0, steps: 0, timing })
+            Ok(Chart {
+                cut,
+                opened: disk.opened,
+                uv,
+                weights,
+                rounds: 0,
+                steps: 0,
+                misses_target: false,
+                timing,
+            })
         }
         Method::Rigid { steps } => {
             let mut timing = timing;
-            let (circle, weights) = (&ConvexBoundary::Circle, Weights::MeanValue);
-            let start = start(&disk, circle, weights, None, true, component, &mut timing)?;
+            let start = start(&disk, StartOptions::CIRCLE, component, watch, &mut timing)?;
             let began = Instant::now();
             let (uv, steps) = as_rigid_as_possible(disk.surface.surface(), &start.uv, *steps, watch)?;
             let uv = disk.symmetrized(uv);
             timing.solve += began.elapsed();
             let (weights, rounds) = (Weights::Cotangent, start.rounds);
-            Ok(Chart { cut, opened: disk.opened, uv, weights, rounds, steps, timing })
+            Ok(Chart { cut, opened: disk.opened, uv, weights, rounds, steps, misses_target: false, timing })
         }
         Method::Free { steps } => {
             let search =
@@ -201,7 +223,9 @@ impl Search<'_, '_, '_> {
             if energy <= target || !self.add_cuts(most_cuts, &mut uv)? {
                 let Self { cut, disk, rounds, steps, timing, .. } = self;
                 let weights = Weights::MeanValue;
-                return Ok(Chart { cut, opened: disk.opened, uv: before, weights, rounds, steps, timing });
+                let misses_target = adds_cuts && energy > target;
+                let (opened, uv) = (disk.opened, before);
+                return Ok(Chart { cut, opened, uv, weights, rounds, steps, misses_target, timing });
             }
             (descender, begin) = (self.descender()?, None);
         }
@@ -254,8 +278,8 @@ impl Search<'_, '_, '_> {
 
     /// A map of the disk to a circle, one-to-one.
     fn start(&mut self) -> Result<Start, FlattenError> {
-        let (circle, weights) = (&ConvexBoundary::Circle, Weights::MeanValue);
-        let found = start(&self.disk, circle, weights, None, true, self.component, &mut self.timing)?;
+        let circle = StartOptions::CIRCLE;
+        let found = start(&self.disk, circle, self.component, self.watch, &mut self.timing)?;
         self.rounds += found.rounds;
         Ok(found)
     }
@@ -278,19 +302,17 @@ impl Search<'_, '_, '_> {
 /// Maps a disk to a convex boundary; if this is the start of a minimisation, at the scale of least symmetric Dirichlet energy.
 fn start(
     disk: &Disk,
-    boundary: &ConvexBoundary,
-    weights: Weights,
-    around: Option<&VirtualBoundary>,
-    goes_on: bool,
+    options: StartOptions<'_>,
     component: &Component,
+    watch: &Watch<'_>,
     timing: &mut Timing,
 ) -> Result<Start, FlattenError> {
-    let found = start_map(&disk.surface, disk.opened.faces(), boundary, weights, around, goes_on);
+    let found = start_map(&disk.surface, disk.opened.faces(), options, watch);
     let mut found = found.map_err(|error| error_in_whole(error, component))?;
     timing.factor += found.factor;
     timing.solve += found.solve;
     timing.check += found.check;
-    if goes_on {
+    if options.lessens_distortion {
         let areas = disk.surface.surface().face_areas();
         let values: Vec<_> =
             all_singular_values(disk.surface.surface(), &found.uv).into_iter().zip(areas).collect();

@@ -10,7 +10,7 @@ use crate::report::{CutReport, FlattenReport, PartReport, Timing};
 use crate::watch::Watch;
 use crate::{FlattenError, FlattenOptions, Method};
 use pompeiu_core::FaceId;
-use pompeiu_core::mesh::{FaceData, VertexData};
+use pompeiu_core::mesh::{FaceData, Precision, VertexData};
 use pompeiu_core::run::{Control, StopReason, on_threads};
 use pompeiu_surface::plane::{Vec2, scale};
 use pompeiu_surface::{EdgeData, EdgeId, EmbeddedSurface, SurfaceMesh};
@@ -115,7 +115,10 @@ fn run(
     });
     let opened = open(mesh, &cut)?;
     timing.cut += start.elapsed();
-    let places = arrange(&parts, &charts, options);
+    let mut places = arrange(&parts, &charts, options);
+    if options.precision == Precision::Single {
+        places.iter_mut().flatten().for_each(|p| *p = single(*p));
+    }
     let mut uv = VertexData::filled(opened.mesh().vertices(), [0.0; 2]);
     for ((part, chart), places) in parts.iter().zip(&charts).zip(&places) {
         for (face, corners) in part.faces.iter().zip(chart.opened.faces()) {
@@ -130,12 +133,24 @@ fn run(
     result.report.timing = timing;
     result.report.reweightings = charts.iter().map(|chart| chart.rounds).sum();
     result.report.steps = charts.iter().map(|chart| chart.steps).sum();
-    result.report.stop = control.reason().unwrap_or(StopReason::Tolerance);
+    result.report.stop = control.reason().unwrap_or(
+        // The target is a bound on the energy that all cuts allowed did not reach.
+        if charts.iter().any(|chart| chart.misses_target) {
+            StopReason::Steps
+        } else {
+            StopReason::Tolerance
+        },
+    );
     result.report.weights = charts.first().map_or("", |chart| chart.weights.name());
     let of_parts =
         parts.par_iter().zip(&charts).map(|(part, chart)| part_report(surface, part, chart, &result));
     result.report.parts = of_parts.collect();
     Ok(result)
+}
+
+/// The point that a file with texture coordinates in single precision holds: u, and 1 − v, which formats count from above.
+fn single([u, v]: Vec2) -> Vec2 {
+    [f64::from(u as f32), 1.0 - f64::from((1.0 - v) as f32)]
 }
 
 /// The disks after a cut, as components of their own.

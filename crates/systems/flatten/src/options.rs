@@ -3,6 +3,7 @@
 use crate::{
     Conformal, ConvexBoundary, CutError, CutOptions, FlattenError, SymmetryError, VirtualBoundary, Weights,
 };
+use pompeiu_core::mesh::Precision;
 use pompeiu_core::run::{Limits, ProgressObserver};
 
 /// The kind of map.
@@ -66,6 +67,8 @@ pub struct FlattenOptions<'o> {
     /// Whether charts are rotated, scaled by a common factor and packed into the unit square. Otherwise a single chart keeps its
     /// position and the unit of the mesh.
     pub pack: bool,
+    /// The numbers of the file that the map is for: coordinates are rounded to them before the map is checked.
+    pub precision: Precision,
     /// Limits on time and threads. When time runs out, the best map found so far is returned; it is one-to-one like any other.
     pub limits: Limits,
     /// Receives the number of finished charts.
@@ -80,6 +83,7 @@ impl Default for FlattenOptions<'_> {
             target: 4.25,
             most_cuts: 6,
             pack: true,
+            precision: Precision::default(),
             limits: Limits::default(),
             progress: None,
         }

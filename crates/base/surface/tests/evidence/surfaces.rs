@@ -66,18 +66,21 @@ fn what_is_no_surface_is_named() {
     assert_eq!(faces(&[]), SurfaceError::NoFaces);
     assert_eq!(
         faces(&[[0, 1, 2], [1, 0, 3], [0, 1, 4]]).to_string(),
-        "the edge from vertex 0 to vertex 1 is in 3 faces, 0 and 1 among them; expected one or two"
+        "the edge from vertex 0 to vertex 1 is in 3 faces, 0 and 1 among them, expected one or two; `pompeiu repair` splits such edges"
     );
     assert_eq!(
         faces(&[[0, 1, 2], [0, 1, 3], [2, 3, 4]]).to_string(),
-        "faces 0 and 1 both run from vertex 0 to vertex 1: one of them is turned over; orient the faces first"
+        "faces 0 and 1 both run from vertex 0 to vertex 1: one of them is turned over; `pompeiu repair` turns it"
     );
     assert_eq!(
         faces(&[[0, 1, 2], [2, 3, 4]]).to_string(),
-        "the 2 faces around vertex 2 form more than one fan; give each fan a vertex of its own"
+        "the 2 faces around vertex 2 form more than one fan; `pompeiu repair` splits such vertices"
     );
     assert_eq!(faces(&[[0, 1, 2]]).to_string(), "vertex 3 is in no face; remove it");
-    assert_eq!(faces(&[[0, 1, 1]]).to_string(), "face 0 names vertex 1 more than once");
+    assert_eq!(
+        faces(&[[0, 1, 1]]).to_string(),
+        "face 0 names vertex 1 more than once; `pompeiu repair` removes such faces"
+    );
     assert_eq!(
         faces(&[[0, 1, 9]]).to_string(),
         "face 0 names vertex 9, but there are 5 vertices (the first is 0)"

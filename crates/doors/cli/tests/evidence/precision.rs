@@ -5,6 +5,7 @@ use pompeiu::core::TriMesh;
 use pompeiu::core::mesh::{Affine, shapes, transform};
 use pompeiu::hausdorff::symmetric_hausdorff;
 use serde_json::Value;
+use std::fmt::Write;
 
 /// Where surveyors have their coordinates.
 const FAR: [f64; 3] = [1_234_560.25, -7_654_313.125, 0.5];
@@ -110,9 +111,9 @@ fn a_mesh_is_repaired_as_it_is_written() {
     let small = transform(&shapes::icosphere(1.0, 3).unwrap(), &Affine::translate(FAR)).unwrap();
     pompeiu::io::write(folder.path().join("far.obj"), &small).unwrap();
     for center in ["", "--center"] {
-        let answer = folder.ok(&format!("repair far.obj out.stl {center} --json"));
+        let answer = folder.ok(&format!("repair far.obj out.glb {center} --json"));
         let answer = report_of(serde_json::from_str(&answer).unwrap());
-        let found = read(&folder, "out.stl");
+        let found = read(&folder, "out.glb");
         assert_eq!(answer["degenerate_faces"]["count"].as_u64() > Some(0), center.is_empty(), "{answer}");
         let area = |face| {
             let [a, b, c] = found.corners(face);
@@ -135,4 +136,94 @@ fn an_aligned_mesh_is_measured_as_it_is_written() {
     let distance = symmetric_hausdorff(&read(&folder, "out.stl"), &sphere).distance;
     assert!(distance.lower() > 0.05, "single precision is coarse here: {distance:?}");
     assert!(number(&answer, "/moved_to_fixed/upper") >= distance.lower(), "{answer} {distance:?}");
+}
+
+/// The texture coordinates of a binary glTF with one primitive, as they are stored, and its triangles.
+fn read_texture(bytes: &[u8]) -> (Vec<[f32; 2]>, Vec<[u32; 3]>) {
+    let word = |at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().unwrap());
+    let json = word(12) as usize;
+    let document: Value = serde_json::from_slice(&bytes[20..20 + json]).unwrap();
+    let data = &bytes[28 + json..];
+    let primitive = &document["meshes"][0]["primitives"][0];
+    let view = |accessor: &Value| {
+        let accessor = &document["accessors"][accessor.as_u64().unwrap() as usize];
+        let view = &document["bufferViews"][accessor["bufferView"].as_u64().unwrap() as usize];
+        (view["byteOffset"].as_u64().unwrap_or(0) as usize, accessor["count"].as_u64().unwrap() as usize)
+    };
+    let (from, count) = view(&primitive["attributes"]["TEXCOORD_0"]);
+    let at = |i: usize| f32::from_le_bytes(data[from + 4 * i..from + 4 * i + 4].try_into().unwrap());
+    let places = (0..count).map(|v| [at(2 * v), at(2 * v + 1)]).collect();
+    let (from, count) = view(&primitive["indices"]);
+    let at = |i: usize| u32::from_le_bytes(data[from + 4 * i..from + 4 * i + 4].try_into().unwrap());
+    (places, (0..count / 3).map(|f| [0, 1, 2].map(|k| at(3 * f + k))).collect())
+}
+
+#[test]
+fn flipped_faces_are_those_of_the_file() {
+    let folder = Folder::new();
+    // Rings of faces around a point, each ten times as small as the next: single precision cannot resolve the least of the map.
+    let mut text = String::from("v 0 0 0\n");
+    for ring in 0..12 {
+        for k in 0..8 {
+            let (r, a) = (10_f64.powi(ring - 8), std::f64::consts::TAU * f64::from(k) / 8.0);
+            writeln!(text, "v {} {} {}", r * a.cos(), r * a.sin(), 0.1 * r).unwrap();
+        }
+    }
+    for k in 0..8 {
+        let next = (k + 1) % 8;
+        writeln!(text, "f 1 {} {}", 2 + k, 2 + next).unwrap();
+        for ring in 0..11 {
+            let [a, b, c, d] =
+                [(ring, k), (ring, next), (ring + 1, k), (ring + 1, next)].map(|(r, k)| 2 + 8 * r + k);
+            writeln!(text, "f {a} {c} {d}\nf {a} {d} {b}").unwrap();
+        }
+    }
+    folder.write("cone.obj", text);
+    let flipped = |output: &str| {
+        let answer = folder.run(&format!("flatten cone.obj --boundary circle -o {output} --json"));
+        let answer = report_of(serde_json::from_slice(&answer.stdout).unwrap());
+        answer["flipped"].as_u64().unwrap()
+    };
+    assert_eq!(flipped("flat.obj"), 0);
+    let said = flipped("flat.glb");
+    assert!(said > 0, "nothing is lost");
+    let (places, faces) = read_texture(&std::fs::read(folder.path().join("flat.glb")).unwrap());
+    // Rows are counted from above, so that faces that keep their orientation are clockwise. Differences of such numbers are exact.
+    let is_flipped = |face: &&[u32; 3]| {
+        let [a, b, c] = face.map(|v| places[v as usize].map(f64::from));
+        let [p, q] = [b, c].map(|x| [x[0] - a[0], x[1] - a[1]]);
+        p[0] * q[1] - p[1] * q[0] >= 0.0
+    };
+    let found = faces.iter().filter(is_flipped).count() as u64;
+    assert_eq!(found, said);
+}
+
+#[test]
+fn what_a_repair_splits_is_not_written_where_readers_join_it() {
+    let folder = Folder::new();
+    let three = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\nf 1 2 3\nf 2 1 4\nf 1 2 5\n";
+    folder.write("three.obj", three);
+    let (code, _, said) = folder.transcript("repair three.obj out.stl");
+    assert_eq!(code, Some(2), "{said}");
+    assert!(said.contains("write PLY or OBJ") && !folder.path().join("out.stl").exists(), "{said}");
+    folder.ok("repair three.obj out.ply");
+    let found = report_of(serde_json::from_str(&folder.ok("info out.ply --json")).unwrap());
+    assert_eq!(found["non_manifold_edges"], 0);
+}
+
+#[test]
+fn a_map_to_a_circle_ends_with_its_time() {
+    let folder = Folder::new();
+    folder.ok("generate torus --major-segments 24 --minor-segments 16 -o torus.obj");
+    for options in ["--boundary circle", "--boundary circle --weights cotangent", "--energy lscm", ""] {
+        let call = format!("flatten torus.obj {options} --time-limit 0s --json");
+        let output = folder.run(&call);
+        let answer: Value = serde_json::from_slice(&output.stdout).unwrap();
+        assert_eq!((output.status.code(), &answer["stop"]), (Some(3), &Value::from("time")), "{call}");
+        assert!(answer["report"]["flipped"] == 0 || options.contains("lscm"), "{call}");
+    }
+    // A target that cannot be reached with the cuts allowed is no success.
+    let output = folder.run("flatten torus.obj --target 4.001 --most-cuts 1 --json");
+    let answer: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!((output.status.code(), &answer["stop"]), (Some(3), &Value::from("steps")));
 }

@@ -16,6 +16,6 @@ pub use boundary::ConvexBoundary;
 pub use conformal::Conformal;
 pub(crate) use conformal::conformal;
 pub(crate) use newton::{Descender, Descent};
-pub(crate) use reweight::{Start, start_map};
+pub(crate) use reweight::{Start, StartOptions, start_map};
 pub use ring::{RingKind, VirtualBoundary};
 pub use weights::Weights;

@@ -7,6 +7,7 @@ use super::weights::{Link, Weights, links};
 use crate::FlattenError;
 use crate::check::flipped_faces;
 use crate::distortion::{all_singular_values, best_scale, symmetric_dirichlet};
+use crate::watch::Watch;
 use pompeiu_core::mesh::VertexData;
 use pompeiu_core::{FaceId, VertexId};
 use pompeiu_surface::plane::Vec2;
@@ -37,6 +38,26 @@ pub(crate) struct Start {
     pub(crate) factor: Duration,
     pub(crate) solve: Duration,
     pub(crate) check: Duration,
+}
+
+/// How a disk is mapped onto a convex boundary.
+#[derive(Clone, Copy)]
+pub(crate) struct StartOptions<'s> {
+    pub(crate) boundary: &'s ConvexBoundary,
+    pub(crate) weights: Weights,
+    pub(crate) around: Option<&'s VirtualBoundary>,
+    /// Whether weights are changed to reduce distortion, too: for the start of a minimisation.
+    pub(crate) lessens_distortion: bool,
+}
+
+impl StartOptions<'_> {
+    /// To a circle, for the start of a minimisation.
+    pub(crate) const CIRCLE: Self = Self {
+        boundary: &ConvexBoundary::Circle,
+        weights: Weights::MeanValue,
+        around: None,
+        lessens_distortion: true,
+    };
 }
 
 /// Measurements of a map.
@@ -81,11 +102,10 @@ impl Measured {
 pub(crate) fn start_map(
     disk: &EmbeddedSurface,
     faces: &[[u32; 3]],
-    boundary: &ConvexBoundary,
-    weights: Weights,
-    around: Option<&VirtualBoundary>,
-    lessens_distortion: bool,
+    options: StartOptions<'_>,
+    watch: &Watch<'_>,
 ) -> Result<Start, FlattenError> {
+    let StartOptions { boundary, weights, around, lessens_distortion } = options;
     let surrounded = around.map(|ring| surrounded(disk, ring)).transpose()?;
     let (surface, faces) = match &surrounded {
         Some((surface, faces)) => (surface, &faces[..]),
@@ -135,7 +155,8 @@ pub(crate) fn start_map(
     let mut best = (measure(&uv), uv.clone());
     let mut rounds = 0;
     while rounds < MOST_ROUNDS {
-        let for_distortion = lessens_distortion && rounds < MOST_ROUNDS_FOR_DISTORTION;
+        // A map that is stopped must be one-to-one all the same, but may have more distortion.
+        let for_distortion = lessens_distortion && rounds < MOST_ROUNDS_FOR_DISTORTION && !watch.is_stopped();
         if best.0.is_sound() && !for_distortion {
             break;
         }

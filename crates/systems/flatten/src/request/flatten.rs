@@ -6,6 +6,7 @@ use crate::{
     Flattening, Method, RingKind, VirtualBoundary, Weights, flatten, straighten,
 };
 use pompeiu_core::TriMesh;
+use pompeiu_core::mesh::Precision;
 use pompeiu_core::request::{Conclusion, Limit, Report, Request, values};
 use pompeiu_core::run::{RunContext, StopReason};
 use pompeiu_surface::EmbeddedSurface;
@@ -53,11 +54,14 @@ pub struct FlattenRequest {
         arg(long = "no-pack", action = clap::ArgAction::SetFalse, help = "Leave a single chart as large as the surface, where the method puts it")
     )]
     pub pack: bool,
+    /// Numbers in which the coordinates of the map are kept; single where the file that is written holds no others, as GLB does.
+    #[cfg_attr(feature = "clap", arg(long, value_enum))]
+    pub precision: Precision,
 }
 
 impl Default for FlattenRequest {
     fn default() -> Self {
-        let FlattenOptions { target, most_cuts, pack, .. } = FlattenOptions::default();
+        let FlattenOptions { target, most_cuts, pack, precision, .. } = FlattenOptions::default();
         let around = VirtualBoundary::default();
         Self {
             cut: CutRequest::default(),
@@ -70,6 +74,7 @@ impl Default for FlattenRequest {
             target,
             most_cuts,
             pack,
+            precision,
         }
     }
 }
@@ -229,6 +234,7 @@ impl FlattenRequest {
             target: self.target,
             most_cuts: self.most_cuts,
             pack: self.pack,
+            precision: self.precision,
             limits: context.limits(),
             progress: context.progress(),
         };

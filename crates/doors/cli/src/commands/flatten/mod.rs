@@ -10,6 +10,7 @@ use crate::files;
 use anyhow::{Context, bail};
 use clap::Args;
 use output::{Kind, kind, write_textured};
+use pompeiu::core::mesh::Precision;
 use pompeiu::flatten::show::{FlattenPage, layout_svg};
 use pompeiu::flatten::{FlattenReport, FlattenRequest};
 use std::path::PathBuf;
@@ -70,6 +71,11 @@ impl System for Files {
         let shown = self.mesh.display().to_string();
         let (mesh, surface) = session.read_surface(&self.mesh)?;
         self.forbid.add_to(&mut request.cut)?;
+        if let Some(Kind::Textured(format)) = self.output.as_deref().map(kind).transpose()?
+            && format.precision() == Precision::Single
+        {
+            request.precision = Precision::Single;
+        }
         let found = request.run(surface, &session.context()).with_context(|| shown.clone())?;
         session.stop_waiting();
         let (flat, printer) = (&found.flat, session.printer);

@@ -5,6 +5,7 @@ use crate::door::AnswerOf;
 use crate::exit::stopped_by;
 use crate::numbers::{grouped, shortest, time};
 use crate::page::Page;
+use pompeiu::core::run::StopReason;
 use pompeiu::flatten::PartReport;
 
 /// The verdict first, then a row for each quantity.
@@ -22,7 +23,13 @@ pub(super) fn text(answer: &AnswerOf<Files>) -> String {
             number(report.parts.iter().map(|part| part.faces).sum())
         ),
     );
-    if report.stop.is_early() {
+    if report.stop == StopReason::Steps {
+        let target = shortest(answer.request.target);
+        page.row(
+            "",
+            &format!("the energy of {target} asked for was not reached; allow more cuts (--most-cuts)"),
+        );
+    } else if report.stop.is_early() {
         page.row("", &format!("stopped early by {}", stopped_by(report.stop)));
     }
     page.row("charts", &number(report.charts));
