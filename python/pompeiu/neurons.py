@@ -844,8 +844,8 @@ def neuron(
     resume : str, optional
         Go on from a state that was written as a checkpoint, with the same options; steps count from the beginning.
     parameters : str, optional
-        A file of parameters, in the place of the tables below: TOML with units, or pairs of names and values as
-        NeuronTransportIGA has them.
+        A file of parameters, in the place of the tables below: TOML with units, or pairs of names and values of other
+        programs.
     transport : Mapping[str, Any], optional
         Diffusion, speeds, rates and time steps of transport; in files the table [transport].
     flow : Mapping[str, Any], optional

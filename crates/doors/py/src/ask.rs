@@ -189,7 +189,7 @@ macro_rules! systems {
             progress: Option<&Bound<'py, PyAny>>,
         ) -> PyResult<Answered<'py>> {
             match name {
-                $(<$Request>::NAME => answer(py, given, options, limits, progress, <$Request>::ask_about),)*
+                $(<$Request>::NAME => answer(py, &given, options, limits, progress, <$Request>::ask_about),)*
                 _ => Err(PyKeyError::new_err(name.to_owned())),
             }
         }
@@ -221,7 +221,7 @@ pub(crate) type Answered<'py> = (String, Bound<'py, PyDict>);
 /// Asks a system by a function that runs its request.
 pub(crate) fn answer<'py, Q, T: Told + 'static>(
     py: Python<'py>,
-    given: Vec<Bound<'py, PyAny>>,
+    given: &[Bound<'py, PyAny>],
     options: &str,
     limits: Limited,
     progress: Option<&Bound<'py, PyAny>>,

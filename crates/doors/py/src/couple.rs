@@ -30,7 +30,7 @@ struct Solver<'s, 'py> {
     raised: &'s RefCell<Option<PyErr>>,
 }
 
-impl<'py> Solver<'_, 'py> {
+impl Solver<'_, '_> {
     fn call(&self, input: &[f64]) -> PyResult<Vec<f64>> {
         let py = self.object.py();
         py.check_signals()?;

@@ -129,7 +129,7 @@ pub(crate) fn simplify<'py>(
         beside.push(("finer", Beside::Each(levels.collect::<Result<_, _>>()?)));
         Ok((report, beside))
     };
-    answer(py, vec![mesh.into_any()], options, limits, progress, ask)
+    answer(py, &[mesh.into_any()], options, limits, progress, ask)
 }
 
 /// Pairs of faces, a point of each, a count, and whether these are all.

@@ -393,10 +393,10 @@ pub(crate) fn answer_parts<'py>(
             parts.set_item("flow", neuron_flow::flow_parts(py, flow, mesh.report, parameters)?)?;
         }
         (Some(mesh), Some(splines), None) => {
-            let (file, report) = if !request.refine.is_empty() {
-                (refined_vtu(&mesh, &splines, false), SplineReport::of_refined(&splines))
-            } else {
+            let (file, report) = if request.refine.is_empty() {
                 (mesh.vtu(false), SplineReport::new(&mesh.mesh, request.elements))
+            } else {
+                (refined_vtu(&mesh, &splines, false), SplineReport::of_refined(&splines))
             };
             parts.set_item("splines", neuron_flow::spline_parts(py, mesh, splines, &file?, &report)?)?;
         }

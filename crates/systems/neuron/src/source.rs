@@ -32,13 +32,11 @@ impl NeuronSource {
 
     /// A skeleton is prepared as asked.
     pub(crate) fn prepared(self, preparation: &Preparation) -> Result<Prepared, SwcError> {
-        Ok(match self.mesh {
-            Some((mesh, labels)) => Prepared::Mesh(mesh, labels),
-            None => {
-                let (skeleton, report) = prepare(&self.content, preparation)?;
-                Prepared::Skeleton(Box::new(skeleton), report)
-            }
-        })
+        if let Some((mesh, labels)) = self.mesh {
+            return Ok(Prepared::Mesh(mesh, labels));
+        }
+        let (skeleton, report) = prepare(&self.content, preparation)?;
+        Ok(Prepared::Skeleton(Box::new(skeleton), report))
     }
 }
 

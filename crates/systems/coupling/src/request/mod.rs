@@ -96,6 +96,9 @@ const COMPARED: [Scheme; 7] = [
 /// Windows where nothing says how many.
 const WINDOWS: usize = 100;
 
+/// Gets the number of a window, the data that both solvers agree on, and what the first one gave for it.
+type Watch<'w> = dyn FnMut(usize, &[f64], &[f64]) + 'w;
+
 impl CoupleRequest {
     fn replaced(&self, options: &CouplingOptions) -> CouplingOptions {
         CouplingOptions {
@@ -118,7 +121,7 @@ impl CoupleRequest {
     pub fn run(
         &self,
         scene: &Scene,
-        watch: &mut (dyn FnMut(usize, &[f64], &[f64]) + Send),
+        watch: &mut (impl FnMut(usize, &[f64], &[f64]) + Send),
         context: &RunContext<'_>,
     ) -> Result<CoupleReport, SceneError> {
         let (scenario, options) = (scene.scenario()?, self.replaced(&scene.options()));
@@ -156,7 +159,7 @@ impl CoupleRequest {
         &self,
         (fluid, solid): (F, S),
         x0: &[f64],
-        watch: &mut dyn FnMut(usize, &[f64], &[f64]),
+        watch: &mut Watch<'_>,
         context: &RunContext<'_>,
     ) -> Result<CoupleReport, SceneError> {
         if self.compare {

@@ -57,7 +57,7 @@ pub struct NeuronRequest {
     /// Go on from a state that was written as a checkpoint, with the same options; steps count from the beginning.
     #[cfg_attr(feature = "clap", arg(long, value_name = "FILE"))]
     pub resume: Option<PathBuf>,
-    /// A file of parameters, in the place of the tables below: TOML with units, or pairs of names and values as NeuronTransportIGA has them.
+    /// A file of parameters, in the place of the tables below: TOML with units, or pairs of names and values of other programs.
     #[cfg_attr(feature = "clap", arg(long, value_name = "FILE"))]
     pub parameters: Option<PathBuf>,
     /// Diffusion, speeds, rates and time steps of transport; in files the table [transport].
