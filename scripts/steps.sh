@@ -1,13 +1,16 @@
 # Steps of a check, timed; sourced by scripts/check and scripts/test, in bash, at the root of the repository.
 #
-#   step NAME COMMAND...   runs a command; the whole script ends when it fails
+#   step NAME COMMAND...     runs a command; the whole script ends when it fails
+#   beside NAME COMMAND...   starts a command that runs beside the steps that follow
+#   finish NAME              waits for it, prints what it said, and ends as it ended
 #
 # When the script ends, however it ends, a table shows the seconds of each step: by the clock, and of processors.
 set -euo pipefail
 
 steps_table="$(mktemp)"
 steps_times="$(mktemp)"
-trap 'code=$?; print_steps "$code"; rm -f "$steps_table" "$steps_times"; exit "$code"' EXIT
+steps_beside="$(mktemp -d)"
+trap 'code=$?; end_beside; print_steps "$code"; rm -rf "$steps_table" "$steps_times" "$steps_beside"; exit "$code"' EXIT
 
 # Sets processor_seconds to what the commands of this shell have taken so far. (In a pipeline `times` would speak of another shell.)
 read_processor_time() {
@@ -27,6 +30,27 @@ step() {
   awk -v name="$name" -v begin="$begin" -v end="$EPOCHREALTIME" -v before="$before" -v after="$processor_seconds" -v code="$code" \
     'BEGIN { printf "%s\t%.1f\t%.1f\t%s\n", name, end - begin, after - before, code == 0 ? "" : "failed" }' >>"$steps_table"
   return "$code"
+}
+
+declare -A steps_running
+beside() {
+  local name="$1"
+  shift
+  "$@" >"$steps_beside/$name" 2>&1 &
+  steps_running["$name"]=$!
+}
+
+finish() {
+  local code=0
+  wait "${steps_running["$1"]}" || code=$?
+  unset "steps_running[$1]"
+  cat "$steps_beside/$1"
+  return "$code"
+}
+
+# A step that fails leaves nothing running.
+end_beside() {
+  [ "${#steps_running[@]}" = 0 ] || kill "${steps_running[@]}" 2>/dev/null || true
 }
 
 # Told to stop, the script ends as failed: without these the table would say that everything holds.
