@@ -24,11 +24,11 @@ pub enum Scheme {
     Implicit,
     /// (M + δ L₀) X' = M X: conformalized mean curvature flow. It does not pinch, and is no gradient flow of the area.
     Conformalized,
-    /// Motions along vertex normals by Newton's method; where the Hessian is not positive definite, blended with L.
+    /// Newton's method for motions along vertex normals; where the Hessian is not positive definite, blended with L.
     NormalNewton,
-    /// All coordinates by Newton's method; the negative in-plane part of the Hessian of each face is left out.
+    /// Newton's method for all coordinates; the negative in-plane part of the Hessian of each face is left out.
     Newton,
-    /// All coordinates by Newton's method with the whole Hessian while the area falls, gradient descent where it would not.
+    /// Newton's method with the whole Hessian while the area falls, gradient descent where it would not.
     NewtonOrGradient,
 }
 
