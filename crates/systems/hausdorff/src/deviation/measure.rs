@@ -1,23 +1,10 @@
-//! Areas of faces and distances of vertices: what is known of a mesh before its faces are cut.
+//! Areas of meshes and distances of vertices: what is known of a mesh before its faces are cut.
 
-use super::linear::greater;
-use pompeiu_core::exact::Interval;
+use pompeiu_core::TriMesh;
 use pompeiu_core::geom::Frame;
 use pompeiu_core::run::Control;
 use pompeiu_core::spatial::{Bvh, Slot, Workspace};
-use pompeiu_core::{FaceId, TriMesh};
 use rayon::prelude::*;
-
-/// Encloses the area of a face in a frame.
-pub(super) fn area(mesh: &TriMesh, frame: &Frame, face: u32) -> (f64, f64) {
-    let [a, b, c] = mesh.corners(FaceId(face)).map(|p| frame.enclosure(p));
-    let u = [0, 1, 2].map(|k| b[k] - a[k]);
-    let v = [0, 1, 2].map(|k| c[k] - a[k]);
-    let n = [(1, 2), (2, 0), (0, 1)].map(|(i, j)| u[i] * v[j] - u[j] * v[i]);
-    let doubled = (n[0].square() + n[1].square() + n[2].square()).sqrt();
-    let area = Interval::point(0.5) * doubled;
-    (greater(area.lower(), 0.0), area.upper())
-}
 
 /// The area of all faces, and the sum of areas times mean distances of corners; rounded.
 pub(super) fn area_and_moment(mesh: &TriMesh, frame: &Frame, vertices: &VertexDistances) -> (f64, f64) {

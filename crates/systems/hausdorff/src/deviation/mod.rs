@@ -10,6 +10,7 @@
 //! A report holds no pieces: whoever draws the surface cuts its faces again (`tessellation`).
 
 mod analysis;
+mod area;
 mod bands;
 mod behind;
 mod candidates;

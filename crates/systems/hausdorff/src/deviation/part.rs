@@ -1,9 +1,10 @@
 //! Parts of a mesh that are measured while the rest is left out, with a statement of what that is.
 
+use super::area;
 use super::connected::{Sets, Touching, places};
 use super::entry::Sum;
 use super::linear::greater;
-use super::measure::{self, VertexDistances};
+use super::measure::VertexDistances;
 use super::options::DeviationOptions;
 use super::report::DirectedDeviation;
 use super::statistics::share_of;
@@ -77,7 +78,7 @@ fn share(mesh: &TriMesh, of: impl Fn(u32) -> bool) -> Enclosure {
     let frame = Frame::of(&Aabb::of_faces(mesh));
     let (mut part, mut all) = (Sum::default(), Sum::default());
     for face in 0..mesh.faces().len() as u32 {
-        let (low, high) = measure::area(mesh, &frame, face);
+        let (low, high) = area::of_face(mesh, &frame, face);
         all.add(low, high);
         if of(face) {
             part.add(low, high);
@@ -114,7 +115,7 @@ pub fn component_shares(mesh: &TriMesh) -> Vec<f64> {
     let first = first_faces(mesh, |_| true);
     let mut areas = vec![0.0; first.len()];
     for (face, first) in first.iter().enumerate() {
-        let (low, high) = measure::area(mesh, &frame, face as u32);
+        let (low, high) = area::of_face(mesh, &frame, face as u32);
         areas[*first as usize] += 0.5 * (low + high);
     }
     let total: f64 = areas.iter().sum();

@@ -1,9 +1,9 @@
 //! The worst regions, told apart.
 
+use super::area;
 use super::connected::{Sets, Touching};
 use super::linear::greater;
 use super::maxima::{Maxima, Maximum, Precision};
-use super::measure;
 use super::statistics::length_out;
 use super::task::FaceBounds;
 use crate::engine::Farthest;
@@ -203,7 +203,7 @@ impl<'l> Peaks<'l> {
             let corners = self.mesh.corners(FaceId(face));
             aabb = aabb.union(Aabb::of_points(&corners));
             let mapped = corners.map(|p| frame.map(p));
-            let (least, most) = measure::area(self.mesh, frame, face);
+            let (least, most) = area::of_face(self.mesh, frame, face);
             let of_face = 0.5 * (least + most);
             area += of_face;
             for k in 0..3 {

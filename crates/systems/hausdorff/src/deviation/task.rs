@@ -1,11 +1,12 @@
 //! Some faces of A, cut one after the other, and what their pieces say.
 
+use super::area;
 use super::entry::{Entry, Moments, Portion};
 use super::face::{Cutter, Start};
 use super::goal::Goal;
 use super::linear::{greater, lesser};
 use super::maxima::Maximum;
-use super::measure::{self, VertexDistances};
+use super::measure::VertexDistances;
 use super::packed::Entries;
 use super::polygon::Piece;
 use crate::rounding::Rounding;
@@ -44,7 +45,7 @@ impl<'f> Faces<'f> {
 
     pub(super) fn start(&self, face: u32) -> (Start, (f64, f64)) {
         let corners = self.mesh.corners(FaceId(face)).map(|p| self.frame.map(p));
-        let area = measure::area(self.mesh, self.frame, face);
+        let area = area::of_face(self.mesh, self.frame, face);
         let vertices = self.mesh.faces()[face as usize].map(|v| v as usize);
         let start = Start {
             corners,

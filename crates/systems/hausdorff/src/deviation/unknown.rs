@@ -1,9 +1,9 @@
 //! What is said where limits leave no room to look at faces: no distance exceeds the largest.
 
+use super::area;
 use super::distribution::Distribution;
 use super::entry::{Entry, Moments, Portion, Sum};
 use super::linear::greater;
-use super::measure;
 use super::options::DeviationOptions;
 use super::packed::Entries;
 use super::report::{DeviationWork, DirectedDeviation, FaceDeviation, unreferenced};
@@ -26,7 +26,7 @@ pub(super) fn unknown(
     let largest = frame.length_in(distance.distance.upper()).next_up();
     let mut area = Sum::default();
     for face in 0..from.faces().len() as u32 {
-        let (low, high) = measure::area(from, frame, face);
+        let (low, high) = area::of_face(from, frame, face);
         area.add(low, high);
     }
     let area = area.enclosure();

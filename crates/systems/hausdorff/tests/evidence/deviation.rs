@@ -164,6 +164,10 @@ fn check(a: &TriMesh, b: &TriMesh, report: &DirectedDeviation, threshold: f64, n
     assert!(report.statistics.is_some() || samples.iter().all(|s| s.2 < 1e-12));
     let Some(statistics) = &report.statistics else { return };
     let total: f64 = samples.iter().map(|s| s.2).sum();
+    if total < 1e-6 {
+        // The plain areas of faces that are all in line but for rounding are rounding themselves.
+        return;
+    }
     let near = |e: Enclosure, low: f64, high: f64| {
         assert!(e.lower() <= high + slack && low - slack <= e.upper(), "[{low}, {high}] {e:?} {report:?}");
     };

@@ -24,11 +24,10 @@ fn check(a: &TriMesh, b: &TriMesh) -> DirectedDeviation {
     let found = options.directed(a, b).unwrap();
     assert!(found.work.looks <= MOST_LOOKS, "{:?}", found.work);
     let Some(statistics) = &found.statistics else { return found };
-    // Percentiles may lie at a gap of the distribution, means may not. One pair in thousands, coplanar but for rounding, ends with means
-    // that are wider than the floor, and says so; never by more than twice.
+    // Percentiles may lie at a gap of the distribution, means may not.
     let allowed = |ends: &Enclosure| options.accuracy * ends.lower() + found.floor;
     let means = [statistics.mean, statistics.rms];
-    assert!(means.iter().all(|ends| ends.gap() <= 2.0 * allowed(ends)), "{means:?} {:?}", found.stop);
+    assert!(means.iter().all(|ends| ends.gap() <= allowed(ends)), "{means:?} {:?}", found.stop);
     let percentiles = statistics.percentiles.iter().map(|p| &p.distance);
     let is_narrow = percentiles.chain(&means).all(|ends| ends.gap() <= allowed(ends));
     let expected = if is_narrow { StopReason::Tolerance } else { StopReason::Stalled };
@@ -81,6 +80,19 @@ proptest! {
         check(&soup(&a), &soup(&b));
         check(&soup(&b), &soup(&a));
     }
+}
+
+/// A face on the other surface, and one far away whose corners are in line but for rounding: as an area that may be as great as rounding it made the
+/// root of the mean square some 1e-8.
+#[test]
+fn a_face_without_area_far_away_does_not_matter() {
+    let b = [[-1.3, -1.1, 0.3], [1.7, -0.9, -0.2], [0.1, 1.9, 0.6]];
+    let at = |v: f64, w: f64| [0, 1, 2].map(|k| b[0][k] + v * (b[1][k] - b[0][k]) + w * (b[2][k] - b[0][k]));
+    let (far, further) = ([1.9, 1.1, 1.7], [-1.9, 1.3, 1.6]);
+    let between = [0, 1, 2].map(|k: usize| far[k] + 0.3 * (further[k] - far[k]));
+    let a = soup(&[[at(0.25, 0.0), at(0.5, 0.5), at(0.0, 0.75)], [far, between, further]]);
+    let found = check(&a, &soup(&[b]));
+    assert_eq!(found.stop, StopReason::Tolerance);
 }
 
 /// One face with a corner on one of two faces: the mean was 42 % wide after millions of looks.

@@ -1,9 +1,9 @@
 //! The classes of all faces of both surfaces.
 
+use super::super::area;
 use super::super::connected::{Sets, Touching};
 use super::super::face::Cutter;
 use super::super::linear::{greater, lesser};
-use super::super::measure;
 use super::super::packed::Entries;
 use super::super::report::{Deviation, DirectedDeviation};
 use super::super::statistics::share_of;
@@ -141,7 +141,7 @@ impl Question<'_> {
         let mut total = 0.0;
         for &face in &order {
             let (reach, sign) = (&reaches[face as usize], signs[face as usize]);
-            let area = measure::area(mesh, &frame, face);
+            let area = area::of_face(mesh, &frame, face);
             total += area.1;
             if let Some(class) = reach.class(sign, &bands) {
                 sum.reach(reach, sign);
@@ -235,7 +235,7 @@ impl Question<'_> {
                     let (reach, sign) = (&reaches[face as usize], signs[face as usize]);
                     if control.is_stopped() {
                         sum.reach(reach, sign);
-                        let area = measure::area(faces.mesh, faces.frame, face);
+                        let area = area::of_face(faces.mesh, faces.frame, face);
                         sum.anywhere(reach.range(sign), cutting.bands, area);
                     } else {
                         sum.add(&cutting.face(&mut cutter, face, reach, sign));
