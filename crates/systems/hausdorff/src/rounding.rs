@@ -44,6 +44,11 @@
 //! 40. Corners of parts are placed up to 28 from where they are said to be. Together below 130: less than twice [`EVALUATION`], which is what
 //! values on pieces are lowered by.
 //!
+//! **Sums on grids** (`deviation/grid.rs`) count areas in units of an integer. A weight times a power of two is exact; its quotient by an integer below 2^42 is off
+//! by `u` relative, and the factor that rounds it outwards by 16 u more than makes up for it; a conversion to an integer rounds down, and one is added
+//! where it must not. Sums and prefix sums of integers are exact. Converting a sum to a double is off by `u` relative, and adding up the levels of
+//! several grids by `u` for each of at most 128: less than the 2048 u by which results are widened.
+//!
 //! **The lower bound** is computed in interval arithmetic and needs no model. The search counts on it to lie no more than
 //! [`LOWER`] units below the plain computed distance; where it does not, the enclosure comes out wider, not wrong.
 
@@ -83,6 +88,11 @@ impl Rounding {
     /// The length `u M` that the constants count.
     pub fn unit(&self) -> f64 {
         self.unit
+    }
+
+    /// The greatest coordinate.
+    pub fn size(&self) -> f64 {
+        self.unit * (2.0 / f64::EPSILON)
     }
 
     /// See [`LOWER`].

@@ -1,10 +1,12 @@
 //! Both directions, and what they say together.
 
 use super::entry::Sum;
+use super::grid::Ruler;
 use super::linear::{greater, lesser};
 use super::memory;
 use super::options::DeviationOptions;
 use super::packed::{Entries, are_packed};
+use super::pieces::are_summed;
 use super::report::{Deviation, DirectedDeviation};
 use super::run::{Outcome, Pair, run};
 use super::statistics::{Percentile, Summary, Wanted, is_narrow};
@@ -86,20 +88,24 @@ impl DeviationOptions<'_> {
         let largest = greater(there.largest, back.largest);
         let areas = |outcome: &Outcome| {
             let known = outcome.largest == largest && !outcome.areas.is_empty();
-            if known { outcome.areas.clone() } else { outcome.distribution.cumulative(largest, self.bins) }
+            if known {
+                outcome.areas.clone()
+            } else {
+                outcome.pieces.measured().cumulative(largest, self.bins)
+            }
         };
         let areas: Vec<Sum> = areas(&there).into_iter().zip(areas(&back)).map(|(x, y)| x.plus(y)).collect();
-        let mut pooled = there.distribution;
-        pooled.portions.extend(back.distribution.portions);
+        let floor = Self::floor(&frame, &joint, rounding);
+        let pooled = there.pieces.pooled(back.pieces, |area| Ruler::new(area, rounding, floor));
+        let pooled = pooled.measured();
         let wanted = Wanted::of(self, &frame);
         let summary = match there.summary.as_ref().zip(back.summary.as_ref()) {
             Some((x, y)) => {
-                let floor = Self::floor(&frame, &joint, rounding);
                 let is_narrow = |ends: &(f64, f64)| is_narrow(*ends, self.accuracy, floor);
                 let known = Some(between(x, y)).filter(|percentiles| percentiles.iter().all(is_narrow));
-                Summary::with(x.sums.plus(y.sums), &pooled, &wanted, largest, known)
+                Summary::with(x.sums.plus(y.sums), pooled, &wanted, largest, known)
             }
-            None => Summary::of(&pooled, &wanted, largest),
+            None => Summary::of(pooled, &wanted, largest),
         };
         Deviation {
             distance: there.report.distance.distance.max(back.report.distance.distance),
@@ -122,8 +128,12 @@ impl DeviationOptions<'_> {
         let (frame, joint, rounding) = joint_frame(from, to);
         let faces = from.faces().len() as u32;
         let least_time = LEAST_TIME * faces.saturating_add(to.faces().len() as u32);
-        let size = Entries::size(are_packed(self.accuracy, faces as usize));
-        let too_small = room.is_some_and(|room| room / size < faces as usize);
+        let least_room = if are_summed(self.accuracy, from.faces().len() + to.faces().len()) {
+            Ruler::new(1.0, rounding, Self::floor(&frame, &joint, rounding)).bytes()
+        } else {
+            Entries::size(are_packed(self.accuracy, faces as usize)) * faces as usize
+        };
+        let too_small = room.is_some_and(|room| room < least_room);
         let late = deadline.is_some_and(|end| end.saturating_duration_since(started) < least_time);
         if too_small || late {
             let stop = if too_small { StopReason::Memory } else { StopReason::Time };

@@ -78,7 +78,7 @@ impl Scale {
         let corners = corners.map(DVec3::from_array);
         let edges = [corners[1] - corners[0], corners[2] - corners[0]];
         let reach = (edges[0].length() + edges[1].length()) * (1.0 + 8.0 * f64::EPSILON);
-        let size = rounding.unit() * (2.0 / f64::EPSILON);
+        let size = rounding.size();
         Self { corners, edges, size, margin: 2.0 * rounding.bound(0), reach }
     }
 

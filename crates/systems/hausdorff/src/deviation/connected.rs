@@ -106,3 +106,36 @@ impl Sets {
         self.parents[later as usize] = first;
     }
 }
+
+/// Faces that enter one after the other, and which of them are connected: those that have a vertex position in common, welded or not.
+pub(super) struct Entering<'e> {
+    mesh: &'e TriMesh,
+    place: &'e [u32],
+    /// The first face that entered at each place; `u32::MAX` before.
+    first_at: Vec<u32>,
+    sets: Sets,
+}
+
+impl<'e> Entering<'e> {
+    /// `place` is that of each vertex ([`places`]).
+    pub(super) fn new(mesh: &'e TriMesh, place: &'e [u32]) -> Self {
+        Self { mesh, place, first_at: vec![u32::MAX; place.len()], sets: Sets::new(mesh.faces().len()) }
+    }
+
+    pub(super) fn enter(&mut self, face: u32) {
+        self.sets.enter(face);
+        for v in self.mesh.faces()[face as usize] {
+            let first = &mut self.first_at[self.place[v as usize] as usize];
+            if *first == u32::MAX {
+                *first = face;
+            } else {
+                self.sets.join(face, *first);
+            }
+        }
+    }
+
+    /// Of the faces that entered and are connected with one of them, the one that entered first.
+    pub(super) fn first(&mut self, face: u32) -> u32 {
+        self.sets.first(face)
+    }
+}

@@ -1,8 +1,9 @@
 //! How much of an area is up to how far away.
 
-use super::entry::{LESS, MORE, Moments, Portion, Sum};
+use super::entry::{Entry, LESS, MORE, Moments, Portion, Sum};
 use super::linear::{PartUpTo, greatest, least, lesser};
 use super::packed::Entries;
+use super::pieces::Measured;
 use pompeiu_core::exact::Interval;
 use rayon::prelude::*;
 
@@ -34,28 +35,27 @@ impl Distribution {
             self.portions.par_iter().with_min_len(8).map(|portion| of(&portion.entries)).collect();
         parts.into_iter().fold(zero, plus)
     }
+}
 
-    pub(super) fn moments(&self) -> Moments {
+impl Measured for Distribution {
+    fn moments(&self) -> Moments {
         self.portions.iter().map(|portion| portion.moments).fold(Moments::default(), Moments::plus)
     }
 
-    /// Encloses the area whose distance is at most a level that is not negative.
-    pub(super) fn area_up_to(&self, level: f64) -> Interval {
+    fn percentiles(&self, shares: &[f64], area: Interval, largest: f64, fine: f64) -> Vec<(f64, f64)> {
+        self.enclosed_percentiles(shares, area, largest, fine)
+    }
+
+    fn area_up_to(&self, level: f64) -> Interval {
         let of_portion = |entries: &Entries| {
             let mut sum = Sum::default();
-            for entry in entries.iter() {
-                let (low, high) = entry.area();
-                let below = PartUpTo::new(entry.upper()).below(level);
-                let above = PartUpTo::new(entry.lower()).above(level);
-                sum.add(low * below * LESS, high * above * MORE);
-            }
+            entries.iter().for_each(|entry| add_part_up_to(&mut sum, &entry, level));
             sum
         };
         self.sum(of_portion, Sum::plus, Sum::default()).enclosure()
     }
 
-    /// The areas up to each of the levels `largest * k / bins`, `k` from 0 to `bins`; of no bins, none.
-    pub(super) fn cumulative(&self, largest: f64, bins: usize) -> Vec<Sum> {
+    fn cumulative(&self, largest: f64, bins: usize) -> Vec<Sum> {
         if bins == 0 {
             return Vec::new();
         }
@@ -108,6 +108,14 @@ impl Distribution {
         }
         total
     }
+}
+
+/// Adds the area of an entry whose distance is at most a level.
+pub(super) fn add_part_up_to(sum: &mut Sum, entry: &Entry, level: f64) {
+    let (low, high) = entry.area();
+    let below = PartUpTo::new(entry.upper()).below(level);
+    let above = PartUpTo::new(entry.lower()).above(level);
+    sum.add(low * below * LESS, high * above * MORE);
 }
 
 /// The first of some levels at equal distances that is not below a value.

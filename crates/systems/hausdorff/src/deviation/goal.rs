@@ -22,6 +22,16 @@ impl Goal {
         Self { mass: 0.0, focus: Vec::new(), focus_mass: 0.0, floor: width }
     }
 
+    /// Takes ranges of distances into focus. Earlier ones stay: faces are cut anew, and what was narrow there would come out wide.
+    pub(super) fn focus_on(&mut self, ranges: Vec<(f64, f64)>) {
+        for range in ranges {
+            let is_inside = |(from, to): &(f64, f64)| *from <= range.0 && range.1 <= *to;
+            if !self.focus.iter().any(is_inside) {
+                self.focus.push(range);
+            }
+        }
+    }
+
     /// Whether a piece with distances in this range is in focus.
     pub(super) fn is_in_focus(&self, low: f64, high: f64) -> bool {
         self.focus.iter().any(|(from, to)| low <= *to && *from <= high)

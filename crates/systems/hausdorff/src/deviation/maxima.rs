@@ -136,4 +136,12 @@ impl Maximum {
     pub(super) fn of_piece((lower, upper): (f64, f64), point: [f64; 3], near: Slot) -> Self {
         Self { lower, upper, point, depth: CUTS_OF_POINT, near, asked: Precision::Pieces }
     }
+
+    /// Takes a corner of the face with a distance of at least `lower` into account.
+    pub(super) fn know_point(&mut self, lower: f64, point: [f64; 3], near: Slot) {
+        if lower > self.lower {
+            self.lower = lesser(lower, self.upper);
+            (self.point, self.depth, self.near) = (point, 0, near);
+        }
+    }
 }

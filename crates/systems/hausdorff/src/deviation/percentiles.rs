@@ -50,7 +50,7 @@ struct End {
 
 impl Distribution {
     /// Encloses for each share the least distance that so much of the area does not exceed, up to a part `fine` of itself.
-    pub(super) fn percentiles(
+    pub(super) fn enclosed_percentiles(
         &self,
         shares: &[f64],
         area: Interval,
@@ -207,6 +207,7 @@ mod tests {
     use super::super::entry::{Entry, Moments};
     use super::super::linear::Corners;
     use super::super::packed::Entries;
+    use super::super::pieces::Measured;
     use super::super::polygon::{MOST_CORNERS, Polygon};
     use super::*;
     use proptest::prelude::*;

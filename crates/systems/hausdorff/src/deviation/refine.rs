@@ -1,4 +1,4 @@
-//! Rounds of refinement, until statistics are as narrow as asked.
+//! Kept of refinement, until statistics are as narrow as asked.
 //!
 //! Faces are cut anew for each goal, from nothing: so nothing is kept of them but what statistics need. Work is dealt out in tasks of
 //! fixed sizes, whose outcomes are put together in task order, so that the pieces are the same at any number of threads.
@@ -6,6 +6,7 @@
 use super::distribution::Distribution;
 use super::goal::Goal;
 use super::linear::{greater, lesser};
+use super::pieces::Pieces;
 use super::select::{flag, keep_the_worst, suffices};
 use super::statistics::{Summary, Wanted, is_narrow};
 use super::task::{FaceBounds, Faces, Made};
@@ -33,20 +34,20 @@ const BESIDE_PERCENTILES: f64 = 1.2;
 const NARROWER: f64 = 0.7;
 /// How much finer each round is.
 const FINER: f64 = 0.25;
-/// Rounds that make only statistics of parts of the distribution narrower.
-const FOCUSED_ROUNDS: u32 = 8;
-/// Rounds must narrow what is not yet narrow enough by this factor, so many of them as a rule: focused ones each, once there are so
+/// Kept that make only statistics of parts of the distribution narrower.
+pub(super) const FOCUSED_ROUNDS: u32 = 8;
+/// Kept must narrow what is not yet narrow enough by this factor, so many of them as a rule: focused ones each, once there are so
 /// many pieces; the others one of three.
-const LEAST_PROGRESS: f64 = 0.95;
+pub(super) const LEAST_PROGRESS: f64 = 0.95;
 const MANY_PIECES: usize = 1 << 12;
-const ROUNDS_WITHOUT_PROGRESS: u32 = 3;
+pub(super) const ROUNDS_WITHOUT_PROGRESS: u32 = 3;
 /// Goals are not made finer than this part of the first one.
 const FINEST: f64 = 1e-15;
 /// Faces of a task at most, and tasks that there should be.
 const TASK: usize = 64;
 const TASKS: usize = 256;
 /// Tasks between two looks at the limits.
-const TASKS_PER_ROUND: usize = 64;
+pub(super) const TASKS_PER_ROUND: usize = 64;
 /// Pieces of a face, at least and at most, whatever the limit on pieces leaves.
 const PIECES_OF_FACE: (usize, usize) = (16, 1 << 17);
 
@@ -63,12 +64,13 @@ pub(super) struct Aim<'a> {
     /// Cells that the overlay of both meshes has, about.
     pub(super) cells: usize,
     pub(super) most_pieces: usize,
+    /// Whether pieces are summed up at once, and not kept.
+    pub(super) summed: bool,
 }
 
 /// What refining came to.
-#[derive(Default)]
 pub(super) struct Refined {
-    pub(super) distribution: Distribution,
+    pub(super) pieces: Pieces,
     /// By face.
     pub(super) bounds: Vec<FaceBounds>,
     /// None where the area may be zero.
@@ -78,6 +80,25 @@ pub(super) struct Refined {
     pub(super) looks: u64,
     pub(super) distances: u64,
     pub(super) rounds: u32,
+}
+
+/// The same while pieces are kept.
+#[derive(Default)]
+struct Kept {
+    distribution: Distribution,
+    bounds: Vec<FaceBounds>,
+    summary: Option<Summary>,
+    tight: bool,
+    looks: u64,
+    distances: u64,
+    rounds: u32,
+}
+
+impl From<Kept> for Refined {
+    fn from(kept: Kept) -> Self {
+        let Kept { distribution, bounds, summary, tight, looks, distances, rounds } = kept;
+        Self { pieces: Pieces::Kept(distribution), bounds, summary, tight, looks, distances, rounds }
+    }
 }
 
 /// The rounds of one direction.
@@ -91,16 +112,23 @@ pub(super) struct Refinement<'r> {
 }
 
 impl Refinement<'_> {
-    pub(super) fn run(mut self) -> Refined {
-        let Aim { accuracy, floor, total, wanted, .. } = *self.aim;
+    pub(super) fn run(self) -> Refined {
+        let Aim { accuracy, floor, total, .. } = *self.aim;
         let width = accuracy * self.aim.mean + floor;
         let first = FIRST_PART * width * total / self.aim.cells as f64;
         // What has no area has no statistics, but distances of faces.
         let floor = if total > 0.0 { floor } else { width };
         let mut goal = Goal { mass: first, focus: Vec::new(), focus_mass: f64::INFINITY, floor };
-        let mut refined = Refined::default();
         self.calibrate(&mut goal);
+        if self.aim.summed { self.run_in_passes(goal) } else { self.run_in_rounds(goal) }
+    }
+
+    /// Keeps pieces, and cuts those faces again that are not narrow enough.
+    fn run_in_rounds(mut self, mut goal: Goal) -> Refined {
+        let Aim { accuracy, wanted, .. } = *self.aim;
+        let floor = goal.floor;
         let first = goal.mass;
+        let mut refined = Kept::default();
         self.cut_all(&goal, &mut refined);
         let mut focused_rounds = 0;
         let mut doubt_before = f64::INFINITY;
@@ -109,7 +137,7 @@ impl Refinement<'_> {
             refined.summary = Summary::of(&refined.distribution, wanted, self.faces.largest);
             let Some(summary) = &refined.summary else {
                 refined.tight = true;
-                return refined;
+                return refined.into();
             };
             let means_are_tight =
                 [summary.mean, summary.rms].into_iter().all(|ends| is_narrow(ends, accuracy, floor));
@@ -120,23 +148,17 @@ impl Refinement<'_> {
             let focus = self.focus(summary);
             refined.tight = means_are_tight && focus.is_empty();
             if refined.tight || self.faces.control.is_stopped() {
-                return refined;
+                return refined.into();
             }
             if means_are_tight {
                 let is_stuck =
                     doubt > LEAST_PROGRESS * doubt_before && refined.distribution.len() >= MANY_PIECES;
                 if focused_rounds == FOCUSED_ROUNDS || is_stuck {
-                    return refined;
+                    return refined.into();
                 }
                 doubt_before = doubt;
                 goal.focus_mass = lesser(goal.focus_mass, goal.mass);
-                // Earlier ranges stay: faces are cut anew, and what was narrow there would come out wide.
-                for range in focus {
-                    let is_inside = |(from, to): &(f64, f64)| *from <= range.0 && range.1 <= *to;
-                    if !goal.focus.iter().any(is_inside) {
-                        goal.focus.push(range);
-                    }
-                }
+                goal.focus_on(focus);
                 focused_rounds += 1;
             } else {
                 without_progress += 1;
@@ -144,7 +166,7 @@ impl Refinement<'_> {
                     (least_excess, without_progress) = (excess, 0);
                 }
                 if without_progress == ROUNDS_WITHOUT_PROGRESS {
-                    return refined;
+                    return refined.into();
                 }
             }
             // Until there is a face to be cut anew.
@@ -152,7 +174,7 @@ impl Refinement<'_> {
                 let mass = if means_are_tight { &mut goal.focus_mass } else { &mut goal.mass };
                 *mass *= FINER;
                 if *mass < FINEST * first {
-                    return refined;
+                    return refined.into();
                 }
                 let mut flagged = flag(&goal, &refined.distribution);
                 if !means_are_tight {
@@ -219,17 +241,17 @@ impl Refinement<'_> {
     }
 
     /// Faces of one task.
-    fn task(&self) -> usize {
+    pub(super) fn task(&self) -> usize {
         self.order.len().div_ceil(TASKS).clamp(1, TASK)
     }
 
     /// Pieces that each of some faces may be cut into.
-    fn most(&self, pieces: usize, faces: usize) -> usize {
+    pub(super) fn most(&self, pieces: usize, faces: usize) -> usize {
         let (least, most) = PIECES_OF_FACE;
         (self.aim.most_pieces.saturating_sub(pieces) / faces).clamp(least, most)
     }
 
-    fn cut_all(&mut self, goal: &Goal, refined: &mut Refined) {
+    fn cut_all(&mut self, goal: &Goal, refined: &mut Kept) {
         refined.rounds += 1;
         let faces = self.faces;
         let task = self.task();
@@ -259,7 +281,7 @@ impl Refinement<'_> {
     }
 
     /// Cuts the flagged faces again.
-    fn cut_again(&mut self, flagged: &[bool], goal: &Goal, refined: &mut Refined) {
+    fn cut_again(&mut self, flagged: &[bool], goal: &Goal, refined: &mut Kept) {
         refined.rounds += 1;
         let (faces, order) = (self.faces, self.order);
         let task = self.task();
@@ -299,12 +321,12 @@ impl Refinement<'_> {
     }
 
     /// How many times wider than allowed an enclosure is.
-    fn excess(&self, (low, high): (f64, f64)) -> f64 {
+    pub(super) fn excess(&self, (low, high): (f64, f64)) -> f64 {
         (high - low) / (self.aim.accuracy * low + self.aim.floor)
     }
 
     /// Ranges of distances in which pieces keep a statistic from being as narrow as asked.
-    fn focus(&self, summary: &Summary) -> Vec<(f64, f64)> {
+    pub(super) fn focus(&self, summary: &Summary) -> Vec<(f64, f64)> {
         let Aim { accuracy, floor, wanted, .. } = *self.aim;
         let mut focus: Vec<(f64, f64)> =
             summary.percentiles.iter().copied().filter(|ends| !is_narrow(*ends, accuracy, floor)).collect();
@@ -317,7 +339,7 @@ impl Refinement<'_> {
     }
 
     /// Sum of the widths that are too great, each relative to what is allowed.
-    fn doubt(&self, summary: &Summary) -> f64 {
+    pub(super) fn doubt(&self, summary: &Summary) -> f64 {
         let Aim { accuracy, floor, .. } = *self.aim;
         let excess = |width: f64, allowed: f64| greater(width / allowed - 1.0, 0.0);
         let percentiles = summary.percentiles.iter();

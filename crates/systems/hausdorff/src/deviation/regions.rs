@@ -1,7 +1,7 @@
 //! The worst regions, told apart.
 
 use super::area;
-use super::connected::{Sets, Touching};
+use super::connected::{Entering, places};
 use super::linear::greater;
 use super::maxima::{Maxima, Maximum, Precision};
 use super::statistics::length_out;
@@ -53,7 +53,8 @@ impl Region {
 /// What regions are made of.
 pub(super) struct Peaks<'l> {
     mesh: &'l TriMesh,
-    touching: Touching<'l>,
+    /// For each vertex the least vertex at the same position.
+    place: Vec<u32>,
     maxima: Maxima<'l>,
     /// Faces in descending order of their values.
     order: Vec<u32>,
@@ -65,10 +66,18 @@ struct Part {
     level: f64,
 }
 
+/// Of some faces that entered those that are connected with the first of them, in ascending order.
+fn connected(entering: &mut Entering<'_>, faces: &[u32], first: u32) -> Vec<u32> {
+    let mut connected: Vec<u32> =
+        faces.iter().copied().filter(|face| entering.first(*face) == first).collect();
+    connected.sort_unstable();
+    connected
+}
+
 impl<'l> Peaks<'l> {
     pub(super) fn new(mesh: &'l TriMesh, maxima: Maxima<'l>) -> Self {
         let order = (0..mesh.faces().len() as u32).collect();
-        let mut peaks = Self { mesh, touching: Touching::new(mesh), maxima, order };
+        let mut peaks = Self { mesh, place: places(mesh), maxima, order };
         peaks.sort();
         peaks
     }
@@ -130,9 +139,9 @@ impl<'l> Peaks<'l> {
     }
 
     fn peaks(&self, count: usize) -> Vec<Part> {
-        let mut sets = Sets::new(self.order.len());
+        let mut entering = Entering::new(self.mesh, &self.place);
         let mut parts = Vec::new();
-        let mut entering = self.order.iter().peekable();
+        let mut entered = 0;
         for &peak in &self.order {
             if parts.len() == count {
                 break;
@@ -142,12 +151,12 @@ impl<'l> Peaks<'l> {
             }
             // Levels descend with the peaks, so faces only ever come in.
             let level = Region::OF_PEAK * self.value(peak);
-            while let Some(&face) = entering.next_if(|face| self.value(**face) >= level) {
-                sets.enter(face);
-                self.touching.for_neighbours(face, |other| sets.join(face, other));
+            while let Some(&face) = self.order.get(entered).filter(|face| self.value(**face) >= level) {
+                entering.enter(face);
+                entered += 1;
             }
-            if sets.first(peak) == peak {
-                parts.push(Part { faces: self.connected(peak, |value| value >= level), level });
+            if entering.first(peak) == peak {
+                parts.push(Part { faces: connected(&mut entering, &self.order[..entered], peak), level });
             }
         }
         parts
@@ -155,38 +164,16 @@ impl<'l> Peaks<'l> {
 
     /// The connected parts of the faces above a level, at most `count`.
     fn above(&self, level: f64, count: usize) -> Vec<Part> {
-        let mut taken = vec![false; self.order.len()];
-        let mut parts = Vec::new();
-        for &peak in &self.order {
-            if parts.len() == count || self.value(peak) <= level {
-                break;
-            }
-            if !taken[peak as usize] {
-                let faces = self.connected(peak, |value| value > level);
-                for face in &faces {
-                    taken[*face as usize] = true;
-                }
-                parts.push(Part { faces, level });
-            }
+        let above = self.order.partition_point(|face| self.value(*face) > level);
+        let above = &self.order[..above];
+        let mut entering = Entering::new(self.mesh, &self.place);
+        for face in above {
+            entering.enter(*face);
         }
-        parts
-    }
-
-    /// The faces with wanted values that are connected with a peak.
-    fn connected(&self, peak: u32, wanted: impl Fn(f64) -> bool) -> Vec<u32> {
-        let mut faces = vec![peak];
-        let mut known = std::collections::HashSet::from([peak]);
-        let mut at = 0;
-        while at < faces.len() {
-            self.touching.for_neighbours(faces[at], |other| {
-                if wanted(self.value(other)) && known.insert(other) {
-                    faces.push(other);
-                }
-            });
-            at += 1;
-        }
-        faces.sort_unstable();
-        faces
+        let peaks: Vec<u32> =
+            above.iter().copied().filter(|face| entering.first(*face) == *face).take(count).collect();
+        let part = |peak| Part { faces: connected(&mut entering, above, peak), level };
+        peaks.into_iter().map(part).collect()
     }
 
     fn describe(&self, Part { faces, level }: &Part) -> Region {

@@ -1,6 +1,5 @@
 //! One direction, from meshes to report.
 
-use super::distribution::Distribution;
 use super::entry::Sum;
 use super::faces;
 use super::linear::{greater, lesser};
@@ -8,6 +7,7 @@ use super::maxima::{Maxima, Maximum, Precision};
 use super::measure;
 use super::options::DeviationOptions;
 use super::packed::{Entries, are_packed};
+use super::pieces::{Pieces, are_summed};
 use super::refine::{Aim, Refined, Refinement};
 use super::regions::Peaks;
 use super::report::{DeviationWork, DirectedDeviation, FaceDeviation, Sides};
@@ -52,7 +52,7 @@ const FINISHING: u32 = 2;
 /// A report, and what it takes to put two together.
 pub(super) struct Outcome {
     pub(super) report: DirectedDeviation,
-    pub(super) distribution: Distribution,
+    pub(super) pieces: Pieces,
     pub(super) summary: Option<Summary>,
     /// Up to the ends of the bins; empty without a summary.
     pub(super) areas: Vec<Sum>,
@@ -100,7 +100,8 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
     let by_default = DeviationOptions::DEFAULT_PIECES.max(DeviationOptions::PIECES_PER_FACE * cells);
     let most_pieces = query.limits.pieces.unwrap_or(by_default);
     let packed = are_packed(query.accuracy, from.faces().len());
-    let in_room = room.map_or(usize::MAX, |room| room / Entries::size(packed));
+    let summed = are_summed(query.accuracy, cells);
+    let in_room = room.filter(|_| !summed).map_or(usize::MAX, |room| room / Entries::size(packed));
     let (most_pieces, stop_of_pieces) =
         if in_room < most_pieces { (in_room, StopReason::Memory) } else { (most_pieces, StopReason::Pieces) };
     // Time is left for what follows.
@@ -131,7 +132,8 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
         packed,
         idle: Mutex::default(),
     };
-    let aim = Aim { wanted: &wanted, accuracy: query.accuracy, mean, floor, total, cells, most_pieces };
+    let aim =
+        Aim { wanted: &wanted, accuracy: query.accuracy, mean, floor, total, cells, most_pieces, summed };
     let mut watch = |looks: u64, pieces: usize, left: usize| {
         if pieces + left >= most_pieces {
             control.stop(stop_of_pieces);
@@ -141,7 +143,7 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
         }
     };
     let refined = Refinement { faces: &scene, order: &order, aim: &aim, watch: &mut watch }.run();
-    let Refined { distribution, bounds, summary, tight, looks, distances, rounds } = refined;
+    let Refined { pieces, bounds, summary, tight, looks, distances, rounds } = refined;
 
     // A limit on pieces or memory does not keep maxima from being narrowed: that takes neither.
     let control_of_maxima = Control::default().until(deadline);
@@ -180,7 +182,8 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
         _ => StopReason::Stalled,
     };
     let sides = (query.signed && !control_of_maxima.is_stopped()).then(|| Sides::of(from, to));
-    let areas = if summary.is_some() { distribution.cumulative(largest, query.bins) } else { Vec::new() };
+    let areas =
+        if summary.is_some() { pieces.measured().cumulative(largest, query.bins) } else { Vec::new() };
     let of_vertices = vertices.distances.iter().map(|distance| frame.length_out(*distance)).collect();
     let report = DirectedDeviation {
         direction,
@@ -195,7 +198,7 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
         floor: frame.length_out(floor),
         stop,
         work: DeviationWork {
-            pieces: distribution.len() as u64,
+            pieces: pieces.len(),
             looks,
             distances,
             rounds,
@@ -204,13 +207,13 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
             refine: refining.elapsed(),
         },
     };
-    Outcome { report, distribution, summary, areas, largest }
+    Outcome { report, pieces, summary, areas, largest }
 }
 
 impl Outcome {
     /// Bytes that it takes.
     pub(super) fn bytes(&self) -> usize {
-        self.distribution.bytes()
+        self.pieces.bytes()
             + self.report.faces.len() * size_of::<FaceDeviation>()
             + size_of_val(&self.report.vertices[..])
     }

@@ -1,9 +1,10 @@
 //! What is said about an area as a whole.
 
-use super::distribution::{Distribution, level};
+use super::distribution::level;
 use super::entry::{Moments, Sum};
 use super::linear::{greater, lesser};
 use super::options::DeviationOptions;
+use super::pieces::Measured;
 use crate::report::Enclosure;
 use pompeiu_core::exact::Interval;
 use pompeiu_core::geom::Frame;
@@ -132,14 +133,14 @@ pub(super) struct Summary {
 
 impl Summary {
     /// None where the area may be zero.
-    pub(super) fn of(distribution: &Distribution, wanted: &Wanted<'_>, largest: f64) -> Option<Self> {
-        Self::with(distribution.moments(), distribution, wanted, largest, None)
+    pub(super) fn of(pieces: &dyn Measured, wanted: &Wanted<'_>, largest: f64) -> Option<Self> {
+        Self::with(pieces.moments(), pieces, wanted, largest, None)
     }
 
-    /// The same of a distribution whose moments are known, and its percentiles perhaps.
+    /// The same of pieces whose moments are known, and its percentiles perhaps.
     pub(super) fn with(
         sums: Moments,
-        distribution: &Distribution,
+        pieces: &dyn Measured,
         wanted: &Wanted<'_>,
         largest: f64,
         percentiles: Option<Vec<(f64, f64)>>,
@@ -154,13 +155,13 @@ impl Summary {
         let mean = (greater(mean.lower(), 0.0), lesser(mean.upper(), largest));
         // The root of a mean of squares is at least the mean.
         let rms = (greater(rms.lower(), mean.0), lesser(rms.upper(), largest));
-        let percentiles = percentiles
-            .unwrap_or_else(|| distribution.percentiles(wanted.percentiles, area, largest, wanted.fine));
-        let above = wanted.threshold.map(|t| share_above(distribution, t, area, largest));
+        let percentiles =
+            percentiles.unwrap_or_else(|| pieces.percentiles(wanted.percentiles, area, largest, wanted.fine));
+        let above = wanted.threshold.map(|t| share_above(pieces, t, area, largest));
         Some(Self { sums, area, mean, rms, percentiles, above })
     }
 
-    /// For users. `areas` are those up to the ends of the bins ([`Distribution::cumulative`]).
+    /// For users. `areas` are those up to the ends of the bins ([`Measured::cumulative`]).
     pub(super) fn publish(
         &self,
         areas: &[Sum],
@@ -191,11 +192,11 @@ pub(super) fn is_narrow((low, high): (f64, f64), accuracy: f64, floor: f64) -> b
     high - low <= accuracy * low + floor
 }
 
-fn share_above(distribution: &Distribution, threshold: f64, area: Interval, largest: f64) -> (f64, f64) {
+fn share_above(pieces: &dyn Measured, threshold: f64, area: Interval, largest: f64) -> (f64, f64) {
     if threshold >= largest {
         return (0.0, 0.0);
     }
-    let up_to = share_up_to(distribution.area_up_to(threshold), area);
+    let up_to = share_up_to(pieces.area_up_to(threshold), area);
     (greater((1.0 - up_to.1).next_down(), 0.0), lesser((1.0 - up_to.0).next_up(), 1.0))
 }
 

@@ -15,7 +15,7 @@ const STEP: f64 = 0.125;
 pub(super) type Weighted = (Corners, f64);
 
 /// Which of the two functions between which the distance lies, with the area that makes it a bound.
-#[derive(Clone, Copy, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Side {
     /// The function below, with areas from above: more area is at most so far.
     Lower,

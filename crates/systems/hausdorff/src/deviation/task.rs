@@ -1,9 +1,11 @@
 //! Some faces of A, cut one after the other, and what their pieces say.
 
 use super::area;
-use super::entry::{Entry, Moments, Portion};
+use super::distribution::add_part_up_to;
+use super::entry::{Entry, Moments, Portion, Sum};
 use super::face::{Cutter, Start};
 use super::goal::Goal;
+use super::grid::SharedGrids;
 use super::linear::{greater, lesser};
 use super::maxima::Maximum;
 use super::measure::VertexDistances;
@@ -30,7 +32,7 @@ pub(super) struct Faces<'f> {
     pub(super) largest: f64,
     /// About how far most of the surface is away.
     pub(super) scale: f64,
-    /// Whether entries are packed.
+    /// Whether entries that are kept are packed.
     pub(super) packed: bool,
     /// Cutters that no task uses, with what they remember of B, and memory for entries.
     pub(super) idle: Mutex<Vec<(Cutter<'f>, Entries)>>,
@@ -65,9 +67,7 @@ impl<'f> Faces<'f> {
         wanted: impl Fn(usize) -> bool,
         before: Option<(&Portion, &[FaceBounds])>,
     ) -> Made {
-        let idle = self.idle.lock().map_or(None, |mut idle| idle.pop());
-        let (mut cutter, mut entries) =
-            idle.unwrap_or_else(|| (self.cutter(true), Entries::new(self.packed)));
+        let (mut cutter, mut entries) = self.idle_cutter();
         let (looks, distances) = (cutter.looks, cutter.distances());
         let mut starts = vec![0];
         let mut moments = Moments::default();
@@ -78,15 +78,10 @@ impl<'f> Faces<'f> {
             let mut keep = known.clone();
             let mut sums = Moments::default();
             if known.is_none() || wanted(i) {
-                let (from, area) = self.start(face);
-                cutter.cut(&from, goal, most);
-                for Piece { polygon, .. } in &cutter.pieces {
-                    for triangle in polygon.outline.fan() {
-                        let entry = Entry::new(polygon, triangle, area);
-                        sums.include(&entry);
-                        entries.push(&entry);
-                    }
-                }
+                self.cut_face(&mut cutter, face, goal, most, |entry| {
+                    sums.include(&entry);
+                    entries.push(&entry);
+                });
                 // What limits have cut short may be wider than what was known.
                 let is_narrower = |(portion, places, _): &(&Portion, Range<usize>, FaceBounds)| {
                     let excess = |entries: &Entries, places| goal.excess(entries.range(places));
@@ -107,11 +102,77 @@ impl<'f> Faces<'f> {
         }
         let portion = Portion { entries: entries.clone(), starts, moments };
         let (looks, distances) = (cutter.looks - looks, cutter.distances() - distances);
+        self.leave(cutter, entries);
+        Made { portion, bounds, looks, distances }
+    }
+
+    /// Cuts faces, and hands all of their entries at once to what sums them up; the area up to a level is summed up by itself.
+    pub(super) fn sum_task(
+        &self,
+        faces: &[u32],
+        goal: &Goal,
+        most: usize,
+        grids: &SharedGrids,
+        level: Option<f64>,
+    ) -> Summed {
+        let (mut cutter, unused) = self.idle_cutter();
+        let (looks, distances) = (cutter.looks, cutter.distances());
+        let mut entries = Vec::new();
+        let mut moments = Moments::default();
+        let mut up_to = Sum::default();
+        let mut bounds = Vec::with_capacity(faces.len());
+        for &face in faces {
+            let mut sums = Moments::default();
+            let start = self.cut_face(&mut cutter, face, goal, most, |entry| {
+                sums.include(&entry);
+                if let Some(level) = level {
+                    add_part_up_to(&mut up_to, &entry, level);
+                }
+                entries.push(entry);
+            });
+            let mut of_face = FaceBounds::new(&cutter, &sums, self.largest);
+            for i in 0..3 {
+                let lower = start.distances[i] - self.rounding.bound(0);
+                of_face.max.know_point(lower, start.corners[i], start.near[i]);
+            }
+            bounds.push(of_face);
+            moments = moments.plus(sums);
+        }
+        grids.add(&entries);
+        let (looks, distances) = (cutter.looks - looks, cutter.distances() - distances);
+        self.leave(cutter, unused);
+        Summed { moments, up_to, entries: entries.len(), bounds, looks, distances }
+    }
+
+    fn cut_face(
+        &self,
+        cutter: &mut Cutter<'_>,
+        face: u32,
+        goal: &Goal,
+        most: usize,
+        mut take: impl FnMut(Entry),
+    ) -> Start {
+        let (from, area) = self.start(face);
+        cutter.cut(&from, goal, most);
+        for Piece { polygon, .. } in &cutter.pieces {
+            for triangle in polygon.outline.fan() {
+                take(Entry::new(polygon, triangle, area));
+            }
+        }
+        from
+    }
+
+    /// A cutter that no task uses.
+    fn idle_cutter(&self) -> (Cutter<'f>, Entries) {
+        let idle = self.idle.lock().map_or(None, |mut idle| idle.pop());
+        idle.unwrap_or_else(|| (self.cutter(true), Entries::new(self.packed)))
+    }
+
+    fn leave(&self, cutter: Cutter<'f>, mut entries: Entries) {
         entries.truncate(0);
         if let Ok(mut idle) = self.idle.lock() {
             idle.push((cutter, entries));
         }
-        Made { portion, bounds, looks, distances }
     }
 }
 
@@ -164,6 +225,17 @@ impl FaceBounds {
             mean: (lesser(mean.0, mean.1), mean.1),
         }
     }
+}
+
+/// What was summed up of the pieces of some faces.
+pub(super) struct Summed {
+    pub(super) moments: Moments,
+    /// The area up to the level that was asked for.
+    pub(super) up_to: Sum,
+    pub(super) entries: usize,
+    pub(super) bounds: Vec<FaceBounds>,
+    pub(super) looks: u64,
+    pub(super) distances: u64,
 }
 
 /// Pieces of some faces.

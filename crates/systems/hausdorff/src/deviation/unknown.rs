@@ -6,6 +6,7 @@ use super::entry::{Entry, Moments, Portion, Sum};
 use super::linear::greater;
 use super::options::DeviationOptions;
 use super::packed::Entries;
+use super::pieces::Pieces;
 use super::report::{DeviationWork, DirectedDeviation, FaceDeviation, unreferenced};
 use super::run::Outcome;
 use super::statistics::{Summary, Wanted, length_out};
@@ -33,10 +34,11 @@ pub(super) fn unknown(
     let entry = Entry::unknown((area.lower(), area.upper()), largest);
     let moments = Moments::of(std::iter::once(entry));
     let portion = Portion { entries: Entries::Full(vec![entry]), starts: vec![0, 1], moments };
-    let distribution = Distribution { portions: vec![portion] };
     let wanted = Wanted::of(query, frame);
-    let summary = Summary::of(&distribution, &wanted, largest);
-    let areas = if summary.is_some() { distribution.cumulative(largest, query.bins) } else { Vec::new() };
+    let pieces = Pieces::Kept(Distribution { portions: vec![portion] });
+    let summary = Summary::of(pieces.measured(), &wanted, largest);
+    let areas =
+        if summary.is_some() { pieces.measured().cumulative(largest, query.bins) } else { Vec::new() };
 
     let all = length_out(frame, 0.0, largest);
     let mut faces = vec![FaceDeviation { max: all, min: all, mean: all }; from.faces().len()];
@@ -64,5 +66,5 @@ pub(super) fn unknown(
         stop,
         work: DeviationWork { pieces: 1, ..DeviationWork::default() },
     };
-    Outcome { report, distribution, summary, areas, largest }
+    Outcome { report, pieces, summary, areas, largest }
 }

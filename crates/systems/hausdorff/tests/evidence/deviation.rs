@@ -239,15 +239,19 @@ fn bits(report: &DirectedDeviation) -> String {
 
 #[test]
 fn one_two_and_eight_threads_give_the_same_bits() {
-    let a = displace_at_random(&icosphere(1.0, 3).unwrap(), 0.02, 3).unwrap();
-    let b = displace_at_random(&icosphere(1.0, 2).unwrap(), 0.05, 4).unwrap();
-    let query = DeviationOptions { threshold: Some(0.02), ..DeviationOptions::default() };
-    let reports = [1, 2, 8].map(|threads| {
-        let limits = Limits { threads: NonZeroUsize::new(threads), ..Limits::default() };
-        DeviationOptions { limits, ..query.clone() }.symmetric(&a, &b).unwrap()
-    });
-    let bits = reports.map(|r| (bits(&r.a_to_b), bits(&r.b_to_a), format!("{:?}", r.pooled)));
-    assert!(bits[0] == bits[1] && bits[0] == bits[2]);
+    // Few faces, whose pieces are kept, and many, whose pieces are summed up.
+    for (levels, noise) in [([3, 2], [0.02, 0.05]), ([5, 5], [0.01, 0.005])] {
+        let [a, b] = [0, 1].map(|i| {
+            displace_at_random(&icosphere(1.0, levels[i]).unwrap(), noise[i], 3 + i as u64).unwrap()
+        });
+        let query = DeviationOptions { threshold: Some(0.02), ..DeviationOptions::default() };
+        let reports = [1, 2, 8].map(|threads| {
+            let limits = Limits { threads: NonZeroUsize::new(threads), ..Limits::default() };
+            DeviationOptions { limits, ..query.clone() }.symmetric(&a, &b).unwrap()
+        });
+        let bits = reports.map(|r| (bits(&r.a_to_b), bits(&r.b_to_a), format!("{:?}", r.pooled)));
+        assert!(bits[0] == bits[1] && bits[0] == bits[2]);
+    }
 }
 
 #[test]

@@ -128,6 +128,44 @@ fn more_accuracy_is_narrower() {
     }
 }
 
+/// Many faces, whose pieces are summed up and not kept: numbers enclose the same as at an accuracy for which pieces are kept, in both directions and
+/// together, and no limit makes them wrong.
+#[test]
+fn sums_of_many_faces_enclose_what_pieces_do() {
+    let a = displace_at_random(&icosphere(1.0, 5).unwrap(), 0.01, 3).unwrap();
+    let b = displace_at_random(&icosphere(1.0, 5).unwrap(), 0.01, 4).unwrap();
+    let coarse = DeviationOptions { threshold: Some(0.005), ..DeviationOptions::default() };
+    let summed = coarse.symmetric(&a, &b).unwrap();
+    let kept = DeviationOptions { accuracy: 2e-3, ..coarse.clone() }.symmetric(&a, &b).unwrap();
+    let everything = |statistics: &Statistics| {
+        let mut all = numbers(statistics);
+        all.push(statistics.above.unwrap().share);
+        all.extend(statistics.histogram.bins.iter().chain(&statistics.histogram.cumulative));
+        all
+    };
+    let both = [(&summed.a_to_b, &kept.a_to_b), (&summed.b_to_a, &kept.b_to_a)];
+    for (summed, kept) in both {
+        assert_eq!((summed.stop, kept.stop), (StopReason::Tolerance, StopReason::Tolerance));
+        check_overlap(&all(summed), &all(kept), 0.0);
+    }
+    let statistics =
+        both.map(|(summed, kept)| [summed, kept].map(|report| report.statistics.as_ref().unwrap()));
+    let pooled = [&summed, &kept].map(|report| report.pooled.as_ref().unwrap());
+    for [summed, kept] in statistics.into_iter().chain([pooled]) {
+        check_overlap(&everything(summed), &everything(kept), 0.0);
+        assert!(numbers(summed).iter().all(|x| x.gap() <= 0.01 * x.lower() + 1e-8), "{:?}", numbers(summed));
+        assert!(summed.above.unwrap().share.gap() <= 0.011);
+    }
+    for (limits, stop) in [
+        (Limits { pieces: Some(24_000), ..Limits::default() }, StopReason::Pieces),
+        (Limits { memory: Some(8 << 20), ..Limits::default() }, StopReason::Memory),
+    ] {
+        let report = DeviationOptions { limits, ..coarse.clone() }.directed(&a, &b).unwrap();
+        assert_eq!(report.stop, stop);
+        check_overlap(&all(&report), &all(&kept.a_to_b), 0.0);
+    }
+}
+
 /// Breaks off after some looks.
 struct Cancels(AtomicU32);
 

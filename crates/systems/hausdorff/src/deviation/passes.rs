@@ -1,0 +1,131 @@
+//! Passes over all faces, whose pieces are summed up and not kept.
+//!
+//! The first goal is calibrated so that one pass is enough as a rule. Where statistics come out too wide, all faces are cut again: what was
+//! summed up cannot be taken back. So a limit that ends a later pass leaves what the one before it found.
+
+use super::entry::{Moments, Sum};
+use super::goal::Goal;
+use super::grid::{Ruler, SharedGrids};
+use super::linear::{greater, lesser};
+use super::pieces::{Pieces, Summed};
+use super::refine::{
+    FOCUSED_ROUNDS, LEAST_PROGRESS, ROUNDS_WITHOUT_PROGRESS, Refined, Refinement, TASKS_PER_ROUND,
+};
+use super::statistics::{Summary, is_narrow};
+use super::task::{self, FaceBounds};
+use pompeiu_core::spatial::Slot;
+use rayon::prelude::*;
+
+/// The part of the allowed width at which a later pass aims, and how much finer it is, at least and at most.
+const AIMED: f64 = 0.7;
+const FINER: (f64, f64) = (0.5, 1.0 / 64.0);
+
+impl Refinement<'_> {
+    pub(super) fn run_in_passes(mut self, mut goal: Goal) -> Refined {
+        let (accuracy, floor) = (self.aim.accuracy, goal.floor);
+        let mut best: Option<Refined> = None;
+        let (mut focused_passes, mut doubt_before) = (0, f64::INFINITY);
+        let (mut least_excess, mut without_progress) = (f64::INFINITY, 0);
+        loop {
+            let mut pass = self.pass(&goal);
+            let is_stopped = self.faces.control.is_stopped();
+            if let Some(before) = best.take() {
+                pass.include_work(&before);
+                if is_stopped {
+                    return Refined {
+                        looks: pass.looks,
+                        distances: pass.distances,
+                        rounds: pass.rounds,
+                        ..before
+                    };
+                }
+            }
+            let Some(summary) = &pass.summary else {
+                return Refined { tight: true, ..pass };
+            };
+            let means = [summary.mean, summary.rms];
+            let means_are_tight = means.into_iter().all(|ends| is_narrow(ends, accuracy, floor));
+            let focus = self.focus(summary);
+            let tight = means_are_tight && focus.is_empty();
+            if tight || is_stopped {
+                return Refined { tight, ..pass };
+            }
+            if means_are_tight {
+                let doubt = self.doubt(summary);
+                if focused_passes == FOCUSED_ROUNDS || doubt > LEAST_PROGRESS * doubt_before {
+                    return pass;
+                }
+                doubt_before = doubt;
+                focused_passes += 1;
+                let worst =
+                    summary.percentiles.iter().fold(1.0, |worst, ends| greater(worst, self.excess(*ends)));
+                goal.focus_mass = finer(lesser(goal.focus_mass, goal.mass), worst);
+                goal.focus_on(focus);
+            } else {
+                let excess = means.into_iter().fold(0.0, |worst, ends| greater(worst, self.excess(ends)));
+                without_progress += 1;
+                if excess < LEAST_PROGRESS * least_excess {
+                    (least_excess, without_progress) = (excess, 0);
+                }
+                if without_progress == ROUNDS_WITHOUT_PROGRESS {
+                    return pass;
+                }
+                goal.mass = finer(goal.mass, excess);
+            }
+            best = Some(pass);
+        }
+    }
+
+    /// Cuts all faces.
+    fn pass(&mut self, goal: &Goal) -> Refined {
+        let faces = self.faces;
+        let task = self.task();
+        let unknown = FaceBounds::unknown([0.0; 3], Slot::default(), faces.largest);
+        let mut bounds = vec![unknown; self.order.len()];
+        let grids = SharedGrids::new(Ruler::new(self.aim.total, faces.rounding, self.aim.floor));
+        let level = self.aim.wanted.threshold;
+        let (mut moments, mut up_to) = (Moments::default(), Sum::default());
+        let (mut looks, mut distances, mut pieces) = (0, 0, 0);
+        let mut left = self.order.len();
+        for round in self.order.chunks(task * TASKS_PER_ROUND) {
+            let most = self.most(pieces, round.len());
+            let made: Vec<task::Summed> = round
+                .par_chunks(task)
+                .with_max_len(1)
+                .map(|task| faces.sum_task(task, goal, most, &grids, level))
+                .collect();
+            for (task, made) in round.chunks(task).zip(made) {
+                looks += made.looks;
+                distances += made.distances;
+                pieces += made.entries;
+                moments = moments.plus(made.moments);
+                up_to = up_to.plus(made.up_to);
+                for (face, of_face) in task.iter().zip(made.bounds) {
+                    bounds[*face as usize] = of_face;
+                }
+            }
+            left -= round.len();
+            (self.watch)(looks, pieces, left);
+        }
+        let up_to = level.map(|level| (level, up_to));
+        let summed = Summed { moments, areas: grids.areas().into_iter().collect(), up_to };
+        let summary = Summary::of(&summed, self.aim.wanted, faces.largest);
+        Refined { pieces: Pieces::Summed(summed), bounds, summary, tight: false, looks, distances, rounds: 1 }
+    }
+}
+
+impl Refined {
+    /// Counts what an earlier pass took.
+    fn include_work(&mut self, before: &Self) {
+        self.looks += before.looks;
+        self.distances += before.distances;
+        self.rounds += before.rounds;
+    }
+}
+
+/// What pieces may leave undecided in the next pass, where statistics are so many times too wide.
+fn finer(mass: f64, excess: f64) -> f64 {
+    let (least, most) = FINER;
+    let part = AIMED / excess;
+    mass * greater(lesser(part, least), most)
+}
