@@ -27,6 +27,48 @@ impl Aabb {
 
     /// The box of the faces of a mesh. Unreferenced vertices do not count.
     pub fn of_faces(mesh: &TriMesh) -> Self {
+        // A vertex belongs to several faces: all vertices are fewer, and mostly each of the outermost belongs to some face.
+        const CHUNK: usize = 1 << 14;
+        let of_all =
+            mesh.positions().par_chunks(CHUNK).map(Self::of_points).reduce(|| Self::EMPTY, Self::union);
+        if of_all.is_reached(mesh) { of_all } else { Self::of_used(mesh) }
+    }
+
+    /// Whether faces reach all sides of the box of all vertices. May say no where many vertices lie on its sides.
+    fn is_reached(&self, mesh: &TriMesh) -> bool {
+        /// Vertices on sides that are looked for, and how many of those of faces are compared with them at a time.
+        const MOST: usize = 8;
+        const TOGETHER: usize = 256;
+        let sides = |p: &[f64; 3]| {
+            (0..3).fold(0, |sides, k| {
+                sides
+                    | u32::from(p[k] == self.lower[k]) << (2 * k)
+                    | u32::from(p[k] == self.upper[k]) << (2 * k + 1)
+            })
+        };
+        let mut outermost = [(u32::MAX, 0); MOST];
+        let on_sides = mesh.positions().iter().map(sides).zip(0..).filter(|(sides, _)| *sides != 0);
+        let mut count = 0;
+        for (sides, vertex) in on_sides {
+            let Some(place) = outermost.get_mut(count) else { return false };
+            (*place, count) = ((vertex, sides), count + 1);
+        }
+        let mut reached = 0;
+        for vertices in mesh.faces().as_flattened().chunks(TOGETHER) {
+            for (vertex, sides) in &outermost[..count] {
+                // Without an end before the last: so it is vectorised.
+                let found = vertices.iter().fold(0, |found, v| found | u32::from(v == vertex));
+                reached |= if found == 1 { *sides } else { 0 };
+            }
+            if reached == 0b11_1111 {
+                return true;
+            }
+        }
+        false
+    }
+
+    /// The box of the vertices of all faces, one face after the other.
+    fn of_used(mesh: &TriMesh) -> Self {
         let positions = mesh.positions();
         mesh.faces()
             .par_chunks(1 << 14)
@@ -108,6 +150,23 @@ mod tests {
             assert!((aabb.diagonal() / (13.0 * scale) - 1.0).abs() < 1e-15);
         }
         assert_eq!(Aabb::EMPTY.diagonal(), 0.0);
+    }
+
+    /// Vertices of no face do not count, whether they lie outside, on a side beside others, or are many.
+    #[test]
+    fn the_box_of_faces_is_that_of_their_vertices() {
+        let triangle = [[0.0, 0.0, 0.0], [1.0, 0.0, 1.0], [0.0, 1.0, 0.5]];
+        let expected = Aabb { lower: [0.0; 3], upper: [1.0; 3] };
+        for others in
+            [vec![], vec![[2.0, 0.5, 0.5]], vec![[1.0, 0.5, 0.5]], vec![[0.0; 3]; 100], vec![[9.0; 3]; 100]]
+        {
+            let mesh = TriMesh::new(
+                [&others[..], &triangle].concat(),
+                vec![[0, 1, 2].map(|i| i + others.len() as u32)],
+            )
+            .unwrap();
+            assert_eq!(Aabb::of_faces(&mesh), expected);
+        }
     }
 
     #[test]

@@ -22,7 +22,8 @@ pub struct Neighbour {
 /// with one face or more than two, nor across any edge of a face that repeats a vertex.
 ///
 /// # Cost
-/// 12 bytes per face; some 40 more per face while it is built in O(m) time (at bounded valence) on all threads of the current pool.
+/// 12 bytes per face; some 40 more per face while it is built in O(m) time (at bounded valence), on all threads of the current pool if they are more
+/// than four.
 #[derive(Clone, Debug)]
 pub struct Neighbours {
     /// Slot, direction and edge, packed; [`NONE`] where there is no neighbour.
@@ -34,6 +35,10 @@ const NONE: u32 = u32::MAX;
 const MOST_FACES: usize = (1 << 29) - 1;
 /// Fewest faces per parallel part.
 const PART: usize = 1 << 11;
+/// So few threads take longer together than one that pairs edges as it meets them.
+const FEW_THREADS: usize = 4;
+/// Edges at a vertex that are compared one by one then.
+const MOST_AT_VERTEX: usize = 64;
 /// Up to this many uses at one vertex are compared pairwise; more are sorted.
 const FEW: usize = 16;
 
@@ -43,6 +48,10 @@ impl Neighbours {
         let count = bvh.len();
         if count > MOST_FACES {
             return Self { across: Vec::new() };
+        }
+        let across = if rayon::current_num_threads() <= FEW_THREADS { one_by_one(mesh, bvh) } else { None };
+        if let Some(across) = across {
+            return Self { across };
         }
         let (starts, uses) = uses_by_vertex(mesh, bvh);
         // Each edge is paired once, and each half of a pair written once.
@@ -127,6 +136,70 @@ fn uses_by_vertex(mesh: &TriMesh, bvh: &Bvh) -> (Vec<u32>, Vec<AtomicU64>) {
     (starts, uses)
 }
 
+/// An edge of a triangle, as it waits for the other triangle: its greater vertex, what [`Neighbours`] packs, and the edge before it at the same
+/// lesser vertex.
+#[derive(Clone, Copy)]
+struct Waiting {
+    greater: u32,
+    packed: u32,
+    before: u32,
+}
+
+/// The same as in parallel, in one pass over all triangles; none where many edges meet at a vertex.
+fn one_by_one(mesh: &TriMesh, bvh: &Bvh) -> Option<Vec<[u32; 3]>> {
+    let mut across = vec![[NONE; 3]; bvh.len()];
+    let mut last_at = vec![NONE; mesh.positions().len()];
+    // Of a closed surface half as many wait as there are edges of triangles.
+    let mut waiting: Vec<Waiting> = Vec::with_capacity(3 * bvh.len() / 2 + 64);
+    for slot in bvh.slots() {
+        let face = mesh.faces()[bvh.face(slot).index()];
+        if !has_three_vertices(face) {
+            continue;
+        }
+        for (k, (a, b)) in
+            [(face[0], face[1]), (face[1], face[2]), (face[2], face[0])].into_iter().enumerate()
+        {
+            let (lesser, greater, backward) = if a < b { (a, b, 0) } else { (b, a, 4) };
+            let packed = (slot.index() * 8 + backward + k) as u32;
+            let mut place = last_at[lesser as usize];
+            let mut steps = 0;
+            while place != NONE && waiting[place as usize].greater != greater {
+                place = waiting[place as usize].before;
+                steps += 1;
+            }
+            if steps > MOST_AT_VERTEX {
+                return None;
+            }
+            if place == NONE {
+                let before = std::mem::replace(&mut last_at[lesser as usize], waiting.len() as u32);
+                waiting.push(Waiting { greater, packed, before });
+                continue;
+            }
+            let other = &mut waiting[place as usize].packed;
+            let first = *other;
+            if first == NONE {
+                // More than three triangles at this edge.
+                continue;
+            }
+            let at = |packed: u32| ((packed >> 3) as usize, (packed & 3) as usize);
+            let ((slot, edge), (this, own)) = (at(first), at(packed));
+            let second = across[slot][edge];
+            if second == NONE {
+                let same = u32::from((first ^ packed) & 4 == 0) << 2;
+                across[slot][edge] = packed & !4 | same;
+                across[this][own] = first & !4 | same;
+            } else {
+                // The third one: none of them has a neighbour here.
+                across[slot][edge] = NONE;
+                let (slot, edge) = at(second);
+                across[slot][edge] = NONE;
+                *other = NONE;
+            }
+        }
+    }
+    Some(across)
+}
+
 /// Reports each pair of uses of an edge that has exactly two.
 fn pair(group: &mut [u64], mut tell: impl FnMut(u32, u32)) {
     let greater = |used: u64| used >> 32;
@@ -191,6 +264,23 @@ mod tests {
             }
         }
         found
+    }
+
+    /// Few threads and many find the same.
+    #[test]
+    fn one_pass_finds_what_many_threads_find() {
+        let with = |threads: usize, mesh: &TriMesh| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            pool.install(|| neighbours(mesh).1.across)
+        };
+        let fan = |count: u32| (0..count).map(|i| [0, 1 + i, 2 + i]).collect();
+        let point = |i: u32| [f64::from(i).sin(), f64::from(i).cos(), f64::from(i % 7)];
+        let mesh = |faces: Vec<[u32; 3]>| TriMesh::new((0..400).map(point).collect(), faces).unwrap();
+        // Edges with one to five faces, in both directions, and faces that repeat a vertex; many faces at a vertex.
+        let soup = (0..600_u32).map(|i| [i % 7, (i / 3) % 8, (i * i + 5) % 9]).collect();
+        for mesh in [icosphere(1.0, 2).unwrap(), mesh(soup), mesh(fan(20)), mesh(fan(390))] {
+            assert_eq!(with(1, &mesh), with(8, &mesh));
+        }
     }
 
     #[test]

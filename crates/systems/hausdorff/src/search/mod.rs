@@ -249,14 +249,16 @@ impl<'s, 'o> Search<'s, 'o> {
     /// Whether overlays are worth the neighbours of B's triangles: not where faces are so small for the distance, or for the threshold,
     /// that one of B mostly covers one of A.
     pub(crate) fn tries_overlays(&self) -> bool {
+        // Steps come before corners: only those of the faces that are looked at are read.
+        let stride = |count: usize| count.div_ceil(SIZES);
         let mean = |count: usize, corners: &mut dyn Iterator<Item = [[f64; 3]; 3]>| {
-            let stride = count.div_ceil(SIZES);
-            corners.step_by(stride).map(|corners| longest_edge(&corners)).sum::<f64>()
-                / count.div_ceil(stride) as f64
+            corners.map(|corners| longest_edge(&corners)).sum::<f64>() / count.div_ceil(stride(count)) as f64
         };
         let Scene { order, bvh, .. } = self.scene;
-        let size_a = mean(order.len(), &mut order.iter().map(|face| self.scene.corners(*face)));
-        let size_b = mean(bvh.len(), &mut bvh.slots().map(|slot| bvh.corners(slot)));
+        let some_of_a = order.iter().step_by(stride(order.len()));
+        let size_a = mean(order.len(), &mut some_of_a.map(|face| self.scene.corners(*face)));
+        let some_of_b = bvh.slots().step_by(stride(bvh.len()));
+        let size_b = mean(bvh.len(), &mut some_of_b.map(|slot| bvh.corners(slot)));
         let distance = match self.limits.threshold {
             Some(threshold) if threshold > self.found.distance => threshold,
             _ => self.found.distance,
