@@ -61,8 +61,7 @@ impl Drawing {
         let mut triangles = Vec::with_capacity(mesh.faces().len());
         let mut is_part = Vec::with_capacity(mesh.faces().len());
         for (face, parts) in mesh.face_ids().zip(sampled) {
-            is_part
-                .resize(triangles.len() + parts.as_ref().map_or(1, |grid| grid.triangles()), parts.is_some());
+            is_part.resize(triangles.len() + parts.as_ref().map_or(1, Grid::triangles), parts.is_some());
             let corners = snap.corners(mesh.corners(face));
             if let Some(grid) = parts {
                 grid.push(face, corners, &snap, &mut triangles);
