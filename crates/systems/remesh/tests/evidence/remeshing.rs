@@ -122,11 +122,11 @@ fn the_distance_asked_for_is_proven() {
     let cube = shapes::cube(2.0, 1).unwrap();
     let options = RemeshOptions { within: Some(0.1), ..RemeshOptions::new(Sizing::Length(0.5)) };
     assert!(distance(&remesh(&cube, &options).unwrap()) <= 0.1);
-    // Unless others are asked for.
-    let features = Features { angle: Some(180.0), ..Features::default() };
-    let few = RemeshOptions { features, within: Some(0.02), most_faces: 2000, ..options };
-    let error = remesh(&cube, &few).unwrap_err();
-    assert!(matches!(error, RemeshError::TooManyFacesWithin { most: 2000, .. }), "{error}");
+    // Those of an icosahedron make no curves: edges are shortened there.
+    let solid = shapes::icosphere(1.0, 0).unwrap();
+    let few = RemeshOptions { within: Some(0.002), most_faces: 4000, ..options };
+    let error = remesh(&solid, &few).unwrap_err();
+    assert!(matches!(error, RemeshError::TooManyFacesWithin { most: 4000, .. }), "{error}");
 }
 
 #[test]
