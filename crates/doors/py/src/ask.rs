@@ -118,11 +118,10 @@ impl Beside {
     fn object(self, py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
         Ok(match self {
             Self::Numbers(numbers) => numbers.into_pyarray(py).into_any(),
-            Self::Intervals(rows) => array_of_rows(py, rows)?.into_any(),
             Self::Indices(indices) => indices.into_pyarray(py).into_any(),
             Self::Pairs(rows) => array_of_rows(py, rows)?.into_any(),
             Self::Triples(rows) => array_of_rows(py, rows)?.into_any(),
-            Self::Plane(rows) => array_of_rows(py, rows)?.into_any(),
+            Self::Intervals(rows) | Self::Plane(rows) => array_of_rows(py, rows)?.into_any(),
             Self::Points(rows) => array_of_rows(py, rows)?.into_any(),
             Self::Colors(rows) => array_of_rows(py, rows)?.into_any(),
             Self::Mesh(mesh) => Bound::new(py, Mesh::from(mesh))?.into_any(),
