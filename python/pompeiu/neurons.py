@@ -847,15 +847,15 @@ def neuron(
         A file of parameters, in the place of the tables below: TOML with units, or pairs of names and values of other
         programs.
     transport : Mapping[str, Any], optional
-        Diffusion, speeds, rates and time steps of transport; in files the table [transport].
+        Diffusion, speeds, rates and time steps of transport; in files the table called transport.
     flow : Mapping[str, Any], optional
-        The fluid and what drives it; in files the table [flow].
+        The fluid and what drives it; in files the table called flow.
     inlet : Mapping[str, Any], optional
-        Where the inlet is, and what enters there; in files the table [inlet].
+        Where the inlet is, and what enters there; in files the table called inlet.
     tips : Mapping[str, Any], optional
-        What is at the other flat ends; in files the table [tips].
+        What is at the other flat ends; in files the table called tips.
     initial : Mapping[str, Any], optional
-        Concentrations in the beginning; in files the table [initial].
+        Concentrations in the beginning; in files the table called initial.
     threads : int, optional
         Threads to use; all processors by default. The answer does not depend on it.
     time_limit : float, optional

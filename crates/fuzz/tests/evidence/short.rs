@@ -4,7 +4,7 @@ use pompeiu_fuzz::{TARGETS, corpus, target};
 use pompeiu_testkit::mutate::attack;
 
 fn run(name: &str) {
-    let target = target(name).unwrap();
+    let target = target(name).expect("the name is one of the list");
     attack(&corpus(name), target.usual, target.run);
 }
 

@@ -57,7 +57,8 @@ impl Held<'_> {
 /// use pompeiu_core::mesh::shapes::icosphere;
 /// use pompeiu_hausdorff::{DeviationOptions, HausdorffOptions, PreparedPair};
 ///
-/// let pair = PreparedPair::new(&icosphere(1.0, 3)?, &icosphere(1.1, 3)?);
+/// let (a, b) = (icosphere(1.0, 3)?, icosphere(1.1, 3)?);
+/// let pair = PreparedPair::new(&a, &b);
 /// let distance = HausdorffOptions::default().symmetric_of(&pair)?.distance;
 /// let deviation = DeviationOptions::default().symmetric_of(&pair)?;
 /// assert_eq!(distance, deviation.distance);

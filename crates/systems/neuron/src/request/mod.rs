@@ -60,19 +60,19 @@ pub struct NeuronRequest {
     /// A file of parameters, in the place of the tables below: TOML with units, or pairs of names and values of other programs.
     #[cfg_attr(feature = "clap", arg(long, value_name = "FILE"))]
     pub parameters: Option<PathBuf>,
-    /// Diffusion, speeds, rates and time steps of transport; in files the table [transport].
+    /// Diffusion, speeds, rates and time steps of transport; in files the table called transport.
     #[cfg_attr(feature = "clap", arg(long = "set-transport", value_name = "NAME = VALUE, …"))]
     pub transport: Option<ParameterTable>,
-    /// The fluid and what drives it; in files the table [flow].
+    /// The fluid and what drives it; in files the table called flow.
     #[cfg_attr(feature = "clap", arg(long = "set-flow", value_name = "NAME = VALUE, …"))]
     pub flow: Option<ParameterTable>,
-    /// Where the inlet is, and what enters there; in files the table [inlet].
+    /// Where the inlet is, and what enters there; in files the table called inlet.
     #[cfg_attr(feature = "clap", arg(long = "set-inlet", value_name = "NAME = VALUE, …"))]
     pub inlet: Option<ParameterTable>,
-    /// What is at the other flat ends; in files the table [tips].
+    /// What is at the other flat ends; in files the table called tips.
     #[cfg_attr(feature = "clap", arg(long = "set-tips", value_name = "NAME = VALUE, …"))]
     pub tips: Option<ParameterTable>,
-    /// Concentrations in the beginning; in files the table [initial].
+    /// Concentrations in the beginning; in files the table called initial.
     #[cfg_attr(feature = "clap", arg(long = "set-initial", value_name = "NAME = VALUE, …"))]
     pub initial: Option<ParameterTable>,
 }
