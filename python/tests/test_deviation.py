@@ -136,7 +136,7 @@ def test_limits_and_callbacks_end_it_with_wider_enclosures():
     [
         ({"accuracy": 0.0}, "the accuracy is 0; it must be"),
         ({"percentiles": [0.5]}, "the percentile is 0.5; percentiles are in percent of the area, at least 1 and below 100"),
-        ({"threshold": -1.0}, "option `threshold` of deviation: expected a length"),
+        ({"threshold": -1.0}, "option `threshold` of deviation: expected a finite length that is not negative"),
         ({"threads": 0}, "the number of threads is 0; at least 1 is needed"),
         ({"time_limit": math.inf}, "the time limit is inf seconds; it must be a finite number that is not negative"),
     ],

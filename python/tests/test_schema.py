@@ -54,7 +54,7 @@ COMMANDS = {
         "remesh rough.obj -o adapted.ply --adaptive 0.02 --within 0.1 --features 60",
     ],
     "cut": ["cut torus.ply.gz -o opened.obj", "cut rough.obj --strategy euclidean --cuts 2"],
-    "medial": ["medial torus.ply.gz --balls 12 --samples 300", "medial torus.ply.gz -o balls.ma --time-limit 0s"],
+    "medial": ["medial torus.ply.gz --balls 12 --samples 300", "medial torus.ply.gz --samples 300 -o balls.ma --time-limit 0s"],
     "complexity": [
         "complexity shapes missing.png",
         "complexity shapes --clusters 2 --against places.csv",
