@@ -1,6 +1,7 @@
 //! Certificates beside an answer: written, whole or not at all, and told.
 
 use crate::door::Session;
+use crate::files;
 use crate::page::Page;
 use anyhow::{Context, bail};
 use bytesize::ByteSize;
@@ -62,6 +63,18 @@ pub(crate) fn write_within(
     write(path, session, |options, into| write_certificate(input, result, goals, options, into))
 }
 
+/// Writes a certificate as [`write_within`] does, of what an output holds, read again: a format may have an order of faces of its own.
+pub(crate) fn write_of_output(
+    path: &Path,
+    input: &TriMesh,
+    output: &Path,
+    within: f64,
+    session: &Session<'_>,
+) -> anyhow::Result<CertificateAnswer> {
+    let result = files::read(output)?.mesh;
+    write_within(path, [input, &result], within, session)
+}
+
 /// What a certificate proves, and where it is.
 pub(crate) fn rows(page: &mut Page, path: &Path, answer: &CertificateAnswer) {
     let Some(written) = &answer.written else {
@@ -73,6 +86,13 @@ pub(crate) fn rows(page: &mut Page, path: &Path, answer: &CertificateAnswer) {
         &format!("{}, {}; `pompeiu verify` checks it", path.display(), ByteSize(written.bytes)),
     );
     proven(page, written.a_to_b.as_ref(), written.b_to_a.as_ref());
+}
+
+/// The rows of [`rows`], after a text that is no page.
+pub(crate) fn text(path: &Path, answer: &CertificateAnswer) -> String {
+    let mut page = Page::new();
+    rows(&mut page, path, answer);
+    page.into_text()
 }
 
 /// A row for each direction.

@@ -116,12 +116,31 @@ fn a_repaired_mesh_comes_with_a_proof_that_speaks_of_both_files() {
 }
 
 #[test]
+fn simplified_and_remeshed_files_come_with_proofs() {
+    let folder = folder();
+    for (output, within) in [("c.ply", 0.2), ("c.stl", 0.2), ("c.obj", 0.1)] {
+        folder.ok(&format!("simplify a.obj --within {within} -o {output} --certificate proof.phc"));
+        assert_eq!(verified(&folder, &format!("proof.phc a.obj {output}")), [0.0, within]);
+    }
+    folder.ok("remesh a.obj --relative 0.1 --within 0.3 -o r.stl --certificate proof.phc");
+    assert_eq!(verified(&folder, "proof.phc a.obj r.stl"), [0.0, 0.3]);
+    let (_, stdout, _) = folder.transcript("simplify a.obj --within 0.2 -o c.ply --certificate proof.phc");
+    assert!(stdout.contains("proof.phc"), "{stdout}");
+    let (code, _, _) = folder.transcript("verify proof.phc a.obj r.stl");
+    assert_eq!(code, Some(1));
+}
+
+#[test]
 fn what_would_prove_nothing_is_refused_before_any_work() {
     let folder = folder();
     for (args, message) in [
         ("repair a.obj c.ply --certificate p.phc", "--within"),
         ("repair a.obj c.ply --within 1 --center --certificate p.phc", "--center"),
         ("repair a.obj c.ply --within 1 --certificate c.ply", "two outputs"),
+        ("simplify a.obj --faces 50 -o c.ply --certificate p.phc", "--within"),
+        ("simplify a.obj --within 1 -o c.ply --certificate c.ply", "two outputs"),
+        ("remesh a.obj --relative 0.1 -o c.ply --certificate p.phc", "--within"),
+        ("remesh a.obj --relative 0.1 --within 1 --center -o c.ply --certificate p.phc", "--center"),
         ("distance a.obj b.ply --align rigid --certificate p.phc", "--align"),
         ("distance a.obj b.ply --certificate a.obj", "both input and output"),
         ("distance a.obj b.ply --certificate no/p.phc", "there is no folder"),

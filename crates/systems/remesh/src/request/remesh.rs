@@ -7,9 +7,10 @@ use crate::{
 use pompeiu_core::TriMesh;
 use pompeiu_core::geom::Aabb;
 use pompeiu_core::mesh::{Coordinates, Rounding};
-use pompeiu_core::request::{Limit, Report, Request};
+use pompeiu_core::request::{Conclusion, Limit, Report, Request};
 use pompeiu_core::run::{RunContext, StopReason};
 use pompeiu_hausdorff::SymmetricReport;
+use pompeiu_hausdorff::certificate::CertificateAnswer;
 
 #[cfg(feature = "clap")]
 use pompeiu_core::request::values::magnitude;
@@ -101,6 +102,9 @@ pub struct RemeshReport {
     pub rounding: Rounding,
     /// How many pairs of faces of the result intersect; null where they were not looked for.
     pub intersections: Option<IntersectionCount>,
+    /// What came of the certificate; absent if none was asked for.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub certificate: Option<CertificateAnswer>,
     /// Number of rounds of splits, collapses, flips and moves, those that a distance asked for included.
     pub iterations: usize,
     /// Why it ended.
@@ -113,6 +117,12 @@ pub struct RemeshReport {
 impl Report for RemeshReport {
     fn stop(&self) -> StopReason {
         self.stop
+    }
+
+    /// Whether it ended early, or without the certificate that was asked for.
+    fn conclusion(&self) -> Conclusion {
+        let is_unproven = self.certificate.as_ref().is_some_and(|answer| answer.written.is_none());
+        if is_unproven || self.stop.is_early() { Conclusion::Incomplete } else { Conclusion::AsAsked }
     }
 }
 
@@ -152,6 +162,7 @@ impl RemeshRequest {
             distance: found.distance.clone(),
             rounding: found.rounding,
             intersections: found.intersections,
+            certificate: None,
             iterations: found.iterations,
             stop: found.stop,
             timing: found.timing,

@@ -6,10 +6,11 @@ use crate::{
 };
 use pompeiu_core::geom::Aabb;
 use pompeiu_core::mesh::{Coordinates, Rounding};
-use pompeiu_core::request::{Limit, Report, Request};
+use pompeiu_core::request::{Conclusion, Limit, Report, Request};
 use pompeiu_core::run::{RunContext, StopReason};
 use pompeiu_core::{TriMesh, VertexId};
 use pompeiu_hausdorff::SymmetricReport;
+use pompeiu_hausdorff::certificate::CertificateAnswer;
 
 #[cfg(feature = "clap")]
 use pompeiu_core::request::values::magnitude;
@@ -130,6 +131,9 @@ pub struct SimplifyReport {
     pub rounding: Rounding,
     /// What was carried over from the input.
     pub kept: Kept,
+    /// What came of the certificate; absent if none was asked for.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub certificate: Option<CertificateAnswer>,
     /// Other levels of detail, each finer than the one before; empty unless asked for.
     pub finer: Vec<LevelReport>,
     /// Why it ended.
@@ -157,6 +161,12 @@ pub struct Kept {
 impl Report for SimplifyReport {
     fn stop(&self) -> StopReason {
         self.stop
+    }
+
+    /// Whether it ended early, or without the certificate that was asked for.
+    fn conclusion(&self) -> Conclusion {
+        let is_unproven = self.certificate.as_ref().is_some_and(|answer| answer.written.is_none());
+        if is_unproven || self.stop.is_early() { Conclusion::Incomplete } else { Conclusion::AsAsked }
     }
 }
 
@@ -215,6 +225,7 @@ fn report(levels: &[Simplified]) -> Result<SimplifyReport, SimplifyError> {
         level: asked.into(),
         rounding: asked.rounding,
         kept: Kept::default(),
+        certificate: None,
         finer: finer.iter().map(LevelReport::from).collect(),
         stop: early.unwrap_or(asked.stop),
         timing,

@@ -6,7 +6,7 @@ use crate::args::{Picture, hold_in, tell};
 use crate::called::called;
 pub(crate) use crate::door::run;
 use crate::door::{AnswerOf, Invocation, Session, System};
-use crate::files;
+use crate::{certificate, files};
 use anyhow::Context;
 use clap::Args;
 use pompeiu::remesh::show::RemeshPage;
@@ -25,6 +25,7 @@ normals and texture coordinates are not in the output.
 
 Examples:
   pompeiu remesh scan.ply --edge-length 0.5 -o even.ply
+  pompeiu remesh scan.ply --relative 0.01 --within 0.1 -o even.ply --certificate proof.phc
   pompeiu remesh part.stl --relative 0.01 --features 40 -o even.ply
   pompeiu remesh scan.ply --adaptive 0.01 --within 0.05 -o light.ply --report light.html")]
 pub(crate) struct Files {
@@ -33,6 +34,9 @@ pub(crate) struct Files {
     /// The mesh file to write
     #[arg(long, short, value_name = "OUT")]
     output: PathBuf,
+    /// Write a file from which anybody can prove anew that the result is within the distance of the input, see `pompeiu verify`
+    #[arg(long, value_name = "FILE")]
+    certificate: Option<PathBuf>,
     #[command(flatten)]
     picture: Picture,
 }
@@ -42,15 +46,17 @@ impl System for Files {
 
     fn check(&self, _: bool) -> anyhow::Result<()> {
         files::check_writable(&self.output)?;
-        let outputs = std::iter::once(self.output.as_path()).chain(self.picture.outputs());
+        let proof = self.certificate.as_deref();
+        let outputs = std::iter::once(self.output.as_path()).chain(self.picture.outputs()).chain(proof);
         files::check_places(outputs, &[&self.mesh])
     }
 
     fn run(&self, request: &mut RemeshRequest, session: &mut Session<'_>) -> anyhow::Result<RemeshReport> {
+        certificate::check_result(self.certificate.as_deref(), request.within, request.coordinates.center)?;
         let shown = self.mesh.display().to_string();
         let mesh = session.read_mesh(&self.mesh)?;
         hold_in(&self.output, &mut request.coordinates);
-        let answer = request.run(&mesh, &session.context()).with_context(|| shown.clone())?;
+        let mut answer = request.run(&mesh, &session.context()).with_context(|| shown.clone())?;
         session.stop_waiting();
         let (found, printer) = (&answer.found, session.printer);
         tell(&self.output, &found.rounding, printer);
@@ -62,10 +68,15 @@ impl System for Files {
             |width, height, theme, view| page.image(width, height, theme, view),
             printer,
         )?;
+        if let Some((path, within)) = self.certificate.as_ref().zip(request.within) {
+            let written = certificate::write_of_output(path, &mesh, &self.output, within, session)?;
+            answer.report.certificate = Some(written);
+            session.stop_waiting();
+        }
         Ok(answer.report)
     }
 
     fn text(&self, answer: &AnswerOf<Self>) -> String {
-        text::text(answer)
+        text::text(self.certificate.as_deref(), answer)
     }
 }

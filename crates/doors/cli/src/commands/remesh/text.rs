@@ -7,9 +7,10 @@ use crate::page::value;
 use crate::printer::LABEL;
 use pompeiu::remesh::Quality;
 use std::fmt::Write;
+use std::path::Path;
 
 /// A row for each quantity, before and after, and the distance.
-pub(super) fn text(answer: &AnswerOf<Files>) -> String {
+pub(super) fn text(certificate: Option<&Path>, answer: &AnswerOf<Files>) -> String {
     let mut text = String::new();
     let mut row = |label: &str, value: String| {
         let _ = writeln!(text, "{LABEL}{label:<13}{LABEL:#}{value}");
@@ -63,5 +64,8 @@ pub(super) fn text(answer: &AnswerOf<Files>) -> String {
             time(answer.timing.total)
         ),
     );
+    if let Some((path, answer)) = certificate.zip(found.certificate.as_ref()) {
+        text += &crate::certificate::text(path, answer);
+    }
     text
 }

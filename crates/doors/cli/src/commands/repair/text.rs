@@ -3,7 +3,7 @@
 use super::Files;
 use crate::door::AnswerOf;
 use crate::numbers::{grouped, point, shortest};
-use crate::page::{Page, value};
+use crate::page::value;
 use crate::printer::LABEL;
 use pompeiu::core::mesh::repair::Change;
 use std::fmt::Write;
@@ -61,9 +61,7 @@ pub(super) fn text(certificate: Option<&Path>, answer: &AnswerOf<Files>) -> Stri
         row("H(A, B)", &format!("{}, {verdict} at most {}", value(distance), shortest(within)));
     }
     if let Some((path, answer)) = certificate.zip(found.certificate.as_ref()) {
-        let mut page = Page::new();
-        crate::certificate::rows(&mut page, path, answer);
-        text += &page.into_text();
+        text += &crate::certificate::text(path, answer);
     }
     text
 }

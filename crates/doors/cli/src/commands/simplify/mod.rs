@@ -6,7 +6,7 @@ mod text;
 use crate::args::{hold_in, tell};
 pub(crate) use crate::door::run;
 use crate::door::{AnswerOf, Invocation, Session, System};
-use crate::files;
+use crate::{certificate, files};
 use anyhow::Context;
 use appearance::Appearance;
 use clap::Args;
@@ -27,6 +27,7 @@ written beside OUT, with -1, -2, … before its suffix.
 Examples:
   pompeiu simplify scan.ply --within 0.05 -o light.ply
   pompeiu simplify scan.ply --relative 0.001 -o light.ply --json
+  pompeiu simplify scan.ply --within 0.05 -o light.ply --certificate proof.phc
   pompeiu simplify scan.ply --faces 5000 -o light.glb
   pompeiu simplify scan.ply --relative 0.02 --levels 4 -o light.ply")]
 pub(crate) struct Files {
@@ -35,6 +36,9 @@ pub(crate) struct Files {
     /// The mesh file to write
     #[arg(long, short, value_name = "OUT")]
     output: PathBuf,
+    /// Write a file from which anybody can prove anew that the result (OUT) is within the distance of the input, see `pompeiu verify`
+    #[arg(long, value_name = "FILE")]
+    certificate: Option<PathBuf>,
 }
 
 impl System for Files {
@@ -42,7 +46,7 @@ impl System for Files {
 
     fn check(&self, _: bool) -> anyhow::Result<()> {
         files::check_writable(&self.output)?;
-        files::check_place(&self.output, &[&self.mesh])
+        Ok(())
     }
 
     fn run(
@@ -52,7 +56,10 @@ impl System for Files {
     ) -> anyhow::Result<SimplifyReport> {
         let places: Vec<PathBuf> =
             (0..usize::from(request.levels)).map(|level| place(&self.output, level)).collect();
-        files::check_places(places.iter().map(PathBuf::as_path), &[&self.mesh])?;
+        let outputs = places.iter().chain(&self.certificate);
+        files::check_places(outputs.map(PathBuf::as_path), &[&self.mesh])?;
+        let (asked, is_centered) = (request.within.or(request.relative), request.coordinates.center);
+        certificate::check_result(self.certificate.as_deref(), asked, is_centered)?;
         let mesh = session.read_mesh(&self.mesh)?;
         let appearance = Appearance::read(&self.mesh, &mesh, &self.output, request.repair, session.printer)?;
         hold_in(&self.output, &mut request.coordinates);
@@ -64,11 +71,16 @@ impl System for Files {
             appearance.write(place, level, session.printer)?;
         }
         found.report.kept = appearance.kept();
+        if let Some((path, within)) = self.certificate.as_ref().zip(found.report.level.within) {
+            let answer = certificate::write_of_output(path, &mesh, &self.output, within, session)?;
+            found.report.certificate = Some(answer);
+            session.stop_waiting();
+        }
         Ok(found.report)
     }
 
     fn text(&self, answer: &AnswerOf<Self>) -> String {
-        text::text(&self.output, answer)
+        text::text(&self.output, self.certificate.as_deref(), answer)
     }
 }
 

@@ -10,7 +10,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 /// A row for each quantity, the verdict first.
-pub(super) fn text(output: &Path, answer: &AnswerOf<Files>) -> String {
+pub(super) fn text(output: &Path, certificate: Option<&Path>, answer: &AnswerOf<Files>) -> String {
     let mut text = String::new();
     let mut row = |label: &str, value: String| {
         let _ = writeln!(text, "{LABEL}{label:<10}{LABEL:#}{value}");
@@ -47,6 +47,9 @@ pub(super) fn text(output: &Path, answer: &AnswerOf<Files>) -> String {
     let [collapse, distance, total] =
         [found.timing.collapse, found.timing.distance, answer.timing.total].map(time);
     row("time", format!("collapse {collapse}, distance {distance}, total {total}"));
+    if let Some((path, answer)) = certificate.zip(found.certificate.as_ref()) {
+        text += &crate::certificate::text(path, answer);
+    }
     text
 }
 
