@@ -57,7 +57,7 @@ from .coupling import Coupled, couple
 from .files import Info, info, mesh_summary, write_mesh
 from .flattening import Cut, Flattening, Medial, Straightened, cut, flatten, medial, straighten
 from .fluids import Simulation, SquareSimulation
-from .many import DistanceMatrix, RankReport, RankWork, Standing, distance_matrix, rank
+from .many import DistanceMatrix, RankReport, RankWork, Standing, matrix, rank
 from .neurons import (
     Neuron,
     NeuronFlow,
@@ -169,7 +169,6 @@ __all__ = [
     "directed_deviation",
     "directed_hausdorff",
     "distance",
-    "distance_matrix",
     "field_degrees_of_freedom",
     "flatten",
     "flow",
@@ -177,6 +176,7 @@ __all__ = [
     "info",
     "intersections",
     "k_medoids",
+    "matrix",
     "medial",
     "mesh_summary",
     "neuron",

@@ -2,24 +2,19 @@
 
 from __future__ import annotations
 
-import json
 import os
 from dataclasses import dataclass
-from typing import Any, Callable, Iterable, List, Literal, Mapping, Optional, Sequence, Tuple, Union
+from typing import Any, Iterable, Literal, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _native
-from .distance import DEFAULT_TOLERANCE, ToleranceKind
+from ._asking import ask
 from .progress import StepsLike, watching_steps
 from .results import Stop, _Arrays, _table
 from .sources import MeshLike, as_mesh
 
-__all__ = ["DistanceMatrix", "RankReport", "RankWork", "Standing", "distance_matrix", "rank"]
-
-Measure = Literal["symmetric", "template_to_target", "target_to_template"]
-Alignment = Literal["none", "centroid", "scale", "rigid"]
+__all__ = ["DistanceMatrix", "RankReport", "RankWork", "Standing", "matrix", "rank"]
 
 #: Meshes by place, or by name.
 Targets = Union[Sequence[MeshLike], Mapping[str, MeshLike]]
@@ -71,10 +66,10 @@ class Standing:
         return dict(vars(self))
 
     @classmethod
-    def _of(cls, data: Mapping[str, Any], target: int) -> "Standing":
+    def _of(cls, data: Mapping[str, Any]) -> "Standing":
         both = lambda *names: None if data[names[0]] is None else tuple(data[name] for name in names)  # noqa: E731
         return cls(
-            target=target,
+            target=data["target"],
             name=data["path"],
             status=data["status"],
             ranks=both("rank_first", "rank_last"),
@@ -159,11 +154,9 @@ class RankReport:
         return _table("distance from the template", rows)
 
     @classmethod
-    def _of(cls, text: str, places: Iterable[int]) -> "RankReport":
-        """From what is serialised, and the place of each target in it."""
-        data = json.loads(text)
+    def _of(cls, data: Mapping[str, Any]) -> "RankReport":
         work = {**data["work"], "searches": tuple(map(tuple, data["work"]["searches"]))}
-        return cls(tuple(map(Standing._of, data["standings"], places)), RankWork(**work), data["stop"])
+        return cls(tuple(map(Standing._of, data["targets"])), RankWork(**work), data["stop"])
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -180,6 +173,8 @@ class DistanceMatrix(_Arrays):
         Why the computation ended: ``"tolerance"``, or what left pairs open, ``"time"``, ``"memory"`` or ``"cancelled"``.
     open : tuple of pairs of int
         Rows and columns of directed distances that were not measured, or less narrowly than asked.
+    directed : bool
+        Whether ``lower`` and ``upper`` are those of the directed distances.
     """
 
     directed_lower: NDArray[np.float64]
@@ -187,16 +182,17 @@ class DistanceMatrix(_Arrays):
     distances: int
     stop: Stop = "tolerance"
     open: Tuple[Tuple[int, int], ...] = ()
+    directed: bool = False
 
     @property
     def lower(self) -> NDArray[np.float64]:
-        """Lower bounds on the symmetric distances: shape (k, k)."""
-        return np.maximum(self.directed_lower, self.directed_lower.T)
+        """Lower bounds on the distances that were asked for, by default the symmetric ones: shape (k, k)."""
+        return self.directed_lower if self.directed else np.maximum(self.directed_lower, self.directed_lower.T)
 
     @property
     def upper(self) -> NDArray[np.float64]:
-        """Upper bounds on the symmetric distances: shape (k, k)."""
-        return np.maximum(self.directed_upper, self.directed_upper.T)
+        """Upper bounds on them: shape (k, k)."""
+        return self.directed_upper if self.directed else np.maximum(self.directed_upper, self.directed_upper.T)
 
     def to_dict(self) -> "dict[str, Any]":
         """A dictionary of lists, ready for ``json.dumps``."""
@@ -209,44 +205,24 @@ class DistanceMatrix(_Arrays):
         }
 
     @classmethod
-    def _of(cls, lower: NDArray[np.float64], upper: NDArray[np.float64], distances: int, stop: Stop, open: Iterable[Tuple[int, int]]) -> "DistanceMatrix":
-        return cls(lower, upper, distances, stop, tuple(open))
+    def _of(cls, report: Mapping[str, Any], lower: Any, upper: Any, directed: bool) -> "DistanceMatrix":
+        count = len(report["meshes"])
+        ends = (end.reshape(count, count) for end in (lower, upper))
+        pairs = tuple((pair["from"], pair["to"]) for pair in report["open"])
+        return cls(*ends, report["distances"], report["stop"], pairs, directed)
 
     def __len__(self) -> int:
         return len(self.directed_lower)
 
 
-def rank_options(top: int, all: bool, measure: str, alignment: str, tolerance: float, tolerance_kind: str = "diagonal") -> str:
-    """The options of a ranking, as the native half takes them."""
-    from .errors import OptionError
-
-    for name, found, known in (
-        ("measure", measure, ("symmetric", "template_to_target", "target_to_template")),
-        ("alignment", alignment, ("none", "centroid", "scale", "rigid")),
-        ("tolerance_kind", tolerance_kind, ("diagonal", "relative", "absolute")),
-    ):
-        if found not in known:
-            raise OptionError(f"{name} is {found!r}, expected {', '.join(map(repr, known[:-1]))} or {known[-1]!r}")
-    if top < 0:
-        raise OptionError(f"the number of places asked for is {top}; at least 1 is needed")
-    if not (isinstance(tolerance, (int, float)) and 0 <= tolerance < float("inf")):
-        raise OptionError(f"the tolerance is {tolerance}; it must be a finite number that is not negative")
-    options = {"measure": measure, "alignment": alignment, "top": top, "all": all}
-    return json.dumps({**options, "tolerance": float(tolerance), "tolerance_kind": tolerance_kind})
-
-
-def named(targets: Targets, names: Optional[Sequence[str]]) -> "tuple[list[str], list[MeshLike]]":
+def named(targets: Targets) -> "list[tuple[str, MeshLike]]":
     """Names and meshes: what a mapping calls them, paths for files, else their places."""
     if isinstance(targets, Mapping):
-        return [str(name) for name in targets], list(targets.values())
+        return [(str(name), source) for name, source in targets.items()]
     sources = list(targets)
-    if names is not None:
-        if len(names) != len(sources):
-            raise ValueError(f"found {len(names)} names, expected {len(sources)}, one for each target")
-        return list(names), sources
     digits = len(str(len(sources)))
     shown = lambda i, s: os.fspath(s) if isinstance(s, (str, os.PathLike)) else f"{i:0{digits}}"  # noqa: E731
-    return [shown(i, source) for i, source in enumerate(sources)], sources
+    return [(shown(i, source), source) for i, source in enumerate(sources)]
 
 
 def rank(
@@ -255,11 +231,10 @@ def rank(
     *,
     top: int = 10,
     all: bool = False,
-    measure: Measure = "symmetric",
-    alignment: Alignment = "none",
-    tolerance: float = DEFAULT_TOLERANCE,
-    tolerance_kind: ToleranceKind = "diagonal",
-    names: Optional[Sequence[str]] = None,
+    direction: Literal["both", "from-template", "to-template"] = "both",
+    align: Literal["none", "centroid", "scale", "rigid"] = "none",
+    tolerance: float = 1e-12,
+    tolerance_kind: Literal["diagonal", "relative", "absolute"] = "diagonal",
     threads: Optional[int] = None,
     time_limit: Optional[float] = None,
     memory_limit: Optional[int] = None,
@@ -268,33 +243,40 @@ def rank(
     """Ranks targets by their Pompeiu–Hausdorff distance from a template, computing only as much as the ranking needs.
 
     Ranks follow from proven enclosures alone; where these overlap at the finest tolerance the rank stays a range. The same
-    bits come out for any number of threads, and on a cluster: see :mod:`pompeiu.distributed`.
+    bits come out for any number of threads, and on a cluster: see :mod:`pompeiu.ray`.
 
     Parameters
     ----------
     template : MeshLike
         The mesh to compare with.
     targets : sequence of MeshLike, or mapping from names
-        The meshes to rank. Files are read when they are needed and forgotten again; one that cannot be read has failed.
+        The meshes to rank. Files are read when they are needed and forgotten again; one that cannot be read has failed. Targets
+        have the names of a mapping, the paths of files, or their places; names break ties.
     top : int
-        How many of the best are wanted; those that tie with the last come too.
+        How many of the best to find; those that tie with the last are reported, too.
     all : bool
-        Whether every target gets its full enclosure and rank.
-    measure : {"symmetric", "template_to_target", "target_to_template"}
-        Which distance: how far the points of the one are from the other, or the greater of both.
-    alignment : {"none", "centroid", "scale", "rigid"}
-        How targets are moved onto the template first. Distances are then those of the target as moved.
+        Measure every target in full.
+    direction : str
+        Which distance to rank by. ``"both"``: the symmetric distance, the larger of the two directed ones;
+        ``"from-template"``: how far the template is from the target: finds what the template is a part of;
+        ``"to-template"``: how far the target is from the template: finds parts of the template.
+    align : str
+        How to move targets onto the template first; distances are then those of the targets as moved. ``"none"``:
+        coordinates stay; ``"centroid"``: a translation that makes the area centroids coincide; ``"scale"``: that
+        translation, and a scaling about the centroid that makes the root-mean-square distances from it equal;
+        ``"rigid"``: a rotation and a translation, found by iterated closest points from several starts: a local
+        optimum.
     tolerance : float
-        Width of a full enclosure.
-    tolerance_kind : {"diagonal", "relative", "absolute"}
-        What the tolerance is: a fraction of the diagonal of the joint bounding box, of the distance, or a length.
-    names : sequence of str, optional
-        One for each target; they break ties. Otherwise paths, or places.
+        Largest width of the proven intervals.
+    tolerance_kind : str
+        What the tolerance is measured in. ``"diagonal"``: the diagonal of the box around both meshes; ``"relative"``:
+        the distance itself; ``"absolute"``: the unit of the files.
     threads : int, optional
-        Number of threads; all processors if not given.
-    time_limit, memory_limit : float and int, optional
-        Seconds and bytes that the ranking may take. What is proven by then is reported: targets that are not settled are
-        open. With a memory limit, targets are searched one after another.
+        Threads to use; all processors by default. The answer does not depend on it.
+    time_limit : float, optional
+        Stop after so many seconds with the answer found by then.
+    memory_limit : int, optional
+        Stop before memory exceeds so many bytes, with the answer found by then.
     progress : bool or callable, optional
         ``True`` for a bar if tqdm is there, or a function that is called with tasks done and all tasks of the round, and targets
         settled and all targets; if it returns ``False`` the ranking ends with what is known.
@@ -307,7 +289,7 @@ def rank(
     Raises
     ------
     MeshError, ReadError
-        If the template, or a target that is no file, is no mesh.
+        If the template, or a target that is no file, is no mesh, or if no target can be used.
     OptionError
         If an option means nothing, or there are no targets.
     KeyboardInterrupt
@@ -321,19 +303,22 @@ def rank(
     >>> report.ranked[0].name
     'radius 1.01'
     """
-    options = rank_options(top, all, measure, alignment, tolerance, tolerance_kind)
-    names, sources = named(targets, names)
-    meshes = [s if isinstance(s, (str, os.PathLike)) else as_mesh(s) for s in sources]
+    given = dict(locals())
+    meshes = [
+        (name, source if isinstance(source, (str, os.PathLike)) else as_mesh(source))
+        for name, source in named(given.pop("targets"))
+    ]
     with watching_steps(progress, "targets settled") as watch:
-        told = _native.rank_meshes(as_mesh(template), meshes, names, options, (threads, time_limit, memory_limit), watch)
-    return RankReport._of(*told)
+        answer, _ = ask("rank", {**given, "progress": watch}, meshes=("template",), others=meshes)
+    return RankReport._of(answer["report"])
 
 
-def distance_matrix(
+def matrix(
     meshes: Iterable[MeshLike],
     *,
-    tolerance: float = DEFAULT_TOLERANCE,
-    tolerance_kind: ToleranceKind = "diagonal",
+    directed: bool = False,
+    tolerance: float = 1e-12,
+    tolerance_kind: Literal["diagonal", "relative", "absolute"] = "diagonal",
     threads: Optional[int] = None,
     time_limit: Optional[float] = None,
     memory_limit: Optional[int] = None,
@@ -345,10 +330,19 @@ def distance_matrix(
     ----------
     meshes : iterable of MeshLike
         All of them are held in memory.
+    directed : bool
+        Give both directed distances of each pair instead of the greater one.
     tolerance : float
-        Width of an enclosure.
-    tolerance_kind, threads, time_limit, memory_limit
-        As for :func:`rank`.
+        Largest width of the proven intervals.
+    tolerance_kind : str
+        What the tolerance is measured in. ``"diagonal"``: the diagonal of the box around both meshes; ``"relative"``:
+        the distance itself; ``"absolute"``: the unit of the files.
+    threads : int, optional
+        Threads to use; all processors by default. The answer does not depend on it.
+    time_limit : float, optional
+        Stop after so many seconds with the answer found by then.
+    memory_limit : int, optional
+        Stop before memory exceeds so many bytes, with the answer found by then.
     progress : bool or callable, optional
         As for :func:`rank`: pairs done and all pairs, meshes done and all meshes.
 
@@ -362,7 +356,8 @@ def distance_matrix(
     MeshError, ReadError, OptionError, KeyboardInterrupt
         As for :func:`rank`.
     """
-    checked = [as_mesh(mesh) for mesh in meshes]
+    given = dict(locals())
+    checked = [as_mesh(mesh) for mesh in given.pop("meshes")]
     with watching_steps(progress, "meshes") as watch:
-        most = (threads, time_limit, memory_limit)
-        return DistanceMatrix._of(*_native.distance_matrix(checked, (tolerance, tolerance_kind), most, watch))
+        answer, beside = ask("matrix", {**given, "progress": watch}, meshes=(), others=checked)
+    return DistanceMatrix._of(answer["report"], beside["directed_lower"], beside["directed_upper"], directed)

@@ -15,20 +15,20 @@ from __future__ import annotations
 import json
 import os
 from functools import lru_cache
-from typing import Any, Callable, Iterable, Iterator, List, Optional, Sequence, Union
+from typing import Any, Callable, Iterable, Iterator, List, Sequence, Union
 
 import ray
 
 from . import _native
+from ._asking import split
 from ._native import Mesh
-from .distance import DEFAULT_TOLERANCE, ToleranceKind
 from .errors import OptionError, ReadError
-from .many import Alignment, DistanceMatrix, Measure, RankReport, Targets, named, rank_options
+from .many import DistanceMatrix, RankReport, Targets, named
 from .neurons import NeuronTransport, _sweep_inputs, _sweep_task
 from .progress import StepsLike, watching_steps
 from .sources import MeshLike, as_mesh
 
-__all__ = ["distance_matrix", "rank", "sweep_neurons"]
+__all__ = ["matrix", "rank", "sweep_neurons"]
 
 #: How often a task is tried again when the worker that did it is lost.
 RETRIES = 5
@@ -53,9 +53,9 @@ def _perform(template: "list[ray.ObjectRef]", options: str, mesh: Mesh, action: 
 
 
 @ray.remote(max_retries=RETRIES)
-def _measure(to: Mesh, sources: "list[ray.ObjectRef]", width: "tuple[float, str]", threads: int) -> List[str]:
+def _measure(to: Mesh, sources: "list[ray.ObjectRef]", options: str, threads: int) -> List[str]:
     """A task of a matrix: how far some meshes are from another."""
-    return _native.matrix_entries(to, ray.get(sources), width, threads)
+    return _native.matrix_entries(to, ray.get(sources), options, threads)
 
 
 @ray.remote(max_retries=RETRIES)
@@ -111,20 +111,7 @@ def _places(threads: int) -> int:
     return max(1, TASKS_PER_PLACE * int(ray.cluster_resources().get("CPU", 1)) // threads)
 
 
-def rank(
-    template: MeshLike,
-    targets: Targets,
-    *,
-    top: int = 10,
-    all: bool = False,
-    measure: Measure = "symmetric",
-    alignment: Alignment = "none",
-    tolerance: float = DEFAULT_TOLERANCE,
-    tolerance_kind: ToleranceKind = "diagonal",
-    names: Optional[Sequence[str]] = None,
-    threads: int = 1,
-    progress: StepsLike = None,
-) -> RankReport:
+def rank(template: MeshLike, targets: Targets, *, threads: int = 1, progress: StepsLike = None, **options: Any) -> RankReport:
     """Ranks targets as :func:`pompeiu.rank` does, on a Ray cluster; the report is the same to the last bit.
 
     Meshes are read where this is called, put into Ray's object store once, and shared by the workers of a node; one that cannot
@@ -132,10 +119,12 @@ def rank(
 
     Parameters
     ----------
-    template, targets, top, all, measure, alignment, tolerance, tolerance_kind, names, progress
+    template, targets, progress
         As for :func:`pompeiu.rank`.
     threads : int
         Processors that one task takes.
+    **options
+        ``top``, ``all``, ``direction``, ``align``, ``tolerance``, ``tolerance_kind``, as for :func:`pompeiu.rank`.
 
     Returns
     -------
@@ -148,12 +137,12 @@ def rank(
     ray.exceptions.RayError
         If a task fails on more workers than it is tried on.
     """
-    options = rank_options(top, all, measure, alignment, tolerance, tolerance_kind)
-    names, sources = named(targets, names)
-    sources = [s if isinstance(s, (str, os.PathLike)) else as_mesh(s) for s in sources]
-    ranking = _native.Ranking(names, options)
+    request, _, _ = split(options)
+    pairs = named(targets)
+    sources = [s if isinstance(s, (str, os.PathLike)) else as_mesh(s) for _, s in pairs]
+    ranking = _native.Ranking([name for name, _ in pairs], request)
     template = as_mesh(template)
-    _native.Template(template, options)  # What is wrong with it is an error here, not on a worker.
+    _native.Template(template, request)  # What is wrong with it is an error here, not on a worker.
     places = _places(threads)
     shared = [ray.put(template)]
     store: "dict[int, ray.ObjectRef]" = {}
@@ -165,7 +154,7 @@ def rank(
                     store[target] = ray.put(as_mesh(sources[target]))
                 except ReadError as error:
                     return json.dumps({"failed": str(error)})
-            return _perform.options(num_cpus=threads).remote(shared, options, store[target], action, threads)
+            return _perform.options(num_cpus=threads).remote(shared, request, store[target], action, threads)
 
         return submit
 
@@ -182,29 +171,26 @@ def rank(
                 outcomes = _in_order((submission(*task) for task in tasks), places, done)
             except _Stopped:
                 ranking.stop()
-                return RankReport._of(*ranking.report())
+                return RankReport._of(json.loads(ranking.report()))
             ranking.merge(outcomes)
             for target in [target for target in store if not ranking.wants(target)]:
                 del store[target]
-    return RankReport._of(*ranking.report())
+    return RankReport._of(json.loads(ranking.report()))
 
 
-def distance_matrix(
-    meshes: Iterable[MeshLike],
-    *,
-    tolerance: float = DEFAULT_TOLERANCE,
-    tolerance_kind: ToleranceKind = "diagonal",
-    threads: int = 1,
-    progress: StepsLike = None,
+def matrix(
+    meshes: Iterable[MeshLike], *, threads: int = 1, progress: StepsLike = None, **options: Any
 ) -> DistanceMatrix:
-    """Encloses the distances of all pairs as :func:`pompeiu.distance_matrix` does, on a Ray cluster; the same to the last bit.
+    """Encloses the distances of all pairs as :func:`pompeiu.matrix` does, on a Ray cluster; the same to the last bit.
 
     Parameters
     ----------
-    meshes, tolerance, tolerance_kind, progress
-        As for :func:`pompeiu.distance_matrix`.
+    meshes, progress
+        As for :func:`pompeiu.matrix`.
     threads : int
         Processors that one task takes.
+    **options
+        ``directed``, ``tolerance``, ``tolerance_kind``, as for :func:`pompeiu.matrix`.
 
     Returns
     -------
@@ -216,10 +202,11 @@ def distance_matrix(
         As for :func:`rank`.
     """
     meshes = [as_mesh(mesh) for mesh in meshes]
-    rank_options(1, False, "symmetric", "none", tolerance, tolerance_kind)  # Checks the tolerance.
+    request, _, _ = split(options)
+    count = len(meshes)
+    entries = _native.Entries(count, request)  # What is wrong with an option is an error here, not on a worker.
     places = _places(threads)
     store = [ray.put(mesh) for mesh in meshes]
-    count = len(store)
     blocks = []
     for to in range(count):
         others = [place for place in range(count) if place != to]
@@ -227,9 +214,8 @@ def distance_matrix(
 
     def submission(to: int, sources: List[int]) -> Callable[[], Any]:
         task = _measure.options(num_cpus=threads)
-        return lambda: task.remote(store[to], [store[place] for place in sources], (tolerance, tolerance_kind), threads)
+        return lambda: task.remote(store[to], [store[place] for place in sources], request, threads)
 
-    entries = _native.Entries(count)
     with watching_steps(progress, "blocks") as watch:
         ended = [0]
 
@@ -242,10 +228,11 @@ def distance_matrix(
             results = _in_order((submission(*block) for block in blocks), places, done)
         except _Stopped:
             entries.stop()
-            return DistanceMatrix._of(*entries.arrays())
+            results = []
     for (to, sources), found in zip(blocks, results):
         entries.set(to, list(zip(sources, found)))
-    return DistanceMatrix._of(*entries.arrays())
+    report, lower, upper = entries.report()
+    return DistanceMatrix._of(json.loads(report), lower, upper, bool(options.get("directed", False)))
 
 
 def sweep_neurons(

@@ -61,7 +61,7 @@ def killed(monkeypatch, tmp_path):
 
 
 def test_a_ranking_is_the_same_to_the_last_bit(cluster):
-    for options in ({"top": 3}, {"top": 2, "all": True, "measure": "target_to_template"}, {"alignment": "centroid", "top": 1}):
+    for options in ({"top": 3}, {"top": 2, "all": True, "direction": "to-template"}, {"align": "centroid", "top": 1}):
         assert distributed.rank(TEMPLATE, TORI, **options) == pompeiu.rank(TEMPLATE, TORI, **options)
 
 
@@ -74,7 +74,7 @@ def test_a_worker_that_is_killed_half_way_loses_nothing(cluster, killed):
 def test_a_matrix_is_the_same_to_the_last_bit_though_a_worker_is_killed(cluster, killed):
     meshes = TORI[:5]
     worker = killed("_measure", len(meshes) // 2)
-    assert distributed.distance_matrix(meshes) == pompeiu.distance_matrix(meshes)
+    assert distributed.matrix(meshes) == pompeiu.matrix(meshes)
     assert not psutil.pid_exists(worker())
 
 
@@ -97,9 +97,9 @@ def test_what_is_wrong_is_said_before_anything_is_sent(cluster):
     with pytest.raises(pompeiu.OptionError, match="there are no targets"):
         distributed.rank(TEMPLATE, [])
     with pytest.raises(pompeiu.OptionError, match="the template cannot be aligned to: none of the 1 faces has an area"):
-        distributed.rank(([[0, 0, 0]], [[0, 0, 0]]), TORI, alignment="rigid")
+        distributed.rank(([[0, 0, 0]], [[0, 0, 0]]), TORI, align="rigid")
     with pytest.raises(pompeiu.OptionError, match="the tolerance is -1"):
-        distributed.distance_matrix(TORI, tolerance=-1)
+        distributed.matrix(TORI, tolerance=-1)
 
 
 def test_a_sweep_over_neurons_is_the_same_to_the_last_bit(cluster):

@@ -101,9 +101,9 @@ def test_ctrl_c_stops_a_search(watched):
 
 #: Calls that take far longer than a signal, each with what it needs, which is made first.
 LONG = {
-    "distance_matrix": "sphere = pompeiu.shapes.icosphere(1.0, 8)|pompeiu.distance_matrix([sphere, sphere], tolerance=1e-15)",
-    "rank": "sphere = pompeiu.shapes.icosphere(1.0, 8)|pompeiu.rank(sphere, [sphere], alignment='rigid')",
-    "Template": "sphere = pompeiu.shapes.icosphere(1.0, 8)|pompeiu._native.Template(sphere, pompeiu.many.rank_options(1, False, 'symmetric', 'rigid', 1e-12))",
+    "matrix": "sphere = pompeiu.shapes.icosphere(1.0, 8)|pompeiu.matrix([sphere, sphere], tolerance=1e-15)",
+    "rank": "sphere = pompeiu.shapes.icosphere(1.0, 8)|pompeiu.rank(sphere, [sphere], align='rigid')",
+    "Template": "sphere = pompeiu.shapes.icosphere(1.0, 8)|pompeiu._native.Template(sphere, '{\"align\": \"rigid\"}')",
     "Target": "sphere = pompeiu.shapes.icosphere(1.0, 8)|pompeiu.Target(sphere)",
     "align": "sphere = pompeiu.shapes.icosphere(1.0, 7)|pompeiu.align(sphere, sphere)",
     "HodgeDecomposition": "torus = pompeiu.shapes.torus(2.0, 1.0, 500, 250)|pompeiu.HodgeDecomposition(torus)",

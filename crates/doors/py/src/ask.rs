@@ -20,7 +20,9 @@ use pompeiu::flatten::{CutRequest, FlattenError, FlattenRequest, MedialReport, M
 use pompeiu::flow::FlowRequest;
 use pompeiu::hausdorff::{DeviationMeasures, Progress, RepairRequest};
 use pompeiu::io::read_face_vectors;
-use pompeiu::matching::request::{AlignRequest, AlignedDeviationRequest, AlignedDistanceRequest};
+use pompeiu::matching::request::{
+    AlignRequest, AlignedDeviationRequest, AlignedDistanceRequest, MatrixRequest, RankRequest,
+};
 use pompeiu::neuron::{NeuronAnswer, NeuronRequest, NeuronSource};
 use pompeiu::operators::FaceField;
 use pompeiu::options::request_from;
@@ -47,8 +49,12 @@ pub(crate) fn failure(error: impl Raise + Send + 'static) -> Failure {
 pub(crate) enum Given {
     /// A mesh.
     Mesh(Py<Mesh>),
-    /// A shape in the plane, or a folder of them.
-    Shape(NamedShape),
+    /// A mesh with a name.
+    NamedMesh(String, Py<Mesh>),
+    /// A file, or a folder, with its name.
+    File(String, PathBuf),
+    /// The corners of a shape in the plane, with its name.
+    Outline(String, Vec<[f64; 2]>),
     /// A neuron.
     Neuron(NeuronSource),
     /// The file of a scene.
@@ -56,8 +62,8 @@ pub(crate) enum Given {
 }
 
 impl Given {
-    /// A mesh, a shape as its name with a path or its corners, the file or the bytes of a neuron, or the file
-    /// of a scene alone in a tuple.
+    /// A mesh, a name with a mesh, a path or corners, the file or the bytes of a neuron, or the file of a scene alone in
+    /// a tuple.
     fn new(object: &Bound<'_, PyAny>) -> PyResult<Self> {
         if let Ok(mesh) = object.cast::<Mesh>() {
             return Ok(Self::Mesh(mesh.clone().unbind()));
@@ -69,24 +75,41 @@ impl Given {
             return Ok(Self::Neuron(neuron::source(object)?));
         }
         let (name, source): (String, Bound<'_, PyAny>) = object.extract()?;
-        let source = match source.extract::<PathBuf>() {
-            Ok(path) => ShapeSource::File(path),
-            Err(_) => ShapeSource::Corners(vectors::<2>(&source, "the outline", "(n, 2)")?),
+        if let Ok(mesh) = source.cast::<Mesh>() {
+            return Ok(Self::NamedMesh(name, mesh.clone().unbind()));
+        }
+        Ok(match source.extract::<PathBuf>() {
+            Ok(path) => Self::File(name, path),
+            Err(_) => Self::Outline(name, vectors::<2>(&source, "the outline", "(n, 2)")?),
+        })
+    }
+
+    /// The mesh, if it is one in memory.
+    pub(crate) fn mesh(&self) -> Option<&TriMesh> {
+        match self {
+            Self::Mesh(mesh) | Self::NamedMesh(_, mesh) => Some(mesh.get().inner()),
+            _ => None,
+        }
+    }
+
+    /// The shape in the plane, if it is one.
+    fn shape(&self) -> Option<NamedShape> {
+        let (name, source) = match self {
+            Self::File(name, path) => (name, ShapeSource::File(path.clone())),
+            Self::Outline(name, corners) => (name, ShapeSource::Corners(corners.clone())),
+            _ => return None,
         };
-        Ok(Self::Shape(NamedShape { name, source }))
+        Some(NamedShape { name: name.clone(), source })
     }
 
     fn input(&self) -> Input {
         match self {
-            Self::Mesh(mesh) => Input::of_mesh(mesh.get().inner()),
-            Self::Shape(NamedShape { source: ShapeSource::File(path), .. }) => {
+            Self::Mesh(mesh) | Self::NamedMesh(_, mesh) => Input::of_mesh(mesh.get().inner()),
+            Self::File(_, path) | Self::Scene(path) => {
                 Input { path: Some(path.display().to_string()), ..Input::default() }
             }
-            Self::Shape(NamedShape { source: ShapeSource::Corners(corners), .. }) => {
-                Input { vertices: corners.len(), ..Input::default() }
-            }
+            Self::Outline(_, corners) => Input { vertices: corners.len(), ..Input::default() },
             Self::Neuron(_) => Input::default(),
-            Self::Scene(path) => Input { path: Some(path.display().to_string()), ..Input::default() },
         }
     }
 }
@@ -151,28 +174,54 @@ fn dictionary<'py>(py: Python<'py>, beside: Vec<(&'static str, Beside)>) -> PyRe
 /// A report with what passes beside it.
 pub(crate) type Found<R> = (R, Vec<(&'static str, Beside)>);
 
+/// What a system is asked about, what it runs with, and who is told how far it has come.
+pub(crate) struct Asking<'a, T> {
+    pub(crate) given: &'a [Given],
+    pub(crate) context: RunContext<'a>,
+    pub(crate) watch: &'a Watch<'a, T>,
+}
+
+impl<'a, T> Asking<'a, T> {
+    /// The only mesh.
+    pub(crate) fn mesh(&self) -> Result<&'a TriMesh, Failure> {
+        self.meshes().map(|[mesh]| mesh)
+    }
+
+    /// So many meshes, and nothing else.
+    pub(crate) fn meshes<const N: usize>(&self) -> Result<[&'a TriMesh; N], Failure> {
+        let meshes: Vec<&TriMesh> = self.given.iter().filter_map(Given::mesh).collect();
+        let count = meshes.len();
+        meshes.try_into().map_err(|_| failure(InternalError::Mesh { found: N, count }))
+    }
+
+    /// The only mesh as an oriented surface.
+    fn surface(&self) -> Result<EmbeddedSurface, Failure> {
+        EmbeddedSurface::new(self.mesh()?).map_err(failure)
+    }
+
+    /// What is said where something else was given.
+    pub(crate) fn unusable<R>(&self) -> Result<R, Failure> {
+        Err(failure(InternalError::Mesh { found: 0, count: self.given.len() }))
+    }
+}
+
+impl<'a> Asking<'a, Share> {
+    /// What the system runs with, its progress included.
+    pub(crate) fn watched(&self) -> RunContext<'a> {
+        self.context.clone().watched_by(self.watch)
+    }
+}
+
+/// What a request comes to.
+pub(crate) type Outcome<Q> = Result<Found<<Q as Request>::Report>, Failure>;
+
 /// A system as Python asks it.
 pub(crate) trait Asked: Request<Report: Serialize + Send> + Serialize + DeserializeOwned {
     /// What the callback in Python is called with.
     type Told: Told + 'static;
 
-    /// Runs a request on meshes.
-    fn ask(
-        &self,
-        meshes: &[&TriMesh],
-        context: RunContext<'_>,
-        watch: &Watch<'_, Self::Told>,
-    ) -> Result<Found<Self::Report>, Failure>;
-
-    /// Runs a request on whatever it is about; on meshes unless a system says otherwise.
-    fn ask_about(
-        &self,
-        given: &[Given],
-        context: RunContext<'_>,
-        watch: &Watch<'_, Self::Told>,
-    ) -> Result<Found<Self::Report>, Failure> {
-        self.ask(&meshes_of(given), context, watch)
-    }
+    /// Runs a request.
+    fn ask(&self, asking: &Asking<'_, Self::Told>) -> Outcome<Self>;
 }
 
 macro_rules! systems {
@@ -188,7 +237,7 @@ macro_rules! systems {
             progress: Option<&Bound<'py, PyAny>>,
         ) -> PyResult<Answered<'py>> {
             match name {
-                $(<$Request>::NAME => answer(py, &given, options, limits, progress, <$Request>::ask_about),)*
+                $(<$Request>::NAME => answer(py, &given, options, limits, progress, <$Request>::ask),)*
                 _ => Err(PyKeyError::new_err(name.to_owned())),
             }
         }
@@ -207,9 +256,11 @@ systems!(
     FlattenRequest,
     FlowRequest,
     InfoRequest,
+    MatrixRequest,
     MedialRequest,
     NeuronRequest,
     PuzzleRequest,
+    RankRequest,
     RemeshRequest,
     RepairRequest
 );
@@ -224,26 +275,29 @@ pub(crate) fn answer<'py, Q, T: Told + 'static>(
     options: &str,
     limits: Limited,
     progress: Option<&Bound<'py, PyAny>>,
-    ask: impl FnOnce(&Q, &[Given], RunContext<'_>, &Watch<'_, T>) -> Result<Found<Q::Report>, Failure>
-    + Send
-    + 'static,
+    ask: impl FnOnce(&Q, &Asking<'_, T>) -> Outcome<Q> + Send + 'static,
 ) -> PyResult<Answered<'py>>
 where
     Q: Request<Report: Serialize + Send> + Serialize + DeserializeOwned,
 {
-    let request: Q = request_from(parsed(options)?).map_err(Raise::raise)?;
+    let request: Q = request(options)?;
     let limits = limits_of::<Q>(limits)?;
     let given: Vec<Given> = given.iter().map(Given::new).collect::<PyResult<_>>()?;
     let found = wait::run_detached(py, progress, move |watch: &mut Watch<'_, T>| {
         let started = Instant::now();
         let context = RunContext::start(Limits { cancel: Some(watch.token()), ..limits });
-        let (report, beside) = ask(&request, &given, context, watch)?;
+        let (report, beside) = ask(&request, &Asking { given: &given, context, watch })?;
         let inputs = given.iter().map(Given::input).collect();
         let timing = Timing { read: Duration::ZERO, total: started.elapsed() };
         Ok((Answer::new(inputs, request, report, timing), beside))
     })?;
     let (answer, beside) = found.map_err(|error: Failure| error.exception(error.to_string()))?;
     Ok((written(&answer)?, dictionary(py, beside)?))
+}
+
+/// A request from its options as JSON.
+pub(crate) fn request<Q: Request + Serialize + DeserializeOwned>(options: &str) -> PyResult<Q> {
+    request_from(parsed(options)?).map_err(Raise::raise)
 }
 
 /// Threads, seconds and bytes, where they are limited.
@@ -264,40 +318,12 @@ pub(crate) fn limits_of<Q: Request>(given: Limited) -> PyResult<Limits> {
     limits(threads, seconds, memory)
 }
 
-/// The meshes among what a system is asked about.
-pub(crate) fn meshes_of(given: &[Given]) -> Vec<&TriMesh> {
-    let meshes = given
-        .iter()
-        .filter_map(|one| if let Given::Mesh(mesh) = one { Some(mesh.get().inner()) } else { None });
-    meshes.collect()
-}
-
-/// The only mesh that a system is asked about.
-pub(crate) fn single<'m>(meshes: &[&'m TriMesh]) -> Result<&'m TriMesh, Failure> {
-    match meshes {
-        [mesh] => Ok(mesh),
-        _ => Err(failure(InternalError::Mesh { found: 1, count: meshes.len() })),
-    }
-}
-
-/// The two meshes that a system is asked about.
-pub(crate) fn pair<'m>(meshes: &[&'m TriMesh]) -> Result<[&'m TriMesh; 2], Failure> {
-    match meshes {
-        [a, b] => Ok([a, b]),
-        _ => Err(failure(InternalError::Mesh { found: 2, count: meshes.len() })),
-    }
-}
-
 /// A mesh as a file holds it: where coordinates are counted from the centre, moved by the shift.
 pub(crate) fn shifted(mesh: TriMesh, rounding: &Rounding) -> Result<Beside, Failure> {
     Ok(Beside::Mesh(match rounding.shift {
         [0.0, 0.0, 0.0] => mesh,
         _ => rounding.written(&mesh).map_err(failure)?,
     }))
-}
-
-fn surface_of(meshes: &[&TriMesh]) -> Result<EmbeddedSurface, Failure> {
-    EmbeddedSurface::new(single(meshes)?).map_err(failure)
 }
 
 /// The ends of the edges that are cut.
@@ -310,26 +336,9 @@ fn ends(surface: &EmbeddedSurface, cut: &EdgeData<bool>) -> Beside {
 impl Asked for ComplexityRequest {
     type Told = Share;
 
-    fn ask(
-        &self,
-        _: &[&TriMesh],
-        context: RunContext<'_>,
-        watch: &Watch<'_, Share>,
-    ) -> Result<Found<Self::Report>, Failure> {
-        self.ask_about(&[], context, watch)
-    }
-
-    fn ask_about(
-        &self,
-        given: &[Given],
-        context: RunContext<'_>,
-        watch: &Watch<'_, Share>,
-    ) -> Result<Found<Self::Report>, Failure> {
-        let shapes: Vec<NamedShape> = given
-            .iter()
-            .filter_map(|one| if let Given::Shape(shape) = one { Some(shape.clone()) } else { None })
-            .collect();
-        let found = self.run(&shapes, &context.watched_by(watch)).map_err(failure)?;
+    fn ask(&self, asking: &Asking<'_, Share>) -> Outcome<Self> {
+        let shapes: Vec<NamedShape> = asking.given.iter().filter_map(Given::shape).collect();
+        let found = self.run(&shapes, &asking.watched()).map_err(failure)?;
         Ok((found.report, Vec::new()))
     }
 }
@@ -337,29 +346,15 @@ impl Asked for ComplexityRequest {
 impl Asked for CoupleRequest {
     type Told = Share;
 
-    fn ask(
-        &self,
-        meshes: &[&TriMesh],
-        _: RunContext<'_>,
-        _: &Watch<'_, Share>,
-    ) -> Result<Found<Self::Report>, Failure> {
-        Err(failure(InternalError::Mesh { found: 0, count: meshes.len() }))
-    }
-
-    fn ask_about(
-        &self,
-        given: &[Given],
-        context: RunContext<'_>,
-        watch: &Watch<'_, Share>,
-    ) -> Result<Found<Self::Report>, Failure> {
-        let [Given::Scene(path)] = given else { return self.ask(&[], context, watch) };
+    fn ask(&self, asking: &Asking<'_, Share>) -> Outcome<Self> {
+        let [Given::Scene(path)] = asking.given else { return asking.unusable() };
         let scene = Scene::read(path).map_err(failure)?;
         let (mut xs, mut ys) = (Vec::new(), Vec::new());
         let mut keep = |_: usize, x: &[f64], y: &[f64]| {
             xs.extend_from_slice(x);
             ys.extend_from_slice(y);
         };
-        let report = self.run(&scene, &mut keep, &context.watched_by(watch)).map_err(failure)?;
+        let report = self.run(&scene, &mut keep, &asking.watched()).map_err(failure)?;
         Ok((report, vec![("x", Beside::Numbers(xs)), ("y", Beside::Numbers(ys))]))
     }
 }
@@ -367,23 +362,9 @@ impl Asked for CoupleRequest {
 impl Asked for NeuronRequest {
     type Told = Share;
 
-    fn ask(
-        &self,
-        meshes: &[&TriMesh],
-        _: RunContext<'_>,
-        _: &Watch<'_, Share>,
-    ) -> Result<Found<Self::Report>, Failure> {
-        Err(failure(InternalError::Mesh { found: 0, count: meshes.len() }))
-    }
-
-    fn ask_about(
-        &self,
-        given: &[Given],
-        context: RunContext<'_>,
-        watch: &Watch<'_, Share>,
-    ) -> Result<Found<Self::Report>, Failure> {
-        let [Given::Neuron(source)] = given else { return self.ask(&[], context, watch) };
-        let found = self.run(source.clone(), true, &context.watched_by(watch)).map_err(failure)?;
+    fn ask(&self, asking: &Asking<'_, Share>) -> Outcome<Self> {
+        let [Given::Neuron(source)] = asking.given else { return asking.unusable() };
+        let found = self.run(source.clone(), true, &asking.watched()).map_err(failure)?;
         let report = found.report.clone();
         let parts = Beside::Neuron { found: Box::new(found), request: Box::new(self.clone()) };
         Ok((report, vec![("parts", parts)]))
@@ -393,13 +374,8 @@ impl Asked for NeuronRequest {
 impl Asked for PuzzleRequest {
     type Told = Share;
 
-    fn ask(
-        &self,
-        _: &[&TriMesh],
-        context: RunContext<'_>,
-        watch: &Watch<'_, Share>,
-    ) -> Result<Found<Self::Report>, Failure> {
-        let found = self.run(true, &context.watched_by(watch)).map_err(failure)?;
+    fn ask(&self, asking: &Asking<'_, Share>) -> Outcome<Self> {
+        let found = self.run(true, &asking.watched()).map_err(failure)?;
         let outlines = (0..found.puzzle.pieces()).map(|piece| found.puzzle.outline(piece)).collect();
         let report = found.report.clone();
         let drawings = PuzzleDrawings::new(found, self.kerf);
@@ -412,13 +388,8 @@ impl Asked for PuzzleRequest {
 impl Asked for CutRequest {
     type Told = Share;
 
-    fn ask(
-        &self,
-        meshes: &[&TriMesh],
-        _: RunContext<'_>,
-        _: &Watch<'_, Share>,
-    ) -> Result<Found<Self::Report>, Failure> {
-        let found = self.run(surface_of(meshes)?).map_err(|error| failure(FlattenError::from(error)))?;
+    fn ask(&self, asking: &Asking<'_, Share>) -> Outcome<Self> {
+        let found = self.run(asking.surface()?).map_err(|error| failure(FlattenError::from(error)))?;
         let edges = ends(&found.surface, &found.cut);
         Ok((found.report, vec![("mesh", Beside::Mesh(found.mesh)), ("edges", edges)]))
     }
@@ -427,13 +398,8 @@ impl Asked for CutRequest {
 impl Asked for DecomposeRequest {
     type Told = Share;
 
-    fn ask(
-        &self,
-        meshes: &[&TriMesh],
-        _: RunContext<'_>,
-        _: &Watch<'_, Share>,
-    ) -> Result<Found<Self::Report>, Failure> {
-        let surface = surface_of(meshes)?;
+    fn ask(&self, asking: &Asking<'_, Share>) -> Outcome<Self> {
+        let surface = asking.surface()?;
         let file = self.field.as_ref().and_then(|source| source.file());
         let read = file.map(|path| read_face_vectors(path, self.name.as_deref())).transpose();
         let found = self.run(&surface, read.map_err(failure)?.as_deref()).map_err(failure)?;
@@ -456,13 +422,8 @@ impl Asked for DecomposeRequest {
 impl Asked for FlattenRequest {
     type Told = Share;
 
-    fn ask(
-        &self,
-        meshes: &[&TriMesh],
-        context: RunContext<'_>,
-        watch: &Watch<'_, Share>,
-    ) -> Result<Found<Self::Report>, Failure> {
-        let found = self.run(surface_of(meshes)?, &context.watched_by(watch)).map_err(failure)?;
+    fn ask(&self, asking: &Asking<'_, Share>) -> Outcome<Self> {
+        let found = self.run(asking.surface()?, &asking.watched()).map_err(failure)?;
         let flat = found.flat;
         let mut beside = vec![
             ("edges", ends(&found.surface, &flat.cut)),
@@ -479,26 +440,16 @@ impl Asked for FlattenRequest {
 impl Asked for InfoRequest {
     type Told = Share;
 
-    fn ask(
-        &self,
-        meshes: &[&TriMesh],
-        _: RunContext<'_>,
-        _: &Watch<'_, Share>,
-    ) -> Result<Found<Self::Report>, Failure> {
-        Ok((self.run(single(meshes)?), Vec::new()))
+    fn ask(&self, asking: &Asking<'_, Share>) -> Outcome<Self> {
+        Ok((self.run(asking.mesh()?), Vec::new()))
     }
 }
 
 impl Asked for MedialRequest {
     type Told = Share;
 
-    fn ask(
-        &self,
-        meshes: &[&TriMesh],
-        context: RunContext<'_>,
-        _: &Watch<'_, Share>,
-    ) -> Result<Found<Self::Report>, Failure> {
-        let found = self.run(&surface_of(meshes)?, &context).map_err(failure)?;
+    fn ask(&self, asking: &Asking<'_, Share>) -> Outcome<Self> {
+        let found = self.run(&asking.surface()?, &asking.context).map_err(failure)?;
         let report = MedialReport::from(&found);
         let beside = vec![
             ("centres", Beside::Points(found.balls.iter().map(|ball| ball.centre).collect())),
@@ -513,29 +464,18 @@ impl Asked for MedialRequest {
 impl Asked for AlignedDistanceRequest {
     type Told = Progress;
 
-    fn ask(
-        &self,
-        meshes: &[&TriMesh],
-        context: RunContext<'_>,
-        watch: &Watch<'_, Progress>,
-    ) -> Result<Found<Self::Report>, Failure> {
-        let [a, b] = pair(meshes)?;
-        Ok((self.run(a, b, &context, Some(watch)).map_err(failure)?, Vec::new()))
+    fn ask(&self, asking: &Asking<'_, Progress>) -> Outcome<Self> {
+        let [a, b] = asking.meshes()?;
+        Ok((self.run(a, b, &asking.context, Some(asking.watch)).map_err(failure)?, Vec::new()))
     }
 }
 
 impl Asked for AlignRequest {
     type Told = Share;
 
-    fn ask(
-        &self,
-        meshes: &[&TriMesh],
-        context: RunContext<'_>,
-        watch: &Watch<'_, Share>,
-    ) -> Result<Found<Self::Report>, Failure> {
-        let [moving, fixed] = pair(meshes)?;
-        let found =
-            self.run(moving, fixed, Coordinates::default(), &context.watched_by(watch)).map_err(failure)?;
+    fn ask(&self, asking: &Asking<'_, Share>) -> Outcome<Self> {
+        let [moving, fixed] = asking.meshes()?;
+        let found = self.run(moving, fixed, Coordinates::default(), &asking.watched()).map_err(failure)?;
         Ok((found.report, vec![("mesh", Beside::Mesh(found.mesh))]))
     }
 }
@@ -543,13 +483,8 @@ impl Asked for AlignRequest {
 impl Asked for RepairRequest {
     type Told = Share;
 
-    fn ask(
-        &self,
-        meshes: &[&TriMesh],
-        context: RunContext<'_>,
-        _: &Watch<'_, Share>,
-    ) -> Result<Found<Self::Report>, Failure> {
-        let found = self.run(single(meshes)?, &context).map_err(failure)?;
+    fn ask(&self, asking: &Asking<'_, Share>) -> Outcome<Self> {
+        let found = self.run(asking.mesh()?, &asking.context).map_err(failure)?;
         let mesh = shifted(found.mesh, &found.report.rounding)?;
         Ok((found.report, vec![("mesh", mesh)]))
     }
@@ -558,13 +493,8 @@ impl Asked for RepairRequest {
 impl Asked for RemeshRequest {
     type Told = Share;
 
-    fn ask(
-        &self,
-        meshes: &[&TriMesh],
-        context: RunContext<'_>,
-        watch: &Watch<'_, Share>,
-    ) -> Result<Found<Self::Report>, Failure> {
-        let answer = self.run(single(meshes)?, &context.watched_by(watch)).map_err(failure)?;
+    fn ask(&self, asking: &Asking<'_, Share>) -> Outcome<Self> {
+        let answer = self.run(asking.mesh()?, &asking.watched()).map_err(failure)?;
         let mesh = shifted(answer.found.mesh, &answer.report.rounding)?;
         Ok((answer.report, vec![("mesh", mesh)]))
     }

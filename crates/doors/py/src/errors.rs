@@ -16,7 +16,7 @@ use pompeiu::hausdorff::{DeviationRequestError, OptionError, RepairRequestError}
 use pompeiu::io::{AttributeError, ReadError, WriteError};
 use pompeiu::matching::align::AlignError;
 use pompeiu::matching::rank::RankError;
-use pompeiu::matching::request::RequestError;
+use pompeiu::matching::request::{MatrixRequestError, RequestError};
 use pompeiu::neuron::{
     CheckpointError, FlowError as NeuronFlowError, MeshError as NeuronMeshError, NeuronRequestError,
     SwcError, TransportError,
@@ -88,7 +88,6 @@ raise_as! {
     PageError => OptionError,
     PictureError => ReadError,
     PuzzleError => OptionError,
-    RankError => OptionError,
     RankingError => ReadError,
     ShapeError => OptionError,
     SwcError => ReadError,
@@ -117,6 +116,24 @@ impl Raise for RepairRequestError {
     fn exception(&self, sentence: String) -> PyErr {
         match self {
             Self::Repair(error) => error.exception(sentence),
+            _ => classes::OptionError::new_err(sentence),
+        }
+    }
+}
+
+impl Raise for RankError {
+    fn exception(&self, sentence: String) -> PyErr {
+        match self {
+            Self::NoneUsable { .. } => classes::ReadError::new_err(sentence),
+            _ => classes::OptionError::new_err(sentence),
+        }
+    }
+}
+
+impl Raise for MatrixRequestError {
+    fn exception(&self, sentence: String) -> PyErr {
+        match self {
+            Self::NoneUsable { .. } => classes::ReadError::new_err(sentence),
             _ => classes::OptionError::new_err(sentence),
         }
     }

@@ -1,15 +1,12 @@
 //! Flow to least area, remeshing and simplification.
 
 use crate::arrays::{array_of_rows, colors as rgb, faces, vectors};
-use crate::ask::{
-    Answered, Asked, Beside, Failure, Found, Given, Limited, answer, failure, meshes_of, shifted, single,
-};
+use crate::ask::{Answered, Asked, Asking, Beside, Failure, Limited, Outcome, answer, failure, shifted};
 use crate::errors::Raise;
 use crate::mesh::Mesh;
-use crate::wait::{self, Share, Told, Watch};
+use crate::wait::{self, Share, Told};
 use numpy::PyArray2;
 use pompeiu::core::TriMesh;
-use pompeiu::core::run::RunContext;
 use pompeiu::core::spatial::self_intersections;
 use pompeiu::flow::{FlowRequest, FlowStep};
 use pompeiu::io::AttributeError;
@@ -30,17 +27,13 @@ impl Told for Step {
 impl Asked for FlowRequest {
     type Told = Step;
 
-    fn ask(
-        &self,
-        meshes: &[&TriMesh],
-        context: RunContext<'_>,
-        watch: &Watch<'_, Step>,
-    ) -> Result<Found<Self::Report>, Failure> {
+    fn ask(&self, asking: &Asking<'_, Step>) -> Outcome<Self> {
+        let watch = asking.watch;
         let observer = |step: &FlowStep<'_>| {
             watch.tell(Step(step.step, step.record.area, step.record.gradient.normal));
             if watch.is_stopped() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
-        let flow = self.run(single(meshes)?, &context, Some(&observer)).map_err(failure)?;
+        let flow = self.run(asking.mesh()?, &asking.context, Some(&observer)).map_err(failure)?;
         let mesh = shifted(flow.mesh.clone(), &flow.rounding)?;
         Ok((flow, vec![("mesh", mesh)]))
     }
@@ -110,13 +103,9 @@ pub(crate) fn simplify<'py>(
     progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Answered<'py>> {
     let carried = Carried::new(mesh.get().inner(), texture, colors)?;
-    let ask = move |request: &SimplifyRequest,
-                    given: &[Given],
-                    context: RunContext<'_>,
-                    watch: &Watch<'_, Share>| {
+    let ask = move |request: &SimplifyRequest, asking: &Asking<'_, Share>| {
         let seams = carried.texture.as_ref().map(Carrier::seams).unwrap_or_default();
-        let mesh = single(&meshes_of(given))?;
-        let found = request.run(mesh, &seams, &context.watched_by(watch)).map_err(failure)?;
+        let found = request.run(asking.mesh()?, &seams, &asking.watched()).map_err(failure)?;
         let SimplifyAnswer { levels, mut report } = found;
         report.kept = Kept {
             texture: carried.texture.is_some(),

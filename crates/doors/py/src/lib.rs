@@ -49,7 +49,7 @@ mod _native {
     #[pymodule_export]
     use crate::hausdorff::{DeviationPage, Target};
     #[pymodule_export]
-    use crate::matching::{Entries, Ranking, Template, distance_matrix, matrix_entries, rank_meshes};
+    use crate::matching::{Entries, Ranking, Template, matrix_entries};
     #[pymodule_export]
     use crate::mesh::Mesh;
     #[pymodule_export]

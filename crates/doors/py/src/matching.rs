@@ -1,27 +1,28 @@
-//! Many meshes: ranking them, and the distances of all pairs.
+//! Many meshes: ranking them, and the distances of all pairs, here and on other machines.
 //!
 //! Tasks, their results and reports pass as JSON, in which every double comes back to the last bit: so they travel to other
 //! processes and machines as they are.
 
 use crate::arrays::array_of_square;
+use crate::ask::{Asked, Asking, Beside, Given, Outcome, failure, request};
 use crate::errors::{InternalError, Raise};
-use crate::hausdorff::{limits, tolerance};
 use crate::json::{parsed, written};
 use crate::mesh::Mesh;
 use crate::wait::{self, Told, Watch};
 use numpy::PyArray2;
 use pompeiu::core::TriMesh;
-use pompeiu::core::run::{Limits, StopReason, on_threads};
+use pompeiu::core::run::{StopReason, on_threads};
 use pompeiu::hausdorff::{HausdorffOptions, Target as Tree};
 use pompeiu::io::read_mesh;
 use pompeiu::matching::matrix::{self, Matrix, MatrixOptions, Task as Pair};
-use pompeiu::matching::rank::{self, Outcome, RankError, RankOptions, Task};
-use pompeiu::matching::{TaskObserver, TaskProgress};
+use pompeiu::matching::rank;
+use pompeiu::matching::request::{MatrixRequest, RankReport, RankRequest};
+use pompeiu::matching::{Meshes, TaskObserver, TaskProgress};
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
+use std::borrow::Borrow;
 use std::num::NonZeroUsize;
 use std::ops::ControlFlow;
-use std::path::PathBuf;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 impl Told for TaskProgress {
@@ -37,91 +38,88 @@ impl TaskObserver for Watch<'_, TaskProgress> {
     }
 }
 
-/// A mesh in memory, or a file that is read when a task needs it.
-#[derive(FromPyObject)]
-pub(crate) enum Source {
-    Memory(Py<Mesh>),
-    File(PathBuf),
+/// Meshes in memory, and files that are read when a task needs them.
+struct Sources<'g>(&'g [Given]);
+
+/// A mesh while a task uses it.
+enum Used<'g> {
+    Memory(&'g TriMesh),
+    File(Box<TriMesh>),
 }
 
-impl Source {
-    fn perform(&self, template: &rank::Template, task: &Task, search: &HausdorffOptions<'_>) -> Outcome {
+impl Borrow<TriMesh> for Used<'_> {
+    fn borrow(&self) -> &TriMesh {
         match self {
-            Self::Memory(mesh) => rank::perform(template, mesh.get().inner(), &task.action, search),
-            Self::File(path) => match read_mesh(path) {
-                Ok(mesh) => rank::perform(template, &mesh, &task.action, search),
-                Err(error) => Outcome::Failed(error.to_string()),
-            },
+            Self::Memory(mesh) => mesh,
+            Self::File(mesh) => mesh,
+        }
+    }
+}
+
+fn bytes_of(given: &Given) -> usize {
+    given.mesh().map_or(0, |mesh| size_of_val(mesh.positions()) + size_of_val(mesh.faces()))
+}
+
+impl<'g> Meshes for Sources<'g> {
+    type Mesh = Used<'g>;
+
+    fn count(&self) -> usize {
+        self.0.len()
+    }
+
+    fn name(&self, index: usize) -> String {
+        match &self.0[index] {
+            Given::NamedMesh(name, _) | Given::File(name, _) => name.clone(),
+            _ => index.to_string(),
         }
     }
 
-    /// Bytes of memory that it takes while it is not looked at.
-    fn bytes(&self) -> usize {
-        match self {
-            Self::Memory(mesh) => {
-                let mesh = mesh.get().inner();
-                size_of_val(mesh.positions()) + size_of_val(mesh.faces())
+    fn mesh(&self, index: usize) -> Result<Used<'g>, String> {
+        match &self.0[index] {
+            Given::File(_, path) => {
+                read_mesh(path).map(|mesh| Used::File(Box::new(mesh))).map_err(|error| error.to_string())
             }
-            Self::File(_) => 0,
+            given => given.mesh().map(Used::Memory).ok_or_else(|| "expected a mesh".to_owned()),
         }
     }
-}
 
-/// What a run may take: threads, seconds, bytes.
-#[derive(FromPyObject)]
-pub(crate) struct Most(Option<usize>, Option<f64>, Option<usize>);
+    fn bytes(&self) -> usize {
+        self.0.iter().map(bytes_of).sum()
+    }
 
-impl Most {
-    fn limits(self) -> PyResult<Limits> {
-        limits(self.0, self.1, self.2)
+    fn bytes_beside(&self, index: usize) -> usize {
+        self.bytes() - bytes_of(&self.0[index])
     }
 }
 
-/// The report of a ranking, and for each of its rows the place of the target.
-fn reported(ranking: &rank::Ranking) -> PyResult<(String, Vec<usize>)> {
-    let report = ranking.report();
-    Ok((written(&report)?, report.standings.iter().map(|standing| standing.target).collect()))
+impl Asked for RankRequest {
+    type Told = TaskProgress;
+
+    fn ask(&self, asking: &Asking<'_, TaskProgress>) -> Outcome<Self> {
+        let Some((Given::Mesh(template), targets)) = asking.given.split_first() else {
+            return asking.unusable();
+        };
+        let found = self.run(template.get().inner(), &Sources(targets), &asking.context, Some(asking.watch));
+        Ok((found.map_err(failure)?, Vec::new()))
+    }
 }
 
-/// Ranks meshes on this machine.
-#[pyfunction]
-#[allow(clippy::needless_pass_by_value, reason = "what is extracted from Python is owned")]
-pub(crate) fn rank_meshes(
-    py: Python<'_>,
-    template: &Bound<'_, Mesh>,
-    sources: Vec<Source>,
-    names: Vec<String>,
-    options: &str,
-    most: Most,
-    progress: Option<&Bound<'_, PyAny>>,
-) -> PyResult<(String, Vec<usize>)> {
-    let options = RankOptions { limits: most.limits()?, ..parsed(options)? };
-    let template = template.clone().unbind();
-    let ranking = wait::run_detached(py, progress, move |watch: &mut Watch<'_, TaskProgress>| {
-        let options = RankOptions { observer: Some(watch), ..options };
-        rank_here(template.get().inner(), &sources, names, &options)
-    })?;
-    reported(&ranking.map_err(Raise::raise)?)
+impl Asked for MatrixRequest {
+    type Told = TaskProgress;
+
+    fn ask(&self, asking: &Asking<'_, TaskProgress>) -> Outcome<Self> {
+        let (report, matrix) =
+            self.run(&Sources(asking.given), &asking.context, Some(asking.watch)).map_err(failure)?;
+        let end = |end| Beside::Numbers(directed(&matrix, end));
+        Ok((report, vec![("directed_lower", end(0)), ("directed_upper", end(1))]))
+    }
 }
 
-fn rank_here(
-    template: &TriMesh,
-    sources: &[Source],
-    names: Vec<String>,
-    options: &RankOptions<'_>,
-) -> Result<rank::Ranking, RankError> {
-    let mut ranking = rank::Ranking::new(names, options)?;
-    let template = on_threads(options.limits.threads, || rank::Template::new(template.clone(), options))?;
-    let held: usize = sources.iter().map(Source::bytes).sum();
-    let done = |task: &Task, search: &HausdorffOptions<'_>| {
-        let source = &sources[task.target];
-        let mut search = search.clone();
-        let beside = held - source.bytes();
-        search.limits.memory = search.limits.memory.map(|memory| memory.saturating_sub(beside));
-        source.perform(&template, task, &search)
-    };
-    rank::run(&mut ranking, options, done, |_| ())?;
-    Ok(ranking)
+/// One end of the enclosures of all directed distances, row by row; NaN for what is not known.
+fn directed(matrix: &Matrix, end: usize) -> Vec<f64> {
+    let count = matrix.count();
+    let entry = |at: usize| matrix.directed(at / count, at % count).map_or(f64::NAN, |ends| ends[end]);
+    (0..count * count).map(entry).collect()
 }
 
 /// A ranking whose tasks are done elsewhere: says which come next, given the results of those before.
@@ -138,7 +136,7 @@ impl Ranking {
 impl Ranking {
     #[new]
     fn new(names: Vec<String>, options: &str) -> PyResult<Self> {
-        let options: RankOptions<'_> = parsed(options)?;
+        let options = request::<RankRequest>(options)?.options();
         let ranking = rank::Ranking::new(names, &options).map_err(Raise::raise)?;
         Ok(Self(Mutex::new(ranking)))
     }
@@ -171,8 +169,8 @@ impl Ranking {
     }
 
     /// What is known so far.
-    fn report(&self) -> PyResult<(String, Vec<usize>)> {
-        reported(&self.lock())
+    fn report(&self) -> PyResult<String> {
+        written(&RankReport::from(self.lock().report()).if_usable().map_err(Raise::raise)?)
     }
 }
 
@@ -184,7 +182,7 @@ pub(crate) struct Template(rank::Template);
 impl Template {
     #[new]
     fn new(py: Python<'_>, mesh: &Bound<'_, Mesh>, options: &str) -> PyResult<Self> {
-        let options: RankOptions<'_> = parsed(options)?;
+        let options = request::<RankRequest>(options)?.options();
         let mesh = mesh.clone().unbind();
         let made = wait::abandonable(py, move || rank::Template::new(mesh.get().inner().clone(), &options))?;
         made.map(Self).map_err(Raise::raise)
@@ -210,54 +208,35 @@ impl Template {
     }
 }
 
-/// What a matrix holds: lower and upper bounds, row by row, the number of distances evaluated, why it ended, and the rows and
-/// columns of what is open.
-type Arrays<'py> =
-    (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<f64>>, u64, &'static str, Vec<(usize, usize)>);
-
-fn arrays<'py>(py: Python<'py>, matrix: &Matrix) -> PyResult<Arrays<'py>> {
-    let count = matrix.count();
-    let end = |end: usize| {
-        let entry = |at: usize| matrix.directed(at / count, at % count).map_or(f64::NAN, |ends| ends[end]);
-        array_of_square(py, (0..count * count).map(entry).collect(), count)
-    };
-    let open = matrix.open().map(|pair| (pair.from, pair.to)).collect();
-    Ok((end(0)?, end(1)?, matrix.distances(), matrix.stop_reason().name(), open))
-}
-
-/// The directed distances of all pairs; what a stop left out is NaN.
-#[pyfunction]
-#[allow(clippy::needless_pass_by_value, reason = "what is extracted from Python is owned")]
-pub(crate) fn distance_matrix<'py>(
-    py: Python<'py>,
-    meshes: Vec<Py<Mesh>>,
-    width: (f64, String),
-    most: Most,
-    progress: Option<&Bound<'py, PyAny>>,
-) -> PyResult<Arrays<'py>> {
-    let (tolerance, limits) = (tolerance(width.0, &width.1)?, most.limits()?);
-    let matrix = wait::run_detached(py, progress, move |watch: &mut Watch<'_, TaskProgress>| {
-        let meshes: Vec<&TriMesh> = meshes.iter().map(|mesh| mesh.get().inner()).collect();
-        matrix::measure(&meshes.as_slice(), &MatrixOptions { tolerance, limits, observer: Some(watch) })
-    })?;
-    arrays(py, &matrix.map_err(Raise::raise)?)
-}
+/// A report as JSON, and two square arrays.
+type Reported<'py> = (String, Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<f64>>);
 
 /// A matrix whose entries are found elsewhere.
 #[pyclass(frozen, module = "pompeiu._native")]
-pub(crate) struct Entries(Mutex<Matrix>);
+pub(crate) struct Entries {
+    matrix: Mutex<Matrix>,
+    request: MatrixRequest,
+}
+
+impl Entries {
+    fn lock(&self) -> MutexGuard<'_, Matrix> {
+        self.matrix.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
 
 #[pymethods]
 impl Entries {
     #[new]
-    fn new(count: usize) -> Self {
-        Self(Mutex::new(Matrix::new(count)))
+    fn new(count: usize, options: &str) -> PyResult<Self> {
+        let request: MatrixRequest = request(options)?;
+        request.tolerance().check().map_err(Raise::raise)?;
+        Ok(Self { matrix: Mutex::new(Matrix::new(count)), request })
     }
 
     /// Notes the results of some tasks that lead to one mesh.
     #[allow(clippy::needless_pass_by_value, reason = "what is extracted from Python is owned")]
     fn set(&self, to: usize, entries: Vec<(usize, String)>) -> PyResult<()> {
-        let mut matrix = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut matrix = self.lock();
         for (from, entry) in entries {
             let (found, count) = (from.max(to), matrix.count());
             if found >= count {
@@ -270,11 +249,16 @@ impl Entries {
 
     /// Ends the matrix on request.
     fn stop(&self) {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner).stop(StopReason::Cancelled);
+        self.lock().stop(StopReason::Cancelled);
     }
 
-    fn arrays<'py>(&self, py: Python<'py>) -> PyResult<Arrays<'py>> {
-        arrays(py, &self.0.lock().unwrap_or_else(PoisonError::into_inner))
+    /// The report as JSON, and both ends of the directed distances.
+    fn report<'py>(&self, py: Python<'py>) -> PyResult<Reported<'py>> {
+        let matrix = self.lock();
+        let names = (0..matrix.count()).map(|index| index.to_string()).collect();
+        let report = self.request.report(&matrix, names, &[]);
+        let end = |end| array_of_square(py, directed(&matrix, end), matrix.count());
+        Ok((written(&report)?, end(0)?, end(1)?))
     }
 }
 
@@ -285,11 +269,12 @@ pub(crate) fn matrix_entries(
     py: Python<'_>,
     to: &Bound<'_, Mesh>,
     from_: Vec<Py<Mesh>>,
-    width: (f64, String),
+    options: &str,
     threads: usize,
 ) -> PyResult<Vec<String>> {
     let to = to.clone().unbind();
-    let options = MatrixOptions { tolerance: tolerance(width.0, &width.1)?, ..MatrixOptions::default() };
+    let tolerance = request::<MatrixRequest>(options)?.tolerance();
+    let options = MatrixOptions { tolerance, ..MatrixOptions::default() };
     let entries = wait::abandonable(py, move || {
         on_threads(NonZeroUsize::new(threads), || {
             let tree = Tree::new(to.get().inner());

@@ -13,8 +13,10 @@ pub const ALGORITHM: u32 = 2;
 
 pub mod align;
 pub mod matrix;
+mod meshes;
 pub mod rank;
 pub mod request;
 mod tasks;
 
+pub use meshes::{Meshes, Unusable};
 pub use tasks::{TaskObserver, TaskProgress};

@@ -1,6 +1,5 @@
 //! Options that commands on many files share.
 
-use super::Limits;
 use crate::numbers::memory;
 use clap::Args;
 use std::path::PathBuf;
@@ -13,8 +12,6 @@ pub(crate) struct Many {
     /// Note each result in this file, and take from it what an earlier run has noted
     #[arg(long, value_name = "FILE")]
     pub(crate) resume: Option<PathBuf>,
-    #[command(flatten)]
-    pub(crate) limits: Limits,
     /// Memory for meshes that are kept between uses; others are read again
     #[arg(long, value_parser = memory, default_value = "1GiB", value_name = "SIZE")]
     pub(crate) cache: usize,
@@ -22,7 +19,7 @@ pub(crate) struct Many {
 
 impl Many {
     /// Bytes for meshes that are kept: at most half of the memory, so that searches have the other.
-    pub(crate) fn cache(&self) -> usize {
-        self.limits.memory_limit.map_or(self.cache, |memory| self.cache.min(memory / 2))
+    pub(crate) fn cache(&self, memory: Option<usize>) -> usize {
+        memory.map_or(self.cache, |memory| self.cache.min(memory / 2))
     }
 }

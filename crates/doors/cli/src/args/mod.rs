@@ -6,7 +6,6 @@ mod many;
 mod meshes;
 mod picture;
 mod selection;
-mod tolerance;
 
 pub(crate) use coordinates::{hold_in, tell};
 pub(crate) use limits::Limits;
@@ -14,7 +13,6 @@ pub(crate) use many::Many;
 pub(crate) use meshes::Meshes;
 pub(crate) use picture::Picture;
 pub(crate) use selection::ForbidFile;
-pub(crate) use tolerance::Tolerance;
 
 use crate::commands::Command;
 use clap::Parser;

@@ -60,8 +60,8 @@ commands! {
     verify::Verify: system,
     deviation::Deviation: system,
     align::Align: system,
-    rank::Rank,
-    matrix::Matrix,
+    rank::Rank: system,
+    matrix::Matrix: system,
     info::Info: system,
     decompose::Decompose: system,
     remesh::Remesh: system,
@@ -86,6 +86,4 @@ commands! {
 #[cfg(test)]
 pub(crate) mod answers {
     pub(crate) use super::fluid::Json as Fluid;
-    pub(crate) use super::matrix::Json as Matrix;
-    pub(crate) use super::rank::Json as Rank;
 }

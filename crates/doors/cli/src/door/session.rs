@@ -77,6 +77,17 @@ impl<'s> Session<'s> {
         self.inputs.push((path.to_owned(), input));
     }
 
+    /// Remembers a mesh that was read without the session.
+    pub(crate) fn note_counts(&mut self, path: &Path, [vertices, faces]: [usize; 2]) {
+        let input = Input { path: Some(path.display().to_string()), vertices, faces, ..Input::default() };
+        self.inputs.push((path.to_owned(), input));
+    }
+
+    /// The memory that everything may take.
+    pub(crate) fn memory_limit(&self) -> Option<usize> {
+        self.limits.memory_limit
+    }
+
     /// What a computation runs with: what is left of the limits, Ctrl-C and the progress bar.
     pub(crate) fn context(&self) -> RunContext<'_> {
         interrupt::listen();

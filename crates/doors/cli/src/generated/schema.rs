@@ -39,8 +39,6 @@ fn published_schemas_are_those_of_the_types() {
     let mut published = Published(Vec::new());
     visit_systems(&mut published);
     published.check::<answers::Fluid<'static>>("fluid");
-    published.check::<answers::Matrix<'static>>("matrix");
-    published.check::<answers::Rank<'static>>("rank");
     let names = std::fs::read_dir(folder()).unwrap().map(|entry| entry.unwrap().file_name());
     let mut names: Vec<String> = names.map(|name| name.into_string().unwrap()).collect();
     names.sort();

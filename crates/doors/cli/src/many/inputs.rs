@@ -1,14 +1,14 @@
 //! Files, folders and patterns on the command line.
 
-use super::Problem;
 use pompeiu::io::Format;
+use pompeiu::matching::Unusable;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 /// Mesh files to look at, each once, and what led to none.
 pub(crate) struct Inputs {
     pub(crate) paths: Vec<PathBuf>,
-    pub(crate) problems: Vec<Problem>,
+    pub(crate) problems: Vec<Unusable>,
 }
 
 /// The files that arguments name: files themselves, the mesh files in folders, by their suffixes and names in order, and what
@@ -29,7 +29,7 @@ pub(crate) fn expand(arguments: &[PathBuf], recursive: bool) -> Inputs {
 
 impl Inputs {
     fn problem(&mut self, path: &Path, message: &impl ToString) {
-        self.problems.push(Problem { path: path.display().to_string(), message: message.to_string() });
+        self.problems.push(Unusable { path: path.display().to_string(), message: message.to_string() });
     }
 
     fn matching(&mut self, pattern: &str, recursive: bool) {

@@ -9,7 +9,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 ///
 /// What was read stays in memory up to a limit, first come, first kept; the others are read again each time. The meshes
 /// that threads are at work on come on top. A file that cannot be read is not tried again.
-pub(crate) struct Meshes {
+pub(crate) struct MeshFiles {
     paths: Vec<PathBuf>,
     limit: usize,
     kept: Mutex<Kept>,
@@ -18,21 +18,18 @@ pub(crate) struct Meshes {
 struct Kept {
     bytes: usize,
     meshes: Vec<Option<Result<Arc<TriMesh>, String>>>,
+    /// Vertices and faces of what was read.
+    counts: Vec<Option<[usize; 2]>>,
 }
 
-impl Meshes {
+impl MeshFiles {
     pub(crate) fn new(paths: Vec<PathBuf>, limit: usize) -> Self {
         let meshes = vec![None; paths.len()];
-        Self { paths, limit, kept: Mutex::new(Kept { bytes: 0, meshes }) }
+        Self { paths, limit, kept: Mutex::new(Kept { bytes: 0, counts: vec![None; meshes.len()], meshes }) }
     }
 
     pub(crate) fn paths(&self) -> &[PathBuf] {
         &self.paths
-    }
-
-    /// The names of the files.
-    pub(crate) fn names(&self) -> Vec<String> {
-        self.paths.iter().map(|path| path.display().to_string()).collect()
     }
 
     /// The mesh at a place.
@@ -43,11 +40,18 @@ impl Meshes {
         let read = read(&self.paths[index]);
         let bytes = read.as_ref().map_or(0, |mesh| size_of_val(mesh.positions()) + size_of_val(mesh.faces()));
         let mut kept = self.kept();
+        kept.counts[index] = read.as_ref().ok().map(|mesh| [mesh.positions().len(), mesh.faces().len()]);
         if kept.meshes[index].is_none() && bytes <= self.limit.saturating_sub(kept.bytes) {
             kept.bytes += bytes;
             kept.meshes[index] = Some(read.clone());
         }
         read
+    }
+
+    /// The files that were read, with their numbers of vertices and faces.
+    pub(crate) fn into_read(self) -> impl Iterator<Item = (PathBuf, [usize; 2])> {
+        let counts = self.kept().counts.clone();
+        self.paths.into_iter().zip(counts).filter_map(|(path, counts)| Some((path, counts?)))
     }
 
     /// Bytes of the meshes that are kept.

@@ -1,6 +1,6 @@
 //! What a run notes in its journal, and takes from it.
 
-use super::{Fingerprint, Journal, Meshes, fingerprint};
+use super::{Fingerprint, Journal, MeshFiles, fingerprint};
 use crate::printer::Printer;
 use crate::wait::Wait;
 use rayon::prelude::*;
@@ -21,7 +21,7 @@ pub(crate) struct Notes {
 }
 
 impl Notes {
-    pub(crate) fn open(path: &Path, meshes: &Meshes, wait: &Wait) -> anyhow::Result<Self> {
+    pub(crate) fn open(path: &Path, meshes: &MeshFiles, wait: &Wait) -> anyhow::Result<Self> {
         let journal = Journal::open(path)?;
         wait.show("looking for what was done before".to_owned());
         let files = meshes.paths().par_iter().map(|path| fingerprint(path).ok()).collect();

@@ -6,13 +6,13 @@ use serde_json::Value;
 use std::collections::BTreeMap;
 
 /// Commands that are no systems yet: their options are not those of a request.
-const NOT_YET: [&str; 3] = ["fluid", "matrix", "rank"];
+const NOT_YET: [&str; 1] = ["fluid"];
 
 /// Commands that compute nothing that could be asked for in another way.
 const NO_ANSWER: [&str; 5] = ["completions", "convert", "generate", "help", "man"];
 
 /// A call of each system, with options and the same as a file.
-const CALLS: [(&str, &str, &str, &str); 17] = [
+const CALLS: [(&str, &str, &str, &str); 19] = [
     (
         "align",
         "dense.obj turned.obj",
@@ -30,6 +30,18 @@ tolerance = 1e-3
 tolerance_kind = \"relative\"
 trace = true
 ",
+    ),
+    (
+        "rank",
+        "dense.obj turned.obj dense.obj",
+        "--top 1 --direction to-template --align centroid --tolerance 1e-3",
+        "top = 1\ndirection = \"to-template\"\nalign = \"centroid\"\ntolerance = 1e-3\n",
+    ),
+    (
+        "matrix",
+        "dense.obj turned.obj",
+        "--directed --tolerance 0.1 --tolerance-kind absolute",
+        "directed = true\ntolerance = 0.1\ntolerance_kind = \"absolute\"\n",
     ),
     (
         "complexity",

@@ -1,6 +1,6 @@
 //! `pompeiu rank` and `pompeiu matrix`: what they say, what they find, and that they can be interrupted.
 
-use crate::common::Folder;
+use crate::common::{Folder, without_times};
 use insta_cmd::assert_cmd_snapshot;
 use pompeiu_testkit::data;
 use serde_json::Value;
@@ -86,15 +86,18 @@ fn lines(folder: &Folder, name: &str) -> usize {
 /// The JSON without times.
 fn json(folder: &Folder, args: &str) -> Value {
     let output = folder.run(args);
-    let mut value: Value = serde_json::from_slice(&output.stdout).unwrap();
-    value.as_object_mut().unwrap().remove("timing_ms");
-    value
+    without_times(serde_json::from_slice(&output.stdout).unwrap())
+}
+
+/// The report alone: inputs name every file that was read.
+fn report(folder: &Folder, args: &str) -> Value {
+    json(folder, args)["report"].clone()
 }
 
 #[test]
 fn ties_are_told_and_tables_agree() {
     let folder = library();
-    let report = json(&folder, "rank template.obj library --top 2 --csv table.csv --json --align centroid");
+    let report = report(&folder, "rank template.obj library --top 2 --csv table.csv --json --align centroid");
     let targets = report["targets"].as_array().unwrap();
     let of = |key: &str| targets.iter().map(|target| target[key].clone()).collect::<Vec<_>>();
     let names = [
@@ -123,13 +126,20 @@ fn ties_are_told_and_tables_agree() {
 #[test]
 fn the_order_of_files_and_the_number_of_threads_do_not_matter() {
     let folder = library();
-    let one = json(
-        &folder,
+    // Places of targets are those of the arguments.
+    let placeless = |args: &str| {
+        let mut found = report(&folder, args);
+        for target in found["targets"].as_array_mut().unwrap() {
+            target.as_object_mut().unwrap().remove("target");
+        }
+        found
+    };
+    let one = placeless(
         "rank template.obj library/a.ply library/b.ply library/c.ply library/d.ply --top 2 --json --threads 1",
     );
     let other = "rank template.obj library/d.ply library/a.ply library/c.ply library/b.ply --top 2 --json --threads 8";
-    assert_eq!(one, json(&folder, other));
-    assert_eq!(one, json(&folder, &format!("{other} --cache 0B")));
+    assert_eq!(one, placeless(other));
+    assert_eq!(one, placeless(&format!("{other} --cache 0B")));
 }
 
 /// Kills a run half way, as often as a journal has lines: cuts it off inside of every line.
@@ -140,9 +150,9 @@ fn interrupted_runs_go_on_where_they_were_with_the_same_bits() {
         "rank template.obj library --top 2 --json --align rigid --tolerance 1e-6",
         "matrix library template.obj --json --tolerance 1e-6",
     ] {
-        let expected = json(&folder, args);
+        let expected = report(&folder, args);
         let resumed = format!("{args} --resume journal");
-        assert_eq!(json(&folder, &resumed), expected);
+        assert_eq!(report(&folder, &resumed), expected);
         let path = folder.path().join("journal");
         let whole = std::fs::read(&path).unwrap();
         let ends: Vec<usize> = (0..whole.len()).filter(|&at| whole[at] == b'\n').collect();
@@ -150,17 +160,17 @@ fn interrupted_runs_go_on_where_they_were_with_the_same_bits() {
         for end in ends.iter().step_by(5) {
             for torn in [end + 1, (end + 40).min(whole.len())] {
                 std::fs::write(&path, &whole[..torn]).unwrap();
-                assert_eq!(json(&folder, &resumed), expected);
+                assert_eq!(report(&folder, &resumed), expected);
             }
         }
         // All is known now: nothing is added, and a file that has changed is measured anew.
         let length = std::fs::metadata(&path).unwrap().len();
-        assert_eq!(json(&folder, &resumed), expected);
+        assert_eq!(report(&folder, &resumed), expected);
         assert_eq!(std::fs::metadata(&path).unwrap().len(), length);
         folder.ok("generate icosphere --subdivisions 2 --radius 1.03125 -o library/f.ply");
-        let changed = json(&folder, args);
+        let changed = report(&folder, args);
         assert_ne!(changed, expected);
-        assert_eq!(json(&folder, &resumed), changed);
+        assert_eq!(report(&folder, &resumed), changed);
         folder.ok("generate icosphere --subdivisions 2 --radius 9 -o library/f.ply");
         std::fs::remove_file(&path).unwrap();
     }
@@ -188,8 +198,8 @@ fn files_that_a_mesh_refers_to_are_part_of_it() {
         let mut before = Value::Null;
         for height in [2.0, 3.0] {
             folder.write("my mesh.bin", buffer(height));
-            let found = json(&folder, &format!("{args} --resume journal"));
-            assert_eq!(found, json(&folder, args), "at {height}");
+            let found = report(&folder, &format!("{args} --resume journal"));
+            assert_eq!(found, report(&folder, args), "at {height}");
             assert_ne!(found, before);
             before = found;
         }
@@ -201,9 +211,18 @@ fn files_that_a_mesh_refers_to_are_part_of_it() {
 fn only_files_that_cannot_be_read_end_in_exit_code_2() {
     let folder = library();
     folder.write("garbage.ply", "ply\nformat ascii 1.0\nelement vertex 99\nx");
-    for args in ["rank template.obj garbage.ply missing.obj", "rank template.obj garbage.ply --json --all"] {
+    for args in [
+        "rank template.obj garbage.ply missing.obj",
+        "rank template.obj garbage.ply --json --all",
+        "matrix garbage.ply missing.obj",
+    ] {
         assert_eq!(folder.run(args).status.code(), Some(2), "{args}");
     }
+    let mixed = "rank template.obj garbage.ply library/b.ply missing.obj --json";
+    assert_eq!(folder.run(mixed).status.code(), Some(3));
+    let answer = json(&folder, mixed);
+    let read: Vec<&Value> = answer["inputs"].as_array().unwrap().iter().map(|one| &one["path"]).collect();
+    assert_eq!(read, ["template.obj", "library/b.ply"]);
 }
 
 #[cfg(unix)]
@@ -227,7 +246,7 @@ fn a_pipe_without_a_writer_is_refused() {
 fn a_run_that_is_killed_can_be_resumed() {
     let folder = noisy();
     let args = "rank template.obj t*.ply --all --json";
-    let expected = json(&folder, args);
+    let expected = report(&folder, args);
     let resumed = format!("{args} --resume journal");
     let mut child = folder.pompeiu(&resumed).stdout(std::process::Stdio::null()).spawn().unwrap();
     // As soon as a few results are there; should it be done by then, resuming has only less to do.
@@ -238,7 +257,7 @@ fn a_run_that_is_killed_can_be_resumed() {
     child.kill().unwrap();
     child.wait().unwrap();
     assert!(lines() >= 6);
-    assert_eq!(json(&folder, &resumed), expected);
+    assert_eq!(report(&folder, &resumed), expected);
 }
 
 #[test]
@@ -248,12 +267,12 @@ fn limits_end_a_run_with_what_is_proven_and_leave_nothing_half_done_in_the_journ
         ("rank template.obj library --top 2 --json --tolerance 1e-6", 6),
         ("matrix template.obj library/a.ply library/b.ply --json --tolerance 1e-6", 6),
     ] {
-        let expected = json(&folder, args);
+        let expected = report(&folder, args);
         assert_eq!(expected["stop"], "tolerance");
         for (limit, stop) in [("--time-limit 0s", "time"), ("--memory-limit 1B", "memory")] {
             let limited = format!("{args} {limit} --resume journal");
             assert_eq!(folder.run(&limited).status.code(), Some(3), "{limited}");
-            let found = json(&folder, &limited);
+            let found = report(&folder, &limited);
             assert_eq!(found["stop"], stop);
             if stop == "time" && args.starts_with("rank") {
                 let targets = found["targets"].as_array().unwrap();
@@ -267,7 +286,7 @@ fn limits_end_a_run_with_what_is_proven_and_leave_nothing_half_done_in_the_journ
                 assert_eq!(found["open"].as_array().unwrap().len(), open);
             }
         }
-        assert_eq!(json(&folder, &format!("{args} --resume journal")), expected);
+        assert_eq!(report(&folder, &format!("{args} --resume journal")), expected);
         std::fs::remove_file(folder.path().join("journal")).unwrap();
     }
 }
@@ -287,7 +306,8 @@ fn an_interrupt_ends_a_ranking_with_what_is_done() {
     assert!(std::process::Command::new("sh").args(["-c", &interrupt]).status().unwrap().success());
     let output = child.wait_with_output().unwrap();
     assert_eq!(output.status.code(), Some(3));
-    let report: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let answer: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let report = &answer["report"];
     assert_eq!((&report["stop"], report["targets"].as_array().unwrap().len()), (&"cancelled".into(), 12));
 }
 
@@ -298,8 +318,10 @@ fn real_meshes_are_ranked() {
     let Some(spot) = data::file("meshes/spot.obj") else { return };
     let [cow, spot] = [cow, spot].map(|path| path.display().to_string());
     folder.ok(&format!("generate mesh {spot} --rotate 1,2,3,50 --translate 1,0,0 -o turned.ply"));
-    let report =
-        json(&folder, &format!("rank {spot} {cow} turned.ply --align rigid --top 1 --json --tolerance 1e-6"));
+    let report = report(
+        &folder,
+        &format!("rank {spot} {cow} turned.ply --align rigid --top 1 --json --tolerance 1e-6"),
+    );
     let best = &report["targets"][0];
     assert_eq!((&best["path"], &best["rank_last"]), (&"turned.ply".into(), &1.into()));
     assert!(best["upper"].as_f64().unwrap() < 1e-5, "{best}");

@@ -1,15 +1,12 @@
 //! Deviations: what passes beside their JSON.
 
 use super::DeviationPage;
-use crate::ask::{Asked, Beside, Failure, Found, Given, failure, pair};
-use crate::wait::Watch;
-use pompeiu::core::TriMesh;
-use pompeiu::core::run::RunContext;
+use crate::ask::{Asked, Asking, Beside, Given, Outcome, failure};
 use pompeiu::hausdorff::deviation::FaceDeviation;
 use pompeiu::hausdorff::{
-    DeviationMeasures, DirectedDeviation, Direction, Enclosure, NamedFaces, PreparedPair, Progress,
+    DeviationMeasures, DirectedDeviation, Direction, Enclosure, PreparedPair, Progress,
 };
-use pompeiu::matching::request::{AlignedDeviationReport, AlignedDeviationRequest};
+use pompeiu::matching::request::AlignedDeviationRequest;
 
 /// Arrays of faces and vertices by their names in Python, with those of one direction apart from those of the other.
 macro_rules! named {
@@ -54,60 +51,32 @@ fn arrays(found: &DirectedDeviation) -> Vec<(&'static str, Beside)> {
 impl Asked for AlignedDeviationRequest {
     type Told = Progress;
 
-    fn ask(
-        &self,
-        meshes: &[&TriMesh],
-        context: RunContext<'_>,
-        watch: &Watch<'_, Progress>,
-    ) -> Result<Found<Self::Report>, Failure> {
-        measured(self, pair(meshes)?, [&[], &[]], &context, watch)
+    /// The report with the arrays of both directions and what figures are made from.
+    fn ask(&self, asking: &Asking<'_, Progress>) -> Outcome<Self> {
+        let [a, b] = asking.meshes()?;
+        let groups = [0, 1].map(|i| match asking.given.get(i) {
+            Some(Given::Mesh(mesh)) => mesh.get().groups(),
+            _ => &[],
+        });
+        let prepared = PreparedPair::new(a.clone(), b.clone());
+        let (prepared, report) =
+            self.run(prepared, groups, &asking.context, Some(asking.watch)).map_err(failure)?;
+        let deviation = &report.measured.deviation;
+        let mut beside = arrays(&deviation.a_to_b);
+        beside.extend(arrays(&deviation.b_to_a));
+        let unit = self.deviation.measures.unit.clone();
+        let page = DeviationPage::new(prepared, report.measured.clone(), unit);
+        beside.push(("page", Beside::Page(Box::new(page))));
+        Ok((report, beside))
     }
-
-    fn ask_about(
-        &self,
-        given: &[Given],
-        context: RunContext<'_>,
-        watch: &Watch<'_, Progress>,
-    ) -> Result<Found<Self::Report>, Failure> {
-        let meshes =
-            given.iter().filter_map(|one| if let Given::Mesh(mesh) = one { Some(mesh.get()) } else { None });
-        let (meshes, groups): (Vec<&TriMesh>, Vec<&[NamedFaces]>) =
-            meshes.map(|mesh| (mesh.inner(), mesh.groups())).unzip();
-        let groups = [0, 1].map(|i| groups.get(i).copied().unwrap_or_default());
-        measured(self, pair(&meshes)?, groups, &context, watch)
-    }
-}
-
-/// The answer to a request, with the arrays of both directions and what figures are made from.
-fn measured(
-    request: &AlignedDeviationRequest,
-    [a, b]: [&TriMesh; 2],
-    groups: [&[NamedFaces]; 2],
-    context: &RunContext<'_>,
-    watch: &Watch<'_, Progress>,
-) -> Result<Found<AlignedDeviationReport>, Failure> {
-    let prepared = PreparedPair::new(a.clone(), b.clone());
-    let (prepared, report) = request.run(prepared, groups, context, Some(watch)).map_err(failure)?;
-    let deviation = &report.measured.deviation;
-    let mut beside = arrays(&deviation.a_to_b);
-    beside.extend(arrays(&deviation.b_to_a));
-    let unit = request.deviation.measures.unit.clone();
-    let page = DeviationPage::new(prepared, report.measured.clone(), unit);
-    beside.push(("page", Beside::Page(Box::new(page))));
-    Ok((report, beside))
 }
 
 impl Asked for DeviationMeasures {
     type Told = Progress;
 
-    fn ask(
-        &self,
-        meshes: &[&TriMesh],
-        context: RunContext<'_>,
-        watch: &Watch<'_, Progress>,
-    ) -> Result<Found<Self::Report>, Failure> {
-        let [a, b] = pair(meshes)?;
-        let report = self.run(a, b, &context, Some(watch)).map_err(failure)?;
+    fn ask(&self, asking: &Asking<'_, Progress>) -> Outcome<Self> {
+        let [a, b] = asking.meshes()?;
+        let report = self.run(a, b, &asking.context, Some(asking.watch)).map_err(failure)?;
         let beside = arrays(&report.deviation);
         Ok((report, beside))
     }

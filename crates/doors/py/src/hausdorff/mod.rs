@@ -4,5 +4,5 @@ mod analysis;
 mod distance;
 mod page;
 
-pub(crate) use distance::{Target, limits, tolerance};
+pub(crate) use distance::{Target, limits};
 pub(crate) use page::DeviationPage;

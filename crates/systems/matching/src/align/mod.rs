@@ -28,10 +28,11 @@ pub type Matrix = [[f64; 4]; 4];
 
 /// The maps allowed for aligning one mesh to another.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
+#[serde(rename_all = "kebab-case")]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Alignment {
-    /// None: coordinates stay.
+    /// Coordinates stay.
     #[default]
     None,
     /// A translation that makes the area centroids coincide.

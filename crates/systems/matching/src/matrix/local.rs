@@ -1,55 +1,13 @@
 //! All pairs on this machine.
 
 use super::{Matrix, MatrixOptions, Task};
+use crate::meshes::Meshes;
 use crate::tasks::{MeasuredTo, Watch, bytes_of, holding};
 use pompeiu_core::TriMesh;
 use pompeiu_core::run::on_threads;
 use pompeiu_hausdorff::{DirectedReport, HausdorffOptions, OptionError, Tolerance};
 use rayon::prelude::*;
 use std::borrow::Borrow;
-
-/// Provides the meshes of a matrix, in memory or elsewhere.
-pub trait Meshes: Sync {
-    /// A mesh while it is in use.
-    type Mesh: Borrow<TriMesh> + Sync;
-
-    /// The number of meshes.
-    fn count(&self) -> usize;
-
-    /// The mesh with an index; `None` if it cannot be used.
-    fn mesh(&self, index: usize) -> Option<Self::Mesh>;
-
-    /// Bytes of memory that the meshes take when none is in use.
-    fn bytes(&self) -> usize;
-
-    /// A result that is already known.
-    fn known(&self, task: Task) -> Option<DirectedReport> {
-        let _ = task;
-        None
-    }
-
-    /// Called with each complete result, by any thread.
-    fn found(&self, task: Task, report: &DirectedReport) {
-        let _ = (task, report);
-    }
-}
-
-/// Meshes in memory.
-impl<'m> Meshes for &[&'m TriMesh] {
-    type Mesh = &'m TriMesh;
-
-    fn count(&self) -> usize {
-        self.len()
-    }
-
-    fn mesh(&self, index: usize) -> Option<&'m TriMesh> {
-        self.get(index).copied()
-    }
-
-    fn bytes(&self) -> usize {
-        self.iter().map(|mesh| bytes_of(mesh)).sum()
-    }
-}
 
 /// The matrix of meshes in memory; the same bits for any number of threads, unless time runs out or the observer ends it.
 ///
@@ -90,9 +48,10 @@ fn column<M: Meshes>(
     matrix: &mut Matrix,
     to: usize,
 ) -> Result<(), OptionError> {
+    let question = ("matrix", tolerance);
     let mut left = Vec::new();
     for task in (0..meshes.count()).filter(|from| *from != to).map(|from| Task { from, to }) {
-        match meshes.known(task) {
+        match meshes.known(&question, &[task.from, task.to]) {
             Some(report) => {
                 matrix.set(task, &report);
                 watch.tell(|progress| progress.done += 1);
@@ -108,7 +67,7 @@ fn column<M: Meshes>(
         matrix.stop(watch.reason());
         return Ok(());
     }
-    let Some(mesh) = meshes.mesh(to) else {
+    let Ok(mesh) = meshes.mesh(to) else {
         watch.tell(|progress| progress.done += left.len());
         return Ok(());
     };
@@ -121,13 +80,13 @@ fn column<M: Meshes>(
     };
     let target = MeasuredTo::new(mesh, with_limits().limits.memory);
     let search = |task: &Task| -> Result<Option<DirectedReport>, OptionError> {
-        let report = meshes.mesh(task.from).map(|from| {
+        let report = meshes.mesh(task.from).ok().map(|from| {
             let from: &TriMesh = from.borrow();
             target.directed(from, &with_limits())
         });
         let report = report.transpose()?;
         if let Some(report) = report.as_ref().filter(|report| !report.stop.is_early()) {
-            meshes.found(*task, report);
+            meshes.found(&question, &[task.from, task.to], report);
         }
         watch.tell(|progress| progress.done += 1);
         Ok(report)

@@ -19,7 +19,7 @@
 mod local;
 mod options;
 
-pub use local::{Meshes, matrix_of, measure};
+pub use local::{matrix_of, measure};
 pub use options::MatrixOptions;
 
 use pompeiu_core::TriMesh;

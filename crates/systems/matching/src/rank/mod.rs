@@ -42,7 +42,7 @@ mod template;
 
 pub use bounds::{box_upper_bound, support_lower_bound};
 pub use driver::Ranking;
-pub use local::{rank_meshes, run};
+pub use local::{rank, rank_meshes};
 pub use options::{Measure, RankError, RankOptions};
 pub use report::{Bound, Report, Standing, Status, Work};
 pub use row::{BoundKind, Kind, Row};

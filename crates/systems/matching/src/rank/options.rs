@@ -8,33 +8,33 @@ use serde::{Deserialize, Serialize};
 
 /// The distance by which targets are ranked.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
+#[serde(rename_all = "kebab-case")]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Measure {
-    /// `H`, the larger of the two directed distances.
+    /// The symmetric distance, the larger of the two directed ones.
     #[default]
-    Symmetric,
-    /// The directed distance from template to target: is the template a part of the target?
-    TemplateToTarget,
-    /// The directed distance from target to template: is the target a part of the template?
-    TargetToTemplate,
+    Both,
+    /// How far the template is from the target: finds what the template is a part of.
+    FromTemplate,
+    /// How far the target is from the template: finds parts of the template.
+    ToTemplate,
 }
 
 impl Measure {
     /// Whether the directed distance from target to template is needed.
     pub(super) fn has_target_to_template(self) -> bool {
-        self != Self::TemplateToTarget
+        self != Self::FromTemplate
     }
 
     /// Whether the directed distance from template to target is needed.
     pub(super) fn has_template_to_target(self) -> bool {
-        self != Self::TargetToTemplate
+        self != Self::ToTemplate
     }
 }
 
-/// Options of a ranking. Limits and observer are not serialised, because they are not part of the question.
-#[derive(Clone, Debug, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+/// Options of a ranking.
+#[derive(Clone, Debug)]
 pub struct RankOptions<'o> {
     /// The distance.
     pub measure: Measure,
@@ -45,14 +45,11 @@ pub struct RankOptions<'o> {
     /// Whether every target gets its full enclosure and rank, not only the best.
     pub all: bool,
     /// Width of a full enclosure. The joint box is that of the template and a target.
-    #[serde(flatten)]
     pub tolerance: Tolerance,
     /// Time, memory and threads. Preparing the template and aligning a target are not interrupted. The limits on memory and
     /// on pieces apply to each search; with a memory limit, targets are searched one after another.
-    #[serde(skip)]
     pub limits: Limits,
     /// Receives progress.
-    #[serde(skip)]
     pub observer: Option<&'o dyn TaskObserver>,
 }
 
@@ -60,7 +57,7 @@ impl Default for RankOptions<'_> {
     /// The ten best by symmetric distance, without alignment, with the default tolerance of a search.
     fn default() -> Self {
         Self {
-            measure: Measure::Symmetric,
+            measure: Measure::Both,
             alignment: Alignment::None,
             top: 10,
             all: false,
@@ -110,6 +107,14 @@ pub enum RankError {
     /// An option of the searches is invalid.
     #[error(transparent)]
     Option(#[from] OptionError),
+    /// No target can be used.
+    #[error("none of the {count} targets can be used; the first: {first}")]
+    NoneUsable {
+        /// Number of targets.
+        count: usize,
+        /// What is wrong with the first of them.
+        first: String,
+    },
     /// There are no targets.
     #[error("there are no targets; at least 1 is needed")]
     NoTargets,

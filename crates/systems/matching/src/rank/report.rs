@@ -1,14 +1,12 @@
 //! The report of a ranking.
 
-use super::row::Row;
 use crate::align::Matrix;
 use pompeiu_core::run::StopReason;
 use pompeiu_hausdorff::Tolerance;
 use serde::{Serialize, Serializer};
 
 /// The targets in their order, and the work done.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Report {
     /// Ranked targets first, best first; then open and discarded ones, each by their lower bounds; then those that failed.
     pub standings: Vec<Standing>,
@@ -30,9 +28,8 @@ impl Report {
     }
 }
 
-/// The result for a target. Serialised as a [`Row`].
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[serde(into = "Row")]
+/// The result for a target. A [`Row`](super::Row) is what is serialised of it.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Standing {
     /// The index of the target in the input.
     pub target: usize,

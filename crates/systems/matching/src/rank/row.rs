@@ -1,6 +1,7 @@
 //! The result for a target as one row of a table.
 
 use super::report::{Bound, Standing, Status};
+use crate::Unusable;
 use crate::align::Matrix;
 use pompeiu_core::run::StopReason;
 use serde::Serialize;
@@ -9,6 +10,8 @@ use serde::Serialize;
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Row {
+    /// Its place among the targets, counted from 0; null for an input that led to no target.
+    pub target: Option<usize>,
     /// Its name: the path if it is a file.
     pub path: String,
     /// How it was settled.
@@ -87,9 +90,15 @@ impl BoundKind {
 }
 
 impl Row {
+    /// What cannot be used, and why, of a target that has failed.
+    pub fn unusable(&self) -> Unusable {
+        Unusable { path: self.path.clone(), message: self.message.clone().unwrap_or_default() }
+    }
+
     /// The row of an input that could not be used, with the reason.
     pub fn failed(path: String, message: String) -> Self {
         Self {
+            target: None,
             path,
             status: Kind::Failed,
             rank_first: None,
@@ -115,6 +124,7 @@ impl From<Standing> for Row {
             Status::Failed(message) => (Kind::Failed, None, None, Some(message)),
         };
         Self {
+            target: Some(standing.target),
             path: standing.name,
             status,
             rank_first: standing.ranks.map(|ranks| ranks[0]),
@@ -139,16 +149,5 @@ impl Bound {
             Self::Probes => BoundKind::Probes,
             Self::Search(_) => BoundKind::Search,
         }
-    }
-}
-
-#[cfg(feature = "schema")]
-impl schemars::JsonSchema for Standing {
-    fn schema_name() -> std::borrow::Cow<'static, str> {
-        Row::schema_name()
-    }
-
-    fn json_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
-        Row::json_schema(generator)
     }
 }

@@ -14,13 +14,13 @@ use pompeiu_testkit::effort::cases;
 use pompeiu_testkit::strategies::{any_mesh, pair};
 use proptest::prelude::*;
 
-const MEASURES: [Measure; 3] = [Measure::Symmetric, Measure::TemplateToTarget, Measure::TargetToTemplate];
+const MEASURES: [Measure; 3] = [Measure::Both, Measure::FromTemplate, Measure::ToTemplate];
 
 fn full(template: &TriMesh, target: &TriMesh, measure: Measure) -> [f64; 2] {
     let distance = match measure {
-        Measure::Symmetric => symmetric_hausdorff(template, target).distance,
-        Measure::TemplateToTarget => directed_hausdorff(template, target).distance,
-        Measure::TargetToTemplate => directed_hausdorff(target, template).distance,
+        Measure::Both => symmetric_hausdorff(template, target).distance,
+        Measure::FromTemplate => directed_hausdorff(template, target).distance,
+        Measure::ToTemplate => directed_hausdorff(target, template).distance,
     };
     [distance.lower(), distance.upper()]
 }
@@ -193,7 +193,7 @@ fn threads_do_not_change_a_bit() {
     assert_eq!((&one, &one), (&on(2), &on(8)));
     for i in 0..6 {
         for j in 0..6 {
-            let [lower, upper] = full(&targets[i], &targets[j], Measure::Symmetric);
+            let [lower, upper] = full(&targets[i], &targets[j], Measure::Both);
             let [l, u] = one.symmetric(i, j).unwrap();
             assert!(l <= upper && lower <= u && one.symmetric(j, i) == Some([l, u]));
         }

@@ -1,17 +1,18 @@
 //! The ranking for people.
 
-use super::run::Answer;
 use crate::exit::stopped_by;
 use crate::numbers::{grouped, shortest, time};
-use crate::page::{Page, value};
+use crate::page::{Page, described, value};
 use crate::printer::LABEL;
+use pompeiu::core::request::Answer;
 use pompeiu::hausdorff::Enclosure;
 use pompeiu::matching::align::Alignment;
-use pompeiu::matching::rank::{Bound, Measure, Report, Standing, Status, Work};
+use pompeiu::matching::rank::{BoundKind, Kind, Measure, Row, Work};
+use pompeiu::matching::request::{RankReport, RankRequest};
 use std::fmt::Write;
 
 /// Ranks for people: one number, or the first and the last.
-fn ranks([first, last]: [usize; 2]) -> String {
+fn ranks((first, last): (usize, usize)) -> String {
     if first == last {
         grouped(first as u64)
     } else {
@@ -19,16 +20,16 @@ fn ranks([first, last]: [usize; 2]) -> String {
     }
 }
 
-fn enclosure(standing: &Standing) -> Option<Enclosure> {
-    Enclosure::new(standing.lower?, standing.upper?)
+fn enclosure(row: &Row) -> Option<Enclosure> {
+    Enclosure::new(row.lower?, row.upper?)
 }
 
-pub(super) fn text(answer: &Answer) -> String {
+pub(super) fn text(answer: &Answer<RankRequest, RankReport>) -> String {
     let mut page = Page::new();
-    let template = &answer.template;
-    let [vertices, faces] = [template.vertices, template.faces].map(|n| grouped(n as u64));
-    page.row("template", &format!("{}: {vertices} vertices, {faces} faces", template.path));
-    let aligned = match answer.options.alignment {
+    if let [template, ..] = &answer.inputs[..] {
+        page.row("template", &described(template));
+    }
+    let aligned = match answer.request.align {
         Alignment::None => None,
         Alignment::Centroid => Some("by centroids"),
         Alignment::Scale => Some("by centroids and radii"),
@@ -41,7 +42,7 @@ pub(super) fn text(answer: &Answer) -> String {
     let mut text = page.into_text();
     table(&mut text, answer);
     let mut page = Page::new();
-    let open = answer.report.open().count();
+    let open = answer.report.of(Kind::Open).count();
     if open > 0 {
         let (are, stop) = (if open == 1 { "is" } else { "are" }, stopped_by(answer.report.stop));
         page.row("open", &format!("{} {are} not settled: ended by {stop}", grouped(open as u64)));
@@ -55,30 +56,31 @@ pub(super) fn text(answer: &Answer) -> String {
         let are = if all == 1 { "is" } else { "are" };
         page.row("others", &format!("{} {are} proven farther: {}", grouped(all as u64), reasons.join(", ")));
     }
-    let failed = failed(answer).count();
+    let failed = answer.report.of(Kind::Failed).count();
     if failed > 0 {
         let file = if failed == 1 { "input" } else { "inputs" };
         page.row("failed", &format!("{} {file} could not be used", grouped(failed as u64)));
     }
     page.row("work", &work(&answer.report.work));
-    page.row("time", &format!("total {}", time(answer.total)));
+    page.row("time", &format!("total {}", time(answer.timing.total)));
     text + &page.into_text()
 }
 
 /// The ranked ones, and as many of the open ones as places were asked for, with columns as wide as they must be.
-fn table(text: &mut String, answer: &Answer) {
-    let name = match answer.options.measure {
-        Measure::Symmetric => "H(template, target)",
-        Measure::TemplateToTarget => "h(template, target)",
-        Measure::TargetToTemplate => "h(target, template)",
+fn table(text: &mut String, answer: &Answer<RankRequest, RankReport>) {
+    let name = match answer.request.direction {
+        Measure::Both => "H(template, target)",
+        Measure::FromTemplate => "h(template, target)",
+        Measure::ToTemplate => "h(target, template)",
     };
     let rows: Vec<[String; 3]> = answer
         .report
-        .ranked()
-        .chain(answer.report.open().take(answer.options.top))
-        .map(|standing| {
-            let distance = enclosure(standing).map(value).unwrap_or_default();
-            [standing.ranks.map(ranks).unwrap_or_default(), distance, standing.name.clone()]
+        .of(Kind::Ranked)
+        .chain(answer.report.of(Kind::Open).take(answer.request.top as usize))
+        .map(|row| {
+            let distance = enclosure(row).map(value).unwrap_or_default();
+            let ranked = row.rank_first.zip(row.rank_last).map(ranks);
+            [ranked.unwrap_or_default(), distance, row.path.clone()]
         })
         .collect();
     let width = |column: usize, title: &str| {
@@ -94,28 +96,16 @@ fn table(text: &mut String, answer: &Answer) {
 }
 
 /// How many targets were discarded by which kind of bound.
-fn discarded(report: &Report) -> [(usize, &'static str); 3] {
-    let mut counts = [(0, "their extent"), (0, "a few of their points"), (0, "a search")];
-    for standing in &report.standings {
-        if let Status::Discarded(bound) = standing.status {
-            let kind = match bound {
-                Bound::Supports => 0,
-                Bound::Probes => 1,
-                Bound::Search(_) => 2,
-            };
-            counts[kind].0 += 1;
-        }
-    }
-    counts
-}
-
-/// What could not be used, and why.
-fn failed(answer: &Answer) -> impl Iterator<Item = (&str, &str)> {
-    let targets = answer.report.standings.iter().filter_map(|standing| match &standing.status {
-        Status::Failed(message) => Some((standing.name.as_str(), message.as_str())),
-        _ => None,
-    });
-    targets.chain(answer.problems.iter().map(|problem| (problem.path.as_str(), problem.message.as_str())))
+fn discarded(report: &RankReport) -> [(usize, &'static str); 3] {
+    [
+        (BoundKind::Supports, "their extent"),
+        (BoundKind::Probes, "a few of their points"),
+        (BoundKind::Search, "a search"),
+    ]
+    .map(|(kind, name)| {
+        let by_kind = report.of(Kind::Discarded).filter(|row| row.discarded_by == Some(kind));
+        (by_kind.count(), name)
+    })
 }
 
 fn work(work: &Work) -> String {
