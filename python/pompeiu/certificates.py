@@ -5,10 +5,11 @@ from __future__ import annotations
 import json
 import os
 from dataclasses import dataclass
-from typing import Any, Literal, Mapping, Optional, Tuple
+from typing import Any, Literal, Mapping, Optional, Sequence, Tuple
 
 from . import _native
-from .sources import MeshLike, as_mesh
+from .errors import OptionError
+from .sources import Mesh, MeshLike, as_mesh
 
 __all__ = ["Certificate", "Certified", "UnprovenStatement", "Verified", "verify"]
 
@@ -60,6 +61,67 @@ class Certificate:
     def _of(cls, data: Mapping[str, Any]) -> "Certificate":
         a_to_b, b_to_a = (Certified._of(data[way]) for way in ("a_to_b", "b_to_a"))
         return cls(a_to_b, b_to_a, data["bytes"], (data["sha256"][0], data["sha256"][1]))
+
+
+#: What is to be proven of one direction: the upper end, and the face, the weights and the distance of the witness.
+Ends = Tuple[float, int, Sequence[float], float]
+#: Threads, seconds, bytes.
+Limits = Tuple[Optional[int], Optional[float], Optional[int]]
+
+
+def _write(
+    path: "str | os.PathLike[str]",
+    meshes: Tuple[Mesh, Mesh],
+    ends: "Tuple[Optional[Ends], Optional[Ends]]",
+    slack: float,
+    limits: Limits,
+) -> Certificate:
+    return Certificate._of(json.loads(_native.write_certificate(path, *meshes, ends, slack, limits)))
+
+
+class _Within:
+    """A mesh that is proven to be within a distance of the mesh that it was made from."""
+
+    mesh: Mesh
+    #: The input, and the distance; the latter ``None`` where none was asked for, both where the result was moved.
+    _proven: "Tuple[Optional[Mesh], Optional[float]]"
+
+    def certificate(
+        self,
+        path: "str | os.PathLike[str]",
+        *,
+        threads: Optional[int] = None,
+        time_limit: Optional[float] = None,
+        memory_limit: Optional[int] = None,
+    ) -> Certificate:
+        """Writes a file from which anybody can prove anew that no point of the input (A) or of :attr:`mesh` (B) is farther from the
+        other than the distance that was asked for; see :func:`pompeiu.verify`.
+
+        Parameters
+        ----------
+        path : str or path-like
+            The file; it appears whole or not at all.
+        threads : int, optional
+            Threads to use; all processors by default. The bytes do not depend on it.
+        time_limit : float, optional
+            Give up after so many seconds.
+        memory_limit : int, optional
+            Give up before memory exceeds so many bytes.
+
+        Raises
+        ------
+        OptionError
+            If no distance was asked for, or ``center`` moved the result.
+        WriteError
+            If the file cannot be written, or a limit was reached.
+        """
+        source, within = self._proven
+        if source is None:
+            raise OptionError("a certificate is about the triangles of both meshes, but center moved those of the result")
+        if within is None:
+            raise OptionError("a certificate proves how far the result is from the input; say with within how far it may be")
+        ends = (within, 0, (1.0, 0.0, 0.0), 0.0)
+        return _write(path, (source, self.mesh), (ends, ends), 0.0, (threads, time_limit, memory_limit))
 
 
 @dataclass(frozen=True)
@@ -122,7 +184,8 @@ def verify(
     Parameters
     ----------
     certificate : str or path-like
-        The file, as :meth:`pompeiu.Distance.certificate` or ``pompeiu distance --certificate`` writes it.
+        The file, as the method ``certificate`` of a distance, a deviation, or a mesh that was repaired, simplified or remeshed writes it,
+        or ``--certificate`` of the commands.
     a, b : MeshLike
         The meshes; see :func:`pompeiu.as_mesh`. Their triangles count, in their order; vertices that are shared or not do not.
     threads : int, optional

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from . import _native
 from ._asking import ask
 from .bands import BandReport
+from .certificates import Certificate, Ends, _write
 from .errors import OptionError
 from .files import write_whole
 from .progress import ProgressLike, watching
@@ -28,7 +29,7 @@ from .results import (
     number,
     shown_bounds,
 )
-from .sources import MeshLike
+from .sources import Mesh, MeshLike, as_mesh
 
 __all__ = [
     "Deviation",
@@ -413,6 +414,7 @@ class Deviation(_Arrays, _Interval):
     report: "dict[str, Any]" = field(default_factory=dict, compare=False, repr=False)
     _page: Optional[_native.DeviationPage] = field(default=None, compare=False, repr=False)
     _names: Tuple[str, str] = field(default=("A", "B"), compare=False, repr=False)
+    _meshes: "Optional[Tuple[Mesh, Mesh]]" = field(default=None, compare=False, repr=False)
 
     def to_dict(self) -> "dict[str, Any]":
         """A dictionary of plain values, ready for ``json.dumps``."""
@@ -520,6 +522,53 @@ class Deviation(_Arrays, _Interval):
         """Writes :meth:`image`, with its options, to a file, which appears whole or not at all."""
         write_whole(path, self.image(**options))
 
+    def certificate(
+        self,
+        path: "str | os.PathLike[str]",
+        *,
+        threads: Optional[int] = None,
+        time_limit: Optional[float] = None,
+        memory_limit: Optional[int] = None,
+    ) -> Certificate:
+        """Writes a file from which anybody can prove the largest distances anew; see :func:`pompeiu.verify`.
+
+        The upper ends are raised by 1e-12 of the joint diagonal; where they are at most the threshold, that is the upper end.
+
+        Parameters
+        ----------
+        path : str or path-like
+            The file; it appears whole or not at all.
+        threads : int, optional
+            Threads to use; all processors by default. The bytes do not depend on it.
+        time_limit : float, optional
+            Give up after so many seconds.
+        memory_limit : int, optional
+            Give up before memory exceeds so many bytes.
+
+        Raises
+        ------
+        OptionError
+            If B was moved by ``align``, or parts were left out: a certificate is about all triangles that were handed in.
+        WriteError
+            If the file cannot be written, or a limit was reached.
+        """
+        if self._meshes is None:
+            raise ValueError("the meshes of this answer are not here: it was pickled; analyse the meshes again")
+        if self.report.get("alignment") is not None:
+            raise OptionError("a certificate is about the triangles that were handed in, but align moved B; move it first")
+        if self.report.get("left_out") is not None:
+            raise OptionError("a certificate is about all triangles of both meshes, but some were left out")
+        threshold = self.report.get("threshold")
+        is_within = threshold is not None and self.upper <= threshold
+
+        def ends(one: DirectedDeviation) -> Ends:
+            start = one.witness.from_
+            return threshold if is_within else one.upper, start.face, start.barycentric, one.lower
+
+        slack = 0.0 if is_within else 1e-12
+        limits = (threads, time_limit, memory_limit)
+        return _write(path, self._meshes, (ends(self.a_to_b), ends(self.b_to_a)), slack, limits)
+
     def _shown(self) -> _native.DeviationPage:
         if self._page is None:
             raise ValueError("the meshes of this answer are not here: it was pickled; analyse the meshes again")
@@ -529,7 +578,7 @@ class Deviation(_Arrays, _Interval):
         return {"names": list(names or self._names), "unit": unit, "up": _axis(up)}
 
     def __getstate__(self) -> "dict[str, Any]":
-        return {**self.__dict__, "_page": None}
+        return {**self.__dict__, "_page": None, "_meshes": None}
 
     def __repr__(self) -> str:
         return f"Deviation(H in {shown_bounds(self.lower, self.upper)}, {self.a_to_b!r}, {self.b_to_a!r})"
@@ -541,7 +590,9 @@ class Deviation(_Arrays, _Interval):
         return _table("deviation", rows)
 
     @classmethod
-    def _of(cls, data: "dict[str, Any]", beside: Mapping[str, Any], names: Tuple[str, str]) -> "Deviation":
+    def _of(
+        cls, data: "dict[str, Any]", beside: Mapping[str, Any], names: Tuple[str, str], meshes: Tuple[Mesh, Mesh]
+    ) -> "Deviation":
         greater, bands, verdict = data["greater_percentiles"], data.get("bands"), data.get("verdict")
         threshold = data.get("threshold")
         return cls(
@@ -555,6 +606,7 @@ class Deviation(_Arrays, _Interval):
             report=data,
             _page=beside["page"],
             _names=names,
+            _meshes=meshes,
         )
 
 
@@ -681,9 +733,11 @@ def deviation(
     """
     given = locals()
     names = (_name(a, "A"), _name(b, "B"))
+    meshes = (as_mesh(a), as_mesh(b))
+    given.update(zip("ab", meshes))
     with watching(given.pop("progress")) as watch:
         answer, beside = ask("deviation", {**given, "progress": watch}, ("a", "b"))
-    return Deviation._of(answer["report"], beside, names)
+    return Deviation._of(answer["report"], beside, names, meshes)
 
 
 def directed_deviation(

@@ -9,7 +9,7 @@ from typing import Any, Literal, Optional, Tuple, Union
 
 from . import _native
 from ._asking import ask
-from .certificates import Certificate
+from .certificates import Certificate, Ends, _write
 from .errors import OptionError
 from .progress import ProgressLike, watching
 from .results import DirectedReport, SymmetricReport
@@ -127,18 +127,16 @@ class Distance:
         if self.report.get("alignment") is not None:
             raise OptionError("a certificate is about the triangles that were handed in, but align moved B; move it first")
         threshold = self.report["threshold"]["value"] if self.answer == "below" else None
-        ends = tuple(
-            None if one is None else (
-                one.upper if threshold is None else threshold,
-                one.witness.from_.face,
-                one.witness.from_.barycentric,
-                one.lower,
-            )
-            for one in (self.a_to_b, self.b_to_a)
-        )
+
+        def ends(one: "Optional[DirectedReport]") -> "Optional[Ends]":
+            if one is None:
+                return None
+            start = one.witness.from_
+            return one.upper if threshold is None else threshold, start.face, start.barycentric, one.lower
+
         slack = self._slack if threshold is None else 0.0
         limits = (threads, time_limit, memory_limit)
-        return Certificate._of(json.loads(_native.write_certificate(path, *self._meshes, ends, slack, limits)))
+        return _write(path, self._meshes, (ends(self.a_to_b), ends(self.b_to_a)), slack, limits)
 
 
 def distance(

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Dict, NamedTuple, Optional
+from dataclasses import dataclass, field
+from typing import Dict, Literal, NamedTuple, Optional, Tuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ._asking import ask
+from .certificates import _Within
 from .deviations import Enclosure
 from .errors import SurfaceError
-from .sources import Mesh, MeshLike
+from .sources import Mesh, MeshLike, as_mesh
 
 __all__ = ["Change", "Repaired", "repair"]
 
@@ -26,7 +27,7 @@ class Change(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Repaired:
+class Repaired(_Within):
     """A repaired mesh, and what was done.
 
     Attributes
@@ -47,6 +48,7 @@ class Repaired:
     changes: Dict[str, Change]
     faces_added: int
     distance: Optional[Enclosure]
+    _proven: "Tuple[Optional[Mesh], Optional[float]]" = field(default=(None, None), repr=False)
 
     def __repr__(self) -> str:
         done = ", ".join(f"{name} {change.count}" for name, change in self.changes.items())
@@ -105,7 +107,10 @@ def repair(
     >>> whole.mesh.n_vertices, whole.changes["welded_vertices"].count
     (42, 198)
     """
-    answer, beside = ask("repair", locals())
+    source = as_mesh(mesh)
+    given = {**locals(), "mesh": source}
+    del given["source"]
+    answer, beside = ask("repair", given)
     report = answer["report"]
     distance = None if report["distance"] is None else Enclosure(**report["distance"])
     if not report["written"] and distance is not None:
@@ -118,4 +123,5 @@ def repair(
         for name, change in report.items()
         if isinstance(change, dict) and change.get("count", 0) > 0
     }
-    return Repaired(beside["mesh"], changes, report["faces_added"], distance)
+    proven = (None if center else source, within)
+    return Repaired(beside["mesh"], changes, report["faces_added"], distance, proven)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, Callable, Dict, List, Literal, Optional, Sequence, Tuple
 
 import numpy as np
@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _native
 from ._asking import ask, split
+from .certificates import _Within
 from .errors import OptionError
 from .results import SymmetricReport
 from .sources import Mesh, MeshLike, as_mesh
@@ -161,7 +162,7 @@ def flow(
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Simplified:
+class Simplified(_Within):
     """A mesh with fewer faces, and how far it is proven to be from the input.
 
     Attributes
@@ -183,6 +184,7 @@ class Simplified:
     texture: Optional[Tuple[NDArray[np.float64], NDArray[np.uint32]]] = None
     colors: Optional[NDArray[np.uint8]] = None
     finer: Tuple["Simplified", ...] = ()
+    _proven: "Tuple[Optional[Mesh], Optional[float]]" = field(default=(None, None), repr=False)
 
     @property
     def distance(self) -> SymmetricReport:
@@ -203,9 +205,15 @@ class Simplified:
         return f"Simplified({self.mesh.n_faces} faces, at most {self.distance.upper:.6g} from the input)"
 
     @classmethod
-    def _of(cls, report: Dict[str, Any], beside: Dict[str, Any], finer: Tuple["Simplified", ...] = ()) -> "Simplified":
+    def _of(
+        cls,
+        report: Dict[str, Any],
+        beside: Dict[str, Any],
+        source: Optional[Mesh],
+        finer: Tuple["Simplified", ...] = (),
+    ) -> "Simplified":
         texture = (beside["texture"], beside["corners"]) if "texture" in beside else None
-        return cls(beside["mesh"], report, texture, beside.get("colors"), finer)
+        return cls(beside["mesh"], report, texture, beside.get("colors"), finer, (source, report["within"]))
 
 
 def simplify(
@@ -299,14 +307,15 @@ def simplify(
     options, limits, progress = split(given)
     answer, beside = _native.simplify(mesh, options, limits, texture, colors, progress)
     report = json.loads(answer)["report"]
+    source = None if center else mesh
     finer = tuple(
-        Simplified._of({**report, **level, "finer": []}, arrays) for level, arrays in zip(report["finer"], beside["finer"])
+        Simplified._of({**report, **level, "finer": []}, arrays, source) for level, arrays in zip(report["finer"], beside["finer"])
     )
-    return Simplified._of(report, beside, finer)
+    return Simplified._of(report, beside, source, finer)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Remeshed:
+class Remeshed(_Within):
     """A mesh with new triangles.
 
     Attributes
@@ -319,6 +328,7 @@ class Remeshed:
 
     mesh: Mesh
     report: Dict[str, Any]
+    _proven: "Tuple[Optional[Mesh], Optional[float]]" = field(default=(None, None), repr=False)
 
     @property
     def before(self) -> Dict[str, Any]:
@@ -423,8 +433,11 @@ def remesh(
     >>> even.after["least_angle"]["least"] > 35 and even.distance.upper < 0.02
     True
     """
-    answer, beside = ask("remesh", locals())
-    return Remeshed(beside["mesh"], answer["report"])
+    source = as_mesh(mesh)
+    given = {**locals(), "mesh": source}
+    del given["source"]
+    answer, beside = ask("remesh", given)
+    return Remeshed(beside["mesh"], answer["report"], (None if center else source, within))
 
 
 @dataclass(frozen=True, eq=False, repr=False)

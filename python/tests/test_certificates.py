@@ -30,6 +30,40 @@ def test_a_threshold_is_the_upper_end(pair, tmp_path):
     assert found.answer == "below" and written.a_to_b.upper == 5.0 and written.b_to_a is None
 
 
+def test_meshes_made_within_a_distance_come_with_proofs(tmp_path):
+    ball, path = pompeiu.shapes.icosphere(1.0, 3), tmp_path / "proof.phc"
+    few = pompeiu.simplify(ball, within=0.05, levels=2)
+    made = [
+        (few, 0.05),
+        (few.finer[0], 0.025),
+        (pompeiu.remesh(ball, edge_length=0.2, within=0.06), 0.06),
+        (pompeiu.repair(ball, weld=1e-3, within=0.01), 0.01),
+    ]
+    for result, within in made:
+        written = result.certificate(path)
+        checked = pompeiu.verify(path, ball, result.mesh)
+        assert checked and checked.a_to_b == written.a_to_b
+        assert [claim.upper for claim in (checked.a_to_b, checked.b_to_a)] == [within, within]
+        assert not pompeiu.verify(path, ball, pompeiu.shapes.cube(2.0, 2))
+    with pytest.raises(pompeiu.OptionError, match="within"):
+        pompeiu.simplify(ball, faces=200).certificate(path)
+    with pytest.raises(pompeiu.OptionError, match="center"):
+        pompeiu.remesh(ball, edge_length=0.2, within=0.06, center=True).certificate(path)
+
+
+def test_the_largest_distances_of_a_deviation_are_proven(pair, tmp_path):
+    path = tmp_path / "proof.phc"
+    found = pompeiu.deviation(*pair)
+    found.certificate(path)
+    checked = pompeiu.verify(path, *pair)
+    for claim, one in ((checked.a_to_b, found.a_to_b), (checked.b_to_a, found.b_to_a)):
+        assert claim.lower <= one.lower <= one.upper < claim.upper < one.upper + 1e-10
+    pompeiu.deviation(*pair, threshold=5.0).certificate(path)
+    assert pompeiu.verify(path, *pair).b_to_a.upper == 5.0
+    with pytest.raises(pompeiu.OptionError, match="left out"):
+        pompeiu.deviation(*pair, box=(0, 0, 0, 2, 2, 2)).certificate(path)
+
+
 def test_the_first_statement_that_fails_is_named(pair, tmp_path):
     path = tmp_path / "proof.phc"
     pompeiu.distance(*pair).certificate(path)

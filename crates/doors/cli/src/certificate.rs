@@ -6,10 +6,13 @@ use crate::page::Page;
 use anyhow::{Context, bail};
 use bytesize::ByteSize;
 use pompeiu::core::TriMesh;
+use pompeiu::hausdorff::VerifyRequest;
 use pompeiu::hausdorff::certificate::{
-    Certificate, CertificateAnswer, CertificateError, CertificateOptions, Certified, Goal, write_certificate,
+    AttachedProof, Certificate, CertificateAnswer, CertificateError, CertificateOptions, Certified, Goal,
+    write_certificate,
 };
-use std::io::Write;
+use std::fs::File;
+use std::io::{BufReader, Write};
 use std::path::Path;
 
 /// Writes a certificate by a function that streams it, within the limits of the command. Those on time count anew: a search that used
@@ -63,16 +66,38 @@ pub(crate) fn write_within(
     write(path, session, |options, into| write_certificate(input, result, goals, options, into))
 }
 
-/// Writes a certificate as [`write_within`] does, of what an output holds, read again: a format may have an order of faces of its own.
+/// Writes a certificate as [`write_within`] does, of what an output holds, read again, which is returned, too: a format may have an order of
+/// faces of its own.
 pub(crate) fn write_of_output(
     path: &Path,
     input: &TriMesh,
     output: &Path,
     within: f64,
     session: &Session<'_>,
-) -> anyhow::Result<CertificateAnswer> {
+) -> anyhow::Result<(CertificateAnswer, TriMesh)> {
     let result = files::read(output)?.mesh;
-    write_within(path, [input, &result], within, session)
+    Ok((write_within(path, [input, &result], within, session)?, result))
+}
+
+/// Checks a certificate that was written, for what is shown beside it. None where none was written.
+pub(crate) fn attached(
+    path: &Path,
+    [a, b]: [&TriMesh; 2],
+    answer: &CertificateAnswer,
+    session: &Session<'_>,
+) -> anyhow::Result<Option<AttachedProof>> {
+    let Some(certificate) = answer.written.clone() else { return Ok(None) };
+    session.wait.show(format!("checking {}", path.display()));
+    let context = || path.display().to_string();
+    let threads = session.limits_anew().threads.or_else(|| std::thread::available_parallelism().ok());
+    let file = BufReader::new(File::open(path).with_context(context)?);
+    let found = VerifyRequest {}.run(a, b, file, threads.map_or(1, usize::from)).with_context(context)?;
+    if let Some(failure) = found.failure {
+        bail!("{}: the certificate that was written is not valid: {}", path.display(), failure.message);
+    }
+    let sha256 = files::sha256(path).with_context(context)?;
+    let file = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    Ok(Some(AttachedProof { file, sha256, certificate }))
 }
 
 /// What a certificate proves, and where it is.

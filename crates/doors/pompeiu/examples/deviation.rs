@@ -40,6 +40,7 @@ fn main() -> anyhow::Result<()> {
         threshold: None,
         bands: None,
         verdict: None,
+        proof: None,
         command: None,
     };
     pompeiu::io::write_whole(page, page_of.figures(&limits).html()?.as_bytes())?;

@@ -89,6 +89,7 @@ fn main() -> Result<(), Box<dyn Error>> {
                 .into(),
             "Lower end: the distance of one point, from a closed form.".into(),
         ],
+        attached: Vec::new(),
         facts: vec![["tolerance".into(), "1e-5 of the scene".into()]],
         command: Some("cargo run -p pompeiu-hausdorff --features figures --example deviation_page".into()),
         version: env!("CARGO_PKG_VERSION").into(),

@@ -9,6 +9,7 @@ use pompeiu_figures::page::{
     Row, Scene, Series, Shape, Space, Table, Text,
 };
 use pompeiu_figures::{Figure, FigureError, Image, Panel, Theme, View};
+use pompeiu_hausdorff::certificate::AttachedProof;
 
 /// A remeshed surface to be shown beside the mesh it was made from.
 #[derive(Clone, Copy, Debug)]
@@ -19,6 +20,8 @@ pub struct RemeshPage<'r> {
     pub input: &'r TriMesh,
     /// What was made of it.
     pub found: &'r Remeshed,
+    /// A certificate that the result is within a distance of the input, if there is one.
+    pub proof: Option<&'r AttachedProof>,
     /// Which way is up.
     pub up: [f64; 3],
     /// The command that makes the page again.
@@ -76,6 +79,10 @@ impl RemeshPage<'_> {
         page.add_card(Card::new("Triangles", vec![Block::Table(self.table()), Block::Facts(self.facts())]))?;
         let charts = self.both().map(|(label, mesh, _)| Block::Chart(least_angles(label, mesh)));
         page.add_card(Card::new("Least angles", charts.to_vec()))?;
+        if let Some(proof) = self.proof {
+            let rows = proof.rows().into_iter().map(|[name, value]| Fact::new(&name, value));
+            page.add_card(Card::new("Proof attached", vec![Block::Facts(rows.collect())]))?;
+        }
         page.add_card(Card::new("Run", vec![Block::Run]))?;
         Ok(page.html())
     }
@@ -171,17 +178,34 @@ mod tests {
     use super::*;
     use crate::{RemeshOptions, Sizing, remesh};
     use pompeiu_core::mesh::shapes::icosphere;
+    use pompeiu_hausdorff::certificate::Certificate;
 
     #[test]
     fn the_page_shows_both_surfaces() {
         let input = icosphere(1.0, 2).expect("a sphere");
         let found = remesh(&input, &RemeshOptions::new(Sizing::Length(0.4))).expect("a remeshed sphere");
-        let page =
-            RemeshPage { path: "ball.ply", input: &input, found: &found, up: [0.0, 0.0, 1.0], command: None };
+        let proof = AttachedProof {
+            file: "ball.phc".into(),
+            sha256: "f00d".into(),
+            certificate: Certificate::default(),
+        };
+        let page = RemeshPage {
+            path: "ball.ply",
+            input: &input,
+            found: &found,
+            proof: Some(&proof),
+            up: [0.0, 0.0, 1.0],
+            command: None,
+        };
         let html = page.html().expect("a page");
-        for part in
-            ["ball.ply remeshed", "least-angles-before", "least-angles-after", "distance from the input"]
-        {
+        for part in [
+            "ball.ply remeshed",
+            "least-angles-before",
+            "least-angles-after",
+            "distance from the input",
+            "ball.phc, checked with",
+            "f00d",
+        ] {
             assert!(html.contains(part), "{part}");
         }
         let shares = |mesh: &TriMesh| match &least_angles("", mesh).series[0] {

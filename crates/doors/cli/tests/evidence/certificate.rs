@@ -2,6 +2,7 @@
 
 use crate::common::Folder;
 use serde_json::Value;
+use sha2::{Digest, Sha256};
 
 fn folder() -> Folder {
     let folder = Folder::new();
@@ -131,6 +132,33 @@ fn simplified_and_remeshed_files_come_with_proofs() {
 }
 
 #[test]
+fn pages_and_documents_name_the_proof_that_lies_beside_them() {
+    let folder = folder();
+    let (code, answer) =
+        json(&folder, "deviation a.obj b.ply --threshold 3 --report d.html --pdf d.pdf --certificate d.phc");
+    assert_eq!(code, Some(0));
+    assert_eq!(verified(&folder, "d.phc a.obj b.ply")[1], 3.0);
+    let sum = sha256(&folder, "d.phc");
+    let of_a = answer["report"]["certificate"]["written"]["sha256"][0].as_str().unwrap();
+    let html = std::fs::read_to_string(folder.path().join("d.html")).unwrap();
+    for part in
+        ["proof attached", "d.phc, checked with pompeiu-verify", &sum, of_a, "pompeiu verify d.phc A B"]
+    {
+        assert!(html.contains(part), "{part}");
+    }
+    folder.ok("deviation a.obj b.ply --certificate d.phc");
+    assert!(verified(&folder, "d.phc a.obj b.ply")[1] < 3.0);
+    folder.ok("remesh a.obj --relative 0.1 --within 0.3 -o r.ply --report r.html --certificate r.phc");
+    let html = std::fs::read_to_string(folder.path().join("r.html")).unwrap();
+    assert!(html.contains("r.phc, checked with pompeiu-verify") && html.contains(&sha256(&folder, "r.phc")));
+}
+
+fn sha256(folder: &Folder, name: &str) -> String {
+    let bytes = std::fs::read(folder.path().join(name)).unwrap();
+    Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+#[test]
 fn what_would_prove_nothing_is_refused_before_any_work() {
     let folder = folder();
     for (args, message) in [
@@ -142,6 +170,8 @@ fn what_would_prove_nothing_is_refused_before_any_work() {
         ("remesh a.obj --relative 0.1 -o c.ply --certificate p.phc", "--within"),
         ("remesh a.obj --relative 0.1 --within 1 --center -o c.ply --certificate p.phc", "--center"),
         ("distance a.obj b.ply --align rigid --certificate p.phc", "--align"),
+        ("deviation a.obj b.ply --align rigid --certificate p.phc", "--align"),
+        ("deviation a.obj b.ply --only-overlap --certificate p.phc", "left out"),
         ("distance a.obj b.ply --certificate a.obj", "both input and output"),
         ("distance a.obj b.ply --certificate no/p.phc", "there is no folder"),
         ("distance a.obj b.ply --certificate p.phc --certificate-slack -1", "slack"),

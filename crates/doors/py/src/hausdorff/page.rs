@@ -48,6 +48,7 @@ impl DeviationPage {
             bands: self.report.bands.as_ref(),
             names: ["A", "B"],
             verdict: self.report.verdict.as_ref().map(|found| (found.answer, found.sentence.as_str())),
+            proof: None,
             command: None,
         }
     }

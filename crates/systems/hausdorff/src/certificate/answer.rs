@@ -1,7 +1,7 @@
 //! Certificates of what a request found.
 
 use super::{Certificate, CertificateError, CertificateOptions, Goal, write_certificate};
-use crate::request::{Comparison, DirectedDistance, DistanceReport};
+use crate::request::{Comparison, DeviationReport, DirectedDistance, DistanceReport};
 use crate::tolerance::OptionError;
 use pompeiu_core::TriMesh;
 use pompeiu_core::geom::Aabb;
@@ -33,6 +33,37 @@ impl CertificateAnswer {
     }
 }
 
+/// A certificate that lies beside a page or a document of the same answer, and was checked.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AttachedProof {
+    /// The name of its file.
+    pub file: String,
+    /// SHA-256 of the file, in hexadecimal digits.
+    pub sha256: String,
+    /// What it proves.
+    pub certificate: Certificate,
+}
+
+impl AttachedProof {
+    /// What is said of it: names and values.
+    pub fn rows(&self) -> Vec<[String; 2]> {
+        let Self { file, sha256, certificate } = self;
+        let checked = format!("{file}, checked with pompeiu-verify {}", env!("CARGO_PKG_VERSION"));
+        let mut rows = vec![["proof attached".to_owned(), checked]];
+        for (name, claim) in [("h(A, B)", &certificate.a_to_b), ("h(B, A)", &certificate.b_to_a)] {
+            if let Some(claim) = claim {
+                rows.push(["it proves".to_owned(), format!("{} <= {name} <= {}", claim.lower, claim.upper)]);
+            }
+        }
+        let [a, b] = &certificate.sha256;
+        rows.push(["SHA-256 of the proof".to_owned(), sha256.clone()]);
+        rows.push(["SHA-256 of A's triangles".to_owned(), a.clone()]);
+        rows.push(["SHA-256 of B's triangles".to_owned(), b.clone()]);
+        rows.push(["check it again".to_owned(), format!("pompeiu verify {file} A B")]);
+        rows
+    }
+}
+
 /// # Errors
 /// [`OptionError::Slack`] unless it is finite and not negative.
 pub(crate) fn check_slack(slack: f64) -> Result<(), OptionError> {
@@ -55,7 +86,7 @@ impl DistanceReport {
         into: &mut (dyn Write + Send),
     ) -> Result<Certificate, CertificateError> {
         check_slack(slack)?;
-        let slack = slack * meshes.map(Aabb::of_faces).into_iter().fold(Aabb::EMPTY, Aabb::union).diagonal();
+        let slack = slack * diagonal(meshes);
         let threshold = self.threshold.filter(|threshold| threshold.answer == Comparison::Below);
         let threshold = threshold.map(|threshold| threshold.value);
         let goals = [self.goal(false, slack, threshold), self.goal(true, slack, threshold)];
@@ -68,4 +99,35 @@ impl DistanceReport {
         let upper = threshold.unwrap_or(one.distance.upper() + slack);
         Some(Goal { upper, witness: Some((from.face.0, from.barycentric, one.distance.lower())) })
     }
+}
+
+impl DeviationReport {
+    /// Writes a certificate of the largest distances, both ways. Their upper ends are raised by [`Goal::SLACK`]; where they are at most the
+    /// threshold, the threshold is the upper end, as it is what was asked.
+    ///
+    /// # Errors
+    /// [`CertificateError`]; [`CertificateError::Parts`] where faces were left out. What was written by then is no certificate.
+    pub fn certify(
+        &self,
+        meshes: [&TriMesh; 2],
+        options: &CertificateOptions,
+        into: &mut (dyn Write + Send),
+    ) -> Result<Certificate, CertificateError> {
+        if self.left_out.is_some() {
+            return Err(CertificateError::Parts);
+        }
+        let slack = Goal::SLACK * diagonal(meshes);
+        let threshold = self.threshold.filter(|threshold| self.deviation.distance.upper() <= *threshold);
+        let both = [&self.deviation.a_to_b.distance, &self.deviation.b_to_a.distance];
+        let goals = both.map(|found| {
+            let goal = Goal::of(found, slack);
+            Some(Goal { upper: threshold.unwrap_or(goal.upper), ..goal })
+        });
+        write_certificate(meshes[0], meshes[1], goals, options, into)
+    }
+}
+
+/// The diagonal of the box around both meshes.
+fn diagonal(meshes: [&TriMesh; 2]) -> f64 {
+    meshes.map(Aabb::of_faces).into_iter().fold(Aabb::EMPTY, Aabb::union).diagonal()
 }

@@ -12,8 +12,8 @@ mod chord;
 mod encode;
 mod face;
 
-pub use answer::CertificateAnswer;
 pub(crate) use answer::check_slack;
+pub use answer::{AttachedProof, CertificateAnswer};
 
 use crate::engine::bytes_to_start;
 use crate::report::{DirectedReport, SymmetricReport};
@@ -91,7 +91,7 @@ pub struct Certified {
 }
 
 /// A certificate that was written.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Certificate {
@@ -139,6 +139,11 @@ pub enum CertificateError {
     /// The upper end is not a finite length, or too small beside the meshes to be computed with.
     #[error("no certificate can be made for an upper end of {0}")]
     Upper(f64),
+    /// Faces of a mesh were left out of the answer.
+    #[error(
+        "a certificate is about all triangles of both meshes, but some were left out; write what is to be measured as a mesh of its own"
+    )]
+    Parts,
     /// An option that cannot be used.
     #[error(transparent)]
     Option(#[from] OptionError),

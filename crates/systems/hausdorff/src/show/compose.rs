@@ -190,6 +190,10 @@ impl DeviationContent {
 
     fn add_cards(&self, page: &mut Page, shared: &Shared, sides: &[Side<'_>]) -> Result<(), PageError> {
         page.add_card(self.distance(sides))?;
+        if !self.attached.is_empty() {
+            let rows = self.attached.iter().map(|[name, value]| Fact::new(name, value.as_str()));
+            page.add_card(Card::new("Proof attached", vec![Block::Facts(rows.collect())]))?;
+        }
         let most = largest(sides);
         for side in sides {
             page.add_card(

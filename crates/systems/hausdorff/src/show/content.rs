@@ -71,6 +71,8 @@ pub struct DeviationContent {
     pub surfaces: [MeasuredSurface; 2],
     /// How the answer was proved, paragraph by paragraph.
     pub proof: Vec<String>,
+    /// What is said of a certificate beside the page, names and values; empty where there is none.
+    pub attached: Vec<[String; 2]>,
     /// Anything else about the run, such as times: names and values.
     pub facts: Vec<[String; 2]>,
     /// The command that makes this page again.

@@ -51,6 +51,7 @@ mod tests {
             threshold: None,
             bands: Some(&bands),
             verdict: None,
+            proof: None,
             command: None,
         };
         let figures = found.figures(&limits);

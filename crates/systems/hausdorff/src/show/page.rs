@@ -7,6 +7,7 @@ use super::content::{
 use super::draw::{Drawing, Style};
 use super::paper::four_digits;
 use super::spread;
+use crate::certificate::AttachedProof;
 use crate::deviation::{BandReport, Deviation, DirectedDeviation, DisplayTriangle, Region, Statistics};
 use crate::{Direction, Enclosure, PreparedPair, Stage, StopReason, VerdictAnswer, Witness};
 use pompeiu_core::geom::{Aabb, Frame};
@@ -38,6 +39,7 @@ use std::fmt::{self, Write};
 ///     threshold: Some(0.25),
 ///     bands: None,
 ///     verdict: None,
+///     proof: None,
 ///     command: None,
 /// };
 /// let figures = found.figures(&limits);
@@ -69,6 +71,8 @@ pub struct DeviationPage<'r> {
     /// The answer that a person acts on, above everything else, and its sentence
     /// ([`DeviationReport::sentence`](crate::DeviationReport::sentence)).
     pub verdict: Option<(VerdictAnswer, &'r str)>,
+    /// A certificate of the same answer, if there is one.
+    pub proof: Option<&'r AttachedProof>,
     /// The command that makes the page again.
     pub command: Option<&'r str>,
 }
@@ -318,6 +322,7 @@ impl DeviationFigures<'_> {
             distance: Some(bounds(of.deviation.distance)),
             surfaces: self.sides.each_ref().map(|side| of.surface(side)),
             proof: proof(),
+            attached: of.proof.map(AttachedProof::rows).unwrap_or_default(),
             facts: of.facts(),
             command: of.command.map(str::to_owned),
             version: env!("CARGO_PKG_VERSION").to_owned(),

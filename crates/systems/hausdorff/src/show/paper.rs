@@ -60,11 +60,12 @@ impl DeviationFigures<'_> {
              included; where both ends agree in the digits shown, one number is shown."
                 .to_owned(),
         ));
+        if let Some(proof) = of.proof {
+            blocks.push(Block::Heading("Proof attached".to_owned()));
+            blocks.push(named(proof.rows()));
+        }
         blocks.push(Block::Heading("What was measured".to_owned()));
-        blocks.push(Block::Table {
-            columns: vec![(String::new(), 1.0), (String::new(), 4.0)],
-            rows: provenance.iter().map(|row| row.to_vec()).collect(),
-        });
+        blocks.push(named(provenance.to_vec()));
         Ok(Document {
             title: format!("Deviation of {} and {}", names[0], names[1]),
             blocks,
@@ -134,6 +135,12 @@ impl DeviationPage<'_> {
         let columns = [("", 1.2), ("largest", 1.0), ("at (x, y, z)", 2.0), ("area", 0.8), ("faces", 0.6)];
         Block::Table { columns: columns.map(|(name, share)| (name.to_owned(), share)).to_vec(), rows }
     }
+}
+
+/// Names and values.
+fn named(rows: Vec<[String; 2]>) -> Block {
+    let columns = vec![(String::new(), 1.0), (String::new(), 4.0)];
+    Block::Table { columns, rows: rows.into_iter().map(Vec::from).collect() }
 }
 
 /// What the classes between some ends are called, from the lowest.

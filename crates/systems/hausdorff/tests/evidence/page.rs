@@ -159,6 +159,7 @@ fn a_page_is_short_whatever_the_pair() {
         threshold: None,
         bands: None,
         verdict: None,
+        proof: None,
         command: None,
     };
     let bytes = found.figures(&limits).html().unwrap().len();

@@ -8,16 +8,19 @@ mod write;
 
 use crate::aligned;
 use crate::args::{Meshes, Picture};
+use crate::certificate;
 use crate::door::{self, AnswerOf, Invocation, ReportOf, Session, System, Writes};
 use crate::exit::Exit;
 use crate::numbers::{few, time};
 use crate::page::Page;
 use crate::pair;
 use crate::printer::Printer;
+use anyhow::bail;
 use clap::{Args, ValueEnum};
 use pompeiu::core::geom::Aabb;
+use pompeiu::hausdorff::certificate::AttachedProof;
 use pompeiu::hausdorff::{
-    DirectedDeviation, Direction, Enclosure, NamedFaces, PreparedPair, deviation, digits,
+    DeviationReport, DirectedDeviation, Direction, Enclosure, NamedFaces, PreparedPair, deviation, digits,
 };
 use pompeiu::io::Group;
 use pompeiu::matching::request::{AlignedDeviationReport, AlignedDeviationRequest};
@@ -43,7 +46,8 @@ Exit codes:
   0  done; with --threshold or --band: proven to be within tolerance
   1  with --threshold or --band: proven to be out of tolerance
   2  a file or an argument cannot be used
-  3  the time or memory limit ran out first, or the tolerance is undecided; what is printed holds, but is wider than asked
+  3  the time or memory limit ran out first, or the tolerance is undecided; what is printed holds, but is wider than asked;
+     or the certificate could not be written
 
 Examples:
   pompeiu deviation model.obj scan.ply
@@ -52,6 +56,7 @@ Examples:
   pompeiu deviation model.obj scan.ply --unit mm --band -0.05..0.1 --band -0.2..0.3
   pompeiu deviation model.obj partial-scan.ply --only-overlap --ignore-components 0.1% --threshold 0.05
   pompeiu deviation model.obj scan.ply --signed -a model.vtp -b scan.vtp
+  pompeiu deviation model.obj scan.ply --threshold 0.05 --report scan.html --pdf scan.pdf --certificate proof.phc
   pompeiu deviation model.obj scan.ply --json")]
 pub(crate) struct Files {
     #[command(flatten)]
@@ -73,6 +78,10 @@ pub(crate) struct Files {
     /// Write the statistics as comma-separated values
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
+    /// Write a file from which anybody can prove the largest distances anew, see `pompeiu verify`; pages and documents name it, with its
+    /// SHA-256 sum
+    #[arg(long, value_name = "FILE")]
+    certificate: Option<PathBuf>,
     /// Print everything: all percentiles of both directions taken together, all regions, all digits that are certain
     #[arg(long)]
     full: bool,
@@ -92,7 +101,7 @@ impl Files {
     }
 
     fn outputs(&self) -> impl Iterator<Item = &Path> {
-        let files = [&self.output_a, &self.output_b, &self.csv, &self.pdf];
+        let files = [&self.output_a, &self.output_b, &self.csv, &self.pdf, &self.certificate];
         files.into_iter().flatten().map(PathBuf::as_path).chain(self.picture.outputs())
     }
 }
@@ -119,12 +128,19 @@ impl System for Files {
 
     fn text(&self, answer: &AnswerOf<Self>) -> String {
         let names = self.meshes.names();
-        if self.full { full::text(names, answer) } else { text::text(names, answer) }
+        let mut text = if self.full { full::text(names, answer) } else { text::text(names, answer) };
+        if let Some((path, answer)) =
+            self.certificate.as_ref().zip(answer.report.measured.certificate.as_ref())
+        {
+            text.push_str(&certificate::text(path, answer));
+            text.push('\n');
+        }
+        text
     }
 }
 
 impl Writes for Files {
-    type Found = PreparedPair<'static>;
+    type Found = (PreparedPair<'static>, Option<AttachedProof>);
 
     fn find(
         &self,
@@ -132,6 +148,7 @@ impl Writes for Files {
         session: &mut Session<'_>,
     ) -> anyhow::Result<(ReportOf<Self>, Self::Found)> {
         request.deviation.check()?;
+        self.check_certificate(request)?;
         let paths = self.meshes.paths();
         if self.meshes.look_swapped() {
             session.printer.note(format_args!(
@@ -145,21 +162,22 @@ impl Writes for Files {
         let pair = PreparedPair::new(a.mesh, b.mesh).keeping(self.draws());
         session.wait.show("building trees".to_owned());
         let context = session.context();
-        let (pair, report) = request
+        let (pair, mut report) = request
             .run(pair, [&groups[0], &groups[1]], &context, None)
             .map_err(|error| pair::in_files(paths, error))?;
+        let proof = self.certify(&mut report.measured, &pair, session)?;
         session.stop_waiting();
         self.warn(&report, &pair, session.printer);
-        Ok((report, pair))
+        Ok((report, (pair, proof)))
     }
 
     fn write(
         &self,
         answer: &AnswerOf<Self>,
-        pair: PreparedPair<'static>,
+        (pair, proof): Self::Found,
         session: &mut Session<'_>,
     ) -> anyhow::Result<()> {
-        write::write(self, answer, &pair, session)
+        write::write(self, answer, (&pair, proof.as_ref()), session)
     }
 
     fn closing(&self, answer: &AnswerOf<Self>, total: Duration, writing: Duration) -> String {
@@ -190,6 +208,37 @@ const NEARLY_ALL: f64 = 0.9;
 const FAR: f64 = 0.1;
 
 impl Files {
+    /// Refuses a certificate of what is not in the files.
+    fn check_certificate(&self, request: &AlignedDeviationRequest) -> anyhow::Result<()> {
+        let why = if request.align.is_some() {
+            "--align moves B; write the moved mesh with `pompeiu align` and compare that"
+        } else if !request.deviation.parts.is_empty() {
+            "parts of them were to be left out; write what is to be measured as a mesh of its own"
+        } else {
+            return Ok(());
+        };
+        if self.certificate.is_some() {
+            bail!("a certificate is about all triangles in the files, but {why}");
+        }
+        Ok(())
+    }
+
+    /// Writes the certificate, and checks it where something is drawn that names it.
+    fn certify(
+        &self,
+        report: &mut DeviationReport,
+        pair: &PreparedPair<'_>,
+        session: &Session<'_>,
+    ) -> anyhow::Result<Option<AttachedProof>> {
+        let Some(path) = &self.certificate else { return Ok(None) };
+        let meshes = [pair.a(), pair.b()];
+        let answer =
+            certificate::write(path, session, |options, into| report.certify(meshes, options, into))?;
+        let proof = if self.draws() { certificate::attached(path, meshes, &answer, session)? } else { None };
+        report.certificate = Some(answer);
+        Ok(proof)
+    }
+
     /// Warns of what makes an answer useless more often than not.
     fn warn(&self, report: &AlignedDeviationReport, pair: &PreparedPair<'_>, printer: &Printer) {
         if let Some(found) = &report.alignment {

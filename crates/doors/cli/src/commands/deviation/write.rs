@@ -8,13 +8,14 @@ use crate::files;
 use crate::page::{described, left_out};
 use pompeiu::figures::paper;
 use pompeiu::hausdorff::PreparedPair;
+use pompeiu::hausdorff::certificate::AttachedProof;
 use pompeiu::hausdorff::show::{DeviationFigures, DeviationPage, search_stages};
 use std::path::Path;
 
 pub(super) fn write(
     files: &Files,
     answer: &AnswerOf<Files>,
-    pair: &PreparedPair<'_>,
+    (pair, proof): (&PreparedPair<'_>, Option<&AttachedProof>),
     session: &mut Session<'_>,
 ) -> anyhow::Result<()> {
     let deviation = &answer.report.measured.deviation;
@@ -26,7 +27,7 @@ pub(super) fn write(
         }
     }
     if files.draws() {
-        show(files, answer, pair, session)?;
+        show(files, answer, (pair, proof), session)?;
     }
     if let Some(path) = &files.csv {
         files::write_whole(path, csv::csv(&answer.report.measured).as_bytes(), session.printer)?;
@@ -38,7 +39,7 @@ pub(super) fn write(
 fn show(
     files: &Files,
     answer: &AnswerOf<Files>,
-    pair: &PreparedPair<'_>,
+    (pair, proof): (&PreparedPair<'_>, Option<&AttachedProof>),
     session: &mut Session<'_>,
 ) -> anyhow::Result<()> {
     let report = &answer.report.measured;
@@ -61,6 +62,7 @@ fn show(
         threshold: report.threshold,
         bands: report.bands.as_ref(),
         verdict: report.verdict.as_ref().map(|found| found.answer).zip(verdict.as_deref()),
+        proof,
         up: files.picture.up.axis(),
         command: Some(&command),
     }

@@ -61,18 +61,23 @@ impl System for Files {
         let (found, printer) = (&answer.found, session.printer);
         tell(&self.output, &found.rounding, printer);
         files::write_rounded(&self.output, &found.mesh, &found.rounding, printer)?;
+        let mut proof = None;
+        if let Some((path, within)) = self.certificate.as_ref().zip(request.within) {
+            let (written, result) = certificate::write_of_output(path, &mesh, &self.output, within, session)?;
+            if self.picture.report.is_some() {
+                proof = certificate::attached(path, [&mesh, &result], &written, session)?;
+            }
+            answer.report.certificate = Some(written);
+            session.stop_waiting();
+        }
         let (up, command) = (self.picture.up.axis(), called());
-        let page = RemeshPage { path: &shown, input: &mesh, found, up, command: Some(&command) };
+        let (proof, found) = (proof.as_ref(), &answer.found);
+        let page = RemeshPage { path: &shown, input: &mesh, found, proof, up, command: Some(&command) };
         self.picture.write(
             || page.html(),
             |width, height, theme, view| page.image(width, height, theme, view),
             printer,
         )?;
-        if let Some((path, within)) = self.certificate.as_ref().zip(request.within) {
-            let written = certificate::write_of_output(path, &mesh, &self.output, within, session)?;
-            answer.report.certificate = Some(written);
-            session.stop_waiting();
-        }
         Ok(answer.report)
     }
 

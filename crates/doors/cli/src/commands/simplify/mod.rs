@@ -72,7 +72,7 @@ impl System for Files {
         }
         found.report.kept = appearance.kept();
         if let Some((path, within)) = self.certificate.as_ref().zip(found.report.level.within) {
-            let answer = certificate::write_of_output(path, &mesh, &self.output, within, session)?;
+            let (answer, _) = certificate::write_of_output(path, &mesh, &self.output, within, session)?;
             found.report.certificate = Some(answer);
             session.stop_waiting();
         }

@@ -117,7 +117,15 @@ impl DeviationRequest {
             deviation.b_to_a.renumber(&b.faces);
         }
         let threshold = options.threshold;
-        let mut report = DeviationReport { threshold, verdict: None, bands, left_out, outliers, deviation };
+        let mut report = DeviationReport {
+            threshold,
+            verdict: None,
+            bands,
+            left_out,
+            outliers,
+            certificate: None,
+            deviation,
+        };
         report.judge(self.allow.unwrap_or(0.0), &self.measures.unit);
         Ok((pair, report))
     }

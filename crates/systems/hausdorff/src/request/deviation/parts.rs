@@ -54,7 +54,8 @@ pub struct MeasuredParts {
 const MOST_NAMES: usize = 20;
 
 impl MeasuredParts {
-    fn is_empty(&self) -> bool {
+    /// Whether everything is measured.
+    pub fn is_empty(&self) -> bool {
         *self == Self::default()
     }
 

@@ -1,6 +1,7 @@
 //! What is answered.
 
 use super::verdict::Verdict;
+use crate::certificate::CertificateAnswer;
 use crate::deviation::{BandReport, Deviation, DirectedDeviation, LeftOut};
 use crate::{Direction, PreparedPair, StopReason};
 use pompeiu_core::request::{Conclusion, Report};
@@ -25,6 +26,9 @@ pub struct DeviationReport {
     pub left_out: Option<BothLeftOut>,
     /// Small parts of which alone the largest distance is, of A and of B.
     pub outliers: Vec<Outlier>,
+    /// What came of the certificate; absent if none was asked for.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub certificate: Option<CertificateAnswer>,
     /// The deviation.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub deviation: Deviation,
@@ -86,10 +90,12 @@ impl Report for DeviationReport {
 
     /// A question about a tolerance is answered or not; otherwise limits decide.
     fn conclusion(&self) -> Conclusion {
+        let is_unproven = self.certificate.as_ref().is_some_and(|answer| answer.written.is_none());
         match self.verdict.as_ref().map(Verdict::conclusion) {
-            Some(conclusion) => conclusion,
+            Some(conclusion) if !is_unproven || conclusion != Conclusion::AsAsked => conclusion,
+            _ if is_unproven => Conclusion::Incomplete,
             None if self.stop().is_early() => Conclusion::Incomplete,
-            None => Conclusion::AsAsked,
+            _ => Conclusion::AsAsked,
         }
     }
 }
