@@ -36,6 +36,16 @@ fn sub(p: Point, q: Point) -> Point {
     [p[0] - q[0], p[1] - q[1], p[2] - q[2]]
 }
 
+/// `p - t e`.
+fn less(p: Point, t: f64, e: Point) -> Point {
+    [p[0] - t * e[0], p[1] - t * e[1], p[2] - t * e[2]]
+}
+
+/// `s p + t q`.
+fn mix(s: f64, p: Point, t: f64, q: Point) -> Point {
+    [s * p[0] + t * q[0], s * p[1] + t * q[1], s * p[2] + t * q[2]]
+}
+
 fn dot(p: Point, q: Point) -> f64 {
     p[0] * q[0] + p[1] * q[1] + p[2] * q[2]
 }
@@ -56,7 +66,7 @@ pub fn whole(face: [Point; 3]) -> [Corner; 3] {
 /// round by at most `2 u m (1 + 3 u)`.
 pub fn between(p: &Corner, q: &Corner, t: f64) -> Corner {
     let s = 1.0 - t;
-    let offset = [0, 1, 2].map(|k| s * p.offset[k] + t * q.offset[k]);
+    let offset = mix(s, p.offset, t, q.offset);
     let m = s * size(p.offset) + t * size(q.offset);
     Corner { offset, radius: UP * (s * p.radius + t * q.radius + 2.25 * U * m) + TINY }
 }
@@ -70,7 +80,7 @@ pub fn mean(face: [Point; 3], weights: Point) -> Option<Corner> {
     }
     let [(v, p), (w, q)] = [1, 2].map(|i| (weights[i] / sum, sub(face[i], face[0])));
     let m = v * size(p) + w * size(q);
-    Some(Corner { offset: [0, 1, 2].map(|k| v * p[k] + w * q[k]), radius: 10.0 * U * m + TINY })
+    Some(Corner { offset: mix(v, p, w, q), radius: 10.0 * U * m + TINY })
 }
 
 /// One end of a chord: the point of side `side`, which leads from corner `side` to the next, at `t` in [0, 1).
@@ -127,7 +137,7 @@ impl Facet {
         let edges = [sub(b, a), sub(c, a), sub(c, b)];
         let lengths_sq = edges.map(|e| dot(e, e));
         let along = dot(edges[1], edges[0]) / lengths_sq[0];
-        let height = [0, 1, 2].map(|k| edges[1][k] - along * edges[0][k]);
+        let height = less(edges[1], along, edges[0]);
         let size = size(a).max(size(b)).max(size(c));
         Self { corners, edges, lengths_sq, size, along, height, height_sq: dot(height, height) }
     }
@@ -137,14 +147,14 @@ impl Facet {
     pub fn to(&self, p: Point) -> Point {
         let from_a = sub(p, self.corners[0]);
         let t = dot(from_a, self.edges[0]) / self.lengths_sq[0];
-        let beside = [0, 1, 2].map(|k| from_a[k] - t * self.edges[0][k]);
+        let beside = less(from_a, t, self.edges[0]);
         let w = dot(beside, self.height) / self.height_sq;
         let v = t - w * self.along;
-        let foot = [0, 1, 2].map(|k| (from_a[k] - v * self.edges[0][k]) - w * self.edges[1][k]);
+        let foot = less(less(from_a, v, self.edges[0]), w, self.edges[1]);
         let side = |from: Point, i: usize| {
             let s = dot(from, self.edges[i]) / self.lengths_sq[i];
             let s = if s > 0.0 { if s < 1.0 { s } else { 1.0 } } else { 0.0 };
-            [0, 1, 2].map(|k| from[k] - s * self.edges[i][k])
+            less(from, s, self.edges[i])
         };
         let is_inside = v >= 0.0 && w >= 0.0 && v + w < 1.0;
         // Away from its sides the foot is the nearest point; beside them it may be lost in rounding where the face is thin.
@@ -152,8 +162,11 @@ impl Facet {
             return foot;
         }
         let sides = [side(from_a, 0), side(from_a, 1), side(sub(p, self.corners[1]), 2)];
-        let start = if is_inside { foot } else { sides[0] };
-        sides.into_iter().fold(start, |best, d| if dot(d, d) < dot(best, best) { d } else { best })
+        let mut best = if is_inside { foot } else { sides[0] };
+        for d in sides {
+            best = if dot(d, d) < dot(best, best) { d } else { best };
+        }
+        best
     }
 
     /// Whether the height is not small beside the first edge.
@@ -192,7 +205,7 @@ impl Facet {
         let without = |v: Point, i: usize| {
             let once = |v: Point| {
                 let t = dot(v, self.edges[i]) / self.lengths_sq[i];
-                [0, 1, 2].map(|k| v[k] - t * self.edges[i][k])
+                less(v, t, self.edges[i])
             };
             once(once(v))
         };

@@ -16,16 +16,18 @@ pub(super) struct Place {
 /// Steps of Newton's method; it converges quadratically from the far corner, and at once where the nearest points are on a plane.
 const STEPS: usize = 12;
 
+/// A step so short ends the search for a position.
+const CLOSE: f64 = f64::EPSILON;
+
 /// How far one can go from a near corner to one that is farther than `upper` from a face: a position that is not short of the
 /// last one by more than rounding.
 pub(super) fn reach(facet: &Facet, near: &Corner, far: &Corner, upper: f64) -> f64 {
-    let along = [0, 1, 2].map(|k| far.offset[k] - near.offset[k]);
-    // What a test adds to a distance for rounding, and twice as much again, so that the place found passes it.
-    let doubt = |x: &Corner| facet.at_most(x) - length(facet.to(x.offset));
-    let target = upper - 2.0 * doubt(near).max(doubt(far));
+    let (p, q) = (near.offset, far.offset);
+    let along = [q[0] - p[0], q[1] - p[1], q[2] - p[2]];
+    let target = upper - 2.0 * doubt(facet, [near, far], upper);
     let mut t = 1.0;
     for _ in 0..STEPS {
-        let d = facet.to([0, 1, 2].map(|k| near.offset[k] + t * along[k]));
+        let d = facet.to([p[0] + t * along[0], p[1] + t * along[1], p[2] + t * along[2]]);
         let distance = length(d);
         let excess = distance - target;
         let slope = dot(d, along) / distance;
@@ -40,9 +42,22 @@ pub(super) fn reach(facet: &Facet, near: &Corner, far: &Corner, upper: f64) -> f
         if next >= t {
             break;
         }
+        let is_last = t - next < CLOSE;
         t = next;
+        if is_last {
+            break;
+        }
     }
     t
+}
+
+/// At least what the verifier's test adds to a distance of about `upper` for rounding, at corners and between them.
+fn doubt(facet: &Facet, corners: [&Corner; 2], upper: f64) -> f64 {
+    let size = |p: Point| p[0].abs().max(p[1].abs()).max(p[2].abs());
+    let points = facet.corners.into_iter().chain(corners.map(|x| x.offset));
+    let largest = points.map(size).fold(0.0, f64::max);
+    1.8 * (corners[0].radius.max(corners[1].radius) + 8.0 * f64::EPSILON * largest)
+        + 10.0 * f64::EPSILON * upper
 }
 
 /// The place on the side at `t` from the near corner, rounded towards it to so many bytes; `is_forward` where the side leads from the

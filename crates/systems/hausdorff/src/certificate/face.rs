@@ -105,13 +105,11 @@ impl<'s> Trees<'s> {
         let corners = whole(corners);
         let mut polygon: Vec<Tagged> =
             corners.into_iter().zip(tags).map(|(corner, slot)| Tagged { corner, slot }).collect();
-        for slot in [self.last, tags[0], tags[1], tags[2]] {
-            let facet = self.facet(slot);
-            if corners.iter().all(|corner| facet.at_most(corner) <= self.scene.upper) {
-                self.is_untouched = true;
-                self.leaf(slot);
-                return Ok(());
-            }
+        let facet = self.facet(self.last);
+        if corners.iter().all(|corner| facet.at_most(corner) <= self.scene.upper) {
+            self.is_untouched = true;
+            self.leaf(self.last);
+            return Ok(());
         }
         let before = self.block.cells;
         let mut covered = None;
@@ -145,29 +143,44 @@ impl<'s> Trees<'s> {
 
     /// One node: a leaf if a face covers the polygon, else a cut whose parts wait.
     fn polygon(&mut self, polygon: &mut [Tagged]) -> Result<(), Unfinished> {
-        let full = (1_u64 << polygon.len()) - 1;
         let mut candidates = std::mem::take(&mut self.candidates);
+        let done = self.node(polygon, &mut candidates);
+        self.candidates = candidates;
+        if done? { Ok(()) } else { self.halve(polygon) }
+    }
+
+    /// [`Self::polygon`] by faces near it; false if none helps.
+    fn node(
+        &mut self,
+        polygon: &mut [Tagged],
+        candidates: &mut Vec<(Slot, u64)>,
+    ) -> Result<bool, Unfinished> {
         candidates.clear();
-        for i in 0..=polygon.len() {
-            let slot = match polygon.get(i) {
-                Some(corner) => corner.slot,
-                None => self.nearest_to_centre(polygon, candidates[0].0)?,
-            };
-            if candidates.iter().all(|(other, _)| *other != slot) {
-                let mask = self.covered(slot, polygon);
-                if mask == full {
-                    self.leaf(slot);
-                    self.candidates = candidates;
-                    return Ok(());
-                }
-                candidates.push((slot, mask));
+        for i in 0..polygon.len() {
+            if self.covers(polygon[i].slot, polygon, candidates) {
+                return Ok(true);
             }
         }
-        candidates.retain(|(_, mask)| *mask != 0);
-        candidates.sort_by_key(|(_, mask)| std::cmp::Reverse(mask.count_ones()));
-        let done = polygon.len() + 6 < MOST_CORNERS && self.cut(polygon, &candidates);
-        self.candidates = candidates;
-        if done { Ok(()) } else { self.halve(polygon) }
+        let slot = self.nearest_to_centre(polygon, polygon[0].slot)?;
+        if self.covers(slot, polygon, candidates) {
+            return Ok(true);
+        }
+        Ok(polygon.len() + 6 < MOST_CORNERS && self.cut(polygon, candidates))
+    }
+
+    /// Makes a leaf if a face covers a polygon; else the face is a candidate, those that are near more corners first.
+    fn covers(&mut self, slot: Slot, polygon: &[Tagged], candidates: &mut Vec<(Slot, u64)>) -> bool {
+        if candidates.iter().any(|(other, _)| *other == slot) {
+            return false;
+        }
+        let mask = self.covered(slot, polygon);
+        if mask == (1_u64 << polygon.len()) - 1 {
+            self.leaf(slot);
+            return true;
+        }
+        let place = candidates.partition_point(|(_, other)| other.count_ones() >= mask.count_ones());
+        candidates.insert(place, (slot, mask));
+        false
     }
 
     /// The face of B nearest to the centre of a polygon, unless that shows that no certificate can be made.
@@ -192,7 +205,7 @@ impl<'s> Trees<'s> {
         let measure = Measure::of(polygon);
         let whole = measure.size(polygon);
         let mut best: Option<(f64, [Cut; 2], Slot)> = None;
-        for (slot, mask) in candidates.iter().copied() {
+        for (slot, mask) in candidates.iter().copied().filter(|(_, mask)| *mask != 0) {
             let Some(ends) = self.carve(polygon, slot, mask) else { continue };
             self.scratch.clear();
             part(polygon, &ends[1], &ends[0], &mut self.scratch);
@@ -268,24 +281,28 @@ impl<'s> Trees<'s> {
         forward: bool,
     ) -> (Place, Slot) {
         let (facet, upper) = (self.facet(slot), self.scene.upper);
-        let (p, q) = (polygon[near], polygon[far]);
+        let (p, q) = (&polygon[near], &polygon[far]);
         let t = reach(&facet, &p.corner, &q.corner, upper);
         let mut fallback = None;
-        for bytes in 1..=7 {
+        // Beyond three bytes a cell is won by luck only; where two faces tie, all seven are needed.
+        for bytes in [1, 2, 3, 7] {
             let Some(place) = place(&p.corner, &q.corner, forward, t, bytes) else { continue };
             if facet.at_most(&place.corner) > upper {
                 continue;
             }
-            for other in [q.slot, p.slot] {
-                if other != slot && self.facet(other).at_most(&place.corner) <= upper {
+            // A face known to be near the polygon saves looking for the nearest one.
+            let mut tried = slot;
+            for i in 0..polygon.len() {
+                let other = polygon[(far + i) % polygon.len()].slot;
+                if other != slot && other != tried && self.facet(other).at_most(&place.corner) <= upper {
                     return (place, other);
                 }
+                tried = other;
             }
             let (nearest, _) = self.nearest(place.corner.offset, q.slot);
             if nearest != slot && self.facet(nearest).at_most(&place.corner) <= upper {
                 return (place, nearest);
             }
-            // Beyond three bytes a cell is won by luck only; where two faces tie, all seven are needed.
             fallback = Some((place, nearest));
         }
         let corner = Place { t: 0.0, bytes: 0, corner: p.corner };
@@ -362,15 +379,15 @@ impl<'s> Trees<'s> {
         let side =
             (0..n).fold(0, |best, i| if gap(i, (i + 1) % n) > gap(best, (best + 1) % n) { i } else { best });
         let middle = Cut { bytes: 1, ..Cut::at(polygon, End { side, t: 0.5 }, slot) };
-        // Of a polygon without area all corners lie on the side: any but its ends will do.
+        let (from, to) = (polygon[side].corner.offset, polygon[(side + 1) % n].corner.offset);
+        // A corner on the line of the side would cut nothing off. Of a polygon without area all corners lie on it: then the farthest will do.
+        let is_flat = matches!(Measure::of(polygon), Measure::Extent);
+        let away = |i: usize| {
+            let x = polygon[i].corner.offset;
+            if is_flat { gap(i, side) + gap(i, (side + 1) % n) } else { length(double_area([from, to, x])) }
+        };
         let others = (2..n).map(|i| (side + i) % n);
-        let Some(corner) = others.reduce(|best, i| {
-            if gap(i, side) + gap(i, (side + 1) % n) > gap(best, side) + gap(best, (side + 1) % n) {
-                i
-            } else {
-                best
-            }
-        }) else {
+        let Some(corner) = others.reduce(|best, i| if away(i) > away(best) { i } else { best }) else {
             return Err(Unfinished::Far(self.face));
         };
         let opposite = Cut::at(polygon, End { side: corner, t: 0.0 }, polygon[corner].slot);
@@ -497,13 +514,18 @@ impl Measure {
     }
 }
 
-/// The area of a polygon.
+/// Twice the area of a polygon.
 fn area(polygon: &[Tagged]) -> f64 {
     let from = polygon[0].corner.offset;
-    let to = |x: &Tagged| [0, 1, 2].map(|k| x.corner.offset[k] - from[k]);
     let double = polygon.windows(2).skip(1).fold([0.0; 3], |sum, pair| {
-        let (p, q) = (to(&pair[0]), to(&pair[1]));
-        [0, 1, 2].map(|k| sum[k] + p[(k + 1) % 3] * q[(k + 2) % 3] - p[(k + 2) % 3] * q[(k + 1) % 3])
+        let more = double_area([from, pair[0].corner.offset, pair[1].corner.offset]);
+        [sum[0] + more[0], sum[1] + more[1], sum[2] + more[2]]
     });
     length(double)
+}
+
+/// The normal of a triangle, twice as long as its area.
+fn double_area([from, p, q]: [Point; 3]) -> Point {
+    let [p, q] = [p, q].map(|x| [x[0] - from[0], x[1] - from[1], x[2] - from[2]]);
+    [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]]
 }

@@ -3,7 +3,7 @@
 use crate::touching::{Triangle, on_lattice, soup, touching, triangles};
 use pompeiu_core::TriMesh;
 use pompeiu_core::geom::Aabb;
-use pompeiu_core::mesh::shapes::{Diagonal, grid, icosphere, torus};
+use pompeiu_core::mesh::shapes::{Diagonal, Ends, cylinder, grid, icosphere, schwarz_lantern, torus};
 use pompeiu_core::run::Limits;
 use pompeiu_hausdorff::certificate::{
     Certificate, CertificateError, CertificateOptions, Goal, write_certificate,
@@ -60,6 +60,18 @@ fn what_is_written_is_accepted_at_the_ends_of_the_report() {
         let lost = direction.distance.lower() - claim.lower;
         assert!((0.0..1e-14).contains(&lost), "{lost:e}");
     }
+}
+
+/// Polygons with corners on the line of their longest side were halved for ever.
+#[test]
+fn a_lantern_beside_a_cylinder_is_certified() {
+    let (a, b) =
+        (schwarz_lantern(1.0, 2.0, 48, 192).unwrap(), cylinder(1.0, 2.0, 256, 8, Ends::Open).unwrap());
+    let [goal, _] = both(&a, &b);
+    let (made, bytes) = write(&a, &b, [goal, None]).unwrap();
+    check(&a, &b, &bytes, 2).unwrap();
+    let cells = made.a_to_b.unwrap().cells;
+    assert!(cells < 20 * a.faces().len() as u64, "{cells}");
 }
 
 #[test]
