@@ -5,6 +5,7 @@
 Slow and simple: for small meshes, OBJ with triangles. Exit code: 0 valid, 1 not, 2 unreadable.
 """
 
+import gzip
 import hashlib
 import math
 import struct
@@ -246,7 +247,8 @@ def main():
     try:
         certificate, a, b = sys.argv[1:]
         with open(certificate, "rb") as file:
-            claims = check(file.read(), read_obj(a), read_obj(b))
+            data = file.read()
+            claims = check(gzip.decompress(data) if data[:2] == b"\x1f\x8b" else data, read_obj(a), read_obj(b))
     except Invalid as reason:
         print(f"invalid: {reason}")
         return 1

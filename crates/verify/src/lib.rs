@@ -27,7 +27,7 @@
 //! its error, each test adds its own rounding, counted beside the code. Comparisons are written so that what is not a number fails.
 //!
 //! *What is trusted.* This crate, the compiler, the processor. Not the program that wrote the certificate. Hashes are no part of the
-//! proof: the claims hold for the triangles at hand, whatever the hashes are; they tell that other meshes are meant. The command
+//! proof: the claims hold for the triangles at hand, whatever the hashes are; they tell that other meshes are meant. Nor how the crate `flate2` unpacks: whatever comes out is checked. The command
 //! `pompeiu-verify` trusts its own readers ([`mesh`]), too, and SHA-256 of the crate `sha2` for that message.
 
 pub mod kernel;
@@ -36,16 +36,19 @@ mod tree;
 
 pub use tree::{MOST_WAITING, Waiting};
 
+use flate2::read::GzDecoder;
 use kernel::{Corner, Facet, Point, mean};
 use sha2::{Digest, Sha256};
 use std::borrow::Cow;
-use std::io::Read;
+use std::io::{BufRead, BufReader, Read};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU32, AtomicU64, AtomicUsize, Ordering};
 use std::thread;
 
 /// How a certificate begins: its name and version.
 pub const MAGIC: &[u8; 8] = b"PHCERT1\n";
+/// How a packed file begins.
+const GZIP: &[u8] = &[0x1f, 0x8b];
 /// Faces of A whose trees are in one block.
 pub const BLOCK: usize = 4096;
 
@@ -237,11 +240,20 @@ impl Rejected {
     }
 }
 
-/// Checks a certificate. Memory: the meshes, and one block of the certificate for each thread.
+/// Checks a certificate, packed as gzip or not. Memory: the meshes, and one block of the certificate for each thread.
 ///
 /// # Errors
 /// The first statement that fails, in the order of the certificate; the same for any number of threads.
-pub fn verify(a: &Soup, b: &Soup, mut from: impl Read + Send, threads: usize) -> Result<Verified, Rejected> {
+pub fn verify(a: &Soup, b: &Soup, from: impl Read + Send, threads: usize) -> Result<Verified, Rejected> {
+    let mut from = BufReader::new(from);
+    if from.fill_buf()?.starts_with(GZIP) {
+        unpacked(a, b, GzDecoder::new(from), threads)
+    } else {
+        unpacked(a, b, from, threads)
+    }
+}
+
+fn unpacked(a: &Soup, b: &Soup, mut from: impl Read + Send, threads: usize) -> Result<Verified, Rejected> {
     let header: [u8; 73] = array(&mut from)?;
     let malformed = |found, byte| Err(Rejected::Malformed { found, byte });
     if !header.starts_with(MAGIC) {

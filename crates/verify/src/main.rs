@@ -58,7 +58,7 @@ fn run(arguments: &[String]) -> Result<Result<Verified, String>, String> {
     let a = Soup::new(&mesh_a.positions, &mesh_a.faces).ok_or_else(|| unusable(a))?;
     let b = Soup::new(&mesh_b.positions, &mesh_b.faces).ok_or_else(|| unusable(b))?;
     let file = fs::File::open(certificate).map_err(|error| format!("{certificate}: {error}"))?;
-    match verify(&a, &b, std::io::BufReader::new(file), threads) {
+    match verify(&a, &b, file, threads) {
         Ok(verified) => Ok(Ok(verified)),
         Err(error) if error.is_unreadable() => Err(format!("{certificate}: {error}")),
         Err(error) => Ok(Err(error.to_string())),

@@ -9,7 +9,7 @@ use pompeiu::core::TriMesh;
 use pompeiu::hausdorff::VerifyRequest;
 use pompeiu::hausdorff::certificate::{
     AttachedProof, Certificate, CertificateAnswer, CertificateError, CertificateOptions, Certified, Goal,
-    write_certificate,
+    write_certificate, write_packed,
 };
 use std::fs::File;
 use std::io::{BufReader, Write};
@@ -24,7 +24,7 @@ pub(crate) fn write(
 ) -> anyhow::Result<CertificateAnswer> {
     session.wait.show(format!("writing {}", path.display()));
     let options = CertificateOptions { limits: session.limits_anew() };
-    let attempt = pompeiu::io::write_stream(path, |into| fill(&options, into));
+    let attempt = pompeiu::io::write_stream(path, |into| write_packed(into, |into| fill(&options, into)));
     let answer = CertificateAnswer::of(attempt).with_context(|| path.display().to_string())?;
     if let Some(problem) = &answer.problem {
         session.wait.suspend(|| {

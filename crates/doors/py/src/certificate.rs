@@ -8,7 +8,7 @@ use crate::wait::{self, Share, Watch};
 use pompeiu::core::geom::Aabb;
 use pompeiu::core::run::Limits;
 use pompeiu::hausdorff::VerifyRequest;
-use pompeiu::hausdorff::certificate::{CertificateOptions, Goal, write_certificate as write};
+use pompeiu::hausdorff::certificate::{CertificateOptions, Goal, write_certificate as write, write_packed};
 use pyo3::prelude::*;
 use std::fs::File;
 use std::io::BufReader;
@@ -42,7 +42,7 @@ pub(crate) fn write_certificate(
         };
         let goals = [ends.0.map(goal), ends.1.map(goal)];
         let options = CertificateOptions { limits: Limits { cancel: Some(watch.token()), ..limits } };
-        pompeiu::io::write_stream(&path, |into| write(a, b, goals, &options, into))
+        pompeiu::io::write_stream(&path, |into| write_packed(into, |into| write(a, b, goals, &options, into)))
             .map_err(|error| CertificateFileError::Write { path, error })
     })?;
     written(&found.map_err(Raise::raise)?)

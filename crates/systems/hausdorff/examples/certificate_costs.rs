@@ -10,7 +10,7 @@
 
 use pompeiu_core::TriMesh;
 use pompeiu_core::run::{Limits, on_threads};
-use pompeiu_hausdorff::certificate::{CertificateOptions, Goal, write_certificate};
+use pompeiu_hausdorff::certificate::{CertificateOptions, Goal, write_certificate, write_packed};
 use pompeiu_hausdorff::{HausdorffOptions, Tolerance};
 use pompeiu_verify::{Soup, verify};
 use std::fs;
@@ -89,7 +89,9 @@ fn measure(a: &TriMesh, b: &TriMesh, slack: f64) -> String {
     let (write, written) = timed(|| {
         let mut bytes = Vec::new();
         let goals = Goal::of_both(&report, slack * diagonal);
-        write_certificate(a, b, goals, &CertificateOptions::default(), &mut bytes).map(|made| (made, bytes))
+        let options = CertificateOptions::default();
+        let made = write_packed(&mut bytes, |into| write_certificate(a, b, goals, &options, into));
+        made.map(|made| (made, bytes))
     });
     let size = obj(a) + obj(b);
     let start = format!(

@@ -1,8 +1,10 @@
 //! Certificates that commands write, and what `pompeiu verify` says of them.
 
 use crate::common::Folder;
+use flate2::read::GzDecoder;
 use serde_json::Value;
 use sha2::{Digest, Sha256};
+use std::io::Read;
 
 fn folder() -> Folder {
     let folder = Folder::new();
@@ -76,7 +78,9 @@ fn the_first_statement_that_fails_is_named_and_files_that_are_none_are_told_apar
     folder.ok("distance a.obj b.ply --certificate proof.phc");
     let (code, answer) = json(&folder, "verify proof.phc b.ply a.obj");
     assert_eq!((code, &answer["report"]["failure"]["statement"]), (Some(1), &"hash-of-a".into()));
-    let whole = std::fs::read(folder.path().join("proof.phc")).unwrap();
+    let packed = std::fs::read(folder.path().join("proof.phc")).unwrap();
+    let mut whole = Vec::new();
+    GzDecoder::new(&packed[..]).read_to_end(&mut whole).unwrap();
     let forge = |at: usize, bytes: &[u8]| {
         let mut forged = whole.clone();
         forged[at..at + bytes.len()].copy_from_slice(bytes);
@@ -95,7 +99,7 @@ fn the_first_statement_that_fails_is_named_and_files_that_are_none_are_told_apar
     );
     let (_, text, _) = folder.transcript("verify forged.phc a.obj b.ply");
     assert!(text.contains("invalid") && text.contains("cell "), "{text}");
-    for broken in [&whole[..200], b"PHCERT2\n", b"v 0 0 0\n"] {
+    for broken in [&packed[..200], &whole[..200], b"PHCERT2\n", b"v 0 0 0\n"] {
         std::fs::write(folder.path().join("forged.phc"), broken).unwrap();
         let (code, stdout, stderr) = folder.transcript("verify forged.phc a.obj b.ply --json");
         assert_eq!((code, stdout.as_str()), (Some(2), ""));

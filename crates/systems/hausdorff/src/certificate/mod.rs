@@ -19,6 +19,8 @@ use crate::engine::bytes_to_start;
 use crate::report::{DirectedReport, SymmetricReport};
 use crate::tolerance::OptionError;
 use face::{Scene, Trees, Unfinished};
+use flate2::Compression;
+use flate2::write::GzEncoder;
 use pompeiu_core::TriMesh;
 use pompeiu_core::geom::{Aabb, Frame};
 use pompeiu_core::run::{Control, Limits, StopReason, on_threads};
@@ -202,16 +204,35 @@ pub fn write_certificate(
     })
 }
 
+/// Packs what is written as gzip: regular meshes have certificates of which much repeats. The bytes are those of the packed file.
+///
+/// # Errors
+/// Those of `fill`, and of what is written to.
+pub fn write_packed(
+    into: &mut (dyn Write + Send),
+    fill: impl FnOnce(&mut (dyn Write + Send)) -> Result<Certificate, CertificateError>,
+) -> Result<Certificate, CertificateError> {
+    let mut packed = GzEncoder::new(Counting { into, bytes: 0 }, Compression::default());
+    let made = fill(&mut packed)?;
+    let bytes = packed.finish()?.bytes;
+    Ok(Certificate { bytes, ..made })
+}
+
 /// Counts the bytes that pass.
 struct Counting<'w> {
     into: &'w mut (dyn Write + Send),
     bytes: u64,
 }
 
-impl Counting<'_> {
-    fn write_all(&mut self, bytes: &[u8]) -> io::Result<()> {
-        self.bytes += bytes.len() as u64;
-        self.into.write_all(bytes)
+impl Write for Counting<'_> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let written = self.into.write(bytes)?;
+        self.bytes += written as u64;
+        Ok(written)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.into.flush()
     }
 }
 

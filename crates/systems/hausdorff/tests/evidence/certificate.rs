@@ -6,13 +6,13 @@ use pompeiu_core::geom::Aabb;
 use pompeiu_core::mesh::shapes::{Diagonal, Ends, cylinder, grid, icosphere, schwarz_lantern, torus};
 use pompeiu_core::run::Limits;
 use pompeiu_hausdorff::certificate::{
-    Certificate, CertificateError, CertificateOptions, Goal, write_certificate,
+    Certificate, CertificateError, CertificateOptions, Goal, write_certificate, write_packed,
 };
 use pompeiu_hausdorff::{HausdorffOptions, Method, Tolerance, directed_hausdorff, symmetric_hausdorff};
 use pompeiu_testkit::certificate::is_true;
 use pompeiu_testkit::effort::cases;
 use pompeiu_testkit::strategies::{pair, scaled};
-use pompeiu_verify::{Rejected, Soup, Verified, verify};
+use pompeiu_verify::{MAGIC, Rejected, Soup, Verified, verify};
 use proptest::prelude::*;
 
 /// Cells of a pair of some faces: of 46,000 random pairs of these kinds the worst took 41.
@@ -59,6 +59,22 @@ fn what_is_written_is_accepted_at_the_ends_of_the_report() {
         assert_eq!(claim.upper, direction.distance.upper());
         let lost = direction.distance.lower() - claim.lower;
         assert!((0.0..1e-14).contains(&lost), "{lost:e}");
+    }
+}
+
+#[test]
+fn a_certificate_is_read_packed_and_unpacked() {
+    let (a, b) = (icosphere(1.0, 0).unwrap(), torus(0.8, 0.5, 7, 5).unwrap());
+    let (_, plain) = write(&a, &b, both(&a, &b)).unwrap();
+    let mut packed = Vec::new();
+    let options = CertificateOptions::default();
+    let made = write_packed(&mut packed, |into| write_certificate(&a, &b, both(&a, &b), &options, into));
+    assert_eq!(made.unwrap().bytes, packed.len() as u64);
+    assert!(packed.len() < plain.len() && !packed.starts_with(MAGIC));
+    assert_eq!(check(&a, &b, &packed, 2).unwrap(), check(&a, &b, &plain, 2).unwrap());
+    assert!(exact_verdict(&a, &b, &packed).is_none_or(|code| code == 0));
+    for damaged in [&packed[..packed.len() / 2], &packed[..30], &packed[..2]] {
+        assert!(check(&a, &b, damaged, 2).unwrap_err().is_unreadable());
     }
 }
 
