@@ -85,11 +85,21 @@ fn distance(p: [f64; 3], [a, b, c]: [[f64; 3]; 3]) -> f64 {
     distance_sq(p, a, b, c).sqrt()
 }
 
+/// The faces of B that all of A is bounded by.
+pub(crate) fn few_of(b: &TriMesh) -> impl Iterator<Item = usize> {
+    some_of(b, FACES)
+}
+
+fn some_of(b: &TriMesh, count: usize) -> impl Iterator<Item = usize> {
+    let m_b = b.faces().len();
+    (0..m_b).step_by(m_b.div_ceil(count))
+}
+
 /// The least bound that a few faces of B give on all of A, but for rounding, and how many distances that took. The distance from a
 /// triangle is convex, so its maximum over a box, which holds a few faces of A, is at a corner.
 fn upper(faces: usize, a: &TriMesh, b: &TriMesh, frame: &Frame) -> (f64, u64) {
-    let (m_a, m_b) = (a.faces().len(), b.faces().len());
-    let few: Vec<_> = (0..m_b).step_by(m_b.div_ceil(faces)).map(|g| corners(b, frame, g)).collect();
+    let m_a = a.faces().len();
+    let few: Vec<_> = some_of(b, faces).map(|g| corners(b, frame, g)).collect();
     let greater = |x: f64, y: f64| if x > y { x } else { y };
     let over = |points: &[[f64; 4]; 3], face: [[f64; 3]; 3]| {
         four_points_distances_sq(points, face).into_iter().fold(0.0, greater)

@@ -11,6 +11,7 @@ mod answer;
 mod chord;
 mod encode;
 mod face;
+mod few;
 
 pub(crate) use answer::check_slack;
 pub use answer::{AttachedProof, CertificateAnswer};
@@ -29,6 +30,7 @@ use pompeiu_verify::kernel::Facet;
 use pompeiu_verify::{BLOCK, MAGIC, Pair, Soup, Witness};
 use rayon::prelude::*;
 use std::io::{self, Write};
+use std::ops::Range;
 
 /// What a certificate is to prove of one direction, in the unit of the meshes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -185,10 +187,13 @@ pub fn write_certificate(
         for (direction, goal) in goals.into_iter().enumerate() {
             let Some(goal) = goal else { continue };
             let (from, to) = if direction == 0 { (0, 1) } else { (1, 0) };
+            let meshes = [[a, b][from], [a, b][to]];
+            let needed = bytes_to_start(meshes[0], meshes[1]);
             let writer = Writer {
-                meshes: [[a, b][from], [a, b][to]],
+                meshes,
                 pair: Pair::new(&soups[from], &soups[to]),
                 control: &control,
+                has_room: options.limits.memory.is_none_or(|most| needed <= most),
                 most_cells: options.most_cells([a, b][to].faces().len()),
                 is_reversed: direction == 1,
             };
@@ -241,6 +246,8 @@ struct Writer<'w> {
     meshes: [&'w TriMesh; 2],
     pair: Pair<'w>,
     control: &'w Control,
+    /// Whether the memory limit leaves room for trees.
+    has_room: bool,
     most_cells: u64,
     is_reversed: bool,
 }
@@ -258,7 +265,6 @@ impl Writer<'_> {
         if !(0.0..f64::INFINITY).contains(&upper) {
             return Err(CertificateError::Upper(goal.upper));
         }
-        let [a, b] = self.meshes;
         let (face, weights, lower) = goal.witness.unwrap_or((0, [1.0, 0.0, 0.0], 0.0));
         let lower = self.lower(Witness { face, weights }, lower);
         for number in [lower, goal.upper] {
@@ -269,13 +275,19 @@ impl Writer<'_> {
             into.write_all(&weight.to_le_bytes())?;
         }
 
+        let cells =
+            if self.has_room { self.with_trees(upper, goal.upper, into)? } else { self.by_few(upper, into)? };
+        Ok(Certified { lower, upper: goal.upper, cells })
+    }
+
+    /// Writes the blocks by trees over B; the number of cells. `asked` is the upper end in the unit of the meshes.
+    fn with_trees(&self, upper: f64, asked: f64, into: &mut Counting<'_>) -> Result<u64, CertificateError> {
+        let [a, b] = self.meshes;
         let frame = Frame::of(&Aabb::of_faces(a).union(Aabb::of_faces(b)));
-        let stopped = || CertificateError::Stopped(self.control.reason().unwrap_or(StopReason::Cancelled));
-        self.control.check_memory(bytes_to_start(a, b));
         if self.control.is_stopped() {
-            return Err(stopped());
+            return Err(self.stopped());
         }
-        let bvh = Bvh::build_unless_stopped(b, &frame, self.control).ok_or_else(stopped)?;
+        let bvh = Bvh::build_unless_stopped(b, &frame, self.control).ok_or_else(|| self.stopped())?;
         let near = nearest(a, &bvh, &frame);
         let neighbours = (upper < FINE * mean_side(a)).then(|| Neighbours::new(b, &bvh));
         let scene = Scene {
@@ -288,26 +300,45 @@ impl Writer<'_> {
             upper,
             most_cells: self.most_cells,
         };
-        let blocks: Vec<usize> = (0..a.faces().len()).step_by(BLOCK).collect();
+        let failure = |unfinished| self.failure(unfinished, asked);
+        self.blocks(|faces| Trees::new(scene).block(faces).map_err(failure), into)
+    }
+
+    /// Writes the blocks by the faces of B that the coarse method looks at.
+    fn by_few(&self, upper: f64, into: &mut Counting<'_>) -> Result<u64, CertificateError> {
+        let few: Vec<u32> = crate::coarse::few_of(self.meshes[1]).map(|face| face as u32).collect();
+        let failure = |_| CertificateError::Stopped(StopReason::Memory);
+        self.blocks(|faces| few::block(&self.pair, &few, upper, faces).map_err(failure), into)
+    }
+
+    /// Makes blocks and writes them in order; the number of cells.
+    fn blocks(
+        &self,
+        make: impl Fn(Range<usize>) -> Result<(Vec<u8>, u64), CertificateError> + Sync,
+        into: &mut Counting<'_>,
+    ) -> Result<u64, CertificateError> {
+        let count = self.meshes[0].faces().len();
+        let blocks: Vec<usize> = (0..count).step_by(BLOCK).collect();
         let mut cells = 0;
         for wave in blocks.chunks(WAVE * rayon::current_num_threads()) {
             if self.control.is_stopped() {
-                return Err(stopped());
+                return Err(self.stopped());
             }
-            let made: Vec<_> = wave
-                .par_iter()
-                .map(|&first| Trees::new(scene).block(first..a.faces().len().min(first + BLOCK)))
-                .collect();
+            let made: Vec<_> = wave.par_iter().map(|&first| make(first..count.min(first + BLOCK))).collect();
             for block in made {
-                let (bytes, count) = block.map_err(|unfinished| self.failure(unfinished, goal.upper))?;
+                let (bytes, more) = block?;
                 let length =
                     u32::try_from(bytes.len()).map_err(|_| io::Error::from(io::ErrorKind::FileTooLarge))?;
                 into.write_all(&length.to_le_bytes())?;
                 into.write_all(&bytes)?;
-                cells += count;
+                cells += more;
             }
         }
-        Ok(Certified { lower, upper: goal.upper, cells })
+        Ok(cells)
+    }
+
+    fn stopped(&self) -> CertificateError {
+        CertificateError::Stopped(self.control.reason().unwrap_or(StopReason::Cancelled))
     }
 
     fn failure(&self, unfinished: Unfinished, upper: f64) -> CertificateError {
