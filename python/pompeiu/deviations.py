@@ -383,7 +383,7 @@ class Verdict:
 class Deviation(_Arrays, _Interval):
     """How far two meshes deviate from each other, both ways.
 
-    With A as it should be and B as it is: what of A is far from B is *missing* in B; what of B is far from A is *invented* by it.
+    With A as it should be and B as it is: what of A is far from B is *missing* on B; what of B is far from A is in *excess*.
 
     Attributes
     ----------

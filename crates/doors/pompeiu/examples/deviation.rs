@@ -19,7 +19,7 @@ fn main() -> anyhow::Result<()> {
     let pair = PreparedPair::new(read_mesh(a_path)?, read_mesh(b_path)?);
     let deviation = DeviationOptions { regions: 3, ..DeviationOptions::default() }.symmetric_of(&pair)?;
 
-    for (meaning, directed) in [("missing", &deviation.a_to_b), ("invented", &deviation.b_to_a)] {
+    for (meaning, directed) in [("missing", &deviation.a_to_b), ("excess", &deviation.b_to_a)] {
         println!("{meaning}: the largest distance lies in {:.4}", directed.distance.distance);
         if let Some(statistics) = &directed.statistics {
             println!("  mean {:.4}, root mean square {:.4}", statistics.mean, statistics.rms);

@@ -6,6 +6,7 @@ mod many;
 mod meshes;
 mod picture;
 mod selection;
+pub(crate) mod suffix;
 
 pub(crate) use coordinates::{hold_in, tell};
 pub(crate) use limits::Limits;

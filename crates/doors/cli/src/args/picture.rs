@@ -1,5 +1,6 @@
 //! Options of what people look at: pages and pictures.
 
+use super::suffix;
 use crate::files;
 use crate::numbers::tuple;
 use crate::printer::Printer;
@@ -10,10 +11,10 @@ use std::path::{Path, PathBuf};
 #[derive(Args)]
 pub(crate) struct Picture {
     /// Write a page to explore in a browser, one file that needs no network
-    #[arg(long, value_name = "FILE.html")]
+    #[arg(long, value_parser = suffix::page, value_name = "FILE.html")]
     pub(crate) report: Option<PathBuf>,
     /// Write a picture, drawn without a graphics card: the same pixels on every machine
-    #[arg(long, value_parser = picture, value_name = "FILE.png")]
+    #[arg(long, value_parser = suffix::picture, value_name = "FILE.png")]
     pub(crate) image: Option<PathBuf>,
     /// Size of the picture in pixels
     #[arg(long, value_parser = size, default_value = "1600x900", value_name = "WIDTHxHEIGHT")]
@@ -113,17 +114,6 @@ impl From<Theme> for figures::Theme {
             Theme::Light => Self::Light,
             Theme::Dark => Self::Dark,
         }
-    }
-}
-
-/// Parses the name of a picture.
-fn picture(text: &str) -> Result<PathBuf, String> {
-    let path = PathBuf::from(text);
-    let is_png = path.extension().is_some_and(|suffix| suffix.eq_ignore_ascii_case("png"));
-    if is_png || path.is_dir() {
-        Ok(path)
-    } else {
-        Err("pictures are PNG; give the name the suffix .png".to_owned())
     }
 }
 

@@ -254,11 +254,11 @@ fn files_are_refused_before_any_work() {
     let folder = plates();
     for (args, reason) in [
         ("-a a.stl", "no room for colours"),
-        ("--csv above.obj", "both input and output"),
+        ("-a above.obj", "both input and output"),
         ("--report nowhere/r.html", "there is no folder"),
         ("--image .", "is a folder"),
         ("--image p.jpg", "give the name the suffix .png"),
-        ("--report r.html --csv ./r.html", "is named for two outputs"),
+        ("--report r.html --image ./r.html", "give the name the suffix .png"),
         ("-a a.ply -b a.ply", "is named for two outputs"),
         ("--accuracy 0", "accuracy"),
     ] {
@@ -344,6 +344,6 @@ fn limits_act_on_pages_and_names_are_shown() {
         .run("deviation --model above.obj --scan below.obj --time-limit 1ns --report r.html --pdf p.pdf");
     assert_eq!(output.status.code(), Some(3));
     let page = std::fs::read_to_string(folder.path().join("r.html")).unwrap();
-    assert!(page.contains("model \u{2192} scan") && page.contains("Missing in scan"), "names");
+    assert!(page.contains("model \u{2192} scan") && page.contains("Missing on scan"), "names");
     assert!(folder.path().join("p.pdf").exists());
 }

@@ -57,7 +57,7 @@ fn hostile_inputs() {
     check(&folder, "rank_no_places", "rank template.obj library --top 0");
     check(&folder, "rank_other_journal", "rank template.obj library --resume points.obj");
     check(&folder, "rank_table_over_target", "rank template.obj library --csv library/a.ply");
-    check(&folder, "rank_table_over_journal", "rank template.obj library --csv new --resume new");
+    check(&folder, "rank_table_over_journal", "rank template.obj library --csv new.csv --resume new.csv");
     check(&folder, "matrix_journal_over_mesh", "matrix template.obj library/a.ply --resume library/a.ply");
     check(&folder, "rank_table_in_no_folder", "rank template.obj library --csv nowhere/table.csv");
     check(&folder, "matrix_bad_files", "matrix garbage.ply library/b.ply missing.obj --tolerance 0.5");

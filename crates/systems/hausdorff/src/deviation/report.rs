@@ -10,16 +10,16 @@ use std::time::Duration;
 /// How far two meshes deviate from each other, both ways.
 ///
 /// The two directions answer different questions and are never mixed unasked. With A as it should be and B as it is: what
-/// of A is far from B is *missing* in B; what of B is far from A is *invented* by it.
+/// of A is far from B is *missing* on B; what of B is far from A is in *excess*.
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Deviation {
     /// Encloses the Pompeiu–Hausdorff distance, the greater of both directed ones.
     pub distance: Enclosure,
-    /// How far A is from B: what is missing in B.
+    /// How far A is from B: what is missing on B.
     pub a_to_b: DirectedDeviation,
-    /// How far B is from A: what B has invented.
+    /// How far B is from A: what B has in excess.
     pub b_to_a: DirectedDeviation,
     /// For each share asked for the greater of the two directions' percentiles: both surfaces are within this distance of the
     /// other one, but for at most the rest of the area of each. None if one of them has no area.

@@ -168,10 +168,9 @@ impl DeviationContent {
     fn add_arrangements(&self, page: &mut Page, sides: &[Side<'_>]) -> Result<(), PageError> {
         let one = |side: &Side<'_>| {
             let b = self.label(1);
-            let (key, text) =
-                [("missing", format!("Missing in {b}")), ("invented", format!("Invented by {b}"))]
-                    [side.index]
-                    .clone();
+            let (key, text) = [("missing", format!("Missing on {b}")), ("excess", format!("Excess on {b}"))]
+                [side.index]
+                .clone();
             let [from, to] = [self.label(side.index), self.label(1 - side.index)];
             let hint = format!("{from} \u{2192} {to}");
             Arrangement { key: key.into(), text, hint, scenes: vec![side.scene] }

@@ -142,6 +142,11 @@ impl<'r> DeviationPage<'r> {
         })
     }
 
+    /// What the two are called, or the names of their files where they are called A and B.
+    pub(super) fn shown_names(&self) -> [&'r str; 2] {
+        if self.names == ["A", "B"] { self.paths.map(name) } else { self.names }
+    }
+
     fn is_signed(&self) -> bool {
         self.deviation.a_to_b.sides.is_some()
     }
@@ -360,14 +365,14 @@ impl DeviationFigures<'_> {
         for ((mesh, side), values) in drawn.iter().zip(&values) {
             // Without anything to draw there is no panel.
             let Ok(mesh) = mesh else { continue };
-            let (from, to) = match side.found.direction {
-                Direction::AToB => (of.paths[0], of.paths[1]),
-                Direction::BToA => (of.paths[1], of.paths[0]),
+            let names = of.shown_names();
+            let (meaning, [from, to]) = match side.found.direction {
+                Direction::AToB => ("missing", names),
+                Direction::BToA => ("excess", [names[1], names[0]]),
             };
-            let meaning = if side.found.direction == Direction::AToB { "missing" } else { "invented" };
             figure = figure.with_histogram(meaning, of.spread(side, &scale));
             let distance = rounded(side.found.distance.distance);
-            let title = format!("{meaning}: {} to {}, {distance} {}", name(from), name(to), of.unit);
+            let title = format!("{meaning}: {from} to {to}, {distance} {}", of.unit);
             let PointPair { from, to } = pair(&side.found.distance.witness);
             figure = figure.with_panel(
                 Panel::new(mesh)

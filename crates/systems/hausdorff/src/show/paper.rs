@@ -34,17 +34,18 @@ impl DeviationFigures<'_> {
         // The verdict stands above the picture, as text.
         let untitled = DeviationPage { verdict: None, ..self.of };
         let image = self.drawn_as(&untitled, width, height, Theme::Light, view)?;
-        let names = of.paths.map(name);
+        let names = of.shown_names();
         let mut blocks: Vec<Block> = verdict
             .or_else(|| of.verdict.map(|(_, sentence)| sentence.to_owned()))
             .map(Block::Statement)
             .into_iter()
             .collect();
         let caption = format!(
-            "Left: {}, as it should be, coloured by its distance from {}; what is far is missing there. Right: {}, as it is, coloured by \
-             its distance from {}; what is far was invented. The line joins the farthest point and its nearest one. Beside the \
+            "Left: {a}, as it should be, coloured by its distance from {b}; what is far is missing there. Right: {b}, as it is, coloured by \
+             its distance from {a}; what is far is excess material. The line joins the farthest point and its nearest one. Beside the \
              colours, histograms of both over the area: columns are as long as the roots of the shares.",
-            names[0], names[1], names[1], names[0]
+            a = names[0],
+            b = names[1]
         );
         blocks.push(Block::Picture { image, caption });
         blocks.push(Block::Heading("How far, over the area".to_owned()));
@@ -67,7 +68,7 @@ impl DeviationFigures<'_> {
         blocks.push(Block::Heading("What was measured".to_owned()));
         blocks.push(named(provenance.to_vec()));
         Ok(Document {
-            title: format!("Deviation of {} and {}", names[0], names[1]),
+            title: format!("Deviation of {} and {}", name(of.paths[0]), name(of.paths[1])),
             blocks,
             footer: format!("pompeiu {}", env!("CARGO_PKG_VERSION")),
             paper,
@@ -101,8 +102,8 @@ impl DeviationPage<'_> {
         }
         let columns = vec![
             (format!("distance{unit}"), 1.2),
-            (format!("{a} to {b}: missing"), 1.4),
-            (format!("{b} to {a}: invented"), 1.4),
+            (format!("{a} to {b}: material missing"), 1.4),
+            (format!("{b} to {a}: excess material"), 1.4),
         ];
         Block::Table { columns, rows }
     }
@@ -127,8 +128,8 @@ impl DeviationPage<'_> {
     fn places(&self, [_, b]: [&str; 2]) -> Block {
         let mut rows = Vec::new();
         for (directed, name) in [
-            (&self.deviation.a_to_b, format!("missing in {b}")),
-            (&self.deviation.b_to_a, format!("invented by {b}")),
+            (&self.deviation.a_to_b, format!("missing on {b}")),
+            (&self.deviation.b_to_a, format!("excess on {b}")),
         ] {
             rows.extend(directed.regions.iter().take(REGIONS).map(|region| place(region, &name)));
         }

@@ -199,7 +199,7 @@ class DeviationPage(PageTest):
 
     def test_views_are_switched(self):
         page = self.open()
-        for mode, panes, label in [("invented", 1, "B, distance from A"), ("both", 2, None), ("missing", 1, "A, distance from B")]:
+        for mode, panes, label in [("excess", 1, "B, distance from A"), ("both", 2, None), ("missing", 1, "A, distance from B")]:
             page.click(f"label:has([data-control=arrangement-{mode}])")
             settle(page)
             labels = page.locator(".pane-label").all_text_contents()
@@ -208,8 +208,8 @@ class DeviationPage(PageTest):
                 self.assertEqual(labels, [label])
         page.click("label:has([data-control=scene-1])")
         settle(page)
-        self.assertEqual(data(page, ".view", "arrangement"), "invented")
-        self.assertTrue(page.is_checked("[data-control=arrangement-invented]"))
+        self.assertEqual(data(page, ".view", "arrangement"), "excess")
+        self.assertTrue(page.is_checked("[data-control=arrangement-excess]"))
 
     def test_cameras_are_linked(self):
         page = self.open()

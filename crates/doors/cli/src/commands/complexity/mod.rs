@@ -2,6 +2,7 @@
 
 mod text;
 
+use crate::args::suffix;
 use crate::called::called;
 use crate::door::{AnswerOf, Invocation, Session, System};
 use crate::files;
@@ -42,7 +43,7 @@ pub(crate) struct Files {
     #[arg(value_name = "FOLDER", required = true)]
     inputs: Vec<PathBuf>,
     /// Write a page with a gallery that can be sorted, one file that needs no network
-    #[arg(long, value_name = "FILE.html")]
+    #[arg(long, value_parser = suffix::page, value_name = "FILE.html")]
     report: Option<PathBuf>,
 }
 

@@ -2,6 +2,7 @@
 
 mod text;
 
+use crate::args::suffix;
 use crate::door::{AnswerOf, Invocation, Session, System};
 use crate::files;
 use anyhow::bail;
@@ -47,7 +48,7 @@ pub(crate) struct Files {
     #[arg(value_name = "SCENE.toml")]
     scene: PathBuf,
     /// Write interface data of each window: displacements or cross-sections, and pressures
-    #[arg(short, long, value_name = "FILE.csv")]
+    #[arg(short, long, value_parser = suffix::table, value_name = "FILE.csv")]
     output: Option<PathBuf>,
 }
 

@@ -27,7 +27,7 @@ pub(super) fn text([a, b]: [&str; 2], answer: &AnswerOf<Files>) -> String {
     page.row("H(A, B)", &format!("{}   {origin}", value(deviation.distance)));
     page.gap();
     directed(&mut page, report, &deviation.a_to_b, [a, b], &format!("what is missing in {b}"));
-    directed(&mut page, report, &deviation.b_to_a, [b, a], &format!("what {b} has invented"));
+    directed(&mut page, report, &deviation.b_to_a, [b, a], &format!("what {b} has in excess"));
     if let (Some(greater), Some(pooled)) = (&deviation.greater_percentiles, &deviation.pooled) {
         page.row("both", "by area; the greater of the two directions | pooled over both surfaces");
         page.row("  mean", &format!("| {}", value(pooled.mean)));

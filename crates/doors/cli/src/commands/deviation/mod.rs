@@ -7,7 +7,7 @@ mod text;
 mod write;
 
 use crate::aligned;
-use crate::args::{Meshes, Picture};
+use crate::args::{Meshes, Picture, suffix};
 use crate::certificate;
 use crate::door::{self, AnswerOf, Invocation, ReportOf, Session, System, Writes};
 use crate::exit::Exit;
@@ -35,8 +35,8 @@ pub(crate) fn run(invocation: &Deviation, printer: &Printer) -> anyhow::Result<E
 
 #[derive(Args)]
 #[command(after_help = "\
-With A as it should be and B as it is: what of A is far from B is missing in B (A to B), what of B is far from
-A was invented by it (B to A). Percentiles, mean and root mean square weigh by area; every number is an interval
+With A as it should be and B as it is: what of A is far from B is missing on B (A to B), what of B is far from
+A is excess material (B to A). Percentiles, mean and root mean square weigh by area; every number is an interval
 that is proven to hold the value for all points of all faces, not for samples of them.
 
 Meshes written with -a and -b carry the distance of each vertex, and for each face what is proven of its largest
@@ -64,11 +64,20 @@ pub(crate) struct Files {
     #[command(flatten)]
     picture: Picture,
     /// Write the verdict, the picture, the numbers and what was measured for printing
-    #[arg(long, value_name = "FILE.pdf")]
+    #[arg(long, value_parser = suffix::document, value_name = "FILE.pdf")]
     pdf: Option<PathBuf>,
     /// The size of the paper
     #[arg(long, value_enum, default_value_t, requires = "pdf")]
     paper: Paper,
+    /// What the document is called
+    #[arg(long, requires = "pdf", value_name = "TEXT")]
+    title: Option<String>,
+    /// The name or number of the part that was measured, for the document
+    #[arg(long, requires = "pdf", value_name = "TEXT")]
+    part: Option<String>,
+    /// Who measured, for the document; it then ends with the date and a line to sign on
+    #[arg(long, requires = "pdf", value_name = "NAME")]
+    operator: Option<String>,
     /// Write A, coloured by its distance from B
     #[arg(long, short = 'a', value_name = "FILE")]
     output_a: Option<PathBuf>,
@@ -76,11 +85,11 @@ pub(crate) struct Files {
     #[arg(long, short = 'b', value_name = "FILE")]
     output_b: Option<PathBuf>,
     /// Write the statistics as comma-separated values
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_parser = suffix::table, value_name = "FILE")]
     csv: Option<PathBuf>,
     /// Write a file from which anybody can prove the largest distances anew, see `pompeiu verify`; pages and documents name it, with its
     /// SHA-256 sum
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_parser = suffix::certificate, value_name = "FILE")]
     certificate: Option<PathBuf>,
     /// Print everything: all percentiles of both directions taken together, all regions, all digits that are certain
     #[arg(long)]

@@ -34,7 +34,7 @@ pub(super) fn text(names: [&str; 2], answer: &AnswerOf<Files>) -> String {
 fn both(page: &mut Page, [a, b]: [&str; 2], report: &DeviationReport) {
     let found = [&report.deviation.a_to_b, &report.deviation.b_to_a];
     page.columns("", [&format!("{a} to {b}"), &format!("{b} to {a}")]);
-    page.columns("", [&format!("missing in {b}"), &format!("invented by {b}")]);
+    page.columns("", [&format!("missing on {b}"), &format!("excess on {b}")]);
     let mut row = |name: &str, cell: &dyn Fn(&DirectedDeviation) -> String| {
         let [left, right] = found.map(cell);
         page.columns(name, [&left, &right]);

@@ -11,6 +11,7 @@ use pompeiu::hausdorff::PreparedPair;
 use pompeiu::hausdorff::certificate::AttachedProof;
 use pompeiu::hausdorff::show::{DeviationFigures, DeviationPage, search_stages};
 use std::path::Path;
+use std::time::SystemTime;
 
 pub(super) fn write(
     files: &Files,
@@ -86,7 +87,7 @@ fn print(
     path: &Path,
     session: &Session<'_>,
 ) -> anyhow::Result<()> {
-    let mut provenance = Vec::new();
+    let mut provenance: Vec<_> = files.part.iter().map(|part| ["part".to_owned(), part.clone()]).collect();
     let names = files.meshes.names();
     for ((name, input), path) in names.into_iter().zip(&answer.inputs).zip(files.meshes.paths()) {
         provenance.push([name.to_owned(), described(input)]);
@@ -106,6 +107,27 @@ fn print(
         Paper::A4 => paper::Paper::A4,
         Paper::Letter => paper::Paper::Letter,
     };
-    let document = figures.document(None, &provenance, files.picture.view(), paper)?;
+    let mut document = figures.document(None, &provenance, files.picture.view(), paper)?;
+    if let Some(title) = &files.title {
+        document.title.clone_from(title);
+    }
+    if let Some(operator) = &files.operator {
+        document.blocks.extend(signature(operator));
+    }
     files::write_whole(path, &document.pdf(), session.printer)
+}
+
+/// A line to sign on, with today's date.
+fn signature(operator: &str) -> [paper::Block; 2] {
+    let now = humantime::format_rfc3339_seconds(SystemTime::now()).to_string();
+    let date = now.split('T').next().unwrap_or_default();
+    let columns = [("date (UTC)", 1.0), ("operator", 2.0), ("signature", 3.0)];
+    let row = [date, operator, "________________________________"];
+    [
+        paper::Block::Heading("Signed".to_owned()),
+        paper::Block::Table {
+            columns: columns.map(|(name, share)| (name.to_owned(), share)).to_vec(),
+            rows: vec![row.map(str::to_owned).to_vec()],
+        },
+    ]
 }

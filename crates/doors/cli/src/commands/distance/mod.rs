@@ -3,7 +3,7 @@
 mod text;
 
 use crate::aligned;
-use crate::args::Meshes;
+use crate::args::{Meshes, suffix};
 pub(crate) use crate::door::run;
 use crate::door::{AnswerOf, Invocation, Session, System};
 use crate::numbers::shortest;
@@ -40,7 +40,7 @@ pub(crate) struct Files {
     meshes: Meshes,
     /// Write a file from which anybody can prove the answer anew, see `pompeiu verify`. A time limit holds for the search, and again
     /// for writing
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_parser = suffix::certificate, value_name = "FILE")]
     certificate: Option<PathBuf>,
 }
 

@@ -1,6 +1,6 @@
 //! Options of the fluid command.
 
-use crate::args::{Limits, Picture};
+use crate::args::{Limits, Picture, suffix};
 use crate::numbers::{magnitude, tuple};
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -163,7 +163,7 @@ pub(crate) struct Fluid {
     #[arg(long, value_name = "FILE")]
     pub(crate) resume: Option<PathBuf>,
     /// Write a page that plays the flow, as --report does
-    #[arg(long, value_name = "RUN.html")]
+    #[arg(long, value_parser = suffix::page, value_name = "RUN.html")]
     pub(crate) video: Option<PathBuf>,
     /// Write the frames of the page as pictures into a new folder
     #[arg(long, value_name = "FOLDER")]

@@ -4,6 +4,7 @@ mod extraction;
 mod output;
 mod text;
 
+use crate::args::suffix;
 use crate::door::{AnswerOf, Invocation, Session, System};
 use crate::files;
 use anyhow::{Context, bail};
@@ -55,7 +56,7 @@ pub(crate) struct Files {
     #[arg(long = "tips", value_name = "OUT")]
     tips_table: Option<PathBuf>,
     /// Transport: write a page that plays it, with concentrations at the ends over time: one file that needs no network
-    #[arg(long, value_name = "FILE.html")]
+    #[arg(long, value_parser = suffix::page, value_name = "FILE.html")]
     report: Option<PathBuf>,
     /// Transport: write the state in the end, however it ended
     #[arg(long, value_name = "FILE")]

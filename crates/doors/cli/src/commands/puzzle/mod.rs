@@ -3,6 +3,7 @@
 mod output;
 mod text;
 
+use crate::args::suffix;
 use crate::door::{AnswerOf, Invocation, Session, System};
 use clap::Args;
 use output::Outputs;
@@ -65,7 +66,7 @@ pub(crate) struct Files {
     #[arg(long, value_name = "OUT")]
     motion: Option<PathBuf>,
     /// Write a page on which pieces can be dragged, one file that needs no network
-    #[arg(long, value_name = "FILE.html")]
+    #[arg(long, value_parser = suffix::page, value_name = "FILE.html")]
     report: Option<PathBuf>,
 }
 

@@ -3,7 +3,7 @@
 mod csv;
 mod text;
 
-use crate::args::Many;
+use crate::args::{Many, suffix};
 pub(crate) use crate::door::run;
 use crate::door::{AnswerOf, Invocation, Session, System};
 use crate::files;
@@ -49,7 +49,7 @@ pub(crate) struct Files {
     #[arg(value_name = "TARGETS", required = true)]
     targets: Vec<PathBuf>,
     /// Write a table of all targets to this file
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_parser = suffix::table, value_name = "FILE")]
     csv: Option<PathBuf>,
     #[command(flatten)]
     many: Many,

@@ -2,7 +2,7 @@
 
 mod text;
 
-use crate::args::{hold_in, tell};
+use crate::args::{hold_in, suffix, tell};
 pub(crate) use crate::door::run;
 use crate::door::{AnswerOf, Invocation, Session, System};
 use crate::numbers::shortest;
@@ -35,7 +35,7 @@ pub(crate) struct Files {
     #[arg(value_name = "OUT")]
     output: PathBuf,
     /// Write a file from which anybody can prove anew that the result is within --within of the input, see `pompeiu verify`
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_parser = suffix::certificate, value_name = "FILE")]
     certificate: Option<PathBuf>,
 }
 

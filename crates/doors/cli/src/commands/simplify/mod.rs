@@ -3,7 +3,7 @@
 mod appearance;
 mod text;
 
-use crate::args::{hold_in, tell};
+use crate::args::{hold_in, suffix, tell};
 pub(crate) use crate::door::run;
 use crate::door::{AnswerOf, Invocation, Session, System};
 use crate::{certificate, files};
@@ -37,7 +37,7 @@ pub(crate) struct Files {
     #[arg(long, short, value_name = "OUT")]
     output: PathBuf,
     /// Write a file from which anybody can prove anew that the result (OUT) is within the distance of the input, see `pompeiu verify`
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_parser = suffix::certificate, value_name = "FILE")]
     certificate: Option<PathBuf>,
 }
 
