@@ -211,7 +211,8 @@ fn a_group_or_a_node_can_be_measured_alone() {
 #[test]
 fn files_hold_what_the_answer_says() {
     let folder = plates();
-    let files = "-a a.ply -b b.vtu --csv s.csv --report r.html --image p.png --image-size 320x200 --unit mm --pdf p.pdf";
+    let files = "-a a.ply -b b.vtu --csv s.csv --report r.html --image p.png --image-size 320x200 --unit mm --pdf p.pdf \
+                 --title Cover --part P-7 --operator Ann";
     let found = json(&folder, &format!("deviation above.obj below.obj --json {files}"));
     let read = |name: &str| std::fs::read(folder.path().join(name)).unwrap();
     let csv = String::from_utf8(read("s.csv")).unwrap();
@@ -229,6 +230,7 @@ fn files_hold_what_the_answer_says() {
     assert!(read("p.png").starts_with(b"\x89PNG"));
     let document = read("p.pdf");
     assert!(document.starts_with(b"%PDF-") && document.ends_with(b"%%EOF"), "a whole document");
+    assert!(document.windows(14).any(|part| part == b"/Title (Cover)"), "the title");
     let page = String::from_utf8(read("r.html")).unwrap();
     assert!(page.contains("above.obj") && page.contains("--unit mm"), "names and command");
     assert!(!page.contains("<script src") && !page.contains("<link rel=\"stylesheet"), "one file");

@@ -168,10 +168,22 @@ fn place(region: &Region, name: &str) -> Vec<String> {
 /// Four digits of what is not claimed to be exact.
 pub(super) fn four_digits(x: f64) -> String {
     let rounded: f64 = format!("{x:.3e}").parse().unwrap_or(x);
-    rounded.to_string()
+    // A coordinate that is zero but for rounding would have twenty zeros.
+    if rounded != 0.0 && rounded.abs() < 1e-4 { format!("{rounded:e}") } else { rounded.to_string() }
 }
 
 /// The digits in which the terminal shows it, too.
 fn brief(enclosure: Enclosure) -> String {
     digits::brief(enclosure.lower(), enclosure.upper())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn four_digits_are_short() {
+        let shown = [0.0, 1.2, 12_345.678, -6.11437e-19, 0.000_123_46].map(four_digits);
+        assert_eq!(shown, ["0", "1.2", "12350", "-6.114e-19", "0.0001235"]);
+    }
 }
