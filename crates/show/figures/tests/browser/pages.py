@@ -17,7 +17,7 @@ FLAGS = [
     "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-background-networking",
     "--disable-component-update", "--disable-sync", "--no-first-run", "--disable-extensions",
 ]
-# Loading half a million faces is slow on a machine that draws with the processor; nothing is asserted about time.
+# Loading a large page is slow on a machine that draws with the processor; nothing is asserted about time.
 PATIENCE_MS = 300_000
 
 
