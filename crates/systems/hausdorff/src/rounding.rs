@@ -44,6 +44,10 @@
 //! 40. Corners of parts are placed up to 28 from where they are said to be. Together below 130: less than twice [`EVALUATION`], which is what
 //! values on pieces are lowered by.
 //!
+//! **What distances of corners say** (`deviation/corners.rs`) is computed as `sqrt((d - r) (d + r))` with `r = |p - c|`. Any stored point will do for c, so only the length of r is
+//! off, by less than `5 u` of itself, which a factor of `1 + 16 u` makes up for; d, off by less than 45, is lowered by twice [`EVALUATION`] first. Both differences, the product and the root
+//! are off by `u` of their results, together by `2 u` of at most `2 sqrt(3) M`: 7. The value is lowered by twice [`EVALUATION`] once more.
+//!
 //! **Sums on grids** (`deviation/grid.rs`) count areas in units of an integer. A weight times a power of two is exact; its quotient by an integer below 2^42 is off
 //! by `u` relative, and the factor that rounds it outwards by 16 u more than makes up for it; a conversion to an integer rounds down, and one is added
 //! where it must not. Sums and prefix sums of integers are exact. Converting a sum to a double is off by `u` relative, and adding up the levels of

@@ -17,6 +17,7 @@ mod candidates;
 mod cells;
 mod compare;
 mod connected;
+mod corners;
 #[cfg(feature = "serde")]
 mod data;
 mod distribution;

@@ -1,7 +1,8 @@
 //! Faces of A that are far from B for their size: whole, or in halves, in front of planes behind which all of B lies.
 //!
 //! A cell over each face of B would be far narrower than asked there: seen from afar, the distance from all of B is nearly linear on
-//! a face of A. Its gap to a linear function is of the second order, the square of the diameter by the distance.
+//! a face of A. Its gap to a linear function is of the second order, the square of the diameter by the distance. Where what the distances
+//! of the corners say (`corners`) is narrow enough, not even planes are looked for.
 //!
 //! # What is proven
 //! On a triangle P with corners p and centre c:
@@ -17,6 +18,7 @@
 
 use super::candidates::Linear;
 use super::cells::{Limits, Rest, Task};
+use super::corners;
 use super::envelope::{distances, unit};
 use super::face::Start;
 use super::polygon::{Outline, Piece, Polygon, Row, integral};
@@ -94,9 +96,14 @@ impl<'b> Planes<'b> {
             return false;
         }
         self.beyond = None;
+        let near = self.face_near(start, workspace);
+        if let Some(polygon) = self.by_corners(task, start, near, workspace) {
+            pieces.push(Piece { polygon, near });
+            return true;
+        }
         let mut looks = 0;
         self.parts.clear();
-        self.parts.push((Outline::WHOLE, self.face_near(start, workspace)));
+        self.parts.push((Outline::WHOLE, near));
         while let Some((outline, near)) = self.parts.pop() {
             looks += 1;
             if looks > MOST_LOOKS
@@ -117,6 +124,23 @@ impl<'b> Planes<'b> {
             }
         }
         true
+    }
+
+    /// The whole face as a piece, if what the distances of its corners say is narrow enough.
+    fn by_corners(
+        &self,
+        Task { scale, goal, area }: Task<'_>,
+        start: &Start,
+        near: Slot,
+        workspace: &mut Workspace,
+    ) -> Option<Polygon> {
+        let below = corners::below(start.corners, start.distances, scale.margin)?;
+        let mut polygon = Polygon::unknown(Outline::WHOLE, 0.0);
+        polygon.lower = std::array::from_fn(|j| below[j.min(2)]);
+        let points = scale.points(&Outline::WHOLE);
+        let distances = distances(self.bvh, near, &points, 3, workspace);
+        polygon.upper = distances.map(|distance| distance + scale.margin);
+        goal.wanted(&polygon, &Outline::WHOLE.weights(), area).is_none().then_some(polygon)
     }
 
     /// Of the faces nearest to the corners the one nearest to the centre, or one that is nearer and reached across edges.
@@ -170,7 +194,7 @@ impl<'b> Planes<'b> {
         let mut looked = Looked { polygon, near };
         for again in [false, true] {
             let support = self.support(&looked, &points, SLACK * width + 2.0 * margin);
-            let of_whole = self.beyond.filter(|_| outline.depth > 0);
+            let of_whole = self.beyond.filter(|_| again || outline.depth > 0);
             let (below, met) = match of_whole {
                 Some(beyond) => {
                     let row = beyond.row(outline);
@@ -281,7 +305,9 @@ struct Met {
 fn least_of_planes(blocks: &[TriangleBlock], support: &Support, below: [f64; 3]) -> ([f64; 3], Met) {
     let (mut below, mut met) = (below, Met { place: 0, distance_sq: f64::INFINITY });
     for (i, block) in blocks.iter().enumerate() {
-        include(&planes_of(block, support), i, &mut below, &mut met);
+        let corners = from_centre(block, support);
+        let common = common_plane(&corners, support);
+        include(&planes_of(&corners, common, support), i, &mut below, &mut met);
     }
     (below, met)
 }
@@ -296,7 +322,24 @@ fn least_of_leaf(
     beyond: &mut [f64; 3],
     met: &mut Met,
 ) -> u8 {
-    let planes = planes_of(block, support);
+    let corners = from_centre(block, support);
+    let common = common_plane(&corners, support);
+    // One plane in front of all of them is enough as a rule.
+    let mut short = 0.0;
+    for l in 0..LANES {
+        short += common.1[l];
+    }
+    if short == 0.0 {
+        for i in 0..3 {
+            for l in 0..LANES {
+                let value = common.0[i][l];
+                below[i] = if value < below[i] { value } else { below[i] };
+                beyond[i] = if value < beyond[i] { value } else { beyond[i] };
+            }
+        }
+        return 0;
+    }
+    let planes = planes_of(&corners, common, support);
     include(&planes, place, below, met);
     let mut near = 0;
     for l in 0..LANES {
@@ -350,18 +393,31 @@ struct PlanesOfBlock {
 type Lanes = [f64; LANES];
 type Vectors = [Lanes; 3];
 
+/// The corners of eight triangles as seen from the centre.
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "compiled once per instruction set of its caller")]
+fn from_centre(block: &TriangleBlock, support: &Support) -> [Vectors; 3] {
+    let o = broadcast(support.centre);
+    [minus(&block[0], &o), minus(&block[1], &o), minus(&block[2], &o)]
+}
+
+/// The planes of eight triangles along the direction that is common to all.
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "compiled once per instruction set of its caller")]
+fn common_plane([a, b, c]: &[Vectors; 3], support: &Support) -> (Vectors, Lanes) {
+    plane(&broadcast(support.common), [a, b, c], support)
+}
+
 /// The best of three planes of each triangle: any direction no longer than one is valid, for how far the triangle reaches along it is computed.
 #[inline(always)]
 #[allow(clippy::inline_always, reason = "compiled once per instruction set of its caller")]
-fn planes_of(block: &TriangleBlock, support: &Support) -> PlanesOfBlock {
-    let o = broadcast(support.centre);
-    let (a, b, c) = (minus(&block[0], &o), minus(&block[1], &o), minus(&block[2], &o));
-    let (ab, ac, bc) = (minus(&b, &a), minus(&c, &a), minus(&c, &b));
-    let edges = nearer(from_edge(&a, &ab), from_edge(&a, &ac));
-    let edges = nearer(edges, from_edge(&b, &bc));
+fn planes_of([a, b, c]: &[Vectors; 3], common: (Vectors, Lanes), support: &Support) -> PlanesOfBlock {
+    let (ab, ac, bc) = (minus(b, a), minus(c, a), minus(c, b));
+    let edges = nearer(from_edge(a, &ab), from_edge(a, &ac));
+    let edges = nearer(edges, from_edge(b, &bc));
     let normal = cross(&ab, &ac);
     let square = dot(&normal, &normal);
-    let (height, v, w) = (dot(&normal, &a), dot(&cross(&ac, &a), &normal), dot(&cross(&a, &ab), &normal));
+    let (height, v, w) = (dot(&normal, a), dot(&cross(&ac, a), &normal), dot(&cross(a, &ab), &normal));
     let mut foot = [0.0; LANES];
     let mut side = [0.0; LANES];
     let own_length = inverse_length(&square);
@@ -379,9 +435,8 @@ fn planes_of(block: &TriangleBlock, support: &Support) -> PlanesOfBlock {
         foot_square[l] = if beside <= square[l] { foot_square[l] } else { f64::INFINITY };
     }
     let (way, distances_sq) = nearer((foot, foot_square), edges);
-    let common = plane(&broadcast(support.common), [&a, &b, &c], support);
-    let tangent = plane(&times(&inverse_length(&distances_sq), &way), [&a, &b, &c], support);
-    let own = plane(&times(&side, &normal), [&a, &b, &c], support);
+    let tangent = plane(&times(&inverse_length(&distances_sq), &way), [a, b, c], support);
+    let own = plane(&times(&side, &normal), [a, b, c], support);
     let (rows, _) = better(better(common, tangent), own);
     PlanesOfBlock { rows, distances_sq }
 }

@@ -62,10 +62,11 @@ fn parallel_plates() {
     }
 }
 
-/// Where there are many faces, statistics are kept in fewer digits; what is said of them holds, and sums lose nothing.
+/// Where there are many faces, statistics are kept in fewer digits; what is said of them holds, and sums lose nothing. The accuracy is too high for
+/// faces that are bounded by the distances of their corners.
 #[test]
 fn a_plate_of_many_faces_that_leans() {
-    let report = DeviationOptions { threshold: Some(0.1), ..DeviationOptions::default() }
+    let report = DeviationOptions { accuracy: 1e-4, threshold: Some(0.1), ..DeviationOptions::default() }
         .directed(&lifted(&plate(48), |[x, _, _]| 0.4 * (x + 0.5)), &plate(1))
         .unwrap();
     assert!(report.faces.len() > 4096);
