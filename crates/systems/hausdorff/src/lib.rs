@@ -50,7 +50,7 @@ mod target;
 mod tolerance;
 
 pub use deviation::{Deviation, DeviationOptions, DirectedDeviation};
-pub use observer::{Discard, Observer, Progress, Proof, RemainingPiece, Stage};
+pub use observer::{Discard, MeanSoFar, Observer, Progress, Proof, RemainingPiece, Stage};
 pub use options::{HausdorffOptions, Method};
 pub use prepared::{Held, PreparedPair};
 pub use query::{directed_hausdorff, symmetric_hausdorff};

@@ -1,6 +1,6 @@
 //! What a running search tells, and how it is told to stop.
 
-use crate::report::Direction;
+use crate::report::{Direction, Enclosure};
 use pompeiu_core::FaceId;
 use std::fmt;
 use std::ops::ControlFlow;
@@ -75,6 +75,15 @@ pub struct RemainingPiece {
     pub bound: f64,
 }
 
+/// What is known of the mean distance of a direction while it is being enclosed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum MeanSoFar {
+    /// From the vertices and about a thousand points of faces: nothing is proven of it.
+    Sampled(f64),
+    /// Proven to hold the mean over the area.
+    Enclosed(Enclosure),
+}
+
 /// Watches a search. Calls come from one thread at a time, in an order that does not depend on the number of threads.
 ///
 /// Methods take `&self`, so that one observer can be among the options of several searches; what it collects goes into a
@@ -96,6 +105,17 @@ pub trait Observer: Send + Sync {
     /// tolerance looks at again come again.
     fn discard(&self, discard: &Discard) {
         let _ = discard;
+    }
+
+    /// Whether [`Observer::mean`] should be called; it takes one more look at what is known of each face.
+    fn wants_mean(&self) -> bool {
+        false
+    }
+
+    /// Called by a deviation analysis of a surface with an area: once with a sampled mean before faces are cut, and, where
+    /// triangles of pieces are summed up at once, while they are cut, with enclosures of which each lies in the one before.
+    fn mean(&self, direction: Direction, mean: MeanSoFar) {
+        let _ = (direction, mean);
     }
 
     /// Called after each stage that was reached, and once more at the tolerance asked for. Not called where no stages were asked

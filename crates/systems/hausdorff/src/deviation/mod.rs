@@ -44,6 +44,7 @@ mod polygon;
 mod refine;
 mod regions;
 mod report;
+mod rough;
 mod run;
 mod select;
 mod statistics;

@@ -56,7 +56,7 @@ pub struct DeviationOptions<'o> {
     /// left than it takes.
     pub limits: Limits,
     /// Watches the work: of its methods only [`Observer::progress`] is called, first by the search for the largest distance, then
-    /// by refining, with pieces looked at and left.
+    /// by refining, with pieces looked at and left, and [`Observer::mean`] if that is wanted.
     pub observer: Option<&'o dyn Observer>,
 }
 

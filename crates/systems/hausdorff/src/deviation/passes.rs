@@ -11,6 +11,7 @@ use super::pieces::{Pieces, Summed};
 use super::refine::{
     FOCUSED_ROUNDS, LEAST_PROGRESS, ROUNDS_WITHOUT_PROGRESS, Refined, Refinement, TASKS_PER_ROUND,
 };
+use super::rough::Rough;
 use super::statistics::{Summary, is_narrow};
 use super::task::{self, FaceBounds};
 use pompeiu_core::spatial::Slot;
@@ -87,7 +88,9 @@ impl Refinement<'_> {
         let (mut moments, mut up_to) = (Moments::default(), Sum::default());
         let (mut looks, mut distances, mut pieces) = (0, 0, 0);
         let mut left = self.order.len();
-        for round in self.order.chunks(task * TASKS_PER_ROUND) {
+        let rough = self.tell_mean.is_some().then(|| Rough::new(faces, self.order, task * TASKS_PER_ROUND));
+        self.tell_mean_of(rough.as_ref(), 0, moments);
+        for (i, round) in self.order.chunks(task * TASKS_PER_ROUND).enumerate() {
             let most = self.most(pieces, round.len());
             let made: Vec<task::Summed> = round
                 .par_chunks(task)
@@ -105,12 +108,27 @@ impl Refinement<'_> {
                 }
             }
             left -= round.len();
+            self.tell_mean_of(rough.as_ref(), i + 1, moments);
             (self.watch)(looks, pieces, left);
         }
         let up_to = level.map(|level| (level, up_to));
         let summed = Summed { moments, areas: grids.areas().into_iter().collect(), up_to };
         let summary = Summary::of(&summed, self.aim.wanted, faces.largest);
         Refined { pieces: Pieces::Summed(summed), bounds, summary, tight: false, looks, distances, rounds: 1 }
+    }
+}
+
+impl Refinement<'_> {
+    /// Tells between which ends the mean lies after so many rounds.
+    fn tell_mean_of(&mut self, rough: Option<&Rough>, rounds: usize, done: Moments) {
+        if let (Some(tell), Some(rough)) = (&mut self.tell_mean, rough)
+            && let Some(mean) = rough.mean(rounds, done, self.faces.largest)
+        {
+            let within =
+                self.known_mean.map_or(mean, |(low, high)| (greater(low, mean.0), lesser(high, mean.1)));
+            self.known_mean = Some(within);
+            tell(within);
+        }
     }
 }
 

@@ -109,6 +109,10 @@ pub(super) struct Refinement<'r> {
     pub(super) aim: &'r Aim<'r>,
     /// Told between tasks how many looks were made, how many pieces there are, and how many faces are left.
     pub(super) watch: &'r mut dyn FnMut(u64, usize, usize),
+    /// Told between tasks between which ends the mean lies, where pieces are summed up at once and somebody wants to know.
+    pub(super) tell_mean: Option<&'r mut dyn FnMut((f64, f64))>,
+    /// What was told last.
+    pub(super) known_mean: Option<(f64, f64)>,
 }
 
 impl Refinement<'_> {

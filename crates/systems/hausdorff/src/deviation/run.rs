@@ -11,11 +11,11 @@ use super::pieces::{Pieces, are_summed};
 use super::refine::{Aim, Refined, Refinement};
 use super::regions::Peaks;
 use super::report::{DeviationWork, DirectedDeviation, FaceDeviation, Sides};
-use super::statistics::{Summary, Wanted};
+use super::statistics::{Summary, Wanted, length_out};
 use super::task::Faces;
 use super::unknown::unknown;
 use crate::engine::{self, Question};
-use crate::observer::{Observer, Progress};
+use crate::observer::{MeanSoFar, Observer, Progress};
 use crate::options::HausdorffOptions;
 use crate::prepared::PreparedPair;
 use crate::report::{DirectedReport, Direction, StopReason};
@@ -118,6 +118,10 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
         observer.progress(&progress)
     };
     let mean = measure::mean_distance(from, &frame, &vertices, bvh, &order, (total, moment));
+    let wants_mean = total > 0.0 && observer.wants_mean();
+    if wants_mean {
+        observer.mean(direction, MeanSoFar::Sampled(frame.length_out(mean)));
+    }
     let usual = vertices.quantile(MOST_VERTICES);
     let scene = Faces {
         mesh: from,
@@ -142,7 +146,19 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
             control.stop(StopReason::Cancelled);
         }
     };
-    let refined = Refinement { faces: &scene, order: &order, aim: &aim, watch: &mut watch }.run();
+    let mut tell_mean = |(low, high): (f64, f64)| {
+        observer.mean(direction, MeanSoFar::Enclosed(length_out(&frame, low, high)));
+    };
+    let tell_mean: Option<&mut dyn FnMut((f64, f64))> = if wants_mean { Some(&mut tell_mean) } else { None };
+    let refined = Refinement {
+        faces: &scene,
+        order: &order,
+        aim: &aim,
+        watch: &mut watch,
+        tell_mean,
+        known_mean: None,
+    }
+    .run();
     let Refined { pieces, bounds, summary, tight, looks, distances, rounds } = refined;
 
     // A limit on pieces or memory does not keep maxima from being narrowed: that takes neither.

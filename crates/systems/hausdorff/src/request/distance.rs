@@ -413,7 +413,7 @@ impl Observer for Watch<'_> {
         if let Some(observer) = self.observer {
             observer.progress(&progress)?;
         }
-        self.progress.map_or(ControlFlow::Continue(()), |watching| tell(watching, &progress))
+        self.progress.map_or(ControlFlow::Continue(()), |watching| tell(watching, &progress, None))
     }
 
     fn stage(&self, stage: &Stage) {

@@ -1,0 +1,86 @@
+//! What is told of the mean distance before an analysis has ended.
+
+use pompeiu_core::TriMesh;
+use pompeiu_core::mesh::displace_at_random;
+use pompeiu_core::mesh::shapes::icosphere;
+use pompeiu_core::run::{Limits, Progress, RunContext};
+use pompeiu_hausdorff::{DeviationRequest, Direction, Enclosure, MeanSoFar, Observer, PreparedPair};
+use std::ops::ControlFlow;
+use std::sync::Mutex;
+
+/// Keeps what it is told.
+#[derive(Default)]
+struct Means(Mutex<Vec<(Direction, MeanSoFar)>>);
+
+impl Observer for Means {
+    fn wants_mean(&self) -> bool {
+        true
+    }
+
+    fn mean(&self, direction: Direction, mean: MeanSoFar) {
+        self.0.lock().unwrap().push((direction, mean));
+    }
+}
+
+/// What was told of a direction: sampled once, then enclosures; and the mean of the report. Also what people saw.
+fn told(a: &TriMesh, b: &TriMesh) -> (f64, Vec<Enclosure>, Enclosure, Vec<String>) {
+    let (means, shown) = (Means::default(), Mutex::new(Vec::new()));
+    let watch = |progress: &Progress<'_>| {
+        shown.lock().unwrap().push(progress.doing.to_owned());
+        ControlFlow::Continue(())
+    };
+    let context = RunContext::start(Limits::default()).watched_by(&watch);
+    let pair = PreparedPair::new(a, b);
+    let (_, report) = DeviationRequest::default().run(pair, [&[], &[]], &context, Some(&means)).unwrap();
+    let told = means.0.into_inner().unwrap();
+    let mut there = told.iter().filter(|(direction, _)| *direction == Direction::AToB).map(|(_, mean)| *mean);
+    let Some(MeanSoFar::Sampled(sampled)) = there.next() else {
+        panic!("nothing was sampled first: {told:?}")
+    };
+    let enclosures = there
+        .map(|mean| match mean {
+            MeanSoFar::Enclosed(ends) => ends,
+            MeanSoFar::Sampled(mean) => panic!("sampled again: {mean}"),
+        })
+        .collect();
+    let mean = report.deviation.a_to_b.statistics.unwrap().mean;
+    (sampled, enclosures, mean, shown.into_inner().unwrap())
+}
+
+#[track_caller]
+fn check(sampled: f64, enclosures: &[Enclosure], mean: Enclosure) {
+    assert!((sampled - mean.lower()).abs() < 0.1 * mean.lower(), "{sampled} {mean}");
+    assert!(enclosures.len() > 2);
+    for pair in enclosures.windows(2) {
+        assert!(pair[0].lower() <= pair[1].lower() && pair[1].upper() <= pair[0].upper(), "{pair:?}");
+    }
+    for ends in enclosures {
+        assert!(ends.lower() <= mean.upper() && mean.lower() <= ends.upper(), "{ends} {mean}");
+    }
+    let last = enclosures.last().unwrap();
+    assert!(last.gap() <= 1.001 * mean.gap(), "{last} {mean}");
+}
+
+/// The distances of corners alone enclose the mean within a tenth before any face is cut.
+#[test]
+fn of_surfaces_that_are_apart_the_mean_is_enclosed_at_once() {
+    let (sampled, enclosures, mean, shown) = told(&icosphere(1.0, 5).unwrap(), &icosphere(1.1, 5).unwrap());
+    check(sampled, &enclosures, mean);
+    assert!(enclosures[0].gap() < 0.1 * enclosures[0].lower(), "{}", enclosures[0]);
+    let of_mean = |line: &&String| line.starts_with("A to B: largest ") && line.contains(", mean 0.0");
+    assert!(shown.iter().filter(of_mean).count() > 2, "{shown:?}");
+}
+
+/// Where they are near each other the mean is sampled, and said to be, until most faces are cut.
+#[test]
+fn of_surfaces_that_are_near_the_mean_is_sampled() {
+    let a = icosphere(1.0, 5).unwrap();
+    let b = displace_at_random(&a, 1e-3, 7).unwrap();
+    let (sampled, enclosures, mean, shown) = told(&a, &b);
+    check(sampled, &enclosures, mean);
+    assert!(enclosures[0].gap() > 0.5 * enclosures[0].upper(), "{}", enclosures[0]);
+    let called =
+        shown.iter().position(|line| line.contains("mean about 0.000") && line.ends_with("(sampled)"));
+    let enclosed = shown.iter().rposition(|line| line.contains(", mean 0.000"));
+    assert!(called.unwrap() < enclosed.unwrap(), "{shown:?}");
+}
