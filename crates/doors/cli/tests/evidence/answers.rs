@@ -879,6 +879,8 @@ fn what_was_meant_is_said() {
         ("tent.obj square.obj", 2, "did you mean `pompeiu distance tent.obj square.obj`?"),
         ("tent.obj", 2, "did you mean `pompeiu info tent.obj`?"),
         ("tent.obj square.obj tent.obj", 2, "did you mean `pompeiu matrix"),
+        ("decimate tent.obj", 2, "decimate is called `pompeiu simplify` here"),
+        ("compare tent.obj square.obj", 2, "compare is called `pompeiu deviation` here"),
         ("matrix tent.obj", 0, "tent.obj is the only mesh"),
     ] {
         let (found, _, errors) = folder.transcript(args);
