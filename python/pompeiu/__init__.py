@@ -54,9 +54,9 @@ from .fields import (
     field_degrees_of_freedom,
 )
 from .coupling import Coupled, couple
-from .files import Info, info, mesh_summary, write_mesh
+from .files import Info, info, mesh_summary, read_options, write_mesh
 from .flattening import Cut, Flattening, Medial, Straightened, cut, flatten, medial, straighten
-from .fluids import Simulation, SquareSimulation
+from .fluids import Fluid, Simulation, SquareSimulation, fluid
 from .many import DistanceMatrix, RankReport, RankWork, Standing, matrix, rank
 from .neurons import (
     Neuron,
@@ -108,6 +108,7 @@ __all__ = [
     "FieldQuality",
     "Flattening",
     "Flow",
+    "Fluid",
     "Histogram",
     "HodgeDecomposition",
     "Info",
@@ -172,6 +173,7 @@ __all__ = [
     "field_degrees_of_freedom",
     "flatten",
     "flow",
+    "fluid",
     "hausdorff",
     "info",
     "intersections",
@@ -186,6 +188,7 @@ __all__ = [
     "rank",
     "read_mesh",
     "read_neuron_mesh",
+    "read_options",
     "read_outlines",
     "read_skeleton",
     "remesh",

@@ -14,7 +14,6 @@ from ._asking import ask
 from .bands import BandReport
 from .certificates import Certificate, Ends, _write
 from .errors import OptionError
-from .files import write_whole
 from .progress import ProgressLike, watching
 from .results import (
     Direction,
@@ -448,7 +447,7 @@ class Deviation(_Arrays, _Interval):
         OSError
             If the file cannot be written.
         """
-        write_whole(path, self._shown().html(self._look(names, unit, up)).encode())
+        _native.write_whole(path, self._shown().html(self._look(names, unit, up)).encode())
 
     def image(
         self,
@@ -516,11 +515,11 @@ class Deviation(_Arrays, _Interval):
             If the file cannot be written.
         """
         look = self._look(names, unit, up)
-        write_whole(path, self._shown().pdf(look, direction_to_eye, verdict, paper))
+        _native.write_whole(path, self._shown().pdf(look, direction_to_eye, verdict, paper))
 
     def save_image(self, path: "str | os.PathLike[str]", **options: Any) -> None:
         """Writes :meth:`image`, with its options, to a file, which appears whole or not at all."""
-        write_whole(path, self.image(**options))
+        _native.write_whole(path, self.image(**options))
 
     def certificate(
         self,

@@ -2,44 +2,28 @@
 
 from __future__ import annotations
 
-import io
 import json
 import os
-import tempfile
 from dataclasses import dataclass
 from typing import Any, Dict, Mapping, Optional
-
-import numpy as np
 
 from . import _native
 from ._asking import ask
 from .results import MeshSummary
 from .sources import MeshLike, as_mesh
 
-__all__ = ["Info", "info", "mesh_summary", "write_mesh"]
+__all__ = ["Info", "info", "mesh_summary", "read_options", "write_mesh"]
 
 
-def write_whole(path: "str | os.PathLike[str]", content: bytes) -> None:
-    """Writes a file whole or not at all."""
-    folder, name = os.path.split(os.path.abspath(path))
-    handle, temporary = tempfile.mkstemp(prefix=f".{name}.", dir=folder)
-    try:
-        with os.fdopen(handle, "wb") as file:
-            file.write(content)
-        mask = os.umask(0)
-        os.umask(mask)
-        os.chmod(temporary, 0o666 & ~mask)
-        os.replace(temporary, path)
-    except BaseException:
-        os.unlink(temporary)
-        raise
+def read_options(path: "str | os.PathLike[str]") -> Dict[str, Any]:
+    """The options in a TOML file, as ``--config`` and scenes have them: ``pompeiu.medial(mesh, **pompeiu.read_options("medial.toml"))``.
 
-
-def write_arrays(path: "str | os.PathLike[str]", **arrays: Any) -> None:
-    """Writes a file of NumPy whole or not at all."""
-    content = io.BytesIO()
-    np.savez(content, **arrays)
-    write_whole(path, content.getvalue())
+    Raises
+    ------
+    ReadError, OptionError
+        If the file cannot be read, or is no TOML.
+    """
+    return json.loads(_native.read_options(path))
 
 
 def write_mesh(

@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 import json
+from dataclasses import dataclass
 from os import PathLike
+from pathlib import Path
 from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Union
 
 import numpy as np
 
 from . import _native
+from ._asking import ask, split
 from .errors import OptionError
-from .files import write_arrays
 from .sources import MeshLike, as_mesh
 
-__all__ = ["Simulation", "SquareSimulation"]
+__all__ = ["Fluid", "Simulation", "SquareSimulation", "fluid"]
 
 Force = Union[None, np.ndarray, Callable[[Any], np.ndarray]]
 
@@ -59,11 +61,13 @@ class _Stepped:
             raise OptionError(f"there is no density {name!r}; there are {self._names}")
         return self._names.index(name)
 
-    def _check_names(self, path: Any, saved: Any) -> None:
-        """Refuses a state with other densities."""
-        names = [str(name) for name in saved["names"]]
-        if names != self._names:
-            raise OptionError(f"{path}: has the densities {names}, expected {self._names}")
+    def save(self, path: Union[str, PathLike]) -> None:
+        """Writes the state to a file, from which :meth:`load` goes on bit for bit: JSON as of ``pompeiu fluid --checkpoint``."""
+        _native.write_whole(path, self._native.save())
+
+    def load(self, path: Union[str, PathLike]) -> None:
+        """Goes on from a state that :meth:`save` wrote, or ``pompeiu fluid --checkpoint``, of the same mesh and options."""
+        self._native.load(Path(path).read_bytes())
 
 
 class Simulation(_Stepped):
@@ -144,29 +148,15 @@ class Simulation(_Stepped):
         inflow: Optional[Sequence[Any]] = None,
         densities: Optional[Mapping[str, Any]] = None,
     ) -> None:
-        mesh = as_mesh(mesh)
+        given = dict(locals())
+        for name in ("self", "mesh", "inflow", "densities"):
+            del given[name]
         self._names = list(densities or {})
-        vector = lambda v: None if v is None else [float(x) for x in v]  # noqa: E731
         self._native = _native.Simulation(
-            mesh,
-            {
-                "scheme": scheme,
-                "integrator": integrator,
-                "correction": correction,
-                "diffusion": diffusion,
-                "time_step": float(dt),
-                "cfl": None if cfl is None else float(cfl),
-                "viscosity": float(viscosity),
-                "viscosity_model": viscosity_model,
-                "wall": wall,
-                "transport": transport,
-                "gravity": vector(gravity),
-                "rotation": vector(rotation),
-                "acceleration": vector(acceleration),
-                "confinement": float(confinement),
-                "inflow": None if inflow is None else [(int(v), int(w), float(s)) for v, w, s in inflow],
-                "densities": [_density(name, given) for name, given in (densities or {}).items()],
-            },
+            as_mesh(mesh),
+            split(given)[0],
+            None if inflow is None else [(int(v), int(w), float(s)) for v, w, s in inflow],
+            [_density(name, values) for name, values in (densities or {}).items()],
         )
 
     def step(self, steps: int = 1, *, force: Force = None) -> List[Dict[str, Any]]:
@@ -222,34 +212,6 @@ class Simulation(_Stepped):
     def set_density(self, name: str, values: Any) -> None:
         """Replaces a density."""
         self._native.set_density(self._index(name), values)
-
-    def save(self, path: Union[str, PathLike]) -> None:
-        """Writes the state to a file of NumPy (``.npz``), from which :meth:`load` goes on bit for bit."""
-        edges, faces = self._native.stored()
-        write_arrays(
-            path,
-            steps=self.steps,
-            time=self.time,
-            vorticity=self.vorticity,
-            harmonic=self.harmonic,
-            names=np.array(self._names, dtype=str),
-            densities=np.array(list(self.densities.values())),
-            edge_velocity=edges,
-            face_densities=np.array(faces),
-        )
-
-    def load(self, path: Union[str, PathLike]) -> None:
-        """Goes on from a state that :meth:`save` wrote, of the same mesh and options."""
-        with np.load(path, allow_pickle=False) as saved:
-            self._check_names(path, saved)
-            self._native.restore(
-                (int(saved["steps"]), float(saved["time"])),
-                saved["vorticity"],
-                [float(c) for c in saved["harmonic"]],
-                list(saved["densities"]),
-                [[float(t), float(n)] for t, n in saved["edge_velocity"]],
-                list(saved["face_densities"]),
-            )
 
     def __repr__(self) -> str:
         return f"Simulation(step {self.steps}, time {self.time:g})"
@@ -315,25 +277,14 @@ class SquareSimulation(_Stepped):
         obstacles: Optional[Any] = None,
         densities: Optional[Mapping[str, Any]] = None,
     ) -> None:
-        if cells < 2:
-            raise OptionError(f"the square has {cells} cells on a side; expected 2 to 4096")
         self._cells = int(cells)
         self._names = list(densities or {})
         solid = None if obstacles is None else np.asarray(obstacles, dtype=bool).ravel().tolist()
+        upright = lambda vector: None if vector is None else [*map(float, vector), 0.0]  # noqa: E731
+        options = {"square": cells, "dt": dt, "grid": grid, "edges": edges, "viscosity": viscosity, "wall": wall, "lid": lid}
+        options.update(gravity=upright(gravity), acceleration=upright(acceleration))
         self._native = _native.SquareSimulation(
-            {
-                "cells": self._cells,
-                "grid": grid,
-                "edges": edges,
-                "time_step": float(dt),
-                "viscosity": float(viscosity),
-                "wall": wall,
-                "lid": float(lid),
-                "gravity": [0.0, 0.0] if gravity is None else [float(x) for x in gravity],
-                "acceleration": None if acceleration is None else [float(x) for x in acceleration],
-                "obstacles": solid,
-                "densities": [_density(name, given) for name, given in (densities or {}).items()],
-            }
+            split(options)[0], solid, [_density(name, given) for name, given in (densities or {}).items()]
         )
 
     def step(self, steps: int = 1, *, force: Force = None) -> List[Dict[str, Any]]:
@@ -372,22 +323,202 @@ class SquareSimulation(_Stepped):
         """Replaces a density."""
         self._native.set_density(self._index(name), np.asarray(values, dtype=float).ravel())
 
-    def save(self, path: Union[str, PathLike]) -> None:
-        """Writes the state to a file of NumPy (``.npz``), from which :meth:`load` goes on bit for bit."""
-        u, v = self._native.stored()
-        names = np.array(self._names, dtype=str)
-        densities = np.array(list(self.densities.values()))
-        write_arrays(path, steps=self.steps, time=self.time, u=u, v=v, names=names, densities=densities)
-
-    def load(self, path: Union[str, PathLike]) -> None:
-        """Goes on from a state that :meth:`save` wrote, with the same options."""
-        with np.load(path, allow_pickle=False) as saved:
-            self._check_names(path, saved)
-            densities = [values.ravel() for values in saved["densities"]]
-            self._native.restore((int(saved["steps"]), float(saved["time"])), (saved["u"], saved["v"]), densities)
-
     def __repr__(self) -> str:
         return f"SquareSimulation({self._cells} x {self._cells}, step {self.steps}, time {self.time:g})"
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Fluid:
+    """A flow at its end, and what was measured on the way.
+
+    Attributes
+    ----------
+    velocity : ndarray
+        The velocity on faces, shape (m, 3); in the square in cells, shape (n, n, 2), with a row for each row of cells, from below.
+    vorticity : ndarray
+        The vorticity at vertices, or in cells.
+    densities : dict of ndarray
+        The densities by name, at vertices or in cells.
+    report : dict
+        What ``pompeiu fluid --json`` says of the run: ``steps``, ``scheme``, ``start`` and times.
+    stop : str
+        Why it ended: ``"steps"``, ``"time"`` or ``"cancelled"``.
+    """
+
+    velocity: np.ndarray
+    vorticity: np.ndarray
+    densities: Dict[str, np.ndarray]
+    report: Dict[str, Any]
+    stop: str
+
+    @property
+    def steps(self) -> List[Dict[str, Any]]:
+        """What was measured at first and after each step."""
+        return self.report["steps"]
+
+    def __repr__(self) -> str:
+        return f"Fluid(time {self.steps[-1]['time']:g} after {len(self.steps) - 1} steps, {self.report['scheme']['name']})"
+
+
+def fluid(
+    mesh: Optional[MeshLike] = None,
+    *,
+    square: Optional[int] = None,
+    grid: str = "mac",
+    edges: str = "walls",
+    lid: float = 0.0,
+    obstacles: Optional[str] = None,
+    steps: Optional[int] = None,
+    dt: Optional[float] = None,
+    cfl: Optional[float] = None,
+    scheme: Literal["vorticity", "any-step", "faces", "crouzeix-raviart"] = "vorticity",
+    integrator: Literal["runge-kutta", "implicit-midpoint"] = "runge-kutta",
+    correction: Literal["linear", "mac-cormack", "bfecc"] = "mac-cormack",
+    diffusion: Literal["laplacian", "edge-length"] = "laplacian",
+    viscosity: float = 0.0,
+    viscosity_model: Literal["hodge", "bochner", "physical"] = "physical",
+    wall: Literal["no-slip", "free-slip"] = "no-slip",
+    transport: Literal["flux-corrected", "semi-lagrangian", "semi-lagrangian-corrected", "faces"] = "flux-corrected",
+    gravity: Optional[Sequence[float]] = None,
+    rotation: Optional[Sequence[float]] = None,
+    acceleration: Optional[Sequence[float]] = None,
+    confinement: float = 0.0,
+    velocity: Optional[Union[str, Sequence[Sequence[float]]]] = None,
+    vorticity: Optional[str] = None,
+    harmonic: Sequence[float] = (),
+    density: Sequence[Mapping[str, Any]] = (),
+    vortex: Sequence[Mapping[str, Any]] = (),
+    force: Sequence[Mapping[str, Any]] = (),
+    moving_wall: Sequence[Mapping[str, Any]] = (),
+    inflow: Sequence[Mapping[str, Any]] = (),
+    outflow: Sequence[Mapping[str, Any]] = (),
+    threads: Optional[int] = None,
+    time_limit: Optional[float] = None,
+    progress: Optional[Callable[[float], Optional[bool]]] = None,
+) -> Fluid:
+    """Lets a fluid flow on a surface or in the square, as ``pompeiu fluid`` does.
+
+    :class:`Simulation` and :class:`SquareSimulation` do it step by step, with arrays instead of expressions. A scene is a file of
+    options: ``pompeiu.fluid(mesh, **pompeiu.read_options("scene.toml"))``.
+
+    Parameters
+    ----------
+    mesh : MeshLike, optional
+        An oriented manifold, with or without boundary, of any genus; none in the square.
+    square : int, optional
+        The unit square of N x N cells instead of a mesh.
+    grid : str
+        How the square stores velocities: mac, stam (solved directly) or stam:SWEEPS of Gauss and Seidel.
+    edges : str
+        What is at the edges of the square: walls, periodic or channel:SPEED (inflow on the left).
+    lid : float
+        The velocity of the upper wall of the square, to the right.
+    obstacles : str, optional
+        A black and white picture of the square; what is dark is an obstacle.
+    steps : int, optional
+        Number of steps, from the beginning also where a state is resumed.
+    dt : float, optional
+        Length of a step in time; with cfl the longest.
+    cfl : float, optional
+        Halve the step until no more than this part of what a dual cell holds flows out of it in a step.
+    scheme : str
+        How the velocity is stored and advected. ``"vorticity"``: vorticity at vertices and harmonic coefficients;
+        Galerkin advection in substeps. Conserves energy, enstrophy and total vorticity in space; ``"any-step"``: the
+        same unknowns; semi-Lagrangian advection, stable at any step. Loses energy; ``"faces"``: velocities on faces;
+        semi-Lagrangian advection from their centroids with parallel transport, then projection; stable at any step.
+        Loses the most energy; ``"crouzeix-raviart"``: velocities at midpoints of edges (Crouzeix and Raviart) for
+        viscosity; advection by their vorticity as in [`Scheme::Vorticity`]. Rigid rotations never gain energy. Without
+        viscosity it is that scheme.
+    integrator : str
+        How the vorticity is advanced in time. ``"runge-kutta"``: the classical Runge–Kutta method of fourth order;
+        ``"implicit-midpoint"``: the implicit midpoint rule, solved to rounding: conserves energy and enstrophy in time
+        as well.
+    correction : str
+        How the numerical diffusion of semi-Lagrangian interpolation is corrected. ``"linear"``: not at all: first
+        order. [`Scheme::Faces`] then also traces in a straight line, as Stam does; ``"mac-cormack"``: half the error of
+        a step forth and back is added at the end (`MacCormack`), limited to the surrounding values; ``"bfecc"``: half
+        the error is added at the beginning and advected (back and forth error compensation and correction), limited to
+        the surrounding values.
+    diffusion : str
+        The edge weights by which quantities on faces diffuse; edge-length is no Laplacian and depends on the mesh.
+        ``"laplacian"``: those of a Laplacian: velocities diffuse by their stream function and [`ViscosityModel`],
+        densities with the length of an edge over the distance of the adjacent centroids; ``"edge-length"``: the length
+        of the edge alone. This is not a Laplacian: the effective viscosity depends on the size of the faces and on the
+        unit of length, and thin faces diffuse most across their long sides. Provided for comparison.
+    viscosity : float
+        Kinematic viscosity, squared length per time.
+    viscosity_model : str
+        The Laplacian of the viscous force. ``"hodge"``: the Hodge Laplacian: harmonic fields do not decay;
+        ``"bochner"``: the connection Laplacian: only parallel fields do not decay; ``"physical"``: twice the divergence
+        of the rate of strain: rigid motions (Killing fields) do not decay.
+    wall : str
+        The condition for a viscous flow at the boundary. ``"no-slip"``: no slip: the fluid has the velocity of the
+        boundary, which may move tangentially; ``"free-slip"``: the boundary exerts no tangential force.
+    transport : str
+        How densities are transported. ``"flux-corrected"``: flux-corrected transport between dual cells, of second
+        order and limited to the surrounding values: conserves mass, in substeps; ``"semi-lagrangian"``: semi-Lagrangian
+        along geodesics: mass drifts; ``"semi-lagrangian-corrected"``: semi-Lagrangian; afterwards the missing mass is
+        distributed where the limits allow; ``"faces"``: semi-Lagrangian on faces, from their centroids: mass drifts,
+        and two interpolations per step add diffusion.
+    gravity : Sequence[float], optional
+        Gravity, which acts on densities with a weight.
+    rotation : Sequence[float], optional
+        Angular velocity of the whole surface: Coriolis force.
+    acceleration : Sequence[float], optional
+        An acceleration everywhere, along the surface.
+    confinement : float
+        Strength of vorticity confinement.
+    velocity : Union[str, Sequence[Sequence[float]]], optional
+        The initial velocity: rotation:AXIS, random:SEED, harmonic:K or a file with a vector for each face; in the
+        square two expressions in x and y with a semicolon between them.
+    vorticity : str, optional
+        The initial vorticity, an expression in x, y and z.
+    harmonic : Sequence[float]
+        Initial coefficients of the harmonic fields, with a vorticity.
+    density : Sequence[Mapping[str, Any]]
+        A density: an expression in x, y and z, or name, initial, picture, axis, diffusivity, weight and source.
+    vortex : Sequence[Mapping[str, Any]]
+        A Gaussian of vorticity: at, radius and circulation.
+    force : Sequence[Mapping[str, Any]]
+        An acceleration in a ball: at, radius and acceleration.
+    moving_wall : Sequence[Mapping[str, Any]]
+        Boundary edges in a ball that move along themselves: at, radius and speed.
+    inflow : Sequence[Mapping[str, Any]]
+        Inflow through boundary edges in a ball: at, radius and speed.
+    outflow : Sequence[Mapping[str, Any]]
+        Outflow of what flows in, through boundary edges in a ball: at and radius.
+    threads : int, optional
+        Threads to use; all processors by default. The answer does not depend on it.
+    time_limit : float, optional
+        Stop after so many seconds with the answer found by then.
+    progress : callable, optional
+        Called with the share of steps that are done; ``False`` ends the run with what is done.
+
+    Raises
+    ------
+    SurfaceError
+        If the mesh is no oriented manifold.
+    OptionError, FieldError, ReadError
+        If options make no sense, or a picture or a file of vectors cannot be read.
+
+    Examples
+    --------
+    >>> import pompeiu
+    >>> cavity = pompeiu.fluid(square=16, lid=1, viscosity=0.01, dt=0.05, steps=4)
+    >>> cavity.velocity.shape, cavity.steps[-1]["divergence"] < 1e-12
+    ((16, 16, 2), True)
+    """
+    given = dict(locals())
+    meshes = ("mesh",) if mesh is not None else ()
+    if mesh is None:
+        del given["mesh"]
+    answer, beside = ask("fluid", given, meshes=meshes)
+    report = answer["report"]
+    cells = answer["request"]["square"]
+    shaped = lambda array: array if cells is None else array.reshape(cells, cells, *array.shape[1:])  # noqa: E731
+    named = zip(report["scheme"]["densities"], beside["densities"])
+    densities = {name: shaped(one["values"]) for name, one in named}
+    return Fluid(shaped(beside["velocity"]), shaped(beside["vorticity"]), densities, report, answer["stop"])
 
 
 def _density(name: str, given: Any) -> Dict[str, Any]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass
-from typing import Any, Iterable, Literal, Mapping, Optional, Sequence, Tuple, Union
+from typing import Any, Literal, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -314,7 +314,7 @@ def rank(
 
 
 def matrix(
-    meshes: Iterable[MeshLike],
+    meshes: Targets,
     *,
     directed: bool = False,
     tolerance: float = 1e-12,
@@ -328,7 +328,7 @@ def matrix(
 
     Parameters
     ----------
-    meshes : iterable of MeshLike
+    meshes : sequence of MeshLike, or mapping from names
         All of them are held in memory.
     directed : bool
         Give both directed distances of each pair instead of the greater one.
@@ -357,7 +357,7 @@ def matrix(
         As for :func:`rank`.
     """
     given = dict(locals())
-    checked = [as_mesh(mesh) for mesh in given.pop("meshes")]
+    checked = [(name, as_mesh(source)) for name, source in named(given.pop("meshes"))]
     with watching_steps(progress, "meshes") as watch:
         answer, beside = ask("matrix", {**given, "progress": watch}, meshes=(), others=checked)
     return DistanceMatrix._of(answer["report"], beside["directed_lower"], beside["directed_upper"], directed)

@@ -14,7 +14,6 @@ import numpy as np
 from . import _native
 from ._asking import ask
 from .errors import MissingFileError, OptionError, ReadError, WriteError
-from .files import write_whole
 
 __all__ = [
     "Neuron",
@@ -121,7 +120,7 @@ class NeuronTransport:
 def _write(path: Union[str, "os.PathLike[str]"], content: bytes) -> None:
     name = os.fspath(path)
     try:
-        write_whole(name, content)
+        _native.write_whole(name, content)
     except OSError as error:
         raise WriteError(f"{name}: {error.strerror}") from error
 

@@ -9,9 +9,9 @@ from typing import Any, Callable, Dict, List, Literal, Optional, Sequence, Union
 
 import numpy as np
 
+from . import _native
 from ._asking import ask
 from .errors import OptionError, ReadError, WriteError
-from .files import write_whole
 
 __all__ = ["Puzzle", "puzzle"]
 
@@ -108,10 +108,7 @@ class Puzzle:
         drawn = self._drawings.draw(what, suffix[1:], float(pull), picture)
         if drawn is None:
             raise WriteError(f"{path}: no motion takes the puzzle apart")
-        try:
-            write_whole(path, drawn)
-        except OSError as error:
-            raise WriteError(f"{path}: {error.strerror}") from error
+        _native.write_whole(path, drawn)
 
     def __repr__(self) -> str:
         return f"Puzzle({len(self.outlines)} pieces, {'locked' if self.is_locked else 'not locked'})"

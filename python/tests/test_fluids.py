@@ -47,11 +47,37 @@ def test_a_saved_state_goes_on_bit_for_bit(tmp_path, scheme, transport):
     fluid = new()
     fluid.set_vorticity(sphere.vertices[:, 2])
     fluid.step(2)
-    fluid.save(tmp_path / "state.npz")
+    fluid.save(tmp_path / "state.json")
     expected = fluid.step(2)
     other = new()
-    other.load(tmp_path / "state.npz")
+    other.load(tmp_path / "state.json")
     assert other.step(2) == expected
+    with pytest.raises(pompeiu.OptionError, match="was written with another `viscosity`"):
+        pompeiu.Simulation(sphere, 0.1, scheme=scheme, transport=transport, densities={"dye": sphere.vertices[:, 0]}).load(tmp_path / "state.json")
+
+
+def test_a_scene_flows_as_the_command_has_it(tmp_path):
+    torus = pompeiu.shapes.torus(1.0, 0.4, 24, 12)
+    (tmp_path / "scene.toml").write_text(
+        "dt = 0.05\nvorticity = \"x*y+z\"\nharmonic = [0.5, -0.2]\n[[density]]\nname = \"dye\"\ninitial = \"exp(-4*x)\"\n"
+    )
+    scene = pompeiu.read_options(tmp_path / "scene.toml")
+    found = pompeiu.fluid(torus, **scene, steps=4)
+    x, y, z = torus.vertices.T
+    stepped = pompeiu.Simulation(torus, 0.05, densities={"dye": np.exp(-4 * x)})
+    stepped.set_vorticity(x * y + z, [0.5, -0.2])
+    last = stepped.step(4)[-1]
+    assert abs(found.steps[-1]["energy"] / last["energy"] - 1) < 1e-12
+    assert np.allclose(found.velocity, stepped.velocity) and np.allclose(found.densities["dye"], stepped.densities["dye"])
+    assert pompeiu.fluid(torus, **scene, steps=4, time_limit=0).stop == "time"
+    assert pompeiu.fluid(torus, **scene, steps=100_000, progress=lambda share: False).stop == "cancelled"
+    for wrong, message in [
+        ({"steps": 1}, "no length of a step"),
+        ({"steps": 1, "dt": 0.1, "lid": 1.0}, "`lid` is for the square"),
+        ({"steps": 1, "dt": 0.1, "vortex": [{"at": [0, 0, 0], "radious": 1}]}, "unknown field `radious`"),
+    ]:
+        with pytest.raises(pompeiu.OptionError, match=message):
+            pompeiu.fluid(torus, **wrong)
 
 
 def test_what_makes_no_sense_is_refused():
@@ -59,8 +85,8 @@ def test_what_makes_no_sense_is_refused():
     for options in [{"scheme": "eulerian"}, {"viscosity": -1.0}, {"cfl": 0.0}, {"wall": "sticky"}]:
         with pytest.raises(pompeiu.OptionError):
             pompeiu.Simulation(sphere, 0.1, **options)
-    for dt in [0.0, float("nan")]:
-        with pytest.raises(pompeiu.OptionError, match="time step"):
+    for dt, message in [(0.0, "time step is 0"), (float("nan"), "dt is nan")]:
+        with pytest.raises(pompeiu.OptionError, match=message):
             pompeiu.Simulation(sphere, dt)
     fluid = pompeiu.Simulation(sphere, 0.1)
     force = np.zeros((sphere.n_faces, 3))
@@ -88,9 +114,9 @@ def test_the_square_has_the_same_methods(tmp_path):
     rate = 0.01 * (2 * n * np.sin(np.pi / n)) ** 2
     assert abs(second["energy"] / first["energy"] - (1 + 0.1 * rate) ** -2) < 1e-9
     assert second["divergence"] < 1e-12 and abs(second["mass"][0] - 0.25) < 1e-12
-    square.save(tmp_path / "square.npz")
+    square.save(tmp_path / "square.json")
     other = pompeiu.SquareSimulation(n, 0.1, **options)
-    other.load(tmp_path / "square.npz")
+    other.load(tmp_path / "square.json")
     pull = np.zeros((n, n, 2))
     pull[..., 1] = np.sin(2 * np.pi * x)
     assert other.step(force=pull) == square.step(force=lambda fluid: pull)

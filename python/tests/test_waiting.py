@@ -8,6 +8,7 @@ import threading
 
 import pompeiu
 import pytest
+from interrupting import ends_by_interrupt
 
 #: Takes the textbook method longer than anyone would wait; nothing here waits for it to end.
 ENDLESS = {"method": "classic", "tolerance": 1e-12}
@@ -99,47 +100,18 @@ def test_ctrl_c_stops_a_search(watched):
     assert rest.endswith("interrupted\n") and child.returncode == 0
 
 
-#: Calls that take far longer than a signal, each with what it needs, which is made first.
+#: Calls beside requests that take far longer than a signal, each with what it needs, which is made first.
 LONG = {
-    "matrix": "sphere = pompeiu.shapes.icosphere(1.0, 8)|pompeiu.matrix([sphere, sphere], tolerance=1e-15)",
-    "rank": "sphere = pompeiu.shapes.icosphere(1.0, 8)|pompeiu.rank(sphere, [sphere], align='rigid')",
     "Template": "sphere = pompeiu.shapes.icosphere(1.0, 8)|pompeiu._native.Template(sphere, '{\"align\": \"rigid\"}')",
     "Target": "sphere = pompeiu.shapes.icosphere(1.0, 8)|pompeiu.Target(sphere)",
-    "align": "sphere = pompeiu.shapes.icosphere(1.0, 7)|pompeiu.align(sphere, sphere)",
     "HodgeDecomposition": "torus = pompeiu.shapes.torus(2.0, 1.0, 500, 250)|pompeiu.HodgeDecomposition(torus)",
-    "cut": "torus = pompeiu.shapes.torus(2.0, 1.0, 800, 400)|pompeiu.cut(torus)",
-    "flatten": "sphere = pompeiu.shapes.icosphere(1.0, 7)|pompeiu.flatten(sphere)",
-    "medial": "sphere = pompeiu.shapes.icosphere(1.0, 6)|pompeiu.medial(sphere, balls=200)",
-    "simplify": "sphere = pompeiu.shapes.icosphere(1.0, 7)|pompeiu.simplify(sphere, faces=100)",
     "Simulation": "torus = pompeiu.shapes.torus(2.0, 1.0, 500, 250)|pompeiu.Simulation(torus, viscosity=0.1, dt=0.01)",
 }
 
-LATE = """
-import os, pompeiu, signal, sys, threading, time
-before, call = sys.argv[1].split("|")
-exec(before)
-sent = []
-def interrupt():
-    sent.append(time.monotonic())
-    os.kill(os.getpid(), signal.SIGINT)
-timer = threading.Timer(0.1, interrupt)
-try:
-    timer.start()
-    eval(call)
-    timer.cancel()
-    print("finished", flush=True)
-except KeyboardInterrupt:
-    print("interrupted", time.monotonic() - sent[0], flush=True)
-    # What goes on by itself ends with the process.
-    os._exit(0)
-"""
 
-
-@pytest.mark.skipif(os.name == "nt", reason="signals are sent otherwise there")
 @pytest.mark.parametrize("call", LONG)
 def test_ctrl_c_ends_whatever_is_under_way(call):
-    child = subprocess.run([sys.executable, "-c", LATE, LONG[call]], capture_output=True, text=True)
-    assert child.stdout.startswith("interrupted"), child.stdout + child.stderr
+    ends_by_interrupt(LONG[call])
 
 
 def test_a_bar_is_drawn_where_tqdm_is(capsys):

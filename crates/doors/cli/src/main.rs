@@ -12,7 +12,6 @@ mod files;
 #[cfg(test)]
 mod generated;
 mod interrupt;
-mod json;
 mod many;
 mod meant;
 mod numbers;

@@ -1,6 +1,6 @@
 //! Numbers on the command line and in answers for people.
 
-pub(crate) use pompeiu::core::request::values::{counts, magnitude, tuple};
+pub(crate) use pompeiu::core::request::values::{counts, tuple};
 use pompeiu::hausdorff::digits::MOST_DIGITS;
 pub(crate) use pompeiu::hausdorff::digits::{agreed, between, brief, shortest};
 use pompeiu::remesh::IntersectionCount;

@@ -5,31 +5,11 @@ use crate::files;
 use crate::printer::Printer;
 use crate::wait::Wait;
 use anyhow::bail;
-use pompeiu::core::TriMesh;
 use pompeiu::core::mesh::unreferenced_vertices;
 use pompeiu::io::ReadMesh;
 use pompeiu::matching::request::RequestError;
-use serde::Serialize;
 use std::path::Path;
 use std::time::Instant;
-
-/// A mesh file that was measured.
-#[derive(Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub(crate) struct File {
-    /// The path as it was given.
-    pub(crate) path: String,
-    /// Number of vertices.
-    pub(crate) vertices: usize,
-    /// Number of faces.
-    pub(crate) faces: usize,
-}
-
-impl File {
-    pub(crate) fn new(path: &Path, mesh: &TriMesh) -> Self {
-        Self { path: path.display().to_string(), vertices: mesh.positions().len(), faces: mesh.faces().len() }
-    }
-}
 
 /// Refuses, before anything is read, what cannot be compared.
 pub(crate) fn check([a, b]: [&Path; 2]) -> anyhow::Result<()> {

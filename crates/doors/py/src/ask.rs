@@ -18,6 +18,7 @@ use pompeiu::coupling::{CoupleRequest, Scene};
 use pompeiu::fields::DecomposeRequest;
 use pompeiu::flatten::{CutRequest, FlattenError, FlattenRequest, MedialReport, MedialRequest};
 use pompeiu::flow::FlowRequest;
+use pompeiu::fluid::request::FluidRequest;
 use pompeiu::hausdorff::{DeviationMeasures, Progress, RepairRequest};
 use pompeiu::io::read_face_vectors;
 use pompeiu::matching::request::{
@@ -195,7 +196,7 @@ impl<'a, T> Asking<'a, T> {
     }
 
     /// The only mesh as an oriented surface.
-    fn surface(&self) -> Result<EmbeddedSurface, Failure> {
+    pub(crate) fn surface(&self) -> Result<EmbeddedSurface, Failure> {
         EmbeddedSurface::new(self.mesh()?).map_err(failure)
     }
 
@@ -255,6 +256,7 @@ systems!(
     DeviationMeasures,
     FlattenRequest,
     FlowRequest,
+    FluidRequest,
     InfoRequest,
     MatrixRequest,
     MedialRequest,

@@ -11,6 +11,7 @@ use pompeiu::figures::page::PageError;
 use pompeiu::flatten::{CutError, FlattenError, MedialError};
 use pompeiu::flow::FlowError;
 use pompeiu::fluid::FluidError;
+use pompeiu::fluid::request::{CheckpointError as FluidCheckpointError, FluidRequestError};
 use pompeiu::hausdorff::certificate::CertificateError;
 use pompeiu::hausdorff::{DeviationRequestError, OptionError, RepairRequestError};
 use pompeiu::io::{AttributeError, ReadError, WriteError};
@@ -208,6 +209,46 @@ impl Raise for CertificateFileError {
             Self::Open { .. } | Self::Read { .. } => classes::ReadError::new_err(sentence),
             Self::Write { error: CertificateError::Option(_), .. } => classes::OptionError::new_err(sentence),
             Self::Write { .. } => classes::WriteError::new_err(sentence),
+        }
+    }
+}
+
+/// A file that cannot be read.
+#[derive(Debug, thiserror::Error)]
+#[error("{}: {error}", path.display())]
+pub(crate) struct UnreadableFile {
+    pub(crate) path: PathBuf,
+    pub(crate) error: std::io::Error,
+}
+
+impl Raise for UnreadableFile {
+    fn exception(&self, sentence: String) -> PyErr {
+        match self.error.kind() {
+            ErrorKind::NotFound => classes::MissingFileError::new_err(sentence),
+            _ => classes::ReadError::new_err(sentence),
+        }
+    }
+}
+
+impl Raise for FluidCheckpointError {
+    fn exception(&self, sentence: String) -> PyErr {
+        match self {
+            Self::Syntax(_) => classes::ReadError::new_err(sentence),
+            Self::State(error) => error.exception(sentence),
+            _ => classes::OptionError::new_err(sentence),
+        }
+    }
+}
+
+impl Raise for FluidRequestError {
+    fn exception(&self, sentence: String) -> PyErr {
+        match self {
+            Self::Fluid(error) => error.exception(sentence),
+            Self::Velocity(_) => classes::FieldError::new_err(sentence),
+            Self::Checkpoint(error) => error.exception(sentence),
+            Self::Mesh(error) => error.exception(sentence),
+            Self::Picture { .. } => classes::ReadError::new_err(sentence),
+            _ => classes::OptionError::new_err(sentence),
         }
     }
 }

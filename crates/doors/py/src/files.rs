@@ -1,11 +1,13 @@
 //! Reading and writing files.
 
 use crate::arrays::{colors, values, vectors};
-use crate::errors::Raise;
+use crate::errors::{Raise, UnreadableFile};
+use crate::json::written;
 use crate::mesh::Mesh;
 use crate::wait;
 use pompeiu::hausdorff::NamedFaces;
 use pompeiu::io::{self, Attributes};
+use pompeiu::options::options_of_toml;
 use pyo3::prelude::*;
 use std::path::PathBuf;
 
@@ -17,6 +19,22 @@ pub(crate) fn read_mesh(py: Python<'_>, path: PathBuf) -> PyResult<(Mesh, String
         read.groups.iter().map(|group| NamedFaces { name: group.name.clone(), faces: group.faces.clone() });
     let mesh = Mesh::with_groups(read.mesh, groups.collect());
     Ok((mesh, read.format.to_string(), read.polygons_triangulated, read.faces_dropped))
+}
+
+/// The options in a TOML file, as JSON.
+#[pyfunction]
+#[allow(clippy::needless_pass_by_value, reason = "what is extracted from Python is owned")]
+pub(crate) fn read_options(path: PathBuf) -> PyResult<String> {
+    let text = std::fs::read_to_string(&path)
+        .map_err(|error| UnreadableFile { path: path.clone(), error }.raise())?;
+    written(&options_of_toml(&text).map_err(Raise::raise)?)
+}
+
+/// Writes a file whole or not at all.
+#[pyfunction]
+#[allow(clippy::needless_pass_by_value, reason = "what is extracted from Python is owned")]
+pub(crate) fn write_whole(path: PathBuf, content: &[u8]) -> PyResult<()> {
+    io::write_whole(path, content).map_err(Raise::raise)
 }
 
 /// A name and an array for each attribute.

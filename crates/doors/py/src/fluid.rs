@@ -1,20 +1,62 @@
-//! Fluids on surfaces.
+//! Fluids on surfaces and in the square: the request, and simulations that are stepped.
 
 use crate::arrays::{array_of_rows, values, vectors};
+use crate::ask::{Asked, Asking, Beside, Outcome, failure, request};
 use crate::errors::{Raise, unknown};
 use crate::json::written;
 use crate::mesh::Mesh;
-use crate::wait;
+use crate::wait::{self, Share};
 use numpy::{IntoPyArray, PyArray1, PyArray2};
 use pompeiu::core::mesh::{FaceData, VertexData};
-use pompeiu::fluid::{
-    Correction, Density, Diffusion, FluidError, FluidOptions, Integrator, Scheme,
-    Simulation as FluidSimulation, State, TimeStep, Transport, ViscosityModel, Wall, coriolis, tangential,
-};
+use pompeiu::fluid::request::{Checkpoint, FluidRequest, Place, Stage};
+use pompeiu::fluid::{Density, FluidError, FluidOptions, Simulation as FluidSimulation, State};
+use pompeiu::io::read_face_vectors;
 use pompeiu::operators::{FaceField, OperatorError, tangent_field};
 use pompeiu::surface::{EdgeData, EmbeddedSurface};
 use pyo3::prelude::*;
 use self_cell::self_cell;
+use std::ops::ControlFlow;
+
+impl Asked for FluidRequest {
+    type Told = Share;
+
+    fn ask(&self, asking: &Asking<'_, Share>) -> Outcome<Self> {
+        let cells = self.cells().map_err(failure)?;
+        let (mesh, surface) = match &cells {
+            Some(cells) => (cells, None),
+            None => (asking.mesh()?, Some(asking.surface()?)),
+        };
+        let file = self.velocity.as_ref().filter(|_| surface.is_some()).and_then(|source| source.file());
+        let read = file.map(|path| read_face_vectors(path, None)).transpose().map_err(failure)?;
+        let place = Place { mesh, surface: surface.as_ref(), velocity: read.as_deref() };
+        let mut watch = |_: &Stage<'_>, _: &[_]| ControlFlow::Continue(());
+        let run = self.run(place, None, &asking.watched(), &mut watch).map_err(failure)?;
+        if let Some(error) = run.failure {
+            return Err(failure(error));
+        }
+        let mut beside = match &run.stage {
+            Stage::Surface(fluid, surface) => {
+                let state = fluid.state();
+                let velocity = state.velocity.entries().map(|(face, &u)| surface.to_space(face, u));
+                vec![
+                    ("velocity", Beside::Points(velocity.collect())),
+                    ("vorticity", Beside::Numbers(state.vorticity.to_vec())),
+                ]
+            }
+            Stage::Square(square) => vec![
+                ("velocity", Beside::Plane(square.velocity())),
+                ("vorticity", Beside::Numbers(square.vorticity())),
+            ],
+        };
+        let densities = match &run.stage {
+            Stage::Surface(fluid, _) => fluid.state().densities.iter().map(|d| d.to_vec()).collect(),
+            Stage::Square(square) => square.densities().to_vec(),
+        };
+        let each = densities.into_iter().map(|values| vec![("values", Beside::Numbers(values))]);
+        beside.push(("densities", Beside::Each(each.collect())));
+        Ok((run.report, beside))
+    }
+}
 
 self_cell!(
     /// A surface, and the fluid on it.
@@ -24,28 +66,6 @@ self_cell!(
         dependent: FluidSimulation,
     }
 );
-
-/// Options, as the Python half hands them over.
-#[derive(FromPyObject)]
-#[pyo3(from_item_all)]
-pub(crate) struct Options {
-    scheme: String,
-    integrator: String,
-    correction: String,
-    diffusion: String,
-    time_step: f64,
-    cfl: Option<f64>,
-    viscosity: f64,
-    viscosity_model: String,
-    wall: String,
-    transport: String,
-    gravity: Option<[f64; 3]>,
-    rotation: Option<[f64; 3]>,
-    acceleration: Option<[f64; 3]>,
-    confinement: f64,
-    inflow: Option<Vec<(u32, u32, f64)>>,
-    densities: Vec<DensityOptions>,
-}
 
 /// Something the flow carries.
 #[derive(FromPyObject)]
@@ -58,26 +78,9 @@ pub(crate) struct DensityOptions {
     pub(crate) source: Option<Vec<f64>>,
 }
 
-/// The choice of a name.
-pub(crate) fn choice<T>(
-    option: &'static str,
-    name: &str,
-    parse: impl Fn(&str) -> Option<T>,
-    expected: &'static str,
-) -> PyResult<T> {
-    parse(name).ok_or_else(|| unknown(option, name, expected))
-}
-
 fn at_vertices(surface: &EmbeddedSurface, what: &'static str, values: Vec<f64>) -> PyResult<VertexData<f64>> {
     VertexData::new(surface.mesh().vertices(), values).map_err(|error| {
         let (element, found, expected) = ("vertex", error.found, error.expected);
-        FluidError::Length { what, element, found, expected }.raise()
-    })
-}
-
-fn on_faces(surface: &EmbeddedSurface, values: Vec<f64>) -> PyResult<FaceData<f64>> {
-    FaceData::new(surface.mesh().faces(), values).map_err(|error| {
-        let (what, element, found, expected) = ("density on faces", "face", error.found, error.expected);
         FluidError::Length { what, element, found, expected }.raise()
     })
 }
@@ -99,57 +102,34 @@ fn through_edges(surface: &EmbeddedSurface, inflow: &[(u32, u32, f64)]) -> PyRes
     Ok(speeds)
 }
 
-/// Velocities at midpoints of edges, and densities on faces.
-type Stored<'py> = (Bound<'py, PyArray2<f64>>, Vec<Bound<'py, PyArray1<f64>>>);
-
-impl Options {
-    fn options(self, surface: &EmbeddedSurface) -> PyResult<FluidOptions> {
-        let densities = self.densities.into_iter().map(|density| {
-            let source = density.source.map(|source| at_vertices(surface, "source of a density", source));
-            Ok(Density {
-                name: density.name,
-                initial: at_vertices(surface, "density", density.initial)?,
-                diffusivity: density.diffusivity,
-                weight: density.weight,
-                source: source.transpose()?,
-            })
-        });
-        let dt = self.time_step;
-        let schemes = "\"vorticity\", \"any-step\", \"faces\" or \"crouzeix-raviart\"";
-        let corrections = "\"linear\", \"mac-cormack\" or \"bfecc\"";
-        let integrators = "\"runge-kutta\" or \"implicit-midpoint\"";
-        let models = "\"hodge\", \"bochner\" or \"physical\"";
-        let transports =
-            "\"flux-corrected\", \"semi-lagrangian\", \"semi-lagrangian-corrected\" or \"faces\"";
-        Ok(FluidOptions {
-            scheme: choice("scheme", &self.scheme, Scheme::named, schemes)?,
-            correction: choice("correction", &self.correction, Correction::named, corrections)?,
-            diffusion: choice(
-                "diffusion",
-                &self.diffusion,
-                Diffusion::named,
-                "\"laplacian\" or \"edge-length\"",
-            )?,
-            integrator: choice("integrator", &self.integrator, Integrator::named, integrators)?,
-            time_step: self.cfl.map_or(TimeStep::Fixed(dt), |number| TimeStep::Cfl { number, longest: dt }),
-            viscosity: self.viscosity,
-            viscosity_model: choice("viscosity_model", &self.viscosity_model, ViscosityModel::named, models)?,
-            wall: choice("wall", &self.wall, Wall::named, "\"no-slip\" or \"free-slip\"")?,
-            transport: choice("transport", &self.transport, Transport::named, transports)?,
-            inflow: self.inflow.map(|inflow| through_edges(surface, &inflow)).transpose()?,
-            gravity: self.gravity.map(|gravity| tangential(surface, gravity)),
-            coriolis: self.rotation.map(|rotation| coriolis(surface, rotation)),
-            force: self.acceleration.map(|acceleration| tangential(surface, acceleration)),
-            confinement: self.confinement,
-            densities: densities.collect::<PyResult<_>>()?,
-            ..FluidOptions::new(dt)
+/// The options of a request, with arrays of densities and the inflow through edges.
+fn options(
+    request: &FluidRequest,
+    mesh: &Mesh,
+    surface: &EmbeddedSurface,
+    inflow: Option<Vec<(u32, u32, f64)>>,
+    densities: Vec<DensityOptions>,
+) -> PyResult<FluidOptions> {
+    let densities = densities.into_iter().map(|density| {
+        let source = density.source.map(|source| at_vertices(surface, "source of a density", source));
+        Ok(Density {
+            name: density.name,
+            initial: at_vertices(surface, "density", density.initial)?,
+            diffusivity: density.diffusivity,
+            weight: density.weight,
+            source: source.transpose()?,
         })
-    }
+    });
+    Ok(FluidOptions {
+        inflow: inflow.map(|inflow| through_edges(surface, &inflow)).transpose()?,
+        densities: densities.collect::<PyResult<_>>()?,
+        ..request.options(mesh.inner(), surface).map_err(Raise::raise)?
+    })
 }
 
 /// A fluid on a surface that is stepped.
 #[pyclass(module = "pompeiu._native")]
-pub(crate) struct Simulation(Flowing);
+pub(crate) struct Simulation(Flowing, Py<Mesh>);
 
 impl Simulation {
     fn state(&self) -> &State {
@@ -174,13 +154,20 @@ impl Simulation {
 #[pymethods]
 impl Simulation {
     #[new]
-    fn new(py: Python<'_>, mesh: &Bound<'_, Mesh>, options: Options) -> PyResult<Self> {
+    fn new(
+        py: Python<'_>,
+        mesh: &Bound<'_, Mesh>,
+        options: &str,
+        inflow: Option<Vec<(u32, u32, f64)>>,
+        densities: Vec<DensityOptions>,
+    ) -> PyResult<Self> {
+        let request: FluidRequest = request(options)?;
         let mesh = mesh.clone().unbind();
         wait::abandonable(py, move || {
             let surface = EmbeddedSurface::new(mesh.get().inner()).map_err(Raise::raise)?;
-            let options = options.options(&surface)?;
+            let options = self::options(&request, mesh.get(), &surface, inflow, densities)?;
             Flowing::try_new(surface, |surface| FluidSimulation::new(surface.surface(), options))
-                .map(Self)
+                .map(|flowing| Self(flowing, mesh))
                 .map_err(Raise::raise)
         })?
     }
@@ -220,43 +207,21 @@ impl Simulation {
         self.0.with_dependent_mut(|_, fluid| fluid.set_density(index, density)).map_err(Raise::raise)
     }
 
+    /// The state as a checkpoint.
+    fn save(&self) -> PyResult<Vec<u8>> {
+        let (fluid, mesh) = (self.0.borrow_dependent(), self.1.get().inner());
+        let checkpoint = Checkpoint::new(mesh, &fluid.scheme(), fluid.store(), &[]);
+        checkpoint.and_then(|checkpoint| checkpoint.to_bytes()).map_err(Raise::raise)
+    }
+
     /// Goes to a state that was saved.
-    fn restore(
-        &mut self,
-        at: (usize, f64),
-        vorticity: &Bound<'_, PyAny>,
-        harmonic: Vec<f64>,
-        densities: Vec<Bound<'_, PyAny>>,
-        edge_velocity: Vec<[f64; 2]>,
-        face_densities: Vec<Bound<'_, PyAny>>,
-    ) -> PyResult<()> {
-        let surface = self.0.borrow_owner();
-        let vorticity = at_vertices(surface, "vorticity", values(vorticity, "vorticity")?)?;
-        let densities = densities
-            .into_iter()
-            .map(|density| at_vertices(surface, "density", values(&density, "density")?))
-            .collect::<PyResult<_>>()?;
-        let (step, time) = at;
-        let now = self.state();
-        let edge_velocity = EdgeData::new(now.edge_velocity.len(), edge_velocity).map_err(|error| {
-            let (what, element) = ("velocity at edges", "edge");
-            FluidError::Length { what, element, found: error.found, expected: error.expected }.raise()
-        })?;
-        let face_densities = face_densities
-            .into_iter()
-            .map(|density| on_faces(surface, values(&density, "density on faces")?))
-            .collect::<PyResult<_>>()?;
-        let state = State {
-            step,
-            time,
-            vorticity,
-            harmonic,
-            densities,
-            edge_velocity,
-            face_densities,
-            ..now.clone()
-        };
-        self.0.with_dependent_mut(|_, fluid| fluid.set_state(&state)).map_err(Raise::raise)
+    fn load(&mut self, bytes: &[u8]) -> PyResult<()> {
+        let mesh = self.1.get().inner();
+        let loaded = self.0.with_dependent_mut(|_, fluid| {
+            let checkpoint = Checkpoint::from_bytes(bytes, mesh, &fluid.scheme())?;
+            fluid.restore(checkpoint.stored())
+        });
+        loaded.map_err(Raise::raise)
     }
 
     #[getter]
@@ -287,14 +252,6 @@ impl Simulation {
 
     fn density<'py>(&self, py: Python<'py>, index: usize) -> Option<Bound<'py, PyArray1<f64>>> {
         self.state().densities.get(index).map(|values| values.to_vec().into_pyarray(py))
-    }
-
-    /// What a saved state needs beside the arrays above: velocities at midpoints of edges, densities on faces.
-    fn stored<'py>(&self, py: Python<'py>) -> PyResult<Stored<'py>> {
-        let state = self.state();
-        let edges = array_of_rows(py, state.edge_velocity.to_vec())?;
-        let faces = state.face_densities.iter().map(|values| values.to_vec().into_pyarray(py));
-        Ok((edges, faces.collect()))
     }
 
     /// The harmonic fields, orthonormal, in space.

@@ -39,7 +39,7 @@ mod _native {
     #[pymodule_export]
     use crate::fields::{HodgeDecomposition, degrees_of_freedom};
     #[pymodule_export]
-    use crate::files::{read_mesh, write_mesh};
+    use crate::files::{read_mesh, read_options, write_mesh, write_whole};
     #[pymodule_export]
     use crate::flatten::straighten;
     #[pymodule_export]

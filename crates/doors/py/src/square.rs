@@ -1,71 +1,70 @@
 //! Fluids in the unit square.
 
 use crate::arrays::{array_of_rows, values, vectors};
+use crate::ask::request;
 use crate::errors::Raise;
-use crate::fluid::{DensityOptions, choice};
+use crate::fluid::DensityOptions;
 use crate::json::written;
 use crate::wait;
 use numpy::{IntoPyArray, PyArray1, PyArray2};
-use pompeiu::fluid::square::{Edges, Square, SquareDensity, SquareOptions, SquareScheme, SquareState};
-use pompeiu::fluid::{FluidError, Wall};
+use pompeiu::core::TriMesh;
+use pompeiu::fluid::request::{Checkpoint, FluidRequest, FluidRequestError};
+use pompeiu::fluid::square::{Square, SquareDensity, SquareOptions};
 use pyo3::prelude::*;
 
-/// Options, as the Python half hands them over. Cells are numbered row by row from below.
-#[derive(FromPyObject)]
-#[pyo3(from_item_all)]
-pub(crate) struct Options {
-    cells: usize,
-    grid: String,
-    edges: String,
-    time_step: f64,
-    viscosity: f64,
-    wall: String,
-    lid: f64,
-    gravity: [f64; 2],
-    acceleration: Option<[f64; 2]>,
-    obstacles: Option<Vec<bool>>,
+/// The options of a request, with arrays of obstacles and densities. Cells are numbered row by row from below.
+fn options(
+    request: &FluidRequest,
+    solid: Option<Vec<bool>>,
     densities: Vec<DensityOptions>,
-}
-
-impl Options {
-    fn options(self) -> PyResult<SquareOptions> {
-        let grids = "\"mac\", \"stam\" or \"stam:SWEEPS\"";
-        let edges = "\"walls\", \"periodic\" or \"channel:SPEED\"";
-        let new = SquareOptions::new(self.cells, self.time_step);
-        // A number of cells that is far too large is refused before anything of its size is made.
-        Square::check_cells(self.cells).map_err(Raise::raise)?;
-        let densities = self.densities.into_iter().map(|density| SquareDensity {
-            name: density.name,
-            initial: density.initial,
-            diffusivity: density.diffusivity,
-            weight: density.weight,
-            source: density.source,
-        });
-        Ok(SquareOptions {
-            scheme: choice("grid", &self.grid, SquareScheme::named, grids)?,
-            edges: choice("edges", &self.edges, Edges::named, edges)?,
-            viscosity: self.viscosity,
-            wall: choice("wall", &self.wall, Wall::named, "\"no-slip\" or \"free-slip\"")?,
-            lid: self.lid,
-            gravity: self.gravity,
-            force: self.acceleration.map(|acceleration| vec![acceleration; self.cells * self.cells]),
-            solid: self.obstacles,
-            densities: densities.collect(),
-            ..new
-        })
-    }
+) -> Result<SquareOptions, FluidRequestError> {
+    let cells = request.square.unwrap_or_default();
+    // A number of cells that is far too large is refused before anything of its size is made.
+    Square::check_cells(cells)?;
+    let densities = densities.into_iter().map(|density| SquareDensity {
+        name: density.name,
+        initial: density.initial,
+        diffusivity: density.diffusivity,
+        weight: density.weight,
+        source: density.source,
+    });
+    Ok(SquareOptions {
+        scheme: request.grid,
+        edges: request.edges,
+        viscosity: request.viscosity,
+        wall: request.wall,
+        lid: request.lid,
+        gravity: request.gravity.map_or([0.0; 2], |[x, y, _]| [x, y]),
+        force: request.acceleration.map(|[x, y, _]| vec![[x, y]; cells * cells]),
+        solid,
+        densities: densities.collect(),
+        ..SquareOptions::new(cells, request.dt.unwrap_or_default())
+    })
 }
 
 /// A fluid in the unit square that is stepped.
 #[pyclass(module = "pompeiu._native")]
-pub(crate) struct SquareSimulation(Square);
+pub(crate) struct SquareSimulation(Square, FluidRequest);
+
+impl SquareSimulation {
+    fn cells(&self) -> Result<TriMesh, FluidRequestError> {
+        self.1.cells()?.ok_or(FluidRequestError::Place)
+    }
+}
 
 #[pymethods]
 impl SquareSimulation {
     #[new]
-    fn new(py: Python<'_>, options: Options) -> PyResult<Self> {
-        let options = options.options()?;
-        wait::abandonable(py, move || Square::new(options))?.map(Self).map_err(Raise::raise)
+    fn new(
+        py: Python<'_>,
+        options: &str,
+        obstacles: Option<Vec<bool>>,
+        densities: Vec<DensityOptions>,
+    ) -> PyResult<Self> {
+        let request: FluidRequest = request(options)?;
+        let options = self::options(&request, obstacles, densities).map_err(Raise::raise)?;
+        let square = wait::abandonable(py, move || Square::new(options))?.map_err(Raise::raise)?;
+        Ok(Self(square, request))
     }
 
     /// Moves on by a step; what is measured, as JSON.
@@ -94,24 +93,21 @@ impl SquareSimulation {
         self.0.set_density(index, values(density, "density")?).map_err(Raise::raise)
     }
 
-    /// The components of the velocity where the scheme stores them.
-    fn stored<'py>(&self, py: Python<'py>) -> [Bound<'py, PyArray1<f64>>; 2] {
-        self.0.state().velocity.map(|values| values.into_pyarray(py))
+    /// The state as a checkpoint.
+    fn save(&self) -> PyResult<Vec<u8>> {
+        let saved = self.cells().and_then(|cells| {
+            Ok(Checkpoint::new(&cells, &self.0.scheme(), self.0.store(), &[])?.to_bytes()?)
+        });
+        saved.map_err(Raise::raise)
     }
 
     /// Goes to a state that was saved.
-    fn restore(
-        &mut self,
-        at: (usize, f64),
-        velocity: [Bound<'_, PyAny>; 2],
-        densities: Vec<Bound<'_, PyAny>>,
-    ) -> PyResult<()> {
-        let [u, v] = velocity;
-        let velocity = [values(&u, "velocity")?, values(&v, "velocity")?];
-        let densities =
-            densities.into_iter().map(|density| values(&density, "density")).collect::<PyResult<_>>()?;
-        let state = SquareState { step: at.0, time: at.1, velocity, densities };
-        self.0.set_state(&state).map_err(|error: FluidError| error.raise())
+    fn load(&mut self, bytes: &[u8]) -> PyResult<()> {
+        let loaded = self.cells().and_then(|cells| {
+            let checkpoint = Checkpoint::from_bytes(bytes, &cells, &self.0.scheme())?;
+            Ok(self.0.restore(checkpoint.stored())?)
+        });
+        loaded.map_err(Raise::raise)
     }
 
     #[getter]

@@ -50,6 +50,8 @@ mod force;
 mod inflow;
 mod options;
 mod report;
+#[cfg(feature = "serde")]
+pub mod request;
 #[cfg(feature = "figures")]
 pub mod show;
 mod simulation;

@@ -6,7 +6,8 @@ use pompeiu_operators::FaceField;
 
 /// How the velocity is stored and advected.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Scheme {
     /// Vorticity at vertices and harmonic coefficients; Galerkin advection in substeps. Conserves energy, enstrophy and total
@@ -41,16 +42,12 @@ impl Scheme {
     pub(crate) const fn is_eulerian(self) -> bool {
         matches!(self, Self::Vorticity | Self::CrouzeixRaviart)
     }
-
-    /// The scheme with a name.
-    pub fn named(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|scheme| scheme.name() == name)
-    }
 }
 
 /// How the numerical diffusion of semi-Lagrangian interpolation is corrected.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Correction {
     /// Not at all: first order. [`Scheme::Faces`] then also traces in a straight line, as Stam does.
@@ -75,16 +72,12 @@ impl Correction {
             Self::Bfecc => "bfecc",
         }
     }
-
-    /// The correction with a name.
-    pub fn named(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|one| one.name() == name)
-    }
 }
 
 /// The edge weights for diffusion of quantities on faces.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Diffusion {
     /// Those of a Laplacian: velocities diffuse by their stream function and [`ViscosityModel`], densities with the length of an
@@ -107,16 +100,12 @@ impl Diffusion {
             Self::EdgeLength => "edge-length",
         }
     }
-
-    /// The weights with a name.
-    pub fn named(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|one| one.name() == name)
-    }
 }
 
 /// Time integration of [`Scheme::Vorticity`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Integrator {
     /// The classical Runge–Kutta method of fourth order.
@@ -137,18 +126,14 @@ impl Integrator {
             Self::ImplicitMidpoint => "implicit-midpoint",
         }
     }
-
-    /// The integrator with a name.
-    pub fn named(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|one| one.name() == name)
-    }
 }
 
 /// The Laplacian of the viscous force. On a flat surface without boundary they are the same.
 ///
 /// On the unit sphere a divergence-free field of degree l decays at ν times l(l + 1), l(l + 1) − 1 and l(l + 1) − 2.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum ViscosityModel {
     /// The Hodge Laplacian: harmonic fields do not decay.
@@ -173,11 +158,6 @@ impl ViscosityModel {
         }
     }
 
-    /// The model with a name.
-    pub fn named(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|model| model.name() == name)
-    }
-
     /// The multiple of the Gaussian curvature that is added to the Hodge Laplacian.
     pub(crate) const fn curvatures(self) -> f64 {
         match self {
@@ -190,7 +170,8 @@ impl ViscosityModel {
 
 /// The condition for a viscous flow at walls; there is no flow through them in any case.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Wall {
     /// No slip: the fluid has the velocity of the boundary, which may move tangentially.
@@ -211,11 +192,6 @@ impl Wall {
             Self::FreeSlip => "free-slip",
         }
     }
-
-    /// The condition with a name.
-    pub fn named(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|one| one.name() == name)
-    }
 }
 
 /// Choice of the time step.
@@ -234,7 +210,8 @@ pub enum TimeStep {
 
 /// How densities are transported.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Transport {
     /// Flux-corrected transport between dual cells, of second order and limited to the surrounding values: conserves mass, in
@@ -262,11 +239,6 @@ impl Transport {
             Self::SemiLagrangianCorrected => "semi-lagrangian-corrected",
             Self::Faces => "faces",
         }
-    }
-
-    /// The method with a name.
-    pub fn named(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|one| one.name() == name)
     }
 }
 

@@ -35,6 +35,7 @@ use clap::Subcommand;
 macro_rules! commands {
     ($($module:ident::$Name:ident $(: $system:ident)?,)*) => {
         #[derive(Subcommand)]
+        #[allow(clippy::large_enum_variant, reason = "there is one value in a run")]
         pub(crate) enum Command {
             $($Name($module::$Name),)*
         }
@@ -66,7 +67,7 @@ commands! {
     decompose::Decompose: system,
     remesh::Remesh: system,
     flow::Flow: system,
-    fluid::Fluid,
+    fluid::Fluid: system,
     couple::Couple: system,
     flatten::Flatten: system,
     cut::Cut: system,
@@ -80,10 +81,4 @@ commands! {
     generate::Generate,
     completions::Completions,
     man::Man,
-}
-
-/// The JSON answers of commands that are no systems yet.
-#[cfg(test)]
-pub(crate) mod answers {
-    pub(crate) use super::fluid::Json as Fluid;
 }

@@ -21,19 +21,15 @@ pub(crate) struct Invocation<S: System> {
 }
 
 impl<S: System> Invocation<S> {
-    /// What is asked: the command line over the file over defaults.
+    /// What is asked: the command line over files over defaults.
     pub(crate) fn request(&self) -> anyhow::Result<S::Request> {
-        let mut options = match &self.config {
-            Some(path) => config::read::<S>(path)?,
-            None => Options::new(),
-        };
-        let from_file = options.len();
+        let below = self.system.options_below(|name| self.given.contains_key(name))?;
+        let mut options = Options::new();
+        for path in below.into_iter().chain(self.config.as_deref()) {
+            options.extend(config::read::<S>(path)?);
+        }
         options.extend(self.given.clone());
-        let request = request_from(options);
-        Ok(match &self.config {
-            Some(path) if from_file > 0 => request.map_err(|error| config::in_file(path, &error))?,
-            _ => request?,
-        })
+        Ok(request_from(options)?)
     }
 }
 

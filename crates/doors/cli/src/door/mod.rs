@@ -11,7 +11,6 @@ pub(crate) use invocation::Invocation;
 pub(crate) use session::Session;
 
 use crate::exit::Exit;
-use crate::json::line;
 use crate::printer::Printer;
 use clap::Args;
 use pompeiu::core::request::{Answer, Request, Timing};
@@ -48,6 +47,15 @@ pub(crate) trait System: Args {
     /// The options in a file: TOML, unless a command knows another kind.
     fn options_in(_: &Path, text: &str) -> Result<Options, OptionsError> {
         options_of_toml(text)
+    }
+
+    /// A file of options that come before defaults and after those of `--config`; `is_given` tells what the command line has.
+    ///
+    /// # Errors
+    /// If the files that are given do not go together.
+    fn options_below(&self, is_given: impl Fn(&str) -> bool) -> anyhow::Result<Option<&Path>> {
+        let _ = is_given;
+        Ok(None)
     }
 
     /// Reads, computes and writes.
@@ -123,6 +131,6 @@ fn answered<'s, S: System, F>(
     session.stop_waiting();
     let timing = Timing { read: session.read_time(), total: session.elapsed() };
     let answer = Answer::new(session.inputs(*json), request, report, timing);
-    Printer::answer(&if *json { line(&answer)? } else { system.text(&answer) })?;
+    Printer::answer(&if *json { serde_json::to_string(&answer)? + "\n" } else { system.text(&answer) })?;
     Ok((answer, found, session))
 }

@@ -1,7 +1,7 @@
 //! The schemas of the JSON answers, which the guide publishes, are those of the types that the answers are made of.
 
 use super::{Visitor, compare};
-use crate::commands::{answers, visit_systems};
+use crate::commands::visit_systems;
 use crate::door::{AnswerOf, System};
 use pompeiu::core::request::Request;
 use schemars::generate::SchemaSettings;
@@ -38,7 +38,6 @@ impl Visitor for Published {
 fn published_schemas_are_those_of_the_types() {
     let mut published = Published(Vec::new());
     visit_systems(&mut published);
-    published.check::<answers::Fluid<'static>>("fluid");
     let names = std::fs::read_dir(folder()).unwrap().map(|entry| entry.unwrap().file_name());
     let mut names: Vec<String> = names.map(|name| name.into_string().unwrap()).collect();
     names.sort();

@@ -909,7 +909,7 @@ fn fluid_measures_what_is_conserved_and_writes_its_steps() {
         let [mass, first] = [step, &steps[0]].map(|step| step["mass"][0].as_f64().unwrap());
         assert!((mass / first - 1.0).abs() < 1e-12);
     }
-    assert_eq!(keys(&report["timing_ms"]), sorted(&["factor", "per_step", "total"]));
+    assert_eq!(keys(&report["timing_ms"]), sorted(&["factor", "per_step"]));
     assert_eq!(keys(&report["timing_ms"]["per_step"]), sorted(&["diffuse", "advect", "project"]));
     let list = std::fs::read_to_string(folder.path().join("run.pvd")).unwrap();
     for step in [0, 3, 6] {
@@ -919,9 +919,12 @@ fn fluid_measures_what_is_conserved_and_writes_its_steps() {
     assert_eq!(std::fs::read_dir(folder.path().join("run")).unwrap().count(), 3);
     assert!(std::fs::read_to_string(folder.path().join("run.html")).unwrap().contains("Flow on torus.obj"));
     for (scene, said) in [
-        ("steps = 2\ndt = 0.1\nviscosty = 1\n", "line 3: unknown key `viscosty`; did you mean `viscosity`?"),
+        (
+            "steps = 2\ndt = 0.1\nviscosty = 1\n",
+            "line 3: fluid has no option `viscosty`; did you mean `viscosity`?",
+        ),
         ("steps = 2\ndt = 0\n", "the time step is 0; it must be finite and above 0"),
-        ("steps = 2\ndt = nan\n", "the time step is NaN"),
+        ("steps = 2\ndt = nan\n", "NaN is no finite number"),
         ("steps = 2\ndt = 1e9\nvelocity = \"rotation:z\"\n", "choose a shorter step, or the scheme any-step"),
         (
             "steps = 2\ndt = 0.1\n[[force]]\nat = [9, 9, 9]\nradius = 1\nacceleration = [1, 0, 0]\n",
@@ -993,7 +996,7 @@ fn fluid_flows_in_the_square_too() {
     let folder = Folder::new();
     let command = "fluid --square 16 --lid 1 --viscosity 0.01 --steps 5 --dt 0.05 -o lid.pvd --json";
     let report = json(&folder, command);
-    assert_eq!((&report["scheme"]["name"], report["input"]["vertices"].as_u64()), (&"mac".into(), Some(256)));
+    assert_eq!(report["scheme"]["name"], "mac");
     let last = report["steps"].as_array().unwrap().last().unwrap();
     assert!(last["energy"].as_f64().unwrap() > 0.0 && last["divergence"].as_f64().unwrap() < 1e-12);
     assert!(folder.path().join("lid/step-00005.vtp").is_file());

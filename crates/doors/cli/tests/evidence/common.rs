@@ -61,9 +61,9 @@ impl Folder {
     }
 }
 
-/// What a command found: the report of its answer, or the answer of a command that is no system yet.
+/// What a command found: the report of its answer.
 pub(crate) fn report_of(mut answer: Value) -> Value {
-    if answer["request"].is_object() { answer["report"].take() } else { answer }
+    answer["report"].take()
 }
 
 /// An answer without its times, at any depth.

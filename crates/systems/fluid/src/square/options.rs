@@ -1,9 +1,14 @@
 //! Options of a simulation in the square.
 
 use crate::{FluidError, Wall};
+use std::fmt;
+use std::str::FromStr;
 
 /// How the velocity is stored.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(try_from = "String", into = "String"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(with = "String"))]
 pub enum SquareScheme {
     /// Components on the sides of cells (marker and cell): divergence is zero to rounding. Supports obstacles.
     #[default]
@@ -31,8 +36,21 @@ impl SquareScheme {
     }
 }
 
+impl fmt::Display for SquareScheme {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Mac => f.write_str("mac"),
+            Self::Stam { sweeps: None } => f.write_str("stam"),
+            Self::Stam { sweeps: Some(sweeps) } => write!(f, "stam:{sweeps}"),
+        }
+    }
+}
+
 /// Conditions at the edges of the square.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(try_from = "String", into = "String"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(with = "String"))]
 pub enum Edges {
     /// Walls.
     #[default]
@@ -57,6 +75,47 @@ impl Edges {
         }
     }
 }
+
+impl fmt::Display for Edges {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Walls => f.write_str("walls"),
+            Self::Periodic => f.write_str("periodic"),
+            Self::Channel { speed } => write!(f, "channel:{speed}"),
+        }
+    }
+}
+
+/// Text of a type with a name.
+macro_rules! as_text {
+    ($($Named:ty: $expected:literal),*) => {
+        $(
+            impl FromStr for $Named {
+                type Err = &'static str;
+
+                fn from_str(text: &str) -> Result<Self, Self::Err> {
+                    Self::named(text).ok_or(concat!("expected ", $expected))
+                }
+            }
+
+            impl TryFrom<String> for $Named {
+                type Error = &'static str;
+
+                fn try_from(text: String) -> Result<Self, Self::Error> {
+                    text.parse()
+                }
+            }
+
+            impl From<$Named> for String {
+                fn from(value: $Named) -> Self {
+                    value.to_string()
+                }
+            }
+        )*
+    };
+}
+
+as_text!(SquareScheme: "mac, stam or stam:SWEEPS", Edges: "walls, periodic or channel:SPEED");
 
 /// A transported density in the square.
 #[derive(Clone, Debug, PartialEq)]
@@ -179,5 +238,28 @@ impl SquareOptions {
             density.source.iter().try_for_each(|source| finite("source of a density", source))?;
         }
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn grids_and_edges_are_told_apart() {
+        assert_eq!("mac".parse(), Ok(SquareScheme::Mac));
+        assert_eq!("stam:20".parse(), Ok(SquareScheme::Stam { sweeps: Some(20) }));
+        assert_eq!("periodic".parse(), Ok(Edges::Periodic));
+        assert_eq!("channel:1.5".parse(), Ok(Edges::Channel { speed: 1.5 }));
+        for text in ["mac", "stam", "stam:20"] {
+            assert_eq!(text.parse::<SquareScheme>().map(|one| one.to_string()).as_deref(), Ok(text));
+        }
+        for text in ["walls", "periodic", "channel:1.5"] {
+            assert_eq!(text.parse::<Edges>().map(|one| one.to_string()).as_deref(), Ok(text));
+        }
+        for wrong in ["", "stam:0", "stam:x", "mac:3"] {
+            assert!(wrong.parse::<SquareScheme>().is_err(), "{wrong}");
+        }
+        assert!("channel".parse::<Edges>().is_err() && "channel:x".parse::<Edges>().is_err());
     }
 }

@@ -141,14 +141,21 @@ pub(crate) fn make_like_until(
     let map = Map::new(&target.outline, answer, variant, MAP);
     tell(0.0);
     let (poses, energy, mut puzzle) = if like.free_outline {
-        let poses = place::on_lattice(&map, &frame.outline, options.pieces, like.mirrors, options.seed)?;
+        let poses =
+            place::on_lattice(&map, &frame.outline, options.pieces, like.mirrors, options.seed, control)?;
         let (puzzle, poses) = frame.whole(&map, &poses, options.pieces, most_pixels)?;
         (poses, Vec::new(), puzzle)
     } else {
         let Placed { poses, energy } = match like.method {
-            Method::Descent => {
-                place::place(&map, &frame.outline, options.pieces, like.mirrors, options.seed, control, &tell)
-            }
+            Method::Descent => place::place(
+                &map,
+                &frame.outline,
+                options.pieces,
+                like.mirrors,
+                options.seed,
+                control,
+                &tell,
+            )?,
             Method::Lloyd { feedback, .. } => lloyd::lloyd(
                 &map,
                 &target.outline,

@@ -46,6 +46,9 @@ pub(super) struct Placed {
 }
 
 /// Places `count` copies of the shape of a map, of area 1, on an outline of the same total area.
+///
+/// # Errors
+/// [`PuzzleError::Outline`] if no lattice has that many copies within reach.
 pub(super) fn place(
     map: &Map,
     outline: &Outline,
@@ -54,24 +57,27 @@ pub(super) fn place(
     seed: u64,
     control: &Control,
     tell: &(dyn Fn(f64) + Sync),
-) -> Placed {
-    let found = lattices(map, LATTICES, mirrors, seed);
+) -> Result<Placed, PuzzleError> {
+    let found = lattices(map, LATTICES, mirrors, seed, control);
     tell(0.3);
     let coarse = Samples::new(outline, COARSE);
     let samples = Samples::new(outline, MIDDLE);
     let places = (PLACES * PIECES_OF_ROUNDS / count.max(PIECES_OF_ROUNDS)).max(20);
     let tries: Vec<(usize, usize)> =
         (0..found.len()).flat_map(|l| (0..places).map(move |i| (l, i))).collect();
-    let mut starts: Vec<(f64, Vec<Pose>)> = tries
-        .into_par_iter()
-        .filter_map(|(l, i)| {
-            let mut random = Random::new(seed ^ ((l * PLACES + i + 1) as u64).wrapping_mul(0x517c_c1b7));
-            let poses = on_outline(&found[l], outline, count, map.radius(), &mut random)?;
-            let (mut total, width) = (0.0, 0.06);
-            coarse.each(map, &poses, |_, _, v| total += super::descend::hinge(v, width).0);
-            Some((total, poses))
-        })
-        .collect();
+    let start = |(l, i): (usize, usize)| {
+        let mut random = Random::new(seed ^ ((l * PLACES + i + 1) as u64).wrapping_mul(0x517c_c1b7));
+        let poses = on_outline(&found[l], outline, count, map.radius(), &mut random)?;
+        let (mut total, width) = (0.0, 0.06);
+        coarse.each(map, &poses, |_, _, v| total += super::descend::hinge(v, width).0);
+        Some((total, poses))
+    };
+    let mut starts: Vec<(f64, Vec<Pose>)> =
+        tries.par_iter().filter(|_| !control.is_stopped()).filter_map(|&one| start(one)).collect();
+    if starts.is_empty() {
+        // Stopped before there was one.
+        starts.extend(tries.into_iter().find_map(start));
+    }
     starts.sort_by(|a, b| a.0.total_cmp(&b.0));
     starts.truncate(STARTS);
     let mut descended: Vec<Placed> = starts
@@ -92,6 +98,9 @@ pub(super) fn place(
         .collect();
     descended.sort_by(|a, b| last(a).total_cmp(&last(b)));
     tell(0.5);
+    if descended.is_empty() {
+        return Err(PuzzleError::Outline);
+    }
     let mut best = descended.swap_remove(0);
     let rounds = (ROUNDS * PIECES_OF_ROUNDS / count.max(PIECES_OF_ROUNDS)).max(1);
     for round in 0..rounds {
@@ -115,7 +124,7 @@ pub(super) fn place(
         best.energy.extend(energy);
         best.poses = end;
     }
-    best
+    Ok(best)
 }
 
 /// The copies of the best lattice nearest to an outline, for the best of some positions, followed by all copies around them.
@@ -128,8 +137,9 @@ pub(super) fn on_lattice(
     count: usize,
     mirrors: bool,
     seed: u64,
+    control: &Control,
 ) -> Result<Vec<Pose>, PuzzleError> {
-    let found = lattices(map, 1, mirrors, seed);
+    let found = lattices(map, 1, mirrors, seed, control);
     let best = found.first().ok_or(PuzzleError::Outline)?;
     let coarse = Samples::new(outline, COARSE);
     let tries: Vec<(f64, Vec<Pose>)> = (0..PLACES)

@@ -4,6 +4,7 @@ use super::descend::{descend, hinge};
 use super::map::Map;
 use super::pose::Pose;
 use pompeiu_core::mesh::edit::Random;
+use pompeiu_core::run::Control;
 use pompeiu_planar::Point;
 use rayon::prelude::*;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -44,8 +45,8 @@ const FINE: usize = 16;
 const POOL_WIDTH: f64 = 0.2;
 const WIDTHS: [f64; 3] = [0.15, 0.08, 0.04];
 
-/// The best lattices of a shape, best first.
-pub(super) fn lattices(map: &Map, count: usize, mirrors: bool, seed: u64) -> Vec<Lattice> {
+/// The best lattices of a shape, best first; at least one, and those found by then if the control stops the search.
+pub(super) fn lattices(map: &Map, count: usize, mirrors: bool, seed: u64, control: &Control) -> Vec<Lattice> {
     let groups: Vec<(usize, Group)> = GROUPS
         .into_iter()
         .enumerate()
@@ -55,11 +56,13 @@ pub(super) fn lattices(map: &Map, count: usize, mirrors: bool, seed: u64) -> Vec
         (0..groups.len()).flat_map(|g| (0..POOL).map(move |i| (g, i))).collect();
     let rough: Vec<(usize, Cell)> = starts
         .into_par_iter()
+        // The first start is always there, so that there is a lattice.
+        .filter(|&start| start == (0, 0) || !control.is_stopped())
         .map(|(g, i)| {
             let (name, group) = groups[g];
             let mut random = Random::new(seed ^ ((name * POOL + i) as u64).wrapping_mul(0x9e37_79b9));
             let mut cell = Cell::random(group, &mut random);
-            cell.settle(map, COARSE, POOL_WIDTH, 40);
+            cell.settle(map, COARSE, POOL_WIDTH, 40, control);
             (g, cell)
         })
         .collect();
@@ -74,8 +77,11 @@ pub(super) fn lattices(map: &Map, count: usize, mirrors: bool, seed: u64) -> Vec
         .into_par_iter()
         .map(|mut cell| {
             for width in WIDTHS {
+                if control.is_stopped() {
+                    break;
+                }
                 cell.reduce();
-                cell.settle(map, FINE, width, 60);
+                cell.settle(map, FINE, width, 60, control);
             }
             cell
         })
@@ -124,11 +130,11 @@ impl Cell {
         Self { numbers, mirrored, energy: f64::INFINITY }
     }
 
-    fn settle(&mut self, map: &Map, per_side: usize, width: f64, steps: usize) {
+    fn settle(&mut self, map: &Map, per_side: usize, width: f64, steps: usize, control: &Control) {
         let mirrored = self.mirrored.clone();
         let energy =
             |x: &[f64], gradient: &mut [f64]| uncovered(map, x, &mirrored, per_side, width, gradient);
-        self.energy = descend(&mut self.numbers, 0.3, steps, energy, |_| true);
+        self.energy = descend(&mut self.numbers, 0.3, steps, energy, |_| !control.is_stopped());
     }
 
     /// The reduced basis of the same lattice.

@@ -95,7 +95,7 @@ impl System for Files {
         let Some((field, parts)) = &found.split else { return Ok(found.report) };
         let printer = session.printer;
         if let Some(source) = source {
-            field::warn_of_normal_part(source, field, printer);
+            field::warn_of_normal_part(source, (field.is_tangent, field.normal_part), printer);
         }
         let field = &field.field;
         if let Some(output) = &self.output {

@@ -1,18 +1,159 @@
 //! `pompeiu fluid`.
 
-mod args;
-mod build;
-mod checkpoint;
-mod json;
-pub(crate) mod reader;
-mod run;
-mod scene;
-mod square;
-mod stage;
+mod output;
 mod text;
 
-pub(crate) use args::Fluid;
-pub(crate) use run::run;
+use crate::args::{Picture, suffix};
+pub(crate) use crate::door::run;
+use crate::door::{AnswerOf, Invocation, Session, System};
+use crate::series::Series;
+use crate::{field, files};
+use anyhow::{Context, bail};
+use clap::Args;
+use output::Outputs;
+use pompeiu::fluid::FluidStep;
+use pompeiu::fluid::request::{FluidReport, FluidRequest, FluidRequestError, Place, Stage, StartReport};
+use pompeiu::fluid::show::Streaks;
+use pompeiu::operators::FieldSource;
+use std::num::NonZeroUsize;
+use std::path::{Path, PathBuf};
 
-#[cfg(test)]
-pub(crate) use json::Json;
+pub(crate) type Fluid = Invocation<Files>;
+
+/// A share of the energy of an initial velocity that is taken off and worth a note.
+const NOTABLE: f64 = 2e-3;
+
+#[derive(Args)]
+#[command(after_help = include_str!("help.txt"))]
+pub(crate) struct Files {
+    /// The mesh file; none with --square
+    #[arg(value_name = "MESH")]
+    mesh: Option<PathBuf>,
+    /// A scene
+    #[arg(value_name = "SCENE.toml")]
+    scene: Option<PathBuf>,
+    /// Write every step as VTP, with a list of them for ParaView
+    #[arg(long, short, value_name = "OUT.pvd")]
+    output: Option<PathBuf>,
+    /// Write only every so many steps
+    #[arg(long, default_value = "1", value_name = "N", requires = "output")]
+    every: NonZeroUsize,
+    /// Write the state there at the end, when interrupted, and every minute
+    #[arg(long, value_name = "FILE")]
+    checkpoint: Option<PathBuf>,
+    /// Go on from a state that --checkpoint wrote, of the same mesh and scene; --steps counts from the beginning
+    #[arg(long, value_name = "FILE")]
+    resume: Option<PathBuf>,
+    /// Write a page that plays the flow, as --report does
+    #[arg(long, value_parser = suffix::page, value_name = "RUN.html")]
+    video: Option<PathBuf>,
+    /// Write the frames of the page as pictures into a new folder
+    #[arg(long, value_name = "FOLDER")]
+    frames: Option<PathBuf>,
+    #[command(flatten)]
+    picture: Box<Picture>,
+}
+
+impl Files {
+    fn outputs(&self) -> impl Iterator<Item = &Path> {
+        let files = self.output.iter().chain(&self.checkpoint).chain(&self.video);
+        files.map(PathBuf::as_path).chain(self.picture.outputs())
+    }
+
+    /// Whether frames are shown.
+    fn shows(&self) -> bool {
+        self.frames.is_some() || self.video.is_some() || self.picture.outputs().next().is_some()
+    }
+}
+
+impl System for Files {
+    type Request = FluidRequest;
+
+    fn check(&self, _: bool) -> anyhow::Result<()> {
+        let inputs = self.mesh.iter().chain(&self.scene).chain(&self.resume);
+        files::check_places(self.outputs(), &inputs.map(PathBuf::as_path).collect::<Vec<_>>())?;
+        if let Some(folder) = self.frames.as_deref().filter(|folder| folder.exists()) {
+            bail!("{}: exists; name a folder that does not, the frames go into it", folder.display());
+        }
+        Ok(())
+    }
+
+    /// The scene; in the square there is no mesh before it.
+    fn options_below(&self, is_given: impl Fn(&str) -> bool) -> anyhow::Result<Option<&Path>> {
+        match (is_given("square"), &self.mesh, &self.scene) {
+            (true, _, Some(second)) => {
+                bail!("{}: the square has no mesh; name a scene or none", second.display())
+            }
+            (true, first, None) => Ok(first.as_deref()),
+            (false, _, scene) => Ok(scene.as_deref()),
+        }
+    }
+
+    fn run(&self, request: &mut FluidRequest, session: &mut Session<'_>) -> anyhow::Result<FluidReport> {
+        request.check()?;
+        let pictures: Vec<&Path> = request.obstacles.iter().map(PathBuf::as_path).collect();
+        files::check_places(self.outputs(), &pictures)?;
+        let series = self.output.as_deref().map(Series::new).transpose()?;
+        let (mesh, surface) = match (request.cells()?, &self.mesh) {
+            (Some(cells), _) => {
+                session.note_counts(Path::new("square"), [cells.positions().len(), cells.faces().len()]);
+                (cells, None)
+            }
+            (None, Some(path)) => {
+                let (mesh, surface) = session.read_surface(path)?;
+                (mesh, Some(surface))
+            }
+            (None, None) => bail!("no mesh is given; name one, or the square with --square"),
+        };
+        let file = self.mesh.as_deref().filter(|_| surface.is_some()).unwrap_or(Path::new("square"));
+        let read = match request.velocity.as_ref().filter(|_| surface.is_some()) {
+            Some(source) => field::vectors(source, None)?,
+            None => None,
+        };
+        let resume = match &self.resume {
+            Some(path) => {
+                files::check_readable(path)?;
+                Some(std::fs::read(path).with_context(|| path.display().to_string())?)
+            }
+            None => None,
+        };
+        session.wait.show("factoring".to_owned());
+        let streaks = surface.as_ref().map(Streaks::new);
+        let printer = session.printer;
+        let mut outputs = Outputs::new(self, printer, (&mesh, streaks), series, request.asked()?);
+        let mut watch = |stage: &Stage<'_>, steps: &[FluidStep]| outputs.add(stage, steps);
+        let place = Place { mesh: &mesh, surface: surface.as_ref(), velocity: read.as_deref() };
+        let run = request.run(place, resume.as_deref(), &session.context(), &mut watch);
+        session.stop_waiting();
+        let run = run.map_err(|error| {
+            let place = match (&error, &self.resume) {
+                (FluidRequestError::Checkpoint(_), Some(state)) => state.as_path(),
+                _ => file,
+            };
+            anyhow::Error::from(error).context(place.display().to_string())
+        })?;
+        if let (Some(source), Some(start)) = (&request.velocity, &run.report.start) {
+            warn_of(source, start, session);
+        }
+        outputs.finish(&run)?;
+        match run.failure {
+            Some(failure) => Err(failure).with_context(|| file.display().to_string()),
+            None => Ok(run.report),
+        }
+    }
+
+    fn text(&self, answer: &AnswerOf<Self>) -> String {
+        text::text(answer)
+    }
+}
+
+/// Says what was left out of an initial velocity.
+fn warn_of(source: &FieldSource, start: &StartReport, session: &Session<'_>) {
+    field::warn_of_normal_part(source, (start.is_tangent, start.normal_part), session.printer);
+    if start.divergence > NOTABLE {
+        let part = 100.0 * start.divergence;
+        session
+            .printer
+            .note(format_args!("velocity: {part:.1} % of its energy was divergence and is taken off"));
+    }
+}

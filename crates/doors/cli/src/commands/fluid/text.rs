@@ -1,13 +1,17 @@
 //! The outcome for people.
 
-use super::run::Outcome;
 use crate::exit::stopped_by;
 use crate::numbers::{few, grouped, time};
 use crate::page::Page;
+use pompeiu::core::request::Answer;
+use pompeiu::fluid::SchemeReport;
+use pompeiu::fluid::request::{FluidReport, FluidRequest};
+use std::time::Duration;
 
 /// The end first, then a row for each quantity.
-pub(super) fn text(outcome: &Outcome) -> String {
+pub(super) fn text(answer: &Answer<FluidRequest, FluidReport>) -> String {
     let mut page = Page::new();
+    let outcome = &answer.report;
     let (Some(first), Some(last)) = (outcome.steps.first(), outcome.steps.last()) else {
         return page.into_text();
     };
@@ -18,7 +22,7 @@ pub(super) fn text(outcome: &Outcome) -> String {
         page.row("", &format!("stopped early by {}", stopped_by(outcome.stop)));
     }
     let scheme = &outcome.scheme;
-    page.row("scheme", &format!("{}, {}", scheme.name, viscosity(outcome)));
+    page.row("scheme", &format!("{}, {}", scheme.name, viscosity(scheme)));
     page.row("energy", &format!("{}, was {}", few(last.energy), few(first.energy)));
     page.row("enstrophy", &format!("{}, was {}", few(last.enstrophy), few(first.enstrophy)));
     page.row("speed", &format!("at most {}", few(last.max_speed)));
@@ -47,23 +51,23 @@ pub(super) fn text(outcome: &Outcome) -> String {
     if guarded > 0 {
         page.row("", &format!("viscosity would have added energy in {guarded} steps: velocity scaled down"));
     }
-    let timing = outcome.timing;
+    let milliseconds = |ms: f64| time(Duration::from_secs_f64(ms.max(0.0) / 1e3));
+    let (timing, steps) = (&outcome.timing, count.max(1) as f64);
+    let [diffuse, advect, project] =
+        [timing.per_step.diffuse, timing.per_step.advect, timing.per_step.project]
+            .map(|each| milliseconds(each * steps));
     page.row(
         "time",
         &format!(
-            "factors {}, diffusion {}, advection {}, projection {}, total {}",
-            time(timing.factor),
-            time(timing.diffuse),
-            time(timing.advect),
-            time(timing.project),
-            time(outcome.total)
+            "factors {}, diffusion {diffuse}, advection {advect}, projection {project}, total {}",
+            milliseconds(timing.factor),
+            time(answer.timing.total)
         ),
     );
     page.into_text()
 }
 
-fn viscosity(outcome: &Outcome) -> String {
-    let scheme = &outcome.scheme;
+fn viscosity(scheme: &SchemeReport) -> String {
     if scheme.viscosity > 0.0 {
         format!("viscosity {} ({})", few(scheme.viscosity), scheme.viscosity_model.name())
     } else {
