@@ -1,4 +1,5 @@
 //! Rounded arithmetic against exact arithmetic.
 
+mod frames_and_covers;
 mod interval;
 mod point_triangle;
