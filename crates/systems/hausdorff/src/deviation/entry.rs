@@ -33,15 +33,13 @@ impl Entry {
 
     /// A triangle of the fan of a polygon, of a face with an area in these bounds.
     pub(super) fn new(polygon: &Polygon, triangle: [usize; 3], (low, high): (f64, f64)) -> Self {
-        let [i, j, k] = triangle;
-        let (low_at, width) =
-            (&polygon.lower, |j: usize| at_least(polygon.upper[j] - polygon.lower[j], polygon.upper[j]));
+        let ends = triangle.map(|j| between(polygon.lower[j], polygon.upper[j]));
         let (share, error) = (polygon.outline.share_of(triangle), polygon.outline.share_error());
         let area = greater((share - error) * low * LESS, 0.0);
         let most = (share + error) * high * MORE + f64::MIN_POSITIVE;
         Self {
-            lower: [low_at[i], low_at[j], low_at[k]],
-            width: [width(i), width(j), width(k)],
+            lower: ends.map(|(lower, _)| lower),
+            width: ends.map(|(_, width)| width),
             area,
             more: at_least(most - area, most),
         }
@@ -89,6 +87,18 @@ pub(super) fn at_least(difference: f64, from: f64) -> f32 {
     }
     let rounded = wanted as f32;
     if f64::from(rounded) < wanted { rounded.next_up() } else { rounded }
+}
+
+/// A lower end and a width for values at a corner. Where the lower one is negative it is what gives way to the rounding of the width: far below zero
+/// that is more than an upper one of almost zero, while it hardly lowers the function where it is positive.
+fn between(lower: f64, upper: f64) -> (f64, f32) {
+    let width = at_least(upper - lower, upper);
+    if lower < 0.0 {
+        // No less than the exact difference, so that the sum is no less than the upper end.
+        (lesser((upper - f64::from(width)).next_up(), lower), width)
+    } else {
+        (lower, width)
+    }
 }
 
 /// Rounding to fewer digits takes less than this part of a number whose magnitude is no less than [`SMALL`].

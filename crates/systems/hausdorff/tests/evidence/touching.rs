@@ -95,6 +95,35 @@ fn a_face_without_area_far_away_does_not_matter() {
     assert_eq!(found.stop, StopReason::Tolerance);
 }
 
+/// A face in the plane of another, where the function below is zero at two corners and far less at the third: widths are stored in single precision,
+/// whose rounding of the third was more than what suffices.
+#[test]
+fn a_width_in_single_precision_does_not_raise_what_is_almost_zero() {
+    let b_corner = [0.5361661942411957, -1.3829429251458147, -0.322009905821471];
+    let line = [-0.6767381821566142, -0.2885689827977589, 0.21682214015134005];
+    let a = soup(&[
+        [line, line, b_corner],
+        [
+            [0.575397444184526, -1.0531192872946462, -0.6456232395482804],
+            b_corner,
+            [-0.6389419493423008, -1.2607656125390492, 0.03674669457150648],
+        ],
+    ]);
+    let b = soup(&[
+        [
+            b_corner,
+            [0.6930911940145166, -0.06364837374114084, -1.6164632407287083],
+            [-1.8140500929257974, -1.1385882999322836, 0.39550329496448394],
+        ],
+        [
+            [-1.0164916019369148, 0.9588199388730669, 0.5767061518857421],
+            [-1.821642126914564, 1.9038183475832604, -1.845759450853697],
+            [-0.3369847623763136, -1.535957904468585, -0.1430718615830621],
+        ],
+    ]);
+    assert_eq!(check(&a, &b).stop, StopReason::Tolerance);
+}
+
 /// One face with a corner on one of two faces: the mean was 42 % wide after millions of looks.
 #[test]
 fn a_corner_on_the_other_surface() {
