@@ -169,7 +169,7 @@ def test_pages_and_pictures(tmp_path):
     for wrong in ({"size": (0, 5)}, {"theme": "blue"}, {"up": "w"}):
         with pytest.raises(pompeiu.OptionError):
             report.image(**wrong)
-    with pytest.raises(FileNotFoundError):
+    with pytest.raises(pompeiu.WriteError):
         report.save_html(tmp_path / "nowhere" / "page.html")
     again = pickle.loads(pickle.dumps(report))
     assert again == report and "_page" not in report.to_dict()
