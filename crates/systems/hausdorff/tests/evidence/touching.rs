@@ -98,6 +98,7 @@ fn a_face_without_area_far_away_does_not_matter() {
 /// A face in the plane of another, where the function below is zero at two corners and far less at the third: widths are stored in single precision,
 /// whose rounding of the third was more than what suffices.
 #[test]
+#[expect(clippy::unreadable_literal, reason = "digits as they were found")]
 fn a_width_in_single_precision_does_not_raise_what_is_almost_zero() {
     let b_corner = [0.5361661942411957, -1.3829429251458147, -0.322009905821471];
     let line = [-0.6767381821566142, -0.2885689827977589, 0.21682214015134005];
