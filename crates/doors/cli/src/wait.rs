@@ -97,6 +97,10 @@ impl ProgressObserver for Wait {
         Self::progress(self, progress);
         crate::interrupt::flow()
     }
+
+    fn reads_doing(&self) -> bool {
+        self.curtain.is_some()
+    }
 }
 
 impl Drop for Wait {

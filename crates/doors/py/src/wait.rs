@@ -77,6 +77,11 @@ impl ProgressObserver for Watch<'_, Share> {
         self.tell(Share(progress.share.unwrap_or(0.0)));
         if self.is_stopped() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
+
+    /// Callbacks are told the share.
+    fn reads_doing(&self) -> bool {
+        false
+    }
 }
 
 /// Does work on a thread of its own while this one waits, without the interpreter's lock.

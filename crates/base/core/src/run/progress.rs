@@ -17,6 +17,11 @@ pub struct Progress<'p> {
 pub trait ProgressObserver: Send + Sync {
     /// Called at regular intervals, by one thread at a time; [`ControlFlow::Break`] cancels the computation.
     fn progress(&self, progress: &Progress<'_>) -> ControlFlow<()>;
+
+    /// Whether somebody reads [`Progress::doing`]. What is computed for it alone is left out otherwise.
+    fn reads_doing(&self) -> bool {
+        true
+    }
 }
 
 impl<F: Fn(&Progress<'_>) -> ControlFlow<()> + Send + Sync> ProgressObserver for F {
@@ -29,5 +34,9 @@ impl<F: Fn(&Progress<'_>) -> ControlFlow<()> + Send + Sync> ProgressObserver for
 impl ProgressObserver for () {
     fn progress(&self, _: &Progress<'_>) -> ControlFlow<()> {
         ControlFlow::Continue(())
+    }
+
+    fn reads_doing(&self) -> bool {
+        false
     }
 }

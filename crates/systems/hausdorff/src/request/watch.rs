@@ -39,7 +39,8 @@ impl Observer for Watch<'_> {
     }
 
     fn wants_mean(&self) -> bool {
-        self.progress.is_some() || self.observer.is_some_and(Observer::wants_mean)
+        self.progress.is_some_and(ProgressObserver::reads_doing)
+            || self.observer.is_some_and(Observer::wants_mean)
     }
 
     fn mean(&self, direction: Direction, mean: MeanSoFar) {

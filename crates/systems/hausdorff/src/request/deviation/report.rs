@@ -90,12 +90,12 @@ impl Report for DeviationReport {
 
     /// A question about a tolerance is answered or not; otherwise limits decide.
     fn conclusion(&self) -> Conclusion {
-        let is_unproven = self.certificate.as_ref().is_some_and(|answer| answer.written.is_none());
-        match self.verdict.as_ref().map(Verdict::conclusion) {
-            Some(conclusion) if !is_unproven || conclusion != Conclusion::AsAsked => conclusion,
-            _ if is_unproven => Conclusion::Incomplete,
+        let conclusion = match &self.verdict {
+            Some(verdict) => verdict.conclusion(),
             None if self.stop().is_early() => Conclusion::Incomplete,
-            _ => Conclusion::AsAsked,
-        }
+            None => Conclusion::AsAsked,
+        };
+        let is_unproven = self.certificate.as_ref().is_some_and(|answer| answer.written.is_none());
+        if is_unproven && conclusion == Conclusion::AsAsked { Conclusion::Incomplete } else { conclusion }
     }
 }
