@@ -116,6 +116,7 @@ pub struct Page {
     scenes: Vec<Scene>,
     arrangements: Vec<Arrangement>,
     below: Option<PlayerControls>,
+    opening: Option<SceneId>,
     cards: Vec<Card>,
 }
 
@@ -413,6 +414,17 @@ impl Page {
         Ok(())
     }
 
+    /// Opens the page with a scene, turned so that its first [pair](Shape::Pairs) is seen from outside of what is drawn. By default the first
+    /// arrangement is seen from a corner.
+    ///
+    /// # Errors
+    /// [`PageError`] if the scene does not exist.
+    pub fn open_with(&mut self, scene: SceneId) -> Result<(), PageError> {
+        scene.of(&self.scenes)?;
+        self.opening = Some(scene);
+        Ok(())
+    }
+
     /// Puts the controls of a player below the view.
     ///
     /// # Errors
@@ -533,7 +545,8 @@ impl Page {
             "players": self.players,
             "toggles": self.toggles.iter().map(|(text, on)| json!({ "text": text, "on": on })).collect::<Vec<_>>(),
             "scenes": self.scenes.iter().map(|s| s.data(placements[s.space.0])).collect::<Vec<_>>(),
-            "arrangements": arrangements, "below": self.below, "cards": self.cards,
+            "arrangements": arrangements, "below": self.below, "opening": self.opening,
+            "cards": self.cards,
         })
     }
 

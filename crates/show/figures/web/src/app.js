@@ -7,7 +7,6 @@ import { SpaceCamera } from "./camera.js";
 import { raw } from "./color.js";
 import { h, say } from "./dom.js";
 import { textOf } from "./format.js";
-import { acrossPair } from "./layers/marks.js";
 import { Legend } from "./legend.js";
 import { Pins } from "./pins.js";
 import { Reading } from "./reading.js";
@@ -15,10 +14,14 @@ import { SceneView } from "./scene.js";
 import { Section } from "./section.js";
 import { shell, themeColor } from "./shell.js";
 import { toolbar } from "./toolbar.js";
+import { vantage } from "./vantage.js";
 import { View } from "./view.js";
 
 /** How far streaks travel in a second, in lengths from one to the next. */
 const STREAKS_PER_SECOND = 0.5;
+
+/** Surroundings that are shown with a place, in radii of it. */
+const AROUND = 2.5;
 
 export class App {
   constructor(data, { meshes, scales, values, bounds, players }) {
@@ -36,9 +39,21 @@ export class App {
     this.#buildPage();
     for (const player of players) player.onchange = () => this.update();
     this.update();
+    if (this.view && data.opening !== null) this.#open(data.opening);
   }
 
   // ---- scenes
+
+  /** The first view: all of a scene, turned so that its farthest pair is seen. */
+  #open(index) {
+    this.setScene(index);
+    const { pair, camera } = this.scenes[index];
+    if (!pair) return;
+    const scene = this.scenes[index];
+    const distance = camera.fittingAll(camera.direction);
+    const { direction } = vantage(scene, { point: scene.point(pair.from), center: camera.sphere.center, distance });
+    camera.lookFrom(direction);
+  }
 
   /** Without WebGL there is a picture, and all the numbers. */
   #tryView() {
@@ -180,13 +195,10 @@ export class App {
     const [from, to] = [scene.point(pair.from), scene.point(pair.to)];
     const middle = from.clone().add(to).multiplyScalar(0.5);
     const radius = Math.max(from.distanceTo(to) * 0.9, camera.sphere.radius * 1e-7);
-    const isFree = (direction) => {
-      const eye = middle.clone().addScaledVector(direction, radius * 4.5);
-      return !scene.blocked(eye, from) && !scene.blocked(eye, to);
-    };
     // Surroundings are shown too, or nobody knows where the place is.
-    const around = Math.max(radius, Math.min(camera.sphere.radius * 0.06, radius * 6));
-    camera.fitTo(middle, around, acrossPair(from, to, camera.direction, isFree));
+    const distance = camera.fittingBall(Math.max(radius, Math.min(camera.sphere.radius * 0.06, radius * 6)));
+    const found = vantage(scene, { point: from, center: middle, distance, pair: [from, to] });
+    camera.flyTo(middle, found.distance, found.direction);
     say(this.spoken, `Looking at the pair ${textOf(pair.label)}`);
   }
 
@@ -212,13 +224,10 @@ export class App {
     const whole = camera.sphere.radius;
     const radius = Math.max(place.radius / camera.space.scale, whole * 1e-6);
     const center = scene.point(place.center);
-    const [from, to] = place.pair ? [scene.point(place.pair.from), scene.point(place.pair.to)] : [center, center];
-    const readable = scene.surfaces.filter((surface) => surface.readable);
-    const isFree = (direction) => {
-      const eye = center.clone().addScaledVector(direction, radius * 5 + whole * 0.2);
-      return !readable.some(({ mesh }) => mesh.blocked(eye, from));
-    };
-    camera.fitTo(center, Math.max(radius * 1.7, whole * 0.03), acrossPair(from, to, camera.direction, isFree));
+    const distance = camera.fittingBall(Math.min(Math.max(radius * AROUND, whole * 0.06), Math.max(whole, radius * 1.2)));
+    const samples = scene.samplesOf(place);
+    const found = vantage(scene, { point: place.pair ? scene.point(place.pair.from) : center, center, distance, samples });
+    camera.flyTo(center, found.distance, found.direction);
     this.update();
     say(this.spoken, `Looking at ${name}`);
   }

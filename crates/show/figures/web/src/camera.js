@@ -126,8 +126,16 @@ export class SpaceCamera {
     this.onchange();
   }
 
-  fitTo(center, radius, direction) {
-    this.flyTo(center, Math.max(this.#fitting(radius), this.controls.minDistance * 4), direction);
+  /** How far away the camera has to be to see a ball of that radius. */
+  fittingBall(radius) {
+    return Math.max(this.#fitting(radius), this.controls.minDistance * 4);
+  }
+
+  /** All of it at once, seen from a direction, without a flight. */
+  lookFrom(direction) {
+    this.home();
+    this.camera.position.copy(direction).normalize().multiplyScalar(this.fittingAll(direction)).add(this.sphere.center);
+    this.controls.update();
   }
 
   /** Goes on with a flight. */

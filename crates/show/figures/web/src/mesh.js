@@ -83,6 +83,19 @@ export class Mesh {
     return this.tree.closestPointToPoint(point)?.point.clone() ?? null;
   }
 
+  /** The nearest point of what is drawn, with the normal there. */
+  foot(point) {
+    const found = this.tree.closestPointToPoint(point);
+    if (!found) return null;
+    const [a, b, c] = this.corners(found.faceIndex);
+    return { point: found.point.clone(), normal: b.sub(a).cross(c.sub(a)).normalize() };
+  }
+
+  /** How far along a ray its last hit is; 0 without one. */
+  last(ray) {
+    return this.tree.raycast(ray, DoubleSide).reduce((last, { distance }) => Math.max(last, distance), 0);
+  }
+
   blocked(from, to) {
     const direction = new Vector3().subVectors(to, from);
     const length = direction.length();

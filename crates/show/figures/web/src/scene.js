@@ -58,6 +58,15 @@ export class SceneView {
     return this.layers.map(({ shown }) => shown).filter((shown) => shown instanceof SurfaceLayer);
   }
 
+  /** Some points of a place, the corners of triangles that stand out. */
+  samplesOf({ mesh: index, faces }, count = 12) {
+    const mesh = index === null ? null : this.app.meshes[index];
+    const wanted = new Set(faces);
+    const inside = mesh && wanted.size ? Array.from({ length: mesh.triangles }, (_, t) => t).filter((t) => wanted.has(mesh.faceOf(t))) : [];
+    const step = Math.max(1, Math.floor(inside.length / count));
+    return inside.filter((_, i) => i % step === 0).slice(0, count).map((t) => mesh.pointAt(t, [1 / 3, 1 / 3, 1 / 3]));
+  }
+
   /** The first pair of points that is given, shown or not. */
   get pair() {
     return this.data.layers.flatMap(({ frames }) => frames).find(({ kind, pairs }) => kind === "pairs" && pairs.length > 0)?.pairs[0];
@@ -76,9 +85,9 @@ export class SceneView {
     }
     if (this.place !== place) {
       this.place = place;
-      this.ring = place && new RingMark("region", this.point(place.center), place.radius / this.camera.space.scale, { label: place.label, always: place.faces.length === 0 });
+      this.ring = place && new RingMark("region", this.point(place.center), place.radius / this.camera.space.scale, { label: place.pair ? "" : place.label, always: place.faces.length === 0 });
     }
-    const marks = [...(this.app.flags && !place ? this.flags : []), ...this.app.pins.marks(this), ...this.layers.flatMap(({ shown }) => shown?.marks ?? []), this.ring, this.dot].filter((mark) => mark);
+    const marks = [...(this.app.flags ? this.flags : []), ...this.app.pins.marks(this), ...this.layers.flatMap(({ shown }) => shown?.marks ?? []), this.ring, this.dot].filter((mark) => mark);
     for (const mark of this.shownMarks) if (!marks.includes(mark)) mark.remove();
     this.shownMarks = marks;
   }
@@ -96,7 +105,7 @@ export class SceneView {
   #isBehind(point) {
     if (isCut(point.toArray())) return true;
     const eye = this.camera.camera.position;
-    return this.surfaces.some((surface) => surface.readable && surface.mesh.blocked(eye, point));
+    return this.hides(eye, point);
   }
 
   draw(pane, project) {
@@ -113,8 +122,9 @@ export class SceneView {
     return nearest;
   }
 
-  blocked(from, to) {
-    return this.surfaces.some(({ mesh }) => mesh.blocked(from, to));
+  /** Whether a surface that one cannot see through is between two points. */
+  hides(from, to) {
+    return this.surfaces.some(({ readable, mesh }) => readable && mesh.blocked(from, to));
   }
 
   /** Whether a player has something to show in it. */

@@ -97,6 +97,15 @@ impl DeviationContent {
         self.add_ranges(&mut page, scale, &sides)?;
         self.add_arrangements(&mut page, &sides)?;
         self.add_cards(&mut page, &shared, &sides)?;
+        // A verdict is about the worst place of both directions; else the first direction comes first.
+        let proven = |side: &Side<'_>| side.deviation.distance[0];
+        let worst = match sides.as_slice() {
+            [first, second] if self.verdict.is_some() && proven(second) > proven(first) => Some(second),
+            all => all.first(),
+        };
+        if let Some(side) = worst {
+            page.open_with(side.scene)?;
+        }
         Ok(page)
     }
 

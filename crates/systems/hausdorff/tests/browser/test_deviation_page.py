@@ -21,6 +21,7 @@ def setUpModule():
         "plain": make("plain.html", "deviation_page", "--faces", "4000"),
         "signed": make("signed.html", "deviation_page", "--faces", "4000", "--signed"),
         "bands": make("bands.html", "deviation_page", "--faces", "4000", "--signed", "--bands", "-0.1,0.2"),
+        "dented": make("dented.html", "dented_page"),
         "hostile": make("hostile.html", "deviation_page", "--faces", "600", "--offset", "1e7", "--names", *HOSTILE),
     }
 
@@ -247,6 +248,51 @@ class DeviationPage(PageTest):
             back = self.camera()
             self.assertLess(math.dist(back["target"], before["target"]), 1e-9)
 
+    def assert_outside(self, at):
+        """The camera is outside of the part, and nothing is between it and the dent."""
+        camera = self.camera()
+        space = self.page.evaluate("pompeiu.app.data.spaces[0]")
+        eye = [x * space["scale"] + origin for x, origin in zip(camera["position"], space["origin"])]
+        self.assertGreater(math.hypot(*eye), self.truth["wall"][1], "the camera is outside of the ball")
+        way = subtract(at, eye)
+        # One can see through the other surface.
+        painted = self.truth["triangles"][self.page.evaluate("pompeiu.app.scene")]
+        before = [distance for distance, _, _ in hits(eye, way, painted) if distance < 1 - 0.01 / math.hypot(*way)]
+        self.assertEqual(before, [], "nothing is in the way")
+
+    def test_the_first_view_and_places_are_seen_from_outside(self):
+        page = self.open("dented")
+        pair = page.evaluate("pompeiu.app.scenes[pompeiu.app.scene].pair")
+        self.assertLess(math.dist(pair["from"], self.truth["dent"]), 0.1)
+        # The first view: all of it, with the dent in front.
+        self.assert_outside(pair["from"])
+        self.assertLess(math.dist(self.camera()["target"], [0, 0, 0]), 0.1)
+        page.screenshot(path=FOLDER / "deviation-dented.png")
+        # A place that is chosen from behind the part, and the way to the pair.
+        for control in ["[data-place='0']", "[data-control=look-at-pair]"]:
+            page.evaluate("""() => {
+                const [camera] = pompeiu.app.cameras;
+                camera.flyFrom(camera.direction.negate().toArray());
+            }""")
+            page.click(control)
+            self.assert_outside(pair["from"])
+            self.assertGreater(page.locator(".flag:visible").count(), 0, "labels stay")
+            screen = self.screen(pair["from"])
+            box = page.locator("#view").bounding_box()
+            self.assertTrue(0 < screen["x"] < box["width"] and 0 < screen["y"] < box["height"], screen)
+            page.screenshot(path=FOLDER / f"deviation-dented-{'place' if 'place' in control else 'pair'}.png")
+        # The hollow of a ball is seen from nowhere outside: the camera stays there all the same.
+        page.evaluate("""() => {
+            const { app } = pompeiu;
+            const { pair } = app.scenes[app.scene].places[0];
+            const scale = 0.9 / Math.hypot(...pair.from);
+            app.scenes[app.scene].places[0] = { ...app.scenes[app.scene].places[0], center: pair.from.map((x) => x * scale), pair: { from: pair.from.map((x) => x * scale), to: pair.to }, faces: new Uint32Array() };
+            app.showAll();
+            app.choosePlace({ scene: app.scene, place: 0 }, "the hollow");
+        }""")
+        camera = self.camera()
+        self.assertGreater(math.hypot(*camera["position"]) * page.evaluate("pompeiu.app.data.spaces[0].scale"), self.truth["wall"][1])
+
     def test_stages_shrink(self):
         page = self.open()
         stages = self.truth["surfaces"][0]["stages"]
@@ -424,6 +470,8 @@ class DeviationPage(PageTest):
 
     def test_points_are_pinned_measured_and_taken_back(self):
         page = self.open()
+        page.evaluate("pompeiu.app.cameras[0].home()")
+        settle(page)
         canvas = page.locator("#view").bounding_box()
         hits = []
         for x, y in [(0.5, 0.5), (0.45, 0.4)]:

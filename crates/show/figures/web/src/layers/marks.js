@@ -173,11 +173,11 @@ function place(element, attributes) {
   }
 }
 
-/** A direction to look at a pair from: across it, near the present one, with a free view if there is one. */
+/** A direction to look at a pair from: across it, near the present one, with a free view if there is one, which it tells. */
 export function acrossPair(from, to, present, isFree) {
   const along = new Vector3().subVectors(to, from);
   const look = present.clone().normalize();
-  if (along.lengthSq() === 0) return look;
+  if (along.lengthSq() === 0) return { direction: look, free: isFree(look) };
   along.normalize();
   const first = look.addScaledVector(along, -look.dot(along));
   if (first.lengthSq() < 1e-6) first.set(along.y, along.z, along.x).addScaledVector(along, -new Vector3(along.y, along.z, along.x).dot(along));
@@ -190,5 +190,6 @@ export function acrossPair(from, to, present, isFree) {
   const all = [0, 25, -25, 50, -50, 75, -75, 100, -100, 130, -130, 160, -160, 180].map(turned);
   // A little from the side of the far point, where nothing of the other surface is near.
   const tilted = all.map((d) => d.addScaledVector(along, -0.35).normalize());
-  return tilted.find(isFree) ?? tilted[0];
+  const free = tilted.find(isFree);
+  return { direction: free ?? tilted[0], free: free !== undefined };
 }
