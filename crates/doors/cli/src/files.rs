@@ -1,5 +1,6 @@
 //! Mesh files: told apart, read, and looked at for what deserves a warning.
 
+use crate::interrupt::while_writing;
 use crate::numbers::grouped;
 use crate::printer::Printer;
 use crate::wait::Wait;
@@ -115,7 +116,7 @@ pub(crate) fn write_with(
     printer: &Printer,
 ) -> anyhow::Result<()> {
     check_writable(path)?;
-    pompeiu::io::write_with(path, mesh, attributes)?;
+    while_writing(|| pompeiu::io::write_with(path, mesh, attributes))?;
     let shown = path.display();
     let is_rounded = |x: &f64| f64::from(*x as f32) != *x;
     if let Some(format) = OutputFormat::from_path(path)
@@ -155,7 +156,7 @@ pub(crate) fn write_shifted(
 
 /// Writes a file, whole or not at all, and says so.
 pub(crate) fn write_whole(path: &Path, content: &[u8], printer: &Printer) -> anyhow::Result<()> {
-    pompeiu::io::write_whole(path, content)?;
+    while_writing(|| pompeiu::io::write_whole(path, content))?;
     printer.note(format_args!("{}: {}", path.display(), bytesize::ByteSize(content.len() as u64)));
     Ok(())
 }

@@ -53,8 +53,7 @@ pub(crate) fn write_mesh(
     vertex_colors: Option<&Bound<'_, PyAny>>,
     face_colors: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<()> {
-    let mesh = mesh.get();
-    let mut attributes = Attributes::for_mesh(mesh.inner());
+    let mut attributes = Attributes::for_mesh(mesh.get().inner());
     for (name, array) in vertex_scalars {
         let values = values(&array, "vertex scalars")?;
         attributes = attributes.with_vertex_scalar(name, values).map_err(Raise::raise)?;
@@ -75,5 +74,7 @@ pub(crate) fn write_mesh(
         let colors = colors(array, "face colours")?;
         attributes = attributes.with_face_colors(colors).map_err(Raise::raise)?;
     }
-    py.detach(|| io::write_with(path, mesh.inner(), &attributes)).map_err(Raise::raise)
+    let mesh = mesh.clone().unbind();
+    wait::abandonable(py, move || io::write_with(path, mesh.get().inner(), &attributes))?
+        .map_err(Raise::raise)
 }

@@ -11,6 +11,7 @@ pub(crate) use invocation::Invocation;
 pub(crate) use session::Session;
 
 use crate::exit::Exit;
+use crate::interrupt;
 use crate::printer::Printer;
 use clap::Args;
 use pompeiu::core::request::{Answer, Request, Timing};
@@ -94,30 +95,48 @@ pub(crate) fn run<S: System>(invocation: &Invocation<S>, printer: &Printer) -> a
     let ask = |request: &mut S::Request, session: &mut Session<'_>| {
         Ok((invocation.system.run(request, session)?, ()))
     };
-    let (answer, ..) = answered(invocation, printer, ask)?;
+    let (answer, ..) = found(invocation, printer, ask)?;
+    Printer::answer(&printed(invocation, &answer)?)?;
     Ok(Exit::of(&answer.report))
 }
 
-/// Asks a system, prints the answer, and then writes files.
+/// Asks a system, and writes files: after the text of the answer, and before its JSON, whose times include them.
 pub(crate) fn run_and_write<S: Writes>(
     invocation: &Invocation<S>,
     printer: &Printer,
 ) -> anyhow::Result<Exit> {
-    let system = &invocation.system;
+    let Invocation { system, json, .. } = invocation;
     let ask = |request: &mut S::Request, session: &mut Session<'_>| system.find(request, session);
-    let (answer, found, mut session) = answered(invocation, printer, ask)?;
+    let (mut answer, beside, mut session) = found(invocation, printer, ask)?;
+    let text = printed(invocation, &answer)?;
+    if *json {
+        interrupt::print_if_ended(Some(text));
+    } else {
+        Printer::answer(&text)?;
+    }
     let answered = session.elapsed();
-    system.write(&answer, found, &mut session)?;
+    let written = system.write(&answer, beside, &mut session);
     session.stop_waiting();
     let total = session.elapsed();
-    if !invocation.json {
+    if *json {
+        interrupt::print_if_ended(None);
+        answer.timing.total = total;
+        Printer::answer(&printed(invocation, &answer)?)?;
+    }
+    written?;
+    if !json {
         Printer::answer(&system.closing(&answer, total, total.saturating_sub(answered)))?;
     }
     Ok(Exit::of(&answer.report))
 }
 
-/// What was found, once it is printed.
-fn answered<'s, S: System, F>(
+/// The answer as it is printed.
+fn printed<S: System>(invocation: &Invocation<S>, answer: &AnswerOf<S>) -> anyhow::Result<String> {
+    Ok(if invocation.json { serde_json::to_string(answer)? + "\n" } else { invocation.system.text(answer) })
+}
+
+/// What was found.
+fn found<'s, S: System, F>(
     invocation: &'s Invocation<S>,
     printer: &'s Printer,
     ask: impl FnOnce(&mut S::Request, &mut Session<'_>) -> anyhow::Result<(ReportOf<S>, F)>,
@@ -131,6 +150,5 @@ fn answered<'s, S: System, F>(
     session.stop_waiting();
     let timing = Timing { read: session.read_time(), total: session.elapsed() };
     let answer = Answer::new(session.inputs(*json), request, report, timing);
-    Printer::answer(&if *json { serde_json::to_string(&answer)? + "\n" } else { system.text(&answer) })?;
     Ok((answer, found, session))
 }

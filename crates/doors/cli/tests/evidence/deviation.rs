@@ -327,6 +327,9 @@ fn the_answer_is_printed_before_files_are_written() {
     let (code, text, errors) = folder.transcript(&called);
     assert_eq!(code, Some(2), "{errors}");
     assert!(text.starts_with("verdict") && text.contains("largest") && !text.contains("total"), "{text}");
+    let (code, text, _) = folder.transcript(&format!("{called} --json"));
+    let answer: Value = serde_json::from_str(&text).unwrap();
+    assert_eq!((code, answer["report"]["verdict"].is_object()), (Some(2), true), "{answer}");
     let (_, text, _) =
         folder.transcript("deviation above.obj below.obj --threshold 0.25 --report r.html --unit mm");
     let last = text.lines().last().unwrap();

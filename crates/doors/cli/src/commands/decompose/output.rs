@@ -1,6 +1,7 @@
 //! The field, its parts and their potentials in a file.
 
 use crate::files;
+use crate::interrupt::while_writing;
 use crate::numbers::grouped;
 use crate::printer::Printer;
 use anyhow::bail;
@@ -44,7 +45,7 @@ pub(super) fn write(
         .with_face_vector("gradient", in_space(&parts.gradient))?
         .with_face_vector("rotated", in_space(&parts.rotated))?
         .with_face_vector("harmonic", in_space(&parts.harmonic))?;
-    write_with(path, mesh, &attributes)?;
+    while_writing(|| write_with(path, mesh, &attributes))?;
     let faces = grouped(mesh.faces().len() as u64);
     printer.note(format_args!("{}: four fields and two potentials on {faces} faces", path.display()));
     Ok(())

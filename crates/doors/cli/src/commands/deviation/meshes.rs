@@ -1,6 +1,7 @@
 //! The measured meshes, with their deviation as numbers and as colours.
 
 use crate::files;
+use crate::interrupt::while_writing;
 use crate::numbers::grouped;
 use crate::printer::Printer;
 use anyhow::bail;
@@ -48,7 +49,7 @@ pub(super) fn write(
                 .with_face_scalar("winding_number", sides.face_winding.clone())?;
         }
     }
-    write_with(path, mesh, &attributes)?;
+    while_writing(|| write_with(path, mesh, &attributes))?;
     let faces = grouped(mesh.faces().len() as u64);
     let from = scale.range().0;
     printer.note(format_args!("{}: {faces} faces, coloured from {from:.4} to {extent:.4}", path.display()));
