@@ -6,8 +6,8 @@ use super::space::Placement;
 use super::values::MeshValues;
 use super::{MeshId, PageError, SpaceId};
 use pompeiu_core::TriMesh;
+use rustc_hash::{FxBuildHasher, FxHashMap};
 use serde_json::{Value, json};
-use std::collections::HashMap;
 
 /// Triangles to draw: the faces of a mesh, or parts of faces where values are not linear on a face.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -226,7 +226,7 @@ fn numbered<K: std::hash::Hash + Eq>(
     keys: impl ExactSizeIterator<Item = K>,
     mut first: impl FnMut(usize),
 ) -> Vec<u32> {
-    let mut known = HashMap::with_capacity(keys.len() / 4);
+    let mut known = FxHashMap::with_capacity_and_hasher(keys.len() / 4, FxBuildHasher);
     let mut numbers = Vec::with_capacity(keys.len());
     for (i, key) in keys.enumerate() {
         let next = known.len() as u32;

@@ -81,6 +81,7 @@ use crate::Image;
 use encode::doubles;
 use error::{check_bounds, check_faces, check_finite, check_length};
 use mesh::{Geometry, PlacedMesh, SharedCorners};
+use rayon::prelude::*;
 use serde_json::{Value, json};
 use space::Placement;
 use values::{PlacedValues, RangedScale};
@@ -516,13 +517,23 @@ impl Page {
             };
             json!({ "up": up, "origin": placement.origin, "scale": placement.scale })
         };
-        let shared: Vec<Option<SharedCorners>> =
-            (0..self.meshes.len()).map(|i| self.shared(i, &placements)).collect();
+        let (shared, still) = rayon::join(
+            || {
+                let each = (0..self.meshes.len()).into_par_iter();
+                each.map(|i| self.shared(i, &placements)).collect::<Vec<Option<SharedCorners>>>()
+            },
+            || self.still.as_ref().and_then(encode::png),
+        );
         let of = |mesh: MeshId| match self.meshes[mesh.0].geometry {
             Geometry::Moved { of, .. } => shared[of.0].as_ref(),
             _ => shared[mesh.0].as_ref(),
         };
-        let mesh = |(i, mesh): (usize, &PlacedMesh)| mesh.data(placements[mesh.space.0], of(MeshId(i)));
+        let meshes = || {
+            let each = self.meshes.par_iter().enumerate();
+            each.map(|(i, mesh)| mesh.data(placements[mesh.space.0], of(MeshId(i)))).collect::<Vec<_>>()
+        };
+        let values = || self.values.par_iter().map(|values| values.data(of(values.mesh))).collect::<Vec<_>>();
+        let (meshes, values) = rayon::join(meshes, values);
         let bounds = |(mesh, bounds): &(MeshId, Vec<Bounds>)| json!({ "mesh": mesh, "data": doubles(bounds.as_flattened().iter().copied()) });
         let scale = |(i, scale): (usize, &RangedScale)| scale.data(self.largest(ScaleId(i)));
         let all: Vec<SceneId> = (0..self.scenes.len()).map(SceneId).collect();
@@ -536,10 +547,10 @@ impl Page {
         json!({
             "title": self.title, "subtitle": self.subtitle, "banner": self.banner, "picture": self.picture,
             "command": self.command, "version": self.version,
-            "still": self.still.as_ref().and_then(encode::png),
+            "still": still,
             "spaces": self.spaces.iter().zip(&placements).map(space).collect::<Vec<_>>(),
-            "meshes": self.meshes.iter().enumerate().map(mesh).collect::<Vec<_>>(),
-            "values": self.values.iter().map(|values| values.data(of(values.mesh))).collect::<Vec<_>>(),
+            "meshes": meshes,
+            "values": values,
             "bounds": self.bounds.iter().map(bounds).collect::<Vec<_>>(),
             "scales": self.scales.iter().enumerate().map(scale).collect::<Vec<_>>(),
             "players": self.players,

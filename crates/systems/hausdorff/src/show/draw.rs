@@ -15,6 +15,7 @@ use pompeiu_core::spatial::{Bvh, Slot, Winding, WindingNumber, Workspace, morton
 use pompeiu_core::{FaceId, TriMesh};
 use pompeiu_figures::page::Bounds;
 use rayon::prelude::*;
+use std::collections::HashMap;
 
 /// What is drawn of a surface.
 pub(super) struct Drawing {
@@ -199,7 +200,7 @@ impl Sampler<'_> {
         // Large faces are looked at in more places.
         let first = ((most / count) as f64).sqrt() as u32;
         let first = (1_u32 << (first.max(2).ilog2())).min(MOST_PARTS);
-        let bends = sampler.each(&order, |face, workspace, hint| sampler.bend(face, first, workspace, hint));
+        let bends = sampler.each(&order, |face, near| sampler.bend(face, first, near));
         let mut bent: Vec<(u32, f64)> = bends.into_iter().filter(|(_, bend)| *bend > tolerance).collect();
         bent.sort_by(|x, y| y.1.total_cmp(&x.1).then(x.0.cmp(&y.0)));
         let mut room = most.saturating_sub(count);
@@ -213,11 +214,11 @@ impl Sampler<'_> {
             room -= (parts * parts) as usize - 1;
             chosen.push((face, parts));
         }
-        let parts_of: std::collections::HashMap<u32, u32> = chosen.iter().copied().collect();
+        let parts_of: HashMap<u32, u32> = chosen.iter().copied().collect();
         let ordered: Vec<u32> = order.into_iter().filter(|face| parts_of.contains_key(face)).collect();
-        let made = sampler.each(&ordered, |face, workspace, hint| {
+        let made = sampler.each(&ordered, |face, near| {
             let parts = parts_of.get(&face).copied().unwrap_or(1);
-            sampler.grid(face, parts, workspace, hint)
+            sampler.grid(face, parts, near)
         });
         for (face, grid) in made {
             grids[face as usize] = grid;
@@ -226,14 +227,11 @@ impl Sampler<'_> {
     }
 
     /// Does something with each face, neighbours after each other.
-    fn each<R: Send>(
-        &self,
-        faces: &[u32],
-        look: impl Fn(u32, &mut Workspace, &mut Slot) -> R + Sync,
-    ) -> Vec<(u32, R)> {
+    fn each<R: Send>(&self, faces: &[u32], look: impl Fn(u32, &mut Near) -> R + Sync) -> Vec<(u32, R)> {
         let of_task = |task: &[u32]| {
-            let (mut workspace, mut hint) = (Workspace::default(), self.bvh.any_slot());
-            task.iter().map(|face| (*face, look(*face, &mut workspace, &mut hint))).collect::<Vec<_>>()
+            let (workspace, hint) = (Workspace::default(), self.bvh.any_slot());
+            let mut near = Near { workspace, hint, edges: HashMap::new() };
+            task.iter().map(|face| (*face, look(*face, &mut near))).collect::<Vec<_>>()
         };
         faces.par_chunks(TASK).flat_map_iter(of_task).collect()
     }
@@ -243,7 +241,7 @@ impl Sampler<'_> {
     }
 
     /// How far the distance is from linear at the points of a grid; zero where it is known to be nearly constant.
-    fn bend(&self, face: u32, parts: u32, workspace: &mut Workspace, hint: &mut Slot) -> f64 {
+    fn bend(&self, face: u32, parts: u32, near: &mut Near) -> f64 {
         let bounds = &self.found.faces[face as usize];
         if bounds.max.upper() - bounds.min.lower() <= self.tolerance || self.control.is_stopped() {
             return 0.0;
@@ -255,29 +253,54 @@ impl Sampler<'_> {
             if [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]].contains(&[v, w]) {
                 continue;
             }
-            let off = (self.distance(between(corners, [v, w]), workspace, hint)
-                - (a + v * (b - a) + w * (c - a)))
-                .abs();
+            let point = between(corners, [v, w]);
+            let distance =
+                if parts == 2 { self.amid(face, [v, w], point, near) } else { self.distance(point, near) };
+            let off = (distance - (a + v * (b - a) + w * (c - a))).abs();
             bend = if off > bend { off } else { bend };
         }
         bend
     }
 
-    fn grid(&self, face: u32, parts: u32, workspace: &mut Workspace, hint: &mut Slot) -> Option<Grid> {
+    fn grid(&self, face: u32, parts: u32, near: &mut Near) -> Option<Grid> {
         if self.control.is_stopped() {
             return None;
         }
         let corners = self.mesh.corners(FaceId(face));
-        let distances =
-            Grid::weights(parts).map(|weights| self.distance(between(corners, weights), workspace, hint));
+        let distances = Grid::weights(parts).map(|weights| self.distance(between(corners, weights), near));
         Some(Grid { parts, distances: distances.collect() })
     }
 
-    fn distance(&self, point: [f64; 3], workspace: &mut Workspace, hint: &mut Slot) -> f64 {
-        let nearest = self.bvh.nearest(self.frame.map(point), *hint, workspace);
-        *hint = nearest.slot;
+    /// The distance in the middle of an edge, which two faces ask for.
+    fn amid(&self, face: u32, weights: [f64; 2], point: [f64; 3], near: &mut Near) -> f64 {
+        let [a, b, c] = self.mesh.faces()[face as usize];
+        let [v, w] = match weights {
+            [_, 0.0] => [a, b],
+            [0.0, _] => [a, c],
+            _ => [b, c],
+        };
+        let edge = [v.min(w), v.max(w)];
+        if let Some(distance) = near.edges.get(&edge) {
+            return *distance;
+        }
+        let distance = self.distance(point, near);
+        near.edges.insert(edge, distance);
+        distance
+    }
+
+    fn distance(&self, point: [f64; 3], near: &mut Near) -> f64 {
+        let nearest = self.bvh.nearest(self.frame.map(point), near.hint, &mut near.workspace);
+        near.hint = nearest.slot;
         self.frame.length_out(nearest.distance_sq.sqrt())
     }
+}
+
+/// What is kept from face to face of a task.
+struct Near {
+    workspace: Workspace,
+    hint: Slot,
+    /// Distances in the middle of edges.
+    edges: HashMap<[u32; 2], f64>,
 }
 
 /// Makes distances inside the other mesh negative: at the vertices of a face drawn whole, elsewhere on a part of a face as a whole.

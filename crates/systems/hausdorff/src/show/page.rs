@@ -127,8 +127,7 @@ impl<'r> DeviationPage<'r> {
     fn sides(&self, limits: &Limits) -> [Side<'r>; 2] {
         let whole = COLOR_TOLERANCE * self.deviation.distance.upper();
         let tolerance = whole.min(COVERED_TOLERANCE * self.extent());
-        let ways = [(self.paths[0], &self.deviation.a_to_b), (self.paths[1], &self.deviation.b_to_a)];
-        ways.map(|(path, found)| {
+        let side = |(path, found): (&'r str, &'r DirectedDeviation)| {
             let mesh = self.pair.measured(found.direction);
             let mut drawing =
                 Drawing::new(found, self.pair, Style { tolerance, most: MOST_TRIANGLES }, limits);
@@ -139,7 +138,9 @@ impl<'r> DeviationPage<'r> {
                 }
             }
             Side { path, mesh, found, drawing }
-        })
+        };
+        let Deviation { a_to_b, b_to_a, .. } = self.deviation;
+        rayon::join(|| side((self.paths[0], a_to_b)), || side((self.paths[1], b_to_a))).into()
     }
 
     /// What the two are called, or the names of their files where they are called A and B.
@@ -314,6 +315,10 @@ impl DeviationFigures<'_> {
         let view = View::default().with_up(of.up);
         let bands = of.bands.filter(|_| of.is_signed());
         let [width, height] = STILL;
+        let (still, surfaces) = rayon::join(
+            || self.image(width, height, Theme::Light, view).ok(),
+            || self.sides.each_ref().map(|side| of.surface(side)),
+        );
         DeviationContent {
             title: format!("{} and {}", name(of.paths[0]), name(of.paths[1])),
             unit: of.unit.to_owned(),
@@ -323,9 +328,9 @@ impl DeviationFigures<'_> {
             bands: bands.map(|bands| bands.edges.clone()).unwrap_or_default(),
             labels: of.names.map(str::to_owned),
             verdict: of.banner(),
-            still: self.image(width, height, Theme::Light, view).ok(),
+            still,
             distance: Some(bounds(of.deviation.distance)),
-            surfaces: self.sides.each_ref().map(|side| of.surface(side)),
+            surfaces,
             proof: proof(),
             attached: of.proof.map(AttachedProof::rows).unwrap_or_default(),
             facts: of.facts(),
@@ -353,16 +358,18 @@ impl DeviationFigures<'_> {
     ) -> Result<Image, FigureError> {
         let sides = &self.sides;
         let (scale, label) = of.scale()?;
-        let drawn = sides.each_ref().map(|side| (soup(&side.drawing.triangles), side));
+        let prepared = |side: &Side<'_>| {
+            let triangles = &side.drawing.triangles;
+            let values: Vec<_> = triangles.iter().map(|triangle| triangle.distances).collect();
+            (soup(triangles), values, of.spread(side, &scale))
+        };
+        let prepared: [_; 2] = rayon::join(|| prepared(&sides[0]), || prepared(&sides[1])).into();
         let mut figure =
             Figure::new(width, height).with_theme(theme).with_view(view).with_scale(scale, label);
         if let Some((_, sentence)) = of.verdict {
             figure = figure.with_title(sentence);
         }
-        let values = sides
-            .each_ref()
-            .map(|side| side.drawing.triangles.iter().map(|t| t.distances).collect::<Vec<_>>());
-        for ((mesh, side), values) in drawn.iter().zip(&values) {
+        for (side, (mesh, values, spread)) in sides.iter().zip(&prepared) {
             // Without anything to draw there is no panel.
             let Ok(mesh) = mesh else { continue };
             let names = of.shown_names();
@@ -370,7 +377,7 @@ impl DeviationFigures<'_> {
                 Direction::AToB => ("missing", names),
                 Direction::BToA => ("excess", [names[1], names[0]]),
             };
-            figure = figure.with_histogram(meaning, of.spread(side, &scale));
+            figure = figure.with_histogram(meaning, spread.clone());
             let distance = rounded(side.found.distance.distance);
             let title = format!("{meaning}: {from} to {to}, {distance} {}", of.unit);
             let PointPair { from, to } = pair(&side.found.distance.witness);

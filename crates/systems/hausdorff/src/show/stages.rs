@@ -13,6 +13,10 @@ const TOLERANCES: [f64; 9] = [1e-1, 3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 1e-5, 1e
 const MOST_PIECES: usize = 4_000;
 const MOST_OF_ALL: usize = 8_000;
 
+/// Faces of both meshes at most: of more there are more pieces than anyone can see until the last stages, and the search costs more than
+/// the page is worth.
+const MOST_FACES: usize = 20_000;
+
 /// A search ends short of the finest stage.
 const FINEST: f64 = 0.9 * TOLERANCES[TOLERANCES.len() - 1];
 
@@ -51,9 +55,12 @@ impl Observer for Stages {
 }
 
 /// Searches both directed distances of a pair, with the trees that it has, and gives what could not yet be discarded at each of some
-/// tolerances, from a tenth to a millionth of the joint diagonal; stages with more pieces than anyone can see are left out. Limits, and many
-/// pieces to look at, end the search with the stages that were reached.
+/// tolerances, from a tenth to a millionth of the joint diagonal; stages with more pieces than anyone can see are left out, and so are
+/// all of meshes of more than 20,000 faces together. Limits, and many pieces to look at, end the search with the stages that were reached.
 pub fn search_stages(pair: &PreparedPair<'_>, limits: &Limits) -> Vec<Stage> {
+    if pair.a().faces().len() + pair.b().faces().len() > MOST_FACES {
+        return Vec::new();
+    }
     let looks = [pair.a(), pair.b()].map(|mesh| LOOKS_PER_FACE * mesh.faces().len() as u64 + LOOKS);
     let stages = Stages { found: Mutex::default(), looks };
     let options = HausdorffOptions {
