@@ -38,7 +38,7 @@ pub use format::Format;
 pub use groups::Group;
 pub use hexahedra::{Hexahedra, read_hexahedra};
 pub use loops::read_loops;
-pub use read::{ReadMesh, read, read_bytes, read_mesh, referenced_files};
+pub use read::{ReadMesh, read, read_bytes, read_bytes_of, read_mesh, referenced_files};
 pub use write::{
     AttributeError, Attributes, EncodeError, OutputFormat, WriteError, encode, write, write_as, write_stream,
     write_whole, write_with,

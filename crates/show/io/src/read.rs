@@ -92,6 +92,17 @@ pub fn read_bytes(bytes: &[u8], format: Option<Format>) -> Result<ReadMesh, Form
     read_content(bytes, None, |content| format.or_else(|| sniff::format(content)))
 }
 
+/// Reads a triangle mesh from the bytes of a file that is not at hand, compressed or not.
+///
+/// Like [`read`]: the suffix of the name decides where the content is ambiguous. References to other files are errors here.
+///
+/// # Errors
+/// If the bytes do not hold a mesh.
+pub fn read_bytes_of(name: impl AsRef<Path>, bytes: &[u8]) -> Result<ReadMesh, FormatError> {
+    let promised = Format::from_path(name);
+    read_content(bytes, None, |content| sniff::format(content).or(promised))
+}
+
 fn read_content(
     bytes: &[u8],
     folder: Option<&Path>,

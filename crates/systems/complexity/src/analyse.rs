@@ -4,12 +4,12 @@ use crate::measures::Measure;
 use crate::measures::names::feature;
 use crate::report::{ComplexityReport, RankedShape, ShapeReport, Timing};
 use crate::{ComplexityError, MeasureOptions, Measures, cluster, compare_rankings, ranks};
+use pompeiu_core::run::Instant;
 use pompeiu_core::run::{Control, Limits, Progress, ProgressObserver, StopReason, on_threads};
 use pompeiu_planar::Outline;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
-use std::time::Instant;
 
 /// A shape with its name.
 #[derive(Clone, Debug, PartialEq)]

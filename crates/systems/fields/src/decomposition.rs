@@ -3,6 +3,7 @@
 use crate::DecompositionOptions;
 use crate::scale::{normalized, restore, times_power_of_two};
 use pompeiu_core::mesh::{ElementData, VertexData};
+use pompeiu_core::run::Instant;
 use pompeiu_operators::hodge::{DirichletPotential, conforming_system, crouzeix_raviart_system};
 use pompeiu_operators::{
     Boundary, FaceField, HarmonicBasis, OperatorError, Splitting, add_scaled, check_field,
@@ -12,7 +13,7 @@ use pompeiu_operators::{
 use pompeiu_solve::{LinearSolver, SemidefiniteCholesky};
 use pompeiu_surface::{EdgeData, Surface};
 use rayon::prelude::*;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// The Helmholtz–Hodge decomposition of fields on one surface, factored once.
 ///

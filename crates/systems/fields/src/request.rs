@@ -2,10 +2,11 @@
 
 use crate::{Decomposition, DecompositionOptions, DegreesOfFreedom, HodgeSolver, Quality};
 use pompeiu_core::request::{Limit, Report, Request};
+use pompeiu_core::run::Instant;
 use pompeiu_core::run::StopReason;
 use pompeiu_operators::{Boundary, FieldSource, FieldSourceError, OperatorError, SourcedField, Splitting};
 use pompeiu_surface::EmbeddedSurface;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// Split a tangent field into a gradient, a rotated gradient and a harmonic part.
 #[derive(Clone, Debug, Default, PartialEq)]

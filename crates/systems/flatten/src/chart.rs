@@ -12,10 +12,10 @@ use crate::report::Timing;
 use crate::symmetry::{SymmetryError, partners, symmetrized};
 use crate::watch::Watch;
 use crate::{FlattenError, FlattenOptions, Method};
+use pompeiu_core::run::Instant;
 use pompeiu_core::{FaceId, TriMesh};
 use pompeiu_surface::plane::{Vec2, scale};
 use pompeiu_surface::{EdgeData, EmbeddedSurface, SurfaceError};
-use std::time::Instant;
 
 /// Newton steps for a map that only decides where to cut next.
 const STEPS_BETWEEN_CUTS: usize = 12;

@@ -11,11 +11,11 @@ use crate::watch::Watch;
 use crate::{FlattenError, FlattenOptions, Method};
 use pompeiu_core::FaceId;
 use pompeiu_core::mesh::{FaceData, Precision, VertexData};
+use pompeiu_core::run::Instant;
 use pompeiu_core::run::{Control, StopReason, on_threads};
 use pompeiu_surface::plane::{Vec2, scale};
 use pompeiu_surface::{EdgeData, EdgeId, EmbeddedSurface, SurfaceMesh};
 use rayon::prelude::*;
-use std::time::Instant;
 
 /// A surface, opened and flattened.
 #[derive(Clone, Debug)]

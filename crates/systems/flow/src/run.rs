@@ -16,10 +16,10 @@ use super::{FlowError, discs, stability};
 use glam::{DMat3, DVec3};
 use pompeiu_core::TriMesh;
 use pompeiu_core::geom::Aabb;
+use pompeiu_core::run::Instant;
 use pompeiu_core::run::{Control, StopReason, on_threads};
 use pompeiu_remesh::DynamicMesh;
 use std::ops::ControlFlow;
-use std::time::Instant;
 use steps::{Done, Outcome};
 
 /// Steps to a stationary surface at most.

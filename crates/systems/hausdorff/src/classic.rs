@@ -17,12 +17,12 @@ use crate::observer::{Observer, Progress, RemainingPiece, Stage};
 use crate::report::{DirectedReport, Timing, WorkCount};
 use glam::DVec3;
 use pompeiu_core::geom::Frame;
+use pompeiu_core::run::Instant;
 use pompeiu_core::run::{Control, StopReason};
 use pompeiu_core::{FaceId, TriMesh};
 use rayon::prelude::*;
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::time::Instant;
 
 /// Which corner a triangle's upper bound is taken from.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -5,9 +5,9 @@ use crate::engine::{Farthest, Question, conclude, joint_frame};
 use crate::report::{DirectedReport, StopReason, Timing, WorkCount};
 use pompeiu_core::geom::point_triangle::{distance_sq, four_points_distances_sq};
 use pompeiu_core::geom::{Aabb, Frame};
+use pompeiu_core::run::Instant;
 use pompeiu_core::{FaceId, TriMesh};
 use rayon::prelude::*;
-use std::time::Instant;
 
 /// Faces of B that bound all of A from above.
 const FACES: usize = 16;

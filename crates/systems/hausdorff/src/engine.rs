@@ -10,10 +10,10 @@ use crate::tolerance::Tolerance;
 use pompeiu_core::geom::point_triangle::closest_barycentric;
 use pompeiu_core::geom::{Aabb, Frame};
 use pompeiu_core::run::Control;
+use pompeiu_core::run::Instant;
 use pompeiu_core::spatial::{Bvh, Slot, morton_order};
 use pompeiu_core::{FaceId, TriMesh};
 use std::ops::ControlFlow;
-use std::time::Instant;
 
 /// The options of one directed search.
 #[derive(Clone, Copy, Debug)]

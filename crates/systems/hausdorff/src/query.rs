@@ -9,8 +9,8 @@ use crate::tolerance::OptionError;
 use crate::{classic, coarse};
 use pompeiu_core::TriMesh;
 use pompeiu_core::geom::{Aabb, Frame};
+use pompeiu_core::run::Instant;
 use pompeiu_core::run::on_threads;
-use std::time::Instant;
 
 /// Encloses how far the points of A are from B: `h(A, B)`, not symmetric.
 ///

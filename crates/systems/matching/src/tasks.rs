@@ -1,12 +1,12 @@
 //! Running many tasks on this machine: limits, cancelling and progress.
 
 use pompeiu_core::TriMesh;
+use pompeiu_core::run::Instant;
 use pompeiu_core::run::{Control, Limits, StopReason};
 use pompeiu_hausdorff::{DirectedReport, HausdorffOptions, Observer, OptionError, Progress, Target};
 use std::fmt;
 use std::ops::ControlFlow;
 use std::sync::{Mutex, MutexGuard, PoisonError};
-use std::time::Instant;
 
 /// Progress of many tasks.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -2,8 +2,9 @@
 
 use crate::lock::lock_until;
 use crate::{Fit, Kerf, Like, Lock, Motion, Proof, Puzzle};
+use pompeiu_core::run::Instant;
 use pompeiu_core::run::{Control, StopReason};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// The report of a puzzle. Lengths are in the unit of its outline.
 #[derive(Clone, Debug, PartialEq)]

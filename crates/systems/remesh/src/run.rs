@@ -15,9 +15,9 @@ use super::smooth::area_vector;
 use pompeiu_core::TriMesh;
 use pompeiu_core::geom::{Aabb, Frame};
 use pompeiu_core::mesh::Rounding;
+use pompeiu_core::run::Instant;
 use pompeiu_core::run::{Control, Limits, Progress, StopReason, on_threads};
 use pompeiu_hausdorff::HausdorffOptions;
-use std::time::Instant;
 
 /// Share of the distance that tests of single faces may use; the rest covers their rounding.
 const LOCAL_SHARE: f64 = 0.9999;

@@ -6,9 +6,9 @@ use super::marked::Marked;
 use super::simplify::Run;
 use super::simplify_options::{Simplified, SimplifyError, SimplifyTarget, SimplifyTiming};
 use pompeiu_core::geom::Aabb;
+use pompeiu_core::run::Instant;
 use pompeiu_core::run::StopReason;
 use pompeiu_hausdorff::{HausdorffOptions, Tolerance};
-use std::time::Instant;
 
 /// By how much the distance grows from one pass over the edges to the next.
 const GROWTH: f64 = 1.1;

@@ -13,11 +13,11 @@ use super::simplify_options::{
 use pompeiu_core::geom::{Aabb, Frame};
 use pompeiu_core::mesh::Rounding;
 use pompeiu_core::mesh::repair::{RepairOptions, repair};
+use pompeiu_core::run::Instant;
 use pompeiu_core::run::{Control, Limits, RunContext, StopReason, on_threads};
 use pompeiu_core::spatial::bvh::Bvh;
 use pompeiu_core::{MeshError, TriMesh};
 use pompeiu_hausdorff::{HausdorffOptions, symmetric_hausdorff};
-use std::time::Instant;
 
 /// Share of the distance that the local tests may use; the rest covers their rounding.
 const LOCAL_SHARE: f64 = 0.9999;

@@ -1,7 +1,6 @@
 //! What a computation runs with: its limits, counted from one start, and who watches it.
 
-use super::{Control, Limits, ProgressObserver, on_threads};
-use std::time::Instant;
+use super::{Control, Instant, Limits, ProgressObserver, on_threads};
 
 /// What a computation runs with: threads, time, memory, cancelling and progress.
 ///

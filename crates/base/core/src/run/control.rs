@@ -1,8 +1,7 @@
 //! When to stop before the end.
 
-use super::{CancelToken, Limits, StopReason};
+use super::{CancelToken, Instant, Limits, StopReason};
 use std::sync::atomic::{AtomicU8, Ordering};
-use std::time::Instant;
 
 /// The limits of a running computation, shared by all its threads. The first reason to stop stays.
 #[derive(Debug, Default)]

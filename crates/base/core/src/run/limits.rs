@@ -1,8 +1,8 @@
 //! Limits on time, memory, pieces and threads.
 
-use super::CancelToken;
+use super::{CancelToken, Instant};
 use std::num::NonZeroUsize;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// Limits of a computation. The default sets none.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

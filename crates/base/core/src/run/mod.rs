@@ -22,6 +22,7 @@
 #[cfg(feature = "serde")]
 pub mod as_milliseconds;
 mod cancel;
+mod clock;
 mod context;
 mod control;
 mod limits;
@@ -30,6 +31,9 @@ mod stop;
 mod threads;
 
 pub use cancel::CancelToken;
+pub use clock::Instant;
+#[cfg(all(target_family = "wasm", target_os = "unknown"))]
+pub use clock::set_clock;
 pub use context::RunContext;
 pub use control::Control;
 pub use limits::{LimitError, Limits};

@@ -4,10 +4,11 @@ use super::weights::Link;
 use crate::FlattenError;
 use pompeiu_core::VertexId;
 use pompeiu_core::mesh::VertexData;
+use pompeiu_core::run::Instant;
 use pompeiu_solve::{Analysis, Cholesky, ElementPattern, FIXED, LinearSolver, Ordering, gmres};
 use pompeiu_surface::SurfaceMesh;
 use pompeiu_surface::plane::Vec2;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// Residual at which a system with asymmetric weights counts as solved, relative to the rounding of a position times the sum of the
 /// weights around it. Smaller residuals cannot be reached.

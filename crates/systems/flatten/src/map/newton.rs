@@ -5,13 +5,14 @@ use super::scaffold::Scaffold;
 use crate::FlattenError;
 use crate::check::{outline, outline_crossings};
 use crate::watch::Watch;
+use pompeiu_core::run::Instant;
 use pompeiu_solve::{
     Analysis, Cholesky, ElementPattern, FIXED, LinearSolver, Ordering, SolveError, SparseMatrix,
 };
 use pompeiu_surface::EmbeddedSurface;
 use pompeiu_surface::plane::Vec2;
 use std::sync::OnceLock;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// Stopping criteria of a minimisation.
 #[derive(Clone, Copy, Debug)]

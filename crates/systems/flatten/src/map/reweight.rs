@@ -9,10 +9,11 @@ use crate::check::flipped_faces;
 use crate::distortion::{all_singular_values, best_scale, symmetric_dirichlet};
 use crate::watch::Watch;
 use pompeiu_core::mesh::VertexData;
+use pompeiu_core::run::Instant;
 use pompeiu_core::{FaceId, VertexId};
 use pompeiu_surface::plane::Vec2;
 use pompeiu_surface::{EmbeddedSurface, Surface};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// Smallest ratio of the least to the greatest singular value of an acceptable map.
 const LEAST_RATIO: f64 = 1e-10;

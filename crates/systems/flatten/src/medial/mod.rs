@@ -15,12 +15,13 @@ pub(crate) use graph::{longest_path, spanning_tree};
 
 use pompeiu_core::TriMesh;
 use pompeiu_core::geom::{Aabb, Frame};
+use pompeiu_core::run::Instant;
 use pompeiu_core::run::{Control, Limits, StopReason, on_threads};
 use pompeiu_core::spatial::{Bvh, Winding};
 use pompeiu_surface::EmbeddedSurface;
 use sample::Sample;
 use std::num::NonZeroUsize;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// A ball.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -15,10 +15,10 @@ use crate::transport::Backtrace;
 use crate::viscosity::ViscousPower;
 use densities::Heat;
 use pompeiu_core::mesh::{FaceData, VertexData};
+use pompeiu_core::run::Instant;
 use pompeiu_operators::{FaceField, check_field};
 use pompeiu_surface::Surface;
 use pompeiu_surface::plane::norm;
-use std::time::Instant;
 use velocity::Viscous;
 
 /// Largest number of substeps of a step.

@@ -4,8 +4,9 @@ use super::simulation::{Grid, Square};
 use super::stam::Ghosts;
 use crate::FluidError;
 use crate::transport::Cells;
+use pompeiu_core::run::Instant;
 use pompeiu_solve::{Cholesky, LinearSolver, SparseMatrix};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// Largest number of substeps of a step.
 const MOST_SUBSTEPS: f64 = 100_000.0;

@@ -4,9 +4,9 @@ use super::options::{Edges, MOST_CELLS, SquareOptions, SquareScheme};
 use super::stam::{Ghosts, Stam};
 use crate::report::range;
 use crate::{FluidError, FluidStep, FluidTiming, SchemeReport, Wall};
+use pompeiu_core::run::Instant;
 use pompeiu_grid::{Lattice, Mac, MacGrid, Side};
 use pompeiu_solve::Cholesky;
-use std::time::Instant;
 
 /// A fluid in the unit square: its velocity and transported densities.
 ///

@@ -18,8 +18,9 @@ use crate::prepared::PreparedPair;
 use crate::report::{Direction, StopReason};
 use crate::tolerance::OptionError;
 use pompeiu_core::TriMesh;
+use pompeiu_core::run::Instant;
 use pompeiu_core::run::on_threads;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// Trees are not built when there is less time for each face of both meshes.
 const LEAST_TIME: Duration = Duration::from_nanos(200);

@@ -25,11 +25,12 @@ use crate::target::Target;
 use pompeiu_core::TriMesh;
 use pompeiu_core::geom::Aabb;
 use pompeiu_core::run::Control;
+use pompeiu_core::run::Instant;
 use pompeiu_core::spatial::morton_order;
 use std::ops::ControlFlow;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// Two meshes, and what they may take.
 pub(super) struct Pair<'p> {

@@ -22,12 +22,12 @@ use crate::report::{Direction, WorkCount};
 use crate::rounding::Rounding;
 use piece::{Piece, longest_edge};
 use pompeiu_core::geom::Frame;
+use pompeiu_core::run::Instant;
 use pompeiu_core::run::{Control, StopReason};
 use pompeiu_core::spatial::{Bvh, Neighbours, Slot, Workspace};
 use pompeiu_core::{FaceId, TriMesh};
 use rayon::prelude::*;
 use std::ops::ControlFlow;
-use std::time::Instant;
 use worker::{Discarded, Keep, Outcome, SlotProof, Worker};
 
 pub(crate) use worker::Found;

@@ -6,10 +6,11 @@ use pompeiu_core::TriMesh;
 use pompeiu_core::geom::Aabb;
 use pompeiu_core::mesh::{Coordinates, Rounding, transform};
 use pompeiu_core::request::{Conclusion, Limit, Report, Request};
+use pompeiu_core::run::Instant;
 use pompeiu_core::run::{Limits, RunContext, StopReason};
 use pompeiu_hausdorff::{DirectedReport, HausdorffOptions};
 use serde::{Deserialize, Serialize};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 #[cfg(feature = "clap")]
 use pompeiu_core::request::values::share;

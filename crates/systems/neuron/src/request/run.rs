@@ -7,10 +7,10 @@ use crate::{
     NeuronReport, NeuronSource, Parameters, RefineAt, RefineOptions, RunIdentity, Skeleton, SplineReport,
     Timing, Transport, TransportOptions, TransportState, neuron_flow, refined_splines,
 };
+use pompeiu_core::run::Instant;
 use pompeiu_core::run::{RunContext, StopReason};
 use pompeiu_volume::HierarchicalSplines;
 use std::path::PathBuf;
-use std::time::Instant;
 
 /// What the stages left.
 #[derive(Clone, Debug, Default)]

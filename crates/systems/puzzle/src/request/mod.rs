@@ -11,11 +11,11 @@ use crate::{
 };
 use crate::{Layout, Tab, make::make_until, report::report_until};
 use pompeiu_core::request::{Limit, Report, Request};
+use pompeiu_core::run::Instant;
 use pompeiu_core::run::{Progress, RunContext, StopReason};
 use pompeiu_planar::silhouette::SilhouetteOptions;
 use pompeiu_planar::{Outline, ShapeError, ShapeSource};
 use std::path::{Path, PathBuf};
-use std::time::Instant;
 
 #[cfg(feature = "clap")]
 use pompeiu_core::request::values;

@@ -19,13 +19,13 @@ use crate::prepared::PreparedPair;
 use crate::report::{Direction, Enclosure, StopReason};
 use glam::DVec3;
 use pompeiu_core::geom::{Aabb, Frame};
+use pompeiu_core::run::Instant;
 use pompeiu_core::run::{Control, Limits, on_threads};
 use pompeiu_core::spatial::morton_order;
 use pompeiu_core::{FaceId, TriMesh};
 use rayon::prelude::*;
 use std::ops::ControlFlow;
 use std::sync::Mutex;
-use std::time::Instant;
 
 /// Faces of a task, and tasks between two looks at the limits.
 const TASK: usize = 16;

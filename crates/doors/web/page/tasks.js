@@ -1,0 +1,100 @@
+// The tasks: their fields, the options of their requests, and the commands that do the same.
+
+const UNITS = ["", "mm", "cm", "m", "in", "um"];
+
+/** A length for the options: a number, or a number with its unit. */
+const length = (text) => (text.trim() === "" || Number.isNaN(Number(text)) ? text.trim() || null : Number(text));
+const positive = (text) => (text.trim() === "" ? null : Number(text));
+
+/** Words of a command that a shell passes on as they are. */
+function quoted(word) {
+  const text = String(word);
+  return /^[\w@%+=:,./-]+$/.test(text) ? text : `'${text.replaceAll("'", "'\\''")}'`;
+}
+
+function commandLine(words) {
+  return ["pompeiu", ...words.filter((word) => word !== null && word !== undefined)].map(quoted).join(" ");
+}
+
+/** The options of a command line from those of a request. */
+function flags(options) {
+  const words = [];
+  for (const [name, value] of Object.entries(options)) {
+    const flag = `--${(name === "bands" ? "band" : name).replaceAll("_", "-")}`;
+    if (value === true) words.push(flag);
+    else if (Array.isArray(value)) for (const one of value) words.push(flag, one);
+    else if (value !== null && value !== false && value !== "" && value !== 0) words.push(flag, value);
+  }
+  return words;
+}
+
+/** What is left when nothing was typed in is left to the defaults. */
+const given = (options) => Object.fromEntries(Object.entries(options).filter(([, value]) => value !== null && value !== "" && value !== false && !(Array.isArray(value) && value.length === 0)));
+
+const stem = (name) => name.replace(/\.gz$/i, "").replace(/\.[^.]*$/, "");
+
+const TASKS = {
+  deviation: {
+    label: "Compare",
+    files: 2,
+    fields: [
+      { name: "threshold", label: "Threshold", hint: "such as 0.1 or 0.1mm; empty: no verdict" },
+      { name: "bands", label: "Tolerance bands", hint: "such as -0.05..0.1; several with spaces" },
+      { name: "unit", label: "Unit", values: UNITS },
+      { name: "allow", label: "Allowed share", hint: "of each area, such as 0.01" },
+      { name: "align", label: "Move the scan onto the model first", check: true },
+      { name: "signed", label: "Tell inside from outside", check: true },
+    ],
+    options: (form) => given({ threshold: length(form.threshold), bands: form.bands.trim().split(/[\s;]+/).filter(Boolean), unit: form.unit, allow: positive(form.allow),
+      align: form.align ? "rigid" : null, signed: form.signed }),
+    command: (names, options) => commandLine(["deviation", ...names, ...flags(options), "--report", "deviation.html", "--pdf", "deviation.pdf"]),
+  },
+  info: {
+    label: "Describe",
+    files: 1,
+    fields: [{ name: "intersections", label: "Find faces that intersect", check: true }],
+    options: (form) => given({ intersections: form.intersections }),
+    command: (names, options) => commandLine(["info", ...names, ...flags(options)]),
+  },
+  simplify: {
+    label: "Simplify",
+    files: 1,
+    fields: [
+      { name: "within", label: "Within", hint: "largest distance, in the unit of the file; proven" },
+      { name: "faces", label: "or faces", hint: "their number; the distance follows" },
+      { name: "features", label: "Keep edges above", hint: "degrees; empty: none" },
+      { name: "repair", label: "Repair first", check: true },
+    ],
+    options: (form) => given({ within: positive(form.within), faces: positive(form.faces), features: positive(form.features), repair: form.repair }),
+    command: (names, options) => commandLine(["simplify", ...names, ...flags(options), "-o", `${stem(names[0])}-simplified.ply`]),
+  },
+  remesh: {
+    label: "Remesh",
+    files: 1,
+    fields: [
+      { name: "edge_length", label: "Edge length", hint: "in the unit of the file" },
+      { name: "within", label: "Within", hint: "largest distance, to be proven; may be empty" },
+      { name: "features", label: "Keep edges above", hint: "degrees; empty: none" },
+    ],
+    options: (form) => given({ edge_length: positive(form.edge_length), within: positive(form.within), features: positive(form.features) }),
+    command: (names, options) => commandLine(["remesh", ...names, ...flags(options), "-o", `${stem(names[0])}-remeshed.ply`]),
+  },
+  flatten: {
+    label: "Flatten",
+    files: 1,
+    fields: [],
+    options: () => ({}),
+    command: (names) => commandLine(["flatten", ...names, "-o", `${stem(names[0])}-flat.obj`, "--report", "flat.html"]),
+  },
+  repair: {
+    label: "Repair",
+    files: 1,
+    fields: [
+      { name: "weld", label: "Weld within", hint: "a length; empty: equal positions only" },
+      { name: "fill_holes", label: "Fill holes up to", hint: "edges; empty: none" },
+      { name: "within", label: "Within", hint: "largest distance, to be proven; may be empty" },
+    ],
+    options: (form) => given({ weld: positive(form.weld), fill_holes: positive(form.fill_holes), within: positive(form.within) }),
+    command: (names, options) => commandLine(["repair", ...names, `${stem(names[0])}-repaired.ply`, ...flags(options)]),
+  },
+};
