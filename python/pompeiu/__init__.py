@@ -53,6 +53,7 @@ from .fields import (
     decompose,
     field_degrees_of_freedom,
 )
+from .contacts import Contact, contact
 from .coupling import Coupled, couple
 from .files import Info, info, mesh_summary, read_options, write_mesh
 from .flattening import Cut, Flattening, Medial, Straightened, cut, flatten, medial, straighten
@@ -92,6 +93,7 @@ __all__ = [
     "Certified",
     "DEFAULT_TOLERANCE",
     "Complexity",
+    "Contact",
     "Coupled",
     "Cut",
     "DegreesOfFreedom",
@@ -163,6 +165,7 @@ __all__ = [
     "align",
     "as_mesh",
     "complexity",
+    "contact",
     "couple",
     "cut",
     "decompose",

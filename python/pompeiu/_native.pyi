@@ -43,6 +43,14 @@ def couple(
     progress: Optional[Callable[[float], Optional[bool]]],
 ) -> tuple[str, NDArray[np.float64], NDArray[np.float64]]: ...
 
+def contact(
+    given: Sequence[Any],
+    options: str,
+    limits: _Limits,
+    progress: Optional[Callable[[float], Optional[bool]]],
+    on_step: Callable[[str, NDArray[np.float64], NDArray[np.float64]], Optional[bool]],
+) -> tuple[str, dict[str, Any]]: ...
+
 class PuzzleDrawings:
     def draw(self, what: str, suffix: str, pull: float, image: Optional[bytes]) -> Optional[bytes]: ...
 

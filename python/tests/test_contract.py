@@ -13,6 +13,7 @@ from interrupting import ends_by_interrupt
 CALLS = {
     "align": ("dense.obj turned.obj", ["dense.obj", "turned.obj"], "overlap = 0.9\nmeasure = false\n"),
     "complexity": ("shapes", ["shapes"], 'rank_by = "boundary-25"\nfeatures = ["convexity"]\nclusters = 2\n'),
+    "contact": ("crash.toml", ["crash.toml"], 'steps = 2\ndt = 0.02\npairs = "plain"\ncheck = "last"\n'),
     "couple": ("tube.toml", ["tube.toml"], 'windows = 3\nscheme = "two-models"\nextrapolate = 1\n'),
     "cut": ("dense.obj", ["dense.obj"], 'strategy = "tips"\navoid_curvature = 0.5\n'),
     "decompose": ("dense.obj", ["dense.obj"], 'field = "gradient:x*y"\nsplitting = "dual"\nboundary = "normal"\n'),
@@ -61,6 +62,7 @@ def run(repository, tmp_path_factory):
     run("generate polyline --order angle --points 9 -o shapes/a.svg")
     run("generate noisy-circle --radius 8 -o shapes/b.svg")
     (folder / "tube.toml").write_text("kind = 'tube'\nwindows = 4\n[tube]\nsegments = 20\n")
+    (folder / "crash.toml").write_text("kind = 'collision'\ncells = 1\n")
     (folder / "rod.swc").write_text("1 2 0 0 0 1 -1\n2 2 12 0 0 1 1\n")
     run.folder = folder
     return run
@@ -155,6 +157,7 @@ LONG = {
     "align": "ball = pompeiu.shapes.icosphere(1.0, 7)|pompeiu.align(ball, ball)",
     "complexity": "import numpy as np; t = np.linspace(0, 6.28, 40000); shapes = [np.stack([np.cos(t) * (9 + np.sin(k * t)), np.sin(t)], 1) for k in range(99)]"
     "|pompeiu.complexity(shapes)",
+    "contact": "pass|pompeiu.contact('rod-twist', steps=5000)",
     "couple": "open('long.toml', 'w').write(\"kind = 'box'\\nwindows = 5000\\n\")|pompeiu.couple('long.toml')",
     "cut": "torus = pompeiu.shapes.torus(2.0, 1.0, 800, 400)|pompeiu.cut(torus)",
     "decompose": "torus = pompeiu.shapes.torus(2.0, 1.0, 500, 250)|pompeiu.decompose(torus, field='rotation:z')",

@@ -76,6 +76,7 @@ COMMANDS = {
         "fluid rough.obj --vorticity x*y --steps 2 --dt 0.05 --scheme any-step",
         "fluid --square 12 --lid 1 --viscosity 0.01 --steps 2 --dt 0.1",
     ],
+    "contact": ["contact collision --steps 2", "contact incline --steps 3 --check never", "contact stack --time-limit 0s"],
     "couple": ["couple tube.toml", "couple tube.toml --compare", "couple tube.toml --scheme fixed"],
     "simplify": [
         "simplify rough.obj -o simple.ply --within 0.1",

@@ -10,6 +10,7 @@ use crate::puzzle::PuzzleDrawings;
 use crate::wait::{self, Share, Told, Watch};
 use numpy::IntoPyArray;
 use pompeiu::complexity::{ComplexityRequest, NamedShape};
+use pompeiu::contact::ContactRequest;
 use pompeiu::core::TriMesh;
 use pompeiu::core::mesh::{Coordinates, Rounding};
 use pompeiu::core::request::{Answer, InfoRequest, Input, Limit, Request, Timing};
@@ -58,22 +59,32 @@ pub(crate) enum Given {
     Outline(String, Vec<[f64; 2]>),
     /// A neuron.
     Neuron(NeuronSource),
-    /// The file of a scene.
+    /// The file of a scene, or a name.
     Scene(PathBuf),
+    /// A scene as JSON.
+    SceneText(String),
+    /// Vertices and tetrahedra.
+    Tetrahedra(Vec<[f64; 3]>, Vec<[u32; 4]>),
 }
 
 impl Given {
-    /// A mesh, a name with a mesh, a path or corners, the file or the bytes of a neuron, or the file of a scene alone in
-    /// a tuple.
+    /// A mesh, a name with a mesh, a path or corners, the file or the bytes of a neuron, the file of a scene alone in a tuple, its JSON
+    /// alone in a tuple in a tuple, or a name with vertices and tetrahedra.
     fn new(object: &Bound<'_, PyAny>) -> PyResult<Self> {
         if let Ok(mesh) = object.cast::<Mesh>() {
             return Ok(Self::Mesh(mesh.clone().unbind()));
+        }
+        if let Ok(((text,),)) = object.extract::<((String,),)>() {
+            return Ok(Self::SceneText(text));
         }
         if let Ok((path,)) = object.extract::<(PathBuf,)>() {
             return Ok(Self::Scene(path));
         }
         if !object.is_instance_of::<PyTuple>() {
             return Ok(Self::Neuron(neuron::source(object)?));
+        }
+        if let Ok((_, vertices, cells)) = object.extract::<(String, Bound<'_, PyAny>, Vec<[u32; 4]>)>() {
+            return Ok(Self::Tetrahedra(vectors::<3>(&vertices, "vertices", "(n, 3)")?, cells));
         }
         let (name, source): (String, Bound<'_, PyAny>) = object.extract()?;
         if let Ok(mesh) = source.cast::<Mesh>() {
@@ -110,7 +121,8 @@ impl Given {
                 Input { path: Some(path.display().to_string()), ..Input::default() }
             }
             Self::Outline(_, corners) => Input { vertices: corners.len(), ..Input::default() },
-            Self::Neuron(_) => Input::default(),
+            Self::Tetrahedra(vertices, _) => Input { vertices: vertices.len(), ..Input::default() },
+            Self::Neuron(_) | Self::SceneText(_) => Input::default(),
         }
     }
 }
@@ -250,6 +262,7 @@ systems!(
     AlignedDeviationRequest,
     AlignedDistanceRequest,
     ComplexityRequest,
+    ContactRequest,
     CoupleRequest,
     CutRequest,
     DecomposeRequest,

@@ -1,6 +1,8 @@
 //! Errors of the library as exceptions of the package, with the library's own sentences.
 
 use pompeiu::complexity::{ComplexityError, ComplexityRequestError, RankingError};
+use pompeiu::contact::request::CheckpointError as ContactCheckpointError;
+use pompeiu::contact::{ContactError, ContactRequestError};
 use pompeiu::core::MeshError;
 use pompeiu::core::mesh::repair::RepairError;
 use pompeiu::core::mesh::shapes::ShapeError;
@@ -75,6 +77,7 @@ raise_as! {
     ArrayError => MeshError,
     AttributeError => WriteError,
     ComplexityError => OptionError,
+    ContactError => OptionError,
     DeviationRequestError => OptionError,
     FigureError => OptionError,
     CouplingError => OptionError,
@@ -226,6 +229,32 @@ impl Raise for UnreadableFile {
         match self.error.kind() {
             ErrorKind::NotFound => classes::MissingFileError::new_err(sentence),
             _ => classes::ReadError::new_err(sentence),
+        }
+    }
+}
+
+impl Raise for ContactCheckpointError {
+    fn exception(&self, sentence: String) -> PyErr {
+        match self {
+            Self::Syntax(_) => classes::ReadError::new_err(sentence),
+            _ => classes::OptionError::new_err(sentence),
+        }
+    }
+}
+
+impl Raise for ContactRequestError {
+    fn exception(&self, sentence: String) -> PyErr {
+        match self {
+            Self::File { error, .. } if error.kind() == ErrorKind::NotFound => {
+                classes::MissingFileError::new_err(sentence)
+            }
+            Self::NoScene { .. } => classes::MissingFileError::new_err(sentence),
+            Self::File { .. } | Self::Large { .. } | Self::Syntax { .. } => {
+                classes::ReadError::new_err(sentence)
+            }
+            Self::Mesh(error) => error.exception(sentence),
+            Self::Checkpoint(error) => error.exception(sentence),
+            _ => classes::OptionError::new_err(sentence),
         }
     }
 }

@@ -7,6 +7,7 @@ mod arrays;
 mod ask;
 mod certificate;
 mod complexity;
+mod contact;
 mod couple;
 mod errors;
 mod fields;
@@ -34,6 +35,8 @@ mod _native {
     use crate::certificate::{verify_certificate, write_certificate};
     #[pymodule_export]
     use crate::complexity::{k_medoids, noisy_circle, polyline, read_outlines};
+    #[pymodule_export]
+    use crate::contact::contact;
     #[pymodule_export]
     use crate::couple::couple;
     #[pymodule_export]

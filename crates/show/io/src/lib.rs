@@ -19,12 +19,12 @@ mod face_vectors;
 mod format;
 mod formats;
 mod groups;
-mod hexahedra;
 mod loops;
 mod polygon;
 mod raw;
 mod read;
 mod sniff;
+mod solids;
 mod source;
 mod text;
 mod waves;
@@ -36,9 +36,11 @@ pub use error::{FormatError, Location, ReadError};
 pub use face_vectors::read_face_vectors;
 pub use format::Format;
 pub use groups::Group;
-pub use hexahedra::{Hexahedra, read_hexahedra};
 pub use loops::read_loops;
 pub use read::{ReadMesh, read, read_bytes, read_bytes_of, read_mesh, referenced_files};
+pub use solids::{
+    Hexahedra, Solids, SurfaceOrSolid, Tetrahedra, read_hexahedra, read_surface_or_solid, read_tetrahedra,
+};
 pub use write::{
     AttributeError, Attributes, EncodeError, OutputFormat, WriteError, encode, write, write_as, write_stream,
     write_whole, write_with,

@@ -312,6 +312,14 @@ impl Bodies {
         Ok(())
     }
 
+    /// Keeps vertices where they are.
+    ///
+    /// # Panics
+    /// If there are no such vertices.
+    pub fn fix(&mut self, range: Range<usize>) {
+        self.is_fixed[range].fill(true);
+    }
+
     /// Gives vertices a velocity.
     ///
     /// # Panics

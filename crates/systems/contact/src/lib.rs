@@ -50,9 +50,14 @@ mod dense;
 pub mod distance;
 mod elastic;
 mod error;
+mod objective;
 mod options;
 mod report;
+#[cfg(feature = "serde")]
+pub mod request;
 pub mod shapes;
+#[cfg(feature = "figures")]
+pub mod show;
 mod simulation;
 mod surface;
 
@@ -61,5 +66,7 @@ pub use contact::{Contact, Curvature};
 pub use distance::Kind;
 pub use error::ContactError;
 pub use options::{Check, ContactOptions, Integrator, PairSet, Projection};
-pub use report::ContactStep;
+pub use report::{ContactStep, ContactTiming};
+#[cfg(feature = "serde")]
+pub use request::{ContactReport, ContactRequest, ContactRequestError, Scene};
 pub use simulation::{ContactState, Simulation};

@@ -5,16 +5,18 @@
 //! friction D lagged; implicit Euler has `β = h`, `x̃ = x + h v + h² g`.
 
 use crate::ccd::time_of_impact;
-use crate::contact::{Contact, Curvature, Slide, Support, active};
+use crate::contact::{Contact, Slide, Support, active};
+use crate::objective::{Objective, elastic_energy};
+use crate::report::since;
 use crate::surface::{Candidates, Surface};
 use crate::{
-    Bodies, Check, ContactError, ContactOptions, ContactStep, Handle, Integrator, Obstacle, PairSet,
+    Bodies, Check, ContactError, ContactOptions, ContactStep, ContactTiming, Integrator, Obstacle, PairSet,
 };
 use glam::DVec3;
 use pompeiu_core::TriMesh;
 use pompeiu_core::spatial::self_intersections;
-use pompeiu_solve::{Cholesky, LinearSolver, SparseMatrix};
 use rayon::prelude::*;
+use std::time::Instant;
 
 /// Pairs that are named when a start intersects.
 const NAMED: usize = 100;
@@ -24,12 +26,6 @@ const TOO_CLOSE: f64 = 0.1;
 
 /// How much stiffer than at the start barriers may become.
 const MOST_STIFFENING: f64 = 1000.0;
-
-/// The part of the decrease that the gradient promises, and a step must keep (Armijo).
-const KEPT: f64 = 1e-4;
-
-/// Halvings of a step at most.
-const MOST_HALVINGS: usize = 60;
 
 /// `−2 d b'(d²)` at half the distance of contact, in units of its cube.
 const FORCE_AT_HALF: f64 = 4.33;
@@ -45,26 +41,28 @@ const FORCE_AT_HALF: f64 = 4.33;
 /// `li_incremental_2020`.
 #[derive(Debug)]
 pub struct Simulation {
-    bodies: Bodies,
+    pub(crate) bodies: Bodies,
     surface: Surface,
-    options: ContactOptions,
+    pub(crate) options: ContactOptions,
     rest: Vec<DVec3>,
     x: Vec<DVec3>,
     v: Vec<DVec3>,
     /// Positions and velocities a step earlier, for BDF2.
     before: Option<(Vec<DVec3>, Vec<DVec3>)>,
     /// The unknown of each vertex; none where it is fixed.
-    unknowns: Vec<Option<u32>>,
+    pub(crate) unknowns: Vec<Option<u32>>,
     /// How much edges count in this step; none where all pairs count.
     edge_weights: Option<Vec<f64>>,
     stiffness: f64,
     first_stiffness: f64,
     time: f64,
     steps: usize,
+    timing: ContactTiming,
 }
 
 /// The state between two steps, from which another simulation of the same bodies goes on bit for bit.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ContactState {
     /// Steps so far.
     pub steps: usize,
@@ -78,18 +76,6 @@ pub struct ContactState {
     pub before: Option<[Vec<[f64; 3]>; 2]>,
     /// The stiffness of barriers.
     pub stiffness: f64,
-}
-
-/// What a step minimises.
-struct Objective<'a> {
-    simulation: &'a Simulation,
-    predicted: Vec<DVec3>,
-    /// β.
-    step: f64,
-    start: &'a [DVec3],
-    slides: Vec<Slide>,
-    targets: Vec<DVec3>,
-    stiffness: f64,
 }
 
 impl Simulation {
@@ -130,6 +116,7 @@ impl Simulation {
             first_stiffness: stiffness,
             time: 0.0,
             steps: 0,
+            timing: ContactTiming::default(),
             surface,
             bodies,
             options,
@@ -169,6 +156,31 @@ impl Simulation {
     /// The options.
     pub fn options(&self) -> &ContactOptions {
         &self.options
+    }
+
+    /// The bodies as they were given.
+    pub fn bodies(&self) -> &Bodies {
+        &self.bodies
+    }
+
+    /// Time by the clock that the steps of this simulation took.
+    pub fn timing(&self) -> ContactTiming {
+        self.timing
+    }
+
+    /// The sum of the momenta of what moves.
+    fn momentum(&self) -> DVec3 {
+        self.moving().map(|i| self.v[i] * self.bodies.mass[i]).sum()
+    }
+
+    /// The sum of the forces of gravity on what moves.
+    pub fn weight(&self) -> DVec3 {
+        self.options.gravity * self.moving().map(|i| self.bodies.mass[i]).sum::<f64>()
+    }
+
+    /// Vertices that can move.
+    fn moving(&self) -> impl Iterator<Item = usize> {
+        (0..self.x.len()).filter(|&i| self.unknowns[i].is_some())
     }
 
     /// The positions of all vertices.
@@ -262,7 +274,7 @@ impl Simulation {
     }
 
     /// Pairs and supports closer than the distance of contact.
-    fn contacts(&self, x: &[DVec3], candidates: &Candidates) -> (Vec<Contact>, Vec<Support>) {
+    pub(crate) fn contacts(&self, x: &[DVec3], candidates: &Candidates) -> (Vec<Contact>, Vec<Support>) {
         let d = self.options.distance;
         let contacts = active(&self.surface, candidates, x, &self.rest, d, self.edge_weights.as_deref());
         let mut supports = Vec::new();
@@ -325,23 +337,34 @@ impl Simulation {
             stiffness: self.stiffness,
         };
         let mut x = self.x.clone();
+        let mut timing = self.timing;
         let mut report = ContactStep { least_part: 1.0, ..ContactStep::default() };
         let mut converged = None;
         for iteration in 0..self.options.most_iterations {
             let active = self.contacts(&x, &candidates);
+            let started = Instant::now();
             let (p, slope) = objective.newton(&x, &active)?;
+            timing.newton += since(started);
             let speed = p.iter().map(|p| p.abs().max_element()).fold(0.0, f64::max) / step;
             if speed <= self.options.tolerance {
                 report.iterations = iteration + 1;
                 converged = Some((x.clone(), active));
                 break;
             }
+            let started = Instant::now();
             candidates = self.candidates(&x, Some(&p));
+            timing.search += since(started);
+            let started = Instant::now();
             let free = self.free_part(&x, &p, &candidates);
+            timing.collision_detection += since(started);
+            report.moving_pairs += candidates.point_face.len() + candidates.edge_edge.len();
             if free < report.least_part {
                 report.least_part = free;
             }
-            let Some(next) = objective.line_search(&x, &p, slope, free, &candidates) else {
+            let started = Instant::now();
+            let found = objective.line_search(&x, &p, slope, free, &candidates);
+            timing.line_search += since(started);
+            let Some(next) = found else {
                 // Rounding of the energy is all that is left of the decrease.
                 let limit = 10.0 * self.options.tolerance;
                 if speed <= limit {
@@ -373,6 +396,7 @@ impl Simulation {
         report.least_gap = Self::least_gap(&x, &active);
         report.pairs = active.0.len() + active.1.len();
         let stiffness = objective.stiffness;
+        self.timing = timing;
         self.accept(x, step, stiffness, report)
     }
 
@@ -391,7 +415,9 @@ impl Simulation {
         let v: Vec<DVec3> = (0..x.len()).map(|i| (x[i] - base(i)) / step).collect();
         let old = (std::mem::replace(&mut self.x, x), std::mem::replace(&mut self.v, v));
         if self.options.check == Check::Every {
+            let started = Instant::now();
             let found = self_intersections(&self.mesh()?, NAMED);
+            self.timing.exact_test += since(started);
             if let Some(pair) = found.pairs.first() {
                 let pair = *pair;
                 (self.x, self.v) = old;
@@ -403,14 +429,35 @@ impl Simulation {
         self.stiffness = stiffness;
         self.steps += 1;
         self.time += self.options.time_step;
-        report.time = self.time;
-        let mass = &self.bodies.mass;
-        let moving = || (0..self.x.len()).filter(|&i| self.unknowns[i].is_some());
-        report.momentum = moving().map(|i| self.v[i] * mass[i]).sum::<DVec3>().to_array();
-        report.angular_momentum =
-            moving().map(|i| self.x[i].cross(self.v[i]) * mass[i]).sum::<DVec3>().to_array();
-        report.kinetic_energy = moving().map(|i| 0.5 * mass[i] * self.v[i].length_squared()).sum();
+        self.measure_into(&mut report);
         Ok(report)
+    }
+
+    /// What can be measured of the bodies as they are.
+    pub fn measure(&self) -> ContactStep {
+        let active = self.contacts(&self.x, &self.candidates(&self.x, None));
+        let mut report = ContactStep {
+            pairs: active.0.len() + active.1.len(),
+            least_gap: Self::least_gap(&self.x, &active),
+            stiffness: self.stiffness,
+            least_part: 1.0,
+            ..ContactStep::default()
+        };
+        self.measure_into(&mut report);
+        report
+    }
+
+    /// Time, momenta and energies.
+    fn measure_into(&self, report: &mut ContactStep) {
+        let mass = &self.bodies.mass;
+        report.time = self.time;
+        report.momentum = self.momentum().to_array();
+        report.angular_momentum =
+            self.moving().map(|i| self.x[i].cross(self.v[i]) * mass[i]).sum::<DVec3>().to_array();
+        report.kinetic_energy = self.moving().map(|i| 0.5 * mass[i] * self.v[i].length_squared()).sum();
+        report.elastic_energy = elastic_energy(&self.bodies, &self.x).iter().sum();
+        let fallen = self.moving().map(|i| mass[i] * (self.x[i] - self.rest[i]).dot(self.options.gravity));
+        report.potential_energy = -fallen.sum::<f64>();
     }
 
     /// The least distance of pairs that push.
@@ -468,233 +515,6 @@ fn free_time(obstacle: &Obstacle, x: DVec3, p: DVec3) -> f64 {
                 left = obstacle.distance(x + p * time).0;
             }
             time
-        }
-    }
-}
-
-/// The matrix of an element with its vertices.
-struct Element {
-    vertices: [u32; 4],
-    count: usize,
-    gradient: [DVec3; 4],
-    curvature: Curvature,
-}
-
-impl Objective<'_> {
-    fn energy(&self, x: &[DVec3], (contacts, supports): &(Vec<Contact>, Vec<Support>)) -> f64 {
-        let Simulation { bodies, options, unknowns, .. } = self.simulation;
-        let (d, squared) = (options.distance, self.step * self.step);
-        let add = |a: f64, b: f64| a + b;
-        let inertia: f64 = (0..x.len())
-            .filter(|&i| unknowns[i].is_some())
-            .map(|i| 0.5 * bodies.mass[i] * (x[i] - self.predicted[i]).length_squared())
-            .sum();
-        let springs: f64 = bodies
-            .handles
-            .iter()
-            .zip(&self.targets)
-            .map(|(handle, target)| {
-                let v = handle.vertex as usize;
-                0.5 * Handle::STIFFNESS * bodies.mass[v] * (x[v] - *target).length_squared()
-            })
-            .sum();
-        // Terms are computed in parallel and added in order.
-        let sum = |terms: Vec<f64>| terms.into_iter().fold(0.0, add);
-        let solid =
-            sum(bodies.tetrahedra.par_iter().map(|t| t.energy(&t.vertices.map(|v| x[v as usize]))).collect());
-        let cloth =
-            sum(bodies.membranes.par_iter().map(|t| t.energy(&t.vertices.map(|v| x[v as usize]))).collect());
-        let bend =
-            sum(bodies.hinges.par_iter().map(|t| t.energy(&t.vertices.map(|v| x[v as usize]))).collect());
-        let pairs = sum(contacts.par_iter().map(|contact| contact.energy(x, d)).collect());
-        let support: f64 = supports.iter().map(|support| support.energy(x, d)).sum();
-        let moved = self.moved(x);
-        let epsilon = self.epsilon();
-        let slides = sum(self.slides.par_iter().map(|slide| slide.energy(&moved, epsilon)).collect());
-        inertia + squared * (springs + solid + cloth + bend + self.stiffness * (pairs + support) + slides)
-    }
-
-    /// The distance below which surfaces stick.
-    fn epsilon(&self) -> f64 {
-        self.simulation.options.sticking_speed * self.simulation.options.time_step
-    }
-
-    fn moved(&self, x: &[DVec3]) -> Vec<DVec3> {
-        if self.slides.is_empty() {
-            return Vec::new();
-        }
-        x.iter().zip(self.start).map(|(x, start)| *x - *start).collect()
-    }
-
-    /// The force of barriers of what is fixed on what moves.
-    fn support(&self, x: &[DVec3], (contacts, supports): &(Vec<Contact>, Vec<Support>)) -> DVec3 {
-        let Simulation { options, unknowns, .. } = self.simulation;
-        let is_free = |v: u32| unknowns[v as usize].is_some();
-        let mut force = DVec3::ZERO;
-        for contact in contacts.iter().filter(|c| !c.vertices.iter().all(|&v| is_free(v))) {
-            let (gradient, _) = contact.derivatives(x, options.distance, crate::Projection::Normal);
-            for (v, g) in contact.vertices.iter().zip(gradient) {
-                if is_free(*v) {
-                    force -= g * self.stiffness;
-                }
-            }
-        }
-        for support in supports {
-            force -= support.derivatives(x, options.distance).0 * self.stiffness;
-        }
-        force
-    }
-
-    /// Elements with gradients and positive semi-definite second derivatives, in order.
-    fn elements(&self, x: &[DVec3], (contacts, supports): &(Vec<Contact>, Vec<Support>)) -> Vec<Element> {
-        let Simulation { bodies, options, .. } = self.simulation;
-        let squared = self.step * self.step;
-        let kappa = squared * self.stiffness;
-        let mut elements = Vec::new();
-        let full = |block: &dyn Fn(usize, usize) -> f64, scale: f64| {
-            Curvature::Full(Box::new(std::array::from_fn(|i| std::array::from_fn(|j| scale * block(i, j)))))
-        };
-        elements.par_extend(bodies.tetrahedra.par_iter().map(|t| {
-            let (gradient, hessian) = t.derivatives(&t.vertices.map(|v| x[v as usize]));
-            let curvature = full(&|i, j| hessian[i][j], squared);
-            Element { vertices: t.vertices, count: 4, gradient: gradient.map(|g| g * squared), curvature }
-        }));
-        elements.par_extend(bodies.membranes.par_iter().map(|t| {
-            let (gradient, hessian) = t.derivatives(&t.vertices.map(|v| x[v as usize]));
-            let [a, b, c] = t.vertices;
-            let curvature = full(&|i, j| if i < 9 && j < 9 { hessian[i][j] } else { 0.0 }, squared);
-            let [p, q, r] = gradient.map(|g| g * squared);
-            Element { vertices: [a, b, c, a], count: 3, gradient: [p, q, r, DVec3::ZERO], curvature }
-        }));
-        elements.par_extend(bodies.hinges.par_iter().map(|t| {
-            let (gradient, angle, factor) = t.derivatives(&t.vertices.map(|v| x[v as usize]));
-            let curvature = Curvature::Rank1(factor * squared, angle);
-            Element { vertices: t.vertices, count: 4, gradient: gradient.map(|g| g * squared), curvature }
-        }));
-        elements.par_extend(contacts.par_iter().map(|contact| {
-            let (gradient, curvature) = contact.derivatives(x, options.distance, options.projection);
-            let curvature = match curvature {
-                Curvature::Rank1(factor, vector) => Curvature::Rank1(factor * kappa, vector),
-                Curvature::Full(entries) => full(&|i, j| entries[i][j], kappa),
-            };
-            let count = match contact.kind {
-                crate::Kind::PointTriangle | crate::Kind::EdgeEdge => 4,
-                crate::Kind::PointEdge => 3,
-                crate::Kind::PointPoint => 2,
-            };
-            Element { vertices: contact.vertices, count, gradient: gradient.map(|g| g * kappa), curvature }
-        }));
-        elements.extend(supports.iter().map(|support| {
-            let (gradient, normal, along) = support.derivatives(x, options.distance);
-            let mut vector = [0.0; 12];
-            vector[..3].copy_from_slice(&normal.to_array());
-            let z = DVec3::ZERO;
-            let gradient = [gradient * kappa, z, z, z];
-            let vertices = [support.vertex; 4];
-            Element { vertices, count: 1, gradient, curvature: Curvature::Rank1(along * kappa, vector) }
-        }));
-        let (moved, epsilon) = (self.moved(x), self.epsilon());
-        elements.par_extend(self.slides.par_iter().map(|slide| {
-            let (gradient, hessian) = slide.derivatives(&moved, epsilon);
-            let curvature = full(&|i, j| hessian[i][j], squared);
-            let gradient = gradient.map(|g| g * squared);
-            Element { vertices: slide.vertices(), count: 4, gradient, curvature }
-        }));
-        elements
-    }
-
-    /// A Newton step for all vertices, and the slope of the objective along it.
-    fn newton(
-        &self,
-        x: &[DVec3],
-        active: &(Vec<Contact>, Vec<Support>),
-    ) -> Result<(Vec<DVec3>, f64), ContactError> {
-        let Simulation { bodies, unknowns, .. } = self.simulation;
-        let count = 3 * unknowns.iter().flatten().count();
-        let (mut gradient, mut diagonal) = (vec![0.0; count], vec![0.0; count]);
-        let mut add = |v: usize, g: DVec3, stiffness: f64| {
-            if let Some(unknown) = unknowns[v] {
-                for k in 0..3 {
-                    gradient[3 * unknown as usize + k] += g[k];
-                    diagonal[3 * unknown as usize + k] += stiffness;
-                }
-            }
-        };
-        for v in 0..x.len() {
-            add(v, (x[v] - self.predicted[v]) * bodies.mass[v], bodies.mass[v]);
-        }
-        let squared = self.step * self.step;
-        for (handle, target) in bodies.handles.iter().zip(&self.targets) {
-            let v = handle.vertex as usize;
-            let stiffness = squared * Handle::STIFFNESS * bodies.mass[v];
-            add(v, (x[v] - *target) * stiffness, stiffness);
-        }
-        let elements = self.elements(x, active);
-        for element in &elements {
-            for k in 0..element.count {
-                add(element.vertices[k] as usize, element.gradient[k], 0.0);
-            }
-        }
-        let mut triplets: Vec<(usize, usize, f64)> =
-            diagonal.iter().enumerate().map(|(i, value)| (i, i, *value)).collect();
-        for element in &elements {
-            element.append(unknowns, &mut triplets);
-        }
-        let matrix = SparseMatrix::from_triplets(count, count, &triplets)?;
-        let mut step: Vec<f64> = gradient.iter().map(|g| -g).collect();
-        Cholesky::new(&matrix)?.solve_in_place(&mut step)?;
-        let slope = step.iter().zip(&gradient).map(|(p, g)| p * g).sum();
-        let of = |unknown: &Option<u32>| {
-            unknown.map_or(DVec3::ZERO, |u| DVec3::from_slice(&step[3 * u as usize..3 * u as usize + 3]))
-        };
-        Ok((unknowns.iter().map(of).collect(), slope))
-    }
-
-    /// The first of a step and its halves that lowers the objective enough.
-    fn line_search(
-        &self,
-        x: &[DVec3],
-        p: &[DVec3],
-        slope: f64,
-        free: f64,
-        candidates: &Candidates,
-    ) -> Option<Vec<DVec3>> {
-        let simulation = self.simulation;
-        let start = self.energy(x, &simulation.contacts(x, candidates));
-        let mut part = free;
-        for _ in 0..MOST_HALVINGS {
-            let next: Vec<DVec3> = x.iter().zip(p).map(|(x, p)| *x + *p * part).collect();
-            let energy = self.energy(&next, &simulation.contacts(&next, candidates));
-            if energy <= start + KEPT * part * slope {
-                return Some(next);
-            }
-            part *= 0.5;
-        }
-        None
-    }
-}
-
-impl Element {
-    /// Adds the lower triangle of its entries.
-    fn append(&self, unknowns: &[Option<u32>], triplets: &mut Vec<(usize, usize, f64)>) {
-        for i in 0..self.count {
-            let Some(row) = unknowns[self.vertices[i] as usize] else { continue };
-            for j in 0..self.count {
-                let Some(column) = unknowns[self.vertices[j] as usize] else { continue };
-                for a in 0..3 {
-                    for b in 0..3 {
-                        let (r, c) = (3 * row as usize + a, 3 * column as usize + b);
-                        if r < c {
-                            continue;
-                        }
-                        let value = match &self.curvature {
-                            Curvature::Rank1(factor, v) => factor * v[3 * i + a] * v[3 * j + b],
-                            Curvature::Full(entries) => entries[3 * i + a][3 * j + b],
-                        };
-                        triplets.push((r, c, value));
-                    }
-                }
-            }
         }
     }
 }

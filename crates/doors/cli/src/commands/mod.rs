@@ -5,6 +5,7 @@
 mod align;
 mod completions;
 mod complexity;
+mod contact;
 mod convert;
 mod couple;
 mod cut;
@@ -69,6 +70,7 @@ commands! {
     flow::Flow: system,
     fluid::Fluid: system,
     couple::Couple: system,
+    contact::Contact: system,
     flatten::Flatten: system,
     cut::Cut: system,
     medial::Medial: system,

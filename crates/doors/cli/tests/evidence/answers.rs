@@ -1018,3 +1018,106 @@ fn fluid_flows_in_the_square_too() {
         assert!(wrong.status.code() == Some(2) && stderr.contains(said), "{arguments}: {stderr}");
     }
 }
+
+#[test]
+fn contact_moves_bodies_and_certifies_every_step() {
+    let folder = Folder::new();
+    folder.write("crash.toml", "kind = 'collision'\ncells = 1\nspeed = 4\n");
+    let report = json(
+        &folder,
+        "contact crash.toml --steps 4 --dt 0.01 -o run.pvd --every 2 --video run.html --report same.html --json",
+    );
+    assert_eq!(report["certificate"], serde_json::json!({ "steps": 4, "tested": 4, "intersecting": 0 }));
+    assert_eq!(report["steps"].as_array().unwrap().len(), 4);
+    // The momentum is that of the start.
+    let momentum = |value: &Value| value["momentum"][0].as_f64().unwrap();
+    let moved = momentum(&report["steps"][3]) - momentum(&report["start"]);
+    assert!(moved.abs() < 1e-13 * 1000.0 * 4.0 * 2.0, "{moved}");
+    let list = std::fs::read_to_string(folder.path().join("run.pvd")).unwrap();
+    assert_eq!(list.matches("<DataSet").count(), 3);
+    let step = json(&folder, "info run/step-00004.vtp --intersections --json");
+    assert_eq!((&step["vertices"], &step["self_intersections"]["count"]), (&16.into(), &0.into()), "{step}");
+    let page = |name: &str| std::fs::read_to_string(folder.path().join(name)).unwrap();
+    assert!(page("run.html") == page("same.html") && page("run.html").contains("Newton steps"));
+
+    let last = json(&folder, "contact crash.toml --steps 2 --check last --json");
+    assert_eq!(last["certificate"]["tested"], 1);
+    let (code, answer, _) = folder.transcript("contact crash.toml --steps 2 --check never");
+    assert!(code == Some(0) && answer.contains("not tested after the start"), "{answer}");
+    let (code, answer, _) = folder.transcript("contact crash.toml --steps 2 --tolerance 1e-300");
+    assert!(code == Some(3) && answer.contains("Newton's method stopped"), "{answer}");
+}
+
+#[test]
+fn contact_takes_meshes_and_refuses_what_cannot_be_simulated() {
+    let folder = Folder::new();
+    folder.ok("generate icosphere --subdivisions 1 -o ball.obj");
+    folder.write("one.vtk", ONE_TETRAHEDRON);
+    folder.write("floor.toml", "[[obstacle]]\nnormal = [0, 0, 1]\n[[body]]\nmove = [0, 0, 1.1]\n");
+    let report = json(&folder, "contact floor.toml ball.obj one.vtk --steps 1 --gravity 0,0,0 --json");
+    assert_eq!(
+        (&report["bodies"], &report["tetrahedra"], &report["vertices"]),
+        (&2.into(), &1.into(), &46.into())
+    );
+    folder.write("two.toml", "[[body]]\n[[body]]\nmove = [0.5, 0, 0]\n");
+    folder.write("wrong.toml", "kind = 'drape'\nturns = 2\n");
+    folder.write("typo.toml", "kind = 'drape'\nfricton = 2\n");
+    folder.write("solid.toml", "[[body]]\nkind = 'solid'\n");
+    folder.write("thin.toml", "[[body]]\nkind = 'shell'\n");
+    folder.write("held.toml", "[[body]]\n[[handle]]\nlow = [9, 9, 9]\n");
+    for (arguments, words) in [
+        (
+            "contact missing.toml",
+            "there is no scene `missing.toml`: expected a file or one of incline, stack",
+        ),
+        ("contact two.toml ball.obj ball.obj", "of body 1 and face"),
+        ("contact two.toml ball.obj", "body 2 has no mesh"),
+        ("contact floor.toml", "body 1 has no mesh"),
+        ("contact drape ball.obj", "the scene drape has bodies of its own"),
+        ("contact wrong.toml", "`turns` is not for a scene of drape"),
+        ("contact typo.toml", "did you mean `friction`?"),
+        ("contact solid.toml ball.obj", "fill it with tetrahedra first"),
+        ("contact thin.toml one.vtk", "name the mesh of its surface"),
+        ("contact held.toml ball.obj", "has no vertex in its box"),
+        ("contact stack --distance 0", "the distance of contact is 0"),
+        ("contact stack -o run.vtu", "give it the suffix .pvd"),
+    ] {
+        let (code, _, message) = folder.transcript(arguments);
+        assert!(code == Some(2) && message.contains(words), "{arguments}: {message}");
+    }
+}
+
+#[test]
+fn contact_goes_on_from_a_checkpoint_bit_for_bit() {
+    let folder = Folder::new();
+    folder.write("crash.toml", "kind = 'collision'\ncells = 1\nspeed = 4\n");
+    for integrator in ["euler", "bdf2"] {
+        let run = format!("contact crash.toml --dt 0.01 --integrator {integrator}");
+        let whole = json(&folder, &format!("{run} --steps 4 --json"));
+        json(&folder, &format!("{run} --steps 2 --checkpoint half.json --json"));
+        let rest = json(&folder, &format!("{run} --steps 4 --resume half.json --json"));
+        assert_eq!(whole["steps"], rest["steps"]);
+        for (arguments, words) in [
+            (format!("{run} --steps 4 --friction 0.1 --resume half.json"), "written with another `friction`"),
+            (format!("{run} --steps 1 --resume half.json"), "2 steps are done already and --steps is 1"),
+            ("contact stack --resume half.json".to_owned(), "is of other bodies"),
+            ("contact stack --resume crash.toml".to_owned(), "no checkpoint"),
+        ] {
+            let (code, _, message) = folder.transcript(&arguments);
+            assert!(code == Some(2) && message.contains(words), "{arguments}: {message}");
+        }
+    }
+}
+
+const ONE_TETRAHEDRON: &str = "# vtk DataFile Version 3.0
+one
+ASCII
+DATASET UNSTRUCTURED_GRID
+POINTS 4 double
+0 0 5  1 0 5  0 1 5  0 0 6
+CELLS 2 9
+4 0 2 1 3
+3 0 1 2
+CELL_TYPES 2
+10 5
+";

@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 const NO_ANSWER: [&str; 5] = ["completions", "convert", "generate", "help", "man"];
 
 /// A call of each system, with options and the same as a file.
-const CALLS: [(&str, &str, &str, &str); 20] = [
+const CALLS: [(&str, &str, &str, &str); 21] = [
     (
         "align",
         "dense.obj turned.obj",
@@ -51,6 +51,12 @@ trace = true
         "tube.toml",
         "--windows 3 --scheme two-models --extrapolate 1",
         "windows = 3\nscheme = \"two-models\"\nextrapolate = 1\n",
+    ),
+    (
+        "contact",
+        "crash.toml",
+        "--steps 2 --dt 0.02 --pairs plain --check last --gravity 0,0,-1",
+        "steps = 2\ndt = 0.02\npairs = \"plain\"\ncheck = \"last\"\ngravity = [0, 0, -1]\n",
     ),
     (
         "neuron",
@@ -143,6 +149,7 @@ fn folder() -> Folder {
     folder.ok("generate torus --major-segments 48 --minor-segments 32 -o dense.obj");
     std::fs::create_dir(folder.path().join("shapes")).unwrap();
     folder.write("tube.toml", "kind = 'tube'\nwindows = 4\n[tube]\nsegments = 20\n");
+    folder.write("crash.toml", "kind = 'collision'\ncells = 1\n");
     folder.write("rod.swc", "1 2 0 0 0 1 -1\n2 2 12 0 0 1 1\n");
     folder.ok("generate polyline --order angle --points 9 -o shapes/a.svg");
     folder.ok("generate noisy-circle --radius 8 -o shapes/b.svg");

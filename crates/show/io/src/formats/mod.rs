@@ -11,8 +11,8 @@ mod vtk;
 use crate::appearance::Appearance;
 use crate::error::FormatError;
 use crate::format::Format;
-use crate::hexahedra::Hexahedra;
 use crate::raw::RawMesh;
+use crate::solids::Solids;
 use pompeiu_core::TriMesh;
 use std::path::{Path, PathBuf};
 
@@ -49,14 +49,14 @@ pub(crate) fn referenced_files(format: Format, input: Input<'_>) -> Vec<PathBuf>
     }
 }
 
-/// Reads the hexahedra of `input`; `None` if the format has none.
-pub(crate) fn read_hexahedra(
+/// Reads the solid cells of `input`; `None` if the format has none.
+pub(crate) fn read_solids<const N: usize>(
     format: Option<Format>,
     input: Input<'_>,
-) -> Option<Result<Hexahedra, FormatError>> {
+) -> Option<Result<Solids<N>, FormatError>> {
     match format {
-        Some(Format::VtkLegacy) => Some(vtk::read_legacy_hexahedra(input.bytes)),
-        Some(Format::Vtu) => Some(vtk::read_hexahedra(input)),
+        Some(Format::VtkLegacy) => Some(vtk::read_legacy_solids(input.bytes)),
+        Some(Format::Vtu) => Some(vtk::read_solids(input)),
         _ => None,
     }
 }

@@ -3,8 +3,8 @@
 use super::cells::{self, CellArray, CellKind};
 use super::numbers::{ByteOrder, NumberType};
 use crate::error::{FormatError, Location};
-use crate::hexahedra::Hexahedra;
 use crate::raw::RawMesh;
+use crate::solids::Solids;
 use crate::text::{self, Problem, quoted};
 
 pub(crate) fn read(bytes: &[u8]) -> Result<RawMesh, FormatError> {
@@ -31,8 +31,8 @@ pub(crate) fn read(bytes: &[u8]) -> Result<RawMesh, FormatError> {
     Ok(raw)
 }
 
-/// Reads the hexahedra of an unstructured grid, and the point data named `label`.
-pub(crate) fn read_hexahedra(bytes: &[u8]) -> Result<Hexahedra, FormatError> {
+/// Reads the solid cells of an unstructured grid, and the point data named `label`.
+pub(crate) fn read_solids<const N: usize>(bytes: &[u8]) -> Result<Solids<N>, FormatError> {
     let mut scanner = Scanner { bytes, at: 0, binary: false, last: Vec::new() };
     let read = |scanner: &mut Scanner<'_>| {
         let parts = read_parts(scanner)?;
@@ -45,7 +45,7 @@ pub(crate) fn read_hexahedra(bytes: &[u8]) -> Result<Hexahedra, FormatError> {
         let problem = "found POLYDATA, expected an unstructured grid";
         return Err(FormatError::new(Location::File, problem));
     };
-    let mut grid = Hexahedra { positions: parts.positions, labels, ..Hexahedra::default() };
+    let mut grid = Solids { positions: parts.positions, labels, ..Solids::default() };
     for (_, array) in &parts.arrays {
         if types.len() != array.ends.len() {
             let problem = format!("{} cell types for {} cells", types.len(), array.ends.len());

@@ -7,5 +7,5 @@ mod numbers;
 mod stream;
 mod xml;
 
-pub(super) use legacy::{read as read_legacy, read_hexahedra as read_legacy_hexahedra};
-pub(super) use xml::{read_cell_vectors, read_hexahedra, read_poly_data, read_unstructured_grid};
+pub(super) use legacy::{read as read_legacy, read_solids as read_legacy_solids};
+pub(super) use xml::{read_cell_vectors, read_poly_data, read_solids, read_unstructured_grid};

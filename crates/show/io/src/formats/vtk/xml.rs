@@ -7,8 +7,8 @@ use super::stream::{Packing, Stream};
 use crate::error::{FormatError, Location};
 use crate::expansion::Allowance;
 use crate::formats::Input;
-use crate::hexahedra::Hexahedra;
 use crate::raw::RawMesh;
+use crate::solids::Solids;
 use crate::text::line_of;
 use memchr::memmem;
 use roxmltree::{Document, Node};
@@ -50,9 +50,9 @@ pub(crate) fn read_unstructured_grid(input: Input<'_>) -> Result<RawMesh, Format
     })
 }
 
-/// Reads the hexahedra of an `UnstructuredGrid`, and the labels of its points.
-pub(crate) fn read_hexahedra(input: Input<'_>) -> Result<Hexahedra, FormatError> {
-    read(input, "UnstructuredGrid", |file, piece, grid: &mut Hexahedra| {
+/// Reads the solid cells of an `UnstructuredGrid`, and the labels of its points.
+pub(crate) fn read_solids<const N: usize>(input: Input<'_>) -> Result<Solids<N>, FormatError> {
+    read(input, "UnstructuredGrid", |file, piece, grid: &mut Solids<N>| {
         let base = grid.positions.len();
         grid.positions.extend(file.points(piece)?);
         cells::check_point_count(grid.positions.len())?;

@@ -5,6 +5,7 @@ mod face_vectors;
 mod gltf;
 mod hostile;
 mod round_trip;
+mod solids;
 mod vtk;
 
 use pompeiu_core::TriMesh;

@@ -1,0 +1,115 @@
+//! What a run leaves in files: a series for ParaView, checkpoints, a page.
+
+use super::Files;
+use crate::called::called;
+use crate::files;
+use crate::printer::Printer;
+use crate::series::Series;
+use pompeiu::contact::request::{Checkpoint, ContactRun};
+use pompeiu::contact::show::{ContactFrame, ContactPage, most_frames};
+use pompeiu::contact::{ContactStep, Simulation};
+use pompeiu::io::{Attributes, write_with};
+use std::ops::ControlFlow;
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+/// How long a run may be that is lost at most, where a checkpoint is asked for.
+const BETWEEN_CHECKPOINTS: Duration = Duration::from_mins(1);
+
+pub(super) struct Outputs<'f> {
+    files: &'f Files,
+    printer: &'f Printer,
+    series: Option<Series>,
+    frames: Vec<ContactFrame>,
+    /// Steps from one frame to the next.
+    stride: usize,
+    saved: Instant,
+    /// Why a checkpoint could not be written.
+    error: Option<anyhow::Error>,
+}
+
+impl<'f> Outputs<'f> {
+    pub(super) fn new(files: &'f Files, printer: &'f Printer, series: Option<Series>) -> Self {
+        let (frames, saved) = (Vec::new(), Instant::now());
+        Self { files, printer, series, frames, stride: 1, saved, error: None }
+    }
+
+    /// Takes the bodies over as they are after a step.
+    pub(super) fn add(&mut self, simulation: &Simulation, steps: &[ContactStep]) -> ControlFlow<()> {
+        let done = steps.len();
+        self.keep_frame(simulation);
+        let series = self.series.as_ref().filter(|_| done.is_multiple_of(self.files.every.get()));
+        if let Some(series) = series {
+            series.add(done, simulation.time(), |path| write_step(simulation, path))?;
+        }
+        if self.saved.elapsed() >= BETWEEN_CHECKPOINTS {
+            self.saved = Instant::now();
+            if let Err(error) = self.save(simulation, steps) {
+                self.error = Some(error);
+                return ControlFlow::Break(());
+            }
+        }
+        ControlFlow::Continue(())
+    }
+
+    /// Writes what is left at the end, whatever ended the run.
+    pub(super) fn finish(mut self, run: &ContactRun) -> anyhow::Result<()> {
+        if let Some(series) = self.series.take() {
+            series.finish(self.printer)?;
+        }
+        self.error.take().map_or(Ok(()), Err)?;
+        self.save(&run.simulation, &run.report.steps)?;
+        let pages: Vec<&Path> =
+            self.files.video.iter().chain(&self.files.report).map(AsRef::as_ref).collect();
+        if pages.is_empty() {
+            return Ok(());
+        }
+        let gravity = run.simulation.options().gravity;
+        let page = ContactPage {
+            name: &run.report.scene,
+            bodies: run.simulation.bodies(),
+            distance: run.report.scheme.distance,
+            start: &run.report.start,
+            steps: &run.report.steps,
+            frames: &self.frames,
+            certificate: &run.report.certificate.sentence(),
+            up: if gravity.length() > 0.0 { (-gravity.normalize()).to_array() } else { [0.0, 0.0, 1.0] },
+            command: Some(&called()),
+        };
+        let html = page.html()?;
+        pages.into_iter().try_for_each(|path| files::write_whole(path, html.as_bytes(), self.printer))
+    }
+
+    /// Keeps frames so far apart that there are never too many; the last one is always there.
+    fn keep_frame(&mut self, simulation: &Simulation) {
+        if self.files.video.is_none() && self.files.report.is_none() {
+            return;
+        }
+        if self.frames.last().is_some_and(|last| !last.step.is_multiple_of(self.stride)) {
+            self.frames.pop();
+        }
+        if self.frames.len() >= most_frames(simulation.positions().len()) {
+            self.stride *= 2;
+            let stride = self.stride;
+            self.frames.retain(|frame| frame.step.is_multiple_of(stride));
+        }
+        self.frames.push(ContactFrame::new(simulation));
+    }
+
+    fn save(&self, simulation: &Simulation, steps: &[ContactStep]) -> anyhow::Result<()> {
+        let Some(path) = &self.files.checkpoint else { return Ok(()) };
+        let checkpoint = Checkpoint::new(simulation, steps)?;
+        files::write_whole(path, &checkpoint.to_bytes()?, self.printer)
+    }
+}
+
+/// Writes the surfaces as they are, with velocities.
+fn write_step(simulation: &Simulation, path: &Path) -> anyhow::Result<()> {
+    let mesh = simulation.mesh()?;
+    let [x, y, z] = [0, 1, 2].map(|k| simulation.velocities().iter().map(|v| v[k]).collect());
+    let attributes = Attributes::for_mesh(&mesh)
+        .with_vertex_scalar("velocity_along_x", x)?
+        .with_vertex_scalar("velocity_along_y", y)?
+        .with_vertex_scalar("velocity_along_z", z)?;
+    Ok(write_with(path, &mesh, &attributes)?)
+}

@@ -1,0 +1,137 @@
+//! Meshes of solid cells, hexahedra or tetrahedra, read from a file.
+
+use crate::error::{FormatError, Location, ReadError};
+use crate::format::Format;
+use crate::formats::{self, Input};
+use crate::{ReadMesh, read, sniff, source};
+use std::path::Path;
+
+/// The solid cells of a file, of `N` corners each; only the indices are checked.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solids<const N: usize> {
+    /// Places of vertices.
+    pub positions: Vec<[f64; 3]>,
+    /// Cells by their corners in the order of VTK.
+    pub cells: Vec<[u32; N]>,
+    /// The point data named `label`, if there is any.
+    pub labels: Option<Vec<f64>>,
+}
+
+/// Hexahedra: four vertices around the bottom, counter-clockwise seen from above, and the four above them.
+pub type Hexahedra = Solids<8>;
+
+/// Tetrahedra: three vertices counter-clockwise seen from the fourth one.
+pub type Tetrahedra = Solids<4>;
+
+/// What a file holds: a surface or a solid.
+#[derive(Clone, Debug)]
+pub enum SurfaceOrSolid {
+    /// Faces.
+    Surface(ReadMesh),
+    /// Tetrahedra.
+    Solid(Tetrahedra),
+}
+
+/// Reads a hexahedral mesh: the hexahedra and voxels of a VTK unstructured grid, `.vtk` or `.vtu`, compressed with gzip or not.
+/// Cells of lower dimension are omitted.
+///
+/// # Errors
+/// [`ReadError`] names the file, the place, what was found and what was expected; also for solids of other types.
+pub fn read_hexahedra(path: impl AsRef<Path>) -> Result<Hexahedra, ReadError> {
+    read_solids(path.as_ref())
+}
+
+/// Reads a tetrahedral mesh: the tetrahedra of a VTK unstructured grid, `.vtk` or `.vtu`, compressed with gzip or not.
+/// Cells of lower dimension are omitted.
+///
+/// # Errors
+/// [`ReadError`] names the file, the place, what was found and what was expected; also for solids of other types.
+pub fn read_tetrahedra(path: impl AsRef<Path>) -> Result<Tetrahedra, ReadError> {
+    read_solids(path.as_ref())
+}
+
+/// Reads tetrahedra where a VTK unstructured grid has some, else a surface in any of the formats.
+///
+/// # Errors
+/// [`ReadError`], as for [`read`](crate::read).
+pub fn read_surface_or_solid(path: impl AsRef<Path>) -> Result<SurfaceOrSolid, ReadError> {
+    let path = path.as_ref();
+    match read_tetrahedra(path) {
+        Ok(solid) if !solid.cells.is_empty() => Ok(SurfaceOrSolid::Solid(solid)),
+        _ => read(path).map(SurfaceOrSolid::Surface),
+    }
+}
+
+fn read_solids<const N: usize>(path: &Path) -> Result<Solids<N>, ReadError> {
+    let bytes = source::open(path).map_err(|cause| ReadError::Io { path: path.to_owned(), cause })?;
+    from_bytes(&bytes).map_err(|cause| ReadError::Format { path: path.to_owned(), cause })
+}
+
+fn from_bytes<const N: usize>(bytes: &[u8]) -> Result<Solids<N>, FormatError> {
+    let (content, _) = source::decompressed(bytes)?;
+    let format = sniff::format(&content);
+    let input = Input { bytes: &content, folder: None, stored_bytes: bytes.len() as u64 };
+    formats::read_solids(format, input).unwrap_or_else(|| {
+        let name = format.map_or("?", Format::suffix).to_uppercase();
+        let problem = format!("found a {name} file, expected an unstructured grid in VTK or VTU");
+        Err(FormatError::new(Location::File, problem))
+    })
+}
+
+/// The corners of a cell of a type of VTK in the order of VTK's cell with so many corners; none for other cells.
+fn order(corners: usize, kind: u64) -> Option<&'static [usize]> {
+    Some(match (corners, kind) {
+        (4, 10) => &[0, 1, 2, 3],
+        // Voxels have their corners in lexicographic order.
+        (8, 11) => &[0, 1, 3, 2, 4, 5, 7, 6],
+        (8, 12) => &[0, 1, 2, 3, 4, 5, 6, 7],
+        _ => return None,
+    })
+}
+
+impl<const N: usize> Default for Solids<N> {
+    fn default() -> Self {
+        Self { positions: Vec::new(), cells: Vec::new(), labels: None }
+    }
+}
+
+impl<const N: usize> Solids<N> {
+    /// What its cells are called, for sentences: one, and many with their number in VTK.
+    const NAMES: [&'static str; 2] =
+        if N == 4 { ["tetrahedron", "tetrahedra (10)"] } else { ["hexahedron", "hexahedra (12)"] };
+
+    /// Adds the solid cells of a list; corners are relative to the points from `base` on.
+    pub(crate) fn add(
+        &mut self,
+        base: usize,
+        (corners, ends): (&[u64], &[u64]),
+        types: &[u64],
+    ) -> Result<(), FormatError> {
+        let points = (self.positions.len() - base) as u64;
+        let [name, names] = Self::NAMES;
+        let mut begin = 0;
+        for (cell, (&end, &kind)) in ends.iter().zip(types).enumerate() {
+            let wrong = |problem: String| FormatError::new(Location::Face(cell as u64), problem);
+            let list =
+                usize::try_from(end).ok().and_then(|end| corners.get(begin..end)).ok_or_else(|| {
+                    wrong(format!("its corners end at {end}, expected {begin} to {}", corners.len()))
+                })?;
+            begin += list.len();
+            if kind <= 9 {
+                continue;
+            }
+            let order = order(N, kind)
+                .ok_or_else(|| wrong(format!("a cell of VTK's type {kind}, expected {names}")))?;
+            let list: [u64; N] = list
+                .try_into()
+                .map_err(|_| wrong(format!("a {name} with {} corners, expected {N}", list.len())))?;
+            if let Some(corner) = list.iter().find(|corner| **corner >= points) {
+                return Err(wrong(format!(
+                    "corner {corner}, but there are {points} points (the first is 0)"
+                )));
+            }
+            self.cells.push(std::array::from_fn(|k| (list[order[k]] + base as u64) as u32));
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,260 @@
+//! What a step minimises: its energy, its gradient, and a positive semi-definite approximation of its second derivatives.
+
+use crate::contact::{Contact, Curvature, Slide, Support};
+use crate::surface::Candidates;
+use crate::{Bodies, ContactError, Handle, Simulation};
+use glam::DVec3;
+use pompeiu_solve::{Cholesky, LinearSolver, SparseMatrix};
+use rayon::prelude::*;
+
+/// The part of the decrease that the gradient promises, and a step must keep (Armijo).
+const KEPT: f64 = 1e-4;
+
+/// Halvings of a step at most.
+const MOST_HALVINGS: usize = 60;
+
+/// What a step minimises.
+pub(crate) struct Objective<'a> {
+    pub(crate) simulation: &'a Simulation,
+    pub(crate) predicted: Vec<DVec3>,
+    /// β.
+    pub(crate) step: f64,
+    pub(crate) start: &'a [DVec3],
+    pub(crate) slides: Vec<Slide>,
+    pub(crate) targets: Vec<DVec3>,
+    pub(crate) stiffness: f64,
+}
+
+/// The sum of terms that are computed in parallel, added in order.
+fn sum(terms: Vec<f64>) -> f64 {
+    terms.into_iter().fold(0.0, |a, b| a + b)
+}
+
+/// The elastic energy of positions of bodies.
+pub(crate) fn elastic_energy(bodies: &Bodies, x: &[DVec3]) -> [f64; 3] {
+    let solid =
+        sum(bodies.tetrahedra.par_iter().map(|t| t.energy(&t.vertices.map(|v| x[v as usize]))).collect());
+    let cloth =
+        sum(bodies.membranes.par_iter().map(|t| t.energy(&t.vertices.map(|v| x[v as usize]))).collect());
+    let bend = sum(bodies.hinges.par_iter().map(|t| t.energy(&t.vertices.map(|v| x[v as usize]))).collect());
+    [solid, cloth, bend]
+}
+
+/// The matrix of an element with its vertices.
+struct Element {
+    vertices: [u32; 4],
+    count: usize,
+    gradient: [DVec3; 4],
+    curvature: Curvature,
+}
+
+impl Objective<'_> {
+    fn energy(&self, x: &[DVec3], (contacts, supports): &(Vec<Contact>, Vec<Support>)) -> f64 {
+        let Simulation { bodies, options, unknowns, .. } = self.simulation;
+        let (d, squared) = (options.distance, self.step * self.step);
+        let inertia: f64 = (0..x.len())
+            .filter(|&i| unknowns[i].is_some())
+            .map(|i| 0.5 * bodies.mass[i] * (x[i] - self.predicted[i]).length_squared())
+            .sum();
+        let springs: f64 = bodies
+            .handles
+            .iter()
+            .zip(&self.targets)
+            .map(|(handle, target)| {
+                let v = handle.vertex as usize;
+                0.5 * Handle::STIFFNESS * bodies.mass[v] * (x[v] - *target).length_squared()
+            })
+            .sum();
+        let [solid, cloth, bend] = elastic_energy(bodies, x);
+        let pairs = sum(contacts.par_iter().map(|contact| contact.energy(x, d)).collect());
+        let support: f64 = supports.iter().map(|support| support.energy(x, d)).sum();
+        let moved = self.moved(x);
+        let epsilon = self.epsilon();
+        let slides = sum(self.slides.par_iter().map(|slide| slide.energy(&moved, epsilon)).collect());
+        inertia + squared * (springs + solid + cloth + bend + self.stiffness * (pairs + support) + slides)
+    }
+
+    /// The distance below which surfaces stick.
+    fn epsilon(&self) -> f64 {
+        self.simulation.options.sticking_speed * self.simulation.options.time_step
+    }
+
+    fn moved(&self, x: &[DVec3]) -> Vec<DVec3> {
+        if self.slides.is_empty() {
+            return Vec::new();
+        }
+        x.iter().zip(self.start).map(|(x, start)| *x - *start).collect()
+    }
+
+    /// The force of barriers of what is fixed on what moves.
+    pub(crate) fn support(&self, x: &[DVec3], (contacts, supports): &(Vec<Contact>, Vec<Support>)) -> DVec3 {
+        let Simulation { options, unknowns, .. } = self.simulation;
+        let is_free = |v: u32| unknowns[v as usize].is_some();
+        let mut force = DVec3::ZERO;
+        for contact in contacts.iter().filter(|c| !c.vertices.iter().all(|&v| is_free(v))) {
+            let (gradient, _) = contact.derivatives(x, options.distance, crate::Projection::Normal);
+            for (v, g) in contact.vertices.iter().zip(gradient) {
+                if is_free(*v) {
+                    force -= g * self.stiffness;
+                }
+            }
+        }
+        for support in supports {
+            force -= support.derivatives(x, options.distance).0 * self.stiffness;
+        }
+        force
+    }
+
+    /// Elements with gradients and positive semi-definite second derivatives, in order.
+    fn elements(&self, x: &[DVec3], (contacts, supports): &(Vec<Contact>, Vec<Support>)) -> Vec<Element> {
+        let Simulation { bodies, options, .. } = self.simulation;
+        let squared = self.step * self.step;
+        let kappa = squared * self.stiffness;
+        let mut elements = Vec::new();
+        let full = |block: &dyn Fn(usize, usize) -> f64, scale: f64| {
+            Curvature::Full(Box::new(std::array::from_fn(|i| std::array::from_fn(|j| scale * block(i, j)))))
+        };
+        elements.par_extend(bodies.tetrahedra.par_iter().map(|t| {
+            let (gradient, hessian) = t.derivatives(&t.vertices.map(|v| x[v as usize]));
+            let curvature = full(&|i, j| hessian[i][j], squared);
+            Element { vertices: t.vertices, count: 4, gradient: gradient.map(|g| g * squared), curvature }
+        }));
+        elements.par_extend(bodies.membranes.par_iter().map(|t| {
+            let (gradient, hessian) = t.derivatives(&t.vertices.map(|v| x[v as usize]));
+            let [a, b, c] = t.vertices;
+            let curvature = full(&|i, j| if i < 9 && j < 9 { hessian[i][j] } else { 0.0 }, squared);
+            let [p, q, r] = gradient.map(|g| g * squared);
+            Element { vertices: [a, b, c, a], count: 3, gradient: [p, q, r, DVec3::ZERO], curvature }
+        }));
+        elements.par_extend(bodies.hinges.par_iter().map(|t| {
+            let (gradient, angle, factor) = t.derivatives(&t.vertices.map(|v| x[v as usize]));
+            let curvature = Curvature::Rank1(factor * squared, angle);
+            Element { vertices: t.vertices, count: 4, gradient: gradient.map(|g| g * squared), curvature }
+        }));
+        elements.par_extend(contacts.par_iter().map(|contact| {
+            let (gradient, curvature) = contact.derivatives(x, options.distance, options.projection);
+            let curvature = match curvature {
+                Curvature::Rank1(factor, vector) => Curvature::Rank1(factor * kappa, vector),
+                Curvature::Full(entries) => full(&|i, j| entries[i][j], kappa),
+            };
+            let count = match contact.kind {
+                crate::Kind::PointTriangle | crate::Kind::EdgeEdge => 4,
+                crate::Kind::PointEdge => 3,
+                crate::Kind::PointPoint => 2,
+            };
+            Element { vertices: contact.vertices, count, gradient: gradient.map(|g| g * kappa), curvature }
+        }));
+        elements.extend(supports.iter().map(|support| {
+            let (gradient, normal, along) = support.derivatives(x, options.distance);
+            let mut vector = [0.0; 12];
+            vector[..3].copy_from_slice(&normal.to_array());
+            let z = DVec3::ZERO;
+            let gradient = [gradient * kappa, z, z, z];
+            let vertices = [support.vertex; 4];
+            Element { vertices, count: 1, gradient, curvature: Curvature::Rank1(along * kappa, vector) }
+        }));
+        let (moved, epsilon) = (self.moved(x), self.epsilon());
+        elements.par_extend(self.slides.par_iter().map(|slide| {
+            let (gradient, hessian) = slide.derivatives(&moved, epsilon);
+            let curvature = full(&|i, j| hessian[i][j], squared);
+            let gradient = gradient.map(|g| g * squared);
+            Element { vertices: slide.vertices(), count: 4, gradient, curvature }
+        }));
+        elements
+    }
+
+    /// A Newton step for all vertices, and the slope of the objective along it.
+    pub(crate) fn newton(
+        &self,
+        x: &[DVec3],
+        active: &(Vec<Contact>, Vec<Support>),
+    ) -> Result<(Vec<DVec3>, f64), ContactError> {
+        let Simulation { bodies, unknowns, .. } = self.simulation;
+        let count = 3 * unknowns.iter().flatten().count();
+        let (mut gradient, mut diagonal) = (vec![0.0; count], vec![0.0; count]);
+        let mut add = |v: usize, g: DVec3, stiffness: f64| {
+            if let Some(unknown) = unknowns[v] {
+                for k in 0..3 {
+                    gradient[3 * unknown as usize + k] += g[k];
+                    diagonal[3 * unknown as usize + k] += stiffness;
+                }
+            }
+        };
+        for v in 0..x.len() {
+            add(v, (x[v] - self.predicted[v]) * bodies.mass[v], bodies.mass[v]);
+        }
+        let squared = self.step * self.step;
+        for (handle, target) in bodies.handles.iter().zip(&self.targets) {
+            let v = handle.vertex as usize;
+            let stiffness = squared * Handle::STIFFNESS * bodies.mass[v];
+            add(v, (x[v] - *target) * stiffness, stiffness);
+        }
+        let elements = self.elements(x, active);
+        for element in &elements {
+            for k in 0..element.count {
+                add(element.vertices[k] as usize, element.gradient[k], 0.0);
+            }
+        }
+        let mut triplets: Vec<(usize, usize, f64)> =
+            diagonal.iter().enumerate().map(|(i, value)| (i, i, *value)).collect();
+        for element in &elements {
+            element.append(unknowns, &mut triplets);
+        }
+        let matrix = SparseMatrix::from_triplets(count, count, &triplets)?;
+        let mut step: Vec<f64> = gradient.iter().map(|g| -g).collect();
+        Cholesky::new(&matrix)?.solve_in_place(&mut step)?;
+        let slope = step.iter().zip(&gradient).map(|(p, g)| p * g).sum();
+        let of = |unknown: &Option<u32>| {
+            unknown.map_or(DVec3::ZERO, |u| DVec3::from_slice(&step[3 * u as usize..3 * u as usize + 3]))
+        };
+        Ok((unknowns.iter().map(of).collect(), slope))
+    }
+
+    /// The first of a step and its halves that lowers the objective enough.
+    pub(crate) fn line_search(
+        &self,
+        x: &[DVec3],
+        p: &[DVec3],
+        slope: f64,
+        free: f64,
+        candidates: &Candidates,
+    ) -> Option<Vec<DVec3>> {
+        let simulation = self.simulation;
+        let start = self.energy(x, &simulation.contacts(x, candidates));
+        let mut part = free;
+        for _ in 0..MOST_HALVINGS {
+            let next: Vec<DVec3> = x.iter().zip(p).map(|(x, p)| *x + *p * part).collect();
+            let energy = self.energy(&next, &simulation.contacts(&next, candidates));
+            if energy <= start + KEPT * part * slope {
+                return Some(next);
+            }
+            part *= 0.5;
+        }
+        None
+    }
+}
+
+impl Element {
+    /// Adds the lower triangle of its entries.
+    fn append(&self, unknowns: &[Option<u32>], triplets: &mut Vec<(usize, usize, f64)>) {
+        for i in 0..self.count {
+            let Some(row) = unknowns[self.vertices[i] as usize] else { continue };
+            for j in 0..self.count {
+                let Some(column) = unknowns[self.vertices[j] as usize] else { continue };
+                for a in 0..3 {
+                    for b in 0..3 {
+                        let (r, c) = (3 * row as usize + a, 3 * column as usize + b);
+                        if r < c {
+                            continue;
+                        }
+                        let value = match &self.curvature {
+                            Curvature::Rank1(factor, v) => factor * v[3 * i + a] * v[3 * j + b],
+                            Curvature::Full(entries) => entries[3 * i + a][3 * j + b],
+                        };
+                        triplets.push((r, c, value));
+                    }
+                }
+            }
+        }
+    }
+}

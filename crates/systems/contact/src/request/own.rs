@@ -1,0 +1,250 @@
+//! Bodies of meshes that are given.
+
+use super::{ContactRequestError, Scene};
+use crate::bodies::HandleMotion;
+use crate::{Bodies, ContactError, Handle, Material, Obstacle};
+use glam::DVec3;
+use pompeiu_core::TriMesh;
+use serde::Deserialize;
+use std::f64::consts::TAU;
+use std::ops::Range;
+use std::path::PathBuf;
+
+/// The mesh of a body.
+#[derive(Clone, Debug)]
+pub enum BodyMesh {
+    /// A surface, for shells and what stays where it is.
+    Surface(TriMesh),
+    /// Tetrahedra, for solids.
+    Tetrahedra {
+        /// Places of vertices.
+        positions: Vec<[f64; 3]>,
+        /// Four vertices each, in any order.
+        cells: Vec<[u32; 4]>,
+    },
+}
+
+/// What a body is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum BodyKind {
+    /// Elastic tetrahedra.
+    Solid,
+    /// Cloth or a shell.
+    Shell,
+    /// A surface that stays where it is.
+    Fixed,
+}
+
+/// A material; what is not given is a default.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize)]
+#[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
+pub(super) struct MaterialTable {
+    pub(super) young: Option<f64>,
+    pub(super) poisson: Option<f64>,
+    pub(super) density: Option<f64>,
+    pub(super) thickness: Option<f64>,
+}
+
+#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
+pub(super) struct BodyTable {
+    pub(super) mesh: Option<PathBuf>,
+    kind: Option<BodyKind>,
+    material: Option<MaterialTable>,
+    scale: Option<f64>,
+    r#move: Option<[f64; 3]>,
+    velocity: Option<[f64; 3]>,
+}
+
+#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
+pub(super) struct ObstacleTable {
+    normal: Option<[f64; 3]>,
+    through: Option<[f64; 3]>,
+    centre: Option<[f64; 3]>,
+    radius: Option<f64>,
+}
+
+#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
+pub(super) struct HandleTable {
+    /// Number of the body, from 1.
+    body: Option<usize>,
+    /// The least and the greatest corner of a box whose vertices are held.
+    low: Option<[f64; 3]>,
+    high: Option<[f64; 3]>,
+    velocity: Option<[f64; 3]>,
+    about: Option<[f64; 3]>,
+    through: Option<[f64; 3]>,
+    /// Turns in a unit of time.
+    turns: Option<f64>,
+}
+
+/// A material with what is given in place of a default.
+pub(super) fn material_of(given: MaterialTable, default: Material) -> Material {
+    Material {
+        young: given.young.unwrap_or(default.young),
+        poisson: given.poisson.unwrap_or(default.poisson),
+        density: given.density.unwrap_or(default.density),
+    }
+}
+
+/// Rubber, where nothing is said of a solid.
+const SOLID: Material = Material { young: 1e6, poisson: 0.4, density: 1000.0 };
+
+/// Cloth, where nothing is said of a shell.
+const SHELL: Material = Material { young: 1e5, poisson: 0.3, density: 300.0 };
+
+/// The thickness of a shell in parts of its extent.
+const THICKNESS: f64 = 1e-3;
+
+/// The bodies of a scene, and the first face of each.
+pub(super) fn build(scene: &Scene, meshes: &[BodyMesh]) -> Result<(Bodies, Vec<usize>), ContactRequestError> {
+    if meshes.is_empty() {
+        return Err(ContactRequestError::NoBodies);
+    }
+    let mut bodies = Bodies::new();
+    let (mut ranges, mut first_faces) = (Vec::new(), Vec::new());
+    let default = BodyTable::default();
+    for (i, mesh) in meshes.iter().enumerate() {
+        first_faces.push(bodies.faces().len());
+        let table = scene.body.get(i).unwrap_or(&default);
+        let given = merged(table.material.unwrap_or_default(), scene.material.unwrap_or_default());
+        ranges.push(add(&mut bodies, mesh, table, given, i + 1)?);
+    }
+    for (i, table) in scene.obstacle.iter().enumerate() {
+        let body_error = |error| ContactRequestError::Body { body: i + 1, error };
+        bodies.add_obstacle(table.obstacle(i + 1)?).map_err(body_error)?;
+    }
+    for (i, table) in scene.handle.iter().enumerate() {
+        hold(&mut bodies, table, &ranges, i + 1)?;
+    }
+    Ok((bodies, first_faces))
+}
+
+fn merged(first: MaterialTable, second: MaterialTable) -> MaterialTable {
+    MaterialTable {
+        young: first.young.or(second.young),
+        poisson: first.poisson.or(second.poisson),
+        density: first.density.or(second.density),
+        thickness: first.thickness.or(second.thickness),
+    }
+}
+
+/// Adds a body; its number counts from 1.
+fn add(
+    bodies: &mut Bodies,
+    mesh: &BodyMesh,
+    table: &BodyTable,
+    given: MaterialTable,
+    body: usize,
+) -> Result<Range<usize>, ContactRequestError> {
+    let scale = table.scale.unwrap_or(1.0);
+    if !(scale > 0.0 && scale.is_finite()) {
+        return Err(ContactRequestError::Value { key: "scale", value: scale, expected: "above 0" });
+    }
+    let shift = DVec3::from_array(table.r#move.unwrap_or_default());
+    let placed = |positions: &[[f64; 3]]| -> Vec<DVec3> {
+        positions.iter().map(|p| DVec3::from_array(*p) * scale + shift).collect()
+    };
+    let in_body = |error| ContactRequestError::Body { body, error };
+    let range = match (mesh, table.kind) {
+        (BodyMesh::Surface(_), Some(BodyKind::Solid)) => {
+            return Err(ContactRequestError::NotFilled { body });
+        }
+        (BodyMesh::Tetrahedra { .. }, Some(BodyKind::Shell)) => {
+            return Err(ContactRequestError::NotThin { body });
+        }
+        (BodyMesh::Surface(mesh), Some(BodyKind::Fixed)) => {
+            bodies.add_fixed(&placed(mesh.positions()), mesh.faces())
+        }
+        (BodyMesh::Surface(mesh), _) => {
+            let positions = placed(mesh.positions());
+            let thickness = given.thickness.unwrap_or(THICKNESS * super::scene::extent(&positions));
+            bodies.add_shell(&positions, mesh.faces(), material_of(given, SHELL), thickness)
+        }
+        (BodyMesh::Tetrahedra { positions, cells }, kind) => {
+            let positions = placed(positions);
+            let cells = oriented(&positions, cells);
+            let found = bodies.add_solid(&positions, &cells, material_of(given, SOLID));
+            if let (Ok(range), Some(BodyKind::Fixed)) = (&found, kind) {
+                bodies.fix(range.clone());
+            }
+            found
+        }
+    };
+    let range = range.map_err(in_body)?;
+    if let Some(velocity) = table.velocity {
+        let velocity = DVec3::from_array(velocity);
+        if !velocity.is_finite() {
+            let (value, expected) = (velocity.length(), "three numbers");
+            return Err(ContactRequestError::Value { key: "velocity", value, expected });
+        }
+        bodies.set_velocity(range.clone(), velocity);
+    }
+    Ok(range)
+}
+
+/// Tetrahedra of positive volume; indices are checked later.
+fn oriented(positions: &[DVec3], cells: &[[u32; 4]]) -> Vec<[u32; 4]> {
+    let turned = |cell: &[u32; 4]| {
+        let mut cell = *cell;
+        if let [Some(a), Some(b), Some(c), Some(d)] = cell.map(|v| positions.get(v as usize))
+            && (*b - *a).cross(*c - *a).dot(*d - *a) < 0.0
+        {
+            cell.swap(2, 3);
+        }
+        cell
+    };
+    cells.iter().map(turned).collect()
+}
+
+impl ObstacleTable {
+    fn obstacle(&self, obstacle: usize) -> Result<Obstacle, ContactRequestError> {
+        match (self.normal, self.centre, self.radius) {
+            (Some(normal), None, None) => {
+                let normal = DVec3::from_array(normal).normalize_or_zero();
+                let through = DVec3::from_array(self.through.unwrap_or_default());
+                Ok(Obstacle::HalfSpace { normal, offset: normal.dot(through) })
+            }
+            (None, Some(centre), Some(radius)) if self.through.is_none() => {
+                Ok(Obstacle::Ball { centre: DVec3::from_array(centre), radius })
+            }
+            _ => Err(ContactRequestError::Obstacle { obstacle }),
+        }
+    }
+}
+
+/// Adds a handle for each vertex of a body in a box.
+fn hold(
+    bodies: &mut Bodies,
+    table: &HandleTable,
+    ranges: &[Range<usize>],
+    handle: usize,
+) -> Result<(), ContactRequestError> {
+    let body = table.body.unwrap_or(1);
+    let range = body.checked_sub(1).and_then(|i| ranges.get(i)).cloned();
+    let count = ranges.len();
+    let range = range.ok_or(ContactRequestError::HandleOf { handle, body, count })?;
+    let low = table.low.map_or(DVec3::NEG_INFINITY, DVec3::from_array);
+    let high = table.high.map_or(DVec3::INFINITY, DVec3::from_array);
+    let motion = match (table.about, table.turns) {
+        (Some(about), turns) => HandleMotion::Rotate {
+            through: DVec3::from_array(table.through.unwrap_or_default()),
+            about: DVec3::from_array(about),
+            speed: turns.unwrap_or(1.0) * TAU,
+        },
+        _ => HandleMotion::Translate(DVec3::from_array(table.velocity.unwrap_or_default())),
+    };
+    let is_inside = |p: &DVec3| p.cmpge(low).all() && p.cmple(high).all();
+    let held: Vec<usize> = range.filter(|v| is_inside(&bodies.positions()[*v])).collect();
+    if held.is_empty() {
+        return Err(ContactRequestError::NothingHeld { handle, body });
+    }
+    for vertex in held {
+        let added = bodies.add_handle(Handle { vertex: vertex as u32, motion });
+        added.map_err(|error: ContactError| ContactRequestError::Body { body, error })?;
+    }
+    Ok(())
+}

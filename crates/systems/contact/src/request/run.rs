@@ -1,0 +1,145 @@
+//! Runs a request.
+
+use super::scene::Built;
+use super::{BodyMesh, Certificate, Checkpoint, ContactReport, ContactRequest, ContactRequestError, Scene};
+use crate::{Check, ContactError, ContactStep, Simulation};
+use pompeiu_core::run::{Progress, RunContext, StopReason};
+use pompeiu_core::spatial::IntersectingPair;
+use std::ops::ControlFlow;
+
+/// A run at its end.
+#[derive(Debug)]
+pub struct ContactRun {
+    /// What was measured.
+    pub report: ContactReport,
+    /// The bodies as they are.
+    pub simulation: Simulation,
+}
+
+/// Gets the simulation at first and after each step, with what was measured; may end the run.
+type Watch<'w> = dyn FnMut(&Simulation, &[ContactStep]) -> ControlFlow<()> + Send + 'w;
+
+/// Pairs that are named where a start intersects.
+const NAMED: usize = 5;
+
+impl ContactRequest {
+    /// Lets bodies move, whose meshes are in the order of the scene. It goes on from the state in the bytes of a checkpoint, if one is
+    /// given. Where a step cannot be computed, the report says so and has the steps before.
+    ///
+    /// # Errors
+    /// [`ContactRequestError`], before the first step.
+    pub fn run(
+        &self,
+        scene: &Scene,
+        meshes: &[BodyMesh],
+        resume: Option<&[u8]>,
+        context: &RunContext<'_>,
+        watch: &mut Watch<'_>,
+    ) -> Result<ContactRun, ContactRequestError> {
+        context.on_threads(|| self.run_here(scene, meshes, resume, context, watch))
+    }
+
+    fn run_here(
+        &self,
+        scene: &Scene,
+        meshes: &[BodyMesh],
+        resume: Option<&[u8]>,
+        context: &RunContext<'_>,
+        watch: &mut Watch<'_>,
+    ) -> Result<ContactRun, ContactRequestError> {
+        let Built { bodies, options, steps: asked, first_faces } = scene.build(meshes, self)?;
+        let check = options.check;
+        let mut simulation = Simulation::new(bodies, options).map_err(|error| match error {
+            ContactError::StartIntersects { pairs } => {
+                ContactRequestError::StartIntersects { pairs: named(&pairs, &first_faces) }
+            }
+            error => error.into(),
+        })?;
+        let mut report = ContactReport::new(scene.name(), first_faces.len(), asked, &simulation);
+        let mut steps = match resume {
+            Some(bytes) => Checkpoint::resume(bytes, &mut simulation)?,
+            None => Vec::new(),
+        };
+        if steps.len() > asked {
+            return Err(ContactRequestError::TooFewSteps { done: steps.len(), asked });
+        }
+        let control = context.control();
+        let mut failure = None;
+        loop {
+            let done = steps.len();
+            if watch(&simulation, &steps).is_break() {
+                control.stop(StopReason::Cancelled);
+            }
+            if done == asked {
+                break;
+            }
+            let progress = Progress { doing: "simulating", share: Some(done as f64 / asked.max(1) as f64) };
+            if context.progress().is_some_and(|observer| observer.progress(&progress).is_break()) {
+                control.stop(StopReason::Cancelled);
+            }
+            if control.is_stopped() {
+                break;
+            }
+            match simulation.step() {
+                Ok(step) => steps.push(step),
+                Err(error) => {
+                    failure = Some(error);
+                    break;
+                }
+            }
+        }
+        report.certificate = certificate(&simulation, &steps, check, failure.as_ref())?;
+        let is_done = steps.len() == asked;
+        let ended = if is_done { StopReason::Steps } else { StopReason::Stalled };
+        report.stop = control.reason().filter(|_| !is_done && failure.is_none()).unwrap_or(ended);
+        report.steps = steps;
+        report.failure = failure.map(|error| error.to_string());
+        report.timing = simulation.timing();
+        Ok(ContactRun { report, simulation })
+    }
+}
+
+/// What the exact test found; a last test runs here.
+fn certificate(
+    simulation: &Simulation,
+    steps: &[ContactStep],
+    check: Check,
+    failure: Option<&ContactError>,
+) -> Result<Certificate, ContactError> {
+    let mut certificate = Certificate {
+        steps: steps.len(),
+        tested: steps.iter().filter(|step| step.intersections.is_some()).count(),
+        intersecting: steps.iter().filter_map(|step| step.intersections).sum(),
+    };
+    if check == Check::Last && !steps.is_empty() {
+        certificate.tested = 1;
+        certificate.intersecting = simulation.certify()?;
+    }
+    if matches!(failure, Some(ContactError::Intersects { .. })) {
+        certificate.tested += 1;
+        certificate.intersecting += 1;
+    }
+    Ok(certificate)
+}
+
+/// Pairs of faces with their bodies, and where they meet.
+fn named(pairs: &[IntersectingPair], first_faces: &[usize]) -> String {
+    let body_and_face = |face: u32| {
+        let body = first_faces.partition_point(|first| *first <= face as usize);
+        let first = body.checked_sub(1).and_then(|i| first_faces.get(i)).copied().unwrap_or(0);
+        format!("face {} of body {body}", face as usize - first)
+    };
+    let mut words: Vec<String> = pairs
+        .iter()
+        .take(NAMED)
+        .map(|pair| {
+            let [a, b] = pair.faces.map(|face| body_and_face(face.0));
+            let [x, y, z] = pair.place;
+            format!("{a} and {b} near ({x:.6}, {y:.6}, {z:.6})")
+        })
+        .collect();
+    if pairs.len() > NAMED {
+        words.push(format!("{} more pairs", pairs.len() - NAMED));
+    }
+    words.join("; ")
+}

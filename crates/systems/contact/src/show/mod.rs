@@ -1,0 +1,7 @@
+//! Runs as pages that play.
+
+mod frames;
+mod page;
+
+pub use frames::{ContactFrame, most_frames};
+pub use page::ContactPage;
