@@ -9,7 +9,7 @@ use super::packed::{Entries, are_packed};
 use super::pieces::are_summed;
 use super::report::{Deviation, DirectedDeviation};
 use super::run::{Outcome, Pair, run};
-use super::statistics::{Percentile, Summary, Wanted, is_narrow};
+use super::statistics::{Percentile, StatisticsQuery, Summary, is_narrow};
 use super::unknown::unknown;
 use crate::coarse;
 use crate::engine::{Question, joint_frame};
@@ -99,19 +99,19 @@ impl DeviationOptions<'_> {
         let floor = Self::floor(&frame, &joint, rounding);
         let pooled = there.pieces.pooled(back.pieces, |area| Ruler::new(area, rounding, floor));
         let pooled = pooled.measured();
-        let wanted = Wanted::of(self, &frame);
+        let asked = StatisticsQuery::of(self, &frame);
         let summary = match there.summary.as_ref().zip(back.summary.as_ref()) {
             Some((x, y)) => {
                 let is_narrow = |ends: &(f64, f64)| is_narrow(*ends, self.accuracy, floor);
                 let known = Some(between(x, y)).filter(|percentiles| percentiles.iter().all(is_narrow));
-                Summary::with(x.sums.plus(y.sums), pooled, &wanted, largest, known)
+                Summary::with(x.sums.plus(y.sums), pooled, &asked, largest, known)
             }
-            None => Summary::of(pooled, &wanted, largest),
+            None => Summary::of(pooled, &asked, largest),
         };
         Deviation {
             distance: there.report.distance.distance.max(back.report.distance.distance),
             greater_percentiles,
-            pooled: summary.map(|s| s.publish(&areas, &wanted, self.threshold, largest, &frame)),
+            pooled: summary.map(|s| s.publish(&areas, &asked, self.threshold, largest, &frame)),
             a_to_b: there.report,
             b_to_a: back.report,
         }

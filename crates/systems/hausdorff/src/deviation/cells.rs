@@ -13,9 +13,9 @@
 
 use super::candidates::{Linear, Scale};
 use super::compare::{Cell, Compare, Compared, range};
+use super::criterion::Criterion;
 use super::envelope::distances;
 use super::facets::Facets;
-use super::goal::Goal;
 use super::polygon::{MOST_CORNERS, Outline, Piece, Polygon, Row};
 use crate::rounding::Rounding;
 use glam::DVec3;
@@ -49,7 +49,7 @@ pub(super) struct Limits<'l> {
 #[derive(Clone, Copy)]
 pub(super) struct Task<'t> {
     pub(super) scale: &'t Scale,
-    pub(super) goal: &'t Goal,
+    pub(super) criterion: &'t Criterion,
     pub(super) area: f64,
 }
 
@@ -133,7 +133,7 @@ impl<'b> Cells<'b> {
 
     /// Cuts off what lies beyond the edges of a face, and makes a cell of what is left.
     fn clip(&mut self, part: Part, task: Task<'_>, workspace: &mut Workspace, pieces: &mut Vec<Piece>) {
-        let Task { scale, goal, area } = task;
+        let Task { scale, criterion, area } = task;
         let Part { mut outline, slot, steps } = part;
         let facet = self.facets.facet(slot);
         if facet.normal == DVec3::ZERO {
@@ -158,7 +158,7 @@ impl<'b> Cells<'b> {
             }
             return;
         }
-        let (width, most) = (goal.width_of(share), MOST_WIDTH * goal.width_of(area));
+        let (width, most) = (criterion.width_of(share), MOST_WIDTH * criterion.width_of(area));
         let width = if width < most { width } else { most };
         let mut tried = [steps > MOST_STEPS; 3];
         loop {
@@ -227,7 +227,7 @@ impl<'b> Cells<'b> {
         Part { outline, slot, steps }: Part,
         height: &Linear,
         width: f64,
-        Task { scale, goal, area }: Task<'_>,
+        Task { scale, criterion, area }: Task<'_>,
         workspace: &mut Workspace,
         pieces: &mut Vec<Piece>,
     ) {
@@ -241,7 +241,7 @@ impl<'b> Cells<'b> {
             let mut polygon = Polygon::unknown(outline, 0.0);
             polygon.upper = upper;
             polygon.lower = row.map(|x| x - margin);
-            if goal.wanted(&polygon, &outline.weights(), area).is_none() {
+            if criterion.width_unless_met(&polygon, &outline.weights(), area).is_none() {
                 pieces.push(Piece { polygon, near: slot });
                 return;
             }
@@ -250,7 +250,7 @@ impl<'b> Cells<'b> {
     }
 
     /// Compares the cells that came out too wide with the faces around them.
-    fn look_closer(&mut self, Task { scale, goal, area }: Task<'_>, pieces: &mut Vec<Piece>) {
+    fn look_closer(&mut self, Task { scale, criterion, area }: Task<'_>, pieces: &mut Vec<Piece>) {
         if self.wide.is_empty() {
             return;
         }
@@ -259,7 +259,7 @@ impl<'b> Cells<'b> {
             let Cell { outline, slot, steps, .. } = self.wide[i];
             let parts = match self.compare.bound(&self.wide[i], scale) {
                 Some(Compared { polygon, blocking }) => {
-                    if goal.wanted(&polygon, &outline.weights(), area).is_none() {
+                    if criterion.width_unless_met(&polygon, &outline.weights(), area).is_none() {
                         pieces.push(Piece { polygon, near: slot });
                         continue;
                     }

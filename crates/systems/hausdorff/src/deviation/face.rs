@@ -1,8 +1,8 @@
 //! One face of A, cut into pieces until they are as narrow as asked.
 
 use super::cells::{Cells, Limits, Rest, Task};
+use super::criterion::Criterion;
 use super::envelope::{Envelope, Open, Wish};
-use super::goal::Goal;
 use super::planes::Planes;
 use super::polygon::{Outline, Piece, Polygon};
 use crate::rounding::Rounding;
@@ -83,8 +83,8 @@ impl<'c> Cutter<'c> {
         self.envelope.scale.point(at).to_array()
     }
 
-    /// Cuts a face until its pieces satisfy the goal or are `most`. What the limits leave no time for stays as it is.
-    pub(super) fn cut(&mut self, start: &Start, goal: &Goal, most: usize) {
+    /// Cuts a face until its pieces satisfy the criterion or are `most`. What the limits leave no time for stays as it is.
+    pub(super) fn cut(&mut self, start: &Start, criterion: &Criterion, most: usize) {
         self.pieces.clear();
         self.stack.clear();
         self.envelope.begin(start.corners);
@@ -100,7 +100,7 @@ impl<'c> Cutter<'c> {
         if let Some(cells) = &mut self.cells {
             let Envelope { scale, workspace, .. } = &mut self.envelope;
             let limits = Limits { most, control: self.control };
-            let task = Task { scale, goal, area: start.area };
+            let task = Task { scale, criterion, area: start.area };
             let planes = self.planes.as_mut();
             let left = &mut self.left;
             left.clear();
@@ -128,14 +128,14 @@ impl<'c> Cutter<'c> {
             let weights = open.polygon.outline.weights();
             let wish = Wish {
                 weights,
-                width: goal.width_of(weights.iter().sum::<f64>() * start.area),
-                negligible: goal.negligible(&weights, start.area),
+                width: criterion.width_of(weights.iter().sum::<f64>() * start.area),
+                negligible: criterion.negligible(&weights, start.area),
                 reach: REACH * farthest,
             };
             let look = self.envelope.look(&mut open, &wish);
             stopped = self.looks.is_multiple_of(LOOKS_PER_CHECK) && self.control.is_stopped();
             let full = self.pieces.len() + self.stack.len() + 1 >= most;
-            let width = goal.wanted(&open.polygon, &weights, start.area);
+            let width = criterion.width_unless_met(&open.polygon, &weights, start.area);
             let Some(width) = width.filter(|_| !full && self.can_be_cut(&open.polygon)) else {
                 self.keep(&open);
                 continue;

@@ -18,6 +18,7 @@ mod cells;
 mod compare;
 mod connected;
 mod corners;
+mod criterion;
 #[cfg(feature = "serde")]
 mod data;
 mod distribution;
@@ -27,7 +28,6 @@ mod face;
 mod faces;
 mod facets;
 mod forecast;
-mod goal;
 mod grid;
 mod linear;
 mod maxima;

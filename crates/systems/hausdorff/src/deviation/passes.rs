@@ -1,10 +1,10 @@
 //! Passes over all faces, whose pieces are summed up and not kept.
 //!
-//! The first goal is calibrated so that one pass is enough as a rule. Where statistics come out too wide, all faces are cut again: what was
+//! The first criterion is calibrated so that one pass is enough as a rule. Where statistics come out too wide, all faces are cut again: what was
 //! summed up cannot be taken back. So a limit that ends a later pass leaves what the one before it found.
 
+use super::criterion::Criterion;
 use super::entry::{Moments, Sum};
-use super::goal::Goal;
 use super::grid::{Ruler, SharedGrids};
 use super::linear::{greater, lesser};
 use super::pieces::{Pieces, Summed};
@@ -22,13 +22,13 @@ const AIMED: f64 = 0.7;
 const FINER: (f64, f64) = (0.5, 1.0 / 64.0);
 
 impl Refinement<'_> {
-    pub(super) fn run_in_passes(mut self, mut goal: Goal) -> Refined {
-        let (accuracy, floor) = (self.aim.accuracy, goal.floor);
+    pub(super) fn run_in_passes(mut self, mut criterion: Criterion) -> Refined {
+        let (accuracy, floor) = (self.options.accuracy, criterion.floor);
         let mut best: Option<Refined> = None;
         let (mut focused_passes, mut doubt_before) = (0, f64::INFINITY);
         let (mut least_excess, mut without_progress) = (f64::INFINITY, 0);
         loop {
-            let mut pass = self.pass(&goal);
+            let mut pass = self.pass(&criterion);
             let is_stopped = self.faces.control.is_stopped();
             if let Some(before) = best.take() {
                 pass.include_work(&before);
@@ -60,8 +60,8 @@ impl Refinement<'_> {
                 focused_passes += 1;
                 let worst =
                     summary.percentiles.iter().fold(1.0, |worst, ends| greater(worst, self.excess(*ends)));
-                goal.focus_mass = finer(lesser(goal.focus_mass, goal.mass), worst);
-                goal.focus_on(focus);
+                criterion.focus_mass = finer(lesser(criterion.focus_mass, criterion.mass), worst);
+                criterion.focus_on(focus);
             } else {
                 let excess = means.into_iter().fold(0.0, |worst, ends| greater(worst, self.excess(ends)));
                 without_progress += 1;
@@ -71,20 +71,20 @@ impl Refinement<'_> {
                 if without_progress == ROUNDS_WITHOUT_PROGRESS {
                     return pass;
                 }
-                goal.mass = finer(goal.mass, excess);
+                criterion.mass = finer(criterion.mass, excess);
             }
             best = Some(pass);
         }
     }
 
     /// Cuts all faces.
-    fn pass(&mut self, goal: &Goal) -> Refined {
+    fn pass(&mut self, criterion: &Criterion) -> Refined {
         let faces = self.faces;
         let task = self.task();
         let unknown = FaceBounds::unknown([0.0; 3], Slot::default(), faces.largest);
         let mut bounds = vec![unknown; self.order.len()];
-        let grids = SharedGrids::new(Ruler::new(self.aim.total, faces.rounding, self.aim.floor));
-        let level = self.aim.wanted.threshold;
+        let grids = SharedGrids::new(Ruler::new(self.options.total, faces.rounding, self.options.floor));
+        let level = self.options.asked.threshold;
         let (mut moments, mut up_to) = (Moments::default(), Sum::default());
         let (mut looks, mut distances, mut pieces) = (0, 0, 0);
         let mut left = self.order.len();
@@ -95,7 +95,7 @@ impl Refinement<'_> {
             let made: Vec<task::Summed> = round
                 .par_chunks(task)
                 .with_max_len(1)
-                .map(|task| faces.sum_task(task, goal, most, &grids, level))
+                .map(|task| faces.sum_task(task, criterion, most, &grids, level))
                 .collect();
             for (task, made) in round.chunks(task).zip(made) {
                 looks += made.looks;
@@ -113,7 +113,7 @@ impl Refinement<'_> {
         }
         let up_to = level.map(|level| (level, up_to));
         let summed = Summed { moments, areas: grids.areas().into_iter().collect(), up_to };
-        let summary = Summary::of(&summed, self.aim.wanted, faces.largest);
+        let summary = Summary::of(&summed, self.options.asked, faces.largest);
         Refined { pieces: Pieces::Summed(summed), bounds, summary, tight: false, looks, distances, rounds: 1 }
     }
 }

@@ -87,12 +87,12 @@ impl<'b> Planes<'b> {
         pieces: &mut Vec<Piece>,
         rest: &mut Vec<Rest>,
     ) -> bool {
-        let Task { scale, goal, area } = task;
+        let Task { scale, criterion, area } = task;
         let longest = scale.longest_edge_sq();
         let [x, y, z] = start.distances;
         let distance = (x + y + z) * (1.0 / 3.0);
         let widths = if distance * distance > FAR * longest { MOST_WIDTHS_OF_FAR } else { MOST_WIDTHS };
-        if longest > widths * goal.width_of(area) * distance {
+        if longest > widths * criterion.width_of(area) * distance {
             return false;
         }
         self.beyond = None;
@@ -115,7 +115,7 @@ impl<'b> Planes<'b> {
             }
             let looked = self.look(task, &outline, near, workspace);
             let weights = outline.weights();
-            if goal.wanted(&looked.polygon, &weights, area).is_none() {
+            if criterion.width_unless_met(&looked.polygon, &weights, area).is_none() {
                 pieces.push(Piece { polygon: looked.polygon, near: looked.near });
                 continue;
             }
@@ -129,7 +129,7 @@ impl<'b> Planes<'b> {
     /// The whole face as a piece, if what the distances of its corners say is narrow enough.
     fn by_corners(
         &self,
-        Task { scale, goal, area }: Task<'_>,
+        Task { scale, criterion, area }: Task<'_>,
         start: &Start,
         near: Slot,
         workspace: &mut Workspace,
@@ -140,7 +140,7 @@ impl<'b> Planes<'b> {
         let points = scale.points(&Outline::WHOLE);
         let distances = distances(self.bvh, near, &points, 3, workspace);
         polygon.upper = distances.map(|distance| distance + scale.margin);
-        goal.wanted(&polygon, &Outline::WHOLE.weights(), area).is_none().then_some(polygon)
+        criterion.width_unless_met(&polygon, &Outline::WHOLE.weights(), area).is_none().then_some(polygon)
     }
 
     /// Of the faces nearest to the corners the one nearest to the centre, or one that is nearer and reached across edges.
@@ -177,7 +177,7 @@ impl<'b> Planes<'b> {
     /// Bounds the distance on a triangle from above by one face of B, and from below by planes of all.
     fn look(
         &mut self,
-        Task { scale, goal, area }: Task<'_>,
+        Task { scale, criterion, area }: Task<'_>,
         outline: &Outline,
         near: Slot,
         workspace: &mut Workspace,
@@ -185,7 +185,7 @@ impl<'b> Planes<'b> {
         let points = scale.points(outline);
         let margin = scale.margin + scale.displacement(outline);
         let weights = outline.weights();
-        let width = goal.width_of(weights.iter().sum::<f64>() * area);
+        let width = criterion.width_of(weights.iter().sum::<f64>() * area);
         let mut above = |slot: Slot| -> Row {
             distances(self.bvh, slot, &points, outline.count, workspace).map(|distance| distance + margin)
         };
@@ -223,7 +223,7 @@ impl<'b> Planes<'b> {
             } else {
                 break;
             }
-            if goal.wanted(&looked.polygon, &weights, area).is_none() {
+            if criterion.width_unless_met(&looked.polygon, &weights, area).is_none() {
                 break;
             }
         }
@@ -575,7 +575,7 @@ fn cross(a: &Vectors, b: &Vectors) -> Vectors {
 #[cfg(test)]
 mod tests {
     use super::super::candidates::Scale;
-    use super::super::goal::Goal;
+    use super::super::criterion::Criterion;
     use super::*;
     use crate::Target;
     use crate::rounding::Rounding;
@@ -612,11 +612,11 @@ mod tests {
             let distance = |p: [f64; 3]| triangles.iter().map(|t| point_triangle(p, *t)).fold(f64::INFINITY, f64::min);
             let scale = Scale::new(corners, rounding);
             let start = Start { corners, area: 1.0, distances: corners.map(distance), near: [bvh.any_slot(); 3] };
-            let goal = Goal { mass: 0.1 * width, focus: Vec::new(), focus_mass: f64::INFINITY, floor: 1e-12 };
+            let criterion = Criterion { mass: 0.1 * width, focus: Vec::new(), focus_mass: f64::INFINITY, floor: 1e-12 };
             let control = Control::default();
             let (mut pieces, mut rest) = (Vec::new(), Vec::new());
             let mut planes = Planes::new(bvh, &neighbours);
-            let task = Task { scale: &scale, goal: &goal, area: start.area };
+            let task = Task { scale: &scale, criterion: &criterion, area: start.area };
             let limits = Limits { most: 1000, control: &control };
             if planes.cut(task, &start, limits, &mut Workspace::default(), &mut pieces, &mut rest) {
                 let outlines = pieces.iter().map(|piece| piece.polygon.outline).chain(rest.iter().map(|rest| rest.outline));

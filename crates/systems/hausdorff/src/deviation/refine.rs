@@ -1,21 +1,21 @@
 //! Kept of refinement, until statistics are as narrow as asked.
 //!
-//! Faces are cut anew for each goal, from nothing: so nothing is kept of them but what statistics need. Work is dealt out in tasks of
+//! Faces are cut anew for each criterion, from nothing: so nothing is kept of them but what statistics need. Work is dealt out in tasks of
 //! fixed sizes, whose outcomes are put together in task order, so that the pieces are the same at any number of threads.
 
+use super::criterion::Criterion;
 use super::distribution::Distribution;
-use super::goal::Goal;
 use super::linear::{greater, lesser};
 use super::pieces::Pieces;
 use super::select::{flag, keep_the_worst, suffices};
-use super::statistics::{Summary, Wanted, is_narrow};
+use super::statistics::{StatisticsQuery, Summary, is_narrow};
 use super::task::{FaceBounds, Faces, Made};
 use pompeiu_core::spatial::Slot;
 use rayon::prelude::*;
 
 /// The area times width that a piece may leave undecided at first: this part of what the mean may, shared out among all faces.
 const FIRST_PART: f64 = 1.0;
-/// The first goal is calibrated by so many samples of so many faces, of meshes with more than this many; how often, the parts of the
+/// The first criterion is calibrated by so many samples of so many faces, of meshes with more than this many; how often, the parts of the
 /// allowed width between which it should leave what is left, and how far it is changed at a time.
 const SAMPLES: usize = 64;
 const FACES_OF_SAMPLE: (usize, usize) = (4, 16);
@@ -24,7 +24,7 @@ const LEAST_CALIBRATED: usize = 4 * SAMPLES * FACES_OF_SAMPLE.0;
 const SAMPLED: f64 = 0.01;
 const CALIBRATIONS: usize = 4;
 const AIMED: (f64, f64) = (0.5, 0.85);
-/// A goal that leaves no fewer than this part of the pieces of the one before is coarse enough: pieces are what they are for other reasons.
+/// A criterion that leaves no fewer than this part of the pieces of the one before is coarse enough: pieces are what they are for other reasons.
 const LEAST_FEWER: f64 = 0.9;
 const MOST_FACTOR: f64 = 5.0;
 /// The same of percentiles, which a few faces show less well: the greatest part of the allowed width; how far around one pieces are
@@ -41,7 +41,7 @@ pub(super) const FOCUSED_ROUNDS: u32 = 8;
 pub(super) const LEAST_PROGRESS: f64 = 0.95;
 const MANY_PIECES: usize = 1 << 12;
 pub(super) const ROUNDS_WITHOUT_PROGRESS: u32 = 3;
-/// Goals are not made finer than this part of the first one.
+/// Criteria are not made finer than this part of the first one.
 const FINEST: f64 = 1e-15;
 /// Faces of a task at most, and tasks that there should be.
 const TASK: usize = 64;
@@ -51,9 +51,9 @@ pub(super) const TASKS_PER_ROUND: usize = 64;
 /// Pieces of a face, at least and at most, whatever the limit on pieces leaves.
 const PIECES_OF_FACE: (usize, usize) = (16, 1 << 17);
 
-/// What statistics are wanted, and what pieces may take.
-pub(super) struct Aim<'a> {
-    pub(super) wanted: &'a Wanted<'a>,
+/// The statistics that are asked for, and the limits on pieces.
+pub(super) struct RefinementOptions<'a> {
+    pub(super) asked: &'a StatisticsQuery<'a>,
     pub(super) accuracy: f64,
     /// About the mean distance.
     pub(super) mean: f64,
@@ -106,7 +106,7 @@ pub(super) struct Refinement<'r> {
     pub(super) faces: &'r Faces<'r>,
     /// The faces, neighbours close together.
     pub(super) order: &'r [u32],
-    pub(super) aim: &'r Aim<'r>,
+    pub(super) options: &'r RefinementOptions<'r>,
     /// Told between tasks how many looks were made, how many pieces there are, and how many faces are left.
     pub(super) watch: &'r mut dyn FnMut(u64, usize, usize),
     /// Told between tasks between which ends the mean lies, where pieces are summed up at once and somebody wants to know.
@@ -117,28 +117,28 @@ pub(super) struct Refinement<'r> {
 
 impl Refinement<'_> {
     pub(super) fn run(self) -> Refined {
-        let Aim { accuracy, floor, total, .. } = *self.aim;
-        let width = accuracy * self.aim.mean + floor;
-        let first = FIRST_PART * width * total / self.aim.cells as f64;
+        let RefinementOptions { accuracy, floor, total, .. } = *self.options;
+        let width = accuracy * self.options.mean + floor;
+        let first = FIRST_PART * width * total / self.options.cells as f64;
         // What has no area has no statistics, but distances of faces.
         let floor = if total > 0.0 { floor } else { width };
-        let mut goal = Goal { mass: first, focus: Vec::new(), focus_mass: f64::INFINITY, floor };
-        self.calibrate(&mut goal);
-        if self.aim.summed { self.run_in_passes(goal) } else { self.run_in_rounds(goal) }
+        let mut criterion = Criterion { mass: first, focus: Vec::new(), focus_mass: f64::INFINITY, floor };
+        self.calibrate(&mut criterion);
+        if self.options.summed { self.run_in_passes(criterion) } else { self.run_in_rounds(criterion) }
     }
 
     /// Keeps pieces, and cuts those faces again that are not narrow enough.
-    fn run_in_rounds(mut self, mut goal: Goal) -> Refined {
-        let Aim { accuracy, wanted, .. } = *self.aim;
-        let floor = goal.floor;
-        let first = goal.mass;
+    fn run_in_rounds(mut self, mut criterion: Criterion) -> Refined {
+        let RefinementOptions { accuracy, asked, .. } = *self.options;
+        let floor = criterion.floor;
+        let first = criterion.mass;
         let mut refined = Kept::default();
-        self.cut_all(&goal, &mut refined);
+        self.cut_all(&criterion, &mut refined);
         let mut focused_rounds = 0;
         let mut doubt_before = f64::INFINITY;
         let (mut least_excess, mut without_progress) = (f64::INFINITY, 0);
         loop {
-            refined.summary = Summary::of(&refined.distribution, wanted, self.faces.largest);
+            refined.summary = Summary::of(&refined.distribution, asked, self.faces.largest);
             let Some(summary) = &refined.summary else {
                 refined.tight = true;
                 return refined.into();
@@ -161,8 +161,8 @@ impl Refinement<'_> {
                     return refined.into();
                 }
                 doubt_before = doubt;
-                goal.focus_mass = lesser(goal.focus_mass, goal.mass);
-                goal.focus_on(focus);
+                criterion.focus_mass = lesser(criterion.focus_mass, criterion.mass);
+                criterion.focus_on(focus);
                 focused_rounds += 1;
             } else {
                 without_progress += 1;
@@ -175,44 +175,45 @@ impl Refinement<'_> {
             }
             // Until there is a face to be cut anew.
             loop {
-                let mass = if means_are_tight { &mut goal.focus_mass } else { &mut goal.mass };
+                let mass = if means_are_tight { &mut criterion.focus_mass } else { &mut criterion.mass };
                 *mass *= FINER;
                 if *mass < FINEST * first {
                     return refined.into();
                 }
-                let mut flagged = flag(&goal, &refined.distribution);
+                let mut flagged = flag(&criterion, &refined.distribution);
                 if !means_are_tight {
                     keep_the_worst(&mut flagged, excess, &refined.distribution);
                 }
-                let suffices = || !means_are_tight || suffices(&goal, excess_of_focus, &refined.distribution);
+                let suffices =
+                    || !means_are_tight || suffices(&criterion, excess_of_focus, &refined.distribution);
                 if flagged.iter().any(|flag| *flag) && suffices() {
-                    self.cut_again(&flagged, &goal, &mut refined);
+                    self.cut_again(&flagged, &criterion, &mut refined);
                     break;
                 }
             }
         }
     }
 
-    /// Makes the first goal such that a few faces come out about as narrow as all should be.
-    fn calibrate(&self, goal: &mut Goal) {
+    /// Makes the first criterion such that a few faces come out about as narrow as all should be.
+    fn calibrate(&self, criterion: &mut Criterion) {
         let count = self.order.len();
         if count < LEAST_CALIBRATED {
             return;
         }
-        let (faces, order, wanted) = (self.faces, self.order, self.aim.wanted);
+        let (faces, order, asked) = (self.faces, self.order, self.options.asked);
         let most = self.most(0, count);
         let size = (SAMPLED * (count / SAMPLES) as f64) as usize;
         let size = size.clamp(FACES_OF_SAMPLE.0, FACES_OF_SAMPLE.1);
         let mut pieces_before = usize::MAX;
         for trials_left in (0..CALIBRATIONS).rev() {
-            let trial = &*goal;
+            let trial = &*criterion;
             let of_sample = |i: usize| {
                 let first = (2 * i + 1) * count / (2 * SAMPLES);
                 let some = &order[first..count.min(first + size)];
                 faces.cut_task(some, trial, most, |_| true, None).portion
             };
             let sample = Distribution { portions: (0..SAMPLES).into_par_iter().map(of_sample).collect() };
-            let Some(summary) = Summary::of(&sample, wanted, faces.largest) else { return };
+            let Some(summary) = Summary::of(&sample, asked, faces.largest) else { return };
             if self.faces.control.is_stopped() {
                 return;
             }
@@ -223,10 +224,10 @@ impl Refinement<'_> {
             pieces_before = pieces;
             let is_good = part.is_nan() || part <= 0.0 || is_coarse || (least..=most).contains(&part);
             if !is_good {
-                // A coarser goal may leave far more than in proportion, so that it must be tried.
+                // A coarser criterion may leave far more than in proportion, so that it must be tried.
                 let most_factor = if trials_left > 0 { MOST_FACTOR } else { 1.0 };
                 let factor = 0.5 * (least + most) / part;
-                goal.mass *= factor.clamp(1.0 / MOST_FACTOR, most_factor);
+                criterion.mass *= factor.clamp(1.0 / MOST_FACTOR, most_factor);
             }
             let worst =
                 summary.percentiles.iter().fold(0.0, |worst, ends| greater(worst, self.excess(*ends)));
@@ -234,9 +235,10 @@ impl Refinement<'_> {
             if !is_focused {
                 let wide = |ends: &&(f64, f64)| self.excess(**ends) > AIMED_AT_PERCENTILES;
                 let around = |ends: &(f64, f64)| (ends.0 / BESIDE_PERCENTILES, ends.1 * BESIDE_PERCENTILES);
-                let mass = lesser(goal.focus_mass, goal.mass);
-                goal.focus = summary.percentiles.iter().filter(wide).map(around).collect();
-                goal.focus_mass = mass * greater(NARROWER * AIMED_AT_PERCENTILES / worst, 1.0 / MOST_FACTOR);
+                let mass = lesser(criterion.focus_mass, criterion.mass);
+                criterion.focus = summary.percentiles.iter().filter(wide).map(around).collect();
+                criterion.focus_mass =
+                    mass * greater(NARROWER * AIMED_AT_PERCENTILES / worst, 1.0 / MOST_FACTOR);
             }
             if is_good && is_focused {
                 return;
@@ -252,10 +254,10 @@ impl Refinement<'_> {
     /// Pieces that each of some faces may be cut into.
     pub(super) fn most(&self, pieces: usize, faces: usize) -> usize {
         let (least, most) = PIECES_OF_FACE;
-        (self.aim.most_pieces.saturating_sub(pieces) / faces).clamp(least, most)
+        (self.options.most_pieces.saturating_sub(pieces) / faces).clamp(least, most)
     }
 
-    fn cut_all(&mut self, goal: &Goal, refined: &mut Kept) {
+    fn cut_all(&mut self, criterion: &Criterion, refined: &mut Kept) {
         refined.rounds += 1;
         let faces = self.faces;
         let task = self.task();
@@ -268,7 +270,7 @@ impl Refinement<'_> {
             let made: Vec<Made> = round
                 .par_chunks(task)
                 .with_max_len(1)
-                .map(|task| faces.cut_task(task, goal, most, |_| true, None))
+                .map(|task| faces.cut_task(task, criterion, most, |_| true, None))
                 .collect();
             for (task, made) in round.chunks(task).zip(made) {
                 refined.looks += made.looks;
@@ -285,7 +287,7 @@ impl Refinement<'_> {
     }
 
     /// Cuts the flagged faces again.
-    fn cut_again(&mut self, flagged: &[bool], goal: &Goal, refined: &mut Kept) {
+    fn cut_again(&mut self, flagged: &[bool], criterion: &Criterion, refined: &mut Kept) {
         refined.rounds += 1;
         let (faces, order) = (self.faces, self.order);
         let task = self.task();
@@ -303,7 +305,7 @@ impl Refinement<'_> {
                 .map(|&i| {
                     let some = &order[i * task..order.len().min((i + 1) * task)];
                     let before = (&refined.distribution.portions[i], &refined.bounds[..]);
-                    faces.cut_task(some, goal, most, |face| flags(i)[face], Some(before))
+                    faces.cut_task(some, criterion, most, |face| flags(i)[face], Some(before))
                 })
                 .collect();
             for (i, made) in round.iter().zip(made) {
@@ -326,15 +328,15 @@ impl Refinement<'_> {
 
     /// How many times wider than allowed an enclosure is.
     pub(super) fn excess(&self, (low, high): (f64, f64)) -> f64 {
-        (high - low) / (self.aim.accuracy * low + self.aim.floor)
+        (high - low) / (self.options.accuracy * low + self.options.floor)
     }
 
     /// Ranges of distances in which pieces keep a statistic from being as narrow as asked.
     pub(super) fn focus(&self, summary: &Summary) -> Vec<(f64, f64)> {
-        let Aim { accuracy, floor, wanted, .. } = *self.aim;
+        let RefinementOptions { accuracy, floor, asked, .. } = *self.options;
         let mut focus: Vec<(f64, f64)> =
             summary.percentiles.iter().copied().filter(|ends| !is_narrow(*ends, accuracy, floor)).collect();
-        if let Some(((low, high), threshold)) = summary.above.zip(wanted.threshold)
+        if let Some(((low, high), threshold)) = summary.above.zip(asked.threshold)
             && high - low > accuracy
         {
             focus.push((threshold, threshold));
@@ -344,7 +346,7 @@ impl Refinement<'_> {
 
     /// Sum of the widths that are too great, each relative to what is allowed.
     pub(super) fn doubt(&self, summary: &Summary) -> f64 {
-        let Aim { accuracy, floor, .. } = *self.aim;
+        let RefinementOptions { accuracy, floor, .. } = *self.options;
         let excess = |width: f64, allowed: f64| greater(width / allowed - 1.0, 0.0);
         let percentiles = summary.percentiles.iter();
         let of_percentiles: f64 =

@@ -8,10 +8,10 @@ use super::measure;
 use super::options::DeviationOptions;
 use super::packed::{Entries, are_packed};
 use super::pieces::{Pieces, are_summed};
-use super::refine::{Aim, Refined, Refinement};
+use super::refine::{Refined, Refinement, RefinementOptions};
 use super::regions::Peaks;
 use super::report::{DeviationWork, DirectedDeviation, FaceDeviation, Sides};
-use super::statistics::{Summary, Wanted, length_out};
+use super::statistics::{StatisticsQuery, Summary, length_out};
 use super::task::Faces;
 use super::unknown::unknown;
 use crate::engine::{self, Question};
@@ -96,7 +96,7 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
     };
     let neighbours = target.neighbours_in(to);
     let (total, moment) = measure::area_and_moment(from, &frame, &vertices);
-    let wanted = Wanted::of(query, &frame);
+    let asked = StatisticsQuery::of(query, &frame);
     let cells = from.faces().len() + to.faces().len();
     let by_default = DeviationOptions::DEFAULT_PIECES.max(DeviationOptions::PIECES_PER_FACE * cells);
     let most_pieces = query.limits.pieces.unwrap_or(by_default);
@@ -137,8 +137,16 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
         packed,
         idle: Mutex::default(),
     };
-    let aim =
-        Aim { wanted: &wanted, accuracy: query.accuracy, mean, floor, total, cells, most_pieces, summed };
+    let refinement = RefinementOptions {
+        asked: &asked,
+        accuracy: query.accuracy,
+        mean,
+        floor,
+        total,
+        cells,
+        most_pieces,
+        summed,
+    };
     let mut watch = |looks: u64, pieces: usize, left: usize| {
         if pieces + left >= most_pieces {
             control.stop(stop_of_pieces);
@@ -154,7 +162,7 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
     let refined = Refinement {
         faces: &scene,
         order: &order,
-        aim: &aim,
+        options: &refinement,
         watch: &mut watch,
         tell_mean,
         known_mean: None,
@@ -186,8 +194,8 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
     maxima.narrow(&wide, Precision::Map, &mut report_progress);
     let (regions, beyond_threshold, bounds) = if query.regions > 0 && !control_of_maxima.is_stopped() {
         let mut peaks = Peaks::new(from, maxima);
-        peaks.settle(query.regions, wanted.threshold, &mut report_progress);
-        let (regions, beyond_threshold) = peaks.regions(query.regions, wanted.threshold);
+        peaks.settle(query.regions, asked.threshold, &mut report_progress);
+        let (regions, beyond_threshold) = peaks.regions(query.regions, asked.threshold);
         (regions, beyond_threshold, peaks.into_bounds())
     } else {
         (Vec::new(), Vec::new(), maxima.of_faces)
@@ -205,7 +213,7 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
     let report = DirectedDeviation {
         direction,
         distance,
-        statistics: summary.as_ref().map(|s| s.publish(&areas, &wanted, query.threshold, largest, &frame)),
+        statistics: summary.as_ref().map(|s| s.publish(&areas, &asked, query.threshold, largest, &frame)),
         faces: faces::faces(&frame, &bounds),
         vertices: of_vertices,
         vertex_error: frame.length_out(rounding.lower()),

@@ -1,8 +1,8 @@
 //! Which faces to cut again.
 
+use super::criterion::Criterion;
 use super::distribution::Distribution;
 use super::entry::Portion;
-use super::goal::Goal;
 use super::linear::{greatest, least, lesser};
 use rayon::prelude::*;
 
@@ -13,14 +13,14 @@ const SPARE: f64 = 0.9;
 /// The part of the areas times widths in focus that pieces to be cut have, at most.
 const MOST_OF_FOCUS: f64 = 0.9;
 
-/// Which faces have a piece that does not satisfy a goal, in their order.
-pub(super) fn flag(goal: &Goal, distribution: &Distribution) -> Vec<bool> {
+/// Which faces have a piece that does not satisfy a criterion, in their order.
+pub(super) fn flag(criterion: &Criterion, distribution: &Distribution) -> Vec<bool> {
     let of_face = |portion: &Portion, face: usize| {
         portion.of_face(face).any(|entry| {
             let mass = entry.mass();
             let wide = || {
-                let is_met = || goal.is_met(mass, least(entry.lower()), greatest(entry.upper()));
-                entry.most_width() > goal.floor && !is_met()
+                let is_met = || criterion.is_met(mass, least(entry.lower()), greatest(entry.upper()));
+                entry.most_width() > criterion.floor && !is_met()
             };
             mass > 0.0 && wide()
         })
@@ -51,17 +51,17 @@ pub(super) fn keep_the_worst(flagged: &mut [bool], excess: f64, distribution: &D
     }
 }
 
-/// Whether cutting the pieces that do not satisfy a goal should be enough for percentiles which are `excess` times too wide: whether
+/// Whether cutting the pieces that do not satisfy a criterion should be enough for percentiles which are `excess` times too wide: whether
 /// they have most of the areas times widths in its focus.
-pub(super) fn suffices(goal: &Goal, excess: f64, distribution: &Distribution) -> bool {
+pub(super) fn suffices(criterion: &Criterion, excess: f64, distribution: &Distribution) -> bool {
     let of_portion = |portion: &Portion| {
         let (mut inside, mut unmet) = (0.0, 0.0);
         for entry in portion.entries.iter() {
             let (low, high) = (least(entry.lower()), greatest(entry.upper()));
-            if goal.is_in_focus(low, high) {
+            if criterion.is_in_focus(low, high) {
                 let mass = entry.mass();
                 inside += mass;
-                unmet += if goal.is_met(mass, low, high) { 0.0 } else { mass };
+                unmet += if criterion.is_met(mass, low, high) { 0.0 } else { mass };
             }
         }
         (inside, unmet)

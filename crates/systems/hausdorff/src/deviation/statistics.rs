@@ -99,7 +99,7 @@ impl Histogram {
 
 /// What to compute.
 #[derive(Clone, Debug)]
-pub(super) struct Wanted<'w> {
+pub(super) struct StatisticsQuery<'w> {
     pub(super) percentiles: &'w [f64],
     /// In the frame.
     pub(super) threshold: Option<f64>,
@@ -107,7 +107,7 @@ pub(super) struct Wanted<'w> {
     pub(super) fine: f64,
 }
 
-impl<'w> Wanted<'w> {
+impl<'w> StatisticsQuery<'w> {
     pub(super) fn of(query: &'w DeviationOptions<'_>, frame: &Frame) -> Self {
         Self {
             percentiles: &query.percentiles,
@@ -116,7 +116,7 @@ impl<'w> Wanted<'w> {
         }
     }
 
-    /// See [`Wanted::fine`], as a part of the accuracy.
+    /// See [`StatisticsQuery::fine`], as a part of the accuracy.
     const FINE: f64 = 0.1;
 }
 
@@ -133,15 +133,15 @@ pub(super) struct Summary {
 
 impl Summary {
     /// None where the area may be zero.
-    pub(super) fn of(pieces: &dyn Measured, wanted: &Wanted<'_>, largest: f64) -> Option<Self> {
-        Self::with(pieces.moments(), pieces, wanted, largest, None)
+    pub(super) fn of(pieces: &dyn Measured, asked: &StatisticsQuery<'_>, largest: f64) -> Option<Self> {
+        Self::with(pieces.moments(), pieces, asked, largest, None)
     }
 
     /// The same of pieces whose moments are known, and its percentiles perhaps.
     pub(super) fn with(
         sums: Moments,
         pieces: &dyn Measured,
-        wanted: &Wanted<'_>,
+        asked: &StatisticsQuery<'_>,
         largest: f64,
         percentiles: Option<Vec<(f64, f64)>>,
     ) -> Option<Self> {
@@ -156,8 +156,8 @@ impl Summary {
         // The root of a mean of squares is at least the mean.
         let rms = (greater(rms.lower(), mean.0), lesser(rms.upper(), largest));
         let percentiles =
-            percentiles.unwrap_or_else(|| pieces.percentiles(wanted.percentiles, area, largest, wanted.fine));
-        let above = wanted.threshold.map(|t| share_above(pieces, t, area, largest));
+            percentiles.unwrap_or_else(|| pieces.percentiles(asked.percentiles, area, largest, asked.fine));
+        let above = asked.threshold.map(|t| share_above(pieces, t, area, largest));
         Some(Self { sums, area, mean, rms, percentiles, above })
     }
 
@@ -165,13 +165,13 @@ impl Summary {
     pub(super) fn publish(
         &self,
         areas: &[Sum],
-        wanted: &Wanted<'_>,
+        asked: &StatisticsQuery<'_>,
         threshold: Option<f64>,
         largest: f64,
         frame: &Frame,
     ) -> Statistics {
         let length = |(low, high)| length_out(frame, low, high);
-        let percentiles = wanted.percentiles.iter().zip(&self.percentiles);
+        let percentiles = asked.percentiles.iter().zip(&self.percentiles);
         Statistics {
             area: frame.length_out(frame.length_out(0.5 * (self.area.lower() + self.area.upper()))),
             mean: length(self.mean),

@@ -1,10 +1,10 @@
 //! Some faces of A, cut one after the other, and what their pieces say.
 
 use super::area;
+use super::criterion::Criterion;
 use super::distribution::add_part_up_to;
 use super::entry::{Entry, Moments, Portion, Sum};
 use super::face::{Cutter, Start};
-use super::goal::Goal;
 use super::grid::SharedGrids;
 use super::linear::{greater, lesser};
 use super::maxima::Maximum;
@@ -62,7 +62,7 @@ impl<'f> Faces<'f> {
     pub(super) fn cut_task(
         &self,
         faces: &[u32],
-        goal: &Goal,
+        criterion: &Criterion,
         most: usize,
         wanted: impl Fn(usize) -> bool,
         before: Option<(&Portion, &[FaceBounds])>,
@@ -78,13 +78,13 @@ impl<'f> Faces<'f> {
             let mut keep = known.clone();
             let mut sums = Moments::default();
             if known.is_none() || wanted(i) {
-                self.cut_face(&mut cutter, face, goal, most, |entry| {
+                self.cut_face(&mut cutter, face, criterion, most, |entry| {
                     sums.include(&entry);
                     entries.push(&entry);
                 });
                 // What limits have cut short may be wider than what was known.
                 let is_narrower = |(portion, places, _): &(&Portion, Range<usize>, FaceBounds)| {
-                    let excess = |entries: &Entries, places| goal.excess(entries.range(places));
+                    let excess = |entries: &Entries, places| criterion.excess(entries.range(places));
                     excess(&portion.entries, places.clone()) < excess(&entries, start..entries.len())
                 };
                 keep = known.filter(is_narrower);
@@ -110,7 +110,7 @@ impl<'f> Faces<'f> {
     pub(super) fn sum_task(
         &self,
         faces: &[u32],
-        goal: &Goal,
+        criterion: &Criterion,
         most: usize,
         grids: &SharedGrids,
         level: Option<f64>,
@@ -123,7 +123,7 @@ impl<'f> Faces<'f> {
         let mut bounds = Vec::with_capacity(faces.len());
         for &face in faces {
             let mut sums = Moments::default();
-            let start = self.cut_face(&mut cutter, face, goal, most, |entry| {
+            let start = self.cut_face(&mut cutter, face, criterion, most, |entry| {
                 sums.include(&entry);
                 if let Some(level) = level {
                     add_part_up_to(&mut up_to, &entry, level);
@@ -148,12 +148,12 @@ impl<'f> Faces<'f> {
         &self,
         cutter: &mut Cutter<'_>,
         face: u32,
-        goal: &Goal,
+        criterion: &Criterion,
         most: usize,
         mut take: impl FnMut(Entry),
     ) -> Start {
         let (from, area) = self.start(face);
-        cutter.cut(&from, goal, most);
+        cutter.cut(&from, criterion, most);
         for Piece { polygon, .. } in &cutter.pieces {
             for triangle in polygon.outline.fan() {
                 take(Entry::new(polygon, triangle, area));

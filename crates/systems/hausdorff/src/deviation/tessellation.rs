@@ -1,7 +1,7 @@
 //! Triangles to draw: faces where linear interpolation shows the deviation well enough, their pieces elsewhere.
 
+use super::criterion::Criterion;
 use super::face::Cutter;
-use super::goal::Goal;
 use super::linear::{greater, lesser};
 use super::polygon::Piece;
 use super::report::{DirectedDeviation, FaceDeviation};
@@ -95,7 +95,7 @@ impl DirectedDeviation {
             packed: false,
             idle: Mutex::default(),
         };
-        let goal = Goal::of_width(WIDTH * tolerance + 4.0 * rounding.bound(0));
+        let criterion = Criterion::of_width(WIDTH * tolerance + 4.0 * rounding.bound(0));
         // First all faces whole, and into how many triangles they would be cut; then those that are.
         let mut whole: Vec<(DisplayTriangle, u32)> = Vec::with_capacity(order.len());
         let tasks: Vec<Vec<(DisplayTriangle, u32)>> = order
@@ -106,7 +106,7 @@ impl DirectedDeviation {
                     if control.is_stopped() {
                         return (self.whole_face(mesh, FaceId(*face)), 1);
                     }
-                    cutter.cut(&faces.start(*face).0, &goal, MOST_PIECES);
+                    cutter.cut(&faces.start(*face).0, &criterion, MOST_PIECES);
                     let triangles =
                         cutter.pieces.iter().map(|piece| piece.polygon.outline.fan().count() as u32).sum();
                     (display_whole(&faces, &cutter, *face), triangles)
@@ -143,7 +143,7 @@ impl DirectedDeviation {
                     if control.is_stopped() {
                         return vec![self.whole_face(mesh, FaceId(face))];
                     }
-                    cutter.cut(&faces.start(face).0, &goal, MOST_PIECES);
+                    cutter.cut(&faces.start(face).0, &criterion, MOST_PIECES);
                     display_parts(&faces, &cutter, face)
                 };
                 task.iter().flat_map(of_face).collect()

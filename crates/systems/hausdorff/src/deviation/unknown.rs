@@ -9,7 +9,7 @@ use super::packed::Entries;
 use super::pieces::Pieces;
 use super::report::{DeviationWork, DirectedDeviation, FaceDeviation, unreferenced};
 use super::run::Outcome;
-use super::statistics::{Summary, Wanted, length_out};
+use super::statistics::{StatisticsQuery, Summary, length_out};
 use crate::report::{DirectedReport, Direction, StopReason};
 use pompeiu_core::TriMesh;
 use pompeiu_core::geom::Frame;
@@ -34,9 +34,9 @@ pub(super) fn unknown(
     let entry = Entry::unknown((area.lower(), area.upper()), largest);
     let moments = Moments::of(std::iter::once(entry));
     let portion = Portion { entries: Entries::Full(vec![entry]), starts: vec![0, 1], moments };
-    let wanted = Wanted::of(query, frame);
+    let asked = StatisticsQuery::of(query, frame);
     let pieces = Pieces::Kept(Distribution { portions: vec![portion] });
-    let summary = Summary::of(pieces.measured(), &wanted, largest);
+    let summary = Summary::of(pieces.measured(), &asked, largest);
     let areas =
         if summary.is_some() { pieces.measured().cumulative(largest, query.bins) } else { Vec::new() };
 
@@ -51,7 +51,7 @@ pub(super) fn unknown(
     for vertex in unreferenced(from) {
         vertices[vertex] = f64::NAN;
     }
-    let statistics = summary.as_ref().map(|s| s.publish(&areas, &wanted, query.threshold, largest, frame));
+    let statistics = summary.as_ref().map(|s| s.publish(&areas, &asked, query.threshold, largest, frame));
     let report = DirectedDeviation {
         direction,
         distance,

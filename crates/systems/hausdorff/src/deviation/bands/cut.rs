@@ -1,8 +1,8 @@
 //! One face that reaches into several classes, cut until little of it is in doubt.
 
+use super::super::criterion::Criterion;
 use super::super::entry::Entry;
 use super::super::face::Cutter;
-use super::super::goal::Goal;
 use super::super::linear::{greater, lesser};
 use super::super::polygon::Piece;
 use super::super::task::Faces;
@@ -53,7 +53,7 @@ impl Cutting<'_> {
         // At zero signs change.
         let focus =
             self.bands.edges().iter().map(|edge| edge.abs()).chain([0.0]).map(|at| (at, at)).collect();
-        let mut goal = Goal {
+        let mut criterion = Criterion {
             mass: f64::INFINITY,
             focus,
             focus_mass: FIRST * self.allowed * range * start.area,
@@ -61,7 +61,7 @@ impl Cutting<'_> {
         };
         let mut best: Option<Tally> = None;
         for _ in 0..ATTEMPTS {
-            cutter.cut(&start, &goal, MOST_PIECES);
+            cutter.cut(&start, &criterion, MOST_PIECES);
             let mut tally = Tally::new(self.bands);
             for piece in &cutter.pieces {
                 self.piece(cutter, piece, area, reach, sign, &mut tally);
@@ -75,7 +75,7 @@ impl Cutting<'_> {
             if doubt <= allowed || stuck || self.faces.control.is_stopped() {
                 break;
             }
-            goal.focus_mass *= FINER;
+            criterion.focus_mass *= FINER;
         }
         best.unwrap_or_else(|| Tally::new(self.bands))
     }

@@ -6,18 +6,18 @@ use super::polygon::{Polygon, Row};
 
 /// How narrow pieces should be. Lengths and areas are in the frame.
 #[derive(Clone, Debug)]
-pub(super) struct Goal {
+pub(super) struct Criterion {
     /// Area times mean width that a piece may leave undecided.
     pub(super) mass: f64,
-    /// Ranges of distances in which a piece may leave only [`Goal::focus_mass`] undecided.
+    /// Ranges of distances in which a piece may leave only [`Criterion::focus_mass`] undecided.
     pub(super) focus: Vec<(f64, f64)>,
     pub(super) focus_mass: f64,
     /// Widths that never matter.
     pub(super) floor: f64,
 }
 
-impl Goal {
-    /// A goal for the greatest width alone.
+impl Criterion {
+    /// A criterion for the greatest width alone.
     pub(super) fn of_width(width: f64) -> Self {
         Self { mass: 0.0, focus: Vec::new(), focus_mass: 0.0, floor: width }
     }
@@ -58,7 +58,7 @@ impl Goal {
 
     /// The mean width that a piece of a face of this area should be cut to, if it is not good enough. `weights` are those of the
     /// piece.
-    pub(super) fn wanted(&self, piece: &Polygon, weights: &Row, area: f64) -> Option<f64> {
+    pub(super) fn width_unless_met(&self, piece: &Polygon, weights: &Row, area: f64) -> Option<f64> {
         if piece.mass_at_most(weights) * area <= self.least() {
             return None;
         }
