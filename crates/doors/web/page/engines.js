@@ -1,4 +1,4 @@
-// Where calls are answered: in a worker of the page, or by the program that serves the page. Both have the same interface:
+// Where calls are answered: in a worker of the page.
 // `call` gives a promise of `{reply, arrays}`, `cancel` ends what is running, and `generation` changes when meshes are forgotten.
 
 class Cancelled extends Error {}
@@ -17,13 +17,16 @@ class WorkerEngine {
     this.#packed = packed;
   }
 
-  async start() {
+  /** Starts the worker, where it does not run yet. */
+  start() {
+    if (this.#worker) return;
     const url = URL.createObjectURL(new Blob([this.#source], { type: "text/javascript" }));
     this.#worker = new Worker(url);
     URL.revokeObjectURL(url);
     this.#worker.onmessage = ({ data }) => this.#answered(data);
     this.#worker.onerror = (event) => this.#end(new Error(event.message || "the worker ended"));
-    await this.#send({ packed: this.#packed });
+    // A failure is that of the call that follows.
+    this.#send({ packed: this.#packed }).catch((error) => this.#end(error));
   }
 
   #send(message, told) {
@@ -55,7 +58,7 @@ class WorkerEngine {
   }
 
   async call(call, arrays = [], told = undefined) {
-    if (!this.#worker) await this.start();
+    this.start();
     return this.#send({ call, arrays }, told);
   }
 

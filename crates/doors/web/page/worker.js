@@ -28,4 +28,8 @@ async function answer({ id, packed, call, arrays }) {
   }
 }
 
-onmessage = ({ data }) => void answer(data);
+// One after the other: what comes while the module is unpacked waits for it.
+let last = Promise.resolve();
+onmessage = ({ data }) => {
+  last = last.then(() => answer(data));
+};

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from pages import FOLDER, ROOT, Browser
 
-PAGE = FOLDER.parent / "web/pompeiu.html"
+PAGE = FOLDER.parent / "page/pompeiu.html"
 MESHES = ROOT / "examples/meshes"
 ENDED = ", ".join(f"html[data-state={state}]" for state in ("done", "refused", "cancelled"))
 
@@ -108,6 +108,7 @@ class ProgramPage(unittest.TestCase):
         self.assertEqual(self.end(page), "done")
         self.assertIn("512 vertices, 1,024 faces", page.text_content("#status"))
         self.assertLessEqual(page.evaluate("document.documentElement.scrollWidth"), 390)
+        page.frame_locator("iframe").locator("html[data-ready=true]").wait_for()
         self.picture(page, "phone-dark")
 
     def test_one_mesh_is_changed_and_written(self):
