@@ -36,7 +36,7 @@ def write_mesh(
     vertex_colors: Optional[Any] = None,
     face_colors: Optional[Any] = None,
 ) -> None:
-    """Writes a mesh in the format that the suffix names: OBJ, PLY, STL, OFF, VTP, VTU or GLB; ``.gz`` after it compresses.
+    """Writes a mesh in the format that the suffix names: OBJ, PLY, STL, OFF, VTP, VTU, 3MF or GLB; ``.gz`` after it compresses.
 
     Every bit of every coordinate is kept, except in STL and GLB, which hold single precision. The file appears whole or not
     at all.

@@ -68,7 +68,7 @@ def as_mesh(source: MeshLike) -> Mesh:
 
 
 def read_mesh(path: "str | os.PathLike[str]") -> Mesh:
-    """Reads a triangle mesh from a file: OBJ, PLY, STL, OFF, glTF, GLB, VTK, VTP or VTU, each also with ``.gz``.
+    """Reads a triangle mesh from a file: OBJ, PLY, STL, OFF, glTF, GLB, VTK, VTP, VTU or 3MF, each also with ``.gz``.
 
     The format is the one that the content shows. Faces with more than three corners are cut into triangles.
 

@@ -44,6 +44,12 @@ pub(crate) fn read(path: &Path) -> anyhow::Result<ReadMesh> {
     Ok(pompeiu::io::read(path)?)
 }
 
+/// Reads a mesh, or points without faces.
+pub(crate) fn read_or_points(path: &Path) -> anyhow::Result<ReadMesh> {
+    check_readable(path)?;
+    Ok(pompeiu::io::read_mesh_or_points(path)?)
+}
+
 /// Reads a mesh while somebody waits, and warns of what its file has that a mesh has not.
 pub(crate) fn read_shown(path: &Path, wait: &Wait, printer: &Printer) -> anyhow::Result<TriMesh> {
     wait.show(format!("reading {}", path.display()));

@@ -45,7 +45,12 @@ impl Page {
 /// The path and the counts of an input.
 pub(crate) fn described(input: &Input) -> String {
     let [vertices, faces] = [input.vertices, input.faces].map(|n| numbers::grouped(n as u64));
-    format!("{}: {vertices} vertices, {faces} faces", input.path.as_deref().unwrap_or_default())
+    let path = input.path.as_deref().unwrap_or_default();
+    if input.faces == 0 {
+        format!("{path}: {vertices} points")
+    } else {
+        format!("{path}: {vertices} vertices, {faces} faces")
+    }
 }
 
 /// What an enclosed value is, in no more digits than tell it from others.

@@ -29,9 +29,10 @@ pub(crate) fn in_files([a, b]: [&Path; 2], error: RequestError) -> anyhow::Error
     }
 }
 
-/// Reads both within the time limit, and warns of what deserves it.
+/// Reads both with one of the functions of [`files`] within the time limit, and warns of what deserves it.
 pub(crate) fn read_files(
     [a, b]: [&Path; 2],
+    read: fn(&Path) -> anyhow::Result<ReadMesh>,
     (limits, started): (&Limits, Instant),
     wait: &Wait,
     printer: &Printer,
@@ -40,7 +41,7 @@ pub(crate) fn read_files(
     let paths = [a, b].map(Path::to_owned);
     let (first, second) = limits.while_reading(started, move || {
         // Counting runs on one thread: beside the other file it costs the least.
-        let read = |path: &Path| files::read(path).map(|read| (unreferenced_vertices(&read.mesh), read));
+        let read = |path: &Path| read(path).map(|read| (unreferenced_vertices(&read.mesh), read));
         rayon::join(|| read(&paths[0]), || read(&paths[1]))
     })?;
     let (first, second) = (first?, second?);

@@ -25,11 +25,15 @@ pub enum Format {
     Vtp,
     /// VTK XML unstructured grid.
     Vtu,
+    /// 3D Manufacturing Format, a zip archive.
+    ThreeMf,
+    /// Points as text, a line each.
+    Xyz,
 }
 
 impl Format {
     /// All formats, in the order of the enumeration.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 11] = [
         Self::Obj,
         Self::Ply,
         Self::Stl,
@@ -39,6 +43,8 @@ impl Format {
         Self::VtkLegacy,
         Self::Vtp,
         Self::Vtu,
+        Self::ThreeMf,
+        Self::Xyz,
     ];
 
     /// The usual suffix of file names, in lower case and without the dot.
@@ -53,6 +59,8 @@ impl Format {
             Self::VtkLegacy => "vtk",
             Self::Vtp => "vtp",
             Self::Vtu => "vtu",
+            Self::ThreeMf => "3mf",
+            Self::Xyz => "xyz",
         }
     }
 
@@ -65,6 +73,7 @@ impl Format {
         let (_, suffix) = name.rsplit_once('.')?;
         match suffix {
             "coff" | "noff" | "cnoff" | "stoff" => Some(Self::Off),
+            "asc" | "pts" => Some(Self::Xyz),
             _ => Self::ALL.into_iter().find(|format| format.suffix() == suffix),
         }
     }
@@ -82,6 +91,8 @@ impl fmt::Display for Format {
             Self::VtkLegacy => "legacy VTK",
             Self::Vtp => "VTP",
             Self::Vtu => "VTU",
+            Self::ThreeMf => "3MF",
+            Self::Xyz => "XYZ",
         })
     }
 }
@@ -95,6 +106,7 @@ mod tests {
         assert_eq!(Format::from_path("a/b.OBJ"), Some(Format::Obj));
         assert_eq!(Format::from_path("b.ply.gz"), Some(Format::Ply));
         assert_eq!(Format::from_path("b.coff"), Some(Format::Off));
+        assert_eq!(Format::from_path("cloud.PTS"), Some(Format::Xyz));
         assert_eq!(Format::from_path("obj"), None);
         assert_eq!(Format::from_path("b.txt"), None);
         assert_eq!(Format::from_path("/"), None);

@@ -16,6 +16,7 @@ mod appearance;
 mod error;
 mod expansion;
 mod face_vectors;
+mod foreign;
 mod format;
 mod formats;
 mod groups;
@@ -37,7 +38,7 @@ pub use face_vectors::read_face_vectors;
 pub use format::Format;
 pub use groups::Group;
 pub use loops::read_loops;
-pub use read::{ReadMesh, read, read_bytes, read_bytes_of, read_mesh, referenced_files};
+pub use read::{ReadMesh, read, read_bytes, read_bytes_of, read_mesh, read_mesh_or_points, referenced_files};
 pub use solids::{
     Hexahedra, Solids, SurfaceOrSolid, Tetrahedra, read_hexahedra, read_surface_or_solid, read_tetrahedra,
 };

@@ -6,7 +6,7 @@ use crate::formats::{self, Input};
 use crate::groups::Group;
 use crate::polygon::{self, Polygon};
 use crate::raw::RawMesh;
-use crate::{sniff, source};
+use crate::{foreign, sniff, source};
 use pompeiu_core::{MeshError, TriMesh};
 use std::path::{Path, PathBuf};
 
@@ -24,8 +24,11 @@ pub struct ReadMesh {
     pub polygons_triangulated: u64,
     /// Faces of the file with fewer than three corners, which were omitted.
     pub faces_dropped: u64,
-    /// Named groups: groups and objects of OBJ, nodes of glTF.
+    /// Named groups: groups and objects of OBJ, nodes of glTF, items of 3MF.
     pub groups: Vec<Group>,
+    /// Whether the file has points and no faces: each face of the mesh is one of the points, with it as all three corners
+    /// ([`read_mesh_or_points`]).
+    pub is_cloud: bool,
 }
 
 /// Reads a triangle mesh from a file.
@@ -50,10 +53,32 @@ pub struct ReadMesh {
 /// the size of the file as long as that is at most 1 GiB, or to 32 times its size, whichever is more. An element of XML has at most
 /// 256 attributes, a document at most 64 namespaces. No other process may shorten a file while it is read.
 pub fn read(path: impl AsRef<Path>) -> Result<ReadMesh, ReadError> {
-    let path = path.as_ref();
+    read_path(path.as_ref(), Points::Refused)
+}
+
+/// [`read`], also of files with points and no faces: PLY, XYZ and others. Each point becomes a face without extent, so that every distance
+/// from the points to a surface is that of the mesh ([`ReadMesh::is_cloud`]).
+///
+/// XYZ, ASC and PTS are text: three coordinates at the beginning of each line.
+///
+/// # Errors
+/// Those of [`read`].
+pub fn read_mesh_or_points(path: impl AsRef<Path>) -> Result<ReadMesh, ReadError> {
+    read_path(path.as_ref(), Points::Taken)
+}
+
+/// What becomes of a file without faces.
+#[derive(Clone, Copy, PartialEq)]
+enum Points {
+    Refused,
+    Taken,
+}
+
+fn read_path(path: &Path, points: Points) -> Result<ReadMesh, ReadError> {
     let bytes = source::open(path).map_err(|cause| ReadError::Io { path: path.to_owned(), cause })?;
     let promised = Format::from_path(path);
-    read_content(&bytes, path.parent(), |content| sniff::format(content).or(promised))
+    let format = |content: &[u8]| sniff::format(content).or(promised);
+    read_content(&bytes, path.parent(), points, format)
         .map_err(|cause| ReadError::Format { path: path.to_owned(), cause })
 }
 
@@ -89,7 +114,7 @@ pub fn referenced_files(path: impl AsRef<Path>) -> Vec<PathBuf> {
 /// # Errors
 /// If the bytes do not hold a mesh.
 pub fn read_bytes(bytes: &[u8], format: Option<Format>) -> Result<ReadMesh, FormatError> {
-    read_content(bytes, None, |content| format.or_else(|| sniff::format(content)))
+    read_content(bytes, None, Points::Refused, |content| format.or_else(|| sniff::format(content)))
 }
 
 /// Reads a triangle mesh from the bytes of a file that is not at hand, compressed or not.
@@ -100,26 +125,34 @@ pub fn read_bytes(bytes: &[u8], format: Option<Format>) -> Result<ReadMesh, Form
 /// If the bytes do not hold a mesh.
 pub fn read_bytes_of(name: impl AsRef<Path>, bytes: &[u8]) -> Result<ReadMesh, FormatError> {
     let promised = Format::from_path(name);
-    read_content(bytes, None, |content| sniff::format(content).or(promised))
+    read_content(bytes, None, Points::Refused, |content| sniff::format(content).or(promised))
 }
 
 fn read_content(
     bytes: &[u8],
     folder: Option<&Path>,
+    points: Points,
     choose: impl FnOnce(&[u8]) -> Option<Format>,
 ) -> Result<ReadMesh, FormatError> {
     let (content, compressed) = source::decompressed(bytes)?;
     if content.is_empty() {
         return Err(FormatError::new(Location::File, "the file is empty, expected a mesh"));
     }
+    if let Some(advice) = foreign::advice(&content) {
+        return Err(FormatError::new(Location::File, advice));
+    }
     let format = choose(&content).ok_or_else(|| unrecognised(&content))?;
     let raw = formats::read(format, Input { bytes: &content, folder, stored_bytes: bytes.len() as u64 })?;
     drop(content);
-    finish(raw, format, compressed)
+    finish(raw, points, (format, compressed))
 }
 
 /// Triangulates and validates the output of a format reader.
-fn finish(mut raw: RawMesh, format: Format, compressed: bool) -> Result<ReadMesh, FormatError> {
+fn finish(
+    mut raw: RawMesh,
+    points: Points,
+    (format, compressed): (Format, bool),
+) -> Result<ReadMesh, FormatError> {
     // Places of polygons are 32-bit indices, which are invalid for more faces.
     if u32::try_from(raw.faces.len()).is_ok() {
         polygon::triangulate(&raw.positions, &mut raw.faces, &raw.polygons)
@@ -127,9 +160,15 @@ fn finish(mut raw: RawMesh, format: Format, compressed: bool) -> Result<ReadMesh
     }
     let polygons_triangulated = raw.polygons.len() as u64;
     drop(raw.polygons);
+    let is_cloud = points == Points::Taken && raw.faces.is_empty() && !raw.positions.is_empty();
+    // More points than indices are an error of validation.
+    if is_cloud && let Ok(count) = u32::try_from(raw.positions.len()) {
+        raw.faces = (0..count).map(|v| [v; 3]).collect();
+        raw.faces_dropped = 0;
+    }
     let (faces_dropped, groups) = (raw.faces_dropped, raw.groups);
     let mesh = TriMesh::new(raw.positions, raw.faces).map_err(|error| invalid(&error, faces_dropped))?;
-    Ok(ReadMesh { mesh, format, compressed, polygons_triangulated, faces_dropped, groups })
+    Ok(ReadMesh { mesh, format, compressed, polygons_triangulated, faces_dropped, groups, is_cloud })
 }
 
 #[cold]
@@ -137,7 +176,7 @@ fn unrecognised(content: &[u8]) -> FormatError {
     let start = content[..content.len().min(16)].escape_ascii();
     FormatError::new(
         Location::File,
-        format!("begins with \"{start}\", expected OBJ, PLY, STL, OFF, glTF, GLB, VTK, VTP or VTU"),
+        format!("begins with \"{start}\", expected OBJ, PLY, STL, OFF, glTF, GLB, VTK, VTP, VTU or 3MF"),
     )
 }
 
@@ -164,7 +203,12 @@ fn invalid(error: &MeshError, faces_dropped: u64) -> FormatError {
                 0 => String::new(),
                 n => format!(" and {n} faces with fewer than three corners"),
             };
-            let problem = format!("found {vertices} vertices{dropped}, expected at least one face");
+            let cloud = if faces_dropped == 0 && *vertices > 0 {
+                "; `pompeiu distance` measures clouds of points"
+            } else {
+                ""
+            };
+            let problem = format!("found {vertices} vertices{dropped}, expected at least one face{cloud}");
             FormatError::new(Location::File, problem)
         }
         MeshError::NonFinite { vertex, .. } | MeshError::TooLarge { vertex, .. } => {

@@ -13,6 +13,9 @@ pub(crate) fn format(bytes: &[u8]) -> Option<Format> {
     if bytes.starts_with(b"glTF") {
         return Some(Format::Glb);
     }
+    if bytes.starts_with(b"PK\x03\x04") {
+        return Some(Format::ThreeMf);
+    }
     if bytes.starts_with(b"ply") && bytes.get(3).is_some_and(|&b| is_blank(b) || is_line_end(b)) {
         return Some(Format::Ply);
     }
@@ -88,6 +91,7 @@ mod tests {
         for (bytes, expected) in [
             (&b"ply\nformat"[..], Some(Format::Ply)),
             (b"glTF\x02", Some(Format::Glb)),
+            (b"PK\x03\x04\x14", Some(Format::ThreeMf)),
             (b"# vtk DataFile Version 3.0", Some(Format::VtkLegacy)),
             (&stl, Some(Format::Stl)),
             (b"solid x\n facet normal", Some(Format::Stl)),

@@ -40,7 +40,7 @@ Examples:
   pompeiu convert model.stl.gz model.ply
   pompeiu generate icosphere --subdivisions 5 -o sphere.obj
 
-Files: OBJ, PLY, STL, OFF, glTF/GLB, VTK and VTP/VTU, each also as .gz; recognised by content.
+Files: OBJ, PLY, STL, OFF, glTF/GLB, VTK, VTP/VTU and 3MF, each also as .gz; recognised by content.
 `pompeiu COMMAND --help` says more.")]
 pub(crate) struct Args {
     #[command(subcommand)]

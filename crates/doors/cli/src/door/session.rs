@@ -57,9 +57,27 @@ impl<'s> Session<'s> {
 
     /// The same with the groups of faces that the files name.
     pub(crate) fn read_pair_with_groups(&mut self, paths: [&Path; 2]) -> anyhow::Result<[ReadMesh; 2]> {
-        let files = pair::read_files(paths, (self.limits, self.started), &self.wait, self.printer)?;
+        self.read_pair_by(paths, files::read)
+    }
+
+    /// The same of files with points and no faces, too.
+    pub(crate) fn read_pair_or_points(&mut self, paths: [&Path; 2]) -> anyhow::Result<[ReadMesh; 2]> {
+        self.read_pair_by(paths, files::read_or_points)
+    }
+
+    fn read_pair_by(
+        &mut self,
+        paths: [&Path; 2],
+        read: fn(&Path) -> anyhow::Result<ReadMesh>,
+    ) -> anyhow::Result<[ReadMesh; 2]> {
+        let files = pair::read_files(paths, read, (self.limits, self.started), &self.wait, self.printer)?;
         for (path, file) in paths.into_iter().zip(&files) {
-            self.note(path, &file.mesh);
+            if file.is_cloud {
+                self.note_points(path, file.mesh.positions().len());
+                self.read = self.started.elapsed();
+            } else {
+                self.note(path, &file.mesh);
+            }
         }
         Ok(files)
     }

@@ -123,6 +123,20 @@ fn distance_for_people() {
     );
 }
 
+/// Points above a square: how far they are is proven, and the way back is not offered.
+#[test]
+fn clouds_of_points_are_measured_from_their_points() {
+    let folder = Folder::with_tent();
+    folder.write("cloud.xyz", "# x y z\n0 0 0.125\n0.5,0.5,-0.25\n1 0 0 17\n");
+    check(&folder, "cloud", "distance square.obj cloud.xyz");
+    check(&folder, "cloud_asserted", "distance cloud.xyz square.obj --direction a-to-b --assert-below 0.26");
+    check(&folder, "cloud_way_back", "distance square.obj cloud.xyz --direction a-to-b");
+    check(&folder, "cloud_align", "distance square.obj cloud.xyz --align rigid");
+    check(&folder, "cloud_deviation", "deviation square.obj cloud.xyz");
+    folder.write("part.step", "ISO-10303-21;\nHEADER;\n");
+    check(&folder, "step", "distance square.obj part.step");
+}
+
 #[test]
 fn distance_warns() {
     let folder = Folder::with_tent();

@@ -6,7 +6,9 @@ mod obj;
 pub(crate) mod off;
 mod ply;
 pub(crate) mod stl;
+mod three_mf;
 mod vtk;
+mod xyz;
 
 use crate::appearance::Appearance;
 use crate::error::FormatError;
@@ -38,6 +40,8 @@ pub(crate) fn read(format: Format, input: Input<'_>) -> Result<RawMesh, FormatEr
         Format::VtkLegacy => vtk::read_legacy(input.bytes),
         Format::Vtp => vtk::read_poly_data(input),
         Format::Vtu => vtk::read_unstructured_grid(input),
+        Format::ThreeMf => three_mf::read(input),
+        Format::Xyz => xyz::read(input.bytes),
     }
 }
 

@@ -13,6 +13,7 @@ use std::path::Path;
 /// | STL | single precision | no | no | no | no | no |
 /// | OFF | every bit | yes | yes | no | no | no |
 /// | VTP, VTU | every bit | yes | yes | yes | no | no |
+/// | 3MF | every bit | no | no | no | no | no |
 /// | GLB | single precision | yes | no | no | single precision | yes |
 ///
 /// An attribute that the format cannot store is an error; it is never dropped silently.
@@ -33,6 +34,9 @@ pub enum OutputFormat {
     Vtp,
     /// VTK XML unstructured grid of triangles: otherwise as [`OutputFormat::Vtp`], for programs that need cells.
     Vtu,
+    /// 3D Manufacturing Format: one object, each coordinate as the shortest decimal that reads back to the same double, in millimetres.
+    /// Coordinates in another unit are to be converted before. Faces that have a vertex twice are not allowed there, and refused.
+    ThreeMf,
     /// glTF 2.0 in one binary file, one mesh in one node. Coordinates are rounded to single precision relative to an origin in the
     /// node's translation, so that a model far from zero keeps its shape: the error per axis is at most 2⁻²⁴ of the model's size. A
     /// mesh whose coordinates are single-precision numbers keeps every bit. Colours are interpreted as sRGB and stored linear, with
@@ -43,7 +47,8 @@ pub enum OutputFormat {
 
 impl OutputFormat {
     /// All formats, in the order of the table above.
-    pub const ALL: [Self; 7] = [Self::Obj, Self::Ply, Self::Stl, Self::Off, Self::Vtp, Self::Vtu, Self::Glb];
+    pub const ALL: [Self; 8] =
+        [Self::Obj, Self::Ply, Self::Stl, Self::Off, Self::Vtp, Self::Vtu, Self::ThreeMf, Self::Glb];
 
     /// The format for the suffix of a file name, in either case, ignoring a final `.gz`.
     pub fn from_path(path: &Path) -> Option<Self> {
@@ -61,6 +66,7 @@ impl OutputFormat {
             Self::Off => "off",
             Self::Vtp => "vtp",
             Self::Vtu => "vtu",
+            Self::ThreeMf => "3mf",
             Self::Glb => "glb",
         }
     }
@@ -74,6 +80,7 @@ impl OutputFormat {
             Self::Off => "OFF",
             Self::Vtp => "VTP",
             Self::Vtu => "VTU",
+            Self::ThreeMf => "3MF",
             Self::Glb => "GLB",
         }
     }
@@ -84,13 +91,13 @@ impl OutputFormat {
     pub const fn precision(self) -> Precision {
         match self {
             Self::Stl | Self::Glb => Precision::Single,
-            Self::Obj | Self::Ply | Self::Off | Self::Vtp | Self::Vtu => Precision::Double,
+            Self::Obj | Self::Ply | Self::Off | Self::Vtp | Self::Vtu | Self::ThreeMf => Precision::Double,
         }
     }
 
     /// Whether it can store colours of vertices.
     pub const fn holds_vertex_colors(self) -> bool {
-        !matches!(self, Self::Stl)
+        !matches!(self, Self::Stl | Self::ThreeMf)
     }
 
     const fn holds_face_colors(self) -> bool {

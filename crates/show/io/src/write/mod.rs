@@ -10,6 +10,7 @@ mod ply;
 mod replace;
 mod stl;
 mod text;
+mod three_mf;
 mod vtk_xml;
 
 use flate2::{Compression, write::GzEncoder};
@@ -141,6 +142,7 @@ pub fn encode(
         OutputFormat::Off => off::write(&mut out, mesh, attributes),
         OutputFormat::Vtp => vtk_xml::write(&mut out, DataSet::PolyData, mesh, attributes),
         OutputFormat::Vtu => vtk_xml::write(&mut out, DataSet::UnstructuredGrid, mesh, attributes),
+        OutputFormat::ThreeMf => three_mf::write(&mut out, mesh),
         OutputFormat::Glb => glb::write(&mut out, mesh, attributes),
     }?;
     Ok(out.flush()?)

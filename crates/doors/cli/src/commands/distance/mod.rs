@@ -12,8 +12,9 @@ use crate::{certificate, files};
 use anyhow::bail;
 use clap::Args;
 use pompeiu::core::run::StopReason;
+use pompeiu::hausdorff::Directions;
 use pompeiu::matching::request::{AlignedDistanceReport, AlignedDistanceRequest};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 pub(crate) type Distance = Invocation<Files>;
 
@@ -21,6 +22,7 @@ pub(crate) type Distance = Invocation<Files>;
 #[command(after_help = "\
 The directed distance h(A, B) is the largest distance of a point of A from B; H(A, B) is the larger of
 h(A, B) and h(B, A). All points of all faces count, not only vertices. Faces are counted from 0.
+A file with points and no faces (PLY, XYZ) is a cloud: how far its points are from the mesh is measured, not the way back.
 In JSON, witness.a lies on A and witness.b on B in both directions.
 
 Exit codes:
@@ -44,6 +46,50 @@ pub(crate) struct Files {
     certificate: Option<PathBuf>,
 }
 
+impl Files {
+    /// Between its points a cloud says nothing of the surface: beside a mesh, only the way from its points is measured.
+    fn choose_direction(
+        &self,
+        request: &mut AlignedDistanceRequest,
+        is_cloud: [bool; 2],
+        session: &Session<'_>,
+    ) -> anyhow::Result<()> {
+        let from_points = match is_cloud {
+            [true, false] => Directions::AToB,
+            [false, true] => Directions::BToA,
+            _ if is_cloud == [false; 2] => return Ok(()),
+            _ => request.distance.direction,
+        };
+        let [a, b] = self.meshes.paths().map(Path::display);
+        if request.align.is_some() {
+            bail!(
+                "--align needs two surfaces, but a cloud of points has none; align the cloud where it was measured"
+            );
+        }
+        if self.certificate.is_some() {
+            bail!(
+                "a certificate is about triangles in two files, but a cloud of points has none; leave out --certificate"
+            );
+        }
+        if request.distance.direction == from_points {
+            return Ok(());
+        }
+        let (cloud, mesh) = if is_cloud[0] { (a, b) } else { (b, a) };
+        if request.distance.direction != Directions::Both {
+            bail!(
+                "{cloud} is a cloud of points, which says nothing of the surface between them: how far {mesh} is from \
+                 it cannot be measured; ask for the other direction"
+            );
+        }
+        request.distance.direction = from_points;
+        session.printer.warning(format_args!(
+            "{cloud} is a cloud of points: measured is how far they are from {mesh}. The way back is left out, because \
+             between its points a cloud says nothing of the surface"
+        ));
+        Ok(())
+    }
+}
+
 impl System for Files {
     type Request = AlignedDistanceRequest;
 
@@ -64,7 +110,9 @@ impl System for Files {
                  write the moved mesh with `pompeiu align` and compare that"
             );
         }
-        let [a, b] = session.read_pair(paths)?;
+        let [a, b] = session.read_pair_or_points(paths)?;
+        self.choose_direction(request, [a.is_cloud, b.is_cloud], session)?;
+        let [a, b] = [a.mesh, b.mesh];
         session.wait.show("building trees".to_owned());
         let context = session.context();
         let mut report = request.run(&a, &b, &context, None).map_err(|error| pair::in_files(paths, error))?;

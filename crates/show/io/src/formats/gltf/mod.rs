@@ -8,7 +8,7 @@ mod buffers;
 mod container;
 mod document;
 mod scene;
-mod transform;
+pub(super) mod transform;
 
 use super::Input;
 use crate::error::{FormatError, Location};

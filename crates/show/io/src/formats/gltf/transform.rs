@@ -4,10 +4,10 @@ use super::document::Node;
 
 /// An affine map: the rows of its linear part, each followed by its translation.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Transform([[f64; 4]; 3]);
+pub(in crate::formats) struct Transform([[f64; 4]; 3]);
 
 impl Transform {
-    pub(super) const IDENTITY: Self =
+    pub(in crate::formats) const IDENTITY: Self =
         Self([[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]]);
 
     /// The local transform of a node; `None` for a projection or a zero quaternion.
@@ -25,8 +25,13 @@ impl Transform {
         })))
     }
 
+    /// The map whose linear part has these rows, each followed by its translation.
+    pub(in crate::formats) const fn from_rows(rows: [[f64; 4]; 3]) -> Self {
+        Self(rows)
+    }
+
     /// The composition that applies `inner` first.
-    pub(super) fn after(&self, inner: &Self) -> Self {
+    pub(in crate::formats) fn after(&self, inner: &Self) -> Self {
         Self(self.0.map(|row| {
             [0, 1, 2, 3].map(|column| {
                 let own = if column == 3 { row[3] } else { 0.0 };
@@ -35,12 +40,12 @@ impl Transform {
         }))
     }
 
-    pub(super) fn apply(&self, point: [f64; 3]) -> [f64; 3] {
+    pub(in crate::formats) fn apply(&self, point: [f64; 3]) -> [f64; 3] {
         self.0.map(|row| linear_combination([row[0], row[1], row[2]], point, row[3]))
     }
 
     /// Whether the map reverses orientation.
-    pub(super) fn mirrors(&self) -> bool {
+    pub(in crate::formats) fn mirrors(&self) -> bool {
         // Rows are scaled to size one, so that products of tiny or huge numbers keep the sign.
         let [a, b, c] = self.0.map(|row| {
             let largest =

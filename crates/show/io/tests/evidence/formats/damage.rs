@@ -67,11 +67,16 @@ fn samples() -> Vec<(Format, Vec<u8>)> {
     let mesh = TriMesh::new(positions, vec![[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]).unwrap();
     let attributes = Attributes::for_mesh(&mesh).with_vertex_colors(vec![[1, 2, 3]; 4]).unwrap();
     let mut samples = Vec::new();
-    for (output, format) in
-        [(OutputFormat::Glb, Format::Glb), (OutputFormat::Vtp, Format::Vtp), (OutputFormat::Vtu, Format::Vtu)]
-    {
+    for (output, format) in [
+        (OutputFormat::Glb, Format::Glb),
+        (OutputFormat::Vtp, Format::Vtp),
+        (OutputFormat::Vtu, Format::Vtu),
+        (OutputFormat::ThreeMf, Format::ThreeMf),
+    ] {
         let mut bytes = Vec::new();
-        encode(&mut bytes, output, &mesh, &attributes).unwrap();
+        let plain = Attributes::for_mesh(&mesh);
+        encode(&mut bytes, output, &mesh, if output.holds_vertex_colors() { &attributes } else { &plain })
+            .unwrap();
         samples.push((format, bytes));
     }
     samples
@@ -103,7 +108,7 @@ proptest! {
 
     #[test]
     fn no_bytes_make_a_reader_panic(bytes in prop::collection::vec(any::<u8>(), 0..200)) {
-        for format in [Format::Gltf, Format::Glb, Format::VtkLegacy, Format::Vtp, Format::Vtu] {
+        for format in [Format::Gltf, Format::Glb, Format::VtkLegacy, Format::Vtp, Format::Vtu, Format::ThreeMf] {
             prop_assert!(read_bytes(&bytes, Some(format)).is_err());
         }
     }

@@ -4,8 +4,10 @@ mod damage;
 mod face_vectors;
 mod gltf;
 mod hostile;
+mod points;
 mod round_trip;
 mod solids;
+mod three_mf;
 mod vtk;
 
 use pompeiu_core::TriMesh;

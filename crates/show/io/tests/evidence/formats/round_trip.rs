@@ -94,7 +94,7 @@ fn files_with_and_without_compression() {
     let folder = tempfile::tempdir().unwrap();
     let mesh =
         TriMesh::new(vec![[0.5, -1.0, 0.25], [3.0, 0.0, 0.0], [0.0, 2.0, 0.0]], vec![[0, 1, 2]]).unwrap();
-    for suffix in ["obj", "ply", "off", "vtp", "vtu", "glb", "obj.gz", "vtp.gz", "glb.gz"] {
+    for suffix in ["obj", "ply", "off", "vtp", "vtu", "glb", "3mf", "obj.gz", "vtp.gz", "glb.gz"] {
         let path = folder.path().join(format!("mesh.{suffix}"));
         write(&path, &mesh).unwrap();
         let read = read(&path).unwrap();

@@ -1,0 +1,44 @@
+//! 3MF: a zip archive of XML, as slicers write it.
+//!
+//! Reads the meshes of all items of the build, with the components of their objects and the transforms of both, also where objects are in
+//! other parts of the archive (the production extension). Coordinates are converted to millimetres from the unit that the file states; a
+//! file in millimetres keeps every bit. Colours, textures, beams and slices are skipped.
+
+mod build;
+mod model;
+mod package;
+
+use super::Input;
+use crate::error::{FormatError, Location};
+use crate::expansion::Allowance;
+use crate::raw::RawMesh;
+use build::Build;
+use model::Model;
+use package::Package;
+use std::collections::HashMap;
+
+/// Reads the build of a 3MF file.
+pub(crate) fn read(input: Input<'_>) -> Result<RawMesh, FormatError> {
+    let mut allowance = Allowance::of_file(input.stored_bytes);
+    let mut package = Package::open(input.bytes)?;
+    let root = package.model_part(&mut allowance)?;
+    let mut models = HashMap::new();
+    let mut missing = vec![root.clone()];
+    while let Some(part) = missing.pop() {
+        if models.contains_key(&part) {
+            continue;
+        }
+        let model = package.read(&part, &mut allowance, |xml| Model::parse(xml))?;
+        missing.extend(model.other_parts().map(str::to_owned));
+        models.insert(part, model);
+    }
+    // Objects that are used often are not longer than their file: the allowance holds for copies, too.
+    Build::new(&models, allowance).place(&root)
+}
+
+/// What is wrong in a part of the archive.
+fn in_part(part: &str, problem: impl std::fmt::Display) -> FormatError {
+    // What is quoted of the file may have ends of lines.
+    let problem = format!("{part}: {problem}").replace(char::is_control, " ");
+    FormatError::new(Location::File, problem)
+}
