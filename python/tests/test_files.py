@@ -52,7 +52,7 @@ def test_attributes_of_all_kinds_are_written(tmp_path):
 @pytest.mark.parametrize(
     ("name", "attributes", "sentence"),
     [
-        ("mesh.xyz", {}, "the suffix names no format that can be written (obj, ply, stl, off, vtp, vtu, glb)"),
+        ("mesh.xyz", {}, "the suffix names no format that can be written (obj, ply, stl, off, vtp, vtu, 3mf, glb)"),
         ("mesh.obj", {"vertex_scalars": {"s": np.zeros(20)}}, "OBJ has no place for vertex scalars"),
         ("mesh.ply", {"vertex_scalars": {"s": np.zeros(19)}}, "s: 19 values for 20 vertices"),
         ("mesh.ply", {"vertex_scalars": {"a b": np.zeros(20)}}, "attribute name"),
