@@ -51,6 +51,8 @@ mod report;
 #[cfg(feature = "serde")]
 mod request;
 pub mod scenario;
+#[cfg(feature = "figures")]
+pub mod show;
 mod subproblem;
 pub mod tube;
 pub mod wall;

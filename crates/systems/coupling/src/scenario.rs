@@ -80,6 +80,15 @@ impl Distance {
 }
 
 impl Scenario {
+    /// Length of a window.
+    pub fn time_step(&self) -> f64 {
+        match self {
+            Self::Piston(options) => options.time_step,
+            Self::Tube(options) => options.time_step,
+            Self::Channel(options) => options.time_step,
+        }
+    }
+
     /// Runs windows. The observer gets the number of each window from 1, what both agree on, and what the first solver gave for it; it
     /// says whether to go on.
     ///

@@ -768,6 +768,40 @@ fn couple_solves_scenes_compares_schemes_and_says_why_solvers_do_not_agree() {
 }
 
 #[test]
+fn couple_writes_a_page_that_plays_the_run() {
+    let folder = Folder::new();
+    folder.write("channel.toml", "kind = 'channel'\nwindows = 4\n[channel]\ncells = [12, 4]\n");
+    let plain = json(&folder, "couple channel.toml --json");
+    let report = json(&folder, "couple channel.toml --video run.html --report same.html --json");
+    assert_eq!(report["runs"], plain["runs"]);
+    let page = |name: &str| std::fs::read_to_string(folder.path().join(name)).unwrap();
+    let page_of_run = page("run.html");
+    assert!(page_of_run.contains("Solves of each window") && page_of_run.contains("iqn-ils, 4 of"));
+    // The command names the files of the page itself, the same for both.
+    assert_eq!(page_of_run, page("same.html"));
+
+    // A run that fails at once has a page that says why.
+    let (code, _, _) = folder.transcript("couple channel.toml --scheme fixed --report failed.html");
+    assert_eq!(code, Some(3));
+    assert!(page("failed.html").contains("cannot agree by plain iteration"));
+    let (code, _, _) = folder.transcript("couple channel.toml --time-limit 1ns --report limited.html");
+    assert_eq!(code, Some(3));
+    assert!(
+        page("limited.html").contains("1 of ") && page("limited.html").contains("interrupted after window 1")
+    );
+
+    for (arguments, words) in [
+        ("couple channel.toml --report folder/that/is/not/there.html", "there is no folder"),
+        ("couple channel.toml --report page.pdf", "page.pdf"),
+        ("couple channel.toml --report run.html --video run.html", "named for two outputs"),
+        ("couple channel.toml --report page.html --compare", "--report has the data of one run"),
+    ] {
+        let (code, _, message) = folder.transcript(arguments);
+        assert!(code == Some(2) && message.contains(words), "{arguments}: {message}");
+    }
+}
+
+#[test]
 fn puzzle_says_whether_pieces_can_move_and_draws_them() {
     let folder = Folder::new();
     let report = json(&folder, "puzzle --pieces 12 -o pieces.svg --cuts cuts.dxf --report page.html --json");

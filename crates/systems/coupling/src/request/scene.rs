@@ -233,7 +233,11 @@ impl Scene {
         }
     }
 
-    pub(super) fn scenario(&self) -> Result<Scenario, SceneError> {
+    /// The problem with its numbers, which are checked when it runs.
+    ///
+    /// # Errors
+    /// [`SceneError::NoKind`].
+    pub fn scenario(&self) -> Result<Scenario, SceneError> {
         Ok(match self.kind()? {
             Kind::Piston => Scenario::Piston(self.piston()),
             Kind::Tube => Scenario::Tube(self.tube()),

@@ -4,4 +4,6 @@
 
 mod channel;
 mod piston;
+#[cfg(feature = "figures")]
+mod show;
 mod tube;

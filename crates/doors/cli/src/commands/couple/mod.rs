@@ -3,10 +3,12 @@
 mod text;
 
 use crate::args::suffix;
+use crate::called::called;
 use crate::door::{AnswerOf, Invocation, Session, System};
 use crate::files;
 use anyhow::bail;
 use clap::Args;
+use pompeiu::coupling::show::{CoupleFrames, CouplePage};
 use pompeiu::coupling::{CoupleReport, CoupleRequest, Scene};
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -42,7 +44,8 @@ Exit codes:
 Examples:
   pompeiu couple tube.toml
   pompeiu couple tube.toml --compare
-  pompeiu couple channel.toml --scheme aitken -o wall.csv --json")]
+  pompeiu couple channel.toml --scheme aitken -o wall.csv --json
+  pompeiu couple channel.toml --video channel.html")]
 pub(crate) struct Files {
     /// The scene
     #[arg(value_name = "SCENE.toml")]
@@ -50,25 +53,42 @@ pub(crate) struct Files {
     /// Write interface data of each window: displacements or cross-sections, and pressures
     #[arg(short, long, value_parser = suffix::table, value_name = "FILE.csv")]
     output: Option<PathBuf>,
+    /// Write a page that plays the run, as --report does
+    #[arg(long, value_parser = suffix::page, value_name = "RUN.html")]
+    video: Option<PathBuf>,
+    /// Write a page to explore in a browser, one file that needs no network
+    #[arg(long, value_parser = suffix::page, value_name = "FILE.html")]
+    report: Option<PathBuf>,
 }
 
 impl System for Files {
     type Request = CoupleRequest;
 
     fn check(&self, _: bool) -> anyhow::Result<()> {
-        files::check_places(self.output.as_deref(), &[self.scene.as_path()])
+        let outputs = self.output.iter().chain(self.pages());
+        files::check_places(outputs.map(PathBuf::as_path), &[self.scene.as_path()])
     }
 
     fn run(&self, request: &mut CoupleRequest, session: &mut Session<'_>) -> anyhow::Result<CoupleReport> {
-        if request.compare && self.output.is_some() {
-            bail!("--output has the data of one run, and --compare makes several; leave out one of them");
+        let is_paged = self.pages().next().is_some();
+        let given = [
+            ("--output", self.output.is_some()),
+            ("--video", self.video.is_some()),
+            ("--report", self.report.is_some()),
+        ];
+        if let Some((name, _)) = given.into_iter().find(|(_, is_given)| request.compare && *is_given) {
+            bail!("{name} has the data of one run, and --compare makes several; leave out one of them");
         }
         let scene = Scene::read(&self.scene)?;
         session.note_points(&self.scene, 0);
+        let mut frames = CoupleFrames::default();
         let mut table = String::from("window,quantity");
         let mut watch = |window: usize, x: &[f64], y: &[f64]| {
             if self.output.is_some() {
                 add_rows(&mut table, window, x, y);
+            }
+            if is_paged {
+                frames.add(window, x, y);
             }
         };
         let report = request.run(&scene, &mut watch, &session.context())?;
@@ -76,11 +96,29 @@ impl System for Files {
         if let Some(path) = &self.output {
             files::write_whole(path, table.as_bytes(), session.printer)?;
         }
+        if is_paged {
+            let page = CouplePage {
+                kind: &report.kind,
+                scenario: &scene.scenario()?,
+                windows: report.windows,
+                run: &report.runs[0],
+                frames: frames.frames(),
+                command: Some(&called()),
+            };
+            let html = page.html()?;
+            self.pages().try_for_each(|path| files::write_whole(path, html.as_bytes(), session.printer))?;
+        }
         Ok(report)
     }
 
     fn text(&self, answer: &AnswerOf<Self>) -> String {
         text::text(answer)
+    }
+}
+
+impl Files {
+    fn pages(&self) -> impl Iterator<Item = &PathBuf> {
+        self.video.iter().chain(&self.report)
     }
 }
 
