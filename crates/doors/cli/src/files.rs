@@ -7,9 +7,9 @@ use crate::wait::Wait;
 use anyhow::{Context, bail};
 use pompeiu::core::TriMesh;
 use pompeiu::core::mesh::{Precision, Rounding};
+use pompeiu::core::request::hexadecimal;
 use pompeiu::io::{Attributes, OutputFormat, ReadMesh, WriteError};
 use sha2::{Digest, Sha256};
-use std::fmt::Write as _;
 use std::fs::File;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
@@ -174,15 +174,7 @@ pub(crate) fn sha256(path: &Path) -> std::io::Result<String> {
     }
     let mut hasher = Sha256::new();
     std::io::copy(&mut File::open(path)?, &mut hasher)?;
-    Ok(hex(hasher))
-}
-
-/// A sum in hexadecimal digits.
-pub(crate) fn hex(hasher: Sha256) -> String {
-    hasher.finalize().iter().fold(String::new(), |mut text, byte| {
-        let _ = write!(text, "{byte:02x}");
-        text
-    })
+    Ok(hexadecimal(&hasher.finalize()))
 }
 
 /// Warns of what was changed between the file and the mesh.

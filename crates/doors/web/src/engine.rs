@@ -7,13 +7,12 @@ use crate::outputs::{self, Found};
 use crate::watch::Watcher;
 use pompeiu::core::TriMesh;
 use pompeiu::core::geom::Aabb;
-use pompeiu::core::request::{FileFacts, Input};
+use pompeiu::core::request::{FileFacts, Input, hexadecimal};
 use pompeiu::hausdorff::NamedFaces;
 use pompeiu::io::read_bytes_of;
 use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
-use std::fmt::Write as _;
 
 /// A mesh with what is known of its file.
 pub(crate) struct Loaded {
@@ -120,10 +119,7 @@ impl Engine {
     fn read(&mut self, name: String, bytes: &[u8]) -> Result<Said, CallError> {
         let read =
             read_bytes_of(&name, bytes).map_err(|problem| CallError::Read { name: name.clone(), problem })?;
-        let sum = Sha256::digest(bytes).iter().fold(String::new(), |mut text, byte| {
-            let _ = write!(text, "{byte:02x}");
-            text
-        });
+        let sum = hexadecimal(&Sha256::digest(bytes));
         let file = FileFacts {
             format: read.format.to_string(),
             compressed: read.compressed,

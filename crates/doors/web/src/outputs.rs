@@ -86,11 +86,7 @@ impl Compared {
     ) -> Result<R, CallError> {
         let limits = Limits::default();
         let report = &self.report.measured;
-        let stages = if with_stages && self.pair.parts().is_none() {
-            search_stages(&self.pair, &limits)
-        } else {
-            Vec::new()
-        };
+        let stages = if with_stages { search_stages(&self.pair, &limits) } else { Vec::new() };
         let sentence = report.sentence(NAMES, &self.unit);
         let [a, b] = &self.inputs;
         let page = DeviationPage {

@@ -3,15 +3,10 @@
 use crate::engine::Loaded;
 use crate::error::CallError;
 use crate::outputs::Changed;
-use pompeiu::core::TriMesh;
 use pompeiu::core::request::InfoReport;
 use pompeiu::figures::page::{
-    Axis, Block, Card, Fact, Layer, Mesh, Page, Paint, Player, PlayerControls, Scene, Shape, Space, SpaceId,
-    Text,
+    Axis, Block, Card, Fact, Layer, Mesh, Page, Paint, Scene, Shape, Space, SpaceId, Text,
 };
-
-/// Milliseconds from one surface to the other.
-const INTERVAL: u32 = 1500;
 
 fn page(title: String, command: Option<&str>) -> (Page, SpaceId) {
     let mut page = Page::new(title);
@@ -92,29 +87,7 @@ pub(crate) fn changed(
     command: Option<&str>,
 ) -> Result<String, CallError> {
     let (mut page, space) = page(format!("{} {}", loaded.name(), changed.what), command);
-    let both: [(&str, &TriMesh); 2] = [("before", &loaded.mesh), ("after", &changed.mesh)];
-    page.subtitle = Text::default()
-        .count(loaded.mesh.faces().len(), "face")
-        .text(" before, ")
-        .count(changed.mesh.faces().len(), "face")
-        .text(" after");
-    let player = page.add_player(Player {
-        label: "Before and after".into(),
-        steps: 2,
-        interval: INTERVAL,
-        repeats: true,
-        ..Player::default()
-    })?;
-    let mut shapes = Vec::new();
-    for (label, mesh) in both {
-        let mesh = page.add_mesh(space, Mesh::of(label, mesh))?;
-        shapes.push(Shape::Surface { mesh, paint: Paint::Plain, bounds: None });
-    }
-    let mut scene = Scene::new("surface", space);
-    scene.layers = vec![Layer::over_time(player, shapes)];
-    page.add_scene(scene)?;
-    let steps = both.map(|(label, _)| Text::from(label)).to_vec();
-    page.set_player_below(PlayerControls { player, steps, off: Text::default() })?;
+    page.add_before_and_after(space, [&loaded.mesh, &changed.mesh])?;
     let mut facts = vec![
         Fact::new(
             "vertices",

@@ -1,9 +1,9 @@
 //! A state of transport on disk, from which a run goes on bit for bit.
 
 use crate::{Parameters, TransportState};
+use pompeiu_core::request::hexadecimal;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
-use std::fmt::Write;
 
 /// What a checkpoint holds: one JSON object, whose numbers are read back to the same doubles.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -98,8 +98,5 @@ impl Checkpoint {
 }
 
 fn hex(hasher: Sha256) -> String {
-    hasher.finalize().iter().fold(String::new(), |mut text, byte| {
-        let _ = write!(text, "{byte:02x}");
-        text
-    })
+    hexadecimal(&hasher.finalize())
 }

@@ -5,8 +5,7 @@ use glam::DVec3;
 use pompeiu_core::{FaceId, TriMesh};
 use pompeiu_figures::names::{axis, name};
 use pompeiu_figures::page::{
-    Block, Card, Cell, Chart, ChartAxis, Fact, Layer, Mesh, Page, PageError, Paint, Player, PlayerControls,
-    Row, Scene, Series, Shape, Space, Table, Text,
+    Block, Card, Cell, Chart, ChartAxis, Fact, Page, PageError, Row, Series, Space, Table, Text,
 };
 use pompeiu_figures::{Figure, FigureError, Image, Panel, Theme, View};
 use pompeiu_hausdorff::certificate::AttachedProof;
@@ -28,9 +27,6 @@ pub struct RemeshPage<'r> {
     pub command: Option<&'r str>,
 }
 
-/// Milliseconds from one surface to the other.
-const INTERVAL: u32 = 1500;
-
 /// Bins of the histograms, up to the angle of an equilateral triangle.
 const BINS: usize = 30;
 const GREATEST_LEAST_ANGLE: f64 = 60.0;
@@ -49,33 +45,11 @@ impl RemeshPage<'_> {
     /// [`PageError`] where numbers are not finite.
     pub fn html(&self) -> Result<String, PageError> {
         let mut page = Page::new(format!("{} remeshed", name(self.path)));
-        page.subtitle = Text::default()
-            .count(self.found.before.faces, "face")
-            .text(" before, ")
-            .count(self.found.after.faces, "face")
-            .text(" after");
         page.picture = "remesh".into();
         page.command = self.command.map(str::to_owned);
         env!("CARGO_PKG_VERSION").clone_into(&mut page.version);
         let space = page.add_space(Space::Spatial(axis(self.up)));
-        let player = page.add_player(Player {
-            label: "Before and after".into(),
-            steps: 2,
-            interval: INTERVAL,
-            repeats: true,
-            ..Player::default()
-        })?;
-        let mut shapes = Vec::new();
-        for (label, mesh, _) in self.both() {
-            let mesh =
-                page.add_mesh(space, Mesh::new(label, mesh.positions().to_vec(), mesh.faces().to_vec()))?;
-            shapes.push(Shape::Surface { mesh, paint: Paint::Plain, bounds: None });
-        }
-        let mut scene = Scene::new("surface", space);
-        scene.layers = vec![Layer::over_time(player, shapes)];
-        page.add_scene(scene)?;
-        let steps = self.both().map(|(label, ..)| Text::from(label)).to_vec();
-        page.set_player_below(PlayerControls { player, steps, off: Text::default() })?;
+        page.add_before_and_after(space, self.both().map(|(_, mesh, _)| mesh))?;
         page.add_card(Card::new("Triangles", vec![Block::Table(self.table()), Block::Facts(self.facts())]))?;
         let charts = self.both().map(|(label, mesh, _)| Block::Chart(least_angles(label, mesh)));
         page.add_card(Card::new("Least angles", charts.to_vec()))?;

@@ -13,6 +13,15 @@ pub mod values;
 pub use answer::{Answer, Conclusion, Input, Report, Timing};
 pub use info::{FileFacts, InfoReport, InfoRequest, IntersectingFacePair, IntersectingFaces};
 pub use length::{Band, Length, LengthError};
+use std::fmt::Write;
+
+/// Bytes, such as a SHA-256 sum, as hexadecimal digits.
+pub fn hexadecimal(bytes: &[u8]) -> String {
+    bytes.iter().fold(String::new(), |mut text, byte| {
+        let _ = write!(text, "{byte:02x}");
+        text
+    })
+}
 
 /// A limit of a computation that a person may set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

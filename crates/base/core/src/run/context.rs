@@ -1,6 +1,7 @@
 //! What a computation runs with: its limits, counted from one start, and who watches it.
 
-use super::{Control, Instant, Limits, ProgressObserver, on_threads};
+use super::{Control, Instant, Limits, Progress, ProgressObserver, StopReason, on_threads};
+use std::ops::ControlFlow;
 
 /// What a computation runs with: threads, time, memory, cancelling and progress.
 ///
@@ -51,6 +52,38 @@ impl<'r> RunContext<'r> {
     /// Who watches.
     pub fn progress(&self) -> Option<&'r dyn ProgressObserver> {
         self.progress
+    }
+
+    /// Takes steps in time from number `done` until `asked` are done, and reports the progress of each. It ends early if `watch`, which
+    /// sees the state before the first step and after each one, or the observer of the progress breaks, or a limit of `control` acts.
+    ///
+    /// # Errors
+    /// That of the first step that fails; the state is that after the step before.
+    pub fn take_steps<S, E>(
+        &self,
+        control: &Control,
+        state: &mut S,
+        [done, asked]: [usize; 2],
+        mut watch: impl FnMut(&S) -> ControlFlow<()>,
+        mut step: impl FnMut(&mut S) -> Result<(), E>,
+    ) -> Result<(), E> {
+        for done in done.. {
+            if watch(state).is_break() {
+                control.stop(StopReason::Cancelled);
+            }
+            if done == asked {
+                break;
+            }
+            let progress = Progress { doing: "simulating", share: Some(done as f64 / asked.max(1) as f64) };
+            if self.progress.is_some_and(|observer| observer.progress(&progress).is_break()) {
+                control.stop(StopReason::Cancelled);
+            }
+            if control.is_stopped() {
+                break;
+            }
+            step(state)?;
+        }
+        Ok(())
     }
 
     /// Does work on the threads that the limits allow.

@@ -1,7 +1,8 @@
 //! A file of results, so that an interrupted run goes on where it was.
 
-use crate::files::{hex, sha256};
+use crate::files::sha256;
 use anyhow::{Context, bail};
+use pompeiu::core::request::hexadecimal;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
@@ -86,7 +87,7 @@ impl Journal {
         let parts = serde_json::to_vec(&(env!("CARGO_PKG_VERSION"), pompeiu::matching::ALGORITHM, parts))?;
         let mut hasher = Sha256::new();
         hasher.update(&parts);
-        Ok(hex(hasher))
+        Ok(hexadecimal(&hasher.finalize()))
     }
 
     /// A result that was there.

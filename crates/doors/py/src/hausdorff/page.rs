@@ -74,9 +74,7 @@ impl DeviationPage {
     fn html(of: &Bound<'_, Self>, look: Look) -> PyResult<String> {
         let html = drawn(of, move |this| {
             let limits = Limits::default();
-            // The search is that of whole meshes.
-            let is_whole = this.pair.parts().is_none();
-            let stages = if is_whole { search_stages(&this.pair, &limits) } else { Vec::new() };
+            let stages = search_stages(&this.pair, &limits);
             this.page(&look, &stages).figures(&limits).html()
         })?;
         html.map_err(Raise::raise)

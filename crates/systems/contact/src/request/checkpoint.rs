@@ -2,6 +2,7 @@
 
 use super::ContactScheme;
 use crate::{Bodies, ContactError, ContactState, ContactStep, Simulation};
+use pompeiu_core::request::hexadecimal;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 use std::fmt::Write;
@@ -125,8 +126,5 @@ fn fingerprint(bodies: &Bodies) -> String {
     }
     let mut hashing = Hashing(Sha256::new());
     let _ = write!(hashing, "{bodies:?}");
-    hashing.0.finalize().iter().fold(String::new(), |mut text, byte| {
-        let _ = write!(text, "{byte:02x}");
-        text
-    })
+    hexadecimal(&hashing.0.finalize())
 }

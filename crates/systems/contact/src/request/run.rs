@@ -3,7 +3,7 @@
 use super::scene::Built;
 use super::{BodyMesh, Certificate, Checkpoint, ContactReport, ContactRequest, ContactRequestError, Scene};
 use crate::{Check, ContactError, ContactStep, Simulation};
-use pompeiu_core::run::{Progress, RunContext, StopReason};
+use pompeiu_core::run::{RunContext, StopReason};
 use pompeiu_core::spatial::IntersectingPair;
 use std::ops::ControlFlow;
 
@@ -56,7 +56,7 @@ impl ContactRequest {
             error => error.into(),
         })?;
         let mut report = ContactReport::new(scene.name(), first_faces.len(), asked, &simulation);
-        let mut steps = match resume {
+        let steps = match resume {
             Some(bytes) => Checkpoint::resume(bytes, &mut simulation)?,
             None => Vec::new(),
         };
@@ -64,30 +64,17 @@ impl ContactRequest {
             return Err(ContactRequestError::TooFewSteps { done: steps.len(), asked });
         }
         let control = context.control();
-        let mut failure = None;
-        loop {
-            let done = steps.len();
-            if watch(&simulation, &steps).is_break() {
-                control.stop(StopReason::Cancelled);
-            }
-            if done == asked {
-                break;
-            }
-            let progress = Progress { doing: "simulating", share: Some(done as f64 / asked.max(1) as f64) };
-            if context.progress().is_some_and(|observer| observer.progress(&progress).is_break()) {
-                control.stop(StopReason::Cancelled);
-            }
-            if control.is_stopped() {
-                break;
-            }
-            match simulation.step() {
-                Ok(step) => steps.push(step),
-                Err(error) => {
-                    failure = Some(error);
-                    break;
-                }
-            }
-        }
+        let counts = [steps.len(), asked];
+        let mut state = (simulation, steps);
+        let taken = context.take_steps(
+            &control,
+            &mut state,
+            counts,
+            |(simulation, steps)| watch(simulation, steps),
+            |(simulation, steps)| simulation.step().map(|step| steps.push(step)),
+        );
+        let (simulation, steps) = state;
+        let failure = taken.err();
         report.certificate = certificate(&simulation, &steps, check, failure.as_ref())?;
         let is_done = steps.len() == asked;
         let ended = if is_done { StopReason::Steps } else { StopReason::Stalled };

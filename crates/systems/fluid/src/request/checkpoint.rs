@@ -4,11 +4,11 @@ use crate::square::{Square, SquareState};
 use crate::{FluidError, FluidStep, SchemeReport, Simulation, State};
 use pompeiu_core::TriMesh;
 use pompeiu_core::mesh::{DataLengthError, FaceData, VertexData};
+use pompeiu_core::request::hexadecimal;
 use pompeiu_surface::EdgeData;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
-use std::fmt::Write;
 
 /// What a checkpoint holds: one JSON object, whose numbers are read back to the same doubles.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -158,10 +158,7 @@ fn fingerprint(mesh: &TriMesh) -> String {
     for corner in mesh.faces().iter().flatten() {
         hasher.update(corner.to_le_bytes());
     }
-    hasher.finalize().iter().fold(String::new(), |mut text, byte| {
-        let _ = write!(text, "{byte:02x}");
-        text
-    })
+    hexadecimal(&hasher.finalize())
 }
 
 impl Stored {

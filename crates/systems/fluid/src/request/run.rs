@@ -4,7 +4,7 @@ use super::report::TimingReport;
 use super::{Checkpoint, CheckpointError, FluidReport, FluidRequest, FluidRequestError, Stage};
 use crate::{FluidError, FluidStep};
 use pompeiu_core::TriMesh;
-use pompeiu_core::run::{Progress, RunContext, StopReason};
+use pompeiu_core::run::{RunContext, StopReason};
 use pompeiu_surface::EmbeddedSurface;
 use std::ops::ControlFlow;
 
@@ -87,7 +87,7 @@ impl FluidRequest {
             (None, Some(cells)) => (Stage::Square(Box::new(self.in_square(cells, place.mesh)?)), None),
             _ => return Err(FluidRequestError::Place),
         };
-        let mut steps = match resume {
+        let steps = match resume {
             Some(bytes) => resumed(bytes, place.mesh, &mut stage)?,
             None => vec![stage.measure()?],
         };
@@ -95,30 +95,17 @@ impl FluidRequest {
             return Err(FluidRequestError::TooFewSteps { done: steps.len() - 1, asked });
         }
         let control = context.control();
-        let mut failure = None;
-        loop {
-            let done = steps.len() - 1;
-            if watch(&stage, &steps).is_break() {
-                control.stop(StopReason::Cancelled);
-            }
-            if done == asked {
-                break;
-            }
-            let progress = Progress { doing: "simulating", share: Some(done as f64 / asked.max(1) as f64) };
-            if context.progress().is_some_and(|observer| observer.progress(&progress).is_break()) {
-                control.stop(StopReason::Cancelled);
-            }
-            if control.is_stopped() {
-                break;
-            }
-            match stage.step() {
-                Ok(step) => steps.push(step),
-                Err(error) => {
-                    failure = Some(error);
-                    break;
-                }
-            }
-        }
+        let counts = [steps.len() - 1, asked];
+        let mut state = (stage, steps);
+        let taken = context.take_steps(
+            &control,
+            &mut state,
+            counts,
+            |(stage, steps)| watch(stage, steps),
+            |(stage, steps)| stage.step().map(|step| steps.push(step)),
+        );
+        let (stage, steps) = state;
+        let failure = taken.err();
         let done = steps.len();
         let report = FluidReport {
             timing: TimingReport::new(stage.timing(), done - 1),

@@ -24,6 +24,7 @@ use flate2::Compression;
 use flate2::write::GzEncoder;
 use pompeiu_core::TriMesh;
 use pompeiu_core::geom::{Aabb, Frame};
+use pompeiu_core::request::hexadecimal;
 use pompeiu_core::run::{Control, Limits, StopReason, on_threads};
 use pompeiu_core::spatial::{Bvh, Neighbours, Slot, Workspace};
 use pompeiu_verify::kernel::Facet;
@@ -199,12 +200,11 @@ pub fn write_certificate(
             };
             certified[direction] = Some(writer.write(goal, &mut into)?);
         }
-        let hex = |hash: [u8; 32]| hash.map(|byte| format!("{byte:02x}")).concat();
         Ok(Certificate {
             a_to_b: certified[0],
             b_to_a: certified[1],
             bytes: into.bytes,
-            sha256: [hex(hash_a), hex(hash_b)],
+            sha256: [hexadecimal(&hash_a), hexadecimal(&hash_b)],
         })
     })
 }

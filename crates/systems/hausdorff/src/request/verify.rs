@@ -3,7 +3,7 @@
 use crate::certificate::Certified;
 use crate::report::Direction;
 use pompeiu_core::TriMesh;
-use pompeiu_core::request::{Conclusion, Limit, Report, Request};
+use pompeiu_core::request::{Conclusion, Limit, Report, Request, hexadecimal};
 use pompeiu_core::run::StopReason;
 use pompeiu_verify::{Claim, Rejected, Soup, verify};
 use std::io::Read;
@@ -106,8 +106,7 @@ impl VerifyRequest {
                 let certified =
                     |claim: Claim| Certified { lower: claim.lower, upper: claim.upper, cells: claim.cells };
                 let [a_to_b, b_to_a] = verified.claims.map(|claim| claim.map(certified));
-                let hex = |hash: [u8; 32]| hash.map(|byte| format!("{byte:02x}")).concat();
-                let sha256 = Some(verified.hashes.map(hex));
+                let sha256 = Some(verified.hashes.map(|hash| hexadecimal(&hash)));
                 Ok(VerifyReport { valid: true, a_to_b, b_to_a, sha256, failure: None })
             }
             Err(error) if error.is_unreadable() => Err(error),

@@ -56,9 +56,9 @@ impl Observer for Stages {
 
 /// Searches both directed distances of a pair, with the trees that it has, and gives what could not yet be discarded at each of some
 /// tolerances, from a tenth to a millionth of the joint diagonal; stages with more pieces than anyone can see are left out, and so are
-/// all of meshes of more than 20,000 faces together. Limits, and many pieces to look at, end the search with the stages that were reached.
+/// all of meshes of more than 20,000 faces together and of pairs with parts, for the search is that of whole meshes. Limits, and many pieces to look at, end the search with the stages that were reached.
 pub fn search_stages(pair: &PreparedPair<'_>, limits: &Limits) -> Vec<Stage> {
-    if pair.a().faces().len() + pair.b().faces().len() > MOST_FACES {
+    if pair.parts().is_some() || pair.a().faces().len() + pair.b().faces().len() > MOST_FACES {
         return Vec::new();
     }
     let looks = [pair.a(), pair.b()].map(|mesh| LOOKS_PER_FACE * mesh.faces().len() as u64 + LOOKS);

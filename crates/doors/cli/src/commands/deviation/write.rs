@@ -47,9 +47,7 @@ fn show(
     let unit = &answer.request.deviation.measures.unit;
     session.wait_for("drawing");
     let limits = session.context().limits();
-    // The search is that of whole meshes.
-    let is_wanted = files.picture.report.is_some() && pair.parts().is_none();
-    let stages = if is_wanted { search_stages(pair, &limits) } else { Vec::new() };
+    let stages = if files.picture.report.is_some() { search_stages(pair, &limits) } else { Vec::new() };
     let verdict = report.sentence(files.meshes.names(), unit);
     let command = called();
     let [a, b] = files.meshes.paths().map(|path| path.display().to_string());
