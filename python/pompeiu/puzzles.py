@@ -121,6 +121,7 @@ def puzzle(
     size: Sequence[float] = (300.0, 200.0,),
     layout: Literal["grid", "hexagons", "voronoi"] = "grid",
     tab: Literal["none", "knob", "dovetail"] = "knob",
+    neck: Optional[float] = None,
     seed: int = 0,
     piece: Optional[Union[str, Sequence[Sequence[float]]]] = None,
     method: Literal["descent", "lloyd"] = "descent",
@@ -152,6 +153,9 @@ def puzzle(
     tab : str
         What borders between pieces get. ``"none"``: straight borders; ``"knob"``: a round head on a narrower neck;
         ``"dovetail"``: a trapezium that is wider at its head.
+    neck : float, optional
+        The least width of necks that tabs leave; by default 15 % of the mean side of a piece, and 3 mm where these are
+        at most a fifth of it.
     seed : int
         Seed of places and sides.
     piece : Union[str, Sequence[Sequence[float]]], optional

@@ -37,6 +37,7 @@ mod kerf;
 mod lock;
 mod make;
 mod motion;
+mod neck;
 mod order;
 mod puzzle;
 mod report;
@@ -52,6 +53,7 @@ pub use kerf::{Kerf, kerf};
 pub use lock::{Escape, Lock, Proof, lock};
 pub use make::{Layout, PuzzleOptions, Tab, make};
 pub use motion::{Motion, shake, take_apart};
+pub use neck::Neck;
 pub use puzzle::{Border, Puzzle};
 pub use report::{
     AreaReport, MotionReport, PieceReport, PuzzleReport, Similarity, Timing, report, report_like,

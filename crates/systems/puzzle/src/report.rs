@@ -1,9 +1,10 @@
 //! The report of a puzzle.
 
 use crate::lock::lock_until;
-use crate::{Fit, Kerf, Like, Lock, Motion, Proof, Puzzle};
+use crate::{Fit, Kerf, Like, Lock, Motion, Neck, Proof, Puzzle};
 use pompeiu_core::run::Instant;
 use pompeiu_core::run::{Control, StopReason};
+use rayon::prelude::*;
 use std::time::Duration;
 
 /// The report of a puzzle. Lengths are in the unit of its outline.
@@ -31,9 +32,10 @@ pub struct PuzzleReport {
     /// The result of the lock test, for [`crate::take_apart`].
     #[cfg_attr(feature = "serde", serde(skip))]
     pub found: Lock,
-    /// Number of straight borders between pieces.
-    #[cfg_attr(feature = "serde", serde(skip))]
-    pub straight_borders: usize,
+    /// The width that tabs leave to necks at least; `null` if it is not known.
+    pub least_neck: Option<f64>,
+    /// The pairs of pieces whose common border has no tab.
+    pub without_tab: Vec<[usize; 2]>,
     /// The pieces with outlines of their own.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub whimsies: Vec<usize>,
@@ -72,6 +74,9 @@ pub struct PieceReport {
     pub similarity: Option<Similarity>,
     /// `locked` if it belongs to the largest cluster, otherwise `free`, or `undecided` where that is not known.
     pub lock: &'static str,
+    /// Its narrowest place with more than half a per cent of the mean area of a piece on each side; `null` if there is none, as in
+    /// convex pieces.
+    pub neck: Option<Neck>,
     /// A motion of the piece: velocity at the origin and angular velocity. Empty if none is known.
     pub escape: Vec<f64>,
 }
@@ -161,6 +166,12 @@ impl PuzzleReport {
         self.energy = energy.to_vec();
     }
 
+    /// The narrowest neck and its piece; `None` if no piece has one.
+    pub fn narrowest(&self) -> Option<(usize, Neck)> {
+        let necks = self.pieces.iter().filter_map(|piece| Some((piece.id, piece.neck?)));
+        necks.min_by(|a, b| a.1.width.total_cmp(&b.1.width))
+    }
+
     /// The square root of the mean area of a piece: the unit of length for tabs and depths.
     pub fn unit(&self) -> f64 {
         (self.area.outline / self.pieces.len() as f64).sqrt()
@@ -205,6 +216,8 @@ pub(crate) fn report_until(puzzle: &Puzzle, control: &Control) -> PuzzleReport {
         Proof::Undecided => "undecided",
         _ => "free",
     };
+    let necks: Vec<Option<Neck>> =
+        (0..puzzle.pieces()).into_par_iter().map(|piece| puzzle.neck(piece)).collect();
     let pieces = (0..puzzle.pieces()).map(|piece| PieceReport {
         id: piece,
         area: puzzle.area(piece),
@@ -213,6 +226,7 @@ pub(crate) fn report_until(puzzle: &Puzzle, control: &Control) -> PuzzleReport {
         neighbours: puzzle.neighbours(piece),
         similarity: None,
         lock: state(piece),
+        neck: necks[piece],
         escape: escape(piece),
     });
     let pieces: Vec<PieceReport> = pieces.collect();
@@ -222,8 +236,8 @@ pub(crate) fn report_until(puzzle: &Puzzle, control: &Control) -> PuzzleReport {
         outline: puzzle.outline_area(),
         is_exact: doubled == puzzle.doubled_outline,
     };
-    let is_straight = |border: &&crate::Border| border.right.is_some() && border.corners.len() == 2;
-    let straight_borders = puzzle.borders.iter().filter(is_straight).count();
+    let straight = puzzle.borders.iter().filter(|border| border.corners.len() == 2);
+    let without_tab = straight.filter_map(|border| Some([border.left, border.right?])).collect();
     PuzzleReport {
         pieces,
         clusters,
@@ -232,7 +246,8 @@ pub(crate) fn report_until(puzzle: &Puzzle, control: &Control) -> PuzzleReport {
         depth,
         kerf: None,
         found,
-        straight_borders,
+        least_neck: None,
+        without_tab,
         whimsies: puzzle.whimsies.clone(),
         area,
         energy: Vec::new(),

@@ -806,7 +806,10 @@ fn puzzle_says_whether_pieces_can_move_and_draws_them() {
     let folder = Folder::new();
     let report = json(&folder, "puzzle --pieces 12 -o pieces.svg --cuts cuts.dxf --report page.html --json");
     let keys: Vec<&str> = report.as_object().unwrap().keys().map(String::as_str).collect();
-    assert_eq!(keys, ["area", "clusters", "depth", "energy", "pieces", "timing_ms"]);
+    assert_eq!(
+        keys,
+        ["area", "clusters", "depth", "energy", "least_neck", "pieces", "timing_ms", "without_tab"]
+    );
     assert_eq!(report["clusters"].as_array().unwrap().len(), 1);
     let pieces = report["pieces"].as_array().unwrap();
     assert_eq!((pieces.len(), &pieces[0]["lock"], &pieces[0]["id"]), (12, &"locked".into(), &0.into()));

@@ -3,7 +3,7 @@
 mod pair;
 
 use crate::Puzzle;
-use pair::Pair;
+use pair::{CELLS, Pair};
 use pompeiu_core::run::Control;
 use pompeiu_planar::{Outline, offset};
 use rayon::prelude::*;
@@ -19,7 +19,8 @@ pub struct Kerf {
     /// Whether no piece can leave the others in the plane, shown by pairs of pieces that cannot part even in isolation and connect
     /// all pieces. `false` if that is not shown.
     pub holds: bool,
-    /// The widest of the cuts tried that holds: this width times 1, 2, 4 or 8; `null` if this width is not shown to hold.
+    /// The widest of the cuts tried that holds: this width times 1, 2, 4 or 8, of which the wider ones are tried less finely, above all
+    /// for more than 100 pieces; `null` if this width is not shown to hold.
     pub widest: Option<f64>,
     /// Clusters of pieces that are shown to hold each other.
     pub clusters: Vec<Vec<usize>>,
@@ -29,6 +30,12 @@ pub struct Kerf {
 
 /// Multiples of the width that are tried.
 const WIDER: [f64; 3] = [2.0, 4.0, 8.0];
+
+/// Beyond this number of pieces wider cuts are tried with the largest cells alone.
+const MANY: usize = 100;
+
+/// Pieces that are tried alone before all pairs are.
+const TRIED_ALONE: usize = 4;
 
 /// Tests whether pieces hold each other after a cut along the borders that removes half its width on each side.
 ///
@@ -41,18 +48,21 @@ const WIDER: [f64; 3] = [2.0, 4.0, 8.0];
 /// pieces are tested in isolation, and at a few resolutions only.
 ///
 /// # Cost
-/// For each of about as many pairs as pieces, a hundred to ten thousand configurations, each with the square of the number of
-/// corners of both pieces.
+/// For each of about as many pairs as pieces, a hundred to sixty thousand configurations, each with the number of points of the common
+/// border, and for each piece the depth of some tens of thousands of points, each with the number of corners.
 pub fn kerf(puzzle: &Puzzle, width: f64, control: &Control) -> Kerf {
-    let clusters = clusters(puzzle, width, control);
+    let clusters = clusters(puzzle, width, &CELLS, control);
     let holds = clusters.len() == 1;
     let mut widest = holds.then_some(width);
     if holds {
+        // A search with smaller cells costs eight times as much.
+        let wider_cells = if puzzle.pieces() > MANY { &CELLS[..1] } else { &CELLS[..3] };
         let wider = WIDER.map(|factor| factor * width);
         let tried = wider.into_iter().take_while(|w| {
             !control.is_stopped()
                 && *w < 0.2 * puzzle.unit()
-                && self::clusters(puzzle, *w, control).len() == 1
+                && !comes_off(puzzle, *w, wider_cells, control)
+                && self::clusters(puzzle, *w, wider_cells, control).len() == 1
         });
         widest = tried.last().or(widest);
     }
@@ -63,20 +73,40 @@ pub fn kerf(puzzle: &Puzzle, width: f64, control: &Control) -> Kerf {
     Kerf { width, holds, widest, clusters, split }
 }
 
-/// Clusters of pieces that hold each other, connected by pairs that do.
-fn clusters(puzzle: &Puzzle, width: f64, control: &Control) -> Vec<Vec<usize>> {
-    let mut cluster: Vec<usize> = (0..puzzle.pieces()).collect();
+/// Neighbours, each with their common borders; not those with one straight border, which holds nothing.
+fn neighbours(puzzle: &Puzzle) -> Vec<([usize; 2], Vec<usize>)> {
     let mut shared: BTreeMap<[usize; 2], Vec<usize>> = BTreeMap::new();
     for (i, border) in puzzle.borders().iter().enumerate() {
         let Some(right) = border.right else { continue };
         shared.entry([border.left.min(right), border.left.max(right)]).or_default().push(i);
     }
     // Pairs with the most corners first, because they have tabs.
-    let mut open: Vec<([usize; 2], Vec<usize>)> = shared.into_iter().collect();
+    let mut found: Vec<([usize; 2], Vec<usize>)> = shared.into_iter().collect();
     let corners =
         |borders: &[usize]| borders.iter().map(|b| puzzle.borders()[*b].corners.len()).sum::<usize>();
-    open.sort_by_key(|(pair, borders)| (std::cmp::Reverse(corners(borders)), *pair));
-    open.retain(|(_, borders)| corners(borders) > 2);
+    found.sort_by_key(|(pair, borders)| (std::cmp::Reverse(corners(borders)), *pair));
+    found.retain(|(_, borders)| corners(borders) > 2);
+    found
+}
+
+/// Whether one of the pieces with the fewest neighbours is held by none of them. Then there are several clusters, which testing all
+/// pairs would find much later.
+fn comes_off(puzzle: &Puzzle, width: f64, cells: &[f64], control: &Control) -> bool {
+    let pairs = neighbours(puzzle);
+    let of = |piece: usize| pairs.iter().filter(move |(pair, _)| pair.contains(&piece));
+    let mut pieces: Vec<usize> = (0..puzzle.pieces()).collect();
+    pieces.sort_by_key(|piece| of(*piece).count());
+    pieces[..pieces.len().min(TRIED_ALONE)].par_iter().any(|piece| {
+        !of(*piece).any(|(pair, borders)| {
+            Pair::new(puzzle, *pair, borders, width).is_some_and(|pair| pair.holds(cells, control))
+        })
+    })
+}
+
+/// Clusters of pieces that hold each other, connected by pairs that do.
+fn clusters(puzzle: &Puzzle, width: f64, cells: &[f64], control: &Control) -> Vec<Vec<usize>> {
+    let mut cluster: Vec<usize> = (0..puzzle.pieces()).collect();
+    let mut open = neighbours(puzzle);
     while !open.is_empty() && !control.is_stopped() {
         let mut joined = cluster.clone();
         let (mut now, mut later) = (Vec::new(), Vec::new());
@@ -94,7 +124,9 @@ fn clusters(puzzle: &Puzzle, width: f64, control: &Control) -> Vec<Vec<usize>> {
         }
         let held: Vec<bool> = now
             .par_iter()
-            .map(|(pair, borders)| Pair::new(puzzle, *pair, borders, width).is_some_and(|p| p.holds(control)))
+            .map(|(pair, borders)| {
+                Pair::new(puzzle, *pair, borders, width).is_some_and(|p| p.holds(cells, control))
+            })
             .collect();
         for ((pair, _), _) in now.iter().zip(held).filter(|(_, held)| *held) {
             let [a, b] = pair.map(|piece| cluster[piece]);

@@ -3,10 +3,11 @@
 use crate::Puzzle;
 use pompeiu_core::run::Control;
 use pompeiu_planar::{Outline, Point, distance_to_outline};
+use std::cell::RefCell;
 use std::collections::{BTreeSet, BinaryHeap};
 
 /// Cell sizes relative to the width of the cut; the next one is tried if a path to the outside exists at the previous one.
-const CELLS: [f64; 4] = [1.0, 0.5, 0.25, 0.125];
+pub(super) const CELLS: [f64; 4] = [1.0, 0.5, 0.25, 0.125];
 
 /// Largest number of cells visited.
 const MOST: usize = 60_000;
@@ -17,6 +18,10 @@ const MOST_TURN: f64 = 0.7;
 
 /// Largest number of sample points on each side of the common border.
 const POINTS: usize = 160;
+
+/// Distance of the nodes at which depths are kept, relative to the width of the cut, and the largest number of nodes in a row.
+const NODES: f64 = 0.0625;
+const MOST_NODES: f64 = 1500.0;
 
 /// Safety margin for rounding, relative to the width of the cut.
 const ROUNDING: f64 = 1e-6;
@@ -29,12 +34,22 @@ const ROUNDING: f64 = 1e-6;
 /// cell. The test points lie half the cut inside their own piece. Starting from the assembled position, all cells that are not
 /// closed are visited; if none of them is far away, no path of motions separates the pieces.
 pub(super) struct Pair {
-    pieces: [Outline; 2],
+    pieces: [Depths; 2],
     /// Points of each piece that remain after the cut.
     points: [Vec<Point>; 2],
     middle: Point,
     size: f64,
     width: f64,
+}
+
+/// How a search among cells of one size ends.
+enum Search {
+    /// No cell that is reached is outside.
+    Enclosed,
+    /// A cell outside is reached.
+    Outside,
+    /// More cells are reached than are visited.
+    TooMany,
 }
 
 impl Pair {
@@ -65,15 +80,29 @@ impl Pair {
         let n = all.len() as f64;
         let middle = [0, 1].map(|k| all.iter().map(|p| p[k]).sum::<f64>() / n);
         let size = all.iter().map(|p| distance(*p, middle)).fold(0.0, f64::max);
+        // A point that has moved is at most this far from the middle of the border.
+        let reach = (1.0 + REACH) * size + width;
+        let pieces = pieces.map(|outline| Depths::new(outline, middle, reach, width));
         (size > 0.0).then_some(Self { pieces, points, middle, size, width })
     }
 
-    /// Whether it is proven that no path separates the pieces.
-    pub(super) fn holds(&self, control: &Control) -> bool {
-        CELLS.iter().any(|cell| !control.is_stopped() && self.is_enclosed(cell * self.width))
+    /// Whether it is proven that no path separates the pieces, with cells of these sizes.
+    pub(super) fn holds(&self, cells: &[f64], control: &Control) -> bool {
+        for cell in cells {
+            if control.is_stopped() {
+                return false;
+            }
+            match self.search(cell * self.width) {
+                Search::Enclosed => return true,
+                // Smaller cells are even more.
+                Search::TooMany => return false,
+                Search::Outside => (),
+            }
+        }
+        false
     }
 
-    fn is_enclosed(&self, side: f64) -> bool {
+    fn search(&self, side: f64) -> Search {
         let turn = side / self.size;
         let reach = REACH * self.size;
         let mut seen = BTreeSet::from([[0_i32; 3]]);
@@ -86,8 +115,11 @@ impl Pair {
             if self.is_closed(shift, angle, side, turn, &mut last) {
                 continue;
             }
-            if libm::hypot(shift[0], shift[1]) > reach || angle.abs() > MOST_TURN || seen.len() > MOST {
-                return false;
+            if libm::hypot(shift[0], shift[1]) > reach || angle.abs() > MOST_TURN {
+                return Search::Outside;
+            }
+            if seen.len() > MOST {
+                return Search::TooMany;
             }
             for k in 0..3 {
                 for way in [-1, 1] {
@@ -99,7 +131,7 @@ impl Pair {
                 }
             }
         }
-        true
+        Search::Enclosed
     }
 
     /// Whether the pieces overlap at every motion in a cell. `last` caches the points that proved it for the previous cell.
@@ -128,7 +160,7 @@ impl Pair {
                 };
                 let needed = own + translation + 0.5 * turn * arm;
                 let place = [0, 1].map(|k| moved[k] + self.middle[k]);
-                if is_deeper(other, place, needed) {
+                if other.is_deeper(place, needed) {
                     last[piece] = i;
                     return true;
                 }
@@ -164,26 +196,67 @@ fn below(path: &[Point], spacing: f64) -> Vec<(Point, Point)> {
     found
 }
 
-/// Whether a point lies inside, farther than `depth` from the curve.
-fn is_deeper(outline: &Outline, p: Point, depth: f64) -> bool {
-    let depth_sq = depth * depth;
-    let mut is_inside = false;
-    let points = outline.points();
-    let mut a = points[points.len() - 1];
-    for &b in points {
-        if (a[1] > p[1]) != (b[1] > p[1]) {
-            let at = a[0] + (p[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]);
-            is_inside ^= p[0] < at;
-        }
-        let (u, v) = ([b[0] - a[0], b[1] - a[1]], [p[0] - a[0], p[1] - a[1]]);
-        let t = ((u[0] * v[0] + u[1] * v[1]) / (u[0] * u[0] + u[1] * u[1])).clamp(0.0, 1.0);
-        let w = [v[0] - t * u[0], v[1] - t * u[1]];
-        if w[0] * w[0] + w[1] * w[1] <= depth_sq {
-            return false;
-        }
-        a = b;
+/// How deep points lie in a piece: the distance from its outline, negative outside. It changes no faster than points move, so depths
+/// at the nodes of a grid, computed when they are first needed, decide most questions.
+struct Depths {
+    outline: Outline,
+    low: Point,
+    spacing: f64,
+    row: usize,
+    /// NaN where it was not needed yet.
+    nodes: RefCell<Vec<f64>>,
+}
+
+impl Depths {
+    fn new(outline: Outline, middle: Point, reach: f64, width: f64) -> Self {
+        let spacing = (NODES * width).max(2.0 * reach / MOST_NODES);
+        let row = (2.0 * reach / spacing) as usize + 2;
+        let low = middle.map(|x| x - reach);
+        Self { outline, low, spacing, row, nodes: RefCell::new(vec![f64::NAN; row * row]) }
     }
-    is_inside
+
+    /// Whether a point lies inside, farther than `depth` from the curve.
+    fn is_deeper(&self, p: Point, depth: f64) -> bool {
+        let [x, y] = [0, 1].map(|k| ((p[k] - self.low[k]) / self.spacing).round());
+        let last = (self.row - 1) as f64;
+        if !(x >= 0.0 && y >= 0.0 && x <= last && y <= last) {
+            return self.depth(p) > depth;
+        }
+        let node = [self.low[0] + x * self.spacing, self.low[1] + y * self.spacing];
+        let index = y as usize * self.row + x as usize;
+        let mut nodes = self.nodes.borrow_mut();
+        if nodes[index].is_nan() {
+            nodes[index] = self.depth(node);
+        }
+        let w = [p[0] - node[0], p[1] - node[1]];
+        // Far more than rounding.
+        let away = (w[0] * w[0] + w[1] * w[1]).sqrt() + ROUNDING * self.spacing;
+        if nodes[index] - away > depth {
+            true
+        } else if nodes[index] + away < depth {
+            false
+        } else {
+            self.depth(p) > depth
+        }
+    }
+
+    fn depth(&self, p: Point) -> f64 {
+        let (mut is_inside, mut least_sq) = (false, f64::INFINITY);
+        let points = self.outline.points();
+        let mut a = points[points.len() - 1];
+        for &b in points {
+            if (a[1] > p[1]) != (b[1] > p[1]) {
+                let at = a[0] + (p[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]);
+                is_inside ^= p[0] < at;
+            }
+            let (u, v) = ([b[0] - a[0], b[1] - a[1]], [p[0] - a[0], p[1] - a[1]]);
+            let t = ((u[0] * v[0] + u[1] * v[1]) / (u[0] * u[0] + u[1] * u[1])).clamp(0.0, 1.0);
+            let w = [v[0] - t * u[0], v[1] - t * u[1]];
+            least_sq = least_sq.min(w[0] * w[0] + w[1] * w[1]);
+            a = b;
+        }
+        if is_inside { least_sq.sqrt() } else { -least_sq.sqrt() }
+    }
 }
 
 fn distance(a: Point, b: Point) -> f64 {

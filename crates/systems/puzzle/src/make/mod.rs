@@ -58,6 +58,9 @@ pub struct PuzzleOptions {
     pub layout: Layout,
     /// The shape of tabs on borders between pieces.
     pub tab: Tab,
+    /// The least width of necks that tabs leave, in the unit of `size`; by default 15 % of the mean side of a piece, at least 3 and at
+    /// most a fifth of that side.
+    pub neck: Option<f64>,
     /// Outlines that become pieces of their own, each scaled to twice the mean area of a piece and placed where there is most room.
     pub whimsies: Vec<Outline>,
     /// The seed for the sites, and for the sides and positions of tabs.
@@ -72,6 +75,7 @@ impl Default for PuzzleOptions {
             pieces: 24,
             layout: Layout::Grid,
             tab: Tab::Knob,
+            neck: None,
             whimsies: Vec::new(),
             seed: 0,
         }
@@ -87,6 +91,12 @@ pub(crate) const STEPS: f64 = 4_194_304.0;
 /// Largest ratio of the longer to the shorter side.
 const MOST_ASPECT: f64 = 100.0;
 
+/// The least neck by default, relative to the mean side of a piece and in millimetres; and the greatest share of a side that the
+/// millimetres may take, so that tabs still fit on the sides of small pieces.
+const NECK: f64 = 0.15;
+const NECK_MILLIMETRES: f64 = 3.0;
+const MOST_NECK: f64 = 0.2;
+
 /// Rounds of Lloyd's method on random sites.
 const ROUNDS: usize = 12;
 
@@ -95,10 +105,12 @@ const ROUNDS: usize = 12;
 /// # Definition
 /// A grid uses the factorisation of the number of pieces into rows × columns with the squarest cells. Hexagons use the rows and
 /// columns that come nearest to regular hexagons, so their number can differ. Each border gets one tab where one fits without
-/// crossing a border: on a side and at a position chosen by the seed, otherwise on the other side, elsewhere, or smaller.
+/// crossing a border or leaving a neck below the least width ([`Puzzle::neck`]): on a side and at a position chosen by the seed,
+/// otherwise on the other side, elsewhere, or smaller. Necks of the cells themselves, where an outline is narrow,
+/// stay.
 ///
-/// Within an outline, cells are clipped, and parts of less than a third of the mean area are merged with a neighbour: the number of
-/// pieces is then only approximate. The outline gets corners where borders meet it, less than a lattice step away.
+/// Within an outline, cells are clipped, and parts of less than a third of the mean area are merged with a neighbour; of a few numbers
+/// of cells, the one whose number of pieces comes nearest is taken. The outline gets corners where borders meet it, less than a lattice step away.
 ///
 /// Whimsies are cut out of the cells; their borders get a tab only where nothing else holds them.
 ///
@@ -121,16 +133,22 @@ pub(crate) fn make_until(options: &PuzzleOptions, control: &Control) -> Result<P
         }
         Some(outline) => shaped(options, outline, &mut random, control)?,
     };
+    let neck = options.least_neck(puzzle.unit()) / puzzle.step;
     if options.tab != Tab::None {
-        tabs::add(&mut puzzle, options.tab, &mut random, control);
+        tabs::add(&mut puzzle, options.tab, neck, &mut random, control);
     }
     if !puzzle.whimsies.is_empty() {
-        whimsy::hold(&mut puzzle, options.tab, control);
+        whimsy::hold(&mut puzzle, options.tab, neck, control);
     }
     Ok(puzzle)
 }
 
 impl PuzzleOptions {
+    /// The least width of necks, for pieces with a mean side.
+    pub(crate) fn least_neck(&self, unit: f64) -> f64 {
+        self.neck.unwrap_or_else(|| (NECK * unit).max(NECK_MILLIMETRES.min(MOST_NECK * unit)))
+    }
+
     pub(crate) fn check(&self) -> Result<(), PuzzleError> {
         let [width, height] = self.size;
         for (what, value) in [("width", width), ("height", height)] {
@@ -143,6 +161,10 @@ impl PuzzleOptions {
         if aspect > MOST_ASPECT {
             let expected = "the longer side may be at most 100 times the shorter one";
             return Err(PuzzleError::Option { what: "ratio of the sides", value: aspect, expected });
+        }
+        if let Some(value) = self.neck.filter(|neck| !(*neck >= 0.0 && neck.is_finite())) {
+            let expected = "it must be a finite width that is not negative";
+            return Err(PuzzleError::Option { what: "neck", value, expected });
         }
         if !(2..=MOST_PIECES).contains(&self.pieces) {
             return Err(PuzzleError::Pieces { found: self.pieces, most: MOST_PIECES });
@@ -191,59 +213,148 @@ const TRIES: usize = 12;
 /// Size of that displacement, relative to the mean side of a piece.
 const MOVE: f64 = 1e-3;
 
+/// A number of pieces that is near enough, relative to the one asked for.
+const NEAR: f64 = 0.02;
+
+/// How much a deviation from the number of pieces counts beside one from the least neck.
+const COUNTS: f64 = 2.0;
+
+/// Largest number of partitions to try within an outline, and of pieces in all of them but for the first few.
+const PARTITIONS: usize = 20;
+const FEWEST_PARTITIONS: usize = 5;
+const PARTITIONED: usize = 4000;
+
+/// The step of further numbers of cells, relative to the number that gives as many pieces as asked for.
+const FURTHER: f64 = 0.02;
+
+/// An outline on the lattice, in a rectangle with some room around it.
+struct Shaped {
+    outline: Outline,
+    corners: Vec<Corner>,
+    size: [f64; 2],
+    step: f64,
+}
+
+impl Shaped {
+    fn new(outline: &Outline, wanted: [f64; 2]) -> Result<Self, PuzzleError> {
+        let [low, high] = outline.bounds();
+        let scale = [0, 1].map(|k| wanted[k] / (high[k] - low[k])).into_iter().fold(f64::INFINITY, f64::min);
+        let room = MARGIN * scale * (high[0] - low[0]).max(high[1] - low[1]);
+        let frame = [0, 1].map(|k| scale * (high[k] - low[k]) + 2.0 * room);
+        let step = step(frame);
+        let size = frame.map(|side| (side / step).round());
+        let on_lattice = |p: Point| [0, 1].map(|k| ((scale * (p[k] - low[k]) + room) / step).round());
+        // Merges corners that coincide on the lattice.
+        let rounded = outline.map(on_lattice).map_err(|_| PuzzleError::Narrow { piece: 0 })?;
+        if let Some(crossing) = first_crossing(&rounded) {
+            return Err(PuzzleError::Crossing { sides: crossing.sides, place: crossing.place });
+        }
+        let corners = rounded.points().iter().map(|p| p.map(|x| x as i64)).collect();
+        Ok(Self { outline: rounded, corners, size, step })
+    }
+
+    /// Sites of about so many cells within the outline; those in rows are moved by a share of the frame, and around it.
+    fn sites(&self, (layout, count): (Layout, usize), shift: Point, random: &mut Random) -> Vec<Point> {
+        let size = self.size;
+        let moved = |site: Point| [0, 1].map(|k| (site[k] + shift[k] * size[k]).rem_euclid(size[k]));
+        match layout {
+            Layout::Grid => {
+                let unit = (self.outline.area() / count as f64).sqrt();
+                let count = |side: f64| (side / unit).round().max(1.0) as usize;
+                lattice(size, count(size[0]), count(size[1])).into_iter().map(moved).collect()
+            }
+            Layout::Hexagons => {
+                let share = self.outline.area() / (size[0] * size[1]);
+                let in_frame = ((count as f64 / share).round() as usize).clamp(2, 4 * MOST_PIECES);
+                hexagons(size, in_frame).into_iter().map(moved).collect()
+            }
+            Layout::Voronoi => {
+                let mut sites = Vec::with_capacity(count);
+                while sites.len() < count {
+                    let place = size.map(|side| side * (0.5 + 0.5 * random.signed_unit()));
+                    if self.outline.contains(place) {
+                        sites.push(place);
+                    }
+                }
+                sites
+            }
+        }
+    }
+
+    /// The parts of about so many cells within the outline. When the control stops, cells are less regular.
+    fn parts(
+        &self,
+        cells: (Layout, usize),
+        shift: Point,
+        whimsies: &[Vec<Corner>],
+        random: &mut Random,
+        control: &Control,
+    ) -> Result<Puzzle, PuzzleError> {
+        let unit = (self.outline.area() / cells.1 as f64).sqrt();
+        let mut sites = self.sites(cells, shift, random);
+        let rounds = if cells.0 == Layout::Voronoi { ROUNDS } else { 0 };
+        for _ in 0..rounds {
+            let parts = cut(&mut sites, self.size, self.step, (&self.corners, &[]), unit, random)?;
+            if control.is_stopped() && whimsies.is_empty() {
+                return Ok(parts);
+            }
+            if control.is_stopped() {
+                break;
+            }
+            sites = parts.centroids();
+        }
+        cut(&mut sites, self.size, self.step, (&self.corners, whimsies), unit, random)
+    }
+}
+
+/// Pieces within an outline. It cuts cells into parts, of which small ones are merged, and leaves necks where a border passes near to
+/// it. So numbers and places of cells are tried until the number of pieces is near to the one asked for and no cell has a neck below the least
+/// width, or else the best of them is taken.
 fn shaped(
     options: &PuzzleOptions,
     outline: &Outline,
     random: &mut Random,
     control: &Control,
 ) -> Result<Puzzle, PuzzleError> {
-    let [low, high] = outline.bounds();
-    let scale =
-        [0, 1].map(|k| options.size[k] / (high[k] - low[k])).into_iter().fold(f64::INFINITY, f64::min);
-    let room = MARGIN * scale * (high[0] - low[0]).max(high[1] - low[1]);
-    let frame = [0, 1].map(|k| scale * (high[k] - low[k]) + 2.0 * room);
-    let step = step(frame);
-    let size = frame.map(|side| (side / step).round());
-    let on_lattice = |p: Point| [0, 1].map(|k| ((scale * (p[k] - low[k]) + room) / step).round());
-    // Merges corners that coincide on the lattice.
-    let rounded = outline.map(on_lattice).map_err(|_| PuzzleError::Narrow { piece: 0 })?;
-    if let Some(crossing) = first_crossing(&rounded) {
-        return Err(PuzzleError::Crossing { sides: crossing.sides, place: crossing.place });
-    }
-    let corners: Vec<Corner> = rounded.points().iter().map(|p| p.map(|x| x as i64)).collect();
-    let whimsies = whimsy::placed(&options.whimsies, &rounded, options.pieces, random)?;
-    let share = rounded.area() / (size[0] * size[1]);
-    let unit = (rounded.area() / options.pieces as f64).sqrt();
-    let in_frame = ((options.pieces as f64 / share).round() as usize).clamp(2, 4 * MOST_PIECES);
-    let mut sites = match options.layout {
-        Layout::Grid => {
-            let count = |side: f64| (side / unit).round().max(1.0) as usize;
-            lattice(size, count(size[0]), count(size[1]))
-        }
-        Layout::Hexagons => hexagons(size, in_frame),
-        Layout::Voronoi => {
-            let mut sites = Vec::with_capacity(options.pieces);
-            while sites.len() < options.pieces {
-                let place = size.map(|side| side * (0.5 + 0.5 * random.signed_unit()));
-                if rounded.contains(place) {
-                    sites.push(place);
+    let shape = Shaped::new(outline, options.size)?;
+    let whimsies = whimsy::placed(&options.whimsies, &shape.outline, options.pieces, random)?;
+    let asked = options.pieces as f64;
+    let most = (PARTITIONED / options.pieces).clamp(FEWEST_PARTITIONS, PARTITIONS);
+    let mut best: Option<(f64, Puzzle)> = None;
+    let mut failed = None;
+    // The number of cells that gives the number of pieces, and the number that is tried.
+    let (mut cells, mut count, mut shift) = (asked, options.pieces, [0.0; 2]);
+    for k in 1..=most {
+        match shape.parts((options.layout, count), shift, &whimsies, random, control) {
+            Ok(parts) => {
+                let ratio = parts.pieces() as f64 / asked;
+                let missed = COUNTS * (libm::log(ratio).abs() - NEAR).max(0.0) + lacking(&parts, options);
+                if libm::log(ratio).abs() > NEAR {
+                    cells = count as f64 / ratio;
+                }
+                if best.as_ref().is_none_or(|(least, _)| missed < *least) {
+                    best = Some((missed, parts));
                 }
             }
-            sites
+            // Other cells may fit the lattice.
+            Err(error) => failed = Some(error),
         }
-    };
-    let rounds = if options.layout == Layout::Voronoi { ROUNDS } else { 0 };
-    for _ in 0..rounds {
-        let parts = cut(&mut sites, size, step, (&corners, &[]), unit, random)?;
-        if control.is_stopped() && whimsies.is_empty() {
-            return Ok(parts);
-        }
-        if control.is_stopped() {
+        if control.is_stopped() || best.as_ref().is_some_and(|(missed, _)| *missed == 0.0) {
             break;
         }
-        sites = parts.centroids();
+        let side = if k % 2 == 0 { 0.5 } else { -0.5 };
+        let next = (cells * (1.0 + side * FURTHER * k as f64)).round() as usize;
+        count = next.clamp(1, 2 * MOST_PIECES);
+        shift = [0, 1].map(|_| random.signed_unit());
     }
-    cut(&mut sites, size, step, (&corners, &whimsies), unit, random)
+    best.map(|(_, puzzle)| puzzle).ok_or(failed.unwrap_or(PuzzleError::Narrow { piece: 0 }))
+}
+
+/// How much the narrowest neck is below the least width, relative to that; 0 if none is.
+fn lacking(puzzle: &Puzzle, options: &PuzzleOptions) -> f64 {
+    let least = options.least_neck(puzzle.unit());
+    let necks = (0..puzzle.pieces()).filter_map(|piece| puzzle.neck(piece));
+    necks.map(|neck| 1.0 - neck.width / least).fold(0.0, f64::max)
 }
 
 /// The parts of the cells of sites within an outline, after moving sites slightly if necessary.

@@ -1,7 +1,7 @@
 //! Tabs on the fewest borders that hold a puzzle together.
 
 use super::Tab;
-use super::tabs::profile;
+use super::tabs::{half_foot, profile};
 use crate::Puzzle;
 use crate::lock::{holds, lock_until};
 use crate::puzzle::Corner;
@@ -12,8 +12,8 @@ use pompeiu_planar::Point;
 /// Heights of tabs, relative to the mean side of a piece, in the order in which they are tried.
 const HEIGHTS: [f64; 6] = [0.085, 0.11, 0.07, 0.15, 0.2, 0.055];
 
-/// Half the widths of neck and head, relative to the height.
-const NECK: [f64; 2] = [0.33, 0.42];
+/// Half the width of the foot, relative to the height, and that of the head, relative to the foot.
+const FOOT: [f64; 2] = [0.33, 0.42];
 const HEAD: [f64; 2] = [1.45, 1.5];
 
 /// Distance of candidate positions along a border, relative to the mean side of a piece.
@@ -38,10 +38,11 @@ struct Candidate {
 ///
 /// `is_in` tells whether a point, in the unit of the outline, lies in the desired shape of a piece.
 ///
-/// Once the control stops, no further tab is added. A tab is used only if it alone holds its two pieces together, decided in integers. If none does, the border stays unchanged.
+/// Once the control stops, no further tab is added. A tab is used only if it alone holds its two pieces together, decided in integers,
+/// and leaves no neck below a width in steps. If none does, the border stays unchanged.
 pub(crate) fn lock_by_tabs(
     puzzle: &mut Puzzle,
-    tab: Tab,
+    (tab, neck): (Tab, f64),
     control: &Control,
     is_in: &(dyn Fn(usize, Point) -> bool + Sync),
 ) {
@@ -57,7 +58,7 @@ pub(crate) fn lock_by_tabs(
             return;
         }
         let height = height * unit;
-        let mut candidates = candidates(puzzle, &clusters, &is_tabbed, tab, height, is_in);
+        let mut candidates = candidates(puzzle, &clusters, &is_tabbed, tab, [height, neck], is_in);
         candidates.sort_by(|a, b| b.gain.total_cmp(&a.gain));
         for Candidate { border, along, side, .. } in candidates {
             if control.is_stopped() {
@@ -70,8 +71,8 @@ pub(crate) fn lock_by_tabs(
                 continue;
             }
             let old = of.corners.clone();
-            let Some((path, _)) = with_tab(&old, tab, along, side, height) else { continue };
-            if space.is_free(border, &path) && holds(&path) {
+            let Some((path, _)) = with_tab(&old, tab, along, side, [height, neck]) else { continue };
+            if space.is_free(border, &path) && holds(&path) && puzzle.has_room(border, &path, neck) {
                 space.replace(border, &old, &path);
                 puzzle.borders[border].corners = path;
                 is_tabbed[border] = true;
@@ -89,7 +90,7 @@ fn candidates(
     clusters: &[usize],
     is_tabbed: &[bool],
     tab: Tab,
-    height: f64,
+    [height, neck]: [f64; 2],
     is_in: &(dyn Fn(usize, Point) -> bool + Sync),
 ) -> Vec<Candidate> {
     let mut found = Vec::new();
@@ -103,7 +104,9 @@ fn candidates(
         for i in 1..count {
             let along = length * i as f64 / count as f64;
             for side in [1.0, -1.0] {
-                let Some((_, covered)) = with_tab(&of.corners, tab, along, side, height) else { continue };
+                let Some((_, covered)) = with_tab(&of.corners, tab, along, side, [height, neck]) else {
+                    continue;
+                };
                 // With side 1 the tab extends to the left.
                 let (from, to) = if side > 0.0 { (of.left, right) } else { (right, of.left) };
                 let points = covered.len() as f64;
@@ -124,24 +127,24 @@ fn with_tab(
     tab: Tab,
     along: f64,
     side: f64,
-    height: f64,
+    [height, neck]: [f64; 2],
 ) -> Option<(Vec<Corner>, Vec<Point>)> {
     let kind = usize::from(tab == Tab::Dovetail);
-    let neck = NECK[kind] * height;
-    let head = HEAD[kind] * neck;
-    let (first, a) = at(corners, along - neck)?;
-    let (last, b) = at(corners, along + neck)?;
+    let foot = (FOOT[kind] * height).max(half_foot(tab, neck));
+    let head = HEAD[kind] * foot;
+    let (first, a) = at(corners, along - foot)?;
+    let (last, b) = at(corners, along + foot)?;
     let u = [b[0] - a[0], b[1] - a[1]];
     let chord = libm::hypot(u[0], u[1]);
     // A border that turns back here has no room for a neck.
-    if chord < 1.4 * neck {
+    if chord < 1.4 * foot {
         return None;
     }
     let along = u.map(|x| x / chord);
     let across = [-along[1] * side, along[0] * side];
     let middle = [0, 1].map(|k| 0.5 * (a[k] + b[k]));
     let place = |[x, y]: Point| [0, 1].map(|k| middle[k] + along[k] * x + across[k] * y);
-    let shape = profile(tab, 0.5 * chord, head * 0.5 * chord / neck, height)?;
+    let shape = profile(tab, 0.5 * chord, head * 0.5 * chord / foot, height)?;
     let mut path = corners[..=first].to_vec();
     path.extend(shape.iter().map(|p| place(*p).map(|x| x.round() as i64)));
     path.extend(&corners[last + 1..]);

@@ -109,13 +109,13 @@ fn arrangement(
 }
 
 /// Adds the fewest tabs that hold whimsies and all other pieces together; tabs preferably extend out of whimsies, not into them.
-pub(super) fn hold(puzzle: &mut Puzzle, tab: Tab, control: &Control) {
+pub(super) fn hold(puzzle: &mut Puzzle, tab: Tab, neck: f64, control: &Control) {
     let shapes: Vec<Option<Outline>> = (0..puzzle.pieces())
         .map(|piece| {
             puzzle.whimsies.contains(&piece).then(|| Outline::new(puzzle.outline(piece)).ok()).flatten()
         })
         .collect();
-    lock_by_tabs(puzzle, tab, control, &|piece, p| {
+    lock_by_tabs(puzzle, (tab, neck), control, &|piece, p| {
         shapes[piece].as_ref().is_some_and(|shape| shape.contains(p))
     });
 }

@@ -46,6 +46,9 @@ pub struct PuzzleRequest {
     /// What borders between pieces get.
     #[cfg_attr(feature = "clap", arg(long, value_enum))]
     pub tab: Tab,
+    /// The least width of necks that tabs leave; by default 15 % of the mean side of a piece, and 3 mm where these are at most a fifth of it.
+    #[cfg_attr(feature = "clap", arg(long, value_parser = values::magnitude, value_name = "WIDTH"))]
+    pub neck: Option<f64>,
     /// Seed of places and sides.
     #[cfg_attr(feature = "clap", arg(long, value_name = "SEED"))]
     pub seed: u64,
@@ -84,7 +87,7 @@ pub struct PuzzleRequest {
 
 impl Default for PuzzleRequest {
     fn default() -> Self {
-        let PuzzleOptions { size, pieces, layout, tab, seed, .. } = PuzzleOptions::default();
+        let PuzzleOptions { size, pieces, layout, tab, neck, seed, .. } = PuzzleOptions::default();
         let LikeOptions { mirrors, free_outline, .. } = LikeOptions::default();
         Self {
             pieces,
@@ -92,6 +95,7 @@ impl Default for PuzzleRequest {
             size,
             layout,
             tab,
+            neck,
             seed,
             piece: None,
             method: Placing::default(),
@@ -222,6 +226,7 @@ impl PuzzleRequest {
             pieces: self.pieces,
             layout: self.layout,
             tab: self.tab,
+            neck: self.neck,
             whimsies: self.whimsy.iter().map(&mut whole).collect::<Result<_, _>>()?,
             seed: self.seed,
         };
@@ -251,6 +256,7 @@ impl PuzzleRequest {
             };
             let made = started.elapsed();
             let mut report = report_until(&puzzle, &control);
+            report.least_neck = (self.tab != Tab::None).then(|| options.least_neck(puzzle.unit()));
             if let Some((fits, energy)) = &fits {
                 report.add_similarities(fits, energy);
             }

@@ -180,7 +180,8 @@ pub(crate) fn make_like_until(
         .iter()
         .map(|fit| fit.and_then(|fit| fit.pose.apply(&target.outline, fit.scale).ok()))
         .collect();
-    lock_by_tabs(&mut puzzle, options.tab, control, &|piece, p| {
+    let neck = options.least_neck(puzzle.unit()) / puzzle.step;
+    lock_by_tabs(&mut puzzle, (options.tab, neck), control, &|piece, p| {
         shapes[piece].as_ref().is_some_and(|shape| shape.contains(p))
     });
     let placed: Vec<Pose> = before.iter().flatten().map(|fit| fit.pose).collect();

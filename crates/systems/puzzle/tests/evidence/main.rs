@@ -6,7 +6,7 @@ mod like;
 mod motion;
 
 use pompeiu_planar::svg;
-use pompeiu_planar::{Outline, Point, first_crossing};
+use pompeiu_planar::{Outline, Point, first_crossing, offset};
 use pompeiu_puzzle::{
     Layout, PieceDrawing, PieceName, Proof, Puzzle, PuzzleError, PuzzleOptions, Tab, cuts_dxf, cuts_svg,
     lock, make, pieces_svg, report,
@@ -101,8 +101,11 @@ fn a_motion_that_is_reported_enters_no_piece() {
 
 #[test]
 fn many_pieces_are_locked_and_the_same_at_any_number_of_threads() {
-    let puzzle = puzzle(Layout::Voronoi, Tab::Knob, 400, 3);
-    let straight = report(&puzzle).straight_borders;
+    let options = PuzzleOptions { layout: Layout::Voronoi, pieces: 400, seed: 3, ..PuzzleOptions::default() };
+    // A neck of 15 % of a side: wider ones leave fewer borders room for a tab.
+    let neck = Some(0.15 * (300.0_f64 * 200.0 / 400.0).sqrt());
+    let puzzle = make(&PuzzleOptions { neck, ..options }).unwrap();
+    let straight = report(&puzzle).without_tab.len();
     let inner = puzzle.borders().iter().filter(|border| border.right.is_some()).count();
     assert!(straight * 20 < inner, "{straight} of {inner} borders without a tab");
     let one = pompeiu_core::run::on_threads(std::num::NonZeroUsize::new(1), || lock(&puzzle));
@@ -213,4 +216,52 @@ fn whimsies_keep_their_outlines_and_are_held() {
     }
     let many = make(&PuzzleOptions { whimsies: vec![star(5, 0.5); 30], ..PuzzleOptions::default() });
     assert!(matches!(many, Err(PuzzleError::Whimsy { .. })));
+}
+
+/// Pieces that a disc of a radius cannot leave, by offsets, which know nothing of necks: what the offset of a piece leaves is one
+/// part, beside parts that are too small to count.
+#[test]
+fn no_piece_falls_apart_when_it_is_thinned_by_its_least_neck() {
+    let flower: Vec<Point> = (0..240)
+        .map(|i| {
+            let angle = std::f64::consts::TAU * (f64::from(i) + 0.3) / 240.0;
+            let radius = 1.0 + 0.8 * libm::cos(5.0 * angle);
+            [radius * libm::cos(angle), radius * libm::sin(angle)]
+        })
+        .collect();
+    let flower = Outline::new(flower).unwrap();
+    let mut narrowest = f64::INFINITY;
+    for (outline, layout, tab, seed) in [
+        (None, Layout::Voronoi, Tab::Knob, 1),
+        (None, Layout::Voronoi, Tab::Dovetail, 2),
+        (None, Layout::Hexagons, Tab::Knob, 3),
+        (Some(flower), Layout::Grid, Tab::Knob, 4),
+    ] {
+        let options = PuzzleOptions { outline, layout, tab, seed, pieces: 40, ..PuzzleOptions::default() };
+        let puzzle = make(&options).unwrap();
+        let found = report(&puzzle);
+        let least = 0.15 * found.unit();
+        for piece in &found.pieces {
+            narrowest = piece.neck.map_or(narrowest, |neck| neck.width.min(narrowest));
+            let outline = Outline::new(puzzle.outline(piece.id)).unwrap();
+            let parts = offset(&outline, -0.495 * least);
+            // What is left of a part that does not count has less area than the part.
+            let counts = |part: &&Outline| part.area() > 0.005 * found.unit().powi(2);
+            assert!(parts.iter().filter(counts).count() <= 1, "piece {}: {:?}", piece.id, piece.neck);
+        }
+        assert_eq!(found.clusters.len(), 1, "{layout:?} {tab:?}");
+        let (_, neck) = found.narrowest().unwrap();
+        assert!(neck.width >= least, "{layout:?} {tab:?}: {neck:?}, {least}");
+    }
+    assert!(narrowest < 10.0, "no piece has a neck");
+    // Without a least width, tabs leave hairs.
+    let hairs = PuzzleOptions {
+        neck: Some(0.0),
+        layout: Layout::Voronoi,
+        pieces: 400,
+        seed: 3,
+        ..PuzzleOptions::default()
+    };
+    let (_, neck) = report(&make(&hairs).unwrap()).narrowest().unwrap();
+    assert!(neck.width < 0.1, "{neck:?}");
 }

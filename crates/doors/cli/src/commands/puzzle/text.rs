@@ -79,11 +79,16 @@ pub(super) fn text(answer: &AnswerOf<Files>) -> String {
         "areas",
         &format!("sum {}, outline {}: {exact}", few(report.area.sum), few(report.area.outline)),
     );
-    if report.straight_borders > 0 {
-        page.row(
-            "straight",
-            &format!("{} borders between pieces have no tab", number(report.straight_borders)),
-        );
+    necks(&mut page, report);
+    if !report.without_tab.is_empty() {
+        let count = number(report.without_tab.len());
+        let text = format!("{count} borders between pieces have no tab");
+        // Where no tabs were asked for, it is all of them.
+        let names = report.least_neck.map_or_else(String::new, |_| {
+            let pairs = report.without_tab.iter().map(|[a, b]| format!("{a}–{b}"));
+            format!(": {}", listed(pairs))
+        });
+        page.row("straight", &(text + &names));
     }
     if let Some(motion) = &report.motion {
         let end = if motion.is_apart { "until they are apart" } else { "as far as it was followed" };
@@ -96,11 +101,29 @@ pub(super) fn text(answer: &AnswerOf<Files>) -> String {
     page.into_text()
 }
 
+/// The narrowest neck, beside what tabs leave at least.
+fn necks(page: &mut Page, report: &PuzzleReport) {
+    let Some((piece, neck)) = report.narrowest() else { return };
+    let text = format!("at least {}, at piece {piece}", few(neck.width));
+    let text = match report.least_neck {
+        Some(least) if neck.width < least => {
+            format!("{text}: the outline is narrower there than the {} that tabs leave", few(least))
+        }
+        _ => text,
+    };
+    page.row("necks", &text);
+}
+
 /// The first numbers of a list.
 fn names(list: &[usize]) -> String {
+    listed(list.iter().map(ToString::to_string))
+}
+
+/// The first of some names.
+fn listed(names: impl ExactSizeIterator<Item = String>) -> String {
     const SHOWN: usize = 12;
-    let names = list.iter().take(SHOWN).map(ToString::to_string).collect::<Vec<_>>().join(", ");
-    names + if list.len() > SHOWN { ", …" } else { "" }
+    let is_cut = names.len() > SHOWN;
+    names.take(SHOWN).collect::<Vec<_>>().join(", ") + if is_cut { ", …" } else { "" }
 }
 
 /// How similar pieces are to the shape: all, those inside, those at the outline.
