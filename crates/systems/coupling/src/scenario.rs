@@ -64,18 +64,22 @@ impl RunReport {
 struct Distance {
     difference: f64,
     value: f64,
+    is_compared: bool,
 }
 
 impl Distance {
     fn add(&mut self, found: &[f64], expected: &[f64]) {
+        self.is_compared = true;
         for (a, b) in found.iter().zip(expected) {
             self.difference = self.difference.max((a - b).abs());
             self.value = self.value.max(b.abs());
         }
     }
 
-    fn relative(&self) -> f64 {
-        if self.difference == 0.0 { 0.0 } else { self.difference / self.value }
+    /// None where nothing was compared.
+    fn relative(&self) -> Option<f64> {
+        let relative = if self.difference == 0.0 { 0.0 } else { self.difference / self.value };
+        self.is_compared.then_some(relative)
     }
 }
 
@@ -113,7 +117,7 @@ impl Scenario {
                     distance.add(x, exact.next().as_slice());
                     observer(window, x, y)
                 });
-                report.from_monolithic = Some(distance.relative());
+                report.from_monolithic = distance.relative();
                 Ok(report)
             }
             Self::Tube(tube) => {
@@ -129,7 +133,7 @@ impl Scenario {
                     }
                     observer(window, x, y)
                 });
-                report.from_monolithic = together.map(|_| distance.relative());
+                report.from_monolithic = together.and_then(|_| distance.relative());
                 Ok(report)
             }
             Self::Channel(channel) => {

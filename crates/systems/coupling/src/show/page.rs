@@ -176,7 +176,7 @@ impl CouplePage<'_> {
             let text = Text::from("the constant of the pressure is chosen in each window, ");
             add("enclosed", text.number(constant, 4).text(" in the last"));
         }
-        if let Some(distance) = run.from_monolithic.filter(|_| !run.windows.is_empty()) {
+        if let Some(distance) = run.from_monolithic {
             let text = Text::default().number(distance, 4);
             add(
                 "reference",

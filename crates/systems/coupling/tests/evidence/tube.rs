@@ -105,4 +105,5 @@ fn a_scenario_runs_until_it_ends_or_is_told_to() {
     let options = CouplingOptions { scheme: Scheme::Fixed, ..CouplingOptions::default() };
     let report = scenario.run(&options, 10, &mut |_, _, _| true).unwrap();
     assert!(report.windows.is_empty() && report.added_mass.unwrap().number > 1.0);
+    assert_eq!(report.from_monolithic, None, "nothing was compared");
 }

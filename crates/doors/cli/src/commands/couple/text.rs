@@ -66,7 +66,7 @@ fn table(report: &CoupleReport) -> String {
         format!("{:<widest$}  {:>7}  {:>6}  {:>10}  ended\n", "scheme", "windows", "solves", "monolithic");
     for run in &report.runs {
         let mean = run.mean_solves().map_or(String::new(), |mean| format!("{mean:.2}"));
-        let distance = run.from_monolithic.filter(|_| !run.windows.is_empty()).map_or(String::new(), few);
+        let distance = run.from_monolithic.map_or(String::new(), few);
         let _ = writeln!(
             text,
             "{:<widest$}  {:>7}  {mean:>6}  {distance:>10}  {}",
