@@ -21,7 +21,7 @@
 //! # Ok::<(), pompeiu_solve::SolveError>(())
 //! ```
 //!
-//! [`ElementPattern`] assembles matrices of one pattern repeatedly. [`DenseCholesky`] is for small dense matrices, for instance
+//! [`ElementPattern`] assembles matrices of one pattern repeatedly, [`SymmetricBlocks`] those of a pattern that grows. [`DenseCholesky`] is for small dense matrices, for instance
 //! Gram matrices.
 //!
 //! This crate does not depend on meshes. A sparse matrix is factored on one thread; independent ones can be factored in parallel.
@@ -29,6 +29,7 @@
 
 mod assembly;
 mod banded;
+mod blocks;
 mod cholesky;
 mod dense;
 mod eigen;
@@ -44,6 +45,7 @@ mod sparse;
 
 pub use assembly::{ElementPattern, FIXED};
 pub use banded::Banded;
+pub use blocks::SymmetricBlocks;
 pub use cholesky::{Analysis, Cholesky};
 pub use dense::DenseCholesky;
 pub use eigen::eigenvalues;

@@ -21,6 +21,18 @@ const MOST_STEPS: usize = 10_000;
 
 /// A time until which a pair does not touch, none when it does not come close within the whole motion.
 pub fn time_of_impact(kind: Kind, x: &[DVec3; 4], p: &[DVec3; 4]) -> Option<f64> {
+    time_of_impact_before(kind, x, p, || 1.0)
+}
+
+/// The same; none also once the pair is known to be free until a limit, which may fall meanwhile.
+///
+/// A pair that touches before the limit is followed to its end, so that the least time of many pairs does not depend on their order.
+pub(crate) fn time_of_impact_before(
+    kind: Kind,
+    x: &[DVec3; 4],
+    p: &[DVec3; 4],
+    limit: impl Fn() -> f64,
+) -> Option<f64> {
     let (first, used) = match kind {
         Kind::PointTriangle => (1, 4),
         Kind::EdgeEdge => (2, 4),
@@ -51,6 +63,9 @@ pub fn time_of_impact(kind: Kind, x: &[DVec3; 4], p: &[DVec3; 4]) -> Option<f64>
             return Some(if time > 0.0 { time } else { step });
         }
         time = next;
+        if time >= limit() {
+            return None;
+        }
         step = (1.0 - LEFT) * distance / speed;
     }
     Some(time)

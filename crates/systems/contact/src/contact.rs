@@ -128,11 +128,10 @@ fn projected(full: &[[f64; 12]; 12], basis: &[[f64; 12]; 5]) -> [[f64; 12]; 12] 
         std::array::from_fn(|b| image[a].iter().zip(basis[b]).map(|(x, y)| x * y).sum())
     });
     project(&mut small);
-    std::array::from_fn(|i| {
-        std::array::from_fn(|j| {
-            (0..5).map(|a| (0..5).map(|b| basis[a][i] * small[a][b] * basis[b][j]).sum::<f64>()).sum()
-        })
-    })
+    let half: [[f64; 5]; 12] = std::array::from_fn(|i| {
+        std::array::from_fn(|b| (0..5).map(|a| basis[a][i] * small[a][b]).sum::<f64>())
+    });
+    std::array::from_fn(|i| std::array::from_fn(|j| (0..5).map(|b| half[i][b] * basis[b][j]).sum()))
 }
 
 /// The pairs of candidates that are closer than `d_hat`: with weights of edges, by inclusion and exclusion; all without.

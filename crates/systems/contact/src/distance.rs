@@ -24,6 +24,17 @@ pub enum Kind {
     PointPoint,
 }
 
+impl Kind {
+    /// Number of points that are used.
+    pub const fn count(self) -> usize {
+        match self {
+            Self::PointTriangle | Self::EdgeEdge => 4,
+            Self::PointEdge => 3,
+            Self::PointPoint => 2,
+        }
+    }
+}
+
 /// The closest points of a pair.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Closest {

@@ -1,7 +1,7 @@
 //! Elastic energies of elements, with gradients and positive semi-definite second derivatives.
 
 use crate::dense::project;
-use glam::{DMat2, DMat3, DVec3};
+use glam::{DMat2, DMat3, DVec2, DVec3};
 
 /// A compressible neo-Hookean tetrahedron: `V (μ/2 (|F|² − 3) − μ ln J + λ/2 (ln J)²)`, infinite for `J ≤ 0`.
 #[derive(Clone, Copy, Debug)]
@@ -137,42 +137,67 @@ impl Membrane {
             [m.x_axis.y, m.y_axis.y],
         ];
         let gradient = g.map(|g| (stress[0] * g[0] + stress[1] * g[1]) * self.area);
-        let mut by_f = [[0.0; 6]; 6];
-        for column in 0..6 {
-            let mut d = [DVec3::ZERO; 2];
-            d[column / 3][column % 3] = 1.0;
-            let strain = [f[0].dot(d[0]), 0.5 * (f[0].dot(d[1]) + f[1].dot(d[0])), f[1].dot(d[1])];
-            let trace = lambda * (strain[0] + strain[2]);
-            let ds = [
-                [2.0 * mu * strain[0] + trace, 2.0 * mu * strain[1]],
-                [2.0 * mu * strain[1], 2.0 * mu * strain[2] + trace],
-            ];
-            for k in 0..2 {
-                let change = d[0] * s[0][k] + d[1] * s[1][k] + f[0] * ds[0][k] + f[1] * ds[1][k];
-                for i in 0..3 {
-                    by_f[3 * k + i][column] = change[i];
-                }
-            }
-        }
-        project(&mut by_f);
         let mut hessian = [[0.0; 9]; 9];
-        for i in 0..3 {
-            for j in 0..3 {
-                for a in 0..3 {
-                    for b in 0..3 {
-                        let mut sum = 0.0;
-                        for p in 0..2 {
-                            for q in 0..2 {
-                                sum += g[i][p] * by_f[3 * p + a][3 * q + b] * g[j][q];
-                            }
-                        }
-                        hessian[3 * i + a][3 * j + b] = sum * self.area;
+        for (value, left, right) in self.modes(&f) {
+            if value > 0.0 {
+                let weight = value * self.area;
+                let rows = g
+                    .map(|g| left[0] * right[0].dot(DVec2::from(g)) + left[1] * right[1].dot(DVec2::from(g)));
+                let mode: [f64; 9] = std::array::from_fn(|i| rows[i / 3][i % 3]);
+                for (i, row) in hessian.iter_mut().enumerate() {
+                    for (entry, other) in row.iter_mut().zip(mode) {
+                        *entry += weight * mode[i] * other;
                     }
                 }
             }
         }
         (gradient, hessian)
     }
+
+    /// Eigenvalues and eigenvectors of the second derivatives by F; an eigenvector is `l₀ r₀ᵀ + l₁ r₁ᵀ`.
+    ///
+    /// The energy depends on the singular values `σ` of F alone, so that the eigenvectors follow from the singular vectors: two across the
+    /// surface, two that turn and shear it, and two that stretch it, from a matrix of two rows (`smith_analytic_2019`).
+    fn modes(&self, f: &[DVec3; 2]) -> [(f64, [DVec3; 2], [DVec2; 2]); 6] {
+        let (mu, lambda) = self.lame;
+        let along = main_axis(f[0].dot(f[0]), f[0].dot(f[1]), f[1].dot(f[1]));
+        let v = [along, along.perp()];
+        let stretched = v.map(|v| f[0] * v.x + f[1] * v.y);
+        let u0 = stretched[0].try_normalize().unwrap_or(DVec3::X);
+        let across = stretched[1] - u0 * u0.dot(stretched[1]);
+        let u1 = across.try_normalize().unwrap_or_else(|| u0.any_orthonormal_vector());
+        let (u, normal) = ([u0, u1], u0.cross(u1));
+        let sigma = stretched.map(DVec3::length);
+        let strain = sigma.map(|sigma| 0.5 * (sigma * sigma - 1.0));
+        let stress = strain.map(|e| 2.0 * mu * e + lambda * (strain[0] + strain[1]));
+        let (mean, half) = (0.5 * (stress[0] + stress[1]), std::f64::consts::FRAC_1_SQRT_2);
+        let (sum, difference) = (sigma[0] + sigma[1], sigma[0] - sigma[1]);
+        let (none, nowhere) = (DVec3::ZERO, DVec2::ZERO);
+        let stiffness = |k: usize| stress[k] + sigma[k] * sigma[k] * (2.0 * mu + lambda);
+        let (first, mixed, second) = (stiffness(0), lambda * sigma[0] * sigma[1], stiffness(1));
+        let axis = main_axis(first, mixed, second);
+        let stretch = |w: DVec2| {
+            let value = w.x * (first * w.x + mixed * w.y) + w.y * (mixed * w.x + second * w.y);
+            (value, [u[0] * w.x, u[1] * w.y], v)
+        };
+        [
+            (stress[0], [normal, none], [v[0], nowhere]),
+            (stress[1], [normal, none], [v[1], nowhere]),
+            (mean + 0.5 * mu * difference * difference, [u[1] * half, u[0] * -half], v),
+            (mean + 0.5 * mu * sum * sum, [u[1] * half, u[0] * half], v),
+            stretch(axis),
+            stretch(axis.perp()),
+        ]
+    }
+}
+
+/// The eigenvector of the greater eigenvalue of a symmetric matrix of two rows.
+fn main_axis(a: f64, b: f64, c: f64) -> DVec2 {
+    let half = 0.5 * (a - c);
+    let root = half.hypot(b);
+    // Of the two rows that are orthogonal to it, the one without cancellation.
+    let axis = if half >= 0.0 { DVec2::new(half + root, b) } else { DVec2::new(b, root - half) };
+    axis.try_normalize().unwrap_or(DVec2::X)
 }
 
 impl Hinge {
@@ -307,5 +332,54 @@ mod tests {
                 assert!((slope - hessian[i][j]).abs() < 1e-7, "{i} {j}: {slope} {}", hessian[i][j]);
             }
         }
+    }
+
+    #[test]
+    fn the_positive_part_of_a_membrane_is_that_of_differences() {
+        let membrane =
+            Membrane { vertices: [0, 1, 2], inverse: DMat2::IDENTITY, area: 0.5, lame: (2.0, 3.0) };
+        let h = 1e-5;
+        let rest = [DVec3::ZERO, DVec3::X, DVec3::Y];
+        // At rest, noisy, compressed, turned over in its plane, and shrunk to a segment and to a point.
+        let shrunk = |x: f64, y: f64| [DVec3::ZERO, DVec3::X * x, DVec3::Y * y];
+        let folded = [DVec3::ZERO, DVec3::X, DVec3::X * 0.7];
+        let mut cases =
+            vec![rest, shrunk(0.8, 0.6), shrunk(0.8, -0.9), shrunk(1.3, 0.4), folded, [DVec3::ZERO; 3]];
+        for seed in 0..20 {
+            let noise: [DVec3; 3] = points(seed);
+            cases.push(std::array::from_fn(|i| rest[i] * 0.8 + noise[i]));
+        }
+        let mut negative = 0;
+        for x in cases {
+            let mut expected = [[0.0; 9]; 9];
+            for j in 0..9 {
+                let moved = |by: f64| {
+                    let mut x = x;
+                    x[j / 3][j % 3] += by;
+                    membrane.derivatives(&x).0
+                };
+                let (low, high) = (moved(-h), moved(h));
+                for (i, row) in expected.iter_mut().enumerate() {
+                    row[j] = (high[i / 3][i % 3] - low[i / 3][i % 3]) / (2.0 * h);
+                }
+            }
+            // Projected by F, which is x₁ − x₀ and x₂ − x₀ here.
+            let mut by_f: Block<6> = std::array::from_fn(|i| std::array::from_fn(|j| expected[3 + i][3 + j]));
+            let before = by_f;
+            project(&mut by_f);
+            negative += usize::from(before != by_f);
+            let (_, hessian) = membrane.derivatives(&x);
+            for i in 0..6 {
+                for j in 0..6 {
+                    let found = hessian[3 + i][3 + j];
+                    assert!((found - by_f[i][j]).abs() < 1e-8, "{x:?} {i} {j}: {found} {}", by_f[i][j]);
+                }
+            }
+            for (i, row) in hessian.iter().enumerate() {
+                let sums = [0, 1, 2].map(|k| row[k] + row[3 + k] + row[6 + k]);
+                assert!(sums.iter().all(|sum| sum.abs() < 1e-13), "{i}: {sums:?}");
+            }
+        }
+        assert!(negative > 5, "{negative}");
     }
 }

@@ -39,7 +39,7 @@
 //! ```
 //!
 //! # Source
-//! `li_incremental_2020`, `li_codimensional_2021`, `grinspun_discrete_2003`.
+//! `li_incremental_2020`, `li_codimensional_2021`, `grinspun_discrete_2003`, `smith_analytic_2019`.
 
 pub mod barrier;
 mod bodies;
@@ -52,6 +52,7 @@ mod elastic;
 mod error;
 mod objective;
 mod options;
+mod potential;
 mod report;
 #[cfg(feature = "serde")]
 pub mod request;

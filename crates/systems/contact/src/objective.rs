@@ -4,7 +4,7 @@ use crate::contact::{Contact, Curvature, Slide, Support};
 use crate::surface::Candidates;
 use crate::{Bodies, ContactError, Handle, Simulation};
 use glam::DVec3;
-use pompeiu_solve::{Cholesky, LinearSolver, SparseMatrix};
+use pompeiu_solve::{LinearSolver, SolveError, SymmetricBlocks};
 use rayon::prelude::*;
 
 /// The part of the decrease that the gradient promises, and a step must keep (Armijo).
@@ -26,7 +26,7 @@ pub(crate) struct Objective<'a> {
 }
 
 /// The sum of terms that are computed in parallel, added in order.
-fn sum(terms: Vec<f64>) -> f64 {
+pub(crate) fn sum(terms: Vec<f64>) -> f64 {
     terms.into_iter().fold(0.0, |a, b| a + b)
 }
 
@@ -41,11 +41,11 @@ pub(crate) fn elastic_energy(bodies: &Bodies, x: &[DVec3]) -> [f64; 3] {
 }
 
 /// The matrix of an element with its vertices.
-struct Element {
-    vertices: [u32; 4],
-    count: usize,
-    gradient: [DVec3; 4],
-    curvature: Curvature,
+pub(crate) struct Element {
+    pub(crate) vertices: [u32; 4],
+    pub(crate) count: usize,
+    pub(crate) gradient: [DVec3; 4],
+    pub(crate) curvature: Curvature,
 }
 
 impl Objective<'_> {
@@ -137,11 +137,7 @@ impl Objective<'_> {
                 Curvature::Rank1(factor, vector) => Curvature::Rank1(factor * kappa, vector),
                 Curvature::Full(entries) => full(&|i, j| entries[i][j], kappa),
             };
-            let count = match contact.kind {
-                crate::Kind::PointTriangle | crate::Kind::EdgeEdge => 4,
-                crate::Kind::PointEdge => 3,
-                crate::Kind::PointPoint => 2,
-            };
+            let count = contact.kind.count();
             Element { vertices: contact.vertices, count, gradient: gradient.map(|g| g * kappa), curvature }
         }));
         elements.extend(supports.iter().map(|support| {
@@ -163,11 +159,12 @@ impl Objective<'_> {
         elements
     }
 
-    /// A Newton step for all vertices, and the slope of the objective along it.
+    /// A Newton step for all vertices, and the slope of the objective along it. The matrix of the iteration before lends its pattern.
     pub(crate) fn newton(
         &self,
         x: &[DVec3],
         active: &(Vec<Contact>, Vec<Support>),
+        matrix: &mut SymmetricBlocks,
     ) -> Result<(Vec<DVec3>, f64), ContactError> {
         let Simulation { bodies, unknowns, .. } = self.simulation;
         let count = 3 * unknowns.iter().flatten().count();
@@ -195,14 +192,9 @@ impl Objective<'_> {
                 add(element.vertices[k] as usize, element.gradient[k], 0.0);
             }
         }
-        let mut triplets: Vec<(usize, usize, f64)> =
-            diagonal.iter().enumerate().map(|(i, value)| (i, i, *value)).collect();
-        for element in &elements {
-            element.append(unknowns, &mut triplets);
-        }
-        let matrix = SparseMatrix::from_triplets(count, count, &triplets)?;
+        assemble(matrix, &diagonal, &elements, unknowns)?;
         let mut step: Vec<f64> = gradient.iter().map(|g| -g).collect();
-        Cholesky::new(&matrix)?.solve_in_place(&mut step)?;
+        matrix.factor()?.solve_in_place(&mut step)?;
         let slope = step.iter().zip(&gradient).map(|(p, g)| p * g).sum();
         let of = |unknown: &Option<u32>| {
             unknown.map_or(DVec3::ZERO, |u| DVec3::from_slice(&step[3 * u as usize..3 * u as usize + 3]))
@@ -235,26 +227,55 @@ impl Objective<'_> {
 }
 
 impl Element {
-    /// Adds the lower triangle of its entries.
-    fn append(&self, unknowns: &[Option<u32>], triplets: &mut Vec<(usize, usize, f64)>) {
-        for i in 0..self.count {
-            let Some(row) = unknowns[self.vertices[i] as usize] else { continue };
-            for j in 0..self.count {
-                let Some(column) = unknowns[self.vertices[j] as usize] else { continue };
-                for a in 0..3 {
-                    for b in 0..3 {
-                        let (r, c) = (3 * row as usize + a, 3 * column as usize + b);
-                        if r < c {
-                            continue;
-                        }
-                        let value = match &self.curvature {
-                            Curvature::Rank1(factor, v) => factor * v[3 * i + a] * v[3 * j + b],
-                            Curvature::Full(entries) => entries[3 * i + a][3 * j + b],
-                        };
-                        triplets.push((r, c, value));
+    /// Its vertices that can move: their index among those of the element, and their unknown.
+    fn unknowns(&self, unknowns: &[Option<u32>]) -> impl Iterator<Item = (usize, u32)> {
+        let vertices = self.vertices[..self.count].iter().enumerate();
+        vertices.filter_map(|(i, &v)| unknowns[v as usize].map(|unknown| (i, unknown)))
+    }
+
+    /// Adds its entries. Blocks above the diagonal are those below, turned over, and are left out.
+    fn add_to(&self, matrix: &mut SymmetricBlocks, unknowns: &[Option<u32>]) {
+        for (i, row) in self.unknowns(unknowns) {
+            for (j, column) in self.unknowns(unknowns).filter(|(_, column)| *column <= row) {
+                let (i, j) = (3 * i, 3 * j);
+                match &self.curvature {
+                    Curvature::Rank1(factor, v) => {
+                        matrix.add(row, column, |a, b| factor * v[i + a] * v[j + b]);
+                    }
+                    Curvature::Full(entries) => {
+                        matrix.add(row, column, |a, b| entries[i + a][j + b]);
                     }
                 }
             }
         }
     }
+}
+
+/// Fills a matrix with values on its diagonal and with elements.
+pub(crate) fn assemble(
+    matrix: &mut SymmetricBlocks,
+    diagonal: &[f64],
+    elements: &[Element],
+    unknowns: &[Option<u32>],
+) -> Result<(), SolveError> {
+    matrix.clear(diagonal.len() / 3, &places(elements, unknowns))?;
+    for (unknown, of_vertex) in diagonal.as_chunks::<3>().0.iter().enumerate() {
+        matrix.add(unknown as u32, unknown as u32, |a, b| if a == b { of_vertex[a] } else { 0.0 });
+    }
+    for element in elements {
+        element.add_to(matrix, unknowns);
+    }
+    Ok(())
+}
+
+/// The pairs of unknowns that elements couple.
+fn places(elements: &[Element], unknowns: &[Option<u32>]) -> Vec<(u32, u32)> {
+    let mut places = Vec::with_capacity(6 * elements.len());
+    for element in elements {
+        for (_, row) in element.unknowns(unknowns) {
+            let columns = element.unknowns(unknowns).map(|(_, column)| column);
+            places.extend(columns.filter(|column| *column < row).map(|column| (row, column)));
+        }
+    }
+    places
 }

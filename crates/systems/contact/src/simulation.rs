@@ -4,7 +4,7 @@
 //! A step minimises `½ |x − x̃|²_M + β² (Ψ(x) + κ Σ w m b(d²) + D(x))` from where it starts, with elastic energies Ψ, barriers and
 //! friction D lagged; implicit Euler has `β = h`, `x̃ = x + h v + h² g`.
 
-use crate::ccd::time_of_impact;
+use crate::ccd::time_of_impact_before;
 use crate::contact::{Contact, Slide, Support, active};
 use crate::objective::{Objective, elastic_energy};
 use crate::report::since;
@@ -15,7 +15,10 @@ use crate::{
 use glam::DVec3;
 use pompeiu_core::TriMesh;
 use pompeiu_core::spatial::self_intersections;
+use pompeiu_solve::SymmetricBlocks;
 use rayon::prelude::*;
+use std::sync::atomic::AtomicU64;
+use std::sync::atomic::Ordering::Relaxed;
 use std::time::Instant;
 
 /// Pairs that are named when a start intersects.
@@ -269,7 +272,7 @@ impl Simulation {
         Ok(())
     }
 
-    fn candidates(&self, x: &[DVec3], p: Option<&[DVec3]>) -> Candidates {
+    pub(crate) fn candidates(&self, x: &[DVec3], p: Option<&[DVec3]>) -> Candidates {
         self.surface.candidates(x, p, self.options.distance)
     }
 
@@ -340,10 +343,12 @@ impl Simulation {
         let mut timing = self.timing;
         let mut report = ContactStep { least_part: 1.0, ..ContactStep::default() };
         let mut converged = None;
+        // Its pattern is kept within the step only, so that a run that is resumed has the same bits.
+        let mut matrix = SymmetricBlocks::default();
         for iteration in 0..self.options.most_iterations {
             let active = self.contacts(&x, &candidates);
             let started = Instant::now();
-            let (p, slope) = objective.newton(&x, &active)?;
+            let (p, slope) = objective.newton(&x, &active, &mut matrix)?;
             timing.newton += since(started);
             let speed = p.iter().map(|p| p.abs().max_element()).fold(0.0, f64::max) / step;
             if speed <= self.options.tolerance {
@@ -355,7 +360,7 @@ impl Simulation {
             candidates = self.candidates(&x, Some(&p));
             timing.search += since(started);
             let started = Instant::now();
-            let free = self.free_part(&x, &p, &candidates);
+            let free = self.free_part_of(&x, &p, &candidates);
             timing.collision_detection += since(started);
             report.moving_pairs += candidates.point_face.len() + candidates.edge_edge.len();
             if free < report.least_part {
@@ -468,17 +473,21 @@ impl Simulation {
     }
 
     /// The part of a displacement during which nothing touches.
-    fn free_part(&self, x: &[DVec3], p: &[DVec3], candidates: &Candidates) -> f64 {
+    pub(crate) fn free_part_of(&self, x: &[DVec3], p: &[DVec3], candidates: &Candidates) -> f64 {
         let surface = &self.surface;
-        let time = |(kind, vertices): (crate::Kind, [u32; 4])| {
+        // Times are positive, so that the order of their bits is theirs.
+        let first = AtomicU64::new(f64::INFINITY.to_bits());
+        let lower = |(kind, vertices): (crate::Kind, [u32; 4])| {
             let of = |values: &[DVec3]| vertices.map(|v| values[v as usize]);
-            time_of_impact(kind, &of(x), &of(p)).unwrap_or(f64::INFINITY)
+            let limit = || f64::from_bits(first.load(Relaxed));
+            if let Some(time) = time_of_impact_before(kind, &of(x), &of(p), limit) {
+                first.fetch_min(time.to_bits(), Relaxed);
+            }
         };
+        candidates.point_face.par_iter().for_each(|&pair| lower(surface.point_face(pair)));
+        candidates.edge_edge.par_iter().for_each(|&pair| lower(surface.edge_edge(pair)));
+        let mut first = f64::from_bits(first.into_inner());
         let least = |a: f64, b: f64| if b < a { b } else { a };
-        let faces = candidates.point_face.par_iter().map(|&pair| time(surface.point_face(pair)));
-        let edges = candidates.edge_edge.par_iter().map(|&pair| time(surface.edge_edge(pair)));
-        let first = faces.chain(edges).reduce(|| f64::INFINITY, least);
-        let mut first = first;
         for &vertex in &surface.points {
             let v = vertex as usize;
             if self.unknowns[v].is_none() {

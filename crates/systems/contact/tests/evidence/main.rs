@@ -3,5 +3,6 @@
 #![allow(clippy::unwrap_used, reason = "tests may panic")]
 
 mod distances;
+mod potential;
 mod rest;
 mod scenes;
