@@ -33,6 +33,7 @@ def page(module):
         "STYLE": (HERE / "style.css").read_text(),
         "MODULE": packed(module),
         "EXAMPLES": json.dumps({name: packed((MESHES / name).read_bytes()) for name in EXAMPLES}),
+        "SERVED": "null",
         "WORKER": script("engine.js", "worker.js"),
         "SCRIPT": script("engines.js", "tasks.js", "page.js"),
     }

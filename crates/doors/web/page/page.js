@@ -33,8 +33,9 @@ const element = (tag, attributes = {}, ...children) => {
   return made;
 };
 
-const packed = bytesOf($("module").textContent);
-const engine = new WorkerEngine($("worker").textContent, packed);
+/** Where a program serves the page: the names of the files that it begins with. */
+const served = JSON.parse($("served").textContent);
+const engine = served ? new ServerEngine() : new WorkerEngine($("worker").textContent, bytesOf($("module").textContent));
 const state = { files: [], task: null, busy: false, found: null, form: {}, turn: 0 };
 
 // ---- what is said
@@ -77,7 +78,7 @@ async function take(list) {
   if (given.length === 0) return;
   const merged = given.length === 1 && state.files.length === 1 ? [...state.files, ...given] : given;
   if (merged.length > MOST_FILES) return void refuse(`${merged.length} files were dropped; drop one to describe and change it, or two to compare them.`);
-  const large = given.find(({ size }) => size > MOST_FILE);
+  const large = served ? undefined : given.find(({ size }) => size > MOST_FILE);
   if (large) return void refuse(`${large.name}: the file has ${integer(Math.round(large.size / MIB))} MiB, and a page can hold 4 GiB in all; use the command instead: ${commandLine(merged.length === 2 ? ["deviation", ...merged.map(({ name }) => name)] : ["info", large.name])}`);
   setState("reading");
   say(`Reading ${merged.map(({ name }) => name).join(" and ")}`);
@@ -195,6 +196,7 @@ function suggest() {
 
 /** A sentence where the memory of the page will not do. */
 function tooLarge(command) {
+  if (served) return null;
   const faces = state.files.reduce((sum, { facts }) => sum + facts.input.faces, 0);
   const needed = faces * BYTES_PER_FACE[state.task];
   return needed > MOST_MEMORY
@@ -208,7 +210,7 @@ async function run() {
   clearResult();
   const task = TASKS[state.task];
   const form = Object.fromEntries(task.fields.map(({ name }) => [name, state.form[`${state.task} ${name}`] ?? ""]));
-  const options = task.options(form);
+  const options = optionsOf(task, form);
   const wrong = Object.entries(options).find(([, value]) => Number.isNaN(value));
   const command = task.command(state.files.map(({ name }) => name), options);
   $("command").textContent = command;
@@ -223,7 +225,7 @@ async function run() {
     for (const file of state.files) await ensure(file);
     const meshes = state.files.map(({ facts }) => facts.mesh);
     if (state.task === "deviation" && !options.align) await firstInterval(meshes, options.unit ?? "");
-    const { reply } = await engine.call({ call: "ask", command: state.task, meshes, options, limits: { memory_limit: MOST_SEARCH } }, [], told);
+    const { reply } = await engine.call({ call: "ask", command: state.task, meshes, options, limits: served ? {} : { memory_limit: MOST_SEARCH } }, [], told);
     state.found = { reply, command, task: state.task };
     say("Drawing");
     const { arrays } = await engine.call({ call: "page", command_line: command });
@@ -325,8 +327,9 @@ const EXAMPLES = [["Sphere and rough sphere", ["sphere.obj", "rough-sphere.obj"]
 
 function start() {
   const contents = JSON.parse($("example-files").textContent);
-  $("examples").append(...EXAMPLES.map(([label, names]) => element("button", { type: "button", onclick: () => void take(names.map((name) => new File([bytesOf(contents[name])], name))) }, label)));
-  for (const holder of ["module", "example-files"]) $(holder).remove();
+  const known = EXAMPLES.filter(([, names]) => names.every((name) => contents[name]));
+  $("examples").append(...known.map(([label, names]) => element("button", { type: "button", onclick: () => void take(names.map((name) => new File([bytesOf(contents[name])], name))) }, label)));
+  for (const holder of ["module", "served", "example-files"]) $(holder).remove();
   $("choose").addEventListener("click", () => $("chooser").click());
   $("chooser").addEventListener("change", () => { void take($("chooser").files); $("chooser").value = ""; });
   $("task").addEventListener("submit", (event) => { event.preventDefault(); void run(); });
@@ -339,6 +342,16 @@ function start() {
   document.documentElement.dataset.ready = "true";
   // The module is unpacked while files are chosen.
   engine.start();
+  if (served?.files.length) void takeServed();
+}
+
+/** The files that the program was started with. */
+async function takeServed() {
+  try {
+    await take(await Promise.all(served.files.map(async (name, i) => new File([await engine.file(i)], name))));
+  } catch (error) {
+    refuse(error.message);
+  }
 }
 
 start();

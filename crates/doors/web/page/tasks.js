@@ -6,6 +6,8 @@ const UNITS = ["", "mm", "cm", "m", "in", "um"];
 const length = (text) => (text.trim() === "" || Number.isNaN(Number(text)) ? text.trim() || null : Number(text));
 const positive = (text) => (text.trim() === "" ? null : Number(text));
 
+const listed = (text) => text.trim().split(/[\s;]+/).filter(Boolean);
+
 /** Words of a command that a shell passes on as they are. */
 function quoted(word) {
   const text = String(word);
@@ -31,6 +33,12 @@ function flags(options) {
 /** What is left when nothing was typed in is left to the defaults. */
 const given = (options) => Object.fromEntries(Object.entries(options).filter(([, value]) => value !== null && value !== "" && value !== false && !(Array.isArray(value) && value.length === 0)));
 
+/** The options of a task from what is in its fields. */
+function optionsOf({ fields }, form) {
+  const read = ({ name, check, values, read = check || values ? (value) => value : positive }) => [name, read(form[name])];
+  return given(Object.fromEntries(fields.map(read)));
+}
+
 const stem = (name) => name.replace(/\.gz$/i, "").replace(/\.[^.]*$/, "");
 
 const TASKS = {
@@ -38,22 +46,19 @@ const TASKS = {
     label: "Compare",
     files: 2,
     fields: [
-      { name: "threshold", label: "Threshold", hint: "such as 0.1 or 0.1mm; empty: no verdict" },
-      { name: "bands", label: "Tolerance bands", hint: "such as -0.05..0.1; several with spaces" },
+      { name: "threshold", label: "Threshold", hint: "such as 0.1 or 0.1mm; empty: no verdict", read: length },
+      { name: "bands", label: "Tolerance bands", hint: "such as -0.05..0.1; several with spaces", read: listed },
       { name: "unit", label: "Unit", values: UNITS },
       { name: "allow", label: "Allowed share", hint: "of each area, such as 0.01" },
-      { name: "align", label: "Move the scan onto the model first", check: true },
+      { name: "align", label: "Move the scan onto the model first", check: true, read: (on) => (on ? "rigid" : null) },
       { name: "signed", label: "Tell inside from outside", check: true },
     ],
-    options: (form) => given({ threshold: length(form.threshold), bands: form.bands.trim().split(/[\s;]+/).filter(Boolean), unit: form.unit, allow: positive(form.allow),
-      align: form.align ? "rigid" : null, signed: form.signed }),
     command: (names, options) => commandLine(["deviation", ...names, ...flags(options), "--report", "deviation.html", "--pdf", "deviation.pdf"]),
   },
   info: {
     label: "Describe",
     files: 1,
     fields: [{ name: "intersections", label: "Find faces that intersect", check: true }],
-    options: (form) => given({ intersections: form.intersections }),
     command: (names, options) => commandLine(["info", ...names, ...flags(options)]),
   },
   simplify: {
@@ -65,7 +70,6 @@ const TASKS = {
       { name: "features", label: "Keep edges above", hint: "degrees; empty: none" },
       { name: "repair", label: "Repair first", check: true },
     ],
-    options: (form) => given({ within: positive(form.within), faces: positive(form.faces), features: positive(form.features), repair: form.repair }),
     command: (names, options) => commandLine(["simplify", ...names, ...flags(options), "-o", `${stem(names[0])}-simplified.ply`]),
   },
   remesh: {
@@ -76,14 +80,12 @@ const TASKS = {
       { name: "within", label: "Within", hint: "largest distance, to be proven; may be empty" },
       { name: "features", label: "Keep edges above", hint: "degrees; empty: none" },
     ],
-    options: (form) => given({ edge_length: positive(form.edge_length), within: positive(form.within), features: positive(form.features) }),
     command: (names, options) => commandLine(["remesh", ...names, ...flags(options), "-o", `${stem(names[0])}-remeshed.ply`]),
   },
   flatten: {
     label: "Flatten",
     files: 1,
     fields: [],
-    options: () => ({}),
     command: (names) => commandLine(["flatten", ...names, "-o", `${stem(names[0])}-flat.obj`, "--report", "flat.html"]),
   },
   repair: {
@@ -94,7 +96,6 @@ const TASKS = {
       { name: "fill_holes", label: "Fill holes up to", hint: "edges; empty: none" },
       { name: "within", label: "Within", hint: "largest distance, to be proven; may be empty" },
     ],
-    options: (form) => given({ weld: positive(form.weld), fill_holes: positive(form.fill_holes), within: positive(form.within) }),
     command: (names, options) => commandLine(["repair", ...names, `${stem(names[0])}-repaired.ply`, ...flags(options)]),
   },
 };

@@ -98,13 +98,14 @@ systems!(
     SimplifyRequest,
 );
 
-fn limits(call: &Ask) -> Result<Limits, CallError> {
+fn limits(call: &Ask, watcher: &dyn Watcher) -> Result<Limits, CallError> {
     let limited = call.limits;
     let wrong = |error: pompeiu::core::run::LimitError| CallError::Limit(error.to_string());
     Ok(Limits {
         time: limited.time_limit.map(Limits::seconds).transpose().map_err(wrong)?,
         memory: limited.memory_limit,
         threads: limited.threads.map(Limits::threads).transpose().map_err(wrong)?,
+        cancel: watcher.cancel(),
         ..Limits::default()
     })
 }
@@ -117,7 +118,7 @@ fn answer<Q: Asked>(engine: &mut Engine, call: &Ask, watcher: &dyn Watcher) -> R
     let watching = Watching(watcher);
     let given = call.meshes.iter().map(|&id| engine.mesh(id)).collect::<Result<Vec<_>, _>>()?;
     let inputs = given.iter().map(|loaded| loaded.input.clone()).collect();
-    let context = RunContext::start(limits(call)?).watched_by(&watching);
+    let context = RunContext::start(limits(call, watcher)?).watched_by(&watching);
     let found = request.ask(&Asking { ids: &call.meshes, given, context, watching: &watching })?;
     let timing = Timing { read: Duration::ZERO, total: started.elapsed() };
     let answer = Answer::new(inputs, request, found.report, timing);

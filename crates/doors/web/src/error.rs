@@ -3,7 +3,7 @@
 use pompeiu::core::MeshError;
 use pompeiu::figures::FigureError;
 use pompeiu::figures::page::PageError;
-use pompeiu::io::{EncodeError, FormatError};
+use pompeiu::io::{EncodeError, FormatError, OutputFormat};
 use pompeiu::options::OptionsError;
 use std::error::Error;
 
@@ -70,7 +70,7 @@ pub enum CallError {
     #[error("nothing was found yet that could be {0}; ask a system first")]
     NothingFound(&'static str),
     /// A format that is not written.
-    #[error("a mesh cannot be written as `{0}`; known are obj, ply, stl, off, vtp, vtu and glb")]
+    #[error("a mesh cannot be written as `{0}`; known are {known}", known = OutputFormat::ALL.map(OutputFormat::suffix).join(", "))]
     Format(String),
     /// A mesh that the format cannot hold.
     #[error(transparent)]

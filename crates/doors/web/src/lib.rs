@@ -1,7 +1,7 @@
 //! The engine behind a page and a JavaScript package.
 //!
 //! An [`Engine`] holds meshes and answers calls: a line of JSON with arrays of bytes beside it, in both directions. The same calls are
-//! answered in a WebAssembly module (`wasm32-unknown-unknown`, see `module.rs`) and by a native program. Requests and answers are
+//! answered in a WebAssembly module (`wasm32-unknown-unknown`, see `module.rs`) and by a native program, [`App`], which serves the page. Requests and answers are
 //! those of the command and of Python.
 //!
 //! # Example
@@ -20,12 +20,18 @@ mod ask;
 mod call;
 mod engine;
 mod error;
+#[cfg(not(target_family = "wasm"))]
+mod frame;
 #[cfg(all(target_family = "wasm", target_os = "unknown"))]
 mod module;
 mod outputs;
 mod pages;
+#[cfg(not(target_family = "wasm"))]
+mod server;
 mod watch;
 
 pub use engine::{Engine, Reply};
 pub use error::CallError;
+#[cfg(not(target_family = "wasm"))]
+pub use server::{App, AppError};
 pub use watch::{Silent, Told, Watcher};

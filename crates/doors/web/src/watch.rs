@@ -1,6 +1,6 @@
 //! Who is told how far an answer has come.
 
-use pompeiu::core::run::{Progress, ProgressObserver};
+use pompeiu::core::run::{CancelToken, Progress, ProgressObserver};
 use pompeiu::hausdorff::{self, Direction, Observer};
 use serde::Serialize;
 use std::ops::ControlFlow;
@@ -18,10 +18,15 @@ pub struct Told<'t> {
     pub bounds: Option<[f64; 2]>,
 }
 
-/// Receives what is told. A native program ends the work with [`ControlFlow::Break`]; a page ends its worker.
+/// Receives what is told. A native program ends the work with [`ControlFlow::Break`] or a token; a page ends its worker.
 pub trait Watcher: Sync + Send {
     /// Called a few times a second, by one thread at a time.
     fn told(&self, told: &Told<'_>) -> ControlFlow<()>;
+
+    /// What ends the work also where nothing is told.
+    fn cancel(&self) -> Option<CancelToken> {
+        None
+    }
 }
 
 /// Nobody watches.

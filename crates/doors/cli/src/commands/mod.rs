@@ -3,6 +3,7 @@
 //! and `csv.rs` for how they answer.
 
 mod align;
+mod app;
 mod completions;
 mod complexity;
 mod contact;
@@ -79,6 +80,7 @@ commands! {
     puzzle::Puzzle: system,
     simplify::Simplify: system,
     repair::Repair: system,
+    app::App,
     convert::Convert,
     generate::Generate,
     completions::Completions,

@@ -6,7 +6,7 @@ use serde_json::Value;
 use std::collections::BTreeMap;
 
 /// Commands that compute nothing that could be asked for in another way.
-const NO_ANSWER: [&str; 5] = ["completions", "convert", "generate", "help", "man"];
+const NO_ANSWER: [&str; 6] = ["app", "completions", "convert", "generate", "help", "man"];
 
 /// A call of each system, with options and the same as a file.
 const CALLS: [(&str, &str, &str, &str); 21] = [

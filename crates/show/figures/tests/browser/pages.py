@@ -46,8 +46,10 @@ class Browser:
         self.playwright.stop()
 
     def open(self, path, width=1280, height=860, scheme="light", motion="reduce"):
+        """Opens a file, or the address of a page that is served on this machine."""
+        is_served = isinstance(path, str)
         context = self.browser.new_context(
-            viewport={"width": width, "height": height}, color_scheme=scheme, reduced_motion=motion, offline=True)
+            viewport={"width": width, "height": height}, color_scheme=scheme, reduced_motion=motion, offline=not is_served)
         context.set_default_timeout(PATIENCE_MS)
         page = context.new_page()
         page.complaints = []
@@ -55,7 +57,7 @@ class Browser:
         page.on("console", lambda message: page.complaints.append(message.text))
         page.on("pageerror", lambda error: page.complaints.append(str(error)))
         page.on("request", lambda request: page.requests.append(request.url))
-        page.goto(path.as_uri())
+        page.goto(path if is_served else path.as_uri())
         page.wait_for_selector("html[data-ready=true]")
         return page
 

@@ -1,0 +1,106 @@
+"""`pompeiu app`: the program in a page with the native engine behind it."""
+
+import json
+import os
+import subprocess
+import unittest
+from pathlib import Path
+
+import axe_playwright_python
+
+from pages import FOLDER, ROOT, Browser
+
+PROGRAM = Path(os.environ.get("POMPEIU", FOLDER.parent / "debug/pompeiu")).resolve()
+MESHES = ROOT / "examples/meshes"
+AXE = (Path(axe_playwright_python.__file__).parent / "axe.min.js").read_text()
+RULES = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "best-practice"]
+ENDED = ", ".join(f"html[data-state={state}]" for state in ("done", "refused", "cancelled"))
+
+
+class App(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        if not PROGRAM.exists():
+            raise unittest.SkipTest("there is no program: cargo build -p pompeiu-cli makes it")
+        cls.browser = cls.enterClassContext(Browser())
+
+    def serve(self, *files):
+        program = subprocess.Popen([PROGRAM, "app", "--no-browser", *files], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+        self.addCleanup(program.wait)
+        self.addCleanup(program.stdout.close)
+        self.addCleanup(program.kill)
+        return program, program.stdout.readline().strip()
+
+    def test_files_of_the_command_are_compared_until_the_page_is_closed(self):
+        program, address = self.serve(MESHES / "sphere.obj", MESHES / "rough-sphere.obj")
+        page = self.browser.open(address, width=1440, height=900)
+        page.wait_for_selector(ENDED)
+        self.assertEqual(page.get_attribute("html", "data-state"), "done", page.text_content("#failure"))
+        self.assertIn("H(A, B) is proven to be in [0.0", page.text_content("#interval"))
+        page.fill("#field-threshold", "0.01mm")
+        page.select_option("#field-unit", "mm")
+        page.click("#run")
+        page.wait_for_selector("html[data-state=working]")
+        page.wait_for_selector(ENDED)
+        self.assertTrue(page.text_content("#status").startswith("OUT OF TOLERANCE 0.01 mm"))
+        self.assertIn("OUT OF TOLERANCE", page.frame_locator("iframe").locator("#banner").text_content())
+        page.frame_locator("iframe").locator("html[data-ready=true]").wait_for()
+        page.screenshot(path=FOLDER / "app-done.png")
+        with page.expect_download() as download:
+            page.click("#download-json")
+        served = json.loads(Path(download.value.path()).read_bytes())
+        words = ["deviation", "sphere.obj", "rough-sphere.obj", "--threshold", "0.01mm", "--unit", "mm", "--json"]
+        command = json.loads(subprocess.run([PROGRAM, *words], cwd=MESHES, capture_output=True, check=False).stdout)
+        self.assertEqual(served["report"]["distance"], command["report"]["distance"])
+        self.assertEqual(served["inputs"][1]["sha256"], command["inputs"][1]["sha256"])
+        outside = [url for url in page.requests if not url.startswith((address, "data:", "blob:", "about:"))]
+        self.assertEqual(outside, [], "the page asks its program alone")
+        self.assertEqual(page.complaints, [])
+        page.goto(address)
+        page.wait_for_selector(ENDED)
+        self.assertIsNone(program.poll(), "the page was only loaded again")
+        page.close()
+        self.assertEqual(program.wait(timeout=120), 0)
+
+    def test_a_page_whose_program_has_ended_says_so(self):
+        program, address = self.serve()
+        page = self.browser.open(address, width=390, height=844, scheme="dark")
+        self.assertEqual(page.locator("#examples button").count(), 0)
+        program.kill()
+        program.wait()
+        page.set_input_files("#chooser", [MESHES / "torus.obj"])
+        page.wait_for_selector("html[data-state=refused]")
+        self.assertIn("start pompeiu app again", page.text_content("#failure"))
+
+    def complain(self, frame):
+        """What axe finds in a frame: rules, and the elements that break them."""
+        frame.evaluate(AXE)
+        found = frame.evaluate("(rules) => axe.run(document, { runOnly: rules, iframes: false })", RULES)
+        return [(one["id"], node["target"], node.get("failureSummary")) for one in found["violations"] for node in one["nodes"]]
+
+    def test_axe_finds_nothing_in_any_state(self):
+        _, address = self.serve()
+        for width, height in [(1440, 900), (390, 844)]:
+            for scheme in ["light", "dark"]:
+                page = self.browser.open(address, width=width, height=height, scheme=scheme)
+                look = f"{'phone' if width < 400 else 'desk'}-{scheme}"
+
+                def state(name):
+                    page.screenshot(path=FOLDER / f"app-{name}-{look}.png")
+                    self.assertEqual(self.complain(page.main_frame), [], f"{name}, {look}")
+
+                state("empty")
+                page.set_input_files("#chooser", [MESHES / "sphere.obj", MESHES / "rough-sphere.obj"])
+                page.wait_for_selector(ENDED)
+                page.frame_locator("iframe").locator("html[data-ready=true]").wait_for()
+                state("compared")
+                self.assertEqual(self.complain(page.frames[-1]), [], f"page of the deviation, {look}")
+                page.fill("#field-threshold", "much")
+                page.click("#run")
+                page.wait_for_selector("html[data-state=refused]")
+                state("refused")
+                page.context.close()
+
+
+if __name__ == "__main__":
+    unittest.main()
