@@ -39,6 +39,7 @@ __all__ = [
     "Percentile",
     "Region",
     "ShareAbove",
+    "SignedStatistics",
     "Statistics",
     "Verdict",
     "deviation",
@@ -223,6 +224,33 @@ class Region(_Arrays):
 
 
 @dataclass(frozen=True)
+class SignedStatistics:
+    """Statistics of the signed distance over an area: negative inside the other mesh, positive outside. All points count.
+
+    Attributes
+    ----------
+    mean : tuple of float
+        Bounds on the mean.
+    standard_deviation : Enclosure
+        Bounds on the root of the mean squared distance from the mean.
+    lowest, highest : tuple of float
+        Bounds on the least and the greatest signed distance: the most inside, and the most outside.
+    """
+
+    mean: Tuple[float, float]
+    standard_deviation: Enclosure
+    lowest: Tuple[float, float]
+    highest: Tuple[float, float]
+
+    @classmethod
+    def _of(cls, data: Optional[Mapping[str, Any]]) -> "Optional[SignedStatistics]":
+        if data is None:
+            return None
+        mean, lowest, highest = ((data[name]["lower"], data[name]["upper"]) for name in ("mean", "lowest", "highest"))
+        return cls(mean, Enclosure(**data["standard_deviation"]), lowest, highest)
+
+
+@dataclass(frozen=True)
 class DeviationWork:
     """How much was done, in counts that do not depend on the machine or the number of threads."""
 
@@ -244,6 +272,8 @@ class DirectedDeviation(_Arrays):
         The largest distance of all, and the two points that prove it.
     statistics : Statistics, optional
         Over the area of the mesh; none if it has no area.
+    signed : SignedStatistics, optional
+        Of the signed distance over the same area, where sides are known and the other mesh is closed and oriented.
     face_max, face_min, face_mean : ndarray, float64, shape (m, 2)
         For each face lower and upper bound of the distance of its farthest and nearest point, and of the mean over its area.
     vertex_distances : ndarray, float64, shape (n,)
@@ -251,9 +281,9 @@ class DirectedDeviation(_Arrays):
     vertex_error : float
         The exact distance of each vertex differs by at most this from the one given.
     signed_vertex_distances : ndarray, float64, shape (n,), optional
-        Distances of the vertices, negative inside of the other mesh, if ``signed`` was asked for.
+        Distances of the vertices, negative inside of the other mesh, if sides are known.
     vertex_winding, face_winding : ndarray, float64, shape (n,) and (m,), optional
-        Winding numbers of the other mesh about the vertices and about the centroids of the faces, if ``signed`` was asked for. A
+        Winding numbers of the other mesh about the vertices and about the centroids of the faces, if sides are known. A
         magnitude above one half means inside; about a closed mesh the numbers are whole but for the error of evaluating them.
     regions : tuple of Region
         The worst regions, the worst first.
@@ -270,6 +300,7 @@ class DirectedDeviation(_Arrays):
     direction: Direction
     distance: DirectedReport
     statistics: Optional[Statistics]
+    signed: Optional[SignedStatistics]
     face_max: NDArray[np.float64]
     face_min: NDArray[np.float64]
     face_mean: NDArray[np.float64]
@@ -334,6 +365,7 @@ class DirectedDeviation(_Arrays):
             direction=direction,
             distance=DirectedReport._of({**data["distance"], "witness": witness, **search}),
             statistics=Statistics._of(data["statistics"], threshold),
+            signed=SignedStatistics._of(data.get("signed")),
             **{**arrays, "vertex_error": float(arrays["vertex_error"][0])},
             regions=tuple(map(Region._of, data["regions"])),
             beyond_threshold=tuple(map(Region._of, data.get("beyond_threshold", ()))),
@@ -631,6 +663,7 @@ def deviation(
     align: Optional[Literal["rigid"]] = None,
     threshold: Optional[Union[float, str]] = None,
     signed: bool = False,
+    unsigned: bool = False,
     accuracy: float = 0.01,
     percentiles: Sequence[float] = (50.0, 90.0, 95.0, 99.0,),
     bins: int = 64,
@@ -663,7 +696,11 @@ def deviation(
         Say whether both are within this length of each other, such as 0.1 or, with the unit given, 0.1mm; enclose the
         share of the area that is farther, and list the regions beyond it.
     signed : bool
-        Tell inside from outside, by generalised winding numbers: distances inside the other mesh are shown negative.
+        Tell inside from outside whatever the surfaces are, by generalised winding numbers: distances inside the other
+        mesh are shown negative. Where both surfaces are closed and oriented, and few of their faces intersect, that is
+        the default.
+    unsigned : bool
+        Do not tell inside from outside unless tolerance bands ask for it.
     accuracy : float
         Largest width of the intervals of mean, root mean square and percentiles, relative to their values; widths below
         1e-9 of the diagonal of both meshes always suffice.

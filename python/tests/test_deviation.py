@@ -109,7 +109,12 @@ def test_sides_are_told_apart():
     assert np.all(np.abs(report.b_to_a.vertex_winding) < 0.5) and report.b_to_a.face_winding.shape == (1280,)
     assert np.array_equal(report.a_to_b.signed_vertex_distances, -report.a_to_b.vertex_distances)
     assert np.array_equal(report.b_to_a.signed_vertex_distances, report.b_to_a.vertex_distances)
-    assert pompeiu.directed_deviation(inner, outer).signed_vertex_distances is None
+    # Both are closed and oriented.
+    inside = pompeiu.directed_deviation(inner, outer)
+    assert inside.signed == report.a_to_b.signed and inside.signed.mean[1] == pytest.approx(-inside.statistics.mean.lower)
+    assert inside.signed.highest[1] < 0 < report.b_to_a.signed.lowest[0] and inside.signed.standard_deviation.upper < 0.1
+    unsigned = pompeiu.directed_deviation(inner, outer, unsigned=True)
+    assert unsigned.signed_vertex_distances is None and unsigned.signed is None
 
 
 def test_a_mesh_without_area_has_no_statistics():

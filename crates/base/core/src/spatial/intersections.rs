@@ -5,8 +5,8 @@ use crate::exact::common_point;
 use crate::geom::{Aabb, Frame};
 use crate::mesh::topology::is_degenerate;
 use crate::mesh::{FaceId, TriMesh};
+use glam::DVec3;
 use rayon::prelude::*;
-use std::ops::ControlFlow;
 
 /// Pairs of faces that intersect.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -30,6 +30,9 @@ pub struct IntersectingPair {
 
 /// Faces of a task.
 const TASK: usize = 256;
+
+/// Faces of a leaf, for which the tree is walked once.
+const GROUP: usize = 8;
 
 /// Tasks between two checks of the number of pairs.
 const ROUND: usize = 256;
@@ -61,12 +64,21 @@ const ROUND: usize = 256;
 /// ```
 pub fn self_intersections(mesh: &TriMesh, most_pairs: usize) -> SelfIntersections {
     let frame = Frame::of(&Aabb::of_faces(mesh));
-    let bvh = Bvh::build(mesh, &frame);
+    self_intersections_in(mesh, &Bvh::build(mesh, &frame), &frame, most_pairs)
+}
+
+/// [`self_intersections`] where the tree of the mesh in a frame is known. The frame must map all coordinates of the mesh without rounding.
+pub fn self_intersections_in(
+    mesh: &TriMesh,
+    bvh: &Bvh,
+    frame: &Frame,
+    most_pairs: usize,
+) -> SelfIntersections {
     let slots: Vec<Slot> = bvh.slots().collect();
     let boxes: Vec<Aabb> = slots.par_iter().map(|s| Aabb::of_points(&bvh.corners(*s))).collect();
     let mut found = SelfIntersections { pairs: Vec::new(), touching: 0, complete: true };
     for round in slots.chunks(TASK * ROUND) {
-        let of_task = |task| of_task(mesh, &bvh, &boxes, task, most_pairs);
+        let of_task = |task| of_task(mesh, bvh, &boxes, task, most_pairs);
         let tasks: Vec<SelfIntersections> = round.par_chunks(TASK).map(of_task).collect();
         for task in tasks {
             found.complete &= task.complete;
@@ -91,28 +103,75 @@ pub fn self_intersections(mesh: &TriMesh, most_pairs: usize) -> SelfIntersection
 /// The pairs of the faces of some slots with those of later slots.
 fn of_task(mesh: &TriMesh, bvh: &Bvh, boxes: &[Aabb], task: &[Slot], most: usize) -> SelfIntersections {
     let mut found = SelfIntersections { complete: true, ..SelfIntersections::default() };
-    let mut stack = Vec::new();
-    for &slot in task {
-        let (own, corners) = (&boxes[slot.index()], bvh.corners(slot));
-        let compare = |other: Slot| {
-            if other <= slot || !own.meets(&boxes[other.index()]) {
-                return ControlFlow::Continue(());
+    let (mut stack, mut leaves, mut others) = (Vec::new(), Vec::new(), Vec::new());
+    for group in task.chunks(GROUP) {
+        let of_group = group.iter().map(|slot| boxes[slot.index()]).reduce(Aabb::union);
+        let (Some(around), Some(first)) = (of_group, group.first()) else { continue };
+        leaves.clear();
+        bvh.leaves_meeting(around.lower, around.upper, &mut stack, &mut leaves);
+        others.clear();
+        for (leaf, _) in &leaves {
+            let slots = (0..GROUP).map(|lane| bvh.slot_in(*leaf, lane));
+            let is_near = |slot: &Slot| slot > first && around.meets(&boxes[slot.index()]);
+            others.extend(slots.filter(is_near).map(|slot| (slot, boxes[slot.index()])));
+        }
+        // Lanes without a face repeat one.
+        others.dedup_by_key(|(slot, _)| *slot);
+        for &slot in group {
+            let (own, corners) = (&boxes[slot.index()], bvh.corners(slot));
+            let plane = Plane::of(&corners);
+            for (other, _) in others.iter().filter(|(other, aabb)| *other > slot && own.meets(aabb)) {
+                let other = *other;
+                let mut faces = [bvh.face(slot), bvh.face(other)];
+                faces.sort_unstable();
+                let of_other = bvh.corners(other);
+                let apart = plane.is_beside(&of_other) || Plane::of(&of_other).is_beside(&corners);
+                match if apart { None } else { common_point(&corners, &of_other) } {
+                    Some(place) => found.pairs.push(IntersectingPair { faces, place }),
+                    None => found.touching += usize::from(touch(mesh, faces)),
+                }
+                if found.pairs.len() > most {
+                    found.pairs.truncate(most);
+                    found.complete = false;
+                    return found;
+                }
             }
-            let mut faces = [bvh.face(slot), bvh.face(other)];
-            faces.sort_unstable();
-            match common_point(&corners, &bvh.corners(other)) {
-                Some(place) => found.pairs.push(IntersectingPair { faces, place }),
-                None => found.touching += usize::from(touch(mesh, faces)),
-            }
-            if found.pairs.len() > most { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-        };
-        if bvh.walk(&mut stack, |aabb| own.meets(aabb), compare).is_break() {
-            found.pairs.truncate(most);
-            found.complete = false;
-            break;
         }
     }
     found
+}
+
+/// The plane of a triangle, rounded.
+struct Plane<'t> {
+    corners: &'t [[f64; 3]; 3],
+    normal: DVec3,
+    /// Bound on the error of a height, as a part of the distance from the first corner.
+    error: f64,
+}
+
+impl<'t> Plane<'t> {
+    fn of(corners: &'t [[f64; 3]; 3]) -> Self {
+        let [a, b, c] = corners.map(DVec3::from_array);
+        let (ab, ac) = (b - a, c - a);
+        // Differences, products and sums are each off by half of epsilon, relative to the sum of magnitudes.
+        let error = 16.0 * f64::EPSILON * ab.abs().element_sum() * ac.abs().element_sum();
+        Self { corners, normal: ab.cross(ac), error }
+    }
+
+    /// Whether all corners of another triangle that are not corners of this one certainly lie on one side: then only common corners meet.
+    fn is_beside(&self, other: &[[f64; 3]; 3]) -> bool {
+        let a = DVec3::from_array(self.corners[0]);
+        let mut sides = [false; 2];
+        for q in other.iter().filter(|q| !self.corners.contains(q)) {
+            let away = DVec3::from_array(*q) - a;
+            let height = self.normal.dot(away);
+            if height.abs() <= self.error * away.abs().element_sum() + f64::MIN_POSITIVE {
+                return false;
+            }
+            sides[usize::from(height > 0.0)] = true;
+        }
+        sides[0] != sides[1]
+    }
 }
 
 /// Whether different vertices of two faces with area are at one position.

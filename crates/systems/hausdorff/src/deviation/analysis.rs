@@ -2,6 +2,7 @@
 
 use super::entry::Sum;
 use super::grid::Ruler;
+use super::inside::neighbours;
 use super::linear::{greater, lesser};
 use super::memory;
 use super::options::DeviationOptions;
@@ -35,7 +36,8 @@ impl DeviationOptions<'_> {
         Ok(on_threads(self.limits.threads, || {
             let room = self.limits.memory.map(|most| memory::room(most, a, b, 0));
             let pair = PreparedPair::for_one_question(a, b);
-            self.one_direction(&pair, Direction::AToB, self.deadline(1), room).report
+            let [to_b, _] = self.wants_signs(a, b);
+            self.one_direction(&pair, Direction::AToB, self.deadline(1), room, to_b.as_deref()).report
         }))
     }
 
@@ -67,10 +69,19 @@ impl DeviationOptions<'_> {
         let room = |from, to, held| self.limits.memory.map(|most| memory::room(most, from, to, held));
         let both = room(a_part, b, 0).zip(room(b_part, a, memory::of_report(a_part)));
         let first = both.map(|(there, back)| there.min(back) / 2);
-        let there = self.one_direction(pair, Direction::AToB, half, first);
+        let [to_b, to_a] = self.wants_signs(a, b);
+        let there = self.one_direction(pair, Direction::AToB, half, first, to_b.as_deref());
         let rest = room(b_part, a, there.bytes() + pair.bytes());
-        let back = self.one_direction(pair, Direction::BToA, whole, rest);
-        self.both(a, b, there, back)
+        let back = self.one_direction(pair, Direction::BToA, whole, rest, to_a.as_deref());
+        let mut deviation = self.both(a, b, there, back);
+        let [there, back] = [&mut deviation.a_to_b, &mut deviation.b_to_a];
+        if !self.signed && (there.sides.is_none() || back.sides.is_none()) {
+            // One signed and the other not would be read as both.
+            for directed in [there, back] {
+                (directed.sides, directed.signed) = (None, None);
+            }
+        }
+        deviation
     }
 
     fn both(&self, a: &TriMesh, b: &TriMesh, there: Outcome, back: Outcome) -> Deviation {
@@ -123,6 +134,7 @@ impl DeviationOptions<'_> {
         direction: Direction,
         deadline: Option<Instant>,
         room: Option<usize>,
+        signed: Option<&[[u32; 2]]>,
     ) -> Outcome {
         let started = Instant::now();
         let (from, to) = (prepared.measured(direction), prepared.other(direction));
@@ -147,10 +159,22 @@ impl DeviationOptions<'_> {
         }
         let target = prepared.target(direction, frame);
         let build = started.elapsed();
-        let pair = Pair { from, to, target: &target, direction, prepared, deadline, room };
+        let pair = Pair { from, to, target: &target, direction, prepared, deadline, room, signed };
         let mut outcome = run(self, &pair);
         outcome.report.work.build = build;
         outcome
+    }
+
+    /// Neighbours across the edges of B and of A, where these are closed and oriented and inside is to be told from outside.
+    fn wants_signs(&self, a: &TriMesh, b: &TriMesh) -> [Option<Vec<[u32; 2]>>; 2] {
+        if self.signed {
+            return [neighbours(b), neighbours(a)];
+        }
+        if !self.signed_where_closed || self.limits.memory.is_some() {
+            return [None, None];
+        }
+        let both = neighbours(b).and_then(|to_b| Some((to_b, neighbours(a)?)));
+        both.map_or([None, None], |(to_b, to_a)| [Some(to_b), Some(to_a)])
     }
 
     /// When a part of the time limit has run out.

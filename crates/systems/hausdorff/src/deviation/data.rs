@@ -2,7 +2,7 @@
 
 use super::regions::Region;
 use super::report::{DeviationWork, DirectedDeviation, Sides};
-use super::statistics::Statistics;
+use super::statistics::{SignedStatistics, Statistics};
 use crate::report::{Enclosure, PointPair, StopReason, SurfacePoint, Timing, WorkCount};
 use pompeiu_core::FaceId;
 use serde::{Serialize, Serializer};
@@ -42,6 +42,9 @@ struct Directed<'d> {
     search: Search,
     /// Over the area of the mesh; null if it has no area.
     statistics: &'d Option<Statistics>,
+    /// Of the signed distance, negative inside the other mesh; absent unless sides are known and the other mesh is closed and oriented.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    signed: Option<SignedStatistics>,
     /// Number of vertices inside the other mesh, if that was asked.
     #[serde(skip_serializing_if = "Option::is_none")]
     vertices_inside: Option<usize>,
@@ -104,6 +107,7 @@ impl<'d> From<&'d DirectedDeviation> for Directed<'d> {
                 timing_ms: deviation.distance.timing,
             },
             statistics: &deviation.statistics,
+            signed: deviation.signed,
             vertices_inside: deviation.sides.as_ref().map(Sides::vertices_inside),
             regions: &deviation.regions,
             beyond_threshold: &deviation.beyond_threshold,

@@ -178,14 +178,17 @@ impl Moments {
         sums
     }
 
-    pub(super) fn include(&mut self, entry: &Entry) {
+    /// Adds an entry, and returns bounds on the integral of its distance.
+    pub(super) fn include(&mut self, entry: &Entry) -> (f64, f64) {
         let (low, high) = entry.area();
         let (lower, upper) = (entry.lower(), entry.upper());
         self.area.add(low, high);
         let (below, above) = mean_of(lower, upper);
-        self.first.add(low * below * LESS, high * above * MORE);
+        let first = (low * below * LESS, high * above * MORE);
+        self.first.add(first.0, first.1);
         let above = mean_square_enclosure(upper).upper();
         self.second.add(low * mean_square_of_positive(lower) * LESS, high * above * MORE);
+        first
     }
 
     pub(super) fn plus(self, other: Self) -> Self {

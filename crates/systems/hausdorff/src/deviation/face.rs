@@ -24,7 +24,7 @@ pub(super) struct Start {
 /// Pieces whose longest edge is no longer than this many units of rounding are not cut.
 const LEAST_SIZE: f64 = 64.0;
 /// Nor are pieces after so many cuts.
-const MOST_CUTS: u32 = 160;
+pub(super) const MOST_CUTS: u32 = 160;
 /// Looks between two questions to the clock.
 const LOOKS_PER_CHECK: u64 = 64;
 /// Faces of B that are farther than this many times the distance of the farthest corner are not listed at first.

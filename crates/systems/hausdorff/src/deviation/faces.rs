@@ -10,7 +10,7 @@ use rayon::prelude::*;
 /// The enclosures of each face.
 pub(super) fn faces(frame: &Frame, bounds: &[FaceBounds]) -> Vec<FaceDeviation> {
     let out = |(low, high): (f64, f64)| length_out(frame, greater(lesser(low, high), 0.0), high);
-    let of_face = |FaceBounds { max, min, mean }: &FaceBounds| {
+    let of_face = |FaceBounds { max, min, mean, .. }: &FaceBounds| {
         // The search for the largest distance on a face knows better than its pieces what no distance exceeds.
         let at_most = |(low, high): (f64, f64)| (low, lesser(high, max.upper));
         FaceDeviation { max: out((max.lower, max.upper)), min: out(at_most(*min)), mean: out(at_most(*mean)) }

@@ -48,6 +48,9 @@ pub struct DeviationOptions<'o> {
     pub regions: usize,
     /// Whether to find out on which side of the other mesh vertices and faces lie.
     pub signed: bool,
+    /// Whether to do so where both meshes are closed and oriented, and few of their faces intersect: there the faces nearest to a point tell on
+    /// which side it is, which takes little time. A limit on memory leaves it out.
+    pub signed_where_closed: bool,
     /// Time, memory, pieces and threads. When a limit is reached, refining stops with wider enclosures, and
     /// [`DirectedDeviation::stop`](super::DirectedDeviation::stop) says which it was. Where limits leave no room to look at faces at
     /// all, no more is said than that no distance exceeds an upper end of the largest. One piece for each face is needed
@@ -69,6 +72,7 @@ impl Default for DeviationOptions<'_> {
             bins: Self::DEFAULT_BINS,
             regions: Self::DEFAULT_REGIONS,
             signed: false,
+            signed_where_closed: false,
             limits: Limits::default(),
             observer: None,
         }

@@ -1,10 +1,14 @@
 //! What a deviation analysis answers.
 
+#[cfg(feature = "figures")]
+use super::inside;
 use super::regions::Region;
-use super::statistics::{Percentile, Statistics};
+use super::statistics::{Percentile, SignedStatistics, Statistics};
 use crate::report::{DirectedReport, Direction, Enclosure, StopReason};
 use pompeiu_core::TriMesh;
 use pompeiu_core::spatial::Winding;
+#[cfg(feature = "figures")]
+use pompeiu_core::spatial::WindingNumber;
 use std::time::Duration;
 
 /// How far two meshes deviate from each other, both ways.
@@ -40,6 +44,8 @@ pub struct DirectedDeviation {
     /// Over the area of the mesh. None if it has no area: all its faces are segments or points, or too thin for double precision
     /// to tell them from such.
     pub statistics: Option<Statistics>,
+    /// Of the signed distance over the same area, where sides are known and the other mesh is closed and oriented.
+    pub signed: Option<SignedStatistics>,
     /// By face.
     pub faces: Vec<FaceDeviation>,
     /// Distances of the vertices. NaN for those that belong to no face.
@@ -101,6 +107,23 @@ impl Sides {
     /// Number of vertices inside.
     pub fn vertices_inside(&self) -> usize {
         self.vertex_winding.iter().filter(|winding| Self::is_inside(**winding)).count()
+    }
+
+    /// Whether points are inside a mesh, in the unit of the mesh: by the faces nearest to them where it is closed and oriented, else by winding
+    /// numbers.
+    #[cfg(feature = "figures")]
+    pub(crate) fn of_points(points: &[[f64; 3]], mesh: &TriMesh) -> Vec<bool> {
+        if points.is_empty() {
+            return Vec::new();
+        }
+        let by_winding = |points: &[[f64; 3]]| -> Vec<bool> {
+            Winding::new(mesh).about_all(points).iter().map(WindingNumber::is_inside).collect()
+        };
+        let Some(found) = inside::of_points(points, mesh) else { return by_winding(points) };
+        let unknown: Vec<[f64; 3]> =
+            points.iter().zip(&found).filter(|(_, inside)| inside.is_none()).map(|(p, _)| *p).collect();
+        let mut rest = if unknown.is_empty() { Vec::new() } else { by_winding(&unknown) }.into_iter();
+        found.into_iter().map(|inside| inside.or_else(|| rest.next()).unwrap_or(false)).collect()
     }
 
     pub(super) fn of(from: &TriMesh, to: &TriMesh) -> Self {

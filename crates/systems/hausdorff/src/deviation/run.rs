@@ -2,6 +2,7 @@
 
 use super::entry::Sum;
 use super::faces;
+use super::inside::Inside;
 use super::linear::{greater, lesser};
 use super::maxima::{Maxima, Maximum, Precision};
 use super::measure;
@@ -11,6 +12,7 @@ use super::pieces::{Pieces, are_summed};
 use super::refine::{Refined, Refinement, RefinementOptions};
 use super::regions::Peaks;
 use super::report::{DeviationWork, DirectedDeviation, FaceDeviation, Sides};
+use super::signed::{self, Signs};
 use super::statistics::{StatisticsQuery, Summary, length_out};
 use super::task::Faces;
 use super::unknown::unknown;
@@ -42,6 +44,8 @@ pub(super) struct Pair<'p> {
     pub(super) deadline: Option<Instant>,
     /// Bytes that entries may take.
     pub(super) room: Option<usize>,
+    /// Neighbours across the edges of the other mesh, which is closed and oriented, if inside is to be told from outside.
+    pub(super) signed: Option<&'p [[u32; 2]]>,
 }
 
 /// The part of the vertices that must be no farther than what distances are compared with: a few that are far away do not matter.
@@ -63,7 +67,7 @@ pub(super) struct Outcome {
 
 pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
     let started = Instant::now();
-    let Pair { from, to, target, direction, prepared, deadline, room } = *pair;
+    let Pair { from, to, target, direction, prepared, deadline, room, signed } = *pair;
     let a_box = Aabb::of_faces(from);
     let frame = *target.frame();
     let bvh = target.bvh();
@@ -124,6 +128,9 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
         observer.mean(direction, MeanSoFar::Sampled(frame.length_out(mean)));
     }
     let usual = vertices.quantile(MOST_VERTICES);
+    let inside = signed.map(|neighbours| Inside::new(to, neighbours, bvh, &frame, rounding));
+    let inside = inside.filter(|inside| query.signed || inside.is_by_faces());
+    let signs = inside.map(|inside| Signs::new(inside, (from, to), &frame, &vertices));
     let scene = Faces {
         mesh: from,
         frame: &frame,
@@ -135,6 +142,7 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
         largest,
         scale: if usual > 0.0 { lesser(usual, mean) } else { mean },
         packed,
+        signs: signs.as_ref(),
         idle: Mutex::default(),
     };
     let refinement = RefinementOptions {
@@ -206,14 +214,24 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
         _ if tight => StopReason::Tolerance,
         _ => StopReason::Stalled,
     };
-    let sides = (query.signed && !control_of_maxima.is_stopped()).then(|| Sides::of(from, to));
+    let sides = match &signs {
+        _ if control_of_maxima.is_stopped() => None,
+        Some(signs) => Some(signs.sides(from, &frame, &vertices.near, |face| bounds[face].min.0)),
+        None => query.signed.then(|| Sides::of(from, to)),
+    };
     let areas =
         if summary.is_some() { pieces.measured().cumulative(largest, query.bins) } else { Vec::new() };
     let of_vertices = vertices.distances.iter().map(|distance| frame.length_out(*distance)).collect();
+    let statistics = summary.as_ref().map(|s| s.publish(&areas, &asked, query.threshold, largest, &frame));
+    let signed = summary.as_ref().zip(statistics.as_ref()).and_then(|(summary, statistics)| {
+        let faces = bounds.iter().map(|face| face.signed);
+        signed::statistics(faces, summary.area, statistics, largest, &frame)
+    });
     let report = DirectedDeviation {
         direction,
         distance,
-        statistics: summary.as_ref().map(|s| s.publish(&areas, &asked, query.threshold, largest, &frame)),
+        statistics,
+        signed,
         faces: faces::faces(&frame, &bounds),
         vertices: of_vertices,
         vertex_error: frame.length_out(rounding.lower()),

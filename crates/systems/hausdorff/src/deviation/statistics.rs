@@ -1,5 +1,6 @@
 //! What is said about an area as a whole.
 
+use super::bands::Extreme;
 use super::distribution::level;
 use super::entry::{Moments, Sum};
 use super::linear::{greater, lesser};
@@ -48,6 +49,25 @@ pub struct Statistics {
 #[allow(clippy::ref_option, reason = "serde hands a reference to the field")]
 fn share_alone<S: serde::Serializer>(above: &Option<ShareAbove>, serializer: S) -> Result<S::Ok, S::Error> {
     serde::Serialize::serialize(&above.map(|above| above.share), serializer)
+}
+
+/// Statistics of the signed distance over an area: negative inside the other mesh, positive outside. All points of all faces count.
+///
+/// # Definition
+/// Inside is where the magnitude of the winding number of the other mesh, which is closed and oriented, is above one half. The standard deviation
+/// is the root of the mean squared distance from the mean.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct SignedStatistics {
+    /// Encloses the mean.
+    pub mean: Extreme,
+    /// Encloses the standard deviation.
+    pub standard_deviation: Enclosure,
+    /// Encloses the least signed distance: the most inside.
+    pub lowest: Extreme,
+    /// Encloses the greatest signed distance: the most outside.
+    pub highest: Extreme,
 }
 
 /// The distance that a share of the area does not exceed.

@@ -11,6 +11,7 @@ use super::maxima::Maximum;
 use super::measure::VertexDistances;
 use super::packed::Entries;
 use super::polygon::Piece;
+use super::signed::{Recorded, SignedFace, Signs};
 use crate::rounding::Rounding;
 use pompeiu_core::geom::Frame;
 use pompeiu_core::run::Control;
@@ -34,6 +35,8 @@ pub(super) struct Faces<'f> {
     pub(super) scale: f64,
     /// Whether entries that are kept are packed.
     pub(super) packed: bool,
+    /// What tells inside from outside, if that is wanted.
+    pub(super) signs: Option<&'f Signs<'f>>,
     /// Cutters that no task uses, with what they remember of B, and memory for entries.
     pub(super) idle: Mutex<Vec<(Cutter<'f>, Entries)>>,
 }
@@ -72,16 +75,19 @@ impl<'f> Faces<'f> {
         let mut starts = vec![0];
         let mut moments = Moments::default();
         let mut bounds = Vec::with_capacity(faces.len());
+        let mut recorded = Recorded::default();
         for (i, &face) in faces.iter().enumerate() {
             let start = entries.len();
             let known = before.map(|(portion, bounds)| (portion, portion.places(i), bounds[face as usize]));
             let mut keep = known.clone();
             let mut sums = Moments::default();
+            let mut signed = None;
             if known.is_none() || wanted(i) {
-                self.cut_face(&mut cutter, face, criterion, most, |entry| {
-                    sums.include(&entry);
+                let from = self.cut_face(&mut cutter, face, criterion, most, |entry| {
+                    recorded.push(sums.include(&entry));
                     entries.push(&entry);
                 });
+                signed = self.signed(&cutter, face, &from, &sums, &mut recorded);
                 // What limits have cut short may be wider than what was known.
                 let is_narrower = |(portion, places, _): &(&Portion, Range<usize>, FaceBounds)| {
                     let excess = |entries: &Entries, places| criterion.excess(entries.range(places));
@@ -95,7 +101,7 @@ impl<'f> Faces<'f> {
                 entries.extend_from(&portion.entries, places);
                 bounds.push(known);
             } else {
-                bounds.push(FaceBounds::new(&cutter, &sums, self.largest));
+                bounds.push(FaceBounds { signed, ..FaceBounds::new(&cutter, &sums, self.largest) });
             }
             moments = moments.plus(sums);
             starts.push(entries.len() as u32);
@@ -121,16 +127,18 @@ impl<'f> Faces<'f> {
         let mut moments = Moments::default();
         let mut up_to = Sum::default();
         let mut bounds = Vec::with_capacity(faces.len());
+        let mut recorded = Recorded::default();
         for &face in faces {
             let mut sums = Moments::default();
             let start = self.cut_face(&mut cutter, face, criterion, most, |entry| {
-                sums.include(&entry);
+                recorded.push(sums.include(&entry));
                 if let Some(level) = level {
                     add_part_up_to(&mut up_to, &entry, level);
                 }
                 entries.push(entry);
             });
             let mut of_face = FaceBounds::new(&cutter, &sums, self.largest);
+            of_face.signed = self.signed(&cutter, face, &start, &sums, &mut recorded);
             for i in 0..3 {
                 let lower = start.distances[i] - self.rounding.bound(0);
                 of_face.max.know_point(lower, start.corners[i], start.near[i]);
@@ -162,6 +170,21 @@ impl<'f> Faces<'f> {
         from
     }
 
+    /// Signed distances of the face that was cut last, of whose entries integrals are recorded.
+    fn signed(
+        &self,
+        cutter: &Cutter<'_>,
+        face: u32,
+        start: &Start,
+        sums: &Moments,
+        recorded: &mut Recorded,
+    ) -> Option<SignedFace> {
+        let corners = self.mesh.faces()[face as usize];
+        let signed = self.signs.map(|signs| signs.of_face(cutter, corners, start, sums, recorded));
+        recorded.clear();
+        signed
+    }
+
     /// A cutter that no task uses.
     fn idle_cutter(&self) -> (Cutter<'f>, Entries) {
         let idle = self.idle.lock().map_or(None, |mut idle| idle.pop());
@@ -182,13 +205,15 @@ pub(super) struct FaceBounds {
     pub(super) max: Maximum,
     pub(super) min: (f64, f64),
     pub(super) mean: (f64, f64),
+    /// Where inside is told from outside.
+    pub(super) signed: Option<SignedFace>,
 }
 
 impl FaceBounds {
     /// Of a face of which no more is known than what no distance exceeds.
     pub(super) fn unknown(point: [f64; 3], near: Slot, largest: f64) -> Self {
         let all = (0.0, largest);
-        Self { max: Maximum::of_piece(all, point, near), min: all, mean: all }
+        Self { max: Maximum::of_piece(all, point, near), min: all, mean: all, signed: None }
     }
 
     fn new(cutter: &Cutter<'_>, sums: &Moments, largest: f64) -> Self {
@@ -223,6 +248,7 @@ impl FaceBounds {
             ),
             min: (lesser(greater(min.0, 0.0), upper), lesser(min.1, upper)),
             mean: (lesser(mean.0, mean.1), mean.1),
+            signed: None,
         }
     }
 }

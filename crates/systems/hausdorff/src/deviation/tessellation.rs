@@ -93,6 +93,7 @@ impl DirectedDeviation {
             largest,
             scale: tolerance,
             packed: false,
+            signs: None,
             idle: Mutex::default(),
         };
         let criterion = Criterion::of_width(WIDTH * tolerance + 4.0 * rounding.bound(0));

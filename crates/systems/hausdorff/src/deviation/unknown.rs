@@ -56,6 +56,7 @@ pub(super) fn unknown(
         direction,
         distance,
         statistics,
+        signed: None,
         faces,
         vertices,
         vertex_error: half.next_up(),

@@ -11,7 +11,7 @@ use crate::deviation::{DirectedDeviation, DisplayTriangle, Sides};
 use crate::engine::joint_frame;
 use pompeiu_core::geom::{Aabb, Frame};
 use pompeiu_core::run::{Control, Limits};
-use pompeiu_core::spatial::{Bvh, Slot, Winding, WindingNumber, Workspace, morton_order};
+use pompeiu_core::spatial::{Bvh, Slot, Workspace, morton_order};
 use pompeiu_core::{FaceId, TriMesh};
 use pompeiu_figures::page::Bounds;
 use rayon::prelude::*;
@@ -72,7 +72,7 @@ impl Drawing {
             }
         }
         if let Some(sides) = &found.sides {
-            give_signs(&mut triangles, &is_part, mesh, pair.other(found.direction), sides);
+            give_signs(&mut triangles, &is_part, (mesh, pair.other(found.direction)), sides);
         }
         let bounds = found.faces.iter().map(|face| rounded([face.max.lower(), face.max.upper()])).collect();
         Self { triangles, groups: None, bounds }
@@ -307,15 +307,13 @@ struct Near {
 fn give_signs(
     triangles: &mut [DisplayTriangle],
     is_part: &[bool],
-    mesh: &TriMesh,
-    other: &TriMesh,
+    (mesh, other): (&TriMesh, &TriMesh),
     sides: &Sides,
 ) {
     let centre = |t: &DisplayTriangle| [0, 1, 2].map(|k| t.corners.iter().map(|p| p[k] / 3.0).sum());
     let parts = triangles.iter().zip(is_part).filter(|(_, is_part)| **is_part);
     let centres: Vec<[f64; 3]> = parts.map(|(triangle, _)| centre(triangle)).collect();
-    let windings = if centres.is_empty() { Vec::new() } else { Winding::new(other).about_all(&centres) };
-    let mut of_parts = windings.iter().map(WindingNumber::is_inside);
+    let mut of_parts = Sides::of_points(&centres, other).into_iter();
     for (triangle, is_part) in triangles.iter_mut().zip(is_part) {
         let inside = if *is_part {
             [of_parts.next().unwrap_or(false); 3]

@@ -188,7 +188,7 @@ impl<'r> DeviationPage<'r> {
                 distance: bounds(found.distance.distance),
                 stop: stop(found).to_owned(),
                 witness: pair(&found.distance.witness),
-                statistics: found.statistics.as_ref().map(statistics).unwrap_or_default(),
+                statistics: found.statistics.as_ref().map(|all| statistics(all, found)).unwrap_or_default(),
                 bands: self.shares(found.direction),
                 histogram: found.statistics.as_ref().map(histogram).unwrap_or_default(),
                 exceedance: found.statistics.as_ref().map(exceedance).unwrap_or_default(),
@@ -422,7 +422,7 @@ fn pair(witness: &Witness) -> PointPair {
     PointPair { from: witness.from.position, to: witness.to.position }
 }
 
-fn statistics(found: &Statistics) -> Vec<(String, Bounds)> {
+fn statistics(found: &Statistics, of: &DirectedDeviation) -> Vec<(String, Bounds)> {
     let statistic = |label: String, value| (label, bounds(value));
     let mut all =
         vec![statistic("mean".to_owned(), found.mean), statistic("root mean square".to_owned(), found.rms)];
@@ -431,6 +431,12 @@ fn statistics(found: &Statistics) -> Vec<(String, Bounds)> {
             if p.share == 0.5 { "median".to_owned() } else { format!("{} % of the area", percent(p.share)) };
         statistic(label, p.distance)
     }));
+    if let Some(signed) = &of.signed {
+        all.push(("signed mean".to_owned(), [signed.mean.lower, signed.mean.upper]));
+        all.push(statistic("standard deviation".to_owned(), signed.standard_deviation));
+        all.push(("most inside".to_owned(), [signed.lowest.lower, signed.lowest.upper]));
+        all.push(("most outside".to_owned(), [signed.highest.lower, signed.highest.upper]));
+    }
     all
 }
 

@@ -94,6 +94,12 @@ impl DeviationPage<'_> {
             let name = format!("{} % of the area within", percent(percentile.share));
             row(&name, &|directed| Some(brief(directed.statistics.as_ref()?.percentiles.get(i)?.distance)));
         }
+        if both.iter().any(|directed| directed.signed.is_some()) {
+            row("signed mean: negative is inside", &|directed| Some(directed.signed?.mean.shown()));
+            row("standard deviation", &|directed| Some(brief(directed.signed?.standard_deviation)));
+            row("most inside", &|directed| Some(directed.signed?.lowest.shown()));
+            row("most outside", &|directed| Some(directed.signed?.highest.shown()));
+        }
         if let Some(threshold) = self.threshold {
             row(&format!("share of the area beyond {threshold}"), &|directed| {
                 let share = directed.statistics.as_ref()?.above.as_ref()?.share;

@@ -53,7 +53,7 @@ fn a_raised_cube() {
 }
 
 /// Points drawn at random on a mesh, by area, with their signed distances by another way.
-fn sampled(from: &TriMesh, to: &TriMesh, sign: f64, count: usize) -> Vec<f64> {
+pub(crate) fn sampled(from: &TriMesh, to: &TriMesh, sign: f64, count: usize) -> Vec<f64> {
     let area = |face: u32| {
         let [p, q, r] = from.corners(FaceId(face)).map(glam::DVec3::from_array);
         (q - p).cross(r - p).length()

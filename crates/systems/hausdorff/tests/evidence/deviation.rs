@@ -233,9 +233,13 @@ fn sides_of_spheres() {
 
 /// Everything in a report but for the time it took.
 fn bits(report: &DirectedDeviation) -> String {
-    let DirectedDeviation { statistics, faces, vertices, regions, beyond_threshold, stop, .. } = report;
+    let DirectedDeviation {
+        statistics, signed, sides, faces, vertices, regions, beyond_threshold, stop, ..
+    } = report;
     let counts = (report.pieces(), report.work.looks, report.work.distances, report.work.rounds);
-    format!("{statistics:?} {faces:?} {vertices:?} {regions:?} {beyond_threshold:?} {stop:?} {counts:?}")
+    format!(
+        "{statistics:?} {signed:?} {sides:?} {faces:?} {vertices:?} {regions:?} {beyond_threshold:?} {stop:?} {counts:?}"
+    )
 }
 
 #[test]
@@ -245,7 +249,11 @@ fn one_two_and_eight_threads_give_the_same_bits() {
         let [a, b] = [0, 1].map(|i| {
             displace_at_random(&icosphere(1.0, levels[i]).unwrap(), noise[i], 3 + i as u64).unwrap()
         });
-        let query = DeviationOptions { threshold: Some(0.02), ..DeviationOptions::default() };
+        let query = DeviationOptions {
+            threshold: Some(0.02),
+            signed_where_closed: true,
+            ..DeviationOptions::default()
+        };
         let reports = [1, 2, 8].map(|threads| {
             let limits = Limits { threads: NonZeroUsize::new(threads), ..Limits::default() };
             DeviationOptions { limits, ..query.clone() }.symmetric(&a, &b).unwrap()

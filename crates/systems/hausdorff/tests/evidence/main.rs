@@ -23,6 +23,7 @@ mod regions;
 mod regressions;
 mod sampling;
 mod scales;
+mod signed;
 mod statistics;
 mod support;
 mod touching;

@@ -86,6 +86,22 @@ impl Bvh {
         descend(self, p, workspace)
     }
 
+    /// Lists all triangles that are no farther from `p` than the nearest one and a length `slack` together, with their squared distances, starting
+    /// from a triangle believed to be near. The order is deterministic but unspecified.
+    pub fn all_nearest(
+        &self,
+        p: [f64; 3],
+        start: Slot,
+        slack: f64,
+        workspace: &mut Workspace,
+        found: &mut Vec<Nearest>,
+    ) {
+        found.clear();
+        workspace.distances += 1;
+        let most = collect(self, p, reach(self.distance_sq(p, start), slack), slack, workspace, found);
+        found.retain(|one| one.distance_sq <= most);
+    }
+
     /// The squared distance from `p` to the triangle in a slot.
     #[inline]
     pub fn distance_sq(&self, p: [f64; 3], slot: Slot) -> f64 {
@@ -110,6 +126,50 @@ fn traverse(bvh: &Bvh, p: [f64; 3], start: Nearest, workspace: &mut Workspace) -
         }
     }
     best
+}
+
+/// The square of a distance and a length together, and what rounding takes.
+fn reach(distance_sq: f64, slack: f64) -> f64 {
+    let distance = distance_sq.sqrt() + slack;
+    distance * distance * (1.0 + 8.0 * f64::EPSILON)
+}
+
+/// Collects triangles up to a squared distance that falls as nearer ones are met, and returns it.
+#[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2", "aarch64+neon"))]
+fn collect(
+    bvh: &Bvh,
+    p: [f64; 3],
+    mut most: f64,
+    slack: f64,
+    workspace: &mut Workspace,
+    found: &mut Vec<Nearest>,
+) -> f64 {
+    workspace.stack.restart();
+    while let Some((d, entry)) = workspace.stack.pop() {
+        if d > most {
+            continue;
+        }
+        if entry & LEAF == 0 {
+            push_children(bvh, p, entry, most.next_up(), &mut workspace.stack);
+            continue;
+        }
+        workspace.distances += LANES as u64;
+        let block = entry & !LEAF;
+        let distances = block_distances_sq(p, &bvh.blocks[block as usize]);
+        let mut hits = u64::from_le_bytes(distances.map(|d| u8::from(d <= most)));
+        while hits != 0 {
+            let lane = (hits.trailing_zeros() / 8) as usize;
+            hits &= hits - 1;
+            let slot = Slot(block * LANES as u32 + lane as u32);
+            // Lanes without a triangle repeat one.
+            if slot.index() < bvh.faces.len() && distances[lane] <= most {
+                found.push(Nearest { slot, distance_sq: distances[lane] });
+                let reached = reach(distances[lane], slack);
+                most = if reached < most { reached } else { most };
+            }
+        }
+    }
+    most
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2", "aarch64+neon"))]

@@ -52,7 +52,14 @@ fn directed(
     let at = format!("at {} on face {}", point(witness.position), witness.face.0);
     page.row("  largest", &format!("{} {at}", value(directed.distance.distance)));
     match &directed.statistics {
-        Some(found) => statistics(page, found),
+        Some(found) => {
+            statistics(page, found);
+            if let Some(found) = &directed.signed {
+                page.row("  signed", &format!("mean {}; negative is inside {to}", found.mean.shown()));
+                page.row("", &format!("from {} to {}", found.lowest.shown(), found.highest.shown()));
+                page.row("  std dev", &value(found.standard_deviation));
+            }
+        }
         None => page.row("", "no face has an area to take a mean over"),
     }
     if let Some(bands) = &report.bands {

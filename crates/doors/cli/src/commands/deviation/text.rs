@@ -8,7 +8,7 @@ use crate::exit::stopped_by;
 use crate::numbers::{few, grouped, point, rounded};
 use crate::page::{Page, brief, compared};
 use pompeiu::hausdorff::DeviationReport;
-use pompeiu::hausdorff::deviation::{DirectedBands, DirectedDeviation, Region, Statistics};
+use pompeiu::hausdorff::deviation::{DirectedBands, DirectedDeviation, Region, SignedStatistics, Statistics};
 
 /// Regions that are listed at most.
 const REGIONS: usize = 3;
@@ -40,13 +40,23 @@ fn both(page: &mut Page, [a, b]: [&str; 2], report: &DeviationReport) {
         page.columns(name, [&left, &right]);
     };
     row("largest", &|directed| brief(directed.distance.distance));
-    let mut statistic = |name: &str, cell: &dyn Fn(&Statistics) -> Option<String>| {
-        row(name, &|directed| {
-            directed.statistics.as_ref().and_then(cell).unwrap_or_else(|| "no area".to_owned())
-        });
+    let of = |cell: &dyn Fn(&Statistics) -> Option<String>, directed: &DirectedDeviation| {
+        directed.statistics.as_ref().and_then(cell).unwrap_or_else(|| "no area".to_owned())
     };
-    statistic("mean", &|statistics| Some(brief(statistics.mean)));
-    statistic("rms", &|statistics| Some(brief(statistics.rms)));
+    row("mean", &|directed| of(&|statistics| Some(brief(statistics.mean)), directed));
+    row("rms", &|directed| of(&|statistics| Some(brief(statistics.rms)), directed));
+    let mut signed = |name: &str, cell: &dyn Fn(&SignedStatistics) -> String| {
+        if found.iter().any(|directed| directed.signed.is_some()) {
+            row(name, &|directed| directed.signed.as_ref().map_or_else(|| "unknown".to_owned(), cell));
+        }
+    };
+    signed("signed", &|signed| signed.mean.shown());
+    signed("lowest", &|signed| signed.lowest.shown());
+    signed("highest", &|signed| signed.highest.shown());
+    signed("std dev", &|signed| brief(signed.standard_deviation));
+    let mut statistic = |name: &str, cell: &dyn Fn(&Statistics) -> Option<String>| {
+        row(name, &|directed| of(cell, directed));
+    };
     let shares = found.iter().find_map(|directed| directed.statistics.as_ref());
     let shares =
         shares.map_or_else(Vec::new, |statistics| statistics.percentiles.iter().map(|p| p.share).collect());
@@ -76,6 +86,12 @@ fn both(page: &mut Page, [a, b]: [&str; 2], report: &DeviationReport) {
     };
     if found.iter().any(|directed| directed.sides.is_some()) {
         row("inside", &|directed| inside(directed).unwrap_or_default());
+    }
+    for (to, directed) in [b, a].into_iter().zip(found) {
+        let is_asked = directed.sides.is_some() && report.bands.is_none() && !directed.stop.is_early();
+        if is_asked && directed.signed.is_none() && directed.statistics.is_some() {
+            page.row("", &format!("{to} is not closed and oriented: there are no signed statistics"));
+        }
     }
     for (name, directed) in [a, b].into_iter().zip(found) {
         if directed.stop.is_early() {

@@ -117,6 +117,7 @@ impl Question<'_> {
             largest,
             scale: largest,
             packed: false,
+            signs: None,
             idle: Mutex::default(),
         };
         let edges = self.bands.edges().iter().map(|edge| frame.length_in(*edge)).collect();

@@ -20,6 +20,9 @@ pub enum DeviationRequestError {
     /// Both kinds of tolerance.
     #[error("a threshold cannot be used with tolerance bands; give one of them")]
     TwoTolerances,
+    /// Inside is to be told from outside, and is not.
+    #[error("signed and unsigned distances cannot be asked for together; give one of them, or neither")]
+    SignedAndUnsigned,
     /// A share may be outside of a tolerance that is not given.
     #[error(
         "a share of the area is allowed to be out of tolerance, but there is none; give a threshold or a tolerance band"

@@ -27,9 +27,13 @@ pub struct DeviationMeasures {
     /// is farther, and list the regions beyond it.
     #[cfg_attr(feature = "clap", arg(long, allow_negative_numbers = true, value_name = "LENGTH"))]
     pub threshold: Option<Length>,
-    /// Tell inside from outside, by generalised winding numbers: distances inside the other mesh are shown negative.
+    /// Tell inside from outside whatever the surfaces are, by generalised winding numbers: distances inside the other mesh are shown negative. Where
+    /// both surfaces are closed and oriented, and few of their faces intersect, that is the default.
     #[cfg_attr(feature = "clap", arg(long))]
     pub signed: bool,
+    /// Do not tell inside from outside unless tolerance bands ask for it.
+    #[cfg_attr(feature = "clap", arg(long, conflicts_with = "signed"))]
+    pub unsigned: bool,
     /// Largest width of the intervals of mean, root mean square and percentiles, relative to their values; widths below 1e-9 of the diagonal of
     /// both meshes always suffice.
     #[cfg_attr(
@@ -61,7 +65,17 @@ impl Default for DeviationMeasures {
             DeviationOptions::default();
         let percentiles = percentiles.into_iter().map(|share| (share * 1e12).round() / 1e10).collect();
         let unit = String::new();
-        Self { threshold: None, signed, accuracy, percentiles, bins, regions, most_pieces: None, unit }
+        Self {
+            threshold: None,
+            signed,
+            unsigned: false,
+            accuracy,
+            percentiles,
+            bins,
+            regions,
+            most_pieces: None,
+            unit,
+        }
     }
 }
 
@@ -93,11 +107,14 @@ impl DeviationMeasures {
     /// The options of the analysis, without limits of a context and without an observer.
     ///
     /// # Errors
-    /// [`DeviationRequestError::Length`] and [`DeviationRequestError::Percentile`].
+    /// [`DeviationRequestError::Length`], [`DeviationRequestError::Percentile`] and [`DeviationRequestError::SignedAndUnsigned`].
     pub fn options(&self) -> Result<DeviationOptions<'static>, DeviationRequestError> {
         let wrong = |percent: &&f64| !(LEAST_PERCENTILE..100.0).contains(*percent);
         if let Some(percent) = self.percentiles.iter().find(wrong) {
             return Err(DeviationRequestError::Percentile(*percent));
+        }
+        if self.signed && self.unsigned {
+            return Err(DeviationRequestError::SignedAndUnsigned);
         }
         Ok(DeviationOptions {
             accuracy: self.accuracy,
@@ -106,6 +123,7 @@ impl DeviationMeasures {
             bins: self.bins,
             regions: self.regions,
             signed: self.signed,
+            signed_where_closed: !self.unsigned,
             limits: Limits { pieces: self.most_pieces, ..Limits::default() },
             observer: None,
         })
@@ -162,5 +180,7 @@ mod tests {
             let measures = DeviationMeasures { percentiles: vec![50.0, wrong], ..Default::default() };
             assert!(measures.options().is_err(), "{wrong}");
         }
+        let both = DeviationMeasures { signed: true, unsigned: true, ..Default::default() };
+        assert!(both.options().is_err());
     }
 }
