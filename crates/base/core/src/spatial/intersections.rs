@@ -5,6 +5,7 @@ use crate::exact::common_point;
 use crate::geom::{Aabb, Frame};
 use crate::mesh::topology::is_degenerate;
 use crate::mesh::{FaceId, TriMesh};
+use crate::run::Control;
 use glam::DVec3;
 use rayon::prelude::*;
 
@@ -64,21 +65,28 @@ const ROUND: usize = 256;
 /// ```
 pub fn self_intersections(mesh: &TriMesh, most_pairs: usize) -> SelfIntersections {
     let frame = Frame::of(&Aabb::of_faces(mesh));
-    self_intersections_in(mesh, &Bvh::build(mesh, &frame), &frame, most_pairs)
+    self_intersections_in(mesh, (&Bvh::build(mesh, &frame), &frame), most_pairs, &Control::default())
 }
 
 /// [`self_intersections`] where the tree of the mesh in a frame is known. The frame must map all coordinates of the mesh without rounding.
+/// When the control stops, not all pairs are found.
 pub fn self_intersections_in(
     mesh: &TriMesh,
-    bvh: &Bvh,
-    frame: &Frame,
+    (bvh, frame): (&Bvh, &Frame),
     most_pairs: usize,
+    control: &Control,
 ) -> SelfIntersections {
     let slots: Vec<Slot> = bvh.slots().collect();
     let boxes: Vec<Aabb> = slots.par_iter().map(|s| Aabb::of_points(&bvh.corners(*s))).collect();
     let mut found = SelfIntersections { pairs: Vec::new(), touching: 0, complete: true };
     for round in slots.chunks(TASK * ROUND) {
-        let of_task = |task| of_task(mesh, bvh, &boxes, task, most_pairs);
+        let of_task = |task: &[Slot]| {
+            if control.is_stopped() {
+                SelfIntersections::default()
+            } else {
+                of_task(mesh, bvh, &boxes, task, most_pairs)
+            }
+        };
         let tasks: Vec<SelfIntersections> = round.par_chunks(TASK).map(of_task).collect();
         for task in tasks {
             found.complete &= task.complete;

@@ -18,6 +18,7 @@ use pompeiu_core::TriMesh;
 #[cfg(feature = "figures")]
 use pompeiu_core::geom::Aabb;
 use pompeiu_core::geom::Frame;
+use pompeiu_core::run::Control;
 use pompeiu_core::spatial::{Bvh, Nearest, Slot, Winding, Workspace, self_intersections_in, winding_number};
 use rayon::prelude::*;
 
@@ -89,16 +90,19 @@ pub(super) fn neighbours(mesh: &TriMesh) -> Option<Vec<[u32; 2]>> {
 }
 
 impl<'t> Inside<'t> {
-    /// Prepares a closed and oriented mesh with its tree and the neighbours of its faces.
+    /// Prepares a closed and oriented mesh with its tree and the neighbours of its faces. `None` if the control stops meanwhile.
     pub(super) fn new(
         mesh: &TriMesh,
         neighbours: &[[u32; 2]],
-        bvh: &'t Bvh,
-        frame: &'t Frame,
+        (bvh, frame): (&'t Bvh, &'t Frame),
         rounding: Rounding,
-    ) -> Self {
+        control: &Control,
+    ) -> Option<Self> {
         let most = (MOST_INTERSECTING * mesh.faces().len() as f64) as usize;
-        let found = self_intersections_in(mesh, bvh, frame, most);
+        let found = self_intersections_in(mesh, (bvh, frame), most, control);
+        if control.is_stopped() {
+            return None;
+        }
         let mut inside = Self {
             bvh,
             frame,
@@ -110,7 +114,7 @@ impl<'t> Inside<'t> {
         };
         if !found.complete {
             inside.winding = Some(Winding::new(mesh));
-            return inside;
+            return Some(inside);
         }
         let mut intersects = vec![false; mesh.faces().len()];
         for face in found.pairs.iter().flat_map(|pair| pair.faces) {
@@ -118,7 +122,7 @@ impl<'t> Inside<'t> {
         }
         let firsts = inside.divide(mesh, neighbours, &intersects);
         inside.number(mesh, &firsts);
-        inside
+        Some(inside)
     }
 
     /// Divides faces into sets of neighbours that no other face intersects; the first slots of each.
@@ -292,7 +296,7 @@ pub(super) fn of_points(points: &[[f64; 3]], mesh: &TriMesh) -> Option<Vec<Optio
     let bvh = Bvh::build(mesh, &frame);
     let around = points.iter().fold(Aabb::of_faces(mesh), |around, p| around.union(Aabb::of_points([p])));
     let rounding = Rounding::new(frame.max_coordinate(&around));
-    let inside = Inside::new(mesh, &neighbours, &bvh, &frame, rounding);
+    let inside = Inside::new(mesh, &neighbours, (&bvh, &frame), rounding, &Control::default())?;
     let of_task = |points: &[[f64; 3]]| {
         let mut scratch = Scratch::default();
         let of_point = |p: &[f64; 3]| {

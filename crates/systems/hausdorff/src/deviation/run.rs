@@ -128,9 +128,9 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
         observer.mean(direction, MeanSoFar::Sampled(frame.length_out(mean)));
     }
     let usual = vertices.quantile(MOST_VERTICES);
-    let inside = signed.map(|neighbours| Inside::new(to, neighbours, bvh, &frame, rounding));
+    let inside = signed.and_then(|neighbours| Inside::new(to, neighbours, (bvh, &frame), rounding, &control));
     let inside = inside.filter(|inside| query.signed || inside.is_by_faces());
-    let signs = inside.map(|inside| Signs::new(inside, (from, to), &frame, &vertices));
+    let signs = inside.and_then(|inside| Signs::new(inside, (from, to), &frame, &vertices, &control));
     let scene = Faces {
         mesh: from,
         frame: &frame,

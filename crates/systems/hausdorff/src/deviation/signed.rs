@@ -16,6 +16,7 @@ use super::statistics::{SignedStatistics, Statistics};
 use crate::report::Enclosure;
 use pompeiu_core::exact::Interval;
 use pompeiu_core::geom::Frame;
+use pompeiu_core::run::Control;
 use pompeiu_core::spatial::Slot;
 use pompeiu_core::{FaceId, TriMesh};
 use rayon::prelude::*;
@@ -78,20 +79,21 @@ const REMEMBERED: usize = 48;
 const TASK: usize = 256;
 
 impl<'s> Signs<'s> {
-    /// Looks at all vertices of a mesh, whose distances are known. `to` is the other one.
+    /// Looks at all vertices of a mesh, whose distances are known. `to` is the other one. `None` if the control stops meanwhile.
     pub(super) fn new(
         mut inside: Inside<'s>,
         (from, to): (&TriMesh, &TriMesh),
         frame: &Frame,
         vertices: &VertexDistances,
-    ) -> Self {
-        let mut of_vertices = about_vertices(&inside, from, frame, vertices);
+        control: &Control,
+    ) -> Option<Self> {
+        let mut of_vertices = about_vertices(&inside, from, frame, vertices, control);
         let is_unknown = |(number, distance): (&f64, &f64)| number.is_nan() && *distance > inside.touching;
         if of_vertices.iter().zip(&vertices.distances).any(is_unknown) {
             inside.with_winding(to);
-            of_vertices = about_vertices(&inside, from, frame, vertices);
+            of_vertices = about_vertices(&inside, from, frame, vertices, control);
         }
-        Self { inside, of_vertices }
+        (!control.is_stopped()).then_some(Self { inside, of_vertices })
     }
 
     /// The signed distances of the face that a cutter has cut last.
@@ -209,12 +211,14 @@ fn about_vertices(
     from: &TriMesh,
     frame: &Frame,
     vertices: &VertexDistances,
+    control: &Control,
 ) -> Vec<f64> {
     let of_task = |(task, positions): (usize, &[[f64; 3]])| {
+        let is_stopped = control.is_stopped();
         let mut scratch = Scratch::default();
         let of_vertex = |(i, p): (usize, &[f64; 3])| {
             let v = task * TASK + i;
-            let is_free = vertices.distances[v] > inside.touching;
+            let is_free = vertices.distances[v] > inside.touching && !is_stopped;
             let number =
                 if is_free { inside.about(frame.map(*p), vertices.near[v], &mut scratch) } else { None };
             number.unwrap_or(f64::NAN)
