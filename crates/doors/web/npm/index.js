@@ -11,7 +11,9 @@ const VIEWS = { f64: Float64Array, u32: Uint32Array, u8: Uint8Array };
 async function module() {
   const url = new URL("./pompeiu.wasm", import.meta.url);
   if (url.protocol === "file:" && globalThis.process?.versions?.node) {
-    const { readFile } = await import("node:fs/promises");
+    // Bundlers for browsers would look for a literal name, and not find it.
+    const name = "node:fs/promises";
+    const { readFile } = await import(/* webpackIgnore: true */ /* @vite-ignore */ name);
     return readFile(url);
   }
   const response = await fetch(url);

@@ -3,7 +3,7 @@
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { copyFileSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -70,4 +70,23 @@ test("it works in a worker", async () => {
   const area = await new Promise((resolve, reject) => worker.on("message", resolve).on("error", reject));
   assert.equal(area, 2);
   await worker.terminate();
+});
+
+test("it is bundled for browsers and for node", (context) => {
+  try {
+    execFileSync("npm", ["install", "--silent", "--no-audit", "--no-fund", "esbuild@0.25"], { cwd: folder, stdio: "pipe" });
+  } catch {
+    return context.skip("esbuild cannot be had");
+  }
+  writeFileSync(join(folder, "main.js"), `import { load } from "pompeiu";
+    const pompeiu = await load();
+    const mesh = pompeiu.mesh([0, 0, 0, 2, 0, 0, 0, 2, 0], [0, 1, 2]);
+    console.log(pompeiu.ask("info", [mesh]).answer.report.area);`);
+  for (const platform of ["browser", "node"]) {
+    const bundle = join(folder, platform, "main.mjs");
+    execFileSync("npx", ["esbuild", "main.js", "--bundle", "--format=esm", `--platform=${platform}`, `--outfile=${bundle}`], { cwd: folder, stdio: "pipe" });
+    // esbuild leaves the address of the module beside the script as it is.
+    copyFileSync(new URL("pompeiu.wasm", entry), join(folder, platform, "pompeiu.wasm"));
+    assert.equal(execFileSync("node", [bundle], { encoding: "utf8" }), "2\n");
+  }
 });
