@@ -40,6 +40,7 @@ const QUESTIONS = [
   ["distance", {}, []],
   ["deviation", { threshold: 0.1, unit: "mm" }, ["--threshold", "0.1", "--unit", "mm"]],
   ["deviation", { bands: ["-0.05..0.1"], signed: true }, ["--band", "-0.05..0.1", "--signed"]],
+  ["align", {}, []],
 ];
 
 for (const names of PAIRS) {
