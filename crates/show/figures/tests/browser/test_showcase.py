@@ -67,6 +67,15 @@ class Showcase(PageTest):
         self.show("pieces")
         self.assertFalse(page.is_visible("[data-control=step]"), "nothing here follows the player")
 
+    def test_a_film_plays_by_itself_unless_people_want_no_motion(self):
+        page = self.open(motion="no-preference")
+        page.wait_for_function("() => pompeiu.app.players[0].position > 2")
+        self.assertEqual(shown(page, "[data-control=play]"), "Pause")
+        page.click("[data-control=play]")
+        self.assertFalse(page.evaluate("pompeiu.app.players[0].playing"))
+        still = self.open(motion="reduce")
+        self.assertEqual(still.evaluate("[pompeiu.app.players[0].position, pompeiu.app.players[0].playing]"), [0, False])
+
     def test_values_under_the_cursor_follow_the_step(self):
         page = self.open()
         self.show("surface")

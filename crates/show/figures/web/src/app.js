@@ -109,6 +109,14 @@ export class App {
     return this.arrangement ? this.arrangement.scenes.map((i) => this.scenes[i]) : [];
   }
 
+  /** Plays a film from the start, unless people want no motion; two pictures that alternate wait to be asked for. */
+  begin() {
+    const { below } = this.data;
+    const player = below && this.players[below.player];
+    const isFilm = player?.repeats && !player.optional && below.steps.length > 2;
+    if (this.motion && isFilm && this.shown.some((scene) => scene.follows(below.player))) player.play(below.steps.length - 1);
+  }
+
   // ---- the page
 
   #buildPage() {

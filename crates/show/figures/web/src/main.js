@@ -14,7 +14,11 @@ async function start() {
   const app = new App(data, await load(data));
   globalThis.pompeiu = { app, format };
   // Ready means drawn: the frame that was asked for last is on the screen.
-  const drawn = () => (!app.view || app.view.element.dataset.state === "still" ? (document.documentElement.dataset.ready = "true") : requestAnimationFrame(drawn));
+  const drawn = () => {
+    if (app.view && app.view.element.dataset.state !== "still") return void requestAnimationFrame(drawn);
+    document.documentElement.dataset.ready = "true";
+    app.begin();
+  };
   drawn();
 }
 
