@@ -6,9 +6,9 @@ use std::path::PathBuf;
 /// Compare two meshes, or describe and change one, in a page of the browser with this program behind it
 #[derive(Args)]
 #[command(after_help = "\
-The page is that of pompeiu.html, but all cores and all memory of the machine work for it. It is served at 127.0.0.1 alone, at an address with
-a secret in it; requests of other pages are refused. Nothing is written but what you download. The program ends when the last page is closed, or
-with Ctrl-C.
+The page is that of pompeiu.html, but all cores and all memory of the machine work for it. It is served at 127.0.0.1 alone, at an \
+address with a secret in it; requests of other pages are refused. Nothing is written but what you download. The program ends when the \
+last page is closed, or with Ctrl-C.
 
 Examples:
   pompeiu app
