@@ -23,13 +23,11 @@ mod surface;
 mod threads;
 mod wait;
 
-use args::Args;
-use clap::Parser;
 use exit::Exit;
 use printer::Printer;
 
 fn main() -> std::process::ExitCode {
-    let args = Args::try_parse().unwrap_or_else(|error| {
+    let args = args::parse().unwrap_or_else(|error| {
         let _ = error.print();
         if let Some(meant) = meant::meant(&error) {
             Printer::hint(&meant);

@@ -1,6 +1,7 @@
 //! The command line as typed values: what all commands have in common, and options that several share.
 
 mod coordinates;
+mod jobs;
 mod limits;
 mod many;
 mod meshes;
@@ -9,6 +10,7 @@ mod selection;
 pub(crate) mod suffix;
 
 pub(crate) use coordinates::{hold_in, tell};
+pub(crate) use jobs::parse;
 pub(crate) use limits::Limits;
 pub(crate) use many::Many;
 pub(crate) use meshes::Meshes;
@@ -25,10 +27,11 @@ const STYLES: Styles = Styles::styled()
     .literal(AnsiColor::Cyan.on_default().bold())
     .placeholder(AnsiColor::Cyan.on_default());
 
-/// Certified Pompeiu–Hausdorff distance between triangle meshes
+/// Geometry processing with guarantees
 ///
-/// Computes an interval that is proven to hold the largest distance from any point of one surface to the other, rounding
-/// included, and the pair of points that proves it.
+/// How far are two surfaces apart, where, and can the number be trusted? Every distance is an interval that is proven to hold the
+/// exact value, rounding included. Use `distance` for the largest distance alone, and `deviation` for mean, percentiles, regions,
+/// verdicts and pages.
 #[derive(Parser)]
 #[command(version, name = "pompeiu", styles = STYLES, max_term_width = 100, after_help = "\
 Examples:

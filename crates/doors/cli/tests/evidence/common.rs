@@ -9,6 +9,18 @@ use tempfile::TempDir;
 pub(crate) struct Folder(TempDir);
 
 impl Folder {
+    /// The names of the commands, as the help lists them.
+    pub(crate) fn commands(&self) -> Vec<String> {
+        let help = self.ok("--help");
+        let listed = help
+            .lines()
+            .skip_while(|line| !line.starts_with("Usage:"))
+            .take_while(|line| *line != "Options:");
+        // A summary that is wider than the help goes on in the next line.
+        let names = listed.filter(|line| line.starts_with("  ") && !line.starts_with("   "));
+        names.filter_map(|line| line.split_whitespace().next().map(str::to_owned)).collect()
+    }
+
     pub(crate) fn new() -> Self {
         Self(TempDir::new().unwrap())
     }

@@ -160,11 +160,7 @@ fn folder() -> Folder {
 
 /// The commands of the program, with their help.
 fn commands(folder: &Folder) -> BTreeMap<String, String> {
-    let whole = folder.ok("--help");
-    let listed =
-        whole.lines().skip_while(|line| *line != "Commands:").skip(1).take_while(|line| !line.is_empty());
-    let names = listed.filter(|line| line.starts_with("  ") && !line.starts_with("   "));
-    let names = names.filter_map(|line| line.split_whitespace().next().map(str::to_owned));
+    let names = folder.commands().into_iter();
     names.map(|name| (name.clone(), folder.ok(&format!("help {name}")))).collect()
 }
 

@@ -3,7 +3,7 @@
 use clap::Args;
 use std::path::PathBuf;
 
-/// Compare two meshes, or describe and change one, in a page of the browser with this program behind it
+/// Compare, describe and change meshes in a page of the browser
 #[derive(Args)]
 #[command(after_help = "\
 The page is that of pompeiu.html, but all cores and all memory of the machine work for it. It is served at 127.0.0.1 alone, at an \
