@@ -24,6 +24,10 @@ const TICK: Duration = Duration::from_millis(100);
 /// Time from the closing of the last page to the end: enough to load a page again.
 const GRACE: Duration = Duration::from_secs(3);
 
+/// Time in which a page that was sent must say that it is open. A page that is loaded again is closed when its successor arrives, which
+/// a slow machine takes longer to run than the page that was closed is waited for.
+const LOADING: Duration = Duration::from_secs(30);
+
 /// A page that was not heard of for so long is closed. Pages report every 20 seconds, those in the background at least every minute.
 const SILENCE: Duration = Duration::from_mins(3);
 
@@ -89,6 +93,8 @@ struct Shared {
     host: String,
     files: Vec<PathBuf>,
     pages: Mutex<BTreeMap<String, Arc<Page>>>,
+    /// When a page was sent that has not said yet that it is open.
+    sent: Mutex<Option<Instant>>,
 }
 
 /// A page that is open.
@@ -143,8 +149,13 @@ impl App {
         let place = server.server_addr().to_ip().ok_or_else(|| failed("it has no address".to_owned()))?;
         let mut secret = [0; 16];
         getrandom::fill(&mut secret).map_err(AppError::Random)?;
-        let shared =
-            Shared { secret: hexadecimal(&secret), host: place.to_string(), files, pages: Mutex::default() };
+        let shared = Shared {
+            secret: hexadecimal(&secret),
+            host: place.to_string(),
+            files,
+            pages: Mutex::default(),
+            sent: Mutex::default(),
+        };
         Ok(Self { server, place, shared: Arc::new(shared) })
     }
 
@@ -164,9 +175,10 @@ impl App {
             }
             let mut pages = lock(&self.shared.pages);
             pages.retain(|_, page| lock(&page.seen).elapsed() < SILENCE);
+            let is_loading = lock(&self.shared.sent).is_some_and(|at| at.elapsed() < LOADING);
             if !pages.is_empty() {
                 last_open = Some(Instant::now());
-            } else if last_open.is_some_and(|at| at.elapsed() > GRACE) {
+            } else if !is_loading && last_open.is_some_and(|at| at.elapsed() > GRACE) {
                 break;
             }
         }
@@ -223,7 +235,10 @@ impl Shared {
     fn reply(&self, path: &str, request: &mut Request) -> Said {
         let parts: Vec<&str> = path.split('/').collect();
         match (request.method(), &parts[..]) {
-            (Method::Get, [""]) => (200, self.page().into_bytes(), "text/html; charset=utf-8"),
+            (Method::Get, [""]) => {
+                *lock(&self.sent) = Some(Instant::now());
+                (200, self.page().into_bytes(), "text/html; charset=utf-8")
+            }
             (Method::Get, ["file", index]) => self.file(index),
             (Method::Get, ["told", page]) => match self.open(page) {
                 Some(page) => {
@@ -307,6 +322,7 @@ impl Shared {
             seen: Mutex::new(Instant::now()),
         });
         pages.insert(name.to_owned(), Arc::clone(&page));
+        *lock(&self.sent) = None;
         Some(page)
     }
 

@@ -2,6 +2,7 @@
 
 use super::bvh::{Bvh, Slot};
 use crate::exact::common_point;
+use crate::geom::point_triangle::LANES;
 use crate::geom::{Aabb, Frame};
 use crate::mesh::topology::is_degenerate;
 use crate::mesh::{FaceId, TriMesh};
@@ -31,9 +32,6 @@ pub struct IntersectingPair {
 
 /// Faces of a task.
 const TASK: usize = 256;
-
-/// Faces of a leaf, for which the tree is walked once.
-const GROUP: usize = 8;
 
 /// Tasks between two checks of the number of pairs.
 const ROUND: usize = 256;
@@ -112,14 +110,15 @@ pub fn self_intersections_in(
 fn of_task(mesh: &TriMesh, bvh: &Bvh, boxes: &[Aabb], task: &[Slot], most: usize) -> SelfIntersections {
     let mut found = SelfIntersections { complete: true, ..SelfIntersections::default() };
     let (mut stack, mut leaves, mut others) = (Vec::new(), Vec::new(), Vec::new());
-    for group in task.chunks(GROUP) {
+    // The tree is walked once for the faces of a leaf.
+    for group in task.chunks(LANES) {
         let of_group = group.iter().map(|slot| boxes[slot.index()]).reduce(Aabb::union);
         let (Some(around), Some(first)) = (of_group, group.first()) else { continue };
         leaves.clear();
         bvh.leaves_meeting(around.lower, around.upper, &mut stack, &mut leaves);
         others.clear();
         for (leaf, _) in &leaves {
-            let slots = (0..GROUP).map(|lane| bvh.slot_in(*leaf, lane));
+            let slots = (0..LANES).map(|lane| bvh.slot_in(*leaf, lane));
             let is_near = |slot: &Slot| slot > first && around.meets(&boxes[slot.index()]);
             others.extend(slots.filter(is_near).map(|slot| (slot, boxes[slot.index()])));
         }

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import axe_playwright_python
 
-from pages import FOLDER, ROOT, Browser
+from pages import FOLDER, ROOT, Browser, keep_picture
 
 PROGRAM = Path(os.environ.get("POMPEIU", FOLDER.parent / "debug/pompeiu")).resolve()
 MESHES = ROOT / "examples/meshes"
@@ -45,7 +45,7 @@ class App(unittest.TestCase):
         self.assertTrue(page.text_content("#status").startswith("OUT OF TOLERANCE 0.01 mm"))
         self.assertIn("OUT OF TOLERANCE", page.frame_locator("iframe").locator("#banner").text_content())
         page.frame_locator("iframe").locator("html[data-ready=true]").wait_for()
-        page.screenshot(path=FOLDER / "app-done.png")
+        keep_picture(page, "app-done")
         with page.expect_download() as download:
             page.click("#download-json")
         served = json.loads(Path(download.value.path()).read_bytes())
@@ -86,7 +86,7 @@ class App(unittest.TestCase):
                 look = f"{'phone' if width < 400 else 'desk'}-{scheme}"
 
                 def state(name):
-                    page.screenshot(path=FOLDER / f"app-{name}-{look}.png")
+                    keep_picture(page, f"app-{name}-{look}")
                     self.assertEqual(self.complain(page.main_frame), [], f"{name}, {look}")
 
                 state("empty")

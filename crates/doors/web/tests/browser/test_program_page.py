@@ -6,7 +6,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from pages import FOLDER, ROOT, Browser
+from pages import FOLDER, ROOT, Browser, keep_picture
 
 PAGE = FOLDER.parent / "page/pompeiu.html"
 MESHES = ROOT / "examples/meshes"
@@ -66,10 +66,6 @@ class ProgramPage(unittest.TestCase):
         page.wait_for_selector(ENDED)
         return page.get_attribute("html", "data-state")
 
-    def picture(self, page, name):
-        FOLDER.mkdir(parents=True, exist_ok=True)
-        page.screenshot(path=FOLDER / f"program-{name}.png")
-
     def saved(self, page, button):
         with page.expect_download() as download:
             page.click(f"#download-{button}")
@@ -77,7 +73,7 @@ class ProgramPage(unittest.TestCase):
 
     def test_two_files_are_compared_and_swapped(self):
         page = self.visit(width=1440, height=900)
-        self.picture(page, "empty")
+        keep_picture(page, "program-empty")
         self.assertEqual(self.take(page, MESHES / "sphere.obj", MESHES / "rough-sphere.obj"), "done")
         self.assertIn("H(A, B) is proven to be in [0.0", page.text_content("#interval"))
         page.fill("#field-threshold", "0.01mm")
@@ -88,7 +84,7 @@ class ProgramPage(unittest.TestCase):
         self.assertIn("OUT OF TOLERANCE", page.frame_locator("iframe").locator("#banner").text_content())
         self.assertEqual(page.text_content("#command"), "pompeiu deviation sphere.obj rough-sphere.obj --threshold 0.01mm --unit mm"
                          " --report deviation.html --pdf deviation.pdf")
-        self.picture(page, "done")
+        keep_picture(page, "program-done")
         answer = json.loads(self.saved(page, "json"))
         self.assertEqual([one["path"] for one in answer["inputs"]], ["sphere.obj", "rough-sphere.obj"])
         self.assertEqual(answer["report"]["verdict"]["answer"], "out")
@@ -109,7 +105,7 @@ class ProgramPage(unittest.TestCase):
         self.assertIn("512 vertices, 1,024 faces", page.text_content("#status"))
         self.assertLessEqual(page.evaluate("document.documentElement.scrollWidth"), 390)
         page.frame_locator("iframe").locator("html[data-ready=true]").wait_for()
-        self.picture(page, "phone-dark")
+        keep_picture(page, "program-phone-dark")
 
     def test_one_mesh_is_changed_and_written(self):
         page = self.visit()
@@ -132,11 +128,11 @@ class ProgramPage(unittest.TestCase):
             page.set_input_files("#chooser", files)
             page.wait_for_selector("html[data-state=working]")
             page.wait_for_selector("#interval:not([hidden])")
-            self.picture(page, "working")
+            keep_picture(page, "program-working")
             page.click("#cancel")
             self.assertEqual(self.end(page), "cancelled")
             self.assertIn("cancelled", page.text_content("#failure"))
-            self.picture(page, "cancelled")
+            keep_picture(page, "program-cancelled")
         self.assertEqual(self.take(page, MESHES / "sphere.obj", MESHES / "torus.obj"), "done")
 
     def test_files_that_cannot_be_used_are_refused_in_a_sentence(self):
@@ -153,7 +149,7 @@ class ProgramPage(unittest.TestCase):
             self.assertTrue(sentence.startswith(f"{name}: "), sentence)
         self.take(page, *[MESHES / name for name in ("sphere.obj", "torus.obj", "cylinder.obj")])
         self.assertIn("3 files were dropped", page.text_content("#failure"))
-        self.picture(page, "refused")
+        keep_picture(page, "program-refused")
         self.assertEqual(self.take(page, MESHES / "torus.obj"), "done", "the page still works")
 
     def test_the_page_is_small(self):

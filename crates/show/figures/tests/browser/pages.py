@@ -67,6 +67,13 @@ def settle(page):
     page.wait_for_selector(".view[data-state=still]")
 
 
+def keep_picture(page, name, **options):
+    """A picture for somebody to look at, where PICTURES is set: nothing is asserted of it, and drawing it can take long."""
+    if os.environ.get("PICTURES"):
+        FOLDER.mkdir(parents=True, exist_ok=True)
+        page.screenshot(path=FOLDER / f"{name}.png", **options)
+
+
 def shown(page, selector):
     return page.text_content(selector)
 

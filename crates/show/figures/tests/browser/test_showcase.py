@@ -3,7 +3,7 @@
 import math
 import unittest
 
-from pages import FOLDER, Browser, PageTest, data, make, pixels, settle, shown
+from pages import Browser, PageTest, data, keep_picture, make, pixels, settle, shown
 
 TABLE = "[data-key=pieces] tbody"
 
@@ -218,7 +218,7 @@ class Showcase(PageTest):
         for name, options in {"light": {}, "dark": {"scheme": "dark"}, "narrow": {"width": 400, "height": 860}}.items():
             with self.subTest(name):
                 page = self.open(**options)
-                page.screenshot(path=FOLDER / f"showcase-{name}.png", full_page=name == "narrow")
+                keep_picture(page, f"showcase-{name}", full_page=name == "narrow")
                 self.assertLessEqual(page.evaluate("document.documentElement.scrollWidth - document.documentElement.clientWidth"), 0)
 
 

@@ -4,7 +4,7 @@ import math
 import random
 import unittest
 
-from pages import FOLDER, Browser, PageTest, make, pixels, settle, shown
+from pages import Browser, PageTest, keep_picture, make, pixels, settle, shown
 
 LABELS = ["field", "gradient", "rotated gradient", "harmonic"]
 
@@ -127,7 +127,7 @@ class FieldsPage(PageTest):
         for name, options in {"light": {}, "dark": {"scheme": "dark"}, "narrow": {"width": 400, "height": 860}}.items():
             with self.subTest(name):
                 page = self.open(**options)
-                page.screenshot(path=FOLDER / f"fields-{name}.png", full_page=name == "narrow")
+                keep_picture(page, f"fields-{name}", full_page=name == "narrow")
                 self.assertLessEqual(page.evaluate("document.documentElement.scrollWidth - document.documentElement.clientWidth"), 0)
 
 

@@ -8,7 +8,7 @@ import time
 import unittest
 from pathlib import Path
 
-from pages import FOLDER, Browser, PageTest, count_of, data, is_contrast, make, pixels, settle, shown
+from pages import FOLDER, Browser, PageTest, count_of, data, is_contrast, keep_picture, make, pixels, settle, shown
 
 HOSTILE = ["</script><img src=x onerror=alert(1)>\"'&.ply", "<!--<script>'\"&amp;\u2028.stl"]
 
@@ -120,7 +120,7 @@ class DeviationPage(PageTest):
         }.items():
             with self.subTest(name):
                 page = self.open("plain" if name != "wide" else "signed", **options)
-                page.screenshot(path=FOLDER / f"{name}.png", full_page=name == "narrow")
+                keep_picture(page, name, full_page=name == "narrow")
                 overflow = page.evaluate("document.documentElement.scrollWidth - document.documentElement.clientWidth")
                 self.assertLessEqual(overflow, 0, "nothing is cut off at the side")
 
@@ -267,7 +267,7 @@ class DeviationPage(PageTest):
         # The first view: all of it, with the dent in front.
         self.assert_outside(pair["from"])
         self.assertLess(math.dist(self.camera()["target"], [0, 0, 0]), 0.1)
-        page.screenshot(path=FOLDER / "deviation-dented.png")
+        keep_picture(page, "deviation-dented")
         # A place that is chosen from behind the part, and the way to the pair.
         for control in ["[data-place='0']", "[data-control=look-at-pair]"]:
             page.evaluate("""() => {
@@ -280,7 +280,7 @@ class DeviationPage(PageTest):
             screen = self.screen(pair["from"])
             box = page.locator("#view").bounding_box()
             self.assertTrue(0 < screen["x"] < box["width"] and 0 < screen["y"] < box["height"], screen)
-            page.screenshot(path=FOLDER / f"deviation-dented-{'place' if 'place' in control else 'pair'}.png")
+            keep_picture(page, f"deviation-dented-{'place' if 'place' in control else 'pair'}")
         # The hollow of a ball is seen from nowhere outside: the camera stays there all the same.
         page.evaluate("""() => {
             const { app } = pompeiu;

@@ -107,7 +107,10 @@ fn necks(page: &mut Page, report: &PuzzleReport) {
     let text = format!("at least {}, at piece {piece}", few(neck.width));
     let text = match report.least_neck {
         Some(least) if neck.width < least => {
-            format!("{text}: the outline is narrower there than the {} that tabs leave", few(least))
+            format!(
+                "{text}: below the {} that tabs leave, because of the outline or the shape of pieces",
+                few(least)
+            )
         }
         _ => text,
     };
