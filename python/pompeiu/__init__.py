@@ -42,6 +42,7 @@ from .errors import (
     PompeiuError,
     ReadError,
     SurfaceError,
+    UndecidedError,
     WriteError,
 )
 from .fields import (
@@ -162,6 +163,7 @@ __all__ = [
     "Verified",
     "Witness",
     "WorkCount",
+    "UndecidedError",
     "WriteError",
     "__version__",
     "align",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import warnings
 from dataclasses import dataclass, field, fields
 from typing import Any, Iterable, Literal, Mapping, Optional, Sequence, Tuple, Union
 
@@ -113,7 +114,8 @@ class Histogram(_Arrays):
     @classmethod
     def _of(cls, data: Mapping[str, Any]) -> "Histogram":
         rows = (np.array([(one["lower"], one["upper"]) for one in data[name]], float) for name in ("bins", "cumulative"))
-        return cls(np.array(data["edges"], float), *(row.reshape(-1, 2) for row in rows))
+        bins, cumulative = (_read_only(row.reshape(-1, 2)) for row in rows)
+        return cls(_read_only(np.array(data["edges"], float)), bins, cumulative)
 
 
 @dataclass(frozen=True)
@@ -229,25 +231,24 @@ class SignedStatistics:
 
     Attributes
     ----------
-    mean : tuple of float
+    mean : Enclosure
         Bounds on the mean.
     standard_deviation : Enclosure
         Bounds on the root of the mean squared distance from the mean.
-    lowest, highest : tuple of float
+    lowest, highest : Enclosure
         Bounds on the least and the greatest signed distance: the most inside, and the most outside.
     """
 
-    mean: Tuple[float, float]
+    mean: Enclosure
     standard_deviation: Enclosure
-    lowest: Tuple[float, float]
-    highest: Tuple[float, float]
+    lowest: Enclosure
+    highest: Enclosure
 
     @classmethod
     def _of(cls, data: Optional[Mapping[str, Any]]) -> "Optional[SignedStatistics]":
         if data is None:
             return None
-        mean, lowest, highest = ((data[name]["lower"], data[name]["upper"]) for name in ("mean", "lowest", "highest"))
-        return cls(mean, Enclosure(**data["standard_deviation"]), lowest, highest)
+        return cls(**{f.name: Enclosure(**data[f.name]) for f in fields(cls)})
 
 
 @dataclass(frozen=True)
@@ -446,6 +447,11 @@ class Deviation(_Arrays, _Interval):
     _page: Optional[_native.DeviationPage] = field(default=None, compare=False, repr=False)
     _names: Tuple[str, str] = field(default=("A", "B"), compare=False, repr=False)
     _meshes: "Optional[Tuple[Mesh, Mesh]]" = field(default=None, compare=False, repr=False)
+
+    @property
+    def distance(self) -> Enclosure:
+        """The Pompeiu–Hausdorff distance, enclosed."""
+        return Enclosure(self.lower, self.upper)
 
     def to_dict(self) -> "dict[str, Any]":
         """A dictionary of plain values, ready for ``json.dumps``."""
@@ -721,13 +727,15 @@ def deviation(
     allow : float, optional
         The share of each area that may be farther than the threshold, or outside of all bands, such as 0.01.
     ignore_beyond : Union[float, str], optional
-        Leave out the faces of both that reach farther than this from the other mesh: what has no counterpart, such as a
-        fixture, or what was not scanned; what is kept is proven to be within.
+        Leave out what of both is farther than this from the other mesh: what has no counterpart, such as a fixture, or
+        what was not scanned; faces that reach farther are cut, and what is kept is proven to be within.
     only_overlap : bool
-        Leave out the faces beside the other mesh: those whose nearest point lies on its boundary, as of the part of a
-        model that a partial scan does not show.
+        Leave out what of both lies beside the other mesh, as of the part of a model that a partial scan does not show:
+        the points that its boundary is nearly as near as its surface, up to 1.41 times as far; faces that reach beside
+        are cut.
     box : Sequence[float], optional
-        Measure only faces that lie in this box as a whole: its least and its greatest coordinates.
+        Measure only what lies in this box, given by its least and its greatest coordinates; faces that reach out of it
+        are cut.
     group : Sequence[str]
         Measure only faces of this group or object of OBJ, or node of glTF; of several with the option given again; a
         mesh that has no group of any of these names is measured whole.
@@ -773,6 +781,13 @@ def deviation(
     given.update(zip("ab", meshes))
     with watching(given.pop("progress")) as watch:
         answer, beside = ask("deviation", {**given, "progress": watch}, ("a", "b"))
+    misplaced = answer["report"].get("misplaced")
+    if misplaced is not None:
+        warnings.warn(
+            f"as it lies, half of B is farther than {misplaced['as_it_lies']:.4g} from A; turned and moved it would be within "
+            f"{misplaced['aligned']:.4g}: the poses do not fit, and align=\"rigid\" moves B onto A first",
+            stacklevel=2,
+        )
     return Deviation._of(answer["report"], beside, names, meshes)
 
 

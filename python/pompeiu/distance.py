@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 import json
+import math
 import os
 from dataclasses import dataclass, field
 from typing import Any, Literal, Optional, Tuple, Union
+
+from numpy.typing import NDArray
 
 from . import _native
 from ._asking import ask
 from .certificates import Certificate, Ends, _write
 from .errors import OptionError
 from .progress import ProgressLike, watching
-from .results import DirectedReport, SymmetricReport
-from .sources import Mesh, MeshLike, as_mesh
+from .results import DirectedReport, SymmetricReport, _Interval
+from .sources import Mesh, MeshLike, as_mesh, points_or_mesh
 
 __all__ = ["DEFAULT_TOLERANCE", "Distance", "Target", "directed_hausdorff", "distance", "hausdorff"]
 
@@ -66,11 +69,15 @@ class Target:
 
 
 @dataclass(frozen=True)
-class Distance:
+class Distance(_Interval):
     """The distance of two meshes, in one direction or both.
 
     Attributes
     ----------
+    lower, upper : float
+        The enclosure of what was asked for: of the Pompeiu–Hausdorff distance, or of one direction.
+    distance : SymmetricReport or DirectedReport
+        The same, with what proves it.
     a_to_b, b_to_a : DirectedReport or None
         How far A is from B, and B from A; ``None`` where only the other direction was asked for.
     hausdorff : SymmetricReport or None
@@ -91,6 +98,23 @@ class Distance:
     report: "dict[str, Any]" = field(repr=False)
     _meshes: "Tuple[Mesh, Mesh]" = field(repr=False, compare=False)
     _slack: float = field(repr=False, compare=False)
+
+    @property
+    def distance(self) -> "Union[SymmetricReport, DirectedReport]":
+        """The Pompeiu–Hausdorff distance, or the one direction that was asked for."""
+        found = self.hausdorff or self.a_to_b or self.b_to_a
+        assert found is not None
+        return found
+
+    @property
+    def lower(self) -> float:  # type: ignore[override]
+        """Lower bound on the distance."""
+        return self.distance.lower
+
+    @property
+    def upper(self) -> float:  # type: ignore[override]
+        """Upper bound on the distance."""
+        return self.distance.upper
 
     def certificate(
         self,
@@ -140,8 +164,8 @@ class Distance:
 
 
 def distance(
-    a: MeshLike,
-    b: MeshLike,
+    a: "MeshLike | NDArray[Any]",
+    b: "MeshLike | NDArray[Any]",
     *,
     align: Optional[Literal["rigid"]] = None,
     tolerance: float = 1e-12,
@@ -160,8 +184,9 @@ def distance(
 
     Parameters
     ----------
-    a, b : MeshLike
-        Two meshes in one unit of length; see :func:`pompeiu.as_mesh`.
+    a, b : MeshLike, or ndarray of shape (n, 3)
+        Two meshes in one unit of length, see :func:`pompeiu.as_mesh`, or a mesh and a cloud of points: an array, or a file without faces. How far the
+        points are from the mesh is then measured, and not the way back, because between its points a cloud says nothing of the surface.
     align : str, optional
         Move B onto A first, from any start; parts of either may have no counterpart. ``"rigid"``: rotate and translate.
     tolerance : float
@@ -212,17 +237,32 @@ def distance(
 
 
 def _asked(given: "dict[str, Any]") -> Distance:
-    meshes = as_mesh(given["a"]), as_mesh(given["b"])
+    (a, a_is_cloud), (b, b_is_cloud) = points_or_mesh(given["a"]), points_or_mesh(given["b"])
+    meshes = a, b
+    if a_is_cloud != b_is_cloud:
+        given["direction"] = _from_points("a-to-b" if a_is_cloud else "b-to-a", given)
     with watching(given.pop("progress")) as watch:
         answer, _ = ask("distance", {**given, "a": meshes[0], "b": meshes[1], "progress": watch}, ("a", "b"))
     report = answer["report"]
     a_to_b, b_to_a = (_directed(report.get(way), ends) for way, ends in (("a_to_b", "ab"), ("b_to_a", "ba")))
-    both = None
+    both: Optional[SymmetricReport] = None
     if a_to_b is not None and b_to_a is not None:
         both = SymmetricReport(report["hausdorff"]["lower"], report["hausdorff"]["upper"], a_to_b, b_to_a)
     threshold = report.get("threshold")
     slack = answer["request"]["certificate_slack"]
     return Distance(a_to_b, b_to_a, both, threshold and threshold["answer"], answer["stop"], report, meshes, slack)
+
+
+def _from_points(direction: str, given: "dict[str, Any]") -> str:
+    """The direction from a cloud of points to a mesh, which is the only one that can be measured."""
+    asked, cloud = given["direction"], direction[0]
+    if asked not in ("both", direction):
+        raise OptionError(
+            f"direction is {asked!r}, but {cloud} is a cloud of points, which says nothing of the surface between them; direction can be {direction!r}"
+        )
+    if given.get("align") is not None:
+        raise OptionError(f"align needs two surfaces, but {cloud} is a cloud of points; align the cloud where it was measured")
+    return direction
 
 
 def _directed(report: "Optional[dict[str, Any]]", ends: str) -> Optional[DirectedReport]:
@@ -299,12 +339,17 @@ def hausdorff(
     for one in (a, b):
         if isinstance(one, Target):
             raise TypeError("a Target answers for one direction; use directed_hausdorff, or hand in the mesh")
-    return _asked(_given(locals(), "both")).hausdorff
+    found = _asked({**_given(locals(), "both"), "a": as_mesh(a), "b": as_mesh(b)}).hausdorff
+    assert found is not None
+    return found
 
 
 def _given(given: "dict[str, Any]", direction: str) -> "dict[str, Any]":
     """The arguments of a question about a distance."""
     names = ("a", "b", "tolerance", "tolerance_kind", *_LIMITS, "method", "progress")
+    threshold = given["threshold"]
+    if threshold is not None and not math.isfinite(threshold):
+        raise OptionError(f"threshold is {threshold}; it must be a finite number")
     return {**{name: given[name] for name in names}, "assert_below": given["threshold"], "direction": direction}
 
 
@@ -344,7 +389,9 @@ def directed_hausdorff(
     """
     given = locals()
     if not isinstance(b, Target):
-        return _asked(_given(given, "a-to-b")).a_to_b
+        found = _asked({**_given(given, "a-to-b"), "a": as_mesh(a), "b": as_mesh(b)}).a_to_b
+        assert found is not None
+        return found
     options = {name: given[name] for name in ("tolerance", "tolerance_kind", "threshold", *_LIMITS, "method")}
     with watching(progress) as watch:
         return DirectedReport._of(json.loads(b._native.directed_from(as_mesh(a), options, watch)))

@@ -12,6 +12,7 @@ __all__ = [
     "PompeiuError",
     "ReadError",
     "SurfaceError",
+    "UndecidedError",
     "WriteError",
 ]
 
@@ -34,6 +35,10 @@ class FieldError(PompeiuError, ValueError):
 
 class OptionError(PompeiuError, ValueError):
     """An option has a value that means nothing."""
+
+
+class UndecidedError(PompeiuError, ArithmeticError):
+    """The bounds of a value do not decide a comparison."""
 
 
 class OutlineError(PompeiuError, ValueError):

@@ -3,21 +3,23 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, Literal, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
 
+from . import _native
 from ._asking import ask
+from .errors import OptionError, ReadError
 from .progress import StepsLike, watching_steps
 from .results import Stop, _Arrays, _table
-from .sources import MeshLike, as_mesh
+from .sources import Mesh, MeshLike, as_mesh
 
 __all__ = ["DistanceMatrix", "RankReport", "RankWork", "Standing", "matrix", "rank"]
 
-#: Meshes by place, or by name.
-Targets = Union[Sequence[MeshLike], Mapping[str, MeshLike]]
+#: Meshes by place, or by name, or all files of a folder.
+Targets = Union[Sequence[MeshLike], Mapping[str, MeshLike], str, "os.PathLike[str]"]
 
 
 @dataclass(frozen=True)
@@ -175,6 +177,10 @@ class DistanceMatrix(_Arrays):
         Rows and columns of directed distances that were not measured, or less narrowly than asked.
     directed : bool
         Whether ``lower`` and ``upper`` are those of the directed distances.
+    names : tuple of str
+        The names of the meshes: those of a mapping, the paths of files, or their places.
+    failed : dict
+        Which of them cannot be used, and why.
     """
 
     directed_lower: NDArray[np.float64]
@@ -183,6 +189,8 @@ class DistanceMatrix(_Arrays):
     stop: Stop = "tolerance"
     open: Tuple[Tuple[int, int], ...] = ()
     directed: bool = False
+    names: Tuple[str, ...] = ()
+    failed: "dict[str, str]" = field(default_factory=dict)
 
     @property
     def lower(self) -> NDArray[np.float64]:
@@ -202,27 +210,76 @@ class DistanceMatrix(_Arrays):
             "distances": self.distances,
             "stop": self.stop,
             "open": [list(pair) for pair in self.open],
+            "names": list(self.names),
+            "failed": dict(self.failed),
         }
 
     @classmethod
-    def _of(cls, report: Mapping[str, Any], lower: Any, upper: Any, directed: bool) -> "DistanceMatrix":
-        count = len(report["meshes"])
-        ends = (end.reshape(count, count) for end in (lower, upper))
-        pairs = tuple((pair["from"], pair["to"]) for pair in report["open"])
-        return cls(*ends, report["distances"], report["stop"], pairs, directed)
+    def _of(
+        cls, report: Mapping[str, Any], ends: "tuple[NDArray[np.float64], NDArray[np.float64]]", directed: bool, found: "Usable"
+    ) -> "DistanceMatrix":
+        """Of the meshes that can be used; rows and columns of the others are NaN."""
+        places, count = found.places, len(found.names)
+
+        def whole(end: NDArray[np.float64]) -> NDArray[np.float64]:
+            entries = np.full((count, count), np.nan)
+            entries[np.ix_(places, places)] = end.reshape(len(places), len(places))
+            entries.flags.writeable = False
+            return entries
+
+        lower, upper = map(whole, ends)
+        pairs = tuple((places[pair["from"]], places[pair["to"]]) for pair in report["open"])
+        return cls(lower, upper, report["distances"], report["stop"], pairs, directed, found.names, found.failed)
 
     def __len__(self) -> int:
         return len(self.directed_lower)
 
 
 def named(targets: Targets) -> "list[tuple[str, MeshLike]]":
-    """Names and meshes: what a mapping calls them, paths for files, else their places."""
+    """Names and meshes: what a mapping calls them, paths for files, else their places. Folders are the files in them with the suffix of a mesh."""
     if isinstance(targets, Mapping):
         return [(str(name), source) for name, source in targets.items()]
-    sources = list(targets)
+    if isinstance(targets, (str, os.PathLike)):
+        targets = [targets]
+    sources: "list[MeshLike]" = []
+    for source in targets:
+        sources.extend(_in_folder(source) if isinstance(source, (str, os.PathLike)) and os.path.isdir(source) else [source])
     digits = len(str(len(sources)))
     shown = lambda i, s: os.fspath(s) if isinstance(s, (str, os.PathLike)) else f"{i:0{digits}}"  # noqa: E731
     return [(shown(i, source), source) for i, source in enumerate(sources)]
+
+
+@dataclass(frozen=True)
+class Usable:
+    """The meshes of a matrix that can be used: their places among all names; why the others cannot be."""
+
+    names: Tuple[str, ...]
+    places: "list[int]"
+    meshes: "list[Mesh]"
+    failed: "dict[str, str]"
+
+
+def usable(meshes: Targets) -> Usable:
+    """Reads all meshes; files that cannot be read have failed, unless all have."""
+    sources = named(meshes)
+    found = Usable(tuple(name for name, _ in sources), [], [], {})
+    for place, (name, source) in enumerate(sources):
+        try:
+            found.meshes.append(as_mesh(source))
+            found.places.append(place)
+        except ReadError as error:
+            found.failed[name] = str(error)
+    if found.failed and not found.meshes:
+        raise ReadError(f"none of the {len(sources)} meshes can be used; the first: {next(iter(found.failed.values()))}")
+    return found
+
+
+def _in_folder(folder: "str | os.PathLike[str]") -> "list[str]":
+    paths = (os.path.join(os.fspath(folder), name) for name in sorted(os.listdir(folder)))
+    found = [path for path in paths if _native.is_mesh_file(path) and os.path.isfile(path)]
+    if not found:
+        raise OptionError(f"{os.fspath(folder)} holds no file with the suffix of a mesh")
+    return found
 
 
 def rank(
@@ -249,9 +306,9 @@ def rank(
     ----------
     template : MeshLike
         The mesh to compare with.
-    targets : sequence of MeshLike, or mapping from names
-        The meshes to rank. Files are read when they are needed and forgotten again; one that cannot be read has failed. Targets
-        have the names of a mapping, the paths of files, or their places; names break ties.
+    targets : sequence of MeshLike, mapping from names, or a folder
+        The meshes to rank; of folders, all files with the suffix of a mesh. Files are read when they are needed and forgotten again; one that cannot be
+        read has failed. Targets have the names of a mapping, the paths of files, or their places; names break ties.
     top : int
         How many of the best to find; those that tie with the last are reported, too.
     all : bool
@@ -328,8 +385,8 @@ def matrix(
 
     Parameters
     ----------
-    meshes : sequence of MeshLike, or mapping from names
-        All of them are held in memory.
+    meshes : sequence of MeshLike, mapping from names, or a folder
+        What :func:`rank` takes as targets. All of them are held in memory; a file that cannot be read has failed, and its row and column are NaN.
     directed : bool
         Give both directed distances of each pair instead of the greater one.
     tolerance : float
@@ -357,7 +414,8 @@ def matrix(
         As for :func:`rank`.
     """
     given = dict(locals())
-    checked = [(name, as_mesh(source)) for name, source in named(given.pop("meshes"))]
+    found = usable(given.pop("meshes"))
+    checked = [(found.names[place], mesh) for place, mesh in zip(found.places, found.meshes)]
     with watching_steps(progress, "meshes") as watch:
         answer, beside = ask("matrix", {**given, "progress": watch}, meshes=(), others=checked)
-    return DistanceMatrix._of(answer["report"], beside["directed_lower"], beside["directed_upper"], directed)
+    return DistanceMatrix._of(answer["report"], (beside["directed_lower"], beside["directed_upper"]), directed, found)

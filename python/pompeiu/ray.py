@@ -23,7 +23,7 @@ from . import _native
 from ._asking import split
 from ._native import Mesh
 from .errors import OptionError, ReadError
-from .many import DistanceMatrix, RankReport, Targets, named
+from .many import DistanceMatrix, RankReport, Targets, named, usable
 from .neurons import NeuronTransport, _sweep_inputs, _sweep_task
 from .progress import StepsLike, watching_steps
 from .sources import MeshLike, as_mesh
@@ -179,7 +179,7 @@ def rank(template: MeshLike, targets: Targets, *, threads: int = 1, progress: St
 
 
 def matrix(
-    meshes: Iterable[MeshLike], *, threads: int = 1, progress: StepsLike = None, **options: Any
+    meshes: Targets, *, threads: int = 1, progress: StepsLike = None, **options: Any
 ) -> DistanceMatrix:
     """Encloses the distances of all pairs as :func:`pompeiu.matrix` does, on a Ray cluster; the same to the last bit.
 
@@ -201,12 +201,12 @@ def matrix(
     MeshError, ReadError, OptionError, ray.exceptions.RayError
         As for :func:`rank`.
     """
-    meshes = [as_mesh(mesh) for mesh in meshes]
+    usable_meshes = usable(meshes)
     request, _, _ = split(options)
-    count = len(meshes)
+    count = len(usable_meshes.meshes)
     entries = _native.Entries(count, request)  # What is wrong with an option is an error here, not on a worker.
     places = _places(threads)
-    store = [ray.put(mesh) for mesh in meshes]
+    store = [ray.put(mesh) for mesh in usable_meshes.meshes]
     blocks = []
     for to in range(count):
         others = [place for place in range(count) if place != to]
@@ -232,7 +232,7 @@ def matrix(
     for (to, sources), found in zip(blocks, results):
         entries.set(to, list(zip(sources, found)))
     report, lower, upper = entries.report()
-    return DistanceMatrix._of(json.loads(report), lower, upper, bool(options.get("directed", False)))
+    return DistanceMatrix._of(json.loads(report), (lower, upper), bool(options.get("directed", False)), usable_meshes)
 
 
 def sweep_neurons(

@@ -8,11 +8,14 @@ from __future__ import annotations
 import decimal
 import html
 import math
+import re
 from dataclasses import asdict, dataclass, field, fields
-from typing import Any, Literal, Mapping, Optional, Tuple
+from typing import Any, Literal, Mapping, Optional, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
+
+from .errors import UndecidedError
 
 __all__ = [
     "DirectedReport",
@@ -60,8 +63,18 @@ def number(value: Optional[float]) -> float:
     return math.inf if value is None else value
 
 
+#: A format for numbers: what stands before the precision, the precision, and the kind.
+_FORMAT = re.compile(r"(?P<head>[^.]*?)(?:\.(?P<precision>\d+))?(?P<kind>[eEfFgG%]?)\Z")
+#: Digits that Python takes where a format names none.
+_PRECISION = 6
+
+
 class _Interval:
-    """What all answers with a lower and an upper bound can do."""
+    """What all answers with a lower and an upper bound can do.
+
+    Comparisons with numbers, and with one another, are ``True`` or ``False`` where both bounds agree, and raise :class:`UndecidedError`
+    where they do not. Formats for numbers show the digits in which both bounds agree, and both bounds where there are none.
+    """
 
     lower: float
     upper: float
@@ -79,6 +92,57 @@ class _Interval:
         if self.upper <= threshold:
             return True
         return False if self.lower > threshold else None
+
+    def __lt__(self, other: "Number | _Interval") -> bool:
+        ends = _ends(other)
+        return NotImplemented if ends is None else self._decided("<", other, self.upper < ends[0], self.lower >= ends[1])
+
+    def __le__(self, other: "Number | _Interval") -> bool:
+        ends = _ends(other)
+        return NotImplemented if ends is None else self._decided("<=", other, self.upper <= ends[0], self.lower > ends[1])
+
+    def __gt__(self, other: "Number | _Interval") -> bool:
+        ends = _ends(other)
+        return NotImplemented if ends is None else self._decided(">", other, self.lower > ends[1], self.upper <= ends[0])
+
+    def __ge__(self, other: "Number | _Interval") -> bool:
+        ends = _ends(other)
+        return NotImplemented if ends is None else self._decided(">=", other, self.lower >= ends[1], self.upper < ends[0])
+
+    def _decided(self, sign: str, other: "Number | _Interval", yes: bool, no: bool) -> bool:
+        if yes or no:
+            return yes
+        mine = f"[{self.lower!r}, {self.upper!r}]"
+        theirs = f"[{other.lower!r}, {other.upper!r}]" if isinstance(other, _Interval) else repr(other)
+        raise UndecidedError(
+            f"whether a value in {mine} is {sign} {theirs} is not decided by these bounds; compare lower or upper, "
+            "or ask for a narrower interval"
+        )
+
+    def __format__(self, spec: str) -> str:
+        if not spec:
+            return str(self)
+        form = _FORMAT.match(spec)
+        if form is None:
+            raise ValueError(f"{spec!r} is no format for numbers, such as .3f")
+        kind = form["kind"] or "g"
+        least = 1 if kind in "gG" else 0
+        for precision in range(int(form["precision"] or _PRECISION), least - 1, -1):
+            shown = f"{form['head']}.{precision}{kind}"
+            lower, upper = format(self.lower, shown), format(self.upper, shown)
+            if lower == upper:
+                return lower
+        return shown_bounds(self.lower, self.upper)
+
+
+Number = Union[int, float]
+
+
+def _ends(value: Any) -> "Optional[tuple[float, float]]":
+    """The bounds of an interval, or of a number."""
+    if isinstance(value, _Interval):
+        return value.lower, value.upper
+    return (value, value) if isinstance(value, (int, float, np.integer, np.floating)) else None
 
 
 @dataclass(frozen=True)

@@ -7,10 +7,11 @@ a copy in Python.
 from __future__ import annotations
 
 import os
-from typing import Any, Union
 import warnings
+from typing import Any, Protocol, Tuple, Union
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from . import _native
 from ._native import Mesh
@@ -18,8 +19,82 @@ from .errors import MeshError, MeshWarning
 
 __all__ = ["MeshLike", "as_mesh", "read_mesh"]
 
+class _WithFaces(Protocol):
+    """A mesh of trimesh."""
+
+    @property
+    def vertices(self) -> Any: ...
+    @property
+    def faces(self) -> Any: ...
+
+
+class _WithTriangles(Protocol):
+    """A mesh of Open3D."""
+
+    @property
+    def vertices(self) -> Any: ...
+    @property
+    def triangles(self) -> Any: ...
+
+
+class _WithTensors(Protocol):
+    """A mesh of tensors of Open3D."""
+
+    @property
+    def vertex(self) -> Any: ...
+    @property
+    def triangle(self) -> Any: ...
+
+
+class _WithCells(Protocol):
+    """A mesh of meshio."""
+
+    @property
+    def points(self) -> Any: ...
+    @property
+    def cells(self) -> Any: ...
+
+
+class _WithPoints(Protocol):
+    """A surface of PyVista."""
+
+    @property
+    def points(self) -> Any: ...
+    @property
+    def faces(self) -> Any: ...
+
+
+class _WithSurface(Protocol):
+    """A grid of PyVista."""
+
+    @property
+    def points(self) -> Any: ...
+    def extract_surface(self) -> Any: ...
+
+
+class _Scene(Protocol):
+    """A scene of trimesh."""
+
+    @property
+    def geometry(self) -> Any: ...
+    @property
+    def graph(self) -> Any: ...
+
+
 #: A path, a pair of arrays, a :class:`pompeiu.Mesh`, or an object of trimesh, meshio, Open3D or PyVista.
-MeshLike = Union[str, "os.PathLike[str]", Mesh, "tuple[Any, Any]", Any]
+MeshLike = Union[
+    str,
+    "os.PathLike[str]",
+    Mesh,
+    Tuple[ArrayLike, ArrayLike],
+    _WithFaces,
+    _WithTriangles,
+    _WithTensors,
+    _WithCells,
+    _WithPoints,
+    _WithSurface,
+    _Scene,
+]
 
 #: Cells of meshio without area, which are no part of a surface.
 _THIN_CELLS = ("vertex", "line")
@@ -61,10 +136,25 @@ def as_mesh(source: MeshLike) -> Mesh:
         mesh = recognise(source)
         if mesh is not None:
             return mesh
+    if isinstance(source, np.ndarray):
+        raise TypeError(
+            f"found an array of shape {source.shape}, expected a mesh; a cloud of points has no area: pompeiu.distance measures how far its points "
+            "are from a mesh"
+        )
     raise TypeError(
         f"found an object of type {type(source).__name__}, expected a path, a pair (vertices, faces), a pompeiu.Mesh, "
         "or a mesh of trimesh, meshio, Open3D or PyVista"
     )
+
+
+def points_or_mesh(source: "MeshLike | NDArray[Any]") -> "tuple[Mesh, bool]":
+    """A mesh, or a cloud of points of shape (n, 3) or from a file without faces, each point as a face without extent; and whether these are points."""
+    if isinstance(source, (str, os.PathLike)):
+        mesh, is_cloud = _native.read_mesh_or_points(os.fspath(source))
+        return (mesh, True) if is_cloud else (as_mesh(source), False)
+    if isinstance(source, np.ndarray):
+        return Mesh(source, np.repeat(np.arange(len(source))[:, np.newaxis], 3, axis=1)), True
+    return as_mesh(source), False
 
 
 def read_mesh(path: "str | os.PathLike[str]") -> Mesh:

@@ -111,8 +111,8 @@ def test_sides_are_told_apart():
     assert np.array_equal(report.b_to_a.signed_vertex_distances, report.b_to_a.vertex_distances)
     # Both are closed and oriented.
     inside = pompeiu.directed_deviation(inner, outer)
-    assert inside.signed == report.a_to_b.signed and inside.signed.mean[1] == pytest.approx(-inside.statistics.mean.lower)
-    assert inside.signed.highest[1] < 0 < report.b_to_a.signed.lowest[0] and inside.signed.standard_deviation.upper < 0.1
+    assert inside.signed == report.a_to_b.signed and inside.signed.mean.upper == pytest.approx(-inside.statistics.mean.lower)
+    assert inside.signed.highest < 0 < report.b_to_a.signed.lowest and inside.signed.standard_deviation.upper < 0.1
     unsigned = pompeiu.directed_deviation(inner, outer, unsigned=True)
     assert unsigned.signed_vertex_distances is None and unsigned.signed is None
 
@@ -227,7 +227,10 @@ def test_parts_and_groups(tmp_path):
     near = (part[0] + [0, 0, 0.1], part[1])
     report = pompeiu.deviation(whole, near, only_overlap=True, threshold=0.15)
     assert report.verdict.answer == "within" and 0.1 in report.a_to_b.distance
-    assert report.report["left_out"]["a"]["faces"] == len(whole[1]) - len(part[1])
+    left_out = report.report["left_out"]["a"]
+    assert left_out["faces"] == len(whole[1]) - len(part[1]) and left_out["cut"] == len(part[1])
+    # A strip three quarters as wide as the distance goes along the rim.
+    assert left_out["share"]["lower"] == pytest.approx(1 - 0.85**2 / 9, abs=1e-3)
     report.save_html(tmp_path / "part.html")
     path = tmp_path / "two.obj"
     path.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 5\nv 1 0 5\nv 0 1 5\no low\nf 1 2 3\no high\nf 4 5 6\n")
@@ -244,3 +247,26 @@ def test_a_moved_copy_is_aligned_first():
     turned = (vertices[:, [2, 0, 1]] + [10, -3, 7], faces)
     report = pompeiu.deviation((vertices, faces), turned, align="rigid")
     assert report.upper < 1e-6 and report.report["alignment"]["matched"] > 0.99
+
+
+def test_a_part_that_lies_elsewhere_is_noticed():
+    ring = pompeiu.shapes.torus(1.0, 0.4, 24, 12)
+    moved = (ring.vertices + [151, 0, 0], ring.faces)
+    with pytest.warns(UserWarning, match='the poses do not fit, and align="rigid"'):
+        report = pompeiu.deviation(ring, moved)
+    assert report.report["misplaced"]["aligned"] < 1e-3 * report.report["misplaced"]["as_it_lies"]
+
+
+def test_clouds_are_led_to_what_measures_them():
+    points = np.random.default_rng(1).normal(size=(10, 3))
+    with pytest.raises(TypeError, match="pompeiu.distance measures how far its points"):
+        pompeiu.deviation(pompeiu.shapes.cube(), points)
+
+
+def test_arrays_are_read_only():
+    ring = pompeiu.shapes.torus()
+    one = pompeiu.deviation(ring, ring).a_to_b
+    histogram = one.statistics.histogram
+    for array in (ring.vertices, ring.faces, one.face_max, one.vertex_distances, histogram.edges, histogram.bins):
+        with pytest.raises(ValueError, match="read-only"):
+            array[0] = 0

@@ -96,14 +96,14 @@ def test_both_methods_agree():
     [
         ({"tolerance": -1.0}, "the tolerance is -1; it must be a finite number that is not negative"),
         ({"tolerance": math.nan}, "tolerance is nan; it must be a finite number"),
-        ({"threshold": math.inf}, "assert_below is inf; it must be a finite number"),
+        ({"threshold": math.inf}, "threshold is inf; it must be a finite number"),
         ({"threads": 0}, "the number of threads is 0; at least 1 is needed"),
         ({"time_limit": -1.0}, "the time limit is -1 seconds; it must be a finite number that is not negative"),
         (
             {"tolerance_kind": "percent"},
-            "option `tolerance_kind` of distance: unknown variant `percent`, expected one of `diagonal`, `relative`, `absolute`",
+            "option `tolerance_kind` of distance: found `percent`, expected one of `diagonal`, `relative`, `absolute`",
         ),
-        ({"method": "slow"}, "option `method` of distance: unknown variant `slow`, expected `fast` or `classic`"),
+        ({"method": "slow"}, "option `method` of distance: found `slow`, expected `fast` or `classic`"),
     ],
 )
 def test_options_that_mean_nothing_are_named(options, sentence):
@@ -111,3 +111,27 @@ def test_options_that_mean_nothing_are_named(options, sentence):
         pompeiu.hausdorff(grid(1.0, 1), grid(1.0, 1), **options)
     assert str(raised.value) == sentence
     assert isinstance(raised.value, ValueError)
+
+
+def test_clouds_of_points_are_measured_one_way(tmp_path):
+    cube = pompeiu.shapes.cube(2.0)
+    points = cube.vertices * 1.5
+    (tmp_path / "cloud.xyz").write_text("\n".join(" ".join(map(repr, p)) for p in points.tolist()))
+    for cloud in (points, tmp_path / "cloud.xyz"):
+        found = pompeiu.distance(cube, cloud)
+        assert found.a_to_b is None and found.hausdorff is None and 3**0.5 / 2 in found.b_to_a
+        assert pompeiu.distance(cloud, cube).distance == pompeiu.distance(cloud, cube).a_to_b
+        with pytest.raises(pompeiu.OptionError, match="direction can be 'b-to-a'"):
+            pompeiu.distance(cube, cloud, direction="a-to-b")
+
+
+def test_errors_name_the_option_and_what_it_takes():
+    cube = pompeiu.shapes.cube()
+    for options, sentence in [
+        ({"tolerance": "fine"}, "option `tolerance` of distance: found the text \"fine\", expected a number"),
+        ({"direction": "up"}, "option `direction` of distance: found `up`, expected one of `both`, `a-to-b`, `b-to-a`"),
+        ({"trace": 3}, "option `trace` of distance: found the number `3`, expected true or false"),
+    ]:
+        with pytest.raises(pompeiu.OptionError) as raised:
+            pompeiu.distance(cube, cube, **options)
+        assert sentence in str(raised.value)

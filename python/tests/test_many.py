@@ -83,11 +83,11 @@ def test_reports_are_frozen_comparable_and_can_be_pickled():
     ("options", "sentence"),
     [
         ({"top": 0}, "the number of places asked for is 0; at least 1 is needed"),
-        ({"top": -1}, "option `top` of rank: invalid value: integer `-1`, expected u32"),
+        ({"top": -1}, "option `top` of rank: found the number `-1`, expected a whole number of at least 0"),
         ({"tolerance": -1.0}, "the tolerance is -1; it must be a finite number that is not negative"),
         ({"tolerance": math.nan}, "tolerance is nan; it must be a finite number"),
-        ({"direction": "a"}, "option `direction` of rank: unknown variant `a`, expected one of `both`, `from-template`, `to-template`"),
-        ({"align": "best"}, "option `align` of rank: unknown variant `best`, expected one of `none`, `centroid`, `scale`, `rigid`"),
+        ({"direction": "a"}, "option `direction` of rank: found `a`, expected one of `both`, `from-template`, `to-template`"),
+        ({"align": "best"}, "option `align` of rank: found `best`, expected one of `none`, `centroid`, `scale`, `rigid`"),
     ],
 )
 def test_options_that_mean_nothing_are_named(options, sentence):
@@ -145,3 +145,24 @@ def test_a_matrix_holds_the_distances_of_all_pairs():
     assert np.array_equal(directed.upper, matrix.directed_upper) and not np.array_equal(directed.upper, matrix.upper)
     with pytest.raises(pompeiu.OptionError, match="the tolerance is -1"):
         pompeiu.matrix(meshes, tolerance=-1.0)
+
+
+def test_a_matrix_takes_what_a_ranking_takes(tmp_path):
+    for name, side in (("a.obj", 1.0), ("c.obj", 2.0)):
+        pompeiu.write_mesh(tmp_path / name, pompeiu.shapes.cube(side))
+    (tmp_path / "b.obj").write_text("v 0 0 zero\n")
+    (tmp_path / "notes.txt").write_text("no mesh")
+    for targets in (tmp_path, [tmp_path]):
+        names = [str(tmp_path / name) for name in ("a.obj", "b.obj", "c.obj")]
+        found = pompeiu.matrix(targets)
+        assert list(found.names) == names and list(found.failed) == [names[1]] and "b.obj" in found.failed[names[1]]
+        assert np.isnan(found.lower[1]).all() and np.isnan(found.lower[:, 1]).all()
+        assert found.lower[0, 2] <= math.sqrt(3) / 2 <= found.upper[0, 2]
+        ranking = pompeiu.rank(pompeiu.shapes.cube(1.0), targets)
+        assert [s.name for s in ranking.ranked] == [names[0], names[2]] and ranking.standings[-1].name == names[1]
+    for ask in (pompeiu.matrix, lambda all: pompeiu.rank(TEMPLATE, all)):
+        with pytest.raises(pompeiu.ReadError, match="none of the"):
+            ask([tmp_path / "b.obj", tmp_path / "missing.obj"])
+    (tmp_path / "empty").mkdir()
+    with pytest.raises(pompeiu.OptionError, match="holds no file with the suffix of a mesh"):
+        pompeiu.matrix(tmp_path / "empty")

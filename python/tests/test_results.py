@@ -80,3 +80,21 @@ def test_summaries_count():
     assert (summary.vertices, summary.faces, summary.edges, summary.genus, summary.components) == (8, 12, 18, 0, 1)
     assert summary.area == 24.0 and summary.volume == pytest.approx(8.0)
     assert (summary.lower_corner, summary.upper_corner) == ((-1.0,) * 3, (1.0,) * 3)
+
+
+def test_enclosures_compare_and_format_like_numbers_where_that_is_certain():
+    found = pompeiu.deviations.Enclosure(0.12342, 0.12348)
+    assert found < 0.2 and found <= 0.12348 and found > 0.1 and found >= 0.12342 and 0.2 > found
+    assert not found < 0.1 and not found > 0.2
+    assert found < pompeiu.deviations.Enclosure(0.2, 0.3) and not found > pompeiu.deviations.Enclosure(0.2, 0.3)
+    for compare in (lambda: found < 0.12345, lambda: found >= 0.12345, lambda: found > found):
+        with pytest.raises(pompeiu.UndecidedError, match="is not decided by these bounds"):
+            compare()
+    with pytest.raises(TypeError):
+        found < "0.1"
+    assert f"{found:.3f}" == "0.123" and f"{found:.9f}" == "0.123"
+    assert f"{found:8.2f}" == "    0.12" and f"{found:.1%}" == "12.3%" and f"{found:g}" == "0.123"
+    assert f"{pompeiu.deviations.Enclosure(0.4, 1.6):.3f}" == "[0.400000, 1.60001]" and f"{found}" == str(found)
+    report = pompeiu.distance(pompeiu.shapes.cube(2.0), pompeiu.shapes.cube(2.2))
+    assert report.distance < 0.2 and report > 0.1 and f"{report.distance:.3f}" == "0.173"
+    assert pompeiu.deviation(pompeiu.shapes.cube(2.0), pompeiu.shapes.cube(2.2)).distance < 0.2

@@ -29,7 +29,7 @@ def test_a_flow_ends_when_it_is_told_to():
     ("options", "words"),
     [
         ({"until": "never"}, "expected stationary"),
-        ({"scheme": "fast"}, "option `scheme` of flow: unknown variant `fast`"),
+        ({"scheme": "fast"}, "option `scheme` of flow: found `fast`"),
         ({"scheme": "newton", "until": "time:1"}, "has no time"),
         ({"volume": "keep", "scheme": "explicit"}, "does not keep the volume"),
         ({"time_limit": -1.0}, "time limit"),

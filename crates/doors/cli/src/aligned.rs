@@ -28,8 +28,8 @@ pub(crate) fn verdict(found: &Registration) -> String {
     let place = match (found.alternatives.len(), found.free_motions.len()) {
         (0, 0) => "ALIGNED: no other place that was tried fits as well".to_owned(),
         (others, 0) => format!(
-            "ALIGNED, but {} fit nearly as well: the shape may be symmetric",
-            counted(others, "other place")
+            "ALIGNED, but {} nearly as well: the shape may be symmetric",
+            if others == 1 { "1 other place fits".to_owned() } else { format!("{others} other places fit") }
         ),
         (_, free) => format!(
             "ALIGNED, but {} the fit as it is",
@@ -41,8 +41,4 @@ pub(crate) fn verdict(found: &Registration) -> String {
 
 pub(crate) fn percent(share: f64) -> String {
     format!("{:.1} %", 100.0 * share)
-}
-
-fn counted(n: usize, what: &str) -> String {
-    if n == 1 { format!("1 {what}") } else { format!("{n} {what}s") }
 }

@@ -90,16 +90,19 @@ pub(crate) fn left_out([a, b]: [&str; 2], both: Option<&BothLeftOut>) -> Vec<Str
 }
 
 fn left_out_of(name: &str, left_out: &LeftOut) -> String {
-    if left_out.faces == 0 {
-        return format!("nothing of {name}");
-    }
+    let count = |faces: usize| match faces {
+        1 => "1 face".to_owned(),
+        n => format!("{} faces", numbers::grouped(n as u64)),
+    };
+    let faces = match (left_out.faces, left_out.cut) {
+        (0, 0) => return format!("nothing of {name}"),
+        (faces, 0) => count(faces),
+        (0, cut) => format!("parts of {}", count(cut)),
+        (faces, cut) => format!("{} and parts of {}", count(faces), count(cut)),
+    };
     let parts = match left_out.components {
         1 => "1 connected part".to_owned(),
         n => format!("{} connected parts", numbers::grouped(n as u64)),
-    };
-    let faces = match left_out.faces {
-        1 => "1 face".to_owned(),
-        n => format!("{} faces", numbers::grouped(n as u64)),
     };
     let share = digits::percentage(left_out.share.lower(), left_out.share.upper());
     format!("{share} of {name}'s area, {faces} in {parts}")

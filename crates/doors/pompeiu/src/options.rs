@@ -102,8 +102,31 @@ where
             Some((name, error))
         });
         let (name, error) = alone.unwrap_or_else(|| (String::new(), error));
-        OptionsError::Value { command: Q::NAME, name, message: error.to_string() }
+        OptionsError::Value { command: Q::NAME, name, message: plain(&error.to_string()) }
     })
+}
+
+/// Kinds of values as the reader calls them, and as people do.
+const KINDS: [(&str, &str); 14] = [
+    ("invalid type: ", "found "),
+    ("invalid value: ", "found "),
+    ("invalid length ", "found a sequence of length "),
+    ("floating point `", "the number `"),
+    ("integer `", "the number `"),
+    ("string \"", "the text \""),
+    ("boolean `", "`"),
+    ("expected f64", "expected a number"),
+    ("expected usize", "expected a whole number of at least 0"),
+    ("expected u64", "expected a whole number of at least 0"),
+    ("expected u32", "expected a whole number of at least 0"),
+    ("expected a boolean", "expected true or false"),
+    ("unknown variant ", "found "),
+    ("expected struct ", "expected the fields of "),
+];
+
+/// What is wrong, in words for people.
+fn plain(message: &str) -> String {
+    KINDS.iter().fold(message.to_owned(), |text, (from, to)| text.replace(from, to))
 }
 
 fn nearest<'n>(name: &str, names: impl Iterator<Item = &'n String>) -> String {

@@ -4,10 +4,10 @@
 //! becomes the array's.
 
 use crate::errors::{ArrayError, Raise};
-use numpy::ndarray::ArrayView2;
+use numpy::ndarray::{ArrayView2, Dimension};
 use numpy::{
-    Element, IntoPyArray, PyArray2, PyArrayDescrMethods, PyArrayMethods, PyReadonlyArray2, PyUntypedArray,
-    PyUntypedArrayMethods,
+    Element, IntoPyArray, PyArray, PyArray1, PyArray2, PyArrayDescrMethods, PyArrayMethods, PyReadonlyArray2,
+    PyUntypedArray, PyUntypedArrayMethods,
 };
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
@@ -145,20 +145,33 @@ where
     })
 }
 
-/// An array of shape (n, N) that owns the vector's memory.
+/// An array of shape (n, N) on the vector's memory. It is read-only: what is written to an answer, or to a copy of what a mesh holds, would reach
+/// nothing.
 pub(crate) fn array_of_rows<T: Element, const N: usize>(
     py: Python<'_>,
     rows: Vec<[T; N]>,
 ) -> PyResult<Bound<'_, PyArray2<T>>> {
     let count = rows.len();
-    rows.into_flattened().into_pyarray(py).reshape([count, N])
+    read_only(rows.into_flattened().into_pyarray(py).reshape([count, N])?)
 }
 
-/// A square array that owns the vector's memory.
+/// An array of shape (n,) on the vector's memory, read-only.
+pub(crate) fn array_of<T: Element>(py: Python<'_>, values: Vec<T>) -> PyResult<Bound<'_, PyArray1<T>>> {
+    read_only(values.into_pyarray(py))
+}
+
+fn read_only<T: Element, D: Dimension>(
+    array: Bound<'_, PyArray<T, D>>,
+) -> PyResult<Bound<'_, PyArray<T, D>>> {
+    array.try_readwrite()?.make_nonwriteable();
+    Ok(array)
+}
+
+/// A square array on the vector's memory, read-only.
 pub(crate) fn array_of_square<T: Element>(
     py: Python<'_>,
     entries: Vec<T>,
     count: usize,
 ) -> PyResult<Bound<'_, PyArray2<T>>> {
-    entries.into_pyarray(py).reshape([count, count])
+    read_only(entries.into_pyarray(py).reshape([count, count])?)
 }

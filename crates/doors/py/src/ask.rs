@@ -1,6 +1,6 @@
 //! Asking a system: its request from a dictionary, one answer as JSON, arrays and meshes beside it.
 
-use crate::arrays::{array_of_rows, vectors};
+use crate::arrays::{array_of, array_of_rows, vectors};
 use crate::errors::{InternalError, Raise, UnusableLimit};
 use crate::hausdorff::{DeviationPage, limits};
 use crate::json::{parsed, written};
@@ -8,7 +8,6 @@ use crate::mesh::Mesh;
 use crate::neuron;
 use crate::puzzle::PuzzleDrawings;
 use crate::wait::{self, Share, Told, Watch};
-use numpy::IntoPyArray;
 use pompeiu::complexity::{ComplexityRequest, NamedShape};
 use pompeiu::contact::ContactRequest;
 use pompeiu::core::TriMesh;
@@ -153,8 +152,8 @@ pub(crate) enum Beside {
 impl Beside {
     fn object(self, py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
         Ok(match self {
-            Self::Numbers(numbers) => numbers.into_pyarray(py).into_any(),
-            Self::Indices(indices) => indices.into_pyarray(py).into_any(),
+            Self::Numbers(numbers) => array_of(py, numbers)?.into_any(),
+            Self::Indices(indices) => array_of(py, indices)?.into_any(),
             Self::Pairs(rows) => array_of_rows(py, rows)?.into_any(),
             Self::Triples(rows) => array_of_rows(py, rows)?.into_any(),
             Self::Intervals(rows) | Self::Plane(rows) => array_of_rows(py, rows)?.into_any(),

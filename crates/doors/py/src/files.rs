@@ -21,6 +21,20 @@ pub(crate) fn read_mesh(py: Python<'_>, path: PathBuf) -> PyResult<(Mesh, String
     Ok((mesh, read.format.to_string(), read.polygons_triangulated, read.faces_dropped))
 }
 
+/// The mesh of a file, or its points where it has no faces, each as a face without extent; and whether these are points.
+#[pyfunction]
+pub(crate) fn read_mesh_or_points(py: Python<'_>, path: PathBuf) -> PyResult<(Mesh, bool)> {
+    let read = wait::abandonable(py, move || io::read_mesh_or_points(path))?.map_err(Raise::raise)?;
+    Ok((Mesh::from(read.mesh), read.is_cloud))
+}
+
+/// Whether a file has the suffix of a mesh.
+#[pyfunction]
+#[allow(clippy::needless_pass_by_value, reason = "what is extracted from Python is owned")]
+pub(crate) fn is_mesh_file(path: PathBuf) -> bool {
+    io::Format::from_path(&path).is_some()
+}
+
 /// The options in a TOML file, as JSON.
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value, reason = "what is extracted from Python is owned")]

@@ -42,7 +42,7 @@ mod _native {
     #[pymodule_export]
     use crate::fields::{HodgeDecomposition, degrees_of_freedom};
     #[pymodule_export]
-    use crate::files::{read_mesh, read_options, write_mesh, write_whole};
+    use crate::files::{is_mesh_file, read_mesh, read_mesh_or_points, read_options, write_mesh, write_whole};
     #[pymodule_export]
     use crate::flatten::straighten;
     #[pymodule_export]

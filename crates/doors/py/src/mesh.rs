@@ -60,13 +60,13 @@ impl Mesh {
         py.detach(|| TriMesh::new(positions, faces)).map(Self::from).map_err(Raise::raise)
     }
 
-    /// A copy of the coordinates: float64, shape (n, 3).
+    /// A copy of the coordinates: float64, shape (n, 3), read-only.
     #[getter]
     fn vertices<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         array_of_rows(py, self.0.positions().to_vec())
     }
 
-    /// A copy of the indices: uint32, shape (m, 3).
+    /// A copy of the indices: uint32, shape (m, 3), read-only.
     #[getter]
     fn faces<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<u32>>> {
         array_of_rows(py, self.0.faces().to_vec())

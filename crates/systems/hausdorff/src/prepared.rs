@@ -6,6 +6,7 @@ use crate::target::Target;
 use pompeiu_core::geom::Frame;
 use pompeiu_core::run::Control;
 use pompeiu_core::{FaceId, TriMesh};
+use std::ops::Range;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// A mesh that is borrowed, or shared with others.
@@ -156,14 +157,24 @@ impl<'m> PreparedPair<'m> {
         }
     }
 
-    /// Which face of what is measured in a direction a face of the whole mesh is; none if it is left out.
-    pub fn face_of_measured(&self, direction: Direction, face: FaceId) -> Option<FaceId> {
-        let Some([a, b]) = &self.parts else { return Some(face) };
+    /// The whole mesh that is measured in a direction, or of which a part is.
+    pub(crate) fn whole(&self, direction: Direction) -> &TriMesh {
+        match direction {
+            Direction::AToB => self.a(),
+            Direction::BToA => self.b(),
+        }
+    }
+
+    /// Which faces of what is measured in a direction are a face of the whole mesh: none if it is left out, several if it is in pieces.
+    pub fn faces_of_measured(&self, direction: Direction, face: FaceId) -> Range<u32> {
+        let Some([a, b]) = &self.parts else { return face.0..face.0 + 1 };
         let faces = match direction {
             Direction::AToB => &a.faces,
             Direction::BToA => &b.faces,
         };
-        faces.binary_search(&face).ok().map(|place| FaceId(place as u32))
+        let [first, end] =
+            [faces.partition_point(|other| *other < face), faces.partition_point(|other| *other <= face)];
+        first as u32..end as u32
     }
 
     /// How far the points that are measured in a direction are at most, where the choice of the part has proven that.

@@ -59,8 +59,7 @@ pub(crate) use measure::VertexDistances;
 
 pub use bands::{BandError, BandReport, Bands, DirectedBands, Extreme};
 pub use options::DeviationOptions;
-pub(crate) use part::overlapping_of;
-pub use part::{LeftOut, Part, component_shares, overlapping};
+pub use part::{LeftOut, Part, component_shares};
 pub use regions::Region;
 pub use report::{Deviation, DeviationWork, DirectedDeviation, FaceDeviation, Sides};
 pub use statistics::{Histogram, Percentile, ShareAbove, SignedStatistics, Statistics};

@@ -221,11 +221,9 @@ impl<'r> DeviationPage<'r> {
     }
 
     fn region(&self, found: &Region, direction: Direction, groups: Option<&[u32]>) -> content::Region {
-        let drawn = |face: &FaceId| {
-            let face = self.pair.face_of_measured(direction, *face)?;
-            Some(groups.map_or(face.0, |groups| groups[face.index()]))
-        };
-        let mut faces: Vec<u32> = found.faces.iter().filter_map(drawn).collect();
+        let measured = |face: &FaceId| self.pair.faces_of_measured(direction, *face);
+        let drawn = |face: u32| groups.map_or(face, |groups| groups[face as usize]);
+        let mut faces: Vec<u32> = found.faces.iter().flat_map(measured).map(drawn).collect();
         faces.sort_unstable();
         faces.dedup();
         content::Region {

@@ -3,12 +3,23 @@
 use super::AlignError;
 use super::moments::Moments;
 use super::pose::Pose;
-use super::registration::{Surface, registered};
+use super::registration::{Surface, gain, registered};
 use super::samples::samples;
 use glam::{DMat3, DVec3};
 use pompeiu_core::TriMesh;
 use pompeiu_core::mesh::Affine;
+use serde::Serialize;
 use std::sync::OnceLock;
+
+/// What aligning a mesh to another one would gain: estimates from sample points, in the unit of the meshes.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Gain {
+    /// The median distance of its points from the other one.
+    pub as_it_lies: f64,
+    /// The same in about the best pose.
+    pub aligned: f64,
+}
 
 /// A mesh that others are aligned to, prepared for many alignments.
 ///
@@ -49,20 +60,39 @@ impl Fixed {
     pub(super) fn rigid_map(&self, moving: &TriMesh) -> Result<Affine, AlignError> {
         let moments = Moments::of(moving)?;
         let unit = self.unit_of(&moments)?;
-        let points = |count| {
-            let points = samples(moving, &moments.frame, count);
-            points.into_iter().map(|sample| sample.point * unit).collect::<Vec<_>>()
-        };
-        // The identity pose.
-        let origins = self.origins(&moments);
         let pose = registered(
             self.surface(),
             [&self.moments, &moments].map(Moments::axes),
             [self.moments.centroid, moments.centroid * unit],
-            origins[1] * unit - origins[0],
-            points,
+            self.in_place(&moments, unit),
+            |count| points(moving, &moments, unit, count),
         );
         self.map_of(&pose, 1.0, &moments, unit)
+    }
+
+    /// How near a mesh lies to this one, and how near it would lie in about the best pose: medians of distances of sample points. A quick look at whether
+    /// it should be aligned, from the starts of [`Alignment::Rigid`](super::Alignment::Rigid).
+    ///
+    /// # Errors
+    /// [`AlignError`] if the mesh has no area or the sizes of the two differ too much.
+    pub fn gain(&self, moving: &TriMesh) -> Result<Gain, AlignError> {
+        let moments = Moments::of(moving)?;
+        let unit = self.unit_of(&moments)?;
+        let [as_it_lies, aligned] = gain(
+            self.surface(),
+            [&self.moments, &moments].map(Moments::axes),
+            [self.moments.centroid, moments.centroid * unit],
+            self.in_place(&moments, unit),
+            |count| points(moving, &moments, unit, count),
+        )
+        .map(|distance| self.moments.frame.length_out(distance));
+        Ok(Gain { as_it_lies, aligned })
+    }
+
+    /// The translation of the pose that leaves a mesh where it is.
+    fn in_place(&self, moving: &Moments, unit: f64) -> DVec3 {
+        let origins = self.origins(moving);
+        origins[1] * unit - origins[0]
     }
 
     pub(super) fn mesh(&self) -> &TriMesh {
@@ -100,6 +130,11 @@ impl Fixed {
         };
         finite(map)
     }
+}
+
+/// Sample points of a mesh, in the unit of the one it is aligned to.
+fn points(moving: &TriMesh, moments: &Moments, unit: f64, count: usize) -> Vec<DVec3> {
+    samples(moving, &moments.frame, count).into_iter().map(|sample| sample.point * unit).collect()
 }
 
 /// The map, if all its numbers are finite.

@@ -16,7 +16,7 @@ mod registration;
 mod samples;
 
 pub use error::AlignError;
-pub use fixed::Fixed;
+pub use fixed::{Fixed, Gain};
 pub use register::{Alternative, FreeMotion, Registration, RegistrationOptions, TransformSettings, register};
 
 use pompeiu_core::TriMesh;

@@ -65,12 +65,8 @@ pub(super) fn registered(
     points: impl Fn(usize) -> Vec<DVec3>,
 ) -> Pose {
     let centred = |rotation: DMat3| Pose { rotation, translation: centroids[0] - rotation * centroids[1] };
-    let turned = axis_rotations().map(|r| centred(axes[0] * r * axes[1].transpose()));
-    let starts = [Pose { rotation: DMat3::IDENTITY, translation: in_place }, centred(DMat3::IDENTITY)];
     let few = points(FEW_POINTS);
-    let mut found: Vec<Descent<'_>> = starts
-        .into_iter()
-        .chain(turned)
+    let mut found: Vec<Descent<'_>> = starts(axes, centroids, in_place)
         .map(|start| Descent::new(surface, &few, start, centroids[1]).run(FEW_STEPS))
         .collect();
     // Stable, so that equal errors stay in the order of the starts.
@@ -84,6 +80,42 @@ pub(super) fn registered(
         }
     }
     best.map_or(centred(DMat3::IDENTITY), |best| best.pose)
+}
+
+/// Sample points for a look at how much a better pose would gain, and largest number of its steps.
+const LOOK_POINTS: usize = 400;
+const LOOK_STEPS: usize = 30;
+
+/// The median distance of points from the surface as they lie, and in about the best pose; axes and centroids are those of the surface and of the
+/// points.
+pub(super) fn gain(
+    surface: &Surface,
+    axes: [DMat3; 2],
+    centroids: [DVec3; 2],
+    in_place: DVec3,
+    points: impl Fn(usize) -> Vec<DVec3>,
+) -> [f64; 2] {
+    let few = points(FEW_POINTS);
+    let mut found: Vec<Descent<'_>> = starts(axes, centroids, in_place)
+        .map(|start| Descent::new(surface, &few, start, centroids[1]).run(FEW_STEPS))
+        .collect();
+    // Stable, so that equal errors stay in the order of the starts.
+    found.sort_by(|a, b| a.mean_square.total_cmp(&b.mean_square));
+    let many = points(LOOK_POINTS);
+    let as_it_lies = Pose { rotation: DMat3::IDENTITY, translation: in_place };
+    let before = Descent::new(surface, &many, as_it_lies, centroids[1]);
+    let best = found.first().map_or(as_it_lies, |best| best.pose);
+    let after = Descent::new(surface, &many, best, centroids[1]).run(LOOK_STEPS);
+    [before, after].map(Descent::median)
+}
+
+/// Poses that a search for the best one starts from.
+fn starts(axes: [DMat3; 2], centroids: [DVec3; 2], in_place: DVec3) -> impl Iterator<Item = Pose> {
+    let centred =
+        move |rotation: DMat3| Pose { rotation, translation: centroids[0] - rotation * centroids[1] };
+    let turned = axis_rotations().map(move |r| centred(axes[0] * r * axes[1].transpose()));
+    let starts = [Pose { rotation: DMat3::IDENTITY, translation: in_place }, centred(DMat3::IDENTITY)];
+    starts.into_iter().chain(turned)
 }
 
 /// A descent towards a local optimum.
@@ -141,6 +173,17 @@ impl<'s> Descent<'s> {
             }
         }
         self
+    }
+
+    /// The median distance of the points.
+    fn median(mut self) -> f64 {
+        let nearest = |(point, slot): (&DVec3, &mut Slot)| {
+            let p = self.pose.apply(*point);
+            self.surface.nearest(p, slot, &mut self.workspace).0.distance(p)
+        };
+        let mut distances: Vec<f64> = self.points.iter().zip(&mut self.slots).map(nearest).collect();
+        let middle = distances.len() / 2;
+        if distances.is_empty() { 0.0 } else { *distances.select_nth_unstable_by(middle, f64::total_cmp).1 }
     }
 
     /// The mean squared distance in a pose, and the equations for the next step.

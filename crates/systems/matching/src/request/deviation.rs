@@ -1,9 +1,10 @@
 //! The deviation of two meshes.
 
 use super::moved::{MovedFirst, RequestError, moved};
-use crate::align::Registration;
+use crate::align::{Fixed, Gain, Registration};
+use pompeiu_core::geom::Aabb;
 use pompeiu_core::request::{Conclusion, Limit, Report, Request};
-use pompeiu_core::run::{RunContext, StopReason};
+use pompeiu_core::run::{Control, RunContext, StopReason};
 use pompeiu_hausdorff::{DeviationReport, DeviationRequest, NamedFaces, Observer, PreparedPair};
 use serde::{Deserialize, Serialize};
 
@@ -36,6 +37,9 @@ pub struct AlignedDeviationReport {
     /// How B was moved onto A before; absent if that was not asked.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub alignment: Option<Registration>,
+    /// What aligning B to A would gain; absent if B was aligned, or lies well as far as a quick look tells.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub misplaced: Option<Gain>,
     /// The deviation.
     #[serde(flatten)]
     pub measured: DeviationReport,
@@ -70,6 +74,52 @@ impl AlignedDeviationRequest {
             None => (pair, None),
         };
         let (pair, measured) = self.deviation.run(pair, groups, context, observer)?;
-        Ok((pair, AlignedDeviationReport { alignment, measured }))
+        let misplaced = if alignment.is_none() { misplaced(&pair, &measured, context) } else { None };
+        Ok((pair, AlignedDeviationReport { alignment, misplaced, measured }))
+    }
+}
+
+/// The part of the size of B as its mean and median distance below which nobody asks whether it lies where it should.
+const NEAR: f64 = 1e-3;
+/// The part of the median distance that is left after aligning, from which on B lies well.
+const LITTLE: f64 = 1.0 / 3.0;
+
+/// Whether B would lie much nearer to A if it was moved.
+fn misplaced(pair: &PreparedPair<'_>, found: &DeviationReport, context: &RunContext<'_>) -> Option<Gain> {
+    let mean = found.deviation.b_to_a.statistics.as_ref()?.mean.lower();
+    let near = NEAR * Aabb::of_faces(pair.b()).diagonal();
+    if mean <= near || Control::start(&context.limits()).is_stopped() || found.stop().is_early() {
+        return None;
+    }
+    let gain = Fixed::new(pair.a()).and_then(|fixed| fixed.gain(pair.b())).ok()?;
+    (gain.as_it_lies > near && gain.aligned < LITTLE * gain.as_it_lies).then_some(gain)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pompeiu_core::TriMesh;
+    use pompeiu_core::mesh::shapes::{icosphere, torus};
+    use pompeiu_core::mesh::{Affine, displace_at_random, transform};
+
+    fn gain(a: &TriMesh, b: &TriMesh) -> Option<Gain> {
+        let request = AlignedDeviationRequest::default();
+        let pair = PreparedPair::new(a, b);
+        request.run(pair, [&[], &[]], &RunContext::default(), None).unwrap().1.misplaced
+    }
+
+    #[test]
+    fn a_part_that_lies_elsewhere_is_noticed() {
+        let ring = torus(1.0, 0.4, 40, 20).unwrap();
+        let scan = displace_at_random(&ring, 0.002, 5).unwrap();
+        assert_eq!(gain(&ring, &scan), None);
+        let turned = Affine::rotate([1.0, 2.0, 0.5], 70.0).unwrap();
+        let moves = [Affine::translate([151.0, 0.0, 0.0]), Affine::translate([0.0, 0.0, 0.02]), turned];
+        for moved in moves {
+            let found = gain(&ring, &transform(&scan, &moved).unwrap()).unwrap();
+            assert!(found.aligned < 0.004 && found.as_it_lies > 0.005, "{found:?}");
+        }
+        // Other shapes lie no better elsewhere.
+        assert_eq!(gain(&ring, &icosphere(1.2, 3).unwrap()), None);
     }
 }

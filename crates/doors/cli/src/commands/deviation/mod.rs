@@ -271,6 +271,14 @@ impl Files {
             let size = Aabb::of_faces(pair.measured(directed.direction)).diagonal();
             directed.statistics.as_ref().is_some_and(|statistics| statistics.mean.lower() > FAR * size)
         };
+        if let Some(gain) = report.misplaced {
+            return printer.warning(format_args!(
+                "as it lies, half of {b} is farther than {} from {a}; turned and moved it would be within {}: the poses do not fit, \
+                 and --align rigid moves {b} onto {a} first",
+                few(gain.as_it_lies),
+                few(gain.aligned)
+            ));
+        }
         let both = directions(&report.measured.deviation);
         let apart = if both.into_iter().all(is_beyond) {
             "more than 90 % of both areas are beyond the threshold"
@@ -280,7 +288,7 @@ impl Files {
             return;
         };
         printer.warning(format_args!(
-            "{apart}; if the meshes are not aligned, --align rigid moves B onto A first"
+            "{apart}; if the meshes are not aligned, --align rigid moves {b} onto {a} first"
         ));
     }
 }

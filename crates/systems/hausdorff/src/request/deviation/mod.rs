@@ -113,8 +113,8 @@ impl DeviationRequest {
             bands.map(|bands| deviation.bands_of(&pair, &bands, accuracy, &context.limits(), Some(&watch)));
         let outliers = report::outliers(&deviation, &pair);
         if let Some([a, b]) = pair.parts() {
-            deviation.a_to_b.renumber(&a.faces);
-            deviation.b_to_a.renumber(&b.faces);
+            deviation.a_to_b.renumber(a, pair.a());
+            deviation.b_to_a.renumber(b, pair.b());
         }
         let threshold = options.threshold;
         let mut report = DeviationReport {

@@ -1,10 +1,10 @@
 //! Which faces are measured, and what is left out.
 
 use super::DeviationRequestError;
-use crate::deviation::{DeviationOptions, Part, component_shares, overlapping_of};
+use crate::deviation::{DeviationOptions, Part, component_shares};
 use crate::{Direction, Observer, PreparedPair};
 use pompeiu_core::request::Length;
-use pompeiu_core::run::Limits;
+use pompeiu_core::run::{Control, Limits, on_threads};
 use pompeiu_core::{FaceId, TriMesh};
 use std::ops::Range;
 
@@ -26,15 +26,15 @@ pub struct NamedFaces {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct MeasuredParts {
-    /// Leave out the faces of both that reach farther than this from the other mesh: what has no counterpart, such as a fixture, or what was
-    /// not scanned; what is kept is proven to be within.
+    /// Leave out what of both is farther than this from the other mesh: what has no counterpart, such as a fixture, or what was not scanned;
+    /// faces that reach farther are cut, and what is kept is proven to be within.
     #[cfg_attr(feature = "clap", arg(long, allow_negative_numbers = true, value_name = "LENGTH"))]
     pub ignore_beyond: Option<Length>,
-    /// Leave out the faces beside the other mesh: those whose nearest point lies on its boundary, as of the part of a model that a partial scan
-    /// does not show.
+    /// Leave out what of both lies beside the other mesh, as of the part of a model that a partial scan does not show: the points from
+    /// which its boundary is no more than a quarter farther away than its surface; faces that reach beside are cut.
     #[cfg_attr(feature = "clap", arg(long))]
     pub only_overlap: bool,
-    /// Measure only faces that lie in this box as a whole: its least and its greatest coordinates.
+    /// Measure only what lies in this box, given by its least and its greatest coordinates; faces that reach out of it are cut.
     #[cfg_attr(
         feature = "clap",
         arg(id = "box", long = "box", value_parser = tuple::<6>, allow_hyphen_values = true, value_name = "X,Y,Z,X,Y,Z")
@@ -90,7 +90,18 @@ impl MeasuredParts {
             ..DeviationOptions::default()
         };
         let choose = |name, direction, mesh: &TriMesh, groups: &[NamedFaces]| {
-            let part = self.kept(pair, direction, mesh, groups);
+            let part = self.kept(mesh, groups);
+            let part = part.and_then(|part| match self.bounds {
+                Some(bounds) => part.in_box(mesh, bounds),
+                None => Some(part),
+            });
+            let part = part.and_then(|part| {
+                if !self.only_overlap {
+                    return Some(part);
+                }
+                let control = Control::start(limits);
+                on_threads(limits.threads, || part.over_until(pair, direction, &control))
+            });
             let part = match (part, beyond) {
                 (Some(part), Some(length)) => options.within(&part, pair, direction, length)?,
                 (part, _) => part,
@@ -116,14 +127,8 @@ impl MeasuredParts {
         DeviationRequestError::Group { names: self.group.clone(), known }
     }
 
-    /// The faces that are kept, whatever their distance.
-    fn kept(
-        &self,
-        pair: &PreparedPair<'_>,
-        direction: Direction,
-        mesh: &TriMesh,
-        groups: &[NamedFaces],
-    ) -> Option<Part> {
+    /// The faces of which something is kept, wherever they lie.
+    fn kept(&self, mesh: &TriMesh, groups: &[NamedFaces]) -> Option<Part> {
         let mut kept = vec![true; mesh.faces().len()];
         let mut keep = |wanted: &dyn Fn(FaceId) -> bool| {
             for (face, kept) in mesh.face_ids().zip(&mut kept) {
@@ -140,14 +145,6 @@ impl MeasuredParts {
         if let Some(least) = self.ignore_components {
             let shares = component_shares(mesh);
             keep(&|face| shares[face.index()] >= least);
-        }
-        if let Some(ends) = self.bounds {
-            let inside = |p: [f64; 3]| (0..3).all(|k| ends[k] <= p[k] && p[k] <= ends[k + 3]);
-            keep(&|face| mesh.corners(face).into_iter().all(inside));
-        }
-        if self.only_overlap {
-            let over = overlapping_of(pair, direction);
-            keep(&|face| over[face.index()]);
         }
         Part::of(mesh, |face| kept[face.index()])
     }

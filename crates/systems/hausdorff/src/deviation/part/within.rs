@@ -1,0 +1,243 @@
+//! The points that are within a length of the other mesh, as far as that is proven.
+
+use super::Part;
+use super::pieces::{Fate, finest};
+use crate::deviation::linear::greater;
+use crate::deviation::measure::VertexDistances;
+use crate::deviation::options::DeviationOptions;
+use crate::engine::joint_frame;
+use crate::observer::{Observer, Progress};
+use crate::prepared::PreparedPair;
+use crate::report::{Direction, StopReason};
+use crate::rounding::Rounding;
+use crate::search::{Limits, Local, Scene, Start, search_each};
+use crate::target::Target;
+use crate::tolerance::OptionError;
+use pompeiu_core::geom::{Aabb, Frame};
+use pompeiu_core::run::{Control, on_threads};
+use pompeiu_core::spatial::{Workspace, morton_order};
+use pompeiu_core::{FaceId, TriMesh};
+use rayon::prelude::*;
+
+/// Faces searched by a task, and tasks between two looks at the limits.
+const FACES_OF_TASK: usize = 32;
+const TASKS_PER_ROUND: usize = 64;
+
+/// What triangles are compared with.
+struct Comparison<'c> {
+    direction: Direction,
+    other: &'c TriMesh,
+    target: &'c Target,
+    frame: Frame,
+    rounding: Rounding,
+    length: f64,
+    control: &'c Control,
+    observer: &'c dyn Observer,
+}
+
+impl DeviationOptions<'_> {
+    /// The points of a part of a mesh that are not farther than a length from the other mesh of a pair; none if there is no such point. Faces that
+    /// reach farther are cut. Pieces that reach just so far, as far as double precision tells, stay; those of which limits leave it open do not. Of the
+    /// options only the limits and the observer matter.
+    ///
+    /// # Accuracy
+    /// What is kept is proven to be within the length but for rounding. Each triangle that is left out is farther as a whole, or has no edge
+    /// longer than a part in 2048 of the root of the area of the smaller mesh.
+    ///
+    /// # Errors
+    /// [`DeviationOptions::check`].
+    pub fn within(
+        &self,
+        part: &Part,
+        pair: &PreparedPair<'_>,
+        direction: Direction,
+        length: f64,
+    ) -> Result<Option<Part>, OptionError> {
+        self.check()?;
+        Ok(on_threads(self.limits.threads, || self.cut_within(part, pair, direction, length)))
+    }
+
+    fn cut_within(
+        &self,
+        part: &Part,
+        pair: &PreparedPair<'_>,
+        direction: Direction,
+        length: f64,
+    ) -> Option<Part> {
+        let (frame, _, rounding) = joint_frame(pair.a(), pair.b());
+        let control = Control::start(&self.limits);
+        let target = pair.target(direction, frame);
+        let comparison = Comparison {
+            direction,
+            other: pair.other(direction),
+            target: &target,
+            frame,
+            rounding,
+            length,
+            control: &control,
+            observer: self.observer.unwrap_or(&()),
+        };
+        let mut most = 0.0;
+        let within = part.cut(pair.whole(direction), finest(pair, &frame), &mut |mesh| {
+            let farthest = comparison.farthest_if_within(mesh);
+            let fate = |farthest: &Option<f64>| match farthest {
+                Some(_) => Fate::Kept,
+                None if control.is_stopped() => Fate::LeftOut,
+                None => Fate::Open(false),
+            };
+            let fates = farthest.iter().map(fate).collect();
+            most = farthest.into_iter().flatten().fold(most, greater);
+            comparison.without_far(mesh, fates)
+        })?;
+        // Faces that were kept piece by piece are whole again, and pieces are rounded.
+        let rounding = if most > 0.0 { Part::ROUNDING * largest_coordinate(&within.mesh) } else { 0.0 };
+        Some(Part { farthest: Some((most + rounding).next_up()), ..within })
+    }
+}
+
+fn largest_coordinate(mesh: &TriMesh) -> f64 {
+    mesh.positions().iter().flatten().fold(0.0, |most, x| greater(most, x.abs()))
+}
+
+impl Comparison<'_> {
+    /// Leaves out the open triangles of which all points are too far away.
+    fn without_far(&self, mesh: &TriMesh, mut fates: Vec<Fate>) -> Vec<Fate> {
+        let bvh = self.target.bvh();
+        let far = self.frame.length_in(self.length) + self.rounding.bound(0);
+        fates.par_iter_mut().enumerate().for_each_init(Workspace::default, |workspace, (face, fate)| {
+            if !matches!(fate, Fate::Open(_)) {
+                return;
+            }
+            let corners = mesh.corners(FaceId(face as u32)).map(|p| self.frame.map(p));
+            let centre = [0, 1, 2].map(|k| (corners[0][k] + corners[1][k] + corners[2][k]) * (1.0 / 3.0));
+            let reach = corners.map(|p| (0..3).map(|k| (p[k] - centre[k]) * (p[k] - centre[k])).sum::<f64>());
+            let radius = reach.into_iter().fold(0.0, greater).sqrt();
+            if bvh.nearest(centre, bvh.any_slot(), workspace).distance_sq.sqrt() - radius > far {
+                *fate = Fate::LeftOut;
+            }
+        });
+        fates
+    }
+
+    /// How far each face is at most, of those that are proven to be within the length but for rounding.
+    fn farthest_if_within(&self, mesh: &TriMesh) -> Vec<Option<f64>> {
+        let Self { frame, rounding, control, .. } = *self;
+        let mut found = vec![None; mesh.faces().len()];
+        let bvh = self.target.bvh();
+        let order = morton_order(mesh, &Aabb::of_faces(mesh));
+        let Some(vertices) = VertexDistances::limited(mesh, &frame, bvh, &order, control) else {
+            return found;
+        };
+        let threshold = frame.length_in(self.length);
+        // A corner that is too far settles most of the others.
+        let is_open = |face: &u32| {
+            let corners = mesh.faces()[*face as usize];
+            corners.iter().all(|v| vertices.distances[*v as usize] - rounding.bound(0) <= threshold)
+        };
+        let open: Vec<u32> = order.iter().copied().filter(is_open).collect();
+        let neighbours = Some(self.target.neighbours_in(self.other));
+        let scene = Scene { a: mesh, order: &order, frame: &frame, bvh, neighbours, control };
+        let limits = Limits {
+            diagonal: 1.0,
+            tolerance: 0.0,
+            tolerance_of_distance: 0.0,
+            threshold: Some(threshold),
+            rounding,
+            least_size: 16.0 * rounding.unit(),
+        };
+        let most = threshold + rounding.least_tolerance();
+        let mut examined = 0;
+        for round in open.chunks(FACES_OF_TASK * TASKS_PER_ROUND) {
+            let of_task = |faces: &[u32]| {
+                let start = |face: &u32| {
+                    let first = mesh.faces()[*face as usize][0] as usize;
+                    let point = frame.map(mesh.positions()[first]);
+                    Start { face: *face, point, depth: 0, near: vertices.near[first] }
+                };
+                search_each(&scene, limits, &faces.iter().map(start).collect::<Vec<_>>())
+            };
+            let locals: Vec<Vec<Local>> = round.par_chunks(FACES_OF_TASK).map(of_task).collect();
+            for (face, local) in round.iter().zip(locals.into_iter().flatten()) {
+                let is_within = local.upper <= most;
+                found[*face as usize] = is_within.then(|| frame.length_out(local.upper).next_up());
+            }
+            examined += round.len();
+            let progress = Progress {
+                direction: self.direction,
+                lower: 0.0,
+                upper: self.length,
+                examined: examined as u64,
+                left: (open.len() - examined) as u64,
+            };
+            if self.observer.progress(&progress).is_break() {
+                control.stop(StopReason::Cancelled);
+            }
+            if control.is_stopped() {
+                return found;
+            }
+        }
+        found
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pompeiu_core::mesh::shapes::{Diagonal, grid};
+    use pompeiu_core::mesh::{Affine, merge, transform};
+
+    /// Faces that reach just as far as the length stay, others do not, whatever part of their distance that is.
+    #[test]
+    fn exactly_the_faces_beyond_a_length_are_left_out() {
+        let plate = grid([4.0, 1.0], [4, 1], Diagonal::Rising).unwrap();
+        // Steps at heights that differ by a thousandth of themselves, and by nothing.
+        let heights = [1.0, 1.0, 1.001, 0.999];
+        let steps: Vec<TriMesh> = (0..4)
+            .map(|i| {
+                let step = grid([0.5, 0.5], [1, 1], Diagonal::Rising).unwrap();
+                transform(&step, &Affine::translate([f64::from(i) - 1.5, 0.0, heights[i as usize]])).unwrap()
+            })
+            .collect();
+        let steps = merge(&steps.iter().collect::<Vec<_>>()).unwrap();
+        let all = Part::of(&steps, |_| true).unwrap();
+        let options = DeviationOptions::default();
+        let pair = PreparedPair::new(&steps, &plate);
+        let within = |length| options.within(&all, &pair, Direction::AToB, length).unwrap();
+        let kept = within(1.0).unwrap();
+        assert_eq!(kept.left_out.cut, 0);
+        assert_eq!(kept.faces, [0, 1, 2, 3, 6, 7].map(FaceId).to_vec());
+        assert!((kept.farthest.unwrap() - 1.0).abs() < 1e-12);
+        assert!(within(0.9).is_none());
+        // Without time nothing is known but that.
+        let limits =
+            pompeiu_core::run::Limits { time: Some(std::time::Duration::ZERO), ..Default::default() };
+        let hurried = DeviationOptions { limits, ..DeviationOptions::default() };
+        let most = kept.farthest.unwrap();
+        let parts = [kept, Part::of(&plate, |_| true).unwrap()];
+        let found = hurried.symmetric_of(&pair.with_parts(parts)).unwrap();
+        assert!(found.a_to_b.distance.distance.upper() <= most);
+    }
+
+    /// A ramp over a plate is cut at the height that is asked for.
+    #[test]
+    fn faces_are_cut_where_they_go_beyond_a_length() {
+        let plate = grid([1.0, 1.0], [1, 1], Diagonal::Rising).unwrap();
+        let ramp = TriMesh::new(
+            vec![[0.0, 0.0, 0.0], [1.0, 0.0, 1.0], [1.0, 1.0, 1.0], [0.0, 1.0, 0.0]],
+            vec![[0, 1, 2], [0, 2, 3]],
+        )
+        .unwrap();
+        let middle = Aabb::of_faces(&plate);
+        let plate = transform(&plate, &Affine::translate([-middle.lower[0], -middle.lower[1], 0.0])).unwrap();
+        let pair = PreparedPair::new(&ramp, &plate);
+        let all = Part::of(&ramp, |_| true).unwrap();
+        let options = DeviationOptions::default();
+        let kept = options.within(&all, &pair, Direction::AToB, 0.3).unwrap().unwrap();
+        assert_eq!((kept.left_out.faces, kept.left_out.cut), (0, 2));
+        assert!(kept.farthest.unwrap() <= 0.3 + 1e-12 && kept.farthest.unwrap() > 0.299);
+        let share = kept.left_out.share;
+        assert!(share.lower() > 0.7 - 1e-12 && share.upper() < 0.7005, "{share:?}");
+        let found = options.symmetric_of(&pair.with_parts([kept, Part::of(&plate, |_| true).unwrap()]));
+        assert!(found.unwrap().a_to_b.distance.distance.upper() <= 0.3 + 1e-12);
+    }
+}
