@@ -731,8 +731,8 @@ def deviation(
         what was not scanned; faces that reach farther are cut, and what is kept is proven to be within.
     only_overlap : bool
         Leave out what of both lies beside the other mesh, as of the part of a model that a partial scan does not show:
-        the points that its boundary is nearly as near as its surface, up to 1.41 times as far; faces that reach beside
-        are cut.
+        the points from which its boundary is no more than a quarter farther away than its surface; faces that reach
+        beside are cut.
     box : Sequence[float], optional
         Measure only what lies in this box, given by its least and its greatest coordinates; faces that reach out of it
         are cut.

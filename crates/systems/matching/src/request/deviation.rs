@@ -80,7 +80,7 @@ impl AlignedDeviationRequest {
 }
 
 /// The part of the size of B as its mean and median distance below which nobody asks whether it lies where it should.
-const NEAR: f64 = 1e-3;
+const NEAR: f64 = 3e-4;
 /// The part of the median distance that is left after aligning, from which on B lies well.
 const LITTLE: f64 = 1.0 / 3.0;
 
