@@ -21,6 +21,7 @@ mod matching;
 mod mesh;
 mod neuron;
 mod neuron_flow;
+mod neuron_run;
 mod puzzle;
 mod shapes;
 mod square;
@@ -56,11 +57,11 @@ mod _native {
     #[pymodule_export]
     use crate::mesh::Mesh;
     #[pymodule_export]
-    use crate::neuron::{
-        NeuronHexahedra, NeuronRun, NeuronSkeleton, neuron_options, read_neuron_mesh, read_skeleton,
-    };
+    use crate::neuron::{NeuronSkeleton, neuron_options, read_neuron_mesh, read_skeleton};
     #[pymodule_export]
     use crate::neuron_flow::{NeuronFlow, NeuronSplineSpace};
+    #[pymodule_export]
+    use crate::neuron_run::{NeuronHexahedra, NeuronRun};
     #[pymodule_export]
     use crate::puzzle::PuzzleDrawings;
     #[pymodule_export]

@@ -4,7 +4,7 @@ use crate::arrays::array_of_rows;
 use crate::errors::Raise;
 use crate::hausdorff::limits;
 use crate::json::written;
-use crate::neuron::{Meshing, Origin, RunCells, TransportParts, transport_parts};
+use crate::neuron_run::{Meshing, Origin, RunCells, TransportParts, transport_parts};
 use crate::wait::{self, Share, Watch};
 use numpy::{IntoPyArray, PyArray1, PyArray2};
 use pompeiu::neuron::{

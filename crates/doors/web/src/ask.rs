@@ -1,8 +1,8 @@
 //! Asking a system by its name: its request from JSON or TOML, its answer as the command prints it.
 
 use crate::call::{ArrayOf, Ask};
-use crate::engine::{Engine, Loaded, Said, Texture};
 use crate::error::CallError;
+use crate::meshes::{Loaded, Meshes, Said, Texture};
 use crate::outputs::{self, Compared, Flat, Found};
 use crate::watch::{Watcher, Watching};
 use pompeiu::core::TriMesh;
@@ -70,12 +70,15 @@ trait Asked: Request<Report: Serialize> + Serialize + DeserializeOwned {
     }
 }
 
+/// What is said, and what can be shown of it.
+type Answered = (Said, Option<Found>);
+
 macro_rules! systems {
     ($($Request:ty),* $(,)?) => {
         /// Asks a system by its name.
-        pub(crate) fn ask(engine: &mut Engine, call: &Ask, watcher: &dyn Watcher) -> Result<Said, CallError> {
+        pub(crate) fn ask(meshes: &mut Meshes, call: &Ask, watcher: &dyn Watcher) -> Result<Answered, CallError> {
             match call.command.as_str() {
-                $(<$Request>::NAME => answer::<$Request>(engine, call, watcher),)*
+                $(<$Request>::NAME => answer::<$Request>(meshes, call, watcher),)*
                 other => Err(CallError::Command(other.to_owned(), [$(<$Request>::NAME),*].join(", "))),
             }
         }
@@ -110,34 +113,34 @@ fn limits(call: &Ask, watcher: &dyn Watcher) -> Result<Limits, CallError> {
     })
 }
 
-fn answer<Q: Asked>(engine: &mut Engine, call: &Ask, watcher: &dyn Watcher) -> Result<Said, CallError> {
+fn answer<Q: Asked>(meshes: &mut Meshes, call: &Ask, watcher: &dyn Watcher) -> Result<Answered, CallError> {
     let started = Instant::now();
     let mut options = options_of_toml(&call.config)?;
     options.extend(call.options.clone());
     let request: Q = request_from(options)?;
     let watching = Watching(watcher);
-    let given = call.meshes.iter().map(|&id| engine.mesh(id)).collect::<Result<Vec<_>, _>>()?;
+    let given = call.meshes.iter().map(|&id| meshes.get(id)).collect::<Result<Vec<_>, _>>()?;
     let inputs = given.iter().map(|loaded| loaded.input.clone()).collect();
     let context = RunContext::start(limits(call, watcher)?).watched_by(&watching);
     let found = request.ask(&Asking { ids: &call.meshes, given, context, watching: &watching })?;
     let timing = Timing { read: Duration::ZERO, total: started.elapsed() };
     let answer = Answer::new(inputs, request, found.report, timing);
-    let (meshes, arrays, listed) = kept(engine, found.beside)?;
+    let (made, arrays, listed) = kept(meshes, found.beside)?;
     let conclusion = answer.report.conclusion();
-    engine.show(Q::shown(&answer, found.shown));
+    let shown = Q::shown(&answer, found.shown);
     let said = json!({
-        "answer": answer, "exit_code": conclusion.exit_code(), "meshes": meshes, "arrays": listed, "notes": found.notes,
+        "answer": answer, "exit_code": conclusion.exit_code(), "meshes": made, "arrays": listed, "notes": found.notes,
     });
     debug_assert!(conclusion.exit_code() != Conclusion::UNUSABLE);
-    Ok((said, arrays))
+    Ok(((said, arrays), shown))
 }
 
 /// Meshes by their names, arrays of bytes, and what they hold by their names.
 type Kept = (Map<String, Value>, Vec<Vec<u8>>, Map<String, Value>);
 
-/// Meshes are kept in the engine; arrays pass as bytes.
-fn kept(engine: &mut Engine, beside: Vec<(&'static str, Beside)>) -> Result<Kept, CallError> {
-    let (mut meshes, mut arrays, mut listed) = (Map::new(), Vec::new(), Map::new());
+/// Meshes are kept; arrays pass as bytes.
+fn kept(meshes: &mut Meshes, beside: Vec<(&'static str, Beside)>) -> Result<Kept, CallError> {
+    let (mut made, mut arrays, mut listed) = (Map::new(), Vec::new(), Map::new());
     for (name, one) in beside {
         let (bytes, entries, columns) = match one {
             Beside::Numbers(numbers, columns) => {
@@ -147,15 +150,15 @@ fn kept(engine: &mut Engine, beside: Vec<(&'static str, Beside)>) -> Result<Kept
                 (outputs::bytes_of(&indices, u32::to_le_bytes), "u32", columns)
             }
             Beside::Mesh(loaded) => {
-                let id = engine.keep(loaded);
-                meshes.insert(name.to_owned(), engine.facts(id)?);
+                let id = meshes.keep(loaded);
+                made.insert(name.to_owned(), meshes.facts(id)?);
                 continue;
             }
         };
         listed.insert(name.to_owned(), json!(ArrayOf { index: arrays.len(), entries, columns }));
         arrays.push(bytes);
     }
-    Ok((meshes, arrays, listed))
+    Ok((made, arrays, listed))
 }
 
 /// A mesh as a file holds it: where coordinates are counted from the centre, moved by the shift.

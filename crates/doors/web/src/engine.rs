@@ -1,47 +1,17 @@
-//! Meshes that were read, what was found of them last, and the calls about them.
+//! The calls about meshes, and what was found last.
 
 use crate::ask;
 use crate::call::{ArrayOf, Call};
 use crate::error::CallError;
+use crate::meshes::{Loaded, Meshes, Said};
 use crate::outputs::{self, Found};
 use crate::watch::Watcher;
 use pompeiu::core::TriMesh;
-use pompeiu::core::geom::Aabb;
 use pompeiu::core::request::{FileFacts, Input, hexadecimal};
 use pompeiu::hausdorff::NamedFaces;
 use pompeiu::io::read_bytes_of;
-use serde_json::{Value, json};
+use serde_json::json;
 use sha2::{Digest, Sha256};
-use std::collections::BTreeMap;
-
-/// A mesh with what is known of its file.
-pub(crate) struct Loaded {
-    pub(crate) mesh: TriMesh,
-    pub(crate) input: Input,
-    pub(crate) file: Option<FileFacts>,
-    pub(crate) groups: Vec<NamedFaces>,
-    pub(crate) texture: Option<Texture>,
-}
-
-/// Texture coordinates of a mesh.
-pub(crate) struct Texture {
-    pub(crate) coordinates: Vec<[f64; 2]>,
-    pub(crate) corners: Vec<[u32; 3]>,
-}
-
-impl Loaded {
-    /// A mesh that is in no file.
-    pub(crate) fn of_mesh(mesh: TriMesh, name: &str) -> Self {
-        let path = Some(name.to_owned()).filter(|name| !name.is_empty());
-        let input = Input { path, ..Input::of_mesh(&mesh) };
-        Self { mesh, input, file: None, groups: Vec::new(), texture: None }
-    }
-
-    /// What it is called.
-    pub(crate) fn name(&self) -> &str {
-        self.input.path.as_deref().unwrap_or("mesh")
-    }
-}
 
 /// What comes back from a call.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -55,13 +25,9 @@ pub struct Reply {
 /// Meshes, what was found of them last, and the answers to calls.
 #[derive(Default)]
 pub struct Engine {
-    meshes: BTreeMap<u32, Loaded>,
-    last: u32,
+    meshes: Meshes,
     found: Option<Found>,
 }
-
-/// An object of a reply, and the arrays beside it.
-pub(crate) type Said = (Value, Vec<Vec<u8>>);
 
 impl Engine {
     /// Answers a call, an object of JSON with the name of the call under `call`; what cannot be answered is a reply with an `error`.
@@ -87,18 +53,22 @@ impl Engine {
                     outputs::rows(&positions, f64::from_le_bytes)?,
                     outputs::rows(&faces, u32::from_le_bytes)?,
                 )?;
-                let id = self.keep(Loaded::of_mesh(mesh, &name));
-                Ok((self.facts(id)?, Vec::new()))
+                let id = self.meshes.keep(Loaded::of_mesh(mesh, &name));
+                Ok((self.meshes.facts(id)?, Vec::new()))
             }
-            Call::Ask(request) => ask::ask(self, &request, watcher),
+            Call::Ask(request) => {
+                let (said, shown) = ask::ask(&mut self.meshes, &request, watcher)?;
+                self.found = shown;
+                Ok(said)
+            }
             Call::Page { command_line } => {
-                bytes(self.found()?.page(self, command_line.as_deref())?.into_bytes())
+                bytes(self.found()?.page(&self.meshes, command_line.as_deref())?.into_bytes())
             }
             Call::Document { command_line } => bytes(self.found()?.document(command_line.as_deref())?),
             Call::Drawing => bytes(self.found()?.drawing()?.into_bytes()),
-            Call::Write { mesh, format } => bytes(outputs::file(self.mesh(mesh)?, &format)?),
+            Call::Write { mesh, format } => bytes(outputs::file(self.meshes.get(mesh)?, &format)?),
             Call::Arrays { mesh } => {
-                let mesh = &self.mesh(mesh)?.mesh;
+                let mesh = &self.meshes.get(mesh)?.mesh;
                 let arrays = vec![
                     outputs::bytes(mesh.positions(), f64::to_le_bytes),
                     outputs::bytes(mesh.faces(), u32::to_le_bytes),
@@ -107,7 +77,7 @@ impl Engine {
                 Ok((json!({ "arrays": { "positions": of(0, "f64"), "faces": of(1, "u32") } }), arrays))
             }
             Call::Forget { mesh } => {
-                self.meshes.remove(&mesh);
+                self.meshes.forget(mesh);
                 Ok((json!({}), Vec::new()))
             }
             Call::Commands => {
@@ -132,35 +102,8 @@ impl Engine {
             .map(|group| NamedFaces { name: group.name.clone(), faces: group.faces.clone() });
         let groups = groups.collect();
         let input = Input { path: Some(name), sha256: Some(sum), ..Input::of_mesh(&read.mesh) };
-        let id = self.keep(Loaded { mesh: read.mesh, input, file: Some(file), groups, texture: None });
-        Ok((self.facts(id)?, Vec::new()))
-    }
-
-    /// Keeps a mesh, under a number of its own.
-    pub(crate) fn keep(&mut self, loaded: Loaded) -> u32 {
-        self.last += 1;
-        self.meshes.insert(self.last, loaded);
-        self.last
-    }
-
-    /// Keeps what is to be shown next.
-    pub(crate) fn show(&mut self, found: Option<Found>) {
-        self.found = found;
-    }
-
-    /// What is said of a mesh that was read or made.
-    pub(crate) fn facts(&self, id: u32) -> Result<Value, CallError> {
-        let loaded = self.mesh(id)?;
-        let bounds = Aabb::of_faces(&loaded.mesh);
-        Ok(json!({
-            "mesh": id, "input": loaded.input, "file": loaded.file,
-            "groups": loaded.groups.iter().map(|group| &group.name).collect::<Vec<_>>(),
-            "bounds": [bounds.lower, bounds.upper], "diagonal": bounds.diagonal(),
-        }))
-    }
-
-    pub(crate) fn mesh(&self, id: u32) -> Result<&Loaded, CallError> {
-        self.meshes.get(&id).ok_or(CallError::NoMesh(id))
+        let id = self.meshes.keep(Loaded { mesh: read.mesh, input, file: Some(file), groups, texture: None });
+        Ok((self.meshes.facts(id)?, Vec::new()))
     }
 
     fn found(&self) -> Result<&Found, CallError> {

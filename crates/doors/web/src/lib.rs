@@ -22,6 +22,7 @@ mod engine;
 mod error;
 #[cfg(not(target_family = "wasm"))]
 mod frame;
+mod meshes;
 #[cfg(all(target_family = "wasm", target_os = "unknown"))]
 mod module;
 mod outputs;

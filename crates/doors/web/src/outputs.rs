@@ -1,8 +1,8 @@
 //! What is made of a result: files, arrays, pages, documents.
 
-use crate::engine::{Engine, Loaded};
 use crate::error::CallError;
-use crate::pages;
+use crate::meshes::{Loaded, Meshes};
+use crate::pages::{self, Changed};
 use pompeiu::core::TriMesh;
 use pompeiu::core::request::InfoReport;
 use pompeiu::core::run::Limits;
@@ -28,13 +28,6 @@ pub(crate) enum Found {
     Beside(u32, Box<Changed>),
     Remeshed(u32, Box<Remeshed>),
     Flat(Box<Flat>),
-}
-
-/// A mesh beside the one that it was made of.
-pub(crate) struct Changed {
-    pub(crate) what: &'static str,
-    pub(crate) mesh: TriMesh,
-    pub(crate) distance: Option<Enclosure>,
 }
 
 /// A surface and its map.
@@ -114,13 +107,13 @@ impl Found {
     }
 
     /// A page to explore.
-    pub(crate) fn page(&self, engine: &Engine, command: Option<&str>) -> Result<String, CallError> {
+    pub(crate) fn page(&self, meshes: &Meshes, command: Option<&str>) -> Result<String, CallError> {
         match self {
             Self::Compared(found) => found.with_figures(true, command, |figures| Ok(figures.html()?)),
-            Self::Described(id, report) => pages::described(engine.mesh(*id)?, report, command),
-            Self::Beside(id, changed) => pages::changed(engine.mesh(*id)?, changed, command),
+            Self::Described(id, report) => pages::described(meshes.get(*id)?, report, command),
+            Self::Beside(id, changed) => pages::changed(meshes.get(*id)?, changed, command),
             Self::Remeshed(id, found) => {
-                let loaded = engine.mesh(*id)?;
+                let loaded = meshes.get(*id)?;
                 let (path, input) = (loaded.name(), &loaded.mesh);
                 Ok(RemeshPage { path, input, found, proof: None, up: UP, command }.html()?)
             }

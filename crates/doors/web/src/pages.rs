@@ -1,12 +1,20 @@
 //! Pages of one mesh: what it is, and what became of it.
 
-use crate::engine::Loaded;
 use crate::error::CallError;
-use crate::outputs::Changed;
+use crate::meshes::Loaded;
+use pompeiu::core::TriMesh;
 use pompeiu::core::request::InfoReport;
 use pompeiu::figures::page::{
     Axis, Block, Card, Fact, Layer, Mesh, Page, Paint, Scene, Shape, Space, SpaceId, Text,
 };
+use pompeiu::hausdorff::Enclosure;
+
+/// A mesh beside the one that it was made of.
+pub(crate) struct Changed {
+    pub(crate) what: &'static str,
+    pub(crate) mesh: TriMesh,
+    pub(crate) distance: Option<Enclosure>,
+}
 
 fn page(title: String, command: Option<&str>) -> (Page, SpaceId) {
     let mut page = Page::new(title);

@@ -1,6 +1,8 @@
 //! The files of a ranking or a matrix, with the journal that its results go to.
 
-use super::{Fingerprint, MeshFiles, Notes, fingerprint};
+use super::journal::{Fingerprint, fingerprint};
+use super::meshes::MeshFiles;
+use super::notes::Notes;
 use crate::args::Many;
 use crate::door::Session;
 use crate::interrupt;

@@ -8,9 +8,6 @@ mod notes;
 
 pub(crate) use collection::{Collection, show};
 pub(crate) use inputs::expand;
-use journal::{Fingerprint, Journal, fingerprint};
-use meshes::MeshFiles;
-use notes::Notes;
 
 use crate::printer::Printer;
 use pompeiu::matching::Unusable;

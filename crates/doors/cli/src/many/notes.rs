@@ -1,6 +1,7 @@
 //! What a run notes in its journal, and takes from it.
 
-use super::{Fingerprint, Journal, MeshFiles, fingerprint};
+use super::journal::{Fingerprint, Journal, fingerprint};
+use super::meshes::MeshFiles;
 use crate::printer::Printer;
 use crate::wait::Wait;
 use rayon::prelude::*;

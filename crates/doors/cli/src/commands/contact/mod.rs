@@ -1,52 +1,22 @@
 //! `pompeiu contact`.
 
+mod args;
 mod output;
 mod text;
 
-use crate::args::suffix;
 pub(crate) use crate::door::run;
 use crate::door::{AnswerOf, Invocation, Session, System};
 use crate::files;
 use crate::series::Series;
 use anyhow::Context;
-use clap::Args;
+pub(crate) use args::Files;
 use output::Outputs;
 use pompeiu::contact::request::{BodyMesh, ContactRequestError};
 use pompeiu::contact::{ContactReport, ContactRequest, ContactStep, Scene, Simulation};
 use pompeiu::io::{SurfaceOrSolid, read_surface_or_solid};
-use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
 pub(crate) type Contact = Invocation<Files>;
-
-#[derive(Args)]
-#[command(after_help = include_str!("help.txt"))]
-pub(crate) struct Files {
-    /// The scene: a file, or the name of an example
-    #[arg(value_name = "SCENE.toml")]
-    scene: PathBuf,
-    /// Meshes of bodies that name none in the scene
-    #[arg(value_name = "MESH")]
-    meshes: Vec<PathBuf>,
-    /// Write the surfaces after every step as VTP, with a list of them for ParaView
-    #[arg(long, short, value_name = "OUT.pvd")]
-    output: Option<PathBuf>,
-    /// Write only every so many steps
-    #[arg(long, default_value = "1", value_name = "N", requires = "output")]
-    every: NonZeroUsize,
-    /// Write the state there at the end, when interrupted, and every minute
-    #[arg(long, value_name = "FILE")]
-    checkpoint: Option<PathBuf>,
-    /// Go on from a state that --checkpoint wrote, of the same scene and meshes; --steps counts from the beginning
-    #[arg(long, value_name = "FILE")]
-    resume: Option<PathBuf>,
-    /// Write a page that plays the run, as --report does
-    #[arg(long, value_parser = suffix::page, value_name = "RUN.html")]
-    video: Option<PathBuf>,
-    /// Write a page to explore in a browser, one file that needs no network
-    #[arg(long, value_parser = suffix::page, value_name = "FILE.html")]
-    report: Option<PathBuf>,
-}
 
 impl System for Files {
     type Request = ContactRequest;

@@ -1,70 +1,26 @@
 //! `pompeiu fluid`.
 
+mod args;
 mod output;
 mod text;
 
-use crate::args::{Picture, suffix};
 pub(crate) use crate::door::run;
 use crate::door::{AnswerOf, Invocation, Session, System};
 use crate::series::Series;
 use crate::{field, files};
 use anyhow::{Context, bail};
-use clap::Args;
+pub(crate) use args::Files;
 use output::Outputs;
 use pompeiu::fluid::FluidStep;
 use pompeiu::fluid::request::{FluidReport, FluidRequest, FluidRequestError, Place, Stage, StartReport};
 use pompeiu::fluid::show::Streaks;
 use pompeiu::operators::FieldSource;
-use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
 pub(crate) type Fluid = Invocation<Files>;
 
 /// A share of the energy of an initial velocity that is taken off and worth a note.
 const NOTABLE: f64 = 2e-3;
-
-#[derive(Args)]
-#[command(after_help = include_str!("help.txt"))]
-pub(crate) struct Files {
-    /// The mesh file; none with --square
-    #[arg(value_name = "MESH")]
-    mesh: Option<PathBuf>,
-    /// A scene
-    #[arg(value_name = "SCENE.toml")]
-    scene: Option<PathBuf>,
-    /// Write every step as VTP, with a list of them for ParaView
-    #[arg(long, short, value_name = "OUT.pvd")]
-    output: Option<PathBuf>,
-    /// Write only every so many steps
-    #[arg(long, default_value = "1", value_name = "N", requires = "output")]
-    every: NonZeroUsize,
-    /// Write the state there at the end, when interrupted, and every minute
-    #[arg(long, value_name = "FILE")]
-    checkpoint: Option<PathBuf>,
-    /// Go on from a state that --checkpoint wrote, of the same mesh and scene; --steps counts from the beginning
-    #[arg(long, value_name = "FILE")]
-    resume: Option<PathBuf>,
-    /// Write a page that plays the flow, as --report does
-    #[arg(long, value_parser = suffix::page, value_name = "RUN.html")]
-    video: Option<PathBuf>,
-    /// Write the frames of the page as pictures into a new folder
-    #[arg(long, value_name = "FOLDER")]
-    frames: Option<PathBuf>,
-    #[command(flatten)]
-    picture: Box<Picture>,
-}
-
-impl Files {
-    fn outputs(&self) -> impl Iterator<Item = &Path> {
-        let files = self.output.iter().chain(&self.checkpoint).chain(&self.video);
-        files.map(PathBuf::as_path).chain(self.picture.outputs())
-    }
-
-    /// Whether frames are shown.
-    fn shows(&self) -> bool {
-        self.frames.is_some() || self.video.is_some() || self.picture.outputs().next().is_some()
-    }
-}
 
 impl System for Files {
     type Request = FluidRequest;

@@ -1,6 +1,6 @@
 //! What a flow leaves in files: a series for ParaView, checkpoints, a page and pictures.
 
-use super::Files;
+use super::args::Files;
 use crate::called::called;
 use crate::files;
 use crate::printer::Printer;

@@ -1,6 +1,7 @@
 //! The files that the stages leave.
 
-use super::{Files, extraction};
+use super::args::Files;
+use super::extraction;
 use crate::called::called;
 use crate::files;
 use crate::printer::Printer;

@@ -1,6 +1,6 @@
 //! The outcome for people.
 
-use super::Files;
+use super::args::Files;
 use crate::door::AnswerOf;
 use crate::numbers::{agreed, between, few, grouped, time};
 use crate::page::Page;

@@ -1,6 +1,6 @@
 //! Drawings of the puzzle.
 
-use super::Files;
+use super::args::Files;
 use crate::files;
 use crate::printer::Printer;
 use anyhow::{Context, bail};

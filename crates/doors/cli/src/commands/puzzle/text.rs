@@ -1,6 +1,6 @@
 //! The outcome for people.
 
-use super::Files;
+use super::args::Files;
 use crate::door::AnswerOf;
 use crate::exit::stopped_by;
 use crate::numbers::{few, grouped, time};
