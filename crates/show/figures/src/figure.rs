@@ -1,56 +1,11 @@
 //! Composing panels, a legend and text into a picture.
 
+use crate::error::MAX_SIDE;
 use crate::image::Image;
 use crate::legend::{Histogram, Legend, LegendSide};
 use crate::raster::{Camera, render};
 use crate::text::{Run, Style, Weight};
-use crate::{Panel, Scale, ScaleError, Theme, View};
-use thiserror::Error;
-
-/// Why a figure cannot be drawn.
-#[derive(Clone, Debug, PartialEq, Error)]
-pub enum FigureError {
-    /// A side of the picture is zero or too long.
-    #[error(
-        "a picture has 1 to {} pixels on a side, but {width} × {height} were asked for",
-        Figure::MAX_SIDE
-    )]
-    Size {
-        /// Pixels in a row.
-        width: u32,
-        /// Rows.
-        height: u32,
-    },
-    /// The number of values or normals does not match the mesh.
-    #[error("a mesh with {expected} {of} needs as many {what}, but has {found}")]
-    Count {
-        /// What is counted.
-        what: &'static str,
-        /// How many there are.
-        found: usize,
-        /// How many there should be.
-        expected: usize,
-        /// The element that each belongs to.
-        of: &'static str,
-    },
-    /// A direction of the view is zero, or not finite.
-    #[error("the direction {what} is ({}, {}, {}), which is no direction", direction[0], direction[1], direction[2])]
-    Direction {
-        /// Which direction.
-        what: &'static str,
-        /// What was given.
-        direction: [f64; 3],
-    },
-    /// A panel has values, but the figure has no scale.
-    #[error("panel {panel} has values, but the figure has no colour scale for them")]
-    NoScale {
-        /// The panel, counted from 1.
-        panel: usize,
-    },
-    /// The scale is invalid.
-    #[error(transparent)]
-    Scale(#[from] ScaleError),
-}
+use crate::{FigureError, Panel, Scale, Theme, View};
 
 /// A picture of one or more panels that share a camera and a colour scale.
 ///
@@ -95,9 +50,6 @@ pub struct Figure<'a> {
 }
 
 impl<'a> Figure<'a> {
-    /// Largest number of pixels on a side.
-    const MAX_SIDE: u32 = 1 << 14;
-
     /// An empty picture.
     pub fn new(width: u32, height: u32) -> Self {
         Self {
@@ -171,7 +123,7 @@ impl<'a> Figure<'a> {
     /// [`FigureError`] names the inconsistency.
     pub fn draw(&self) -> Result<Image, FigureError> {
         let (width, height) = (self.width, self.height);
-        if ![width, height].iter().all(|side| (1..=Self::MAX_SIDE).contains(side)) {
+        if ![width, height].iter().all(|side| (1..=MAX_SIDE).contains(side)) {
             return Err(FigureError::Size { width, height });
         }
         for (panel, number) in self.panels.iter().zip(1..) {

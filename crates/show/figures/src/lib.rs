@@ -17,6 +17,7 @@
 //! ```
 
 pub mod colormap;
+mod error;
 mod figure;
 mod image;
 mod legend;
@@ -32,7 +33,8 @@ mod ticks;
 mod view;
 
 pub use colormap::{ColorMap, Rgb, Scale, ScaleError};
-pub use figure::{Figure, FigureError};
+pub use error::FigureError;
+pub use figure::Figure;
 pub use image::Image;
 pub use legend::LegendSide;
 pub use normals::vertex_normals;

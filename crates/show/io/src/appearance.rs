@@ -1,12 +1,5 @@
 //! Appearance of a mesh in a file: colours, texture coordinates, materials.
 
-use crate::error::{FormatError, ReadError};
-use crate::format::Format;
-use crate::formats::{self, Input};
-use crate::{sniff, source};
-use pompeiu_core::TriMesh;
-use std::path::Path;
-
 /// Colours, texture coordinates and materials of a mesh.
 ///
 /// # Shapes and units
@@ -41,31 +34,6 @@ pub struct Materials {
     pub names: Vec<String>,
     /// The material of each face.
     pub faces: Vec<u32>,
-}
-
-/// Reads the appearance of a mesh that was read from the same file: in PLY the colours of vertices (`red`, `green`, `blue`); in OBJ
-/// colours after the coordinates of vertices, texture coordinates (`vt`) and materials (`mtllib`, `usemtl`). Other formats, and
-/// paths that are no regular files, give none.
-///
-/// # Errors
-/// As [`read`](crate::read()).
-/// # Cost
-/// O(bytes), on one thread.
-pub fn read_appearance(path: impl AsRef<Path>, mesh: &TriMesh) -> Result<Appearance, ReadError> {
-    let path = path.as_ref();
-    if !path.metadata().is_ok_and(|metadata| metadata.is_file()) {
-        return Ok(Appearance::default());
-    }
-    let bytes = source::open(path).map_err(|cause| ReadError::Io { path: path.to_owned(), cause })?;
-    from_bytes(&bytes, mesh, Format::from_path(path))
-        .map_err(|cause| ReadError::Format { path: path.to_owned(), cause })
-}
-
-fn from_bytes(bytes: &[u8], mesh: &TriMesh, promised: Option<Format>) -> Result<Appearance, FormatError> {
-    let (content, _) = source::decompressed(bytes)?;
-    let format = sniff::format(&content).or(promised);
-    let input = Input { bytes: &content, folder: None, stored_bytes: bytes.len() as u64 };
-    format.map_or(Ok(Appearance::default()), |format| formats::read_appearance(format, input, mesh))
 }
 
 /// A colour channel from its share of the greatest value.

@@ -24,6 +24,8 @@ mod loops;
 mod polygon;
 mod raw;
 mod read;
+mod read_appearance;
+mod read_solids;
 mod sniff;
 mod solids;
 mod source;
@@ -32,16 +34,16 @@ mod waves;
 mod weld;
 mod write;
 
-pub use appearance::{Appearance, Materials, TextureCoordinates, read_appearance};
+pub use appearance::{Appearance, Materials, TextureCoordinates};
 pub use error::{FormatError, Location, ReadError};
 pub use face_vectors::read_face_vectors;
 pub use format::Format;
 pub use groups::Group;
 pub use loops::read_loops;
 pub use read::{ReadMesh, read, read_bytes, read_bytes_of, read_mesh, read_mesh_or_points, referenced_files};
-pub use solids::{
-    Hexahedra, Solids, SurfaceOrSolid, Tetrahedra, read_hexahedra, read_surface_or_solid, read_tetrahedra,
-};
+pub use read_appearance::read_appearance;
+pub use read_solids::{SurfaceOrSolid, read_hexahedra, read_surface_or_solid, read_tetrahedra};
+pub use solids::{Hexahedra, Solids, Tetrahedra};
 pub use write::{
     AttributeError, Attributes, EncodeError, OutputFormat, WriteError, encode, write, write_as, write_stream,
     write_whole, write_with,

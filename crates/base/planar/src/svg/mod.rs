@@ -1,5 +1,6 @@
 //! Outlines in SVG drawings: paths, polygons, rectangles, circles and ellipses, with their transforms.
 
+mod numbers;
 mod path;
 mod transform;
 
@@ -116,7 +117,7 @@ fn element(node: Node<'_, '_>) -> Result<Vec<Curve>, Wrong> {
         "path" => path::parse(node.attribute("d").unwrap_or_default()).map_err(|why| ("d", why))?,
         name @ ("polygon" | "polyline") => {
             let text = node.attribute("points").unwrap_or_default();
-            let numbers = path::numbers(text).map_err(|why| ("points", why))?;
+            let numbers = numbers::numbers(text).map_err(|why| ("points", why))?;
             if numbers.len() % 2 == 1 {
                 return Err(("points", format!("there are {} numbers, which is odd", numbers.len())));
             }

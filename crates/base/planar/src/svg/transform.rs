@@ -1,6 +1,6 @@
 //! Affine maps in the attribute `transform`.
 
-use super::path::numbers;
+use super::numbers::numbers;
 use crate::Point;
 
 /// Maps (x, y) to (a x + c y + e, b x + d y + f); the coefficients are in the order a to f.

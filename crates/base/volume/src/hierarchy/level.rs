@@ -1,6 +1,5 @@
 //! One level of a hierarchy: the functions and elements of one size.
 
-use super::HierarchicalElement;
 use crate::knots::OpenKnots;
 use crate::{BezierMesh, CORNERS_OF_64, Refinement};
 use std::collections::{BTreeMap, BTreeSet};
@@ -8,6 +7,17 @@ use std::ops::RangeInclusive;
 
 /// Largest number of levels in a hierarchy.
 pub const MOST_LEVELS: usize = 6;
+
+/// An element that is not refined.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct HierarchicalElement {
+    /// How often it was halved.
+    pub level: u8,
+    /// The patch.
+    pub patch: u32,
+    /// Its position among the elements of the level in the patch.
+    pub place: [u16; 3],
+}
 
 /// The refined elements of a level, for each patch that has some.
 pub(super) type Marks = BTreeMap<u32, Vec<bool>>;

@@ -9,7 +9,7 @@ use level::{Level, Marks, Status};
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 
-pub use level::MOST_LEVELS;
+pub use level::{HierarchicalElement, MOST_LEVELS};
 
 /// Estimated memory per function of a level, active or not: its key and its places in patches, in bytes.
 pub const BYTES_PER_FUNCTION: usize = 200;
@@ -46,17 +46,6 @@ pub struct HierarchicalSplines {
     homes: Vec<(u32, u8)>,
     /// The functions of each level.
     counts: Vec<usize>,
-}
-
-/// An element that is not refined.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub struct HierarchicalElement {
-    /// How often it was halved.
-    pub level: u8,
-    /// The patch.
-    pub patch: u32,
-    /// Its position among the elements of the level in the patch.
-    pub place: [u16; 3],
 }
 
 impl HierarchicalSplines {

@@ -2,8 +2,8 @@
 
 use super::encode::{first_use_indices, integers, singles};
 use super::error::{check_faces, check_finite, check_length};
+use super::mesh_values::MeshValues;
 use super::space::Placement;
-use super::values::MeshValues;
 use super::{MeshId, PageError, SpaceId};
 use pompeiu_core::TriMesh;
 use rustc_hash::{FxBuildHasher, FxHashMap};

@@ -1,8 +1,10 @@
 //! Values at vertices and faces that are written with a mesh.
 
-use super::vtk_xml;
 use crate::appearance::Materials;
 use pompeiu_core::TriMesh;
+
+/// The name of colour arrays, which scalars cannot have.
+pub(super) const COLORS: &str = "Colors";
 
 /// Why values cannot be attributes of a mesh.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -261,7 +263,7 @@ impl OfElements {
     fn checked(&self, name: String, values: usize) -> Result<String, AttributeError> {
         const PLY_PROPERTIES: [&str; 11] =
             ["x", "y", "z", "nx", "ny", "nz", "red", "green", "blue", "vertex_index", "vertex_indices"];
-        let taken = PLY_PROPERTIES.contains(&name.as_str()) || name == vtk_xml::COLORS;
+        let taken = PLY_PROPERTIES.contains(&name.as_str()) || name == COLORS;
         let unreadable = |c: char| !(c.is_ascii_alphanumeric() || c == '_' || c == '-');
         if name.is_empty() || name.contains(unreadable) || taken {
             return Err(AttributeError::Name { name });

@@ -1,6 +1,5 @@
 //! The formats that can be written, and what each can store.
 
-use super::{Attributes, EncodeError};
 use pompeiu_core::mesh::Precision;
 use std::path::Path;
 
@@ -100,7 +99,7 @@ impl OutputFormat {
         !matches!(self, Self::Stl | Self::ThreeMf)
     }
 
-    const fn holds_face_colors(self) -> bool {
+    pub(super) const fn holds_face_colors(self) -> bool {
         matches!(self, Self::Ply | Self::Off | Self::Vtp | Self::Vtu)
     }
 
@@ -112,35 +111,6 @@ impl OutputFormat {
     /// Whether it can store scalars of vertices and faces, and vectors of faces.
     pub const fn holds_scalars(self) -> bool {
         matches!(self, Self::Ply | Self::Vtp | Self::Vtu)
-    }
-
-    pub(super) fn check_holds(self, attributes: &Attributes) -> Result<(), EncodeError> {
-        let no_room = |attribute| Err(EncodeError::Unsupported { format: self, attribute });
-        if attributes.vertex_colors().is_some() && !self.holds_vertex_colors() {
-            return no_room("vertex colours");
-        }
-        if attributes.face_colors().is_some() && !self.holds_face_colors() {
-            return no_room("face colours");
-        }
-        if attributes.vertex_scalars().next().is_some() && !self.holds_scalars() {
-            return no_room("vertex scalars");
-        }
-        if attributes.face_scalars().next().is_some() && !self.holds_scalars() {
-            return no_room("face scalars");
-        }
-        if attributes.texture().is_some() && !self.holds_texture() {
-            return no_room("texture coordinates");
-        }
-        if attributes.texture().is_some_and(|texture| texture.image.is_some()) && self != Self::Glb {
-            return no_room("texture images");
-        }
-        if attributes.materials().is_some() && self != Self::Obj {
-            return no_room("materials");
-        }
-        if attributes.face_vectors().next().is_some() && !self.holds_scalars() {
-            return no_room("face vectors");
-        }
-        Ok(())
     }
 }
 

@@ -133,7 +133,7 @@ pub fn encode(
     attributes: &Attributes,
 ) -> Result<(), EncodeError> {
     attributes.check_fits(mesh)?;
-    format.check_holds(attributes)?;
+    check_holds(format, attributes)?;
     let mut out = io::BufWriter::with_capacity(BLOCK, out);
     match format {
         OutputFormat::Obj => obj::write(&mut out, mesh, attributes),
@@ -146,4 +146,34 @@ pub fn encode(
         OutputFormat::Glb => glb::write(&mut out, mesh, attributes),
     }?;
     Ok(out.flush()?)
+}
+
+/// Whether a format can store the attributes.
+fn check_holds(format: OutputFormat, attributes: &Attributes) -> Result<(), EncodeError> {
+    let no_room = |attribute| Err(EncodeError::Unsupported { format, attribute });
+    if attributes.vertex_colors().is_some() && !format.holds_vertex_colors() {
+        return no_room("vertex colours");
+    }
+    if attributes.face_colors().is_some() && !format.holds_face_colors() {
+        return no_room("face colours");
+    }
+    if attributes.vertex_scalars().next().is_some() && !format.holds_scalars() {
+        return no_room("vertex scalars");
+    }
+    if attributes.face_scalars().next().is_some() && !format.holds_scalars() {
+        return no_room("face scalars");
+    }
+    if attributes.texture().is_some() && !format.holds_texture() {
+        return no_room("texture coordinates");
+    }
+    if attributes.texture().is_some_and(|texture| texture.image.is_some()) && format != OutputFormat::Glb {
+        return no_room("texture images");
+    }
+    if attributes.materials().is_some() && format != OutputFormat::Obj {
+        return no_room("materials");
+    }
+    if attributes.face_vectors().next().is_some() && !format.holds_scalars() {
+        return no_room("face vectors");
+    }
+    Ok(())
 }

@@ -1,11 +1,9 @@
 //! VTK XML polygonal data and unstructured grids, with raw appended arrays.
 
+use super::attributes::COLORS;
 use super::{Attributes, EncodeError};
 use pompeiu_core::TriMesh;
 use std::io::{self, Write};
-
-/// The name of colour arrays, which scalars cannot have.
-pub(super) const COLORS: &str = "Colors";
 
 /// Size of the byte count that precedes each appended array, by `header_type="UInt64"`.
 const LENGTH_BYTES: u64 = 8;

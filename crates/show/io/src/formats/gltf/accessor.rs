@@ -1,8 +1,7 @@
 //! Typed arrays in buffers.
 
 use super::buffers::Buffers;
-use super::document::Accessor;
-use super::wrong;
+use super::document::{Accessor, wrong};
 use crate::error::FormatError;
 
 /// The type of one component, by its number in the specification.

@@ -1,7 +1,6 @@
 //! The buffers of a glTF document: in the file, in the document, or in files beside it.
 
-use super::document::{Buffer, BufferView, Document};
-use super::{entry, wrong};
+use super::document::{Buffer, BufferView, Document, entry, wrong};
 use crate::error::FormatError;
 use crate::source::{self, Source};
 use base64::Engine;

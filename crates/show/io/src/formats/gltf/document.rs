@@ -1,5 +1,6 @@
 //! The parts of a glTF 2.0 document that describe triangles.
 
+use crate::error::{FormatError, Location};
 use serde::Deserialize;
 use serde_json::Value;
 use std::collections::BTreeMap;
@@ -125,4 +126,13 @@ pub(super) struct Buffer {
     pub(super) byte_length: u64,
     #[serde(default)]
     pub(super) extensions: Extensions,
+}
+
+/// The list entry with this index, or an error that says what is missing.
+pub(super) fn entry<'a, T>(list: &'a [T], what: &str, index: usize) -> Result<&'a T, FormatError> {
+    list.get(index).ok_or_else(|| wrong(format!("{what} {index} does not exist, there are {}", list.len())))
+}
+
+pub(super) fn wrong(problem: String) -> FormatError {
+    FormatError::new(Location::File, problem)
 }

@@ -14,7 +14,7 @@ use super::Input;
 use crate::error::{FormatError, Location};
 use crate::raw::RawMesh;
 use buffers::Buffers;
-use document::Document;
+use document::{Document, wrong};
 use std::path::PathBuf;
 
 /// Prefixes of extensions that do not affect triangles.
@@ -74,15 +74,6 @@ fn read_document(
     }
     let buffers = Buffers::new(document, binary, input.folder);
     scene::read(document, &buffers, input.stored_bytes)
-}
-
-/// The list entry with this index, or an error that says what is missing.
-fn entry<'a, T>(list: &'a [T], what: &str, index: usize) -> Result<&'a T, FormatError> {
-    list.get(index).ok_or_else(|| wrong(format!("{what} {index} does not exist, there are {}", list.len())))
-}
-
-fn wrong(problem: String) -> FormatError {
-    FormatError::new(Location::File, problem)
 }
 
 /// The message of the JSON parser without the place.

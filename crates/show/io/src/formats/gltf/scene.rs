@@ -2,9 +2,8 @@
 
 use super::accessor;
 use super::buffers::Buffers;
-use super::document::{Document, Mesh, Primitive};
+use super::document::{Document, Mesh, Primitive, entry, wrong};
 use super::transform::Transform;
-use super::{entry, wrong};
 use crate::error::{FormatError, Location};
 use crate::expansion::most_bytes;
 use crate::groups::Group;

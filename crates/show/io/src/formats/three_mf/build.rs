@@ -1,7 +1,7 @@
 //! The items of a build, with the objects that they are made of.
 
-use super::in_part;
 use super::model::{Model, Object, Reference};
+use super::package::in_part;
 use crate::error::{FormatError, Location};
 use crate::expansion::Allowance;
 use crate::formats::gltf::transform::Transform;

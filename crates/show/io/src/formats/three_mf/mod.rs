@@ -9,7 +9,7 @@ mod model;
 mod package;
 
 use super::Input;
-use crate::error::{FormatError, Location};
+use crate::error::FormatError;
 use crate::expansion::Allowance;
 use crate::raw::RawMesh;
 use build::Build;
@@ -34,11 +34,4 @@ pub(crate) fn read(input: Input<'_>) -> Result<RawMesh, FormatError> {
     }
     // Objects that are used often are not longer than their file: the allowance holds for copies, too.
     Build::new(&models, allowance).place(&root)
-}
-
-/// What is wrong in a part of the archive.
-fn in_part(part: &str, problem: impl std::fmt::Display) -> FormatError {
-    // What is quoted of the file may have ends of lines.
-    let problem = format!("{part}: {problem}").replace(char::is_control, " ");
-    FormatError::new(Location::File, problem)
 }

@@ -1,6 +1,5 @@
 //! The parts of the archive.
 
-use super::in_part;
 use crate::error::{FormatError, Location};
 use crate::expansion::Allowance;
 use quick_xml::Reader;
@@ -94,4 +93,11 @@ fn model_of(xml: &mut dyn BufRead) -> Result<Option<String>, String> {
             return Ok(Some(target.trim_start_matches('/').to_owned()));
         }
     }
+}
+
+/// What is wrong in a part of the archive.
+pub(super) fn in_part(part: &str, problem: impl std::fmt::Display) -> FormatError {
+    // What is quoted of the file may have ends of lines.
+    let problem = format!("{part}: {problem}").replace(char::is_control, " ");
+    FormatError::new(Location::File, problem)
 }

@@ -1,0 +1,34 @@
+//! Reading the appearance of a mesh.
+
+use crate::appearance::Appearance;
+use crate::error::{FormatError, ReadError};
+use crate::format::Format;
+use crate::formats::{self, Input};
+use crate::{sniff, source};
+use pompeiu_core::TriMesh;
+use std::path::Path;
+
+/// Reads the appearance of a mesh that was read from the same file: in PLY the colours of vertices (`red`, `green`, `blue`); in OBJ
+/// colours after the coordinates of vertices, texture coordinates (`vt`) and materials (`mtllib`, `usemtl`). Other formats, and
+/// paths that are no regular files, give none.
+///
+/// # Errors
+/// As [`read`](crate::read()).
+/// # Cost
+/// O(bytes), on one thread.
+pub fn read_appearance(path: impl AsRef<Path>, mesh: &TriMesh) -> Result<Appearance, ReadError> {
+    let path = path.as_ref();
+    if !path.metadata().is_ok_and(|metadata| metadata.is_file()) {
+        return Ok(Appearance::default());
+    }
+    let bytes = source::open(path).map_err(|cause| ReadError::Io { path: path.to_owned(), cause })?;
+    from_bytes(&bytes, mesh, Format::from_path(path))
+        .map_err(|cause| ReadError::Format { path: path.to_owned(), cause })
+}
+
+fn from_bytes(bytes: &[u8], mesh: &TriMesh, promised: Option<Format>) -> Result<Appearance, FormatError> {
+    let (content, _) = source::decompressed(bytes)?;
+    let format = sniff::format(&content).or(promised);
+    let input = Input { bytes: &content, folder: None, stored_bytes: bytes.len() as u64 };
+    format.map_or(Ok(Appearance::default()), |format| formats::read_appearance(format, input, mesh))
+}
