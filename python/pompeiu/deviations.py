@@ -699,8 +699,8 @@ def deviation(
     align : str, optional
         Move B onto A first, from any start; parts of either may have no counterpart. ``"rigid"``: rotate and translate.
     threshold : Union[float, str], optional
-        Say whether both are within this length of each other, such as 0.1 or, with the unit given, 0.1mm; enclose the
-        share of the area that is farther, and list the regions beyond it.
+        Say whether both are within this length of each other, such as 0.1, 0.1mm with the unit given, or 0.5% of the
+        diagonal of both meshes; enclose the share of the area that is farther, and list the regions beyond it.
     signed : bool
         Tell inside from outside whatever the surfaces are, by generalised winding numbers: distances inside the other
         mesh are shown negative. Where both surfaces are closed and oriented, and few of their faces intersect, that is
@@ -795,8 +795,19 @@ def directed_deviation(
     a: MeshLike,
     b: MeshLike,
     *,
+    threshold: Optional[Union[float, str]] = None,
+    signed: bool = False,
+    unsigned: bool = False,
+    accuracy: float = 0.01,
+    percentiles: Sequence[float] = (50.0, 90.0, 95.0, 99.0,),
+    bins: int = 64,
+    regions: int = 5,
+    most_pieces: Optional[int] = None,
+    unit: str = "",
+    threads: Optional[int] = None,
+    time_limit: Optional[float] = None,
+    memory_limit: Optional[int] = None,
     progress: ProgressLike = None,
-    **options: Any,
 ) -> DirectedDeviation:
     """Measures how far the points of A are from B: one direction of :func:`deviation`.
 
@@ -804,11 +815,37 @@ def directed_deviation(
     ----------
     a, b : MeshLike
         Two meshes in one unit of length; see :func:`pompeiu.as_mesh`.
+    threshold : Union[float, str], optional
+        Say whether both are within this length of each other, such as 0.1, 0.1mm with the unit given, or 0.5% of the
+        diagonal of both meshes; enclose the share of the area that is farther, and list the regions beyond it.
+    signed : bool
+        Tell inside from outside whatever the surfaces are, by generalised winding numbers: distances inside the other
+        mesh are shown negative. Where both surfaces are closed and oriented, and few of their faces intersect, that is
+        the default.
+    unsigned : bool
+        Do not tell inside from outside unless tolerance bands ask for it.
+    accuracy : float
+        Largest width of the intervals of mean, root mean square and percentiles, relative to their values; widths below
+        1e-9 of the diagonal of both meshes always suffice.
+    percentiles : Sequence[float]
+        Percentiles to enclose, in percent of the area, such as 50 for the median.
+    bins : int
+        Bins of the histogram.
+    regions : int
+        How many of the worst regions to list.
+    most_pieces : int, optional
+        Pieces that the faces of a mesh may be cut into before intervals stay wider than asked; by default 4,000,000, or
+        twelve for each face of both meshes if that is more.
+    unit : str
+        The unit of the coordinates, such as mm; files have none.
+    threads : int, optional
+        Threads to use; all processors by default. The answer does not depend on it.
+    time_limit : float, optional
+        Stop after so many seconds with the answer found by then.
+    memory_limit : int, optional
+        Stop before memory exceeds so many bytes, with the answer found by then.
     progress : bool or callable, optional
         As for :func:`pompeiu.hausdorff`.
-    **options
-        ``threshold``, ``signed``, ``accuracy``, ``percentiles``, ``bins``, ``regions``, ``most_pieces``, ``unit``, ``threads``, ``time_limit``
-        and ``memory_limit`` as for :func:`deviation`.
 
     Returns
     -------
@@ -819,7 +856,8 @@ def directed_deviation(
     MeshError, ReadError, OptionError, KeyboardInterrupt
         As for :func:`deviation`.
     """
-    with watching(progress) as watch:
-        answer, beside = ask("directed_deviation", {"a": a, "b": b, **options, "progress": watch}, ("a", "b"))
+    given = dict(locals())
+    with watching(given.pop("progress")) as watch:
+        answer, beside = ask("directed_deviation", {**given, "progress": watch}, ("a", "b"))
     report = answer["report"]
     return DirectedDeviation._of("a_to_b", report, beside, report["threshold"])

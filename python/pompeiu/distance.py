@@ -171,7 +171,8 @@ def distance(
     tolerance: float = 1e-12,
     tolerance_kind: Literal["diagonal", "relative", "absolute"] = "diagonal",
     direction: Literal["both", "a-to-b", "b-to-a"] = "both",
-    assert_below: Optional[float] = None,
+    assert_below: Optional[Union[float, str]] = None,
+    unit: str = "",
     method: Literal["fast", "classic"] = "fast",
     trace: bool = False,
     certificate_slack: float = 1e-12,
@@ -198,8 +199,11 @@ def distance(
         Which of the two directed distances to compute. ``"both"``: from A to B and from B to A: the symmetric distance;
         ``"a-to-b"``: from A to B: how far points of A are from B; ``"b-to-a"``: from B to A: how far points of B are
         from A.
-    assert_below : float, optional
-        Ask only whether the distance is at most this length, and stop at the first proof.
+    assert_below : Union[float, str], optional
+        Ask only whether the distance is at most this length, such as 0.1, 0.1mm with the unit given, or 0.5% of the
+        diagonal of both meshes, and stop at the first proof.
+    unit : str
+        The unit of the coordinates, such as mm; files have none.
     method : str
         How to search. ``"fast"``: cover, generate and cut; ``"classic"``: the textbook branch and bound: a baseline,
         slow at small tolerances.

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Dict, Literal, NamedTuple, Optional, Tuple
+from typing import Dict, Literal, NamedTuple, Optional, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -58,10 +58,11 @@ class Repaired(_Within):
 def repair(
     mesh: MeshLike,
     *,
-    weld: Optional[float] = None,
+    weld: Optional[Union[float, str]] = None,
     no_weld: bool = False,
     fill_holes: int = 0,
-    within: Optional[float] = None,
+    within: Optional[Union[float, str]] = None,
+    unit: str = "",
     precision: Literal["double", "single"] = "double",
     center: bool = False,
 ) -> Repaired:
@@ -75,14 +76,16 @@ def repair(
     ----------
     mesh : MeshLike
         Any mesh. ``as_mesh`` of what other packages hold welds nothing.
-    weld : float, optional
+    weld : Union[float, str], optional
         Make one vertex of those within this length of each other, not only of those at one position.
     no_weld : bool
         Leave vertices at one position apart.
     fill_holes : int
         Fill boundary loops with at most this many edges.
-    within : float, optional
-        Largest distance from the input, in its unit, to be proven.
+    within : Union[float, str], optional
+        Largest distance from the input, to be proven, such as 0.1, 0.1mm with the unit given, or 0.5% of the diagonal.
+    unit : str
+        The unit of the coordinates, such as mm; files have none.
     precision : str
         Numbers in which the coordinates of the result are kept; single where the file that is written holds no others,
         as STL and GLB do. ``"double"``: 53 bits: every mesh in memory; ``"single"``: 24 bits: files such as STL and
@@ -115,7 +118,7 @@ def repair(
     distance = None if report["distance"] is None else Enclosure(**report["distance"])
     if not report["written"] and distance is not None:
         raise SurfaceError(
-            f"the result is not proven to be within {within:g} of the input: its distance lies between "
+            f"the result is not proven to be within {report['within']:g} of the input: its distance lies between "
             f"{distance.lower:.6g} and {distance.upper:.6g}; allow more, or repair less"
         )
     changes = {
@@ -123,5 +126,5 @@ def repair(
         for name, change in report.items()
         if isinstance(change, dict) and change.get("count", 0) > 0
     }
-    proven = (None if center else source, within)
+    proven = (None if center else source, report["within"])
     return Repaired(beside["mesh"], changes, report["faces_added"], distance, proven)

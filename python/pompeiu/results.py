@@ -142,7 +142,7 @@ def _ends(value: Any) -> "Optional[tuple[float, float]]":
     """The bounds of an interval, or of a number."""
     if isinstance(value, _Interval):
         return value.lower, value.upper
-    return (value, value) if isinstance(value, (int, float, np.integer, np.floating)) else None
+    return (float(value), float(value)) if isinstance(value, (int, float, np.integer, np.floating)) else None
 
 
 @dataclass(frozen=True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass, field
-from typing import Any, Callable, Dict, List, Literal, Optional, Sequence, Tuple
+from typing import Any, Callable, Dict, List, Literal, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -221,7 +221,8 @@ def simplify(
     texture: Optional[Tuple[ArrayLike, ArrayLike]] = None,
     colors: Optional[ArrayLike] = None,
     *,
-    within: Optional[float] = None,
+    within: Optional[Union[float, str]] = None,
+    unit: str = "",
     relative: Optional[float] = None,
     faces: Optional[int] = None,
     effort: Literal["fast", "best"] = "best",
@@ -248,8 +249,10 @@ def simplify(
         sides stay curves, and the result has coordinates of its own.
     colors : array_like of uint8, optional
         Colours of the vertices, shape (n, 3), carried over to the result.
-    within : float, optional
-        Largest distance from the input, in its unit.
+    within : Union[float, str], optional
+        Largest distance from the input, such as 0.1, 0.1mm with the unit given, or 0.5% of the diagonal.
+    unit : str
+        The unit of the coordinates, such as mm; files have none.
     relative : float, optional
         Largest distance as a fraction of the diagonal of the bounding box.
     faces : int, optional
@@ -364,10 +367,11 @@ class Remeshed(_Within):
 def remesh(
     mesh: MeshLike,
     *,
-    edge_length: Optional[float] = None,
+    edge_length: Optional[Union[float, str]] = None,
     relative: Optional[float] = None,
-    adaptive: Optional[float] = None,
-    within: Optional[float] = None,
+    adaptive: Optional[Union[float, str]] = None,
+    within: Optional[Union[float, str]] = None,
+    unit: str = "",
     features: Optional[float] = None,
     iterations: int = 10,
     most_faces: int = 20000000,
@@ -386,14 +390,16 @@ def remesh(
     ----------
     mesh : MeshLike
         An oriented manifold.
-    edge_length : float, optional
-        Length of edges, in the unit of the mesh.
+    edge_length : Union[float, str], optional
+        Length of edges, such as 2, 2mm with the unit given, or 1% of the diagonal.
     relative : float, optional
         Length of edges as a fraction of the diagonal of the bounding box.
-    adaptive : float, optional
+    adaptive : Union[float, str], optional
         Height of chords: edges are as long as the curvature allows.
-    within : float, optional
-        Largest distance from the input, in its unit, to be proven.
+    within : Union[float, str], optional
+        Largest distance from the input, to be proven, such as 0.1, 0.1mm with the unit given, or 0.5% of the diagonal.
+    unit : str
+        The unit of the coordinates, such as mm; files have none.
     features : float, optional
         Keep edges whose faces meet at more than this angle between their normals, in degrees; boundaries are always
         kept.
@@ -437,7 +443,8 @@ def remesh(
     given = {**locals(), "mesh": source}
     del given["source"]
     answer, beside = ask("remesh", given)
-    return Remeshed(beside["mesh"], answer["report"], (None if center else source, within))
+    report = answer["report"]
+    return Remeshed(beside["mesh"], report, (None if center else source, report["within"]))
 
 
 @dataclass(frozen=True, eq=False, repr=False)

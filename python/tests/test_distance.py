@@ -135,3 +135,18 @@ def test_errors_name_the_option_and_what_it_takes():
         with pytest.raises(pompeiu.OptionError) as raised:
             pompeiu.distance(cube, cube, **options)
         assert sentence in str(raised.value)
+
+
+def test_lengths_have_units_and_percentages():
+    a, b = pompeiu.shapes.cube(2.0), pompeiu.shapes.cube(2.2)
+    diagonal = 2.2 * 3**0.5
+    asked = {"0.2": "below", "0.1": "above", "200um": "below", f"{18 / diagonal:.3f}%": "below", "1%": "above"}
+    for length, answer in asked.items():
+        assert pompeiu.distance(a, b, assert_below=length, unit="mm").answer == answer
+    with pytest.raises(pompeiu.OptionError, match="mesh files have none"):
+        pompeiu.distance(a, b, assert_below="1mm")
+    sphere = pompeiu.shapes.icosphere(1.0, 3)
+    few = pompeiu.simplify(sphere, within="1%")
+    assert few.report["within"] == pytest.approx(0.01 * 2 * 3**0.5, rel=1e-2)
+    assert pompeiu.simplify(sphere, within="20um", unit="mm").report["within"] == pytest.approx(0.02)
+    assert pompeiu.remesh(sphere, edge_length="5%").report["edge_length"] == pytest.approx(0.05 * 2 * 3**0.5, rel=1e-2)

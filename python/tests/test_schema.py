@@ -13,7 +13,7 @@ COMMANDS = {
     "distance": [
         "distance tent.obj square.obj",
         "distance tent.obj square.obj --direction a-to-b --tolerance 1e-3 --tolerance-kind relative",
-        "distance tent.obj square.obj --trace --assert-below 2",
+        "distance tent.obj square.obj --trace --within 2",
         "distance tent.obj square.obj --certificate again.phc",
         "distance tent.obj square.obj --certificate none.phc --time-limit 0s",
         "distance rough.obj square.obj --time-limit 1ns",
@@ -21,7 +21,7 @@ COMMANDS = {
     ],
     "deviation": [
         "deviation tent.obj square.obj",
-        "deviation tent.obj square.obj --threshold 0.3 --signed --regions 2 --percentiles 5,50 --unit mm",
+        "deviation tent.obj square.obj --within 0.3 --signed --regions 2 --percentiles 5,50 --unit mm",
         "deviation tent.obj square.obj --band -0.1..0.3 --band -0.2..0 --allow 10%",
         "deviation tent.obj square.obj --only-overlap --ignore-components 0.1%",
         "deviation points.obj square.obj",
@@ -171,7 +171,7 @@ def test_answers_are_what_their_schema_says(repository, run, name, arguments):
 
 def test_the_package_and_the_command_give_the_same_answers(run):
     paths = [run.folder / "tent.obj", run.folder / "square.obj"]
-    answer = json.loads(run("deviation tent.obj square.obj --threshold 0.3 --json"))["report"]
+    answer = json.loads(run("deviation tent.obj square.obj --within 0.3 --json"))["report"]
     report = pompeiu.deviation(*paths, threshold=0.3)
     for way in ("a_to_b", "b_to_a"):
         ours, theirs = getattr(report, way), answer[way]

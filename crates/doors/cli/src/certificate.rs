@@ -39,10 +39,10 @@ pub(crate) fn write(
 /// Refuses a certificate of a result for which nothing is to be proven, or whose file has other coordinates than what was measured.
 pub(crate) fn check_result(
     path: Option<&Path>,
-    within: Option<f64>,
+    asks_for_distance: bool,
     is_centered: bool,
 ) -> anyhow::Result<()> {
-    if path.is_some() && within.is_none() {
+    if path.is_some() && !asks_for_distance {
         bail!(
             "--certificate proves how far the result is from the input; say with --within how far it may be"
         );

@@ -31,6 +31,11 @@ pub(crate) fn few(x: f64) -> String {
     plain(rounded(x))
 }
 
+/// A number with six digits, of what is known to more than anybody reads.
+pub(crate) fn six(x: f64) -> String {
+    plain(format!("{x:.5e}").parse().unwrap_or(x))
+}
+
 /// A number rounded to four digits.
 pub(crate) fn rounded(x: f64) -> f64 {
     format!("{x:.3e}").parse().unwrap_or(x)

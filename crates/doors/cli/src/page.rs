@@ -1,6 +1,6 @@
 //! Answers for people: rows of a name and a line each.
 
-use crate::numbers::{self, agreed, between};
+use crate::numbers::{self, agreed, between, shortest};
 use crate::printer::LABEL;
 use pompeiu::core::request::Input;
 use pompeiu::hausdorff::deviation::LeftOut;
@@ -62,6 +62,15 @@ pub(crate) fn brief(distance: Enclosure) -> String {
 pub(crate) fn value(distance: Enclosure) -> String {
     let (lower, upper) = (distance.lower(), distance.upper());
     agreed(lower, upper).unwrap_or_else(|| between(lower, upper))
+}
+
+/// What is proven of an enclosed value, in all digits.
+pub(crate) fn proven(distance: Enclosure) -> String {
+    let [lower, upper] = [distance.lower(), distance.upper()].map(shortest);
+    if lower == upper {
+        return "proven, with no gap".to_owned();
+    }
+    format!("proven to lie between {lower} and {upper} (gap {:.1e})", distance.gap())
 }
 
 /// The verdict of a deviation, what was compared, and what was left out of it.

@@ -5,6 +5,7 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use pompeiu::core::run::{Progress, ProgressObserver};
 use std::io::IsTerminal;
 use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::thread::JoinHandle;
 use std::time::Duration;
@@ -22,6 +23,8 @@ const TICK: Duration = Duration::from_millis(100);
 pub(crate) struct Wait {
     bar: ProgressBar,
     curtain: Option<(Sender<()>, JoinHandle<()>)>,
+    /// The greatest share that was shown, in thousandths: a later stage that begins anew shows none until it has come as far.
+    most: AtomicU64,
 }
 
 impl Wait {
@@ -39,12 +42,16 @@ impl Wait {
             });
             (sender, thread)
         });
-        Self { bar, curtain }
+        Self { bar, curtain, most: AtomicU64::new(0) }
     }
 
     /// Nothing.
     pub(crate) fn hidden() -> Self {
-        Self { bar: ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden()), curtain: None }
+        Self {
+            bar: ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden()),
+            curtain: None,
+            most: AtomicU64::new(0),
+        }
     }
 
     /// Tells what is being done, without knowing how long it takes.
@@ -55,24 +62,35 @@ impl Wait {
 
     /// Tells how much of how much is done.
     pub(crate) fn advance(&self, message: String, [done, all]: [u64; 2]) {
-        if self.bar.length().is_none() {
-            self.bar.set_style(style("{spinner} [{bar:24}] {percent:>3}% ({elapsed}) {msg}"));
-        }
+        self.bar.set_style(style("{spinner} [{bar:24}] {percent:>3}% ({elapsed}) {msg}"));
         self.bar.set_length(all);
         self.bar.set_position(done);
         self.bar.set_message(message);
     }
 
-    /// Tells how far a computation has come.
+    /// Tells how far a computation has come. Percentages do not go back.
     pub(crate) fn progress(&self, progress: &Progress<'_>) {
+        if self.curtain.is_none() {
+            return;
+        }
         let done = (progress.share.unwrap_or(0.0) * THOUSAND) as u64;
-        self.advance(progress.doing.to_owned(), [done, THOUSAND as u64]);
+        if self.is_farther(done) {
+            self.advance(progress.doing.to_owned(), [done, THOUSAND as u64]);
+        } else {
+            self.show(progress.doing.to_owned());
+        }
+    }
+
+    /// Whether no greater share was shown before.
+    fn is_farther(&self, done: u64) -> bool {
+        self.most.fetch_max(done, Ordering::Relaxed) <= done
     }
 
     /// Tells how many of how many are done, and guesses how long the others take.
     pub(crate) fn count(&self, message: String, [done, all]: [u64; 2]) {
         if self.bar.length().is_none() {
-            self.bar.set_style(style("{spinner} [{bar:24}] {pos} of {len} ({elapsed}, {eta} left) {msg}"));
+            self.bar
+                .set_style(style("{spinner} [{bar:24}] {pos} of {len} ({elapsed}, about {eta} left) {msg}"));
         }
         self.bar.set_length(all);
         self.bar.set_position(done);
@@ -115,4 +133,16 @@ impl Drop for Wait {
 
 fn style(template: &str) -> ProgressStyle {
     ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shares_that_go_back_are_not_shown() {
+        let wait = Wait::hidden();
+        let shown = [10, 500, 200, 499, 500, 900].map(|done| wait.is_farther(done));
+        assert_eq!(shown, [true, true, false, false, true, true]);
+    }
 }

@@ -18,11 +18,14 @@ function commandLine(words) {
   return ["pompeiu", ...words.filter((word) => word !== null && word !== undefined)].map(quoted).join(" ");
 }
 
+/** Options that the command line calls otherwise than a request. */
+const WORDS = { bands: "band", threshold: "within" };
+
 /** The options of a command line from those of a request. */
 function flags(options) {
   const words = [];
   for (const [name, value] of Object.entries(options)) {
-    const flag = `--${(name === "bands" ? "band" : name).replaceAll("_", "-")}`;
+    const flag = `--${(WORDS[name] ?? name).replaceAll("_", "-")}`;
     if (value === true) words.push(flag);
     else if (Array.isArray(value)) for (const one of value) words.push(flag, one);
     else if (value !== null && value !== false && value !== "" && value !== 0) words.push(flag, value);
@@ -65,7 +68,7 @@ const TASKS = {
     label: "Simplify",
     files: 1,
     fields: [
-      { name: "within", label: "Within", hint: "largest distance, in the unit of the file; proven" },
+      { name: "within", label: "Within", hint: "largest distance, such as 0.1 or 0.5%; proven", read: length },
       { name: "faces", label: "or faces", hint: "their number; the distance follows" },
       { name: "features", label: "Keep edges above", hint: "degrees; empty: none" },
       { name: "repair", label: "Repair first", check: true },
@@ -76,8 +79,8 @@ const TASKS = {
     label: "Remesh",
     files: 1,
     fields: [
-      { name: "edge_length", label: "Edge length", hint: "in the unit of the file" },
-      { name: "within", label: "Within", hint: "largest distance, to be proven; may be empty" },
+      { name: "edge_length", label: "Edge length", hint: "such as 2 or 1%", read: length },
+      { name: "within", label: "Within", hint: "largest distance, to be proven; may be empty", read: length },
       { name: "features", label: "Keep edges above", hint: "degrees; empty: none" },
     ],
     command: (names, options) => commandLine(["remesh", ...names, ...flags(options), "-o", `${stem(names[0])}-remeshed.ply`]),
@@ -92,9 +95,9 @@ const TASKS = {
     label: "Repair",
     files: 1,
     fields: [
-      { name: "weld", label: "Weld within", hint: "a length; empty: equal positions only" },
+      { name: "weld", label: "Weld within", hint: "a length; empty: equal positions only", read: length },
       { name: "fill_holes", label: "Fill holes up to", hint: "edges; empty: none" },
-      { name: "within", label: "Within", hint: "largest distance, to be proven; may be empty" },
+      { name: "within", label: "Within", hint: "largest distance, to be proven; may be empty", read: length },
     ],
     command: (names, options) => commandLine(["repair", ...names, `${stem(names[0])}-repaired.ply`, ...flags(options)]),
   },

@@ -1,5 +1,6 @@
 //! How narrow an enclosure is asked for.
 
+use pompeiu_core::request::LengthError;
 use pompeiu_core::run::LimitError;
 
 /// The width of the enclosure to aim for.
@@ -61,7 +62,7 @@ impl Tolerance {
 }
 
 /// An option that cannot be used.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum OptionError {
     /// The tolerance is negative or not a finite number.
@@ -82,6 +83,9 @@ pub enum OptionError {
     /// A limit that makes no sense.
     #[error(transparent)]
     Limit(#[from] LimitError),
+    /// A length cannot be converted to the unit of the meshes.
+    #[error(transparent)]
+    Length(#[from] LengthError),
     /// A list of stages must descend.
     #[error(
         "stage {index} has tolerance {tolerance}; each must be finite, positive and below the one before"

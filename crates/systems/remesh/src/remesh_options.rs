@@ -129,6 +129,9 @@ pub struct RemeshTiming {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum RemeshError {
+    /// A length cannot be converted to the unit of the mesh.
+    #[error(transparent)]
+    Unit(#[from] pompeiu_core::request::LengthError),
     /// The faces are no oriented manifold.
     #[error(transparent)]
     Connectivity(#[from] ConnectivityError),

@@ -138,6 +138,9 @@ pub struct SimplifyTiming {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SimplifyError {
+    /// A length cannot be converted to the unit of the mesh.
+    #[error(transparent)]
+    Unit(#[from] pompeiu_core::request::LengthError),
     /// The faces are no oriented manifold.
     #[error(transparent)]
     Connectivity(#[from] ConnectivityError),

@@ -17,6 +17,9 @@ const UNITS: [(&[&str], f64); 10] = [
     (&["ft", "foot", "feet", "'"], 304.8e6),
 ];
 
+/// What a share of a diagonal is written with.
+const PERCENT: &str = "%";
+
 /// Nanometres in a unit.
 fn nanometres(unit: &str) -> Option<f64> {
     UNITS.iter().find(|(names, _)| names.contains(&unit)).map(|(_, length)| *length)
@@ -27,7 +30,7 @@ fn nanometres(unit: &str) -> Option<f64> {
 #[non_exhaustive]
 pub enum LengthError {
     /// The text or the number is no length.
-    #[error("expected a finite length that is not negative, such as 0.1 or 0.1mm")]
+    #[error("expected a finite length that is not negative, such as 0.1, 0.1mm or 0.5% of the diagonal")]
     Syntax,
     /// The text is no band.
     #[error("expected two lengths with two dots between them, such as -0.05..0.1")]
@@ -40,6 +43,9 @@ pub enum LengthError {
         "{0} has a unit, but mesh files have none; say with --unit in which unit the coordinates are, such as --unit mm"
     )]
     NoUnit(Length),
+    /// A percentage where a length is needed.
+    #[error("{0} is a share of the size of a mesh; expected a length")]
+    Percent(Length),
     /// The unit of the coordinates is no unit of length.
     #[error("{length} cannot be converted to `{unit}`, which is not a unit of length that is known")]
     NotConvertible {
@@ -50,7 +56,8 @@ pub enum LengthError {
     },
 }
 
-/// A length as it was given: a number in the unit of the coordinates, or a number with a unit, such as `0.1mm`.
+/// A length as it was given: a number in the unit of the coordinates, a number with a unit, such as `0.1mm`, or a percentage of the diagonal of the box
+/// around what is looked at, such as `0.5%`.
 ///
 /// It is written as a number without a unit and as text with one. Of an option it is not negative; the ends of a [`Band`] may be.
 ///
@@ -91,11 +98,25 @@ impl Length {
         if own == unit {
             return Ok(self.value);
         }
+        if own == PERCENT {
+            return Err(LengthError::Percent(self.clone()));
+        }
         match (nanometres(own), nanometres(unit)) {
             (Some(own), Some(theirs)) => Ok(self.value * own / theirs),
             (None, _) => Err(LengthError::Unit(own.clone())),
             _ if unit.is_empty() => Err(LengthError::NoUnit(self.clone())),
             _ => Err(LengthError::NotConvertible { length: self.clone(), unit: unit.to_owned() }),
+        }
+    }
+
+    /// The length in the unit of the coordinates, of which `unit` is the name, where percentages are those of a diagonal.
+    ///
+    /// # Errors
+    /// [`LengthError::NoUnit`] and [`LengthError::NotConvertible`].
+    pub fn of(&self, unit: &str, diagonal: f64) -> Result<f64, LengthError> {
+        match &self.unit {
+            Some(own) if own == PERCENT => Ok(0.01 * self.value * diagonal),
+            _ => self.in_unit(unit),
         }
     }
 
@@ -116,7 +137,7 @@ impl FromStr for Length {
 
     fn from_str(text: &str) -> Result<Self, LengthError> {
         let text = text.trim();
-        let is_unit = |c: char| c.is_alphabetic() || c == '"' || c == '\'';
+        let is_unit = |c: char| c.is_alphabetic() || matches!(c, '"' | '\'' | '%');
         // What follows the last digit or point: `1e-3` has its letter before one.
         let end = text
             .rfind(|c: char| !is_unit(c))
@@ -124,7 +145,7 @@ impl FromStr for Length {
         let (number, unit) = text.split_at(end);
         let unit = Some(unit).filter(|unit| !unit.is_empty());
         let value: f64 = number.trim().parse().map_err(|_| LengthError::Syntax)?;
-        if let Some(unit) = unit.filter(|unit| nanometres(unit).is_none()) {
+        if let Some(unit) = unit.filter(|unit| *unit != PERCENT && nanometres(unit).is_none()) {
             return Err(LengthError::Unit(unit.to_owned()));
         }
         Self::new(value).map(|length| Self { unit: unit.map(str::to_owned), ..length })
@@ -179,7 +200,7 @@ mod data {
 
     /// A length as it is written.
     #[derive(Serialize, Deserialize)]
-    #[serde(untagged, expecting = "expected a length: a number, or text such as 0.1mm")]
+    #[serde(untagged, expecting = "expected a length: a number, or text such as 0.1mm or 0.5%")]
     enum Written {
         Number(f64),
         Text(String),
@@ -300,7 +321,12 @@ mod tests {
         for wrong in ["", "mm", "-1", "nan", "inf", "1e400", "0.1 parsec", "1 2", "--"] {
             assert!(wrong.parse::<Length>().is_err(), "{wrong}");
         }
+        let share: Length = "0.5 %".parse().unwrap();
+        assert!(
+            share.in_unit("mm").is_err() && share.of("", 200.0) == Ok(1.0) && share.to_string() == "0.5%"
+        );
         let millimetre: Length = "0.1mm".parse().unwrap();
+        assert_eq!(millimetre.of("um", 9.0), Ok(100.0));
         assert!(millimetre.in_unit("").unwrap_err().to_string().contains("--unit"));
         assert!(millimetre.in_unit("voxels").is_err());
     }

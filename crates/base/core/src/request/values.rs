@@ -54,6 +54,18 @@ pub fn magnitude(text: &str) -> Result<f64, String> {
     }
 }
 
+/// A fraction that is not negative, also in percent.
+///
+/// # Errors
+/// If it is not.
+pub fn fraction(text: &str) -> Result<f64, String> {
+    let (number, whole) = text.trim().strip_suffix('%').map_or((text, 1.0), |percent| (percent, 100.0));
+    match number.trim().parse::<f64>() {
+        Ok(x) if x.is_finite() && x >= 0.0 => Ok(x / whole),
+        _ => Err("expected a finite number that is not negative, such as 0.01 or 1%".to_owned()),
+    }
+}
+
 /// A share above 0 and at most 1, also in percent.
 ///
 /// # Errors
@@ -102,6 +114,8 @@ mod tests {
     fn magnitudes_and_shares_have_a_range() {
         assert_eq!(magnitude("1e-12"), Ok(1e-12));
         assert!(["-1", "nan", "inf", "1m", ""].iter().all(|t| magnitude(t).is_err()));
+        assert_eq!((fraction("1e-3"), fraction("0.1%"), fraction("250 %")), (Ok(1e-3), Ok(1e-3), Ok(2.5)));
+        assert!(["-1%", "nan", "%", "", "1mm"].iter().all(|t| fraction(t).is_err()));
         assert_eq!(["0.3", "30 %", "100%", "1"].map(share), [Ok(0.3), Ok(0.3), Ok(1.0), Ok(1.0)]);
         assert!(["0", "1.5", "-1", "nan", "", "%", "101%"].iter().all(|text| share(text).is_err()));
     }

@@ -36,7 +36,7 @@ const STYLES: Styles = Styles::styled()
 #[command(version, name = "pompeiu", styles = STYLES, max_term_width = 100, after_help = "\
 Examples:
   pompeiu distance model.obj scan.ply
-  pompeiu distance model.obj scan.ply --assert-below 0.05 && echo within 0.05
+  pompeiu distance model.obj scan.ply --within 0.05 && echo within 0.05
   pompeiu rank part.stl library/ --top 5
   pompeiu info model.obj
   pompeiu decompose torus.obj --field rotation:z -o parts.vtp

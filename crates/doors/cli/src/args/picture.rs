@@ -120,7 +120,7 @@ impl From<Theme> for figures::Theme {
 /// Parses a width and a height.
 fn size(text: &str) -> Result<(u32, u32), String> {
     let parse = |part: &str| part.trim().parse::<u32>().ok().filter(|n| *n > 0);
-    text.split_once('x')
+    text.split_once(['x', '×', ','])
         .and_then(|(width, height)| parse(width).zip(parse(height)))
         .ok_or_else(|| "expected a width and a height in pixels, such as 1600x900".to_owned())
 }
@@ -131,7 +131,7 @@ mod tests {
 
     #[test]
     fn sizes_have_two_sides() {
-        assert_eq!(size("1600x900"), Ok((1600, 900)));
+        assert_eq!([size("1600x900"), size("1600, 900")], [Ok((1600, 900)), Ok((1600, 900))]);
         for wrong in ["1600", "0x10", "ax10", "10x", "-1x5"] {
             assert!(size(wrong).is_err(), "{wrong}");
         }

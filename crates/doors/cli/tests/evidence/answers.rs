@@ -184,7 +184,7 @@ fn thresholds_decide_the_exit_code() {
         ("0.7", "a-to-b", 1, "above"),
         ("0", "both", 1, "above"),
     ] {
-        let args = format!("distance tent.obj square.obj --assert-below {threshold} --direction {direction}");
+        let args = format!("distance tent.obj square.obj --within {threshold} --direction {direction}");
         let (exit, stdout, stderr) = folder.transcript(&args);
         assert_eq!((exit, stderr.as_str()), (Some(code), ""), "{args}");
         let words = if answer == "below" { "is at most" } else { "exceeds" };
@@ -211,7 +211,7 @@ fn budgets_end_in_a_valid_interval_and_exit_code_3() {
         assert_eq!(report["a_to_b"]["stop"], stop);
         assert!(report["hausdorff"]["lower"].as_f64().unwrap() <= upper);
         assert!(report["hausdorff"]["upper"].as_f64().unwrap() >= lower);
-        let undecided = format!("distance {lantern} {cylinder} --json {limit} --assert-below {lower}");
+        let undecided = format!("distance {lantern} {cylinder} --json {limit} --within {lower}");
         assert_eq!(folder.run(&undecided).status.code(), Some(3));
         assert_eq!(json(&folder, &undecided)["threshold"]["answer"], "undecided");
     }
@@ -348,7 +348,7 @@ fn there_are_completions_for_every_shell() {
     let folder = Folder::new();
     for shell in ["bash", "elvish", "fish", "powershell", "zsh"] {
         let script = folder.ok(&format!("completions {shell}"));
-        assert!(script.contains("assert-below") && script.contains("schwarz-lantern"), "{shell}");
+        assert!(script.contains("certificate-slack") && script.contains("schwarz-lantern"), "{shell}");
     }
 }
 
@@ -364,7 +364,7 @@ fn there_is_a_manual_page_for_every_command() {
         assert!(page(&format!("pompeiu-{name}.1")).contains(".SH SYNOPSIS"), "{name}");
         assert!(page("pompeiu.1").contains(&format!("pompeiu\\-{name}(1)")), "{name}");
     }
-    assert!(page("pompeiu-distance.1").contains("assert\\-below"));
+    assert!(page("pompeiu-distance.1").contains("\\-\\-within"));
     folder.write("file", "");
     assert_eq!(folder.run("man -o file").status.code(), Some(2));
 }

@@ -50,15 +50,9 @@ fn a_certificate_proves_what_is_printed() {
 #[test]
 fn thresholds_limits_and_methods_are_certified() {
     let folder = folder();
-    assert_eq!(
-        folder.run("distance a.obj b.ply --assert-below 3 --certificate p.phc").status.code(),
-        Some(0)
-    );
+    assert_eq!(folder.run("distance a.obj b.ply --within 3 --certificate p.phc").status.code(), Some(0));
     assert_eq!(verified(&folder, "p.phc a.obj b.ply")[1], 3.0);
-    assert_eq!(
-        folder.run("distance a.obj b.ply --assert-below 1e-3 --certificate p.phc").status.code(),
-        Some(1)
-    );
+    assert_eq!(folder.run("distance a.obj b.ply --within 1e-3 --certificate p.phc").status.code(), Some(1));
     assert!(verified(&folder, "p.phc a.obj b.ply")[0] > 1e-3);
     folder.ok("distance a.obj b.ply --method classic --tolerance 1e-2 --certificate p.phc");
     verified(&folder, "p.phc a.obj b.ply");
@@ -142,7 +136,7 @@ fn simplified_and_remeshed_files_come_with_proofs() {
 fn pages_and_documents_name_the_proof_that_lies_beside_them() {
     let folder = folder();
     let (code, answer) =
-        json(&folder, "deviation a.obj b.ply --threshold 3 --report d.html --pdf d.pdf --certificate d.phc");
+        json(&folder, "deviation a.obj b.ply --within 3 --report d.html --pdf d.pdf --certificate d.phc");
     assert_eq!(code, Some(0));
     assert_eq!(verified(&folder, "d.phc a.obj b.ply")[1], 3.0);
     let sum = sha256(&folder, "d.phc");

@@ -60,7 +60,7 @@ fn wrong_arguments() {
         ("missing_file_argument", "distance tent.obj"),
         ("negative_tolerance", "distance tent.obj square.obj --tolerance -1"),
         ("negative_radius", "generate icosphere --radius -1 -o a.obj"),
-        ("nan_threshold", "distance tent.obj square.obj --assert-below nan"),
+        ("nan_threshold", "distance tent.obj square.obj --within nan"),
         ("time_without_unit", "distance tent.obj square.obj --time-limit 10"),
         ("memory_without_sense", "distance tent.obj square.obj --memory-limit much"),
         ("no_threads", "distance tent.obj square.obj --threads 0"),
@@ -123,7 +123,7 @@ fn clouds_of_points_are_measured_from_their_points() {
     let folder = Folder::with_tent();
     folder.write("cloud.xyz", "# x y z\n0 0 0.125\n0.5,0.5,-0.25\n1 0 0 17\n");
     check(&folder, "cloud", "distance square.obj cloud.xyz");
-    check(&folder, "cloud_asserted", "distance cloud.xyz square.obj --direction a-to-b --assert-below 0.26");
+    check(&folder, "cloud_asserted", "distance cloud.xyz square.obj --direction a-to-b --within 0.26");
     check(&folder, "cloud_way_back", "distance square.obj cloud.xyz --direction a-to-b");
     check(&folder, "cloud_align", "distance square.obj cloud.xyz --align rigid");
     check(&folder, "cloud_deviation", "deviation square.obj cloud.xyz");

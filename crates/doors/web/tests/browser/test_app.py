@@ -49,7 +49,7 @@ class App(unittest.TestCase):
         with page.expect_download() as download:
             page.click("#download-json")
         served = json.loads(Path(download.value.path()).read_bytes())
-        words = ["deviation", "sphere.obj", "rough-sphere.obj", "--threshold", "0.01mm", "--unit", "mm", "--json"]
+        words = ["deviation", "sphere.obj", "rough-sphere.obj", "--within", "0.01mm", "--unit", "mm", "--json"]
         command = json.loads(subprocess.run([PROGRAM, *words], cwd=MESHES, capture_output=True, check=False).stdout)
         self.assertEqual(served["report"]["distance"], command["report"]["distance"])
         self.assertEqual(served["inputs"][1]["sha256"], command["inputs"][1]["sha256"])

@@ -82,7 +82,7 @@ class ProgramPage(unittest.TestCase):
         self.assertEqual(self.end(page), "done")
         self.assertTrue(page.text_content("#status").startswith("OUT OF TOLERANCE 0.01 mm"))
         self.assertIn("OUT OF TOLERANCE", page.frame_locator("iframe").locator("#banner").text_content())
-        self.assertEqual(page.text_content("#command"), "pompeiu deviation sphere.obj rough-sphere.obj --threshold 0.01mm --unit mm"
+        self.assertEqual(page.text_content("#command"), "pompeiu deviation sphere.obj rough-sphere.obj --within 0.01mm --unit mm"
                          " --report deviation.html --pdf deviation.pdf")
         keep_picture(page, "program-done")
         answer = json.loads(self.saved(page, "json"))
@@ -92,7 +92,7 @@ class ProgramPage(unittest.TestCase):
         self.assertIn(b"rough-sphere.obj", self.saved(page, "page"))
         page.click("#swap")
         self.assertEqual(self.end(page), "done")
-        self.assertIn("deviation rough-sphere.obj sphere.obj --threshold 0.01mm", page.text_content("#command"))
+        self.assertIn("deviation rough-sphere.obj sphere.obj --within 0.01mm", page.text_content("#command"))
 
     def test_files_are_dropped_on_a_phone_in_the_dark(self):
         page = self.visit(width=390, height=844, scheme="dark")

@@ -38,7 +38,7 @@ async function engineWith(...names) {
 const PAIRS = [["sphere.obj", "torus.obj"], ["sphere.obj", "rough-sphere.obj"], ["lantern.obj", "cylinder.obj"]];
 const QUESTIONS = [
   ["distance", {}, []],
-  ["deviation", { threshold: 0.1, unit: "mm" }, ["--threshold", "0.1", "--unit", "mm"]],
+  ["deviation", { threshold: 0.1, unit: "mm" }, ["--within", "0.1", "--unit", "mm"]],
   ["deviation", { bands: ["-0.05..0.1"], signed: true }, ["--band", "-0.05..0.1", "--signed"]],
   ["align", {}, []],
 ];

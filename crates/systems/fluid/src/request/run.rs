@@ -33,6 +33,21 @@ pub struct FluidRun<'s> {
 type Watch<'w, 's> = dyn FnMut(&Stage<'s>, &[FluidStep]) -> ControlFlow<()> + Send + 'w;
 
 impl FluidRequest {
+    /// What of the options has no effect, a sentence each.
+    pub fn remarks(&self) -> Vec<String> {
+        let weighs = self.density.iter().find(|density| density.weight != 0.0);
+        match (weighs, self.gravity) {
+            (Some(density), None) => vec![format!(
+                "the density {} has a weight, but there is no gravity, so that it moves nothing; give gravity a direction, such as 0,0,-1",
+                density.name
+            )],
+            (None, Some(_)) => {
+                vec!["there is gravity, but no density has a weight, so that it moves nothing".to_owned()]
+            }
+            _ => Vec::new(),
+        }
+    }
+
     /// Lets the fluid flow. It goes on from the state in the bytes of a checkpoint, if one is given.
     ///
     /// # Errors

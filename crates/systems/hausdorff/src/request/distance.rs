@@ -8,14 +8,14 @@ use crate::{
 };
 use pompeiu_core::TriMesh;
 use pompeiu_core::geom::Aabb;
-use pompeiu_core::request::{Conclusion, Limit, Report, Request};
+use pompeiu_core::request::{Conclusion, Length, Limit, Report, Request};
 use pompeiu_core::run::{ProgressObserver, RunContext};
 use std::ops::ControlFlow;
 use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
 #[cfg(feature = "clap")]
-use pompeiu_core::request::values::magnitude;
+use pompeiu_core::request::values::fraction;
 
 /// The tolerances of a trace, fractions of the joint diagonal.
 const TRACE: [f64; 14] =
@@ -30,7 +30,7 @@ pub struct DistanceRequest {
     /// Largest width of the proven intervals.
     #[cfg_attr(
         feature = "clap",
-        arg(long, value_parser = magnitude, allow_negative_numbers = true, value_name = "X")
+        arg(long, value_parser = fraction, allow_negative_numbers = true, value_name = "X")
     )]
     pub tolerance: f64,
     /// What the tolerance is measured in.
@@ -39,12 +39,16 @@ pub struct DistanceRequest {
     /// Which of the two directed distances to compute.
     #[cfg_attr(feature = "clap", arg(long, value_enum))]
     pub direction: Directions,
-    /// Ask only whether the distance is at most this length, and stop at the first proof.
+    /// Ask only whether the distance is at most this length, such as 0.1, 0.1mm with the unit given, or 0.5% of the diagonal of both meshes, and stop at
+    /// the first proof.
     #[cfg_attr(
         feature = "clap",
-        arg(long, value_parser = magnitude, allow_negative_numbers = true, value_name = "LENGTH")
+        arg(long = "within", alias = "assert-below", allow_negative_numbers = true, value_name = "LENGTH")
     )]
-    pub assert_below: Option<f64>,
+    pub assert_below: Option<Length>,
+    /// The unit of the coordinates, such as mm; files have none.
+    #[cfg_attr(feature = "clap", arg(long, value_name = "NAME"))]
+    pub unit: String,
     /// How to search.
     #[cfg_attr(feature = "clap", arg(long, value_enum))]
     pub method: Method,
@@ -54,7 +58,7 @@ pub struct DistanceRequest {
     /// Raise the upper ends that a certificate states by this fraction of the diagonal: the more, the shorter it is.
     #[cfg_attr(
         feature = "clap",
-        arg(long, value_parser = magnitude, allow_negative_numbers = true, value_name = "X")
+        arg(long, value_parser = fraction, allow_negative_numbers = true, value_name = "X")
     )]
     pub certificate_slack: f64,
 }
@@ -66,6 +70,7 @@ impl Default for DistanceRequest {
             tolerance_kind: ToleranceKind::default(),
             direction: Directions::default(),
             assert_below: None,
+            unit: String::new(),
             method: Method::default(),
             trace: false,
             certificate_slack: Goal::SLACK,
@@ -287,6 +292,8 @@ impl DistanceRequest {
     ) -> Result<DistanceReport, OptionError> {
         check_slack(self.certificate_slack)?;
         let diagonal = Aabb::of_faces(a).union(Aabb::of_faces(b)).diagonal();
+        let threshold =
+            self.assert_below.as_ref().map(|length| length.of(&self.unit, diagonal)).transpose()?;
         let stages = self.stages(diagonal);
         let watch = Watch {
             progress: context.progress(),
@@ -297,7 +304,7 @@ impl DistanceRequest {
         };
         let options = HausdorffOptions {
             tolerance: self.tolerance_kind.of(self.tolerance),
-            threshold: self.assert_below,
+            threshold,
             stages: stages.to_vec(),
             method: self.method,
             limits: context.limits(),
@@ -315,6 +322,7 @@ impl DistanceRequest {
         Ok(self.report(
             a_to_b.map(|report| DirectedDistance::new(&report, Direction::AToB)),
             b_to_a.map(|report| DirectedDistance::new(&report, Direction::BToA)),
+            threshold,
             trace,
         ))
     }
@@ -324,11 +332,12 @@ impl DistanceRequest {
         &self,
         a_to_b: Option<DirectedDistance>,
         b_to_a: Option<DirectedDistance>,
+        threshold: Option<f64>,
         trace: Option<Vec<TraceRow>>,
     ) -> DistanceReport {
         let both = || a_to_b.iter().chain(&b_to_a);
         let absolute = both().map(|one| one.tolerance).fold(0.0, |m, x| if x > m { x } else { m });
-        let threshold = self.assert_below.map(|value| ThresholdAnswer {
+        let threshold = threshold.map(|value| ThresholdAnswer {
             value,
             answer: if both().any(|one| one.distance.lower() > value) {
                 Comparison::Above
@@ -459,9 +468,7 @@ mod tests {
         b_to_a: Option<DirectedDistance>,
         assert_below: Option<f64>,
     ) -> Conclusion {
-        DistanceRequest { assert_below, ..DistanceRequest::default() }
-            .report(a_to_b, b_to_a, None)
-            .conclusion()
+        DistanceRequest::default().report(a_to_b, b_to_a, assert_below, None).conclusion()
     }
 
     #[test]

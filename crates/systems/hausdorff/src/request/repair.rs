@@ -3,13 +3,11 @@
 use crate::certificate::CertificateAnswer;
 use crate::{Enclosure, HausdorffOptions};
 use pompeiu_core::TriMesh;
+use pompeiu_core::geom::Aabb;
 use pompeiu_core::mesh::repair::{RepairError, RepairOptions, RepairReport, Weld, repair};
 use pompeiu_core::mesh::{Coordinates, Rounding};
-use pompeiu_core::request::{Conclusion, Limit, Report, Request};
+use pompeiu_core::request::{Conclusion, Length, LengthError, Limit, Report, Request};
 use pompeiu_core::run::{RunContext, StopReason};
-
-#[cfg(feature = "clap")]
-use pompeiu_core::request::values::magnitude;
 
 /// Make a mesh an oriented manifold, and say what was done.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -18,17 +16,20 @@ use pompeiu_core::request::values::magnitude;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct RepairRequest {
     /// Make one vertex of those within this length of each other, not only of those at one position.
-    #[cfg_attr(feature = "clap", arg(long, value_parser = magnitude, value_name = "LENGTH"))]
-    pub weld: Option<f64>,
+    #[cfg_attr(feature = "clap", arg(long, allow_negative_numbers = true, value_name = "LENGTH"))]
+    pub weld: Option<Length>,
     /// Leave vertices at one position apart.
     #[cfg_attr(feature = "clap", arg(long))]
     pub no_weld: bool,
     /// Fill boundary loops with at most this many edges.
     #[cfg_attr(feature = "clap", arg(long, value_name = "N"))]
     pub fill_holes: usize,
-    /// Largest distance from the input, in its unit, to be proven.
-    #[cfg_attr(feature = "clap", arg(long, value_parser = magnitude, value_name = "LENGTH"))]
-    pub within: Option<f64>,
+    /// Largest distance from the input, to be proven, such as 0.1, 0.1mm with the unit given, or 0.5% of the diagonal.
+    #[cfg_attr(feature = "clap", arg(long, allow_negative_numbers = true, value_name = "LENGTH"))]
+    pub within: Option<Length>,
+    /// The unit of the coordinates, such as mm; files have none.
+    #[cfg_attr(feature = "clap", arg(long, value_name = "NAME"))]
+    pub unit: String,
     /// Coordinates of the result.
     #[cfg_attr(feature = "clap", command(flatten))]
     #[cfg_attr(feature = "serde", serde(flatten))]
@@ -42,15 +43,15 @@ impl Request for RepairRequest {
 }
 
 /// Why a mesh cannot be repaired as asked.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum RepairRequestError {
     /// The mesh cannot be repaired.
     #[error(transparent)]
     Repair(#[from] RepairError),
-    /// A distance that is none.
-    #[error("the distance is {0}; it must be a finite number that is not negative")]
-    Within(f64),
+    /// A length cannot be converted to the unit of the mesh.
+    #[error(transparent)]
+    Length(#[from] LengthError),
     /// Vertices are to be welded and not to be welded.
     #[error("weld and no_weld are both given; choose one")]
     Both,
@@ -116,10 +117,12 @@ impl RepairRequest {
     /// # Errors
     /// [`RepairRequestError`].
     pub fn run(&self, mesh: &TriMesh, context: &RunContext<'_>) -> Result<ProvenRepair, RepairRequestError> {
-        if let Some(within) = self.within.filter(|within| !(0.0..f64::INFINITY).contains(within)) {
-            return Err(RepairRequestError::Within(within));
-        }
-        let weld = match self.weld {
+        let diagonal = Aabb::of_faces(mesh).diagonal();
+        let in_unit = |length: &Option<Length>| {
+            length.as_ref().map(|length| length.of(&self.unit, diagonal)).transpose()
+        };
+        let within = in_unit(&self.within)?;
+        let weld = match in_unit(&self.weld)? {
             Some(_) if self.no_weld => return Err(RepairRequestError::Both),
             Some(length) if length != 0.0 => Weld::Within(length),
             None if self.no_weld => Weld::Never,
@@ -128,7 +131,7 @@ impl RepairRequest {
         let (fill_holes, coordinates) = (self.fill_holes, self.coordinates);
         let found = repair(mesh, &RepairOptions { weld, fill_holes, coordinates })?;
         let options = HausdorffOptions { limits: context.limits(), ..HausdorffOptions::default() };
-        let measured = self.within.map(|_| options.both_directions(mesh, &found.mesh));
+        let measured = within.map(|_| options.both_directions(mesh, &found.mesh));
         let stops = measured.iter().flat_map(|report| [report.a_to_b.stop, report.b_to_a.stop]);
         let mut report = ProvenRepairReport {
             vertices: found.mesh.positions().len(),
@@ -136,7 +139,7 @@ impl RepairRequest {
             written: false,
             repair: found.report,
             rounding: found.rounding,
-            within: self.within,
+            within,
             stop: stops.into_iter().find(|stop| stop.is_early()).unwrap_or(StopReason::Tolerance),
             distance: measured.map(|report| report.distance),
             certificate: None,

@@ -34,6 +34,18 @@ impl Print {
         Ok(Self { link: format!("data:image/{kind};base64,{}", STANDARD.encode(bytes)), colours })
     }
 
+    /// Pixels of the picture, along and down.
+    pub fn size(&self) -> [usize; 2] {
+        self.colours.size()
+    }
+
+    /// The share of the picture that lies beside the box around a puzzle, because its proportions are others.
+    pub fn beside(&self, puzzle: &Puzzle) -> f64 {
+        let (size, pixels, scale) = (puzzle.size(), self.colours.size(), self.scale(puzzle));
+        let [width, height] = [0, 1].map(|k| scale * size[k] / pixels[k] as f64);
+        (1.0 - width * height).clamp(0.0, 1.0)
+    }
+
     /// An SVG pattern named `print` that covers the puzzle.
     pub(super) fn pattern(&self, puzzle: &Puzzle) -> String {
         let [width, height] = puzzle.size();

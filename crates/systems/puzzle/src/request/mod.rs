@@ -38,7 +38,7 @@ pub struct PuzzleRequest {
     #[cfg_attr(feature = "clap", arg(long, value_name = "FILE"))]
     pub outline: Option<ShapeSource>,
     /// Width and height, in millimetres for drawings; an outline is scaled to fit into that.
-    #[cfg_attr(feature = "clap", arg(long, value_parser = values::tuple::<2>, value_name = "WIDTH,HEIGHT"))]
+    #[cfg_attr(feature = "clap", arg(long, value_parser = size, value_name = "WIDTHxHEIGHT"))]
     pub size: [f64; 2],
     /// What pieces are before they get tabs.
     #[cfg_attr(feature = "clap", arg(long, value_enum))]
@@ -83,6 +83,13 @@ pub struct PuzzleRequest {
     /// Width of the cut: paths are moved by half of it, and whether the puzzle holds with the gap is tested.
     #[cfg_attr(feature = "clap", arg(long, value_parser = values::magnitude, value_name = "WIDTH"))]
     pub kerf: f64,
+}
+
+/// A width and a height.
+#[cfg(feature = "clap")]
+fn size(text: &str) -> Result<[f64; 2], String> {
+    values::tuple::<2>(&text.replace(['x', '×'], ","))
+        .map_err(|_| "expected a width and a height, such as 300x200".to_owned())
 }
 
 impl Default for PuzzleRequest {

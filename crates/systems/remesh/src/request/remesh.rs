@@ -7,13 +7,13 @@ use crate::{
 use pompeiu_core::TriMesh;
 use pompeiu_core::geom::Aabb;
 use pompeiu_core::mesh::{Coordinates, Rounding};
-use pompeiu_core::request::{Conclusion, Limit, Report, Request};
+use pompeiu_core::request::{Conclusion, Length, Limit, Report, Request};
 use pompeiu_core::run::{RunContext, StopReason};
 use pompeiu_hausdorff::SymmetricReport;
 use pompeiu_hausdorff::certificate::CertificateAnswer;
 
 #[cfg(feature = "clap")]
-use pompeiu_core::request::values::magnitude;
+use pompeiu_core::request::values::{fraction, magnitude};
 
 /// Least and greatest length of edges that follow curvature, as fractions of the diagonal.
 const ADAPTIVE_BETWEEN: [f64; 2] = [1e-4, 0.1];
@@ -24,18 +24,21 @@ const ADAPTIVE_BETWEEN: [f64; 2] = [1e-4, 0.1];
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct RemeshRequest {
-    /// Length of edges, in the unit of the mesh.
-    #[cfg_attr(feature = "clap", arg(long, value_parser = magnitude, value_name = "LENGTH"))]
-    pub edge_length: Option<f64>,
+    /// Length of edges, such as 2, 2mm with the unit given, or 1% of the diagonal.
+    #[cfg_attr(feature = "clap", arg(long, allow_negative_numbers = true, value_name = "LENGTH"))]
+    pub edge_length: Option<Length>,
     /// Length of edges as a fraction of the diagonal of the bounding box.
-    #[cfg_attr(feature = "clap", arg(long, value_parser = magnitude, value_name = "FRACTION"))]
+    #[cfg_attr(feature = "clap", arg(long, value_parser = fraction, value_name = "FRACTION"))]
     pub relative: Option<f64>,
     /// Height of chords: edges are as long as the curvature allows.
-    #[cfg_attr(feature = "clap", arg(long, value_parser = magnitude, value_name = "HEIGHT"))]
-    pub adaptive: Option<f64>,
-    /// Largest distance from the input, in its unit, to be proven.
-    #[cfg_attr(feature = "clap", arg(long, value_parser = magnitude, value_name = "LENGTH"))]
-    pub within: Option<f64>,
+    #[cfg_attr(feature = "clap", arg(long, allow_negative_numbers = true, value_name = "LENGTH"))]
+    pub adaptive: Option<Length>,
+    /// Largest distance from the input, to be proven, such as 0.1, 0.1mm with the unit given, or 0.5% of the diagonal.
+    #[cfg_attr(feature = "clap", arg(long, allow_negative_numbers = true, value_name = "LENGTH"))]
+    pub within: Option<Length>,
+    /// The unit of the coordinates, such as mm; files have none.
+    #[cfg_attr(feature = "clap", arg(long, value_name = "NAME"))]
+    pub unit: String,
     /// Keep edges whose faces meet at more than this angle between their normals, in degrees; boundaries are always kept.
     #[cfg_attr(feature = "clap", arg(long, value_parser = magnitude, value_name = "ANGLE"))]
     pub features: Option<f64>,
@@ -61,6 +64,7 @@ impl Default for RemeshRequest {
             relative: None,
             adaptive: None,
             within: None,
+            unit: String::new(),
             features: None,
             iterations: RemeshOptions::ITERATIONS,
             most_faces: RemeshOptions::MOST_FACES,
@@ -92,6 +96,10 @@ pub struct RemeshAnswer {
 pub struct RemeshReport {
     /// The length of edges asked for; null where a chord height was.
     pub edge_length: Option<f64>,
+    /// The chord height asked for; null where a length of edges was.
+    pub chord_height: Option<f64>,
+    /// The distance that is proven; null where none was asked for.
+    pub within: Option<f64>,
     /// The triangles of the input.
     pub before: Quality,
     /// The triangles of the result.
@@ -133,8 +141,13 @@ impl RemeshRequest {
     /// [`RemeshError`].
     pub fn run(&self, mesh: &TriMesh, context: &RunContext<'_>) -> Result<RemeshAnswer, RemeshError> {
         let diagonal = Aabb::of_faces(mesh).diagonal();
-        let edge_length = self.edge_length.or_else(|| self.relative.map(|share| share * diagonal));
-        let sizing = match (edge_length, self.adaptive) {
+        let in_unit = |length: &Option<Length>| {
+            length.as_ref().map(|length| length.of(&self.unit, diagonal)).transpose()
+        };
+        let edge_length = in_unit(&self.edge_length)?.or_else(|| self.relative.map(|share| share * diagonal));
+        let within = in_unit(&self.within)?;
+        let chord_height = in_unit(&self.adaptive)?;
+        let sizing = match (edge_length, chord_height) {
             (Some(length), None) if self.edge_length.is_none() || self.relative.is_none() => {
                 Sizing::Length(length)
             }
@@ -146,7 +159,7 @@ impl RemeshRequest {
         let options = RemeshOptions {
             features: Features { angle: self.features, ..Features::default() },
             iterations: self.iterations,
-            within: self.within,
+            within,
             most_faces: self.most_faces,
             coordinates: self.coordinates,
             intersections: self.intersections,
@@ -157,6 +170,8 @@ impl RemeshRequest {
         let found = remesh(mesh, &options)?;
         let report = RemeshReport {
             edge_length,
+            chord_height,
+            within,
             before: found.before,
             after: found.after,
             distance: found.distance.clone(),
@@ -182,8 +197,8 @@ mod tests {
         let run = |request: RemeshRequest| request.run(&sphere, &RunContext::default());
         let one = RemeshRequest { relative: Some(0.2), ..RemeshRequest::default() };
         assert!(run(one.clone()).is_ok_and(|answer| answer.report.edge_length > Some(0.6)));
-        let both = RemeshRequest { edge_length: Some(0.5), ..one.clone() };
-        let adaptive = RemeshRequest { adaptive: Some(0.1), ..one };
+        let both = RemeshRequest { edge_length: Length::new(0.5).ok(), ..one.clone() };
+        let adaptive = RemeshRequest { adaptive: Length::new(0.1).ok(), ..one };
         for wrong in [RemeshRequest::default(), both, adaptive] {
             assert_eq!(run(wrong).map(|answer| answer.report).unwrap_err(), RemeshError::OneSize);
         }

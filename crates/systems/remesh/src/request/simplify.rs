@@ -6,14 +6,14 @@ use crate::{
 };
 use pompeiu_core::geom::Aabb;
 use pompeiu_core::mesh::{Coordinates, Rounding};
-use pompeiu_core::request::{Conclusion, Limit, Report, Request};
+use pompeiu_core::request::{Conclusion, Length, Limit, Report, Request};
 use pompeiu_core::run::{RunContext, StopReason};
 use pompeiu_core::{TriMesh, VertexId};
 use pompeiu_hausdorff::SymmetricReport;
 use pompeiu_hausdorff::certificate::CertificateAnswer;
 
 #[cfg(feature = "clap")]
-use pompeiu_core::request::values::magnitude;
+use pompeiu_core::request::values::{fraction, magnitude};
 
 /// Reduce the number of faces within a distance that is proven.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,11 +21,14 @@ use pompeiu_core::request::values::magnitude;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct SimplifyRequest {
-    /// Largest distance from the input, in its unit.
-    #[cfg_attr(feature = "clap", arg(long, value_parser = magnitude, value_name = "LENGTH"))]
-    pub within: Option<f64>,
+    /// Largest distance from the input, such as 0.1, 0.1mm with the unit given, or 0.5% of the diagonal.
+    #[cfg_attr(feature = "clap", arg(long, allow_negative_numbers = true, value_name = "LENGTH"))]
+    pub within: Option<Length>,
+    /// The unit of the coordinates, such as mm; files have none.
+    #[cfg_attr(feature = "clap", arg(long, value_name = "NAME"))]
+    pub unit: String,
     /// Largest distance as a fraction of the diagonal of the bounding box.
-    #[cfg_attr(feature = "clap", arg(long, value_parser = magnitude, value_name = "FRACTION"))]
+    #[cfg_attr(feature = "clap", arg(long, value_parser = fraction, value_name = "FRACTION"))]
     pub relative: Option<f64>,
     /// Number of faces to reach; the distance follows.
     #[cfg_attr(feature = "clap", arg(long, value_name = "N"))]
@@ -56,6 +59,7 @@ impl Default for SimplifyRequest {
     fn default() -> Self {
         Self {
             within: None,
+            unit: String::new(),
             relative: None,
             faces: None,
             effort: Effort::default(),
@@ -200,9 +204,10 @@ impl SimplifyRequest {
 
     /// When it ends: exactly one way is given.
     fn target(&self, mesh: &TriMesh) -> Result<SimplifyTarget, SimplifyError> {
-        let target = match (self.within, self.relative, self.faces) {
-            (Some(length), None, None) => SimplifyTarget::Within(length),
-            (None, Some(share), None) => SimplifyTarget::Within(share * Aabb::of_faces(mesh).diagonal()),
+        let diagonal = Aabb::of_faces(mesh).diagonal();
+        let target = match (&self.within, self.relative, self.faces) {
+            (Some(length), None, None) => SimplifyTarget::Within(length.of(&self.unit, diagonal)?),
+            (None, Some(share), None) => SimplifyTarget::Within(share * diagonal),
             (None, None, Some(faces)) => SimplifyTarget::Faces(faces),
             _ => return Err(SimplifyError::OneTarget),
         };
@@ -248,7 +253,11 @@ mod tests {
         for wrong in [SimplifyRequest::default(), both] {
             assert_eq!(run(&wrong).map(|answer| answer.report).unwrap_err(), SimplifyError::OneTarget);
         }
-        let fast = SimplifyRequest { within: Some(0.1), effort: Effort::Fast, ..SimplifyRequest::default() };
+        let fast = SimplifyRequest {
+            within: Length::new(0.1).ok(),
+            effort: Effort::Fast,
+            ..SimplifyRequest::default()
+        };
         assert_eq!(run(&fast).map(|answer| answer.report).unwrap_err(), SimplifyError::EffortWithin);
     }
 }

@@ -5,7 +5,7 @@ use crate::aligned::{percent, verdict};
 use crate::door::AnswerOf;
 use crate::exit::stopped_by;
 use crate::numbers::{few, plain, point, rounded, shortest, time};
-use crate::page::{Page, described, value};
+use crate::page::{Page, brief, described};
 use pompeiu::matching::align::{Alternative, FreeMotion};
 use std::fmt::Write;
 
@@ -51,11 +51,11 @@ pub(super) fn text(answer: &AnswerOf<Files>) -> String {
     if let (Some(there), Some(back)) = (&report.moved_to_fixed, &report.fixed_to_moved) {
         page.row(
             "distance",
-            &format!("{}   how far the moved mesh is from the fixed one: proven", value(there.distance)),
+            &format!("{}   how far the moved mesh is from the fixed one: proven", brief(there.distance)),
         );
         page.row(
             "",
-            &format!("{}   how far the fixed mesh is from the moved one: proven", value(back.distance)),
+            &format!("{}   how far the fixed mesh is from the moved one: proven", brief(back.distance)),
         );
     }
     let spans = [answer.timing.read, report.timing.align, report.timing.distance, answer.timing.total];
@@ -121,13 +121,19 @@ fn turned(other: &Alternative) -> String {
     let name = TURNS.iter().find(|(angle, _)| (angle - other.apart_degrees).abs() < ABOUT);
     let turn =
         name.map_or_else(|| format!("a turn of {:.1}°", other.apart_degrees), |(_, name)| (*name).to_owned());
-    let [axis, through] = [other.axis, other.point].map(|v| point(v.map(|x| rounded(x) + 0.0)));
+    let [axis, through] = [point(clean(other.axis, 1.0)), point(clean(other.point, length(other.point)))];
     let slide = if other.slide.abs() <= NEGLIGIBLE * length(other.point).max(1.0) {
         String::new()
     } else {
         format!(", sliding {} along it", few(other.slide))
     };
     format!("{turn} about {axis} through {through}{slide}")
+}
+
+/// Four digits of coordinates, and zero for those that are rounding beside the greatest of a size of at least one.
+fn clean(v: [f64; 3], size: f64) -> [f64; 3] {
+    let least = NEGLIGIBLE * NEGLIGIBLE * NEGLIGIBLE * size.max(1.0);
+    v.map(|x| if x.abs() < least { 0.0 } else { rounded(x) })
 }
 
 fn length(v: [f64; 3]) -> f64 {
@@ -137,12 +143,15 @@ fn length(v: [f64; 3]) -> f64 {
 /// The motion in words.
 fn free(motion: &FreeMotion) -> String {
     let [turn, shift] = [motion.turn, motion.shift].map(length);
-    let direction = |v: [f64; 3]| point(v.map(|x| rounded(x / length(v)) + 0.0));
+    let direction = |v: [f64; 3]| point(clean(v.map(|x| x / length(v)), 1.0));
     let slide = || format!("slides along {}", direction(motion.shift));
     if turn <= NEGLIGIBLE {
         return slide();
     }
-    let turns =
-        format!("turns about {} through {}", direction(motion.turn), point(motion.point.map(rounded)));
+    let turns = format!(
+        "turns about {} through {}",
+        direction(motion.turn),
+        point(clean(motion.point, length(motion.point)))
+    );
     if shift <= NEGLIGIBLE * turn { turns } else { format!("{turns} as it {}", slide()) }
 }

@@ -43,20 +43,20 @@ Meshes written with -a and -b carry the distance of each vertex, and for each fa
 and its mean distance, where the format has a place for them: PLY, VTP and VTU. GLB, OBJ and OFF hold colours.
 
 Exit codes:
-  0  done; with --threshold or --band: proven to be within tolerance
-  1  with --threshold or --band: proven to be out of tolerance
+  0  done; with --within or --band: proven to be within tolerance
+  1  with --within or --band: proven to be out of tolerance
   2  a file or an argument cannot be used
   3  the time or memory limit ran out first, or the tolerance is undecided; what is printed holds, but is wider than asked;
      or the certificate could not be written
 
 Examples:
   pompeiu deviation model.obj scan.ply
-  pompeiu deviation --model part.stl --scan part.ply --align rigid --threshold 0.05 --report scan.html
-  pompeiu deviation model.obj scan.ply --threshold 0.1mm --unit mm --allow 1%
+  pompeiu deviation --model part.stl --scan part.ply --align rigid --within 0.05 --report scan.html
+  pompeiu deviation model.obj scan.ply --within 0.1mm --unit mm --allow 1%
   pompeiu deviation model.obj scan.ply --unit mm --band -0.05..0.1 --band -0.2..0.3
-  pompeiu deviation model.obj partial-scan.ply --only-overlap --ignore-components 0.1% --threshold 0.05
+  pompeiu deviation model.obj partial-scan.ply --only-overlap --ignore-components 0.1% --within 0.05
   pompeiu deviation model.obj scan.ply --signed -a model.vtp -b scan.vtp
-  pompeiu deviation model.obj scan.ply --threshold 0.05 --report scan.html --pdf scan.pdf --certificate proof.phc
+  pompeiu deviation model.obj scan.ply --within 0.05 --report scan.html --pdf scan.pdf --certificate proof.phc
   pompeiu deviation model.obj scan.ply --json")]
 pub(crate) struct Files {
     #[command(flatten)]

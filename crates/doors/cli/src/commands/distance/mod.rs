@@ -26,8 +26,8 @@ A file with points and no faces (PLY, XYZ) is a cloud: how far its points are fr
 In JSON, witness.a lies on A and witness.b on B in both directions.
 
 Exit codes:
-  0  done; with --assert-below: proven to be at most that
-  1  with --assert-below: proven to exceed it
+  0  done; with --within: proven to be at most that
+  1  with --within: proven to exceed it
   2  a file or an argument cannot be used
   3  undecided within the time or memory limit, or within double precision; or the certificate could not be written
 
@@ -35,7 +35,7 @@ Examples:
   pompeiu distance model.obj scan.ply
   pompeiu distance model.obj scan.ply --direction a-to-b --json
   pompeiu distance model.obj scan.ply --tolerance 1e-3 --tolerance-kind relative
-  pompeiu distance model.obj scan.ply --assert-below 0.05 --time-limit 10s
+  pompeiu distance model.obj scan.ply --within 0.05 --time-limit 10s
   pompeiu distance model.obj scan.ply --certificate proof.phc")]
 pub(crate) struct Files {
     #[command(flatten)]

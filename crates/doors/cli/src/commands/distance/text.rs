@@ -5,10 +5,10 @@ use crate::aligned::verdict;
 use crate::door::AnswerOf;
 use crate::exit::stopped_by;
 use crate::numbers::{grouped, plain, point, shortest, time};
-use crate::page::{Page, described, value};
+use crate::page::{Page, brief, described, proven};
 use pompeiu::hausdorff::{
-    AskedTolerance, Comparison, DirectedDistance, Direction, DistanceReport, Enclosure, StopReason,
-    ThresholdAnswer, ToleranceKind, TraceRow,
+    AskedTolerance, Comparison, DirectedDistance, Direction, DistanceReport, StopReason, ThresholdAnswer,
+    ToleranceKind, TraceRow,
 };
 use std::path::Path;
 
@@ -36,7 +36,7 @@ pub(super) fn text(names: [&str; 2], certificate: Option<&Path>, answer: &Answer
         } else {
             "the greater of the two below"
         };
-        page.row("H(A, B)", &format!("{}   {origin}", value(distance)));
+        page.row("H(A, B)", &format!("{}   {origin}", brief(distance)));
         page.row("", &proven(distance));
         page.gap();
     }
@@ -74,23 +74,10 @@ fn sentence(report: &DistanceReport, threshold: ThresholdAnswer) -> String {
     }
 }
 
-fn proven(distance: Enclosure) -> String {
-    let [lower, upper] = [distance.lower(), distance.upper()].map(shortest);
-    if lower == upper {
-        return "proven, with no gap".to_owned();
-    }
-    format!("proven to lie between {lower} and {upper} (gap {})", gap(distance.gap()))
-}
-
 /// A tolerance: powers of ten in full, others to two digits.
 fn fraction(tolerance: f64) -> String {
     let shortest = format!("{tolerance:e}");
     if shortest.len() <= 5 { shortest } else { format!("{tolerance:.1e}") }
-}
-
-/// A width, to two digits.
-fn gap(width: f64) -> String {
-    format!("{width:.1e}")
 }
 
 fn directed(page: &mut Page, report: &DirectedDistance, direction: Direction, tolerance: AskedTolerance) {
@@ -99,7 +86,7 @@ fn directed(page: &mut Page, report: &DirectedDistance, direction: Direction, to
         Direction::AToB => ("h(A, B)", ["A", "B"], [witness.a, witness.b]),
         Direction::BToA => ("h(B, A)", ["B", "A"], [witness.b, witness.a]),
     };
-    page.row(name, &format!("{}   how far {from} is from {to}", value(report.distance)));
+    page.row(name, &format!("{}   how far {from} is from {to}", brief(report.distance)));
     page.row("", &proven(report.distance));
     page.row("", &format!("from {from} at {} on face {}", point(start.position), start.face.0));
     page.row("", &format!("to   {to} at {} on face {}", point(end.position), end.face.0));

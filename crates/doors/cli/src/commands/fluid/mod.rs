@@ -47,6 +47,9 @@ impl System for Files {
 
     fn run(&self, request: &mut FluidRequest, session: &mut Session<'_>) -> anyhow::Result<FluidReport> {
         request.check()?;
+        for remark in request.remarks() {
+            session.printer.warning(remark);
+        }
         let pictures: Vec<&Path> = request.obstacles.iter().map(PathBuf::as_path).collect();
         files::check_places(self.outputs(), &pictures)?;
         let series = self.output.as_deref().map(Series::new).transpose()?;

@@ -1,6 +1,6 @@
 //! The summary for people.
 
-use crate::numbers::{grouped, plain, point};
+use crate::numbers::{grouped, plain, point, six};
 use crate::printer::LABEL;
 use pompeiu::core::request::{InfoReport, IntersectingFaces};
 use std::fmt::Write;
@@ -33,7 +33,7 @@ pub(super) fn text(path: &Path, report: &InfoReport) -> String {
         ("edges", number(topology.edges)),
         ("faces", number(summary.faces)),
         ("bounding box", format!("{} to {}", point(bounds.lower), point(bounds.upper))),
-        ("size", format!("{}, diagonal {}", size.join(" × "), plain(bounds.diagonal()))),
+        ("size", format!("{}, diagonal {}", size.join(" × "), six(bounds.diagonal()))),
         ("area", measure(summary.area)),
         ("volume", volume),
         ("components", number(topology.components)),
@@ -90,7 +90,7 @@ fn pairs(found: &IntersectingFaces) -> String {
 
 /// An area or a volume, which may overflow where lengths do not.
 fn measure(x: f64) -> String {
-    if x.is_finite() { plain(x) } else { "beyond the range of double precision".to_owned() }
+    if x.is_finite() { six(x) } else { "beyond the range of double precision".to_owned() }
 }
 
 /// A noun in the number that goes with a count.

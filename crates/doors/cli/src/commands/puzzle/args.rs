@@ -28,7 +28,7 @@ Outputs, by suffix:
   .png   the pieces as a picture
 
 Examples:
-  pompeiu puzzle --pieces 48 --size 300,200 -o pieces.svg --cuts laser.svg
+  pompeiu puzzle --pieces 48 --size 300x200 -o pieces.svg --cuts laser.svg
   pompeiu puzzle --layout voronoi --tab dovetail --seed 7 --report puzzle.html
   pompeiu puzzle --piece bird -n 24 -o birds.svg --report birds.html
   pompeiu puzzle --piece fish.png --outline lake.svg --tab dovetail --cuts laser.dxf
@@ -36,7 +36,7 @@ Examples:
   pompeiu puzzle --layout voronoi -n 60 --whimsy cat.png --whimsy star.svg -o whimsies.svg
   pompeiu puzzle --outline cat.png --layout voronoi -n 40 -o cat.svg
   pompeiu puzzle -n 48 --kerf 0.2 --cuts laser.svg -o pieces.svg
-  pompeiu puzzle --image photo.jpg -o photo.png --report photo.html
+  pompeiu puzzle --picture photo.jpg --image photo.png --report photo.html
   pompeiu puzzle --layout voronoi --tab none --motion apart.svg
   pompeiu puzzle --layout hexagons --tab none --json")]
 pub(crate) struct Files {
@@ -49,8 +49,11 @@ pub(crate) struct Files {
     /// Write each border once, in the order to cut them: .svg or .dxf
     #[arg(long, value_name = "OUT")]
     pub(super) cuts: Option<PathBuf>,
-    /// A picture to lie on the pieces in --output (.svg, .png) and --report: PNG, JPEG, GIF or BMP
+    /// A picture to lie on the pieces in --output (.svg, .png), --image and --report: PNG, JPEG, GIF or BMP
     #[arg(long, value_name = "PICTURE")]
+    pub(super) picture: Option<PathBuf>,
+    /// Write a picture of the pieces
+    #[arg(long, value_parser = suffix::picture, value_name = "FILE.png")]
     pub(super) image: Option<PathBuf>,
     /// Write the motion that takes a puzzle apart which is not locked: .svg plays it, .png shows its end
     #[arg(long, value_name = "OUT")]

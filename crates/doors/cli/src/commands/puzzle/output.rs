@@ -2,11 +2,12 @@
 
 use super::args::Files;
 use crate::files;
+use crate::numbers::few;
 use crate::printer::Printer;
 use anyhow::{Context, bail};
 use pompeiu::puzzle::{
-    PieceDrawing, Print, PuzzleAnswer, PuzzleRequest, cuts_dxf, cuts_svg, motion_png, motion_svg, page,
-    pieces_dxf, pieces_png, pieces_svg,
+    PieceDrawing, Print, Puzzle, PuzzleAnswer, PuzzleRequest, cuts_dxf, cuts_svg, motion_png, motion_svg,
+    page, pieces_dxf, pieces_png, pieces_svg,
 };
 use std::path::{Path, PathBuf};
 
@@ -29,8 +30,8 @@ pub(super) struct Outputs<'f> {
 impl<'f> Outputs<'f> {
     /// Refuses files that cannot be written, or that the request reads.
     pub(super) fn of(files: &'f Files, request: &PuzzleRequest) -> anyhow::Result<Self> {
-        let outputs = [&files.output, &files.cuts, &files.motion, &files.report];
-        let inputs: Vec<&Path> = request.files().chain(files.image.as_deref()).collect();
+        let outputs = [&files.output, &files.cuts, &files.motion, &files.image, &files.report];
+        let inputs: Vec<&Path> = request.files().chain(files.picture.as_deref()).collect();
         files::check_places(outputs.into_iter().flatten().map(PathBuf::as_path), &inputs)?;
         Ok(Self {
             files,
@@ -42,7 +43,7 @@ impl<'f> Outputs<'f> {
 
     /// The picture on the pieces.
     pub(super) fn print(&self) -> anyhow::Result<Option<Print>> {
-        let Some(path) = &self.files.image else { return Ok(None) };
+        let Some(path) = &self.files.picture else { return Ok(None) };
         files::check_readable(path)?;
         let read = || anyhow::Ok(Print::read(&std::fs::read(path)?)?);
         read().map(Some).with_context(|| path.display().to_string())
@@ -56,6 +57,12 @@ impl<'f> Outputs<'f> {
         printer: &Printer,
     ) -> anyhow::Result<()> {
         let PuzzleAnswer { puzzle, report, motion, .. } = found;
+        if let (Some(path), Some(print)) = (&self.files.picture, print) {
+            warn_of_proportions(path, print, puzzle, printer);
+        }
+        if let Some(path) = &self.files.image {
+            files::write_whole(path, &png(path, pieces_png(puzzle, print))?, printer)?;
+        }
         if let Some((path, kind)) = self.output {
             let drawing = PieceDrawing { pull: self.files.pull, kerf, print };
             let content = match kind {
@@ -92,6 +99,24 @@ impl<'f> Outputs<'f> {
             files::write_whole(path, text.as_bytes(), printer)?;
         }
         Ok(())
+    }
+}
+
+/// The share of a picture beside the pieces from which on that is said.
+const NOTABLE: f64 = 0.01;
+
+/// Says what of a picture is not on the pieces, which it covers.
+fn warn_of_proportions(path: &Path, print: &Print, puzzle: &Puzzle, printer: &Printer) {
+    let lost = print.beside(puzzle);
+    if lost > NOTABLE {
+        let ([width, height], [x, y]) = (puzzle.size(), print.size());
+        printer.warning(format_args!(
+            "{}: {:.0} % of the picture is beside the pieces: it has {x} × {y} pixels, and the puzzle {} × {}",
+            path.display(),
+            100.0 * lost,
+            few(width),
+            few(height)
+        ));
     }
 }
 

@@ -52,7 +52,11 @@ impl System for Files {
     }
 
     fn run(&self, request: &mut RemeshRequest, session: &mut Session<'_>) -> anyhow::Result<RemeshReport> {
-        certificate::check_result(self.certificate.as_deref(), request.within, request.coordinates.center)?;
+        certificate::check_result(
+            self.certificate.as_deref(),
+            request.within.is_some(),
+            request.coordinates.center,
+        )?;
         let shown = self.mesh.display().to_string();
         let mesh = session.read_mesh(&self.mesh)?;
         hold_in(&self.output, &mut request.coordinates);
@@ -62,7 +66,7 @@ impl System for Files {
         tell(&self.output, &found.rounding, printer);
         files::write_rounded(&self.output, &found.mesh, &found.rounding, printer)?;
         let mut proof = None;
-        if let Some((path, within)) = self.certificate.as_ref().zip(request.within) {
+        if let Some((path, within)) = self.certificate.as_ref().zip(answer.report.within) {
             let (written, result) = certificate::write_of_output(path, &mesh, &self.output, within, session)?;
             if self.picture.report.is_some() {
                 proof = certificate::attached(path, [&mesh, &result], &written, session)?;

@@ -3,7 +3,7 @@
 use super::Files;
 use crate::door::AnswerOf;
 use crate::numbers::{few, grouped, pairs_that_intersect, shortest, time};
-use crate::page::value;
+use crate::page::{brief, proven};
 use crate::printer::LABEL;
 use pompeiu::remesh::Quality;
 use std::fmt::Write;
@@ -15,7 +15,7 @@ pub(super) fn text(certificate: Option<&Path>, answer: &AnswerOf<Files>) -> Stri
     let mut row = |label: &str, value: String| {
         let _ = writeln!(text, "{LABEL}{label:<13}{LABEL:#}{value}");
     };
-    let (asked, found) = (&answer.request, &answer.report);
+    let found = &answer.report;
     let both =
         |of: &dyn Fn(&Quality) -> String| format!("{}, before {}", of(&found.after), of(&found.before));
     let count = |n: usize| grouped(n as u64);
@@ -31,13 +31,14 @@ pub(super) fn text(certificate: Option<&Path>, answer: &AnswerOf<Files>) -> Stri
     );
     row("valence", both(&|q| format!("{:.1} % regular", 100.0 * q.regular)));
     if let Some(report) = &found.distance {
-        let proven = match asked.within {
+        let bound = match found.within {
             Some(within) => format!(", proven to be at most {}", shortest(within)),
             None => String::new(),
         };
-        row("H(A, B)", value(report.distance) + &proven);
+        row("H(A, B)", brief(report.distance) + &bound);
+        row("", proven(report.distance));
     }
-    if let (Some(height), Some(report)) = (asked.adaptive, &found.distance)
+    if let (Some(height), Some(report)) = (found.chord_height, &found.distance)
         && report.distance.lower() > height
     {
         row(

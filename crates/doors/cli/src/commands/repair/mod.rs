@@ -53,7 +53,11 @@ impl System for Files {
         request: &mut RepairRequest,
         session: &mut Session<'_>,
     ) -> anyhow::Result<ProvenRepairReport> {
-        certificate::check_result(self.certificate.as_deref(), request.within, request.coordinates.center)?;
+        certificate::check_result(
+            self.certificate.as_deref(),
+            request.within.is_some(),
+            request.coordinates.center,
+        )?;
         let mesh = session.read_mesh(&self.input)?;
         hold_in(&self.output, &mut request.coordinates);
         let found = request.run(&mesh, &session.context());
@@ -66,14 +70,16 @@ impl System for Files {
                 self.output.display()
             );
         }
-        if let (true, Some(path), Some(within)) = (found.report.written, &self.certificate, request.within) {
+        if let (true, Some(path), Some(within)) =
+            (found.report.written, &self.certificate, found.report.within)
+        {
             let answer = certificate::write_within(path, [&mesh, &found.mesh], within, session)?;
             found.report.certificate = Some(answer);
         }
         if found.report.written {
             tell(&self.output, &found.report.rounding, session.printer);
             files::write_rounded(&self.output, &found.mesh, &found.report.rounding, session.printer)?;
-        } else if let Some(within) = request.within {
+        } else if let Some(within) = found.report.within {
             session.printer.warning(format_args!(
                 "{}: not written, for the result is not proven to be within {} of the input; allow more, or repair less",
                 self.output.display(),

@@ -3,7 +3,7 @@
 use super::Files;
 use crate::door::AnswerOf;
 use crate::numbers::{grouped, point, shortest};
-use crate::page::value;
+use crate::page::{brief, proven};
 use crate::printer::LABEL;
 use pompeiu::core::mesh::repair::Change;
 use std::fmt::Write;
@@ -58,7 +58,8 @@ pub(super) fn text(certificate: Option<&Path>, answer: &AnswerOf<Files>) -> Stri
     }
     if let Some((within, distance)) = found.within.zip(found.distance) {
         let verdict = if found.written { "proven to be" } else { "not proven to be" };
-        row("H(A, B)", &format!("{}, {verdict} at most {}", value(distance), shortest(within)));
+        row("H(A, B)", &format!("{}, {verdict} at most {}", brief(distance), shortest(within)));
+        row("", &proven(distance));
     }
     if let Some((path, answer)) = certificate.zip(found.certificate.as_ref()) {
         text += &crate::certificate::text(path, answer);

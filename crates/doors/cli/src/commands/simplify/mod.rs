@@ -58,7 +58,8 @@ impl System for Files {
             (0..usize::from(request.levels)).map(|level| place(&self.output, level)).collect();
         let outputs = places.iter().chain(&self.certificate);
         files::check_places(outputs.map(PathBuf::as_path), &[&self.mesh])?;
-        let (asked, is_centered) = (request.within.or(request.relative), request.coordinates.center);
+        let asked = request.within.is_some() || request.relative.is_some();
+        let is_centered = request.coordinates.center;
         certificate::check_result(self.certificate.as_deref(), asked, is_centered)?;
         let mesh = session.read_mesh(&self.mesh)?;
         let appearance = Appearance::read(&self.mesh, &mesh, &self.output, request.repair, session.printer)?;

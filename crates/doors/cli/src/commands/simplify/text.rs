@@ -3,7 +3,7 @@
 use super::{Files, place};
 use crate::door::AnswerOf;
 use crate::numbers::{grouped, pairs_that_intersect, shortest, time};
-use crate::page::value;
+use crate::page::{brief, proven};
 use crate::printer::LABEL;
 use pompeiu::remesh::Kept;
 use std::fmt::Write;
@@ -22,13 +22,14 @@ pub(super) fn text(output: &Path, certificate: Option<&Path>, answer: &AnswerOf<
     let faces = |n: usize| grouped(n as u64);
     row("faces", format!("{} of {}, {share:.3} %", faces(level.faces), faces(before)));
     let report = &level.distance;
-    let proven = match level.within {
+    let bound = match level.within {
         Some(within) => format!(", proven to be at most {}", shortest(within)),
         None => String::new(),
     };
-    row("H(A, B)", value(report.distance) + &proven);
-    row("h(A, B)", value(report.a_to_b.distance) + ", from the input to the result");
-    row("h(B, A)", value(report.b_to_a.distance) + ", from the result to the input");
+    row("H(A, B)", brief(report.distance) + &bound);
+    row("", proven(report.distance));
+    row("h(A, B)", brief(report.a_to_b.distance) + ", from the input to the result");
+    row("h(B, A)", brief(report.b_to_a.distance) + ", from the result to the input");
     if let Some(count) = level.intersections {
         row("intersect", pairs_that_intersect(count));
     }
@@ -37,7 +38,7 @@ pub(super) fn text(output: &Path, certificate: Option<&Path>, answer: &AnswerOf<
     }
     for (i, level) in found.finer.iter().enumerate() {
         let path = place(output, i + 1);
-        let distance = value(level.distance.distance);
+        let distance = brief(level.distance.distance);
         let label = if i == 0 { "finer" } else { "" };
         row(label, format!("{} faces, H(A, B) {distance}: {}", faces(level.faces), path.display()));
     }

@@ -1,6 +1,6 @@
 //! What of a part lies in a box.
 
-use super::Part;
+use super::{Measured, Part};
 use pompeiu_core::{FaceId, TriMesh};
 use std::collections::HashMap;
 
@@ -82,18 +82,24 @@ impl Part {
         let side = |k: usize| Side { axis: k % 3, at: bounds[k], is_least: k < 3 };
         let sides: [Side; 6] = std::array::from_fn(side);
         let mut clipping = Clipping { positions: self.mesh.positions().to_vec(), crossings: HashMap::new() };
+        let mut measured = vec![Measured::Nothing; whole.faces().len()];
         let (mut corners, mut faces): (Vec<[u32; 3]>, Vec<FaceId>) = (Vec::new(), Vec::new());
         for (face, triangle) in self.faces.iter().zip(self.mesh.faces()) {
             let mut polygon = triangle.to_vec();
             for (number, side) in (0..).zip(sides) {
                 polygon = clipping.clip(&polygon, side, number);
             }
+            if polygon.len() > 2 {
+                let was_whole = self.measured[face.index()] == Measured::Whole;
+                let is_whole = was_whole && polygon == *triangle;
+                measured[face.index()] = if is_whole { Measured::Whole } else { Measured::Pieces };
+            }
             for last in 2..polygon.len() {
                 corners.push([polygon[0], polygon[last - 1], polygon[last]]);
                 faces.push(*face);
             }
         }
-        Self::on_used(whole, &clipping.positions, corners, faces)
+        Self::on_used(whole, &clipping.positions, (corners, faces), measured)
     }
 }
 

@@ -28,6 +28,8 @@ pub struct Part {
     pub faces: Vec<FaceId>,
     /// What is not in it.
     pub left_out: LeftOut,
+    /// How much of each face of the whole mesh is in it.
+    measured: Vec<Measured>,
     /// No point of it is known to be farther than this from the other mesh, if it was chosen so ([`DeviationOptions::within`](super::DeviationOptions::within)).
     pub farthest: Option<f64>,
 }
@@ -62,23 +64,21 @@ impl Part {
 
     /// The faces that are wanted; none if there is no such face.
     pub fn of(mesh: &TriMesh, wanted: impl Fn(FaceId) -> bool) -> Option<Self> {
+        let mut measured = vec![Measured::Nothing; mesh.faces().len()];
         let faces: Vec<FaceId> = mesh.face_ids().filter(|face| wanted(*face)).collect();
+        faces.iter().for_each(|face| measured[face.index()] = Measured::Whole);
         let corners = faces.iter().map(|face| mesh.faces()[face.index()]).collect();
-        Self::with(mesh, mesh.positions().to_vec(), corners, faces)
+        Self::with(mesh, mesh.positions().to_vec(), (corners, faces), measured)
     }
 
-    /// Triangles that are faces of a mesh, or cut from them, on its vertices and new ones; none if there is no triangle. `faces` ascends.
+    /// Triangles that are faces of a mesh, or cut from them, on its vertices and new ones, and how much of each face they are; none if there is no
+    /// triangle. The faces ascend.
     fn with(
         of: &TriMesh,
         positions: Vec<[f64; 3]>,
-        corners: Vec<[u32; 3]>,
-        faces: Vec<FaceId>,
+        (corners, faces): (Vec<[u32; 3]>, Vec<FaceId>),
+        measured: Vec<Measured>,
     ) -> Option<Self> {
-        let mut measured = vec![Measured::Nothing; of.faces().len()];
-        for (face, corners) in faces.iter().zip(&corners) {
-            let is_whole = *corners == of.faces()[face.index()];
-            measured[face.index()] = if is_whole { Measured::Whole } else { Measured::Pieces };
-        }
         let mesh = TriMesh::new(positions, corners).ok()?;
         let count = |kind| measured.iter().filter(|measured| **measured == kind).count();
         let left_out = LeftOut {
@@ -87,12 +87,12 @@ impl Part {
             components: count_components(of, |face| measured[face as usize] != Measured::Whole),
             share: left_share(of, &measured, (&mesh, &faces)),
         };
-        Some(Self { mesh, faces, left_out, farthest: None })
+        Some(Self { mesh, faces, left_out, measured, farthest: None })
     }
 
     /// How far a point of a piece may be from the face that it was cut from; zero if no face is cut.
     pub fn rounding(&self) -> f64 {
-        if self.left_out.cut == 0 {
+        if self.left_out.cut == 0 && self.faces.is_sorted_by(|a, b| a < b) {
             return 0.0;
         }
         let largest = self.mesh.positions().iter().flatten().fold(0.0, |most: f64, x| most.max(x.abs()));

@@ -6,6 +6,10 @@
 //! surface is then left out within three quarters of that height of the boundary, and below walls that end a length beyond the bottom no point is kept
 //! that is farther from them than 4/3 of that length.
 //!
+//! Nor does a point lie over a surface that it sees from behind only: the nearest point of the bottom of a plate, where the scan has none, is on the back of
+//! the top. Where both surfaces are oriented, as told by the points of each and their nearest points on the other one, points whose nearest face is
+//! turned away from theirs, by more than 120 degrees, are left out as well. At 90 degrees they stay: so are the sides of a rib that is missing.
+//!
 //! With `g(p)` as the distance from the boundary less 5/4 of that from the surface, `g` changes by no more than 9/4 of the way
 //! that `p` goes. So what `g` is at the middle of a triangle settles all of it, unless it is nearly zero there.
 
@@ -16,20 +20,29 @@ use crate::deviation::connected::places;
 use crate::engine::joint_frame;
 use crate::report::Direction;
 use crate::target::Target;
+use glam::DVec3;
 use pompeiu_core::geom::{Aabb, Frame};
 use pompeiu_core::run::{Control, Limits};
-use pompeiu_core::spatial::{Bvh, Workspace, morton_order};
+use pompeiu_core::spatial::{Bvh, Slot, Workspace, morton_order};
 use pompeiu_core::{FaceId, TriMesh};
 use rayon::prelude::*;
 
 /// How many times as far as the surface its boundary must be.
 const RATIO: f64 = 1.25;
+/// The cosine of the angle between two normals below which faces look away from each other.
+const AWAY: f64 = -0.5;
+/// The part of the area that must agree on whether both surfaces are oriented alike, and faces that are asked at most.
+const AGREED: f64 = 0.8;
+const ASKED: usize = 2048;
+/// Triangles with a radius of so many finest lengths are looked at in their corners, too, for the way that the nearest faces look.
+const LARGE: f64 = 4.0;
 /// Lengths in a frame, which has a size of about one, that rounding does not tell from zero.
 const SAME: f64 = 1e-12;
 
 impl Part {
     /// The points of a part of one mesh of a pair that lie over the other one rather than beside it: its boundary, where an edge belongs to one face,
-    /// is more than a quarter farther from them than its surface. Over a closed surface all do. None if there is no such point.
+    /// is more than a quarter farther from them than its surface, and the nearest face is not turned away where both are oriented. Over a closed surface
+    /// all do. None if there is no such point.
     ///
     /// # Accuracy
     /// Each triangle of what is kept consists of such points, and each that is left out of others, but for triangles with edges shorter than a part in
@@ -52,8 +65,9 @@ impl Part {
         let trees = [surface.bvh(), boundary.bvh()];
         let whole = pair.whole(direction);
         let finest = finest(pair, &frame);
+        let over = Over { frame, trees, sense: sense(pair, frame), finest: frame.length_in(finest) };
         self.cut(whole, finest, &mut |mesh| {
-            let fates = fates(mesh, &frame, trees);
+            let fates = over.fates(mesh);
             let decided = |fate| match fate {
                 Fate::Open(true) => Fate::Kept,
                 Fate::Open(false) => Fate::LeftOut,
@@ -64,33 +78,99 @@ impl Part {
     }
 }
 
-fn fates(mesh: &TriMesh, frame: &Frame, [surface, boundary]: [&Bvh; 2]) -> Vec<Fate> {
-    let order = morton_order(mesh, &Aabb::of_faces(mesh));
-    let of_task = |task: &[u32]| -> Vec<Fate> {
-        let mut workspace = Workspace::default();
-        let mut distance =
-            |bvh: &Bvh, point| bvh.nearest(point, bvh.any_slot(), &mut workspace).distance_sq.sqrt();
-        let of_face = |face: &u32| {
-            let corners = mesh.corners(FaceId(*face)).map(|p| frame.map(p));
-            let centre = [0, 1, 2].map(|k| (corners[0][k] + corners[1][k] + corners[2][k]) * (1.0 / 3.0));
-            let reach = corners.map(|p| (0..3).map(|k| (p[k] - centre[k]) * (p[k] - centre[k])).sum::<f64>());
-            let radius = reach.into_iter().fold(0.0, |most, x| if x > most { x } else { most }).sqrt();
-            let over = distance(boundary, centre) - RATIO * distance(surface, centre);
-            let doubt = (1.0 + RATIO) * radius + SAME;
-            match over {
-                over if over > doubt => Fate::Kept,
-                over if over < -doubt => Fate::LeftOut,
-                over => Fate::Open(over > SAME),
-            }
+/// What triangles are compared with.
+struct Over<'o> {
+    frame: Frame,
+    /// Of the surface, and of its boundary.
+    trees: [&'o Bvh; 2],
+    /// Whether both surfaces are oriented alike, 1, or oppositely, -1; 0 where that cannot be told.
+    sense: f64,
+    /// The length below which edges are not cut, in the frame.
+    finest: f64,
+}
+
+impl Over<'_> {
+    fn fates(&self, mesh: &TriMesh) -> Vec<Fate> {
+        let order = morton_order(mesh, &Aabb::of_faces(mesh));
+        let of_task = |task: &[u32]| -> Vec<Fate> {
+            let mut workspace = Workspace::default();
+            let mut fate = |face: &u32| {
+                let corners = mesh.corners(FaceId(*face)).map(|p| DVec3::from_array(self.frame.map(p)));
+                self.fate(corners, &mut workspace)
+            };
+            task.iter().map(&mut fate).collect()
         };
-        task.iter().map(of_face).collect()
-    };
-    let found: Vec<Fate> = order.par_chunks(256).flat_map_iter(of_task).collect();
-    let mut fates = vec![Fate::LeftOut; found.len()];
-    for (face, fate) in order.iter().zip(found) {
-        fates[*face as usize] = fate;
+        let found: Vec<Fate> = order.par_chunks(256).flat_map_iter(of_task).collect();
+        let mut fates = vec![Fate::LeftOut; found.len()];
+        for (face, fate) in order.iter().zip(found) {
+            fates[*face as usize] = fate;
+        }
+        fates
     }
-    fates
+
+    fn fate(&self, corners: [DVec3; 3], workspace: &mut Workspace) -> Fate {
+        let [surface, boundary] = self.trees;
+        let centre = (corners[0] + corners[1] + corners[2]) / 3.0;
+        let reach = corners.map(|p| p.distance_squared(centre));
+        let radius = reach.into_iter().fold(0.0, |most, x| if x > most { x } else { most }).sqrt();
+        let nearest = surface.nearest(centre.to_array(), surface.any_slot(), workspace);
+        let rim = boundary.nearest(centre.to_array(), boundary.any_slot(), workspace).distance_sq.sqrt();
+        let over = rim - RATIO * nearest.distance_sq.sqrt();
+        let doubt = (1.0 + RATIO) * radius + SAME;
+        if over < -doubt {
+            return Fate::LeftOut;
+        }
+        let normal = normal(corners);
+        let mut is_behind = |slot: Slot| self.sense * cosine(normal, surface.corners(slot)) < AWAY;
+        let behind = is_behind(nearest.slot);
+        let in_corners = if radius > LARGE * self.finest && self.sense != 0.0 {
+            let slots = corners.map(|p| surface.nearest(p.to_array(), nearest.slot, workspace).slot);
+            slots.map(&mut is_behind)
+        } else {
+            [behind; 3]
+        };
+        match (behind, in_corners) {
+            (true, [true, true, true]) => Fate::LeftOut,
+            (false, [false, false, false]) if over > doubt => Fate::Kept,
+            _ => Fate::Open(!behind && over > SAME),
+        }
+    }
+}
+
+/// Whether both surfaces of a pair are oriented alike, oppositely, or neither.
+fn sense(pair: &PreparedPair<'_>, frame: Frame) -> f64 {
+    let [there, back] = [Direction::AToB, Direction::BToA].map(|direction| votes(pair, direction, frame));
+    // A part that is not shown may be near the back of another one; of a scan all points have a counterpart.
+    let most = if back.abs() > there.abs() { back } else { there };
+    if most.abs() > AGREED { most.signum() } else { 0.0 }
+}
+
+/// The mean of the cosines between the normals of faces and of those nearest to them, by area, relative to the mean of their sizes.
+fn votes(pair: &PreparedPair<'_>, direction: Direction, frame: Frame) -> f64 {
+    let (mesh, target) = (pair.whole(direction), pair.target(direction, frame));
+    let bvh = target.bvh();
+    let order = morton_order(mesh, &Aabb::of_faces(mesh));
+    let mut workspace = Workspace::default();
+    let (mut sum, mut all) = (0.0, 0.0);
+    for face in order.iter().step_by(order.len().div_ceil(ASKED)) {
+        let corners = mesh.corners(FaceId(*face)).map(|p| DVec3::from_array(frame.map(p)));
+        let centre = (corners[0] + corners[1] + corners[2]) / 3.0;
+        let nearest = bvh.nearest(centre.to_array(), bvh.any_slot(), &mut workspace);
+        let area = (corners[1] - corners[0]).cross(corners[2] - corners[0]).length();
+        let cosine = cosine(normal(corners), bvh.corners(nearest.slot));
+        sum += area * cosine;
+        all += area * cosine.abs();
+    }
+    if all > 0.0 { sum / all } else { 0.0 }
+}
+
+fn normal([a, b, c]: [DVec3; 3]) -> DVec3 {
+    (b - a).cross(c - a).normalize_or_zero()
+}
+
+/// The cosine of the angle between a normal and that of a face.
+fn cosine(normal_of_one: DVec3, other: [[f64; 3]; 3]) -> f64 {
+    normal_of_one.dot(normal(other.map(DVec3::from_array)))
 }
 
 /// The edges that belong to one face, as triangles without area; none of a closed surface.
@@ -159,6 +239,32 @@ mod tests {
             over(&plate(1.0, 1, 0.0), &transform(&small, &Affine::translate([9.0, 0.0, 0.0])).unwrap())
                 .is_none()
         );
+    }
+
+    /// A plate that was scanned from above: the nearest points of its lower side are on the back of the upper one.
+    #[test]
+    fn the_back_of_a_surface_is_not_what_lies_over_it() {
+        let model = cube(1.0, 1).unwrap();
+        let flat = Affine::scale([20.0, 20.0, 1.0]);
+        let model = transform(&model, &flat).unwrap();
+        let fine = transform(&cube(1.0, 8).unwrap(), &flat).unwrap();
+        let top = Aabb::of_faces(&fine).upper[2];
+        let shown: Vec<[u32; 3]> = fine
+            .face_ids()
+            .filter(|face| fine.corners(*face).into_iter().all(|p| p[2] == top))
+            .map(|face| fine.faces()[face.index()])
+            .collect();
+        for turned in [false, true] {
+            let faces =
+                shown.iter().map(|[a, b, c]| if turned { [*a, *c, *b] } else { [*a, *b, *c] }).collect();
+            let scan = TriMesh::new(fine.positions().to_vec(), faces).unwrap();
+            let kept = over(&model, &scan).unwrap();
+            assert!(
+                kept.mesh.face_ids().all(|face| kept.mesh.corners(face).iter().all(|p| p[2] > top - 0.1))
+            );
+            let share = 400.0 / (2.0 * 400.0 + 4.0 * 20.0);
+            assert!((1.0 - kept.left_out.share.lower() - share).abs() < 2e-3, "{:?}", kept.left_out);
+        }
     }
 
     /// A block with two faces a side, and a scan of it without its bottom and with holes in other sides, whose points are off by up to .05, so that its

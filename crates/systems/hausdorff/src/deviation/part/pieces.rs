@@ -4,7 +4,7 @@
 //! halved at the middle of their longest edge, which the neighbours of a face do at the same point, until their edges are shorter than the finest
 //! that is looked at; then the answer for the middle counts.
 
-use super::Part;
+use super::{Measured, Part};
 use crate::PreparedPair;
 use glam::DVec3;
 use pompeiu_core::geom::Frame;
@@ -24,7 +24,7 @@ pub(super) enum Fate {
 
 /// Parts of the root of the area of the smaller surface that edges of pieces are not cut below.
 const FINEST: f64 = 2048.0;
-/// Edges of joined pieces at most, in units of the finest length: a large piece is compared with many faces at once, which takes far longer than its
+/// Edges of pieces at most, in units of the finest length: a large piece is compared with many faces at once, which takes far longer than its
 /// parts with few each.
 const LARGEST: f64 = 32.0;
 /// Pieces that are looked at together at most.
@@ -78,7 +78,7 @@ impl Cutting {
         is_new.then(|| [half([from, middle, opposite]), half([middle, to, opposite])])
     }
 
-    /// The longest edge of a piece, by its first corner, and its length in units of the finest length, which do not underflow when squared.
+    /// The longest edge of a piece, by its first corner, and its length in units of the finest one, whose squares do not underflow.
     fn longest(&self, piece: &Piece, finest: f64) -> (usize, f64) {
         let corners = piece.corners.map(|v| self.positions[v as usize]);
         let length_sq = |i: usize| {
@@ -149,46 +149,65 @@ impl Part {
             let Some(mesh) = cutting.mesh(&pieces[open.clone()]) else { break };
             fates = judge(&mesh);
         }
-        self.joined(whole, &cutting, pieces, finest)
+        self.joined(whole, cutting, pieces, finest)
     }
 
-    /// What is kept: whole faces, and pieces of others, each of them both of its halves if these are kept and it is not large.
+    /// What is kept, as pieces that are not large; all of it as it is if everything is kept.
     fn joined(
         &self,
         whole: &TriMesh,
-        cutting: &Cutting,
+        mut cutting: Cutting,
         mut pieces: Vec<Piece>,
         finest: f64,
     ) -> Option<Self> {
+        // Whether a face ends inside: then others of its size are cut, too.
+        let mut any_cut = false;
         for place in (0..pieces.len()).rev() {
             if let Some(half) = pieces[place].halves {
-                pieces[place].is_kept = (half..half + 2).all(|half| pieces[half as usize].is_kept);
+                let kept = [half, half + 1].map(|half| pieces[half as usize].is_kept);
+                any_cut |= kept[0] != kept[1];
+                pieces[place].is_kept = kept == [true; 2];
             }
         }
+        let roots = self.mesh.faces().len();
+        if pieces[..roots].iter().all(|piece| piece.is_kept) {
+            return Some(self.clone());
+        }
+        let mut measured = vec![Measured::Nothing; whole.faces().len()];
+        let mut is_whole: Vec<bool> = self.measured.iter().map(|of| *of == Measured::Whole).collect();
+        for (piece, face) in pieces.iter().zip(&self.faces) {
+            is_whole[face.index()] &= piece.is_kept;
+        }
         let (mut corners, mut faces) = (Vec::new(), Vec::new());
-        let roots = self.mesh.faces().len() as u32;
-        let mut next: Vec<u32> = (0..roots).rev().collect();
-        while let Some(place) = next.pop() {
-            let piece = &pieces[place as usize];
-            let is_one = piece.is_kept && (place < roots || cutting.longest(piece, finest).1 <= LARGEST);
+        let mut next: Vec<Piece> = pieces[..roots].iter().rev().copied().collect();
+        while let Some(piece) = next.pop() {
             match piece.halves {
-                Some(half) if !is_one => next.extend([half + 1, half]),
+                Some(half) if !piece.is_kept => {
+                    next.extend([half + 1, half].map(|half| pieces[half as usize]));
+                }
                 _ if !piece.is_kept => {}
                 _ => {
+                    if let Some(halves) = any_cut.then(|| cutting.halves(piece, LARGEST * finest)).flatten() {
+                        next.extend(halves.map(|half| Piece { is_kept: true, ..half }).into_iter().rev());
+                        continue;
+                    }
+                    let face = self.faces[piece.of as usize];
+                    let part = if is_whole[face.index()] { Measured::Whole } else { Measured::Pieces };
+                    measured[face.index()] = part;
                     corners.push(piece.corners);
-                    faces.push(self.faces[piece.of as usize]);
+                    faces.push(face);
                 }
             }
         }
-        Self::on_used(whole, &cutting.positions, corners, faces)
+        Self::on_used(whole, &cutting.positions, (corners, faces), measured)
     }
 
     /// The same as [`Self::with`], without the new vertices that no triangle has.
     pub(super) fn on_used(
         whole: &TriMesh,
         positions: &[[f64; 3]],
-        mut corners: Vec<[u32; 3]>,
-        faces: Vec<FaceId>,
+        (mut corners, faces): (Vec<[u32; 3]>, Vec<FaceId>),
+        measured: Vec<Measured>,
     ) -> Option<Self> {
         let old = whole.positions().len();
         let mut kept = positions[..old].to_vec();
@@ -201,6 +220,6 @@ impl Part {
             }
             *v = places[new];
         }
-        Self::with(whole, kept, corners, faces)
+        Self::with(whole, kept, (corners, faces), measured)
     }
 }

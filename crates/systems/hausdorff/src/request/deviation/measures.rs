@@ -5,11 +5,12 @@ use super::DeviationRequestError;
 use crate::deviation::{DeviationOptions, DirectedDeviation};
 use crate::{Observer, StopReason};
 use pompeiu_core::TriMesh;
+use pompeiu_core::geom::Aabb;
 use pompeiu_core::request::{Length, Limit, Report, Request};
 use pompeiu_core::run::{Limits, RunContext};
 
 #[cfg(feature = "clap")]
-use pompeiu_core::request::values::magnitude;
+use pompeiu_core::request::values::fraction;
 
 /// Percentages of an area.
 type Percentiles = Vec<f64>;
@@ -23,9 +24,12 @@ const LEAST_PERCENTILE: f64 = 1.0;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct DeviationMeasures {
-    /// Say whether both are within this length of each other, such as 0.1 or, with the unit given, 0.1mm; enclose the share of the area that
-    /// is farther, and list the regions beyond it.
-    #[cfg_attr(feature = "clap", arg(long, allow_negative_numbers = true, value_name = "LENGTH"))]
+    /// Say whether both are within this length of each other, such as 0.1, 0.1mm with the unit given, or 0.5% of the diagonal of both meshes; enclose the
+    /// share of the area that is farther, and list the regions beyond it.
+    #[cfg_attr(
+        feature = "clap",
+        arg(long = "within", alias = "threshold", allow_negative_numbers = true, value_name = "LENGTH")
+    )]
     pub threshold: Option<Length>,
     /// Tell inside from outside whatever the surfaces are, by generalised winding numbers: distances inside the other mesh are shown negative. Where
     /// both surfaces are closed and oriented, and few of their faces intersect, that is the default.
@@ -38,7 +42,7 @@ pub struct DeviationMeasures {
     /// both meshes always suffice.
     #[cfg_attr(
         feature = "clap",
-        arg(long, value_parser = magnitude, allow_negative_numbers = true, value_name = "X")
+        arg(long, value_parser = fraction, allow_negative_numbers = true, value_name = "X")
     )]
     pub accuracy: f64,
     /// Percentiles to enclose, in percent of the area, such as 50 for the median.
@@ -104,11 +108,11 @@ impl Report for DirectedDeviationReport {
 }
 
 impl DeviationMeasures {
-    /// The options of the analysis, without limits of a context and without an observer.
+    /// The options of the analysis of meshes whose joint box has this diagonal, without limits of a context and without an observer.
     ///
     /// # Errors
     /// [`DeviationRequestError::Length`], [`DeviationRequestError::Percentile`] and [`DeviationRequestError::SignedAndUnsigned`].
-    pub fn options(&self) -> Result<DeviationOptions<'static>, DeviationRequestError> {
+    pub fn options(&self, diagonal: f64) -> Result<DeviationOptions<'static>, DeviationRequestError> {
         let wrong = |percent: &&f64| !(LEAST_PERCENTILE..100.0).contains(*percent);
         if let Some(percent) = self.percentiles.iter().find(wrong) {
             return Err(DeviationRequestError::Percentile(*percent));
@@ -118,7 +122,7 @@ impl DeviationMeasures {
         }
         Ok(DeviationOptions {
             accuracy: self.accuracy,
-            threshold: self.threshold.as_ref().map(|length| length.in_unit(&self.unit)).transpose()?,
+            threshold: self.threshold.as_ref().map(|length| length.of(&self.unit, diagonal)).transpose()?,
             percentiles: self.percentiles.iter().map(|percent| percent / 100.0).collect(),
             bins: self.bins,
             regions: self.regions,
@@ -141,7 +145,7 @@ impl DeviationMeasures {
         observer: Option<&dyn Observer>,
     ) -> Result<DirectedDeviationReport, DeviationRequestError> {
         let watch = Watch::new(context, observer);
-        let options = self.options()?;
+        let options = self.options(Aabb::of_faces(a).union(Aabb::of_faces(b)).diagonal())?;
         let limits = Limits { pieces: self.most_pieces, ..context.limits() };
         let options = DeviationOptions { limits, observer: Some(&watch), ..options };
         let deviation = options.directed(a, b)?;
@@ -174,13 +178,13 @@ mod tests {
 
     #[test]
     fn percentages_become_shares_and_shares_are_refused() {
-        let options = DeviationMeasures::default().options().unwrap();
+        let options = DeviationMeasures::default().options(1.0).unwrap();
         assert_eq!(options.percentiles, DeviationOptions::DEFAULT_PERCENTILES);
         for wrong in [0.5, 100.0, f64::NAN] {
             let measures = DeviationMeasures { percentiles: vec![50.0, wrong], ..Default::default() };
-            assert!(measures.options().is_err(), "{wrong}");
+            assert!(measures.options(1.0).is_err(), "{wrong}");
         }
         let both = DeviationMeasures { signed: true, unsigned: true, ..Default::default() };
-        assert!(both.options().is_err());
+        assert!(both.options(1.0).is_err());
     }
 }

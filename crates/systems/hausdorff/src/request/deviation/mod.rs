@@ -15,6 +15,7 @@ pub use verdict::{Verdict, VerdictAnswer};
 use super::watch::Watch;
 use crate::deviation::Bands;
 use crate::{Observer, PreparedPair};
+use pompeiu_core::geom::Aabb;
 use pompeiu_core::request::{Band, Limit, Request};
 use pompeiu_core::run::{Limits, RunContext};
 
@@ -56,7 +57,7 @@ impl DeviationRequest {
     /// # Errors
     /// [`DeviationRequestError`].
     pub fn check(&self) -> Result<(), DeviationRequestError> {
-        self.measures.options()?.check()?;
+        self.measures.options(1.0)?.check()?;
         self.tolerance_bands()?;
         if self.measures.threshold.is_some() && !self.bands.is_empty() {
             return Err(DeviationRequestError::TwoTolerances);
@@ -97,7 +98,8 @@ impl DeviationRequest {
         let watch = Watch::new(context, observer);
         let bands = self.tolerance_bands()?;
         let pair = if bands.is_some() { pair.keeping(true) } else { pair };
-        let mut options = self.measures.options()?;
+        let diagonal = Aabb::of_faces(pair.a()).union(Aabb::of_faces(pair.b())).diagonal();
+        let mut options = self.measures.options(diagonal)?;
         let chosen = self.parts.choose(&pair, groups, &self.measures.unit, &context.limits(), &watch)?;
         let left_out = chosen.as_ref().map(|[a, b]| BothLeftOut { a: a.left_out, b: b.left_out });
         let pair = match chosen {

@@ -3,6 +3,7 @@
 use super::DeviationRequestError;
 use crate::deviation::{DeviationOptions, Part, component_shares};
 use crate::{Direction, Observer, PreparedPair};
+use pompeiu_core::geom::Aabb;
 use pompeiu_core::request::Length;
 use pompeiu_core::run::{Control, Limits, on_threads};
 use pompeiu_core::{FaceId, TriMesh};
@@ -61,7 +62,7 @@ impl MeasuredParts {
 
     /// Whether the options make sense.
     pub(super) fn check(&self, unit: &str) -> Result<(), DeviationRequestError> {
-        self.ignore_beyond.as_ref().map(|length| length.in_unit(unit)).transpose()?;
+        self.ignore_beyond.as_ref().map(|length| length.of(unit, 1.0)).transpose()?;
         match self.ignore_components {
             Some(share) if !(share > 0.0 && share <= 1.0) => Err(DeviationRequestError::Component(share)),
             _ => Ok(()),
@@ -83,7 +84,8 @@ impl MeasuredParts {
         if !self.group.is_empty() && !groups.iter().any(|groups| self.names_any(groups)) {
             return Err(self.unknown_group(groups));
         }
-        let beyond = self.ignore_beyond.as_ref().map(|length| length.in_unit(unit)).transpose()?;
+        let diagonal = Aabb::of_faces(pair.a()).union(Aabb::of_faces(pair.b())).diagonal();
+        let beyond = self.ignore_beyond.as_ref().map(|length| length.of(unit, diagonal)).transpose()?;
         let options = DeviationOptions {
             limits: limits.clone(),
             observer: Some(observer),
