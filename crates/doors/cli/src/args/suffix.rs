@@ -22,6 +22,11 @@ pub(crate) fn table(text: &str) -> Result<PathBuf, String> {
     suffixed(text, "tables are comma-separated values", &["csv"])
 }
 
+/// Parses the name of a matrix.
+pub(crate) fn matrix(text: &str) -> Result<PathBuf, String> {
+    suffixed(text, "matrices are text", &["txt", "mat", "dat"])
+}
+
 /// Parses the name of a certificate.
 pub(crate) fn certificate(text: &str) -> Result<PathBuf, String> {
     suffixed(text, "certificates have a format of their own", &["phc"])
@@ -54,6 +59,7 @@ mod tests {
             (page as fn(&str) -> Result<_, _>, "a.pdf"),
             (document, "a.html"),
             (table, "a"),
+            (matrix, "a.html"),
             (certificate, "a.pdf"),
         ] {
             assert!(parse(wrong).unwrap_err().contains("give the name the suffix ."), "{wrong}");

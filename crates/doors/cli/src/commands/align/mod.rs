@@ -2,7 +2,7 @@
 
 mod text;
 
-use crate::args::tell;
+use crate::args::{suffix, tell};
 pub(crate) use crate::door::run;
 use crate::door::{AnswerOf, Invocation, Session, System};
 use crate::files;
@@ -49,7 +49,7 @@ pub(crate) struct Files {
     #[arg(long, short, value_name = "MOVED")]
     output: Option<PathBuf>,
     /// Write the matrix as text, four rows of four numbers: what `CloudCompare` reads
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_parser = suffix::matrix, value_name = "FILE")]
     matrix: Option<PathBuf>,
 }
 
