@@ -66,7 +66,9 @@ impl Part {
     pub fn of(mesh: &TriMesh, wanted: impl Fn(FaceId) -> bool) -> Option<Self> {
         let mut measured = vec![Measured::Nothing; mesh.faces().len()];
         let faces: Vec<FaceId> = mesh.face_ids().filter(|face| wanted(*face)).collect();
-        faces.iter().for_each(|face| measured[face.index()] = Measured::Whole);
+        for face in &faces {
+            measured[face.index()] = Measured::Whole;
+        }
         let corners = faces.iter().map(|face| mesh.faces()[face.index()]).collect();
         Self::with(mesh, mesh.positions().to_vec(), (corners, faces), measured)
     }
