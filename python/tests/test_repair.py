@@ -56,11 +56,11 @@ def test_holes_are_filled():
 @pytest.mark.parametrize(
     ("options", "said"),
     [
-        ({"weld": -1.0}, "length to weld within is -1"),
+        ({"weld": -1.0}, "option `weld` of repair: expected a finite length that is not negative"),
         ({"weld": float("nan")}, "weld is nan"),
         ({"fill_holes": 1000}, "holes of up to 1000 edges"),
         ({"fill_holes": -1}, "`fill_holes` of repair: .*-1"),
-        ({"within": -1.0}, "the distance is -1"),
+        ({"within": -1.0}, "option `within` of repair: expected a finite length"),
     ],
 )
 def test_options_that_make_no_sense_are_named(options, said):
