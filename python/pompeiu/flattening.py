@@ -57,7 +57,8 @@ class Flattening:
     report : dict
         What ``pompeiu flatten --json`` says of the map.
     mesh : Mesh or None
-        With ``straighten``, the mesh into which the cut was inserted: the other numbers are those of its vertices and faces.
+        With ``straighten``, the mesh into which the cut was inserted; where edges were divided for a boundary with straight sides, the
+        mesh with the new vertices. The other numbers are those of its vertices and faces.
     """
 
     coordinates: np.ndarray

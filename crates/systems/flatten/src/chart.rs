@@ -49,7 +49,7 @@ pub(crate) struct Disk {
 }
 
 impl Disk {
-    fn new(component: &Component, cut: &EdgeData<bool>) -> Result<Self, FlattenError> {
+    pub(crate) fn new(component: &Component, cut: &EdgeData<bool>) -> Result<Self, FlattenError> {
         let opened = open(component.surface.mesh(), cut)?;
         opened.check_disks()?;
         let surface = opened_surface(&opened, &component.surface)?;

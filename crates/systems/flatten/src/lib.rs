@@ -34,6 +34,7 @@
 
 mod chart;
 mod check;
+mod chords;
 mod components;
 mod cut;
 mod distortion;

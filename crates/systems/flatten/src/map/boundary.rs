@@ -40,10 +40,7 @@ impl ConvexBoundary {
         let lengths: Vec<f64> = along.iter().map(|&h| surface.edge_length(surface.mesh().edge(h))).collect();
         match self {
             Self::Circle => Ok(on_circle(&lengths, (area / std::f64::consts::PI).sqrt())),
-            Self::Square => {
-                let half = 0.5 * area.sqrt();
-                on_polygon(&lengths, &[[-half, -half], [half, -half], [half, half], [-half, half]])
-            }
+            Self::Square => on_polygon(&lengths, &SQUARE.map(|corner| scale(area.sqrt(), corner))),
             Self::Polygon(corners) => {
                 check_convex(corners)?;
                 on_polygon(&lengths, corners)
@@ -52,6 +49,29 @@ impl ConvexBoundary {
             Self::Own => in_plane(disk, along),
         }
     }
+}
+
+/// The half side of a square of unit area.
+const HALF: f64 = 0.5;
+
+/// The corners of a square of unit area.
+const SQUARE: [Vec2; 4] = [[-HALF, -HALF], [HALF, -HALF], [HALF, HALF], [-HALF, HALF]];
+
+/// The straight sides of a boundary loop: of each, the places in the loop of its first and its last vertex. The last side ends at the
+/// first vertex, whose place is then the number of vertices.
+pub(crate) fn straight_sides(
+    boundary: &ConvexBoundary,
+    lengths: &[f64],
+) -> Result<Vec<[usize; 2]>, FlattenError> {
+    let first = match boundary {
+        ConvexBoundary::Circle | ConvexBoundary::Own => return Ok(Vec::new()),
+        ConvexBoundary::Square => corner_places(lengths, &SQUARE)?,
+        ConvexBoundary::Polygon(corners) => {
+            check_convex(corners)?;
+            corner_places(lengths, corners)?
+        }
+    };
+    Ok(first.windows(2).map(|ends| [ends[0], ends[1]]).collect())
 }
 
 fn on_circle(lengths: &[f64], radius: f64) -> Vec<Vec2> {
@@ -77,20 +97,16 @@ fn check_convex(corners: &[Vec2]) -> Result<(), FlattenError> {
     if n >= 3 && finite && turns { Ok(()) } else { Err(FlattenError::Polygon { corners: n }) }
 }
 
-/// Assigns to each corner the nearest vertex by chord length, and puts the others between them.
-fn on_polygon(lengths: &[f64], corners: &[Vec2]) -> Result<Vec<Vec2>, FlattenError> {
+/// The place of the vertex at each corner, the nearest by chord length; at the end the number of vertices.
+fn corner_places(lengths: &[f64], corners: &[Vec2]) -> Result<Vec<usize>, FlattenError> {
     let (n, k) = (lengths.len(), corners.len());
     if n < k {
         return Err(FlattenError::FewVertices { boundary: n, corners: k });
     }
     let sides: Vec<f64> = (0..k).map(|i| norm(sub(corners[(i + 1) % k], corners[i]))).collect();
     let perimeter: f64 = sides.iter().sum();
-    let total: f64 = lengths.iter().sum();
-    let mut at = vec![0.0; n + 1];
-    for i in 0..n {
-        at[i + 1] = at[i] + lengths[i] / total;
-    }
-    // The vertex at each corner: as near as possible, leaving enough for the following corners.
+    let at = shares(lengths);
+    // As near as possible, leaving enough vertices for the following corners.
     let mut first = vec![0; k + 1];
     let mut passed = 0.0;
     for i in 1..k {
@@ -101,7 +117,24 @@ fn on_polygon(lengths: &[f64], corners: &[Vec2]) -> Result<Vec<Vec2>, FlattenErr
             .unwrap_or(from);
     }
     first[k] = n;
-    let mut places = vec![[0.0; 2]; n];
+    Ok(first)
+}
+
+/// The share of the length of the loop before each vertex, and 1.
+fn shares(lengths: &[f64]) -> Vec<f64> {
+    let total: f64 = lengths.iter().sum();
+    let mut at = vec![0.0; lengths.len() + 1];
+    for (i, length) in lengths.iter().enumerate() {
+        at[i + 1] = at[i] + length / total;
+    }
+    at
+}
+
+/// Puts the vertices between those at corners on the sides, by chord length.
+fn on_polygon(lengths: &[f64], corners: &[Vec2]) -> Result<Vec<Vec2>, FlattenError> {
+    let (first, at) = (corner_places(lengths, corners)?, shares(lengths));
+    let k = corners.len();
+    let mut places = vec![[0.0; 2]; lengths.len()];
     for i in 0..k {
         let side = sub(corners[(i + 1) % k], corners[i]);
         let span = at[first[i + 1]] - at[first[i]];

@@ -1,9 +1,10 @@
 //! Cutting a surface open and laying it flat.
 
 use super::CutRequest;
+use crate::chords::without_chords;
 use crate::{
     Conformal, ConvexBoundary, CutOptions, CutStrategy, FlattenError, FlattenOptions, FlattenReport,
-    Flattening, Method, RingKind, VirtualBoundary, Weights, flatten, straighten,
+    Flattening, Method, RingKind, VirtualBoundary, Weights, choose_cut, flatten, straighten,
 };
 use pompeiu_core::TriMesh;
 use pompeiu_core::mesh::Precision;
@@ -210,10 +211,12 @@ impl Report for FlattenReport {
 /// A surface and its flat map.
 #[derive(Clone, Debug)]
 pub struct FlatSurface {
-    /// The surface that was flattened: the input, or what a straightened cut made of it.
+    /// The surface that was flattened: the input, or that after a straightened cut was inserted or edges were divided.
     pub surface: EmbeddedSurface,
-    /// The mesh into which a straightened cut was inserted.
+    /// The mesh into which a straightened cut was inserted, or in which edges were divided.
     pub inserted: Option<TriMesh>,
+    /// Number of edges that were divided at their midpoints, because both ends would be on one straight side of the boundary.
+    pub divided: usize,
     /// The map.
     pub flat: Flattening,
 }
@@ -238,16 +241,38 @@ impl FlattenRequest {
             limits: context.limits(),
             progress: context.progress(),
         };
-        let mut flat = flatten(&surface, &options(self.cut.options(&surface)?))?;
-        if !self.cut.straighten {
-            return Ok(FlatSurface { surface, inserted: None, flat });
+        let chosen = self.cut.options(&surface)?;
+        let strategy = chosen.strategy.name();
+        let mut cut = chosen.clone();
+        let (mut surface, mut inserted, mut divided) = (surface, None, 0);
+        let along = |paths| CutOptions { strategy: CutStrategy::Along(paths), ..CutOptions::default() };
+        if self.cut.straighten {
+            // Only a map with a free boundary adds cuts.
+            let chosen = match self.straight_boundary() {
+                Some(_) => choose_cut(&surface, &chosen)?,
+                None => flatten(&surface, &options(chosen))?.cut,
+            };
+            let straight = straighten(&surface, &chosen)?;
+            cut = along(straight.paths());
+            (surface, inserted) = (straight.surface, Some(straight.mesh));
         }
-        let straight = straighten(&surface, &flat.cut)?;
-        let strategy = CutStrategy::Along(straight.paths());
-        let chosen = flat.report.cut.strategy;
-        flat = flatten(&straight.surface, &options(CutOptions { strategy, ..CutOptions::default() }))?;
-        flat.report.cut.strategy = chosen;
-        Ok(FlatSurface { surface: straight.surface, inserted: Some(straight.mesh), flat })
+        if let Some(boundary) = self.straight_boundary()
+            && let Some(made) = without_chords(&surface, &choose_cut(&surface, &cut)?, boundary)?
+        {
+            cut = along(made.paths());
+            (surface, inserted, divided) = (made.surface, Some(made.mesh), made.divided);
+        }
+        let mut flat = flatten(&surface, &options(cut))?;
+        flat.report.cut.strategy = strategy;
+        Ok(FlatSurface { surface, inserted, divided, flat })
+    }
+
+    /// The boundary to which the surface itself goes, if that has straight sides. Dividing edges would not keep a symmetry.
+    fn straight_boundary(&self) -> Option<&ConvexBoundary> {
+        let is_straight =
+            |b: &&ConvexBoundary| matches!(b, ConvexBoundary::Square | ConvexBoundary::Polygon(_));
+        let is_direct = self.virtual_layers == 0 && self.cut.symmetry.is_none();
+        self.boundary.0.as_ref().filter(is_straight).filter(|_| is_direct)
     }
 
     /// The kind of map that is asked for.

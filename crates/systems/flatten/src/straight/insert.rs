@@ -45,6 +45,18 @@ pub(super) fn insert(surface: &EmbeddedSurface, lines: &[(VertexId, Way, VertexI
             }
         }
     }
+    let (faces, parents) = divide(mesh, &positions, on_edges, &chords)?;
+    Some(Inserted { positions, faces, parents, paths })
+}
+
+/// Divides faces at points on their edges, given by their shares of the edge and their numbers, and along chords between corners and such
+/// points. Returns the parts, and the face that each is a part of; `None` if chords cross.
+pub(crate) fn divide(
+    mesh: &SurfaceMesh,
+    positions: &[[f64; 3]],
+    mut on_edges: EdgeData<Vec<(f64, u32)>>,
+    chords: &[Vec<[u32; 2]>],
+) -> Option<(Vec<[u32; 3]>, Vec<FaceId>)> {
     for edge in mesh.edge_ids() {
         on_edges[edge].sort_by(|a, b| a.0.total_cmp(&b.0));
     }
@@ -59,11 +71,11 @@ pub(super) fn insert(surface: &EmbeddedSurface, lines: &[(VertexId, Way, VertexI
         }
         for part in split(around, &chords[face.index()])? {
             let first = faces.len();
-            triangulate(part, &positions, &mut faces)?;
+            triangulate(part, positions, &mut faces)?;
             parents.resize(parents.len() + faces.len() - first, face);
         }
     }
-    Some(Inserted { positions, faces, parents, paths })
+    Some((faces, parents))
 }
 
 /// The parts into which chords divide a face.
@@ -107,7 +119,7 @@ fn triangulate(mut part: Vec<Node>, positions: &[[f64; 3]], faces: &mut Vec<[u32
 }
 
 /// Marks edges by their ends.
-pub(super) fn marked(mesh: &SurfaceMesh, paths: &[[u32; 2]]) -> Option<EdgeData<bool>> {
+pub(crate) fn marked(mesh: &SurfaceMesh, paths: &[[u32; 2]]) -> Option<EdgeData<bool>> {
     let mut marked = EdgeData::filled(mesh.edges(), false);
     for ends in paths {
         marked[crate::cut::edge_between(mesh, ends.map(VertexId))?] = true;

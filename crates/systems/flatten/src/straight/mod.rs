@@ -6,7 +6,8 @@ mod shorten;
 mod walk;
 
 use crate::CutError;
-use insert::{insert, marked};
+use insert::insert;
+pub(crate) use insert::{divide, marked};
 use net::Net;
 use pompeiu_core::mesh::FaceData;
 use pompeiu_core::{FaceId, TriMesh, VertexId};

@@ -3,10 +3,11 @@
 use super::{real_mesh, surface, zoo};
 use pompeiu_core::mesh::shapes::{self, Diagonal, Ends};
 use pompeiu_core::mesh::{displace_at_random, merge};
+use pompeiu_core::run::{Limits, RunContext};
 use pompeiu_core::{TriMesh, VertexId};
 use pompeiu_flatten::{
-    Conformal, ConvexBoundary, CutOptions, CutStrategy, FlattenError, FlattenOptions, Flattening, Method,
-    RingKind, VirtualBoundary, Weights, flatten,
+    Conformal, ConvexBoundary, CutOptions, CutRequest, CutStrategy, FlattenError, FlattenOptions,
+    FlattenRequest, Flattening, Method, RingKind, VirtualBoundary, Weights, flatten,
 };
 
 fn convex(boundary: ConvexBoundary, weights: Weights) -> FlattenOptions<'static> {
@@ -196,6 +197,52 @@ fn a_closed_path_makes_two_charts_of_a_sphere() {
         let [one, other] = [0, 1].map(|k| parts[k].distortion.symmetric_dirichlet.mean);
         assert!((one / other - 1.0).abs() < 1e-6, "{one} {other}");
     }
+}
+
+/// Faces with two or three vertices on one side are nowhere degenerate: a strip without inner vertices, a fan, a sheet with thin corners, a
+/// cube that is cut open, and real meshes.
+#[test]
+fn any_disk_is_mapped_onto_a_square_or_a_polygon() {
+    let strip = {
+        let positions =
+            (0..24).map(|i| [f64::from(i / 2), f64::from(i % 2), 0.1 * f64::from(i % 5)]).collect();
+        TriMesh::new(
+            positions,
+            (0..22).map(|i| if i % 2 == 0 { [i, i + 2, i + 1] } else { [i, i + 1, i + 2] }).collect(),
+        )
+    };
+    let fan = {
+        let angle = |i: u32| std::f64::consts::TAU * f64::from(i) / 30.0;
+        let positions = (0..30).map(|i| [libm::cos(angle(i)), libm::sin(angle(i)), 0.0]).collect();
+        TriMesh::new(positions, (1..29).map(|i| [0, i, i + 1]).collect())
+    };
+    let sheet = shapes::grid([3.0, 1.0], [9, 4], Diagonal::Falling).unwrap();
+    let mut all = vec![strip.unwrap(), fan.unwrap(), sheet, shapes::cube(1.0, 2).unwrap()];
+    all.extend(["camelhead.off", "mountain.obj"].iter().filter_map(|name| real_mesh(name)));
+    let mut divided = 0;
+    for mesh in &all {
+        let is_large = mesh.faces().len() > 1000;
+        let boundaries = ["square", "polygon:0,0;5,0;1,2", "polygon:0,0;1,-1;3,-1;4,2;2,5;0,4"];
+        for boundary in boundaries.into_iter().take(if is_large { 1 } else { 3 }) {
+            // A straightened cut of the cube has four vertices, fewer than corners.
+            let ways: &[bool] = if mesh.faces().len() == 48 || is_large { &[false] } else { &[false, true] };
+            for &straighten in ways {
+                let cut = CutRequest { straighten, ..CutRequest::default() };
+                let boundary = boundary.parse().unwrap();
+                let request = FlattenRequest { boundary, cut, ..FlattenRequest::default() };
+                let found = request.run(surface(mesh), &RunContext::start(Limits::default())).unwrap();
+                assert!(found.flat.report.is_one_to_one(), "{request:?}");
+                // The surface is the same, with more vertices on it.
+                let [before, after] = [&surface(mesh), &found.surface].map(|s| s.surface().area());
+                assert!((after / before - 1.0).abs() < 1e-12);
+                divided += found.divided;
+                assert!(
+                    straighten || (found.surface.mesh().faces() > mesh.faces().len()) == (found.divided > 0)
+                );
+            }
+        }
+    }
+    assert!(divided > 0);
 }
 
 #[test]

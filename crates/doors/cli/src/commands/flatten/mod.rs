@@ -79,6 +79,12 @@ impl System for Files {
         let found = request.run(surface, &session.context()).with_context(|| shown.clone())?;
         session.stop_waiting();
         let (flat, printer) = (&found.flat, session.printer);
+        if found.divided > 0 {
+            printer.note(format_args!(
+                "{} edges are divided at their midpoints, because both ends are on one side of the boundary",
+                found.divided
+            ));
+        }
         let page = FlattenPage {
             path: &shown,
             surface: &found.surface,
