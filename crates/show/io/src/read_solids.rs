@@ -37,11 +37,15 @@ pub fn read_tetrahedra(path: impl AsRef<Path>) -> Result<Tetrahedra, ReadError> 
 /// Reads tetrahedra where a VTK unstructured grid has some, else a surface in any of the formats.
 ///
 /// # Errors
-/// [`ReadError`], as for [`read`](crate::read).
+/// [`ReadError`], as for [`read`](crate::read), or [`read_tetrahedra`] where the grid has solid cells of other types.
 pub fn read_surface_or_solid(path: impl AsRef<Path>) -> Result<SurfaceOrSolid, ReadError> {
     let path = path.as_ref();
     match read_tetrahedra(path) {
         Ok(solid) if !solid.cells.is_empty() => Ok(SurfaceOrSolid::Solid(solid)),
+        // The cell that it names is a solid one, of which the reader of surfaces has less to say.
+        Err(ReadError::Format { path, cause }) if matches!(cause.location, Location::Face(_)) => {
+            Err(ReadError::Format { path, cause })
+        }
         _ => read(path).map(SurfaceOrSolid::Surface),
     }
 }

@@ -19,6 +19,28 @@ pub type Hexahedra = Solids<8>;
 /// Tetrahedra: three vertices counter-clockwise seen from the fourth one.
 pub type Tetrahedra = Solids<4>;
 
+/// What a cell of a type of VTK is called, for sentences.
+fn called(kind: u64) -> String {
+    let name = match kind {
+        10 => "a tetrahedron",
+        11 => "a voxel",
+        12 => "a hexahedron",
+        13 => "a wedge",
+        14 => "a pyramid",
+        15 => "a pentagonal prism",
+        16 => "a hexagonal prism",
+        21..=23 | 34 | 69 | 70 => "a curved line or face",
+        24 => "a tetrahedron of ten points",
+        25 => "a hexahedron of twenty points",
+        29 => "a hexahedron of twenty-seven points",
+        42 => "a polyhedron",
+        71 | 78 => "a tetrahedron of higher order",
+        72 | 79 => "a hexahedron of higher order",
+        _ => "a cell",
+    };
+    format!("{name} (VTK's type {kind})")
+}
+
 /// The corners of a cell of a type of VTK in the order of VTK's cell with so many corners; none for other cells.
 fn order(corners: usize, kind: u64) -> Option<&'static [usize]> {
     Some(match (corners, kind) {
@@ -41,6 +63,13 @@ impl<const N: usize> Solids<N> {
     const NAMES: [&'static str; 2] =
         if N == 4 { ["tetrahedron", "tetrahedra (10)"] } else { ["hexahedron", "hexahedra (12)"] };
 
+    /// What to do about other cells.
+    const REMEDY: &'static str = if N == 4 {
+        "; split the cells into tetrahedra, for example with ParaView's filter Tetrahedralize or PyVista's triangulate()"
+    } else {
+        ""
+    };
+
     /// Adds the solid cells of a list; corners are relative to the points from `base` on.
     pub(crate) fn add(
         &mut self,
@@ -62,7 +91,7 @@ impl<const N: usize> Solids<N> {
                 continue;
             }
             let order = order(N, kind)
-                .ok_or_else(|| wrong(format!("a cell of VTK's type {kind}, expected {names}")))?;
+                .ok_or_else(|| wrong(format!("{}, expected {names}{}", called(kind), Self::REMEDY)))?;
             let list: [u64; N] = list
                 .try_into()
                 .map_err(|_| wrong(format!("a {name} with {} corners, expected {N}", list.len())))?;

@@ -1,7 +1,8 @@
 //! What is simulated: elastic solids, cloth and shells, obstacles, handles.
 
 use crate::ContactError;
-use crate::elastic::{Hinge, Membrane, Tetrahedron};
+use crate::elastic::{Hinge, Membrane};
+use crate::tetrahedron::Tetrahedron;
 use glam::{DMat2, DMat3, DVec2, DVec3};
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -32,19 +33,21 @@ impl Material {
     }
 }
 
-/// How a handle moves a vertex, from where it starts.
+/// A motion that is given, from where a vertex starts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum HandleMotion {
     /// With a velocity; zero holds it.
     Translate(DVec3),
-    /// About an axis through a point, at an angular speed.
+    /// About an axis through a point, at an angular speed, while the axis moves with a velocity.
     Rotate {
-        /// A point of the axis.
+        /// A point of the axis at the start.
         through: DVec3,
         /// The direction of the axis.
         about: DVec3,
         /// Radians per time.
         speed: f64,
+        /// The velocity of the axis.
+        velocity: DVec3,
     },
 }
 
@@ -52,28 +55,36 @@ impl HandleMotion {
     pub(crate) fn at(&self, start: DVec3, time: f64) -> DVec3 {
         match *self {
             Self::Translate(velocity) => start + velocity * time,
-            Self::Rotate { through, about, speed } => {
+            Self::Rotate { through, about, speed, velocity } => {
                 let (axis, angle) = (about.normalize_or_zero(), speed * time);
                 let (sine, cosine) = (libm::sin(angle), libm::cos(angle));
                 let arm = start - through;
-                through + arm * cosine + axis.cross(arm) * sine + axis * (axis.dot(arm) * (1.0 - cosine))
+                let turned = arm * cosine + axis.cross(arm) * sine + axis * (axis.dot(arm) * (1.0 - cosine));
+                through + velocity * time + turned
             }
         }
     }
 }
 
-/// A vertex that is pulled along by a spring of [`Handle::STIFFNESS`] times its mass.
+/// A vertex that is pulled along by a spring, which yields to greater forces.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Handle {
     /// The vertex.
     pub vertex: u32,
     /// Where it is pulled.
     pub motion: HandleMotion,
+    /// Stiffness of the spring for a unit of mass of the vertex.
+    pub stiffness: f64,
 }
 
 impl Handle {
-    /// Stiffness of the spring for a unit of mass.
+    /// Stiffness of springs for a unit of mass, where nothing says it.
     pub const STIFFNESS: f64 = 1e4;
+
+    /// A vertex with a spring of [`Handle::STIFFNESS`].
+    pub const fn new(vertex: u32, motion: HandleMotion) -> Self {
+        Self { vertex, motion, stiffness: Self::STIFFNESS }
+    }
 }
 
 /// An obstacle with a formula instead of faces.
@@ -302,11 +313,15 @@ impl Bodies {
     /// Adds a handle.
     ///
     /// # Errors
-    /// [`ContactError::NoVertex`].
+    /// [`ContactError::NoVertex`], [`ContactError::Parameter`] for a stiffness that is not positive.
     pub fn add_handle(&mut self, handle: Handle) -> Result<(), ContactError> {
         let (vertex, count) = (handle.vertex as usize, self.positions.len());
         if vertex >= count {
             return Err(ContactError::NoVertex { what: "handle", index: self.handles.len(), vertex, count });
+        }
+        if !(handle.stiffness > 0.0 && handle.stiffness.is_finite()) {
+            let (what, value, expected) = ("stiffness of a handle", handle.stiffness, "above 0");
+            return Err(ContactError::Parameter { what, value, expected });
         }
         self.handles.push(handle);
         Ok(())

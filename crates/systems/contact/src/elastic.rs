@@ -1,18 +1,6 @@
-//! Elastic energies of elements, with gradients and positive semi-definite second derivatives.
+//! Elastic energies of membranes and of bending, with gradients and positive semi-definite second derivatives.
 
-use crate::dense::project;
-use glam::{DMat2, DMat3, DVec2, DVec3};
-
-/// A compressible neo-Hookean tetrahedron: `V (μ/2 (|F|² − 3) − μ ln J + λ/2 (ln J)²)`, infinite for `J ≤ 0`.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Tetrahedron {
-    pub(crate) vertices: [u32; 4],
-    /// The inverse of the edge vectors at rest.
-    pub(crate) inverse: DMat3,
-    pub(crate) volume: f64,
-    /// μ and λ.
-    pub(crate) lame: (f64, f64),
-}
+use glam::{DMat2, DVec2, DVec3};
 
 /// A membrane after Saint-Venant and Kirchhoff: `A (μ |E|² + λ/2 (tr E)²)`, `E = (FᵀF − I) / 2`; moduli times thickness.
 #[derive(Clone, Copy, Debug)]
@@ -34,77 +22,6 @@ pub(crate) struct Hinge {
 
 /// Entry of a matrix of elements with N vertices.
 pub(crate) type Block<const N: usize> = [[f64; N]; N];
-
-impl Tetrahedron {
-    fn deformation(&self, x: &[DVec3; 4]) -> DMat3 {
-        DMat3::from_cols(x[1] - x[0], x[2] - x[0], x[3] - x[0]) * self.inverse
-    }
-
-    pub(crate) fn energy(&self, x: &[DVec3; 4]) -> f64 {
-        // By H = F − I: of a stiff body at rest in its first position, |F|² − 3 and ln J would be differences of large numbers.
-        let h = self.deformation(x) - DMat3::IDENTITY;
-        let trace = h.x_axis.x + h.y_axis.y + h.z_axis.z;
-        let minors = h.x_axis.x * h.y_axis.y - h.x_axis.y * h.y_axis.x + h.x_axis.x * h.z_axis.z
-            - h.x_axis.z * h.z_axis.x
-            + h.y_axis.y * h.z_axis.z
-            - h.y_axis.z * h.z_axis.y;
-        let growth = trace + minors + h.determinant();
-        if growth.is_nan() || growth <= -1.0 {
-            return f64::INFINITY;
-        }
-        let ((mu, lambda), log) = (self.lame, libm::log1p(growth));
-        let square = h.x_axis.length_squared() + h.y_axis.length_squared() + h.z_axis.length_squared();
-        self.volume * (mu * (trace - log + 0.5 * square) + 0.5 * lambda * log * log)
-    }
-
-    /// Rows of the derivative of F by the vertices: `F = Σ x_i g_iᵀ`.
-    fn gradients(&self) -> [DVec3; 4] {
-        let t = self.inverse.transpose();
-        [-(t.x_axis + t.y_axis + t.z_axis), t.x_axis, t.y_axis, t.z_axis]
-    }
-
-    pub(crate) fn derivatives(&self, x: &[DVec3; 4]) -> ([DVec3; 4], Block<12>) {
-        let f = self.deformation(x);
-        let (mu, lambda) = self.lame;
-        let log = libm::log(f.determinant());
-        let inverse = f.inverse();
-        let inverse_t = inverse.transpose();
-        let stress = (f - inverse_t) * mu + inverse_t * (lambda * log);
-        let g = self.gradients();
-        let gradient = g.map(|g| stress * g * self.volume);
-        // Second derivatives by F, entry (row i, column j) at 3 j + i.
-        let mut by_f = [[0.0; 9]; 9];
-        for column in 0..9 {
-            let mut d = DMat3::ZERO;
-            d.col_mut(column / 3)[column % 3] = 1.0;
-            let turned = inverse_t * d.transpose() * inverse_t;
-            let product = inverse * d;
-            let trace = product.x_axis.x + product.y_axis.y + product.z_axis.z;
-            let change = d * mu + turned * (mu - lambda * log) + inverse_t * (lambda * trace);
-            for (row, entries) in by_f.iter_mut().enumerate() {
-                entries[column] = change.col(row / 3)[row % 3];
-            }
-        }
-        project(&mut by_f);
-        let mut hessian = [[0.0; 12]; 12];
-        for i in 0..4 {
-            for j in 0..4 {
-                for a in 0..3 {
-                    for b in 0..3 {
-                        let mut sum = 0.0;
-                        for p in 0..3 {
-                            for q in 0..3 {
-                                sum += g[i][p] * by_f[3 * p + a][3 * q + b] * g[j][q];
-                            }
-                        }
-                        hessian[3 * i + a][3 * j + b] = sum * self.volume;
-                    }
-                }
-            }
-        }
-        (gradient, hessian)
-    }
-}
 
 impl Membrane {
     fn deformation(&self, x: &[DVec3; 3]) -> [DVec3; 2] {
@@ -259,10 +176,11 @@ impl Hinge {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::*;
+    use crate::dense::project;
 
-    fn points<const N: usize>(seed: u64) -> [DVec3; N] {
+    pub(crate) fn points<const N: usize>(seed: u64) -> [DVec3; N] {
         let mut state = seed;
         let mut next = || {
             state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
@@ -271,7 +189,11 @@ mod tests {
         std::array::from_fn(|_| DVec3::new(next(), next(), next()))
     }
 
-    fn check<const N: usize>(x: [DVec3; N], energy: impl Fn(&[DVec3; N]) -> f64, gradient: [DVec3; N]) {
+    pub(crate) fn check<const N: usize>(
+        x: [DVec3; N],
+        energy: impl Fn(&[DVec3; N]) -> f64,
+        gradient: [DVec3; N],
+    ) {
         let h = 1e-6;
         for i in 0..N {
             for k in 0..3 {
@@ -293,9 +215,6 @@ mod tests {
     #[test]
     fn gradients_are_those_of_differences() {
         let rest = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z];
-        let inverse = DMat3::IDENTITY;
-        let tetrahedron =
-            Tetrahedron { vertices: [0, 1, 2, 3], inverse, volume: 1.0 / 6.0, lame: (2.0, 3.0) };
         let membrane =
             Membrane { vertices: [0, 1, 2], inverse: DMat2::IDENTITY, area: 0.5, lame: (2.0, 3.0) };
         let hinge =
@@ -303,34 +222,10 @@ mod tests {
         for seed in 0..8 {
             let noise: [DVec3; 4] = points(seed);
             let x: [DVec3; 4] = std::array::from_fn(|i| rest[i] + noise[i] * 0.3);
-            check(x, |x| tetrahedron.energy(x), tetrahedron.derivatives(&x).0);
             let y = [x[0], x[1], x[2]];
             check(y, |x| membrane.energy(x), membrane.derivatives(&y).0);
             let z = [x[0], x[1], x[2], -x[2] + x[3] * 0.2];
             check(z, |x| hinge.energy(x), hinge.derivatives(&z).0);
-        }
-    }
-
-    #[test]
-    fn second_derivatives_at_rest_are_those_of_differences() {
-        // Nothing is negative there, so that nothing is projected away.
-        let inverse = DMat3::IDENTITY;
-        let tetrahedron =
-            Tetrahedron { vertices: [0, 1, 2, 3], inverse, volume: 1.0 / 6.0, lame: (2.0, 3.0) };
-        let x = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z];
-        let (_, hessian) = tetrahedron.derivatives(&x);
-        let h = 1e-5;
-        for j in 0..12 {
-            let moved = |by: f64| {
-                let mut x = x;
-                x[j / 3][j % 3] += by;
-                tetrahedron.derivatives(&x).0
-            };
-            let (low, high) = (moved(-h), moved(h));
-            for i in 0..12 {
-                let slope = (high[i / 3][i % 3] - low[i / 3][i % 3]) / (2.0 * h);
-                assert!((slope - hessian[i][j]).abs() < 1e-7, "{i} {j}: {slope} {}", hessian[i][j]);
-            }
         }
     }
 

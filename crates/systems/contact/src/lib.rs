@@ -61,6 +61,7 @@ pub mod shapes;
 pub mod show;
 mod simulation;
 mod surface;
+mod tetrahedron;
 
 pub use bodies::{Bodies, Handle, HandleMotion, Material, Obstacle};
 pub use contact::{Contact, Curvature};

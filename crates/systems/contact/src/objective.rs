@@ -2,7 +2,7 @@
 
 use crate::contact::{Contact, Curvature, Slide, Support};
 use crate::surface::Candidates;
-use crate::{Bodies, ContactError, Handle, Simulation};
+use crate::{Bodies, ContactError, Simulation};
 use glam::DVec3;
 use pompeiu_solve::{LinearSolver, SolveError, SymmetricBlocks};
 use rayon::prelude::*;
@@ -62,7 +62,7 @@ impl Objective<'_> {
             .zip(&self.targets)
             .map(|(handle, target)| {
                 let v = handle.vertex as usize;
-                0.5 * Handle::STIFFNESS * bodies.mass[v] * (x[v] - *target).length_squared()
+                0.5 * handle.stiffness * bodies.mass[v] * (x[v] - *target).length_squared()
             })
             .sum();
         let [solid, cloth, bend] = elastic_energy(bodies, x);
@@ -183,7 +183,7 @@ impl Objective<'_> {
         let squared = self.step * self.step;
         for (handle, target) in bodies.handles.iter().zip(&self.targets) {
             let v = handle.vertex as usize;
-            let stiffness = squared * Handle::STIFFNESS * bodies.mass[v];
+            let stiffness = squared * handle.stiffness * bodies.mass[v];
             add(v, (x[v] - *target) * stiffness, stiffness);
         }
         let elements = self.elements(x, active);

@@ -88,7 +88,7 @@ impl Example {
                 let thickness = given.thickness.unwrap_or(CLOTH_THICKNESS);
                 making.cloth_twist(material(CLOTH), thickness, cells(16)?, scene.turns.unwrap_or(2.5))?
             }
-            Self::RodTwist => making.rod_twist(material(RUBBER), cells(14)?, scene.turns.unwrap_or(2.5))?,
+            Self::RodTwist => making.rod_twist(material(RUBBER), cells(28)?, scene.turns.unwrap_or(4.0))?,
             Self::Collision => {
                 let soft = material(Material { poisson: 0.3, ..RUBBER });
                 making.collision(soft, cells(3)?, scene.speed.unwrap_or(1.0))?
@@ -103,6 +103,17 @@ impl Example {
 struct Making {
     bodies: Bodies,
     first_faces: Vec<usize>,
+}
+
+/// How the ends of a body of length 1 are held that is twisted.
+#[derive(Clone, Copy)]
+struct Ends {
+    /// The length that is held at each end.
+    length: f64,
+    /// How much nearer the ends come.
+    nearer: f64,
+    /// Stiffness of the handles. Where the torque is greater than their springs bear, the ends slip.
+    stiffness: f64,
 }
 
 type Made = Result<(ContactOptions, usize), ContactError>;
@@ -178,16 +189,18 @@ impl Making {
     }
 
     /// Handles of vertices at both ends along x, which turn against each other so often in so long.
-    fn twist(&mut self, turns: f64, time: f64) -> Result<(), ContactError> {
+    fn twist(&mut self, ends: Ends, turns: f64, time: f64) -> Result<(), ContactError> {
+        let Ends { length, nearer, stiffness } = ends;
         let count = self.bodies.positions().len();
         for vertex in 0..count {
             let x = self.bodies.positions()[vertex].x;
-            if x.abs() < 0.499 {
+            if x.abs() < 0.5 - length {
                 continue;
             }
             let speed = x.signum() * -0.5 * turns * TAU / time;
-            let motion = HandleMotion::Rotate { through: DVec3::ZERO, about: DVec3::X, speed };
-            self.bodies.add_handle(Handle { vertex: vertex as u32, motion })?;
+            let velocity = DVec3::X * (x.signum() * -0.5 * nearer / time);
+            let motion = HandleMotion::Rotate { through: DVec3::ZERO, about: DVec3::X, speed, velocity };
+            self.bodies.add_handle(Handle { vertex: vertex as u32, motion, stiffness })?;
         }
         Ok(())
     }
@@ -196,7 +209,8 @@ impl Making {
         let cloth = sheet(DVec3::new(-0.5, -0.25, 0.0), [DVec3::X, DVec3::Y * 0.5], [cells; 2]);
         self.cloth(&cloth, material, thickness)?;
         let (dt, steps) = (0.04, 45);
-        self.twist(turns, dt * steps as f64)?;
+        let ends = Ends { length: 1e-3, nearer: 0.0, stiffness: Handle::STIFFNESS };
+        self.twist(ends, turns, dt * steps as f64)?;
         let options = ContactOptions {
             gravity: DVec3::ZERO,
             distance: 0.005,
@@ -206,16 +220,19 @@ impl Making {
         Ok((options, steps))
     }
 
+    /// The ends come nearer while they turn, so that the rod leaves its axis and winds about itself.
     fn rod_twist(&mut self, material: Material, cells: usize, turns: f64) -> Made {
-        let (low, high) = (DVec3::new(-0.5, -0.06, -0.06), DVec3::new(0.5, 0.06, 0.06));
-        let across = cells.div_ceil(7);
+        let half = 0.02;
+        let (low, high) = (DVec3::new(-0.5, -half, -half), DVec3::new(0.5, half, half));
+        let across = cells.div_ceil(14);
         let rod = tetrahedral_box(low, high, [cells, across, across]);
         self.solid(&rod, material, |p| p)?;
         let (dt, steps) = (0.05, 60);
-        self.twist(turns, dt * steps as f64)?;
+        let ends = Ends { length: 4.0 * half, nearer: 0.35, stiffness: 100.0 * Handle::STIFFNESS };
+        self.twist(ends, turns, dt * steps as f64)?;
         let options = ContactOptions {
             gravity: DVec3::ZERO,
-            distance: 0.01,
+            distance: 0.25 * half,
             tolerance: 1e-2,
             ..ContactOptions::new(dt, 1.0)
         };

@@ -79,6 +79,8 @@ pub(super) struct HandleTable {
     through: Option<[f64; 3]>,
     /// Turns in a unit of time.
     turns: Option<f64>,
+    /// Stiffness of springs for a unit of mass.
+    stiffness: Option<f64>,
 }
 
 /// A material with what is given in place of a default.
@@ -234,6 +236,7 @@ fn hold(
             through: DVec3::from_array(table.through.unwrap_or_default()),
             about: DVec3::from_array(about),
             speed: turns.unwrap_or(1.0) * TAU,
+            velocity: DVec3::from_array(table.velocity.unwrap_or_default()),
         },
         _ => HandleMotion::Translate(DVec3::from_array(table.velocity.unwrap_or_default())),
     };
@@ -242,8 +245,9 @@ fn hold(
     if held.is_empty() {
         return Err(ContactRequestError::NothingHeld { handle, body });
     }
+    let stiffness = table.stiffness.unwrap_or(Handle::STIFFNESS);
     for vertex in held {
-        let added = bodies.add_handle(Handle { vertex: vertex as u32, motion });
+        let added = bodies.add_handle(Handle { vertex: vertex as u32, motion, stiffness });
         added.map_err(|error: ContactError| ContactRequestError::Body { body, error })?;
     }
     Ok(())

@@ -9,8 +9,8 @@ use std::f64::consts::TAU;
 
 const CLOTH: Material = Material { young: 1e5, poisson: 0.3, density: 300.0 };
 
-/// Runs so many steps; Newton iterations in all, and the most pairs.
-fn run(name: &str, mut simulation: Simulation, steps: usize) -> (usize, usize) {
+/// Runs so many steps; Newton iterations in all, the end, and the most pairs.
+fn run(name: &str, mut simulation: Simulation, steps: usize) -> (usize, Simulation, usize) {
     let (mut iterations, mut pairs) = (0, 0);
     for _ in 0..steps {
         let step = simulation.step().unwrap_or_else(|error| panic!("{name}: {error}"));
@@ -18,7 +18,7 @@ fn run(name: &str, mut simulation: Simulation, steps: usize) -> (usize, usize) {
         iterations += step.iterations;
         pairs = pairs.max(step.pairs);
     }
-    (iterations, pairs)
+    (iterations, simulation, pairs)
 }
 
 fn drape(pairs: PairSet) -> Simulation {
@@ -39,7 +39,7 @@ fn drape(pairs: PairSet) -> Simulation {
 #[test]
 fn cloth_drapes_over_a_ball() {
     for pairs in [PairSet::Exclusive, PairSet::Plain] {
-        let (_, most) = run(&format!("drape {pairs:?}"), drape(pairs), 25);
+        let (.., most) = run(&format!("drape {pairs:?}"), drape(pairs), 25);
         assert!(most > 20, "{most}");
     }
 }
@@ -51,9 +51,13 @@ fn cloth_twist() -> Simulation {
     bodies.add_shell(&positions, &faces, CLOTH, 1e-3).unwrap();
     for j in 0..=n {
         for (i, speed) in [(0, 1.0), (n, -1.0)] {
-            let motion =
-                HandleMotion::Rotate { through: DVec3::ZERO, about: DVec3::X, speed: speed * 0.5 * TAU };
-            bodies.add_handle(Handle { vertex: (j * (n + 1) + i) as u32, motion }).unwrap();
+            let motion = HandleMotion::Rotate {
+                through: DVec3::ZERO,
+                about: DVec3::X,
+                speed: speed * 0.5 * TAU,
+                velocity: DVec3::ZERO,
+            };
+            bodies.add_handle(Handle::new((j * (n + 1) + i) as u32, motion)).unwrap();
         }
     }
     let options = ContactOptions {
@@ -67,31 +71,29 @@ fn cloth_twist() -> Simulation {
 
 #[test]
 fn cloth_is_twisted() {
-    let (_, most) = run("cloth twist", cloth_twist(), 30);
+    let (.., most) = run("cloth twist", cloth_twist(), 30);
     assert!(most > 20, "{most}");
 }
 
-fn rod_twist() -> Simulation {
+/// A rod whose ends turn against each other so often in three units of time, and come nearer.
+fn rod_twist(turns: f64) -> Simulation {
     let mut bodies = Bodies::new();
-    let (low, high) = (DVec3::new(-0.5, -0.06, -0.06), DVec3::new(0.5, 0.06, 0.06));
-    let cells = [12, 1, 1];
-    let (positions, tetrahedra) = tetrahedral_box(low, high, cells);
+    let (low, high) = (DVec3::new(-0.5, -0.02, -0.02), DVec3::new(0.5, 0.02, 0.02));
+    let (positions, tetrahedra) = tetrahedral_box(low, high, [28, 1, 1]);
     let rubber = Material { young: 1e5, poisson: 0.4, density: 1000.0 };
     bodies.add_solid(&positions, &tetrahedra, rubber).unwrap();
-    for (vertex, p) in positions.iter().enumerate() {
-        let speed = if p.x < -0.499 {
-            1.0
-        } else if p.x > 0.499 {
-            -1.0
-        } else {
-            continue;
+    for (vertex, p) in positions.iter().enumerate().filter(|(_, p)| p.x.abs() > 0.42) {
+        let motion = HandleMotion::Rotate {
+            through: DVec3::ZERO,
+            about: DVec3::X,
+            speed: -p.x.signum() * 0.5 * turns * TAU / 3.0,
+            velocity: DVec3::X * (-p.x.signum() * 0.5 * 0.4 / 3.0),
         };
-        let motion = HandleMotion::Rotate { through: DVec3::ZERO, about: DVec3::X, speed: speed * 1.0 * TAU };
-        bodies.add_handle(Handle { vertex: vertex as u32, motion }).unwrap();
+        bodies.add_handle(Handle { stiffness: 1e6, ..Handle::new(vertex as u32, motion) }).unwrap();
     }
     let options = ContactOptions {
         gravity: DVec3::ZERO,
-        distance: 0.02,
+        distance: 0.005,
         tolerance: 1e-2,
         ..ContactOptions::new(0.05, 1.0)
     };
@@ -99,8 +101,14 @@ fn rod_twist() -> Simulation {
 }
 
 #[test]
-fn a_rod_is_twisted() {
-    // Two turns in a unit of time: two and a half.
-    let (iterations, _) = run("rod twist", rod_twist(), 25);
-    assert!(iterations < 25 * 20, "{iterations}");
+fn a_rod_winds_about_itself() {
+    let simulation = rod_twist(4.0);
+    let rest = simulation.positions().to_vec();
+    let (iterations, simulation, _) = run("rod twist", simulation, 60);
+    assert!(iterations < 60 * 20, "{iterations}");
+    // Pairs of points that are an eighth of the rod or more apart along it.
+    let far = |v: [u32; 4]| (rest[v[0] as usize].x - rest[v[3] as usize].x).abs() > 0.125;
+    let touching =
+        simulation.contact_pairs().iter().filter(|pair| pair.kind.count() == 4 && far(pair.vertices)).count();
+    assert!(touching > 5, "{touching}");
 }

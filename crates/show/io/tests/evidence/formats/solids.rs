@@ -50,7 +50,11 @@ fn other_cells_and_corners_that_do_not_exist_are_named() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("wrong.vtk");
     for (from, to, words) in [
-        ("10 5 10", "10 5 24", "a cell of VTK's type 24, expected tetrahedra (10)"),
+        (
+            "10 5 10",
+            "10 5 24",
+            "a tetrahedron of ten points (VTK's type 24), expected tetrahedra (10); split",
+        ),
         ("4 1 2 3 4", "4 1 2 3 9", "corner 9, but there are 5 points"),
         ("10 5 10", "10 10 10", "a tetrahedron with 3 corners, expected 4"),
     ] {
@@ -60,7 +64,7 @@ fn other_cells_and_corners_that_do_not_exist_are_named() {
     }
     fs::write(&path, LEGACY).unwrap();
     let message = read_hexahedra(&path).unwrap_err().to_string();
-    assert!(message.contains("a cell of VTK's type 10, expected hexahedra (12)"), "{message}");
+    assert!(message.contains("a tetrahedron (VTK's type 10), expected hexahedra (12)"), "{message}");
 }
 
 #[test]
@@ -77,4 +81,19 @@ fn a_file_is_a_solid_where_it_has_tetrahedra_and_else_a_surface() {
         matches!(read_surface_or_solid(&path), Ok(SurfaceOrSolid::Surface(read)) if read.mesh.faces().len() == 3)
     );
     assert!(read_surface_or_solid(folder.path().join("missing.vtk")).is_err());
+}
+
+#[test]
+fn solid_cells_that_are_no_tetrahedra_are_refused_with_what_to_do() {
+    let folder = tempfile::tempdir().unwrap();
+    let replaced = |text: &str| text.replace(">10<", ">13<").replace("10 5 10", "12 5 12");
+    for (name, text, words) in [
+        ("prism.vtu", replaced(XML), "a wedge (VTK's type 13), expected tetrahedra (10); split the cells"),
+        ("hexahedron.vtk", replaced(LEGACY), "a hexahedron (VTK's type 12), expected tetrahedra (10); split"),
+    ] {
+        let path = folder.path().join(name);
+        fs::write(&path, text).unwrap();
+        let message = read_surface_or_solid(&path).unwrap_err().to_string();
+        assert!(message.contains(words), "{message}");
+    }
 }
