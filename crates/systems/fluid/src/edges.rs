@@ -1,7 +1,8 @@
 //! Viscous diffusion of velocities at midpoints of edges (Crouzeix and Raviart).
 
+use crate::curvature::{CurvatureLimit, allowed_growth, bends, face_curvature};
 use crate::space::Space;
-use crate::viscosity::{bends, face_curvature};
+use crate::viscosity::shortened;
 use crate::{FluidError, ViscosityModel, Wall};
 use pompeiu_core::mesh::FaceData;
 use pompeiu_operators::FaceField;
@@ -19,7 +20,7 @@ pub(crate) type EdgeField = EdgeData<Vec2>;
 /// Bochner connection Laplacian), K that of the Gaussian curvature on faces, M the areas of edges. One step solves `(M + νΔt (B +
 /// (1 − χ) K)) u' = M u`, with χ = 0, 1, 2 for the Hodge, Bochner and physical viscosity. At a no-slip boundary `u'` is the
 /// velocity of the wall. At a free-slip boundary the normal component is zero, and the geodesic curvature is subtracted from the
-/// matrix for the tangential component. Then the gradient of a piecewise constant pressure is subtracted, so that inflow and
+/// matrix for the tangential component. What would let velocities grow is limited, see [`CurvatureLimit`]. Then the gradient of a piecewise constant pressure is subtracted, so that inflow and
 /// outflow balance in each face.
 ///
 /// # Accuracy
@@ -27,6 +28,8 @@ pub(crate) type EdgeField = EdgeData<Vec2>;
 #[derive(Debug)]
 pub(crate) struct EdgeViscosity {
     product: f64,
+    /// How often the step is taken that is factored.
+    repeats: usize,
     factor: Cholesky,
     /// The unknown of each component at each edge; `None` if it is prescribed.
     unknown: Vec<[Option<usize>; 2]>,
@@ -40,8 +43,7 @@ pub(crate) struct EdgeViscosity {
 impl EdgeViscosity {
     pub(crate) fn new(
         space: &Space<'_>,
-        model: ViscosityModel,
-        wall: Wall,
+        terms: Terms,
         wall_velocity: Option<&EdgeData<f64>>,
         product: f64,
         pressure: Option<SemidefiniteCholesky>,
@@ -55,49 +57,34 @@ impl EdgeViscosity {
             // The surface lies to the left of its boundary.
             [wall_velocity.map_or(0.0, |velocity| velocity[edge]), through / space.surface.edge_length(edge)]
         });
-        let mut count = 0;
-        let mut number = |free: bool| {
-            count += usize::from(free);
-            free.then(|| count - 1)
-        };
-        let unknown: Vec<[Option<usize>; 2]> = mesh
-            .edge_ids()
-            .map(|edge| {
-                let inside = !mesh.is_boundary_edge(edge);
-                [number(inside || wall == Wall::FreeSlip), number(inside)]
-            })
-            .collect();
+        let (unknown, count) = unknowns(space, terms.wall);
         let mass = space.surface.edge_areas();
-        let mut entries = energy(space, 1.0 - model.curvatures(), product);
-        for (edge, &area) in mass.entries() {
-            entries.extend((0..2).map(|i| (2 * edge.index() + i, 2 * edge.index() + i, area)));
-        }
-        if wall == Wall::FreeSlip {
-            let bend = slip(space);
-            entries
-                .extend(bend.entries().map(|(edge, k)| (2 * edge.index(), 2 * edge.index(), -product * k)));
-        }
-        let mut drive = vec![0.0; count];
-        let mut kept = Vec::with_capacity(entries.len());
-        for (row, column, value) in entries {
-            let Some(i) = unknown[row / 2][row % 2] else { continue };
-            match unknown[column / 2][column % 2] {
-                Some(j) => kept.push((i, j, value)),
-                None => drive[i] -= value * given.as_slice()[column / 2][column % 2],
+        let factored = |product: f64| {
+            let mut entries = terms.entries(space, product);
+            for (edge, &area) in mass.entries() {
+                entries.extend((0..2).map(|i| (2 * edge.index() + i, 2 * edge.index() + i, area)));
             }
-        }
-        let factor =
-            Cholesky::new(&SparseMatrix::from_triplets(count, count, &kept)?).map_err(
-                |error| match error {
-                    SolveError::NotPositiveDefinite { .. } => FluidError::Viscous { product },
-                    other => other.into(),
-                },
-            )?;
+            let mut drive = vec![0.0; count];
+            let mut kept = Vec::with_capacity(entries.len());
+            for (row, column, value) in entries {
+                let Some(i) = unknown[row / 2][row % 2] else { continue };
+                match unknown[column / 2][column % 2] {
+                    Some(j) => kept.push((i, j, value)),
+                    None => drive[i] -= value * given.as_slice()[column / 2][column % 2],
+                }
+            }
+            match Cholesky::new(&SparseMatrix::from_triplets(count, count, &kept)?) {
+                Ok(factor) => Ok((factor, drive)),
+                Err(SolveError::NotPositiveDefinite { .. }) => Err(FluidError::Viscous { product }),
+                Err(other) => Err(other.into()),
+            }
+        };
+        let ((factor, drive), repeats) = shortened(product, factored)?;
         let pressure = match pressure {
             Some(pressure) => pressure,
             None => pressure_system(space, &mass)?,
         };
-        Ok(Self { product, factor, unknown, drive, given, mass, pressure })
+        Ok(Self { product, repeats, factor, unknown, drive, given, mass, pressure })
     }
 
     /// The pressure system, which does not depend on the step.
@@ -112,6 +99,14 @@ impl EdgeViscosity {
 
     /// The velocity after the step.
     pub(crate) fn step(&self, space: &Space<'_>, before: &EdgeField) -> Result<EdgeField, FluidError> {
+        let mut after = self.once(space, before)?;
+        for _ in 1..self.repeats {
+            after = self.once(space, &after)?;
+        }
+        Ok(after)
+    }
+
+    fn once(&self, space: &Space<'_>, before: &EdgeField) -> Result<EdgeField, FluidError> {
         let mut values = self.drive.clone();
         for ((unknown, u), area) in self.unknown.iter().zip(before).zip(&self.mass) {
             for (i, u) in unknown.iter().zip(u).filter_map(|(i, u)| Some((i.as_ref()?, u))) {
@@ -154,6 +149,74 @@ impl EdgeViscosity {
         }
         Ok(())
     }
+}
+
+/// What the viscous power of velocities at midpoints of edges consists of.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Terms {
+    model: ViscosityModel,
+    wall: Wall,
+    limit: CurvatureLimit,
+}
+
+impl Terms {
+    /// Those with as much curvature as the surface allows.
+    pub(crate) fn new(space: &Space<'_>, model: ViscosityModel, wall: Wall) -> Result<Self, FluidError> {
+        let (mesh, mass) = (space.mesh(), space.surface.edge_areas());
+        let (unknown, count) = unknowns(space, wall);
+        let at: Vec<EdgeId> = mesh
+            .edge_ids()
+            .flat_map(|edge| unknown[edge.index()].iter().flatten().map(move |_| edge))
+            .collect();
+        let energy = SparseMatrix::diagonal(&at.iter().map(|&edge| mass[edge]).collect::<Vec<_>>())?;
+        let component = |i: usize| mesh.component(mesh.ends(at[i])[0]);
+        let allowed = allowed_growth(space, &energy, component)?;
+        let is_semidefinite = |terms: &Self| {
+            let kept = terms.entries(space, 1.0).into_iter().filter_map(|(row, column, value)| {
+                Some((unknown[row / 2][row % 2]?, unknown[column / 2][column % 2]?, value))
+            });
+            let power = SparseMatrix::from_triplets(count, count, &kept.collect::<Vec<_>>())?;
+            Ok(Cholesky::new(&allowed.combined(1.0, &power, 1.0)?).map(|_| ())?)
+        };
+        let (_, terms) = CurvatureLimit::find(|limit| Ok(Self { model, wall, limit }), is_semidefinite)?;
+        Ok(terms)
+    }
+
+    /// The curvature that they contain.
+    pub(crate) fn limit(self) -> CurvatureLimit {
+        self.limit
+    }
+
+    /// The entries of their matrix times a factor, two rows for each edge.
+    fn entries(self, space: &Space<'_>, factor: f64) -> Vec<(usize, usize, f64)> {
+        let mut entries = energy(space, 1.0 - self.model.curvatures(), factor, self.limit);
+        if self.wall == Wall::FreeSlip {
+            let bend = slip(space);
+            entries.extend(
+                bend.entries()
+                    .map(|(edge, k)| (2 * edge.index(), 2 * edge.index(), factor * self.limit.of_wall(-k))),
+            );
+        }
+        entries
+    }
+}
+
+/// The number of the unknown of each component at each edge, and how many there are.
+fn unknowns(space: &Space<'_>, wall: Wall) -> (Vec<[Option<usize>; 2]>, usize) {
+    let mesh = space.mesh();
+    let mut count = 0;
+    let mut number = |free: bool| {
+        count += usize::from(free);
+        free.then(|| count - 1)
+    };
+    let unknown = mesh
+        .edge_ids()
+        .map(|edge| {
+            let inside = !mesh.is_boundary_edge(edge);
+            [number(inside || wall == Wall::FreeSlip), number(inside)]
+        })
+        .collect();
+    (unknown, count)
 }
 
 /// The tangential component at the midpoint of an edge of the Raviart–Thomas fields on the adjacent faces; their mean, weighted by
@@ -220,9 +283,14 @@ fn along(space: &Space<'_>, h: HalfedgeId) -> Vec2 {
 }
 
 /// Entries of `factor (B + curvatures K)`.
-fn energy(space: &Space<'_>, curvatures: f64, factor: f64) -> Vec<(usize, usize, f64)> {
+fn energy(
+    space: &Space<'_>,
+    curvatures: f64,
+    factor: f64,
+    limit: CurvatureLimit,
+) -> Vec<(usize, usize, f64)> {
     let (mesh, surface) = (space.mesh(), space.surface);
-    let curvature: FaceData<f64> = face_curvature(surface, &space.areas);
+    let curvature: FaceData<f64> = face_curvature(surface, &space.areas, limit);
     let mut entries = Vec::with_capacity(36 * mesh.faces());
     for face in mesh.face_ids() {
         let sides = SurfaceMesh::face_halfedges(face);

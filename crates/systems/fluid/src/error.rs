@@ -115,7 +115,8 @@ pub enum FluidError {
     },
     /// The viscous system is not positive definite.
     #[error(
-        "the viscous system cannot be factored: viscosity times step is {product:e}; choose a smaller viscosity or a shorter step"
+        "the viscous system of viscosity times step {product:e} and of its parts cannot be factored, because faces are nearly degenerate; \
+         even them out with `pompeiu remesh`, or choose the scheme faces with the diffusion edge-length, which needs no angles"
     )]
     Viscous {
         /// Viscosity times the length of the step.

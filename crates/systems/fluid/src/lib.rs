@@ -43,6 +43,7 @@
 //! `stam_stable_1999`, `elcott_stable_2007`, `yin_fluid_2023`.
 
 mod advection;
+mod curvature;
 mod edges;
 mod error;
 mod faces;

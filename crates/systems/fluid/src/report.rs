@@ -66,6 +66,11 @@ pub struct SchemeReport {
     pub viscosity: f64,
     /// The Laplacian of the viscous force.
     pub viscosity_model: ViscosityModel,
+    /// The largest angle defect of a vertex, in radians, that the viscous forces take for curvature; null if there is no
+    /// limit. On faces that do not resolve the curvature viscosity would otherwise add energy.
+    pub curvature_limit: Option<f64>,
+    /// Number of vertices whose angle defects are larger.
+    pub limited_vertices: usize,
     /// The condition for a viscous flow at the boundary.
     pub wall: Wall,
     /// How densities are transported.
@@ -90,6 +95,8 @@ impl SchemeReport {
             },
             viscosity: options.viscosity,
             viscosity_model: options.viscosity_model,
+            curvature_limit: None,
+            limited_vertices: 0,
             wall: options.wall,
             transport: options.transport,
             densities: options.densities.iter().map(|density| density.name.clone()).collect(),
@@ -111,6 +118,8 @@ impl SchemeReport {
             cfl: None,
             viscosity: options.viscosity,
             viscosity_model: ViscosityModel::default(),
+            curvature_limit: None,
+            limited_vertices: 0,
             wall: options.wall,
             transport,
             densities: options.densities.iter().map(|density| density.name.clone()).collect(),

@@ -1,13 +1,14 @@
 //! Viscosity for a velocity given by its stream function and harmonic coefficients.
 
+use crate::curvature::{CurvatureLimit, allowed_growth, bends, face_curvature};
 use crate::space::{Parts, Space};
 use crate::{FluidError, ViscosityModel, Wall};
 use pompeiu_core::VertexId;
 use pompeiu_core::mesh::{FaceData, VertexData};
 use pompeiu_operators::{FaceField, curl, field_inner_product};
 use pompeiu_solve::{DenseCholesky, LinearSolver, SemidefiniteCholesky, SolveError, SparseMatrix};
+use pompeiu_surface::SurfaceMesh;
 use pompeiu_surface::plane::{dot, scale};
-use pompeiu_surface::{Surface, SurfaceMesh};
 
 /// A backward Euler step for viscosity, factored for one product of viscosity and time.
 ///
@@ -17,12 +18,17 @@ use pompeiu_surface::{Surface, SurfaceMesh};
 /// with E the matrix of twice the energy, a that of the viscous power and b the contribution of the boundary. The harmonic
 /// coefficients border the system of the stream function.
 ///
+/// The viscous power is made semidefinite by a [`CurvatureLimit`]. Where a step is so long that the growth which it allows cannot be
+/// factored, shorter steps are taken, each followed by the limit on the energy.
+///
 /// At a no-slip boundary the vorticity is `(−L ψ + ∮ φ u_wall) / A`. At a free-slip boundary it is twice the curvature of the
 /// boundary times the tangential velocity, with the curvature corrected by that of the adjacent surface.
 #[derive(Debug)]
 pub(crate) struct Viscosity {
     /// Viscosity times time.
     product: f64,
+    /// How often the step is taken that is factored.
+    repeats: usize,
     system: SemidefiniteCholesky,
     /// Columns of the border, νΔt X; empty without harmonic fields.
     border: Vec<Vec<f64>>,
@@ -41,6 +47,8 @@ pub(crate) struct ViscousPower {
     border: Vec<Vec<f64>>,
     corner: Vec<f64>,
     drive: (Vec<f64>, Vec<f64>),
+    /// The curvature that it contains.
+    limit: CurvatureLimit,
 }
 
 impl ViscousPower {
@@ -50,8 +58,34 @@ impl ViscousPower {
         wall: Wall,
         circulation: &VertexData<f64>,
     ) -> Result<Self, FluidError> {
-        let weights = weights(space, wall);
-        let curvature = face_curvature(space.surface, &space.areas);
+        let limited = |limit| Self::limited(space, model, wall, circulation, limit);
+        let is_closed = space.mesh().boundary_loops().is_empty();
+        if model.curvatures() == 0.0 && (wall == Wall::NoSlip || is_closed) {
+            return limited(CurvatureLimit::NONE);
+        }
+        let mesh = space.mesh();
+        let component = |v: usize| mesh.component(VertexId(v as u32));
+        let allowed = allowed_growth(space, space.poisson.matrix(), component)?;
+        let is_semidefinite =
+            |power: &Self| space.system(allowed.combined(1.0, &power.matrix, 1.0)?).map(|_| ());
+        CurvatureLimit::find(limited, is_semidefinite).map(|(_, power)| power)
+    }
+
+    /// The curvature that it contains.
+    pub(crate) fn limit(&self) -> CurvatureLimit {
+        self.limit
+    }
+
+    fn limited(
+        space: &Space<'_>,
+        model: ViscosityModel,
+        wall: Wall,
+        circulation: &VertexData<f64>,
+        limit: CurvatureLimit,
+    ) -> Result<Self, FluidError> {
+        let mut weights = weights(space, wall);
+        weights.iter_mut().for_each(|w| *w = limit.of_wall(*w));
+        let curvature = face_curvature(space.surface, &space.areas, limit);
         let laplacian = space.poisson.matrix();
         let matrix = power_matrix(space, laplacian, &weights, &curvature, model.curvatures())?;
         let fields = space.basis.fields();
@@ -100,13 +134,18 @@ impl ViscousPower {
                 .map_or(0.0, |curved| field_inner_product(space.surface, curved, field));
             drive.1.push(product(&columns[k], &weights, circulation) + curved);
         }
-        Ok(Self { matrix, border, corner, drive })
+        Ok(Self { matrix, border, corner, drive, limit })
     }
 }
 
 impl Viscosity {
     /// Factors the system for a step.
     pub(crate) fn new(space: &Space<'_>, power: &ViscousPower, product: f64) -> Result<Self, FluidError> {
+        let (step, repeats) = shortened(product, |product| Self::factored(space, power, product))?;
+        Ok(Self { product, repeats, ..step })
+    }
+
+    fn factored(space: &Space<'_>, power: &ViscousPower, product: f64) -> Result<Self, FluidError> {
         let failed = |error: FluidError| match error {
             FluidError::Solve(SolveError::NotPositiveDefinite { .. }) => FluidError::Viscous { product },
             other => other,
@@ -129,7 +168,7 @@ impl Viscosity {
         }
         let complement = inverse(k, complement).map_err(|error| failed(error.into()))?;
         let drive = (scaled(&power.drive.0), scaled(&power.drive.1));
-        Ok(Self { product, system, border, solved, complement, drive })
+        Ok(Self { product, repeats: 1, system, border, solved, complement, drive })
     }
 
     /// Viscosity times time.
@@ -139,6 +178,14 @@ impl Viscosity {
 
     /// The velocity after the step.
     pub(crate) fn step(&self, space: &Space<'_>, parts: &Parts) -> Result<Parts, FluidError> {
+        let mut after = self.once(space, parts)?;
+        for _ in 1..self.repeats {
+            after = self.once(space, &after)?;
+        }
+        Ok(after)
+    }
+
+    fn once(&self, space: &Space<'_>, parts: &Parts) -> Result<Parts, FluidError> {
         let mut stream = space.poisson.matrix().multiply(&parts.stream);
         for (x, drive) in stream.iter_mut().zip(&self.drive.0) {
             *x += drive;
@@ -159,23 +206,33 @@ impl Viscosity {
     }
 }
 
-/// The Gaussian curvature of each face: the mean of the angle defects per area at its corners. Boundary corners take the values of
-/// their inner neighbours.
-/// the neighbours inside.
-pub(crate) fn face_curvature(surface: &Surface, areas: &VertexData<f64>) -> FaceData<f64> {
-    let mesh = surface.mesh();
-    let defects = surface.angle_defects();
-    let inner = |v: &VertexId| !mesh.is_boundary_vertex(*v);
-    let at = VertexData::from_fn(mesh.vertices(), |v| {
-        if inner(&v) {
-            return defects[v] / areas[v];
+/// Quarters of a step that are tried where it cannot be factored.
+const MOST_QUARTERS: i32 = 24;
+
+/// The largest number of parts of a step that are taken. What decays is gone after these; what would grow is limited by the energy.
+const MOST_REPEATS: usize = 16;
+
+/// Factors a step of this product of viscosity and time, or, if it cannot be factored, one of its parts, with their number.
+///
+/// A velocity that grows at the rate δ is multiplied by `1 / (1 − product δ)`. A quarter of a part that can be factored
+/// multiplies it by at most 4/3.
+pub(crate) fn shortened<T>(
+    product: f64,
+    factored: impl Fn(f64) -> Result<T, FluidError>,
+) -> Result<(T, usize), FluidError> {
+    let part = |quarters| factored(product * 0.25_f64.powi(quarters));
+    match part(0) {
+        Err(FluidError::Viscous { .. }) => {}
+        other => return other.map(|step| (step, 1)),
+    }
+    for quarters in 1..=MOST_QUARTERS {
+        match part(quarters) {
+            Err(FluidError::Viscous { .. }) => {}
+            Err(error) => return Err(error),
+            Ok(_) => return part(quarters + 1).map(|step| (step, MOST_REPEATS)),
         }
-        let neighbours = mesh.outgoing(v).flat_map(|h| [mesh.head(h), mesh.tail(h.previous())]);
-        let (sum, area) =
-            neighbours.filter(inner).fold((0.0, 0.0), |(sum, area), w| (sum + defects[w], area + areas[w]));
-        if area > 0.0 { sum / area } else { 0.0 }
-    });
-    FaceData::from_fn(mesh.faces(), |face| mesh.face(face).into_iter().map(|v| at[v] / 3.0).sum())
+    }
+    Err(FluidError::Viscous { product })
 }
 
 /// The factors from integrals to vorticity at each vertex: see [`Viscosity`].
@@ -192,29 +249,6 @@ fn weights(space: &Space<'_>, wall: Wall) -> VertexData<f64> {
         }
         -2.0 * bend[v] / (lengths[v] * lengths[v] - 2.0 * bend[v] * space.areas[v])
     })
-}
-
-/// At each boundary vertex the geodesic curvature integrated over half of the adjacent boundary edges, and their length; zero
-/// inside.
-///
-/// The turning angle of the boundary at the vertex includes curvature of the surface, which is subtracted.
-pub(crate) fn bends(space: &Space<'_>) -> (VertexData<f64>, VertexData<f64>) {
-    let mesh = space.mesh();
-    let curvature = face_curvature(space.surface, &space.areas);
-    let lengths = space.along_boundary(|h| {
-        let side = space.surface.vector(h);
-        dot(side, side).sqrt()
-    });
-    let turning = space.surface.angle_defects();
-    let bend = VertexData::from_fn(mesh.vertices(), |v| {
-        if !mesh.is_boundary_vertex(v) {
-            return 0.0;
-        }
-        let inside: f64 =
-            mesh.outgoing(v).map(|h| curvature[h.face()] * space.surface.face_area(h.face()) / 3.0).sum();
-        turning[v] - inside
-    });
-    (bend, lengths)
 }
 
 /// `L diag(w) L − χ G_vᵀ A K G_v`.

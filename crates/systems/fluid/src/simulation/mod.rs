@@ -7,19 +7,19 @@ pub(crate) use densities::add_source;
 
 use crate::FluidError;
 use crate::advection::Unknowns;
+use crate::curvature::CurvatureLimit;
 use crate::edges::EdgeField;
-use crate::options::{Diffusion, FluidOptions, Scheme, TimeStep, Transport};
+use crate::options::{FluidOptions, Scheme, TimeStep, Transport};
 use crate::report::{FluidStep, FluidTiming, SchemeReport, range};
 use crate::space::{Parts, Space};
 use crate::transport::Backtrace;
-use crate::viscosity::ViscousPower;
 use densities::Heat;
 use pompeiu_core::mesh::{FaceData, VertexData};
 use pompeiu_core::run::Instant;
 use pompeiu_operators::{FaceField, check_field};
 use pompeiu_surface::Surface;
 use pompeiu_surface::plane::norm;
-use velocity::Viscous;
+use velocity::{Power, Viscous};
 
 /// Largest number of substeps of a step.
 const MOST_SUBSTEPS: usize = 100_000;
@@ -43,7 +43,7 @@ pub struct Simulation<'s> {
     space: Space<'s>,
     options: FluidOptions,
     backtrace: Option<Backtrace<'s>>,
-    power: Option<ViscousPower>,
+    power: Power,
     viscosity: Option<Viscous>,
     /// One for each density.
     heat: Vec<Option<Heat>>,
@@ -94,11 +94,7 @@ impl<'s> Simulation<'s> {
             }),
             None => VertexData::filled(vertices, 0.0),
         };
-        let by_stream = matches!(options.scheme, Scheme::Vorticity | Scheme::AnyStep)
-            || (options.scheme == Scheme::Faces && options.diffusion == Diffusion::Laplacian);
-        let power = (options.viscosity > 0.0 && by_stream)
-            .then(|| ViscousPower::new(&space, options.viscosity_model, options.wall, &circulation))
-            .transpose()?;
+        let power = Power::new(&space, &options, &circulation)?;
         let on_edges = options.viscosity > 0.0 && options.scheme == Scheme::CrouzeixRaviart;
         let edges = if on_edges { surface.mesh().edges() } else { 0 };
         let state = State {
@@ -158,7 +154,13 @@ impl<'s> Simulation<'s> {
 
     /// The scheme.
     pub fn scheme(&self) -> SchemeReport {
-        SchemeReport::of(&self.options, self.space.basis.dimension())
+        let limit = self.power.limit();
+        let mut report = SchemeReport::of(&self.options, self.space.basis.dimension());
+        if limit != CurvatureLimit::NONE {
+            report.curvature_limit = Some(limit.defect);
+            report.limited_vertices = limit.limited(&self.space);
+        }
+        report
     }
 
     /// Sets the velocity to the divergence-free one nearest to a field.

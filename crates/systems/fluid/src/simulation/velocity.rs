@@ -2,15 +2,52 @@
 
 use super::{MOST_HALVINGS, MOST_SUBSTEPS, Simulation};
 use crate::advection::{self, AdvectionError, Unknowns};
-use crate::edges::{self, EdgeViscosity};
+use crate::curvature::CurvatureLimit;
+use crate::edges::{self, EdgeViscosity, Terms};
 use crate::faces::FaceDiffusion;
-use crate::space::Parts;
+use crate::space::{Parts, Space};
 use crate::transport::Backtrace;
-use crate::viscosity::Viscosity;
-use crate::{Correction, FluidError, Integrator, Scheme, TimeStep, Wall, force};
+use crate::viscosity::{Viscosity, ViscousPower};
+use crate::{Correction, Diffusion, FluidError, FluidOptions, Integrator, Scheme, TimeStep, Wall, force};
 use pompeiu_core::mesh::{FaceData, VertexData};
 use pompeiu_operators::{FaceField, add_scaled};
 use pompeiu_surface::plane::{add, rotate, scale, sub};
+
+/// What the viscous operator is made of, which does not depend on the step.
+#[derive(Debug)]
+pub(super) enum Power {
+    /// For the stream function and harmonic coefficients.
+    Stream(Box<ViscousPower>),
+    /// For values at midpoints of edges.
+    Edges(Terms),
+    /// For values on faces, or without viscosity.
+    Faces,
+}
+
+impl Power {
+    pub(super) fn new(
+        space: &Space<'_>,
+        options: &FluidOptions,
+        circulation: &VertexData<f64>,
+    ) -> Result<Self, FluidError> {
+        let (model, wall) = (options.viscosity_model, options.wall);
+        Ok(match options.scheme {
+            _ if options.viscosity == 0.0 => Self::Faces,
+            Scheme::CrouzeixRaviart => Self::Edges(Terms::new(space, model, wall)?),
+            Scheme::Faces if options.diffusion == Diffusion::EdgeLength => Self::Faces,
+            _ => Self::Stream(Box::new(ViscousPower::new(space, model, wall, circulation)?)),
+        })
+    }
+
+    /// The curvature that it contains.
+    pub(super) fn limit(&self) -> CurvatureLimit {
+        match self {
+            Self::Stream(power) => power.limit(),
+            Self::Edges(terms) => terms.limit(),
+            Self::Faces => CurvatureLimit::NONE,
+        }
+    }
+}
 
 /// The factored viscous operator, for one product of viscosity and time.
 #[derive(Debug)]
@@ -59,14 +96,13 @@ impl Simulation<'_> {
                 Some(Viscous::Edges(edges)) => Some(edges.into_pressure()),
                 _ => None,
             };
-            self.viscosity = Some(match (&self.power, options.scheme) {
-                (Some(power), _) => Viscous::Stream(Viscosity::new(space, power, product)?),
-                (None, Scheme::CrouzeixRaviart) => {
-                    let (model, wall) = (options.viscosity_model, options.wall_velocity.as_ref());
-                    let edges = EdgeViscosity::new(space, model, options.wall, wall, product, pressure)?;
-                    Viscous::Edges(edges)
+            self.viscosity = Some(match &self.power {
+                Power::Stream(power) => Viscous::Stream(Viscosity::new(space, power, product)?),
+                Power::Edges(terms) => {
+                    let wall = options.wall_velocity.as_ref();
+                    Viscous::Edges(EdgeViscosity::new(space, *terms, wall, product, pressure)?)
                 }
-                (None, _) => {
+                Power::Faces => {
                     Viscous::Faces(FaceDiffusion::of_vectors(space.surface, options.diffusion, product)?)
                 }
             });

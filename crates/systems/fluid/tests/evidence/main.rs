@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "tests may panic")]
 
+mod definite;
 mod densities;
 mod handles;
 mod input;

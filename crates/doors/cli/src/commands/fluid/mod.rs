@@ -6,6 +6,7 @@ mod text;
 
 pub(crate) use crate::door::run;
 use crate::door::{AnswerOf, Invocation, Session, System};
+use crate::numbers::{few, grouped};
 use crate::series::Series;
 use crate::{field, files};
 use anyhow::{Context, bail};
@@ -91,6 +92,9 @@ impl System for Files {
             };
             anyhow::Error::from(error).context(place.display().to_string())
         })?;
+        if let Some(limit) = run.report.scheme.curvature_limit {
+            printer.warning(limited(limit, run.report.scheme.limited_vertices));
+        }
         if let (Some(source), Some(start)) = (&request.velocity, &run.report.start) {
             warn_of(source, start, session);
         }
@@ -104,6 +108,16 @@ impl System for Files {
     fn text(&self, answer: &AnswerOf<Self>) -> String {
         text::text(answer)
     }
+}
+
+/// Says why the viscous forces do not contain all curvature.
+fn limited(defect: f64, vertices: usize) -> String {
+    let (noun, count) = (if vertices == 1 { "vertex" } else { "vertices" }, grouped(vertices as u64));
+    format!(
+        "angle defects of {count} {noun} count as {} rad, because faces do not resolve the curvature there and viscosity would add energy; \
+         smaller faces resolve it (`pompeiu remesh`), and --viscosity-model hodge needs no curvature",
+        few(defect)
+    )
 }
 
 /// Says what was left out of an initial velocity.

@@ -69,7 +69,11 @@ pub(super) fn text(answer: &Answer<FluidRequest, FluidReport>) -> String {
 
 fn viscosity(scheme: &SchemeReport) -> String {
     if scheme.viscosity > 0.0 {
-        format!("viscosity {} ({})", few(scheme.viscosity), scheme.viscosity_model.name())
+        let model = format!("viscosity {} ({})", few(scheme.viscosity), scheme.viscosity_model.name());
+        match scheme.curvature_limit {
+            Some(limit) => format!("{model} with limited curvature (angle defects up to {} rad)", few(limit)),
+            None => model,
+        }
     } else {
         "without viscosity".to_owned()
     }
