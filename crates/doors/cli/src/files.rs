@@ -134,9 +134,45 @@ pub(crate) fn write_with(
             format.name()
         ));
     }
+    warn_of(
+        path,
+        joined(path, mesh) as u64,
+        printer,
+        [
+            "vertex lies where another one does; readers of STL make one vertex of them, and PLY and OBJ keep them apart",
+            "vertices lie where others do; readers of STL make one vertex of those at a place, and PLY and OBJ keep them apart",
+        ],
+    );
     let [vertices, faces] = [mesh.positions().len(), mesh.faces().len()].map(|n| grouped(n as u64));
     printer.note(format_args!("{shown}: {vertices} vertices, {faces} faces"));
     Ok(())
+}
+
+/// How many vertices of a mesh lie at the position of an earlier one, if that joins them for whoever reads the file: STL stores corners of
+/// faces without saying which are one vertex. Zero for other formats.
+pub(crate) fn joined(path: &Path, mesh: &TriMesh) -> usize {
+    if OutputFormat::from_path(path) != Some(OutputFormat::Stl) {
+        return 0;
+    }
+    // As stored; adding zero makes one of both zeros.
+    let mut places: Vec<[u32; 3]> =
+        mesh.positions().iter().map(|p| p.map(|x| (x as f32 + 0.0).to_bits())).collect();
+    places.sort_unstable();
+    places.dedup();
+    mesh.positions().len() - places.len()
+}
+
+/// Refuses to write to STL what its readers would join again.
+pub(crate) fn refuse_joined(path: &Path, mesh: &TriMesh) -> anyhow::Result<()> {
+    match joined(path, mesh) {
+        0 => Ok(()),
+        count => bail!(
+            "{}: STL holds no shared vertices, so its readers would join {} with others at the same position, and undo the result; write PLY \
+             or OBJ",
+            path.display(),
+            if count == 1 { "1 vertex".to_owned() } else { format!("{} vertices", grouped(count as u64)) }
+        ),
+    }
 }
 
 /// Writes a mesh whose coordinates were rounded to those of the format, moved by the shift that goes with them.

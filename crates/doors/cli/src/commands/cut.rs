@@ -17,7 +17,7 @@ pub(crate) type Cut = Invocation<Files>;
 #[derive(Args)]
 #[command(after_help = "\
 The mesh must be a manifold. Faces and their corners stay as they are; a vertex gets a copy for each part that the cut makes of
-its faces. The first copy keeps the number of the vertex, so that gluing gives the input back.
+its faces. The first copy keeps the number of the vertex, so that gluing gives the input back. STL cannot hold a cut.
 
 Examples:
   pompeiu cut torus.obj -o disk.obj
@@ -54,6 +54,7 @@ impl System for Files {
         let found = request.run(surface).with_context(|| self.mesh.display().to_string())?;
         session.stop_waiting();
         if let Some(output) = &self.output {
+            files::refuse_joined(output, &found.mesh)?;
             files::write(output, &found.mesh, session.printer)?;
         }
         Ok(found.report)

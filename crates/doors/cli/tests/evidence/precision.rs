@@ -206,9 +206,33 @@ fn what_a_repair_splits_is_not_written_where_readers_join_it() {
     let (code, _, said) = folder.transcript("repair three.obj out.stl");
     assert_eq!(code, Some(2), "{said}");
     assert!(said.contains("write PLY or OBJ") && !folder.path().join("out.stl").exists(), "{said}");
+    // Neither what was split before.
+    folder.write("split.obj", format!("{three}v 0 0 0\nv 1 0 0\n").replace("f 1 2 5", "f 6 7 5"));
+    let (code, _, said) = folder.transcript("repair split.obj out.stl --no-weld");
+    assert_eq!(code, Some(2), "{said}");
+    assert!(said.contains("join 2 vertices") && !folder.path().join("out.stl").exists(), "{said}");
     folder.ok("repair three.obj out.ply");
     let found = report_of(serde_json::from_str(&folder.ok("info out.ply --json")).unwrap());
     assert_eq!(found["non_manifold_edges"], 0);
+}
+
+#[test]
+fn a_cut_is_open_in_the_file_or_there_is_none() {
+    let folder = Folder::new();
+    folder.ok("generate torus --major-segments 12 --minor-segments 8 -o torus.obj");
+    for suffix in ["obj", "ply", "glb", "off", "3mf", "vtp"] {
+        folder.ok(&format!("cut torus.obj -o out.{suffix}"));
+        let found = folder.ok(&format!("info out.{suffix} --json"));
+        let found = report_of(serde_json::from_str(&found).unwrap());
+        assert_eq!(
+            (&found["boundary_loops"], &found["euler_characteristic"]),
+            (&Value::from(1), &Value::from(1)),
+            "{suffix}"
+        );
+    }
+    let (code, _, said) = folder.transcript("cut torus.obj -o out.stl");
+    assert_eq!(code, Some(2), "{said}");
+    assert!(said.contains("write PLY or OBJ") && !folder.path().join("out.stl").exists(), "{said}");
 }
 
 #[test]

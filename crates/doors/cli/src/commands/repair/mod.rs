@@ -7,10 +7,9 @@ pub(crate) use crate::door::run;
 use crate::door::{AnswerOf, Invocation, Session, System};
 use crate::numbers::shortest;
 use crate::{certificate, files};
-use anyhow::{Context, bail};
+use anyhow::Context;
 use clap::Args;
 use pompeiu::hausdorff::{ProvenRepairReport, RepairRequest};
-use pompeiu::io::OutputFormat;
 use std::path::PathBuf;
 
 pub(crate) type Repair = Invocation<Files>;
@@ -63,13 +62,7 @@ impl System for Files {
         let found = request.run(&mesh, &session.context());
         let mut found = found.with_context(|| self.input.display().to_string())?;
         session.stop_waiting();
-        let split = found.report.repair.split_edges.count + found.report.repair.split_vertices.count;
-        if split > 0 && OutputFormat::from_path(&self.output) == Some(OutputFormat::Stl) {
-            bail!(
-                "{}: STL holds no shared vertices, so its readers join again what was split at {split} edges and vertices; write PLY or OBJ",
-                self.output.display()
-            );
-        }
+        files::refuse_joined(&self.output, &found.report.rounding.written(&found.mesh)?)?;
         if let (true, Some(path), Some(within)) =
             (found.report.written, &self.certificate, found.report.within)
         {
