@@ -4,7 +4,8 @@ use crate::dxf::{self, DxfError};
 use crate::picture::{Picture, PictureError, PictureFormat};
 use crate::silhouette::{SilhouetteError, SilhouetteOptions, silhouette};
 use crate::svg::{self, Polyline, SvgError};
-use crate::{Outline, OutlineError, Region};
+use crate::{FillRule, Outline, OutlineError, Point, Region, regions};
+use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
 /// Why a file cannot be used as outlines.
@@ -54,7 +55,7 @@ pub enum FileError {
         /// Its place in the drawing.
         index: usize,
         /// Where it ends.
-        end: crate::Point,
+        end: Point,
     },
     /// A folder without a shape.
     #[error("holds no picture (PNG, JPEG, GIF, BMP), drawing (SVG, DXF) or list of points")]
@@ -102,33 +103,114 @@ pub fn shapes_in(path: &Path) -> Result<Vec<PathBuf>, FileError> {
     if found.is_empty() { Err(FileError::NoShapes) } else { Ok(found) }
 }
 
-/// The closed outlines in a file, in their order: the shape in a picture followed by its holes; the curves of a drawing; or the
-/// polygon of a list of points with one `x y` or `x,y` per line.
+/// A shape of a drawing.
+#[derive(Debug)]
+pub struct DrawnShape {
+    /// What tells it from the other shapes of its file: the `id` of its element, or its place, from 1; none for the only one.
+    pub name: Option<String>,
+    /// The shape, or why it cannot be used.
+    pub region: Result<Region, FileError>,
+}
+
+/// The shapes in a file, in their order.
+///
+/// # Definition
+/// A picture shows one shape, its largest part, and a list of points is one. In an SVG drawing each element is a shape, with the holes that
+/// its fill rule leaves, or several where its parts lie beside each other; in a DXF drawing each curve, with the curves inside as holes, by the
+/// even–odd rule.
 ///
 /// # Errors
-/// [`FileError`]; it does not name the file.
-pub fn read_outlines(path: &Path, options: &SilhouetteOptions) -> Result<Vec<Outline>, FileError> {
+/// [`FileError`] if nothing in the file can be used; it does not name the file.
+pub fn read_shapes(path: &Path, options: &SilhouetteOptions) -> Result<Vec<DrawnShape>, FileError> {
+    let mut groups = match content(path, options)? {
+        Content::Shape(region) => vec![(String::new(), Ok(vec![region]))],
+        Content::Groups(groups) => groups,
+    };
+    if groups.is_empty() {
+        return Err(FileError::Empty);
+    }
+    if let [(_, found)] = &mut groups[..]
+        && found.is_err()
+    {
+        std::mem::replace(found, Ok(Vec::new()))?;
+    }
+    let mut shapes: Vec<DrawnShape> = Vec::new();
+    for (id, found) in groups {
+        let of = |region| DrawnShape { name: Some(id.clone()), region };
+        match found {
+            Ok(regions) => shapes.extend(regions.into_iter().map(|region| of(Ok(region)))),
+            Err(error) => shapes.push(of(Err(error))),
+        }
+    }
+    name(&mut shapes);
+    Ok(shapes)
+}
+
+/// Names shapes by their ids, or by their places where these are empty, numbers, or not the only ones.
+fn name(shapes: &mut [DrawnShape]) {
+    let mut times: HashMap<String, usize> = HashMap::new();
+    for shape in &*shapes {
+        *times.entry(shape.name.clone().unwrap_or_default()).or_default() += 1;
+    }
+    let is_alone = shapes.len() == 1;
+    for (i, shape) in shapes.iter_mut().enumerate() {
+        let is_usable = |id: &String| !id.is_empty() && id.parse::<u64>().is_err() && times[id] == 1;
+        let id = shape.name.take().filter(is_usable);
+        shape.name = (!is_alone).then(|| id.unwrap_or_else(|| (i + 1).to_string()));
+    }
+}
+
+/// What is in a file: one shape; or the shapes of each element of a drawing, with its id.
+enum Content {
+    Shape(Region),
+    Groups(Vec<(String, Result<Vec<Region>, FileError>)>),
+}
+
+fn content(path: &Path, options: &SilhouetteOptions) -> Result<Content, FileError> {
     let found = std::fs::metadata(path)?.len();
     if found > MOST_BYTES {
         return Err(FileError::Large { found, most: MOST_BYTES });
     }
     let bytes = std::fs::read(path)?;
     if is_picture(path) || PictureFormat::of(&bytes).is_some() {
-        let Region { outer, holes } = silhouette(&Picture::read(&bytes)?, options)?;
-        return Ok([outer].into_iter().chain(holes).collect());
+        return Ok(Content::Shape(silhouette(&Picture::read(&bytes)?, options)?));
     }
     let text = String::from_utf8(bytes).map_err(|_| FileError::Unrecognised)?;
-    let polylines = if text.trim_start().starts_with('<') {
-        svg::read(&text)?
-    } else if has_suffix(path, &["dxf"]) {
-        dxf::read(&text)?
-    } else {
-        return Ok(vec![list(&text)?]);
+    let mut index = 0;
+    let mut closed = |curves: Vec<Polyline>| -> Result<Vec<Vec<Point>>, FileError> {
+        let first = index;
+        index += curves.len();
+        curves.into_iter().enumerate().map(|(i, curve)| closed(first + i, curve)).collect()
     };
-    if polylines.is_empty() {
-        return Err(FileError::Empty);
+    if text.trim_start().starts_with('<') {
+        let shapes = svg::read_elements(&text)?.into_iter().map(|element| {
+            let curves = closed(element.curves);
+            (element.id, curves.and_then(|curves| Ok(regions(curves, element.fill_rule)?)))
+        });
+        Ok(Content::Groups(shapes.collect()))
+    } else if has_suffix(path, &["dxf"]) {
+        let curves = dxf::read(&text)?;
+        if curves.is_empty() {
+            return Err(FileError::Empty);
+        }
+        Ok(Content::Groups(vec![(String::new(), Ok(regions(closed(curves)?, FillRule::EvenOdd)?))]))
+    } else {
+        Ok(Content::Shape(Region { outer: list(&text)?, holes: Vec::new() }))
     }
-    polylines.into_iter().enumerate().map(|(index, polyline)| closed(index, polyline)).collect()
+}
+
+/// The closed outlines in a file, in their order: of each shape in it, see [`read_shapes`], the outer one followed by its holes.
+///
+/// # Errors
+/// [`FileError`], also if one of the shapes cannot be used; it does not name the file.
+pub fn read_outlines(path: &Path, options: &SilhouetteOptions) -> Result<Vec<Outline>, FileError> {
+    let mut outlines = Vec::new();
+    for shape in read_shapes(path, options)? {
+        let Region { outer, holes } = shape.region?;
+        outlines.push(outer);
+        outlines.extend(holes);
+    }
+    Ok(outlines)
 }
 
 /// The region that a file shows: its outline of greatest area, with the outlines inside it as holes.
@@ -144,10 +226,10 @@ pub fn read_region(path: &Path, options: &SilhouetteOptions) -> Result<Region, F
     Ok(Region { outer, holes: outlines })
 }
 
-fn closed(index: usize, Polyline { points, is_closed, .. }: Polyline) -> Result<Outline, FileError> {
+fn closed(index: usize, Polyline { points, is_closed, .. }: Polyline) -> Result<Vec<Point>, FileError> {
     match points.last() {
         Some(end) if !is_closed && points.first() != Some(end) => Err(FileError::Open { index, end: *end }),
-        _ => Ok(Outline::new(points)?),
+        _ => Ok(points),
     }
 }
 

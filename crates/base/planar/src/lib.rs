@@ -12,7 +12,8 @@
 //! | [`picture`], [`contour`], [`silhouette`], [`fill`] | pictures, their contours at a level, the shape in them; rasterised
 //! outlines |
 //! | [`svg`], [`dxf`] | drawings |
-//! | [`ShapeSource`], [`read_region`], [`read_outlines`], [`shapes_in`] | shapes in files of all these kinds, or given by their
+//! | [`regions`] | the regions that closed curves enclose together, by a fill rule |
+//! | [`ShapeSource`], [`read_region`], [`read_shapes`], [`read_outlines`], [`shapes_in`] | shapes in files of all these kinds, or given by their
 //! corners |
 //!
 //! ```
@@ -31,6 +32,7 @@ mod distance;
 pub mod dxf;
 mod fairing;
 mod file;
+mod filling;
 mod offset;
 mod outline;
 mod overlap;
@@ -44,7 +46,10 @@ pub mod svg;
 pub use crossing::{Crossing, first_crossing};
 pub use curve::{catmull_rom, resample, resample_points};
 pub use distance::{distance_to_outline, hausdorff};
-pub use file::{FileError, is_picture, is_shape, read_outlines, read_region, shapes_in};
+pub use file::{
+    DrawnShape, FileError, is_picture, is_shape, read_outlines, read_region, read_shapes, shapes_in,
+};
+pub use filling::{FillRule, regions};
 pub use offset::offset;
 pub use outline::{Outline, OutlineError, Region};
 pub use overlap::intersection_area;

@@ -1,7 +1,7 @@
 //! Where a shape comes from.
 
 use crate::silhouette::SilhouetteOptions;
-use crate::{FileError, Outline, OutlineError, Point, Region, read_region};
+use crate::{DrawnShape, FileError, Outline, OutlineError, Point, Region, read_region, read_shapes};
 use std::convert::Infallible;
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -75,6 +75,19 @@ impl ShapeSource {
                 read_region(path, options).map_err(|error| ShapeError::File { path: path.clone(), error })
             }
             Self::Corners(corners) => Ok(Region { outer: Outline::new(corners.clone())?, holes: Vec::new() }),
+        }
+    }
+
+    /// All shapes, see [`read_shapes`].
+    ///
+    /// # Errors
+    /// [`ShapeError`] if none can be used.
+    pub fn shapes(&self, options: &SilhouetteOptions) -> Result<Vec<DrawnShape>, ShapeError> {
+        match self {
+            Self::File(path) => {
+                read_shapes(path, options).map_err(|error| ShapeError::File { path: path.clone(), error })
+            }
+            Self::Corners(_) => Ok(vec![DrawnShape { name: None, region: Ok(self.region(options)?) }]),
         }
     }
 }

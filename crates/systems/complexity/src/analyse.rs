@@ -160,7 +160,9 @@ fn measured(
 fn other_places(shapes: &[ShapeReport], list: &[(String, f64)]) -> Result<Vec<f64>, ComplexityError> {
     let bare = |name: &str| {
         let name = name.rsplit(['/', '\\']).next().unwrap_or(name);
-        name.rsplit_once('.').map_or(name, |(stem, _)| stem).to_owned()
+        let Some((stem, suffix)) = name.rsplit_once('.') else { return name.to_owned() };
+        // One of several shapes in a drawing keeps its own name.
+        suffix.split_once('#').map_or_else(|| stem.to_owned(), |(_, own)| format!("{stem}#{own}"))
     };
     let place = |shape: &ShapeReport| {
         let exact = list.iter().find(|(name, _)| *name == shape.file);

@@ -67,7 +67,7 @@ impl fmt::Display for FailedShape {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ShapeReport {
-    /// Its file or another name.
+    /// Its file or another name; for one of several shapes in a drawing followed by `#` and its id, or its place from 1.
     pub file: String,
     /// Number of corners of its outline.
     pub outline_points: usize,

@@ -1,14 +1,15 @@
-//! Outlines in SVG drawings: paths, polygons, rectangles, circles and ellipses, with their transforms.
+//! Outlines in SVG drawings: paths, polygons, rectangles, circles and ellipses, with their transforms, and copies of them by `use`.
 
+mod lengths;
 mod numbers;
 mod path;
+mod shapes;
 mod transform;
+mod tree;
+mod viewport;
 
-use crate::Point;
-use path::Curve;
-use roxmltree::{Document, Node, ParsingOptions};
+use crate::{FillRule, Point};
 use std::fmt::Write;
-use transform::Transform;
 
 /// A curve of a drawing as a polyline.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,6 +20,17 @@ pub struct Polyline {
     pub points: Vec<Point>,
     /// Whether the last point is joined with the first one.
     pub is_closed: bool,
+}
+
+/// An element of a drawing that draws something.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Element {
+    /// The attribute `id` of the `use` that shows it, the outermost one that has an id, or its own; may be empty.
+    pub id: String,
+    /// Which points its curves enclose; even–odd for curves that are drawn as lines alone.
+    pub fill_rule: FillRule,
+    /// Its curves, at least one.
+    pub curves: Vec<Polyline>,
 }
 
 /// Why a drawing cannot be read.
@@ -43,98 +55,52 @@ pub enum SvgError {
         /// What is wrong.
         why: String,
     },
+    /// A `use` shows an element that contains it, or that shows it.
+    #[error("line {line}: <use> of `{id}` shows itself, for it is part of what `{id}` shows; leave it out")]
+    Cycle {
+        /// The line of the element.
+        line: u32,
+        /// What it refers to.
+        id: String,
+    },
+    /// Copies by `use` are too many.
+    #[error("line {line}: copies by <use> have more than {most} {what}; use fewer copies")]
+    Copies {
+        /// The line of the `use` that is too much.
+        line: u32,
+        /// What there is too much of.
+        what: &'static str,
+        /// How many there may be.
+        most: usize,
+    },
 }
 
-/// Largest distance of chords from curves, relative to the diagonal of all curves in the drawing.
+/// Largest distance of chords from curves, relative to the diagonal of the curves of an element.
 pub const FLATTENING: f64 = 1e-4;
 
-/// Elements whose content is not drawn in place.
-const HIDDEN: [&str; 7] = ["defs", "clipPath", "mask", "symbol", "pattern", "marker", "metadata"];
-
-/// Largest number of elements that is read.
-const MOST_NODES: u32 = 1 << 22;
-
-/// The curves of a drawing, in its order. Bézier curves and arcs become chords at most [`FLATTENING`] away from them.
-///
-/// # Limits
-/// `viewBox`, units, style sheets and `use` are ignored; coordinates are those of the drawing's user space.
+/// The curves of a drawing, in its order: those of all its elements, see [`read_elements`].
 ///
 /// # Errors
 /// [`SvgError`] with the line.
 pub fn read(text: &str) -> Result<Vec<Polyline>, SvgError> {
-    let options = ParsingOptions { nodes_limit: MOST_NODES, ..ParsingOptions::default() };
-    let document =
-        Document::parse_with_options(text, options).map_err(|error| SvgError::Xml(error.to_string()))?;
-    let root = document.root_element();
-    if root.tag_name().name() != "svg" {
-        return Err(SvgError::Root(root.tag_name().name().to_owned()));
-    }
-    let mut curves: Vec<(String, Curve)> = Vec::new();
-    let mut open = vec![(root, Transform::IDENTITY)];
-    while let Some((node, above)) = open.pop() {
-        let name = node.tag_name().name();
-        if HIDDEN.contains(&name) || node.attribute("display") == Some("none") {
-            continue;
-        }
-        let wrong = |attribute: &'static str| {
-            let line = document.text_pos_at(node.range().start).row;
-            let element = name.to_owned();
-            move |why: String| SvgError::Attribute { line, element, attribute, why }
-        };
-        let own = node.attribute("transform").map_or(Ok(Transform::IDENTITY), Transform::parse);
-        let transform = above.then_inner(own.map_err(wrong("transform"))?);
-        let id = node.attribute("id").unwrap_or_default();
-        for mut curve in element(node).map_err(|(attribute, why)| wrong(attribute)(why))? {
-            curve.transform(&transform);
-            curves.push((id.to_owned(), curve));
-        }
-        let children: Vec<Node<'_, '_>> = node.children().filter(Node::is_element).collect();
-        open.extend(children.into_iter().rev().map(|child| (child, transform)));
-    }
-    let all: Vec<Point> = curves.iter().flat_map(|(_, curve)| curve.controls()).collect();
-    let [low, high] = crate::outline::bounds(&all);
-    let tolerance = FLATTENING * crate::outline::distance(low, high);
-    let flat = |(id, curve): (String, Curve)| {
-        let is_closed = curve.is_closed;
-        Polyline { id, points: curve.flatten(tolerance), is_closed }
-    };
-    Ok(curves.into_iter().map(flat).collect())
+    Ok(read_elements(text)?.into_iter().flat_map(|element| element.curves).collect())
 }
 
-type Wrong = (&'static str, String);
-
-/// The curves of an element; none if it draws none.
-fn element(node: Node<'_, '_>) -> Result<Vec<Curve>, Wrong> {
-    let number = |name: &'static str| -> Result<f64, Wrong> {
-        let Some(text) = node.attribute(name) else { return Ok(0.0) };
-        let text = text.trim().trim_end_matches("px");
-        match text.parse::<f64>() {
-            Ok(x) if x.is_finite() => Ok(x),
-            _ => Err((name, format!("`{text}` is not a number"))),
-        }
-    };
-    Ok(match node.tag_name().name() {
-        "path" => path::parse(node.attribute("d").unwrap_or_default()).map_err(|why| ("d", why))?,
-        name @ ("polygon" | "polyline") => {
-            let text = node.attribute("points").unwrap_or_default();
-            let numbers = numbers::numbers(text).map_err(|why| ("points", why))?;
-            if numbers.len() % 2 == 1 {
-                return Err(("points", format!("there are {} numbers, which is odd", numbers.len())));
-            }
-            let points: Vec<Point> = numbers.chunks_exact(2).map(|p| [p[0], p[1]]).collect();
-            Curve::through(&points, name == "polygon").into_iter().collect()
-        }
-        "rect" => {
-            let [x, y, w, h] = [number("x")?, number("y")?, number("width")?, number("height")?];
-            Curve::through(&[[x, y], [x + w, y], [x + w, y + h], [x, y + h]], true).into_iter().collect()
-        }
-        "circle" => {
-            let r = number("r")?;
-            vec![Curve::ellipse([number("cx")?, number("cy")?], [r, r])]
-        }
-        "ellipse" => vec![Curve::ellipse([number("cx")?, number("cy")?], [number("rx")?, number("ry")?])],
-        _ => Vec::new(),
-    })
+/// The elements of a drawing, in its order. Bézier curves and arcs become chords at most [`FLATTENING`] away from them.
+///
+/// # Definition
+/// Paths, polygons, polylines, rectangles, circles and ellipses, with the transforms of all elements around them; groups, nested drawings
+/// with their viewports, and what `use` shows, symbols too. Elements without curves, with `display` `none`, and shapes of no width, height or
+/// radius draw nothing.
+///
+/// # Limits
+/// The `viewBox` of the whole drawing only says what percentages refer to: coordinates are those of its user space. Style sheets, text and
+/// clipping are ignored. Copies by `use` have at most about a million elements, four million points and a depth of 64.
+///
+/// # Errors
+/// [`SvgError`] with the line; also for a `use` of another file, of nothing, or of itself.
+pub fn read_elements(text: &str) -> Result<Vec<Element>, SvgError> {
+    tree::elements(text)
 }
 
 /// The attribute `d` of a path through these points, every coordinate as the shortest decimal that reads back to it.
@@ -172,6 +138,70 @@ mod tests {
         let points = vec![[0.1, 1.0 / 3.0], [1e-7, 2.5], [12345.678, -3.0]];
         let text = format!("<svg><path d=\"{}\"/></svg>", path_data(&points, true));
         assert_eq!(read(&text).unwrap()[0].points, points);
+    }
+
+    #[test]
+    fn uses_show_copies_where_they_say() {
+        let text = "<svg xmlns:xlink='http://www.w3.org/1999/xlink' viewBox='0 0 200 100'>\
+            <defs><rect id='r' width='3' height='2'/><g id='two'><use xlink:href='#r' x='5'/><use id='in' href='#r'/></g>\
+            <symbol id='s' viewBox='0 0 10 10'><rect width='10' height='10'/></symbol></defs>\
+            <use href='#two' transform='scale(2)' y='1'/><use id='out' href='#two'/>\
+            <use href='#s' x='1' width='40' height='20'/><rect width='50%' height='10%' rx='0'/></svg>";
+        let found = read_elements(text).unwrap();
+        let first =
+            |i: usize| (found[i].id.as_str(), found[i].curves[0].points[0], found[i].curves[0].points[2]);
+        assert_eq!(found.len(), 6);
+        assert_eq!(first(0), ("r", [10.0, 2.0], [16.0, 6.0]));
+        assert_eq!(first(1), ("in", [0.0, 2.0], [6.0, 6.0]));
+        assert_eq!(first(2), ("out", [5.0, 0.0], [8.0, 2.0]));
+        assert_eq!(first(4), ("", [11.0, 0.0], [31.0, 20.0]));
+        assert_eq!(first(5), ("", [0.0, 0.0], [100.0, 10.0]));
+    }
+
+    #[test]
+    fn uses_of_themselves_and_of_nothing_and_too_many_are_refused() {
+        let cycle = "<svg>\n<g id='a'><use href='#b'/></g>\n<g id='b'><rect width='1' height='1'/>\n<use href='#a'/></g></svg>";
+        assert_eq!(read(cycle), Err(SvgError::Cycle { line: 2, id: "b".into() }));
+        let of_root = "<svg id='all'><use href='#all'/></svg>";
+        assert!(matches!(read(of_root), Err(SvgError::Cycle { line: 1, .. })));
+        for wrong in ["#none", "other.svg#a", "#"] {
+            let error = read(&format!("<svg><use href='{wrong}'/></svg>")).unwrap_err().to_string();
+            assert!(error.starts_with("line 1: href of <use>: "), "{error}");
+        }
+        // Ten copies of ten copies and so on: a thousand millions.
+        let mut text = "<svg><defs><rect id='g0' width='1' height='1'/>".to_owned();
+        for level in 1..10 {
+            let copies = format!("<use href='#g{}'/>", level - 1).repeat(10);
+            let _ = write!(text, "<g id='g{level}'>{copies}</g>");
+        }
+        text.push_str("</defs><use href='#g9'/></svg>");
+        assert!(
+            matches!(read(&text), Err(SvgError::Copies { .. })),
+            "{:?}",
+            read(&text).map(|all| all.len())
+        );
+    }
+
+    #[test]
+    fn rectangles_may_be_round_and_what_has_no_size_is_not_drawn() {
+        let found = read(
+            "<svg><rect width='4' height='2' rx='9'/><rect width='4'/><circle r='0'/><path d='M1 1Z'/>\
+             <g style='fill:red; display : none'><circle r='1'/></g></svg>",
+        );
+        let found = found.unwrap();
+        assert_eq!(found.len(), 1);
+        let off = |p: &Point| (((p[0] - 2.0) / 2.0).powi(2) + (p[1] - 1.0).powi(2) - 1.0).abs();
+        assert!(found[0].points.iter().all(|p| off(p) < 1e-3), "an ellipse: {found:?}");
+        assert!(read("<svg><circle r='-1'/></svg>").is_err());
+    }
+
+    #[test]
+    fn fill_rules_are_inherited() {
+        let text = "<svg><g style='fill-rule:evenodd'><path d='M0 0h1v1z'/><path fill-rule='nonzero' d='M0 0h1v1z'/></g>\
+            <path d='M0 0h1v1z'/></svg>";
+        let rules: Vec<FillRule> =
+            read_elements(text).unwrap().iter().map(|element| element.fill_rule).collect();
+        assert_eq!(rules, [FillRule::EvenOdd, FillRule::NonZero, FillRule::NonZero]);
     }
 
     #[test]

@@ -39,6 +39,27 @@ impl Curve {
         curve
     }
 
+    /// A rectangle whose corners are quarters of an ellipse with these radii, or sharp where one is 0.
+    pub(super) fn rectangle([x, y]: Point, [w, h]: [f64; 2], [rx, ry]: [f64; 2]) -> Self {
+        let (right, bottom) = (x + w, y + h);
+        if rx == 0.0 || ry == 0.0 {
+            let rest = [[right, y], [right, bottom], [x, bottom]].map(Piece::Line);
+            return Self { start: [x, y], pieces: rest.to_vec(), is_closed: true };
+        }
+        let mut curve = Self { start: [x + rx, y], pieces: Vec::new(), is_closed: true };
+        let quarters = [
+            ([right - rx, y], [right - rx, y + ry]),
+            ([right, bottom - ry], [right - rx, bottom - ry]),
+            ([x + rx, bottom], [x + rx, bottom - ry]),
+            ([x, y + ry], [x + rx, y + ry]),
+        ];
+        for (i, (side, centre)) in quarters.into_iter().enumerate() {
+            curve.pieces.push(Piece::Line(side));
+            curve.arc_about(centre, [rx, ry], 0.0, (i as f64 - 1.0) * FRAC_PI_2, FRAC_PI_2);
+        }
+        curve
+    }
+
     pub(super) fn transform(&mut self, t: &Transform) {
         self.start = t.apply(self.start);
         for piece in &mut self.pieces {
@@ -47,6 +68,11 @@ impl Curve {
                 Piece::Cubic(points) => Piece::Cubic(points.map(|p| t.apply(p))),
             };
         }
+    }
+
+    /// The number of its lines and Bézier curves.
+    pub(super) fn pieces(&self) -> usize {
+        self.pieces.len()
     }
 
     pub(super) fn controls(&self) -> Vec<Point> {
@@ -195,7 +221,7 @@ pub(super) fn parse(text: &str) -> Result<Vec<Curve>, String> {
                 current = Some(Curve::from(at));
             }
             'Z' => {
-                if let Some(mut curve) = current.take() {
+                if let Some(mut curve) = current.take().filter(|curve| !curve.pieces.is_empty()) {
                     curve.is_closed = true;
                     curves.push(curve);
                 }

@@ -10,6 +10,14 @@ pub(super) struct Transform([f64; 6]);
 impl Transform {
     pub(super) const IDENTITY: Self = Self([1.0, 0.0, 0.0, 1.0, 0.0, 0.0]);
 
+    pub(super) fn shift([x, y]: Point) -> Self {
+        Self([1.0, 0.0, 0.0, 1.0, x, y])
+    }
+
+    pub(super) fn scale([x, y]: Point) -> Self {
+        Self([x, 0.0, 0.0, y, 0.0, 0.0])
+    }
+
     /// A list of transforms; the last one is applied first.
     pub(super) fn parse(text: &str) -> Result<Self, String> {
         let mut all = Self::IDENTITY;
@@ -28,16 +36,15 @@ impl Transform {
             let (s, c) = (libm::sin(degrees.to_radians()), libm::cos(degrees.to_radians()));
             Self([c, s, -s, c, 0.0, 0.0])
         };
-        let shift = |x: f64, y: f64| Self([1.0, 0.0, 0.0, 1.0, x, y]);
         Ok(match (name, arguments) {
             ("matrix", &[a, b, c, d, e, f]) => Self([a, b, c, d, e, f]),
-            ("translate", &[x]) => shift(x, 0.0),
-            ("translate", &[x, y]) => shift(x, y),
-            ("scale", &[s]) => Self([s, 0.0, 0.0, s, 0.0, 0.0]),
-            ("scale", &[x, y]) => Self([x, 0.0, 0.0, y, 0.0, 0.0]),
+            ("translate", &[x]) => Self::shift([x, 0.0]),
+            ("translate", &[x, y]) => Self::shift([x, y]),
+            ("scale", &[s]) => Self::scale([s, s]),
+            ("scale", &[x, y]) => Self::scale([x, y]),
             ("rotate", &[degrees]) => rotation(degrees),
             ("rotate", &[degrees, x, y]) => {
-                shift(x, y).then_inner(rotation(degrees)).then_inner(shift(-x, -y))
+                Self::shift([x, y]).then_inner(rotation(degrees)).then_inner(Self::shift([-x, -y]))
             }
             ("skewX", &[degrees]) => Self([1.0, 0.0, libm::tan(degrees.to_radians()), 1.0, 0.0, 0.0]),
             ("skewY", &[degrees]) => Self([1.0, libm::tan(degrees.to_radians()), 0.0, 1.0, 0.0, 0.0]),

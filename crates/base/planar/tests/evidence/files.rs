@@ -2,7 +2,7 @@
 
 use pompeiu_planar::picture::{Picture, PictureError};
 use pompeiu_planar::silhouette::{Foreground, SilhouetteError, SilhouetteOptions, silhouette};
-use pompeiu_planar::{FileError, read_outlines, read_region};
+use pompeiu_planar::{FileError, read_outlines, read_region, read_shapes};
 use std::path::PathBuf;
 
 const WIDTH: usize = 40;
@@ -169,15 +169,22 @@ fn file(name: &str, content: &[u8]) -> PathBuf {
 #[test]
 fn files_are_told_apart_and_open_curves_refused() {
     let options = SilhouetteOptions::default();
-    let ring = file("ring.svg", b"<svg><path d='M0 0H9V9H0Z M3 3H6V6H3Z'/></svg>");
-    let region = read_region(&ring, &options).unwrap();
-    assert_eq!((region.outer.area(), region.holes.len()), (81.0, 1));
+    for (how, holes) in [("", 0), ("fill-rule='evenodd'", 1), ("style='fill:none;stroke:black'", 1)] {
+        let text = format!("<svg><path {how} d='M0 0H9V9H0Z M3 3H6V6H3Z'/></svg>");
+        let region = read_region(&file("ring.svg", text.as_bytes()), &options).unwrap();
+        assert_eq!((region.outer.area(), region.holes.len()), (81.0, holes), "{how}");
+    }
     let points = file("points.csv", b"x,y\n0,0\n4,0\n4,3\n");
     assert_eq!(read_outlines(&points, &options).unwrap()[0].area(), 6.0);
     let gif_named_otherwise = file("shape.txt", &gif());
     assert!(read_region(&gif_named_otherwise, &options).is_ok());
     let open = file("open.svg", b"<svg><path d='M0 0H9V9'/></svg>");
     assert!(matches!(read_outlines(&open, &options), Err(FileError::Open { index: 0, .. })));
+    let several = b"<svg><path id='a' d='M0 0H9V9Z M20 0h1v1z'/><rect id='b' width='2' height='1'/><path id='c' d='M0 0H9V9'/></svg>";
+    let shapes = read_shapes(&file("several.svg", several), &options).unwrap();
+    let names: Vec<_> = shapes.iter().map(|shape| (shape.name.as_deref(), shape.region.is_ok())).collect();
+    assert_eq!(names, [(Some("1"), true), (Some("2"), true), (Some("b"), true), (Some("c"), false)]);
+    assert!(matches!(shapes[3].region, Err(FileError::Open { index: 3, .. })));
     let empty = file("empty.svg", b"<svg/>");
     assert!(matches!(read_outlines(&empty, &options), Err(FileError::Empty)));
     let words = file("words.txt", b"0 0\nhello there\n");

@@ -10,7 +10,7 @@ use crate::{
 use pompeiu_core::request::{Conclusion, Limit, Report, Request};
 use pompeiu_core::run::{Control, RunContext, StopReason};
 use pompeiu_planar::silhouette::{Foreground, SilhouetteOptions};
-use pompeiu_planar::{FileError, ShapeError, ShapeSource, shapes_in};
+use pompeiu_planar::{DrawnShape, FileError, ShapeError, ShapeSource, shapes_in};
 use rayon::prelude::*;
 use std::path::PathBuf;
 
@@ -182,12 +182,12 @@ impl ComplexityRequest {
         let options =
             SilhouetteOptions { level: self.level, foreground: self.foreground, staircase: self.staircase };
         let one = |NamedShape { name, source }: &NamedShape| {
-            (!control.is_stopped()).then(|| (name.clone(), source.region(&options)))
+            (!control.is_stopped()).then(|| (name.clone(), source.shapes(&options)))
         };
         let found: Vec<_> = all.par_iter().map(one).collect();
-        for (file, region) in found.into_iter().flatten() {
-            match region {
-                Ok(region) => read.shapes.push(Shape { file, outline: region.outer }),
+        for (file, shapes) in found.into_iter().flatten() {
+            match shapes {
+                Ok(shapes) => shapes.into_iter().for_each(|shape| read.add(&file, shape)),
                 Err(ShapeError::File { error, .. }) => read.failed.push(FailedShape::new(&file, &error)),
                 Err(error) => return Err(error),
             }
@@ -201,6 +201,17 @@ impl ComplexityRequest {
 struct Read {
     shapes: Vec<Shape>,
     failed: Vec<FailedShape>,
+}
+
+impl Read {
+    /// Adds a shape of a file. One of several has `#` and its own name after that of the file.
+    fn add(&mut self, file: &str, DrawnShape { name, region }: DrawnShape) {
+        let file = name.map_or_else(|| file.to_owned(), |name| format!("{file}#{name}"));
+        match region {
+            Ok(region) => self.shapes.push(Shape { file, outline: region.outer }),
+            Err(error) => self.failed.push(FailedShape::new(&file, &error)),
+        }
+    }
 }
 
 impl FailedShape {
@@ -239,5 +250,25 @@ mod tests {
         let none = run(&[missing]).unwrap_err().to_string();
         assert!(none.starts_with("there are no shapes to measure: missing.svg: it cannot be read"), "{none}");
         assert!(matches!(run(&[square(0.0)]), Err(ComplexityRequestError::Shape(_))));
+    }
+
+    #[test]
+    fn each_shape_of_a_drawing_is_measured_or_reported() {
+        let path = std::env::temp_dir().join(format!("pompeiu-several-{}.svg", std::process::id()));
+        let drawing = "<svg><circle id='disc' r='9'/><rect x='20' width='4' height='4'/><path d='M0 0h1v1' id='open'/></svg>";
+        std::fs::write(&path, drawing).unwrap();
+        let named = |own: &str| format!("{}#{own}", path.display());
+        let mine = [(named("disc"), 1.0), (named("2").rsplit('/').next().unwrap().to_owned(), 2.0)];
+        let request = ComplexityRequest {
+            rank_by: "boundary-25".to_owned(),
+            against: Some(RankingSource::Places(mine.into())),
+            ..ComplexityRequest::default()
+        };
+        let report = request.run(&[NamedShape::file(path.clone())], &RunContext::default()).unwrap().report;
+        std::fs::remove_file(&path).unwrap();
+        let ranking: Vec<_> =
+            report.ranking.iter().map(|shape| (shape.file.clone(), shape.against)).collect();
+        assert_eq!(ranking, [(named("disc"), Some(1.0)), (named("2"), Some(2.0))]);
+        assert_eq!((report.failed.len(), report.failed[0].path.clone()), (1, named("open")));
     }
 }
