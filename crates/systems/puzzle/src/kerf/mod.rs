@@ -1,5 +1,6 @@
 //! Whether pieces still hold each other after a cut of some width.
 
+mod depths;
 mod pair;
 
 use crate::Puzzle;
@@ -94,8 +95,10 @@ fn neighbours(puzzle: &Puzzle) -> Vec<([usize; 2], Vec<usize>)> {
 fn comes_off(puzzle: &Puzzle, width: f64, cells: &[f64], control: &Control) -> bool {
     let pairs = neighbours(puzzle);
     let of = |piece: usize| pairs.iter().filter(move |(pair, _)| pair.contains(&piece));
+    let mut neighbours = vec![0_usize; puzzle.pieces()];
+    pairs.iter().flat_map(|(pair, _)| pair).for_each(|piece| neighbours[*piece] += 1);
     let mut pieces: Vec<usize> = (0..puzzle.pieces()).collect();
-    pieces.sort_by_key(|piece| of(*piece).count());
+    pieces.sort_by_key(|piece| neighbours[*piece]);
     pieces[..pieces.len().min(TRIED_ALONE)].par_iter().any(|piece| {
         !of(*piece).any(|(pair, borders)| {
             Pair::new(puzzle, *pair, borders, width).is_some_and(|pair| pair.holds(cells, control))
@@ -105,40 +108,57 @@ fn comes_off(puzzle: &Puzzle, width: f64, cells: &[f64], control: &Control) -> b
 
 /// Clusters of pieces that hold each other, connected by pairs that do.
 fn clusters(puzzle: &Puzzle, width: f64, cells: &[f64], control: &Control) -> Vec<Vec<usize>> {
-    let mut cluster: Vec<usize> = (0..puzzle.pieces()).collect();
+    let mut held = Clusters::new(puzzle.pieces());
     let mut open = neighbours(puzzle);
     while !open.is_empty() && !control.is_stopped() {
-        let mut joined = cluster.clone();
-        let (mut now, mut later) = (Vec::new(), Vec::new());
-        for (pair, borders) in open {
-            let [a, b] = pair.map(|piece| joined[piece]);
-            if cluster[pair[0]] == cluster[pair[1]] {
-                continue;
-            }
-            if a == b {
-                later.push((pair, borders));
-            } else {
-                joined.iter_mut().filter(|c| **c == b).for_each(|c| *c = a);
-                now.push((pair, borders));
-            }
-        }
-        let held: Vec<bool> = now
-            .par_iter()
-            .map(|(pair, borders)| {
-                Pair::new(puzzle, *pair, borders, width).is_some_and(|p| p.holds(cells, control))
-            })
-            .collect();
-        for ((pair, _), _) in now.iter().zip(held).filter(|(_, held)| *held) {
-            let [a, b] = pair.map(|piece| cluster[piece]);
-            cluster.iter_mut().filter(|c| **c == a.max(b)).for_each(|c| *c = a.min(b));
+        // Pairs that connect all if each of them holds; the others are needed only if some do not.
+        let mut joined = held.clone();
+        let (now, later): (Vec<_>, Vec<_>) = open
+            .into_iter()
+            .filter(|(pair, _)| held.of(pair[0]) != held.of(pair[1]))
+            .partition(|(pair, _)| joined.join(*pair));
+        let holds = |(pair, borders): &(_, Vec<usize>)| {
+            Pair::new(puzzle, *pair, borders, width).is_some_and(|p| p.holds(cells, control))
+        };
+        let holding: Vec<bool> = now.par_iter().map(holds).collect();
+        for ((pair, _), _) in now.iter().zip(holding).filter(|(_, holds)| *holds) {
+            held.join(*pair);
         }
         open = later;
     }
     let mut found: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
-    for (piece, of) in cluster.iter().enumerate() {
-        found.entry(*of).or_default().push(piece);
+    for piece in 0..puzzle.pieces() {
+        found.entry(held.of(piece)).or_default().push(piece);
     }
     found.into_values().collect()
+}
+
+/// Disjoint sets of pieces, each called by its first piece.
+#[derive(Clone)]
+struct Clusters {
+    /// An earlier piece of the same set, or the piece itself.
+    earlier: Vec<usize>,
+}
+
+impl Clusters {
+    fn new(pieces: usize) -> Self {
+        Self { earlier: (0..pieces).collect() }
+    }
+
+    fn of(&mut self, mut piece: usize) -> usize {
+        while self.earlier[piece] != piece {
+            self.earlier[piece] = self.earlier[self.earlier[piece]];
+            piece = self.earlier[piece];
+        }
+        piece
+    }
+
+    /// Joins the sets of two pieces; whether they were two.
+    fn join(&mut self, pair: [usize; 2]) -> bool {
+        let [a, b] = pair.map(|piece| self.of(piece));
+        self.earlier[a.max(b)] = a.min(b);
+        a != b
+    }
 }
 
 #[cfg(test)]

@@ -1,13 +1,16 @@
 //! Whether two pieces with a gap between them can be separated.
 
+use super::depths::Depths;
 use crate::Puzzle;
 use pompeiu_core::run::Control;
 use pompeiu_planar::{Outline, Point, distance_to_outline};
-use std::cell::RefCell;
-use std::collections::{BTreeSet, BinaryHeap};
+use std::collections::{BinaryHeap, HashSet};
 
 /// Cell sizes relative to the width of the cut; the next one is tried if a path to the outside exists at the previous one.
 pub(super) const CELLS: [f64; 4] = [1.0, 0.5, 0.25, 0.125];
+
+/// The steps of motions that are tried before smaller cells are, relative to the width of the cut.
+const STEP: f64 = 0.5;
 
 /// Largest number of cells visited.
 const MOST: usize = 60_000;
@@ -19,9 +22,8 @@ const MOST_TURN: f64 = 0.7;
 /// Largest number of sample points on each side of the common border.
 const POINTS: usize = 160;
 
-/// Distance of the nodes at which depths are kept, relative to the width of the cut, and the largest number of nodes in a row.
-const NODES: f64 = 0.0625;
-const MOST_NODES: f64 = 1500.0;
+/// The side of the squares in which depths are looked up, relative to the width of the cut.
+const SQUARE: f64 = 2.0;
 
 /// Safety margin for rounding, relative to the width of the cut.
 const ROUNDING: f64 = 1e-6;
@@ -82,37 +84,43 @@ impl Pair {
         let size = all.iter().map(|p| distance(*p, middle)).fold(0.0, f64::max);
         // A point that has moved is at most this far from the middle of the border.
         let reach = (1.0 + REACH) * size + width;
-        let pieces = pieces.map(|outline| Depths::new(outline, middle, reach, width));
+        let pieces = pieces.map(|outline| Depths::new(&outline, middle, reach, SQUARE * width));
         (size > 0.0).then_some(Self { pieces, points, middle, size, width })
     }
 
     /// Whether it is proven that no path separates the pieces, with cells of these sizes.
     pub(super) fn holds(&self, cells: &[f64], control: &Control) -> bool {
-        for cell in cells {
+        for (i, cell) in cells.iter().enumerate() {
             if control.is_stopped() {
                 return false;
             }
-            match self.search(cell * self.width) {
+            match self.search(cell * self.width, 1.0) {
                 Search::Enclosed => return true,
                 // Smaller cells are even more.
                 Search::TooMany => return false,
+                // Smaller cells help unless there is a way out, step by step.
+                Search::Outside if i == 0 => match self.search(STEP * self.width, 0.0) {
+                    Search::Enclosed => (),
+                    Search::Outside | Search::TooMany => return false,
+                },
                 Search::Outside => (),
             }
         }
         false
     }
 
-    fn search(&self, side: f64) -> Search {
+    /// A search among cells of a size. With `extent` 1 a cell is closed if all motions in it are; with 0 if that in its centre is.
+    fn search(&self, side: f64, extent: f64) -> Search {
         let turn = side / self.size;
         let reach = REACH * self.size;
-        let mut seen = BTreeSet::from([[0_i32; 3]]);
+        let mut seen = HashSet::from([[0_i32; 3]]);
         // The farthest cell first, so that a path to the outside is found soon.
         let mut open = BinaryHeap::from([(0, [0_i32; 3])]);
         let mut last = [0, 0];
         while let Some((_, cell)) = open.pop() {
             let [x, y, theta] = cell.map(f64::from);
             let (shift, angle) = ([side * x, side * y], turn * theta);
-            if self.is_closed(shift, angle, side, turn, &mut last) {
+            if self.is_closed(shift, angle, [extent * side, extent * turn], &mut last) {
                 continue;
             }
             if libm::hypot(shift[0], shift[1]) > reach || angle.abs() > MOST_TURN {
@@ -134,8 +142,8 @@ impl Pair {
         Search::Enclosed
     }
 
-    /// Whether the pieces overlap at every motion in a cell. `last` caches the points that proved it for the previous cell.
-    fn is_closed(&self, shift: Point, angle: f64, side: f64, turn: f64, last: &mut [usize; 2]) -> bool {
+    /// Whether the pieces overlap at every motion in a cell of some side and turn. `last` caches the points that proved it for the previous cell.
+    fn is_closed(&self, shift: Point, angle: f64, [side, turn]: [f64; 2], last: &mut [usize; 2]) -> bool {
         let (sine, cosine) = libm::sincos(angle);
         let own = 0.5 * (1.0 + ROUNDING) * self.width;
         let translation = side * std::f64::consts::FRAC_1_SQRT_2;
@@ -194,69 +202,6 @@ fn below(path: &[Point], spacing: f64) -> Vec<(Point, Point)> {
         }));
     }
     found
-}
-
-/// How deep points lie in a piece: the distance from its outline, negative outside. It changes no faster than points move, so depths
-/// at the nodes of a grid, computed when they are first needed, decide most questions.
-struct Depths {
-    outline: Outline,
-    low: Point,
-    spacing: f64,
-    row: usize,
-    /// NaN where it was not needed yet.
-    nodes: RefCell<Vec<f64>>,
-}
-
-impl Depths {
-    fn new(outline: Outline, middle: Point, reach: f64, width: f64) -> Self {
-        let spacing = (NODES * width).max(2.0 * reach / MOST_NODES);
-        let row = (2.0 * reach / spacing) as usize + 2;
-        let low = middle.map(|x| x - reach);
-        Self { outline, low, spacing, row, nodes: RefCell::new(vec![f64::NAN; row * row]) }
-    }
-
-    /// Whether a point lies inside, farther than `depth` from the curve.
-    fn is_deeper(&self, p: Point, depth: f64) -> bool {
-        let [x, y] = [0, 1].map(|k| ((p[k] - self.low[k]) / self.spacing).round());
-        let last = (self.row - 1) as f64;
-        if !(x >= 0.0 && y >= 0.0 && x <= last && y <= last) {
-            return self.depth(p) > depth;
-        }
-        let node = [self.low[0] + x * self.spacing, self.low[1] + y * self.spacing];
-        let index = y as usize * self.row + x as usize;
-        let mut nodes = self.nodes.borrow_mut();
-        if nodes[index].is_nan() {
-            nodes[index] = self.depth(node);
-        }
-        let w = [p[0] - node[0], p[1] - node[1]];
-        // Far more than rounding.
-        let away = (w[0] * w[0] + w[1] * w[1]).sqrt() + ROUNDING * self.spacing;
-        if nodes[index] - away > depth {
-            true
-        } else if nodes[index] + away < depth {
-            false
-        } else {
-            self.depth(p) > depth
-        }
-    }
-
-    fn depth(&self, p: Point) -> f64 {
-        let (mut is_inside, mut least_sq) = (false, f64::INFINITY);
-        let points = self.outline.points();
-        let mut a = points[points.len() - 1];
-        for &b in points {
-            if (a[1] > p[1]) != (b[1] > p[1]) {
-                let at = a[0] + (p[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]);
-                is_inside ^= p[0] < at;
-            }
-            let (u, v) = ([b[0] - a[0], b[1] - a[1]], [p[0] - a[0], p[1] - a[1]]);
-            let t = ((u[0] * v[0] + u[1] * v[1]) / (u[0] * u[0] + u[1] * u[1])).clamp(0.0, 1.0);
-            let w = [v[0] - t * u[0], v[1] - t * u[1]];
-            least_sq = least_sq.min(w[0] * w[0] + w[1] * w[1]);
-            a = b;
-        }
-        if is_inside { least_sq.sqrt() } else { -least_sq.sqrt() }
-    }
 }
 
 fn distance(a: Point, b: Point) -> f64 {
