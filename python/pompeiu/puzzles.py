@@ -132,6 +132,7 @@ def puzzle(
     free_outline: bool = False,
     whimsy: Sequence[Union[str, Sequence[Sequence[float]]]] = (),
     kerf: float = 0.0,
+    layout_on: Optional[Sequence[float]] = None,
     threads: Optional[int] = None,
     time_limit: Optional[float] = None,
     progress: Optional[Callable[[float], Optional[bool]]] = None,
@@ -183,6 +184,8 @@ def puzzle(
         points; may be repeated.
     kerf : float
         Width of the cut: paths are moved by half of it, and whether the puzzle holds with the gap is tested.
+    layout_on : Sequence[float], optional
+        Lay the pieces out on a sheet of this width and height, with the width of the cut between their paths.
     threads : int, optional
         Threads to use; all processors by default. The answer does not depend on it.
     time_limit : float, optional

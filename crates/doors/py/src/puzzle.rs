@@ -36,7 +36,7 @@ impl PuzzleDrawings {
         let PuzzleAnswer { puzzle, report, motion, .. } = &self.made;
         let print = image.map(|bytes| Print::read(&bytes)).transpose().map_err(Raise::raise)?;
         let (print, kerf) = (print.as_ref(), self.kerf);
-        let drawing = PieceDrawing { pull, kerf, print };
+        let drawing = PieceDrawing { pull, packing: report.packing.as_ref(), kerf, print };
         let drawn = match (what.as_str(), suffix) {
             ("page", _) => {
                 let title = format!("Puzzle of {} pieces", puzzle.pieces());

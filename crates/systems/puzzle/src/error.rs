@@ -67,6 +67,23 @@ pub enum PuzzleError {
         "whole copies of the shape make no outline of one part without holes here; ask for another number of pieces"
     )]
     Outline,
+    /// A sheet has no room for all pieces.
+    #[error(
+        "the sheet of {width} × {height} holds {fits} of the {pieces} pieces, with {gap} between their paths; take a larger sheet, fewer pieces, or \
+         a smaller puzzle"
+    )]
+    Sheet {
+        /// Its width.
+        width: f64,
+        /// Its height.
+        height: f64,
+        /// The least distance of paths.
+        gap: f64,
+        /// The most pieces that were placed.
+        fits: usize,
+        /// All of them.
+        pieces: usize,
+    },
     /// The memory limit is too small.
     #[error("the pieces need {needed} bytes of memory, and {limit} are allowed")]
     Memory {

@@ -16,6 +16,7 @@
 //! | [`PuzzleReport`], [`report`] | the report of a puzzle |
 //! | [`pieces_svg`], [`cuts_svg`], [`pieces_dxf`], [`cuts_dxf`], [`pieces_png`], [`Print`] | drawings for cutting, and pieces with
 //! a picture on them |
+//! | [`pack`], [`Packing`] | where pieces lie on a sheet, a cut apart |
 //! | [`PuzzleRequest`], [`PuzzleAnswer`] | all of this in one call, with options as every door offers them |
 //! | [`motion_svg`], [`motion_png`], [`page`] | drawings of the motion, and an interactive page |
 //!
@@ -39,6 +40,7 @@ mod make;
 mod motion;
 mod neck;
 mod order;
+mod pack;
 mod puzzle;
 mod report;
 mod request;
@@ -54,6 +56,7 @@ pub use lock::{Escape, Lock, Proof, lock};
 pub use make::{Layout, PuzzleOptions, Tab, make};
 pub use motion::{Motion, shake, take_apart};
 pub use neck::Neck;
+pub use pack::{Packing, Place, pack};
 pub use puzzle::{Border, Puzzle};
 pub use report::{
     AreaReport, MotionReport, PieceReport, PuzzleReport, Similarity, Timing, report, report_like,

@@ -1,7 +1,7 @@
 //! The report of a puzzle.
 
 use crate::lock::lock_until;
-use crate::{Fit, Kerf, Like, Lock, Motion, Neck, Proof, Puzzle};
+use crate::{Fit, Kerf, Like, Lock, Motion, Neck, Packing, Proof, Puzzle};
 use pompeiu_core::run::Instant;
 use pompeiu_core::run::{Control, StopReason};
 use rayon::prelude::*;
@@ -29,6 +29,9 @@ pub struct PuzzleReport {
     /// The test with a cut of some width; absent unless requested.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub kerf: Option<Kerf>,
+    /// Where pieces lie on a sheet; absent unless requested.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub packing: Option<Packing>,
     /// The result of the lock test, for [`crate::take_apart`].
     #[cfg_attr(feature = "serde", serde(skip))]
     pub found: Lock,
@@ -245,6 +248,7 @@ pub(crate) fn report_until(puzzle: &Puzzle, control: &Control) -> PuzzleReport {
         proof: found.proof,
         depth,
         kerf: None,
+        packing: None,
         found,
         least_neck: None,
         without_tab,

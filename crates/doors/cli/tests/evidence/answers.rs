@@ -819,7 +819,7 @@ fn puzzle_says_whether_pieces_can_move_and_draws_them() {
     assert!(text("cuts.dxf").contains("POLYLINE") && text("page.html").contains("Locked"));
     folder.write("disk.svg", "<svg><circle r='5'/></svg>");
     folder.write("bow.svg", "<svg><path d='M0 0H4L.5 3 4 5Z'/></svg>");
-    folder.write("ring.svg", "<svg><path d='M0 0H9V9H0Z M3 3H6V6H3Z'/></svg>");
+    folder.write("ring.svg", "<svg><path fill-rule='evenodd' d='M0 0H9V9H0Z M3 3H6V6H3Z'/></svg>");
     let disk = json(&folder, "puzzle --outline disk.svg --size 100,100 --layout voronoi -n 20 --json");
     let area = disk["area"]["outline"].as_f64().unwrap();
     assert!((area / (2500.0 * std::f64::consts::PI) - 1.0).abs() < 1e-3);
@@ -829,6 +829,10 @@ fn puzzle_says_whether_pieces_can_move_and_draws_them() {
         (&free["pieces"][0]["lock"], &free["pieces"][0]["similarity"]),
         (&"free".into(), &Value::Null)
     );
+    let sheet = json(&folder, "puzzle -n 6 --kerf 0.4 --layout-on 600x300 -o sheet.svg --json");
+    let used = sheet["packing"]["used"].as_f64().unwrap();
+    assert!((used - 60_000.0 / 180_000.0).abs() < 1e-9, "{used}");
+    assert!(text("sheet.svg").contains("viewBox=\"0 0 600 300\""));
     folder.write("box.svg", "<svg><rect width='4' height='4'/></svg>");
     let like = json(&folder, "puzzle --piece box.svg -n 6 --tab none --json");
     let overlap = |piece: &Value| piece["similarity"]["iou"].as_f64().unwrap();
@@ -846,6 +850,10 @@ fn puzzle_says_whether_pieces_can_move_and_draws_them() {
         ("puzzle --piece none.png", "none.png: it cannot be read"),
         ("puzzle --outline none.png", "none.png: it cannot be read"),
         ("puzzle -o pieces.pdf", "puzzles are written as .svg or .dxf"),
+        ("puzzle -n 6 --layout-on 150x400", "the sheet of 150 × 400 holds 3 of the 6 pieces"),
+        ("puzzle --layout-on 0x400", "the layout_on is 0"),
+        ("puzzle --layout-on 900x400 --pull 1", "exclude each other"),
+        ("puzzle --layout-on 900x400 -o sheet.png", "written as .svg or .dxf"),
     ] {
         let (code, _, message) = folder.transcript(arguments);
         assert!(code == Some(2) && message.contains(words), "{arguments}: {message}");

@@ -1,6 +1,7 @@
 //! Puzzles as drawings, as pictures, and as an interactive page.
 
 mod canvas;
+mod laid;
 mod motion;
 mod page;
 mod print;
@@ -9,30 +10,25 @@ pub use motion::{motion_png, motion_svg};
 pub use page::page;
 pub use print::Print;
 
-use crate::Puzzle;
 use crate::order::cutting_order;
+use crate::{Packing, Place, Puzzle};
 use canvas::Canvas;
+use laid::Laid;
 use pompeiu_planar::svg::{Polyline, path_data};
-use pompeiu_planar::{Outline, Point, dxf, offset, segments_meet};
+use pompeiu_planar::{Outline, Point, dxf, offset};
 use std::fmt::Write;
 
 /// Colours of clusters.
 const COLORS: [&str; 8] =
     ["#5b8cc9", "#dd8a4b", "#67a86d", "#c3636b", "#9482bd", "#a3846f", "#cf8ab8", "#4fa9b1"];
 
-/// The header of a drawing of the puzzle, with y pointing down, with room for exploded pieces.
-fn head(puzzle: &Puzzle, pull: f64) -> String {
+/// The header of a drawing of the puzzle, with y pointing down, that shows an area: its corner and its size.
+fn head(puzzle: &Puzzle, [[x, y], [w, h]]: [Point; 2]) -> String {
     let [width, height] = puzzle.size();
-    let margin = 0.03 * width.max(height);
-    let [x, y] = [0.5 * width * pull + margin, 0.5 * height * pull + margin];
     format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{w}mm\" height=\"{h}mm\" viewBox=\"{} {} {w} {h}\" fill=\"none\" \
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{w}mm\" height=\"{h}mm\" viewBox=\"{x} {y} {w} {h}\" fill=\"none\" \
          stroke=\"#000\" stroke-width=\"{}\" stroke-linejoin=\"round\">\n",
-        -x,
-        -y,
         0.001 * width.max(height),
-        w = width + 2.0 * x,
-        h = height + 2.0 * y,
     )
 }
 
@@ -42,84 +38,14 @@ pub struct PieceDrawing<'p> {
     /// Exploded view: additional displacement of each piece from the centre, relative to its distance from there; 0 leaves pieces
     /// in place.
     pub pull: f64,
-    /// The width of the cut. If positive, each path is offset outwards by half of it, so that pieces have their nominal size after
-    /// cutting, and pieces are spread at least so far that no two paths meet.
+    /// Where pieces lie on a sheet, instead of in place or pulled apart.
+    pub packing: Option<&'p Packing>,
+    /// The width of the cut. If positive, the paths of pieces that are pulled apart or packed are offset outwards by half of it, so that
+    /// pieces have their nominal size after cutting; pieces are pulled at least so far apart that no two paths meet. In place, paths are
+    /// those of the pieces.
     pub kerf: f64,
     /// A picture printed on the pieces, for SVG.
     pub print: Option<&'p Print>,
-}
-
-/// Pieces as drawn: their paths, in place, and their displacements.
-struct Laid {
-    paths: Vec<Vec<Point>>,
-    pull: f64,
-}
-
-/// Displacements tried grow by this factor, and start with it.
-const FIRST_PULL: f64 = 0.1;
-const NEXT_PULL: f64 = 1.2;
-const MOST_PULL: f64 = 8.0;
-
-impl Laid {
-    fn new(puzzle: &Puzzle, drawing: &PieceDrawing<'_>) -> Self {
-        let outlines = (0..puzzle.pieces()).map(|piece| puzzle.outline(piece));
-        if drawing.kerf <= 0.0 {
-            return Self { paths: outlines.collect(), pull: drawing.pull };
-        }
-        let grown = |points: Vec<Point>| {
-            let outline = Outline::new(points.clone()).ok();
-            let found = outline.map(|outline| offset(&outline, 0.5 * drawing.kerf)).unwrap_or_default();
-            let largest = found.into_iter().max_by(|a, b| a.area().total_cmp(&b.area()));
-            largest.map_or(points, Outline::into_points)
-        };
-        let mut laid = Self { paths: outlines.map(grown).collect(), pull: drawing.pull.max(FIRST_PULL) };
-        while laid.pull < MOST_PULL && laid.meet(puzzle) {
-            laid.pull *= NEXT_PULL;
-        }
-        laid
-    }
-
-    fn shift(&self, puzzle: &Puzzle, piece: usize) -> Point {
-        let points = &self.paths[piece];
-        let n = points.len() as f64;
-        let size = puzzle.size();
-        [0, 1].map(|k| self.pull * (points.iter().map(|p| p[k]).sum::<f64>() / n - 0.5 * size[k]))
-    }
-
-    /// Whether two paths meet.
-    fn meet(&self, puzzle: &Puzzle) -> bool {
-        let moved: Vec<Vec<Point>> = (0..self.paths.len())
-            .map(|piece| {
-                let [x, y] = self.shift(puzzle, piece);
-                self.paths[piece].iter().map(|p| [p[0] + x, p[1] + y]).collect()
-            })
-            .collect();
-        let sides = |path: &[Point], i: usize| [path[i], path[(i + 1) % path.len()]];
-        let is_apart = |[a, b]: [Point; 2], [c, d]: [Point; 2]| {
-            (0..2).any(|k| a[k].max(b[k]) < c[k].min(d[k]) || c[k].max(d[k]) < a[k].min(b[k]))
-        };
-        let bounds: Vec<[Point; 2]> = moved
-            .iter()
-            .map(|path| {
-                path.iter().fold([[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]], |[low, high], p| {
-                    [[0, 1].map(|k| low[k].min(p[k])), [0, 1].map(|k| high[k].max(p[k]))]
-                })
-            })
-            .collect();
-        (0..moved.len()).any(|a| {
-            (0..a).any(|b| {
-                !is_apart(bounds[a], bounds[b])
-                    && (0..moved[a].len()).any(|i| {
-                        let side = sides(&moved[a], i);
-                        !is_apart(side, bounds[b])
-                            && (0..moved[b].len()).any(|k| {
-                                let other = sides(&moved[b], k);
-                                !is_apart(side, other) && segments_meet(side, other)
-                            })
-                    })
-            })
-        })
-    }
 }
 
 /// A drawing with one closed path for each piece.
@@ -129,35 +55,39 @@ impl Laid {
 /// paths.
 pub fn pieces_svg(puzzle: &Puzzle, drawing: &PieceDrawing<'_>) -> String {
     let laid = Laid::new(puzzle, drawing);
-    let mut text = head(puzzle, laid.pull);
+    let mut text = head(puzzle, laid.area);
     let mut fill = "";
     if let Some(print) = drawing.print {
         text.push_str(&print.pattern(puzzle));
         fill = " fill=\"url(#print)\"";
     }
-    for (piece, points) in laid.paths.iter().enumerate() {
-        let data = path_data(points, true);
-        if laid.pull > 0.0 {
-            let [x, y] = laid.shift(puzzle, piece);
-            let _ = writeln!(
-                text,
-                "<path id=\"piece-{piece}\"{fill} transform=\"translate({x} {y})\" d=\"{data}\"/>"
-            );
-        } else {
-            let _ = writeln!(text, "<path id=\"piece-{piece}\"{fill} d=\"{data}\"/>");
-        }
+    for (piece, place) in laid.places.iter().enumerate() {
+        // A picture moves with its piece.
+        let (transform, points) = match drawing.print {
+            Some(_) if *place != Place::default() => {
+                (format!(" transform=\"{}\"", transform(place)), laid.paths[piece].clone())
+            }
+            _ => (String::new(), laid.path(piece)),
+        };
+        let data = path_data(&points, true);
+        let _ = writeln!(text, "<path id=\"piece-{piece}\"{fill}{transform} d=\"{data}\"/>");
     }
     text + "</svg>\n"
+}
+
+/// A place as an attribute.
+fn transform(place: &Place) -> String {
+    let [x, y] = place.shift;
+    match place.quarters % 4 {
+        0 => format!("translate({x} {y})"),
+        quarters => format!("translate({x} {y}) rotate({})", 90 * i32::from(quarters)),
+    }
 }
 
 /// The pieces as closed polylines in DXF.
 pub fn pieces_dxf(puzzle: &Puzzle, drawing: &PieceDrawing<'_>) -> String {
     let laid = Laid::new(puzzle, drawing);
-    let piece = |i: usize| {
-        let [x, y] = laid.shift(puzzle, i);
-        let points = laid.paths[i].iter().map(|p| if laid.pull > 0.0 { [p[0] + x, p[1] + y] } else { *p });
-        Polyline { id: format!("piece_{i}"), points: points.collect(), is_closed: true }
-    };
+    let piece = |i: usize| Polyline { id: format!("piece_{i}"), points: laid.path(i), is_closed: true };
     dxf::write(&(0..puzzle.pieces()).map(piece).collect::<Vec<_>>(), true)
 }
 
@@ -197,7 +127,7 @@ fn rgb(text: &str) -> [u8; 3] {
 /// For a positive kerf, the outline is one path offset outwards by half of it, so that the puzzle has its nominal size. Borders
 /// between pieces are cut once, which leaves a gap as wide as the kerf: see [`crate::kerf`].
 pub fn cuts_svg(puzzle: &Puzzle, kerf: f64) -> String {
-    let mut text = head(puzzle, 0.0);
+    let mut text = head(puzzle, laid::around(puzzle, 0.0));
     for Polyline { id, points, is_closed } in cuts(puzzle, kerf) {
         let _ = writeln!(text, "<path id=\"{id}\" d=\"{}\"/>", path_data(&points, is_closed));
     }

@@ -7,7 +7,7 @@ pub use piece::PieceSource;
 use crate::shape::make_like_until;
 use crate::{
     Answer, Like, LikeOptions, Method, Motion, MotionReport, Puzzle, PuzzleError, PuzzleOptions,
-    PuzzleReport, Variant, kerf, take_apart,
+    PuzzleReport, Variant, kerf, pack, take_apart,
 };
 use crate::{Layout, Tab, make::make_until, report::report_until};
 use pompeiu_core::request::{Limit, Report, Request};
@@ -83,6 +83,9 @@ pub struct PuzzleRequest {
     /// Width of the cut: paths are moved by half of it, and whether the puzzle holds with the gap is tested.
     #[cfg_attr(feature = "clap", arg(long, value_parser = values::magnitude, value_name = "WIDTH"))]
     pub kerf: f64,
+    /// Lay the pieces out on a sheet of this width and height, with the width of the cut between their paths.
+    #[cfg_attr(feature = "clap", arg(long, value_parser = size, value_name = "WIDTHxHEIGHT"))]
+    pub layout_on: Option<[f64; 2]>,
 }
 
 /// A width and a height.
@@ -113,6 +116,7 @@ impl Default for PuzzleRequest {
             free_outline,
             whimsy: Vec::new(),
             kerf: 0.0,
+            layout_on: None,
         }
     }
 }
@@ -270,6 +274,9 @@ impl PuzzleRequest {
             if self.kerf > 0.0 {
                 report.kerf = Some(kerf(&puzzle, self.kerf, &control));
             }
+            if let Some(sheet) = self.layout_on {
+                report.packing = Some(pack(&puzzle, sheet, self.kerf, &control)?);
+            }
             let motion = wants_motion.then(|| take_apart(&puzzle, &report.found, &control)).flatten();
             report.motion = motion.as_ref().map(MotionReport::from);
             report.stop = control.reason().unwrap_or(StopReason::Tolerance);
@@ -306,6 +313,11 @@ impl PuzzleRequest {
         if !(self.kerf >= 0.0 && self.kerf.is_finite()) {
             let expected = "it must be a finite width that is not negative";
             return Err(PuzzleError::Option { what: "kerf", value: self.kerf, expected }.into());
+        }
+        let is_side = |x: &f64| x.is_finite() && *x > 0.0;
+        if let Some(value) = self.layout_on.iter().flatten().copied().find(|x| !is_side(x)) {
+            let expected = "its width and its height must be finite and above 0";
+            return Err(PuzzleError::Option { what: "layout_on", value, expected }.into());
         }
         Ok(())
     }

@@ -5,7 +5,7 @@ use pompeiu_core::run::{Control, Limits};
 use pompeiu_planar::{Outline, Point, distance_to_outline, svg};
 use pompeiu_puzzle::{
     Layout, PieceDrawing, Print, Puzzle, PuzzleError, PuzzleOptions, Tab, cuts_svg, kerf, lock, make,
-    motion_png, motion_svg, page, pieces_png, pieces_svg, report, shake, take_apart,
+    motion_png, motion_svg, pack, page, pieces_png, pieces_svg, report, shake, take_apart,
 };
 
 /// A random puzzle of 4 to 9 pieces in which some borders are straight and some have a tab that comes out one way.
@@ -91,7 +91,7 @@ fn a_free_puzzle_is_taken_apart_without_pieces_going_into_each_other() {
 #[test]
 fn paths_lie_half_the_cut_outside_and_do_not_meet() {
     let puzzle = make(&PuzzleOptions { pieces: 6, ..PuzzleOptions::default() }).unwrap();
-    let drawing = PieceDrawing { kerf: 0.4, ..PieceDrawing::default() };
+    let drawing = PieceDrawing { kerf: 0.4, pull: 0.01, ..PieceDrawing::default() };
     let paths = svg::read(&pieces_svg(&puzzle, &drawing)).unwrap();
     let laid: Vec<Outline> = paths.into_iter().map(|path| Outline::new(path.points).unwrap()).collect();
     for (piece, path) in laid.iter().enumerate() {
@@ -104,6 +104,19 @@ fn paths_lie_half_the_cut_outside_and_do_not_meet() {
         for other in laid.iter().enumerate().filter(|(k, _)| *k != piece).map(|(_, other)| other) {
             assert!(!path.points().iter().any(|p| other.contains(*p)));
         }
+    }
+    // In place they are those of the pieces.
+    let in_place = PieceDrawing { pull: 0.0, ..drawing };
+    assert_eq!(pieces_svg(&puzzle, &in_place), pieces_svg(&puzzle, &PieceDrawing::default()));
+    // On a sheet the same paths lie elsewhere.
+    let packing = pack(&puzzle, [520.0, 300.0], 0.4, &Control::default()).unwrap();
+    let on_sheet = PieceDrawing { packing: Some(&packing), ..in_place };
+    let paths = svg::read(&pieces_svg(&puzzle, &on_sheet)).unwrap();
+    for (found, path) in paths.into_iter().zip(&laid) {
+        let found = Outline::new(found.points).unwrap();
+        let [low, high] = found.bounds();
+        assert!((found.area() - path.area()).abs() < 1e-6 && low[0] >= 0.2 && high[0] <= 519.8, "{found:?}");
+        assert!(low[1] >= 0.2 && high[1] <= 299.8);
     }
     // Only the outline is compensated where borders are cut once.
     let cuts = svg::read(&cuts_svg(&puzzle, 0.4)).unwrap();

@@ -17,8 +17,8 @@ small become part of a neighbour.
 Shapes for --piece: square, hexagon, classic (knobs on opposite sides), corner (knobs on sides that meet), fish, bird, star, or a file:
 a picture (its largest part), a drawing or a list of points.
 
-With --kerf, the paths of --output lie half a cut outside of their pieces, which are pulled apart so far that no two paths meet. Those of --cuts are
-cut once and leave a gap: whether pieces hold each other with it is tested, over all paths of finite motions of each two of them.
+With --kerf, the paths of --cuts are cut once and leave a gap: whether pieces hold each other with it is tested, over all paths of finite motions of
+each two of them. In --output pieces lie in place; with --layout-on or --pull they lie apart, and their paths half a cut outside of them.
 
 When a limit ends the run early, pieces tile all the same: cells are less regular, tabs are missing, or what was not decided is said to be undecided.
 
@@ -35,7 +35,8 @@ Examples:
   pompeiu puzzle --piece bird --free-outline -n 30 -o flock.svg
   pompeiu puzzle --layout voronoi -n 60 --whimsy cat.png --whimsy star.svg -o whimsies.svg
   pompeiu puzzle --outline cat.png --layout voronoi -n 40 -o cat.svg
-  pompeiu puzzle -n 48 --kerf 0.2 --cuts laser.svg -o pieces.svg
+  pompeiu puzzle -n 48 --kerf 0.2 --cuts laser.svg
+  pompeiu puzzle -n 48 --kerf 0.2 --layout-on 600x300 -o sheet.svg
   pompeiu puzzle --picture photo.jpg --image photo.png --report photo.html
   pompeiu puzzle --layout voronoi --tab none --motion apart.svg
   pompeiu puzzle --layout hexagons --tab none --json")]

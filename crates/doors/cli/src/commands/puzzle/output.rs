@@ -30,6 +30,9 @@ pub(super) struct Outputs<'f> {
 impl<'f> Outputs<'f> {
     /// Refuses files that cannot be written, or that the request reads.
     pub(super) fn of(files: &'f Files, request: &PuzzleRequest) -> anyhow::Result<Self> {
+        if request.layout_on.is_some() {
+            check_layout(files)?;
+        }
         let outputs = [&files.output, &files.cuts, &files.motion, &files.image, &files.report];
         let inputs: Vec<&Path> = request.files().chain(files.picture.as_deref()).collect();
         files::check_places(outputs.into_iter().flatten().map(PathBuf::as_path), &inputs)?;
@@ -64,7 +67,15 @@ impl<'f> Outputs<'f> {
             files::write_whole(path, &png(path, pieces_png(puzzle, print))?, printer)?;
         }
         if let Some((path, kind)) = self.output {
-            let drawing = PieceDrawing { pull: self.files.pull, kerf, print };
+            let drawing =
+                PieceDrawing { pull: self.files.pull, packing: report.packing.as_ref(), kerf, print };
+            let is_in_place = report.packing.is_none() && self.files.pull <= 0.0;
+            if kerf > 0.0 && is_in_place && !matches!(kind, Drawing::Png) {
+                printer.note(format_args!(
+                    "{}: pieces are in place, and their paths not moved by half of the cut; --layout-on or --pull lays them apart, with the cut",
+                    path.display()
+                ));
+            }
             let content = match kind {
                 Drawing::Svg => pieces_svg(puzzle, &drawing).into_bytes(),
                 Drawing::Dxf => pieces_dxf(puzzle, &drawing).into_bytes(),
@@ -99,6 +110,19 @@ impl<'f> Outputs<'f> {
             files::write_whole(path, text.as_bytes(), printer)?;
         }
         Ok(())
+    }
+}
+
+/// Refuses what does not go with a sheet.
+fn check_layout(files: &Files) -> anyhow::Result<()> {
+    if files.pull > 0.0 {
+        bail!("--layout-on and --pull exclude each other; leave out one of them");
+    }
+    match kind(files.output.as_deref(), &[Drawing::Svg, Drawing::Dxf, Drawing::Png])? {
+        Some((path, Drawing::Png)) => {
+            bail!("{}: sheets of --layout-on are written as .svg or .dxf", path.display())
+        }
+        _ => Ok(()),
     }
 }
 

@@ -61,6 +61,12 @@ pub(super) fn text(answer: &AnswerOf<Files>) -> String {
             );
         }
     }
+    if let Some(packing) = &report.packing {
+        let [width, height] = packing.sheet.map(few);
+        let (used, filled) = (100.0 * packing.used, 100.0 * packing.filled);
+        let text = format!("{width} × {height}: pieces cover {used:.0} %, {filled:.0} % up to the last one");
+        page.row("sheet", &text);
+    }
     let free: Vec<usize> =
         report.pieces.iter().filter(|piece| piece.lock == "free").map(|piece| piece.id).collect();
     if !free.is_empty() {
