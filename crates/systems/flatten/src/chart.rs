@@ -2,20 +2,19 @@
 
 use crate::check::flipped_faces;
 use crate::components::{Component, error_in_whole, in_whole};
-use crate::cut::{CutError, CutStrategy, Opened, first_cut, open};
+use crate::cut::{CutStrategy, Opened, first_cut};
 use crate::distortion::{all_singular_values, best_scale};
 use crate::lengthen::{lengthened, with_tips};
 use crate::map::{
     Descender, Descent, Start, StartOptions, Weights, as_rigid_as_possible, conformal, start_map,
 };
+use crate::opened::Disk;
 use crate::report::Timing;
-use crate::symmetry::{SymmetryError, partners, symmetrized};
 use crate::watch::Watch;
 use crate::{FlattenError, FlattenOptions, Method};
 use pompeiu_core::run::Instant;
-use pompeiu_core::{FaceId, TriMesh};
+use pompeiu_surface::EdgeData;
 use pompeiu_surface::plane::{Vec2, scale};
-use pompeiu_surface::{EdgeData, EmbeddedSurface, SurfaceError};
 
 /// Newton steps for a map that only decides where to cut next.
 const STEPS_BETWEEN_CUTS: usize = 12;
@@ -38,55 +37,6 @@ pub(crate) struct Chart {
     /// Whether the energy asked for was not reached with all cuts.
     pub(crate) misses_target: bool,
     pub(crate) timing: Timing,
-}
-
-/// An opened component with its geometry.
-pub(crate) struct Disk {
-    pub(crate) opened: Opened,
-    pub(crate) surface: EmbeddedSurface,
-    /// For each vertex its mirror image, if a plane of symmetry is given.
-    partners: Option<Vec<u32>>,
-}
-
-impl Disk {
-    pub(crate) fn new(component: &Component, cut: &EdgeData<bool>) -> Result<Self, FlattenError> {
-        let opened = open(component.surface.mesh(), cut)?;
-        opened.check_disks()?;
-        let surface = opened_surface(&opened, &component.surface)?;
-        let partners = component.images.as_ref().map(|images| partners(&opened, images));
-        let partners =
-            partners.map(|found| found.ok_or(SymmetryError::NoCut { face: FaceId(0) })).transpose();
-        Ok(Self { opened, surface, partners: partners.map_err(CutError::from)? })
-    }
-
-    /// The mean of a map of this disk and its mirror image, if a plane of symmetry is given.
-    fn symmetrized(&self, uv: Vec<Vec2>) -> Vec<Vec2> {
-        match &self.partners {
-            Some(partners) => symmetrized(&uv, partners),
-            None => uv,
-        }
-    }
-
-    /// Transfers a map of the same disk with a smaller cut to this disk: both sides of the new cut coincide.
-    fn carried(&self, from: &Self, uv: &[Vec2]) -> Vec<Vec2> {
-        let mut places = vec![[0.0; 2]; self.surface.mesh().vertices()];
-        for (here, there) in self.opened.faces().iter().zip(from.opened.faces()) {
-            for (v, w) in here.iter().zip(there) {
-                places[*v as usize] = uv[*w as usize];
-            }
-        }
-        places
-    }
-}
-
-/// A surface after a cut, with its geometry.
-pub(crate) fn opened_surface(
-    opened: &Opened,
-    surface: &EmbeddedSurface,
-) -> Result<EmbeddedSurface, FlattenError> {
-    let positions = opened.spread(surface.positions());
-    let mesh = TriMesh::new(positions, opened.faces().to_vec()).map_err(|_| SurfaceError::NoFaces);
-    Ok(EmbeddedSurface::new(&mesh.map_err(CutError::from)?)?)
 }
 
 /// Flattens a component; `requested` are the edges to cut, if the caller gave them.

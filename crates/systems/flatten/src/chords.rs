@@ -3,10 +3,10 @@
 //! A convex combination map puts such an edge, and the faces beyond it, on the side itself. Without chords it is one-to-one
 //! (`floater_mean_2003`, and the references there).
 
-use crate::chart::{Disk, opened_surface};
 use crate::components::split;
 use crate::cut::open;
 use crate::map::straight_sides;
+use crate::opened::{Disk, opened_surface};
 use crate::straight::{divide, marked};
 use crate::{ConvexBoundary, CutError, FlattenError};
 use pompeiu_core::{TriMesh, VertexId};

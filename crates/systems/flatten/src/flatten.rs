@@ -1,10 +1,11 @@
 //! From a surface to a flat map and its report.
 
-use crate::chart::{Chart, flatten_component, opened_surface};
+use crate::chart::{Chart, flatten_component};
 use crate::check::{flipped_faces, outline, outline_crossings, overlapping_faces};
 use crate::components::{Component, split};
 use crate::cut::{Opened, open, requested_edges};
 use crate::distortion::{Distortion, best_scale, singular_values, symmetric_dirichlet};
+use crate::opened::opened_surface;
 use crate::pack::{bounds, pack, turn};
 use crate::report::{CutReport, FlattenReport, PartReport, Timing};
 use crate::watch::Watch;

@@ -1,10 +1,10 @@
 //! Additional cuts that reduce distortion.
 
 use crate::CutOptions;
-use crate::chart::Disk;
 use crate::components::Component;
 use crate::cut::{Costs, GrowingCut, largest, tips};
 use crate::distortion::{all_singular_values, symmetric_dirichlet};
+use crate::opened::Disk;
 use crate::symmetry::SymmetricCut;
 use pompeiu_core::VertexId;
 use pompeiu_core::mesh::VertexData;

@@ -43,6 +43,7 @@ mod flatten;
 mod lengthen;
 mod map;
 mod medial;
+mod opened;
 mod options;
 mod pack;
 mod report;

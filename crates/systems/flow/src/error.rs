@@ -1,6 +1,6 @@
 //! Why a flow cannot start or go on.
 
-use super::options::Scheme;
+use super::scheme::Scheme;
 use pompeiu_core::MeshError;
 use pompeiu_remesh::{ConnectivityError, Intersects, RemeshError};
 use pompeiu_solve::SolveError;

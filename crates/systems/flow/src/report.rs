@@ -3,8 +3,8 @@
 use super::discs::Discs;
 use super::existence::Cone;
 use super::gradient::GradientNorm;
-use super::options::Scheme;
 use super::pinch::Neck;
+use super::scheme::Scheme;
 use super::stability::Stability;
 use pompeiu_core::TriMesh;
 use pompeiu_core::mesh::Rounding;

@@ -6,9 +6,10 @@ use super::existence::{Cone, separating_cone};
 use super::gradient::Derivatives;
 use super::moving::{Motion, MovingSurface, mean_edge};
 use super::observer::FlowStep;
-use super::options::{BoundaryCondition, FlowOptions, Scheme, Until};
+use super::options::{BoundaryCondition, FlowOptions, Until};
 use super::pinch::{Neck, neck};
 use super::report::{Change, Flow, FlowRecord, FlowStop, FlowTiming, StepReason};
+use super::scheme::Scheme;
 use super::step::{FirstMetric, FullSystem};
 use super::systems::{Systems, prepared};
 use super::time::TimeStep;
@@ -20,7 +21,6 @@ use pompeiu_core::run::Instant;
 use pompeiu_core::run::{Control, StopReason, on_threads};
 use pompeiu_remesh::DynamicMesh;
 use std::ops::ControlFlow;
-use steps::{Done, Outcome};
 
 /// Steps to a stationary surface at most.
 const MOST_STEPS: usize = 20_000;
@@ -65,6 +65,20 @@ const VANISHED: f64 = 1e-6;
 pub fn mean_curvature_flow(mesh: &TriMesh, options: &FlowOptions<'_>) -> Result<Flow, FlowError> {
     options.check()?;
     on_threads(options.limits.threads, || Runner::new(mesh, options)?.run())
+}
+
+/// What a step did.
+struct Done {
+    to: Vec<DVec3>,
+    time: Option<f64>,
+    scheme: Scheme,
+    reason: StepReason,
+}
+
+/// What may happen instead of a step.
+enum Outcome {
+    Moved(Done),
+    Stalled,
 }
 
 /// A flow on its way.

@@ -2,7 +2,8 @@
 
 use super::gradient::Derivatives;
 use super::moving::{Motion, MovingSurface};
-use super::options::{FlowOptions, Scheme, Until};
+use super::options::{FlowOptions, Until};
+use super::scheme::Scheme;
 use super::step::{self, FirstMetric, keeps_faces, moved};
 use super::systems::Systems;
 use glam::DVec3;

@@ -1,7 +1,7 @@
 //! Necks: the narrowest places of pieces.
 
 use crate::Puzzle;
-use crate::puzzle::Corner;
+use crate::space::Corner;
 use pompeiu_planar::{Point, segments_meet};
 use std::ops::Range;
 

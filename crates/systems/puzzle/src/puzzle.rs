@@ -1,12 +1,9 @@
 //! Pieces and their common borders, each stored once.
 
 use crate::PuzzleError;
-use crate::space::Space;
+use crate::space::{Corner, Space};
 use pompeiu_planar::Point;
 use std::collections::BTreeMap;
-
-/// A corner on the lattice.
-pub(crate) type Corner = [i64; 2];
 
 /// A border between two pieces, or between a piece and the outside.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -106,6 +103,11 @@ impl Puzzle {
         self.size.map(|x| x as f64 * self.step)
     }
 
+    /// The corners of each border, in order.
+    pub(crate) fn courses(&self) -> impl Iterator<Item = &[Corner]> {
+        self.borders.iter().map(|border| &border.corners[..])
+    }
+
     /// The square root of the mean area of a piece: the unit of length for tabs and depths.
     pub fn unit(&self) -> f64 {
         (self.outline_area() / self.pieces() as f64).sqrt()
@@ -201,7 +203,7 @@ impl Puzzle {
         {
             return wrong("its ends must stay where they are");
         }
-        let space = Space::new(self, self.unit() / self.step);
+        let space = Space::new(self.courses(), self.unit() / self.step);
         if !space.is_free(border, &corners) {
             return wrong("it meets itself or another border");
         }

@@ -1,9 +1,10 @@
 //! The segments of all borders, to test that a new course of a border meets no other.
 
-use crate::Puzzle;
-use crate::puzzle::Corner;
 use pompeiu_planar::segments_meet;
 use std::collections::BTreeMap;
+
+/// A corner on the lattice.
+pub(crate) type Corner = [i64; 2];
 
 /// The segments of all borders, in the cells of a grid.
 pub(crate) struct Space {
@@ -12,10 +13,10 @@ pub(crate) struct Space {
 }
 
 impl Space {
-    pub(crate) fn new(puzzle: &Puzzle, unit: f64) -> Self {
+    pub(crate) fn new<'b>(borders: impl Iterator<Item = &'b [Corner]>, unit: f64) -> Self {
         let mut space = Self { side: (0.3 * unit).max(1.0) as i64, cells: BTreeMap::new() };
-        for (border, of) in puzzle.borders.iter().enumerate() {
-            space.insert(border, &of.corners);
+        for (border, corners) in borders.enumerate() {
+            space.insert(border, corners);
         }
         space
     }

@@ -1,6 +1,5 @@
 //! A few triangles, to ask which of them are near a point.
 
-use super::within::Triangle;
 use glam::DVec3;
 use multiversion::multiversion;
 use pompeiu_core::geom::point_triangle::{LANES, TriangleBlock, block_distances_sq, lane_of, set_lane};
@@ -105,6 +104,9 @@ fn nearest(p: [f64; 3], blocks: &[TriangleBlock]) -> (f64, usize) {
     }
     best
 }
+
+/// Three corners.
+pub(crate) type Triangle = [DVec3; 3];
 
 #[cfg(test)]
 mod tests {

@@ -1,9 +1,9 @@
 //! Which faces of the result lie near which faces of the input.
 
-use super::candidates::Candidates;
+use super::candidates::{Candidates, Triangle};
 use super::connectivity::{DynamicMesh, NONE};
 use super::reference::identity;
-use super::within::{Input, Triangle, is_covered};
+use super::within::{Input, is_covered};
 use glam::DVec3;
 use pompeiu_core::MeshError;
 use pompeiu_core::spatial::bvh::{Bvh, Workspace};

@@ -35,6 +35,7 @@ mod schedule;
 pub mod show;
 mod simplify;
 mod simplify_options;
+mod simplify_run;
 mod sizing;
 mod smooth;
 mod trial;

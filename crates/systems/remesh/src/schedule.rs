@@ -3,8 +3,8 @@
 use super::collapses::{Collapses, Snapshot};
 use super::cover::Cover;
 use super::marked::Marked;
-use super::simplify::Run;
 use super::simplify_options::{Simplified, SimplifyError, SimplifyTarget, SimplifyTiming};
+use super::simplify_run::Run;
 use pompeiu_core::geom::Aabb;
 use pompeiu_core::run::Instant;
 use pompeiu_core::run::StopReason;

@@ -1,11 +1,12 @@
 //! Whether an edge can be collapsed, and where to: the tests of a simplification, which change nothing.
 
+use super::candidates::Triangle;
 use super::cover::{Affected, Cover, Covering};
 use super::marked::{Collapse, Freedom, Marked};
 use super::places::Places;
 use super::quadric::Quadric;
 use super::smooth::area_vector;
-use super::within::{Input, Triangle};
+use super::within::Input;
 use glam::DVec3;
 use pompeiu_core::spatial::bvh::{Slot, Workspace};
 

@@ -5,12 +5,9 @@
 //! over the triangle nearest to its centroid: inside the prism that triangle is nearest, and coplanar faces need no further cut.
 //! The tests steer the simplification; the proof for the whole result is that of [`pompeiu_hausdorff`].
 
-use super::candidates::Candidates;
+use super::candidates::{Candidates, Triangle};
 use glam::DVec3;
 use pompeiu_core::spatial::bvh::{Bvh, Cover, Nearest, Slot, Workspace};
-
-/// Three corners.
-pub(crate) type Triangle = [DVec3; 3];
 
 /// Pieces that one test of a face of the input looks at, at most; a test that needs more fails.
 const MOST_PIECES: usize = 256;

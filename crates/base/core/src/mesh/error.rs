@@ -1,6 +1,9 @@
 //! What can be wrong with positions and faces handed in as a mesh.
 
-use super::{FaceId, TriMesh, VertexId};
+use super::{FaceId, VertexId};
+
+/// See [`TriMesh::MAX_COORDINATE`](super::TriMesh::MAX_COORDINATE).
+pub(super) const MAX_COORDINATE: f64 = f64::from_bits((1023 + 1000) << 52);
 
 /// Why positions and faces do not make a [`TriMesh`].
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -31,7 +34,7 @@ pub enum MeshError {
         value: f64,
     },
     /// A coordinate is so large that distances could overflow.
-    #[error("coordinate {} of vertex {} is {value:e}; at most {:e} in magnitude is supported", ["x", "y", "z"][*axis], vertex.0, TriMesh::MAX_COORDINATE)]
+    #[error("coordinate {} of vertex {} is {value:e}; at most {:e} in magnitude is supported", ["x", "y", "z"][*axis], vertex.0, MAX_COORDINATE)]
     TooLarge {
         /// The vertex.
         vertex: VertexId,

@@ -1,6 +1,7 @@
 //! The one mesh type that algorithms accept.
 
-use super::{FaceId, MeshError, VertexId};
+use super::error::{MAX_COORDINATE, MeshError};
+use super::{FaceId, VertexId};
 use rayon::prelude::*;
 
 /// A triangle soup whose indices are in range and whose coordinates are finite.
@@ -18,7 +19,7 @@ pub struct TriMesh {
 
 impl TriMesh {
     /// Largest supported magnitude of a coordinate, 2^1000: beyond it a squared extent could not be scaled back into range.
-    pub const MAX_COORDINATE: f64 = f64::from_bits((1023 + 1000) << 52);
+    pub const MAX_COORDINATE: f64 = MAX_COORDINATE;
 
     /// Checks the arrays and takes ownership of them.
     ///

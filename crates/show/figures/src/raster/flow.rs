@@ -8,7 +8,7 @@
 //! Line integral convolution of noise: `cabral_imaging_1993`; in image space, stopping at depth discontinuities:
 //! `laramee_image_2003`. Noise is a hash of the position; contrast is derived from the length of a streak.
 
-use super::Scene;
+use super::scene::Scene;
 use super::strokes::{Stroke, arrow};
 use super::triangles::{NONE, Visible};
 use crate::Rgb;

@@ -8,6 +8,7 @@
 
 mod camera;
 mod flow;
+mod scene;
 mod shade;
 mod strokes;
 #[cfg(test)]
@@ -19,9 +20,9 @@ pub(crate) use camera::Camera;
 use crate::image::Image;
 use crate::theme::Colors;
 use crate::{Panel, Rgb, Scale};
-use camera::Seen;
 use flow::Flow;
 use rayon::prelude::*;
+use scene::Scene;
 use strokes::Stroke;
 use triangles::{Grid, NONE, PIXEL, Triangle, Visible};
 
@@ -30,22 +31,6 @@ const TILE: u32 = 64;
 
 /// Samples per pixel along each axis.
 const SAMPLES: u32 = 3;
-
-/// A panel with its camera.
-struct Scene<'a> {
-    panel: &'a Panel<'a>,
-    camera: &'a Camera,
-    scale: Option<&'a Scale>,
-    theme: &'a Colors,
-    /// The vertices in camera coordinates.
-    seen: Vec<Seen>,
-}
-
-impl Scene<'_> {
-    fn triangle(&self, face: u32) -> Option<Triangle> {
-        Triangle::new(self.panel.mesh.faces()[face as usize].map(|vertex| self.seen[vertex as usize]))
-    }
-}
 
 /// Draws a panel.
 pub(crate) fn render(

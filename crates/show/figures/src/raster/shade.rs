@@ -1,6 +1,6 @@
 //! Colours of points on faces.
 
-use super::Scene;
+use super::scene::Scene;
 use super::triangles::Triangle;
 use crate::Rgb;
 use crate::panel::Values;

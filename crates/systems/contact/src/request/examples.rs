@@ -1,8 +1,7 @@
 //! Scenes that have a name.
 
-use super::own::material_of;
-use super::scene::Built;
-use super::{ContactRequestError, Scene};
+use super::ContactRequestError;
+use super::own::{MaterialTable, material_of};
 use crate::bodies::HandleMotion;
 use crate::shapes::{sheet, tetrahedral_box};
 use crate::{Bodies, ContactError, ContactOptions, Handle, Material, Obstacle};
@@ -26,6 +25,17 @@ pub enum Example {
     RodTwist,
     /// Two soft cubes that collide, without gravity.
     Collision,
+}
+
+/// What a scene says of an example; each suits it where nothing is said.
+#[derive(Clone, Copy)]
+pub(super) struct Sizes {
+    pub(super) material: MaterialTable,
+    pub(super) cells: Option<usize>,
+    pub(super) angle: Option<f64>,
+    pub(super) turns: Option<f64>,
+    pub(super) boxes: Option<usize>,
+    pub(super) speed: Option<f64>,
 }
 
 const RUBBER: Material = Material { young: 1e5, poisson: 0.4, density: 1000.0 };
@@ -62,18 +72,18 @@ impl Example {
         Self::ALL.map(Self::name).join(", ")
     }
 
-    pub(super) fn build(self, scene: &Scene) -> Result<Built, ContactRequestError> {
-        let given = scene.material.unwrap_or_default();
-        let cells = |default: usize| match scene.cells.unwrap_or(default) {
+    pub(super) fn build(self, sizes: Sizes) -> Result<Built, ContactRequestError> {
+        let given = sizes.material;
+        let cells = |default: usize| match sizes.cells.unwrap_or(default) {
             n @ 1..=MOST_CELLS => Ok(n),
             n => Err(ContactRequestError::Value { key: "cells", value: n as f64, expected: "1 to 500" }),
         };
         let material = |default| material_of(given, default);
         let mut making = Making { bodies: Bodies::new(), first_faces: Vec::new() };
         let (options, steps) = match self {
-            Self::Incline => making.incline(material(Material { young: 1e8, ..RUBBER }), scene.angle)?,
+            Self::Incline => making.incline(material(Material { young: 1e8, ..RUBBER }), sizes.angle)?,
             Self::Stack => {
-                let boxes = scene.boxes.unwrap_or(3);
+                let boxes = sizes.boxes.unwrap_or(3);
                 if !(1..=100).contains(&boxes) {
                     let (value, expected) = (boxes as f64, "1 to 100");
                     return Err(ContactRequestError::Value { key: "boxes", value, expected });
@@ -86,12 +96,12 @@ impl Example {
             }
             Self::ClothTwist => {
                 let thickness = given.thickness.unwrap_or(CLOTH_THICKNESS);
-                making.cloth_twist(material(CLOTH), thickness, cells(16)?, scene.turns.unwrap_or(2.5))?
+                making.cloth_twist(material(CLOTH), thickness, cells(16)?, sizes.turns.unwrap_or(2.5))?
             }
-            Self::RodTwist => making.rod_twist(material(RUBBER), cells(28)?, scene.turns.unwrap_or(4.0))?,
+            Self::RodTwist => making.rod_twist(material(RUBBER), cells(28)?, sizes.turns.unwrap_or(4.0))?,
             Self::Collision => {
                 let soft = material(Material { poisson: 0.3, ..RUBBER });
-                making.collision(soft, cells(3)?, scene.speed.unwrap_or(1.0))?
+                making.collision(soft, cells(3)?, sizes.speed.unwrap_or(1.0))?
             }
         };
         let Making { bodies, first_faces } = making;
@@ -256,4 +266,13 @@ impl Making {
         };
         Ok((options, 60))
     }
+}
+
+/// Bodies that are put together, with the options that suit them.
+pub(super) struct Built {
+    pub(super) bodies: Bodies,
+    pub(super) options: ContactOptions,
+    pub(super) steps: usize,
+    /// The first face of each body.
+    pub(super) first_faces: Vec<usize>,
 }

@@ -1,6 +1,6 @@
 //! Bodies of meshes that are given.
 
-use super::{ContactRequestError, Scene};
+use super::ContactRequestError;
 use crate::bodies::HandleMotion;
 use crate::{Bodies, ContactError, Handle, Material, Obstacle};
 use glam::DVec3;
@@ -101,8 +101,19 @@ const SHELL: Material = Material { young: 1e5, poisson: 0.3, density: 300.0 };
 /// The thickness of a shell in parts of its extent.
 const THICKNESS: f64 = 1e-3;
 
+/// The tables of a scene of own meshes.
+pub(super) struct Tables<'a> {
+    pub(super) material: MaterialTable,
+    pub(super) body: &'a [BodyTable],
+    pub(super) obstacle: &'a [ObstacleTable],
+    pub(super) handle: &'a [HandleTable],
+}
+
 /// The bodies of a scene, and the first face of each.
-pub(super) fn build(scene: &Scene, meshes: &[BodyMesh]) -> Result<(Bodies, Vec<usize>), ContactRequestError> {
+pub(super) fn build(
+    tables: &Tables,
+    meshes: &[BodyMesh],
+) -> Result<(Bodies, Vec<usize>), ContactRequestError> {
     if meshes.is_empty() {
         return Err(ContactRequestError::NoBodies);
     }
@@ -111,15 +122,15 @@ pub(super) fn build(scene: &Scene, meshes: &[BodyMesh]) -> Result<(Bodies, Vec<u
     let default = BodyTable::default();
     for (i, mesh) in meshes.iter().enumerate() {
         first_faces.push(bodies.faces().len());
-        let table = scene.body.get(i).unwrap_or(&default);
-        let given = merged(table.material.unwrap_or_default(), scene.material.unwrap_or_default());
+        let table = tables.body.get(i).unwrap_or(&default);
+        let given = merged(table.material.unwrap_or_default(), tables.material);
         ranges.push(add(&mut bodies, mesh, table, given, i + 1)?);
     }
-    for (i, table) in scene.obstacle.iter().enumerate() {
+    for (i, table) in tables.obstacle.iter().enumerate() {
         let body_error = |error| ContactRequestError::Body { body: i + 1, error };
         bodies.add_obstacle(table.obstacle(i + 1)?).map_err(body_error)?;
     }
-    for (i, table) in scene.handle.iter().enumerate() {
+    for (i, table) in tables.handle.iter().enumerate() {
         hold(&mut bodies, table, &ranges, i + 1)?;
     }
     Ok((bodies, first_faces))

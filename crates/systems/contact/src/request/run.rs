@@ -1,6 +1,6 @@
 //! Runs a request.
 
-use super::scene::Built;
+use super::examples::Built;
 use super::{BodyMesh, Certificate, Checkpoint, ContactReport, ContactRequest, ContactRequestError, Scene};
 use crate::{Check, ContactError, ContactStep, Simulation};
 use pompeiu_core::run::{RunContext, StopReason};

@@ -1,8 +1,9 @@
 //! The scene: which bodies there are, and the options that suit them, in TOML.
 
-use super::own::{self, BodyTable, HandleTable, MaterialTable, ObstacleTable};
+use super::examples::{Built, Sizes};
+use super::own::{self, BodyTable, HandleTable, MaterialTable, ObstacleTable, Tables};
 use super::{BodyMesh, ContactRequest, ContactRequestError, Example};
-use crate::{Bodies, Check, ContactOptions, Integrator, PairSet, Projection};
+use crate::{Check, ContactOptions, Integrator, PairSet, Projection};
 use glam::DVec3;
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
@@ -11,17 +12,17 @@ use std::path::{Path, PathBuf};
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
 pub struct Scene {
-    pub(super) kind: Option<Example>,
+    kind: Option<Example>,
     /// Cells along the bodies of an example.
-    pub(super) cells: Option<usize>,
+    cells: Option<usize>,
     /// Degrees of the incline.
-    pub(super) angle: Option<f64>,
+    angle: Option<f64>,
     /// Turns of a twist.
-    pub(super) turns: Option<f64>,
+    turns: Option<f64>,
     /// Boxes of the stack.
-    pub(super) boxes: Option<usize>,
+    boxes: Option<usize>,
     /// Speed of each body of the collision.
-    pub(super) speed: Option<f64>,
+    speed: Option<f64>,
     steps: Option<usize>,
     dt: Option<f64>,
     distance: Option<f64>,
@@ -35,19 +36,10 @@ pub struct Scene {
     stiffness: Option<f64>,
     sticking_speed: Option<f64>,
     most_iterations: Option<usize>,
-    pub(super) material: Option<MaterialTable>,
-    pub(super) body: Vec<BodyTable>,
-    pub(super) obstacle: Vec<ObstacleTable>,
-    pub(super) handle: Vec<HandleTable>,
-}
-
-/// Bodies that are put together, with the options that suit them.
-pub(super) struct Built {
-    pub(super) bodies: Bodies,
-    pub(super) options: ContactOptions,
-    pub(super) steps: usize,
-    /// The first face of each body.
-    pub(super) first_faces: Vec<usize>,
+    material: Option<MaterialTable>,
+    body: Vec<BodyTable>,
+    obstacle: Vec<ObstacleTable>,
+    handle: Vec<HandleTable>,
 }
 
 /// Largest size of a scene, in bytes.
@@ -180,9 +172,9 @@ impl Scene {
             Some(kind) if !meshes.is_empty() => {
                 return Err(ContactRequestError::TakesNoMesh { scene: kind.name() });
             }
-            Some(kind) => kind.build(self)?,
+            Some(kind) => kind.build(self.sizes())?,
             None => {
-                let (bodies, first_faces) = own::build(self, meshes)?;
+                let (bodies, first_faces) = own::build(&self.tables(), meshes)?;
                 let options = ContactOptions::new(TIME_STEP, extent(bodies.positions()));
                 Built { bodies, options, steps: STEPS, first_faces }
             }
@@ -191,6 +183,22 @@ impl Scene {
         replace(request, &mut built.options);
         built.steps = request.steps.or(self.steps).unwrap_or(built.steps);
         Ok(built)
+    }
+
+    fn sizes(&self) -> Sizes {
+        Sizes {
+            material: self.material.unwrap_or_default(),
+            cells: self.cells,
+            angle: self.angle,
+            turns: self.turns,
+            boxes: self.boxes,
+            speed: self.speed,
+        }
+    }
+
+    fn tables(&self) -> Tables<'_> {
+        let material = self.material.unwrap_or_default();
+        Tables { material, body: &self.body, obstacle: &self.obstacle, handle: &self.handle }
     }
 
     fn replace(&self, options: &mut ContactOptions) {

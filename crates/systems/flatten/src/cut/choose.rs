@@ -2,114 +2,16 @@
 
 use super::costs::{Closed, Costs};
 use super::disk::disk_cut;
+use super::edges::edge_between;
 use super::iterate::{Metric, iterate};
 use super::skeleton::Skeleton;
 use super::tips::tips;
 use super::tree::GrowingCut;
-use super::{CutError, open};
+use super::{CutError, CutOptions, CutStrategy, open};
 use crate::components::{Component, in_whole, split};
-use crate::symmetry::{self, SymmetryError, SymmetryPlane};
-use pompeiu_core::mesh::UnionFind;
-use pompeiu_core::{FaceId, VertexId};
+use crate::symmetry::{self, SymmetryError};
+use pompeiu_core::FaceId;
 use pompeiu_surface::{EdgeData, EdgeId, EmbeddedSurface, SurfaceMesh};
-use std::num::NonZeroUsize;
-
-/// The strategy for choosing the edges to cut.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum CutStrategy {
-    /// A cut that leaves a disk; closed surfaces of genus 0 are cut between their tips. Flattening adds cuts where distortion is
-    /// high.
-    #[default]
-    Auto,
-    /// The smallest cut that makes a surface a disk, by tree–cotree decomposition; for surfaces that are neither disks nor spheres.
-    Genus,
-    /// A shortest path between the two vertices farthest from each other in space; further cuts, up to this number, from the vertex
-    /// farthest in space from the existing cut.
-    Euclidean {
-        /// Number of cuts, at least 1.
-        cuts: usize,
-    },
-    /// The same with distances along edges; the pair is the vertex farthest from the first one, and the vertex farthest from that.
-    Geodesic {
-        /// Number of cuts, at least 1.
-        cuts: usize,
-    },
-    /// A cut that leaves a disk, joined with the tips: local maxima of the average distance from the rest of the surface.
-    Tips,
-    /// A cut between two vertices chosen with medial balls: of the two balls farthest apart along the edges between balls, the
-    /// touched vertices that are farthest apart.
-    Medial {
-        /// Number of balls.
-        balls: NonZeroUsize,
-    },
-    /// A cut that leaves a disk, joined with the vertices nearest to the centres of medial balls.
-    MedialTree {
-        /// Number of balls.
-        balls: NonZeroUsize,
-    },
-    /// A cut that leaves a disk, joined with a path along each bone: the edges of the minimum spanning tree of the medial balls.
-    Bones {
-        /// Number of balls.
-        balls: NonZeroUsize,
-        /// Whether to add an arc around the surface at the start of each bone.
-        sections: bool,
-    },
-    /// A cut that leaves a disk, joined with these vertices by shortest paths.
-    Through(Vec<VertexId>),
-    /// Exactly these paths of edges, each given by its vertices.
-    Along(Vec<Vec<VertexId>>),
-}
-
-impl CutStrategy {
-    fn follows_balls(&self) -> bool {
-        matches!(self, Self::Medial { .. } | Self::MedialTree { .. } | Self::Bones { .. })
-    }
-
-    /// The name of the strategy in the command and in reports.
-    pub fn name(&self) -> &'static str {
-        match self {
-            Self::Auto => "auto",
-            Self::Genus => "genus",
-            Self::Euclidean { .. } => "euclidean",
-            Self::Geodesic { .. } => "geodesic",
-            Self::Tips => "tips",
-            Self::Medial { .. } => "medial",
-            Self::MedialTree { .. } => "medial-tree",
-            Self::Bones { .. } => "bones",
-            Self::Through(_) => "through",
-            Self::Along(_) => "along",
-        }
-    }
-}
-
-/// Options of a cut.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct CutOptions {
-    /// The strategy for choosing edges.
-    pub strategy: CutStrategy,
-    /// Vertices that no cut may touch.
-    pub forbidden: Vec<VertexId>,
-    /// Edges that no cut may take, by their ends.
-    pub forbidden_edges: Vec<[VertexId; 2]>,
-    /// Faces that no cut may enter; it may run along their border.
-    pub forbidden_faces: Vec<FaceId>,
-    /// How strongly paths avoid curvature: an edge costs its length times 1 + this times |κ| √area, with κ the mean of the absolute
-    /// mean curvatures at both ends. At least 0.
-    pub curvature: f64,
-    /// For strategies that cut to the farthest vertex: stop as soon as the standard deviation (over the area) of the distance to
-    /// the cut along edges is at most this, relative to the square root of the area. Above 0.
-    pub spread: Option<f64>,
-    /// A plane of symmetry of each component; the cut and the map will be symmetric, too. Edges must run along it.
-    pub symmetry: Option<SymmetryPlane>,
-}
-
-impl CutOptions {
-    /// Whether any place is forbidden.
-    fn forbids(&self) -> bool {
-        !(self.forbidden.is_empty() && self.forbidden_edges.is_empty() && self.forbidden_faces.is_empty())
-    }
-}
 
 /// Chooses the edges that open a surface, so that each of its components becomes a disk.
 ///
@@ -187,12 +89,6 @@ pub(crate) fn requested_edges(
     }
 }
 
-/// The edge between two vertices.
-pub(crate) fn edge_between(mesh: &SurfaceMesh, [a, b]: [VertexId; 2]) -> Option<EdgeId> {
-    let around = mesh.outgoing(a).flat_map(|h| [h, h.previous()]);
-    around.into_iter().find(|&h| a != b && [mesh.tail(h), mesh.head(h)].contains(&b)).map(|h| mesh.edge(h))
-}
-
 /// The cut of a connected surface, before cuts are added to reduce distortion.
 pub(crate) fn first_cut(part: &Component, options: &CutOptions) -> Result<EdgeData<bool>, CutError> {
     if let Some(images) = &part.images {
@@ -263,24 +159,6 @@ pub(crate) fn first_cut(part: &Component, options: &CutOptions) -> Result<EdgeDa
         return Err(nowhere());
     }
     Ok(cut.edges)
-}
-
-/// Adds edges to a cut in order, omitting those that would close a new loop.
-pub(super) fn joined_edges(mesh: &SurfaceMesh, cut: &EdgeData<bool>, edges: &[EdgeId]) -> EdgeData<bool> {
-    let mut joined = UnionFind::new(mesh.vertices());
-    let of_cut = mesh.edge_ids().filter(|&edge| cut[edge] || mesh.is_boundary_edge(edge));
-    for edge in of_cut {
-        let [a, b] = mesh.ends(edge);
-        joined.union(a.index(), b.index());
-    }
-    let mut cut = cut.clone();
-    for &edge in edges {
-        let [a, b] = mesh.ends(edge);
-        if joined.union(a.index(), b.index()) {
-            cut[edge] = true;
-        }
-    }
-    cut
 }
 
 /// Extends a cut of a sphere that consists of a single edge, which would open nothing, to two edges.

@@ -1,7 +1,7 @@
 //! Costs of cutting along edges.
 
 use super::CutOptions;
-use super::choose::edge_between;
+use super::edge_between;
 use glam::DVec3;
 use pompeiu_core::VertexId;
 use pompeiu_core::mesh::{FaceData, VertexData};

@@ -3,21 +3,25 @@
 mod choose;
 mod costs;
 mod disk;
+mod edges;
 mod error;
 mod farthest;
 mod iterate;
 mod open;
+mod options;
 mod skeleton;
 mod tips;
 mod tree;
 
-pub use choose::{CutOptions, CutStrategy, choose_cut};
-pub(crate) use choose::{edge_between, first_cut, requested_edges};
+pub use choose::choose_cut;
+pub(crate) use choose::{first_cut, requested_edges};
 pub(crate) use costs::Costs;
 pub(crate) use disk::disk_cut;
+pub(crate) use edges::edge_between;
 pub use error::CutError;
 pub use farthest::farthest_pair;
 pub use open::{Opened, open};
+pub use options::{CutOptions, CutStrategy};
 pub(crate) use tips::tips;
 pub(crate) use tree::GrowingCut;
 

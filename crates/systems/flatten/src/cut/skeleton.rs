@@ -1,8 +1,8 @@
 //! Cuts along medial balls.
 
-use super::choose::joined_edges;
 use super::costs::Costs;
 use super::disk::prune;
+use super::edges::joined_edges;
 use super::{CutError, GrowingCut, farthest_pair};
 use crate::medial::{Ball, Medial, MedialOptions, distance, longest_path, medial_balls, spanning_tree};
 use pompeiu_core::VertexId;

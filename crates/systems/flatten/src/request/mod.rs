@@ -3,10 +3,7 @@
 mod cut;
 mod flatten;
 mod medial;
-mod plane;
 
 pub use cut::{CutAnswer, CutEdges, CutRequest, OpenedReport, Strategy};
 pub use flatten::{Boundary, Energy, FlatSurface, FlattenRequest};
 pub use medial::{MedialReport, MedialRequest, MedialTiming};
-#[cfg(feature = "serde")]
-pub(crate) use plane::PlaneValue;

@@ -3,26 +3,14 @@
 mod cut;
 mod images;
 mod places;
+mod plane;
 
 pub(crate) use cut::{SymmetricCut, first_cut};
 pub(crate) use images::Images;
 pub(crate) use places::{partners, symmetrized};
+pub use plane::SymmetryPlane;
 
-#[cfg(feature = "serde")]
-use crate::request::PlaneValue;
 use pompeiu_core::{FaceId, VertexId};
-
-/// A plane of symmetry: all points p with normal · p = offset.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(try_from = "PlaneValue", into = "PlaneValue"))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(with = "PlaneValue"))]
-pub struct SymmetryPlane {
-    /// A normal vector of the plane, of any length.
-    pub normal: [f64; 3],
-    /// The product of the normal with a point of the plane.
-    pub offset: f64,
-}
 
 /// Why a cut or a map cannot be symmetric.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]

@@ -1,14 +1,13 @@
 //! Which step comes next.
 
-use super::Runner;
+use super::{Done, Outcome, Runner};
 use crate::FlowError;
 use crate::gradient::Derivatives;
 use crate::moving::Motion;
-use crate::options::Scheme;
 use crate::report::StepReason;
+use crate::scheme::Scheme;
 use crate::step::{self, FullSystem, MOST_HALVINGS};
 use crate::systems::{Systems, prepared};
-use glam::DVec3;
 
 /// Implicit steps that may smooth the surface before Newton's method is blended.
 const SMOOTHINGS: usize = 3;
@@ -16,20 +15,6 @@ const SMOOTHINGS: usize = 3;
 const BLENDED_STEPS: usize = 3;
 /// A step that moves no vertex by more than this part of the square root of the area is none.
 const LEAST_MOVE: f64 = 1e-15;
-
-/// What a step did.
-pub(super) struct Done {
-    pub(super) to: Vec<DVec3>,
-    pub(super) time: Option<f64>,
-    pub(super) scheme: Scheme,
-    pub(super) reason: StepReason,
-}
-
-/// What may happen instead of a step.
-pub(super) enum Outcome {
-    Moved(Done),
-    Stalled,
-}
 
 impl Runner<'_> {
     /// The next step, as the scheme has it or as it must be.

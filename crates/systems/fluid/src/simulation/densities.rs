@@ -1,5 +1,6 @@
 //! Densities: sources, diffusion, transport.
 
+use super::diffusion::Heat;
 use super::velocity::mean;
 use super::{MOST_SUBSTEPS, Simulation};
 use crate::faces::FaceDiffusion;
@@ -9,22 +10,6 @@ use crate::{FluidError, Transport};
 use pompeiu_core::mesh::{FaceData, VertexData};
 use pompeiu_operators::FaceField;
 use pompeiu_solve::{Cholesky, LinearSolver, SparseMatrix};
-
-/// The factored diffusion operator of a density, for one product of diffusivity and time.
-#[derive(Debug)]
-pub(super) enum Heat {
-    Vertices { product: f64, factor: Cholesky },
-    Faces(FaceDiffusion),
-}
-
-impl Heat {
-    fn product(&self) -> f64 {
-        match self {
-            Self::Vertices { product, .. } => *product,
-            Self::Faces(diffusion) => diffusion.product(),
-        }
-    }
-}
 
 impl Simulation<'_> {
     /// Sets a density from values at vertices.

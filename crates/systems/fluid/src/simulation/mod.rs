@@ -1,6 +1,7 @@
 //! Time stepping of a flow.
 
 mod densities;
+mod diffusion;
 mod velocity;
 
 pub(crate) use densities::add_source;
@@ -13,13 +14,12 @@ use crate::options::{FluidOptions, Scheme, TimeStep, Transport};
 use crate::report::{FluidStep, FluidTiming, SchemeReport, range};
 use crate::space::{Parts, Space};
 use crate::transport::Backtrace;
-use densities::Heat;
+use diffusion::{Heat, Power, Viscous};
 use pompeiu_core::mesh::{FaceData, VertexData};
 use pompeiu_core::run::Instant;
 use pompeiu_operators::{FaceField, check_field};
 use pompeiu_surface::Surface;
 use pompeiu_surface::plane::norm;
-use velocity::{Power, Viscous};
 
 /// Largest number of substeps of a step.
 const MOST_SUBSTEPS: usize = 100_000;

@@ -1,74 +1,17 @@
 //! Advancing the velocity: forces, viscosity, advection.
 
+use super::diffusion::{Power, Viscous};
 use super::{MOST_HALVINGS, MOST_SUBSTEPS, Simulation};
 use crate::advection::{self, AdvectionError, Unknowns};
-use crate::curvature::CurvatureLimit;
-use crate::edges::{self, EdgeViscosity, Terms};
+use crate::edges::{self, EdgeViscosity};
 use crate::faces::FaceDiffusion;
-use crate::space::{Parts, Space};
+use crate::space::Parts;
 use crate::transport::Backtrace;
-use crate::viscosity::{Viscosity, ViscousPower};
-use crate::{Correction, Diffusion, FluidError, FluidOptions, Integrator, Scheme, TimeStep, Wall, force};
+use crate::viscosity::Viscosity;
+use crate::{Correction, FluidError, Integrator, Scheme, TimeStep, Wall, force};
 use pompeiu_core::mesh::{FaceData, VertexData};
 use pompeiu_operators::{FaceField, add_scaled};
 use pompeiu_surface::plane::{add, rotate, scale, sub};
-
-/// What the viscous operator is made of, which does not depend on the step.
-#[derive(Debug)]
-pub(super) enum Power {
-    /// For the stream function and harmonic coefficients.
-    Stream(Box<ViscousPower>),
-    /// For values at midpoints of edges.
-    Edges(Terms),
-    /// For values on faces, or without viscosity.
-    Faces,
-}
-
-impl Power {
-    pub(super) fn new(
-        space: &Space<'_>,
-        options: &FluidOptions,
-        circulation: &VertexData<f64>,
-    ) -> Result<Self, FluidError> {
-        let (model, wall) = (options.viscosity_model, options.wall);
-        Ok(match options.scheme {
-            _ if options.viscosity == 0.0 => Self::Faces,
-            Scheme::CrouzeixRaviart => Self::Edges(Terms::new(space, model, wall)?),
-            Scheme::Faces if options.diffusion == Diffusion::EdgeLength => Self::Faces,
-            _ => Self::Stream(Box::new(ViscousPower::new(space, model, wall, circulation)?)),
-        })
-    }
-
-    /// The curvature that it contains.
-    pub(super) fn limit(&self) -> CurvatureLimit {
-        match self {
-            Self::Stream(power) => power.limit(),
-            Self::Edges(terms) => terms.limit(),
-            Self::Faces => CurvatureLimit::NONE,
-        }
-    }
-}
-
-/// The factored viscous operator, for one product of viscosity and time.
-#[derive(Debug)]
-pub(super) enum Viscous {
-    /// Acts on the stream function and harmonic coefficients.
-    Stream(Viscosity),
-    /// Acts on values at midpoints of edges.
-    Edges(EdgeViscosity),
-    /// Acts on values on faces.
-    Faces(FaceDiffusion),
-}
-
-impl Viscous {
-    fn product(&self) -> f64 {
-        match self {
-            Self::Stream(viscosity) => viscosity.product(),
-            Self::Edges(viscosity) => viscosity.product(),
-            Self::Faces(viscosity) => viscosity.product(),
-        }
-    }
-}
 
 impl Simulation<'_> {
     /// The length of the next step.

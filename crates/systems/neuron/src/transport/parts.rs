@@ -36,6 +36,15 @@ pub(super) fn by_parts<T: Send>(of: impl Iterator<Item = u32>, value: impl Fn(us
     all.into_iter().map(|(_, value)| value).collect()
 }
 
+/// The labels of boundary faces of subdivided cells, from those of the cells.
+pub(crate) fn labels_of_parts(faces: &Faces, labels: &[u32], fine: &Faces, parts: usize) -> Vec<u32> {
+    let of: std::collections::HashMap<(u32, u8), u32> =
+        faces.boundary().iter().zip(labels).map(|(face, &label)| ((face.cell, face.place), label)).collect();
+    let per_cell = parts.pow(3) as u32;
+    let label = |cell: u32, place: u8| of.get(&(cell / per_cell, place)).copied().unwrap_or(0);
+    fine.boundary().iter().map(|face| label(face.cell, face.place)).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::flow::potential_flow;

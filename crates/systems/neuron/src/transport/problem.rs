@@ -1,7 +1,7 @@
 //! Parameters of transport.
 
 use super::error::TransportError;
-use super::run::TransportState;
+use super::state::TransportState;
 use crate::{FlowParameters, Side};
 use pompeiu_core::run::{Limits, ProgressObserver};
 

@@ -3,7 +3,7 @@
 use super::discretisation::{Discretisation, EndFace};
 use super::error::TransportError;
 use super::flow::FlowField;
-use super::parts::{by_parts, deal};
+use super::parts::{by_parts, deal, labels_of_parts};
 use crate::mesh::{concentrations, cubic_vtu};
 use crate::{Cap, Flow};
 use glam::DVec3;
@@ -118,15 +118,6 @@ impl FlowCells {
         let cells = columns.each_ref().map(|(name, column)| (*name, column.as_slice()));
         cubic_vtu(&self.mesh, linear.then_some(1), &[], &cells)
     }
-}
-
-/// The labels of boundary faces of subdivided cells, from those of the cells.
-pub(crate) fn labels_of_parts(faces: &Faces, labels: &[u32], fine: &Faces, parts: usize) -> Vec<u32> {
-    let of: std::collections::HashMap<(u32, u8), u32> =
-        faces.boundary().iter().zip(labels).map(|(face, &label)| ((face.cell, face.place), label)).collect();
-    let per_cell = parts.pow(3) as u32;
-    let label = |cell: u32, place: u8| of.get(&(cell / per_cell, place)).copied().unwrap_or(0);
-    fine.boundary().iter().map(|face| label(face.cell, face.place)).collect()
 }
 
 /// Fluxes that balance in every cell, with a mean speed of one at the inlet: fluxes at the ends are kept, and differences of a

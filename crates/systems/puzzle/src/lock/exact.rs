@@ -1,6 +1,6 @@
 //! Checks in integers that multipliers prove a lock.
 
-use super::program::{Contact, square};
+use super::contacts::{Contact, square};
 use pompeiu_solve::{Cholesky, SparseMatrix};
 
 /// The largest multiplier as an integer: its product with a row stays below 2^107, and sums of a million below 2^127.

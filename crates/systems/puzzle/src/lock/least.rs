@@ -1,6 +1,6 @@
 //! Joint motions of several clusters by least squares, for few clusters.
 
-use super::rows;
+use super::contacts::rows;
 use crate::Puzzle;
 
 /// Relative size below which a combination of unit rows counts as 0, and above which it does not. Between them nothing is claimed.

@@ -1,12 +1,14 @@
 //! Infinitesimal joint motions of all pieces.
 
 mod cone;
+mod contacts;
 mod exact;
 mod least;
 mod program;
 
 use crate::Puzzle;
-use cone::{Cone, Row};
+use cone::Cone;
+use contacts::{rows, rows_of};
 use pompeiu_core::run::Control;
 use program::Verdict;
 use rayon::prelude::*;
@@ -168,21 +170,6 @@ fn shared_borders(puzzle: &Puzzle, clusters: &[usize]) -> BTreeMap<[usize; 2], V
         }
     }
     shared
-}
-
-/// The rows of a border for the motion of the piece on its left relative to the one on its right, about an origin: neither end of a
-/// segment from p to q may move into the right side.
-fn rows(puzzle: &Puzzle, border: usize, origin: [i64; 2]) -> impl Iterator<Item = Row> + '_ {
-    rows_of(&puzzle.borders[border].corners, origin)
-}
-
-fn rows_of(corners: &[[i64; 2]], origin: [i64; 2]) -> impl Iterator<Item = Row> + '_ {
-    let at = move |c: [i64; 2]| [0, 1].map(|k| i128::from(c[k] - origin[k]));
-    corners.windows(2).flat_map(move |pair| {
-        let (p, q) = (at(pair[0]), at(pair[1]));
-        let e = [q[0] - p[0], q[1] - p[1]];
-        [p, q].map(|c| [-e[1], e[0], e[0] * c[0] + e[1] * c[1]])
-    })
 }
 
 /// Whether a border alone holds the two adjacent pieces together, exactly.

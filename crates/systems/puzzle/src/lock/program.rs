@@ -1,7 +1,8 @@
 //! Joint motions of several clusters by optimisation; its multipliers are checked in integers.
 
+use super::contacts::{Contact, add, contacts, opening, side, square};
 use super::exact::proves;
-use super::{least, rows};
+use super::least;
 use crate::Puzzle;
 use pompeiu_core::run::Control;
 use pompeiu_solve::{Analysis, Cholesky, LinearSolver, Ordering, SparseMatrix};
@@ -14,14 +15,6 @@ pub(super) enum Verdict {
     Moves(Vec<[f64; 3]>),
     /// Undecided because of rounding.
     Unclear,
-}
-
-/// A condition on the twist of one cluster relative to another: exact, and scaled to length 1.
-pub(super) struct Contact {
-    pub(super) pair: [usize; 2],
-    pub(super) exact: [i128; 3],
-    pub(super) length: f64,
-    pub(super) unit: [f64; 3],
 }
 
 /// Largest number of Newton steps.
@@ -106,87 +99,6 @@ fn by_exponentials(puzzle: &Puzzle, clusters: &[usize], count: usize, control: &
         step.iter_mut().zip(&mut x).for_each(|(s, x)| *x += factor * *s);
     }
     Verdict::Unclear
-}
-
-/// The rows of all contacts: twists about the centre of the puzzle, with angular velocity scaled by the mean side of a piece.
-fn contacts(puzzle: &Puzzle, clusters: &[usize]) -> Vec<Contact> {
-    let origin = puzzle.size.map(|x| x / 2);
-    let unit = side(puzzle);
-    let mut found = Vec::new();
-    for (i, border) in puzzle.borders.iter().enumerate() {
-        let Some(right) = border.right else { continue };
-        let pair = [clusters[border.left], clusters[right]];
-        if pair[0] == pair[1] {
-            continue;
-        }
-        for [x, y, turn] in rows(puzzle, i, origin) {
-            let exact = [x * unit, y * unit, turn];
-            let [a, b, c] = exact.map(|v| v as f64);
-            let length = (a * a + b * b + c * c).sqrt();
-            if length > 0.0 {
-                found.push(Contact { pair, exact, length, unit: [a / length, b / length, c / length] });
-            }
-        }
-    }
-    found
-}
-
-/// The mean side of a piece in steps, at least 1.
-fn side(puzzle: &Puzzle) -> i128 {
-    (puzzle.unit() / puzzle.step).round().max(1.0) as i128
-}
-
-/// The product of a row with the twists: the opening velocity.
-fn opening(contact: &Contact, x: &[f64]) -> f64 {
-    let part = |cluster: usize| {
-        if cluster == 0 {
-            return 0.0;
-        }
-        let at = 3 * (cluster - 1);
-        let u = &contact.unit;
-        u[0] * x[at] + u[1] * x[at + 1] + u[2] * x[at + 2]
-    };
-    part(contact.pair[0]) - part(contact.pair[1])
-}
-
-/// Adds a multiple of a row.
-fn add(contact: &Contact, factor: f64, to: &mut [f64]) {
-    for (cluster, sign) in contact.pair.into_iter().zip([factor, -factor]) {
-        if cluster > 0 {
-            let at = 3 * (cluster - 1);
-            (0..3).for_each(|k| to[at + k] += sign * contact.unit[k]);
-        }
-    }
-}
-
-/// The weighted sum of the outer products of rows, as entries of both triangles; consecutive contacts of a pair are summed first.
-pub(super) fn square(contacts: &[Contact], weights: &[f64]) -> Vec<(usize, usize, f64)> {
-    let mut entries = Vec::new();
-    let mut first = 0;
-    for group in contacts.chunk_by(|a, b| a.pair == b.pair) {
-        let mut sum = [[0.0; 3]; 3];
-        for (contact, weight) in group.iter().zip(&weights[first..]) {
-            for (i, row) in sum.iter_mut().enumerate() {
-                for (value, u) in row.iter_mut().zip(contact.unit) {
-                    *value += weight * contact.unit[i] * u;
-                }
-            }
-        }
-        first += group.len();
-        for (a, left) in group[0].pair.into_iter().zip([1.0, -1.0]) {
-            for (b, right) in group[0].pair.into_iter().zip([1.0, -1.0]) {
-                if a == 0 || b == 0 {
-                    continue;
-                }
-                let block = sum
-                    .iter()
-                    .enumerate()
-                    .flat_map(|(i, row)| row.iter().enumerate().map(move |(k, v)| (i, k, v)));
-                entries.extend(block.map(|(i, k, v)| (3 * (a - 1) + i, 3 * (b - 1) + k, left * right * v)));
-            }
-        }
-    }
-    entries
 }
 
 /// Solves with the weighted sum of outer products, regularised by a share of the largest weight on the diagonal. Its pattern is

@@ -1,6 +1,6 @@
 //! Voronoi cells of sites in a rectangle, with corners rounded to the lattice.
 
-use crate::puzzle::Corner;
+use crate::space::Corner;
 use crate::{Border, Puzzle, PuzzleError};
 use pompeiu_planar::Point;
 use spade::{DelaunayTriangulation, Point2, Triangulation};

@@ -1,6 +1,6 @@
 //! Clipping cells to an outline: the faces of the planar subdivision of both.
 
-use crate::puzzle::Corner;
+use crate::space::Corner;
 use crate::{Border, Puzzle, PuzzleError};
 use pompeiu_planar::Outline;
 use std::cmp::Ordering;

@@ -9,7 +9,7 @@ mod whimsy;
 pub(crate) use clip::faces_within;
 pub(crate) use tree::lock_by_tabs;
 
-use crate::puzzle::Corner;
+use crate::space::Corner;
 use crate::{Puzzle, PuzzleError};
 use pompeiu_core::mesh::edit::Random;
 use pompeiu_core::run::Control;

@@ -2,8 +2,7 @@
 
 use super::Tab;
 use crate::Puzzle;
-use crate::puzzle::Corner;
-use crate::space::Space;
+use crate::space::{Corner, Space};
 use pompeiu_core::mesh::edit::Random;
 use pompeiu_core::run::Control;
 use pompeiu_planar::Point;
@@ -35,7 +34,7 @@ const HEAD_CORNERS: usize = 14;
 /// Gives every border between two pieces a tab where one fits that leaves no neck below a width in steps, until the control stops.
 pub(super) fn add(puzzle: &mut Puzzle, tab: Tab, neck: f64, random: &mut Random, control: &Control) {
     let unit = puzzle.unit() / puzzle.step;
-    let mut space = Space::new(puzzle, unit);
+    let mut space = Space::new(puzzle.courses(), unit);
     for border in 0..puzzle.borders.len() {
         if control.is_stopped() {
             break;

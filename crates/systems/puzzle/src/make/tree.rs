@@ -4,8 +4,7 @@ use super::Tab;
 use super::tabs::{half_foot, profile};
 use crate::Puzzle;
 use crate::lock::{holds, lock_until};
-use crate::puzzle::Corner;
-use crate::space::Space;
+use crate::space::{Corner, Space};
 use pompeiu_core::run::Control;
 use pompeiu_planar::Point;
 
@@ -51,7 +50,7 @@ pub(crate) fn lock_by_tabs(
     }
     let unit = puzzle.unit() / puzzle.step;
     let mut clusters = lock_until(&puzzle.simplified(DEPTH * puzzle.unit()), control).clusters;
-    let mut space = Space::new(puzzle, unit);
+    let mut space = Space::new(puzzle.courses(), unit);
     let mut is_tabbed = vec![false; puzzle.borders.len()];
     for height in HEIGHTS {
         if control.is_stopped() {

@@ -1,7 +1,7 @@
 //! Whimsies: pieces with given outlines.
 
 use super::{Tab, lock_by_tabs};
-use crate::puzzle::Corner;
+use crate::space::Corner;
 use crate::{Puzzle, PuzzleError};
 use pompeiu_core::mesh::edit::Random;
 use pompeiu_core::run::Control;

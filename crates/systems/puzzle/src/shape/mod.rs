@@ -24,7 +24,7 @@ pub use register::{Registered, register};
 pub use target::PieceShape;
 
 use crate::make::{faces_within, lock_by_tabs, step};
-use crate::puzzle::Corner;
+use crate::space::Corner;
 use crate::{Puzzle, PuzzleError, PuzzleOptions};
 use place::Placed;
 use pompeiu_core::run::{Control, Limits, Progress, ProgressObserver, StopReason};

@@ -1,8 +1,8 @@
 //! Smoothing borders without crossings.
 
 use crate::Puzzle;
-use crate::puzzle::{Corner, simplify};
-use crate::space::Space;
+use crate::puzzle::simplify;
+use crate::space::{Corner, Space};
 use pompeiu_planar::{Point, resample_points};
 
 /// Distance of points of a border before smoothing, relative to the mean side of a piece.
@@ -18,7 +18,7 @@ const FLAT: f64 = 0.0025;
 /// unchanged.
 pub(super) fn smooth(puzzle: &mut Puzzle) {
     let unit = puzzle.unit() / puzzle.step;
-    let mut space = Space::new(puzzle, unit);
+    let mut space = Space::new(puzzle.courses(), unit);
     for border in 0..puzzle.borders.len() {
         if puzzle.borders[border].right.is_none() {
             continue;

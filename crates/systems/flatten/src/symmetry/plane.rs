@@ -1,9 +1,20 @@
-//! Planes of symmetry as people write them.
+//! Planes of symmetry, and how people write them.
 
-use crate::SymmetryPlane;
 use pompeiu_core::request::values::tuple;
 use std::fmt;
 use std::str::FromStr;
+
+/// A plane of symmetry: all points p with normal · p = offset.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(try_from = "PlaneValue", into = "PlaneValue"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(with = "PlaneValue"))]
+pub struct SymmetryPlane {
+    /// A normal vector of the plane, of any length.
+    pub normal: [f64; 3],
+    /// The product of the normal with a point of the plane.
+    pub offset: f64,
+}
 
 /// x, y or z for the plane across that axis through the origin, x=C through C, or the four numbers NX,NY,NZ,D.
 impl FromStr for SymmetryPlane {
@@ -48,7 +59,7 @@ impl fmt::Display for SymmetryPlane {
 #[derive(serde::Serialize, serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(untagged, expecting = "expected a plane: \"x\", \"y\", \"z\", \"x=C\" or four numbers NX, NY, NZ, D")]
-pub(crate) enum PlaneValue {
+enum PlaneValue {
     /// x, y, z, x=C or NX,NY,NZ,D.
     Text(String),
     /// The components of the normal, and its product with a point of the plane.
