@@ -40,9 +40,9 @@
 //! relative, of at most `2 sqrt(3) M`: below 11. Components of r and w are off by 2, products and sums of `r . w` by at most `5 u` of
 //! `|r| |w|`, and the division adds 4: together below `4 + 12 sqrt(3) + 4` times M, less than 30. The length of `r / |r|` is off by `4 u`, of a result of at
 //! most `2 sqrt(3) M`: below 14; the last sum by 4 sqrt(3), 7. Together below 62, as for separating planes. The least of such values over a
-//! whole face, no greater than 4 M, is interpolated for its parts by two differences, two products and two sums, off by less than 10 u times 4 M:
-//! 40. Corners of parts are placed up to 28 from where they are said to be. Together below 130: less than twice [`EVALUATION`], which is what
-//! values on pieces are lowered by.
+//! face is interpolated at the middle of an edge for each of its halves, and rounded down there (`Part::between` in `deviation/polygon.rs`), so that
+//! halving adds nothing. Corners of parts are placed up to 28 from where they are said to be. Together below 90: less than twice [`EVALUATION`], which
+//! is what values on pieces are lowered by.
 //!
 //! **What distances of corners say** (`deviation/corners.rs`) is computed as `sqrt((d - r) (d + r))` with `r = |p - c|`. Any stored point will do for c, so only the length of r is
 //! off, by less than `5 u` of itself, which a factor of `1 + 16 u` makes up for; d, off by less than 45, is lowered by twice [`EVALUATION`] first. Both differences, the product and the root

@@ -92,7 +92,12 @@ impl Plane {
     #[inline(always)]
     #[allow(clippy::inline_always, reason = "compiled once per instruction set of its caller")]
     fn is_out_of_reach(&self, aabb: &Aabb) -> bool {
-        (0..3).any(|k| aabb.lower[k] > self.upper[k] || aabb.upper[k] < self.lower[k])
+        // Without closures, which are not compiled for the instruction set of the caller.
+        let mut is_out = false;
+        for k in 0..3 {
+            is_out |= aabb.lower[k] > self.upper[k] || aabb.upper[k] < self.lower[k];
+        }
+        is_out
     }
 }
 
@@ -210,6 +215,9 @@ impl Group {
 #[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2", "aarch64+neon"))]
 fn cross_off(blocks: &[TriangleBlock], left: &mut [u8], normal: DVec3, offset: f64) {
     for (block, left) in blocks.iter().zip(left) {
+        if *left == 0 {
+            continue;
+        }
         let mut reach = [f64::NEG_INFINITY; LANES];
         for corner in block {
             for l in 0..LANES {
@@ -217,8 +225,10 @@ fn cross_off(blocks: &[TriangleBlock], left: &mut [u8], normal: DVec3, offset: f
                 reach[l] = if along > reach[l] { along } else { reach[l] };
             }
         }
+        let mut behind = 0;
         for l in 0..LANES {
-            *left &= !(u8::from(reach[l] <= offset) << l);
+            behind |= u8::from(reach[l] <= offset) << l;
         }
+        *left &= !behind;
     }
 }

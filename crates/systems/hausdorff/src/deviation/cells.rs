@@ -45,6 +45,33 @@ pub(super) struct Limits<'l> {
     pub(super) control: &'l Control,
 }
 
+/// How often the planes around a face of B have made a cell of a task narrow enough: where distances are several times the size of faces,
+/// what is nearest are edges and corners, and they hardly ever do.
+#[derive(Default)]
+struct Success {
+    cells: u32,
+    tried: u32,
+    narrow: u32,
+}
+
+impl Success {
+    /// Cells that are tried before that is judged.
+    const FIRST: u32 = 16;
+    /// The part of them, as its inverse, that must come out narrow enough for others to be tried; of these one in so many is tried anyway.
+    const OF_TRIED: u32 = 3;
+    const ANYWAY: u32 = 16;
+
+    /// Whether another cell should be tried, which is counted.
+    fn is_likely(&mut self) -> bool {
+        self.cells += 1;
+        let is_likely = self.tried < Self::FIRST
+            || Self::OF_TRIED * self.narrow >= self.tried
+            || self.cells.is_multiple_of(Self::ANYWAY);
+        self.tried += u32::from(is_likely);
+        is_likely
+    }
+}
+
 /// A face of A, and what is wanted of its pieces.
 #[derive(Clone, Copy)]
 pub(super) struct Task<'t> {
@@ -61,6 +88,7 @@ pub(super) struct Cells<'b> {
     parts: Vec<Part>,
     wide: Vec<Cell>,
     again: Vec<Part>,
+    success: Success,
     /// What is left.
     pub(super) rest: Vec<Rest>,
 }
@@ -94,8 +122,14 @@ impl<'b> Cells<'b> {
             parts: Vec::new(),
             wide: Vec::new(),
             again: Vec::new(),
+            success: Success::default(),
             rest: Vec::new(),
         }
+    }
+
+    /// Begins with other faces of A: what becomes of them does not depend on the ones before.
+    pub(super) fn begin_task(&mut self) {
+        self.success = Success::default();
     }
 
     /// Cuts parts of a face of A, each with a face of B near it, into cells that are narrow enough, and what is left.
@@ -237,11 +271,14 @@ impl<'b> Cells<'b> {
             distances(self.bvh, slot, &points, outline.count, workspace).map(|distance| distance + margin);
         let most = range(&upper).1;
         let below = height.at(outline.centre()) < 0.0;
-        if let Some(row) = self.facets.below(slot, below, most + margin, &points) {
+        if self.success.is_likely()
+            && let Some(row) = self.facets.below(slot, below, most + margin, &points)
+        {
             let mut polygon = Polygon::unknown(outline, 0.0);
             polygon.upper = upper;
             polygon.lower = row.map(|x| x - margin);
             if criterion.width_unless_met(&polygon, &outline.weights(), area).is_none() {
+                self.success.narrow += 1;
                 pieces.push(Piece { polygon, near: slot });
                 return;
             }

@@ -73,6 +73,13 @@ impl<'c> Cutter<'c> {
         }
     }
 
+    /// Begins with the faces of another task, whose pieces do not depend on what was cut before.
+    pub(super) fn begin_task(&mut self) {
+        if let Some(cells) = &mut self.cells {
+            cells.begin_task();
+        }
+    }
+
     /// Point–triangle distances evaluated so far.
     pub(super) fn distances(&self) -> u64 {
         self.envelope.workspace.distances

@@ -4,6 +4,7 @@
 //! search for the largest distance of all is asked again, for one face at a time.
 
 use super::linear::{greater, lesser};
+use super::measure::VertexDistances;
 use super::task::FaceBounds;
 use crate::rounding::Rounding;
 use crate::search::{Limits, Local, Scene, Start, search_each};
@@ -56,6 +57,7 @@ const TASKS_PER_ROUND: usize = 64;
 /// The maxima of all faces, and what it takes to make them narrower.
 pub(super) struct Maxima<'m> {
     pub(super) scene: &'m Scene<'m>,
+    pub(super) vertices: &'m VertexDistances,
     pub(super) rounding: Rounding,
     /// Widths below this are narrow.
     pub(super) floor: f64,
@@ -109,7 +111,8 @@ impl Maxima<'_> {
             let of_task = |faces: &[u32]| {
                 let start = |face: &u32| {
                     let Maximum { point, depth, near, .. } = self.of_faces[*face as usize].max;
-                    Start { face: *face, point, depth, near }
+                    let corners = self.vertices.of_corners(self.scene.a.faces()[*face as usize]);
+                    Start { face: *face, point, depth, near, corners }
                 };
                 let starts: Vec<Start> = faces.iter().map(start).collect();
                 search_each(self.scene, limits, &starts)

@@ -123,6 +123,11 @@ impl VertexDistances {
         Self { distances, near }
     }
 
+    /// The distances of the corners of a face, each with a nearest face of the other mesh.
+    pub(super) fn of_corners(&self, corners: [u32; 3]) -> [(f64, Slot); 3] {
+        corners.map(|v| (self.distances[v as usize], self.near[v as usize]))
+    }
+
     /// Bytes that they take.
     pub(crate) fn bytes(&self) -> usize {
         size_of_val(&self.distances[..]) + size_of_val(&self.near[..])

@@ -11,22 +11,24 @@
 //!   its own), computed as `g . (p - c) - max_j g . (t_j - c)`, and so no nearer than that; whole boxes of the tree lie behind planes of their own
 //!   ([`Support`]). The least of these functions is concave, so its interpolation lies below the distance from B.
 //!
-//! What is left out for a whole face T is no nearer than a function that is interpolated from the corners of T (`beyond`), on parts of T as well.
+//! What is left out for a whole face T, or for a part of it, is no nearer than a function that is interpolated from the corners (`beyond`), on parts
+//! of that as well. So parts of parts look at fewer and fewer triangles.
 //!
 //! Errors are those of separating planes (see [`rounding`](crate::rounding)) and of the placing of corners, less than
 //! [`Scale::margin`](super::candidates::Scale) together.
 
-use super::candidates::Linear;
 use super::cells::{Limits, Rest, Task};
 use super::corners;
 use super::envelope::{distances, unit};
 use super::face::Start;
-use super::polygon::{Outline, Piece, Polygon, Row, integral};
+use super::linear::lesser;
+use super::polygon::{MOST_CORNERS, Outline, Piece, Polygon, Row, integral};
 use glam::DVec3;
 use multiversion::multiversion;
 use pompeiu_core::geom::point_triangle::{LANES, TriangleBlock, closest_barycentric, lane_of, set_lane};
 use pompeiu_core::spatial::bvh::{LEAST_SQUARE, Leaf, Support};
 use pompeiu_core::spatial::{Bvh, Neighbours, Slot, Workspace};
+use std::ops::Range;
 
 /// The square of the longest edge by the distance is some ten times what a linear function misses. A face of which that is more than so
 /// many times the allowed width would be halved too often: cells are quicker. Not so where the distance, squared, is more than a part of
@@ -49,18 +51,40 @@ pub(super) struct Planes<'b> {
     neighbours: &'b Neighbours,
     walk: Vec<u32>,
     leaves: Vec<Leaf>,
-    /// The triangles that may be nearest on the face, eight to a block, and their places in the tree.
+    /// The triangles of lists, eight to a block, and their places in the tree. Lists of parts follow those of what they are parts of.
     blocks: Vec<TriangleBlock>,
     slots: Vec<[Slot; LANES]>,
-    /// What is known of all others, as a function on the whole face; none where too many leaves may be nearest.
-    beyond: Option<Linear>,
-    parts: Vec<(Outline, Slot)>,
+    /// For each block of the list that was looked at last a bit for each triangle that comes nearer than wanted.
+    near: Vec<u8>,
+    parts: Vec<Part>,
 }
 
-/// A piece as it came out, and the nearest face that was met.
+/// A part of a face that is to be looked at.
+#[derive(Clone)]
+struct Part {
+    outline: Outline,
+    /// A face near it.
+    near: Slot,
+    /// None where too many triangles may be nearest: then it asks the tree.
+    list: Option<List>,
+}
+
+/// The triangles that may be nearest on a part.
+#[derive(Clone)]
+struct List {
+    /// Its blocks.
+    blocks: Range<usize>,
+    /// Values at the corners of a function below the distance from all other triangles.
+    beyond: Row,
+}
+
+/// A piece as it came out, the nearest face that was met, and what its parts look at.
 struct Looked {
     polygon: Polygon,
     near: Slot,
+    /// What is known of triangles that do not come nearer than wanted.
+    beyond: Row,
+    list: Option<List>,
 }
 
 impl<'b> Planes<'b> {
@@ -72,7 +96,7 @@ impl<'b> Planes<'b> {
             leaves: Vec::new(),
             blocks: Vec::new(),
             slots: Vec::new(),
-            beyond: None,
+            near: Vec::new(),
             parts: Vec::new(),
         }
     }
@@ -95,7 +119,6 @@ impl<'b> Planes<'b> {
         if longest > widths * criterion.width_of(area) * distance {
             return false;
         }
-        self.beyond = None;
         let near = self.face_near(start, workspace);
         if let Some(polygon) = self.by_corners(task, start, near, workspace) {
             pieces.push(Piece { polygon, near });
@@ -103,8 +126,13 @@ impl<'b> Planes<'b> {
         }
         let mut looks = 0;
         self.parts.clear();
-        self.parts.push((Outline::WHOLE, near));
-        while let Some((outline, near)) = self.parts.pop() {
+        self.parts.push(Part { outline: Outline::WHOLE, near, list: None });
+        while let Some(part) = self.parts.pop() {
+            let Part { outline, near, .. } = part;
+            // Lists that follow are those of parts that are done with.
+            let end = part.list.as_ref().map_or(0, |list| list.blocks.end);
+            self.blocks.truncate(end);
+            self.slots.truncate(end);
             looks += 1;
             if looks > MOST_LOOKS
                 || pieces.len() + self.parts.len() + rest.len() >= limits.most
@@ -113,14 +141,17 @@ impl<'b> Planes<'b> {
                 rest.push(Rest { outline, near });
                 continue;
             }
-            let looked = self.look(task, &outline, near, workspace);
+            let looked = self.look(task, part, workspace);
             let weights = outline.weights();
             if criterion.width_unless_met(&looked.polygon, &weights, area).is_none() {
                 pieces.push(Piece { polygon: looked.polygon, near: looked.near });
                 continue;
             }
-            for half in outline.halve_triangle(scale) {
-                self.parts.push((half, looked.near));
+            let Looked { near, beyond, list, .. } = looked;
+            let list = self.shortened(list.as_ref(), beyond);
+            for (outline, beyond) in outline.halve_triangle(scale, &beyond) {
+                let list = list.as_ref().map(|List { blocks, .. }| List { blocks: blocks.clone(), beyond });
+                self.parts.push(Part { outline, near, list });
             }
         }
         true
@@ -158,11 +189,16 @@ impl<'b> Planes<'b> {
             workspace.distances += 1;
             best = if distance < best.0 { (distance, slot) } else { best };
         }
+        self.nearer(centre, best, workspace)
+    }
+
+    /// A face that is nearer to a point than this one at this squared distance, if steps across edges lead to one.
+    fn nearer(&self, point: [f64; 3], mut best: (f64, Slot), workspace: &mut Workspace) -> Slot {
         for _ in 0..MOST_STEPS {
             let before = best;
             for k in 0..3 {
                 if let Some(across) = self.neighbours.across(before.1, k) {
-                    let distance = self.bvh.distance_sq(centre, across.slot);
+                    let distance = self.bvh.distance_sq(point, across.slot);
                     workspace.distances += 1;
                     best = if distance < best.0 { (distance, across.slot) } else { best };
                 }
@@ -178,45 +214,39 @@ impl<'b> Planes<'b> {
     fn look(
         &mut self,
         Task { scale, criterion, area }: Task<'_>,
-        outline: &Outline,
-        near: Slot,
+        Part { outline, near, mut list }: Part,
         workspace: &mut Workspace,
     ) -> Looked {
-        let points = scale.points(outline);
-        let margin = scale.margin + scale.displacement(outline);
+        let points = scale.points(&outline);
+        let margin = scale.margin + scale.displacement(&outline);
         let weights = outline.weights();
         let width = criterion.width_of(weights.iter().sum::<f64>() * area);
-        let mut above = |slot: Slot| -> Row {
-            distances(self.bvh, slot, &points, outline.count, workspace).map(|distance| distance + margin)
+        let bvh = self.bvh;
+        let above = |slot: Slot, workspace: &mut Workspace| -> Row {
+            distances(bvh, slot, &points, outline.count, workspace).map(|distance| distance + margin)
         };
-        let mut polygon = Polygon::unknown(*outline, 0.0);
-        polygon.upper = above(near);
-        let mut looked = Looked { polygon, near };
+        let near = if outline.depth == 0 { near } else { self.nearer_to_centre(&points, near, workspace) };
+        let mut polygon = Polygon::unknown(outline, 0.0);
+        polygon.upper = above(near, workspace);
+        let mut looked = Looked { polygon, near, beyond: [0.0; MOST_CORNERS], list: None };
         for again in [false, true] {
             let support = self.support(&looked, &points, SLACK * width + 2.0 * margin);
-            let of_whole = self.beyond.filter(|_| again || outline.depth > 0);
-            let (below, met) = match of_whole {
-                Some(beyond) => {
-                    let row = beyond.row(outline);
-                    least_of_planes(&self.blocks, &support, [row[0], row[1], row[2]])
-                }
-                None => self.ask_the_tree(&support, outline.depth == 0, 4.0 * scale.size),
+            let found = match &list {
+                Some(list) => self.look_at_list(&support, list),
+                None => self.ask_the_tree(&support),
             };
-            let below = below.map(|value| value - margin);
-            let row: Row = std::array::from_fn(|j| below[j.min(2)]);
+            let row = row_of(found.below.map(|value| value - margin));
             // Both are valid: the better one stays.
             if !again || integral(&weights, &row) > integral(&weights, &looked.polygon.lower) {
                 looked.polygon.lower = row;
             }
-            let nearest = match of_whole {
-                _ if met.distance_sq == f64::INFINITY => looked.near,
-                Some(_) => self.slots[met.place / LANES][met.place % LANES],
-                None => self.bvh.slot_in(self.leaves[met.place / LANES], met.place % LANES),
-            };
+            // Nothing may lie beyond: what no distance exceeds can be interpolated.
+            looked.beyond = row_of(found.beyond.map(|value| lesser(value, 4.0 * scale.size)));
+            let nearest = found.met.slot.unwrap_or(looked.near);
             if again || nearest == looked.near {
                 break;
             }
-            let upper = above(nearest);
+            let upper = above(nearest, workspace);
             looked.near = nearest;
             if integral(&weights, &upper) < integral(&weights, &looked.polygon.upper) {
                 looked.polygon.upper = upper;
@@ -226,8 +256,21 @@ impl<'b> Planes<'b> {
             if criterion.width_unless_met(&looked.polygon, &weights, area).is_none() {
                 break;
             }
+            list = self.shortened(list.as_ref(), looked.beyond);
         }
+        looked.list = list;
         looked
+    }
+
+    /// A face near a triangle, or one that is nearer to its centre.
+    fn nearer_to_centre(&self, points: &[Row; 3], near: Slot, workspace: &mut Workspace) -> Slot {
+        let mut centre = [0.0; 3];
+        for k in 0..3 {
+            centre[k] = (points[k][0] + points[k][1] + points[k][2]) * (1.0 / 3.0);
+        }
+        let distance = self.bvh.distance_sq(centre, near);
+        workspace.distances += 1;
+        self.nearer(centre, (distance, near), workspace)
     }
 
     /// What planes are compared with: the function above, less what may be lost.
@@ -248,25 +291,53 @@ impl<'b> Planes<'b> {
         }
     }
 
-    /// The least of the planes of all triangles, and the nearest one that was met, by its place among the leaves. Of a whole face, those that
-    /// may be nearest somewhere on it are put into blocks for its parts; no distance is greater than `far`.
-    fn ask_the_tree(&mut self, support: &Support, is_whole: bool, far: f64) -> ([f64; 3], Met) {
-        let mut beyond = self.bvh.leaves_in_front(support, &mut self.walk, &mut self.leaves);
-        let mut below = beyond;
-        let mut met = Met { place: 0, distance_sq: f64::INFINITY };
-        let keeps = is_whole && self.leaves.len() <= MOST_LEAVES;
-        if is_whole {
-            self.blocks.clear();
-            self.slots.clear();
+    /// Looks at all triangles, those of the leaves that come near one by one.
+    fn ask_the_tree(&mut self, support: &Support) -> Found {
+        let beyond = self.bvh.leaves_in_front(support, &mut self.walk, &mut self.leaves);
+        let mut found = Found { below: beyond, beyond, met: Met::NOTHING };
+        self.near.clear();
+        for leaf in &self.leaves {
+            let before = found.met.distance_sq;
+            let near = least_of_leaf(self.bvh.triangles(*leaf), support, &mut found);
+            if found.met.distance_sq < before {
+                found.met.slot = Some(self.bvh.slot_in(*leaf, found.met.place % LANES));
+            }
+            self.near.push(near);
         }
+        found
+    }
+
+    /// Looks at the triangles of a list, and at what is known of all others.
+    fn look_at_list(&mut self, support: &Support, List { blocks, beyond }: &List) -> Found {
+        let beyond = [beyond[0], beyond[1], beyond[2]];
+        let mut found = Found { below: beyond, beyond, met: Met::NOTHING };
+        self.near.clear();
+        least_of_blocks(&self.blocks[blocks.clone()], support, &mut self.near, &mut found);
+        if found.met.distance_sq < f64::INFINITY {
+            found.met.slot =
+                Some(self.slots[blocks.start + found.met.place / LANES][found.met.place % LANES]);
+        }
+        found
+    }
+
+    /// The triangles of the list that was looked at last, or of the leaves, that came nearer than wanted; none if the leaves are too many.
+    fn shortened(&mut self, list: Option<&List>, beyond: Row) -> Option<List> {
+        if list.is_none() && self.leaves.len() > MOST_LEAVES {
+            return None;
+        }
+        let start = self.blocks.len();
         let mut lane = LANES;
-        for (place, leaf) in self.leaves.iter().enumerate() {
-            let block = self.bvh.triangles(*leaf);
-            let mut near = least_of_leaf(block, place, support, &mut below, &mut beyond, &mut met);
-            while keeps && near != 0 {
+        for i in 0..self.near.len() {
+            let mut near = self.near[i];
+            while near != 0 {
                 let l = near.trailing_zeros() as usize;
                 near &= near - 1;
-                let slot = self.bvh.slot_in(*leaf, l);
+                let (block, slot) = match list {
+                    Some(List { blocks, .. }) => {
+                        (&self.blocks[blocks.start + i], self.slots[blocks.start + i][l])
+                    }
+                    None => (self.bvh.triangles(self.leaves[i]), self.bvh.slot_in(self.leaves[i], l)),
+                };
                 let corners = lane_of(block, l);
                 if lane == LANES {
                     // Lanes without a triangle repeat the first.
@@ -284,44 +355,54 @@ impl<'b> Planes<'b> {
                 lane += 1;
             }
         }
-        if is_whole {
-            // Nothing may lie beyond: what no distance exceeds can be interpolated.
-            let beyond = beyond.map(|value| if value < far { value } else { far });
-            self.beyond = keeps.then(|| Linear::through(beyond));
-        }
-        (below, met)
+        Some(List { blocks: start..self.blocks.len(), beyond })
     }
 }
 
-/// The nearest triangle met: its place among the lanes, and its squared distance from the centre.
+/// Values at three corners as a row.
+fn row_of([a, b, c]: [f64; 3]) -> Row {
+    [a, b, c, c, c, c, c, c]
+}
+
+/// What triangles say of a part.
+struct Found {
+    /// Values at the corners of a function below the distance from all of B.
+    below: [f64; 3],
+    /// The same of what does not come nearer than wanted.
+    beyond: [f64; 3],
+    met: Met,
+}
+
+/// The nearest triangle met: its place among the lanes, its squared distance from the centre, and where it is in the tree.
 #[derive(Clone, Copy)]
 struct Met {
     place: usize,
     distance_sq: f64,
+    slot: Option<Slot>,
 }
 
-/// The least of the planes of all triangles in some blocks, and the nearest one, from what is known of others.
+impl Met {
+    const NOTHING: Self = Self { place: 0, distance_sq: f64::INFINITY, slot: None };
+}
+
+/// Looks at the triangles of some blocks; adds for each block bits for those that come nearer than wanted.
 #[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2", "aarch64+neon"))]
-fn least_of_planes(blocks: &[TriangleBlock], support: &Support, below: [f64; 3]) -> ([f64; 3], Met) {
-    let (mut below, mut met) = (below, Met { place: 0, distance_sq: f64::INFINITY });
+fn least_of_blocks(blocks: &[TriangleBlock], support: &Support, near: &mut Vec<u8>, found: &mut Found) {
     for (i, block) in blocks.iter().enumerate() {
-        let corners = from_centre(block, support);
-        let common = common_plane(&corners, support);
-        include(&planes_of(&corners, common, support), i, &mut below, &mut met);
+        near.push(least_of_block(block, i, support, found));
     }
-    (below, met)
 }
 
-/// The same of the triangles of a leaf. Returns bits for those that come nearer than wanted; the others go into `beyond`.
+/// The same of the triangles of a leaf.
 #[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2", "aarch64+neon"))]
-fn least_of_leaf(
-    block: &TriangleBlock,
-    place: usize,
-    support: &Support,
-    below: &mut [f64; 3],
-    beyond: &mut [f64; 3],
-    met: &mut Met,
-) -> u8 {
+fn least_of_leaf(block: &TriangleBlock, support: &Support, found: &mut Found) -> u8 {
+    least_of_block(block, 0, support, found)
+}
+
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "compiled once per instruction set of its caller")]
+fn least_of_block(block: &TriangleBlock, place: usize, support: &Support, found: &mut Found) -> u8 {
+    let Found { below, beyond, met } = found;
     let corners = from_centre(block, support);
     let common = common_plane(&corners, support);
     // One plane in front of all of them is enough as a rule.
@@ -377,7 +458,7 @@ fn include(planes: &PlanesOfBlock, block: usize, below: &mut [f64; 3], met: &mut
         while lane < LANES - 1 && planes.distances_sq[lane] != nearest {
             lane += 1;
         }
-        *met = Met { place: block * LANES + lane, distance_sq: nearest };
+        *met = Met { place: block * LANES + lane, distance_sq: nearest, slot: None };
     }
 }
 

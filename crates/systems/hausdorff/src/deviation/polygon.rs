@@ -239,15 +239,15 @@ impl Outline {
         std::array::from_fn(|corner| at(corner.min(self.count - 1)))
     }
 
-    /// Halves a part with three corners across its longest edge.
-    pub(super) fn halve_triangle(&self, scale: &Scale) -> [Self; 2] {
+    /// Halves a part with three corners across its longest edge, and interpolates a function with these values at the corners, rounded down.
+    pub(super) fn halve_triangle(&self, scale: &Scale, values: &Row) -> [(Self, Row); 2] {
         let mut longest = (f64::NEG_INFINITY, 0);
         for i in 0..3 {
             let j = (i + 1) % 3;
             let square = scale.way([self.v[j] - self.v[i], self.w[j] - self.w[i]]).length_squared();
             longest = if square > longest.0 { (square, i) } else { longest };
         }
-        Self::halves(longest.1).map(|part| self.part(&part))
+        Self::halves(longest.1).map(|part| (self.part(&part), part.between(values, -INTERPOLATION)))
     }
 
     /// Halves a part with three corners across the edge from corner `i` to the next one.
@@ -334,17 +334,11 @@ impl Polygon {
     }
 
     fn part(&self, part: &Part, outline: Outline) -> Self {
-        let between = |row: &Row, margin: f64| {
-            part.row(|from, to, t| {
-                let (a, b) = (row[from], row[to]);
-                if from == to || a == b { a } else { a + t * (b - a) + margin * (a.abs() + b.abs()) }
-            })
-        };
         Self {
             outline,
-            lower: between(&self.lower, -INTERPOLATION),
-            upper: between(&self.upper, INTERPOLATION),
-            beyond: between(&self.beyond, -INTERPOLATION),
+            lower: part.between(&self.lower, -INTERPOLATION),
+            upper: part.between(&self.upper, INTERPOLATION),
+            beyond: part.between(&self.beyond, -INTERPOLATION),
         }
     }
 }
@@ -364,6 +358,14 @@ impl Part {
         *self.corners.get_mut(self.count)? = (from as u8, to as u8, t);
         self.count += 1;
         Some(())
+    }
+
+    /// Values at the corners of a function that is interpolated from the corners of the whole, moved by a part of them.
+    fn between(&self, row: &Row, margin: f64) -> Row {
+        self.row(|from, to, t| {
+            let (a, b) = (row[from], row[to]);
+            if from == to || a == b { a } else { a + t * (b - a) + margin * (a.abs() + b.abs()) }
+        })
     }
 
     fn row(&self, value: impl Fn(usize, usize, f64) -> f64) -> Row {

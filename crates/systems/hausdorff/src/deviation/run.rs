@@ -191,7 +191,15 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
         neighbours: Some(neighbours),
         control: &control_of_maxima,
     };
-    let mut maxima = Maxima { scene: &scene, rounding, floor, largest, of_faces: bounds, searched: 0 };
+    let mut maxima = Maxima {
+        scene: &scene,
+        vertices: &vertices,
+        rounding,
+        floor,
+        largest,
+        of_faces: bounds,
+        searched: 0,
+    };
     know_farthest(&mut maxima, &distance);
     let mut report_progress = |searched: u64, left: usize| {
         if progress(looks + searched, left) == ControlFlow::Break(()) {

@@ -81,13 +81,14 @@ impl<'f> Faces<'f> {
             let known = before.map(|(portion, bounds)| (portion, portion.places(i), bounds[face as usize]));
             let mut keep = known.clone();
             let mut sums = Moments::default();
-            let mut signed = None;
+            let mut of_face = FaceBounds::unknown([0.0; 3], Slot::default(), self.largest);
             if known.is_none() || wanted(i) {
                 let from = self.cut_face(&mut cutter, face, criterion, most, |entry| {
                     recorded.push(sums.include(&entry));
                     entries.push(&entry);
                 });
-                signed = self.signed(&cutter, face, &from, &sums, &mut recorded);
+                let signed = self.signed(&cutter, face, &from, &sums, &mut recorded);
+                of_face = FaceBounds { signed, ..self.bounds(&cutter, &sums, &from) };
                 // What limits have cut short may be wider than what was known.
                 let is_narrower = |(portion, places, _): &(&Portion, Range<usize>, FaceBounds)| {
                     let excess = |entries: &Entries, places| criterion.excess(entries.range(places));
@@ -101,7 +102,7 @@ impl<'f> Faces<'f> {
                 entries.extend_from(&portion.entries, places);
                 bounds.push(known);
             } else {
-                bounds.push(FaceBounds { signed, ..FaceBounds::new(&cutter, &sums, self.largest) });
+                bounds.push(of_face);
             }
             moments = moments.plus(sums);
             starts.push(entries.len() as u32);
@@ -137,13 +138,8 @@ impl<'f> Faces<'f> {
                 }
                 entries.push(entry);
             });
-            let mut of_face = FaceBounds::new(&cutter, &sums, self.largest);
-            of_face.signed = self.signed(&cutter, face, &start, &sums, &mut recorded);
-            for i in 0..3 {
-                let lower = start.distances[i] - self.rounding.bound(0);
-                of_face.max.know_point(lower, start.corners[i], start.near[i]);
-            }
-            bounds.push(of_face);
+            let signed = self.signed(&cutter, face, &start, &sums, &mut recorded);
+            bounds.push(FaceBounds { signed, ..self.bounds(&cutter, &sums, &start) });
             moments = moments.plus(sums);
         }
         grids.add(&entries);
@@ -170,6 +166,16 @@ impl<'f> Faces<'f> {
         from
     }
 
+    /// What is known of the face that was cut last, by its pieces and its corners.
+    fn bounds(&self, cutter: &Cutter<'_>, sums: &Moments, start: &Start) -> FaceBounds {
+        let mut bounds = FaceBounds::new(cutter, sums, self.largest);
+        for i in 0..3 {
+            let lower = start.distances[i] - self.rounding.bound(0);
+            bounds.max.know_point(lower, start.corners[i], start.near[i]);
+        }
+        bounds
+    }
+
     /// Signed distances of the face that was cut last, of whose entries integrals are recorded.
     fn signed(
         &self,
@@ -186,12 +192,14 @@ impl<'f> Faces<'f> {
     }
 
     /// A cutter that no task uses.
-    fn idle_cutter(&self) -> (Cutter<'f>, Entries) {
+    pub(super) fn idle_cutter(&self) -> (Cutter<'f>, Entries) {
         let idle = self.idle.lock().map_or(None, |mut idle| idle.pop());
-        idle.unwrap_or_else(|| (self.cutter(true), Entries::new(self.packed)))
+        let (mut cutter, entries) = idle.unwrap_or_else(|| (self.cutter(true), Entries::new(self.packed)));
+        cutter.begin_task();
+        (cutter, entries)
     }
 
-    fn leave(&self, cutter: Cutter<'f>, mut entries: Entries) {
+    pub(super) fn leave(&self, cutter: Cutter<'f>, mut entries: Entries) {
         entries.truncate(0);
         if let Ok(mut idle) = self.idle.lock() {
             idle.push((cutter, entries));

@@ -15,6 +15,8 @@ pub(crate) struct Start {
     pub(crate) depth: u32,
     /// A face of B that may be near that point.
     pub(crate) near: Slot,
+    /// The computed distances of its corners, each with a face of B that is so far away.
+    pub(crate) corners: [(f64, Slot); 3],
 }
 
 /// The largest distance on a face, from below and from above, rounding included, and the point where it was met.
@@ -40,8 +42,12 @@ impl Worker<'_> {
     fn search_face(&mut self, start: &Start) -> Local {
         self.begin_again();
         let corners = self.scene.corners(start.face);
-        let points = [start.point].into_iter().chain(corners).map(|p| (start.face, p));
-        self.sample(points, start.near);
+        for (point, (distance, near)) in corners.into_iter().zip(start.corners) {
+            self.know(start.face, point, distance, near);
+        }
+        if !corners.contains(&start.point) {
+            self.sample([(start.face, start.point)].into_iter(), start.near);
+        }
         self.sweep_face(start.face, &corners, start.near);
         let mut upper = 0.0;
         let pieces = std::mem::take(&mut self.out.open);

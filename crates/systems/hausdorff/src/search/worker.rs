@@ -144,10 +144,14 @@ impl<'s> Worker<'s> {
     }
 
     pub(super) fn raise(&mut self, face: u32, point: [f64; 3], nearest: Nearest) {
-        let distance = nearest.distance_sq.sqrt();
+        self.know(face, point, nearest.distance_sq.sqrt(), nearest.slot);
+    }
+
+    /// Raises the lower bound by a point of A whose distance is known.
+    pub(super) fn know(&mut self, face: u32, point: [f64; 3], distance: f64, nearest: Slot) {
         if distance > self.lower {
             self.lower = distance;
-            self.out.found = Some(Found { distance, point, face, nearest: nearest.slot });
+            self.out.found = Some(Found { distance, point, face, nearest });
         }
     }
 

@@ -65,17 +65,18 @@ fn leaves_meeting(
                 meets[l] &= u64::from(!apart);
             }
         }
-        for (lane, (child, meets)) in node.child.iter().zip(meets).enumerate() {
-            if meets == 0 {
+        for (lane, child) in node.child.iter().enumerate() {
+            if meets[lane] == 0 {
                 continue;
             }
             if child & LEAF == 0 {
                 stack.push(*child);
             } else {
-                let aabb = Aabb {
-                    lower: [0, 1, 2].map(|k| node.lower[k][lane]),
-                    upper: [0, 1, 2].map(|k| node.upper[k][lane]),
-                };
+                // Without closures, which are not compiled for the instruction set of this function.
+                let mut aabb = Aabb::EMPTY;
+                for k in 0..3 {
+                    (aabb.lower[k], aabb.upper[k]) = (node.lower[k][lane], node.upper[k][lane]);
+                }
                 leaves.push((Leaf(child & !LEAF), aabb));
             }
         }

@@ -156,9 +156,9 @@ fn collect(
         workspace.distances += LANES as u64;
         let block = entry & !LEAF;
         let distances = block_distances_sq(p, &bvh.blocks[block as usize]);
-        let mut hits = u64::from_le_bytes(distances.map(|d| u8::from(d <= most)));
+        let mut hits = lanes_below(&distances, most.next_up());
         while hits != 0 {
-            let lane = (hits.trailing_zeros() / 8) as usize;
+            let lane = hits.trailing_zeros() as usize;
             hits &= hits - 1;
             let slot = Slot(block * LANES as u32 + lane as u32);
             // Lanes without a triangle repeat one.
@@ -194,14 +194,19 @@ fn descend(bvh: &Bvh, p: [f64; 3], workspace: &mut Workspace) -> Slot {
 pub(super) fn improve(bvh: &Bvh, p: [f64; 3], block: u32, best: &mut Nearest) -> bool {
     let distances = block_distances_sq(p, &bvh.blocks[block as usize]);
     // First the minimum alone: most blocks hold nothing nearer, and need no search for the lane.
-    let lesser = |x: f64, y: f64| if x < y { x } else { y };
-    let half: [f64; LANES / 2] = std::array::from_fn(|l| lesser(distances[l], distances[l + LANES / 2]));
+    let mut half = [0.0; LANES / 2];
+    for l in 0..LANES / 2 {
+        half[l] = lesser(distances[l], distances[l + LANES / 2]);
+    }
     let least = lesser(lesser(half[0], half[2]), lesser(half[1], half[3]));
     let improves = least < best.distance_sq;
     if !improves {
         return false;
     }
-    let lane = distances.iter().position(|d| *d == least).unwrap_or(0);
+    let mut lane = 0;
+    while lane < LANES - 1 && distances[lane] != least {
+        lane += 1;
+    }
     *best = Nearest { slot: Slot(block * LANES as u32 + lane as u32), distance_sq: least };
     true
 }
@@ -215,13 +220,13 @@ pub(super) fn improve(bvh: &Bvh, p: [f64; 3], block: u32, best: &mut Nearest) ->
 pub(super) fn push_children(bvh: &Bvh, p: [f64; 3], node: u32, limit: f64, stack: &mut Stack) {
     let node = &bvh.nodes[node as usize];
     let distances = box_distances_sq(p, node);
-    // One byte for each child, so that the loop below runs once per hit instead of branching at each child.
-    let mut hits = u64::from_le_bytes(distances.map(|d| u8::from(d < limit)));
+    // So that the loop below runs once per hit instead of branching at each child.
+    let mut hits = lanes_below(&distances, limit);
     let room = stack.room();
     let mut count = 0;
     let mut nearest = (f64::INFINITY, 0);
     while hits != 0 {
-        let lane = (hits.trailing_zeros() / 8) as usize;
+        let lane = hits.trailing_zeros() as usize;
         hits &= hits - 1;
         let child = (distances[lane], node.child[lane]);
         let closer = child.0 < nearest.0;
@@ -235,6 +240,25 @@ pub(super) fn push_children(bvh: &Bvh, p: [f64; 3], node: u32, limit: f64, stack
         room[(count - 1) % LANES] = nearest;
     }
     stack.len += count;
+}
+
+// Here and below without closures, which are not compiled for the instruction set of the caller.
+
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "compiled once per instruction set of its caller")]
+fn lesser(x: f64, y: f64) -> f64 {
+    if x < y { x } else { y }
+}
+
+/// A bit for each lane with less than a limit.
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "compiled once per instruction set of its caller")]
+fn lanes_below(distances: &[f64; LANES], limit: f64) -> u32 {
+    let mut bits = 0;
+    for l in 0..LANES {
+        bits |= u32::from(distances[l] < limit) << l;
+    }
+    bits
 }
 
 /// Squared distances to the boxes of the children; infinite where there is no child.

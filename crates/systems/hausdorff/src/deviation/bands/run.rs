@@ -2,9 +2,7 @@
 
 use super::super::area;
 use super::super::connected::{Sets, Touching};
-use super::super::face::Cutter;
 use super::super::linear::{greater, lesser};
-use super::super::packed::Entries;
 use super::super::report::{Deviation, DirectedDeviation};
 use super::super::statistics::share_of;
 use super::super::task::Faces;
@@ -228,9 +226,7 @@ impl Question<'_> {
         for round in to_cut.chunks(TASK * TASKS_PER_ROUND) {
             let of_task = |task: &[u32]| {
                 let faces = cutting.faces;
-                let idle = faces.idle.lock().map_or(None, |mut idle| idle.pop());
-                let (mut cutter, entries): (Cutter<'_>, _) =
-                    idle.unwrap_or_else(|| (faces.cutter(true), Entries::new(faces.packed)));
+                let (mut cutter, entries) = faces.idle_cutter();
                 let mut sum = Tally::new(cutting.bands);
                 for &face in task {
                     let (reach, sign) = (&reaches[face as usize], signs[face as usize]);
@@ -242,9 +238,7 @@ impl Question<'_> {
                         sum.add(&cutting.face(&mut cutter, face, reach, sign));
                     }
                 }
-                if let Ok(mut idle) = faces.idle.lock() {
-                    idle.push((cutter, entries));
-                }
+                faces.leave(cutter, entries);
                 sum
             };
             let made: Vec<Tally> = round.par_chunks(TASK).with_max_len(1).map(of_task).collect();

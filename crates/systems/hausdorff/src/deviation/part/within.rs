@@ -150,9 +150,10 @@ impl Comparison<'_> {
         for round in open.chunks(FACES_OF_TASK * TASKS_PER_ROUND) {
             let of_task = |faces: &[u32]| {
                 let start = |face: &u32| {
-                    let first = mesh.faces()[*face as usize][0] as usize;
-                    let point = frame.map(mesh.positions()[first]);
-                    Start { face: *face, point, depth: 0, near: vertices.near[first] }
+                    let vertices_of_face = mesh.faces()[*face as usize];
+                    let point = frame.map(mesh.positions()[vertices_of_face[0] as usize]);
+                    let corners = vertices.of_corners(vertices_of_face);
+                    Start { face: *face, point, depth: 0, near: corners[0].1, corners }
                 };
                 search_each(&scene, limits, &faces.iter().map(start).collect::<Vec<_>>())
             };
