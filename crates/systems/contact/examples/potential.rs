@@ -8,8 +8,7 @@
 #![allow(clippy::print_stdout, reason = "its output is read by the comparison")]
 
 use glam::DVec3;
-use pompeiu_contact::barrier::{barrier, cross_squared};
-use pompeiu_contact::distance::Closest;
+use pompeiu_contact::barrier::cross_squared;
 use pompeiu_contact::{Bodies, Check, ContactOptions, Material, PairSet, Projection, Simulation};
 use std::time::Instant;
 
@@ -65,14 +64,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     for pair in &pairs {
         let at = pair.vertices.map(|i| x[i as usize]);
         mollified += usize::from(pair.mollified > 0.0 && cross_squared(&at).0 < pair.mollified);
-        let closest = Closest::of(pair.kind, &at);
-        let [_, first, second] = barrier(closest.distance_sq(), d_hat * d_hat);
-        let (slope, hessian) = (closest.gradient(), closest.hessian(&at));
-        let along: f64 = (0..4).map(|k| slope[k].dot(v[pair.vertices[k] as usize])).sum();
+        let hessian = pair.second_derivatives(&x, d_hat);
         for i in 0..12 {
             let row: f64 = (0..12).map(|j| hessian[i][j] * v[pair.vertices[j / 3] as usize][j % 3]).sum();
-            product[pair.vertices[i / 3] as usize][i % 3] +=
-                second * slope[i / 3][i % 3] * along + first * row;
+            product[pair.vertices[i / 3] as usize][i % 3] += row;
         }
     }
     println!("{} {mollified} {free}", pairs.len());

@@ -17,10 +17,14 @@ pub fn barrier(s: f64, s_hat: f64) -> [f64; 3] {
 /// Below this part of `|e₁|² |e₂|²` of the rest edges, `|e₁ × e₂|²` is mollified.
 pub const MOLLIFIED: f64 = 1e-3;
 
-/// The mollifier `m(c) = c/ε (2 − c/ε)` for `c < ε`, one beyond, with its derivative.
-pub fn mollifier(c: f64, epsilon: f64) -> [f64; 2] {
+/// The mollifier `m(c) = c/ε (2 − c/ε)` for `c < ε`, one beyond, with its first and second derivative.
+pub fn mollifier(c: f64, epsilon: f64) -> [f64; 3] {
     let ratio = c / epsilon;
-    if ratio < 1.0 { [ratio * (2.0 - ratio), 2.0 * (1.0 - ratio) / epsilon] } else { [1.0, 0.0] }
+    if ratio < 1.0 {
+        [ratio * (2.0 - ratio), 2.0 * (1.0 - ratio) / epsilon, -2.0 / (epsilon * epsilon)]
+    } else {
+        [1.0, 0.0, 0.0]
+    }
 }
 
 /// `|u × v|²` of the edges of points 0, 1 and 2, 3, and its gradient.
@@ -29,6 +33,29 @@ pub fn cross_squared(x: &[DVec3; 4]) -> (f64, [DVec3; 4]) {
     let n = u.cross(v);
     let (by_u, by_v) = (v.cross(n) * 2.0, n.cross(u) * 2.0);
     (n.length_squared(), [-by_u, by_u, -by_v, by_v])
+}
+
+/// The second derivatives of `|u × v|² = |u|² |v|² − (u·v)²`, three rows for each point.
+pub fn cross_squared_hessian(x: &[DVec3; 4]) -> [[f64; 12]; 12] {
+    let (u, v) = (x[1] - x[0], x[3] - x[2]);
+    let (uu, uv, vv) = (u.length_squared(), u.dot(v), v.length_squared());
+    let entry = |p: usize, q: usize, i: usize, j: usize| {
+        let same = if i == j { 1.0 } else { 0.0 };
+        match (p, q) {
+            (0, 0) => 2.0 * (vv * same - v[i] * v[j]),
+            (1, 1) => 2.0 * (uu * same - u[i] * u[j]),
+            (0, 1) => 2.0 * (2.0 * u[i] * v[j] - v[i] * u[j] - uv * same),
+            _ => 2.0 * (2.0 * v[i] * u[j] - u[i] * v[j] - uv * same),
+        }
+    };
+    // Points 0 and 2 are the ends that edges begin at.
+    let sign = |point: usize| if point.is_multiple_of(2) { -1.0 } else { 1.0 };
+    std::array::from_fn(|i| {
+        std::array::from_fn(|j| {
+            let (p, q) = (i / 3, j / 3);
+            sign(p) * sign(q) * entry(p / 2, q / 2, i % 3, j % 3)
+        })
+    })
 }
 
 /// Smooth friction: the potential `f₀` of a sliding distance y, `f₀' / y` and `f₀''`, with `ε` the distance at which it slides.
@@ -61,6 +88,8 @@ mod tests {
             assert!(((high[1] - low[1]) / (2.0 * h) / second - 1.0).abs() < 1e-6);
             let slope = (mollifier(s + h, 1.0)[0] - mollifier(s - h, 1.0)[0]) / (2.0 * h);
             assert!((slope - mollifier(s, 1.0)[1]).abs() < 1e-8);
+            let bend = (mollifier(s + h, 1.0)[1] - mollifier(s - h, 1.0)[1]) / (2.0 * h);
+            assert!((bend - mollifier(s, 1.0)[2]).abs() < 1e-8);
             let (low, high) = (friction(s - h, 1.0), friction(s + h, 1.0));
             assert!(((high[0] - low[0]) / (2.0 * h) - s * friction(s, 1.0)[1]).abs() < 1e-8);
             assert!((((s + h) * high[1] - (s - h) * low[1]) / (2.0 * h) - friction(s, 1.0)[2]).abs() < 1e-8);

@@ -6,15 +6,20 @@
 //! is `s` times the first one.
 //!
 //! # Accuracy
-//! The time is never later than the first contact: each step is shorter than the bound by a part of it that is far above rounding.
+//! The time is never later than the first contact, also as positions are rounded: each step is shorter than the bound by a tenth, and by
+//! [`ROUNDING`] of the coordinates for the rounding of distances and of the positions that a step leads to. It may therefore be 0 for pairs that are as
+//! close as their coordinates are rounded. Triangles are assumed whose least angle is above 1e-7: thinner ones have distances with fewer digits.
 //! # Source
 //! `li_codimensional_2021`.
 
-use crate::distance::{Closest, Kind};
+use crate::distance::{Kind, distance_sq};
 use glam::DVec3;
 
 /// The part s of the first distance that is left at the time that is returned.
 const LEFT: f64 = 0.1;
+
+/// The error of distances and positions, in parts of the greatest coordinate: some 20 roundings of 1.1e-16 each, and their squares.
+pub const ROUNDING: f64 = 4e-15;
 
 /// Steps at most; the time reached by then is returned.
 const MOST_STEPS: usize = 10_000;
@@ -44,21 +49,31 @@ pub(crate) fn time_of_impact_before(
     for p in &mut moved[..used] {
         *p -= mean;
     }
-    let greatest = |part: &[DVec3]| part.iter().map(|p| p.length()).fold(0.0, f64::max);
+    let greatest = |part: &[DVec3]| part.iter().map(|p| p.length_squared()).fold(0.0, f64::max).sqrt();
     let speed = greatest(&moved[..first]) + greatest(&moved[first..used]);
-    let start = Closest::of(kind, x).distance_sq().sqrt();
-    if speed <= 0.0 || start > speed {
+    let start = distance_sq(kind, x).sqrt();
+    let reach = x[..used].iter().zip(p).map(|(x, p)| (x.abs() + p.abs()).max_element()).fold(0.0, f64::max);
+    let rounding = ROUNDING * reach;
+    let free = |distance: f64| (1.0 - LEFT) * (distance - rounding) / speed;
+    if speed <= 0.0 || start - rounding > speed {
         return None;
     }
     let least = LEFT * start;
-    let (mut time, mut step) = (0.0, (1.0 - LEFT) * start / speed);
+    let (mut time, mut step) = (0.0, free(start));
+    // Whatever time is found is not before the end of the first step.
+    if step >= limit() {
+        return None;
+    }
     for _ in 0..MOST_STEPS {
+        if step <= 0.0 {
+            return Some(time);
+        }
         let next = time + step;
         if next >= 1.0 {
             return None;
         }
         let at: [DVec3; 4] = std::array::from_fn(|i| x[i] + moved[i] * next);
-        let distance = Closest::of(kind, &at).distance_sq().sqrt();
+        let distance = distance_sq(kind, &at).sqrt();
         if distance < least {
             return Some(if time > 0.0 { time } else { step });
         }
@@ -66,7 +81,7 @@ pub(crate) fn time_of_impact_before(
         if time >= limit() {
             return None;
         }
-        step = (1.0 - LEFT) * distance / speed;
+        step = free(distance);
     }
     Some(time)
 }

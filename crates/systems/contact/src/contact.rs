@@ -1,8 +1,8 @@
 //! Barriers of pairs: energies, gradients, positive semi-definite second derivatives, lagged friction.
 
 use crate::barrier::{MOLLIFIED, barrier, cross_squared, friction, mollifier};
-use crate::dense::project;
-use crate::distance::{Closest, Kind};
+use crate::curvature::{Curvature, Parts};
+use crate::distance::{Closest, Kind, distance_sq};
 use crate::surface::{Candidates, Surface};
 use crate::{Obstacle, Projection};
 use glam::DVec3;
@@ -26,12 +26,13 @@ impl Contact {
         self.vertices.map(|v| x[v as usize])
     }
 
-    fn mollifier(&self, x: &[DVec3; 4]) -> ([f64; 2], [DVec3; 4]) {
+    /// The mollifier with its derivatives by `|u × v|²`, and the gradient of that.
+    fn mollifier(&self, x: &[DVec3; 4]) -> ([f64; 3], [DVec3; 4]) {
         if self.mollified > 0.0 {
             let (c, gradient) = cross_squared(x);
             (mollifier(c, self.mollified), gradient)
         } else {
-            ([1.0, 0.0], [DVec3::ZERO; 4])
+            ([1.0, 0.0, 0.0], [DVec3::ZERO; 4])
         }
     }
 
@@ -43,95 +44,45 @@ impl Contact {
     /// `w m b(d²)`, without κ.
     pub fn energy(&self, x: &[DVec3], d_hat: f64) -> f64 {
         let x = self.points(x);
-        let [b, ..] = barrier(Closest::of(self.kind, &x).distance_sq(), d_hat * d_hat);
-        let ([m, _], _) = self.mollifier(&x);
+        let [b, ..] = barrier(distance_sq(self.kind, &x), d_hat * d_hat);
+        let ([m, ..], _) = self.mollifier(&x);
         self.weight * m * b
     }
 
     /// Its gradient by the four points, and a positive semi-definite part of its second derivatives.
+    ///
+    /// [`Projection::Normal`] leaves the mollifier of nearly parallel edges out of the second derivatives.
     pub fn derivatives(&self, x: &[DVec3], d_hat: f64, projection: Projection) -> ([DVec3; 4], Curvature) {
         let x = self.points(x);
         let closest = Closest::of(self.kind, &x);
         let s = closest.distance_sq();
-        let [b, first, second] = barrier(s, d_hat * d_hat);
-        let ([m, slope], by) = self.mollifier(&x);
+        let barrier @ [b, first, second] = barrier(s, d_hat * d_hat);
+        let (mollifier @ [m, slope, _], by) = self.mollifier(&x);
         let of_distance = closest.gradient();
         let weight = self.weight;
         let gradient = std::array::from_fn(|i| (of_distance[i] * (m * first) + by[i] * (slope * b)) * weight);
-        let mut normal = [0.0; 12];
-        for (k, g) in of_distance.iter().enumerate() {
-            normal[3 * k..3 * k + 3].copy_from_slice(&g.to_array());
-        }
         let curvature = match projection {
             Projection::Normal => {
+                let normal = std::array::from_fn(|i| of_distance[i / 3][i % 3]);
                 let factor = weight * m * (second + first / (2.0 * s));
                 Curvature::Rank1(if factor > 0.0 { factor } else { 0.0 }, normal)
             }
             Projection::Exact => {
-                let hessian = closest.hessian(&x);
-                let (ours, theirs) = (weight * m * second, weight * m * first);
-                let full = std::array::from_fn(|i| {
-                    std::array::from_fn(|j| ours * normal[i] * normal[j] + theirs * hessian[i][j])
-                });
-                Curvature::Full(Box::new(projected(&full, &basis(&closest))))
+                let scaled = |values: [f64; 3]| values.map(|value| value * weight);
+                let parts = Parts { closest: &closest, x: &x, barrier: scaled(barrier), mollifier };
+                Curvature::Full(Box::new(parts.positive()))
             }
         };
         (gradient, curvature)
     }
-}
 
-/// Second derivatives of a pair, three rows for each of four points.
-#[derive(Clone, Debug)]
-pub enum Curvature {
-    /// A factor times the square of a vector.
-    Rank1(f64, [f64; 12]),
-    /// All entries.
-    Full(Box<[[f64; 12]; 12]>),
-}
-
-/// The five vectors in whose span the second derivatives of a barrier lie: w ⊗ n, w ⊗ t₁, w ⊗ t₂, w₁ ⊗ n, w₂ ⊗ n; orthonormal, zero
-/// where they depend on those before.
-fn basis(closest: &Closest) -> [[f64; 12]; 5] {
-    let n = closest.vector.normalize_or_zero();
-    let (t1, t2) = n.try_normalize().map_or((DVec3::X, DVec3::Y), |n| n.any_orthonormal_pair());
-    let outer =
-        |weights: &[f64; 4], v: DVec3| -> [f64; 12] { std::array::from_fn(|i| weights[i / 3] * v[i % 3]) };
-    let [d1, d2] = &closest.derivatives;
-    let w = &closest.weights;
-    let mut vectors = [outer(w, n), outer(w, t1), outer(w, t2), outer(d1, n), outer(d2, n)];
-    for k in 0..5 {
-        let length = |v: &[f64; 12]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
-        let before = length(&vectors[k]);
-        for _ in 0..2 {
-            for i in 0..k {
-                let earlier = vectors[i];
-                let part: f64 = earlier.iter().zip(&vectors[k]).map(|(a, b)| a * b).sum();
-                for (v, e) in vectors[k].iter_mut().zip(earlier) {
-                    *v -= part * e;
-                }
-            }
-        }
-        let left = length(&vectors[k]);
-        let factor = if left > 1e-12 * before { 1.0 / left } else { 0.0 };
-        for v in &mut vectors[k] {
-            *v *= factor;
-        }
+    /// All its second derivatives by the four points, which may have negative eigenvalues.
+    pub fn second_derivatives(&self, x: &[DVec3], d_hat: f64) -> [[f64; 12]; 12] {
+        let x = self.points(x);
+        let closest = Closest::of(self.kind, &x);
+        let barrier = barrier(closest.distance_sq(), d_hat * d_hat).map(|value| value * self.weight);
+        Parts { closest: &closest, x: &x, barrier, mollifier: self.mollifier(&x).0 }.full()
     }
-    vectors
-}
-
-/// The nearest positive semi-definite matrix to one that lies in the span of five vectors.
-fn projected(full: &[[f64; 12]; 12], basis: &[[f64; 12]; 5]) -> [[f64; 12]; 12] {
-    let image: [[f64; 12]; 5] =
-        basis.map(|q| std::array::from_fn(|i| full[i].iter().zip(q).map(|(a, b)| a * b).sum()));
-    let mut small: [[f64; 5]; 5] = std::array::from_fn(|a| {
-        std::array::from_fn(|b| image[a].iter().zip(basis[b]).map(|(x, y)| x * y).sum())
-    });
-    project(&mut small);
-    let half: [[f64; 5]; 12] = std::array::from_fn(|i| {
-        std::array::from_fn(|b| (0..5).map(|a| basis[a][i] * small[a][b]).sum::<f64>())
-    });
-    std::array::from_fn(|i| std::array::from_fn(|j| (0..5).map(|b| half[i][b] * basis[b][j]).sum()))
 }
 
 /// The pairs of candidates that are closer than `d_hat`: with weights of edges, by inclusion and exclusion; all without.
@@ -143,9 +94,8 @@ pub(crate) fn active(
     d_hat: f64,
     edge_weights: Option<&[f64]>,
 ) -> Vec<Contact> {
-    let is_close = |kind: Kind, vertices: &[u32; 4]| {
-        Closest::of(kind, &vertices.map(|v| x[v as usize])).distance_sq() < d_hat * d_hat
-    };
+    let is_close =
+        |kind: Kind, vertices: &[u32; 4]| distance_sq(kind, &vertices.map(|v| x[v as usize])) < d_hat * d_hat;
     let faces: Vec<Contact> = candidates
         .point_face
         .par_iter()
@@ -261,7 +211,7 @@ impl Slide {
         let points = contact.points(x);
         let closest = Closest::of(contact.kind, &points);
         let d = closest.distance_sq().sqrt();
-        let ([m, _], _) = contact.mollifier(&points);
+        let ([m, ..], _) = contact.mollifier(&points);
         let normal = -2.0 * d * barrier(d * d, d_hat * d_hat)[1] * stiffness * m * contact.weight;
         Self::new(contact.vertices, closest.weights, closest.vector / d, coefficient * normal)
     }

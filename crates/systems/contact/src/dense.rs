@@ -1,5 +1,8 @@
 //! Small symmetric matrices: positive semi-definite parts by Jacobi's method.
 
+/// The square of the part that rounding has of a matrix.
+const NEGLIGIBLE: f64 = 1e-31;
+
 /// Sweeps of Jacobi's method at most; it converges quadratically.
 const SWEEPS: usize = 30;
 
@@ -52,32 +55,39 @@ pub(crate) fn eigen<const N: usize>(mut a: [[f64; N]; N]) -> ([f64; N], [[f64; N
         let square = |i: usize, j: usize| a[i][j] * a[i][j];
         let off: f64 = (0..N).map(|i| (0..i).map(|j| square(i, j)).sum::<f64>()).sum();
         let diagonal: f64 = (0..N).map(|i| square(i, i)).sum();
-        if off <= 1e-34 * diagonal {
+        if off <= NEGLIGIBLE * diagonal {
             break;
         }
         for p in 0..N {
             for q in p + 1..N {
-                if a[p][q] == 0.0 {
-                    continue;
-                }
-                let theta = (a[q][q] - a[p][p]) / (2.0 * a[p][q]);
-                let t = theta.signum() / (theta.abs() + (theta * theta + 1.0).sqrt());
-                let c = 1.0 / (t * t + 1.0).sqrt();
-                let s = t * c;
-                for k in 0..N {
-                    let (x, y) = (a[k][p], a[k][q]);
-                    (a[k][p], a[k][q]) = (c * x - s * y, s * x + c * y);
-                }
-                for k in 0..N {
-                    let (x, y) = (a[p][k], a[q][k]);
-                    (a[p][k], a[q][k]) = (c * x - s * y, s * x + c * y);
-                    let (x, y) = (v[k][p], v[k][q]);
-                    (v[k][p], v[k][q]) = (c * x - s * y, s * x + c * y);
+                if a[p][q] != 0.0 {
+                    rotate(&mut a, &mut v, p, q);
                 }
             }
         }
     }
     (std::array::from_fn(|i| a[i][i]), v)
+}
+
+/// Makes the entries at p, q and q, p zero.
+fn rotate<const N: usize>(a: &mut [[f64; N]; N], v: &mut [[f64; N]; N], p: usize, q: usize) {
+    let across = a[p][q];
+    let theta = (a[q][q] - a[p][p]) / (2.0 * across);
+    let t = theta.signum() / (theta.abs() + (theta * theta + 1.0).sqrt());
+    let c = 1.0 / (t * t + 1.0).sqrt();
+    let s = t * c;
+    a[p][p] -= t * across;
+    a[q][q] += t * across;
+    (a[p][q], a[q][p]) = (0.0, 0.0);
+    for k in 0..N {
+        if k != p && k != q {
+            let (x, y) = (a[k][p], a[k][q]);
+            (a[k][p], a[k][q]) = (c * x - s * y, s * x + c * y);
+            (a[p][k], a[q][k]) = (a[k][p], a[k][q]);
+        }
+        let (x, y) = (v[k][p], v[k][q]);
+        (v[k][p], v[k][q]) = (c * x - s * y, s * x + c * y);
+    }
 }
 
 #[cfg(test)]

@@ -46,6 +46,7 @@ mod bodies;
 mod boxes;
 pub mod ccd;
 mod contact;
+mod curvature;
 mod dense;
 pub mod distance;
 mod elastic;
@@ -53,6 +54,7 @@ mod error;
 mod objective;
 mod options;
 mod potential;
+mod precise;
 mod report;
 #[cfg(feature = "serde")]
 pub mod request;
@@ -64,7 +66,8 @@ mod surface;
 mod tetrahedron;
 
 pub use bodies::{Bodies, Handle, HandleMotion, Material, Obstacle};
-pub use contact::{Contact, Curvature};
+pub use contact::Contact;
+pub use curvature::Curvature;
 pub use distance::Kind;
 pub use error::ContactError;
 pub use options::{Check, ContactOptions, Integrator, PairSet, Projection};

@@ -1,6 +1,7 @@
 //! What a step minimises: its energy, its gradient, and a positive semi-definite approximation of its second derivatives.
 
-use crate::contact::{Contact, Curvature, Slide, Support};
+use crate::contact::{Contact, Slide, Support};
+use crate::curvature::Curvature;
 use crate::surface::Candidates;
 use crate::{Bodies, ContactError, Simulation};
 use glam::DVec3;

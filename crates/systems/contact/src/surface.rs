@@ -1,6 +1,6 @@
 //! Points, edges and faces of all surfaces, and which of them may meet.
 
-use crate::boxes::{Box3, BoxTree};
+use crate::boxes::{Box3, BoxFrame, BoxTree};
 use crate::distance::Kind;
 use glam::DVec3;
 use rayon::prelude::*;
@@ -11,6 +11,9 @@ const BENT: f64 = 0.2;
 
 /// How much an edge between faces in one plane counts.
 const LEAST_WEIGHT: f64 = 1e-3;
+
+/// Points or edges that are looked at by one task.
+const SHARE: usize = 512;
 
 /// What all surfaces are made of.
 #[derive(Debug)]
@@ -26,13 +29,22 @@ pub(crate) struct Surface {
     pub(crate) vertex_edges: Vec<Vec<u32>>,
 }
 
-/// Pairs that may come close: of points and faces, and of edges, in order.
+/// Pairs that may come close: of points and faces, point by point, and of edges; in an order that does not depend on threads.
 #[derive(Debug, Default)]
 pub(crate) struct Candidates {
     /// Vertex and face.
     pub(crate) point_face: Vec<(u32, u32)>,
     /// Two edges, the lesser index first.
     pub(crate) edge_edge: Vec<(u32, u32)>,
+}
+
+/// Lists one after the other.
+fn joined(lists: Vec<Vec<(u32, u32)>>) -> Vec<(u32, u32)> {
+    let mut all = Vec::with_capacity(lists.iter().map(Vec::len).sum());
+    for list in lists {
+        all.extend(list);
+    }
+    all
 }
 
 impl Surface {
@@ -77,59 +89,56 @@ impl Surface {
 
     /// Pairs whose boxes meet on the way from x to x + p, grown by a distance. Without p: as they are.
     pub(crate) fn candidates(&self, x: &[DVec3], p: Option<&[DVec3]>, distance: f64) -> Candidates {
+        let frame = BoxFrame::of(x);
         let bounds = |vertices: &[u32]| {
             let from = vertices.iter().map(|&v| x[v as usize]);
             let to = vertices.iter().filter_map(|&v| p.map(|p| x[v as usize] + p[v as usize]));
-            Box3::of(from.chain(to)).grown(0.5 * distance)
+            frame.around(from.chain(to), 0.5 * distance)
         };
-        let is_fixed = |vertices: &[u32]| vertices.iter().all(|&v| self.is_fixed[v as usize]);
-        let faces = BoxTree::new(self.faces.par_iter().map(|face| bounds(face)).collect());
-        let edge_boxes: Vec<Box3> = self.edges.par_iter().map(|edge| bounds(edge)).collect();
-        let edges = BoxTree::new(edge_boxes.clone());
-        let gather = |found: &mut Vec<(u32, u32)>, mut of_one: Vec<(u32, u32)>| {
-            of_one.sort_unstable();
-            found.append(&mut of_one);
-        };
-        let lists: Vec<Vec<(u32, u32)>> = self
-            .points
-            .par_iter()
-            .map(|&v| {
-                let mut found = Vec::new();
-                let alone = is_fixed(&[v]);
-                faces.query(&bounds(&[v]), |face| {
+        Candidates { point_face: self.points_and_faces(bounds), edge_edge: self.edges_and_edges(bounds) }
+    }
+
+    fn is_still(&self, vertices: &[u32]) -> bool {
+        vertices.iter().all(|&v| self.is_fixed[v as usize])
+    }
+
+    fn points_and_faces(&self, bounds: impl Fn(&[u32]) -> Box3 + Sync) -> Vec<(u32, u32)> {
+        let boxes: Vec<Box3> = self.faces.par_iter().map(|face| bounds(face)).collect();
+        let tree = BoxTree::new(&boxes);
+        let of_some = |points: &[u32]| {
+            let mut found = Vec::new();
+            for &v in points {
+                let is_still = self.is_still(&[v]);
+                tree.query(&bounds(&[v]), |face| {
                     let corners = &self.faces[face as usize];
-                    let is_still = alone && is_fixed(corners);
-                    if !is_still && !corners.contains(&v) {
+                    let stays = is_still && self.is_still(corners);
+                    if !stays && !corners.contains(&v) {
                         found.push((v, face));
                     }
                 });
-                found
-            })
-            .collect();
-        let mut candidates = Candidates::default();
-        for list in lists {
-            gather(&mut candidates.point_face, list);
-        }
-        let lists: Vec<Vec<(u32, u32)>> = (0..self.edges.len() as u32)
-            .into_par_iter()
-            .map(|edge| {
-                let mut found = Vec::new();
-                let [a, b] = self.edges[edge as usize];
-                let alone = is_fixed(&[a, b]);
-                edges.query(&edge_boxes[edge as usize], |other| {
-                    let ends = &self.edges[other as usize];
-                    let is_still = alone && is_fixed(ends);
-                    if other > edge && !is_still && !ends.contains(&a) && !ends.contains(&b) {
-                        found.push((edge, other));
+            }
+            found
+        };
+        joined(self.points.par_chunks(SHARE).map(of_some).collect())
+    }
+
+    fn edges_and_edges(&self, bounds: impl Fn(&[u32]) -> Box3 + Sync) -> Vec<(u32, u32)> {
+        let boxes: Vec<Box3> = self.edges.par_iter().map(|edge| bounds(edge)).collect();
+        let tree = BoxTree::new(&boxes);
+        let of_some = |share: usize| {
+            let mut found = Vec::new();
+            for place in share * SHARE..((share + 1) * SHARE).min(tree.len()) {
+                tree.pairs_of(place, |e, f| {
+                    let (ends, [a, b]) = (&self.edges[e as usize], self.edges[f as usize]);
+                    let is_apart = !ends.contains(&a) && !ends.contains(&b);
+                    if is_apart && !(self.is_still(ends) && self.is_still(&[a, b])) {
+                        found.push((e.min(f), e.max(f)));
                     }
                 });
-                found
-            })
-            .collect();
-        for list in lists {
-            gather(&mut candidates.edge_edge, list);
-        }
-        candidates
+            }
+            found
+        };
+        joined((0..tree.len().div_ceil(SHARE)).into_par_iter().map(of_some).collect())
     }
 
     /// How much each edge counts among pairs of edges: as much as its faces are bent at it, up to one.
