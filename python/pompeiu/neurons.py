@@ -192,7 +192,7 @@ class NeuronSplines:
         The elements of the splines: how often each was halved, its cell, and its place there along the three axes, among the elements of
         its size.
     vtu : bytes
-        The cells, or the elements where they were refined, as a VTK unstructured grid of Bézier hexahedra.
+        The cells, or the elements where they were refined, as a VTK unstructured grid of trilinear cells, 27 for each.
     report : dict
         What ``pompeiu neuron spline --json`` says of it under ``mesh`` and ``spline``.
     """
@@ -260,7 +260,7 @@ class NeuronFlow:
     end_pressures : numpy.ndarray of float, shape (c,)
         The mean pressure there.
     vtu : bytes
-        The flow as a VTK unstructured grid of Bézier hexahedra.
+        The flow as a VTK unstructured grid of trilinear cells, 27 for each.
     report : dict
         What ``pompeiu neuron flow --json`` says of it under ``mesh`` and ``flow``.
     """
@@ -789,6 +789,7 @@ def neuron(
     spacing: Optional[float] = None,
     parts: int = 2,
     layer: float = 2.0,
+    within: float = 0.2,
     elements: int = 1,
     refine: Sequence[str] = (),
     levels: int = 1,
@@ -831,6 +832,9 @@ def neuron(
         cells of a flow are cut into so many for transport.
     layer : float
         Length of a block or a patch along a branch, in radii.
+    within : float
+        Tolerated distance of the wall from the cones of the file, both ways, in radii; the exit code is 1 if it is
+        greater, and no stage follows the mesh.
     elements : int
         Elements of each patch along each edge, 1 to 4, for splines and flow.
     refine : Sequence[str]

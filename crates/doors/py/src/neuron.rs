@@ -19,9 +19,9 @@ use pompeiu::volume::HexMesh;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
-/// A skeleton that was read.
+/// A skeleton that was read, and what it was before smoothing.
 #[pyclass(frozen, module = "pompeiu._native")]
-pub(crate) struct NeuronSkeleton(Skeleton);
+pub(crate) struct NeuronSkeleton(Skeleton, Option<Skeleton>);
 
 /// A skeleton: itself, numbers, kinds, places, radii, parents (−1 for a root), the file it would be, and what is said of it.
 type Parts<'py> = (
@@ -44,20 +44,25 @@ pub(crate) fn read_skeleton<'py>(
     steps: usize,
     spacing: Option<f64>,
 ) -> PyResult<Parts<'py>> {
-    let (skeleton, report) = py
+    let prepared = py
         .detach(|| prepare(bytes, &Preparation { repair, smooth: SmoothOptions { steps, spacing } }))
         .map_err(|error: SwcError| error.raise())?;
-    skeleton_parts(py, skeleton, &report)
+    skeleton_parts(py, prepared.skeleton, prepared.original, &prepared.report)
 }
 
 /// A skeleton as the Python half takes it.
-fn skeleton_parts<'py>(py: Python<'py>, skeleton: Skeleton, report: &SkeletonReport) -> PyResult<Parts<'py>> {
+fn skeleton_parts<'py>(
+    py: Python<'py>,
+    skeleton: Skeleton,
+    original: Option<Skeleton>,
+    report: &SkeletonReport,
+) -> PyResult<Parts<'py>> {
     let rows = skeleton.rows();
     let column = |of: fn(&SwcRow) -> i64| rows.iter().map(of).collect::<Vec<_>>().into_pyarray(py);
     let ids = skeleton.samples().iter().map(|sample| sample.id).collect::<Vec<_>>();
     let positions = array_of_rows(py, rows.iter().map(|row| row.position).collect())?;
     Ok((
-        NeuronSkeleton(skeleton),
+        NeuronSkeleton(skeleton, original),
         ids.into_pyarray(py),
         column(|row| row.kind),
         positions,
@@ -94,7 +99,8 @@ impl NeuronSkeleton {
         let mut options = meshing.options()?;
         let found = wait::run(py, progress, |watch: &mut Watch<'_, Share>| {
             options.limits.cancel = Some(watch.token());
-            mesh_neuron(&self.0, &MeshOptions { progress: Some(&*watch), ..options })
+            let reference = self.1.as_ref();
+            mesh_neuron(&self.0, &MeshOptions { progress: Some(&*watch), reference, ..options })
         })?;
         mesh_parts(py, found.map_err(Raise::raise)?)
     }
@@ -109,7 +115,13 @@ impl NeuronSkeleton {
         levels: usize,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<SplineParts<'py>> {
-        neuron_flow::splines(py, Source::Skeleton(&self.0), meshing, (&refine, levels), progress)
+        neuron_flow::splines(
+            py,
+            Source::Skeleton(&self.0, self.1.as_ref()),
+            meshing,
+            (&refine, levels),
+            progress,
+        )
     }
 
     /// Fills the neuron with tricubic cells and solves for the flow through them.
@@ -120,7 +132,7 @@ impl NeuronSkeleton {
         config: &str,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<FlowParts<'py>> {
-        neuron_flow::flow(py, Source::Skeleton(&self.0), meshing, config, progress)
+        neuron_flow::flow(py, Source::Skeleton(&self.0, self.1.as_ref()), meshing, config, progress)
     }
 }
 
@@ -263,9 +275,10 @@ pub(crate) fn answer_parts<'py>(
     request: &NeuronRequest,
 ) -> PyResult<Bound<'py, PyDict>> {
     let parts = PyDict::new(py);
-    let NeuronAnswer { skeleton, hexahedra, patches, splines, flow, transported, report, .. } = found;
+    let NeuronAnswer { skeleton, original, hexahedra, patches, splines, flow, transported, report, .. } =
+        found;
     if let (Some(skeleton), Some(report)) = (skeleton, &report.skeleton) {
-        parts.set_item("skeleton", skeleton_parts(py, skeleton, report)?)?;
+        parts.set_item("skeleton", skeleton_parts(py, skeleton, original, report)?)?;
     }
     if let Some(mesh) = hexahedra {
         parts.set_item("mesh", mesh_parts(py, mesh)?)?;
@@ -277,9 +290,9 @@ pub(crate) fn answer_parts<'py>(
         }
         (Some(mesh), Some(splines), None) => {
             let (file, report) = if request.refine.is_empty() {
-                (mesh.vtu(false), SplineReport::new(&mesh.mesh, request.elements))
+                (mesh.vtu(true), SplineReport::new(&mesh.mesh, request.elements))
             } else {
-                (refined_vtu(&mesh, &splines, false), SplineReport::of_refined(&splines))
+                (refined_vtu(&mesh, &splines, true), SplineReport::of_refined(&splines))
             };
             parts.set_item("splines", neuron_flow::spline_parts(py, mesh, splines, &file?, &report)?)?;
         }

@@ -86,7 +86,8 @@ fn places<P: Copy + Into<[f64; 3]>>(points: &[P]) -> Vec<[f64; 3]> {
 
 /// What is filled with patches.
 pub(crate) enum Source<'s> {
-    Skeleton(&'s Skeleton),
+    /// One that was read, and what it was before smoothing.
+    Skeleton(&'s Skeleton, Option<&'s Skeleton>),
     /// Each cell is a patch.
     Mesh(&'s NeuronMesh),
 }
@@ -94,14 +95,16 @@ pub(crate) enum Source<'s> {
 impl Source<'_> {
     fn skeleton(&self) -> Option<&Skeleton> {
         match self {
-            Self::Skeleton(skeleton) => Some(skeleton),
+            Self::Skeleton(skeleton, _) => Some(skeleton),
             Self::Mesh(_) => None,
         }
     }
 
     fn patches(&self, options: &MeshOptions<'_>) -> Result<CubicMesh, MeshError> {
         match self {
-            Self::Skeleton(skeleton) => cubic_neuron(skeleton, options),
+            Self::Skeleton(skeleton, reference) => {
+                cubic_neuron(skeleton, &MeshOptions { reference: *reference, ..options.clone() })
+            }
             Self::Mesh(mesh) => CubicMesh::from_trilinear(mesh, &options.limits),
         }
     }
@@ -127,9 +130,9 @@ pub(crate) fn splines<'py>(
         let options = RefineOptions { elements, at: &at, times, limits, progress: Some(&*watch) };
         let splines = refined_splines(&found, &options)?;
         let (file, report) = if at.is_empty() {
-            (found.vtu(false), SplineReport::new(&found.mesh, elements))
+            (found.vtu(true), SplineReport::new(&found.mesh, elements))
         } else {
-            (refined_vtu(&found, &splines, false), SplineReport::of_refined(&splines))
+            (refined_vtu(&found, &splines, true), SplineReport::of_refined(&splines))
         };
         Ok::<_, MeshError>((found, splines, file, report))
     })?;
@@ -188,7 +191,7 @@ pub(crate) fn flow_parts(
     mesh: MeshReport,
     parameters: FlowParameters,
 ) -> PyResult<FlowParts<'_>> {
-    let file = flow.vtu(false).map_err(PyErr::from)?;
+    let file = flow.vtu(true).map_err(PyErr::from)?;
     let ends = flow.ends.iter().map(|end| [end.flux, end.pressure]).collect();
     let samples = flow.ends.iter().map(|end| end.sample).collect::<Vec<_>>();
     let (said, report) = (written(&mesh)?, written(&flow.report)?);

@@ -66,10 +66,10 @@ pub use flow::{
     NEWTON_TOLERANCE, neuron_flow,
 };
 pub use mesh::{
-    Cap, CubicMesh, Ends, MeshError, MeshOptions, MeshReport, NeuronMesh, Side, SurfaceDistance,
-    cubic_neuron, mesh_neuron,
+    BeyondSample, Cap, CubicMesh, DirectedDistance, Ends, MeshError, MeshOptions, MeshReport, NeuronMesh,
+    Side, WallDistance, cubic_neuron, mesh_neuron,
 };
-pub use prepare::{Preparation, prepare};
+pub use prepare::{Preparation, PreparedSkeleton, prepare};
 pub use problems::{MOST_TURN, Problem, ProblemKind, problems};
 pub use refine::{RefineAt, RefineOptions, refined_splines, refined_vtu};
 pub use report::{NeuronReport, SkeletonReport, Timing};

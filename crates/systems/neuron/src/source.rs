@@ -1,8 +1,8 @@
 //! What is worked on: a skeleton, or a hexahedral mesh that was made elsewhere.
 
 use crate::{
-    CubicMesh, Ends, MeshError, MeshOptions, NeuronMesh, Preparation, Side, Skeleton, SkeletonReport,
-    SwcError, cubic_neuron, mesh_neuron, prepare,
+    CubicMesh, Ends, MeshError, MeshOptions, NeuronMesh, Preparation, PreparedSkeleton, Side, Skeleton,
+    SkeletonReport, SwcError, cubic_neuron, mesh_neuron, prepare,
 };
 use pompeiu_volume::HexMesh;
 
@@ -35,28 +35,35 @@ impl NeuronSource {
         if let Some((mesh, labels)) = self.mesh {
             return Ok(Prepared::Mesh(mesh, labels));
         }
-        let (skeleton, report) = prepare(&self.content, preparation)?;
-        Ok(Prepared::Skeleton(Box::new(skeleton), report))
+        Ok(Prepared::Skeleton(Box::new(prepare(&self.content, preparation)?)))
     }
 }
 
 /// A prepared skeleton, or a mesh.
 pub(crate) enum Prepared {
-    Skeleton(Box<Skeleton>, SkeletonReport),
+    Skeleton(Box<PreparedSkeleton>),
     Mesh(HexMesh, Option<Vec<f64>>),
 }
 
 impl Prepared {
     pub(crate) fn skeleton(&self) -> Option<&Skeleton> {
         match self {
-            Self::Skeleton(skeleton, _) => Some(skeleton),
+            Self::Skeleton(prepared) => Some(&prepared.skeleton),
+            Self::Mesh(..) => None,
+        }
+    }
+
+    /// The skeleton before smoothing, if it was smoothed.
+    pub(crate) fn original(&self) -> Option<&Skeleton> {
+        match self {
+            Self::Skeleton(prepared) => prepared.original.as_ref(),
             Self::Mesh(..) => None,
         }
     }
 
     pub(crate) fn report(&self) -> Option<&SkeletonReport> {
         match self {
-            Self::Skeleton(_, report) => Some(report),
+            Self::Skeleton(prepared) => Some(&prepared.report),
             Self::Mesh(..) => None,
         }
     }
@@ -64,7 +71,7 @@ impl Prepared {
     /// Points that are read: samples, or vertices of a mesh.
     pub(crate) fn points(&self) -> usize {
         match self {
-            Self::Skeleton(skeleton, _) => skeleton.samples().len(),
+            Self::Skeleton(prepared) => prepared.skeleton.samples().len(),
             Self::Mesh(mesh, _) => mesh.positions().len(),
         }
     }
@@ -76,7 +83,7 @@ impl Prepared {
         options: &MeshOptions<'_>,
     ) -> Result<NeuronMesh, MeshError> {
         match self {
-            Self::Skeleton(skeleton, _) => mesh_neuron(skeleton, options),
+            Self::Skeleton(prepared) => mesh_neuron(&prepared.skeleton, &prepared.against_file(options)),
             Self::Mesh(mesh, labels) => {
                 NeuronMesh::from_hexahedra(mesh.clone(), ends(sides, labels.as_ref()), &options.limits)
             }
@@ -86,7 +93,7 @@ impl Prepared {
     /// Tricubic cells.
     pub(crate) fn patches(&self, sides: &[Side], options: &MeshOptions<'_>) -> Result<CubicMesh, MeshError> {
         match self {
-            Self::Skeleton(skeleton, _) => cubic_neuron(skeleton, options),
+            Self::Skeleton(prepared) => cubic_neuron(&prepared.skeleton, &prepared.against_file(options)),
             Self::Mesh(mesh, labels) => {
                 CubicMesh::from_hexahedra(mesh, ends(sides, labels.as_ref()), &options.limits)
             }

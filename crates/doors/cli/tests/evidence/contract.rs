@@ -61,8 +61,8 @@ trace = true
     (
         "neuron",
         "transport rod.swc",
-        "--parts 1 --layer 3 --set-transport steps=5,order=2",
-        "parts = 1\nlayer = 3\n[transport]\nsteps = 5\norder = 2\n",
+        "--parts 1 --layer 3 --within 0.3 --set-transport steps=5,order=2",
+        "parts = 1\nlayer = 3\nwithin = 0.3\n[transport]\nsteps = 5\norder = 2\n",
     ),
     (
         "fluid",

@@ -4,7 +4,7 @@ use super::element::{Cell, PRESSURES, Tables};
 use super::error::FlowError;
 use super::problem::{Drive, FlowOptions, FlowParameters};
 use super::system::FlowSystem;
-use crate::mesh::{LINEAR_PARTS, cubic_vtu};
+use crate::mesh::{LINEAR_PARTS, cubic_vtu, linear_share};
 use crate::transport::labels_of_parts;
 use crate::{Cap, CubicMesh};
 use glam::DVec3;
@@ -399,6 +399,14 @@ impl Flow {
             .enumerate()
             .map(|(c, p)| Cell::new(&tables, &self.mesh.control(c)).pressure_at([0.5; 3], p))
             .collect();
+    }
+
+    /// The volume of the trilinear cells of [`vtu`](Self::vtu) as a share of that of the patches.
+    ///
+    /// # Errors
+    /// [`MeshError::Volume`](crate::MeshError::Volume) if they would be too many.
+    pub fn linear_share(&self) -> Result<f64, crate::MeshError> {
+        linear_share(&self.mesh, LINEAR_PARTS)
     }
 
     /// The velocity as a VTK XML unstructured grid, exactly as Bézier hexahedra or at the corners of trilinear cells, with the

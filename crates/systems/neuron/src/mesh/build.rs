@@ -2,15 +2,15 @@
 
 use super::assembly::{Assembly, NodeBlocks};
 use super::cluster::{Layout, layout};
+use super::distance::{Net, wall_distance};
 use super::node::{NodeMesh, mesh_node};
 use super::options::{MeshError, MeshOptions, MeshReport, go_on};
-use super::surface::surface_distance;
 use super::sweep::RadialLength;
 use super::tube::{Tube, tubes};
 use crate::Skeleton;
 use glam::DVec3;
 use pompeiu_core::run::{Control, Progress, StopReason, on_threads};
-use pompeiu_volume::{CellData, Faces, HexMesh, Jacobian, certify, scaled_jacobian, write_vtu};
+use pompeiu_volume::{BoundaryFace, CellData, Faces, HexMesh, Jacobian, certify, scaled_jacobian, write_vtu};
 use rayon::prelude::*;
 use std::ops::ControlFlow;
 use std::sync::Mutex;
@@ -349,16 +349,15 @@ fn finish(
     let certified = mesh.cells().par_iter().all(|cell| !control.is_stopped() && is_positive(cell));
     go_on(control)?;
     let labels = labels(&faces, &caps, mesh.positions().len());
-    let surface_distance = if options.measure {
-        let wall = faces.boundary().iter().zip(&labels).filter(|(_, label)| **label == 0);
-        let triangles = wall
-            .flat_map(|(face, _)| {
-                let [a, b, c, d] = face.vertices;
-                [[a, b, c], [a, c, d]]
-            })
-            .collect();
-        let positions = mesh.positions().iter().map(DVec3::to_array).collect();
-        surface_distance(skeleton, &parts.tubes, (positions, triangles), parts.factor, control)
+    let caps = parts.caps(skeleton, &caps);
+    let wall = if options.measure {
+        let walls = faces.boundary().iter().zip(&labels).filter(|(_, label)| **label == 0);
+        let patch = |(face, _): (&BoundaryFace, _)| {
+            let [a, b, c, d] = face.vertices.map(|v| mesh.positions()[v as usize]);
+            Net { points: [[a, b], [d, c]] }
+        };
+        let reference = options.reference.unwrap_or(skeleton);
+        wall_distance(reference, &caps, walls.map(patch).collect(), options.within, control)
     } else {
         None
     };
@@ -368,11 +367,10 @@ fn finish(
         hexahedra: mesh.cells().len(),
         min_scaled_jacobian: least,
         certified,
-        surface_distance,
+        wall,
         left_out: parts.left_out(skeleton),
         moved: parts.moved(skeleton),
     };
-    let caps = parts.caps(skeleton, &caps);
     let parts = blocks.iter().flat_map(|&block| std::iter::repeat_n(block, per_block)).collect();
     Ok(NeuronMesh { mesh, faces, labels, caps, parts, report })
 }

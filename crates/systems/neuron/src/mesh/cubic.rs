@@ -3,16 +3,15 @@
 use super::assembly::{Assembly, NodeBlocks};
 use super::build::{Cap, Parts, labels};
 use super::cubic_node::{CubicNode, START, bend};
-use super::options::{MeshError, MeshOptions, MeshReport, SurfaceDistance, go_on};
+use super::distance::{Net, wall_distance};
+use super::options::{MeshError, MeshOptions, MeshReport, go_on};
 use super::section::Section;
-use super::surface::surface_distance;
 use crate::Skeleton;
 use glam::DVec3;
 use pompeiu_core::run::{Control, on_threads};
-use pompeiu_volume::bernstein::value;
 use pompeiu_volume::{
     BezierMesh, BoundaryFace, CellData, FACE_AXES, Faces, Jacobian, PointData, certify_bezier,
-    scaled_jacobian_bezier, write_bezier_vtu, write_vtu,
+    scaled_jacobian_bezier, volume, write_bezier_vtu, write_vtu,
 };
 use rayon::prelude::*;
 
@@ -43,10 +42,29 @@ impl CubicMesh {
         cubic_vtu(&self.mesh, linear.then_some(LINEAR_PARTS), &[], &[("branch", &self.branches())])
     }
 
+    /// The volume of the trilinear cells of [`vtu`](Self::vtu) as a share of that of the patches: the sides of a section are chords.
+    ///
+    /// # Errors
+    /// [`MeshError::Volume`] if they would be too many.
+    pub fn linear_share(&self) -> Result<f64, MeshError> {
+        linear_share(&self.mesh, LINEAR_PARTS)
+    }
+
     /// The branch of each patch as a number.
     pub fn branches(&self) -> Vec<f64> {
         self.parts.iter().map(|&part| f64::from(part)).collect()
     }
+}
+
+/// The volume of trilinear cells, so many along each axis of each patch, as a share of that of the patches.
+///
+/// # Errors
+/// [`MeshError::Volume`] if they would be too many.
+pub(crate) fn linear_share(mesh: &BezierMesh, parts: usize) -> Result<f64, MeshError> {
+    let fine = mesh.subdivided(parts, &[])?.0.corner_mesh()?;
+    let total: f64 =
+        fine.cells().par_iter().map(|&cell| volume(&fine.corners(cell))).collect::<Vec<_>>().iter().sum();
+    Ok(total / mesh.volume())
 }
 
 /// Trilinear cells along each axis of a patch, in files of trilinear cells.
@@ -119,8 +137,7 @@ pub(crate) fn cubic_vtu(
 /// Lengths in micrometres. The rim of a section consists of four cubic arcs, whose distance from a circle is below 3e-4 of the
 /// radius; sections have the area of their discs. [`MeshOptions::parts`] is not used.
 /// # Accuracy
-/// [`MeshReport::certified`] is proven, rounding included. The bounds of [`MeshReport::surface_distance`] are those of triangles in
-/// the wall, widened by the bound on the distance of these from the patches.
+/// [`MeshReport::certified`] and the bounds of [`MeshReport::wall`] are proven, rounding included.
 /// # Errors
 /// [`MeshError`].
 /// # Cost
@@ -203,78 +220,33 @@ fn finish(
     vertices.sort_unstable();
     vertices.dedup();
     go_on(control)?;
-    let wall = (faces.boundary().iter().zip(&labels)).filter(|(_, label)| **label == 0);
-    let wall: Vec<&BoundaryFace> = wall.map(|(face, _)| face).collect();
-    let distance = if options.measure { measure(skeleton, parts, &mesh, &wall, control) } else { None };
+    let caps = parts.caps(skeleton, &caps);
+    let wall = if options.measure {
+        let walls = faces.boundary().iter().zip(&labels).filter(|(_, label)| **label == 0);
+        let patches = walls.map(|(face, _)| patch(&mesh, face)).collect();
+        wall_distance(options.reference.unwrap_or(skeleton), &caps, patches, options.within, control)
+    } else {
+        None
+    };
     go_on(control)?;
     let report = MeshReport {
         vertices: vertices.len(),
         hexahedra: mesh.cells().len(),
         min_scaled_jacobian: found.iter().map(|f| f.0).fold(f64::INFINITY, f64::min),
         certified: found.iter().all(|f| f.1),
-        surface_distance: distance,
+        wall,
         left_out: parts.left_out(skeleton),
         moved: parts.moved(skeleton),
     };
-    Ok(CubicMesh { mesh, faces, labels, caps: parts.caps(skeleton, &caps), parts: blocks, report })
+    Ok(CubicMesh { mesh, faces, labels, caps, parts: blocks, report })
 }
 
-/// Largest number of quads in the triangulated wall.
-const MOST_QUADS: usize = 100_000;
-
-/// The distance of the wall from the tubes.
-fn measure(
-    skeleton: &Skeleton,
-    parts: &Parts,
-    mesh: &BezierMesh,
-    wall: &[&BoundaryFace],
-    control: &Control,
-) -> Option<SurfaceDistance> {
-    let n = ((MOST_QUADS / wall.len().max(1)) as f64).sqrt().floor().clamp(2.0, 8.0) as usize;
-    let (mut positions, mut triangles) = (Vec::new(), Vec::new());
-    let mut deviation = 0.0_f64;
-    for face in wall {
-        let points = mesh.control(face.cell as usize);
-        let (axis, side, along) = FACE_AXES[face.place as usize];
-        let base = positions.len() as u32;
-        for j in 0..=n {
-            for i in 0..=n {
-                let mut place = [side as f64; 3];
-                (place[along[0]], place[along[1]]) = (i as f64 / n as f64, j as f64 / n as f64);
-                positions.push(value(&points, place).to_array());
-            }
-        }
-        let row = n as u32 + 1;
-        for j in 0..n as u32 {
-            for i in 0..n as u32 {
-                let a = base + i + row * j;
-                triangles.extend([[a, a + 1, a + row + 1], [a, a + row + 1, a + row]]);
-            }
-        }
-        deviation = deviation.max(bend_of(&points, axis, side, along) / (8.0 * (n * n) as f64));
-    }
-    let found = surface_distance(skeleton, &parts.tubes, (positions, triangles), parts.factor, control)?;
-    Some(SurfaceDistance { lower: (found.lower - deviation).max(0.0), upper: found.upper + deviation })
-}
-
-/// A bound on `|S_uu| + 2 |S_uv| + |S_vv|` over a face, from differences of its control points. An eighth of it times the squared
-/// step bounds the distance of triangles on a grid from the face.
-fn bend_of(points: &[DVec3; 64], axis: usize, side: usize, along: [usize; 2]) -> f64 {
+/// A boundary face as a patch.
+fn patch(mesh: &BezierMesh, face: &BoundaryFace) -> Net<4> {
+    let points = mesh.control(face.cell as usize);
+    let (axis, side, along) = FACE_AXES[face.place as usize];
     let strides = [1, 4, 16];
-    let (p, q) = (strides[along[0]], strides[along[1]]);
-    let at = |i: usize, j: usize| points[3 * side * strides[axis] + i * p + j * q];
-    let mut greatest = [0.0_f64; 3];
-    for a in 0..4 {
-        for b in 0..2 {
-            greatest[0] = greatest[0].max((at(b, a) - at(b + 1, a) * 2.0 + at(b + 2, a)).length());
-            greatest[2] = greatest[2].max((at(a, b) - at(a, b + 1) * 2.0 + at(a, b + 2)).length());
-        }
-    }
-    for i in 0..3 {
-        for j in 0..3 {
-            greatest[1] =
-                greatest[1].max((at(i, j) - at(i + 1, j) - at(i, j + 1) + at(i + 1, j + 1)).length());
-        }
-    }
-    6.0 * greatest[0] + 18.0 * greatest[1] + 6.0 * greatest[2]
+    let at =
+        |i: usize, j: usize| points[3 * side * strides[axis] + i * strides[along[0]] + j * strides[along[1]]];
+    Net { points: std::array::from_fn(|i| std::array::from_fn(|j| at(i, j))) }
 }

@@ -175,7 +175,7 @@ fn report(vertices: usize, found: &[(f64, bool)]) -> Result<MeshReport, MeshErro
         hexahedra: found.len(),
         min_scaled_jacobian: quality,
         certified: found.iter().all(|f| f.1),
-        surface_distance: None,
+        wall: None,
         left_out: Vec::new(),
         moved: Vec::new(),
     })

@@ -1,5 +1,6 @@
 //! Options, report and errors of meshing.
 
+use crate::Skeleton;
 use pompeiu_core::run::{Control, Limits, ProgressObserver, StopReason};
 use pompeiu_volume::VolumeError;
 
@@ -10,8 +11,12 @@ pub struct MeshOptions<'o> {
     pub parts: usize,
     /// Length of a block along a branch, in radii, 0.25 to 20.
     pub layer: f64,
-    /// Whether to enclose the distance of the wall from the tubes.
+    /// Whether to enclose the distance of the wall from the cones.
     pub measure: bool,
+    /// Tolerated distance of the wall from the cones, both ways, in radii, above 0. It does not change the mesh.
+    pub within: f64,
+    /// The skeleton whose cones the wall is compared with, if it is not the one that is meshed: that of the file, before smoothing.
+    pub reference: Option<&'o Skeleton>,
     /// Limits on time and memory.
     pub limits: Limits,
     /// Receives the number of finished nodes.
@@ -20,7 +25,15 @@ pub struct MeshOptions<'o> {
 
 impl Default for MeshOptions<'_> {
     fn default() -> Self {
-        Self { parts: 2, layer: 2.0, measure: true, limits: Limits::default(), progress: None }
+        Self {
+            parts: 2,
+            layer: 2.0,
+            measure: true,
+            within: WITHIN,
+            reference: None,
+            limits: Limits::default(),
+            progress: None,
+        }
     }
 }
 
@@ -33,9 +46,15 @@ impl MeshOptions<'_> {
         if !(0.25..=20.0).contains(&self.layer) {
             return wrong("length of a block in radii", self.layer, "0.25 to 20");
         }
+        if !(self.within > 0.0 && self.within.is_finite()) {
+            return wrong("tolerated distance in radii", self.within, "a finite number above 0");
+        }
         Ok(())
     }
 }
+
+/// Distance of the wall from the cones that is tolerated by default, in radii.
+const WITHIN: f64 = 0.2;
 
 /// The report of a mesh.
 #[derive(Clone, Debug, PartialEq)]
@@ -50,10 +69,9 @@ pub struct MeshReport {
     pub min_scaled_jacobian: f64,
     /// Whether the Jacobian determinant is proven positive over every cell.
     pub certified: bool,
-    /// Bounds on the greatest distance of a point of the mesh's wall from the tubes, in micrometres; omitted if it was not
-    /// computed.
+    /// The distance of the mesh's wall from the surface of the skeleton's cones, both ways; omitted if it was not computed.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub surface_distance: Option<SurfaceDistance>,
+    pub wall: Option<WallDistance>,
     /// Sentences about branches that were too short to be meshed; omitted if there are none.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
     #[cfg_attr(feature = "schema", schemars(with = "Option<Vec<String>>"))]
@@ -65,15 +83,85 @@ pub struct MeshReport {
     pub moved: Vec<String>,
 }
 
-/// Bounds on the greatest distance of a point of the wall from the tubes.
+/// The distance of the wall from the surface of the union of the cones of the skeleton in the file, both ways.
+///
+/// # Definition
+/// The cones are those between neighbouring samples; at a soma that is a ball, neurites begin in its centre with their own radius.
+/// Round ends of the cones beyond flat ends of the mesh are left out. Distances in radii are divided by the radius of the skeleton's
+/// ball that is nearest to the point.
+/// # Accuracy
+/// The bounds are proven, rounding included.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct WallDistance {
+    /// The tolerated distance, in radii.
+    pub within: f64,
+    /// The greatest distance of a point of the wall from the surface of the cones.
+    pub wall_to_cones: DirectedDistance,
+    /// The greatest distance of a point of the surface of the cones from the wall.
+    pub cones_to_wall: DirectedDistance,
+    /// Samples next to points that are proven to be farther away than is tolerated, the farthest first; omitted if there are none.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
+    #[cfg_attr(feature = "schema", schemars(with = "Option<Vec<BeyondSample>>"))]
+    pub beyond: Vec<BeyondSample>,
+}
+
+impl WallDistance {
+    /// Bounds on the greater one of both distances, in radii.
+    pub fn in_radii(&self) -> [f64; 2] {
+        let [a, b] = [&self.wall_to_cones, &self.cones_to_wall];
+        [a.lower_radii.max(b.lower_radii), a.upper_radii.max(b.upper_radii)]
+    }
+
+    /// A tolerance with which the distance is accepted: its upper bound with two digits, rounded up.
+    pub fn sufficient(&self) -> f64 {
+        let upper = self.in_radii()[1];
+        let digit = libm::pow(10.0, libm::floor(libm::log10(upper)) - 1.0);
+        let rounded = (upper / digit).ceil() / (1.0 / digit);
+        if rounded >= upper { rounded } else { upper }
+    }
+
+    /// Whether the distance is proven to be tolerated, or not to be; `None` if neither is proven.
+    pub fn is_within(&self) -> Option<bool> {
+        let [lower, upper] = self.in_radii();
+        if upper <= self.within {
+            return Some(true);
+        }
+        (lower > self.within).then_some(false)
+    }
+}
+
+/// Bounds on the greatest distance of the points of one surface from another.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub struct SurfaceDistance {
-    /// Lower bound.
+pub struct DirectedDistance {
+    /// Lower bound, in micrometres.
     pub lower: f64,
-    /// Upper bound.
+    /// Upper bound, in micrometres.
     pub upper: f64,
+    /// Lower bound on the greatest distance in radii.
+    pub lower_radii: f64,
+    /// Upper bound on the greatest distance in radii.
+    pub upper_radii: f64,
+    /// The sample next to the point that attains the lower bound in radii, by its number in the file.
+    pub sample: i64,
+}
+
+/// A sample next to a point that is farther from the other surface than is tolerated.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct BeyondSample {
+    /// The sample, by its number in the file.
+    pub sample: i64,
+    /// Its line, from 1.
+    pub line: usize,
+    /// A distance that is attained there, in micrometres.
+    pub distance: f64,
+    /// The same in radii.
+    pub radii: f64,
 }
 
 /// The reason for ending a stage, as part of a sentence.

@@ -23,6 +23,9 @@ pub enum NeuronRequestError {
     /// The distance of new samples is no length.
     #[error("the spacing is {0}; it must be a finite length above 0")]
     Spacing(f64),
+    /// The tolerated distance is no length.
+    #[error("within is {0}; it must be a finite number of radii above 0")]
+    Within(f64),
     /// An option that the stage does not use.
     #[error("{option} is not for the stage {stage}, only for {names}")]
     Stage {

@@ -8,7 +8,9 @@ pub use error::NeuronRequestError;
 pub use run::{NeuronAnswer, Transported};
 pub use table::ParameterTable;
 
-use crate::{NeuronReport, Parameters, Preparation, SmoothOptions, read_transport_config};
+use crate::{
+    MeshOptions, NeuronReport, Parameters, Preparation, SmoothOptions, WallDistance, read_transport_config,
+};
 use pompeiu_core::request::{Conclusion, Limit, Report, Request};
 use pompeiu_core::run::StopReason;
 use std::path::PathBuf;
@@ -42,6 +44,10 @@ pub struct NeuronRequest {
     /// Length of a block or a patch along a branch, in radii.
     #[cfg_attr(feature = "clap", arg(long, value_parser = magnitude, value_name = "RADII"))]
     pub layer: f64,
+    /// Tolerated distance of the wall from the cones of the file, both ways, in radii; the exit code is 1 if it is greater, and no stage
+    /// follows the mesh.
+    #[cfg_attr(feature = "clap", arg(long, value_parser = magnitude, value_name = "RADII"))]
+    pub within: f64,
     /// Elements of each patch along each edge, 1 to 4, for splines and flow.
     #[cfg_attr(feature = "clap", arg(long, value_name = "N"))]
     pub elements: usize,
@@ -86,6 +92,7 @@ impl Default for NeuronRequest {
             spacing: None,
             parts: 2,
             layer: 2.0,
+            within: MeshOptions::default().within,
             elements: 1,
             refine: Vec::new(),
             levels: 1,
@@ -154,10 +161,12 @@ impl Report for NeuronReport {
     fn conclusion(&self) -> Conclusion {
         let is_certified = self.mesh.as_ref().is_none_or(|mesh| mesh.certified);
         let has_problems = self.skeleton.as_ref().is_some_and(|skeleton| !skeleton.problems.is_empty());
-        if self.stop.is_early() || !is_certified {
-            Conclusion::Incomplete
-        } else if (self.is_check && has_problems) || self.agrees == Some(false) {
+        let wall = self.mesh.as_ref().and_then(|mesh| mesh.wall.as_ref());
+        let is_within = wall.map_or(Some(true), WallDistance::is_within);
+        if (self.is_check && has_problems) || self.agrees == Some(false) || is_within == Some(false) {
             Conclusion::Refuted
+        } else if self.stop.is_early() || !is_certified || is_within.is_none() {
+            Conclusion::Incomplete
         } else {
             Conclusion::AsAsked
         }
@@ -230,6 +239,9 @@ impl NeuronRequest {
         if self.spacing.is_some_and(|spacing| !(spacing.is_finite() && spacing > 0.0)) {
             return Err(NeuronRequestError::Spacing(self.spacing.unwrap_or_default()));
         }
+        if !(self.within.is_finite() && self.within > 0.0) {
+            return Err(NeuronRequestError::Within(self.within));
+        }
         if is_mesh && (self.repair || self.smooth > 0 || self.spacing.is_some()) {
             return Err(NeuronRequestError::OfSkeletons);
         }
@@ -246,6 +258,11 @@ impl NeuronRequest {
             (
                 "layer",
                 self.layer != defaults.layer,
+                &[Stage::Mesh, Stage::Spline, Stage::Flow, Stage::Transport, Stage::All],
+            ),
+            (
+                "within",
+                self.within != defaults.within,
                 &[Stage::Mesh, Stage::Spline, Stage::Flow, Stage::Transport, Stage::All],
             ),
             ("elements", self.elements != defaults.elements, tricubic),

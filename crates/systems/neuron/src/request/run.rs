@@ -17,6 +17,8 @@ use std::path::PathBuf;
 pub struct NeuronAnswer {
     /// The skeleton, unless a mesh was given.
     pub skeleton: Option<Skeleton>,
+    /// The skeleton before smoothing and resampling, if one of them was requested.
+    pub original: Option<Skeleton>,
     /// Points that were read: samples, or vertices of a mesh.
     pub points: usize,
     /// Trilinear cells of the stage mesh.
@@ -133,6 +135,7 @@ impl Run<'_, '_> {
         let source = source.prepared(&self.request.preparation())?;
         self.answer.points = source.points();
         self.answer.skeleton = source.skeleton().cloned();
+        self.answer.original = source.original().cloned();
         self.answer.report.skeleton = source.report().cloned();
         self.answer.report.timing = Timing { skeleton: self.lap(), ..Timing::default() };
         match self.request.stage {
@@ -143,16 +146,18 @@ impl Run<'_, '_> {
             }
             Stage::Spline => self.spline(&source, wants_splines),
             Stage::Flow => {
-                let flow = self.flow(&source)?;
-                self.answer.flow = Some(flow);
+                self.answer.flow = self.flow(&source)?;
                 Ok(())
             }
             Stage::Transport => {
-                let cells = MaterialCells::Hexahedra(self.hexahedra(&source)?);
-                self.transport(cells)
+                let mesh = self.hexahedra(&source)?;
+                if self.is_beyond() {
+                    return Ok(());
+                }
+                self.transport(MaterialCells::Hexahedra(mesh))
             }
             Stage::All => {
-                let flow = self.flow(&source)?;
+                let Some(flow) = self.flow(&source)? else { return Ok(()) };
                 let cells = MaterialCells::Flow(FlowCells::new(&flow, self.request.parts)?);
                 self.transport(cells)
             }
@@ -163,6 +168,7 @@ impl Run<'_, '_> {
         MeshOptions {
             parts,
             layer: self.request.layer,
+            within: self.request.within,
             limits: self.context.limits(),
             progress: self.context.progress(),
             ..MeshOptions::default()
@@ -213,8 +219,24 @@ impl Run<'_, '_> {
         Ok(())
     }
 
-    fn flow(&mut self, source: &Prepared) -> Result<Flow, NeuronRequestError> {
+    /// Whether the wall is proven to be farther from the cones than is tolerated, so that no stage follows the mesh; says so.
+    fn is_beyond(&mut self) -> bool {
+        let wall = self.answer.report.mesh.as_ref().and_then(|mesh| mesh.wall.as_ref());
+        let Some(wall) = wall.filter(|wall| wall.is_within() == Some(false)) else { return false };
+        self.answer.report.ended = Some(format!(
+            "ended after the mesh, whose wall is not within {} radii of the cones; --within {} accepts it",
+            wall.within,
+            wall.sufficient()
+        ));
+        true
+    }
+
+    /// `None` if the mesh is not tolerated.
+    fn flow(&mut self, source: &Prepared) -> Result<Option<Flow>, NeuronRequestError> {
         let mesh = self.patches(source)?;
+        if self.is_beyond() {
+            return Ok(None);
+        }
         let options = FlowOptions {
             elements: self.request.elements,
             limits: self.context.limits(),
@@ -226,7 +248,7 @@ impl Run<'_, '_> {
         if self.request.stage == Stage::Flow {
             self.answer.patches = Some(mesh);
         }
-        Ok(flow)
+        Ok(Some(flow))
     }
 
     fn transport(&mut self, cells: MaterialCells) -> Result<(), NeuronRequestError> {

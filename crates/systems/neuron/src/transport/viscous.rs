@@ -4,7 +4,7 @@ use super::discretisation::{Discretisation, EndFace};
 use super::error::TransportError;
 use super::flow::FlowField;
 use super::parts::{by_parts, deal, labels_of_parts};
-use crate::mesh::{concentrations, cubic_vtu};
+use crate::mesh::{concentrations, cubic_vtu, linear_share};
 use crate::{Cap, Flow};
 use glam::DVec3;
 use pompeiu_core::mesh::UnionFind;
@@ -106,6 +106,14 @@ impl FlowCells {
     /// Their faces.
     pub fn faces(&self) -> &Faces {
         &self.faces
+    }
+
+    /// The volume of the trilinear cells of [`vtu`](Self::vtu) as a share of that of the cells.
+    ///
+    /// # Errors
+    /// [`MeshError::Volume`](crate::MeshError::Volume) if they would be too many.
+    pub fn linear_share(&self) -> Result<f64, crate::MeshError> {
+        linear_share(&self.mesh, 1)
     }
 
     /// Concentrations of each cell as a VTK XML unstructured grid: `total`, `free`, `plus` and `minus`, as Bézier hexahedra or as

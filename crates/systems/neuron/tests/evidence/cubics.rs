@@ -29,10 +29,9 @@ fn straight_tubes_have_the_volume_and_the_wall_of_the_cylinder() {
     let length = 8.0 * 2.0_f64.sqrt();
     assert!((found.mesh.volume() / (PI * 2.25 * length) - 1.0).abs() < 1e-12, "{}", found.mesh.volume());
     assert_eq!((found.caps.len(), found.mesh.cells().len()), (2, 20));
-    let distance = found.report.surface_distance.unwrap();
-    // The tubes have 64 sides; the triangles are 8 to each side of a patch.
-    assert!(distance.upper < 0.02 * 1.5, "{distance:?}");
-    assert!(found.report.min_scaled_jacobian > 0.8, "{:?}", found.report);
+    let wall = found.report.wall.unwrap();
+    assert!(wall.wall_to_cones.upper_radii < 0.03 && wall.cones_to_wall.upper_radii < 0.04, "{wall:?}");
+    assert!(found.report.min_scaled_jacobian > 0.8);
     // A frustum: its sections are similar, and cubics along it represent it exactly.
     let cone = cubic("1 2 0 0 0 1 -1\n2 2 30 0 0 2 1\n", &quick());
     assert!((cone.mesh.volume() / (PI * 30.0 * 7.0 / 3.0) - 1.0).abs() < 1e-12);

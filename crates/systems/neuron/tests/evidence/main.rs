@@ -10,3 +10,4 @@ mod skeletons;
 mod steps;
 mod stops;
 mod transports;
+mod walls;

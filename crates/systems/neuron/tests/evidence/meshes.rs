@@ -108,21 +108,21 @@ fn a_soma_is_a_ball_that_neurites_leave_with_their_own_radius() {
 }
 
 #[test]
-fn the_wall_is_as_near_to_the_tubes_as_its_polygons_allow() {
+fn the_wall_is_as_near_to_the_cones_as_its_polygons_allow() {
     let text = "1 2 0 0 0 1 -1\n2 2 20 0 0 1 1\n";
-    let distances: Vec<_> = [1, 2, 4]
-        .map(|parts| {
-            mesh(text, &MeshOptions { parts, ..MeshOptions::default() }).report.surface_distance.unwrap()
-        })
-        .to_vec();
-    for (distance, sides) in distances.iter().zip([4.0, 8.0, 16.0]) {
-        // Corners lie outside by the factor that keeps the area; the tubes have 64 sides.
+    for (parts, sides) in [(1, 4.0), (2, 8.0), (4, 16.0)] {
+        let found = mesh(text, &MeshOptions { parts, ..MeshOptions::default() }).report.wall.unwrap();
+        // Corners lie outside by the factor that keeps the area. Points of the circle are farthest from the polygon beside corners.
         let angle = 2.0 * PI / sides;
         let outside = (angle / angle.sin()).sqrt() - 1.0;
+        let beside = (1.0 + outside) * (0.5 * angle).cos() - (0.5 * angle).cos();
+        let (there, back) = (found.wall_to_cones, found.cones_to_wall);
+        assert!(there.lower > outside - 1e-9 && there.upper < outside + 1e-3, "{there:?} {outside}");
         assert!(
-            distance.lower <= distance.upper && (distance.upper - outside).abs() < 2e-3,
-            "{distance:?} {outside}"
+            back.lower <= beside + 1e-9 && back.upper >= beside && back.upper < beside + 0.03,
+            "{back:?}"
         );
+        assert_eq!((there.lower, there.upper), (there.lower_radii, there.upper_radii));
     }
 }
 

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 #[command(after_long_help = include_str!("help.txt"), after_help = "\
 Skeletons are SWC files, in micrometres: comments, ids in any order, several trees, a soma of one, three or many samples, any line
 ends. Without the name of a stage all of them follow each other: the skeleton is checked and filled with tricubic cells, the flow through
-them is solved for, and material is transported along it. The output is a collection (.pvd) of grids of Bezier hexahedra in a folder
+them is solved for, and material is transported along it. The output is a collection (.pvd) of grids in a folder
 beside it. --help says more of the stages, and of the tables of parameters in --config.
 
 Examples:
@@ -27,9 +27,9 @@ pub(crate) struct Files {
     /// beside it
     #[arg(long, short, value_name = "OUT")]
     pub(super) output: Option<PathBuf>,
-    /// Write trilinear cells, 27 for each tricubic one, instead of Bezier hexahedra
+    /// Write tricubic cells exactly, as Bezier hexahedra, instead of 27 trilinear cells for each, which other programs read, too
     #[arg(long)]
-    pub(super) linear: bool,
+    pub(super) bezier: bool,
     /// Stages mesh and spline: write bzmeshinfo.txt, bzpt.txt, cmat.txt, and of a mesh controlmesh.vtk into this folder
     #[arg(long, value_name = "FOLDER")]
     pub(super) extraction: Option<PathBuf>,

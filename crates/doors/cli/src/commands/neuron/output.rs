@@ -8,7 +8,8 @@ use crate::printer::Printer;
 use crate::series::Series;
 use anyhow::{Context, bail};
 use pompeiu::neuron::{
-    NeuronAnswer, NeuronPage, NeuronReport, NeuronRequest, Stage, Transported, refined_vtu, write_swc,
+    MaterialCells, NeuronAnswer, NeuronPage, NeuronReport, NeuronRequest, Stage, Transported, refined_vtu,
+    write_swc,
 };
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -27,7 +28,7 @@ impl<'f> Outputs<'f> {
     pub(super) fn of(files: &'f Files, request: &NeuronRequest, is_json: bool) -> anyhow::Result<Self> {
         let stage = request.stage;
         let of_stages = [
-            ("--linear", files.linear, matches!(stage, Stage::Spline | Stage::Flow | Stage::All)),
+            ("--bezier", files.bezier, matches!(stage, Stage::Spline | Stage::Flow | Stage::All)),
             ("--extraction", files.extraction.is_some(), matches!(stage, Stage::Mesh | Stage::Spline)),
             ("--compare", files.compare.is_some(), stage == Stage::Mesh),
             ("--partition", files.partition.is_some(), stage == Stage::Mesh),
@@ -85,7 +86,10 @@ impl<'f> Outputs<'f> {
         let Some(run) = &found.transported else { return Ok(()) };
         let Self { files, series, .. } = self;
         if let Some(series) = series {
-            frames(series, run, files.linear, printer)?;
+            frames(series, run, !files.bezier, printer)?;
+            if let (Some(list), false, MaterialCells::Flow(_)) = (&files.output, files.bezier, &run.cells) {
+                note_loss(list, run.cells.linear_share()?, printer);
+            }
         }
         if let Some(tips) = &files.tips_table {
             files::write_whole(tips, table(run).as_bytes(), printer)?;
@@ -101,7 +105,7 @@ impl<'f> Outputs<'f> {
 
     /// The file of a stage before transport; none if a limit ended that stage.
     fn single(&self, output: &Path, found: &NeuronAnswer, printer: &Printer) -> anyhow::Result<()> {
-        let linear = self.files.linear;
+        let linear = !self.files.bezier;
         let bytes = match found {
             NeuronAnswer { flow: Some(flow), .. } => Some(flow.vtu(linear)),
             NeuronAnswer { patches: Some(mesh), splines: Some(splines), .. } if self.is_refined => {
@@ -115,6 +119,14 @@ impl<'f> Outputs<'f> {
             _ => None,
         };
         let Some(bytes) = bytes else { return Ok(()) };
+        let share = match found {
+            NeuronAnswer { flow: Some(flow), .. } => Some(flow.linear_share()?),
+            NeuronAnswer { patches: Some(mesh), .. } => Some(mesh.linear_share()?),
+            _ => None,
+        };
+        if let Some(share) = share.filter(|_| linear) {
+            note_loss(output, share, printer);
+        }
         files::write_whole(output, &bytes.with_context(|| output.display().to_string())?, printer)
     }
 
@@ -132,6 +144,15 @@ impl<'f> Outputs<'f> {
         }
         Ok(())
     }
+}
+
+/// Says what trilinear cells lose of curved ones.
+fn note_loss(output: &Path, share: f64, printer: &Printer) {
+    printer.note(format_args!(
+        "{}: trilinear cells, which have {:.1} % of the volume; --bezier writes tricubic cells exactly",
+        output.display(),
+        100.0 * share
+    ));
 }
 
 /// Writes a grid for each frame, and the collection that names them.

@@ -2,9 +2,9 @@
 
 use super::args::Files;
 use crate::door::AnswerOf;
-use crate::numbers::{agreed, between, few, grouped, time};
+use crate::numbers::{between, few, grouped, time};
 use crate::page::Page;
-use pompeiu::neuron::SkeletonReport;
+use pompeiu::neuron::{SkeletonReport, WallDistance};
 use std::time::Duration;
 
 /// Problems that are listed; JSON lists all.
@@ -47,6 +47,44 @@ fn add_skeleton(page: &mut Page, path: &str, skeleton: &SkeletonReport) {
     }
 }
 
+/// The distance of the wall from the cones, both ways, and the samples where it is not tolerated.
+fn add_wall(page: &mut Page, wall: &WallDistance) {
+    let ways = [("from the cones", &wall.wall_to_cones), ("of the cones from it", &wall.cones_to_wall)];
+    for (i, (way, distance)) in ways.into_iter().enumerate() {
+        let length = between(distance.lower, distance.upper);
+        let radii = between(distance.lower_radii, distance.upper_radii);
+        let sample = distance.sample;
+        let row = format!("{way}: {length} µm, {radii} radii at most, near sample {sample}");
+        page.row(if i == 0 { "wall" } else { "" }, &row);
+    }
+    for (i, place) in wall.beyond.iter().take(LISTED).enumerate() {
+        let (line, sample) = (place.line, place.sample);
+        let row = format!(
+            "line {line}: {} µm, {} radii off at sample {sample}",
+            few(place.distance),
+            few(place.radii)
+        );
+        page.row(if i == 0 { "beyond" } else { "" }, &row);
+    }
+    if wall.beyond.len() > LISTED {
+        page.row("", &format!("and {} more, all in --json", grouped((wall.beyond.len() - LISTED) as u64)));
+    }
+}
+
+/// Whether the wall is as near to the cones as is tolerated; `None` if it was not measured.
+fn verdict_on_wall(wall: Option<&WallDistance>) -> Option<String> {
+    let wall = wall?;
+    Some(match wall.is_within() {
+        Some(true) => format!("the wall is within {} radii of the cones", wall.within),
+        Some(false) => format!(
+            "the wall is not within {} radii of the cones (--within {} accepts it)",
+            wall.within,
+            wall.sufficient()
+        ),
+        None => format!("whether the wall is within {} radii of the cones is not decided", wall.within),
+    })
+}
+
 /// The verdict first, then a row for each quantity.
 pub(super) fn text(path: &str, answer: &AnswerOf<Files>) -> String {
     let report = &answer.report;
@@ -61,8 +99,13 @@ pub(super) fn text(path: &str, answer: &AnswerOf<Files>) -> String {
         if mesh.certified { "every cell is proven valid" } else { "not every cell is proven valid" }
             .to_owned()
     });
+    let of_wall = verdict_on_wall(report.mesh.as_ref().and_then(|mesh| mesh.wall.as_ref()));
     let verdict = match (of_cells, of_skeleton) {
-        (Some(cells), Some(skeleton)) => format!("{cells}; the skeleton has {skeleton}"),
+        (Some(cells), Some(skeleton)) => [Some(cells), of_wall, Some(format!("the skeleton has {skeleton}"))]
+            .into_iter()
+            .flatten()
+            .collect::<Vec<_>>()
+            .join("; "),
         (cells, skeleton) => cells.or(skeleton).unwrap_or_default(),
     };
     page.row("result", &verdict);
@@ -76,10 +119,8 @@ pub(super) fn text(path: &str, answer: &AnswerOf<Files>) -> String {
             &format!("{} vertices, {} hexahedra", number(mesh.vertices), number(mesh.hexahedra)),
         );
         page.row("quality", &format!("scaled Jacobian at least {:.3}", mesh.min_scaled_jacobian));
-        if let Some(distance) = mesh.surface_distance {
-            let value = agreed(distance.lower, distance.upper);
-            let value = value.unwrap_or_else(|| between(distance.lower, distance.upper));
-            page.row("wall", &format!("{value} µm from the tubes at most"));
+        if let Some(wall) = &mesh.wall {
+            add_wall(&mut page, wall);
         }
         for (i, branch) in mesh.left_out.iter().enumerate() {
             page.row(if i == 0 { "left out" } else { "" }, branch);

@@ -1,0 +1,109 @@
+//! The distance of the wall from the surface of the skeleton's cones, both ways, proven.
+
+mod boxes;
+mod patches;
+mod pieces;
+mod search;
+mod solid;
+
+pub(super) use patches::Net;
+use pieces::{Facet, Facets, FlatEnd, Surface};
+use search::{Enclosure, enclose};
+use solid::Solid;
+
+use super::build::Cap;
+use super::options::{BeyondSample, DirectedDistance, WallDistance};
+use crate::Skeleton;
+use glam::DVec3;
+use pompeiu_core::run::Control;
+use rayon::prelude::*;
+use std::collections::BTreeMap;
+
+/// Distance of the triangles that stand for a patch of the wall from it, in radii.
+const FACETED: f64 = 0.01;
+
+/// Most parts of a patch along each direction in triangles.
+const MOST_PARTS: f64 = 32.0;
+
+/// The distance of a wall of patches from the surface of the union of the skeleton's cones, both ways.
+///
+/// # Definition
+/// At a ball, neurites begin in its centre with their own radius. Of the surface of the cones, the round ends beyond flat ends of the
+/// mesh are left out. Distances in radii are divided by the radius of the skeleton's ball next to the point.
+/// # Accuracy
+/// Proven, rounding included. `None` if there is no wall.
+/// # Cost
+/// Linear in the length of the tree in radii, but for logarithmic factors.
+pub(super) fn wall_distance<const S: usize>(
+    skeleton: &Skeleton,
+    caps: &[Cap],
+    wall: Vec<Net<S>>,
+    within: f64,
+    control: &Control,
+) -> Option<WallDistance> {
+    if wall.is_empty() {
+        return None;
+    }
+    let solid = Solid::new(skeleton);
+    let facets = Facets::new(wall.par_iter().flat_map_iter(|net| facets(&solid, net)).collect());
+    let surface = Surface::new(&solid, &facets, skeleton, &flat_ends(skeleton, caps));
+    let from_wall = enclose(wall, within, control, |net| Some(patches::bounds(&solid, net)));
+    let from_cones = enclose(surface.pieces(), within, control, |piece| surface.bounds(piece));
+    let samples = skeleton.samples();
+    let directed = |found: &Enclosure| DirectedDistance {
+        lower: found.lower[0],
+        upper: found.upper[0],
+        lower_radii: found.lower[1],
+        upper_radii: found.upper[1],
+        sample: samples[found.sample].id,
+    };
+    let (wall_to_cones, cones_to_wall) = (directed(&from_wall), directed(&from_cones));
+    let mut beyond: BTreeMap<usize, [f64; 2]> = BTreeMap::new();
+    for (sample, distance) in from_wall.beyond.into_iter().chain(from_cones.beyond) {
+        let most = beyond.entry(sample).or_insert(distance);
+        if distance[1] > most[1] {
+            *most = distance;
+        }
+    }
+    let mut beyond: Vec<BeyondSample> = beyond
+        .into_iter()
+        .map(|(sample, [distance, radii])| {
+            let sample = samples[sample];
+            BeyondSample { sample: sample.id, line: sample.line, distance, radii }
+        })
+        .collect();
+    beyond.sort_by(|a, b| b.radii.total_cmp(&a.radii).then(a.line.cmp(&b.line)));
+    Some(WallDistance { within, wall_to_cones, cones_to_wall, beyond })
+}
+
+/// Triangles that stand for a patch.
+fn facets<const S: usize>(solid: &Solid, net: &Net<S>) -> Vec<Facet> {
+    let nearest = solid.nearest(net.at(0.5, 0.5));
+    let radius = solid.cones[nearest.cone].radius(nearest.t);
+    let bend = net.bend() / 8.0;
+    let n = (bend / (FACETED * radius)).sqrt().ceil().clamp(1.0, MOST_PARTS);
+    let off = bend / (n * n);
+    let at = |i: usize, j: usize| net.at(i as f64 / n, j as f64 / n);
+    let n = n as usize;
+    let mut found = Vec::with_capacity(2 * n * n);
+    for i in 0..n {
+        for j in 0..n {
+            let [a, b, c, d] = [at(i, j), at(i, j + 1), at(i + 1, j + 1), at(i + 1, j)];
+            found.extend([([a, b, c], off), ([a, c, d], off)]);
+        }
+    }
+    found
+}
+
+/// The flat ends at samples of the skeleton, which face away from their neighbours.
+fn flat_ends(skeleton: &Skeleton, caps: &[Cap]) -> Vec<FlatEnd> {
+    let samples = skeleton.samples();
+    let ids: BTreeMap<i64, usize> = samples.iter().enumerate().map(|(i, sample)| (sample.id, i)).collect();
+    let end = |cap: &Cap| {
+        let sample = *ids.get(&cap.sample)?;
+        let neighbour = skeleton.parent(sample).or_else(|| skeleton.children(sample).first().copied())?;
+        let away: DVec3 = samples[sample].position - samples[neighbour].position;
+        Some(FlatEnd { sample, outwards: away.normalize_or(cap.normal) })
+    };
+    caps.iter().filter_map(end).collect()
+}

@@ -1,0 +1,192 @@
+//! The union of the round cones of a skeleton, with proven bounds on the distance from it.
+
+use super::boxes::Boxes;
+use crate::mesh::tube::is_ball;
+use crate::{RoundCone, Skeleton};
+use glam::DVec3;
+
+/// Rounding of a distance, relative to the greatest coordinate and radius.
+///
+/// # Accuracy
+/// With u = 2⁻⁵³ and M the sum of the greatest coordinate and the greatest radius. Points of patches are means or convex
+/// combinations of points of at most M, over at most 14 levels with 6 operations each: 84 u M. Points on cones have at most
+/// 20 operations with vectors of at most M. A distance from a cone or a triangle has at most 24 operations with lengths of at most
+/// 4 M. Together less than 300 u M, which is more than doubled.
+const ROUNDING: f64 = 640.0 * 1.110_223_024_625_156_5e-16;
+
+/// A cone of the skeleton.
+pub(super) struct Cone {
+    pub(super) shape: RoundCone,
+    /// The samples at its ends.
+    pub(super) samples: [usize; 2],
+    /// The slope of the radius; the lateral surface exists if it is between -1 and 1.
+    slope: f64,
+}
+
+impl Cone {
+    fn new(cone: RoundCone, samples: [usize; 2]) -> Self {
+        let length = cone.ends[0].distance(cone.ends[1]);
+        let change = cone.radii[1] - cone.radii[0];
+        let slope = if length > 0.0 { change / length } else { f64::INFINITY };
+        Self { shape: cone, samples, slope }
+    }
+
+    /// The slope of the radius along the axis, if the cone has a lateral surface.
+    pub(super) fn lateral_slope(&self) -> Option<f64> {
+        (self.slope.abs() < 1.0).then_some(self.slope)
+    }
+
+    /// The radius at a parameter.
+    pub(super) fn radius(&self, t: f64) -> f64 {
+        self.shape.radii[0] + (self.shape.radii[1] - self.shape.radii[0]) * t
+    }
+
+    /// A lower bound on the radius of the nearest ball of any point within `reach` of one whose nearest ball is at `t`.
+    ///
+    /// The nearest ball moves along the axis by at most `1 / √(1 − k²)` times what the point moves, `k` the slope.
+    fn least_radius(&self, t: f64, reach: f64) -> f64 {
+        let least = self.shape.radii[0].min(self.shape.radii[1]);
+        if self.slope.is_nan() || self.slope.abs() >= 1.0 {
+            return least;
+        }
+        let change = self.slope.abs() * reach / (1.0 - self.slope * self.slope).sqrt();
+        (self.radius(t) - change).max(least)
+    }
+
+    /// The direction from the nearest ball's centre to a point.
+    pub(super) fn outwards(&self, p: DVec3, t: f64) -> DVec3 {
+        let [a, b] = self.shape.ends;
+        let (away, axis) = (p - a.lerp(b, t), b - a);
+        away.try_normalize()
+            .unwrap_or_else(|| axis.try_normalize().unwrap_or(DVec3::X).any_orthonormal_vector())
+    }
+
+    /// A lower bound on the distance of all points of a convex hull, moved by `shift`, from the cone, negative inside: that from
+    /// the half-space with this unit normal that contains the cone.
+    pub(super) fn beyond(&self, hull: &[DVec3], shift: DVec3, normal: DVec3) -> f64 {
+        let [a, b] = self.shape.ends;
+        let support = self.shape.radii[0].max(normal.dot(b - a) + self.shape.radii[1]);
+        let least = hull.iter().map(|p| normal.dot(*p + shift - a)).fold(f64::INFINITY, f64::min);
+        least - support
+    }
+
+    /// An upper bound on the distance of all points of a convex hull from the cone, negative inside: the distance is convex.
+    pub(super) fn within(&self, hull: &[DVec3]) -> f64 {
+        hull.iter().map(|p| self.shape.distance(*p).0).fold(f64::NEG_INFINITY, f64::max)
+    }
+}
+
+/// The union of cones.
+pub(super) struct Solid {
+    pub(super) cones: Vec<Cone>,
+    boxes: Boxes,
+    /// Bound on the rounding of any distance here, in micrometres.
+    pub(super) rounding: f64,
+}
+
+/// The ball nearest to a point: the one with the least distance from its surface, negative inside.
+#[derive(Clone, Copy)]
+pub(super) struct Nearest {
+    pub(super) cone: usize,
+    pub(super) t: f64,
+    /// Bounds on the distance from the union, without rounding.
+    pub(super) lower: f64,
+    pub(super) upper: f64,
+}
+
+impl Solid {
+    /// The cones between neighbouring samples. At a ball, neurites begin in its centre with their own radius.
+    pub(super) fn new(skeleton: &Skeleton) -> Self {
+        let samples = skeleton.samples();
+        let mut cones = Vec::with_capacity(samples.len());
+        for (i, sample) in samples.iter().enumerate() {
+            if is_ball(skeleton, i) || skeleton.degree(i) == 0 {
+                let (ends, radii) = ([sample.position; 2], [sample.radius; 2]);
+                cones.push(Cone::new(RoundCone { ends, radii }, [i, i]));
+            }
+            if let Some(parent) = skeleton.parent(i) {
+                let pair = [parent, i];
+                let ends = pair.map(|k| samples[k].position);
+                let mut radii = pair.map(|k| samples[k].radius);
+                for side in 0..2 {
+                    if is_ball(skeleton, pair[side]) && !is_ball(skeleton, pair[1 - side]) {
+                        radii[side] = samples[pair[1 - side]].radius;
+                    }
+                }
+                cones.push(Cone::new(RoundCone { ends, radii }, pair));
+            }
+        }
+        let boxes: Vec<[DVec3; 2]> = cones.iter().map(|cone| cone.shape.bounds()).collect();
+        let size = boxes.iter().flatten().map(|p| p.abs().max_element()).fold(0.0, f64::max);
+        let radius = samples.iter().map(|sample| sample.radius).fold(0.0, f64::max);
+        Self { cones, boxes: Boxes::new(&boxes), rounding: ROUNDING * (size + radius) }
+    }
+
+    /// The nearest ball.
+    pub(super) fn nearest(&self, p: DVec3) -> Nearest {
+        let mut found = Nearest { cone: 0, t: 0.0, lower: f64::INFINITY, upper: f64::INFINITY };
+        self.boxes.visit(p, f64::INFINITY, |index| {
+            let cone = &self.cones[index as usize];
+            let (distance, t) = cone.shape.distance(p);
+            let lower = cone.beyond(&[p], DVec3::ZERO, cone.outwards(p, t));
+            found.lower = found.lower.min(lower);
+            if distance < found.upper {
+                found = Nearest { cone: index as usize, t, upper: distance, ..found };
+            }
+            found.upper.max(0.0)
+        });
+        found
+    }
+
+    /// Calls `visit` with each cone whose box is within a distance of a point.
+    pub(super) fn near(&self, p: DVec3, distance: f64, mut visit: impl FnMut(&Cone)) {
+        self.boxes.visit(p, distance, |index| {
+            visit(&self.cones[index as usize]);
+            distance
+        });
+    }
+
+    /// A lower bound on the radius of the nearest ball of any point within `reach` of `p`, whose distance from the union is at most
+    /// `distance`.
+    pub(super) fn least_radius(&self, p: DVec3, distance: f64, reach: f64) -> f64 {
+        let mut least = f64::INFINITY;
+        let limit = distance + 2.0 * reach + self.rounding;
+        self.near(p, limit.max(0.0), |cone| {
+            let (found, t) = cone.shape.distance(p);
+            if found <= limit {
+                least = least.min(cone.least_radius(t, reach));
+            }
+        });
+        least
+    }
+
+    /// The length of a move by which all points of a convex hull around `centre` leave the union; infinite if none was found. 0 if they
+    /// are outside.
+    ///
+    /// The move is projected onto the half-spaces beyond the cones that the points are in, the deepest first.
+    pub(super) fn exit(&self, hull: &[DVec3], centre: DVec3, reach: f64) -> f64 {
+        let mut shift = DVec3::ZERO;
+        for step in 0..MOST_MOVES {
+            let moved = centre + shift;
+            let mut deepest = (0.0, DVec3::ZERO);
+            self.near(moved, reach, |cone| {
+                let normal = cone.outwards(moved, cone.shape.distance(moved).1);
+                let missing = self.rounding - cone.beyond(hull, shift, normal);
+                if missing > deepest.0 {
+                    deepest = (missing, normal);
+                }
+            });
+            if deepest.0 <= 0.0 {
+                return shift.length();
+            }
+            shift += deepest.1 * (deepest.0 * (1.0 + EXCESS * f64::from(step)));
+        }
+        f64::INFINITY
+    }
+}
+
+/// Most projections of a move.
+const MOST_MOVES: u32 = 48;
+
+/// By how much more a move is projected with each step, so that it ends after finitely many between slanted half-spaces.
+const EXCESS: f64 = 0.01;

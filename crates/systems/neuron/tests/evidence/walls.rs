@@ -1,0 +1,243 @@
+//! The distance of walls from the cones of the file, both ways: against points tried on both surfaces, distances of which are computed by other means;
+//! what is tolerated and what is not.
+
+use glam::DVec3;
+use pompeiu_neuron::{
+    MeshOptions, NeuronMesh, Preparation, RoundCone, Skeleton, SmoothOptions, WallDistance, cubic_neuron,
+    mesh_neuron, prepare, read_swc,
+};
+use std::fmt::Write;
+
+const FORK: &str = "1 2 0 0 0 1 -1\n2 2 6 0 0 1 1\n3 2 12 0 0 1 2\n4 2 18 5 0 0.8 3\n5 2 18 -5 2 0.7 3\n";
+const BACK: &str = "1 2 0 0 0 1 -1\n2 2 10 0 0 1 1\n3 2 0.5 0.5 0 1 2\n";
+const SHARP: &str = "1 2 0 0 0 1 -1\n2 2 12 0 0 1 1\n3 2 6 10.392 0 1 2\n";
+const CONE: &str = "1 2 0 0 0 2 -1\n2 2 6 0 0 1 1\n3 2 9 1 0 0.5 2\n";
+const SOMA: &str = "1 1 0 0 0 4 -1\n2 3 8 0 0 1 1\n3 3 14 0 0 1 2\n4 3 -8 2 0 1.2 1\n5 3 -14 4 0 1 4\n";
+/// Tubes that run into each other where they have no common sample.
+const CROSSED: &str = "1 2 0 0 0 1 -1\n2 2 10 0 0 1 1\n3 2 10 10 0 1 2\n4 2 5 10 0 1 3\n5 2 5 -6 0.5 1 4\n";
+
+fn skeleton(text: &str) -> Skeleton {
+    Skeleton::new(&read_swc(text.as_bytes()).unwrap()).unwrap()
+}
+
+/// Numbers between 0 and 1.
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+    }
+}
+
+fn cones(skeleton: &Skeleton) -> Vec<RoundCone> {
+    let samples = skeleton.samples();
+    let mut found = Vec::new();
+    for (i, sample) in samples.iter().enumerate() {
+        let Some(parent) = skeleton.parent(i) else { continue };
+        let parent = samples[parent];
+        let is_ball = parent.kind == pompeiu_neuron::SOMA;
+        if is_ball {
+            found.push(RoundCone { ends: [parent.position; 2], radii: [parent.radius; 2] });
+        }
+        let first = if is_ball { sample.radius } else { parent.radius };
+        found.push(RoundCone { ends: [parent.position, sample.position], radii: [first, sample.radius] });
+    }
+    found
+}
+
+/// The signed distance from the nearest ball, by a ternary search in each cone, and the radius of this ball.
+fn nearest(cones: &[RoundCone], p: DVec3) -> (f64, f64) {
+    let mut best = (f64::INFINITY, 0.0);
+    for cone in cones {
+        let radius = |t: f64| cone.radii[0] + (cone.radii[1] - cone.radii[0]) * t;
+        let at = |t: f64| p.distance(cone.ends[0].lerp(cone.ends[1], t)) - radius(t);
+        let (mut low, mut high) = (0.0, 1.0);
+        for _ in 0..60 {
+            let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
+            if at(a) < at(b) { high = b } else { low = a }
+        }
+        for t in [0.0, low, 1.0] {
+            if at(t) < best.0 {
+                best = (at(t), radius(t));
+            }
+        }
+    }
+    best
+}
+
+/// Points of the surface of the union of cones, with the radii of their balls.
+fn surface(cones: &[RoundCone], skeleton: &Skeleton, random: &mut Random, count: usize) -> Vec<(DVec3, f64)> {
+    let samples = skeleton.samples();
+    let ends: Vec<(DVec3, DVec3)> = (0..samples.len())
+        .filter(|&i| skeleton.degree(i) == 1)
+        .map(|i| {
+            let next = skeleton.parent(i).unwrap_or_else(|| skeleton.children(i)[0]);
+            (samples[i].position, (samples[i].position - samples[next].position).normalize())
+        })
+        .collect();
+    let mut found = Vec::new();
+    while found.len() < count {
+        let cone = &cones[(random.next() * cones.len() as f64) as usize % cones.len()];
+        // A direction, and the ball of the cone that is farthest in it at a place of the axis.
+        let d = DVec3::new(random.next() - 0.5, random.next() - 0.5, random.next() - 0.5).normalize();
+        let axis = (cone.ends[1] - cone.ends[0]).normalize_or_zero();
+        let slope = (cone.radii[1] - cone.radii[0]) / cone.ends[0].distance(cone.ends[1]);
+        let (t, d) = match random.next() {
+            x if x < 0.2 => (0.0, d),
+            x if x < 0.4 => (1.0, d),
+            _ if slope.abs() < 1.0 => {
+                let across = (d - axis * d.dot(axis)).normalize();
+                (random.next(), across * (1.0 - slope * slope).sqrt() - axis * slope)
+            }
+            _ => continue,
+        };
+        let radius = cone.radii[0] + (cone.radii[1] - cone.radii[0]) * t;
+        let p = cone.ends[0].lerp(cone.ends[1], t) + d * radius;
+        let is_cut =
+            ends.iter().any(|(tip, out)| (p - *tip).dot(*out) > 0.0 && p.distance(*tip) < radius + 1e-9);
+        if nearest(cones, p).0 > -1e-9 && !is_cut {
+            found.push((p, radius));
+        }
+    }
+    found
+}
+
+fn distance_from_segment(p: DVec3, a: DVec3, b: DVec3) -> f64 {
+    let t = ((p - a).dot(b - a) / (b - a).length_squared()).clamp(0.0, 1.0);
+    p.distance(a.lerp(b, t))
+}
+
+fn distance_from_triangle(p: DVec3, [a, b, c]: [DVec3; 3]) -> f64 {
+    let normal = (b - a).cross(c - a).normalize();
+    let foot = p - normal * (p - a).dot(normal);
+    let is_left = |u: DVec3, v: DVec3| (v - u).cross(foot - u).dot(normal) >= 0.0;
+    if is_left(a, b) && is_left(b, c) && is_left(c, a) {
+        return p.distance(foot);
+    }
+    [(a, b), (b, c), (c, a)]
+        .iter()
+        .map(|(u, v)| distance_from_segment(p, *u, *v))
+        .fold(f64::INFINITY, f64::min)
+}
+
+/// Quads of the wall of trilinear cells.
+fn quads(mesh: &NeuronMesh) -> Vec<[DVec3; 4]> {
+    let wall = mesh.faces.boundary().iter().zip(&mesh.labels).filter(|(_, label)| **label == 0);
+    wall.map(|(face, _)| face.vertices.map(|v| mesh.mesh.positions()[v as usize])).collect()
+}
+
+/// Triangles of quads divided into 4 by 4 parts, and how far they may be from the quads.
+fn triangles(quads: &[[DVec3; 4]]) -> (Vec<[DVec3; 3]>, f64) {
+    let (mut found, mut off) = (Vec::new(), 0.0_f64);
+    for &[a, b, c, d] in quads {
+        off = off.max((a - b + c - d).length() / 64.0);
+        let at =
+            |i: usize, j: usize| a.lerp(b, i as f64 / 4.0).lerp(d.lerp(c, i as f64 / 4.0), j as f64 / 4.0);
+        for (i, j) in (0..16).map(|k| (k / 4, k % 4)) {
+            found.push([at(i, j), at(i + 1, j), at(i + 1, j + 1)]);
+            found.push([at(i, j), at(i + 1, j + 1), at(i, j + 1)]);
+        }
+    }
+    (found, off)
+}
+
+/// Tries points of both surfaces: none is farther than the upper bounds, and some are nearly as far as the lower ones.
+fn try_points(text: &str, quads: &[[DVec3; 4]], wall: &WallDistance, is_deep: bool) {
+    let skeleton = skeleton(text);
+    let cones = cones(&skeleton);
+    let mut random = Random(3);
+    let mut most = [0.0_f64; 2];
+    for _ in 0..4000 {
+        let [a, b, c, d] = quads[(random.next() * quads.len() as f64) as usize % quads.len()];
+        let (u, v) = (random.next(), random.next());
+        let (distance, radius) = nearest(&cones, a.lerp(b, u).lerp(d.lerp(c, u), v));
+        // Inside, the ball that fits into a cone is a lower bound.
+        most = [most[0].max(distance.abs()), most[1].max(distance.abs() / radius)];
+    }
+    let found = &wall.wall_to_cones;
+    assert!(most[0] <= found.upper && most[1] <= found.upper_radii, "{text}: {most:?} {found:?}");
+    assert!(is_deep || most[1] > 0.9 * found.upper_radii - 0.03, "{text}: {most:?} {found:?}");
+    assert!(found.lower <= found.upper && found.lower_radii <= found.upper_radii, "{found:?}");
+    let (triangles, off) = triangles(quads);
+    let mut most = [0.0_f64; 2];
+    for (p, radius) in surface(&cones, &skeleton, &mut random, 300) {
+        let distance =
+            triangles.iter().map(|t| distance_from_triangle(p, *t)).fold(f64::INFINITY, f64::min) - off;
+        most = [most[0].max(distance), most[1].max(distance / radius)];
+    }
+    let found = &wall.cones_to_wall;
+    assert!(most[0] <= found.upper && most[1] <= found.upper_radii, "{text}: {most:?} {found:?}");
+    assert!(most[1] > 0.8 * found.upper_radii - 0.06 - off, "{text}: {most:?} {found:?}");
+}
+
+#[test]
+fn no_point_is_farther_than_is_proven() {
+    for (text, parts) in [(FORK, 2), (FORK, 1), (BACK, 2), (SHARP, 2), (CONE, 1), (SOMA, 2), (CROSSED, 2)] {
+        let found = mesh_neuron(&skeleton(text), &MeshOptions { parts, ..MeshOptions::default() }).unwrap();
+        let wall = found.report.wall.as_ref().unwrap();
+        try_points(text, &quads(&found), wall, text == CROSSED || text == BACK);
+        let [lower, upper] = wall.in_radii();
+        assert!(text == CROSSED || upper - lower < 0.1 * upper + 0.05, "{text}: {wall:?}");
+    }
+}
+
+#[test]
+fn no_point_of_tricubic_cells_is_farther_than_is_proven() {
+    let found = cubic_neuron(&skeleton(CONE), &MeshOptions::default()).unwrap();
+    let wall = found.report.wall.as_ref().unwrap();
+    // Quads through points of the patches stand for them: 3e-3 of a radius off.
+    let (fine, _) = found.mesh.subdivided(8, &[]).unwrap();
+    let corners = fine.corner_mesh().unwrap();
+    let faces = pompeiu_volume::Faces::new(&corners).unwrap();
+    let ends = found.caps.iter().map(|cap| (cap.centre, cap.normal)).collect::<Vec<_>>();
+    let quads: Vec<[DVec3; 4]> = faces
+        .boundary()
+        .iter()
+        .map(|face| face.vertices.map(|v| corners.positions()[v as usize]))
+        .filter(|quad| !ends.iter().any(|(c, n)| quad.iter().all(|p| (*p - *c).dot(*n).abs() < 1e-9)))
+        .collect();
+    let slack = 3e-3;
+    let mut wide = wall.clone();
+    for way in [&mut wide.wall_to_cones, &mut wide.cones_to_wall] {
+        (way.upper, way.upper_radii) = (way.upper + slack, way.upper_radii + slack);
+    }
+    try_points(CONE, &quads, &wide, false);
+}
+
+#[test]
+fn what_is_tolerated_is_decided() {
+    for (text, within, expected) in [
+        (FORK, 0.2, Some(true)),
+        (FORK, 0.05, Some(false)),
+        (BACK, 0.2, Some(false)),
+        (BACK, 20.0, Some(true)),
+        (CROSSED, 0.2, Some(false)),
+    ] {
+        let found = mesh_neuron(&skeleton(text), &MeshOptions { within, ..MeshOptions::default() }).unwrap();
+        let wall = found.report.wall.unwrap();
+        assert_eq!(wall.is_within(), expected, "{text}: {wall:?}");
+        assert_eq!(wall.beyond.is_empty(), expected == Some(true), "{wall:?}");
+        assert!(wall.beyond.iter().all(|place| place.radii > within), "{wall:?}");
+        assert!(wall.sufficient() >= wall.in_radii()[1]);
+    }
+    let back = mesh_neuron(&skeleton(BACK), &MeshOptions::default()).unwrap().report.wall.unwrap();
+    assert_eq!((back.beyond[0].sample, back.beyond[0].line), (2, 2), "{back:?}");
+}
+
+#[test]
+fn smoothed_skeletons_are_compared_with_the_file() {
+    // A zigzag of 0.8 radii that smoothing removes.
+    let mut text = String::new();
+    for i in 1..=12 {
+        let (y, parent) = (if i % 2 == 0 { 0.8 } else { 0.0 }, if i == 1 { -1 } else { i - 1 });
+        let _ = writeln!(text, "{i} 2 {} {y} 0 1 {parent}", 3 * i);
+    }
+    let smooth = SmoothOptions { steps: 50, spacing: None };
+    let prepared = prepare(text.as_bytes(), &Preparation { repair: false, smooth }).unwrap();
+    let options = prepared.against_file(&MeshOptions::default());
+    let wall = mesh_neuron(&prepared.skeleton, &options).unwrap().report.wall.unwrap();
+    assert_eq!(wall.is_within(), Some(false), "{wall:?}");
+    let itself = mesh_neuron(&prepared.skeleton, &MeshOptions::default()).unwrap().report.wall.unwrap();
+    assert_eq!(itself.is_within(), Some(true), "{itself:?}");
+}
