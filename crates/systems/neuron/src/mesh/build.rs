@@ -351,13 +351,14 @@ fn finish(
     let labels = labels(&faces, &caps, mesh.positions().len());
     let caps = parts.caps(skeleton, &caps);
     let wall = if options.measure {
+        let ends: Vec<_> = caps.iter().map(|cap| (cap.sample, cap.normal)).collect();
         let walls = faces.boundary().iter().zip(&labels).filter(|(_, label)| **label == 0);
         let patch = |(face, _): (&BoundaryFace, _)| {
             let [a, b, c, d] = face.vertices.map(|v| mesh.positions()[v as usize]);
             Net { points: [[a, b], [d, c]] }
         };
         let reference = options.reference.unwrap_or(skeleton);
-        wall_distance(reference, &caps, walls.map(patch).collect(), options.within, control)
+        wall_distance(reference, &ends, walls.map(patch).collect(), options.within, control)
     } else {
         None
     };

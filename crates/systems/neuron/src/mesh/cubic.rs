@@ -222,9 +222,10 @@ fn finish(
     go_on(control)?;
     let caps = parts.caps(skeleton, &caps);
     let wall = if options.measure {
+        let ends: Vec<_> = caps.iter().map(|cap| (cap.sample, cap.normal)).collect();
         let walls = faces.boundary().iter().zip(&labels).filter(|(_, label)| **label == 0);
         let patches = walls.map(|(face, _)| patch(&mesh, face)).collect();
-        wall_distance(options.reference.unwrap_or(skeleton), &caps, patches, options.within, control)
+        wall_distance(options.reference.unwrap_or(skeleton), &ends, patches, options.within, control)
     } else {
         None
     };

@@ -11,7 +11,6 @@ use pieces::{Facet, Facets, FlatEnd, Surface};
 use search::{Enclosure, enclose};
 use solid::Solid;
 
-use super::build::Cap;
 use super::options::{BeyondSample, DirectedDistance, WallDistance};
 use crate::Skeleton;
 use glam::DVec3;
@@ -25,7 +24,8 @@ const FACETED: f64 = 0.01;
 /// Most parts of a patch along each direction in triangles.
 const MOST_PARTS: f64 = 32.0;
 
-/// The distance of a wall of patches from the surface of the union of the skeleton's cones, both ways.
+/// The distance of a wall of patches from the surface of the union of the skeleton's cones, both ways. `ends` are the flat ends of the
+/// mesh: the number of the sample, and the normal outwards.
 ///
 /// # Definition
 /// At a ball, neurites begin in its centre with their own radius. Of the surface of the cones, the round ends beyond flat ends of the
@@ -36,7 +36,7 @@ const MOST_PARTS: f64 = 32.0;
 /// Linear in the length of the tree in radii, but for logarithmic factors.
 pub(super) fn wall_distance<const S: usize>(
     skeleton: &Skeleton,
-    caps: &[Cap],
+    ends: &[(i64, DVec3)],
     wall: Vec<Net<S>>,
     within: f64,
     control: &Control,
@@ -46,7 +46,7 @@ pub(super) fn wall_distance<const S: usize>(
     }
     let solid = Solid::new(skeleton);
     let facets = Facets::new(wall.par_iter().flat_map_iter(|net| facets(&solid, net)).collect());
-    let surface = Surface::new(&solid, &facets, skeleton, &flat_ends(skeleton, caps));
+    let surface = Surface::new(&solid, &facets, skeleton, &flat_ends(skeleton, ends));
     let from_wall = enclose(wall, within, control, |net| Some(patches::bounds(&solid, net)));
     let from_cones = enclose(surface.pieces(), within, control, |piece| surface.bounds(piece));
     let samples = skeleton.samples();
@@ -96,14 +96,14 @@ fn facets<const S: usize>(solid: &Solid, net: &Net<S>) -> Vec<Facet> {
 }
 
 /// The flat ends at samples of the skeleton, which face away from their neighbours.
-fn flat_ends(skeleton: &Skeleton, caps: &[Cap]) -> Vec<FlatEnd> {
+fn flat_ends(skeleton: &Skeleton, ends: &[(i64, DVec3)]) -> Vec<FlatEnd> {
     let samples = skeleton.samples();
     let ids: BTreeMap<i64, usize> = samples.iter().enumerate().map(|(i, sample)| (sample.id, i)).collect();
-    let end = |cap: &Cap| {
-        let sample = *ids.get(&cap.sample)?;
+    let end = |(id, normal): &(i64, DVec3)| {
+        let sample = *ids.get(id)?;
         let neighbour = skeleton.parent(sample).or_else(|| skeleton.children(sample).first().copied())?;
         let away: DVec3 = samples[sample].position - samples[neighbour].position;
-        Some(FlatEnd { sample, outwards: away.normalize_or(cap.normal) })
+        Some(FlatEnd { sample, outwards: away.normalize_or(*normal) })
     };
-    caps.iter().filter_map(end).collect()
+    ends.iter().filter_map(end).collect()
 }
