@@ -102,3 +102,9 @@ pub enum OptionError {
 pub(crate) fn check_threshold(threshold: f64) -> Result<(), OptionError> {
     if (0.0..f64::INFINITY).contains(&threshold) { Ok(()) } else { Err(OptionError::Threshold(threshold)) }
 }
+
+/// # Errors
+/// [`OptionError::Slack`] unless it is finite and not negative.
+pub(crate) fn check_slack(slack: f64) -> Result<(), OptionError> {
+    if (0.0..f64::INFINITY).contains(&slack) { Ok(()) } else { Err(OptionError::Slack(slack)) }
+}

@@ -9,7 +9,7 @@ use std::process::Command;
 /// Names of crates, by the crate that depends on them.
 type Arrows = BTreeMap<String, BTreeSet<String>>;
 
-fn root() -> PathBuf {
+pub(crate) fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../..")
 }
 
@@ -102,7 +102,7 @@ fn sources(folder: &Path, names: &mut BTreeSet<String>) {
 }
 
 /// The folders of the crates of the workspace, from the root of the repository.
-fn crate_folders() -> Vec<String> {
+pub(crate) fn crate_folders() -> Vec<String> {
     let groups = ["base", "systems", "show", "doors"].map(|group| format!("crates/{group}"));
     let inside = groups.iter().flat_map(|group| {
         let folders = fs::read_dir(root().join(group)).unwrap().map(Result::unwrap);

@@ -3,4 +3,5 @@
 #![allow(clippy::unwrap_used, reason = "a helper of a test fails by panicking, as the test does")]
 
 mod architecture;
+mod circles;
 mod pictures;

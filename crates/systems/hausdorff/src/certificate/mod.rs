@@ -12,8 +12,8 @@ mod chord;
 mod encode;
 mod face;
 mod few;
+mod of_request;
 
-pub(crate) use answer::check_slack;
 pub use answer::{AttachedProof, CertificateAnswer};
 
 use crate::engine::bytes_to_start;

@@ -1,9 +1,9 @@
 //! How much of an area is up to how far away.
 
-use super::entry::{Entry, LESS, MORE, Moments, Portion, Sum};
+use super::entry::{Entry, LESS, MORE, Moments, Sum};
 use super::linear::{PartUpTo, greatest, least, lesser};
 use super::packed::Entries;
-use super::pieces::Measured;
+use super::portion::Portion;
 use pompeiu_core::exact::Interval;
 use rayon::prelude::*;
 
@@ -134,4 +134,18 @@ fn first_not_below(levels: &[f64], value: f64, per_length: f64) -> usize {
 /// The edge between bins.
 pub(super) fn level(largest: f64, k: usize, bins: usize) -> f64 {
     if k == bins { largest } else { lesser(largest * (k as f64 / bins as f64), largest) }
+}
+
+/// An area of which is known how much of it is up to how far away.
+pub(super) trait Measured {
+    fn moments(&self) -> Moments;
+
+    /// Encloses for each share the least distance that so much of the area does not exceed, up to a part `fine` of itself, or as fine as it goes.
+    fn percentiles(&self, shares: &[f64], area: Interval, largest: f64, fine: f64) -> Vec<(f64, f64)>;
+
+    /// Encloses the area whose distance is at most a level that is not negative.
+    fn area_up_to(&self, level: f64) -> Interval;
+
+    /// The areas up to each of the levels `largest * k / bins`, `k` from 0 to `bins`; of no bins, none.
+    fn cumulative(&self, largest: f64, bins: usize) -> Vec<Sum>;
 }

@@ -4,10 +4,8 @@ use super::linear::{
     Corners, greater, greatest, least, lesser, mean, mean_enclosure, mean_of_positive, mean_square_enclosure,
     mean_square_of_positive,
 };
-use super::packed::Entries;
 use super::polygon::Polygon;
 use pompeiu_core::exact::Interval;
-use std::ops::Range;
 
 /// Factors that outweigh the rounding of a few products.
 pub(super) const MORE: f64 = 1.0 + 8.0 * f64::EPSILON;
@@ -104,28 +102,6 @@ fn between(lower: f64, upper: f64) -> (f64, f32) {
 /// Rounding to fewer digits takes less than this part of a number whose magnitude is no less than [`SMALL`].
 pub(super) const STEP: f64 = 1.0 / (1 << 23) as f64;
 pub(super) const SMALL: f64 = 1e-30;
-
-/// The entries of the faces of one task, face by face.
-#[derive(Clone, Debug)]
-pub(super) struct Portion {
-    pub(super) entries: Entries,
-    /// Where those of each face start, and one end more.
-    pub(super) starts: Vec<u32>,
-    /// Of all of them.
-    pub(super) moments: Moments,
-}
-
-impl Portion {
-    /// Where the entries of one of the faces are.
-    pub(super) fn places(&self, face: usize) -> Range<usize> {
-        self.starts[face] as usize..self.starts[face + 1] as usize
-    }
-
-    /// The entries of one of the faces.
-    pub(super) fn of_face(&self, face: usize) -> impl Iterator<Item = Entry> + '_ {
-        self.entries.range(self.places(face))
-    }
-}
 
 /// A sum of numbers that are not negative, from below and from above.
 #[derive(Clone, Copy, Debug, Default)]

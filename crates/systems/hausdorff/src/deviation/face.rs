@@ -3,23 +3,11 @@
 use super::cells::{Cells, Limits, Rest, Task};
 use super::criterion::Criterion;
 use super::envelope::{Envelope, Open, Wish};
-use super::planes::Planes;
+use super::planes::{Planes, Start};
 use super::polygon::{Outline, Piece, Polygon};
 use crate::rounding::Rounding;
 use pompeiu_core::run::Control;
-use pompeiu_core::spatial::{Bvh, Neighbours, Slot};
-
-/// A face of A, and what is known about it before it is looked at. Lengths are in the frame.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Start {
-    pub(super) corners: [[f64; 3]; 3],
-    /// Its area, rounded.
-    pub(super) area: f64,
-    /// Distances of the corners from B, rounded.
-    pub(super) distances: [f64; 3],
-    /// The faces of B nearest to them.
-    pub(super) near: [Slot; 3],
-}
+use pompeiu_core::spatial::{Bvh, Neighbours};
 
 /// Pieces whose longest edge is no longer than this many units of rounding are not cut.
 const LEAST_SIZE: f64 = 64.0;

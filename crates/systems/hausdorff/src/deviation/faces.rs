@@ -1,9 +1,9 @@
 //! Distances face by face.
 
+use super::bounds::FaceBounds;
 use super::linear::{greater, lesser};
 use super::report::FaceDeviation;
 use super::statistics::length_out;
-use super::task::FaceBounds;
 use pompeiu_core::geom::Frame;
 use rayon::prelude::*;
 

@@ -3,52 +3,21 @@
 //! Pieces are cut for statistics, which a few wide ones do not widen; but the maximum of a face is that of its worst piece. The
 //! search for the largest distance of all is asked again, for one face at a time.
 
+use super::bounds::{FaceBounds, Maximum, Precision};
 use super::linear::{greater, lesser};
 use super::measure::VertexDistances;
-use super::task::FaceBounds;
 use crate::rounding::Rounding;
 use crate::search::{Limits, Local, Scene, Start, search_each};
-use pompeiu_core::spatial::Slot;
 use rayon::prelude::*;
 
-/// The largest distance on a face, from below and from above, in the frame.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Maximum {
-    pub(super) lower: f64,
-    pub(super) upper: f64,
-    /// Where the distance is at least the lower end, but for rounding.
-    pub(super) point: [f64; 3],
-    /// Cuts by which that point was placed.
-    depth: u32,
-    /// A face of the other mesh near it.
-    near: Slot,
-    /// How narrow it was asked to be.
-    asked: Precision,
-}
-
-/// How narrow a maximum should be.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Precision {
-    /// As the pieces have it.
-    Pieces,
-    /// [`OF_LARGEST`] of the largest distance of all: a step of a colour map.
-    Map,
-    /// [`OF_ITSELF`] of itself: to tell whether the face belongs to a region.
-    Level,
-    /// [`OF_PEAK`] of itself: the peak of a region.
-    Peak,
-}
-
 /// Width of the maximum of any face, as a part of the largest distance: colours have 256 steps.
-const OF_LARGEST: f64 = 1.0 / 256.0;
+pub(super) const OF_LARGEST: f64 = 1.0 / 256.0;
 /// Width of the maximum of a face that may belong to a region, as a part of itself.
-const OF_ITSELF: f64 = 1.0 / 256.0;
+pub(super) const OF_ITSELF: f64 = 1.0 / 256.0;
 /// Width of the peak of a region, as a part of itself.
 const OF_PEAK: f64 = 1e-3;
 /// What is asked of a search, as a part of what is wanted: rounding takes its part.
 const ASKED: f64 = 0.9;
-/// Points placed by weights lie on the face up to 28 units of rounding (see [`rounding`](crate::rounding)): less than three cuts.
-const CUTS_OF_POINT: u32 = 3;
 /// Faces of a task.
 const TASK: usize = 32;
 /// Tasks between two looks at the limits.
@@ -130,21 +99,6 @@ impl Maxima<'_> {
             self.searched += round.len() as u64;
             left -= round.len();
             tell(self.searched, left);
-        }
-    }
-}
-
-impl Maximum {
-    /// As the pieces of a face have it.
-    pub(super) fn of_piece((lower, upper): (f64, f64), point: [f64; 3], near: Slot) -> Self {
-        Self { lower, upper, point, depth: CUTS_OF_POINT, near, asked: Precision::Pieces }
-    }
-
-    /// Takes a corner of the face with a distance of at least `lower` into account.
-    pub(super) fn know_point(&mut self, lower: f64, point: [f64; 3], near: Slot) {
-        if lower > self.lower {
-            self.lower = lesser(lower, self.upper);
-            (self.point, self.depth, self.near) = (point, 0, near);
         }
     }
 }

@@ -1,7 +1,7 @@
 //! How much memory is left for entries.
 
+use super::bounds::FaceBounds;
 use super::report::FaceDeviation;
-use super::task::FaceBounds;
 use crate::target::Target;
 use pompeiu_core::TriMesh;
 

@@ -3,6 +3,7 @@
 //! The first criterion is calibrated so that one pass is enough as a rule. Where statistics come out too wide, all faces are cut again: what was
 //! summed up cannot be taken back. So a limit that ends a later pass leaves what the one before it found.
 
+use super::bounds::FaceBounds;
 use super::criterion::Criterion;
 use super::entry::{Moments, Sum};
 use super::grid::{Ruler, SharedGrids};
@@ -13,7 +14,7 @@ use super::refine::{
 };
 use super::rough::Rough;
 use super::statistics::{Summary, is_narrow};
-use super::task::{self, FaceBounds};
+use super::task;
 use pompeiu_core::spatial::Slot;
 use rayon::prelude::*;
 

@@ -4,9 +4,10 @@
 //! reached, the same is done again, until they are close to each other.
 
 use super::distribution::{Distribution, PORTIONS};
-use super::entry::{LESS, MORE, Portion};
+use super::entry::{LESS, MORE};
 use super::forecast::Forecast;
 use super::linear::{greater, greatest, least, lesser};
+use super::portion::Portion;
 use super::tally::{LEVELS, Scale, Side, Tally};
 use pompeiu_core::exact::Interval;
 use rayon::prelude::*;
@@ -204,10 +205,10 @@ impl End {
 
 #[cfg(test)]
 mod tests {
+    use super::super::distribution::Measured;
     use super::super::entry::{Entry, Moments};
     use super::super::linear::Corners;
     use super::super::packed::Entries;
-    use super::super::pieces::Measured;
     use super::super::polygon::{MOST_CORNERS, Polygon};
     use super::*;
     use proptest::prelude::*;

@@ -1,6 +1,6 @@
 //! The pieces of a direction, or what was summed up of them.
 
-use super::distribution::{Distribution, level};
+use super::distribution::{Distribution, Measured, level};
 use super::entry::{Moments, Sum};
 use super::grid::{self, Areas, Grids, Ruler};
 use pompeiu_core::exact::Interval;
@@ -31,20 +31,6 @@ const LEAST_FACES: usize = 1 << 15;
 /// Whether the pieces of meshes with so many faces together should be summed up, and not kept.
 pub(super) fn are_summed(accuracy: f64, faces: usize) -> bool {
     accuracy >= LEAST_ACCURACY && faces >= LEAST_FACES
-}
-
-/// An area of which is known how much of it is up to how far away.
-pub(super) trait Measured {
-    fn moments(&self) -> Moments;
-
-    /// Encloses for each share the least distance that so much of the area does not exceed, up to a part `fine` of itself, or as fine as it goes.
-    fn percentiles(&self, shares: &[f64], area: Interval, largest: f64, fine: f64) -> Vec<(f64, f64)>;
-
-    /// Encloses the area whose distance is at most a level that is not negative.
-    fn area_up_to(&self, level: f64) -> Interval;
-
-    /// The areas up to each of the levels `largest * k / bins`, `k` from 0 to `bins`; of no bins, none.
-    fn cumulative(&self, largest: f64, bins: usize) -> Vec<Sum>;
 }
 
 impl Measured for Summed {

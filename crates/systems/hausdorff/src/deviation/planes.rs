@@ -20,7 +20,6 @@
 use super::cells::{Limits, Rest, Task};
 use super::corners;
 use super::envelope::{distances, unit};
-use super::face::Start;
 use super::linear::lesser;
 use super::polygon::{MOST_CORNERS, Outline, Piece, Polygon, Row, integral};
 use glam::DVec3;
@@ -149,7 +148,7 @@ impl<'b> Planes<'b> {
             }
             let Looked { near, beyond, list, .. } = looked;
             let list = self.shortened(list.as_ref(), beyond);
-            for (outline, beyond) in outline.halve_triangle(scale, &beyond) {
+            for (outline, beyond) in outline.halve_triangle(|way| scale.way(way).length_squared(), &beyond) {
                 let list = list.as_ref().map(|List { blocks, .. }| List { blocks: blocks.clone(), beyond });
                 self.parts.push(Part { outline, near, list });
             }
@@ -651,6 +650,18 @@ fn cross(a: &Vectors, b: &Vectors) -> Vectors {
         out[2][l] = a[0][l] * b[1][l] - a[1][l] * b[0][l];
     }
     out
+}
+
+/// A face of A, and what is known about it before it is looked at. Lengths are in the frame.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Start {
+    pub(super) corners: [[f64; 3]; 3],
+    /// Its area, rounded.
+    pub(super) area: f64,
+    /// Distances of the corners from B, rounded.
+    pub(super) distances: [f64; 3],
+    /// The faces of B nearest to them.
+    pub(super) near: [Slot; 3],
 }
 
 #[cfg(test)]

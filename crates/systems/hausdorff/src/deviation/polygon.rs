@@ -7,7 +7,6 @@
 //! With each corner goes the value there of a function above the distance and of one below it. The one above is convex, so
 //! its linear interpolation on any triangle between corners lies above it; the one below is concave.
 
-use super::candidates::Scale;
 use super::linear::{greater, lesser, mean, mean_of_positive};
 use pompeiu_core::spatial::Slot;
 
@@ -240,11 +239,15 @@ impl Outline {
     }
 
     /// Halves a part with three corners across its longest edge, and interpolates a function with these values at the corners, rounded down.
-    pub(super) fn halve_triangle(&self, scale: &Scale, values: &Row) -> [(Self, Row); 2] {
+    pub(super) fn halve_triangle(
+        &self,
+        length_squared: impl Fn([f64; 2]) -> f64,
+        values: &Row,
+    ) -> [(Self, Row); 2] {
         let mut longest = (f64::NEG_INFINITY, 0);
         for i in 0..3 {
             let j = (i + 1) % 3;
-            let square = scale.way([self.v[j] - self.v[i], self.w[j] - self.w[i]]).length_squared();
+            let square = length_squared([self.v[j] - self.v[i], self.w[j] - self.w[i]]);
             longest = if square > longest.0 { (square, i) } else { longest };
         }
         Self::halves(longest.1).map(|part| (self.part(&part), part.between(values, -INTERPOLATION)))

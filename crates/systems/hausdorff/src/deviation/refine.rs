@@ -3,13 +3,14 @@
 //! Faces are cut anew for each criterion, from nothing: so nothing is kept of them but what statistics need. Work is dealt out in tasks of
 //! fixed sizes, whose outcomes are put together in task order, so that the pieces are the same at any number of threads.
 
+use super::bounds::FaceBounds;
 use super::criterion::Criterion;
 use super::distribution::Distribution;
 use super::linear::{greater, lesser};
 use super::pieces::Pieces;
 use super::select::{flag, keep_the_worst, suffices};
 use super::statistics::{StatisticsQuery, Summary, is_narrow};
-use super::task::{FaceBounds, Faces, Made};
+use super::task::{Faces, Made};
 use pompeiu_core::spatial::Slot;
 use rayon::prelude::*;
 

@@ -1,11 +1,11 @@
 //! The worst regions, told apart.
 
 use super::area;
+use super::bounds::{FaceBounds, Maximum, Precision};
 use super::connected::{Entering, places};
 use super::linear::greater;
-use super::maxima::{Maxima, Maximum, Precision};
+use super::maxima::Maxima;
 use super::statistics::length_out;
-use super::task::FaceBounds;
 use crate::engine::Farthest;
 use crate::report::{Enclosure, Witness};
 use pompeiu_core::geom::{Aabb, Frame};

@@ -1,19 +1,20 @@
 //! One direction, from meshes to report.
 
-use super::entry::Sum;
+use super::bounds::{Maximum, Precision};
 use super::faces;
 use super::inside::Inside;
 use super::linear::{greater, lesser};
-use super::maxima::{Maxima, Maximum, Precision};
+use super::maxima::Maxima;
 use super::measure;
 use super::options::DeviationOptions;
+use super::outcome::Outcome;
 use super::packed::{Entries, are_packed};
-use super::pieces::{Pieces, are_summed};
+use super::pieces::are_summed;
 use super::refine::{Refined, Refinement, RefinementOptions};
 use super::regions::Peaks;
-use super::report::{DeviationWork, DirectedDeviation, FaceDeviation, Sides};
+use super::report::{DeviationWork, DirectedDeviation, Sides};
 use super::signed::{self, Signs};
-use super::statistics::{StatisticsQuery, Summary, length_out};
+use super::statistics::{StatisticsQuery, length_out};
 use super::task::Faces;
 use super::unknown::unknown;
 use crate::engine::{self, Question};
@@ -53,17 +54,6 @@ const MOST_VERTICES: f64 = 0.75;
 
 /// What is left to do when cutting ends takes less than this many times what was done before it began.
 const FINISHING: u32 = 2;
-
-/// A report, and what it takes to put two together.
-pub(super) struct Outcome {
-    pub(super) report: DirectedDeviation,
-    pub(super) pieces: Pieces,
-    pub(super) summary: Option<Summary>,
-    /// Up to the ends of the bins; empty without a summary.
-    pub(super) areas: Vec<Sum>,
-    /// No distance is greater, in the frame.
-    pub(super) largest: f64,
-}
 
 pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
     let started = Instant::now();
@@ -259,15 +249,6 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
         },
     };
     Outcome { report, pieces, summary, areas, largest }
-}
-
-impl Outcome {
-    /// Bytes that it takes.
-    pub(super) fn bytes(&self) -> usize {
-        self.pieces.bytes()
-            + self.report.faces.len() * size_of::<FaceDeviation>()
-            + size_of_val(&self.report.vertices[..])
-    }
 }
 
 /// The largest distance of all is that of a face, too, and its witness is on it.

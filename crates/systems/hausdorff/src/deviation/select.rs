@@ -2,8 +2,8 @@
 
 use super::criterion::Criterion;
 use super::distribution::Distribution;
-use super::entry::Portion;
 use super::linear::{greatest, least, lesser};
+use super::portion::Portion;
 use rayon::prelude::*;
 
 /// What cutting a face again removes of its areas times widths, at least as a rule; and how far below the allowed width a mean should

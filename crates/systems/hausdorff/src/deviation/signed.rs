@@ -6,10 +6,11 @@
 
 use super::bands::Extreme;
 use super::entry::{LESS, MORE, Moments};
-use super::face::{Cutter, Start};
+use super::face::Cutter;
 use super::inside::{Inside, Scratch};
 use super::linear::{greater, lesser};
 use super::measure::VertexDistances;
+use super::planes::Start;
 use super::polygon::Piece;
 use super::report::{Sides, unreferenced};
 use super::statistics::{SignedStatistics, Statistics};

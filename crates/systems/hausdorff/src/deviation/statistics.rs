@@ -1,11 +1,11 @@
 //! What is said about an area as a whole.
 
 use super::bands::Extreme;
+use super::distribution::Measured;
 use super::distribution::level;
 use super::entry::{Moments, Sum};
 use super::linear::{greater, lesser};
 use super::options::DeviationOptions;
-use super::pieces::Measured;
 use crate::report::Enclosure;
 use pompeiu_core::exact::Interval;
 use pompeiu_core::geom::Frame;

@@ -1,8 +1,9 @@
 //! Areas up to many levels at a time, for the function above the distance and for the one below it.
 
 use super::distribution::{Distribution, PORTIONS};
-use super::entry::{Entry, Portion};
+use super::entry::Entry;
 use super::linear::{Corners, PartUpTo, greater, greatest, least, lesser};
+use super::portion::Portion;
 use rayon::prelude::*;
 
 /// Levels of a scale.

@@ -1,16 +1,17 @@
 //! Some faces of A, cut one after the other, and what their pieces say.
 
 use super::area;
+use super::bounds::FaceBounds;
 use super::criterion::Criterion;
 use super::distribution::add_part_up_to;
-use super::entry::{Entry, Moments, Portion, Sum};
-use super::face::{Cutter, Start};
+use super::entry::{Entry, Moments, Sum};
+use super::face::Cutter;
 use super::grid::SharedGrids;
-use super::linear::{greater, lesser};
-use super::maxima::Maximum;
 use super::measure::VertexDistances;
 use super::packed::Entries;
+use super::planes::Start;
 use super::polygon::Piece;
+use super::portion::Portion;
 use super::signed::{Recorded, SignedFace, Signs};
 use crate::rounding::Rounding;
 use pompeiu_core::geom::Frame;
@@ -203,60 +204,6 @@ impl<'f> Faces<'f> {
         entries.truncate(0);
         if let Ok(mut idle) = self.idle.lock() {
             idle.push((cutter, entries));
-        }
-    }
-}
-
-/// What the pieces of a face say about it.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct FaceBounds {
-    pub(super) max: Maximum,
-    pub(super) min: (f64, f64),
-    pub(super) mean: (f64, f64),
-    /// Where inside is told from outside.
-    pub(super) signed: Option<SignedFace>,
-}
-
-impl FaceBounds {
-    /// Of a face of which no more is known than what no distance exceeds.
-    pub(super) fn unknown(point: [f64; 3], near: Slot, largest: f64) -> Self {
-        let all = (0.0, largest);
-        Self { max: Maximum::of_piece(all, point, near), min: all, mean: all, signed: None }
-    }
-
-    fn new(cutter: &Cutter<'_>, sums: &Moments, largest: f64) -> Self {
-        let (mut highest, mut at) = (f64::NEG_INFINITY, (&cutter.pieces[0], 0));
-        let mut upper = 0.0;
-        let mut min = (f64::INFINITY, f64::INFINITY);
-        for piece in &cutter.pieces {
-            let Piece { polygon, .. } = piece;
-            for j in 0..polygon.outline.count {
-                if polygon.lower[j] > highest {
-                    (highest, at) = (polygon.lower[j], (piece, j));
-                }
-                upper = greater(upper, polygon.upper[j]);
-                min = (lesser(min.0, polygon.lower[j]), lesser(min.1, polygon.upper[j]));
-            }
-        }
-        let area = sums.area.enclosure();
-        let upper = lesser(upper, largest);
-        // The mean over a face that may have no area is one of its distances.
-        let mean = if area.lower() > 0.0 {
-            let mean = sums.first.enclosure().divide_by_positive(area);
-            (greater(mean.lower(), 0.0), lesser(mean.upper(), upper))
-        } else {
-            (greater(min.0, 0.0), upper)
-        };
-        let (piece, j) = at;
-        Self {
-            max: Maximum::of_piece(
-                (lesser(greater(highest, 0.0), upper), upper),
-                cutter.point([piece.polygon.outline.v[j], piece.polygon.outline.w[j]]),
-                piece.near,
-            ),
-            min: (lesser(greater(min.0, 0.0), upper), lesser(min.1, upper)),
-            mean: (lesser(mean.0, mean.1), mean.1),
-            signed: None,
         }
     }
 }

@@ -2,13 +2,14 @@
 
 use super::area;
 use super::distribution::Distribution;
-use super::entry::{Entry, Moments, Portion, Sum};
+use super::entry::{Entry, Moments, Sum};
 use super::linear::greater;
 use super::options::DeviationOptions;
+use super::outcome::Outcome;
 use super::packed::Entries;
 use super::pieces::Pieces;
+use super::portion::Portion;
 use super::report::{DeviationWork, DirectedDeviation, FaceDeviation, unreferenced};
-use super::run::Outcome;
 use super::statistics::{StatisticsQuery, Summary, length_out};
 use crate::report::{DirectedReport, Direction, StopReason};
 use pompeiu_core::TriMesh;

@@ -1,7 +1,8 @@
 //! What can be asked of two meshes: their distance in one direction or both, whether it is at most a length, how the search narrowed it.
 
 use super::watch::tell;
-use crate::certificate::{CertificateAnswer, Goal, check_slack};
+use crate::certificate::{CertificateAnswer, Goal};
+use crate::tolerance::check_slack;
 use crate::{
     DirectedReport, Direction, Enclosure, HausdorffOptions, Method, Observer, OptionError, PointPair,
     Progress, Stage, StopReason, Timing, Tolerance, WorkCount,

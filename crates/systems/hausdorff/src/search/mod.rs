@@ -5,6 +5,7 @@
 //! round began and what it found itself; results are merged in task order. So the answer does not depend on the number of
 //! threads, unless a limit ends the search.
 
+mod feet;
 mod game;
 mod local;
 mod overlay;
@@ -12,20 +13,20 @@ mod parts;
 pub(crate) mod piece;
 mod refine;
 mod rows;
+mod scene;
 mod sweep;
 mod worker;
 
 pub(crate) use local::{Local, Start, search_each};
+pub(crate) use scene::{Limits, Scene};
 
 use crate::observer::{Discard, Observer, Progress, Proof, RemainingPiece, Stage};
 use crate::report::{Direction, WorkCount};
-use crate::rounding::Rounding;
 use piece::{Piece, longest_edge};
-use pompeiu_core::geom::Frame;
+use pompeiu_core::FaceId;
 use pompeiu_core::run::Instant;
-use pompeiu_core::run::{Control, StopReason};
-use pompeiu_core::spatial::{Bvh, Neighbours, Slot, Workspace};
-use pompeiu_core::{FaceId, TriMesh};
+use pompeiu_core::run::StopReason;
+use pompeiu_core::spatial::{Neighbours, Slot, Workspace};
 use rayon::prelude::*;
 use std::ops::ControlFlow;
 use worker::{Discarded, Keep, Outcome, SlotProof, Worker};
@@ -58,71 +59,6 @@ const DIRECT_PARTS: u64 = 4;
 const LEVEL_STEP: f64 = 0.25;
 /// Pieces that a task of the search examines at most.
 const REFINE_BUDGET: usize = 1024;
-
-/// What is measured, and against what.
-pub(crate) struct Scene<'s> {
-    pub(crate) a: &'s TriMesh,
-    /// Faces of A, neighbours close together.
-    pub(crate) order: &'s [u32],
-    pub(crate) frame: &'s Frame,
-    pub(crate) bvh: &'s Bvh,
-    /// Of the triangles in the tree; none where overlays are not tried.
-    pub(crate) neighbours: Option<&'s Neighbours>,
-    pub(crate) control: &'s Control,
-}
-
-impl Scene<'_> {
-    /// Corners of a face of A in the frame of the search.
-    #[inline]
-    pub(crate) fn corners(&self, face: u32) -> [[f64; 3]; 3] {
-        let [a, b, c] = self.a.corners(FaceId(face));
-        [self.frame.map(a), self.frame.map(b), self.frame.map(c)]
-    }
-
-    fn stopped(&self) -> bool {
-        self.control.is_stopped()
-    }
-}
-
-/// What is asked, in units of the frame.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Limits {
-    /// Of the joint bounding box.
-    pub(crate) diagonal: f64,
-    /// Width of the enclosure aimed for: the greater of a length and a part of the distance.
-    pub(crate) tolerance: f64,
-    pub(crate) tolerance_of_distance: f64,
-    /// Bounds up to this are good enough.
-    pub(crate) threshold: Option<f64>,
-    pub(crate) rounding: Rounding,
-    /// Pieces no larger are not cut.
-    pub(crate) least_size: f64,
-}
-
-impl Limits {
-    /// The width aimed for at a distance, whether or not rounding allows it.
-    pub(crate) fn requested(&self, distance: f64) -> f64 {
-        let part = self.tolerance_of_distance * distance;
-        if part > self.tolerance { part } else { self.tolerance }
-    }
-
-    /// How far bounds may lie above the lower one: the width aimed for, or the least that rounding allows.
-    pub(crate) fn reach(&self, lower: f64) -> f64 {
-        let requested = self.requested(lower);
-        let least = self.rounding.least_tolerance();
-        if requested > least { requested } else { least }
-    }
-
-    /// A piece after `depth` cuts may be discarded when its computed bound is no greater.
-    pub(crate) fn at(&self, lower: f64, depth: u32) -> f64 {
-        let reach = lower - self.rounding.lower() + self.reach(lower);
-        let reach = match self.threshold {
-            Some(threshold) if threshold > reach => threshold,
-            _ => reach,
-        };
-        reach - self.rounding.bound(depth)
-    }
-}
 
 /// What a search knows at its end, in units of the frame.
 pub(crate) struct Ended {

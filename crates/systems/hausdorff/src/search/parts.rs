@@ -4,8 +4,8 @@
 //! placed where a part leaves the face that it is compared with, seen along the normal of that face. Where few faces are
 //! under a triangle this takes less than an overlay.
 
+use super::feet::Feet;
 use super::overlay::{Below, clamped};
-use super::worker::Feet;
 use pompeiu_core::spatial::Slot;
 
 /// Parts that are compared, and cuts, at most: beyond, an overlay takes less.

@@ -2,13 +2,13 @@
 //!
 //! What tasks do is in `sweep` and `refine`.
 
+use super::feet::Feet;
 use super::overlay::Overlay;
 use super::parts::CutParts;
 use super::piece::Piece;
-use super::{Limits, Scene};
+use super::scene::{Limits, Scene};
 use crate::report::WorkCount;
-use pompeiu_core::geom::Foot;
-use pompeiu_core::spatial::{Bvh, Nearest, Slot, Workspace};
+use pompeiu_core::spatial::{Nearest, Slot, Workspace};
 
 /// A point of A and its distance from B as computed.
 #[derive(Clone, Copy, Debug)]
@@ -70,28 +70,6 @@ pub(super) struct Worker<'s> {
     /// Faces of B that whole faces were compared with.
     pub(super) feet: Feet,
     pub(super) out: Outcome,
-}
-
-/// Faces of B prepared for feet, each kept until another one takes its place.
-pub(super) struct Feet([Option<(Slot, Foot)>; FEET]);
-
-const FEET: usize = 32;
-
-impl Default for Feet {
-    fn default() -> Self {
-        Self([None; FEET])
-    }
-}
-
-impl Feet {
-    #[inline]
-    pub(super) fn of(&mut self, bvh: &Bvh, slot: Slot) -> &Foot {
-        let place = &mut self.0[slot.index() % FEET];
-        if place.as_ref().is_none_or(|(known, _)| *known != slot) {
-            *place = None;
-        }
-        &place.get_or_insert_with(|| (slot, Foot::new(bvh.corners(slot)))).1
-    }
 }
 
 impl<'s> Worker<'s> {

@@ -6,6 +6,7 @@
 //! makes pages short.
 
 use super::group::Groups;
+use super::snap::{Snap, rounded};
 use crate::PreparedPair;
 use crate::deviation::{DirectedDeviation, DisplayTriangle, Sides};
 use crate::engine::joint_frame;
@@ -36,10 +37,6 @@ pub(super) struct Style {
     pub(super) most: usize,
 }
 
-/// Parts of the box around a surface that coordinates are rounded to.
-const PLACES: f64 = (1_u64 << 14) as f64;
-/// Parts of the tolerance that distances are rounded to.
-const LEVELS: f64 = 8.0;
 /// Parts of an edge at most.
 const MOST_PARTS: u32 = 64;
 /// Faces of a task.
@@ -56,7 +53,9 @@ impl Drawing {
         let mesh = pair.measured(found.direction);
         let snap = Snap::new(mesh, style.tolerance);
         if mesh.faces().len() > style.most {
-            return Groups::new(found, mesh, style.most).drawing(found, mesh, &snap);
+            let groups = Groups::new(found, mesh, style.most);
+            let (triangles, bounds) = groups.drawn(found, mesh, &snap);
+            return Self { triangles, groups: Some(groups.of_faces), bounds };
         }
         let sampled = Sampler::sampled(found, pair, style, limits);
         let mut triangles = Vec::with_capacity(mesh.faces().len());
@@ -77,48 +76,6 @@ impl Drawing {
         let bounds = found.faces.iter().map(|face| rounded([face.max.lower(), face.max.upper()])).collect();
         Self { triangles, groups: None, bounds }
     }
-}
-
-/// Rounds what is drawn.
-pub(super) struct Snap {
-    place: f64,
-    level: f64,
-}
-
-impl Snap {
-    fn new(mesh: &TriMesh, tolerance: f64) -> Self {
-        Self { place: below(Aabb::of_faces(mesh).diagonal() / PLACES), level: below(tolerance / LEVELS) }
-    }
-
-    pub(super) fn corners(&self, corners: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
-        corners.map(|p| p.map(|x| to_multiple(x, self.place)))
-    }
-
-    pub(super) fn distance(&self, distance: f64) -> f64 {
-        to_multiple(distance, self.level)
-    }
-}
-
-/// The greatest power of two that is not above a length; zero for zero.
-fn below(length: f64) -> f64 {
-    if length >= f64::MIN_POSITIVE { length.log2().floor().exp2() } else { 0.0 }
-}
-
-/// The nearest multiple of a step; the number itself where multiples are too large for doubles, or there is no step.
-fn to_multiple(x: f64, step: f64) -> f64 {
-    let multiple = (x / step).round() * step;
-    if multiple.is_finite() { multiple } else { x }
-}
-
-/// Bits of a mantissa that are kept of a bound.
-const KEPT: u32 = 12;
-
-/// Bounds with few digits that lie around the given ones, which are not negative.
-pub(super) fn rounded([lower, upper]: Bounds) -> Bounds {
-    let dropped = (1_u64 << (52 - KEPT)) - 1;
-    let down = f64::from_bits(lower.to_bits() & !dropped);
-    let up = f64::from_bits((upper.to_bits() + dropped) & !dropped);
-    [down, if up.is_finite() { up } else { upper }]
 }
 
 /// Distances on a face at the points of a triangular grid, row by row from the first corner on.
@@ -151,7 +108,7 @@ impl Grid {
                 face,
                 corners: places.map(|at| points[at].0),
                 distances: places.map(|at| points[at].1),
-                error: snap.level * LEVELS,
+                error: snap.tolerance(),
             });
         };
         for i in 0..self.parts {

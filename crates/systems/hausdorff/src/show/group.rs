@@ -1,6 +1,6 @@
 //! Groups of faces that are drawn as one triangle each, where a mesh has more faces than can be drawn.
 
-use super::draw::{Drawing, Snap, rounded};
+use super::snap::{Snap, rounded};
 use crate::deviation::{DirectedDeviation, DisplayTriangle};
 use pompeiu_core::geom::Aabb;
 use pompeiu_core::{FaceId, TriMesh};
@@ -13,7 +13,7 @@ pub(super) struct Groups {
     /// The vertices between which each group is drawn.
     corners: Vec<[u32; 3]>,
     /// The group of each face.
-    of_faces: Vec<u32>,
+    pub(super) of_faces: Vec<u32>,
 }
 
 /// By how much cells grow until groups are few enough.
@@ -94,7 +94,13 @@ impl Groups {
         }
     }
 
-    pub(super) fn drawing(self, found: &DirectedDeviation, mesh: &TriMesh, snap: &Snap) -> Drawing {
+    /// The triangle of each group, and an enclosure of the largest distance of its faces.
+    pub(super) fn drawn(
+        &self,
+        found: &DirectedDeviation,
+        mesh: &TriMesh,
+        snap: &Snap,
+    ) -> (Vec<DisplayTriangle>, Vec<Bounds>) {
         let signed = found.signed_vertices();
         let values = signed.as_ref().unwrap_or(&found.vertices);
         let triangle = |(group, corners): (usize, &[u32; 3])| DisplayTriangle {
@@ -110,8 +116,7 @@ impl Groups {
             *lower = if face.max.lower() > *lower { face.max.lower() } else { *lower };
             *upper = if face.max.upper() > *upper { face.max.upper() } else { *upper };
         }
-        let bounds = bounds.into_iter().map(rounded).collect();
-        Drawing { triangles, groups: Some(self.of_faces), bounds }
+        (triangles, bounds.into_iter().map(rounded).collect())
     }
 }
 

@@ -5,7 +5,6 @@ use super::content::{
     SurfaceDeviation,
 };
 use super::draw::{Drawing, Style};
-use super::paper::four_digits;
 use super::spread;
 use crate::certificate::AttachedProof;
 use crate::deviation::{BandReport, Deviation, DirectedDeviation, DisplayTriangle, Region, Statistics};
@@ -523,4 +522,11 @@ fn proof() -> Vec<String> {
     ]
     .map(str::to_owned)
     .to_vec()
+}
+
+/// Four digits of what is not claimed to be exact.
+pub(super) fn four_digits(x: f64) -> String {
+    let rounded: f64 = format!("{x:.3e}").parse().unwrap_or(x);
+    // A coordinate that is zero but for rounding would have twenty zeros.
+    if rounded != 0.0 && rounded.abs() < 1e-4 { format!("{rounded:e}") } else { rounded.to_string() }
 }

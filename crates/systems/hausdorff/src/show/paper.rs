@@ -1,6 +1,6 @@
 //! A deviation on paper.
 
-use super::page::{DeviationFigures, DeviationPage, percent};
+use super::page::{DeviationFigures, DeviationPage, four_digits, percent};
 use crate::deviation::{DirectedDeviation, Region};
 use crate::digits::{self, percentage};
 use crate::report::{Direction, Enclosure};
@@ -169,13 +169,6 @@ fn place(region: &Region, name: &str) -> Vec<String> {
         four_digits(region.area),
         region.faces.len().to_string(),
     ]
-}
-
-/// Four digits of what is not claimed to be exact.
-pub(super) fn four_digits(x: f64) -> String {
-    let rounded: f64 = format!("{x:.3e}").parse().unwrap_or(x);
-    // A coordinate that is zero but for rounding would have twenty zeros.
-    if rounded != 0.0 && rounded.abs() < 1e-4 { format!("{rounded:e}") } else { rounded.to_string() }
 }
 
 /// The digits in which the terminal shows it, too.

@@ -1,6 +1,6 @@
 //! Where the pieces of a drawing lie.
 
-use super::PieceDrawing;
+use super::options::PieceDrawing;
 use crate::pack::path;
 use crate::{Place, Puzzle};
 use pompeiu_planar::{Point, segments_meet};

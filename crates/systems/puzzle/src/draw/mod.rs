@@ -3,15 +3,17 @@
 mod canvas;
 mod laid;
 mod motion;
+mod options;
 mod page;
 mod print;
 
 pub use motion::{motion_png, motion_svg};
+pub use options::PieceDrawing;
 pub use page::page;
 pub use print::Print;
 
 use crate::order::cutting_order;
-use crate::{Packing, Place, Puzzle};
+use crate::{Place, Puzzle};
 use canvas::Canvas;
 use laid::Laid;
 use pompeiu_planar::svg::{Polyline, path_data};
@@ -30,22 +32,6 @@ fn head(puzzle: &Puzzle, [[x, y], [w, h]]: [Point; 2]) -> String {
          stroke=\"#000\" stroke-width=\"{}\" stroke-linejoin=\"round\">\n",
         0.001 * width.max(height),
     )
-}
-
-/// Options for drawing pieces.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct PieceDrawing<'p> {
-    /// Exploded view: additional displacement of each piece from the centre, relative to its distance from there; 0 leaves pieces
-    /// in place.
-    pub pull: f64,
-    /// Where pieces lie on a sheet, instead of in place or pulled apart.
-    pub packing: Option<&'p Packing>,
-    /// The width of the cut. If positive, the paths of pieces that are pulled apart or packed are offset outwards by half of it, so that
-    /// pieces have their nominal size after cutting; pieces are pulled at least so far apart that no two paths meet. In place, paths are
-    /// those of the pieces.
-    pub kerf: f64,
-    /// A picture printed on the pieces, for SVG.
-    pub print: Option<&'p Print>,
 }
 
 /// A drawing with one closed path for each piece.

@@ -9,8 +9,7 @@ mod verdict;
 pub use error::DeviationRequestError;
 pub use measures::{DeviationMeasures, DirectedDeviationReport};
 pub use parts::{MeasuredParts, NamedFaces};
-pub use report::{BothLeftOut, DeviationReport, Outlier};
-pub use verdict::{Verdict, VerdictAnswer};
+pub use report::{BothLeftOut, DeviationReport, Outlier, Verdict, VerdictAnswer};
 
 use super::watch::Watch;
 use crate::deviation::Bands;

@@ -1,9 +1,8 @@
 //! What is answered.
 
-use super::verdict::Verdict;
 use crate::certificate::CertificateAnswer;
 use crate::deviation::{BandReport, Deviation, DirectedDeviation, LeftOut};
-use crate::{Direction, PreparedPair, StopReason};
+use crate::{Direction, Enclosure, PreparedPair, StopReason};
 use pompeiu_core::request::{Conclusion, Report};
 
 /// How far two meshes deviate from each other, and whether that is within a tolerance. Lengths are in the unit of the meshes; faces have the
@@ -97,5 +96,64 @@ impl Report for DeviationReport {
         };
         let is_unproven = self.certificate.as_ref().is_some_and(|answer| answer.written.is_none());
         if is_unproven && conclusion == Conclusion::AsAsked { Conclusion::Incomplete } else { conclusion }
+    }
+}
+
+/// The answer to the question whether both surfaces are within a tolerance of each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub enum VerdictAnswer {
+    /// Proven to be within.
+    Within,
+    /// Proven not to be.
+    Out,
+    /// The intervals are too wide to tell.
+    Undecided,
+}
+
+impl VerdictAnswer {
+    /// Of both surfaces.
+    pub(super) fn of_both(answers: [Self; 2]) -> Self {
+        match answers {
+            [Self::Within, Self::Within] => Self::Within,
+            both if both.contains(&Self::Out) => Self::Out,
+            _ => Self::Undecided,
+        }
+    }
+
+    /// Whether an enclosed value is at most a bound.
+    pub(super) fn of(found: Enclosure, most: f64) -> Self {
+        if found.upper() <= most {
+            Self::Within
+        } else if found.lower() > most {
+            Self::Out
+        } else {
+            Self::Undecided
+        }
+    }
+}
+
+/// The question whether both surfaces are within a tolerance of each other, and its answer.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Verdict {
+    /// Whether both surfaces are within the threshold of each other, or in the bands, but for the share of each that is allowed.
+    pub answer: VerdictAnswer,
+    /// The share of the area of each surface that may be outside.
+    pub allowed: f64,
+    /// The answer in a sentence, with the tolerance, what is outside of it and the worst place.
+    pub sentence: String,
+}
+
+impl Verdict {
+    /// What follows from it.
+    pub(super) fn conclusion(&self) -> Conclusion {
+        match self.answer {
+            VerdictAnswer::Within => Conclusion::AsAsked,
+            VerdictAnswer::Out => Conclusion::Refuted,
+            VerdictAnswer::Undecided => Conclusion::Incomplete,
+        }
     }
 }

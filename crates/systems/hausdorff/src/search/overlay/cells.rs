@@ -1,91 +1,11 @@
 //! The cells of an overlay: their corners, and how far these are from the face of the cell.
 
-use super::clip::{Clip, Seen, Side};
+use super::polygon::{Cell, Strip};
+use super::segment::{Clip, Seen, Side};
 use super::view::clamped;
 use super::{Below, Face, Overlaid, Overlay, View};
 use glam::DVec3;
 use pompeiu_core::spatial::{Slot, Workspace};
-
-/// Two ends of each of three segments, and the corners of T.
-const MOST_CORNERS: usize = 9;
-
-/// A part of T over one face of B: the fan of triangles around its first corner.
-#[derive(Clone, Copy)]
-pub(crate) struct Cell {
-    pub(crate) slot: Slot,
-    polygon: Polygon,
-    /// Greatest squared distance of a corner from the face.
-    pub(crate) distance_sq: f64,
-}
-
-impl Cell {
-    /// The triangles of the fan, without those that repeat a corner.
-    pub(crate) fn triangles(&self) -> impl Iterator<Item = [[f64; 3]; 3]> {
-        let p = &self.polygon.corners[..self.polygon.count];
-        let fan = (2..p.len()).map(|i| [p[0], p[i - 1], p[i]]);
-        fan.filter(|[a, b, c]| a != b && b != c && c != a).map(|t| t.map(|c| c.to_array()))
-    }
-}
-
-/// A segment across which the view is not followed, with the face before it.
-#[derive(Clone, Copy)]
-pub(super) struct Strip {
-    pub(super) slot: Slot,
-    pub(super) from: u16,
-    pub(super) to: u16,
-}
-
-#[derive(Clone, Copy)]
-pub(super) struct Polygon {
-    corners: [DVec3; MOST_CORNERS],
-    /// Known upper bounds on their squared distances from the face of the cell.
-    bounds: [f64; MOST_CORNERS],
-    count: usize,
-}
-
-impl Default for Polygon {
-    fn default() -> Self {
-        Self { corners: [DVec3::ZERO; MOST_CORNERS], bounds: [f64::INFINITY; MOST_CORNERS], count: 0 }
-    }
-}
-
-impl Polygon {
-    /// Fails where there is no room, which no cell of a triangle needs.
-    fn push(&mut self, corner: DVec3, bound: f64) -> Result<(), Overlaid> {
-        if self.count == MOST_CORNERS {
-            return Err(Overlaid::None);
-        }
-        (self.corners[self.count], self.bounds[self.count]) = (corner, bound);
-        self.count += 1;
-        Ok(())
-    }
-
-    /// Goes along the boundary of T, in the order of its corners, from one side to another. Says how often it passes the
-    /// first corner. `bound` says how far, squared, a corner of T may be from the face of the cell.
-    fn go_along(
-        &mut self,
-        view: &View,
-        from: Side,
-        to: Side,
-        bound: impl Fn(usize) -> f64,
-    ) -> Result<i32, Overlaid> {
-        match (from, to) {
-            (Side::Inside, Side::Inside) => Ok(0),
-            (Side::Opposite(mut side), Side::Opposite(to)) => {
-                let mut passes = 0;
-                while side != to {
-                    let corner = (side as usize + 2) % 3;
-                    passes += i32::from(corner == 0);
-                    self.push(view.t[corner], bound(corner))?;
-                    side = (side + 1) % 3;
-                }
-                Ok(passes)
-            }
-            // A segment that ends at a vertex goes on in the next.
-            _ => Err(Overlaid::None),
-        }
-    }
-}
 
 impl Overlay {
     /// The cell of a face whose edges are clipped.
@@ -106,7 +26,10 @@ impl Overlay {
             let clip = if reversed { clips[2 - i].turned() } else { clips[i] };
             let Clip::Segment { from, to } = clip else { continue };
             if let Some(last) = last {
-                self.passes += self.polygon.go_along(view, last, self.points[from as usize].side, bound)?;
+                self.passes += self
+                    .polygon
+                    .go_along(view, last, self.points[from as usize].side, bound)
+                    .ok_or(Overlaid::None)?;
             } else {
                 first = Some(self.points[from as usize].side);
             }
@@ -115,17 +38,17 @@ impl Overlay {
                 let known = &self.polygon;
                 // Segments that meet at a vertex share it.
                 if known.count == 0 || known.corners[known.count - 1] != point.position {
-                    self.polygon.push(point.position, point.distance_sq)?;
+                    self.polygon.push(point.position, point.distance_sq).ok_or(Overlaid::None)?;
                 }
             }
             last = Some(self.points[to as usize].side);
         }
         if let (Some(first), Some(last)) = (first, last) {
-            self.passes += self.polygon.go_along(view, last, first, bound)?;
+            self.passes += self.polygon.go_along(view, last, first, bound).ok_or(Overlaid::None)?;
         } else if index == 0 {
             // No edge crosses T: all of it is one cell.
             for corner in 0..3 {
-                self.polygon.push(view.t[corner], bound(corner))?;
+                self.polygon.push(view.t[corner], bound(corner)).ok_or(Overlaid::None)?;
             }
             self.passes += 1;
         } else {

@@ -23,19 +23,21 @@
 
 mod cells;
 mod clip;
+mod polygon;
+mod segment;
 #[cfg(test)]
 mod tests;
 mod view;
 
-pub(crate) use cells::Cell;
+pub(crate) use polygon::Cell;
 #[cfg(test)]
 pub(crate) use tests::{lattice, sheet};
 pub(crate) use view::{View, clamped};
 
-use cells::{Polygon, Strip};
-use clip::{Clip, Point, Seen};
 use glam::DVec3;
+use polygon::{Polygon, Strip};
 use pompeiu_core::spatial::{Bvh, Neighbours, Slot, Workspace};
+use segment::{Clip, Point, Seen};
 
 /// The rounding of an overlay, in cuts: points inside T lie within 28 units of it and points of its sides within 9 (see
 /// [`rounding`](crate::rounding)), together less than the 40 units of four cuts.
