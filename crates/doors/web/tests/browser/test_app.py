@@ -100,6 +100,19 @@ class App(unittest.TestCase):
                 page.wait_for_selector("html[data-state=refused]")
                 state("refused")
                 page.context.close()
+        self.assert_axe_finds_nothing_in_pages_of_one_mesh(address)
+
+    def assert_axe_finds_nothing_in_pages_of_one_mesh(self, address):
+        """Their panel of numbers is scrolled, with nothing in it to focus."""
+        page = self.browser.open(address, width=1440, height=900)
+        page.set_input_files("#chooser", [MESHES / "torus.obj"])
+        for task in ["remesh", "flatten"]:
+            page.select_option("#which", task)
+            page.click("#run")
+            page.wait_for_selector(ENDED)
+            page.frame_locator("iframe").locator("html[data-ready=true]").wait_for()
+            self.assertEqual(self.complain(page.frames[-1]), [], f"page of {task}")
+        page.context.close()
 
 
 if __name__ == "__main__":

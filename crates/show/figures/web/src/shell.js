@@ -32,7 +32,7 @@ export function shell({ title, subtitle, banner, toolbar, view, below, panel, on
       h("header", {}, h("div", { class: "brand" }, h("h1", {}, title), h("p", {}, subtitle)), button)),
     h("main", { class: view ? undefined : "plain" },
       view && h("div", { class: "stage-area" }, h("div", { class: "toolbar", role: "toolbar", "aria-label": "View" }, toolbar.filter((part) => part)), view, below ?? ""),
-      h("aside", { id: "panel", "aria-label": "Numbers", tabindex: "-1" }, panel)));
+      h("aside", { id: "panel", "aria-label": "Numbers", tabindex: "0" }, panel)));
   setTheme(0);
   return { setTheme: (name) => setTheme(THEMES.findIndex(([known]) => known === name)) };
 }
