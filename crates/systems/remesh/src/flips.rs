@@ -12,7 +12,7 @@ const LEAST_COSINE: f64 = 0.5;
 const MOST_ROUNDS: usize = 4;
 
 /// The corners of both faces at an edge: its start and end, and the corners opposite it.
-fn hinge(mesh: &DynamicMesh, h: u32, t: u32) -> [u32; 4] {
+pub(super) fn hinge(mesh: &DynamicMesh, h: u32, t: u32) -> [u32; 4] {
     [mesh.from(h), mesh.to(h), mesh.from(previous(h)), mesh.from(previous(t))]
 }
 
@@ -75,6 +75,14 @@ fn cotangents(mut corners: [DVec3; 3]) -> f64 {
     if area > 0.0 { sum / (2.0 * area) } else { f64::INFINITY }
 }
 
+/// Whether flipping an edge makes the sum of all cotangents less, and keeps the surface smooth.
+pub(super) fn lowers_cotangents(corners: [DVec3; 4]) -> bool {
+    let [u, v, a, b] = corners;
+    let before = cotangents([u, v, a]) + cotangents([v, u, b]);
+    let after = cotangents([a, u, b]) + cotangents([b, v, a]);
+    after < before && stays_smooth(corners)
+}
+
 /// Flips edges while this makes the sum of all cotangents less: in a plane until the triangulation is Delaunay.
 ///
 /// # Why it ends
@@ -95,10 +103,7 @@ pub(super) fn flip_to_delaunay(surface: &mut Marked) -> usize {
         let mesh = &surface.mesh;
         let Some(t) = mesh.twin_of(h) else { continue };
         let corners = hinge(mesh, h, t).map(|x| mesh.positions[x as usize]);
-        let [u, v, a, b] = corners;
-        let before = cotangents([u, v, a]) + cotangents([v, u, b]);
-        let after = cotangents([a, u, b]) + cotangents([b, v, a]);
-        if after < before && stays_smooth(corners) && surface.flip(h) {
+        if lowers_cotangents(corners) && surface.flip(h) {
             flipped += 1;
             for side in [next(h), previous(h), next(t), previous(t)] {
                 let other = surface.mesh.twin[side as usize];

@@ -54,10 +54,11 @@ fn pairs_of_faces(pairs: usize) -> String {
 }
 
 impl Intersections {
-    /// What is done where a run has ended: a result that is not finished is not refused for what the end would have mended.
+    /// What is done where a run has ended early: a result that is not finished is not refused for what the end would have mended,
+    /// and looking takes time that is over.
     pub(super) fn after(self, stop: Option<StopReason>) -> Self {
         match (self, stop) {
-            (Self::RefuseNew, Some(_)) => Self::Report,
+            (Self::RefuseNew, Some(_)) => Self::Ignore,
             _ => self,
         }
     }

@@ -34,8 +34,12 @@ pub(super) fn iterate(
 ) -> Result<(), TooMany> {
     split_longer_than(surface, LONGEST, most_faces, control)?;
     collapse_short(surface, control);
-    flip_to_regular(surface);
-    smooth(surface, reference, STEPS);
+    if !control.is_stopped() {
+        flip_to_regular(surface);
+    }
+    if !control.is_stopped() {
+        smooth(surface, reference, STEPS);
+    }
     Ok(())
 }
 
@@ -68,7 +72,10 @@ pub(super) fn split_longer_than(
             return Ok(());
         }
         long.sort_unstable_by(|x, y| y.0.total_cmp(&x.0).then(x.1.cmp(&y.1)));
-        for (_, h) in long {
+        for (i, (_, h)) in (0..).zip(long) {
+            if i % STOP_EVERY == 0 && control.is_stopped() {
+                return Ok(());
+            }
             if surface.mesh.face_count() + 2 > most_faces {
                 return Err(TooMany);
             }
@@ -93,7 +100,7 @@ fn collapse_short(surface: &mut Marked, control: &Control) {
     }
 }
 
-fn is_harmless(surface: &Marked, collapse: &Collapse) -> bool {
+pub(super) fn is_harmless(surface: &Marked, collapse: &Collapse) -> bool {
     let mesh = &surface.mesh;
     let (h, p) = (collapse.halfedge, collapse.position);
     let ends = [mesh.from(h), mesh.to(h)];

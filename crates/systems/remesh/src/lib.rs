@@ -10,6 +10,7 @@
 mod candidates;
 mod carried;
 mod collapses;
+mod confined;
 mod connectivity;
 mod cover;
 mod curvature;

@@ -1,8 +1,10 @@
 //! Remeshing from the input to the report.
 
+use super::confined::Confined;
 use super::connectivity::DynamicMesh;
 use super::features::{Curves, Features, creases_to};
-use super::isotropic::{finish, iterate, split_longer_than};
+use super::guard::{IntersectionCount, Intersections};
+use super::isotropic::{LONGEST, finish, iterate, split_longer_than};
 use super::lengths::NotWithin;
 use super::marked::Marked;
 use super::near::far_places;
@@ -23,7 +25,18 @@ use pompeiu_hausdorff::HausdorffOptions;
 const LOCAL_SHARE: f64 = 0.9999;
 
 /// Times that creases are kept or edges shortened, and the input is remeshed anew, where the result is too far from the input.
-const MOST_ROUNDS: usize = 12;
+const MOST_ROUNDS: usize = 2;
+
+/// Iterations of the operations that keep the distance, where that was in vain.
+const CONFINED: usize = 3;
+
+/// A distance that asks for more than this many times the faces of the input and of the result without it is smaller than what the
+/// input's own creases and folds stand out: shorter edges would only follow these.
+const MOST_GROWTH: f64 = 2.0;
+
+/// Where faces of the result would intersect that of the input do not, it stays within the first of these shares of the least target
+/// length, and of the distance asked for, with which they do not.
+const NEAR: [f64; 3] = [0.05, 0.005, 0.0005];
 
 /// By how much edges are shortened each time.
 const SHORTENED: f64 = 0.6;
@@ -53,7 +66,8 @@ const INPUT_SPLIT: f64 = 2.0;
 /// # Accuracy
 /// What the report says of the distance was measured by [`symmetric_hausdorff`](pompeiu_hausdorff::symmetric_hausdorff), rounding included. With
 /// [`within`](RemeshOptions::within) its upper end is at most that length, or there is no result: where faces are farther away,
-/// target lengths are shortened until they are not.
+/// creases are kept or target lengths shortened; where that is in vain, or would take many faces, the input is remeshed by operations that each
+/// keep the distance, with less regular faces.
 /// # Limits
 /// Lengths are targets. No least angle is promised: at corners of features there may be none. Where two sheets are nearer to each
 /// other than edges are long they may intersect; see [`self_intersections`](pompeiu_core::spatial::self_intersections).
@@ -91,6 +105,10 @@ struct Work<'w> {
     copy: Marked,
     reference: Reference<'w>,
     surface: Marked,
+    /// The input with the lengths that were asked for, where a distance is kept.
+    first: Option<Marked>,
+    /// Whether that distance asks for shorter edges than the faces of the input have.
+    is_rough: bool,
     iterations: usize,
 }
 
@@ -117,7 +135,9 @@ impl<'w> Work<'w> {
             let (length, position) = (frame.length_out(at_vertices[v]), mesh.positions()[v]);
             return Err(RemeshError::Field { length, position });
         }
+        let mut first = None;
         if let Some(within) = options.within {
+            first = Some(Marked { length: at_vertices.clone(), ..copy.clone() });
             let chords = |lengths: &[f64], copy: &Marked| {
                 sizing::no_longer_than_chords(lengths.to_vec(), frame.length_in(within), copy)
             };
@@ -134,10 +154,13 @@ impl<'w> Work<'w> {
             at_vertices = short;
             lengths = Lengths::AtVertices(at_vertices.clone());
         }
-        let faces = expected_faces(&copy.mesh, &at_vertices);
+        let asked = first.as_ref().map_or(&at_vertices, |first| &first.length);
+        let faces = expected_faces(&copy.mesh, asked);
         if faces > options.most_faces as f64 {
             return Err(RemeshError::TooManyFaces { faces, most: options.most_faces });
         }
+        let enough = MOST_GROWTH * (faces + mesh.faces().len() as f64);
+        let is_rough = first.is_some() && expected_faces(&copy.mesh, &at_vertices) > enough;
         copy.length = at_vertices;
         let reference = Reference::new(&copy, frame, lengths)?;
         copy.near = reference.slots_at_vertices(copy.mesh.positions.len());
@@ -155,25 +178,25 @@ impl<'w> Work<'w> {
             copy,
             reference,
             surface,
+            first,
+            is_rough,
             iterations: 0,
         })
     }
 
     fn run(mut self) -> Result<Remeshed, RemeshError> {
-        self.iterate(self.options.iterations)?;
-        if let Some(within) = self.options.within {
-            self.come_within(LOCAL_SHARE * self.frame.length_in(within))?;
+        match self.options.within {
+            None => self.iterate(self.options.iterations)?,
+            Some(within) => self.come_within(LOCAL_SHARE * self.frame.length_in(within))?,
         }
+        let (mesh, intersections) = self.result()?;
         let stop = self.control.reason().unwrap_or(StopReason::Tolerance);
         let shares: Vec<f64> = self.surface.mesh.edges().map(|h| self.surface.share_sq(h).sqrt()).collect();
         let after = Quality::in_frame(&self.surface.mesh, &self.frame, Some(&shares));
-        let mut result = self.surface.mesh;
-        self.places.bring_out(&mut result);
-        let mesh = result.to_mesh()?;
         let remeshing = self.started.elapsed();
-        let intersections = self.options.intersections.after(self.control.reason()).of(&mesh, self.input)?;
-        let wanted = self.options.measure || self.options.within.is_some();
         // What is to be proven is, whatever the time; what is only told ends with the time.
+        let is_told = self.options.measure && self.control.reason().is_none();
+        let wanted = is_told || self.options.within.is_some();
         let time = self.options.limits.time.filter(|_| self.options.within.is_none());
         let limits = Limits {
             time: time.map(|time| time.saturating_sub(self.started.elapsed())),
@@ -197,6 +220,36 @@ impl<'w> Work<'w> {
             stop,
             timing,
         })
+    }
+
+    /// The mesh in its own place, with the number of pairs of faces that intersect. Where these are new and are to be refused, the
+    /// input is remeshed near to itself, which leaves sheets apart from each other.
+    fn result(&mut self) -> Result<(TriMesh, Option<IntersectionCount>), RemeshError> {
+        let places = self.places;
+        let brought_out = |surface: &Marked| {
+            let mut result = surface.mesh.clone();
+            places.bring_out(&mut result);
+            result.to_mesh()
+        };
+        let guard = self.options.intersections.after(self.control.reason());
+        let mesh = brought_out(&self.surface)?;
+        let mut found = guard.of(&mesh, self.input).map(|count| (mesh, count));
+        if guard != Intersections::RefuseNew {
+            return Ok(found?);
+        }
+        let shortest =
+            self.surface.length.iter().fold(f64::INFINITY, |least, &l| if l < least { l } else { least });
+        let within = self.options.within.map_or(shortest, |d| self.frame.length_in(d));
+        for share in NEAR {
+            if found.is_ok() {
+                break;
+            }
+            self.stay_within(share * if within < shortest { within } else { shortest })?;
+            let mesh = brought_out(&self.surface)?;
+            let guard = self.options.intersections.after(self.control.reason());
+            found = guard.of(&mesh, self.input).map(|count| (mesh, count));
+        }
+        Ok(found?)
     }
 
     /// Some iterations, and the last rounds.
@@ -233,16 +286,30 @@ impl<'w> Work<'w> {
         }
     }
 
-    /// Keeps creases, or else shortens lengths, where the surface is farther from the input than a limit, until it is nowhere, or many
-    /// rounds were in vain.
+    /// Remeshes, and keeps creases, or else shortens lengths, where the surface is farther from the input than a limit. Where it then
+    /// still is, or would have many faces, the input is remeshed by operations that each keep the distance.
     fn come_within(&mut self, limit: f64) -> Result<(), RemeshError> {
-        for _ in 0..MOST_ROUNDS {
+        let came = if self.is_rough { Ok(false) } else { self.follow(limit) };
+        match came {
+            Ok(true) => Ok(()),
+            Ok(false) | Err(RemeshError::TooManyFacesWithin { .. }) => self.stay_within(limit),
+            Err(error) => Err(error),
+        }
+    }
+
+    /// Remeshes, and does so again with more creases and shorter edges; whether the surface came within the limit.
+    fn follow(&mut self, limit: f64) -> Result<bool, RemeshError> {
+        self.iterate(self.options.iterations)?;
+        for round in 0..=MOST_ROUNDS {
             if self.control.is_stopped() {
-                return Ok(());
+                break;
             }
             let far = far_places(&self.copy, &self.reference, &self.surface, limit)?;
             if !far.contains(&true) {
-                return Ok(());
+                return Ok(true);
+            }
+            if round == MOST_ROUNDS {
+                break;
             }
             let copy = &mut self.copy;
             copy.length = self.reference.lengths.at_vertices(&copy.mesh.positions, &self.frame);
@@ -252,15 +319,48 @@ impl<'w> Work<'w> {
                 }
                 limit_growth(&copy.mesh, &mut copy.length);
             }
-            split_longer_than(copy, INPUT_SPLIT, self.options.most_faces, &self.control)
-                .map_err(|_| self.too_many())?;
-            let lengths = Lengths::AtVertices(self.copy.length.clone());
-            self.reference = Reference::new(&self.copy, self.frame, lengths)?;
-            self.copy.near = self.reference.slots_at_vertices(self.copy.mesh.positions.len());
+            self.split_input(INPUT_SPLIT)?;
             // From the input again: a surface that was too coarse may have closed where the input is thin.
             self.surface = self.copy.clone();
             self.iterate(self.options.iterations.min(ITERATIONS))?;
         }
+        Ok(false)
+    }
+
+    /// Splits edges of the input that are longer than some target lengths.
+    fn split_input(&mut self, longest: f64) -> Result<(), RemeshError> {
+        split_longer_than(&mut self.copy, longest, self.options.most_faces, &self.control)
+            .map_err(|_| self.too_many())?;
+        let lengths = Lengths::AtVertices(self.copy.length.clone());
+        self.reference = Reference::new(&self.copy, self.frame, lengths)?;
+        self.copy.near = self.reference.slots_at_vertices(self.copy.mesh.positions.len());
+        Ok(())
+    }
+
+    /// Splits the edges of the input, and changes it by operations that each keep it within a limit, as long as time allows.
+    fn stay_within(&mut self, limit: f64) -> Result<(), RemeshError> {
+        if let Some(first) = self.first.take() {
+            self.copy = first;
+            self.copy.near = vec![self.reference.bvh.any_slot(); self.copy.mesh.positions.len()];
+        }
+        self.split_input(LONGEST)?;
+        let mut surface = self.copy.clone();
+        self.places.settle(&mut surface.mesh);
+        if self.control.is_stopped() {
+            self.surface = surface;
+            return Ok(());
+        }
+        let mut confined = Confined::new(surface, &self.reference, self.places, limit);
+        let count = self.options.iterations.min(CONFINED);
+        for i in 0..count {
+            self.report("remeshing within the distance", i as f64 / count as f64);
+            if self.control.is_stopped() {
+                break;
+            }
+            confined.iterate(&self.control);
+            self.iterations += 1;
+        }
+        self.surface = confined.surface;
         Ok(())
     }
 }

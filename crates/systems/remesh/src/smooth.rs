@@ -15,10 +15,10 @@ const TASK: usize = 1 << 10;
 
 /// Where a vertex goes, with a face of the input near it and the target length there.
 #[derive(Clone, Copy)]
-struct Move {
-    position: DVec3,
-    near: Slot,
-    length: f64,
+pub(super) struct Move {
+    pub(super) position: DVec3,
+    pub(super) near: Slot,
+    pub(super) length: f64,
 }
 
 /// Moves all vertices at once, `steps` times within the surface, then onto the input if there is one. Faces that would turn over
@@ -36,14 +36,14 @@ pub(super) fn smooth(surface: &mut Marked, reference: Option<&Reference<'_>>, st
 }
 
 /// The neighbours of each free vertex, counter-clockwise: what relaxation reads again and again.
-struct Rings {
+pub(super) struct Rings {
     /// Where the ring of each vertex starts, and where the last one ends.
     starts: Vec<u32>,
     vertices: Vec<u32>,
 }
 
 impl Rings {
-    fn of(surface: &Marked) -> Self {
+    pub(super) fn of(surface: &Marked) -> Self {
         let mesh = &surface.mesh;
         let count = mesh.positions.len();
         let (mut starts, mut vertices) =
@@ -79,7 +79,7 @@ fn stay(surface: &Marked, v: u32) -> Move {
 }
 
 /// Towards the middle of the neighbours, in the tangent plane or along the curve.
-fn relaxed(surface: &Marked, rings: &Rings, v: u32) -> Move {
+pub(super) fn relaxed(surface: &Marked, rings: &Rings, v: u32) -> Move {
     let mesh = &surface.mesh;
     let still = stay(surface, v);
     if mesh.outgoing[v as usize] == NONE {
@@ -133,7 +133,12 @@ fn along_curve(surface: &Marked, v: u32) -> Option<DVec3> {
 }
 
 /// Onto the input, unless the nearest point lies on a sheet that faces the other way.
-fn projected(surface: &Marked, reference: &Reference<'_>, v: u32, workspace: &mut Workspace) -> Move {
+pub(super) fn projected(
+    surface: &Marked,
+    reference: &Reference<'_>,
+    v: u32,
+    workspace: &mut Workspace,
+) -> Move {
     let mesh = &surface.mesh;
     let still = stay(surface, v);
     if mesh.outgoing[v as usize] == NONE {

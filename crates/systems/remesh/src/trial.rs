@@ -65,19 +65,19 @@ pub(super) struct Accepted {
 }
 
 /// What a collapse would make of the faces around an edge.
-struct Star {
+pub(super) struct Star {
     /// Faces that stay.
-    kept: Vec<u32>,
+    pub(super) kept: Vec<u32>,
     /// The corner of each that moves.
     corners: Vec<usize>,
     /// All faces around the edge, those that go first.
-    gone: Vec<u32>,
+    pub(super) gone: Vec<u32>,
     /// Twice the area of each face that stays, along its normal.
     normals: Vec<DVec3>,
 }
 
 impl Star {
-    fn new(surface: &Marked, h: u32) -> Self {
+    pub(super) fn new(surface: &Marked, h: u32) -> Self {
         let mesh = &surface.mesh;
         let mut gone: Vec<u32> = [Some(h), mesh.twin_of(h)].into_iter().flatten().map(|x| x / 3).collect();
         let removed = gone.len();
@@ -94,7 +94,7 @@ impl Star {
     }
 
     /// The faces that stay, with their corners at a position.
-    fn moved(&self, surface: &Marked, position: DVec3, faces: &mut Vec<Triangle>) {
+    pub(super) fn moved(&self, surface: &Marked, position: DVec3, faces: &mut Vec<Triangle>) {
         faces.clear();
         faces.extend(self.kept.iter().zip(&self.corners).map(|(&f, &corner)| {
             let mut triangle = surface.triangle(f);

@@ -2,12 +2,14 @@
 
 use crate::operations::topology;
 use pompeiu_core::mesh::shapes::{self, Diagonal, Ends};
-use pompeiu_core::mesh::{Affine, MeshSummary, displace_at_random, merge, transform};
+use pompeiu_core::mesh::{Affine, Coordinates, MeshSummary, Precision, displace_at_random, merge, transform};
+use pompeiu_core::run::{Limits, StopReason};
 use pompeiu_core::{FaceId, TriMesh, VertexId};
 use pompeiu_remesh::{
     ConnectivityError, FeatureError, Features, Intersections, LengthError, Quality, RemeshError,
     RemeshOptions, Remeshed, Sizing, remesh,
 };
+use std::time::Duration;
 
 fn with_length(mesh: &TriMesh, length: f64) -> Remeshed {
     let found = remesh(mesh, &RemeshOptions::new(Sizing::Length(length))).unwrap();
@@ -122,11 +124,73 @@ fn the_distance_asked_for_is_proven() {
     let cube = shapes::cube(2.0, 1).unwrap();
     let options = RemeshOptions { within: Some(0.1), ..RemeshOptions::new(Sizing::Length(0.5)) };
     assert!(distance(&remesh(&cube, &options).unwrap()) <= 0.1);
-    // Those of an icosahedron make no curves: edges are shortened there.
+    // Those of an icosahedron make no curves.
     let solid = shapes::icosphere(1.0, 0).unwrap();
     let few = RemeshOptions { within: Some(0.002), most_faces: 4000, ..options };
-    let error = remesh(&solid, &few).unwrap_err();
-    assert!(matches!(error, RemeshError::TooManyFacesWithin { most: 4000, .. }), "{error}");
+    assert!(distance(&remesh(&solid, &few).unwrap()) <= 0.002);
+    let error = remesh(&solid, &RemeshOptions { most_faces: 60, ..few }).unwrap_err();
+    assert!(matches!(error, RemeshError::TooManyFaces { .. }), "{error}");
+}
+
+#[test]
+fn a_distance_is_kept_on_rough_surfaces_without_many_faces() {
+    // Creases everywhere, which shorter edges would only follow; spikes; a boundary.
+    let rough = displace_at_random(&shapes::icosphere(1.0, 2).unwrap(), 0.1, 3).unwrap();
+    let (positions, faces) = shapes::torus(2.0, 0.7, 20, 10).unwrap().into_parts();
+    let spiked = positions.into_iter().enumerate();
+    let spiked = spiked.map(|(i, p)| p.map(|x| if i % 37 == 0 { 1.4 * x } else { x })).collect();
+    let spiked = TriMesh::new(spiked, faces).unwrap();
+    let sheet = shapes::grid([2.0, 2.0], [10, 10], Diagonal::Rising).unwrap();
+    let sheet = displace_at_random(&sheet, 0.1, 9).unwrap();
+    for mesh in [&rough, &spiked, &sheet] {
+        for (length, within) in [(0.2, 0.01), (0.4, 1e-6)] {
+            for precision in [Precision::Double, Precision::Single] {
+                let coordinates = Coordinates { precision, center: false };
+                let options = RemeshOptions {
+                    within: Some(within),
+                    coordinates,
+                    ..RemeshOptions::new(Sizing::Length(length))
+                };
+                let found = remesh(mesh, &options).unwrap();
+                assert!(distance(&found) <= within);
+                assert_eq!(topology(&found.mesh), topology(mesh));
+                let free = remesh(mesh, &RemeshOptions::new(Sizing::Length(length))).unwrap();
+                let most = 3 * (free.mesh.faces().len() + mesh.faces().len());
+                assert!(found.mesh.faces().len() < most, "{length} {within}: {}", found.mesh.faces().len());
+                let is_held = |x: &f64| f64::from(*x as f32) == *x;
+                assert!(
+                    precision == Precision::Double || found.mesh.positions().iter().flatten().all(is_held)
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn a_run_that_ends_early_leaves_a_valid_mesh() {
+    let mesh = displace_at_random(&shapes::torus(2.0, 0.7, 60, 30).unwrap(), 0.02, 3).unwrap();
+    for (within, intersections) in [(None, Intersections::RefuseNew), (Some(0.001), Intersections::RefuseNew)]
+    {
+        for milliseconds in [0, 1, 5, 20] {
+            let time = Some(Duration::from_millis(milliseconds));
+            let options = RemeshOptions {
+                within,
+                intersections,
+                limits: Limits { time, ..Limits::default() },
+                ..RemeshOptions::new(Sizing::Length(0.03))
+            };
+            let found = remesh(&mesh, &options).unwrap();
+            assert_eq!(topology(&found.mesh), topology(&mesh));
+            assert!(found.after.least_angle.least > 0.0);
+            match within {
+                Some(within) => assert!(distance(&found) <= within),
+                None if found.stop == StopReason::Time => {
+                    assert!(found.distance.is_none() && found.intersections.is_none());
+                }
+                None => assert!(found.distance.is_some()),
+            }
+        }
+    }
 }
 
 #[test]
@@ -316,7 +380,11 @@ fn faces_that_intersect_are_refused_where_the_input_has_none() {
     let apart = join(&inner);
     let found = with(&apart, Intersections::Report).unwrap().intersections.unwrap();
     assert!(found.pairs > 0);
-    assert!(matches!(with(&apart, Intersections::RefuseNew), Err(RemeshError::Intersects(_))));
+    // Nearer to the input there are none.
+    let mended = with(&apart, Intersections::RefuseNew).unwrap();
+    assert_eq!(mended.intersections.map(|count| count.pairs), Some(0));
+    assert!(distance(&mended) < 0.025);
+    assert!(matches!(with(&apart, Intersections::Refuse), Err(RemeshError::Intersects(_))));
     // An input with intersections is none the worse.
     let crossed = join(&transform(&inner, &Affine::translate([0.01, 0.0, 0.0])).unwrap());
     let counted = with(&crossed, Intersections::RefuseNew).unwrap().intersections.unwrap();

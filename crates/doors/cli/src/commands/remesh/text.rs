@@ -53,7 +53,12 @@ pub(super) fn text(certificate: Option<&Path>, answer: &AnswerOf<Files>) -> Stri
         row("intersect", pairs_that_intersect(count));
     }
     if found.stop.is_early() {
-        row("stopped", format!("early ({})", found.stop.name()));
+        let rest = if found.distance.is_some() {
+            ""
+        } else {
+            "; neither its distance nor intersections were looked at"
+        };
+        row("stopped", format!("early ({}): the mesh is valid, but unfinished{rest}", found.stop.name()));
     }
     let timing = found.timing;
     row(
