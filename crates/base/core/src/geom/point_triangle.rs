@@ -162,6 +162,68 @@ pub fn closest_barycentric(p: [f64; 3], [a, b, c]: [[f64; 3]; 3]) -> [f64; 3] {
     best
 }
 
+/// Weights of the second and the third corner of a point of the triangle that is nearest to `p`, but for rounding: with one division, and with branches.
+///
+/// Neither is negative, and their sum is no greater than one, up to rounding. For callers to whom any point of the triangle will do; triangles
+/// that are thin take the way of [`closest_barycentric`].
+#[inline]
+pub fn near_weights(p: [f64; 3], [a, b, c]: [[f64; 3]; 3]) -> [f64; 2] {
+    let (ab, ac, ap) = (sub(b, a), sub(c, a), sub(p, a));
+    let (d1, d2) = (dot(ab, ap), dot(ac, ap));
+    if d1 <= 0.0 && d2 <= 0.0 {
+        return [0.0, 0.0];
+    }
+    let (e, f, g) = (dot(ab, ab), dot(ab, ac), dot(ac, ac));
+    // Products of two lengths tell nothing then. Written so that what is no number counts as thin.
+    let is_wide = e * g - f * f > THIN * (e * g);
+    if !is_wide {
+        let [_, v, w] = closest_barycentric(p, [a, b, c]);
+        return [v, w];
+    }
+    // The same products seen from the other corners.
+    let (d3, d4) = (d1 - e, d2 - f);
+    if d3 >= 0.0 && d4 <= d3 {
+        return [1.0, 0.0];
+    }
+    let vc = d1 * d4 - d3 * d2;
+    if vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0 {
+        return [fraction(d1, e), 0.0];
+    }
+    let (d5, d6) = (d1 - f, d2 - g);
+    if d6 >= 0.0 && d5 <= d6 {
+        return [0.0, 1.0];
+    }
+    let vb = d5 * d2 - d1 * d6;
+    if vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0 {
+        return [0.0, fraction(d2, g)];
+    }
+    let va = d3 * d6 - d5 * d4;
+    let (to_c, to_b) = (d4 - d3, d5 - d6);
+    if va <= 0.0 && to_c >= 0.0 && to_b >= 0.0 {
+        let w = fraction(to_c, to_c + to_b);
+        return [1.0 - w, w];
+    }
+    let inverse = 1.0 / (va + vb + vc);
+    let v = bounded(vb * inverse);
+    let w = bounded(vc * inverse);
+    if v + w <= 1.0 { [v, w] } else { [v, 1.0 - v] }
+}
+
+/// The square of the sine of the angle at a corner below which a triangle is thin.
+const THIN: f64 = 1e-6;
+
+/// `x / y` between zero and one; zero where it is no number.
+#[inline]
+fn fraction(x: f64, y: f64) -> f64 {
+    bounded(x / y)
+}
+
+#[inline]
+fn bounded(x: f64) -> f64 {
+    let x = if x > 0.0 { x } else { 0.0 };
+    if x < 1.0 { x } else { 1.0 }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -218,6 +280,17 @@ mod tests {
             let block: TriangleBlock = t.map(|corner| corner.map(|x| [x; LANES]));
             prop_assert_eq!(block_distances_sq(p, &block), [d; LANES]);
             prop_assert_eq!(four_points_distances_sq(&p.map(|x| [x; 4]), t), [d; 4]);
+        }
+
+        #[test]
+        fn near_weights_give_the_nearest_point(p in point(), t in [point(), point(), point()], thin in prop_oneof![Just(1.0), Just(1e-3), Just(1e-7), Just(0.0)]) {
+            // Of any shape, also without area.
+            let t = [t[0], t[1], [0, 1, 2].map(|k| t[0][k] + 0.4 * (t[1][k] - t[0][k]) + thin * (t[2][k] - t[0][k]))];
+            let [v, w] = near_weights(p, t);
+            prop_assert!(v >= 0.0 && w >= 0.0 && v + w <= 1.0 + 1e-15, "{v} {w}");
+            let q = [0, 1, 2].map(|k| t[0][k] + v * (t[1][k] - t[0][k]) + w * (t[2][k] - t[0][k]));
+            let d = distance_sq(p, t[0], t[1], t[2]).sqrt();
+            prop_assert!((dot(sub(p, q), sub(p, q)).sqrt() - d).abs() < 1e-7);
         }
 
         #[test]

@@ -58,7 +58,7 @@ impl Success {
     /// Cells that are tried before that is judged.
     const FIRST: u32 = 16;
     /// The part of them, as its inverse, that must come out narrow enough for others to be tried; of these one in so many is tried anyway.
-    const OF_TRIED: u32 = 3;
+    const OF_TRIED: u32 = 2;
     const ANYWAY: u32 = 16;
 
     /// Whether another cell should be tried, which is counted.

@@ -11,7 +11,7 @@ use super::envelope::unit;
 use super::polygon::{MOST_CORNERS, Outline, Polygon, Row};
 use glam::DVec3;
 use pompeiu_core::geom::Aabb;
-use pompeiu_core::geom::point_triangle::closest_barycentric;
+use pompeiu_core::geom::point_triangle::near_weights;
 use pompeiu_core::spatial::bvh::Leaf;
 use pompeiu_core::spatial::{Bvh, Slot};
 
@@ -101,11 +101,14 @@ impl<'b> Compare<'b> {
             if slot == cell.slot {
                 continue;
             }
-            let other = self.candidate(slot, scale);
-            let (theirs, deficit) = other.best_below(&cell.upper, outline, scale, g, rise);
-            for j in 0..MOST_CORNERS {
-                row[j] = if theirs[j] < row[j] { theirs[j] } else { row[j] };
+            let facing = Facing::new(self.bvh.corners(slot), &cell.upper, outline, scale);
+            if facing.deficit <= rise {
+                lower_to(&mut row, &facing.row);
+                continue;
             }
+            let other = self.candidate(slot, scale);
+            let (theirs, deficit) = other.best_below(&cell.upper, outline, scale, g, &facing, rise);
+            lower_to(&mut row, &theirs);
             if deficit > worst {
                 worst = deficit;
                 let below = other.height.at(at) < 0.0;
@@ -149,6 +152,61 @@ pub(super) fn range(row: &Row) -> (f64, f64) {
     (low, high)
 }
 
+fn lower_to(row: &mut Row, other: &Row) {
+    for j in 0..MOST_CORNERS {
+        row[j] = if other[j] < row[j] { other[j] } else { row[j] };
+    }
+}
+
+/// How far a function below the distance lies below the wanted one at most.
+fn deficit(row: &Row, wanted: &Row) -> f64 {
+    let mut most = wanted[0] - row[0];
+    for j in 1..MOST_CORNERS {
+        let here = wanted[j] - row[j];
+        most = if here > most { here } else { most };
+    }
+    most
+}
+
+/// A face in front of the plane that faces the centre of a cell, with about its nearest point on it: of what lies farther away than the cell is
+/// long no more needs to be known.
+struct Facing {
+    nearest: DVec3,
+    /// From there to the centre.
+    away: DVec3,
+    /// Values at the corners of the cell of the function below the distance from the face, and how far it lies below the wanted one at most.
+    row: Row,
+    deficit: f64,
+}
+
+impl Facing {
+    fn new(corners: [[f64; 3]; 3], wanted: &Row, outline: &Outline, scale: &Scale) -> Self {
+        let centre = scale.point(outline.centre());
+        let [v, w] = near_weights(centre.to_array(), corners);
+        let [a, b, c] = corners.map(DVec3::from_array);
+        let nearest = a + v * (b - a) + w * (c - a);
+        let away = centre - nearest;
+        let Some(g) = unit(away) else {
+            let row = [f64::NEG_INFINITY; MOST_CORNERS];
+            return Self { nearest, away, row, deficit: f64::INFINITY };
+        };
+        let row = plane_in_front(&[a, b, c], g, nearest, outline, scale);
+        Self { nearest, away, row, deficit: deficit(&row, wanted) }
+    }
+}
+
+/// Values at the corners of a cell of `g . (x - y)`, less how far a face reaches along g beyond y.
+fn plane_in_front([a, b, c]: &[DVec3; 3], g: DVec3, y: DVec3, outline: &Outline, scale: &Scale) -> Row {
+    let (a, b, c) = (g.dot(*a - y), g.dot(*b - y), g.dot(*c - y));
+    let reach = if a > b { a } else { b };
+    let reach = if reach > c { reach } else { c };
+    let mut row = scale.along(g, y).row(outline);
+    for x in &mut row {
+        *x -= reach;
+    }
+    row
+}
+
 impl Candidate {
     /// Values at the corners of the best of a few functions below the distance from this face, and how far it lies below the wanted
     /// one at most. `normal` is that of a plane over which this face rises; a function that lies `enough` below ends the search.
@@ -158,41 +216,43 @@ impl Candidate {
         outline: &Outline,
         scale: &Scale,
         normal: DVec3,
+        facing: &Facing,
         enough: f64,
     ) -> (Row, f64) {
-        let at = outline.centre();
-        let short = |row: &Row| range(&std::array::from_fn(|j| wanted[j] - row[j])).1;
-        let mut best = ([f64::NEG_INFINITY; MOST_CORNERS], f64::INFINITY);
+        let mut best = (facing.row, facing.deficit);
         if self.normal != DVec3::ZERO {
-            let below = self.height.at(at) < 0.0;
+            let below = self.height.at(outline.centre()) < 0.0;
             let bulge = self.bulge[usize::from(below)];
-            let row = self.height.row(outline).map(|h| if below { -h - bulge } else { h - bulge });
-            best = (row, short(&row));
+            let mut row = self.height.row(outline);
+            for x in &mut row {
+                *x = if below { -*x - bulge } else { *x - bulge };
+            }
+            let here = deficit(&row, wanted);
+            best = if here < best.1 { (row, here) } else { best };
         }
         if best.1 <= enough {
             return best;
         }
-        let centre = scale.point(at);
+        let Facing { nearest, away, .. } = *facing;
         let [a, b, c] = self.corners;
-        let beta = closest_barycentric(centre.to_array(), self.corners.map(|p| p.to_array()));
-        let y = a + beta[1] * (b - a) + beta[2] * (c - a);
-        let away = centre - y;
-        let mut plane = |g: Option<DVec3>| {
-            if let Some(g) = g {
-                let support = self.reach_along(g, y);
-                let row = scale.along(g, y).row(outline).map(|x| x - support);
-                let here = short(&row);
+        let ways = [a - nearest, b - nearest, c - nearest];
+        let mut plane = |aside: DVec3| {
+            if let Some(g) = tilted(&ways, normal, aside) {
+                let row = plane_in_front(&self.corners, g, nearest, outline, scale);
+                let here = deficit(&row, wanted);
                 best = if here < best.1 { (row, here) } else { best };
             }
             best.1 <= enough
         };
-        let ways = self.corners.map(|corner| corner - y);
-        let across = ways.map(|way| {
+        let across = |way: DVec3| {
             let across = normal.cross(way);
             if across.dot(away) < 0.0 { -across } else { across }
-        });
-        let aside = [-(ways[0] + ways[1] + ways[2]), away, across[0], across[1], across[2]];
-        let _ = aside.into_iter().any(|aside| plane(tilted(&ways, normal, aside))) || plane(unit(away));
+        };
+        let _ = plane(-(ways[0] + ways[1] + ways[2]))
+            || plane(away)
+            || plane(across(ways[0]))
+            || plane(across(ways[1]))
+            || plane(across(ways[2]));
         best
     }
 }

@@ -24,7 +24,7 @@ use super::linear::lesser;
 use super::polygon::{MOST_CORNERS, Outline, Piece, Polygon, Row, integral};
 use glam::DVec3;
 use multiversion::multiversion;
-use pompeiu_core::geom::point_triangle::{LANES, TriangleBlock, closest_barycentric, lane_of, set_lane};
+use pompeiu_core::geom::point_triangle::{LANES, TriangleBlock, lane_of, near_weights, set_lane};
 use pompeiu_core::spatial::bvh::{LEAST_SQUARE, Leaf, Support};
 use pompeiu_core::spatial::{Bvh, Neighbours, Slot, Workspace};
 use std::ops::Range;
@@ -278,9 +278,9 @@ impl<'b> Planes<'b> {
         let corners = [corner(0), corner(1), corner(2)];
         let centre = (corners[0] + corners[1] + corners[2]) * (1.0 / 3.0);
         let face = self.bvh.corners(looked.near);
-        let beta = closest_barycentric(centre.to_array(), face);
+        let [v, w] = near_weights(centre.to_array(), face);
         let [a, b, c] = face.map(DVec3::from_array);
-        let away = centre - (a + beta[1] * (b - a) + beta[2] * (c - a));
+        let away = centre - (a + v * (b - a) + w * (c - a));
         let common = unit(away).unwrap_or(DVec3::X);
         Support {
             centre: centre.to_array(),

@@ -3,7 +3,7 @@
 use super::super::candidates::Scale;
 use super::super::polygon::{MOST_CORNERS, Polygon, Row};
 use glam::DVec3;
-use pompeiu_core::geom::point_triangle::closest_barycentric;
+use pompeiu_core::geom::point_triangle::near_weights;
 
 /// A piece as faces of B are compared with it.
 pub(super) struct View {
@@ -51,8 +51,8 @@ impl View {
 
     /// The direction to the centre from the nearest point of a face, or any if there is none.
     pub(super) fn direction_from(&self, [a, b, c]: [DVec3; 3]) -> DVec3 {
-        let beta = closest_barycentric(self.centre.to_array(), [a, b, c].map(|p| p.to_array()));
-        let away = self.centre - (a + beta[1] * (b - a) + beta[2] * (c - a));
+        let [v, w] = near_weights(self.centre.to_array(), [a, b, c].map(|p| p.to_array()));
+        let away = self.centre - (a + v * (b - a) + w * (c - a));
         let normal = || {
             let n = unit((b - a).cross(c - a)).unwrap_or(DVec3::ZERO);
             if n.dot(self.centre - a) < 0.0 { -n } else { n }
