@@ -1,5 +1,6 @@
 //! Remeshing whose every operation keeps the surface within a distance of the input.
 
+use super::candidates::Triangle;
 use super::connectivity::{DynamicMesh, NONE};
 use super::cover::{Affected, Cover, Covering};
 use super::flips::{hinge, lowers_cotangents};
@@ -9,7 +10,7 @@ use super::places::Places;
 use super::reference::Reference;
 use super::smooth::{Move, Rings, keeps_normal, projected, relaxed};
 use super::trial::Star;
-use super::within::{Input, Triangle};
+use super::within::Input;
 use glam::DVec3;
 use pompeiu_core::run::Control;
 use pompeiu_core::spatial::bvh::{Slot, Workspace};
