@@ -133,6 +133,8 @@ pub struct Bodies {
     pub(crate) hinges: Vec<Hinge>,
     pub(crate) handles: Vec<Handle>,
     pub(crate) obstacles: Vec<Obstacle>,
+    /// Vertices of obstacles that move.
+    pub(crate) driven: Vec<(u32, HandleMotion)>,
 }
 
 impl Bodies {
@@ -177,7 +179,6 @@ impl Bodies {
         material.check()?;
         check_indices("tetrahedron", tetrahedra, positions.len())?;
         let mut elements = Vec::with_capacity(tetrahedra.len());
-        let mut faces: BTreeMap<[u32; 3], ([u32; 3], usize)> = BTreeMap::new();
         for (index, t) in tetrahedra.iter().enumerate() {
             let x = t.map(|v| positions[v as usize]);
             let shape = DMat3::from_cols(x[1] - x[0], x[2] - x[0], x[3] - x[0]);
@@ -187,12 +188,6 @@ impl Bodies {
                 return Err(ContactError::Degenerate { what, index, measure, value: volume });
             }
             elements.push((*t, shape.inverse(), volume));
-            for face in [[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]] {
-                let face = face.map(|k: usize| t[k]);
-                let mut key = face;
-                key.sort_unstable();
-                faces.entry(key).or_insert((face, 0)).1 += 1;
-            }
         }
         let range = self.push(positions, false)?;
         let base = range.start as u32;
@@ -207,8 +202,7 @@ impl Bodies {
             }
             self.tetrahedra.push(Tetrahedron { vertices, inverse, volume, lame });
         }
-        let outer = faces.into_values().filter(|(_, count)| *count == 1);
-        self.faces.extend(outer.map(|(face, _)| face.map(|v| v + base)));
+        self.faces.extend(outer_faces(tetrahedra).map(|face| face.map(|v| v + base)));
         Ok(range)
     }
 
@@ -287,6 +281,25 @@ impl Bodies {
         Ok(range)
     }
 
+    /// Adds a surface that moves as it is told, whatever it pushes.
+    ///
+    /// # Errors
+    /// [`ContactError`] for vertices that do not exist, and motions that are not finite.
+    pub fn add_moving(
+        &mut self,
+        positions: &[DVec3],
+        faces: &[[u32; 3]],
+        motion: HandleMotion,
+    ) -> Result<Range<usize>, ContactError> {
+        if !motion.at(DVec3::ZERO, 1.0).is_finite() {
+            let (what, expected) = ("motion of an obstacle", "numbers");
+            return Err(ContactError::Parameter { what, value: f64::NAN, expected });
+        }
+        let range = self.add_fixed(positions, faces)?;
+        self.driven.extend(range.clone().map(|v| (v as u32, motion)));
+        Ok(range)
+    }
+
     /// Adds an obstacle with a formula.
     ///
     /// # Errors
@@ -342,6 +355,20 @@ impl Bodies {
     pub fn set_velocity(&mut self, range: Range<usize>, velocity: DVec3) {
         self.velocities[range].fill(velocity);
     }
+}
+
+/// The faces that only one of positively oriented tetrahedra has, oriented outwards.
+pub(crate) fn outer_faces(tetrahedra: &[[u32; 4]]) -> impl Iterator<Item = [u32; 3]> {
+    let mut faces: BTreeMap<[u32; 3], ([u32; 3], usize)> = BTreeMap::new();
+    for t in tetrahedra {
+        for face in [[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]] {
+            let face = face.map(|k: usize| t[k]);
+            let mut key = face;
+            key.sort_unstable();
+            faces.entry(key).or_insert((face, 0)).1 += 1;
+        }
+    }
+    faces.into_values().filter(|(_, count)| *count == 1).map(|(face, _)| face)
 }
 
 fn check_indices<const N: usize>(

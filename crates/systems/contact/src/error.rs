@@ -83,6 +83,17 @@ pub enum ContactError {
         /// The pair.
         pair: IntersectingPair,
     },
+    /// Two obstacles that move, or one and a fixed one, run into each other.
+    #[error(
+        "step {step}: faces {} and {} of obstacles run into each other near ({:.6}, {:.6}, {:.6}); change their motion, or end before",
+        .pair.faces[0].0, .pair.faces[1].0, .pair.place[0], .pair.place[1], .pair.place[2]
+    )]
+    ObstaclesMeet {
+        /// Number of the step, from 1.
+        step: usize,
+        /// The pair.
+        pair: IntersectingPair,
+    },
     /// Newton's method does not come closer.
     #[error(
         "step {step}: Newton's method stopped after {iterations} iterations while vertices still move at {speed:e}, asked for {tolerance:e}; \

@@ -17,7 +17,7 @@
 //! that intersects is refused with the pairs named.
 //!
 //! # Limits
-//! Implicit Euler damps angular momentum and energy. Obstacles with faces do not move. Friction is lagged by one step.
+//! Implicit Euler damps angular momentum and energy. Friction is lagged by one step.
 //!
 //! # Example
 //! ```

@@ -14,6 +14,10 @@ const KEPT: f64 = 1e-4;
 /// Halvings of a step at most.
 const MOST_HALVINGS: usize = 60;
 
+/// Halvings after which springs to where obstacles go are made stiffer, and how often they are.
+const FEW_HALVINGS: usize = 4;
+const MOST_STIFFENINGS: usize = 12;
+
 /// What a step minimises.
 pub(crate) struct Objective<'a> {
     pub(crate) simulation: &'a Simulation,
@@ -23,6 +27,10 @@ pub(crate) struct Objective<'a> {
     pub(crate) start: &'a [DVec3],
     pub(crate) slides: Vec<Slide>,
     pub(crate) targets: Vec<DVec3>,
+    /// Vertices of obstacles that move, and where they go.
+    pub(crate) driven: Vec<(u32, DVec3)>,
+    /// The stiffness of springs to where they go, by which a line search weighs their way against the energy they add to bodies.
+    pub(crate) drag: f64,
     pub(crate) stiffness: f64,
 }
 
@@ -72,6 +80,8 @@ impl Objective<'_> {
         let moved = self.moved(x);
         let epsilon = self.epsilon();
         let slides = sum(self.slides.par_iter().map(|slide| slide.energy(&moved, epsilon)).collect());
+        let left: f64 = self.driven.iter().map(|(v, to)| (*to - x[*v as usize]).length_squared()).sum();
+        let inertia = inertia + 0.5 * self.drag * left;
         inertia + squared * (springs + solid + cloth + bend + self.stiffness * (pairs + support) + slides)
     }
 
@@ -161,8 +171,10 @@ impl Objective<'_> {
     }
 
     /// A Newton step for all vertices, and the slope of the objective along it. The matrix of the iteration before lends its pattern.
+    ///
+    /// Obstacles go all of their way that is left, and bodies as they are pushed then.
     pub(crate) fn newton(
-        &self,
+        &mut self,
         x: &[DVec3],
         active: &(Vec<Contact>, Vec<Support>),
         matrix: &mut SymmetricBlocks,
@@ -195,27 +207,80 @@ impl Objective<'_> {
         }
         assemble(matrix, &diagonal, &elements, unknowns)?;
         let mut step: Vec<f64> = gradient.iter().map(|g| -g).collect();
+        let way = self.way(x);
+        let mut of_way = 0.0;
+        if !self.driven.is_empty() {
+            for element in &elements {
+                of_way += element.push(&way, unknowns, &mut step);
+            }
+        }
         matrix.factor()?.solve_in_place(&mut step)?;
-        let slope = step.iter().zip(&gradient).map(|(p, g)| p * g).sum();
-        let of = |unknown: &Option<u32>| {
-            unknown.map_or(DVec3::ZERO, |u| DVec3::from_slice(&step[3 * u as usize..3 * u as usize + 3]))
+        let slope: f64 = step.iter().zip(&gradient).map(|(p, g)| p * g).sum();
+        let slope = self.with_drag(slope + of_way, &way);
+        let of = |(v, unknown): (usize, &Option<u32>)| match unknown {
+            Some(u) => DVec3::from_slice(&step[3 * *u as usize..3 * *u as usize + 3]),
+            None => way.get(v).copied().unwrap_or_default(),
         };
-        Ok((unknowns.iter().map(of).collect(), slope))
+        Ok((unknowns.iter().enumerate().map(of).collect(), slope))
     }
 
-    /// The first of a step and its halves that lowers the objective enough.
+    /// What is left of the way of each vertex of obstacles; nothing where none moves.
+    fn way(&self, x: &[DVec3]) -> Vec<DVec3> {
+        let mut way = vec![DVec3::ZERO; if self.driven.is_empty() { 0 } else { x.len() }];
+        for (v, to) in &self.driven {
+            way[*v as usize] = *to - x[*v as usize];
+        }
+        way
+    }
+
+    /// The slope of the objective from that of the energy: springs to where obstacles go are so stiff that their way lowers it.
+    fn with_drag(&mut self, slope: f64, way: &[DVec3]) -> f64 {
+        let square: f64 = way.iter().map(|p| p.length_squared()).sum();
+        if square > 0.0 {
+            let needed = 2.0 * slope.abs() / square;
+            self.drag = if needed > self.drag { needed } else { self.drag };
+        }
+        slope - self.drag * square
+    }
+
+    /// The first of a step and its halves that lowers the objective enough. Where obstacles move, springs to where they go are made stiffer
+    /// until one of the first few does.
     pub(crate) fn line_search(
-        &self,
+        &mut self,
         x: &[DVec3],
         p: &[DVec3],
         slope: f64,
         free: f64,
         candidates: &Candidates,
     ) -> Option<Vec<DVec3>> {
+        let way: f64 = self.driven.iter().map(|(v, _)| p[*v as usize].length_squared()).sum();
+        if way > 0.0 {
+            let mut slope = slope;
+            for _ in 0..MOST_STIFFENINGS {
+                let found = self.halved(x, p, slope, free, candidates, FEW_HALVINGS);
+                if found.is_some() {
+                    return found;
+                }
+                slope -= 9.0 * self.drag * way;
+                self.drag *= 10.0;
+            }
+        }
+        self.halved(x, p, slope, free, candidates, MOST_HALVINGS)
+    }
+
+    fn halved(
+        &self,
+        x: &[DVec3],
+        p: &[DVec3],
+        slope: f64,
+        free: f64,
+        candidates: &Candidates,
+        halvings: usize,
+    ) -> Option<Vec<DVec3>> {
         let simulation = self.simulation;
         let start = self.energy(x, &simulation.contacts(x, candidates));
         let mut part = free;
-        for _ in 0..MOST_HALVINGS {
+        for _ in 0..halvings {
             let next: Vec<DVec3> = x.iter().zip(p).map(|(x, p)| *x + *p * part).collect();
             let energy = self.energy(&next, &simulation.contacts(&next, candidates));
             if energy <= start + KEPT * part * slope {
@@ -228,6 +293,33 @@ impl Objective<'_> {
 }
 
 impl Element {
+    /// Adds to the right side what the way of obstacles pushes its vertices by; gives the slope of the energy along that way.
+    fn push(&self, way: &[DVec3], unknowns: &[Option<u32>], right: &mut [f64]) -> f64 {
+        let mut of_way = [0.0; 12];
+        let mut slope = 0.0;
+        for (k, &v) in self.vertices[..self.count].iter().enumerate() {
+            let moves = way[v as usize];
+            of_way[3 * k..3 * k + 3].copy_from_slice(&moves.to_array());
+            slope += self.gradient[k].dot(moves);
+        }
+        if of_way == [0.0; 12] {
+            return 0.0;
+        }
+        let product: [f64; 12] = match &self.curvature {
+            Curvature::Rank1(factor, v) => {
+                let along: f64 = v.iter().zip(of_way).map(|(v, p)| v * p).sum();
+                v.map(|v| factor * v * along)
+            }
+            Curvature::Full(entries) => entries.map(|row| row.iter().zip(of_way).map(|(h, p)| h * p).sum()),
+        };
+        for (k, unknown) in self.unknowns(unknowns) {
+            for axis in 0..3 {
+                right[3 * unknown as usize + axis] -= product[3 * k + axis];
+            }
+        }
+        slope
+    }
+
     /// Its vertices that can move: their index among those of the element, and their unknown.
     fn unknowns(&self, unknowns: &[Option<u32>]) -> impl Iterator<Item = (usize, u32)> {
         let vertices = self.vertices[..self.count].iter().enumerate();

@@ -14,6 +14,7 @@ use crate::{
 };
 use glam::DVec3;
 use pompeiu_core::TriMesh;
+use pompeiu_core::mesh::FaceId;
 use pompeiu_core::spatial::self_intersections;
 use pompeiu_solve::SymmetricBlocks;
 use rayon::prelude::*;
@@ -312,7 +313,7 @@ impl Simulation {
     /// Moves on by one step. A step that fails leaves the state unchanged.
     ///
     /// # Errors
-    /// [`ContactError::NotConverged`]; [`ContactError::Intersects`] if the exact test finds what may not be.
+    /// [`ContactError::NotConverged`]; [`ContactError::ObstaclesMeet`]; [`ContactError::Intersects`] if the exact test finds what may not be.
     pub fn step(&mut self) -> Result<ContactStep, ContactError> {
         self.weigh_edges();
         let (step, predicted) = self.prediction();
@@ -330,8 +331,12 @@ impl Simulation {
             let of_support = |s: &Support| Slide::of_support(s, &self.x, d, self.stiffness, coefficient);
             slides.extend(supports.iter().filter_map(of_support));
         }
+        let driven =
+            self.bodies.driven.iter().map(|(v, motion)| (*v, motion.at(self.rest[*v as usize], time)));
         let mut objective = Objective {
             simulation: self,
+            driven: driven.collect(),
+            drag: self.moving().map(|i| self.bodies.mass[i]).sum(),
             predicted,
             step,
             start: &self.x,
@@ -424,9 +429,16 @@ impl Simulation {
             let found = self_intersections(&self.mesh()?, NAMED);
             self.timing.exact_test += since(started);
             if let Some(pair) = found.pairs.first() {
-                let pair = *pair;
+                let (pair, step) = (*pair, self.steps + 1);
                 (self.x, self.v) = old;
-                return Err(ContactError::Intersects { step: self.steps + 1, pair });
+                let of_obstacle = |face: FaceId| {
+                    self.surface.faces[face.index()].iter().all(|v| self.unknowns[*v as usize].is_none())
+                };
+                return Err(if pair.faces.iter().all(|face| of_obstacle(*face)) {
+                    ContactError::ObstaclesMeet { step, pair }
+                } else {
+                    ContactError::Intersects { step, pair }
+                });
             }
             report.intersections = Some(0);
         }

@@ -1130,6 +1130,41 @@ fn contact_takes_meshes_and_refuses_what_cannot_be_simulated() {
 }
 
 #[test]
+fn contact_takes_meshes_as_obstacles_that_stay_or_move() {
+    let folder = Folder::new();
+    folder.ok("generate icosphere --subdivisions 1 -o ball.obj");
+    let body = "[[body]]\nmove = [0, 0, 2.2]\nmaterial = { thickness = 0.05 }\n";
+    let below = "[[obstacle]]\nmesh = 'ball.obj'\n";
+    let up = "velocity = [0, 0, 5]\n";
+    for (name, scene) in [("stays", format!("{below}{body}")), ("moves", format!("{below}{up}{body}"))] {
+        folder.write(&format!("{name}.toml"), &scene);
+        let run = format!("contact {name}.toml ball.obj --steps 10 --dt 0.01 --gravity 0,0,0 --json");
+        let report = json(&folder, &run);
+        assert_eq!((&report["bodies"], &report["vertices"]), (&1.into(), &84.into()));
+        assert_eq!(report["certificate"]["intersecting"], 0);
+        // Only what is pushed moves, and only upwards.
+        let momentum = report["steps"][9]["momentum"][2].as_f64().unwrap();
+        assert!(if name == "moves" { momentum > 1.0 } else { momentum == 0.0 }, "{name}: {momentum}");
+    }
+    let with = |keys: &str| format!("{below}{keys}{body}");
+    folder.write("inside.toml", &with("move = [0, 0, 1]\n"));
+    folder.write("both.toml", &with("radius = 1.0\n"));
+    folder.write("axis.toml", &with("turns = 1.0\n"));
+    folder.write("ball.toml", &format!("[[obstacle]]\ncentre = [0, 0, 0]\nradius = 1.0\n{up}{body}"));
+    folder.write("none.toml", &format!("[[obstacle]]\nmesh = 'none.obj'\n{body}"));
+    for (scene, words) in [
+        ("inside.toml", "of mesh 1 of obstacles"),
+        ("both.toml", "needs either `mesh`, or `normal`"),
+        ("ball.toml", "needs either `mesh`, or `normal`"),
+        ("axis.toml", "`turns` is not for a motion that is not `about` an axis"),
+        ("none.toml", "none.obj"),
+    ] {
+        let (code, _, message) = folder.transcript(&format!("contact {scene} ball.obj"));
+        assert!(code == Some(2) && message.contains(words), "{scene}: {message}");
+    }
+}
+
+#[test]
 fn contact_goes_on_from_a_checkpoint_bit_for_bit() {
     let folder = Folder::new();
     folder.write("crash.toml", "kind = 'collision'\ncells = 1\nspeed = 4\n");

@@ -102,8 +102,19 @@ pub enum ContactRequestError {
         /// What is wrong.
         error: ContactError,
     },
-    /// An obstacle is neither a half-space nor a ball.
-    #[error("obstacle {obstacle} needs either `normal` and `through`, or `centre` and `radius`")]
+    /// An obstacle cannot be used.
+    #[error("obstacle {obstacle}: {error}")]
+    InObstacle {
+        /// Number of the obstacle, from 1.
+        obstacle: usize,
+        /// What is wrong.
+        error: ContactError,
+    },
+    /// An obstacle is none of a mesh, a half-space and a ball.
+    #[error(
+        "obstacle {obstacle} needs either `mesh`, or `normal` and `through`, or `centre` and `radius`; `scale`, `move`, `velocity`, `about` and \
+         `turns` are for a mesh"
+    )]
     Obstacle {
         /// Number of the obstacle, from 1.
         obstacle: usize,

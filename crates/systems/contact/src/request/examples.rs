@@ -105,7 +105,7 @@ impl Example {
             }
         };
         let Making { bodies, first_faces } = making;
-        Ok(Built { bodies, options, steps, first_faces })
+        Ok(Built { bodies, options, steps, first_faces, first_of_obstacles: Vec::new() })
     }
 }
 
@@ -275,4 +275,6 @@ pub(super) struct Built {
     pub(super) steps: usize,
     /// The first face of each body.
     pub(super) first_faces: Vec<usize>,
+    /// The first face of each obstacle with a mesh; their faces are the last ones.
+    pub(super) first_of_obstacles: Vec<usize>,
 }

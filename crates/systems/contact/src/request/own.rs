@@ -1,7 +1,7 @@
 //! Bodies of meshes that are given.
 
 use super::ContactRequestError;
-use crate::bodies::HandleMotion;
+use crate::bodies::{HandleMotion, outer_faces};
 use crate::{Bodies, ContactError, Handle, Material, Obstacle};
 use glam::DVec3;
 use pompeiu_core::TriMesh;
@@ -64,6 +64,12 @@ pub(super) struct ObstacleTable {
     through: Option<[f64; 3]>,
     centre: Option<[f64; 3]>,
     radius: Option<f64>,
+    pub(super) mesh: Option<PathBuf>,
+    scale: Option<f64>,
+    r#move: Option<[f64; 3]>,
+    velocity: Option<[f64; 3]>,
+    about: Option<[f64; 3]>,
+    turns: Option<f64>,
 }
 
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
@@ -109,11 +115,13 @@ pub(super) struct Tables<'a> {
     pub(super) handle: &'a [HandleTable],
 }
 
-/// The bodies of a scene, and the first face of each.
+/// The bodies of a scene, and the first face of each, and of each obstacle with a mesh. The meshes of obstacles are the first ones.
 pub(super) fn build(
     tables: &Tables,
     meshes: &[BodyMesh],
-) -> Result<(Bodies, Vec<usize>), ContactRequestError> {
+) -> Result<(Bodies, [Vec<usize>; 2]), ContactRequestError> {
+    let of_obstacles = tables.obstacle.iter().filter(|table| table.mesh.is_some()).count();
+    let (obstacles, meshes) = meshes.split_at_checked(of_obstacles).unwrap_or((&[], &[]));
     if meshes.is_empty() {
         return Err(ContactRequestError::NoBodies);
     }
@@ -126,14 +134,104 @@ pub(super) fn build(
         let given = merged(table.material.unwrap_or_default(), tables.material);
         ranges.push(add(&mut bodies, mesh, table, given, i + 1)?);
     }
+    let (mut of_meshes, mut first_of_obstacles) = (obstacles.iter(), Vec::new());
     for (i, table) in tables.obstacle.iter().enumerate() {
-        let body_error = |error| ContactRequestError::Body { body: i + 1, error };
-        bodies.add_obstacle(table.obstacle(i + 1)?).map_err(body_error)?;
+        let in_obstacle = |error| ContactRequestError::InObstacle { obstacle: i + 1, error };
+        match table.mesh.as_ref().and_then(|_| of_meshes.next()) {
+            Some(mesh) => {
+                first_of_obstacles.push(bodies.faces().len());
+                add_surface(&mut bodies, mesh, table, i + 1)?;
+            }
+            None => bodies.add_obstacle(table.obstacle(i + 1)?).map_err(in_obstacle)?,
+        }
     }
     for (i, table) in tables.handle.iter().enumerate() {
         hold(&mut bodies, table, &ranges, i + 1)?;
     }
-    Ok((bodies, first_faces))
+    Ok((bodies, [first_faces, first_of_obstacles]))
+}
+
+/// Adds an obstacle with a mesh: a surface, or that of tetrahedra.
+fn add_surface(
+    bodies: &mut Bodies,
+    mesh: &BodyMesh,
+    table: &ObstacleTable,
+    obstacle: usize,
+) -> Result<(), ContactRequestError> {
+    if table.normal.is_some() || table.centre.is_some() || table.radius.is_some() {
+        return Err(ContactRequestError::Obstacle { obstacle });
+    }
+    let place = placement(table.scale, table.r#move)?;
+    let motion = motion_of(table.velocity, table.about, table.through, table.turns)?;
+    let (positions, faces): (_, Vec<[u32; 3]>) = match mesh {
+        BodyMesh::Surface(mesh) => (place(mesh.positions()), mesh.faces().to_vec()),
+        BodyMesh::Tetrahedra { positions, cells } => {
+            let positions = place(positions);
+            let faces = outer_faces(&oriented(&positions, cells)).collect();
+            (positions, faces)
+        }
+    };
+    let added = match motion {
+        None => bodies.add_fixed(&positions, &faces),
+        Some(motion) => bodies.add_moving(&positions, &faces, motion),
+    };
+    added.map(|_| ()).map_err(|error| ContactRequestError::InObstacle { obstacle, error })
+}
+
+/// What scales and then moves positions.
+fn placement(
+    scale: Option<f64>,
+    shift: Option<[f64; 3]>,
+) -> Result<impl Fn(&[[f64; 3]]) -> Vec<DVec3>, ContactRequestError> {
+    let scale = scale.unwrap_or(1.0);
+    if !(scale > 0.0 && scale.is_finite()) {
+        return Err(ContactRequestError::Value { key: "scale", value: scale, expected: "above 0" });
+    }
+    let shift = DVec3::from_array(shift.unwrap_or_default());
+    Ok(move |positions: &[[f64; 3]]| {
+        positions.iter().map(|p| DVec3::from_array(*p) * scale + shift).collect()
+    })
+}
+
+/// A motion from the keys of a handle or of an obstacle; none where there is no key.
+fn motion_of(
+    velocity: Option<[f64; 3]>,
+    about: Option<[f64; 3]>,
+    through: Option<[f64; 3]>,
+    turns: Option<f64>,
+) -> Result<Option<HandleMotion>, ContactRequestError> {
+    let vector = |key, given: Option<[f64; 3]>| {
+        let vector = DVec3::from_array(given.unwrap_or_default());
+        let (value, expected) = (vector.length(), "three numbers");
+        if vector.is_finite() { Ok(vector) } else { Err(ContactRequestError::Value { key, value, expected }) }
+    };
+    let (moves, through_point) = (vector("velocity", velocity)?, vector("through", through)?);
+    let Some(about) = about else {
+        for (key, is_given) in [("through", through.is_some()), ("turns", turns.is_some())] {
+            if is_given {
+                return Err(ContactRequestError::Key {
+                    key,
+                    scene: "a motion that is not `about` an axis".to_owned(),
+                });
+            }
+        }
+        return Ok(velocity.map(|_| HandleMotion::Translate(moves)));
+    };
+    let axis = vector("about", Some(about))?;
+    if axis == DVec3::ZERO {
+        let expected = "the direction of an axis, not zero";
+        return Err(ContactRequestError::Value { key: "about", value: 0.0, expected });
+    }
+    let turns = turns.unwrap_or(1.0);
+    if !turns.is_finite() {
+        return Err(ContactRequestError::Value { key: "turns", value: turns, expected: "a number" });
+    }
+    Ok(Some(HandleMotion::Rotate {
+        through: through_point,
+        about: axis,
+        speed: turns * TAU,
+        velocity: moves,
+    }))
 }
 
 fn merged(first: MaterialTable, second: MaterialTable) -> MaterialTable {
@@ -153,14 +251,12 @@ fn add(
     given: MaterialTable,
     body: usize,
 ) -> Result<Range<usize>, ContactRequestError> {
-    let scale = table.scale.unwrap_or(1.0);
-    if !(scale > 0.0 && scale.is_finite()) {
-        return Err(ContactRequestError::Value { key: "scale", value: scale, expected: "above 0" });
+    let placed = placement(table.scale, table.r#move)?;
+    if table.kind == Some(BodyKind::Fixed) && table.velocity.is_some() {
+        let scene =
+            "a fixed body, which stays; a surface with a velocity is an [[obstacle]] with a mesh".to_owned();
+        return Err(ContactRequestError::Key { key: "velocity", scene });
     }
-    let shift = DVec3::from_array(table.r#move.unwrap_or_default());
-    let placed = |positions: &[[f64; 3]]| -> Vec<DVec3> {
-        positions.iter().map(|p| DVec3::from_array(*p) * scale + shift).collect()
-    };
     let in_body = |error| ContactRequestError::Body { body, error };
     let range = match (mesh, table.kind) {
         (BodyMesh::Surface(_), Some(BodyKind::Solid)) => {
@@ -215,7 +311,10 @@ fn oriented(positions: &[DVec3], cells: &[[u32; 4]]) -> Vec<[u32; 4]> {
 
 impl ObstacleTable {
     fn obstacle(&self, obstacle: usize) -> Result<Obstacle, ContactRequestError> {
+        let moves = self.velocity.is_some() || self.about.is_some() || self.turns.is_some();
+        let is_placed = self.scale.is_some() || self.r#move.is_some();
         match (self.normal, self.centre, self.radius) {
+            _ if moves || is_placed => Err(ContactRequestError::Obstacle { obstacle }),
             (Some(normal), None, None) => {
                 let normal = DVec3::from_array(normal).normalize_or_zero();
                 let through = DVec3::from_array(self.through.unwrap_or_default());
@@ -242,15 +341,8 @@ fn hold(
     let range = range.ok_or(ContactRequestError::HandleOf { handle, body, count })?;
     let low = table.low.map_or(DVec3::NEG_INFINITY, DVec3::from_array);
     let high = table.high.map_or(DVec3::INFINITY, DVec3::from_array);
-    let motion = match (table.about, table.turns) {
-        (Some(about), turns) => HandleMotion::Rotate {
-            through: DVec3::from_array(table.through.unwrap_or_default()),
-            about: DVec3::from_array(about),
-            speed: turns.unwrap_or(1.0) * TAU,
-            velocity: DVec3::from_array(table.velocity.unwrap_or_default()),
-        },
-        _ => HandleMotion::Translate(DVec3::from_array(table.velocity.unwrap_or_default())),
-    };
+    let motion = motion_of(table.velocity, table.about, table.through, table.turns)?;
+    let motion = motion.unwrap_or(HandleMotion::Translate(DVec3::ZERO));
     let is_inside = |p: &DVec3| p.cmpge(low).all() && p.cmple(high).all();
     let held: Vec<usize> = range.filter(|v| is_inside(&bodies.positions()[*v])).collect();
     if held.is_empty() {

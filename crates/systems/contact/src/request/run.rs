@@ -47,11 +47,13 @@ impl ContactRequest {
         context: &RunContext<'_>,
         watch: &mut Watch<'_>,
     ) -> Result<ContactRun, ContactRequestError> {
-        let Built { bodies, options, steps: asked, first_faces } = scene.build(meshes, self)?;
+        let Built { bodies, options, steps: asked, first_faces, first_of_obstacles } =
+            scene.build(meshes, self)?;
         let check = options.check;
         let mut simulation = Simulation::new(bodies, options).map_err(|error| match error {
             ContactError::StartIntersects { pairs } => {
-                ContactRequestError::StartIntersects { pairs: named(&pairs, &first_faces) }
+                let firsts = [&first_faces[..], &first_of_obstacles].concat();
+                ContactRequestError::StartIntersects { pairs: named(&pairs, &firsts, first_faces.len()) }
             }
             error => error.into(),
         })?;
@@ -109,12 +111,16 @@ fn certificate(
     Ok(certificate)
 }
 
-/// Pairs of faces with their bodies, and where they meet.
-fn named(pairs: &[IntersectingPair], first_faces: &[usize]) -> String {
+/// Pairs of faces with their bodies, and where they meet; bodies come first, then obstacles.
+fn named(pairs: &[IntersectingPair], first_faces: &[usize], bodies: usize) -> String {
     let body_and_face = |face: u32| {
         let body = first_faces.partition_point(|first| *first <= face as usize);
         let first = body.checked_sub(1).and_then(|i| first_faces.get(i)).copied().unwrap_or(0);
-        format!("face {} of body {body}", face as usize - first)
+        let of = match body.checked_sub(bodies) {
+            Some(obstacle @ 1..) => format!("mesh {obstacle} of obstacles"),
+            _ => format!("body {body}"),
+        };
+        format!("face {} of {of}", face as usize - first)
     };
     let mut words: Vec<String> = pairs
         .iter()

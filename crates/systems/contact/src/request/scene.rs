@@ -81,7 +81,8 @@ impl Scene {
             ContactRequestError::Syntax { place: path.display().to_string(), message }
         })?;
         let folder = path.parent().unwrap_or(Path::new(""));
-        for mesh in scene.body.iter_mut().filter_map(|body| body.mesh.as_mut()) {
+        let of_obstacles = scene.obstacle.iter_mut().filter_map(|obstacle| obstacle.mesh.as_mut());
+        for mesh in scene.body.iter_mut().filter_map(|body| body.mesh.as_mut()).chain(of_obstacles) {
             *mesh = folder.join(&mesh);
         }
         scene.check()?;
@@ -114,7 +115,7 @@ impl Scene {
         self.body.iter().map(|body| body.mesh.clone()).collect()
     }
 
-    /// The meshes of all bodies: those that they name, which `read` reads, and those that are given, in order.
+    /// The meshes of obstacles, then those of all bodies: those that they name, which `read` reads, and those that are given, in order.
     ///
     /// # Errors
     /// [`ContactRequestError::NoMesh`], or what `read` says.
@@ -124,7 +125,8 @@ impl Scene {
         mut read: impl FnMut(&Path) -> Result<BodyMesh, E>,
     ) -> Result<Vec<BodyMesh>, E> {
         let mut given = given.into_iter();
-        let mut meshes = Vec::new();
+        let of_obstacles = self.obstacle.iter().filter_map(|obstacle| obstacle.mesh.as_deref());
+        let mut meshes = of_obstacles.map(&mut read).collect::<Result<Vec<_>, E>>()?;
         for (body, mesh) in self.meshes().into_iter().enumerate() {
             meshes.push(match mesh {
                 Some(path) => read(&path)?,
@@ -174,9 +176,9 @@ impl Scene {
             }
             Some(kind) => kind.build(self.sizes())?,
             None => {
-                let (bodies, first_faces) = own::build(&self.tables(), meshes)?;
+                let (bodies, [first_faces, first_of_obstacles]) = own::build(&self.tables(), meshes)?;
                 let options = ContactOptions::new(TIME_STEP, extent(bodies.positions()));
-                Built { bodies, options, steps: STEPS, first_faces }
+                Built { bodies, options, steps: STEPS, first_faces, first_of_obstacles }
             }
         };
         self.replace(&mut built.options);

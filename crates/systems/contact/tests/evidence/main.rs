@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "tests may panic")]
 
 mod distances;
+mod obstacles;
 mod potential;
 mod rest;
 mod scenes;
