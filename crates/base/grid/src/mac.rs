@@ -263,7 +263,8 @@ impl Mac {
 
     /// The velocity at a point.
     pub fn at(&self, velocity: &[Vec<f64>; 2], place: [f64; 2]) -> [f64; 2] {
-        [0, 1].map(|axis| self.components[axis].lattice.sample(&velocity[axis], place))
+        let [across, up] = &self.components;
+        [across.lattice.sample(&velocity[0], place), up.lattice.sample(&velocity[1], place)]
     }
 
     /// The flow across each of `ends`.
@@ -291,9 +292,42 @@ impl Mac {
     /// # Errors
     /// [`SolveError`] where velocities are not finite.
     pub fn project(&self, velocity: &mut [Vec<f64>; 2]) -> Result<Vec<f64>, SolveError> {
-        let n = self.grid.per_length;
-        let mut pressure: Vec<f64> = self.outflow(velocity).into_iter().map(|flow| -flow * n).collect();
+        let mut pressure = self.missing(velocity);
         self.pressure.solve_refined_in_place(&mut pressure)?;
+        self.subtract_gradient(velocity, &pressure);
+        Ok(pressure)
+    }
+
+    /// The same from a pressure that is nearly right, with one solution of the linear system instead of two: of what is left.
+    ///
+    /// # Errors
+    /// [`SolveError::Length`] if the pressure does not have one entry per cell; [`SolveError`] where velocities are not finite.
+    pub fn project_from(
+        &self,
+        velocity: &mut [Vec<f64>; 2],
+        mut pressure: Vec<f64>,
+    ) -> Result<Vec<f64>, SolveError> {
+        let (found, expected) = (pressure.len(), self.grid.count());
+        if found != expected {
+            return Err(SolveError::Length { what: "pressure", found, expected });
+        }
+        self.subtract_gradient(velocity, &pressure);
+        let mut change = self.missing(velocity);
+        self.pressure.solve_in_place(&mut change)?;
+        self.subtract_gradient(velocity, &change);
+        for (p, change) in pressure.iter_mut().zip(change) {
+            *p += change;
+        }
+        Ok(pressure)
+    }
+
+    /// The net inflow that each cell is short of, as the right side for a pressure.
+    fn missing(&self, velocity: &[Vec<f64>; 2]) -> Vec<f64> {
+        let n = self.grid.per_length;
+        self.outflow(velocity).into_iter().map(|flow| -flow * n).collect()
+    }
+
+    fn subtract_gradient(&self, velocity: &mut [Vec<f64>; 2], pressure: &[f64]) {
         let at = |cell: Option<u32>| cell.map_or(0.0, |cell| pressure[cell as usize]);
         for (component, values) in self.components.iter().zip(velocity) {
             for (side, &[before, after]) in component.cells.iter().enumerate() {
@@ -302,7 +336,6 @@ impl Mac {
                 }
             }
         }
-        Ok(pressure)
     }
 
     /// A viscous step.

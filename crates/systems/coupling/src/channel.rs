@@ -304,9 +304,11 @@ impl Subproblem for ChannelFluid {
                 }
             }
         }
-        let mut pressure =
-            self.mac.project(&mut velocity).map_err(|error| Refusal::new(error.to_string()))?;
+        // The pressure of the solve before is near, the nearer the more solves there were.
         let unit = density / (time_step * per_length);
+        let near = self.solved.2.iter().map(|p| p / unit).collect();
+        let projected = self.mac.project_from(&mut velocity, near);
+        let mut pressure = projected.map_err(|error| Refusal::new(error.to_string()))?;
         for p in &mut pressure {
             *p *= unit;
         }
@@ -326,6 +328,11 @@ impl Subproblem for ChannelFluid {
         };
         (self.velocity, self.wall, self.pressure) = (velocity, wall, pressure);
         self.steps += 1;
+    }
+
+    fn reject(&mut self) {
+        // Pressures of an attempt that failed may be far from any solution.
+        self.solved.2.clone_from(&self.pressure);
     }
 
     fn imbalance(&self, input: &[f64]) -> Option<Imbalance> {
