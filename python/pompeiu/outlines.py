@@ -131,7 +131,7 @@ def complexity(
     rank_by: str = "total-curvature",
     against: Optional[Union[str, Mapping[str, float]]] = None,
     clusters: Optional[int] = None,
-    features: Sequence[str] = ("log:peaks", "log:total-curvature",),
+    features: Sequence[str] = ("log:spread", "convexity", "hull", "circle", "rectangle", "skeleton-variation", "boundary-8", "log:t18",),
     smoothing: float = 0.004,
     level: Optional[float] = None,
     foreground: Literal["auto", "dark", "light"] = "auto",

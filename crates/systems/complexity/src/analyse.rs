@@ -39,6 +39,12 @@ pub struct AnalyseOptions<'o> {
     pub progress: Option<&'o dyn ProgressObserver>,
 }
 
+/// What tells classes of shapes apart: how a shape spreads out, how much of simple shapes around it it fills, how its width varies, and how
+/// it bends at the largest and at the smallest scale. None of them has a few values far beyond all others, and none counts details
+/// one by one, as the number of peaks does.
+const FEATURES: [&str; 8] =
+    ["log:spread", "convexity", "hull", "circle", "rectangle", "skeleton-variation", "boundary-8", "log:t18"];
+
 impl Default for AnalyseOptions<'_> {
     fn default() -> Self {
         Self {
@@ -46,7 +52,7 @@ impl Default for AnalyseOptions<'_> {
             rank_by: "total-curvature".to_owned(),
             against: None,
             clusters: None,
-            features: ["log:peaks", "log:total-curvature"].map(str::to_owned).to_vec(),
+            features: FEATURES.map(str::to_owned).to_vec(),
             limits: Limits::default(),
             progress: None,
         }

@@ -7,6 +7,7 @@ use pompeiu_complexity::{
 };
 use pompeiu_core::mesh::edit::Random;
 use pompeiu_core::run::Limits;
+use pompeiu_planar::{Outline, Point, resample};
 
 fn distances(random: &mut Random, n: usize) -> Vec<Vec<f64>> {
     let points: Vec<[f64; 2]> = (0..n).map(|_| [random.signed_unit(), random.signed_unit()]).collect();
@@ -100,8 +101,12 @@ fn the_four_classes_of_polylines_are_told_apart() {
                 classes.push(class);
             }
         }
-        let options =
-            AnalyseOptions { clusters: Some(4), measure: measure.clone(), ..AnalyseOptions::default() };
+        let options = AnalyseOptions {
+            clusters: Some(4),
+            measure: measure.clone(),
+            features: curvature_features(),
+            ..AnalyseOptions::default()
+        };
         let report = analyse(&shapes, &options).unwrap();
         let accuracy = matched_accuracy(&report.clusters.as_ref().unwrap().labels, &classes).unwrap();
         assert!(accuracy >= 0.97, "{order:?}: {accuracy}");
@@ -111,6 +116,96 @@ fn the_four_classes_of_polylines_are_told_apart() {
         let [one, several] = [one, several].map(|options| analyse(some, &options).unwrap());
         assert_eq!((&one.shapes, &one.ranking), (&several.shapes, &several.ranking));
     }
+}
+
+/// What tells curves apart that differ in their bends alone.
+fn curvature_features() -> Vec<String> {
+    ["log:peaks", "log:total-curvature"].map(str::to_owned).to_vec()
+}
+
+/// Outlines of a class: without detail, as corners or as a radius by angle.
+fn classes() -> Vec<Outline> {
+    let polar = |radius: &dyn Fn(f64) -> f64| -> Vec<Point> {
+        let angles = (0..720).map(|i| std::f64::consts::TAU * f64::from(i) / 720.0);
+        angles.map(|a| [radius(a) * a.cos(), radius(a) * a.sin()]).collect()
+    };
+    let ellipse = |h: f64| polar(&|_| 1.0).into_iter().map(|[x, y]| [x, h * y]).collect::<Vec<_>>();
+    let star = |n: usize, inner: f64| -> Vec<Point> {
+        let at = |i: usize| {
+            let angle = std::f64::consts::PI * i as f64 / n as f64;
+            let r = if i.is_multiple_of(2) { 1.0 } else { inner };
+            [r * angle.cos(), r * angle.sin()]
+        };
+        (0..2 * n).map(at).collect()
+    };
+    let rectangle = |h: f64| vec![[0.0, 0.0], [2.0, 0.0], [2.0, h], [0.0, h]];
+    let u = |w: f64| {
+        vec![[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [2.0 - w, 2.0], [2.0 - w, w], [w, w], [w, 2.0], [0.0, 2.0]]
+    };
+    let all = vec![
+        polar(&|_| 1.0),
+        ellipse(0.5),
+        rectangle(2.0),
+        rectangle(0.3),
+        vec![[0.0, 0.0], [2.0, 0.0], [1.0, 1.8]],
+        star(5, 0.42),
+        star(9, 0.6),
+        polar(&|a| 1.0 + 0.5 * (4.0 * a).cos()),
+        polar(&|a| 1.0 + 0.35 * (6.0 * a).cos()),
+        u(0.6),
+        vec![[0.0, 0.0], [2.0, 0.0], [2.0, 0.6], [0.6, 0.6], [0.6, 2.0], [0.0, 2.0]],
+        vec![[0.0, 0.3], [1.3, 0.3], [1.3, 0.8], [2.2, 0.0], [1.3, -0.8], [1.3, -0.3], [0.0, -0.3]],
+    ];
+    all.into_iter().map(|points| Outline::new(points).unwrap()).collect()
+}
+
+/// A member of a class: bent by a smooth displacement, turned, scaled, and with a ragged outline.
+fn member(class: &Outline, random: &mut Random) -> Outline {
+    let unit = class.area().sqrt();
+    let centre = class.centroid();
+    let points = resample(class, 500, 0);
+    let bends: Vec<[f64; 4]> = (0..3).map(|_| [0; 4].map(|_| random.signed_unit())).collect();
+    let (turn, size) = (3.0 * random.signed_unit(), 50.0 * libm::exp(random.signed_unit()));
+    // Raggedness of any wave length and strength, as of photographs and drawings.
+    let (amplitude, reach) = (0.012 * random.signed_unit().abs(), 2 + random.below(8) as usize);
+    let noise: Vec<f64> = points.iter().map(|_| random.signed_unit()).collect();
+    let n = noise.len();
+    let at = |i: usize| {
+        let p = [0, 1].map(|k| (points[i][k] - centre[k]) / unit);
+        let ragged: f64 = (0..reach).map(|k| noise[(i + k) % n]).sum::<f64>() / (reach as f64).sqrt();
+        let mut q = p.map(|x| x * (1.0 + amplitude * ragged * 2.0));
+        for [x, y, dx, dy] in &bends {
+            let away = (p[0] - x).powi(2) + (p[1] - y).powi(2);
+            let weight = 0.18 * libm::exp(-1.5 * away);
+            q = [q[0] + weight * dx, q[1] + weight * dy];
+        }
+        let (s, c) = libm::sincos(turn);
+        [size * (c * q[0] - s * q[1]), size * (s * q[0] + c * q[1])]
+    };
+    Outline::new((0..n).map(at).collect()).unwrap()
+}
+
+#[test]
+fn default_features_tell_classes_apart_whose_members_differ_in_detail() {
+    let mut random = Random::new(31);
+    let (mut shapes, mut classes_of) = (Vec::new(), Vec::new());
+    let classes = classes();
+    for (class, outline) in classes.iter().enumerate() {
+        for i in 0..12 {
+            shapes.push(Shape { file: format!("{class}-{i}"), outline: member(outline, &mut random) });
+            classes_of.push(class);
+        }
+    }
+    let found = |features: Option<Vec<String>>| {
+        let defaults = AnalyseOptions::default();
+        let features = features.unwrap_or_else(|| defaults.features.clone());
+        let options = AnalyseOptions { clusters: Some(classes.len()), features, ..defaults };
+        let report = analyse(&shapes, &options).unwrap();
+        adjusted_rand(&report.clusters.unwrap().labels, &classes_of).unwrap()
+    };
+    let (default, curvature) = (found(None), found(Some(curvature_features())));
+    assert!(default > 0.75, "{default}");
+    assert!(curvature < 0.5, "the members differ too little: {curvature}");
 }
 
 fn threads(count: usize) -> Limits {
