@@ -11,6 +11,7 @@ import numpy as np
 
 from . import _native
 from ._asking import ask, split
+from .neurons import _content
 from .sources import as_mesh
 
 __all__ = ["Contact", "contact"]
@@ -28,6 +29,8 @@ class Contact:
         Their velocities.
     faces : numpy.ndarray of int, shape (m, 3)
         The faces of all surfaces.
+    checkpoint : bytes
+        The state after the last step, from which ``resume`` goes on to the same bits: JSON as of ``pompeiu contact --checkpoint``.
     report : dict
         What ``pompeiu contact --json`` says of the run.
     stop : str
@@ -37,6 +40,7 @@ class Contact:
     positions: np.ndarray
     velocities: np.ndarray
     faces: np.ndarray
+    checkpoint: bytes
     report: Dict[str, Any]
     stop: str
 
@@ -56,6 +60,12 @@ class Contact:
         """Why a step could not be computed; none if all could."""
         return self.report["failure"]
 
+    def save_checkpoint(self, path: Union[str, "os.PathLike[str]"]) -> None:
+        """Writes the state after the last step to a file: ``resume`` of the same call goes on from it, and so does
+        ``pompeiu contact --resume`` with the same scene and meshes."""
+        with open(path, "wb") as file:
+            file.write(self.checkpoint)
+
     def __repr__(self) -> str:
         certificate = self.report["certificate"]
         return (
@@ -68,6 +78,7 @@ def contact(
     scene: Union[str, "os.PathLike[str]", Mapping[str, Any]],
     meshes: Sequence[Any] = (),
     on_step: Optional[Callable[[Dict[str, Any], np.ndarray, np.ndarray], Optional[bool]]] = None,
+    resume: Optional[Union[bytes, str, "os.PathLike[str]"]] = None,
     *,
     steps: Optional[int] = None,
     dt: Optional[float] = None,
@@ -96,6 +107,8 @@ def contact(
         shells. A path may be of tetrahedra (VTK, VTU), and so may a pair of vertices (n, 3) and cells (k, 4).
     on_step : callable, optional
         Called after each step with what was measured, positions and velocities; ``False`` ends the run.
+    resume : bytes or path, optional
+        The checkpoint of a run of the same scene, meshes and options to go on from, or its file (:meth:`Contact.save_checkpoint`).
     steps : int, optional
         Number of steps, from the beginning also where a state is resumed.
     dt : float, optional
@@ -146,17 +159,20 @@ def contact(
     (0, (128, 3))
     """
     given = dict(locals())
-    for name in ("scene", "meshes", "on_step"):
+    for name in ("scene", "meshes", "on_step", "resume"):
         del given[name]
     first = ((json.dumps(dict(scene), default=_plain),),) if isinstance(scene, Mapping) else (os.fspath(scene),)
     sources = [first] + [_source(mesh) for mesh in meshes]
+    if resume is not None:
+        sources.append(((resume if isinstance(resume, bytes) else _content(resume),),))
     if on_step is None:
         answer, beside = ask("contact", given, meshes=(), others=sources)
     else:
         told = lambda step, positions, velocities: on_step(json.loads(step), positions, velocities)  # noqa: E731
         text, beside = _native.contact(sources, *split(given), told)
         answer = json.loads(text)
-    return Contact(beside["positions"], beside["velocities"], beside["faces"], answer["report"], answer["stop"])
+    arrays = (beside["positions"], beside["velocities"], beside["faces"])
+    return Contact(*arrays, beside["checkpoint"], answer["report"], answer["stop"])
 
 
 def _source(mesh: Any) -> Any:

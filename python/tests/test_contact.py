@@ -51,3 +51,19 @@ def test_tetrahedra_are_solids_and_surfaces_are_not():
         pompeiu.contact({"fricton": 1}, [BALL])
     with pytest.raises(pompeiu.MissingFileError, match="there is no scene"):
         pompeiu.contact("nowhere.toml")
+
+
+def test_a_run_goes_on_from_a_checkpoint_bit_for_bit(tmp_path):
+    whole = pompeiu.contact("collision", steps=4)
+    half = pompeiu.contact("collision", steps=2)
+    half.save_checkpoint(tmp_path / "half.json")
+    seen = []
+    for state in (half.checkpoint, tmp_path / "half.json"):
+        rest = pompeiu.contact("collision", (), lambda step, *_: seen.append(step["time"]), state, steps=4)
+        assert (rest.positions == whole.positions).all() and (rest.velocities == whole.velocities).all()
+        assert rest.steps == whole.steps
+    assert len(seen) >= 4
+    with pytest.raises(pompeiu.OptionError, match="other bodies"):
+        pompeiu.contact("stack", resume=half.checkpoint)
+    with pytest.raises(pompeiu.ReadError, match="nothing.json"):
+        pompeiu.contact("collision", resume=tmp_path / "nothing.json")

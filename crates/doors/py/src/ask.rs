@@ -33,7 +33,7 @@ use pompeiu::remesh::RemeshRequest;
 use pompeiu::surface::{EdgeData, EmbeddedSurface};
 use pyo3::exceptions::PyKeyError;
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyList, PyTuple};
+use pyo3::types::{PyBytes, PyDict, PyList, PyTuple};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use std::path::PathBuf;
@@ -64,17 +64,22 @@ pub(crate) enum Given {
     SceneText(String),
     /// Vertices and tetrahedra.
     Tetrahedra(Vec<[f64; 3]>, Vec<[u32; 4]>),
+    /// The bytes of a checkpoint.
+    State(Vec<u8>),
 }
 
 impl Given {
     /// A mesh, a name with a mesh, a path or corners, the file or the bytes of a neuron, the file of a scene alone in a tuple, its JSON
-    /// alone in a tuple in a tuple, or a name with vertices and tetrahedra.
+    /// alone in a tuple in a tuple, the bytes of a checkpoint in the same way, or a name with vertices and tetrahedra.
     fn new(object: &Bound<'_, PyAny>) -> PyResult<Self> {
         if let Ok(mesh) = object.cast::<Mesh>() {
             return Ok(Self::Mesh(mesh.clone().unbind()));
         }
         if let Ok(((text,),)) = object.extract::<((String,),)>() {
             return Ok(Self::SceneText(text));
+        }
+        if let Ok(((bytes,),)) = object.extract::<((Bound<'_, PyBytes>,),)>() {
+            return Ok(Self::State(bytes.as_bytes().to_vec()));
         }
         if let Ok((path,)) = object.extract::<(PathBuf,)>() {
             return Ok(Self::Scene(path));
@@ -121,7 +126,7 @@ impl Given {
             }
             Self::Outline(_, corners) => Input { vertices: corners.len(), ..Input::default() },
             Self::Tetrahedra(vertices, _) => Input { vertices: vertices.len(), ..Input::default() },
-            Self::Neuron(_) | Self::SceneText(_) => Input::default(),
+            Self::Neuron(_) | Self::SceneText(_) | Self::State(_) => Input::default(),
         }
     }
 }
@@ -145,6 +150,7 @@ pub(crate) enum Beside {
         request: Box<NeuronRequest>,
     },
     Page(Box<DeviationPage>),
+    Bytes(Vec<u8>),
     /// Several results, each with what passes beside it.
     Each(Vec<Vec<(&'static str, Beside)>>),
 }
@@ -167,6 +173,7 @@ impl Beside {
             Self::Puzzle(drawings) => Bound::new(py, *drawings)?.into_any(),
             Self::Neuron { found, request } => neuron::answer_parts(py, *found, &request)?.into_any(),
             Self::Page(page) => Bound::new(py, *page)?.into_any(),
+            Self::Bytes(bytes) => PyBytes::new(py, &bytes).into_any(),
             Self::Each(all) => {
                 let all = all.into_iter().map(|one| dictionary(py, one));
                 PyList::new(py, all.collect::<PyResult<Vec<_>>>()?)?.into_any()

@@ -5,7 +5,7 @@ use crate::ask::{Answered, Asked, Asking, Beside, Failure, Given, Limited, Outco
 use crate::errors::Raise;
 use crate::json::written;
 use crate::wait::Share;
-use pompeiu::contact::request::BodyMesh;
+use pompeiu::contact::request::{BodyMesh, Checkpoint, ContactRequestError};
 use pompeiu::contact::{ContactRequest, ContactStep, Scene, Simulation};
 use pompeiu::io::{SurfaceOrSolid, read_surface_or_solid};
 use pyo3::prelude::*;
@@ -30,6 +30,10 @@ fn run(
     on_step: &mut OnStep<'_>,
 ) -> Outcome<ContactRequest> {
     let Some((first, rest)) = asking.given.split_first() else { return asking.unusable() };
+    let (resume, rest) = match rest.split_last() {
+        Some((Given::State(bytes), rest)) => (Some(&bytes[..]), rest),
+        _ => (None, rest),
+    };
     let scene = match first {
         Given::Scene(path) => Scene::named(path).map_err(failure)?,
         Given::SceneText(text) => Scene::from_json(text).map_err(failure)?,
@@ -57,12 +61,15 @@ fn run(
         Some(step) => on_step(simulation, step),
         None => ControlFlow::Continue(()),
     };
-    let run = request.run(&scene, &meshes, None, &asking.watched(), &mut watch).map_err(failure)?;
+    let run = request.run(&scene, &meshes, resume, &asking.watched(), &mut watch).map_err(failure)?;
+    let checkpoint = Checkpoint::new(&run.simulation, &run.report.steps).and_then(|c| c.to_bytes());
+    let checkpoint = checkpoint.map_err(|error| failure(ContactRequestError::from(error)))?;
     let state = run.simulation.state();
     let beside = vec![
         ("positions", Beside::Points(state.positions)),
         ("velocities", Beside::Points(state.velocities)),
         ("faces", Beside::Triples(run.simulation.faces().to_vec())),
+        ("checkpoint", Beside::Bytes(checkpoint)),
     ];
     Ok((run.report, beside))
 }
@@ -70,11 +77,11 @@ fn run(
 /// Why there is no mesh of a body.
 enum Unread {
     Mesh(Failure),
-    Scene(pompeiu::contact::ContactRequestError),
+    Scene(ContactRequestError),
 }
 
-impl From<pompeiu::contact::ContactRequestError> for Unread {
-    fn from(error: pompeiu::contact::ContactRequestError) -> Self {
+impl From<ContactRequestError> for Unread {
+    fn from(error: ContactRequestError) -> Self {
         Self::Scene(error)
     }
 }
