@@ -38,10 +38,11 @@ struct Candidate {
 /// `is_in` tells whether a point, in the unit of the outline, lies in the desired shape of a piece.
 ///
 /// Once the control stops, no further tab is added. A tab is used only if it alone holds its two pieces together, decided in integers,
-/// and leaves no neck below a width in steps. If none does, the border stays unchanged.
+/// and leaves no neck below a width in steps: the first of `necks`, and where clusters are left the next ones. If none does, the border stays
+/// unchanged.
 pub(crate) fn lock_by_tabs(
     puzzle: &mut Puzzle,
-    (tab, neck): (Tab, f64),
+    (tab, necks): (Tab, &[f64]),
     control: &Control,
     is_in: &(dyn Fn(usize, Point) -> bool + Sync),
 ) {
@@ -52,11 +53,10 @@ pub(crate) fn lock_by_tabs(
     let mut clusters = lock_until(&puzzle.simplified(DEPTH * puzzle.unit()), control).clusters;
     let mut space = Space::new(puzzle.courses(), unit);
     let mut is_tabbed = vec![false; puzzle.borders.len()];
-    for height in HEIGHTS {
+    for (neck, height) in necks.iter().flat_map(|neck| HEIGHTS.map(|height| (*neck, height * unit))) {
         if control.is_stopped() {
             return;
         }
-        let height = height * unit;
         let mut candidates = candidates(puzzle, &clusters, &is_tabbed, tab, [height, neck], is_in);
         candidates.sort_by(|a, b| b.gain.total_cmp(&a.gain));
         for Candidate { border, along, side, .. } in candidates {

@@ -115,7 +115,7 @@ pub(super) fn hold(puzzle: &mut Puzzle, tab: Tab, neck: f64, control: &Control) 
             puzzle.whimsies.contains(&piece).then(|| Outline::new(puzzle.outline(piece)).ok()).flatten()
         })
         .collect();
-    lock_by_tabs(puzzle, (tab, neck), control, &|piece, p| {
+    lock_by_tabs(puzzle, (tab, &[neck]), control, &|piece, p| {
         shapes[piece].as_ref().is_some_and(|shape| shape.contains(p))
     });
 }

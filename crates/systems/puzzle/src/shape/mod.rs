@@ -181,7 +181,10 @@ pub(crate) fn make_like_until(
         .map(|fit| fit.and_then(|fit| fit.pose.apply(&target.outline, fit.scale).ok()))
         .collect();
     let neck = options.least_neck(puzzle.unit()) / puzzle.step;
-    lock_by_tabs(&mut puzzle, (options.tab, neck), control, &|piece, p| {
+    // Where nothing else holds a piece, a narrower neck does, unless a width was asked for.
+    let narrower = if options.neck.is_some() { &NARROWER[..1] } else { &NARROWER[..] };
+    let necks: Vec<f64> = narrower.iter().map(|share| share * neck).collect();
+    lock_by_tabs(&mut puzzle, (options.tab, &necks), control, &|piece, p| {
         shapes[piece].as_ref().is_some_and(|shape| shape.contains(p))
     });
     let placed: Vec<Pose> = before.iter().flatten().map(|fit| fit.pose).collect();
@@ -189,6 +192,9 @@ pub(crate) fn make_like_until(
     tell(1.0);
     Ok(Like { puzzle, fits, energy, stop: control.reason() })
 }
+
+/// The least widths of necks that are tried in turn, relative to the default one.
+const NARROWER: [f64; 4] = [1.0, 0.8, 0.6, 0.4];
 
 /// The outline on the lattice, and in units of a piece's side.
 struct Frame {

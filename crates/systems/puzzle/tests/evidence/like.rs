@@ -43,6 +43,20 @@ fn table() {
 }
 
 #[test]
+fn narrower_necks_hold_what_no_wide_one_does_unless_a_width_is_asked_for() {
+    let default = like(PieceName::Bird, 8, Tab::Knob, 0);
+    assert!(lock(&default.puzzle).is_locked());
+    let options = PuzzleOptions {
+        pieces: 8,
+        tab: Tab::Knob,
+        neck: Some(0.15 * default.puzzle.unit()),
+        ..PuzzleOptions::default()
+    };
+    let shape = LikeOptions { shape: PieceShape::Built(PieceName::Bird), ..LikeOptions::default() };
+    assert!(!lock(&make_like(&options, &shape).unwrap().puzzle).is_locked());
+}
+
+#[test]
 fn pieces_are_like_the_shape_and_tile_exactly() {
     let made = like(PieceName::Square, 6, Tab::Dovetail, 1);
     assert!(made.energy.windows(2).all(|pair| pair[1] < pair[0]), "the energy rises");

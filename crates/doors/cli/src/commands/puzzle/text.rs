@@ -114,7 +114,7 @@ fn necks(page: &mut Page, report: &PuzzleReport) {
     let text = match report.least_neck {
         Some(least) if neck.width < least => {
             format!(
-                "{text}: below the {} that tabs leave, because of the outline or the shape of pieces",
+                "{text}: below the {} that tabs leave, because of the outline or the shape of pieces, or because no wider one holds them",
                 few(least)
             )
         }
