@@ -6,6 +6,7 @@
 
 use crate::ccd::time_of_impact_before;
 use crate::contact::{Contact, Slide, Support, active};
+use crate::distance::distance_sq;
 use crate::objective::{Objective, elastic_energy};
 use crate::report::since;
 use crate::surface::{Candidates, Surface};
@@ -356,7 +357,7 @@ impl Simulation {
             let (p, slope) = objective.newton(&x, &active, &mut matrix)?;
             timing.newton += since(started);
             let speed = p.iter().map(|p| p.abs().max_element()).fold(0.0, f64::max) / step;
-            if speed <= self.options.tolerance {
+            if speed <= self.options.tolerance && !self.widens(&x, &p, &active.0, step) {
                 report.iterations = iteration + 1;
                 converged = Some((x.clone(), active));
                 break;
@@ -408,6 +409,17 @@ impl Simulation {
         let stiffness = objective.stiffness;
         self.timing = timing;
         self.accept(x, step, stiffness, report)
+    }
+
+    /// Whether a Newton step changes by more than a half a gap that is shorter than what the tolerance lets through. Steps away from a barrier
+    /// are as short as the gap, however great its force.
+    fn widens(&self, x: &[DVec3], p: &[DVec3], contacts: &[Contact], step: f64) -> bool {
+        let short = self.options.tolerance * step;
+        contacts.par_iter().any(|contact| {
+            let at = |part: f64| contact.vertices.map(|v| x[v as usize] + p[v as usize] * part);
+            let gap = distance_sq(contact.kind, &at(0.0)).sqrt();
+            gap < short && (distance_sq(contact.kind, &at(1.0)).sqrt() - gap).abs() > 0.5 * gap
+        })
     }
 
     /// Takes over the positions of a step, and measures.

@@ -129,3 +129,20 @@ fn obstacles_that_run_into_each_other_are_named_and_the_state_stays() {
     assert!(matches!(error, ContactError::ObstaclesMeet { .. }), "{error}");
     assert_eq!(simulation.state(), last);
 }
+
+#[test]
+fn surfaces_that_start_nearly_touching_come_apart() {
+    // Newton steps away from a barrier are as short as the gap, far below the tolerance, and the force is not in balance yet.
+    for gap in [1e-3, 1e-6, 1e-9] {
+        let mut bodies = Bodies::new();
+        plate(&mut bodies, 0.0, 3, None);
+        let sides = [DVec3::new(1.0, 0.2, 0.0), DVec3::Y];
+        let (positions, faces) = sheet(DVec3::new(-0.5, -0.4, gap), sides, [6; 2]);
+        bodies.add_shell(&positions, &faces, RUBBER, 1e-3).unwrap();
+        let options = ContactOptions { gravity: DVec3::new(0.0, 0.0, -9.81), ..options(0.01) };
+        let mut simulation = Simulation::new(bodies, options).unwrap();
+        let step = simulation.step().unwrap();
+        assert_eq!(step.intersections, Some(0));
+        assert!(step.least_gap.unwrap_or(0.01) > 1e-4, "{gap}: {step:?}");
+    }
+}
