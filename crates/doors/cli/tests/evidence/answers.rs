@@ -1147,11 +1147,11 @@ fn contact_takes_meshes_as_obstacles_that_stay_or_move() {
         assert!(if name == "moves" { momentum > 1.0 } else { momentum == 0.0 }, "{name}: {momentum}");
     }
     let with = |keys: &str| format!("{below}{keys}{body}");
-    folder.write("inside.toml", &with("move = [0, 0, 1]\n"));
-    folder.write("both.toml", &with("radius = 1.0\n"));
-    folder.write("axis.toml", &with("turns = 1.0\n"));
-    folder.write("ball.toml", &format!("[[obstacle]]\ncentre = [0, 0, 0]\nradius = 1.0\n{up}{body}"));
-    folder.write("none.toml", &format!("[[obstacle]]\nmesh = 'none.obj'\n{body}"));
+    folder.write("inside.toml", with("move = [0, 0, 1]\n"));
+    folder.write("both.toml", with("radius = 1.0\n"));
+    folder.write("axis.toml", with("turns = 1.0\n"));
+    folder.write("ball.toml", format!("[[obstacle]]\ncentre = [0, 0, 0]\nradius = 1.0\n{up}{body}"));
+    folder.write("none.toml", format!("[[obstacle]]\nmesh = 'none.obj'\n{body}"));
     for (scene, words) in [
         ("inside.toml", "of mesh 1 of obstacles"),
         ("both.toml", "needs either `mesh`, or `normal`"),
