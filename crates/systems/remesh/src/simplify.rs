@@ -24,7 +24,7 @@ use pompeiu_core::spatial::bvh::Bvh;
 /// # Accuracy
 /// With [`SimplifyTarget::Within`] every collapse is tested on both sides: each new face lies near the input, and each face of the
 /// input near the new faces. These tests steer only. What is returned was measured by
-/// [`symmetric_hausdorff`], and its upper end is at most the distance asked for, rounding included.
+/// [`symmetric_hausdorff`](pompeiu_hausdorff::symmetric_hausdorff), and its upper end is at most the distance asked for, rounding included.
 /// With [`SimplifyTarget::Faces`] the distance is not asked for, and measured in the same way. [`Effort::Best`] makes it small: it is
 /// the better of two results, one by quadric errors alone, one within distances that grow by a tenth until the number is reached.
 /// # Limits

@@ -46,7 +46,9 @@ fn no_line_of_help_is_wider_than_80_columns() {
     assert!(commands.len() > 15, "{commands:?}");
     for command in [""].into_iter().chain(commands.iter().map(String::as_str)) {
         for line in help(&format!("{command} --help")).lines() {
-            assert!(line.chars().count() <= 80, "{command}: {line}");
+            // A list of names is one word, which nothing wraps.
+            let is_one_word = !line.trim().contains(' ');
+            assert!(is_one_word || line.chars().count() <= 80, "{command}: {line}");
         }
     }
 }
