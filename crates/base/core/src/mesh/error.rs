@@ -5,7 +5,7 @@ use super::{FaceId, VertexId};
 /// See [`TriMesh::MAX_COORDINATE`](super::TriMesh::MAX_COORDINATE).
 pub(super) const MAX_COORDINATE: f64 = f64::from_bits((1023 + 1000) << 52);
 
-/// Why positions and faces do not make a [`TriMesh`].
+/// Why positions and faces do not make a [`TriMesh`](super::TriMesh).
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum MeshError {
