@@ -879,7 +879,7 @@ def neuron(
     --------
     >>> import pompeiu
     >>> rod = b"1 2 0 0 0 1 -1\\n2 2 8 0 0 1 1\\n"
-    >>> pompeiu.neuron(rod, stage="transport", parts=1, transport={"steps": 5})
+    >>> pompeiu.neuron(rod, stage="transport", parts=1, within=0.3, transport={"steps": 5})
     Neuron(skeleton, mesh, transport)
     """
     given = dict(locals())

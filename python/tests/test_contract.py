@@ -33,7 +33,7 @@ CALLS = {
     "info": ("dense.obj", ["dense.obj"], "intersections = true\n"),
     "matrix": ("dense.obj turned.obj", [["dense.obj", "turned.obj"]], "directed = true\ntolerance = 1e-3\n"),
     "medial": ("dense.obj", ["dense.obj"], "balls = 4\nsamples = 40\ntolerance = 0.01\n"),
-    "neuron": ("rod.swc", ["rod.swc"], 'stage = "transport"\nparts = 1\nlayer = 3\n[transport]\nsteps = 5\norder = 2\n'),
+    "neuron": ("rod.swc", ["rod.swc"], 'stage = "transport"\nparts = 1\nwithin = 0.3\nlayer = 3\n[transport]\nsteps = 5\norder = 2\n'),
     "puzzle": ("", [], 'pieces = 9\nlayout = "voronoi"\ntab = "dovetail"\nsize = [80, 80]\n'),
     "rank": ("dense.obj turned.obj dense.obj", ["dense.obj", ["turned.obj", "dense.obj"]], 'top = 1\nalign = "centroid"\n'),
     "remesh": ("dense.obj -o even.obj", ["dense.obj"], "relative = 0.1\nfeatures = 60\niterations = 3\n"),

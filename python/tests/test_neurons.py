@@ -220,16 +220,16 @@ def test_a_sweep_is_what_its_runs_are(tmp_path):
 def test_all_stages_in_one_call(tmp_path):
     rod = b"1 2 0 0 0 1 -1\n2 2 12 0 0 1 1\n"
     stepped = read = pompeiu.read_skeleton(rod).mesh(parts=1).transport("[transport]\nsteps = 4")
-    once = pompeiu.neuron(rod, stage="transport", parts=1, transport={"steps": 4})
+    once = pompeiu.neuron(rod, stage="transport", parts=1, within=0.3, transport={"steps": 4})
     assert once.stop == "tolerance" and np.array_equal(once.transport.ends, stepped.ends)
     once.transport.save_checkpoint(tmp_path / "state.json")
-    longer = pompeiu.neuron(rod, stage="transport", parts=1, transport={"steps": 6}, resume=tmp_path / "state.json")
+    longer = pompeiu.neuron(rod, stage="transport", parts=1, within=0.3, transport={"steps": 6}, resume=tmp_path / "state.json")
     assert longer.report["transport"]["steps"] == 6
     # The checkpoint is that of the stages one after another, too.
     again = pompeiu.read_skeleton(rod).mesh(parts=1).transport("[transport]\nsteps = 6", resume=tmp_path / "state.json")
     assert np.array_equal(again.ends, longer.transport.ends) and read is stepped
     (tmp_path / "rod.swc").write_bytes(rod)
-    assert len(pompeiu.neuron(tmp_path / "rod.swc", stage="mesh", parts=1).mesh.cells) == 25
+    assert len(pompeiu.neuron(tmp_path / "rod.swc", stage="mesh", parts=1, within=0.3).mesh.cells) == 25
     assert pompeiu.neuron(rod, stage="spline").splines.certified
     limited = pompeiu.neuron(rod, stage="transport", time_limit=0)
     assert limited.stop == "time" and limited.transport is None and limited.skeleton is not None

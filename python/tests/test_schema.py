@@ -88,7 +88,7 @@ COMMANDS = {
         "neuron mesh cell.swc --repair --parts 1 -o cell.vtu",
         "neuron spline fork.swc -o patches.vtu",
         "neuron spline fork.swc --refine nodes -o refined.vtu",
-        "neuron flow fork.swc -o flow.vtu --linear",
+        "neuron flow fork.swc -o flow.vtu --bezier",
         "neuron transport cell.swc --repair --parts 1 --config run.toml -o run.pvd",
         "neuron fork.swc --parts 1 --config run.toml --tips tips.csv",
         "neuron mesh fork.swc --parts 1 --partition 3 --extraction splines",
