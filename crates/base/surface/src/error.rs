@@ -97,7 +97,7 @@ pub enum GeometryError {
     /// A face is so thin that its corners do not determine its height, or its edge lengths violate the triangle inequality.
     #[error(
         "face {face} is degenerate: its edges are {:e}, {:e} and {:e} long and its height is {height:e} of the longest, \
-         expected at least {least:e}",
+         expected at least {least:e}; `pompeiu repair` drops faces without area, `pompeiu remesh` makes better ones of thin ones",
         lengths[0], lengths[1], lengths[2]
     )]
     DegenerateFace {
