@@ -65,6 +65,17 @@ pub enum ContactError {
         "the start touches: the least distance is 0, and barriers need one above 0; move the bodies apart"
     )]
     StartTouches,
+    /// Surfaces start so close that forces between them exceed double precision.
+    #[error(
+        "surfaces start {gap:.3e} apart; forces at less than {least:.3e}, 2^-24 of the distance of contact, are too stiff for \
+         double precision: move the bodies apart, or shorten the distance of contact"
+    )]
+    StartTooClose {
+        /// The least distance.
+        gap: f64,
+        /// The least that is accepted.
+        least: f64,
+    },
     /// A vertex is inside of an analytic obstacle.
     #[error("vertex {vertex} starts {depth:e} inside of obstacle {obstacle}; move it out")]
     StartInside {

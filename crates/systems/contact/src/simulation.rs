@@ -29,6 +29,10 @@ const NAMED: usize = 100;
 /// The part of the distance of contact below which barriers are made stiffer.
 const TOO_CLOSE: f64 = 0.1;
 
+/// The least gap at the start, in distances of contact. The second derivative of the barrier grows with the inverse square of the gap: below,
+/// less than five bits are left of masses and elastic forces beside it, and Newton's method does not converge.
+const LEAST_START: f64 = 1.0 / 16_777_216.0;
+
 /// How much stiffer than at the start barriers may become.
 const MOST_STIFFENING: f64 = 1000.0;
 
@@ -128,6 +132,7 @@ impl Simulation {
         };
         simulation.weigh_edges();
         simulation.check_start()?;
+        simulation.check_gap()?;
         Ok(simulation)
     }
 
@@ -135,6 +140,15 @@ impl Simulation {
     fn weigh_edges(&mut self) {
         let weighs = self.options.pairs == PairSet::Exclusive;
         self.edge_weights = weighs.then(|| self.surface.edge_weights(&self.x));
+    }
+
+    /// A resumed state may be nearer: it came from a step that converged.
+    fn check_gap(&self) -> Result<(), ContactError> {
+        let least = LEAST_START * self.options.distance;
+        match Self::least_gap(&self.x, &self.contacts(&self.x, &self.candidates(&self.x, None))) {
+            Some(gap) if gap < least => Err(ContactError::StartTooClose { gap, least }),
+            _ => Ok(()),
+        }
     }
 
     fn check_start(&self) -> Result<(), ContactError> {
