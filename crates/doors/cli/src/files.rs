@@ -134,6 +134,21 @@ pub(crate) fn write_with(
             format.name()
         ));
     }
+    let at_one_place = if OutputFormat::from_path(path) == Some(OutputFormat::Glb) {
+        let positions = || mesh.positions().iter().map(|p| p.map(|x| (x + 0.0).to_bits()));
+        repeated(positions().collect())
+    } else {
+        0
+    };
+    warn_of(
+        path,
+        at_one_place as u64,
+        printer,
+        [
+            "vertex lies where another one does; this program makes one vertex of them when it reads GLB, and PLY and OBJ keep them apart",
+            "vertices lie where others do; this program makes one vertex of those at a place when it reads GLB, and PLY and OBJ keep them apart",
+        ],
+    );
     warn_of(
         path,
         joined(path, mesh) as u64,
@@ -155,11 +170,15 @@ pub(crate) fn joined(path: &Path, mesh: &TriMesh) -> usize {
         return 0;
     }
     // As stored; adding zero makes one of both zeros.
-    let mut places: Vec<[u32; 3]> =
-        mesh.positions().iter().map(|p| p.map(|x| (x as f32 + 0.0).to_bits())).collect();
+    repeated(mesh.positions().iter().map(|p| p.map(|x| (x as f32 + 0.0).to_bits())).collect())
+}
+
+/// How many of these places are those of earlier ones.
+fn repeated<T: Ord>(mut places: Vec<T>) -> usize {
+    let all = places.len();
     places.sort_unstable();
     places.dedup();
-    mesh.positions().len() - places.len()
+    all - places.len()
 }
 
 /// Refuses to write to STL what its readers would join again.
@@ -176,16 +195,6 @@ pub(crate) fn refuse_joined(path: &Path, mesh: &TriMesh) -> anyhow::Result<()> {
 }
 
 /// Writes a mesh whose coordinates were rounded to those of the format, moved by the shift that goes with them.
-pub(crate) fn write_rounded(
-    path: &Path,
-    mesh: &TriMesh,
-    rounding: &Rounding,
-    printer: &Printer,
-) -> anyhow::Result<()> {
-    write_shifted(path, mesh, &Attributes::for_mesh(mesh), rounding, printer)
-}
-
-/// The same with attributes.
 pub(crate) fn write_shifted(
     path: &Path,
     mesh: &TriMesh,

@@ -1,6 +1,7 @@
 //! The `pompeiu` command: two mesh files in, a certified distance out.
 
 mod aligned;
+mod appearance;
 mod args;
 mod called;
 mod certificate;

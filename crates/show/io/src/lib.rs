@@ -34,7 +34,7 @@ mod waves;
 mod weld;
 mod write;
 
-pub use appearance::{Appearance, Materials, TextureCoordinates};
+pub use appearance::{Appearance, CornerValues, Descriptions, Materials};
 pub use error::{FormatError, Location, ReadError};
 pub use face_vectors::read_face_vectors;
 pub use format::Format;

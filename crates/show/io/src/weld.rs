@@ -19,6 +19,18 @@ impl Welder {
         welder
     }
 
+    /// The next index, for a position that no other is equal to, such as one with NaN.
+    pub(crate) fn index_apart(&mut self, position: [f64; 3]) -> u32 {
+        self.positions.push(position);
+        (self.positions.len() - 1) as u32
+    }
+
+    /// Forgets all positions, and keeps the memory.
+    pub(crate) fn clear(&mut self) {
+        self.table.clear();
+        self.positions.clear();
+    }
+
     /// The index of a position without NaN.
     pub(crate) fn index(&mut self, position: [f64; 3]) -> u32 {
         let position = without_negative_zeros(position);

@@ -8,7 +8,7 @@ use super::quality::Quality;
 use super::sizing::Sizing;
 use pompeiu_core::mesh::{Coordinates, Rounding, TooCoarse};
 use pompeiu_core::run::{Limits, ProgressObserver, StopReason};
-use pompeiu_core::{MeshError, TriMesh};
+use pompeiu_core::{MeshError, TriMesh, VertexId};
 use pompeiu_hausdorff::SymmetricReport;
 use std::time::Duration;
 
@@ -92,6 +92,8 @@ impl<'o> RemeshOptions<'o> {
 pub struct Remeshed {
     /// The mesh.
     pub mesh: TriMesh,
+    /// The edges of the mesh that are on curves: boundaries, creases and selected edges of the input.
+    pub kept: Vec<[VertexId; 2]>,
     /// The triangles of the input.
     pub before: Quality,
     /// The triangles of the result.

@@ -193,6 +193,7 @@ impl<'w> Work<'w> {
         let stop = self.control.reason().unwrap_or(StopReason::Tolerance);
         let shares: Vec<f64> = self.surface.mesh.edges().map(|h| self.surface.share_sq(h).sqrt()).collect();
         let after = Quality::in_frame(&self.surface.mesh, &self.frame, Some(&shares));
+        let kept = self.surface.kept();
         let remeshing = self.started.elapsed();
         // What is to be proven is, whatever the time; what is only told ends with the time.
         let is_told = self.options.measure && self.control.reason().is_none();
@@ -211,6 +212,7 @@ impl<'w> Work<'w> {
             RemeshTiming { remesh: remeshing, distance: self.started.elapsed().saturating_sub(remeshing) };
         Ok(Remeshed {
             mesh,
+            kept,
             before: self.before,
             after,
             distance,

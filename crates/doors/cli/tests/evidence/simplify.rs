@@ -86,12 +86,45 @@ fn texture_coordinates_materials_and_colours_are_carried_over() {
     let (code, _, talk) = folder.transcript("simplify square.obj --within 0.001 -o few.ply");
     assert_eq!(code, Some(0));
     assert!(
-        talk.contains("texture coordinates are not in the output") && !talk.contains("colours are"),
+        talk.contains("texture coordinates and materials are not in the output") && !talk.contains("colours"),
         "{talk}"
     );
     let report = folder.ok("simplify few.ply --faces 8 -o fewer.ply --json");
     let report = report_of(serde_json::from_str(&report).unwrap());
     assert_eq!(report["kept"]["colors"], true);
     let (_, _, talk) = folder.transcript("simplify square.obj --within 0.001 --repair -o repaired.obj");
+    assert!(talk.contains("repair the mesh first"), "{talk}");
+}
+
+/// The document of a binary glTF.
+fn document(folder: &Folder, name: &str) -> serde_json::Value {
+    let bytes = std::fs::read(folder.path().join(name)).unwrap();
+    let length = u32::from_le_bytes(bytes[12..16].try_into().unwrap()) as usize;
+    serde_json::from_slice(&bytes[20..20 + length]).unwrap()
+}
+
+#[test]
+fn what_glb_holds_is_kept_from_command_to_command() {
+    let folder = Folder::new();
+    folder.write("square.obj", square());
+    let (_, _, talk) = folder.transcript("convert square.obj square.glb");
+    assert!(talk.contains("materials but for their names are not in the output, because GLB"), "{talk}");
+    folder.ok("flatten square.glb -o flat.glb");
+    folder.ok("simplify flat.glb --within 0.001 -o few.glb");
+    folder.ok("remesh few.glb --edge-length 0.2 -o even.glb");
+    for name in ["square.glb", "flat.glb", "few.glb", "even.glb"] {
+        let document = document(&folder, name);
+        let names: Vec<_> = document["materials"].as_array().unwrap().iter().map(|m| &m["name"]).collect();
+        assert_eq!(names[names.len() - 2..], ["oak", "ash"], "{name}");
+        let primitives = document["meshes"][0]["primitives"].as_array().unwrap();
+        assert_eq!(primitives.len(), 2, "{name}: one for each material");
+        let has = |what: &str| primitives[0]["attributes"][what].is_u64();
+        assert!(has("NORMAL") && has("COLOR_0") && has("TEXCOORD_0"), "{name}");
+        assert_eq!(has("TEXCOORD_1"), name != "square.glb", "{name}: the map is one set more");
+    }
+    let (_, _, talk) = folder.transcript("convert few.glb few.ply");
+    let said = "few.glb: texture coordinates, normals and materials are not in the output, because PLY has no place for them; write GLB";
+    assert!(talk.contains(said), "{talk}");
+    let (_, _, talk) = folder.transcript("simplify few.glb --faces 8 --repair -o fewer.glb");
     assert!(talk.contains("repair the mesh first"), "{talk}");
 }

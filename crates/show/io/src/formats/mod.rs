@@ -78,6 +78,8 @@ pub(crate) fn read_appearance(
             let colors = colors.filter(|colors| colors.len() == mesh.positions().len());
             Ok(Appearance { colors, ..Appearance::default() })
         }
+        Format::Gltf => gltf::json_appearance(input, mesh),
+        Format::Glb => gltf::binary_appearance(input, mesh),
         _ => Ok(Appearance::default()),
     }
 }

@@ -1,6 +1,6 @@
 //! Values at vertices and faces that are written with a mesh.
 
-use crate::appearance::Materials;
+use crate::appearance::{Appearance, CornerValues, Materials};
 use pompeiu_core::TriMesh;
 
 /// The name of colour arrays, which scalars cannot have.
@@ -30,15 +30,17 @@ pub enum AttributeError {
         /// The name.
         name: String,
     },
-    /// A corner refers to texture coordinates that do not exist.
-    #[error("face {face} names texture coordinates {index}, but there are {coordinates} (the first is 0)")]
-    Texture {
+    /// A corner refers to texture coordinates, a normal or a colour that does not exist.
+    #[error("face {face} names {name} {index}, but there are {values} (the first is 0)")]
+    Corner {
+        /// What is named, in the plural.
+        name: &'static str,
         /// The face.
         face: usize,
         /// The index it holds.
         index: u32,
-        /// Number of texture coordinates.
-        coordinates: usize,
+        /// Number of values.
+        values: usize,
     },
     /// A face refers to a material that does not exist.
     #[error("face {face} names material {index}, but there are {names} (the first is 0)")]
@@ -69,16 +71,11 @@ pub enum AttributeError {
 pub struct Attributes {
     vertices: OfElements,
     faces: OfElements,
-    texture: Option<Texture>,
+    texture: Vec<CornerValues<2>>,
+    image: Option<Vec<u8>>,
+    normals: Option<CornerValues<3>>,
+    linear_colors: Option<CornerValues<4>>,
     materials: Option<Materials>,
-}
-
-/// Texture coordinates, and which of them each corner of each face has.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Texture {
-    pub(super) coordinates: Vec<[f64; 2]>,
-    pub(super) corners: Vec<[u32; 3]>,
-    pub(super) image: Option<Vec<u8>>,
 }
 
 #[derive(Clone, Debug, PartialEq)]
@@ -103,7 +100,10 @@ impl Attributes {
         Self {
             vertices: of("vertices", mesh.positions().len()),
             faces: of("faces", mesh.faces().len()),
-            texture: None,
+            texture: Vec::new(),
+            image: None,
+            normals: None,
+            linear_colors: None,
             materials: None,
         }
     }
@@ -166,26 +166,90 @@ impl Attributes {
         Ok(self)
     }
 
-    /// Sets texture coordinates, from the lower left corner of the image in units of its sides, and for each corner of each face
-    /// the index of its coordinates. There is a seam where the corners at a vertex have different coordinates. The image, if any,
-    /// is the content of a PNG file.
+    /// Adds a set of texture coordinates, from the lower left corner of the image in units of its sides, and for each corner of each
+    /// face the index of its coordinates. There is a seam where the corners at a vertex have different coordinates. The image, if any,
+    /// is the content of a PNG file, for the first set.
     ///
     /// # Errors
-    /// [`AttributeError::Length`] unless there is one triple per face; [`AttributeError::Texture`] for an index out of range.
+    /// [`AttributeError::Length`] unless there is one triple per face; [`AttributeError::Corner`] for an index out of range.
     pub fn with_texture(
         mut self,
         coordinates: Vec<[f64; 2]>,
         corners: Vec<[u32; 3]>,
         image: Option<Vec<u8>>,
     ) -> Result<Self, AttributeError> {
-        self.faces.check_length("texture coordinates", corners.len())?;
-        let is_missing = |index: &u32| *index as usize >= coordinates.len();
-        if let Some(at) = corners.as_flattened().iter().position(is_missing) {
-            let (index, coordinates) = (corners.as_flattened()[at], coordinates.len());
-            return Err(AttributeError::Texture { face: at / 3, index, coordinates });
-        }
-        self.texture = Some(Texture { coordinates, corners, image });
+        let set = CornerValues { values: coordinates, corners };
+        self.check_corners("texture coordinates", &set)?;
+        self.texture.push(set);
+        self.image = image.or(self.image);
         Ok(self)
+    }
+
+    /// Sets the image that the first set of texture coordinates is for: the content of a PNG file.
+    #[must_use]
+    pub fn with_image(mut self, image: Vec<u8>) -> Self {
+        self.image = Some(image);
+        self
+    }
+
+    /// Sets normals for shading, of length 1. Where none are set, formats with normals have those of [`OutputFormat::Glb`](super::OutputFormat::Glb).
+    ///
+    /// # Errors
+    /// As [`with_texture`](Self::with_texture).
+    pub fn with_normals(mut self, normals: CornerValues<3>) -> Result<Self, AttributeError> {
+        self.check_corners("normals", &normals)?;
+        self.normals = Some(normals);
+        Ok(self)
+    }
+
+    /// Sets colours as glTF has them: linear red, green and blue, and opacity, from 0 to 1. Formats that have them prefer them to
+    /// [the colours of vertices](Self::with_vertex_colors); others need those.
+    ///
+    /// # Errors
+    /// As [`with_texture`](Self::with_texture).
+    pub fn with_linear_colors(mut self, colors: CornerValues<4>) -> Result<Self, AttributeError> {
+        self.check_corners("colours", &colors)?;
+        self.linear_colors = Some(colors);
+        Ok(self)
+    }
+
+    /// Sets all that is known of how the mesh looks.
+    ///
+    /// # Errors
+    /// Those of the single parts.
+    pub fn with_appearance(mut self, appearance: Appearance) -> Result<Self, AttributeError> {
+        if let Some(colors) = appearance.colors {
+            self = self.with_vertex_colors(colors)?;
+        }
+        if let Some(colors) = appearance.linear_colors {
+            self = self.with_linear_colors(colors)?;
+        }
+        for set in appearance.texture {
+            self = self.with_texture(set.values, set.corners, None)?;
+        }
+        if let Some(normals) = appearance.normals {
+            self = self.with_normals(normals)?;
+        }
+        match appearance.materials {
+            Some(materials) => self.with_materials(materials),
+            None => Ok(self),
+        }
+    }
+
+    fn check_corners<const N: usize>(
+        &self,
+        name: &'static str,
+        set: &CornerValues<N>,
+    ) -> Result<(), AttributeError> {
+        self.faces.check_length(name, set.corners.len())?;
+        let values = set.values.len();
+        match set.corners.as_flattened().iter().position(|index| *index as usize >= values) {
+            Some(at) => {
+                let index = set.corners.as_flattened()[at];
+                Err(AttributeError::Corner { name, face: at / 3, index, values })
+            }
+            None => Ok(()),
+        }
     }
 
     /// Sets the materials of the faces.
@@ -206,8 +270,20 @@ impl Attributes {
         self.materials.as_ref()
     }
 
-    pub(super) fn texture(&self) -> Option<&Texture> {
-        self.texture.as_ref()
+    pub(super) fn texture(&self) -> &[CornerValues<2>] {
+        &self.texture
+    }
+
+    pub(super) fn image(&self) -> Option<&[u8]> {
+        self.image.as_deref()
+    }
+
+    pub(super) fn normals(&self) -> Option<&CornerValues<3>> {
+        self.normals.as_ref()
+    }
+
+    pub(super) fn linear_colors(&self) -> Option<&CornerValues<4>> {
+        self.linear_colors.as_ref()
     }
 
     /// Names and values of the vertex scalars, in the order added.

@@ -5,15 +5,15 @@ use std::path::Path;
 
 /// A format that can be written.
 ///
-/// | | coordinates | vertex colours | face colours | vertex and face scalars, face vectors | texture coordinates | texture image |
-/// |---|---|---|---|---|---|---|
-/// | OBJ | every bit | yes | no | no | every bit | no |
-/// | PLY | every bit | yes | yes | yes | no | no |
-/// | STL | single precision | no | no | no | no | no |
-/// | OFF | every bit | yes | yes | no | no | no |
-/// | VTP, VTU | every bit | yes | yes | yes | no | no |
-/// | 3MF | every bit | no | no | no | no | no |
-/// | GLB | single precision | yes | no | no | single precision | yes |
+/// | | coordinates | vertex colours | face colours | vertex and face scalars, face vectors | texture coordinates | texture image | materials | normals |
+/// |---|---|---|---|---|---|---|---|---|
+/// | OBJ | every bit | yes | no | no | every bit, one set | no | names | no |
+/// | PLY | every bit | yes | yes | yes | no | no | no | no |
+/// | STL | single precision | no | no | no | no | no | no | no |
+/// | OFF | every bit | yes | yes | no | no | no | no | no |
+/// | VTP, VTU | every bit | yes | yes | yes | no | no | no | no |
+/// | 3MF | every bit | no | no | no | no | no | no | no |
+/// | GLB | single precision | yes | no | no | single precision, eight sets | yes | yes | single precision |
 ///
 /// An attribute that the format cannot store is an error; it is never dropped silently.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -39,8 +39,10 @@ pub enum OutputFormat {
     /// glTF 2.0 in one binary file, one mesh in one node. Coordinates are rounded to single precision relative to an origin in the
     /// node's translation, so that a model far from zero keeps its shape: the error per axis is at most 2⁻²⁴ of the model's size. A
     /// mesh whose coordinates are single-precision numbers keeps every bit. Colours are interpreted as sRGB and stored linear, with
-    /// sixteen bits per channel. With texture coordinates, a vertex is written once for each of its different coordinates, and
-    /// vertices that no face uses are lost.
+    /// sixteen bits per channel. Normals that are not given are those of the faces, smoothed across edges at which faces meet at up to 30
+    /// degrees. A vertex is written once for each of its different normals, colours and texture coordinates: first all vertices in their
+    /// order, then the further ones, which [`read`](crate::read()) joins again. There is one primitive for each material, so that faces of
+    /// several materials change their order.
     Glb,
 }
 
@@ -105,7 +107,31 @@ impl OutputFormat {
 
     /// Whether it can store texture coordinates.
     pub const fn holds_texture(self) -> bool {
+        self.texture_sets() > 0
+    }
+
+    /// How many sets of texture coordinates it can store.
+    pub const fn texture_sets(self) -> usize {
+        match self {
+            Self::Obj => 1,
+            Self::Glb => 8,
+            _ => 0,
+        }
+    }
+
+    /// Whether it can store normals.
+    pub const fn holds_normals(self) -> bool {
+        matches!(self, Self::Glb)
+    }
+
+    /// Whether it can store which material each face has, by name.
+    pub const fn holds_materials(self) -> bool {
         matches!(self, Self::Obj | Self::Glb)
+    }
+
+    /// Whether it can store what materials look like ([`Descriptions`](crate::Descriptions)), and colours with opacity.
+    pub const fn holds_descriptions(self) -> bool {
+        matches!(self, Self::Glb)
     }
 
     /// Whether it can store scalars of vertices and faces, and vectors of faces.

@@ -4,6 +4,7 @@ mod attributes;
 mod error;
 mod format;
 mod glb;
+mod normals;
 mod obj;
 mod off;
 mod ply;
@@ -163,14 +164,28 @@ fn check_holds(format: OutputFormat, attributes: &Attributes) -> Result<(), Enco
     if attributes.face_scalars().next().is_some() && !format.holds_scalars() {
         return no_room("face scalars");
     }
-    if attributes.texture().is_some() && !format.holds_texture() {
-        return no_room("texture coordinates");
+    if attributes.texture().len() > format.texture_sets() {
+        return no_room(match format.texture_sets() {
+            0 => "texture coordinates",
+            _ => "further sets of texture coordinates",
+        });
     }
-    if attributes.texture().is_some_and(|texture| texture.image.is_some()) && format != OutputFormat::Glb {
+    if attributes.image().is_some() && format != OutputFormat::Glb {
         return no_room("texture images");
     }
-    if attributes.materials().is_some() && format != OutputFormat::Obj {
+    if attributes.normals().is_some() && !format.holds_normals() {
+        return no_room("normals");
+    }
+    if attributes.linear_colors().is_some() && format != OutputFormat::Glb {
+        return no_room("linear colours");
+    }
+    if attributes.materials().is_some() && !format.holds_materials() {
         return no_room("materials");
+    }
+    if attributes.materials().is_some_and(|materials| materials.descriptions.is_some())
+        && format != OutputFormat::Glb
+    {
+        return no_room("descriptions of materials");
     }
     if attributes.face_vectors().next().is_some() && !format.holds_scalars() {
         return no_room("face vectors");

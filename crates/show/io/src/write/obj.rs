@@ -27,8 +27,8 @@ pub(super) fn write(out: impl Write, mesh: &TriMesh, attributes: &Attributes) ->
         }
         text.end_line()?;
     }
-    let texture = attributes.texture();
-    for place in texture.iter().flat_map(|texture| &texture.coordinates) {
+    let texture = attributes.texture().first();
+    for place in texture.iter().flat_map(|texture| &texture.values) {
         text.text("vt");
         for &coordinate in place {
             text.text(" ");

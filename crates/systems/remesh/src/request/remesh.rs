@@ -4,11 +4,11 @@ use crate::{
     Features, IntersectionCount, Intersections, Quality, RemeshError, RemeshOptions, RemeshTiming, Remeshed,
     Sizing, remesh,
 };
-use pompeiu_core::TriMesh;
 use pompeiu_core::geom::Aabb;
 use pompeiu_core::mesh::{Coordinates, Rounding};
 use pompeiu_core::request::{Conclusion, Length, Limit, Report, Request};
 use pompeiu_core::run::{RunContext, StopReason};
+use pompeiu_core::{TriMesh, VertexId};
 use pompeiu_hausdorff::SymmetricReport;
 use pompeiu_hausdorff::certificate::CertificateAnswer;
 
@@ -140,6 +140,19 @@ impl RemeshRequest {
     /// # Errors
     /// [`RemeshError`].
     pub fn run(&self, mesh: &TriMesh, context: &RunContext<'_>) -> Result<RemeshAnswer, RemeshError> {
+        self.run_keeping(mesh, &[], context)
+    }
+
+    /// The same, with edges of the mesh that are kept as curves, by their ends, such as the seams of a texture.
+    ///
+    /// # Errors
+    /// [`RemeshError`].
+    pub fn run_keeping(
+        &self,
+        mesh: &TriMesh,
+        edges: &[[VertexId; 2]],
+        context: &RunContext<'_>,
+    ) -> Result<RemeshAnswer, RemeshError> {
         let diagonal = Aabb::of_faces(mesh).diagonal();
         let in_unit = |length: &Option<Length>| {
             length.as_ref().map(|length| length.of(&self.unit, diagonal)).transpose()
@@ -157,7 +170,7 @@ impl RemeshRequest {
             _ => return Err(RemeshError::OneSize),
         };
         let options = RemeshOptions {
-            features: Features { angle: self.features, ..Features::default() },
+            features: Features { angle: self.features, edges, ..Features::default() },
             iterations: self.iterations,
             within,
             most_faces: self.most_faces,

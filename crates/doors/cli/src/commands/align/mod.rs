@@ -5,9 +5,9 @@ mod text;
 use crate::args::{suffix, tell};
 pub(crate) use crate::door::run;
 use crate::door::{AnswerOf, Invocation, Session, System};
-use crate::files;
 use crate::numbers::shortest;
 use crate::pair;
+use crate::{appearance, files};
 use clap::Args;
 use pompeiu::core::mesh::Coordinates;
 use pompeiu::io::OutputFormat;
@@ -76,7 +76,12 @@ impl System for Files {
         session.stop_waiting();
         if let Some(path) = &self.output {
             tell(path, &found.rounding, session.printer);
-            files::write(path, &found.mesh, session.printer)?;
+            let mut looks = appearance::read(&self.moving, &moving, path, session.printer)?;
+            if let Some(normals) = &mut looks.normals {
+                turn(&mut normals.values, &found.report.registration);
+            }
+            let attributes = appearance::of_same_faces(looks, &found.mesh)?;
+            files::write_with(path, &found.mesh, &attributes, session.printer)?;
         }
         if let Some(path) = &self.matrix {
             files::write_whole(path, rows(&found.report.registration).as_bytes(), session.printer)?;
@@ -86,6 +91,17 @@ impl System for Files {
 
     fn text(&self, answer: &AnswerOf<Self>) -> String {
         text::text(answer)
+    }
+}
+
+/// Turns normals with the mesh; a factor of the motion is without effect on their directions.
+fn turn(normals: &mut [[f64; 3]], found: &Registration) {
+    for normal in normals {
+        let turned = [0, 1, 2].map(|row| (0..3).map(|i| found.matrix[row][i] * normal[i]).sum::<f64>());
+        let length = turned.iter().map(|x| x * x).sum::<f64>().sqrt();
+        if length > 0.0 {
+            *normal = turned.map(|x| x / length);
+        }
     }
 }
 

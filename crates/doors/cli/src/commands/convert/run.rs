@@ -1,6 +1,7 @@
 //! Runs the command.
 
 use super::args::Convert;
+use crate::appearance;
 use crate::exit::Exit;
 use crate::files;
 use crate::printer::Printer;
@@ -14,6 +15,8 @@ pub(crate) fn run(args: &Convert, printer: &Printer) -> anyhow::Result<Exit> {
     }
     let read = files::read(&args.input)?;
     files::warn_of_changes(&args.input, &read, printer);
-    files::write(&args.output, &read.mesh, printer)?;
+    let found = appearance::read(&args.input, &read.mesh, &args.output, printer)?;
+    let attributes = appearance::of_same_faces(found, &read.mesh)?;
+    files::write_with(&args.output, &read.mesh, &attributes, printer)?;
     Ok(Exit::Done)
 }

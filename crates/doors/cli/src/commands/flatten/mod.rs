@@ -3,6 +3,7 @@
 mod output;
 mod text;
 
+use crate::appearance;
 use crate::args::{ForbidFile, Picture};
 use crate::called::called;
 use crate::door::{AnswerOf, Invocation, Session, System};
@@ -13,6 +14,7 @@ use output::{Kind, kind, write_textured};
 use pompeiu::core::mesh::Precision;
 use pompeiu::flatten::show::{FlattenPage, layout_svg};
 use pompeiu::flatten::{FlattenReport, FlattenRequest};
+use pompeiu::io::Appearance;
 use std::path::PathBuf;
 
 pub(crate) use crate::door::run;
@@ -27,7 +29,8 @@ are kept well. The exit code is 3 if the map is not one-to-one.
 
 Outputs:
   .obj   the mesh with texture coordinates
-  .glb   the same with a texture of squares
+  .glb   the same with a texture of squares, or with the materials of the input, if it has any: their texture coordinates follow the map
+         as further sets
   .svg   the layout; both sides of each cut edge have one colour
   .png   surface and map beside each other
 
@@ -95,8 +98,15 @@ impl System for Files {
         if let Some(output) = &self.output {
             match kind(output)? {
                 Kind::Textured(format) => {
+                    let looks = if found.inserted.is_some() {
+                        let why = "because edges were divided";
+                        appearance::leave_out(&self.mesh, &mesh, why, printer)?;
+                        Appearance::default()
+                    } else {
+                        appearance::read(&self.mesh, &mesh, output, printer)?
+                    };
                     let mesh = found.inserted.as_ref().unwrap_or(&mesh);
-                    write_textured(output, format, mesh, flat, printer)?;
+                    write_textured(output, format, mesh, (flat, looks), printer)?;
                 }
                 Kind::Drawing => {
                     files::write_whole(output, layout_svg(&found.surface, flat).as_bytes(), printer)?;

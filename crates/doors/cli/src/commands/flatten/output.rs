@@ -5,7 +5,7 @@ use anyhow::bail;
 use pompeiu::core::TriMesh;
 use pompeiu::flatten::Flattening;
 use pompeiu::flatten::show::checker_png;
-use pompeiu::io::{Attributes, OutputFormat, write_as};
+use pompeiu::io::{Appearance, Attributes, CornerValues, OutputFormat, write_as};
 use std::ffi::OsStr;
 use std::path::Path;
 
@@ -33,14 +33,28 @@ pub(super) fn write_textured(
     path: &Path,
     format: OutputFormat,
     mesh: &TriMesh,
-    flat: &Flattening,
+    (flat, mut looks): (&Flattening, Appearance),
     printer: &Printer,
 ) -> anyhow::Result<()> {
-    let image = if format == OutputFormat::Glb { Some(checker_png()?) } else { None };
-    let (coordinates, corners) = (flat.uv.to_vec(), flat.opened.faces().to_vec());
-    let attributes = Attributes::for_mesh(mesh).with_texture(coordinates, corners, image)?;
+    let shown = path.display();
+    let map = CornerValues { values: flat.uv.to_vec(), corners: flat.opened.faces().to_vec() };
+    let descriptions = looks.materials.as_mut().and_then(|materials| materials.descriptions.as_mut());
+    let image =
+        if format == OutputFormat::Glb && descriptions.is_none() { Some(checker_png()?) } else { None };
+    if let Some(descriptions) = descriptions {
+        descriptions.shift_texture_sets(1);
+    }
+    looks.texture.insert(0, map);
+    if looks.texture.len() > format.texture_sets() {
+        looks.texture.truncate(format.texture_sets());
+        printer.warning(format_args!("{shown}: the map takes the place of texture coordinates of the input"));
+    }
+    let mut attributes = Attributes::for_mesh(mesh).with_appearance(looks)?;
+    if let Some(image) = image {
+        attributes = attributes.with_image(image);
+    }
     write_as(path, format, mesh, &attributes)?;
     let places = crate::numbers::grouped(flat.uv.len() as u64);
-    printer.note(format_args!("{}: {places} texture coordinates", path.display()));
+    printer.note(format_args!("{shown}: {places} texture coordinates"));
     Ok(())
 }

@@ -2,6 +2,7 @@
 
 mod text;
 
+use crate::appearance;
 use crate::args::{Picture, hold_in, tell};
 use crate::called::called;
 pub(crate) use crate::door::run;
@@ -110,7 +111,17 @@ impl System for Files {
         }
         if let Some(output) = &self.output {
             tell(output, &flow.rounding, printer);
-            files::write_rounded(output, &flow.mesh, &flow.rounding, printer)?;
+            let attributes = if flow.mesh.faces() == mesh.faces() {
+                let mut looks = appearance::read(&self.mesh, &mesh, output, printer)?;
+                // Those of the surface as it is now are other ones.
+                looks.normals = None;
+                appearance::of_same_faces(looks, &flow.mesh)?
+            } else {
+                let why = "because the surface was remeshed on the way";
+                appearance::leave_out(&self.mesh, &mesh, why, printer)?;
+                Attributes::for_mesh(&flow.mesh)
+            };
+            files::write_shifted(output, &flow.mesh, &attributes, &flow.rounding, printer)?;
         }
         let page = FlowPage {
             path: &shown,

@@ -2,6 +2,7 @@
 
 mod text;
 
+use crate::appearance::{self, Carried};
 use crate::args::{Picture, hold_in, suffix, tell};
 use crate::called::called;
 pub(crate) use crate::door::run;
@@ -20,8 +21,9 @@ pub(crate) type Remesh = Invocation<Files>;
 One of --edge-length, --relative and --adaptive is given. Edges are split, collapsed and flipped, vertices move within the surface
 and onto the input. Topology, boundaries and the edges that --features names are kept. The Pompeiu–Hausdorff distance from the
 input is measured; with --within it is proven to be at most that length, for which edges are shortened where they must be; otherwise
-nothing is written. The mesh must be an oriented manifold, with or without boundary. Only positions and faces are read: colours,
-normals and texture coordinates are not in the output.
+nothing is written. The mesh must be an oriented manifold, with or without boundary. Colours, texture coordinates and materials are
+carried over, and seams are kept as curves, if the output has a place for them; normals are those of the new faces. What is not kept is
+said.
 
 Examples:
   pompeiu remesh scan.ply --edge-length 0.5 -o even.ply
@@ -60,11 +62,15 @@ impl System for Files {
         let shown = self.mesh.display().to_string();
         let mesh = session.read_mesh(&self.mesh)?;
         hold_in(&self.output, &mut request.coordinates);
-        let mut answer = request.run(&mesh, &session.context()).with_context(|| shown.clone())?;
+        let looks = appearance::read(&self.mesh, &mesh, &self.output, session.printer)?;
+        let carried = Carried::of(looks, &mesh, &self.mesh)?;
+        let answer = request.run_keeping(&mesh, &carried.seams, &session.context());
+        let mut answer = answer.with_context(|| shown.clone())?;
         session.stop_waiting();
         let (found, printer) = (&answer.found, session.printer);
         tell(&self.output, &found.rounding, printer);
-        files::write_rounded(&self.output, &found.mesh, &found.rounding, printer)?;
+        let attributes = carried.attributes(&found.mesh, &found.kept)?;
+        files::write_shifted(&self.output, &found.mesh, &attributes, &found.rounding, printer)?;
         let mut proof = None;
         if let Some((path, within)) = self.certificate.as_ref().zip(answer.report.within) {
             let (written, result) = certificate::write_of_output(path, &mesh, &self.output, within, session)?;

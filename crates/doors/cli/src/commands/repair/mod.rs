@@ -2,6 +2,7 @@
 
 mod text;
 
+use crate::appearance;
 use crate::args::{hold_in, suffix, tell};
 pub(crate) use crate::door::run;
 use crate::door::{AnswerOf, Invocation, Session, System};
@@ -10,6 +11,7 @@ use crate::{certificate, files};
 use anyhow::Context;
 use clap::Args;
 use pompeiu::hausdorff::{ProvenRepairReport, RepairRequest};
+use pompeiu::io::Attributes;
 use std::path::PathBuf;
 
 pub(crate) type Repair = Invocation<Files>;
@@ -63,6 +65,16 @@ impl System for Files {
         let mut found = found.with_context(|| self.input.display().to_string())?;
         session.stop_waiting();
         files::refuse_joined(&self.output, &found.report.rounding.written(&found.mesh)?)?;
+        let is_changed =
+            found.mesh.faces() != mesh.faces() || found.mesh.positions().len() != mesh.positions().len();
+        let attributes = if is_changed {
+            let why = "because repairing changed the faces";
+            appearance::leave_out(&self.input, &mesh, why, session.printer)?;
+            Attributes::for_mesh(&found.mesh)
+        } else {
+            let looks = appearance::read(&self.input, &mesh, &self.output, session.printer)?;
+            appearance::of_same_faces(looks, &found.mesh)?
+        };
         if let (true, Some(path), Some(within)) =
             (found.report.written, &self.certificate, found.report.within)
         {
@@ -71,7 +83,8 @@ impl System for Files {
         }
         if found.report.written {
             tell(&self.output, &found.report.rounding, session.printer);
-            files::write_rounded(&self.output, &found.mesh, &found.report.rounding, session.printer)?;
+            let rounding = &found.report.rounding;
+            files::write_shifted(&self.output, &found.mesh, &attributes, rounding, session.printer)?;
         } else if let Some(within) = found.report.within {
             session.printer.warning(format_args!(
                 "{}: not written, for the result is not proven to be within {} of the input; allow more, or repair less",

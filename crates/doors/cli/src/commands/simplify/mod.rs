@@ -1,14 +1,13 @@
 //! `pompeiu simplify`.
 
-mod appearance;
 mod text;
 
+use crate::appearance::{self, Carried};
 use crate::args::{hold_in, suffix, tell};
 pub(crate) use crate::door::run;
 use crate::door::{AnswerOf, Invocation, Session, System};
 use crate::{certificate, files};
 use anyhow::Context;
-use appearance::Appearance;
 use clap::Args;
 use pompeiu::remesh::{SimplifyReport, SimplifyRequest};
 use std::path::{Path, PathBuf};
@@ -20,9 +19,9 @@ pub(crate) type Simplify = Invocation<Files>;
 One of --within, --relative and --faces is given. Edges are collapsed in order of their quadric error. With --within or --relative
 each collapse is tested on both sides, and the Pompeiu–Hausdorff distance of the result is proven to be at most that length; otherwise
 nothing is written. With --faces the distance follows, and is proven too. The mesh must be an oriented manifold, with or without
-boundary, or be repaired (--repair). Colours of vertices (PLY, OBJ), texture coordinates and materials (OBJ) are carried over, and seams
-are kept as curves, if the output has a place for them. Normals are not in the output. Further levels of detail (--levels) are
-written beside OUT, with -1, -2, … before its suffix.
+boundary, or be repaired (--repair). Colours of vertices (PLY, OBJ, glTF), texture coordinates and materials (OBJ, glTF) are carried over,
+and seams are kept as curves, if the output has a place for them; normals are those of the new faces. What is not kept is said. Further
+levels of detail (--levels) are written beside OUT, with -1, -2, … before its suffix.
 
 Examples:
   pompeiu simplify scan.ply --within 0.05 -o light.ply
@@ -62,16 +61,24 @@ impl System for Files {
         let is_centered = request.coordinates.center;
         certificate::check_result(self.certificate.as_deref(), asked, is_centered)?;
         let mesh = session.read_mesh(&self.mesh)?;
-        let appearance = Appearance::read(&self.mesh, &mesh, &self.output, request.repair, session.printer)?;
+        let carried = if request.repair {
+            let why = "because repairing cuts faces apart; repair the mesh first";
+            appearance::leave_out(&self.mesh, &mesh, why, session.printer)?;
+            Carried::default()
+        } else {
+            let found = appearance::read(&self.mesh, &mesh, &self.output, session.printer)?;
+            Carried::of(found, &mesh, &self.mesh)?
+        };
         hold_in(&self.output, &mut request.coordinates);
-        let found = request.run(&mesh, &appearance.seams, &session.context());
+        let found = request.run(&mesh, &carried.seams, &session.context());
         let mut found = found.with_context(|| self.mesh.display().to_string())?;
         session.stop_waiting();
         tell(&self.output, &found.report.rounding, session.printer);
         for (place, level) in places.iter().zip(&found.levels) {
-            appearance.write(place, level, session.printer)?;
+            let attributes = carried.attributes(&level.mesh, &level.kept)?;
+            files::write_shifted(place, &level.mesh, &attributes, &level.rounding, session.printer)?;
         }
-        found.report.kept = appearance.kept();
+        found.report.kept = carried.kept();
         if let Some((path, within)) = self.certificate.as_ref().zip(found.report.level.within) {
             let (answer, _) = certificate::write_of_output(path, &mesh, &self.output, within, session)?;
             found.report.certificate = Some(answer);

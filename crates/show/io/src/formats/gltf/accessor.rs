@@ -120,6 +120,30 @@ pub(super) fn positions(
     .map_err(|problem| wrong(format!("accessor {index}: {problem}")))
 }
 
+/// The vectors of `N` numbers in an accessor, or of `N` − 1 whose last number is 1.
+pub(super) fn vectors<const N: usize>(
+    buffers: &Buffers<'_>,
+    accessor: &Accessor,
+    index: usize,
+) -> Result<Vec<[f64; N]>, FormatError> {
+    let component = Component::from_number(accessor.component_type);
+    let numbers = match accessor.shape.as_str() {
+        "VEC2" => 2,
+        "VEC3" => 3,
+        "VEC4" => 4,
+        _ => 0,
+    };
+    let (Some(component), true) = (component, numbers == N || numbers + 1 == N && N == 4) else {
+        return Err(wrong(format!("accessor {index} does not hold VEC{N} of numbers")));
+    };
+    let size = component.size() as usize;
+    read(buffers, accessor, numbers as u64 * component.size(), |bytes| {
+        let number = |i: usize| component.number(&bytes[i * size..(i + 1) * size], accessor.normalized);
+        std::array::from_fn(|i| if i < numbers { number(i) } else { 1.0 })
+    })
+    .map_err(|problem| wrong(format!("accessor {index}: {problem}")))
+}
+
 /// The vertex indices in an accessor.
 pub(super) fn indices(
     buffers: &Buffers<'_>,

@@ -7,6 +7,7 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use std::cell::{Cell, OnceCell};
 use std::fs;
+use std::io::ErrorKind;
 use std::path::{Component, Path, PathBuf};
 
 pub(super) struct Buffers<'a> {
@@ -63,7 +64,15 @@ impl<'a> Buffers<'a> {
         })
     }
 
-    fn load(&self, uri: &str) -> Result<Source, String> {
+    /// Whether all buffers in other files are there.
+    pub(super) fn check_files(&self) -> Result<(), FormatError> {
+        let outside = |buffer: &Buffer| buffer.uri.as_ref().is_some_and(|uri| !uri.starts_with("data:"));
+        let buffers = self.document.buffers.iter().enumerate().filter(|(_, buffer)| outside(buffer));
+        buffers.into_iter().try_for_each(|(index, _)| self.buffer(index).map(|_| ()))
+    }
+
+    /// The content of an address: data in the document, or a file beside it.
+    pub(super) fn load(&self, uri: &str) -> Result<Source, String> {
         if let Some(data) = uri.strip_prefix("data:") {
             let Some((_, data)) = data.split_once(";base64,") else {
                 return Err("a data URI without base64 is not supported".into());
@@ -77,6 +86,10 @@ impl<'a> Buffers<'a> {
                 source::open(&path).map_err(|error| format!("{uri:?}: {error}"))
             }
             Ok(_) => Err(format!("{uri:?} is not a regular file")),
+            Err(error) if error.kind() == ErrorKind::NotFound => Err(format!(
+                "there is no file {}, which holds a part of this one; put it there",
+                path.display()
+            )),
             Err(error) => Err(format!("{uri:?}: {error}")),
         }
     }

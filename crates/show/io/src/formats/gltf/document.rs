@@ -2,6 +2,7 @@
 
 use crate::error::{FormatError, Location};
 use serde::Deserialize;
+use serde::de::IgnoredAny;
 use serde_json::Value;
 use std::collections::BTreeMap;
 
@@ -26,6 +27,22 @@ pub(super) struct Document {
     pub(super) buffer_views: Vec<BufferView>,
     #[serde(default)]
     pub(super) buffers: Vec<Buffer>,
+    #[serde(default)]
+    pub(super) materials: Vec<Value>,
+    #[serde(default)]
+    pub(super) textures: Vec<Value>,
+    #[serde(default)]
+    pub(super) samplers: Vec<Value>,
+    #[serde(default)]
+    pub(super) images: Vec<Value>,
+    #[serde(default)]
+    pub(super) animations: Vec<IgnoredAny>,
+    #[serde(default)]
+    pub(super) skins: Vec<IgnoredAny>,
+    #[serde(default)]
+    pub(super) cameras: Vec<IgnoredAny>,
+    #[serde(default)]
+    pub(super) extensions: Extensions,
 }
 
 #[derive(Debug, Deserialize)]
@@ -65,16 +82,24 @@ pub(super) struct Primitive {
     pub(super) indices: Option<usize>,
     #[serde(default = "triangles")]
     pub(super) mode: u32,
+    pub(super) material: Option<usize>,
+    #[serde(default)]
+    pub(super) targets: Vec<IgnoredAny>,
 }
 
 const fn triangles() -> u32 {
     4
 }
 
+/// Accessors by the names of what they hold, such as `POSITION`.
 #[derive(Debug, Deserialize)]
-pub(super) struct Attributes {
-    #[serde(rename = "POSITION")]
-    pub(super) position: Option<usize>,
+#[serde(transparent)]
+pub(super) struct Attributes(pub(super) BTreeMap<String, usize>);
+
+impl Attributes {
+    pub(super) fn of(&self, name: &str) -> Option<usize> {
+        self.0.get(name).copied()
+    }
 }
 
 #[derive(Debug, Deserialize)]

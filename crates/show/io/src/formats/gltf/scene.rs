@@ -3,12 +3,14 @@
 use super::accessor;
 use super::buffers::Buffers;
 use super::document::{Document, Mesh, Primitive, entry, wrong};
+use super::look::Look;
 use super::transform::Transform;
 use crate::error::{FormatError, Location};
 use crate::expansion::most_bytes;
 use crate::groups::Group;
 use crate::raw::RawMesh;
-use std::collections::HashMap;
+use crate::weld::Welder;
+use std::collections::{BTreeMap, HashMap};
 
 /// Instances may take this many bytes in a file of any size.
 const INSTANCES_FLOOR: u64 = 1 << 28;
@@ -16,12 +18,15 @@ const INSTANCES_FLOOR: u64 = 1 << 28;
 /// Cost in bytes of showing a primitive, in addition to its content: about what can be processed in the same time.
 const PRIMITIVE_BYTES: u64 = 256;
 
+/// The mesh, and into `look` how it looks.
 pub(super) fn read(
     document: &Document,
     buffers: &Buffers<'_>,
     file_length: u64,
+    look: Option<&mut Look>,
 ) -> Result<RawMesh, FormatError> {
-    let mut scene = SceneReader { document, buffers, raw: RawMesh::default(), file_length, spent: 0 };
+    let (raw, welder) = (RawMesh::default(), Welder::default());
+    let mut scene = SceneReader { document, buffers, raw, look, welder, file_length, spent: 0 };
     if document.nodes.is_empty() {
         // A library of meshes without a scene.
         for (index, mesh) in document.meshes.iter().enumerate() {
@@ -84,10 +89,21 @@ fn roots(document: &Document) -> Result<Vec<usize>, FormatError> {
     Ok((0..is_root.len()).filter(|&node| is_root[node]).collect())
 }
 
+/// The vertices of a primitive.
+struct Vertices {
+    /// The vertex of the mesh that each became.
+    welded: Vec<u32>,
+    /// The number of the first among all vertices that the scene shows.
+    first_shown: u32,
+}
+
 struct SceneReader<'a> {
     document: &'a Document,
     buffers: &'a Buffers<'a>,
     raw: RawMesh,
+    look: Option<&'a mut Look>,
+    /// The positions of the mesh that is being added.
+    welder: Welder,
     file_length: u64,
     /// Bytes of the mesh so far.
     spent: u64,
@@ -102,43 +118,69 @@ impl SceneReader<'_> {
         }
     }
 
+    /// Adds a mesh as one node shows it. Equal positions become one vertex: where normals, texture coordinates or materials jump, the
+    /// file has to have several.
     fn add_mesh(&mut self, index: usize, mesh: &Mesh, transform: &Transform) -> Result<(), FormatError> {
         // Primitives of one mesh often differ only in material and share their vertices.
-        let mut bases = HashMap::new();
+        let mut known: HashMap<&BTreeMap<String, usize>, Vertices> = HashMap::new();
+        self.welder.clear();
+        let first = self.raw.positions.len() as u32;
         for (number, primitive) in mesh.primitives.iter().enumerate() {
             self.spend(PRIMITIVE_BYTES)?;
-            let Some(position) = primitive.attributes.position else { continue };
-            let known = bases.get(&position).copied();
-            let (base, count) = known.map_or_else(|| self.add_positions(position, transform), Ok)?;
-            bases.insert(position, (base, count));
-            self.add_triangles(primitive, base, count, transform.mirrors()).map_err(|error| FormatError {
-                problem: in_primitive(index, number, &error.problem),
-                ..error
+            let Some(position) = primitive.attributes.of("POSITION") else { continue };
+            let attributes = &primitive.attributes.0;
+            if !known.contains_key(attributes) {
+                known.insert(attributes, self.add_vertices(primitive, position, transform, first)?);
+            }
+            self.add_triangles(primitive, &known[attributes], transform.mirrors()).map_err(|error| {
+                FormatError { problem: in_primitive(index, number, &error.problem), ..error }
             })?;
         }
         Ok(())
     }
 
-    /// The index of the first added position, and their number.
-    fn add_positions(&mut self, index: usize, transform: &Transform) -> Result<(u32, u32), FormatError> {
-        let accessor = entry(&self.document.accessors, "accessor", index)?;
-        let base = self.raw.positions.len();
-        let positions = accessor::positions(self.buffers, accessor, index)?;
-        self.spend(size_of_val(&positions[..]) as u64)?;
-        if u32::try_from(base + positions.len()).is_err() {
+    /// Adds the vertices of a primitive; those of its mesh begin at `first`.
+    fn add_vertices(
+        &mut self,
+        primitive: &Primitive,
+        position: usize,
+        transform: &Transform,
+        first: u32,
+    ) -> Result<Vertices, FormatError> {
+        let accessor = entry(&self.document.accessors, "accessor", position)?;
+        let positions = accessor::positions(self.buffers, accessor, position)?;
+        self.spend((size_of_val(&positions[..]) + positions.len() * size_of::<u32>()) as u64)?;
+        let first_shown = self.look.as_ref().map_or(0, |look| look.vertices());
+        if u32::try_from(self.raw.positions.len().max(first_shown) + positions.len()).is_err() {
             return Err(wrong(format!("more than {} vertices", u32::MAX)));
         }
-        self.raw.positions.extend(positions.iter().map(|&position| transform.apply(position)));
-        Ok((base as u32, positions.len() as u32))
+        let mut welded = Vec::with_capacity(positions.len());
+        for &position in &positions {
+            let position = transform.apply(position);
+            let is_finite = position.iter().all(|x| x.is_finite());
+            let index = first
+                + if is_finite { self.welder.index(position) } else { self.welder.index_apart(position) };
+            if index as usize == self.raw.positions.len() {
+                self.raw.positions.push(position);
+            }
+            welded.push(index);
+        }
+        if let Some(bytes) = self.look.as_ref().map(|look| look.bytes(primitive, positions.len())) {
+            self.spend(bytes)?;
+        }
+        if let Some(look) = &mut self.look {
+            look.add_vertices(self.document, self.buffers, primitive, transform, positions.len())?;
+        }
+        Ok(Vertices { welded, first_shown: first_shown as u32 })
     }
 
     fn add_triangles(
         &mut self,
         primitive: &Primitive,
-        base: u32,
-        vertices: u32,
+        vertices: &Vertices,
         mirrored: bool,
     ) -> Result<(), FormatError> {
+        let number = vertices.welded.len() as u32;
         let indices = match primitive.indices {
             Some(index) => {
                 let accessor = entry(&self.document.accessors, "accessor", index)?;
@@ -146,7 +188,7 @@ impl SceneReader<'_> {
             }
             None => None,
         };
-        let count = indices.as_ref().map_or(vertices as usize, Vec::len);
+        let count = indices.as_ref().map_or(number as usize, Vec::len);
         self.spend((count * size_of::<u32>()) as u64)?;
         let triangles = match primitive.mode {
             0..=3 => {
@@ -162,7 +204,8 @@ impl SceneReader<'_> {
             5 | 6 => count.saturating_sub(2),
             mode => return Err(wrong(format!("unknown mode {mode}"))),
         };
-        self.spend((triangles * size_of::<[u32; 3]>()) as u64)?;
+        let of_look = if self.look.is_some() { size_of::<[u32; 4]>() } else { 0 };
+        self.spend((triangles * (size_of::<[u32; 3]>() + of_look)) as u64)?;
         let indices = indices.as_deref();
         let vertex = |corner: usize| indices.map_or(corner as u32, |indices| indices[corner]);
         self.raw.faces.reserve(triangles);
@@ -173,14 +216,17 @@ impl SceneReader<'_> {
                 _ => [t + 1, t + 2, 0],
             }
             .map(vertex);
-            if let Some(index) = [a, b, c].into_iter().find(|&v| v >= vertices) {
+            if let Some(index) = [a, b, c].into_iter().find(|&v| v >= number) {
                 let face = Location::Face(self.raw.faces.len() as u64);
-                let problem = format!("vertex {index} does not exist, there are {vertices} (the first is 0)");
+                let problem = format!("vertex {index} does not exist, there are {number} (the first is 0)");
                 return Err(FormatError::new(face, problem));
             }
             // A mirror reverses the orientation of triangles.
             let face = if mirrored { [a, c, b] } else { [a, b, c] };
-            self.raw.faces.push(face.map(|v| base + v));
+            self.raw.faces.push(face.map(|v| vertices.welded[v as usize]));
+            if let Some(look) = &mut self.look {
+                look.add_face(face.map(|v| vertices.first_shown + v), primitive);
+            }
         }
         Ok(())
     }

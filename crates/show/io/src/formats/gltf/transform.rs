@@ -56,6 +56,29 @@ impl Transform {
             + a[2] * (b[0] * c[1] - b[1] * c[0]);
         determinant < 0.0
     }
+
+    /// The unit normal of a surface after the map, for its normal before: by the inverse of the transpose. As it is where the map has no
+    /// inverse.
+    pub(in crate::formats) fn apply_to_normal(&self, normal: [f64; 3]) -> [f64; 3] {
+        let linear = self.0.map(|row| [row[0], row[1], row[2]]);
+        let identity = Self::IDENTITY.0.map(|row| [row[0], row[1], row[2]]);
+        if linear == identity {
+            return normal;
+        }
+        // Scaled to size one, so that products neither overflow nor vanish.
+        let most =
+            linear.iter().flatten().fold(0.0, |most: f64, x| if x.abs() > most { x.abs() } else { most });
+        let [a, b, c] = linear.map(|row| row.map(|x| x / most));
+        let cross = |p: [f64; 3], q: [f64; 3]| {
+            [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]]
+        };
+        // The cofactors are the inverse of the transpose times the determinant, of which the sign matters.
+        let sign = if self.mirrors() { -1.0 } else { 1.0 };
+        let rows = [cross(b, c), cross(c, a), cross(a, b)];
+        let image = rows.map(|row| sign * (row[0] * normal[0] + row[1] * normal[1] + row[2] * normal[2]));
+        let length = image.iter().map(|x| x * x).sum::<f64>().sqrt();
+        if length > 0.0 && length.is_finite() { image.map(|x| x / length) } else { normal }
+    }
 }
 
 /// The sum of products plus `constant`, leaving out zero terms, so that the identity preserves every bit of a point, even the sign

@@ -1,6 +1,6 @@
 //! Colours, texture coordinates and materials in an OBJ file, for a mesh that was read from it.
 
-use crate::appearance::{Appearance, Materials, TextureCoordinates, channel};
+use crate::appearance::{Appearance, CornerValues, Materials, channel};
 use crate::error::FormatError;
 use crate::text::{Problem, is_blank, number, quoted, whole_number, word};
 use pompeiu_core::TriMesh;
@@ -165,13 +165,16 @@ impl Reader {
             self.coordinates.push([0.0; 2]);
         }
         let texture = (of_mesh && named)
-            .then_some(TextureCoordinates { coordinates: self.coordinates, corners: self.corners });
+            .then_some(CornerValues { values: self.coordinates, corners: self.corners })
+            .into_iter()
+            .collect();
         let materials = (of_mesh && !self.names.is_empty()).then_some(Materials {
             library: self.library,
             names: self.names,
             faces: self.materials,
+            descriptions: None,
         });
-        Appearance { colors, texture, materials }
+        Appearance { colors, texture, materials, ..Appearance::default() }
     }
 }
 
@@ -211,8 +214,8 @@ mod tests {
         let square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt .5 0\nvt .5 \\\n.5\nvt 0 .5\nmtllib a b.mtl\nf 1 2 3\n\
                       usemtl wood\nf 1/1 2/2 3/-2 4/4 # all\nf 1//1 3//1 4\nusemtl tin\nf 4/4 3/3 1/1\nusemtl wood\nf 1 2 3\n";
         let found = of(square);
-        let texture = found.texture.unwrap();
-        assert_eq!(texture.coordinates[..4], [[0.0, 0.0], [0.5, 0.0], [0.5, 0.5], [0.0, 0.5]]);
+        let [texture] = &found.texture[..] else { panic!("one set") };
+        assert_eq!(texture.values[..4], [[0.0, 0.0], [0.5, 0.0], [0.5, 0.5], [0.0, 0.5]]);
         assert_eq!(texture.corners[0], [4; 3], "without coordinates");
         let mesh = crate::read_bytes(square.as_bytes(), None).unwrap().mesh;
         for f in [1, 2, 4] {
@@ -230,7 +233,7 @@ mod tests {
         let shares = "v 0 0 0 1 0 .2\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nf 1 2 3\n";
         let found = of(shares);
         assert_eq!(found.colors.unwrap(), [[255, 0, 51], [0, 255, 0], [0, 0, 255]]);
-        assert!(found.texture.is_none() && found.materials.is_none());
+        assert!(found.texture.is_empty() && found.materials.is_none());
         let whole = "v 0 0 0 255 0 51\nv 1 0 0 0 300 nan\nv 0 1 0 0 0 -1\nf 1 2 3\n";
         assert_eq!(of(whole).colors.unwrap(), [[255, 0, 51], [0, 255, 0], [0, 0, 0]]);
         let some = "v 0 0 0 1 1 1\nv 1 0 0\nv 0 1 0 0 0 1\nf 1 2 3\n";

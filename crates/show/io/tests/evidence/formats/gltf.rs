@@ -9,14 +9,14 @@ use std::fs;
 
 /// A buffer under construction and the views of it.
 #[derive(Default)]
-struct Builder {
+pub(super) struct Builder {
     bytes: Vec<u8>,
     views: Vec<Value>,
     accessors: Vec<Value>,
 }
 
 impl Builder {
-    fn view(&mut self, bytes: &[u8], stride: Option<usize>) -> usize {
+    pub(super) fn view(&mut self, bytes: &[u8], stride: Option<usize>) -> usize {
         let mut view = json!({ "buffer": 0, "byteOffset": self.bytes.len(), "byteLength": bytes.len() });
         if let Some(stride) = stride {
             view["byteStride"] = json!(stride);
@@ -26,12 +26,12 @@ impl Builder {
         self.views.len() - 1
     }
 
-    fn accessor(&mut self, accessor: Value) -> usize {
+    pub(super) fn accessor(&mut self, accessor: Value) -> usize {
         self.accessors.push(accessor);
         self.accessors.len() - 1
     }
 
-    fn positions(&mut self, positions: &[[f32; 3]]) -> usize {
+    pub(super) fn positions(&mut self, positions: &[[f32; 3]]) -> usize {
         let bytes: Vec<u8> = positions.as_flattened().iter().flat_map(|x| x.to_le_bytes()).collect();
         let view = self.view(&bytes, None);
         self.accessor(
@@ -39,14 +39,14 @@ impl Builder {
         )
     }
 
-    fn indices(&mut self, bytes: &[u8], component_type: u32, count: usize) -> usize {
+    pub(super) fn indices(&mut self, bytes: &[u8], component_type: u32, count: usize) -> usize {
         let view = self.view(bytes, None);
         self.accessor(
             json!({ "bufferView": view, "componentType": component_type, "count": count, "type": "SCALAR" }),
         )
     }
 
-    fn document(&self, rest: &Value) -> Value {
+    pub(super) fn document(&self, rest: &Value) -> Value {
         let uri = format!("data:application/octet-stream;base64,{}", BASE64_STANDARD.encode(&self.bytes));
         let mut document = json!({
             "asset": { "version": "2.0" },
@@ -260,7 +260,7 @@ fn buffers_in_other_files() {
     assert_eq!(outcome("./parts/the data.bin").unwrap().mesh.faces(), [[0, 1, 2]]);
     for (uri, part) in [
         ("short.bin", "buffer 0 has 35 bytes, expected 36"),
-        ("missing.bin", "No such file"),
+        ("missing.bin", "missing.bin, which holds a part of this one; put it there"),
         ("parts", "not a regular file"),
         ("../mesh.gltf", "does not lie next to the file"),
         ("/etc/hostname", "does not lie next to the file"),
@@ -271,6 +271,13 @@ fn buffers_in_other_files() {
         let problem = outcome(uri).unwrap_err();
         assert!(problem.contains(part) && problem.starts_with("accessor 0: buffer 0"), "{uri}: {problem}");
     }
+    // Without faces, the missing file is the reason that is told.
+    document["buffers"][0]["uri"] = json!("missing.bin");
+    document["nodes"] = json!([{ "name": "empty" }]);
+    fs::write(&gltf, document.to_string()).unwrap();
+    let error_of = |path: &std::path::Path| read(path).unwrap_err().to_string();
+    assert!(error_of(&gltf).contains("missing.bin, which holds a part"), "{}", error_of(&gltf));
+    document["nodes"] = json!([{ "mesh": 0 }]);
     let in_memory = error(&{
         document["buffers"][0]["uri"] = json!("short.bin");
         document

@@ -3,6 +3,7 @@
 mod damage;
 mod face_vectors;
 mod gltf;
+mod gltf_appearance;
 mod hostile;
 mod points;
 mod round_trip;
