@@ -10,6 +10,7 @@ mod door;
 mod exit;
 mod field;
 mod files;
+mod film;
 #[cfg(test)]
 mod generated;
 mod interrupt;

@@ -7,6 +7,15 @@ pub(crate) fn page(text: &str) -> Result<PathBuf, String> {
     suffixed(text, "pages are HTML", &["html", "htm"])
 }
 
+/// Parses the name of moving pictures.
+pub(crate) fn film(text: &str) -> Result<PathBuf, String> {
+    suffixed(
+        text,
+        "moving pictures are pages (.html), animated PNG (.apng), GIF (.gif) or, by ffmpeg, films (.mp4, .webm)",
+        &["html", "htm", "apng", "gif", "mp4", "webm"],
+    )
+}
+
 /// Parses the name of a document.
 pub(crate) fn document(text: &str) -> Result<PathBuf, String> {
     suffixed(text, "documents are PDF", &["pdf"])
@@ -58,6 +67,8 @@ mod tests {
         for (parse, wrong) in [
             (page as fn(&str) -> Result<_, _>, "a.pdf"),
             (document, "a.html"),
+            (film, "a.avi"),
+            (film, "a"),
             (table, "a"),
             (matrix, "a.html"),
             (certificate, "a.pdf"),

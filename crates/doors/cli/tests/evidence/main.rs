@@ -8,6 +8,7 @@ mod common;
 mod contract;
 mod damaged;
 mod deviation;
+mod films;
 mod guide;
 mod many;
 mod precision;

@@ -2,5 +2,6 @@
 
 #![allow(clippy::unwrap_used, reason = "a helper of a test fails by panicking, as the test does")]
 
+mod films;
 mod page;
 mod pictures;

@@ -3,10 +3,14 @@
 use super::ContactFrame;
 use crate::{Bodies, ContactStep, Obstacle};
 use glam::DVec3;
+use pompeiu_core::TriMesh;
 use pompeiu_figures::names::axis;
 use pompeiu_figures::page::{
     Block, Card, Chart, ChartAxis, Fact, Layer, Mesh, MeshId, MeshValues, Page, PageError, Paint, Player,
     PlayerControls, PlayerId, Scene, Series, Shape, Space, SpaceId, Text, ValueScale,
+};
+use pompeiu_figures::{
+    ColorMap, Figure, FigureError, Image, Panel, Scale, Theme, Values, View, vertex_normals,
 };
 use std::f64::consts::{PI, TAU};
 
@@ -32,6 +36,9 @@ pub struct ContactPage<'r> {
     /// The command that makes the page again.
     pub command: Option<&'r str>,
 }
+
+/// Positions, and faces.
+type Triangles = (Vec<[f64; 3]>, Vec<[u32; 3]>);
 
 /// Milliseconds from one frame to the next.
 const INTERVAL: u32 = 80;
@@ -67,7 +74,8 @@ impl ContactPage<'_> {
         let mut scene = Scene::new("bodies", space);
         scene.layers = vec![self.surfaces(&mut page, space, player)?];
         for obstacle in &self.bodies.obstacles {
-            let mesh = page.add_mesh(space, self.drawn(obstacle))?;
+            let (positions, triangles) = self.drawn(obstacle);
+            let mesh = page.add_mesh(space, Mesh::new("obstacle", positions, triangles))?;
             scene.layers.push(Layer::new(Shape::Surface { mesh, paint: Paint::Plain, bounds: None }));
         }
         page.add_scene(scene)?;
@@ -112,9 +120,64 @@ impl ContactPage<'_> {
         Ok(Layer::over_time(player, shapes))
     }
 
-    /// A mesh of an obstacle: a ball, or a square in a plane below the bodies.
-    fn drawn(&self, obstacle: &Obstacle) -> Mesh {
-        let (positions, triangles) = match *obstacle {
+    /// A picture of a frame, of the given size in pixels: the surfaces, coloured by how far they are from where they started, and the
+    /// obstacles. All frames have the same scale and the same extent.
+    ///
+    /// # Errors
+    /// [`FigureError`] for an invalid size.
+    pub fn image(
+        &self,
+        frame: usize,
+        width: u32,
+        height: u32,
+        theme: Theme,
+        view: View,
+    ) -> Result<Image, FigureError> {
+        let moved = |frame: &ContactFrame| -> Vec<f64> {
+            let pairs = frame.positions.iter().zip(self.bodies.positions());
+            pairs.map(|(x, start)| DVec3::from_array(*x).distance(*start)).collect()
+        };
+        let greatest = self.frames.iter().flat_map(moved).fold(0.0, |a, b| if b > a { b } else { a });
+        let scale = Scale::new(ColorMap::Viridis, 0.0, if greatest > 0.0 { greatest } else { 1.0 })?;
+        let mut figure = Figure::new(width, height).with_theme(theme).with_view(view.with_up(self.up));
+        let Some(frame) = self.frames.get(frame) else { return figure.draw() };
+        let (mut positions, mut faces) = (frame.positions.clone(), self.bodies.faces().to_vec());
+        let mut values = moved(frame);
+        for obstacle in &self.bodies.obstacles {
+            let (drawn, triangles) = self.drawn(obstacle);
+            let first = positions.len() as u32;
+            values.resize(values.len() + drawn.len(), 0.0);
+            positions.extend(drawn);
+            faces.extend(triangles.iter().map(|face| face.map(|v| first + v)));
+        }
+        // Faces without extent at the corners of the box of all frames: the camera shows the same part of space in each.
+        for corner in self.corners() {
+            faces.push([positions.len() as u32; 3]);
+            positions.push(corner);
+            values.push(0.0);
+        }
+        // A frame that is no mesh, which no run has, is an empty picture.
+        let Ok(mesh) = TriMesh::new(positions, faces) else { return figure.draw() };
+        let normals = vertex_normals(&mesh);
+        let title = format!("step {}, time {:.4}", frame.step, frame.time);
+        let panel = Panel::new(&mesh).with_normals(&normals).with_values(Values::Vertices(&values));
+        figure = figure.with_scale(scale, "distance from the start").with_panel(panel.with_title(title));
+        figure.draw()
+    }
+
+    /// The corners of the box around all frames.
+    fn corners(&self) -> impl Iterator<Item = [f64; 3]> {
+        let all = || self.frames.iter().flat_map(|frame| &frame.positions).map(|x| DVec3::from_array(*x));
+        let low = all().reduce(DVec3::min).unwrap_or_default();
+        let high = all().reduce(DVec3::max).unwrap_or_default();
+        (0..8).map(move |corner| {
+            [0, 1, 2].map(|axis| if corner >> axis & 1 == 0 { low[axis] } else { high[axis] })
+        })
+    }
+
+    /// Triangles of an obstacle: a ball, or a square in a plane below the bodies.
+    fn drawn(&self, obstacle: &Obstacle) -> Triangles {
+        match *obstacle {
             Obstacle::Ball { centre, radius } => ball(centre, radius),
             Obstacle::HalfSpace { normal, offset } => {
                 let all = || self.bodies.positions().iter().copied();
@@ -127,8 +190,7 @@ impl ContactPage<'_> {
                 let corners = [-side - across, side - across, side + across, across - side];
                 (corners.map(|corner| (centre + corner).to_array()).to_vec(), vec![[0, 1, 2], [0, 2, 3]])
             }
-        };
-        Mesh::new("obstacle", positions, triangles)
+        }
     }
 
     fn add_charts(&self, page: &mut Page, player: PlayerId) -> Result<(), PageError> {
@@ -210,7 +272,7 @@ fn chart(
 }
 
 /// A ball as circles of latitude between two poles.
-fn ball(centre: DVec3, radius: f64) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
+fn ball(centre: DVec3, radius: f64) -> Triangles {
     let rings = SEGMENTS / 2;
     let mut positions = vec![(centre + DVec3::Z * radius).to_array()];
     for ring in 1..rings {

@@ -26,8 +26,8 @@ pub(crate) struct Files {
     /// Go on from a state that --checkpoint wrote, of the same scene and meshes; --steps counts from the beginning
     #[arg(long, value_name = "FILE")]
     pub(super) resume: Option<PathBuf>,
-    /// Write a page that plays the run, as --report does
-    #[arg(long, value_parser = suffix::page, value_name = "RUN.html")]
+    /// Write moving pictures: a page that plays the run (.html), .apng or .gif, or .mp4 or .webm where ffmpeg is installed
+    #[arg(long, value_parser = suffix::film, value_name = "RUN.html")]
     pub(super) video: Option<PathBuf>,
     /// Write a page to explore in a browser, one file that needs no network
     #[arg(long, value_parser = suffix::page, value_name = "FILE.html")]

@@ -6,8 +6,8 @@ mod text;
 
 pub(crate) use crate::door::run;
 use crate::door::{AnswerOf, Invocation, Session, System};
-use crate::files;
 use crate::series::Series;
+use crate::{files, film};
 use anyhow::Context;
 pub(crate) use args::Files;
 use output::Outputs;
@@ -28,6 +28,7 @@ impl System for Files {
             .chain(&self.resume)
             .map(PathBuf::as_path)
             .collect();
+        self.video.as_deref().map_or(Ok(()), film::check)?;
         files::check_places(outputs.map(PathBuf::as_path), &inputs)
     }
 

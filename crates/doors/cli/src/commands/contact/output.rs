@@ -2,12 +2,13 @@
 
 use super::args::Files;
 use crate::called::called;
-use crate::files;
 use crate::printer::Printer;
 use crate::series::Series;
+use crate::{files, film};
 use pompeiu::contact::request::{Checkpoint, ContactRun};
 use pompeiu::contact::show::{ContactFrame, ContactPage, most_frames};
 use pompeiu::contact::{ContactStep, Simulation};
+use pompeiu::figures::{Theme, View};
 use pompeiu::io::{Attributes, write_with};
 use std::ops::ControlFlow;
 use std::path::Path;
@@ -15,6 +16,9 @@ use std::time::{Duration, Instant};
 
 /// How long a run may be that is lost at most, where a checkpoint is asked for.
 const BETWEEN_CHECKPOINTS: Duration = Duration::from_mins(1);
+
+/// Pixels in a row and rows of moving pictures.
+const FILM_SIZE: [u32; 2] = [1280, 720];
 
 pub(super) struct Outputs<'f> {
     files: &'f Files,
@@ -59,9 +63,7 @@ impl<'f> Outputs<'f> {
         }
         self.error.take().map_or(Ok(()), Err)?;
         self.save(&run.simulation, &run.report.steps)?;
-        let pages: Vec<&Path> =
-            self.files.video.iter().chain(&self.files.report).map(AsRef::as_ref).collect();
-        if pages.is_empty() {
+        if self.files.video.is_none() && self.files.report.is_none() {
             return Ok(());
         }
         let gravity = run.simulation.options().gravity;
@@ -76,8 +78,13 @@ impl<'f> Outputs<'f> {
             up: if gravity.length() > 0.0 { (-gravity.normalize()).to_array() } else { [0.0, 0.0, 1.0] },
             command: Some(&called()),
         };
-        let html = page.html()?;
-        pages.into_iter().try_for_each(|path| files::write_whole(path, html.as_bytes(), self.printer))
+        if let Some(path) = &self.files.report {
+            files::write_whole(path, page.html()?.as_bytes(), self.printer)?;
+        }
+        let Some(path) = &self.files.video else { return Ok(()) };
+        let [width, height] = FILM_SIZE;
+        let draw = |frame| page.image(frame, width, height, Theme::Light, View::default());
+        film::write(path, || page.html(), self.frames.len(), draw, self.printer)
     }
 
     /// Keeps frames so far apart that there are never too many; the last one is always there.

@@ -8,7 +8,7 @@ pub(crate) use crate::door::run;
 use crate::door::{AnswerOf, Invocation, Session, System};
 use crate::numbers::{few, grouped};
 use crate::series::Series;
-use crate::{field, files};
+use crate::{field, files, film};
 use anyhow::{Context, bail};
 pub(crate) use args::Files;
 use output::Outputs;
@@ -29,6 +29,7 @@ impl System for Files {
     fn check(&self, _: bool) -> anyhow::Result<()> {
         let inputs = self.mesh.iter().chain(&self.scene).chain(&self.resume);
         files::check_places(self.outputs(), &inputs.map(PathBuf::as_path).collect::<Vec<_>>())?;
+        self.video.as_deref().map_or(Ok(()), film::check)?;
         if let Some(folder) = self.frames.as_deref().filter(|folder| folder.exists()) {
             bail!("{}: exists; name a folder that does not, the frames go into it", folder.display());
         }

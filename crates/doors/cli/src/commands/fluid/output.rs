@@ -2,9 +2,9 @@
 
 use super::args::Files;
 use crate::called::called;
-use crate::files;
 use crate::printer::Printer;
 use crate::series::Series;
+use crate::{files, film};
 use anyhow::Context;
 use pompeiu::core::TriMesh;
 use pompeiu::figures::View;
@@ -118,7 +118,9 @@ impl<'f> Outputs<'f> {
             command: Some(&called()),
         };
         if let Some(video) = &self.files.video {
-            files::write_whole(video, page.html()?.as_bytes(), self.printer)?;
+            let ((width, height), theme) = (picture.image_size, picture.theme);
+            let draw = |frame| page.image(frame, width, height, theme.into(), front(picture.view()));
+            film::write(video, || page.html(), self.frames.len(), draw, self.printer)?;
         }
         let last = self.frames.len().saturating_sub(1);
         picture.write(

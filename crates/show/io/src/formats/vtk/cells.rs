@@ -17,15 +17,16 @@ pub(super) enum CellKind {
 }
 
 impl CellKind {
-    pub(super) const fn from_number(number: u64) -> Option<Self> {
-        Some(match number {
+    /// The kind with a number; the number where it is none of these.
+    pub(super) const fn from_number(number: u64) -> Result<Self, u64> {
+        Ok(match number {
             0..=4 => Self::NoSurface,
             5 => Self::Triangle,
             6 => Self::TriangleStrip,
             7 => Self::Polygon,
             8 => Self::Pixel,
             9 => Self::Quadrilateral,
-            _ => return None,
+            other => return Err(other),
         })
     }
 }
@@ -43,7 +44,7 @@ pub(super) fn add(
     raw: &mut RawMesh,
     base: usize,
     cells: &CellArray,
-    kind: impl Fn(usize) -> Option<CellKind>,
+    kind: impl Fn(usize) -> Result<CellKind, u64>,
 ) -> Result<(), FormatError> {
     let points = (raw.positions.len() - base) as u64;
     let mut begin = 0;
@@ -64,10 +65,38 @@ pub(super) fn add(
             }
             local.push((base as u64 + corner) as u32);
         }
-        let kind = kind(cell).ok_or_else(|| wrong("the cell is not of a surface".into()))?;
+        let kind = kind(cell).map_err(|number| wrong(no_surface(number)))?;
         add_cell(raw, kind, &local).map_err(wrong)?;
     }
     Ok(())
+}
+
+/// Why a cell of another type, by its number in `vtkCellType.h`, is no part of a surface, and what to do.
+fn no_surface(number: u64) -> String {
+    const FACES: &str = "cut it into linear triangles first (in ParaView: Tessellate, then save as VTP)";
+    const SOLIDS: &str =
+        "extract the surface of the solid first (in ParaView: Extract Surface, then save as VTP)";
+    let (name, cure) = match number {
+        10 => ("a tetrahedron", SOLIDS),
+        11 => ("a voxel", SOLIDS),
+        12 => ("a hexahedron", SOLIDS),
+        13 => ("a wedge", SOLIDS),
+        14 => ("a pyramid", SOLIDS),
+        15 | 16 => ("a prism", SOLIDS),
+        21 | 35 | 68 | 75 => ("a curve", "leave curves out"),
+        22 | 23 | 28 | 30 | 34 | 36 => ("a quadratic face", FACES),
+        24..=27 | 29 | 31..=33 | 37 => ("a quadratic solid", SOLIDS),
+        41 => ("a convex point set", SOLIDS),
+        42 => ("a polyhedron", SOLIDS),
+        69 | 70 => ("a Lagrange face", FACES),
+        71..=74 => ("a Lagrange solid", SOLIDS),
+        76 | 77 => ("a Bézier face", FACES),
+        78..=81 => ("a Bézier solid", SOLIDS),
+        _ => ("of a kind that is not known here", "convert it to triangles first"),
+    };
+    format!(
+        "the cell is {name} (VTK type {number}), expected a triangle, quadrilateral, polygon or strip; {cure}"
+    )
 }
 
 fn add_cell(raw: &mut RawMesh, kind: CellKind, corners: &[u32]) -> Result<(), String> {

@@ -15,7 +15,7 @@ pub(crate) fn read(bytes: &[u8]) -> Result<RawMesh, FormatError> {
     match parts.types {
         None => {
             for (kind, array) in &parts.arrays {
-                cells::add(&mut raw, 0, array, |_| Some(*kind))?;
+                cells::add(&mut raw, 0, array, |_| Ok(*kind))?;
             }
         }
         Some(types) => {

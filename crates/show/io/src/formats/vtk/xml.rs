@@ -28,7 +28,7 @@ pub(crate) fn read_poly_data(input: Input<'_>) -> Result<RawMesh, FormatError> {
             let count = file.count(piece, number)?;
             if count > 0 {
                 let cells = file.cells(child(file, piece, tag)?, count)?;
-                cells::add(raw, base, &cells, |_| Some(kind))?;
+                cells::add(raw, base, &cells, |_| Ok(kind))?;
             }
         }
         Ok(())

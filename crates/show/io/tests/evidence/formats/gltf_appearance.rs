@@ -213,7 +213,7 @@ fn damaged_appearance_is_an_error_and_damaged_images_cost_no_memory() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("damaged.gltf");
     let (mut builder, good) = roof();
-    let large = builder.view(&[0; 100_000], None);
+    let large = builder.view(&vec![0; 100_000], None);
     let outcome = |change: &dyn Fn(&mut Value)| {
         let mut document = builder.document(&good);
         change(&mut document);

@@ -187,7 +187,12 @@ fn what_is_wrong_in_legacy_files() {
         (MODERN, "CONNECTIVITY", "connect", "line 10: found \"connect\", expected CONNECTIVITY"),
         (MODERN, "CELL_TYPES 1\n5\n", "", "0 cell types for 1 cells"),
         (MODERN, "CELL_TYPES 1\n5\n", "CELL_TYPES 2\n5 5\n", "2 cell types for 1 cells"),
-        (MODERN, "\n5\n", "\n10\n", "face 0: the cell is not of a surface"),
+        (
+            MODERN,
+            "\n5\n",
+            "\n10\n",
+            "face 0: the cell is a tetrahedron (VTK type 10), expected a triangle, quadrilateral, polygon or strip",
+        ),
         (MODERN, "\n5\n", "\n9\n", "face 0: 3 corners, expected 4"),
     ] {
         assert_eq!(text.matches(from).count(), 1, "{from}");

@@ -166,11 +166,20 @@ impl Extreme {
         if upper <= 0.0 {
             return match briefly_agreed(-upper, -lower) {
                 Some(size) => format!("-{size}"),
-                None => format!("minus {}", between(-upper, -lower)),
+                None => negated(&between(-upper, -lower)),
             };
         }
         let end = |x: f64| between(x, x).split(" to ").last().unwrap_or_default().to_owned();
         format!("-{} to {}", end(-lower), end(upper))
+    }
+}
+
+/// An interval of negative numbers, for that of their sizes.
+fn negated(sizes: &str) -> String {
+    match (sizes.split_once(" to "), sizes.strip_prefix("at most ")) {
+        (Some((least, greatest)), _) => format!("-{greatest} to -{least}"),
+        (None, Some(greatest)) => format!("-{greatest} to 0"),
+        (None, None) => format!("-{sizes}"),
     }
 }
 
@@ -197,7 +206,8 @@ mod tests {
         let shown = |lower, upper| Extreme { lower, upper }.shown();
         assert_eq!(shown(0.1, 0.1), "0.1");
         assert_eq!(shown(-0.100_000_01, -0.1), "-0.1");
-        assert_eq!(shown(-0.2, -0.1), "minus 0.1 to 0.2");
+        assert_eq!(shown(-0.2, -0.1), "-0.2 to -0.1");
+        assert_eq!(shown(-0.2, 0.0), "-0.2 to 0");
         assert_eq!(shown(-0.123_44, 0.2), "-0.1235 to 0.2");
     }
 
