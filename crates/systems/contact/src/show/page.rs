@@ -146,7 +146,8 @@ impl ContactPage<'_> {
         for obstacle in &self.bodies.obstacles {
             let (drawn, triangles) = self.drawn(obstacle);
             let first = positions.len() as u32;
-            values.resize(values.len() + drawn.len(), 0.0);
+            // Obstacles have no distance, and the colour for that.
+            values.resize(values.len() + drawn.len(), f64::NAN);
             positions.extend(drawn);
             faces.extend(triangles.iter().map(|face| face.map(|v| first + v)));
         }
