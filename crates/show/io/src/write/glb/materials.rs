@@ -1,7 +1,7 @@
 //! Materials, textures and images of the document, and which faces have which material.
 
 use super::super::Attributes;
-use super::Views;
+use super::views::Views;
 use crate::appearance::{Descriptions, Materials};
 use serde_json::{Value, json};
 use std::collections::BTreeSet;

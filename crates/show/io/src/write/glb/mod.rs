@@ -2,6 +2,7 @@
 
 mod materials;
 mod vertices;
+mod views;
 
 use super::{Attributes, EncodeError, OutputFormat};
 use materials::Looks;
@@ -9,6 +10,7 @@ use pompeiu_core::{TriMesh, VertexId};
 use serde_json::{Value, json};
 use std::io::Write;
 use vertices::Written;
+use views::Views;
 
 const ARRAY_BUFFER: u32 = 34962;
 const ELEMENT_ARRAY_BUFFER: u32 = 34963;
@@ -16,25 +18,6 @@ const UNSIGNED_SHORT: u32 = 5123;
 const UNSIGNED_INT: u32 = 5125;
 const FLOAT: u32 = 5126;
 const TRIANGLES: u32 = 4;
-
-/// The views of the only buffer, one after the other; each begins at a multiple of four bytes.
-#[derive(Default)]
-struct Views {
-    described: Vec<Value>,
-    length: u64,
-}
-
-impl Views {
-    fn add(&mut self, bytes: u64, target: Option<u32>) -> usize {
-        let mut view = json!({ "buffer": 0, "byteOffset": self.length, "byteLength": bytes });
-        if let Some(target) = target {
-            view["target"] = json!(target);
-        }
-        self.described.push(view);
-        self.length += bytes.next_multiple_of(4);
-        self.described.len() - 1
-    }
-}
 
 pub(super) fn write(mut out: impl Write, mesh: &TriMesh, attributes: &Attributes) -> Result<(), EncodeError> {
     let written = Written::of(mesh, attributes);
