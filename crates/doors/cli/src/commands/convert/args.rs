@@ -7,8 +7,9 @@ use std::path::PathBuf;
 #[derive(Args)]
 #[command(after_help = "\
 The suffix of OUT names the format: obj, ply, stl, off, vtp, vtu or glb, and .gz after it compresses.
-OUT appears, or is replaced, only once all of it is written. Colours, texture coordinates, normals and materials of OBJ, PLY and glTF are
-kept where OUT has a place for them; what is not kept is said.
+OUT appears, or is replaced, only once all of it is written.
+Colours, texture coordinates, normals and materials of OBJ, PLY and glTF are kept where OUT has a
+place for them; what is not kept is said.
 
 Examples:
   pompeiu convert part.stl part.ply
