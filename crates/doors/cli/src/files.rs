@@ -134,21 +134,6 @@ pub(crate) fn write_with(
             format.name()
         ));
     }
-    let at_one_place = if OutputFormat::from_path(path) == Some(OutputFormat::Glb) {
-        let positions = || mesh.positions().iter().map(|p| p.map(|x| (x + 0.0).to_bits()));
-        repeated(positions().collect())
-    } else {
-        0
-    };
-    warn_of(
-        path,
-        at_one_place as u64,
-        printer,
-        [
-            "vertex lies where another one does; this program makes one vertex of them when it reads GLB, and PLY and OBJ keep them apart",
-            "vertices lie where others do; this program makes one vertex of those at a place when it reads GLB, and PLY and OBJ keep them apart",
-        ],
-    );
     warn_of(
         path,
         joined(path, mesh) as u64,
@@ -170,15 +155,11 @@ pub(crate) fn joined(path: &Path, mesh: &TriMesh) -> usize {
         return 0;
     }
     // As stored; adding zero makes one of both zeros.
-    repeated(mesh.positions().iter().map(|p| p.map(|x| (x as f32 + 0.0).to_bits())).collect())
-}
-
-/// How many of these places are those of earlier ones.
-fn repeated<T: Ord>(mut places: Vec<T>) -> usize {
-    let all = places.len();
+    let mut places: Vec<[u32; 3]> =
+        mesh.positions().iter().map(|p| p.map(|x| (x as f32 + 0.0).to_bits())).collect();
     places.sort_unstable();
     places.dedup();
-    all - places.len()
+    mesh.positions().len() - places.len()
 }
 
 /// Refuses to write to STL what its readers would join again.

@@ -154,12 +154,18 @@ impl SceneReader<'_> {
         if u32::try_from(self.raw.positions.len().max(first_shown) + positions.len()).is_err() {
             return Err(wrong(format!("more than {} vertices", u32::MAX)));
         }
+        // Nothing but positions gives no reason to have one twice, but that they are different vertices.
+        let is_bare = primitive.attributes.0.len() == 1 && primitive.indices.is_some();
         let mut welded = Vec::with_capacity(positions.len());
         for &position in &positions {
             let position = transform.apply(position);
             let is_finite = position.iter().all(|x| x.is_finite());
             let index = first
-                + if is_finite { self.welder.index(position) } else { self.welder.index_apart(position) };
+                + if is_finite && !is_bare {
+                    self.welder.index(position)
+                } else {
+                    self.welder.index_apart(position)
+                };
             if index as usize == self.raw.positions.len() {
                 self.raw.positions.push(position);
             }

@@ -34,8 +34,12 @@ pub(super) fn write(mut out: impl Write, mesh: &TriMesh, attributes: &Attributes
     let mut position = array(12, FLOAT, "VEC3");
     position["min"] = json!(lowest.map(f64::from));
     position["max"] = json!(highest.map(f64::from));
-    let mut accessors = vec![position, array(12, FLOAT, "VEC3")];
-    let mut of_vertices = json!({ "POSITION": 0, "NORMAL": 1 });
+    let mut accessors = vec![position];
+    let mut of_vertices = json!({ "POSITION": 0 });
+    if written.normals.is_some() {
+        of_vertices["NORMAL"] = json!(accessors.len());
+        accessors.push(array(12, FLOAT, "VEC3"));
+    }
     if written.colors.is_some() {
         of_vertices["COLOR_0"] = json!(accessors.len());
         let mut colors = array(8, UNSIGNED_SHORT, "VEC4");
@@ -117,7 +121,7 @@ fn write_vertices(
     for &v in &written.vertices {
         reals(&relative(mesh.positions()[v as usize], origin))?;
     }
-    for normal in &written.normals {
+    for normal in written.normals.iter().flatten() {
         reals(normal)?;
     }
     for channel in written.colors.iter().flatten().flatten() {

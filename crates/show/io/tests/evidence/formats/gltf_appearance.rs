@@ -259,7 +259,14 @@ fn vertices_of_one_position_become_one_even_where_numbers_are_none() {
         faces.as_flattened().iter().map(|v| positions[*v as usize].map(|x| f64::from(x as f32))).collect();
     let soup: Vec<[u32; 3]> = (0..faces.len() as u32).map(|f| [3 * f, 3 * f + 1, 3 * f + 2]).collect();
     write(&path, &TriMesh::new(corners, soup).unwrap()).unwrap();
-    assert_eq!(read(&path).unwrap().mesh.positions().len(), positions.len());
+    assert_eq!(
+        read(&path).unwrap().mesh.positions().len(),
+        3 * faces.len(),
+        "a soup without normals stays one"
+    );
+    let mesh = TriMesh::new(positions, faces).unwrap();
+    write(&path, &mesh).unwrap();
+    assert_eq!(read(&path).unwrap().mesh.positions().len(), mesh.positions().len());
     let mut builder = Builder::default();
     let mut infinite = vec![[f32::NAN; 3]; 30_000];
     infinite[0] = [0.0; 3];
