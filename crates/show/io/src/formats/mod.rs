@@ -1,7 +1,7 @@
 //! One module per format, and the dispatch between them.
 
 mod csv;
-mod gltf;
+pub(crate) mod gltf;
 mod obj;
 pub(crate) mod off;
 mod ply;

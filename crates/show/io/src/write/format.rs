@@ -41,8 +41,8 @@ pub enum OutputFormat {
     /// mesh whose coordinates are single-precision numbers keeps every bit. Colours are interpreted as sRGB and stored linear, with
     /// sixteen bits per channel. Normals that are not given are those of the faces, smoothed across edges at which faces meet at up to 30
     /// degrees. A vertex is written once for each of its different normals, colours and texture coordinates: first all vertices in their
-    /// order, then the further ones, which [`read`](crate::read()) joins again. A mesh with nothing but positions, of which some are equal, has no normals and
-    /// keeps its vertices apart. There is one primitive for each material, so that faces of
+    /// order, then the further ones, which [`read`](crate::read()) joins again. Where vertices have equal
+    /// positions, the attribute `_VERTEX` numbers them, so that they stay apart. There is one primitive for each material, so that faces of
     /// several materials change their order.
     Glb,
 }

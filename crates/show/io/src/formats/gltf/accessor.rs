@@ -144,6 +144,12 @@ pub(super) fn vectors<const N: usize>(
     .map_err(|problem| wrong(format!("accessor {index}: {problem}")))
 }
 
+/// Whether an accessor holds two unsigned shorts for each element.
+pub(super) fn holds_pairs_of_shorts(accessor: &Accessor) -> bool {
+    let component = Component::from_number(accessor.component_type);
+    matches!(component, Some(Component::U16)) && accessor.shape == "VEC2" && !accessor.normalized
+}
+
 /// The vertex indices in an accessor.
 pub(super) fn indices(
     buffers: &Buffers<'_>,

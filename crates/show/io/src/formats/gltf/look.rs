@@ -3,6 +3,7 @@
 use super::accessor;
 use super::buffers::Buffers;
 use super::document::{Document, Primitive, entry, wrong};
+use super::numbers::VERTEX_NUMBERS;
 use super::transform::Transform;
 use crate::appearance::{Appearance, CornerValues, Descriptions, Materials, channel, srgb_from_linear};
 use crate::error::FormatError;
@@ -97,7 +98,7 @@ impl Look {
             (attributes.of("TANGENT").is_some(), "tangents"),
             (attributes.of("COLOR_1").is_some(), "further colours"),
             (attributes.of(&beyond).is_some(), "texture coordinates beyond eight sets"),
-            (attributes.0.keys().any(|name| name.starts_with('_')), "attributes of other programs"),
+            (attributes.0.keys().any(is_foreign), "attributes of other programs"),
             (!primitive.targets.is_empty(), "morph targets"),
         ] {
             if has {
@@ -147,6 +148,11 @@ impl Look {
         let left_out = self.left_out.into_iter().map(str::to_owned).collect();
         Appearance { colors, linear_colors, texture, normals, materials, left_out }
     }
+}
+
+/// Whether an attribute is one that another program has defined.
+fn is_foreign(name: &String) -> bool {
+    name.starts_with('_') && name != VERTEX_NUMBERS
 }
 
 /// The accessors of the sets of texture coordinates of a primitive.

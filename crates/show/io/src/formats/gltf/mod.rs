@@ -1,7 +1,8 @@
 //! glTF 2.0, as JSON and as GLB.
 //!
 //! All triangles of the default scene: each mesh once for every node that shows it, with the node's transform. Equal positions of a mesh
-//! in a node become one vertex, unless its indexed vertices have nothing but positions. Skins, morph targets and animations are ignored: the mesh is as stored.
+//! in a node become one vertex, unless its indexed vertices have nothing but positions or have other numbers. Skins, morph targets and
+//! animations are ignored: the mesh is as stored.
 
 mod accessor;
 mod buffers;
@@ -9,6 +10,7 @@ mod container;
 mod document;
 mod look;
 mod materials;
+pub(crate) mod numbers;
 mod scene;
 pub(super) mod transform;
 

@@ -4,6 +4,7 @@ use super::accessor;
 use super::buffers::Buffers;
 use super::document::{Document, Mesh, Primitive, entry, wrong};
 use super::look::Look;
+use super::numbers;
 use super::transform::Transform;
 use crate::error::{FormatError, Location};
 use crate::expansion::most_bytes;
@@ -26,7 +27,8 @@ pub(super) fn read(
     look: Option<&mut Look>,
 ) -> Result<RawMesh, FormatError> {
     let (raw, welder) = (RawMesh::default(), Welder::default());
-    let mut scene = SceneReader { document, buffers, raw, look, welder, file_length, spent: 0 };
+    let numbered = HashMap::new();
+    let mut scene = SceneReader { document, buffers, raw, look, welder, numbered, file_length, spent: 0 };
     if document.nodes.is_empty() {
         // A library of meshes without a scene.
         for (index, mesh) in document.meshes.iter().enumerate() {
@@ -104,6 +106,8 @@ struct SceneReader<'a> {
     look: Option<&'a mut Look>,
     /// The positions of the mesh that is being added.
     welder: Welder,
+    /// Its vertices that have numbers.
+    numbered: HashMap<([u64; 3], u32), u32>,
     file_length: u64,
     /// Bytes of the mesh so far.
     spent: u64,
@@ -124,6 +128,7 @@ impl SceneReader<'_> {
         // Primitives of one mesh often differ only in material and share their vertices.
         let mut known: HashMap<&BTreeMap<String, usize>, Vertices> = HashMap::new();
         self.welder.clear();
+        self.numbered.clear();
         let first = self.raw.positions.len() as u32;
         for (number, primitive) in mesh.primitives.iter().enumerate() {
             self.spend(PRIMITIVE_BYTES)?;
@@ -154,17 +159,22 @@ impl SceneReader<'_> {
         if u32::try_from(self.raw.positions.len().max(first_shown) + positions.len()).is_err() {
             return Err(wrong(format!("more than {} vertices", u32::MAX)));
         }
+        let numbers = numbers::read(self.document, self.buffers, primitive, positions.len())?;
+        self.spend(size_of_val(&numbers[..]) as u64)?;
         // Nothing but positions gives no reason to have one twice, but that they are different vertices.
         let is_bare = primitive.attributes.0.len() == 1 && primitive.indices.is_some();
         let mut welded = Vec::with_capacity(positions.len());
-        for &position in &positions {
+        for (v, &position) in positions.iter().enumerate() {
             let position = transform.apply(position);
             let is_finite = position.iter().all(|x| x.is_finite());
             let index = first
-                + if is_finite && !is_bare {
-                    self.welder.index(position)
-                } else {
-                    self.welder.index_apart(position)
+                + match numbers.get(v) {
+                    Some(number) => {
+                        let key = (position.map(|x| (x + 0.0).to_bits()), *number);
+                        *self.numbered.entry(key).or_insert_with(|| self.welder.index_apart(position))
+                    }
+                    None if is_finite && !is_bare => self.welder.index(position),
+                    None => self.welder.index_apart(position),
                 };
             if index as usize == self.raw.positions.len() {
                 self.raw.positions.push(position);

@@ -5,6 +5,7 @@ mod vertices;
 mod views;
 
 use super::{Attributes, EncodeError, OutputFormat};
+use crate::formats::gltf::numbers::VERTEX_NUMBERS;
 use materials::Looks;
 use pompeiu_core::{TriMesh, VertexId};
 use serde_json::{Value, json};
@@ -34,12 +35,8 @@ pub(super) fn write(mut out: impl Write, mesh: &TriMesh, attributes: &Attributes
     let mut position = array(12, FLOAT, "VEC3");
     position["min"] = json!(lowest.map(f64::from));
     position["max"] = json!(highest.map(f64::from));
-    let mut accessors = vec![position];
-    let mut of_vertices = json!({ "POSITION": 0 });
-    if written.normals.is_some() {
-        of_vertices["NORMAL"] = json!(accessors.len());
-        accessors.push(array(12, FLOAT, "VEC3"));
-    }
+    let mut accessors = vec![position, array(12, FLOAT, "VEC3")];
+    let mut of_vertices = json!({ "POSITION": 0, "NORMAL": 1 });
     if written.colors.is_some() {
         of_vertices["COLOR_0"] = json!(accessors.len());
         let mut colors = array(8, UNSIGNED_SHORT, "VEC4");
@@ -49,6 +46,11 @@ pub(super) fn write(mut out: impl Write, mesh: &TriMesh, attributes: &Attributes
     for set in 0..written.texture.len() {
         of_vertices[format!("TEXCOORD_{set}")] = json!(accessors.len());
         accessors.push(array(8, FLOAT, "VEC2"));
+    }
+    let has_numbers = has_equal_positions(mesh, origin);
+    if has_numbers {
+        of_vertices[VERTEX_NUMBERS] = json!(accessors.len());
+        accessors.push(array(4, UNSIGNED_SHORT, "VEC2"));
     }
     let mut primitives = Vec::new();
     for (material, faces) in &looks.primitives {
@@ -81,6 +83,10 @@ pub(super) fn write(mut out: impl Write, mesh: &TriMesh, attributes: &Attributes
 
     write_header(&mut out, &document, views.length)?;
     write_vertices(&mut out, mesh, &written, origin)?;
+    if has_numbers {
+        // The lower half first, as the bytes of the whole number.
+        written.vertices.iter().try_for_each(|v| out.write_all(&v.to_le_bytes()))?;
+    }
     for (_, faces) in &looks.primitives {
         for vertex in faces.iter().flat_map(|f| written.faces[*f as usize]) {
             out.write_all(&vertex.to_le_bytes())?;
@@ -121,7 +127,7 @@ fn write_vertices(
     for &v in &written.vertices {
         reals(&relative(mesh.positions()[v as usize], origin))?;
     }
-    for normal in written.normals.iter().flatten() {
+    for normal in &written.normals {
         reals(normal)?;
     }
     for channel in written.colors.iter().flatten().flatten() {
@@ -129,6 +135,17 @@ fn write_vertices(
     }
     let places = written.texture.iter().flatten().flatten();
     Ok(places.into_iter().try_for_each(|x| out.write_all(&x.to_le_bytes()))?)
+}
+
+/// Whether vertices have equal positions in the file, so that readers could not tell them from one vertex that is written twice.
+fn has_equal_positions(mesh: &TriMesh, origin: [f64; 3]) -> bool {
+    let as_read = |p: &[f64; 3]| {
+        let written = relative(*p, origin);
+        [0, 1, 2].map(|axis| (f64::from(written[axis]) + origin[axis] + 0.0).to_bits())
+    };
+    let mut places: Vec<[u64; 3]> = mesh.positions().iter().map(as_read).collect();
+    places.sort_unstable();
+    places.windows(2).any(|pair| pair[0] == pair[1])
 }
 
 fn relative(position: [f64; 3], origin: [f64; 3]) -> [f32; 3] {

@@ -14,8 +14,7 @@ pub(super) struct Written {
     pub(super) vertices: Vec<u32>,
     /// The faces by written vertices.
     pub(super) faces: Vec<[u32; 3]>,
-    /// None where there is nothing but positions, of which some are equal.
-    pub(super) normals: Option<Vec<[f32; 3]>>,
+    pub(super) normals: Vec<[f32; 3]>,
     /// Linear colours and opacity.
     pub(super) colors: Option<Vec<[u16; 4]>>,
     /// The sets of texture coordinates, from the upper left corner of the image.
@@ -24,12 +23,6 @@ pub(super) struct Written {
 
 impl Written {
     pub(super) fn of(mesh: &TriMesh, attributes: &Attributes) -> Self {
-        if is_bare(attributes) && has_equal_positions(mesh) {
-            // Readers could not tell a crease, at which a vertex is written twice, from vertices that differ.
-            let vertices = (0..mesh.positions().len() as u32).collect();
-            let faces = mesh.faces().to_vec();
-            return Self { vertices, faces, normals: None, colors: None, texture: Vec::new() };
-        }
         let computed =
             if attributes.normals().is_none() { normals::smooth(mesh) } else { CornerValues::default() };
         let normals = attributes.normals().unwrap_or(&computed);
@@ -81,20 +74,9 @@ impl Written {
             (0..count).map(of).collect()
         };
         let texture = sets.iter().enumerate().map(places).collect();
-        let normals = Some((0..count).map(normal_of).collect());
+        let normals = (0..count).map(normal_of).collect();
         Self { vertices: split.vertices, faces: split.faces, normals, colors, texture }
     }
-}
-
-fn is_bare(attributes: &Attributes) -> bool {
-    let has_colors = attributes.vertex_colors().is_some() || attributes.linear_colors().is_some();
-    !has_colors && attributes.texture().is_empty() && attributes.normals().is_none()
-}
-
-fn has_equal_positions(mesh: &TriMesh) -> bool {
-    let mut places: Vec<[u64; 3]> = mesh.positions().iter().map(|p| p.map(|x| (x + 0.0).to_bits())).collect();
-    places.sort_unstable();
-    places.windows(2).any(|pair| pair[0] == pair[1])
 }
 
 /// A vertex that no face has.

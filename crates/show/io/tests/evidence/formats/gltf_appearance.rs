@@ -262,7 +262,7 @@ fn vertices_of_one_position_become_one_even_where_numbers_are_none() {
     assert_eq!(
         read(&path).unwrap().mesh.positions().len(),
         3 * faces.len(),
-        "a soup without normals stays one"
+        "corners of a soup are vertices of their own"
     );
     let mesh = TriMesh::new(positions, faces).unwrap();
     write(&path, &mesh).unwrap();
@@ -277,4 +277,38 @@ fn vertices_of_one_position_become_one_even_where_numbers_are_none() {
     fs::write(&path, builder.document(&rest).to_string()).unwrap();
     let error = read(&path).unwrap_err().to_string();
     assert!(error.contains("vertex 1"), "{error}");
+}
+
+#[test]
+fn vertices_at_one_position_are_told_apart_by_their_numbers() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("torn.glb");
+    // Both triangles of a torn square, with colours, behind more vertices than sixteen bits count.
+    let mut positions: Vec<[f64; 3]> = (0..70_000).map(|i| [f64::from(i), 5.0, 0.0]).collect();
+    let square = [[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0; 3], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
+    positions.extend(square);
+    let first = 70_000;
+    let faces = vec![[first, first + 1, first + 2], [first + 3, first + 4, first + 5]];
+    let mesh = TriMesh::new(positions, faces).unwrap();
+    let colors = (0..mesh.positions().len()).map(|v| [v as u8; 3]).collect();
+    let attributes = Attributes::for_mesh(&mesh).with_vertex_colors(colors).unwrap();
+    write_with(&path, &mesh, &attributes).unwrap();
+    let (again, look) = read_both(&path);
+    assert_eq!(again, mesh);
+    assert_eq!(look.left_out, [""; 0]);
+    // Positions that only single precision makes equal.
+    let near = vec![[1.0 + 1e-12, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    write(&path, &TriMesh::new(near, vec![[0, 2, 3], [1, 3, 2]]).unwrap()).unwrap();
+    assert_eq!(read(&path).unwrap().mesh.faces(), [[0, 2, 3], [1, 3, 2]]);
+}
+
+#[test]
+fn numbers_of_another_program_are_not_taken_for_ours() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("roof.gltf");
+    let (mut builder, mut rest) = roof();
+    let numbers = reals(&mut builder, &[0.0, 1.0, 2.0, 3.0, 0.0, 1.0, 2.0, 3.0], "VEC2");
+    rest["meshes"][0]["primitives"][0]["attributes"]["_VERTEX"] = json!(numbers);
+    fs::write(&path, builder.document(&rest).to_string()).unwrap();
+    assert_eq!(read(&path).unwrap().mesh.positions().len(), 6);
 }
