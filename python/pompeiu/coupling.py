@@ -37,6 +37,11 @@ class Coupled:
     y: np.ndarray
     report: Dict[str, Any]
     stop: str
+    _page: Optional["_native.RunPage"] = None
+
+    def __getstate__(self) -> Dict[str, Any]:
+        # What the page needs does not travel.
+        return {name: value for name, value in self.__dict__.items() if name != "_page"}
 
     @property
     def runs(self) -> list[Dict[str, Any]]:
@@ -47,6 +52,26 @@ class Coupled:
     def failure(self) -> Optional[str]:
         """Why the run ended early, with what is known of the solvers; none if it did not."""
         return self.runs[0]["failure"]
+
+    def save_html(self, path: Union[str, "os.PathLike[str]"]) -> None:
+        """Writes a page that plays the run of a scene, as ``pompeiu couple --report`` does. It appears whole or not at all.
+
+        Parameters
+        ----------
+        path : str or path-like
+            The file.
+
+        Raises
+        ------
+        OptionError
+            If the solvers are not those of a scene, so that nothing is known of their interface; if schemes were compared; or if this
+            answer was pickled.
+        OSError
+            If the file cannot be written.
+        """
+        if self._page is None:
+            raise OptionError("a page is of one run of a scene, before it is pickled: give the file of a scene, without compare")
+        _native.write_whole(path, self._page.html().encode())
 
     def __repr__(self) -> str:
         run = self.runs[0]
@@ -135,14 +160,15 @@ def couple(
         if solid is not None or x0 is not None:
             raise OptionError("a scene has its own solvers; leave out solid and x0")
         answer, beside = ask("couple", given, meshes=(), others=[(os.fspath(fluid),)])
-        x, y = beside["x"], beside["y"]
+        x, y, page = beside["x"], beside["y"], beside.get("page")
     elif solid is None or x0 is None:
         raise OptionError("a second solver and first data are needed: couple(fluid, solid, x0)")
     else:
         options, limits, progress = split(given)
         text, x, y = _native.couple(fluid, solid, x0, options, limits, progress)
+        page = None
         answer = json.loads(text)
     report = answer["report"]
     rows = sum(len(run["windows"]) for run in report["runs"])
     shaped = lambda values: values.reshape(rows, -1 if rows else 0)  # noqa: E731
-    return Coupled(shaped(x), shaped(y), report, answer["stop"])
+    return Coupled(shaped(x), shaped(y), report, answer["stop"], page)

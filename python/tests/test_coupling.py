@@ -78,7 +78,13 @@ def test_scenes_are_those_of_the_command(tmp_path):
     scene.write_text("kind = 'tube'\nwindows = 3\n")
     found = pompeiu.couple(scene, tolerance=1e-5)
     assert found.x.shape == (3, 101) and found.runs[0]["from_monolithic"] < 1e-4
-    assert len(pompeiu.couple(scene, compare=True).runs) == 7
+    found.save_html(tmp_path / "tube.html")
+    page = (tmp_path / "tube.html").read_text()
+    assert page.startswith("<!DOCTYPE html>") and "Coupling: tube" in page
+    compared = pompeiu.couple(scene, compare=True)
+    assert len(compared.runs) == 7
+    with pytest.raises(pompeiu.OptionError, match="one run of a scene"):
+        compared.save_html(tmp_path / "all.html")
     assert pompeiu.couple(scene, time_limit=0).stop == "time"
     scene.write_text("kind = 'tube'\n[tube]\nmodulos = 1\n")
     with pytest.raises(pompeiu.ReadError, match="did you mean `modulus`"):

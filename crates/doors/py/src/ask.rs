@@ -6,6 +6,7 @@ use crate::hausdorff::{DeviationPage, limits};
 use crate::json::{parsed, written};
 use crate::mesh::Mesh;
 use crate::neuron;
+use crate::page::RunPage;
 use crate::puzzle::PuzzleDrawings;
 use crate::wait::{self, Share, Told, Watch};
 use pompeiu::complexity::{ComplexityRequest, NamedShape};
@@ -14,6 +15,7 @@ use pompeiu::core::TriMesh;
 use pompeiu::core::mesh::{Coordinates, Rounding};
 use pompeiu::core::request::{Answer, InfoRequest, Input, Limit, Request, Timing};
 use pompeiu::core::run::{Limits, RunContext};
+use pompeiu::coupling::show::{CoupleFrames, CouplePage};
 use pompeiu::coupling::{CoupleRequest, Scene};
 use pompeiu::fields::DecomposeRequest;
 use pompeiu::flatten::{CutRequest, FlattenError, FlattenRequest, MedialReport, MedialRequest};
@@ -150,6 +152,7 @@ pub(crate) enum Beside {
         request: Box<NeuronRequest>,
     },
     Page(Box<DeviationPage>),
+    RunPage(RunPage),
     Bytes(Vec<u8>),
     /// Several results, each with what passes beside it.
     Each(Vec<Vec<(&'static str, Beside)>>),
@@ -173,6 +176,7 @@ impl Beside {
             Self::Puzzle(drawings) => Bound::new(py, *drawings)?.into_any(),
             Self::Neuron { found, request } => neuron::answer_parts(py, *found, &request)?.into_any(),
             Self::Page(page) => Bound::new(py, *page)?.into_any(),
+            Self::RunPage(page) => Bound::new(py, page)?.into_any(),
             Self::Bytes(bytes) => PyBytes::new(py, &bytes).into_any(),
             Self::Each(all) => {
                 let all = all.into_iter().map(|one| dictionary(py, one));
@@ -370,13 +374,26 @@ impl Asked for CoupleRequest {
     fn ask(&self, asking: &Asking<'_, Share>) -> Outcome<Self> {
         let [Given::Scene(path)] = asking.given else { return asking.unusable() };
         let scene = Scene::read(path).map_err(failure)?;
-        let (mut xs, mut ys) = (Vec::new(), Vec::new());
-        let mut keep = |_: usize, x: &[f64], y: &[f64]| {
+        let (mut xs, mut ys, mut frames) = (Vec::new(), Vec::new(), CoupleFrames::default());
+        let mut keep = |window: usize, x: &[f64], y: &[f64]| {
             xs.extend_from_slice(x);
             ys.extend_from_slice(y);
+            if !self.compare {
+                frames.add(window, x, y);
+            }
         };
         let report = self.run(&scene, &mut keep, &asking.watched()).map_err(failure)?;
-        Ok((report, vec![("x", Beside::Numbers(xs)), ("y", Beside::Numbers(ys))]))
+        let mut beside = vec![("x", Beside::Numbers(xs)), ("y", Beside::Numbers(ys))];
+        if !self.compare {
+            let (scenario, report) = (scene.scenario().map_err(failure)?, report.clone());
+            let page = RunPage::new(move || {
+                let (kind, windows, run) = (&*report.kind, report.windows, &report.runs[0]);
+                CouplePage { kind, scenario: &scenario, windows, run, frames: frames.frames(), command: None }
+                    .html()
+            });
+            beside.push(("page", Beside::RunPage(page)));
+        }
+        Ok((report, beside))
     }
 }
 

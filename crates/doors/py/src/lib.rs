@@ -22,6 +22,7 @@ mod mesh;
 mod neuron;
 mod neuron_flow;
 mod neuron_run;
+mod page;
 mod puzzle;
 mod shapes;
 mod square;
@@ -62,6 +63,8 @@ mod _native {
     use crate::neuron_flow::{NeuronFlow, NeuronSplineSpace};
     #[pymodule_export]
     use crate::neuron_run::{NeuronHexahedra, NeuronRun};
+    #[pymodule_export]
+    use crate::page::RunPage;
     #[pymodule_export]
     use crate::puzzle::PuzzleDrawings;
     #[pymodule_export]
