@@ -76,7 +76,7 @@ pub struct MeshReport {
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
     #[cfg_attr(feature = "schema", schemars(with = "Option<Vec<String>>"))]
     pub left_out: Vec<String>,
-    /// Sentences about branches whose axis is more than a fifth of a radius from the samples, because they turn too sharply to be followed;
+    /// Sentences about branches whose axis is more than a tenth of a radius from the samples, because they turn too sharply to be followed;
     /// omitted if there are none.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
     #[cfg_attr(feature = "schema", schemars(with = "Option<Vec<String>>"))]

@@ -46,7 +46,8 @@ impl RadialLength {
             sum.push(total);
         }
         let mut lengths = Self { at, sum, ends: vec![0.0] };
-        let corners: Vec<f64> = tube.mitres(from, to).iter().map(|mitre| lengths.up_to(mitre.at)).collect();
+        let corners: Vec<f64> =
+            tube.mitres(from, to).iter().flat_map(Mitre::places).map(|s| lengths.up_to(s)).collect();
         lengths.ends.extend(corners);
         lengths.ends.push(total);
         lengths
@@ -144,11 +145,27 @@ fn mitred(tube: &Tube, places: &[f64], mitres: &[Mitre], side: Option<DVec3>) ->
         let plane = before + after;
         // Along the tube onto the plane.
         let slanted = |v: DVec3| v - before * (v.dot(plane) / before.dot(plane));
-        keys.push(section(mitre.at, [first, before.cross(first)].map(slanted)));
+        // Away from the inside of the turn, across the segments before and after it.
+        let cosine = before.dot(after);
+        let outwards = [before * cosine - after, before - after * cosine].map(DVec3::normalize_or_zero);
+        let slope = mitre.slant() / tube.at(mitre.at).1;
+        if mitre.is_shared() {
+            let tilted = |v: DVec3| v + before * (v.dot(outwards[0]) * slope);
+            keys.push(section(mitre.at - mitre.slant(), [first, before.cross(first)].map(tilted)));
+        }
+        keys.push(clipped(
+            section(mitre.at, [first, before.cross(first)].map(slanted)),
+            mitre,
+            slanted(outwards[0]),
+        ));
         // The points of the slanted section, along the next segment onto a plane across it.
         let next = slanted(first);
         first = (next - after * next.dot(after)).normalize_or(after.any_orthonormal_vector());
         direction = after;
+        if mitre.is_shared() {
+            let tilted = |v: DVec3| v - after * (v.dot(outwards[1]) * slope);
+            keys.push(section(mitre.at + mitre.slant(), [first, after.cross(first)].map(tilted)));
+        }
     }
     keys.push(section(to, [first, direction.cross(first)]));
     let at = |&s: &f64| {
@@ -162,6 +179,18 @@ fn mitred(tube: &Tube, places: &[f64], mitres: &[Mitre], side: Option<DVec3>) ->
         }
     };
     places.iter().map(at).collect()
+}
+
+/// The section in a bisecting plane with its half axes inwards and outwards; `outwards` is that of the cylinder.
+fn clipped((s, station): (f64, Station), mitre: &Mitre, outwards: DVec3) -> (f64, Station) {
+    let [inner, outer] = mitre.half_axes();
+    let unit = outwards.normalize_or_zero();
+    let share = 0.5 * (inner + outer) / inner;
+    let sides = station.sides.map(|side| side + unit * (side.dot(unit) * (share - 1.0)));
+    // In micrometres, as the sides are; the half axis of the cylinder is the inner one.
+    let radius = station.sides.map(|side| side.dot(unit)).iter().map(|x| x * x).sum::<f64>().sqrt() / inner;
+    let centre = station.centre + unit * (0.5 * (outer - inner) * radius);
+    (s, Station { centre, sides, ..station })
 }
 
 /// Twists the sections evenly so that the last one meets given corners. Returns the corner that the first corner of the tube meets,

@@ -28,13 +28,77 @@ enum Axis {
 }
 
 /// A sample at which a tube turns. The section there lies in the plane that bisects the angle.
+#[derive(Clone, Copy)]
 pub(super) struct Mitre {
     /// Length along the tube.
     pub(super) at: f64,
     /// Directions before and after.
     pub(super) directions: [DVec3; 2],
-    /// Half the extent of the section along the axis.
-    reach: f64,
+    /// Tangent of half the angle.
+    tangent: f64,
+    radius: f64,
+    /// Whether slanted sections before and after it share the turn, so that the wall follows the ball on the outside.
+    is_shared: bool,
+}
+
+/// Angle in degrees from which on slanted sections before and after a mitre share the turn.
+const SHARED_FROM: f64 = 42.0;
+
+/// Distance of a slanted section from the mitre on the inside of the turn, in radii.
+const GAP: f64 = 0.5;
+
+/// Largest share of the next segment that the sections of a shared turn may take.
+const SHARED_ROOM: f64 = 0.45;
+
+/// Distance of the corners of a polygonal section outside of the circle, and of its sides inside, over the radius.
+const POLYGON: [f64; 2] = [0.054, 0.026];
+
+/// By how much a mitre of a shared turn is beyond the ball, over `1 − cos θ/2`: its neighbours' chords are inside.
+const SHARED_EXCESS: f64 = 0.18;
+
+/// Distance of the corners of a section from the ball up to which it is that of the cylinder, in radii.
+const PLAIN: f64 = 0.13;
+
+impl Mitre {
+    /// Half the extent of slanted sections along the axis.
+    pub(super) fn slant(&self) -> f64 {
+        0.5 * (self.tangent + GAP) * self.radius
+    }
+
+    /// The lengths along the tube at which there are sections: the mitre, and slanted sections before and after it.
+    pub(super) fn places(&self) -> Vec<f64> {
+        if self.is_shared {
+            vec![self.at - self.slant(), self.at, self.at + self.slant()]
+        } else {
+            vec![self.at]
+        }
+    }
+
+    /// Whether slanted sections share the turn.
+    pub(super) fn is_shared(&self) -> bool {
+        self.is_shared
+    }
+
+    /// Half axes of the section in the plane of the turn over the radius: inwards, where both sides of the tube meet, and outwards,
+    /// between the section of the cylinder, which leaves the ball, and the ball, of which the sides fall short.
+    pub(super) fn half_axes(&self) -> [f64; 2] {
+        let cosine = 1.0 / (1.0 + self.tangent * self.tangent).sqrt();
+        let [corners, sides] = POLYGON;
+        if (1.0 + corners) / cosine - 1.0 <= PLAIN {
+            return [1.0 / cosine; 2];
+        }
+        let outwards = if self.is_shared {
+            1.0 + SHARED_EXCESS * (1.0 - cosine)
+        } else {
+            2.0 / (1.0 + corners + (1.0 - sides) * cosine)
+        };
+        [1.0 / cosine, outwards.clamp(1.0, 1.0 / cosine)]
+    }
+
+    /// The length along the tube that its sections take on each side.
+    fn reach(&self) -> f64 {
+        if self.is_shared { 2.0 * self.slant() } else { self.radius * self.tangent }
+    }
 }
 
 impl Tube {
@@ -114,7 +178,10 @@ impl Tube {
             let cosine = directions[0].dot(directions[1]);
             // tan θ/2 from cos θ.
             let tangent = ((1.0 - cosine) / (1.0 + cosine)).max(0.0).sqrt();
-            Mitre { at: lengths[k], directions, reach: points[k].1 * tangent }
+            let (at, radius) = (lengths[k], points[k].1);
+            let room = SHARED_ROOM * (at - lengths[k - 1]).min(lengths[k + 1] - at);
+            let is_shared = cosine < libm::cos(SHARED_FROM.to_radians()) && (tangent + GAP) * radius <= room;
+            Mitre { at, directions, tangent, radius, is_shared }
         };
         (1..points.len() - 1).filter(|k| lengths[*k] > from && lengths[*k] < to).map(mitre).collect()
     }
@@ -123,7 +190,7 @@ impl Tube {
     pub(super) fn has_room(&self, from: f64, to: f64) -> bool {
         let mut last = (from, 0.0);
         let mitres = self.mitres(from, to);
-        let mut ends = mitres.iter().map(|mitre| (mitre.at, mitre.reach)).chain([(to, 0.0)]);
+        let mut ends = mitres.iter().map(|mitre| (mitre.at, mitre.reach())).chain([(to, 0.0)]);
         mitres.is_empty()
             || ends.all(|(at, reach)| {
                 let (before, taken) = std::mem::replace(&mut last, (at, reach));
@@ -141,7 +208,7 @@ fn segment(lengths: &[f64], s: f64) -> usize {
 const ROOM: f64 = 0.9;
 
 /// Largest distance of a smooth axis from the polyline through the samples, over the radius.
-const WITHIN: f64 = 0.2;
+const WITHIN: f64 = 0.1;
 
 /// Largest turn, in degrees, at which the section lies in the bisecting plane: beyond it cells are too slanted.
 const MOST_MITRE: f64 = 125.0;

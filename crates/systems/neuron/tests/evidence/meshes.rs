@@ -174,7 +174,7 @@ fn the_same_bits_at_any_number_of_threads() {
 #[test]
 fn turns_are_followed() {
     // Samples 6 radii apart that turn by so much at each.
-    for (degrees, least) in [(15.0, 0.6), (40.0, 0.6), (59.0, 0.55), (90.0, 0.4), (120.0, 0.2)] {
+    for (degrees, least) in [(15.0, 0.6), (40.0, 0.6), (59.0, 0.55), (90.0, 0.45), (120.0, 0.3)] {
         let (mut text, mut place, mut angle) = (String::new(), [0.0_f64; 2], 0.0_f64);
         for i in 0..6_i32 {
             let parent = if i == 0 { -1 } else { i };
@@ -185,9 +185,11 @@ fn turns_are_followed() {
         let found = mesh(&text, &MeshOptions::default());
         assert!(found.report.certified && found.report.moved.is_empty(), "{degrees}°: {:?}", found.report);
         assert!(found.report.min_scaled_jacobian > least, "{degrees}°: {}", found.report.min_scaled_jacobian);
-        // What a mitre adds outside it takes inside.
+        // What a section in the bisecting plane adds outside it nearly takes inside.
         let volume = total(&found) / (PI * 30.0);
-        assert!((volume - 1.0).abs() < 2e-3, "{degrees}°: {volume}");
+        assert!((volume - 1.0).abs() < if degrees > 100.0 { 0.06 } else { 0.03 }, "{degrees}°: {volume}");
+        let wall = found.report.wall.unwrap();
+        assert_eq!(wall.is_within(), Some(true), "{degrees}°: {wall:?}");
     }
     // Turned back on itself: no section is between, and that is said.
     let back = "1 2 0 0 0 1 -1\n2 2 6 0 0 1 1\n3 2 0.5 0.4 0 1 2\n4 2 -6 0.4 0 1 3\n";

@@ -181,9 +181,36 @@ impl Solid {
             }
             shift += deepest.1 * (deepest.0 * (1.0 + EXCESS * f64::from(step)));
         }
+        // Straight moves, where the projections do not end.
+        let sides =
+            (0..27).map(|k| DVec3::new(f64::from(k % 3), f64::from(k / 3 % 3), f64::from(k / 9)) - 1.0);
+        let straight = sides.chain([shift]).filter_map(DVec3::try_normalize);
+        straight.map(|along| self.straight_exit(hull, centre, reach, along)).fold(f64::INFINITY, f64::min)
+    }
+
+    /// The length of a move along a unit vector by which all points of a convex hull around `centre` leave the union.
+    fn straight_exit(&self, hull: &[DVec3], centre: DVec3, reach: f64, along: DVec3) -> f64 {
+        let mut length = 0.0;
+        for _ in 0..MOST_MOVES {
+            let shift = along * length;
+            let moved = centre + shift;
+            let mut more = 0.0_f64;
+            self.near(moved, reach, |cone| {
+                let normal = cone.outwards(moved, cone.shape.distance(moved).1);
+                let missing = self.rounding - cone.beyond(hull, shift, normal);
+                more = more.max(missing / normal.dot(along).max(LEAST_COSINE));
+            });
+            if more <= 0.0 {
+                return length;
+            }
+            length += more;
+        }
         f64::INFINITY
     }
 }
+
+/// Least cosine between a straight move and the normal of a cone: it bounds the length of steps.
+const LEAST_COSINE: f64 = 0.2;
 
 /// Most projections of a move.
 const MOST_MOVES: u32 = 48;
