@@ -10,8 +10,8 @@ use std::path::Path;
 
 /// Reads the appearance of a mesh that was read from the same file: in PLY the colours of vertices (`red`, `green`, `blue`); in OBJ
 /// colours after the coordinates of vertices, texture coordinates (`vt`) and materials (`mtllib`, `usemtl`); in glTF colours, the sets of
-/// texture coordinates, at most eight, normals, and materials with their textures and images. Other formats, and paths that are no
-/// regular files, give none.
+/// texture coordinates, at most eight, normals, and materials with their textures and images. Of other formats it only names what else
+/// they have; paths that are no regular files give none.
 ///
 /// # Limits
 /// Images are kept as they are, without a look at them; an image of a glTF file that is not there stays named by its address.

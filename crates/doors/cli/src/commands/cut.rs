@@ -1,5 +1,6 @@
 //! `pompeiu cut`.
 
+use crate::appearance;
 use crate::args::ForbidFile;
 use crate::door::{AnswerOf, Invocation, Session, System};
 use crate::files;
@@ -48,13 +49,15 @@ impl System for Files {
     }
 
     fn run(&self, request: &mut CutRequest, session: &mut Session<'_>) -> anyhow::Result<OpenedReport> {
-        let (_, surface) = session.read_surface(&self.mesh)?;
+        let (mesh, surface) = session.read_surface(&self.mesh)?;
         self.forbid.add_to(request)?;
         session.wait.show("choosing edges".to_owned());
         let found = request.run(surface).with_context(|| self.mesh.display().to_string())?;
         session.stop_waiting();
         if let Some(output) = &self.output {
             files::refuse_joined(output, &found.mesh)?;
+            let why = "because `pompeiu cut` writes the surface alone";
+            appearance::leave_out(&self.mesh, &mesh, why, session.printer)?;
             files::write(output, &found.mesh, session.printer)?;
         }
         Ok(found.report)

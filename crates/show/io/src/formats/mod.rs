@@ -65,7 +65,7 @@ pub(crate) fn read_solids<const N: usize>(
     }
 }
 
-/// Reads the appearance of a mesh that was read from `input`; most formats have none.
+/// Reads the appearance of a mesh that was read from `input`, and what else the file has.
 pub(crate) fn read_appearance(
     format: Format,
     input: Input<'_>,
@@ -76,11 +76,24 @@ pub(crate) fn read_appearance(
         Format::Ply => {
             let colors = ply::read_vertex_colors(input.bytes)?;
             let colors = colors.filter(|colors| colors.len() == mesh.positions().len());
-            Ok(Appearance { colors, ..Appearance::default() })
+            Ok(Appearance { colors, left_out: ply::left_out(input.bytes)?, ..Appearance::default() })
         }
         Format::Gltf => gltf::json_appearance(input, mesh),
         Format::Glb => gltf::binary_appearance(input, mesh),
-        _ => Ok(Appearance::default()),
+        _ => Ok(Appearance { left_out: left_out(format, input)?, ..Appearance::default() }),
+    }
+}
+
+/// What a file has besides its surface, in formats of which nothing else is read.
+fn left_out(format: Format, input: Input<'_>) -> Result<Vec<String>, FormatError> {
+    match format {
+        Format::Stl => Ok(stl::left_out(input.bytes)),
+        Format::Off => off::left_out(input.bytes),
+        Format::VtkLegacy => vtk::left_out_of_legacy(input.bytes),
+        Format::Vtp => vtk::left_out(input, "PolyData"),
+        Format::Vtu => vtk::left_out(input, "UnstructuredGrid"),
+        Format::ThreeMf => three_mf::left_out(input),
+        _ => Ok(Vec::new()),
     }
 }
 

@@ -74,6 +74,43 @@ fn read_text(text: &[u8]) -> Result<RawMesh, Problem> {
     Ok(mesh)
 }
 
+/// What the file has besides its surface.
+pub(crate) fn left_out(bytes: &[u8]) -> Result<Vec<String>, FormatError> {
+    named(bytes).map_err(|problem| problem.in_text(bytes))
+}
+
+fn named(text: &[u8]) -> Result<Vec<String>, Problem> {
+    let mut lines = Lines { text, at: if text.starts_with(b"\xEF\xBB\xBF") { 3 } else { 0 } };
+    lines.next_row(|| "found the end of the file, expected OFF".into())?;
+    let keyword = word(text, lines.at).to_vec();
+    lines.keyword()?;
+    let vertices = lines.count("a number of vertices")?;
+    let faces = lines.count("a number of faces")?;
+    lines.end_line();
+    for _ in 0..vertices {
+        lines.next_row(|| "found the end of the file, expected a vertex".into())?;
+        lines.end_line();
+    }
+    let mut has_face_colors = false;
+    for _ in 0..faces {
+        lines.next_row(|| "found the end of the file, expected a face".into())?;
+        for _ in 0..lines.count("a number of corners")? {
+            lines.count("a vertex index")?;
+        }
+        lines.skip_blanks();
+        has_face_colors |= text.get(lines.at).is_some_and(|b| !b.is_ascii_whitespace() && *b != b'#');
+        lines.end_line();
+    }
+    let before = keyword.strip_suffix(b"OFF").unwrap_or_default();
+    let parts = [
+        (before.contains(&b'C'), "colours of vertices"),
+        (before.contains(&b'N'), "normals"),
+        (before.starts_with(b"ST"), "texture coordinates"),
+        (has_face_colors, "colours of faces"),
+    ];
+    Ok(parts.into_iter().filter(|(has, _)| *has).map(|(_, name)| name.to_owned()).collect())
+}
+
 struct Lines<'a> {
     text: &'a [u8],
     at: usize,

@@ -5,7 +5,7 @@ use crate::error::FormatError;
 use crate::text::{Problem, is_blank, number, quoted, whole_number, word};
 use pompeiu_core::TriMesh;
 use std::borrow::Cow;
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 
 /// Reads the colours, texture coordinates and materials of the vertices and faces of a mesh.
 pub(crate) fn read(bytes: &[u8], mesh: &TriMesh) -> Result<Appearance, FormatError> {
@@ -64,6 +64,9 @@ struct Reader {
     known: HashMap<String, u32>,
     material: u32,
     materials: Vec<u32>,
+    has_normals: bool,
+    has_smoothing: bool,
+    groups: BTreeSet<Vec<u8>>,
 }
 
 /// No texture coordinates.
@@ -79,6 +82,11 @@ impl Reader {
             b"vt" => return self.texture_vertex(rest),
             b"f" => return self.face(rest, mesh),
             b"mtllib" if self.library.is_none() => self.library = Some(String::from_utf8_lossy(rest).into()),
+            b"vn" => self.has_normals = true,
+            b"s" => self.has_smoothing |= !matches!(rest, b"off" | b"0"),
+            b"g" | b"o" if !rest.is_empty() => {
+                self.groups.insert(rest.to_vec());
+            }
             b"usemtl" => self.use_material(&String::from_utf8_lossy(rest)),
             _ => {}
         }
@@ -174,7 +182,15 @@ impl Reader {
             faces: self.materials,
             descriptions: None,
         });
-        Appearance { colors, texture, materials, ..Appearance::default() }
+        // Most programs give the only object a name.
+        let left_out = [
+            (self.has_normals, "normals"),
+            (self.has_smoothing, "smoothing groups"),
+            (self.groups.len() > 1, "names of groups"),
+        ];
+        let left_out =
+            left_out.into_iter().filter(|(has, _)| *has).map(|(_, name)| name.to_owned()).collect();
+        Appearance { colors, texture, materials, left_out, ..Appearance::default() }
     }
 }
 

@@ -258,6 +258,23 @@ impl Header {
         Some(([red.0, green.0, blue.0], [red.1, green.1, blue.1]))
     }
 
+    /// Properties and elements that are not read, in the plural.
+    pub(super) fn left_out(&self) -> Vec<String> {
+        let colors = self.vertex_colors().map(|(columns, _)| columns);
+        let rest = self.elements.iter().filter(|element| element.count > 0).filter_map(|element| {
+            let read: Vec<usize> = match &element.name[..] {
+                b"vertex" => element.coordinates().ok().into_iter().chain(colors).flatten().collect(),
+                b"face" | b"tristrips" => element.indices().ok().into_iter().collect(),
+                name => return Some(format!("elements {}", quoted(name))),
+            };
+            let names = element.properties.iter().enumerate().filter(|(column, _)| !read.contains(column));
+            let names: Vec<String> = names.map(|(_, property)| quoted(&property.name)).collect();
+            let of = String::from_utf8_lossy(&element.name);
+            (!names.is_empty()).then(|| format!("properties {} of element {of}", names.join(", ")))
+        });
+        rest.collect()
+    }
+
     pub(super) fn element(&self, name: &[u8]) -> Option<&Element> {
         self.elements.iter().find(|element| element.name == name)
     }

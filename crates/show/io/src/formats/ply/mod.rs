@@ -41,6 +41,12 @@ pub(crate) fn read_vertex_colors(bytes: &[u8]) -> Result<Option<Vec<[u8; 3]>>, F
     Ok(Some(rows.into_iter().map(|row| [0, 1, 2].map(|i| channel(row[i] / most[i]))).collect()))
 }
 
+/// What the file has besides its surface and the colours of vertices.
+pub(crate) fn left_out(bytes: &[u8]) -> Result<Vec<String>, FormatError> {
+    let header = Header::parse(bytes).map_err(|problem| problem.in_text(bytes))?;
+    Ok(header.left_out())
+}
+
 /// Reads three numbers of each row of an element.
 fn read_columns(
     bytes: &[u8],

@@ -28,6 +28,12 @@ pub(crate) fn has_the_promised_length(bytes: &[u8]) -> bool {
         .is_some_and(|count| HEADER as u64 + TRIANGLE as u64 * u64::from(count) == bytes.len() as u64)
 }
 
+/// Whether the attribute of any triangle is not zero.
+pub(super) fn has_attributes(bytes: &[u8]) -> bool {
+    let triangles = bytes.get(HEADER..).unwrap_or_default().as_chunks::<TRIANGLE>().0;
+    triangles.iter().any(|triangle| triangle[TRIANGLE - 2..] != [0, 0])
+}
+
 /// The triangles of one piece; corners are indices into the vertices found in the piece.
 #[derive(Default)]
 struct Piece {

@@ -19,6 +19,12 @@ pub(crate) fn read(bytes: &[u8]) -> Result<RawMesh, FormatError> {
     }
 }
 
+/// What the file has besides its surface.
+pub(crate) fn left_out(bytes: &[u8]) -> Vec<String> {
+    let has_attributes = binary::has_the_promised_length(bytes) && binary::has_attributes(bytes);
+    has_attributes.then(|| "attributes of triangles, which may be colours,".to_owned()).into_iter().collect()
+}
+
 pub(crate) use ascii::looks_like_it as is_ascii;
 pub(crate) use binary::has_the_promised_length as is_binary;
 

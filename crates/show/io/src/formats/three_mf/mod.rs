@@ -15,10 +15,27 @@ use crate::raw::RawMesh;
 use build::Build;
 use model::Model;
 use package::Package;
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 
 /// Reads the build of a 3MF file.
 pub(crate) fn read(input: Input<'_>) -> Result<RawMesh, FormatError> {
+    let (models, root, allowance) = models(input)?;
+    // Objects that are used often are not longer than their file: the allowance holds for copies, too.
+    Build::new(&models, allowance).place(&root)
+}
+
+/// What the file has besides its surface.
+pub(crate) fn left_out(input: Input<'_>) -> Result<Vec<String>, FormatError> {
+    let (models, ..) = models(input)?;
+    // In the order of the names, whatever that of the parts is.
+    let found: BTreeSet<&str> = models.values().flat_map(|model| model.left_out.iter().copied()).collect();
+    let meshes = models.values().flat_map(|model| model.objects.values());
+    let several = meshes.filter(|object| !object.faces.is_empty()).count() > 1;
+    Ok(found.into_iter().chain(several.then_some("separate objects")).map(str::to_owned).collect())
+}
+
+/// The parts with objects by name, the name of the first, and what may still be unpacked.
+fn models(input: Input<'_>) -> Result<(HashMap<String, Model>, String, Allowance), FormatError> {
     let mut allowance = Allowance::of_file(input.stored_bytes);
     let mut package = Package::open(input.bytes)?;
     let root = package.model_part(&mut allowance)?;
@@ -32,6 +49,5 @@ pub(crate) fn read(input: Input<'_>) -> Result<RawMesh, FormatError> {
         missing.extend(model.other_parts().map(str::to_owned));
         models.insert(part, model);
     }
-    // Objects that are used often are not longer than their file: the allowance holds for copies, too.
-    Build::new(&models, allowance).place(&root)
+    Ok((models, root, allowance))
 }

@@ -3,7 +3,7 @@
 use crate::formats::gltf::transform::Transform;
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 use std::io::BufRead;
 
 /// The objects of a part by number, and what it builds.
@@ -13,6 +13,8 @@ pub(super) struct Model {
     pub(super) millimetres: f64,
     pub(super) objects: HashMap<u32, Object>,
     pub(super) items: Vec<Reference>,
+    /// Resources that are not read, in the plural.
+    pub(super) left_out: BTreeSet<&'static str>,
 }
 
 /// A mesh, other objects, or both.
@@ -76,7 +78,7 @@ impl Model {
             (b"component", Some((_, object))) => object.components.push(reference(tag)?),
             (b"vertex", Some((_, object))) => object.positions.push(numbers(tag, ["x", "y", "z"])?),
             (b"triangle", Some((_, object))) => object.faces.push(corners(tag)?),
-            _ => {}
+            (name, _) => self.left_out.extend(resource(name)),
         }
         Ok(())
     }
@@ -102,6 +104,19 @@ impl Model {
         }
         Ok(())
     }
+}
+
+/// A resource that is not read, in the plural. Those of extensions have a prefix, which files choose.
+fn resource(name: &[u8]) -> Option<&'static str> {
+    let local = name.rsplit(|byte| *byte == b':').next()?;
+    Some(match local {
+        b"basematerials" | b"compositematerials" => "materials",
+        b"colorgroup" => "colours",
+        b"texture2dgroup" => "textures",
+        b"beamlattice" => "beams",
+        b"slicestack" => "slices",
+        _ => return None,
+    })
 }
 
 /// Millimetres in the unit of a model.

@@ -31,6 +31,13 @@ pub(crate) fn read(bytes: &[u8]) -> Result<RawMesh, FormatError> {
     Ok(raw)
 }
 
+/// Whether data of points or cells follow the surface.
+pub(crate) fn has_data(bytes: &[u8]) -> Result<bool, FormatError> {
+    let mut scanner = Scanner { bytes, at: 0, binary: false, last: Vec::new() };
+    read_parts(&mut scanner).map_err(|problem| scanner.error(problem))?;
+    Ok(!scanner.last.is_empty())
+}
+
 /// Reads the solid cells of an unstructured grid, and the point data named `label`.
 pub(crate) fn read_solids<const N: usize>(bytes: &[u8]) -> Result<Solids<N>, FormatError> {
     let mut scanner = Scanner { bytes, at: 0, binary: false, last: Vec::new() };

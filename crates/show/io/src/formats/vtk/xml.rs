@@ -14,6 +14,7 @@ use memchr::memmem;
 use roxmltree::{Document, Node};
 use std::borrow::Cow;
 use std::cell::Cell;
+use std::collections::BTreeSet;
 
 /// Reads `PolyData`.
 pub(crate) fn read_poly_data(input: Input<'_>) -> Result<RawMesh, FormatError> {
@@ -73,6 +74,18 @@ pub(crate) fn read_solids<const N: usize>(input: Input<'_>) -> Result<Solids<N>,
         let types = file.counts(array(file, element, "types")?, Some(count))?;
         grid.add(base, (&cells.corners, &cells.ends), &types)
     })
+}
+
+/// The names of all arrays of points and cells, in order.
+pub(crate) fn array_names(input: Input<'_>, kind: &str) -> Result<Vec<String>, FormatError> {
+    let names: BTreeSet<String> = read(input, kind, |_, piece, names: &mut BTreeSet<String>| {
+        let data =
+            piece.children().filter(|node| node.has_tag_name("PointData") || node.has_tag_name("CellData"));
+        let arrays = data.flat_map(|data| data.children()).filter(Node::is_element);
+        names.extend(arrays.filter_map(|array| array.attribute("Name")).map(str::to_owned));
+        Ok(())
+    })?;
+    Ok(names.into_iter().collect())
 }
 
 /// Reads the cell vectors with this name, or the only ones.

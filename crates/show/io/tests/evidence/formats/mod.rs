@@ -5,6 +5,7 @@ mod face_vectors;
 mod gltf;
 mod gltf_appearance;
 mod hostile;
+mod left_out;
 mod points;
 mod round_trip;
 mod solids;
