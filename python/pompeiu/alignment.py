@@ -8,7 +8,7 @@ from typing import Any, Callable, Dict, List, Optional
 import numpy as np
 
 from ._asking import ask
-from .results import DirectedReport
+from .results import DirectedReport, _read_only
 from .sources import Mesh, MeshLike
 
 __all__ = ["Registration", "align"]
@@ -133,7 +133,7 @@ def align(
     names = [one.name for one in fields(Registration) if one.name in report and one.name not in given]
     return Registration(
         **{name: report[name] for name in names},
-        matrix=np.array(report["matrix"]),
+        matrix=_read_only(np.array(report["matrix"])),
         mesh=beside["mesh"],
         is_unique=report["unique"],
         moved_to_fixed=_proven(report["moved_to_fixed"]),

@@ -25,6 +25,7 @@ from .results import (
     Witness,
     _Arrays,
     _Interval,
+    _read_only,
     _table,
     number,
     shown_bounds,
@@ -73,11 +74,6 @@ class ShareAbove:
 
     threshold: float
     share: Enclosure
-
-
-def _read_only(array: NDArray[Any]) -> NDArray[Any]:
-    array.flags.writeable = False
-    return array
 
 
 def _plain(value: Any) -> Any:

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _native
 from ._asking import ask
-from .results import _Arrays, _table
+from .results import _Arrays, _read_only, _table
 from .sources import MeshLike, as_mesh
 
 __all__ = [
@@ -239,7 +239,7 @@ class HodgeDecomposition:
     def harmonic_fields(self) -> NDArray[np.float64]:
         """An orthonormal basis of the harmonic fields: shape (k, m, 3)."""
         fields = self._native.harmonic_fields()
-        return np.stack(fields) if fields else np.empty((0, self._shape[0], 3))
+        return _read_only(np.stack(fields) if fields else np.empty((0, self._shape[0], 3)))
 
     @property
     def edges(self) -> NDArray[np.uint32]:

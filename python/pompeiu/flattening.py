@@ -10,6 +10,7 @@ import numpy as np
 from . import _native
 from ._asking import ask
 from .errors import OptionError
+from .results import _read_only
 from .sources import Mesh, MeshLike, as_mesh
 
 __all__ = ["Cut", "Flattening", "Medial", "Straightened", "cut", "flatten", "medial", "straighten"]
@@ -176,7 +177,8 @@ def cut(
     True
     """
     answer, beside = ask("cut", locals())
-    return Cut(beside["mesh"], np.asarray(answer["report"]["vertex_map"], dtype=np.uint32), beside["edges"])
+    vertex_map = _read_only(np.asarray(answer["report"]["vertex_map"], dtype=np.uint32))
+    return Cut(beside["mesh"], vertex_map, beside["edges"])
 
 
 def flatten(

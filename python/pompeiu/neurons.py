@@ -14,6 +14,7 @@ import numpy as np
 from . import _native
 from ._asking import ask
 from .errors import MissingFileError, OptionError, ReadError, WriteError
+from .results import _read_only
 
 __all__ = [
     "Neuron",
@@ -160,9 +161,9 @@ def _transport(found: Any, ends: int) -> NeuronTransport:
     run, rows, steps, values, step, report = found
     count = len(rows) // ends
     return NeuronTransport(
-        step * np.arange(count),
+        _read_only(step * np.arange(count)),
         rows.reshape(count, ends, 3),
-        step * np.array(steps),
+        _read_only(step * np.array(steps)),
         values.reshape(len(steps), -1, 3),
         json.loads(report),
         run,

@@ -12,6 +12,7 @@ from ._asking import ask
 from .certificates import _Within
 from .deviations import Enclosure
 from .errors import SurfaceError
+from .results import _read_only
 from .sources import Mesh, MeshLike, as_mesh
 
 __all__ = ["Change", "Repaired", "repair"]
@@ -122,7 +123,7 @@ def repair(
             f"{distance.lower:.6g} and {distance.upper:.6g}; allow more, or repair less"
         )
     changes = {
-        name: Change(change["count"], np.asarray(change["places"], dtype=np.float64).reshape(-1, 3))
+        name: Change(change["count"], _read_only(np.array(change["places"], dtype=np.float64).reshape(-1, 3)))
         for name, change in report.items()
         if isinstance(change, dict) and change.get("count", 0) > 0
     }

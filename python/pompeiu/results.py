@@ -54,6 +54,12 @@ def shown_bounds(lower: float, upper: float) -> str:
     return "[{:.6g}, {:.6g}]".format(*ends)
 
 
+def _read_only(array: NDArray[Any]) -> NDArray[Any]:
+    """The same array, of which nobody else knows, made read-only."""
+    array.flags.writeable = False
+    return array
+
+
 def _point(position: Vec3) -> str:
     return "({:.6g}, {:.6g}, {:.6g})".format(*position)
 

@@ -5,6 +5,7 @@ import json
 import os
 import subprocess
 
+import numpy as np
 import pompeiu
 import pytest
 from interrupting import ends_by_interrupt
@@ -180,3 +181,44 @@ LONG = {
 @pytest.mark.parametrize("name", CALLS)
 def test_ctrl_c_ends_every_function(name, tmp_path):
     ends_by_interrupt(LONG[name], tmp_path)
+
+
+def arrays_of(answer):
+    """The arrays of an answer by name, also those in lists and dictionaries, and those of what it consists of."""
+    for name in dir(answer):
+        if name.startswith("_"):
+            continue
+        value = getattr(answer, name)
+        if isinstance(value, (list, tuple)):
+            members = value
+        elif isinstance(value, dict):
+            members = list(value.values())
+        else:
+            members = [value]
+        for member in members:
+            if isinstance(member, np.ndarray):
+                yield f"{type(answer).__name__}.{name}", member
+            elif type(member).__module__.startswith("pompeiu") and not callable(member):
+                yield from arrays_of(member)
+
+
+def test_arrays_of_answers_are_read_only():
+    torus = pompeiu.shapes.torus(1.0, 0.4, 16, 12)
+    fluid = pompeiu.Simulation(torus, dt=0.01, densities={"dye": {"initial": np.ones(torus.n_vertices)}})
+    square = pompeiu.SquareSimulation(8, dt=0.01, densities={"dye": {"initial": np.ones((8, 8))}})
+    decomposition = pompeiu.HodgeDecomposition(torus)
+    skeleton = pompeiu.read_skeleton(b"1 2 0 0 0 1 -1\n2 2 9 0 0 1 1\n")
+    answers = [
+        fluid,
+        square,
+        decomposition,
+        decomposition.decompose(np.ones((torus.n_faces, 3))),
+        skeleton,
+        pompeiu.cut(torus),
+        pompeiu.couple(lambda x: 0.5 * x, lambda y: 0.5 * y, np.zeros(2)),
+        pompeiu.align(torus, torus),
+        pompeiu.repair(torus, weld=0.0),
+    ]
+    found = [pair for answer in answers for pair in arrays_of(answer)]
+    assert len({name for name, _ in found}) >= 20, {name for name, _ in found}
+    assert [name for name, array in found if array.flags.writeable] == []

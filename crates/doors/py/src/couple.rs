@@ -1,6 +1,6 @@
 //! Coupling of two solvers that are functions or objects in Python.
 
-use crate::arrays::values;
+use crate::arrays::{array_of, values};
 use crate::ask::{Limited, limits_of};
 use crate::errors::Raise;
 use crate::json::{parsed, written};
@@ -161,5 +161,5 @@ pub(crate) fn couple<'py>(
     let report = found.map_err(Raise::raise)?;
     let timing = Timing { read: Duration::ZERO, total: started.elapsed() };
     let answer = written(&Answer::new(Vec::new(), request, report, timing))?;
-    Ok((answer, xs.into_pyarray(py), ys.into_pyarray(py)))
+    Ok((answer, array_of(py, xs)?, array_of(py, ys)?))
 }

@@ -1,11 +1,11 @@
 //! Splitting tangent fields.
 
-use crate::arrays::{array_of_rows, vectors};
+use crate::arrays::{array_of, array_of_rows, vectors};
 use crate::errors::{Raise, unknown};
 use crate::json::written;
 use crate::mesh::Mesh;
 use crate::wait;
-use numpy::{IntoPyArray, PyArray1, PyArray2};
+use numpy::{PyArray1, PyArray2};
 use pompeiu::core::mesh::FaceData;
 use pompeiu::fields::{Decomposition, DecompositionOptions, DegreesOfFreedom, HodgeSolver};
 use pompeiu::operators::{self, Boundary, FaceField, Splitting, tangent_field};
@@ -94,9 +94,9 @@ impl HodgeDecomposition {
             gradient: self.in_space(py, &parts.gradient)?,
             rotated: self.in_space(py, &parts.rotated)?,
             harmonic: self.in_space(py, &parts.harmonic)?,
-            vertex_potential: parts.vertex_potential.into_vec().into_pyarray(py),
-            edge_potential: parts.edge_potential.into_vec().into_pyarray(py),
-            harmonic_coefficients: parts.harmonic_coefficients.into_pyarray(py),
+            vertex_potential: array_of(py, parts.vertex_potential.into_vec())?,
+            edge_potential: array_of(py, parts.edge_potential.into_vec())?,
+            harmonic_coefficients: array_of(py, parts.harmonic_coefficients)?,
             normal_part,
             quality: written(&parts.quality)?,
         })
@@ -158,8 +158,8 @@ impl HodgeDecomposition {
     }
 
     /// The areas of faces, the weights of the inner product of fields.
-    fn face_areas<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        self.surface().surface().face_areas().into_vec().into_pyarray(py)
+    fn face_areas<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        array_of(py, self.surface().surface().face_areas().into_vec())
     }
 
     /// Dimension of the harmonic fields.

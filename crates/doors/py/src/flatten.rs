@@ -1,10 +1,10 @@
 //! Straightening cuts.
 
-use crate::arrays::array_of_rows;
+use crate::arrays::{array_of, array_of_rows};
 use crate::errors::Raise;
 use crate::mesh::Mesh;
 use crate::wait;
-use numpy::{IntoPyArray, PyArray1, PyArray2};
+use numpy::{PyArray1, PyArray2};
 use pompeiu::core::VertexId;
 use pompeiu::flatten::{CutError, FlattenError};
 use pompeiu::surface::{EdgeData, EmbeddedSurface};
@@ -44,5 +44,5 @@ pub(crate) fn straighten<'py>(
     let edges: Vec<[u32; 2]> =
         of.edge_ids().filter(|&edge| straight.cut[edge]).map(|edge| of.ends(edge).map(|v| v.0)).collect();
     let faces: Vec<u32> = straight.faces.iter().map(|face| face.0).collect();
-    Ok((Mesh::from(straight.mesh), array_of_rows(py, edges)?, faces.into_pyarray(py)))
+    Ok((Mesh::from(straight.mesh), array_of_rows(py, edges)?, array_of(py, faces)?))
 }

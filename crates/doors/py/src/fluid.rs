@@ -1,12 +1,12 @@
 //! Fluids on surfaces and in the square: the request, and simulations that are stepped.
 
-use crate::arrays::{array_of_rows, values, vectors};
+use crate::arrays::{array_of, array_of_rows, values, vectors};
 use crate::ask::{Asked, Asking, Beside, Outcome, failure, request};
 use crate::errors::{Raise, unknown};
 use crate::json::written;
 use crate::mesh::Mesh;
 use crate::wait::{self, Share};
-use numpy::{IntoPyArray, PyArray1, PyArray2};
+use numpy::{PyArray1, PyArray2};
 use pompeiu::core::mesh::{FaceData, VertexData};
 use pompeiu::fluid::request::{Checkpoint, FluidRequest, Place, Stage};
 use pompeiu::fluid::{Density, FluidError, FluidOptions, Simulation as FluidSimulation, State};
@@ -238,20 +238,20 @@ impl Simulation {
         self.in_space(py, &self.state().velocity)
     }
 
-    fn vorticity<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        self.state().vorticity.to_vec().into_pyarray(py)
+    fn vorticity<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        array_of(py, self.state().vorticity.to_vec())
     }
 
-    fn stream_function<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        self.state().stream.to_vec().into_pyarray(py)
+    fn stream_function<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        array_of(py, self.state().stream.to_vec())
     }
 
-    fn harmonic<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        self.state().harmonic.clone().into_pyarray(py)
+    fn harmonic<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        array_of(py, self.state().harmonic.clone())
     }
 
-    fn density<'py>(&self, py: Python<'py>, index: usize) -> Option<Bound<'py, PyArray1<f64>>> {
-        self.state().densities.get(index).map(|values| values.to_vec().into_pyarray(py))
+    fn density<'py>(&self, py: Python<'py>, index: usize) -> PyResult<Option<Bound<'py, PyArray1<f64>>>> {
+        self.state().densities.get(index).map(|values| array_of(py, values.to_vec())).transpose()
     }
 
     /// The harmonic fields, orthonormal, in space.

@@ -1,13 +1,13 @@
 //! Skeletons of neurons.
 
-use crate::arrays::array_of_rows;
+use crate::arrays::{array_of, array_of_rows};
 use crate::errors::Raise;
 use crate::hausdorff::limits;
 use crate::json::written;
 use crate::neuron_flow::{self, FlowParts, Source, SplineParts};
 use crate::neuron_run::{Meshing, NeuronHexahedra, Origin, RunCells, TransportParts, transport_parts};
 use crate::wait::{self, Share, Watch};
-use numpy::{IntoPyArray, PyArray1, PyArray2};
+use numpy::{PyArray1, PyArray2};
 use pompeiu::core::run::Limits;
 use pompeiu::neuron::{
     Ends, MaterialCells, MeshError, MeshOptions, NeuronAnswer, NeuronMesh, NeuronRequest, NeuronRequestError,
@@ -58,16 +58,16 @@ fn skeleton_parts<'py>(
     report: &SkeletonReport,
 ) -> PyResult<Parts<'py>> {
     let rows = skeleton.rows();
-    let column = |of: fn(&SwcRow) -> i64| rows.iter().map(of).collect::<Vec<_>>().into_pyarray(py);
+    let column = |of: fn(&SwcRow) -> i64| array_of(py, rows.iter().map(of).collect());
     let ids = skeleton.samples().iter().map(|sample| sample.id).collect::<Vec<_>>();
     let positions = array_of_rows(py, rows.iter().map(|row| row.position).collect())?;
     Ok((
         NeuronSkeleton(skeleton, original),
-        ids.into_pyarray(py),
-        column(|row| row.kind),
+        array_of(py, ids)?,
+        column(|row| row.kind)?,
         positions,
-        rows.iter().map(|row| row.radius).collect::<Vec<_>>().into_pyarray(py),
-        column(|row| row.parent.map_or(-1, |parent| parent - 1)),
+        array_of(py, rows.iter().map(|row| row.radius).collect())?,
+        column(|row| row.parent.map_or(-1, |parent| parent - 1))?,
         write_swc(&rows),
         written(report)?,
     ))
@@ -140,11 +140,11 @@ impl NeuronSkeleton {
 fn mesh_parts(py: Python<'_>, found: NeuronMesh) -> PyResult<MeshParts<'_>> {
     let file = found.vtu().map_err(PyErr::from)?;
     let caps = found.labels.iter().map(|&label| label.cast_signed() - 1).collect::<Vec<_>>();
-    let branches = found.parts.clone().into_pyarray(py);
+    let branches = array_of(py, found.parts.clone())?;
     let positions = found.mesh.positions().iter().copied().map(<[f64; 3]>::from).collect();
     let cells = array_of_rows(py, found.mesh.cells().to_vec())?;
     let boundary = found.faces.boundary().iter().map(|face| face.vertices).collect();
-    let samples = found.caps.iter().map(|cap| cap.sample).collect::<Vec<_>>().into_pyarray(py);
+    let samples = array_of(py, found.caps.iter().map(|cap| cap.sample).collect())?;
     let report = written(&found.report)?;
     Ok((
         NeuronHexahedra(found),
@@ -152,7 +152,7 @@ fn mesh_parts(py: Python<'_>, found: NeuronMesh) -> PyResult<MeshParts<'_>> {
         cells,
         branches,
         array_of_rows(py, boundary)?,
-        caps.into_pyarray(py),
+        array_of(py, caps)?,
         samples,
         PyBytes::new(py, &file),
         report,

@@ -1,12 +1,12 @@
 //! Tricubic cells of neurons, and flow through them.
 
-use crate::arrays::array_of_rows;
+use crate::arrays::{array_of, array_of_rows};
 use crate::errors::Raise;
 use crate::hausdorff::limits;
 use crate::json::written;
 use crate::neuron_run::{Meshing, Origin, RunCells, TransportParts, transport_parts};
 use crate::wait::{self, Share, Watch};
-use numpy::{IntoPyArray, PyArray1, PyArray2};
+use numpy::{PyArray1, PyArray2};
 use pompeiu::neuron::{
     CubicMesh, Flow, FlowCells, FlowOptions, FlowParameters, MeshError, MeshOptions, MeshReport, NeuronMesh,
     RefineAt, RefineOptions, Skeleton, SplineReport, TransportError, TransportOptions, cubic_neuron,
@@ -39,7 +39,7 @@ impl NeuronSplineSpace {
             coefficients.extend_from_slice(&cell.coefficients);
             starts.push((functions.len() as u64).cast_signed());
         }
-        Ok((starts.into_pyarray(py), functions.into_pyarray(py), array_of_rows(py, coefficients)?))
+        Ok((array_of(py, starts)?, array_of(py, functions)?, array_of_rows(py, coefficients)?))
     }
 
     /// The coefficients of positions.
@@ -155,7 +155,7 @@ pub(crate) fn spline_parts<'py>(
     let (mesh, spline) = (written(&found.report)?, written(report)?);
     let points = array_of_rows(py, places(found.mesh.points()))?;
     let cells = array_of_rows(py, found.mesh.cells().to_vec())?;
-    let branches = found.parts.clone().into_pyarray(py);
+    let branches = array_of(py, found.parts.clone())?;
     let elements = array_of_rows(py, splines.elements().iter().map(row).collect())?;
     let file = PyBytes::new(py, file);
     Ok((NeuronSplineSpace(found, splines), points, cells, branches, elements, file, mesh, spline))
@@ -197,10 +197,10 @@ pub(crate) fn flow_parts(
     let (said, report) = (written(&mesh)?, written(&flow.report)?);
     let points = array_of_rows(py, places(flow.mesh.points()))?;
     let cells = array_of_rows(py, flow.mesh.cells().to_vec())?;
-    let branches = flow.parts.clone().into_pyarray(py);
+    let branches = array_of(py, flow.parts.clone())?;
     let velocity = array_of_rows(py, places(&flow.velocity))?;
-    let pressure = flow.pressure().to_vec().into_pyarray(py);
-    let (samples, ends) = (samples.into_pyarray(py), array_of_rows(py, ends)?);
+    let pressure = array_of(py, flow.pressure().to_vec())?;
+    let (samples, ends) = (array_of(py, samples)?, array_of_rows(py, ends)?);
     let file = PyBytes::new(py, &file);
     let flow = NeuronFlow { flow, mesh, parameters };
     Ok((flow, points, cells, branches, velocity, pressure, samples, ends, file, said, report))

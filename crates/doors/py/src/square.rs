@@ -1,12 +1,12 @@
 //! Fluids in the unit square.
 
-use crate::arrays::{array_of_rows, values, vectors};
+use crate::arrays::{array_of, array_of_rows, values, vectors};
 use crate::ask::request;
 use crate::errors::Raise;
 use crate::fluid::DensityOptions;
 use crate::json::written;
 use crate::wait;
-use numpy::{IntoPyArray, PyArray1, PyArray2};
+use numpy::{PyArray1, PyArray2};
 use pompeiu::core::TriMesh;
 use pompeiu::fluid::request::{Checkpoint, FluidRequest, FluidRequestError};
 use pompeiu::fluid::square::{Square, SquareDensity, SquareOptions};
@@ -124,11 +124,11 @@ impl SquareSimulation {
         array_of_rows(py, self.0.velocity())
     }
 
-    fn vorticity<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        self.0.vorticity().into_pyarray(py)
+    fn vorticity<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        array_of(py, self.0.vorticity())
     }
 
-    fn density<'py>(&self, py: Python<'py>, index: usize) -> Option<Bound<'py, PyArray1<f64>>> {
-        self.0.densities().get(index).map(|values| values.clone().into_pyarray(py))
+    fn density<'py>(&self, py: Python<'py>, index: usize) -> PyResult<Option<Bound<'py, PyArray1<f64>>>> {
+        self.0.densities().get(index).map(|values| array_of(py, values.clone())).transpose()
     }
 }
