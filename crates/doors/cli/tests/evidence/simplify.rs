@@ -133,12 +133,12 @@ fn what_glb_holds_is_kept_from_command_to_command() {
 fn what_is_not_kept_is_said_in_one_line() {
     let folder = Folder::new();
     folder.write("part.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nvt 0 0\nf 1/1/1 2/1/1 3/1/1\n");
-    let (code, _, said) = folder.transcript("convert part.obj -o part.ply");
+    let (code, _, said) = folder.transcript("convert part.obj part.ply");
     assert_eq!(code, Some(0), "{said}");
     let line = "part.obj: texture coordinates are not in the output, because PLY has no place for them; write OBJ or GLB; normals are not read";
     assert_eq!(said.matches(line).count(), 1, "{said}");
     let (_, _, said) = folder.transcript("cut part.obj -o part.off");
     assert!(said.contains("part.obj: texture coordinates and normals are not in the output"), "{said}");
-    let (_, _, said) = folder.transcript("convert part.ply -o plain.off");
+    let (_, _, said) = folder.transcript("convert part.ply plain.off");
     assert!(!said.contains("not read"), "{said}");
 }
