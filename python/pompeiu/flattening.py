@@ -205,7 +205,9 @@ def flatten(
     virtual_scale: float = 1.2,
     virtual_kind: Literal["intrinsic", "extrinsic"] = "intrinsic",
     target: float = 4.25,
-    most_cuts: int = 6,
+    most_cuts: Optional[int] = None,
+    charts: Union[int, str] = "components",
+    max_distortion: Optional[float] = None,
     pack: bool = True,
     precision: Literal["double", "single"] = "double",
     threads: Optional[int] = None,
@@ -279,8 +281,14 @@ def flatten(
         its centroid by aᵏ.
     target : float
         Add cuts until the mean symmetric Dirichlet energy is at most this (isometry: 4).
-    most_cuts : int
-        Most cuts that are added to a chart.
+    most_cuts : int, optional
+        Most cuts that are added to a chart; 6 where nothing is said, or 12 where charts are divided.
+    charts : Union[int, str]
+        How many charts: components for one of each connected part, a number, or auto for as many as the distortion
+        needs.
+    max_distortion : float, optional
+        Divide charts until the mean symmetric Dirichlet energy of the whole map is at most this (isometry: 4); 4.1
+        where nothing is said and the number of charts is auto.
     pack : bool
         Pack all charts into the unit square; otherwise a single chart stays as large as the surface, where the method
         puts it.

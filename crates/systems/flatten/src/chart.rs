@@ -3,7 +3,7 @@
 use crate::check::flipped_faces;
 use crate::components::{Component, error_in_whole, in_whole};
 use crate::cut::{CutStrategy, Opened, first_cut};
-use crate::distortion::{all_singular_values, best_scale};
+use crate::distortion::{all_singular_values, best_scale, singular_values};
 use crate::lengthen::{lengthened, with_tips};
 use crate::map::{
     Descender, Descent, Start, StartOptions, Weights, as_rigid_as_possible, conformal, start_map,
@@ -11,7 +11,8 @@ use crate::map::{
 use crate::opened::Disk;
 use crate::report::Timing;
 use crate::watch::Watch;
-use crate::{FlattenError, FlattenOptions, Method};
+use crate::{Charts, FlattenError, FlattenOptions, Method};
+use pompeiu_core::FaceId;
 use pompeiu_core::run::Instant;
 use pompeiu_surface::EdgeData;
 use pompeiu_surface::plane::{Vec2, scale};
@@ -37,6 +38,17 @@ pub(crate) struct Chart {
     /// Whether the energy asked for was not reached with all cuts.
     pub(crate) misses_target: bool,
     pub(crate) timing: Timing,
+}
+
+impl Chart {
+    /// The singular values of the map on each face of its component, with the area of the face.
+    pub(crate) fn values(&self, component: &Component) -> Vec<([f64; 2], f64)> {
+        let surface = component.surface.surface();
+        let value = |(face, corners): (FaceId, &[u32; 3])| {
+            (singular_values(surface, face, corners.map(|v| self.uv[v as usize])), surface.face_area(face))
+        };
+        surface.mesh().face_ids().zip(self.opened.faces()).map(value).collect()
+    }
 }
 
 /// Flattens a component; `requested` are the edges to cut, if the caller gave them.
@@ -129,7 +141,7 @@ impl Search<'_, '_, '_> {
     fn run(mut self, most_steps: usize) -> Result<Chart, FlattenError> {
         let adds_cuts = self.options.cut.strategy == CutStrategy::Auto;
         let most_cuts = if adds_cuts { self.options.most_cuts } else { 0 };
-        let target = self.options.target;
+        let target = self.options.chart_target();
         let mut descender = self.descender()?;
         let mut begin = Some(self.start()?);
         let mut uv = begin.as_ref().map_or_else(Vec::new, |begin| begin.uv.to_vec());
@@ -195,10 +207,12 @@ impl Search<'_, '_, '_> {
         Ok(self.disk.symmetrized(start.uv.into_vec()))
     }
 
-    /// Doubles the number of cuts, adding at least one and at most `most`. Returns whether any was added.
+    /// Doubles the number of cuts, up to `most`, or adds one where charts are divided. Returns whether any was added.
     fn add_cuts(&mut self, most: usize, uv: &mut Vec<Vec2>) -> Result<bool, FlattenError> {
         let began = Instant::now();
-        let count = most.saturating_sub(self.cuts).min(self.cuts.max(1));
+        // Where charts are divided as well, seams are to be short: one cut at a time.
+        let growth = if self.options.charts == Charts::Components { self.cuts } else { 1 };
+        let count = most.saturating_sub(self.cuts).min(growth.max(1));
         if count == 0 || self.watch.is_stopped() {
             return Ok(false);
         }

@@ -58,6 +58,15 @@ pub enum FlattenError {
     /// A boundary that keeps its shape cannot have a virtual boundary.
     #[error("the boundary cannot stay as it is and have a virtual boundary around it; choose another curve")]
     VirtualOwn,
+    /// Charts are divided, and an option needs them whole.
+    #[error(
+        "charts are divided only where the boundary is free, the energy symmetric Dirichlet and the strategy of cuts auto, and cuts may go \
+         anywhere; leave out the charts, or {option}"
+    )]
+    Whole {
+        /// The option.
+        option: &'static str,
+    },
     /// An option is out of range.
     #[error("the {what} is {value}; {expected}")]
     Option {

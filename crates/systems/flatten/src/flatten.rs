@@ -1,5 +1,6 @@
 //! From a surface to a flat map and its report.
 
+use crate::atlas::divided;
 use crate::chart::{Chart, flatten_component};
 use crate::check::{flipped_faces, outline, outline_crossings, overlapping_faces};
 use crate::components::{Component, split};
@@ -9,7 +10,7 @@ use crate::opened::opened_surface;
 use crate::pack::{bounds, pack, turn};
 use crate::report::{CutReport, FlattenReport, PartReport, Timing};
 use crate::watch::Watch;
-use crate::{FlattenError, FlattenOptions, Method};
+use crate::{Charts, FlattenError, FlattenOptions, Method};
 use pompeiu_core::FaceId;
 use pompeiu_core::mesh::{FaceData, Precision, VertexData};
 use pompeiu_core::run::Instant;
@@ -54,12 +55,15 @@ impl Flattening {
     }
 }
 
-/// Cuts a surface open and maps it to the plane: each component becomes one disk, and all are packed into the unit square.
+/// Cuts a surface open and maps it to the plane: each component becomes one disk, or several with [`Charts`], and all are packed into the
+/// unit square.
 ///
 /// # Definition
 /// With a free boundary, a disk is first mapped to a circle by a convex combination map, whose weights are changed until no face is
 /// nearly degenerate; from there the symmetric Dirichlet energy is minimised (see [`Method`]). With the strategy `Auto`, cuts are
-/// added where distortion is high, far from the cut, until the energy is at most [`FlattenOptions::target`].
+/// added where distortion is high, far from the cut, until the energy is at most [`FlattenOptions::target`]. With
+/// [`FlattenOptions::charts`], the chart that adds most to the distortion is divided along a short seam, and each of its parts cut and
+/// flattened anew, until there are enough charts or the energy of the whole map is low enough.
 ///
 /// # Accuracy
 /// Whether the map is one-to-one is decided on the coordinates as stored, by exact predicates: all faces are counter-clockwise,
@@ -102,6 +106,7 @@ fn run(
         chart
     };
     let charts: Vec<Chart> = parts.par_iter().map(one).collect::<Result<_, _>>()?;
+    let (parts, charts) = divided(parts, charts, options, &watch)?;
     let mut timing = Timing::default();
     for chart in &charts {
         timing.add(&chart.timing);
@@ -112,6 +117,7 @@ fn run(
         for (part, chart) in parts.iter().zip(&charts) {
             part.mark_in(mesh, &chart.cut, &mut cut);
         }
+        mark_seams(mesh, &parts, &mut cut);
         cut
     });
     let opened = open(mesh, &cut)?;
@@ -135,8 +141,8 @@ fn run(
     result.report.reweightings = charts.iter().map(|chart| chart.rounds).sum();
     result.report.steps = charts.iter().map(|chart| chart.steps).sum();
     result.report.stop = control.reason().unwrap_or(
-        // The target is a bound on the energy that all cuts allowed did not reach.
-        if charts.iter().any(|chart| chart.misses_target) {
+        // The target is a bound on the energy that all cuts and charts allowed did not reach.
+        if misses_target(options, &charts, &result.report) {
             StopReason::Steps
         } else {
             StopReason::Tolerance
@@ -147,6 +153,29 @@ fn run(
         parts.par_iter().zip(&charts).map(|(part, chart)| part_report(surface, part, chart, &result));
     result.report.parts = of_parts.collect();
     Ok(result)
+}
+
+/// Whether the energy asked for was not reached.
+fn misses_target(options: &FlattenOptions<'_>, charts: &[Chart], report: &FlattenReport) -> bool {
+    match options.enough() {
+        Some(enough) if options.charts == Charts::Auto => {
+            let mean = report.distortion.symmetric_dirichlet.mean;
+            mean.is_nan() || mean > enough
+        }
+        _ => charts.iter().any(|chart| chart.misses_target),
+    }
+}
+
+/// Marks the edges between different parts.
+fn mark_seams(mesh: &SurfaceMesh, parts: &[Component], cut: &mut EdgeData<bool>) {
+    let mut part_of = FaceData::filled(mesh.faces(), 0);
+    for (i, part) in parts.iter().enumerate() {
+        part.faces.iter().for_each(|&face| part_of[face] = i);
+    }
+    for edge in mesh.edge_ids() {
+        let h = mesh.edge_halfedge(edge);
+        cut[edge] |= mesh.twin(h).is_some_and(|t| part_of[h.face()] != part_of[t.face()]);
+    }
 }
 
 /// The point that a file with texture coordinates in single precision holds: u, and 1 − v, which formats count from above.
@@ -195,12 +224,7 @@ fn arrange(parts: &[Component], charts: &[Chart], options: &FlattenOptions<'_>) 
         return places;
     }
     for ((part, chart), places) in parts.iter().zip(charts).zip(&mut places) {
-        let surface = part.surface.surface();
-        let value = |(face, corners): (FaceId, &[u32; 3])| {
-            (singular_values(surface, face, corners.map(|v| places[v as usize])), surface.face_area(face))
-        };
-        let values: Vec<_> = surface.mesh().face_ids().zip(chart.opened.faces()).map(value).collect();
-        let factor = best_scale(&values);
+        let factor = best_scale(&chart.values(part));
         for p in places.iter_mut() {
             *p = scale(factor, *p);
         }

@@ -32,12 +32,14 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod atlas;
 mod chart;
 mod check;
 mod chords;
 mod components;
 mod cut;
 mod distortion;
+mod divide;
 mod error;
 mod flatten;
 mod lengthen;
@@ -60,7 +62,7 @@ pub use error::FlattenError;
 pub use flatten::{Flattening, flatten};
 pub use map::{Conformal, ConvexBoundary, RingKind, VirtualBoundary, Weights};
 pub use medial::{Ball, Deviation, Medial, MedialError, MedialOptions, medial_balls};
-pub use options::{FlattenOptions, Method};
+pub use options::{Charts, FlattenOptions, Method};
 pub use report::{CutReport, FlattenReport, PartReport, Timing};
 pub use request::{
     Boundary, CutAnswer, CutEdges, CutRequest, Energy, FlatSurface, FlattenRequest, MedialReport,

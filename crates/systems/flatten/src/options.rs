@@ -1,10 +1,14 @@
 //! Options of flattening.
 
+#[cfg(feature = "serde")]
+use crate::request::ChartsValue;
 use crate::{
-    Conformal, ConvexBoundary, CutError, CutOptions, FlattenError, SymmetryError, VirtualBoundary, Weights,
+    Conformal, ConvexBoundary, CutError, CutOptions, CutStrategy, FlattenError, SymmetryError,
+    VirtualBoundary, Weights,
 };
 use pompeiu_core::mesh::Precision;
 use pompeiu_core::run::{Limits, ProgressObserver};
+use std::num::NonZeroUsize;
 
 /// The kind of map.
 #[derive(Clone, Debug, PartialEq)]
@@ -52,6 +56,21 @@ impl Default for Method {
     }
 }
 
+/// How many charts a surface is divided into.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(try_from = "ChartsValue", into = "ChartsValue"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(with = "ChartsValue"))]
+pub enum Charts {
+    /// One for each connected component.
+    #[default]
+    Components,
+    /// So many: more where there are more components, fewer where the distortion asked for is reached before or faces are too few.
+    Count(NonZeroUsize),
+    /// As many as the distortion asked for needs.
+    Auto,
+}
+
 /// Options of flattening.
 #[derive(Clone)]
 pub struct FlattenOptions<'o> {
@@ -64,6 +83,12 @@ pub struct FlattenOptions<'o> {
     pub target: f64,
     /// Largest number of cuts added to a chart.
     pub most_cuts: usize,
+    /// How many charts there are. The chart that adds most to the distortion is divided first, along a short seam.
+    pub charts: Charts,
+    /// The mean symmetric Dirichlet energy of the whole map at which no more charts are divided, and at which no more cuts are added to a
+    /// chart; 4 for an isometry. None stands for [`FlattenOptions::DISTORTION`] where the number of charts is free, and for no such end
+    /// where it is given.
+    pub max_distortion: Option<f64>,
     /// Whether charts are rotated, scaled by a common factor and packed into the unit square. Otherwise a single chart keeps its
     /// position and the unit of the mesh.
     pub pack: bool,
@@ -81,7 +106,9 @@ impl Default for FlattenOptions<'_> {
             cut: CutOptions::default(),
             method: Method::default(),
             target: 4.25,
-            most_cuts: 6,
+            most_cuts: Self::MOST_CUTS,
+            charts: Charts::default(),
+            max_distortion: None,
             pack: true,
             precision: Precision::default(),
             limits: Limits::default(),
@@ -91,12 +118,58 @@ impl Default for FlattenOptions<'_> {
 }
 
 impl FlattenOptions<'_> {
+    /// The mean symmetric Dirichlet energy up to which charts are divided where nothing else is asked for.
+    pub const DISTORTION: f64 = 4.1;
+
+    /// Cuts added to a chart at most where nothing else is asked for.
+    pub const MOST_CUTS: usize = 6;
+
+    /// The same where charts are divided: a cut takes less length than a seam where few are needed, and more where many are.
+    pub const MOST_CUTS_OF_MANY: usize = 12;
+
+    /// The mean energy of the whole map at which no more charts are divided.
+    pub(crate) fn enough(&self) -> Option<f64> {
+        self.max_distortion.or((self.charts == Charts::Auto).then_some(Self::DISTORTION))
+    }
+
+    /// The mean energy of a chart at which no more cuts are added to it.
+    pub(crate) fn chart_target(&self) -> f64 {
+        self.enough().unwrap_or(self.target)
+    }
+
+    /// An option with which charts are not divided.
+    fn keeps_charts_whole(&self) -> Option<&'static str> {
+        if !matches!(self.method, Method::Free { .. }) {
+            Some("the boundary or the energy")
+        } else if self.cut.strategy != CutStrategy::Auto {
+            Some("the strategy of cuts")
+        } else if self.cut.symmetry.is_some() {
+            Some("the plane of symmetry")
+        } else if self.cut.forbids() {
+            Some("what cuts must not enter")
+        } else {
+            None
+        }
+    }
+
     pub(crate) fn check(&self) -> Result<(), FlattenError> {
         use ConvexBoundary::{Polygon, Square};
         if let Method::Convex { boundary: Square | Polygon(_), .. } = self.method
             && self.cut.symmetry.is_some()
         {
             return Err(CutError::from(SymmetryError::Boundary).into());
+        }
+        if self.charts != Charts::Components
+            && let Some(option) = self.keeps_charts_whole()
+        {
+            return Err(FlattenError::Whole { option });
+        }
+        if let Some(value) = self.max_distortion.filter(|value| value.is_nan() || *value <= 4.0) {
+            return Err(FlattenError::Option {
+                what: "greatest mean symmetric Dirichlet energy",
+                value,
+                expected: "it must be greater than 4, the value of an isometry",
+            });
         }
         if self.target > 4.0 {
             return Ok(());

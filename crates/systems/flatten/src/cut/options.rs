@@ -96,7 +96,7 @@ pub struct CutOptions {
 
 impl CutOptions {
     /// Whether any place is forbidden.
-    pub(super) fn forbids(&self) -> bool {
+    pub(crate) fn forbids(&self) -> bool {
         !(self.forbidden.is_empty() && self.forbidden_edges.is_empty() && self.forbidden_faces.is_empty())
     }
 }

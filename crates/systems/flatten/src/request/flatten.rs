@@ -3,7 +3,7 @@
 use super::CutRequest;
 use crate::chords::without_chords;
 use crate::{
-    Conformal, ConvexBoundary, CutOptions, CutStrategy, FlattenError, FlattenOptions, FlattenReport,
+    Charts, Conformal, ConvexBoundary, CutOptions, CutStrategy, FlattenError, FlattenOptions, FlattenReport,
     Flattening, Method, RingKind, VirtualBoundary, Weights, choose_cut, flatten, straighten,
 };
 use pompeiu_core::TriMesh;
@@ -46,9 +46,16 @@ pub struct FlattenRequest {
     /// Add cuts until the mean symmetric Dirichlet energy is at most this (isometry: 4).
     #[cfg_attr(feature = "clap", arg(long, value_name = "ENERGY"))]
     pub target: f64,
-    /// Most cuts that are added to a chart.
+    /// Most cuts that are added to a chart; 6 where nothing is said, or 12 where charts are divided.
     #[cfg_attr(feature = "clap", arg(long, value_name = "N"))]
-    pub most_cuts: usize,
+    pub most_cuts: Option<usize>,
+    /// How many charts: components for one of each connected part, a number, or auto for as many as the distortion needs.
+    #[cfg_attr(feature = "clap", arg(long, value_name = "N"))]
+    pub charts: Charts,
+    /// Divide charts until the mean symmetric Dirichlet energy of the whole map is at most this (isometry: 4); 4.1 where nothing is said and
+    /// the number of charts is auto.
+    #[cfg_attr(feature = "clap", arg(long, value_name = "ENERGY"))]
+    pub max_distortion: Option<f64>,
     /// Pack all charts into the unit square; otherwise a single chart stays as large as the surface, where the method puts it.
     #[cfg_attr(
         feature = "clap",
@@ -62,7 +69,7 @@ pub struct FlattenRequest {
 
 impl Default for FlattenRequest {
     fn default() -> Self {
-        let FlattenOptions { target, most_cuts, pack, precision, .. } = FlattenOptions::default();
+        let FlattenOptions { target, pack, precision, .. } = FlattenOptions::default();
         let around = VirtualBoundary::default();
         Self {
             cut: CutRequest::default(),
@@ -73,7 +80,9 @@ impl Default for FlattenRequest {
             virtual_scale: around.scale,
             virtual_kind: around.kind,
             target,
-            most_cuts,
+            most_cuts: None,
+            charts: Charts::default(),
+            max_distortion: None,
             pack,
             precision,
         }
@@ -120,6 +129,65 @@ impl From<Boundary> for BoundaryValue {
         match boundary.0 {
             Some(ConvexBoundary::Polygon(corners)) => Self::Corners(corners),
             _ => Self::Text(boundary.to_string()),
+        }
+    }
+}
+
+/// Charts in a file or a dictionary: their number, or a word.
+#[cfg(feature = "serde")]
+#[derive(serde::Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(untagged, expecting = "expected \"components\", \"auto\" or a number of charts")]
+pub(crate) enum ChartsValue {
+    /// A number, at least 1.
+    Count(NonZeroUsize),
+    /// components or auto.
+    Text(String),
+}
+
+#[cfg(feature = "serde")]
+impl TryFrom<ChartsValue> for Charts {
+    type Error = String;
+
+    fn try_from(value: ChartsValue) -> Result<Self, String> {
+        match value {
+            ChartsValue::Count(count) => Ok(Self::Count(count)),
+            ChartsValue::Text(text) => text.parse(),
+        }
+    }
+}
+
+#[cfg(feature = "serde")]
+impl From<Charts> for ChartsValue {
+    fn from(charts: Charts) -> Self {
+        match charts {
+            Charts::Count(count) => Self::Count(count),
+            Charts::Components | Charts::Auto => Self::Text(charts.to_string()),
+        }
+    }
+}
+
+impl FromStr for Charts {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        match text {
+            "components" => Ok(Self::Components),
+            "auto" => Ok(Self::Auto),
+            number => number
+                .parse()
+                .map(Self::Count)
+                .map_err(|_| "expected components, auto or a number of charts".to_owned()),
+        }
+    }
+}
+
+impl fmt::Display for Charts {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Components => f.write_str("components"),
+            Self::Auto => f.write_str("auto"),
+            Self::Count(count) => write!(f, "{count}"),
         }
     }
 }
@@ -231,11 +299,24 @@ impl FlattenRequest {
         surface: EmbeddedSurface,
         context: &RunContext<'_>,
     ) -> Result<FlatSurface, FlattenError> {
+        // A bound on the distortion needs as many charts as it needs.
+        let charts = match (self.charts, self.max_distortion) {
+            (Charts::Components, Some(_)) => Charts::Auto,
+            (charts, _) => charts,
+        };
+        if self.cut.straighten && charts != Charts::Components {
+            return Err(FlattenError::Whole { option: "the straightened cut" });
+        }
         let options = |cut| FlattenOptions {
             cut,
             method: self.method(),
             target: self.target,
-            most_cuts: self.most_cuts,
+            most_cuts: self.most_cuts.unwrap_or(match charts {
+                Charts::Components => FlattenOptions::MOST_CUTS,
+                Charts::Count(_) | Charts::Auto => FlattenOptions::MOST_CUTS_OF_MANY,
+            }),
+            charts,
+            max_distortion: self.max_distortion,
             pack: self.pack,
             precision: self.precision,
             limits: context.limits(),
@@ -288,6 +369,16 @@ impl FlattenRequest {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn charts_are_read_and_written() {
+        for text in ["components", "auto", "7"] {
+            assert_eq!(text.parse::<Charts>().unwrap().to_string(), text);
+        }
+        for wrong in ["", "0", "-1", "many", "1.5"] {
+            assert!(wrong.parse::<Charts>().is_err(), "{wrong}");
+        }
+    }
 
     #[test]
     fn boundaries_are_read_and_written() {

@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "tests may panic")]
 
+mod charts;
 mod cuts;
 mod far;
 mod maps;

@@ -23,9 +23,9 @@ pub(crate) type Flatten = Invocation<Files>;
 
 #[derive(Args)]
 #[command(after_help = "\
-The mesh must be a manifold; each of its parts becomes one chart, and all charts lie in the unit square. That the map is one-to-one
-is decided exactly on the coordinates as they are stored. Without options the boundary is free, and cuts are added until lengths
-are kept well. The exit code is 3 if the map is not one-to-one.
+The mesh must be a manifold; each of its parts becomes one chart, or several with --charts or --max-distortion, and all charts lie
+in the unit square. That the map is one-to-one is decided exactly on the coordinates as they are stored. Without options the
+boundary is free, and cuts are added until lengths are kept well. The exit code is 3 if the map is not one-to-one.
 
 Outputs:
   .obj   the mesh with texture coordinates
@@ -42,6 +42,7 @@ Boundaries:
 
 Examples:
   pompeiu flatten cow.off -o cow.obj --report cow.html
+  pompeiu flatten cow.off --max-distortion 4.05 -o cow.glb
   pompeiu flatten torus.obj --strategy genus -o torus.svg
   pompeiu flatten face.ply --boundary circle --weights mean-value -o face.png")]
 pub(crate) struct Files {

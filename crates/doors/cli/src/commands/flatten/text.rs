@@ -6,7 +6,7 @@ use crate::exit::stopped_by;
 use crate::numbers::{grouped, shortest, time};
 use crate::page::Page;
 use pompeiu::core::run::StopReason;
-use pompeiu::flatten::PartReport;
+use pompeiu::flatten::{Charts, FlattenOptions, PartReport};
 
 /// The verdict first, then a row for each quantity.
 pub(super) fn text(answer: &AnswerOf<Files>) -> String {
@@ -24,7 +24,12 @@ pub(super) fn text(answer: &AnswerOf<Files>) -> String {
         ),
     );
     if report.stop == StopReason::Steps {
-        let target = shortest(answer.request.target);
+        let request = &answer.request;
+        let target = match request.charts {
+            Charts::Auto => FlattenOptions::DISTORTION,
+            Charts::Components | Charts::Count(_) => request.target,
+        };
+        let target = shortest(request.max_distortion.unwrap_or(target));
         page.row(
             "",
             &format!("the energy of {target} asked for was not reached; allow more cuts (--most-cuts)"),

@@ -1,0 +1,155 @@
+//! Charts that are divided: their number, their distortion, that they lie apart, and where the seam goes.
+
+use super::{real_mesh, surface, zoo};
+use pompeiu_core::TriMesh;
+use pompeiu_core::mesh::UnionFind;
+use pompeiu_core::mesh::shapes::{self, Ends};
+use pompeiu_core::run::RunContext;
+use pompeiu_flatten::{
+    Charts, ConvexBoundary, CutRequest, FlattenError, FlattenOptions, FlattenRequest, Flattening, Method,
+    Weights, flatten,
+};
+use std::num::NonZeroUsize;
+
+fn count(charts: usize) -> FlattenOptions<'static> {
+    FlattenOptions { charts: Charts::Count(NonZeroUsize::new(charts).unwrap()), ..FlattenOptions::default() }
+}
+
+fn auto(max_distortion: f64) -> FlattenOptions<'static> {
+    FlattenOptions { charts: Charts::Auto, max_distortion: Some(max_distortion), ..FlattenOptions::default() }
+}
+
+/// The chart of each face, by faces that share a vertex of the opened surface.
+fn chart_of_faces(flat: &Flattening) -> Vec<usize> {
+    let faces = flat.opened.faces();
+    let mut same = UnionFind::new(flat.uv.len());
+    for [a, b, c] in faces {
+        same.union(*a as usize, *b as usize);
+        same.union(*b as usize, *c as usize);
+    }
+    faces.iter().map(|face| same.find(face[0] as usize)).collect()
+}
+
+/// Checks that the map is proven, that charts are disks within boxes that lie apart, and that every face is in the chart said.
+fn check(flat: &Flattening) {
+    let report = &flat.report;
+    assert_eq!((report.flipped, report.overlapping, report.outline_crossings), (0, 0, 0));
+    flat.opened.check_disks().unwrap();
+    let of_faces = chart_of_faces(flat);
+    let mut names = of_faces.clone();
+    names.sort_unstable();
+    names.dedup();
+    assert_eq!(names.len(), report.charts);
+    assert_eq!(report.parts.iter().map(|part| part.faces).sum::<usize>(), of_faces.len());
+    for part in &report.parts {
+        let own = of_faces[part.first_face as usize];
+        assert_eq!(of_faces.iter().filter(|name| **name == own).count(), part.faces);
+    }
+    let corners = flat.corner_uv();
+    let bounds = names.iter().map(|name| {
+        let own = corners.iter().zip(&of_faces).filter(|(_, of)| *of == name);
+        own.flat_map(|(corners, _)| corners).fold([1.0, 1.0, 0.0, 0.0], |[l, b, r, t]: [f64; 4], [x, y]| {
+            [l.min(*x), b.min(*y), r.max(*x), t.max(*y)]
+        })
+    });
+    let boxes: Vec<[f64; 4]> = bounds.collect();
+    for (i, p) in boxes.iter().enumerate() {
+        assert!(p[0] >= 0.0 && p[1] >= 0.0 && p[2] <= 1.0 && p[3] <= 1.0, "{p:?}");
+        for q in &boxes[..i] {
+            assert!(p[2] < q[0] || q[2] < p[0] || p[3] < q[1] || q[3] < p[1], "{p:?} {q:?}");
+        }
+    }
+}
+
+#[test]
+fn charts_are_divided_until_the_distortion_is_low_enough() {
+    let mut divided = 0;
+    for (genus, loops, most) in [(0, 0, 4.02), (1, 0, 4.04), (2, 1, 4.05), (0, 3, 4.03)] {
+        let surface = surface(&zoo(genus, loops));
+        let one = flatten(&surface, &FlattenOptions::default()).unwrap().report;
+        let flat = flatten(&surface, &auto(most)).unwrap();
+        check(&flat);
+        let mean = |report: &pompeiu_flatten::FlattenReport| report.distortion.symmetric_dirichlet.mean;
+        assert!(mean(&one) > most && mean(&flat.report) <= most, "genus {genus}: {}", mean(&flat.report));
+        assert!(!flat.report.stop.is_early(), "genus {genus}");
+        divided += usize::from(flat.report.charts > 1);
+    }
+    // Cuts alone do not serve them all.
+    assert!(divided >= 2, "{divided}");
+}
+
+#[test]
+fn as_many_charts_are_made_as_are_asked_for() {
+    for (genus, loops) in [(0, 0), (1, 0), (0, 2)] {
+        let surface = surface(&zoo(genus, loops));
+        for charts in [1, 2, 7] {
+            let flat = flatten(&surface, &count(charts)).unwrap();
+            check(&flat);
+            assert_eq!(flat.report.charts, charts, "genus {genus}, loops {loops}");
+        }
+    }
+}
+
+#[test]
+fn few_faces_stay_one_chart() {
+    let tetrahedron = surface(&shapes::tetrahedron(1.0).unwrap());
+    let flat = flatten(&tetrahedron, &count(5)).unwrap();
+    check(&flat);
+    assert_eq!(flat.report.charts, 1);
+}
+
+#[test]
+fn a_long_tube_is_divided_across() {
+    let (radius, height, segments) = (1.0, 12.0, 24);
+    let tube = shapes::cylinder(radius, height, segments, 48, Ends::Open).unwrap();
+    let flat = flatten(&surface(&tube), &count(2)).unwrap();
+    check(&flat);
+    // A ring across, which may run half a row beside the middle of its edges, and a generator cut in each half.
+    let ring = f64::from(segments) * 2.0 * radius * (std::f64::consts::PI / f64::from(segments)).sin();
+    let length = flat.report.cut.length;
+    assert!(length > ring + height - 1e-9 && length < 1.1 * (ring + height), "{length} of {}", ring + height);
+    assert!((flat.report.distortion.symmetric_dirichlet.mean - 4.0).abs() < 1e-3);
+}
+
+#[test]
+fn parts_that_are_not_connected_stay_apart() {
+    let ball = shapes::icosphere(1.0, 2).unwrap();
+    let far = ball.positions().iter().map(|[x, y, z]| [x + 5.0, *y, *z]).collect();
+    let both =
+        pompeiu_core::mesh::merge(&[&ball, &TriMesh::new(far, ball.faces().to_vec()).unwrap()]).unwrap();
+    let flat = flatten(&surface(&both), &count(3)).unwrap();
+    check(&flat);
+    assert_eq!(flat.report.charts, 3);
+}
+
+#[test]
+fn charts_of_real_meshes_have_short_seams() {
+    // Energy and seam of xatlas 0.0.11, in units of the square root of the area, by bench/flatten.
+    for (name, energy, seam) in [("spot.obj", 4.033, 12.29), ("bunny.off", 4.126, 15.30)] {
+        let Some(mesh) = real_mesh(name) else { return };
+        let options = FlattenOptions { most_cuts: FlattenOptions::MOST_CUTS_OF_MANY, ..auto(energy) };
+        let flat = flatten(&surface(&mesh), &options).unwrap();
+        check(&flat);
+        let report = &flat.report;
+        assert!(report.distortion.symmetric_dirichlet.mean <= energy, "{name}");
+        assert!(report.cut.relative_length < 0.5 * seam, "{name}: {}", report.cut.relative_length);
+    }
+}
+
+#[test]
+fn what_needs_whole_charts_is_refused() {
+    let ball = surface(&shapes::icosphere(1.0, 2).unwrap());
+    let circle =
+        Method::Convex { boundary: ConvexBoundary::Circle, weights: Weights::MeanValue, around: None };
+    let wrong = flatten(&ball, &FlattenOptions { method: circle, ..count(2) }).unwrap_err();
+    assert_eq!(wrong, FlattenError::Whole { option: "the boundary or the energy" });
+    assert!(matches!(flatten(&ball, &auto(4.0)).unwrap_err(), FlattenError::Option { .. }));
+    assert!(matches!(flatten(&ball, &auto(f64::NAN)).unwrap_err(), FlattenError::Option { .. }));
+    let straight = FlattenRequest {
+        cut: CutRequest { straighten: true, ..CutRequest::default() },
+        max_distortion: Some(4.1),
+        ..FlattenRequest::default()
+    };
+    let wrong = straight.run(ball, &RunContext::default()).unwrap_err();
+    assert_eq!(wrong, FlattenError::Whole { option: "the straightened cut" });
+}
