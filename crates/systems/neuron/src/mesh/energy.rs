@@ -14,8 +14,10 @@ pub(super) struct Energy<'e> {
     pub(super) shape: Shape,
     /// The wall, the vertices on it, and the weight of leaving it.
     pub(super) wall: Option<(&'e Wall, &'e [u32], f64)>,
-    /// The size of the node, which makes the energy dimensionless.
+    /// The size of the node, which makes steps and distances dimensionless.
     pub(super) scale: f64,
+    /// The size of each cell, which makes its energy dimensionless: regularisation is relative to it.
+    pub(super) sizes: &'e [f64],
     /// May end the minimisation early.
     pub(super) control: &'e Control,
 }
@@ -77,8 +79,8 @@ impl Energy<'_> {
         at.fill(DVec3::ZERO);
         let mut total = 0.0;
         let per_point = 1.0 / (self.places.len().pow(3) as f64);
-        for cell in self.cells {
-            let p = cell.map(|v| positions[v as usize] / self.scale);
+        for (cell, &size) in self.cells.iter().zip(self.sizes) {
+            let p = cell.map(|v| positions[v as usize] / size);
             let mut by_corner = [DVec3::ZERO; 8];
             for &u in self.places {
                 for &v in self.places {
@@ -124,7 +126,7 @@ impl Energy<'_> {
                 }
             }
             for (k, &v) in cell.iter().enumerate() {
-                at[v as usize] += by_corner[k] * (per_point / self.scale);
+                at[v as usize] += by_corner[k] * (per_point / size);
             }
         }
         if let Some((wall, vertices, weight)) = self.wall {
@@ -136,11 +138,11 @@ impl Energy<'_> {
         total
     }
 
-    /// The least determinant over the points, relative to the size.
+    /// The least determinant at the corners of cells, relative to their sizes.
     pub(super) fn least_determinant(&self, positions: &[DVec3]) -> f64 {
         let mut least = f64::INFINITY;
-        for cell in self.cells {
-            let p = cell.map(|v| positions[v as usize] / self.scale);
+        for (cell, &size) in self.cells.iter().zip(self.sizes) {
+            let p = cell.map(|v| positions[v as usize] / size);
             for corner in CORNERS {
                 let [o, a, b, c] = corner.map(|k| p[k]);
                 least = least.min((a - o).dot((b - o).cross(c - o)));
@@ -305,6 +307,7 @@ mod tests {
                 shape,
                 wall: Some((&wall, &[6, 2], 3.0)),
                 scale: 0.8,
+                sizes: &[0.7],
                 control: &Control::default(),
             };
             let (mut gradient, mut other) = (vec![DVec3::ZERO; 3], vec![DVec3::ZERO; 3]);

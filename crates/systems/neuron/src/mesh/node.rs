@@ -251,6 +251,7 @@ fn build(
     }
     let outer_of = |v: usize, on_wall: &[Option<u32>]| on_wall[v].unwrap_or(v as u32);
     let mut sections = Vec::new();
+    let ball = (cluster.balls.len() == 1).then(|| cluster.balls[0]);
     for ((end, &s), &quad) in cluster.ends.iter().zip(reach).zip(&assignment.quads) {
         let (at, radius) = end.at(tubes, s);
         let axis = end.tangent(tubes, s);
@@ -278,10 +279,16 @@ fn build(
                 corners.push(ring[k]);
                 next_outer[k] = corners.len() as u32;
                 let out = (ring[k] - middle).normalize_or(direction(k));
-                corners.push(if layer == layers {
-                    at + direction(k) * radius
-                } else {
-                    wall.leave(ring[k], out, radius)
+                let rim = at + direction(k) * radius;
+                corners.push(match ball {
+                    _ if layer == layers => rim,
+                    // From the core's corner to the tube along the ball: a ray across a thin tube would leave in another one.
+                    Some((ball, _)) => {
+                        let [from, to] = [start[k], rim].map(|p| (p - ball).normalize_or(out));
+                        let out = from.lerp(to, t).normalize_or(out);
+                        wall.leave(ball, out, depth)
+                    }
+                    None => wall.leave(ring[k], out, radius),
                 });
             }
             layer_of(&mut blocks, [inner, outer], [next_inner, next_outer]);
@@ -307,8 +314,25 @@ fn build(
     let mut positions: Vec<DVec3> =
         refinement.keys().iter().map(|key| weights(key).map(|(v, w)| corners[v] * w).sum()).collect();
     let kinds = kinds(cluster, tubes, &sections, &refinement, &cells, &mut positions);
-    let quality = optimise((&cells, &kinds), wall, depth, &mut positions, control);
+    let sizes: Vec<f64> = if ball.is_some() {
+        cells.iter().map(|cell| size_of(&cell.map(|v| positions[v as usize]))).collect()
+    } else {
+        vec![depth; cells.len()]
+    };
+    let quality = optimise((&cells, &kinds), wall, (depth, &sizes), &mut positions, control);
     NodeMesh { blocks, corners: corners.len(), refinement, positions, sections, quality }
+}
+
+/// The size of a cell: the geometric mean of its mean edges along the three axes, folded or not.
+fn size_of(corners: &[DVec3; 8]) -> f64 {
+    let edges = [
+        [[0, 1], [3, 2], [4, 5], [7, 6]],
+        [[0, 3], [1, 2], [4, 7], [5, 6]],
+        [[0, 4], [1, 5], [2, 6], [3, 7]],
+    ];
+    let mean =
+        |of: [[usize; 2]; 4]| of.map(|[a, b]| 0.25 * corners[a].distance(corners[b])).iter().sum::<f64>();
+    libm::cbrt(edges.map(mean).iter().product::<f64>()).max(f64::MIN_POSITIVE)
 }
 
 /// Five blocks between two sections.
@@ -428,7 +452,7 @@ fn kinds(
 fn optimise(
     (cells, kinds): (&[[u32; 8]], &[Kind]),
     wall: &Wall,
-    scale: f64,
+    (scale, sizes): (f64, &[f64]),
     positions: &mut [DVec3],
     control: &Control,
 ) -> f64 {
@@ -448,6 +472,7 @@ fn optimise(
         shape: Shape::MeanRatio { epsilon: 0.1 },
         wall: None,
         scale,
+        sizes,
         control,
     };
     for (round, weight) in [30.0, 300.0, 3000.0, 30_000.0].into_iter().enumerate() {

@@ -107,6 +107,38 @@ fn a_soma_is_a_ball_that_neurites_leave_with_their_own_radius() {
     assert!((total(&found) / expected - 1.0).abs() < 0.12, "{} {expected}", total(&found));
 }
 
+/// Dendrites from a ball of radius 1, with four samples each, spread evenly by the golden angle.
+fn soma(arms: u32, radius: impl Fn(u32) -> f64) -> String {
+    let mut text = "1 1 0 0 0 1 -1\n".to_owned();
+    for arm in 0..arms {
+        let height = 1.0 - (2.0 * f64::from(arm) + 1.0) / f64::from(arms);
+        let angle = PI * (3.0 - 5.0_f64.sqrt()) * f64::from(arm);
+        let across = (1.0 - height * height).sqrt();
+        let direction = [across * libm::cos(angle), across * libm::sin(angle), height];
+        for k in 0..4 {
+            let s = 1.0 + radius(arm) * f64::from(4 + 5 * k);
+            let [x, y, z] = direction.map(|c| c * s);
+            let id = 2 + 4 * arm + k;
+            let parent = if k == 0 { 1 } else { id - 1 };
+            let _ = writeln!(text, "{id} 3 {x} {y} {z} {} {parent}", radius(arm));
+        }
+    }
+    text
+}
+
+#[test]
+fn thin_dendrites_leave_a_wide_soma() {
+    let options = MeshOptions { parts: 1, ..quick() };
+    for (arms, ratio) in [(1, 20.0), (3, 10.0), (3, 16.0)] {
+        let found = mesh(&soma(arms, |_| 1.0 / ratio), &options);
+        assert_eq!(found.caps.len(), arms as usize);
+        assert!(found.report.min_scaled_jacobian > 0.2, "{arms} of 1:{ratio}: {:?}", found.report);
+    }
+    // Thick and thin ones mixed.
+    let found = mesh(&soma(12, |arm| if arm % 3 == 0 { 0.2 } else { 0.06 }), &options);
+    assert!(found.caps.len() == 12 && found.report.min_scaled_jacobian > 0.2, "{:?}", found.report);
+}
+
 #[test]
 fn the_wall_is_as_near_to_the_cones_as_its_polygons_allow() {
     let text = "1 2 0 0 0 1 -1\n2 2 20 0 0 1 1\n";
