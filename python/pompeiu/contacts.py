@@ -43,6 +43,11 @@ class Contact:
     checkpoint: bytes
     report: Dict[str, Any]
     stop: str
+    _page: Optional["_native.RunPage"] = None
+
+    def __getstate__(self) -> Dict[str, Any]:
+        # What the page needs does not travel.
+        return {name: value for name, value in self.__dict__.items() if name != "_page"}
 
     @property
     def steps(self) -> List[Dict[str, Any]]:
@@ -65,6 +70,25 @@ class Contact:
         ``pompeiu contact --resume`` with the same scene and meshes."""
         with open(path, "wb") as file:
             file.write(self.checkpoint)
+
+    def save_html(self, path: Union[str, "os.PathLike[str]"]) -> None:
+        """Writes a page that plays the run, as ``pompeiu contact --report`` does. It appears whole or not at all.
+
+        Parameters
+        ----------
+        path : str or path-like
+            The file.
+
+        Raises
+        ------
+        ValueError
+            If this answer was pickled: the frames do not travel with it.
+        OSError
+            If the file cannot be written.
+        """
+        if self._page is None:
+            raise ValueError("this answer was pickled: the frames of the run do not travel with it")
+        _native.write_whole(path, self._page.html().encode())
 
     def __repr__(self) -> str:
         certificate = self.report["certificate"]
@@ -172,7 +196,7 @@ def contact(
         text, beside = _native.contact(sources, *split(given), told)
         answer = json.loads(text)
     arrays = (beside["positions"], beside["velocities"], beside["faces"])
-    return Contact(*arrays, beside["checkpoint"], answer["report"], answer["stop"])
+    return Contact(*arrays, beside["checkpoint"], answer["report"], answer["stop"], beside["page"])
 
 
 def _source(mesh: Any) -> Any:

@@ -1,5 +1,7 @@
 """Bodies in contact: scenes, meshes in memory, a callback after each step."""
 
+import pickle
+
 import numpy as np
 import pompeiu
 import pytest
@@ -27,6 +29,17 @@ def test_a_callback_gets_each_step_and_may_end_the_run():
     found = pompeiu.contact(FLOOR, [BALL], on_step, steps=9, dt=0.01)
     assert found.stop == "cancelled" and len(found.steps) == len(heights) == 3
     assert heights[0] > heights[1] > heights[2] == found.positions[:, 2].min() > 0
+
+
+def test_the_page_of_a_run(tmp_path):
+    found = pompeiu.contact("collision", steps=2)
+    found.save_html(tmp_path / "collision.html")
+    page = (tmp_path / "collision.html").read_text()
+    assert page.startswith("<!DOCTYPE html>") and "Contact: collision" in page and "0 intersecting pairs in 2 of 2 steps, exact" in page
+    again = pickle.loads(pickle.dumps(found))
+    assert (again.positions == found.positions).all()
+    with pytest.raises(ValueError, match="pickled"):
+        again.save_html(tmp_path / "again.html")
 
 
 def test_an_exception_of_the_callback_is_raised():

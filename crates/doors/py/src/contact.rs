@@ -4,8 +4,10 @@ use crate::arrays::array_of_rows;
 use crate::ask::{Answered, Asked, Asking, Beside, Failure, Given, Limited, Outcome, answer, failure};
 use crate::errors::Raise;
 use crate::json::written;
+use crate::page::RunPage;
 use crate::wait::Share;
 use pompeiu::contact::request::{BodyMesh, Checkpoint, ContactRequestError};
+use pompeiu::contact::show::ContactFrames;
 use pompeiu::contact::{ContactRequest, ContactStep, Scene, Simulation};
 use pompeiu::io::{SurfaceOrSolid, read_surface_or_solid};
 use pyo3::prelude::*;
@@ -57,21 +59,25 @@ fn run(
             Unread::Mesh(error) => error,
             Unread::Scene(error) => failure(error),
         })?;
-    let mut watch = |simulation: &Simulation, steps: &[ContactStep]| match steps.last() {
-        Some(step) => on_step(simulation, step),
-        None => ControlFlow::Continue(()),
+    let mut frames = ContactFrames::default();
+    let mut watch = |simulation: &Simulation, steps: &[ContactStep]| {
+        frames.add(simulation);
+        steps.last().map_or(ControlFlow::Continue(()), |step| on_step(simulation, step))
     };
     let run = request.run(&scene, &meshes, resume, &asking.watched(), &mut watch).map_err(failure)?;
     let checkpoint = Checkpoint::new(&run.simulation, &run.report.steps).and_then(|c| c.to_bytes());
     let checkpoint = checkpoint.map_err(|error| failure(ContactRequestError::from(error)))?;
     let state = run.simulation.state();
+    let (report, faces) = (run.report.clone(), run.simulation.faces().to_vec());
+    let page = RunPage::new(move || run.page(&frames, None).html());
     let beside = vec![
         ("positions", Beside::Points(state.positions)),
         ("velocities", Beside::Points(state.velocities)),
-        ("faces", Beside::Triples(run.simulation.faces().to_vec())),
+        ("faces", Beside::Triples(faces)),
         ("checkpoint", Beside::Bytes(checkpoint)),
+        ("page", Beside::RunPage(page)),
     ];
-    Ok((run.report, beside))
+    Ok((report, beside))
 }
 
 /// Why there is no mesh of a body.

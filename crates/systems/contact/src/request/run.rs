@@ -16,6 +16,29 @@ pub struct ContactRun {
     pub simulation: Simulation,
 }
 
+#[cfg(feature = "figures")]
+impl ContactRun {
+    /// The page of the run, with frames of it and the command that makes the page again.
+    pub fn page<'r>(
+        &'r self,
+        frames: &'r crate::show::ContactFrames,
+        command: Option<&'r str>,
+    ) -> crate::show::ContactPage<'r> {
+        let gravity = self.simulation.options().gravity;
+        crate::show::ContactPage {
+            name: &self.report.scene,
+            bodies: self.simulation.bodies(),
+            distance: self.report.scheme.distance,
+            start: &self.report.start,
+            steps: &self.report.steps,
+            frames: frames.frames(),
+            certificate: self.report.certificate.sentence(),
+            up: if gravity.length() > 0.0 { (-gravity.normalize()).to_array() } else { [0.0, 0.0, 1.0] },
+            command,
+        }
+    }
+}
+
 /// Gets the simulation at first and after each step, with what was measured; may end the run.
 type Watch<'w> = dyn FnMut(&Simulation, &[ContactStep]) -> ControlFlow<()> + Send + 'w;
 

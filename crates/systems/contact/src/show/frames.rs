@@ -12,7 +12,7 @@ const MOST_FRAMES: usize = 120;
 const LEAST_FRAMES: usize = 8;
 
 /// The number of frames in a page, for so many vertices.
-pub fn most_frames(vertices: usize) -> usize {
+fn most_frames(vertices: usize) -> usize {
     (MOST_VERTICES / vertices.max(1)).clamp(LEAST_FRAMES, MOST_FRAMES)
 }
 
@@ -35,5 +35,39 @@ impl ContactFrame {
             time: simulation.time(),
             positions: simulation.positions().iter().map(glam::DVec3::to_array).collect(),
         }
+    }
+}
+
+/// Frames of a run, evenly spaced but for the last, never more than a page has.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ContactFrames {
+    frames: Vec<ContactFrame>,
+    /// Steps from one frame to the next.
+    stride: usize,
+}
+
+impl Default for ContactFrames {
+    fn default() -> Self {
+        Self { frames: Vec::new(), stride: 1 }
+    }
+}
+
+impl ContactFrames {
+    /// Takes over the bodies as they are after a step.
+    pub fn add(&mut self, simulation: &Simulation) {
+        if self.frames.last().is_some_and(|last| !last.step.is_multiple_of(self.stride)) {
+            self.frames.pop();
+        }
+        if self.frames.len() >= most_frames(simulation.positions().len()) {
+            self.stride *= 2;
+            let stride = self.stride;
+            self.frames.retain(|frame| frame.step.is_multiple_of(stride));
+        }
+        self.frames.push(ContactFrame::new(simulation));
+    }
+
+    /// The frames, in order; the last one is always there.
+    pub fn frames(&self) -> &[ContactFrame] {
+        &self.frames
     }
 }

@@ -3,5 +3,5 @@
 mod frames;
 mod page;
 
-pub use frames::{ContactFrame, most_frames};
+pub use frames::{ContactFrame, ContactFrames};
 pub use page::ContactPage;

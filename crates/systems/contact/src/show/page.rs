@@ -15,7 +15,7 @@ use pompeiu_figures::{
 use std::f64::consts::{PI, TAU};
 
 /// The page of a run.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct ContactPage<'r> {
     /// What the run is called.
     pub name: &'r str,
@@ -30,7 +30,7 @@ pub struct ContactPage<'r> {
     /// Frames, in order.
     pub frames: &'r [ContactFrame],
     /// What the exact test found, in words.
-    pub certificate: &'r str,
+    pub certificate: String,
     /// Which way is up.
     pub up: [f64; 3],
     /// The command that makes the page again.
@@ -240,7 +240,7 @@ impl ContactPage<'_> {
     }
 
     fn facts(&self) -> Vec<Fact> {
-        let mut facts = vec![Fact::new("intersections", self.certificate)];
+        let mut facts = vec![Fact::new("intersections", self.certificate.clone())];
         let mut add = |name: &str, value: Text| facts.push(Fact::new(name, value));
         if let Some(gap) = self.steps.iter().filter_map(|step| step.least_gap).reduce(f64::min) {
             add("least gap", Text::default().number(gap, 4));

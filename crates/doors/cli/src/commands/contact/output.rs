@@ -6,7 +6,7 @@ use crate::printer::Printer;
 use crate::series::Series;
 use crate::{files, film};
 use pompeiu::contact::request::{Checkpoint, ContactRun};
-use pompeiu::contact::show::{ContactFrame, ContactPage, most_frames};
+use pompeiu::contact::show::ContactFrames;
 use pompeiu::contact::{ContactStep, Simulation};
 use pompeiu::figures::{Theme, View};
 use pompeiu::io::{Attributes, write_with};
@@ -24,9 +24,7 @@ pub(super) struct Outputs<'f> {
     files: &'f Files,
     printer: &'f Printer,
     series: Option<Series>,
-    frames: Vec<ContactFrame>,
-    /// Steps from one frame to the next.
-    stride: usize,
+    frames: ContactFrames,
     saved: Instant,
     /// Why a checkpoint could not be written.
     error: Option<anyhow::Error>,
@@ -34,14 +32,16 @@ pub(super) struct Outputs<'f> {
 
 impl<'f> Outputs<'f> {
     pub(super) fn new(files: &'f Files, printer: &'f Printer, series: Option<Series>) -> Self {
-        let (frames, saved) = (Vec::new(), Instant::now());
-        Self { files, printer, series, frames, stride: 1, saved, error: None }
+        let (frames, saved) = (ContactFrames::default(), Instant::now());
+        Self { files, printer, series, frames, saved, error: None }
     }
 
     /// Takes the bodies over as they are after a step.
     pub(super) fn add(&mut self, simulation: &Simulation, steps: &[ContactStep]) -> ControlFlow<()> {
         let done = steps.len();
-        self.keep_frame(simulation);
+        if self.is_shown() {
+            self.frames.add(simulation);
+        }
         let series = self.series.as_ref().filter(|_| done.is_multiple_of(self.files.every.get()));
         if let Some(series) = series {
             series.add(done, simulation.time(), |path| write_step(simulation, path))?;
@@ -63,44 +63,22 @@ impl<'f> Outputs<'f> {
         }
         self.error.take().map_or(Ok(()), Err)?;
         self.save(&run.simulation, &run.report.steps)?;
-        if self.files.video.is_none() && self.files.report.is_none() {
+        if !self.is_shown() {
             return Ok(());
         }
-        let gravity = run.simulation.options().gravity;
-        let page = ContactPage {
-            name: &run.report.scene,
-            bodies: run.simulation.bodies(),
-            distance: run.report.scheme.distance,
-            start: &run.report.start,
-            steps: &run.report.steps,
-            frames: &self.frames,
-            certificate: &run.report.certificate.sentence(),
-            up: if gravity.length() > 0.0 { (-gravity.normalize()).to_array() } else { [0.0, 0.0, 1.0] },
-            command: Some(&called()),
-        };
+        let command = called();
+        let page = run.page(&self.frames, Some(&command));
         if let Some(path) = &self.files.report {
             files::write_whole(path, page.html()?.as_bytes(), self.printer)?;
         }
         let Some(path) = &self.files.video else { return Ok(()) };
         let [width, height] = FILM_SIZE;
         let draw = |frame| page.image(frame, width, height, Theme::Light, View::default());
-        film::write(path, || page.html(), self.frames.len(), draw, self.printer)
+        film::write(path, || page.html(), self.frames.frames().len(), draw, self.printer)
     }
 
-    /// Keeps frames so far apart that there are never too many; the last one is always there.
-    fn keep_frame(&mut self, simulation: &Simulation) {
-        if self.files.video.is_none() && self.files.report.is_none() {
-            return;
-        }
-        if self.frames.last().is_some_and(|last| !last.step.is_multiple_of(self.stride)) {
-            self.frames.pop();
-        }
-        if self.frames.len() >= most_frames(simulation.positions().len()) {
-            self.stride *= 2;
-            let stride = self.stride;
-            self.frames.retain(|frame| frame.step.is_multiple_of(stride));
-        }
-        self.frames.push(ContactFrame::new(simulation));
+    fn is_shown(&self) -> bool {
+        self.files.video.is_some() || self.files.report.is_some()
     }
 
     fn save(&self, simulation: &Simulation, steps: &[ContactStep]) -> anyhow::Result<()> {
