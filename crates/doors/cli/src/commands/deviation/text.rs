@@ -115,12 +115,13 @@ fn regions(page: &mut Page, [a, b]: [&str; 2], report: &DeviationReport) {
         .flat_map(|((_, directed), names)| directed.regions.iter().map(move |region| (region, names)))
         .collect();
     all.sort_by(|(x, _), (y, _)| y.peak.upper().total_cmp(&x.peak.upper()));
-    let mut listed: Vec<&Region> = Vec::new();
+    let mut listed: Vec<(&Region, &str)> = Vec::new();
     for (region, [from, to]) in all {
-        if listed.len() == REGIONS || listed.iter().any(|other| is_beside(other, region)) {
+        let is_listed = |&(other, of): &(&Region, &str)| of != from && is_beside(other, region);
+        if listed.len() == REGIONS || listed.iter().any(is_listed) {
             continue;
         }
-        listed.push(region);
+        listed.push((region, from));
         let place = point(region.witness.from.position.map(rounded));
         let name = if listed.len() == 1 { "worst" } else { "" };
         let (n, peak, count, area) = (listed.len(), brief(region.peak), faces(region), few(region.area));
@@ -132,10 +133,10 @@ fn regions(page: &mut Page, [a, b]: [&str; 2], report: &DeviationReport) {
     }
 }
 
-/// Whether a region has its peak where another one lies, up to the distance of both surfaces there: seen from the other surface it
-/// is the same place.
+/// Whether a region has its peak where one of the other surface lies, up to the distance of both surfaces at the peak: seen from the
+/// other surface it is the same place. Regions of one surface are different places.
 fn is_beside(other: &Region, region: &Region) -> bool {
-    let reach = other.peak.upper();
+    let reach = region.peak.upper();
     let place = region.witness.from.position;
     (0..3).all(|k| (other.aabb.lower[k] - reach..=other.aabb.upper[k] + reach).contains(&place[k]))
 }
