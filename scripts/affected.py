@@ -38,6 +38,7 @@ FOLDERS = {"/src/show/": ["browser"], "/src/show.rs": ["browser"], "/tests/brows
 # Crates whose tests read files outside of all crates, by the beginning of the path of those.
 READERS = {
     "docs/guide/": "pompeiu-cli",
+    "examples/bracket/": "pompeiu-cli",
     "examples/meshes/": "pompeiu-cli",
     "docs/": "pompeiu",
     "ARCHITECTURE.md": "pompeiu",

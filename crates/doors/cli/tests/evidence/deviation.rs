@@ -1,6 +1,6 @@
 //! The answers of `pompeiu deviation`, against closed forms and against its own files.
 
-use crate::common::{Folder, report_of};
+use crate::common::{Folder, report_of, repository};
 use serde_json::Value;
 
 /// A plate of side 2 at height 0.5 over a larger one at height 0: every point is exactly half a unit away.
@@ -312,6 +312,20 @@ fn an_answer_fits_on_a_screen() {
 }
 
 /// A copy that was turned and moved has distance 0 once it is aligned.
+#[test]
+fn each_defect_of_a_scan_is_listed() {
+    // The dent is nearer to the missing rib than the rib is high; seen from the scan, both are the same places.
+    let folder = Folder::new();
+    for name in ["bracket.obj", "bracket-scan.obj"] {
+        std::fs::copy(repository().join("examples/bracket").join(name), folder.path().join(name)).unwrap();
+    }
+    let asked = "deviation --model bracket.obj --scan bracket-scan.obj --within 0.5mm --unit mm";
+    let (code, answer, errors) = folder.transcript(asked);
+    assert_eq!(code, Some(1), "{errors}");
+    let listed = ["1. 17.0", "2. 4.39", "3. 0.59"];
+    assert!(listed.iter().all(|place| answer.contains(place)), "{answer}");
+}
+
 #[test]
 fn a_moved_copy_is_aligned_before_it_is_compared() {
     let folder = Folder::new();
