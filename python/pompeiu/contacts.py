@@ -150,11 +150,12 @@ def contact(
         bent at them when a step begins; ``"plain"``: all pairs of points with triangles and of edges with edges. Inner
         edges of a flat surface push sideways.
     projection : str, optional
-        How second derivatives of barriers are made positive semi-definite. ``"normal"``: only the part along the
-        normal, of rank one; ``"exact"``: the nearest positive semi-definite matrix, from an eigenproblem of size five.
+        The projection of second derivatives of barriers to positive semi-definite matrices. ``"normal"``: only the part
+        along the normal, of rank one; ``"exact"``: the nearest positive semi-definite matrix, from an eigenproblem of
+        size five.
     integrator : str, optional
-        How time steps are taken: implicit Euler damps, bdf2 is of second order. ``"euler"``: implicit Euler: first
-        order, damps oscillations; ``"bdf2"``: the backward differentiation formula of second order.
+        The time integrator: implicit Euler damps, bdf2 is of second order. ``"euler"``: implicit Euler: first order,
+        damps oscillations; ``"bdf2"``: the backward differentiation formula of second order.
     check : str, optional
         When the exact test looks for intersections. ``"every"``: after each step; ``"last"``: when asked for:
         [`Simulation::certify`](crate::Simulation::certify); ``"never"``: not at all, but for the start.

@@ -112,7 +112,7 @@ def couple(
     x0 : array of shape (n,)
         What the first solver starts from. One window is solved unless ``windows`` says more.
     scheme : str, optional
-        How the next input is found: fixed, constant:W, aitken, aitken:W, iqn-ils, iqn-imvj, two-models.
+        The coupling scheme: fixed, constant:W, aitken, aitken:W, iqn-ils, iqn-imvj, two-models.
     windows : int, optional
         Number of windows in time.
     tolerance : float, optional
@@ -126,7 +126,7 @@ def couple(
     extrapolate : int, optional
         Order of the extrapolation of first guesses: 0, 1, 2.
     closed : str, optional
-        What to do about an enclosed fluid. ``"project"``: the pressure constant is chosen so that the displacement of
+        The treatment of an enclosed fluid. ``"project"``: the pressure constant is chosen so that the displacement of
         the solid equals the inflow; ``"refuse"``: the run ends with an error that states the imbalance.
     compare : bool
         Run the scene with all schemes, for a table.

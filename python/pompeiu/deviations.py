@@ -711,7 +711,7 @@ def deviation(
     bins : int
         Bins of the histogram.
     regions : int
-        How many of the worst regions to list.
+        The number of worst regions to list.
     most_pieces : int, optional
         Pieces that the faces of a mesh may be cut into before intervals stay wider than asked; by default 4,000,000, or
         twelve for each face of both meshes if that is more.
@@ -828,7 +828,7 @@ def directed_deviation(
     bins : int
         Bins of the histogram.
     regions : int
-        How many of the worst regions to list.
+        The number of worst regions to list.
     most_pieces : int, optional
         Pieces that the faces of a mesh may be cut into before intervals stay wider than asked; by default 4,000,000, or
         twelve for each face of both meshes if that is more.

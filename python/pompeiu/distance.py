@@ -193,10 +193,10 @@ def distance(
     tolerance : float
         Largest width of the proven intervals.
     tolerance_kind : str
-        What the tolerance is measured in. ``"diagonal"``: the diagonal of the box around both meshes; ``"relative"``:
-        the distance itself; ``"absolute"``: the unit of the files.
+        The unit of the tolerance. ``"diagonal"``: the diagonal of the box around both meshes; ``"relative"``: the
+        distance itself; ``"absolute"``: the unit of the files.
     direction : str
-        Which of the two directed distances to compute. ``"both"``: from A to B and from B to A: the symmetric distance;
+        The directed distances to compute. ``"both"``: from A to B and from B to A: the symmetric distance;
         ``"a-to-b"``: from A to B: how far points of A are from B; ``"b-to-a"``: from B to A: how far points of B are
         from A.
     assert_below : Union[float, str], optional
@@ -205,8 +205,8 @@ def distance(
     unit : str
         The unit of the coordinates, such as mm; files have none.
     method : str
-        How to search. ``"fast"``: cover, generate and cut; ``"classic"``: the textbook branch and bound: a baseline,
-        slow at small tolerances.
+        The search method. ``"fast"``: cover, generate and cut; ``"classic"``: the textbook branch and bound: a
+        baseline, slow at small tolerances.
     trace : bool
         Show how the interval narrows: a row per tolerance 1e-1, 1e-2, ... of the diagonal.
     certificate_slack : float

@@ -295,16 +295,17 @@ def decompose(
         The field to split: a file of vectors on faces, rotation:AXIS, gradient:WHAT, random:SEED or harmonic:K; without
         one only the degrees of freedom are counted.
     name : str, optional
-        Which vectors of the file, if it has several.
+        The name of the vectors in the file, if it has several.
     splitting : str
-        Which kind of function makes gradients. ``"primal"``: gradients of continuous functions, rotated gradients of
-        functions that agree at midpoints of edges; ``"dual"``: gradients of functions that agree at midpoints of edges,
-        rotated gradients of continuous functions.
+        The kind of function whose gradients are one part. ``"primal"``: gradients of continuous functions, rotated
+        gradients of functions that agree at midpoints of edges; ``"dual"``: gradients of functions that agree at
+        midpoints of edges, rotated gradients of continuous functions.
     boundary : str
-        How the harmonic part meets the boundary. ``"tangential"``: harmonic Neumann fields, tangential to the boundary:
-        the potential of the rotated gradient is zero there, so that neither the rotated gradient nor the harmonic part
-        has a normal component; ``"normal"``: harmonic Dirichlet fields, normal to the boundary: the potential of the
-        gradient is zero there, so that neither the gradient nor the harmonic part has a tangential component.
+        The boundary condition of the harmonic part. ``"tangential"``: harmonic Neumann fields, tangential to the
+        boundary: the potential of the rotated gradient is zero there, so that neither the rotated gradient nor the
+        harmonic part has a normal component; ``"normal"``: harmonic Dirichlet fields, normal to the boundary: the
+        potential of the gradient is zero there, so that neither the gradient nor the harmonic part has a tangential
+        component.
 
     Raises
     ------

@@ -125,13 +125,13 @@ def cut(
     mesh : MeshLike
         An oriented manifold.
     strategy : str
-        How the edges to cut are chosen. ``"auto"``: what leaves a disk of each part; the tips of a sphere joined;
-        ``"genus"``: the least that makes a disk of what is neither a disk nor a sphere; ``"euclidean"``: the farthest
-        pair of vertices in space joined, then the vertex farthest from the cut; ``"geodesic"``: the same with distances
-        along the surface; ``"tips"``: what leaves a disk, and all tips; ``"medial"``: the touched vertices farthest
-        apart of the balls at the ends of the longest path between balls; ``"medial-tree"``: what leaves a disk, and the
-        vertices nearest to the centres of balls; ``"bones"``: a path along each edge of the shortest tree between
-        balls.
+        The method that chooses the edges to cut. ``"auto"``: what leaves a disk of each part; the tips of a sphere
+        joined; ``"genus"``: the least that makes a disk of what is neither a disk nor a sphere; ``"euclidean"``: the
+        farthest pair of vertices in space joined, then the vertex farthest from the cut; ``"geodesic"``: the same with
+        distances along the surface; ``"tips"``: what leaves a disk, and all tips; ``"medial"``: the touched vertices
+        farthest apart of the balls at the ends of the longest path between balls; ``"medial-tree"``: what leaves a
+        disk, and the vertices nearest to the centres of balls; ``"bones"``: a path along each edge of the shortest tree
+        between balls.
     cuts : int, optional
         Number of cuts of the strategies euclidean and geodesic; with spread the most, 1 and 100 unless given.
     spread : float, optional
@@ -221,13 +221,13 @@ def flatten(
     mesh : MeshLike
         An oriented manifold.
     strategy : str
-        How the edges to cut are chosen. ``"auto"``: what leaves a disk of each part; the tips of a sphere joined;
-        ``"genus"``: the least that makes a disk of what is neither a disk nor a sphere; ``"euclidean"``: the farthest
-        pair of vertices in space joined, then the vertex farthest from the cut; ``"geodesic"``: the same with distances
-        along the surface; ``"tips"``: what leaves a disk, and all tips; ``"medial"``: the touched vertices farthest
-        apart of the balls at the ends of the longest path between balls; ``"medial-tree"``: what leaves a disk, and the
-        vertices nearest to the centres of balls; ``"bones"``: a path along each edge of the shortest tree between
-        balls.
+        The method that chooses the edges to cut. ``"auto"``: what leaves a disk of each part; the tips of a sphere
+        joined; ``"genus"``: the least that makes a disk of what is neither a disk nor a sphere; ``"euclidean"``: the
+        farthest pair of vertices in space joined, then the vertex farthest from the cut; ``"geodesic"``: the same with
+        distances along the surface; ``"tips"``: what leaves a disk, and all tips; ``"medial"``: the touched vertices
+        farthest apart of the balls at the ends of the longest path between balls; ``"medial-tree"``: what leaves a
+        disk, and the vertices nearest to the centres of balls; ``"bones"``: a path along each edge of the shortest tree
+        between balls.
     cuts : int, optional
         Number of cuts of the strategies euclidean and geodesic; with spread the most, 1 and 100 unless given.
     spread : float, optional
@@ -258,27 +258,27 @@ def flatten(
     straighten : bool
         Straighten the cut across faces, and insert it into the mesh.
     boundary : Union[str, Sequence[Sequence[float]]]
-        Where the boundary goes: free, circle, square, own or polygon:X,Y;… with the corners of a convex polygon,
-        counter-clockwise.
+        The shape of the boundary in the plane: free, circle, square, own or polygon:X,Y;… with the corners of a convex
+        polygon, counter-clockwise.
     weights : str
         Weights of edges where the boundary goes to a convex curve. ``"uniform"``: equal weights: Tutte's embedding.
         Ignores the shapes of faces; ``"cotangent"``: half the sum of the opposite cotangents, on the intrinsic Delaunay
         triangulation: the discrete harmonic map. Faces of the original surface may flip; mean value weights are then
         used instead; ``"mean-value"``: floater's mean value weights, which are always positive.
     energy : str
-        What is least where the boundary is free. ``"symmetric-dirichlet"``: lengths, without flips and overlaps;
-        ``"lscm"``: angles, two vertices held; faces may flip; ``"spectral"``: angles, by an eigenvector; faces may
-        flip; ``"arap"``: lengths, as rigid as possible; faces may flip.
+        The distortion that is minimised where the boundary is free. ``"symmetric-dirichlet"``: lengths, without flips
+        and overlaps; ``"lscm"``: angles, two vertices held; faces may flip; ``"spectral"``: angles, by an eigenvector;
+        faces may flip; ``"arap"``: lengths, as rigid as possible; faces may flip.
     virtual_layers : int
         Layers of faces that are mapped around a convex boundary's disk and then dropped, so that its own boundary is
         freer.
     virtual_scale : float
-        How much wider each of these layers is than the one before.
+        The ratio of the widths of two successive layers.
     virtual_kind : str
-        Where the lengths of their edges come from. ``"intrinsic"``: from circles: layer k lies on the circle of radius
-        r aᵏ, where 2 π r is the length of the boundary, at angles proportional to the lengths of its edges. Edges of
-        the boundary keep their lengths; ``"extrinsic"``: from positions in space: layer k is the boundary scaled about
-        its centroid by aᵏ.
+        The source of the lengths of their edges. ``"intrinsic"``: from circles: layer k lies on the circle of radius r
+        aᵏ, where 2 π r is the length of the boundary, at angles proportional to the lengths of its edges. Edges of the
+        boundary keep their lengths; ``"extrinsic"``: from positions in space: layer k is the boundary scaled about its
+        centroid by aᵏ.
     target : float
         Add cuts until the mean symmetric Dirichlet energy is at most this (isometry: 4).
     most_cuts : int, optional

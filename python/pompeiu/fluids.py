@@ -408,9 +408,9 @@ def fluid(
     square : int, optional
         The unit square of N x N cells instead of a mesh.
     grid : str
-        How the square stores velocities: mac, stam (solved directly) or stam:SWEEPS of Gauss and Seidel.
+        The discretisation of the square: mac, stam (solved directly) or stam:SWEEPS of Gauss and Seidel.
     edges : str
-        What is at the edges of the square: walls, periodic or channel:SPEED (inflow on the left).
+        The boundary condition of the square: walls, periodic or channel:SPEED (inflow on the left).
     lid : float
         The velocity of the upper wall of the square, to the right.
     obstacles : str, optional
@@ -422,19 +422,19 @@ def fluid(
     cfl : float, optional
         Halve the step until no more than this part of what a dual cell holds flows out of it in a step.
     scheme : str
-        How the velocity is stored and advected. ``"vorticity"``: vorticity at vertices and harmonic coefficients;
-        Galerkin advection in substeps. Conserves energy, enstrophy and total vorticity in space; ``"any-step"``: the
-        same unknowns; semi-Lagrangian advection, stable at any step. Loses energy; ``"faces"``: velocities on faces;
-        semi-Lagrangian advection from their centroids with parallel transport, then projection; stable at any step.
-        Loses the most energy; ``"crouzeix-raviart"``: velocities at midpoints of edges (Crouzeix and Raviart) for
-        viscosity; advection by their vorticity as in [`Scheme::Vorticity`]. Rigid rotations never gain energy. Without
-        viscosity it is that scheme.
+        The discretisation of the velocity and its advection. ``"vorticity"``: vorticity at vertices and harmonic
+        coefficients; Galerkin advection in substeps. Conserves energy, enstrophy and total vorticity in space;
+        ``"any-step"``: the same unknowns; semi-Lagrangian advection, stable at any step. Loses energy; ``"faces"``:
+        velocities on faces; semi-Lagrangian advection from their centroids with parallel transport, then projection;
+        stable at any step. Loses the most energy; ``"crouzeix-raviart"``: velocities at midpoints of edges (Crouzeix
+        and Raviart) for viscosity; advection by their vorticity as in [`Scheme::Vorticity`]. Rigid rotations never gain
+        energy. Without viscosity it is that scheme.
     integrator : str
-        How the vorticity is advanced in time. ``"runge-kutta"``: the classical Runge–Kutta method of fourth order;
+        The time integrator of the vorticity. ``"runge-kutta"``: the classical Runge–Kutta method of fourth order;
         ``"implicit-midpoint"``: the implicit midpoint rule, solved to rounding: conserves energy and enstrophy in time
         as well.
     correction : str
-        How the numerical diffusion of semi-Lagrangian interpolation is corrected. ``"linear"``: not at all: first
+        The correction of the numerical diffusion of semi-Lagrangian interpolation. ``"linear"``: not at all: first
         order. [`Scheme::Faces`] then also traces in a straight line, as Stam does; ``"mac-cormack"``: half the error of
         a step forth and back is added at the end (`MacCormack`), limited to the surrounding values; ``"bfecc"``: half
         the error is added at the beginning and advected (back and forth error compensation and correction), limited to
@@ -455,11 +455,11 @@ def fluid(
         The condition for a viscous flow at the boundary. ``"no-slip"``: no slip: the fluid has the velocity of the
         boundary, which may move tangentially; ``"free-slip"``: the boundary exerts no tangential force.
     transport : str
-        How densities are transported. ``"flux-corrected"``: flux-corrected transport between dual cells, of second
-        order and limited to the surrounding values: conserves mass, in substeps; ``"semi-lagrangian"``: semi-Lagrangian
-        along geodesics: mass drifts; ``"semi-lagrangian-corrected"``: semi-Lagrangian; afterwards the missing mass is
-        distributed where the limits allow; ``"faces"``: semi-Lagrangian on faces, from their centroids: mass drifts,
-        and two interpolations per step add diffusion.
+        The scheme that transports densities. ``"flux-corrected"``: flux-corrected transport between dual cells, of
+        second order and limited to the surrounding values: conserves mass, in substeps; ``"semi-lagrangian"``:
+        semi-Lagrangian along geodesics: mass drifts; ``"semi-lagrangian-corrected"``: semi-Lagrangian; afterwards the
+        missing mass is distributed where the limits allow; ``"faces"``: semi-Lagrangian on faces, from their centroids:
+        mass drifts, and two interpolations per step add diffusion.
     gravity : Sequence[float], optional
         Gravity, which acts on densities with a weight.
     rotation : Sequence[float], optional

@@ -310,24 +310,24 @@ def rank(
         The meshes to rank; of folders, all files with the suffix of a mesh. Files are read when they are needed and forgotten again; one that cannot be
         read has failed. Targets have the names of a mapping, the paths of files, or their places; names break ties.
     top : int
-        How many of the best to find; those that tie with the last are reported, too.
+        The number of the best to find; those that tie with the last are reported, too.
     all : bool
         Measure every target in full.
     direction : str
-        Which distance to rank by. ``"both"``: the symmetric distance, the larger of the two directed ones;
-        ``"from-template"``: how far the template is from the target: finds what the template is a part of;
-        ``"to-template"``: how far the target is from the template: finds parts of the template.
+        The distance to rank by. ``"both"``: the symmetric distance, the larger of the two directed ones;
+        ``"from-template"``: the distance of the template from the target: finds shapes of which the template is a part;
+        ``"to-template"``: the distance of the target from the template: finds parts of the template.
     align : str
-        How to move targets onto the template first; distances are then those of the targets as moved. ``"none"``:
-        coordinates stay; ``"centroid"``: a translation that makes the area centroids coincide; ``"scale"``: that
-        translation, and a scaling about the centroid that makes the root-mean-square distances from it equal;
-        ``"rigid"``: a rotation and a translation, found by iterated closest points from several starts: a local
-        optimum.
+        The alignment of targets with the template before the distance; distances are then those of the targets as
+        moved. ``"none"``: coordinates stay; ``"centroid"``: a translation that makes the area centroids coincide;
+        ``"scale"``: that translation, and a scaling about the centroid that makes the root-mean-square distances from
+        it equal; ``"rigid"``: a rotation and a translation, found by iterated closest points from several starts: a
+        local optimum.
     tolerance : float
         Largest width of the proven intervals.
     tolerance_kind : str
-        What the tolerance is measured in. ``"diagonal"``: the diagonal of the box around both meshes; ``"relative"``:
-        the distance itself; ``"absolute"``: the unit of the files.
+        The unit of the tolerance. ``"diagonal"``: the diagonal of the box around both meshes; ``"relative"``: the
+        distance itself; ``"absolute"``: the unit of the files.
     threads : int, optional
         Threads to use; all processors by default. The answer does not depend on it.
     time_limit : float, optional
@@ -392,8 +392,8 @@ def matrix(
     tolerance : float
         Largest width of the proven intervals.
     tolerance_kind : str
-        What the tolerance is measured in. ``"diagonal"``: the diagonal of the box around both meshes; ``"relative"``:
-        the distance itself; ``"absolute"``: the unit of the files.
+        The unit of the tolerance. ``"diagonal"``: the diagonal of the box around both meshes; ``"relative"``: the
+        distance itself; ``"absolute"``: the unit of the files.
     threads : int, optional
         Threads to use; all processors by default. The answer does not depend on it.
     time_limit : float, optional

@@ -816,7 +816,7 @@ def neuron(
     source : path or bytes
         A skeleton (SWC) or what is in one, or a hexahedral mesh (``.vtk``, ``.vtu``).
     stage : str
-        Where to end; the command also takes its name before the file. ``"check"``: the skeleton is read, and what is
+        The last stage; the command also takes its name before the file. ``"check"``: the skeleton is read, and what is
         wrong with it is reported; ``"mesh"``: the neuron is filled with trilinear cells; ``"spline"``: the neuron is
         filled with tricubic cells, and the splines over them are counted; ``"flow"``: tricubic cells, and the steady
         viscous flow through them; ``"transport"``: trilinear cells, and transport through them along the potential
@@ -855,9 +855,9 @@ def neuron(
     flow : Mapping[str, Any], optional
         The fluid and what drives it; in files the table called flow.
     inlet : Mapping[str, Any], optional
-        Where the inlet is, and what enters there; in files the table called inlet.
+        The inlet and what enters there; in files the table called inlet.
     tips : Mapping[str, Any], optional
-        What is at the other flat ends; in files the table called tips.
+        The conditions at the other flat ends; in files the table called tips.
     initial : Mapping[str, Any], optional
         Concentrations in the beginning; in files the table called initial.
     threads : int, optional

@@ -155,13 +155,13 @@ def complexity(
     clusters : int, optional
         Divide the shapes into so many clusters around shapes of their own.
     features : Sequence[str]
-        What clusters are made by: measures, or log:MEASURE for ln(1 + value).
+        The features that clusters are made by: measures, or log:MEASURE for ln(1 + value).
     smoothing : float
         Standard deviation of the Gaussian that smooths outlines for curvature, as a share of their length.
     level : float, optional
         The level between shape and background of a picture, from 0 (black) to 1 (white); Otsu's by default.
     foreground : str
-        Which part of a picture is the shape. ``"auto"``: the part that differs from most pixels of the border;
+        The part of a picture that is the shape. ``"auto"``: the part that differs from most pixels of the border;
         ``"dark"``: the part darker than the level; ``"light"``: the part lighter than the level.
     staircase : bool
         Follow the sides of pixels instead of the smoothest curve within half a pixel of them.

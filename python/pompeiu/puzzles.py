@@ -144,16 +144,16 @@ def puzzle(
     pieces : int
         Number of pieces; hexagons, and pieces within an outline, come near to it.
     outline : Union[str, Sequence[Sequence[float]]], optional
-        What is around the puzzle: a picture (its largest part), a drawing, a list of points, or in Python corners; a
+        The outline of the puzzle: a picture (its largest part), a drawing, a list of points, or in Python corners; a
         rectangle by default.
     size : Sequence[float]
         Width and height, in millimetres for drawings; an outline is scaled to fit into that.
     layout : str
-        What pieces are before they get tabs. ``"grid"``: rows of rectangles; ``"hexagons"``: rows of hexagons;
+        The pieces before they get tabs. ``"grid"``: rows of rectangles; ``"hexagons"``: rows of hexagons;
         ``"voronoi"``: voronoi cells of random sites, made regular by Lloyd's method.
     tab : str
-        What borders between pieces get. ``"none"``: straight borders; ``"knob"``: a round head on a narrower neck;
-        ``"dovetail"``: a trapezium that is wider at its head.
+        The shape of tabs on borders between pieces. ``"none"``: straight borders; ``"knob"``: a round head on a
+        narrower neck; ``"dovetail"``: a trapezium that is wider at its head.
     neck : float, optional
         The least width of necks that tabs leave; by default 15 % of the mean side of a piece, and 3 mm where these are
         at most a fifth of it.
@@ -163,7 +163,7 @@ def puzzle(
         Make pieces as similar to a shape as possible, with as few tabs as hold the puzzle together: square, hexagon,
         classic, corner, fish, bird, star, a file, or in Python corners; the layout is not used then.
     method : str
-        How copies of the shape of pieces are placed. ``"descent"``: from lattices, by a descent whose energy never
+        The arrangement of copies of the shape of pieces. ``"descent"``: from lattices, by a descent whose energy never
         increases, and hops; ``"lloyd"``: lloyd's method with the shape-matching metric.
     metric : str
         Lloyd's method: what counts where a ray from the site meets the shape several times. ``"least"``: the least

@@ -97,15 +97,15 @@ def flow(
     mesh : MeshLike
         An oriented manifold whose faces have an area.
     scheme : str, optional
-        How the surface is moved; normal-newton to a stationary surface, implicit otherwise. ``"explicit"``: gradient
-        descent X − δ M⁻¹ g, with a line search (Armijo); ``"fixed-laplacian"``: (M₀ + δ L₀) X' = M₀ X with both
-        matrices of the first step. It minimises the Dirichlet energy in the metric of the first surface, not the area,
-        and its limit is no minimal surface; ``"implicit"``: (M + δ L) X' = M X with both matrices rebuilt at each step:
-        backward Euler; ``"conformalized"``: (M + δ L₀) X' = M X: conformalized mean curvature flow. It does not pinch,
-        and is no gradient flow of the area; ``"normal-newton"``: newton's method for motions along vertex normals;
-        where the Hessian is not positive definite, blended with L; ``"newton"``: newton's method for all coordinates;
-        the negative in-plane part of the Hessian of each face is left out; ``"newton-or-gradient"``: newton's method
-        with the whole Hessian while the area falls, gradient descent where it would not.
+        The scheme that moves the surface; normal-newton to a stationary surface, implicit otherwise. ``"explicit"``:
+        gradient descent X − δ M⁻¹ g, with a line search (Armijo); ``"fixed-laplacian"``: (M₀ + δ L₀) X' = M₀ X with
+        both matrices of the first step. It minimises the Dirichlet energy in the metric of the first surface, not the
+        area, and its limit is no minimal surface; ``"implicit"``: (M + δ L) X' = M X with both matrices rebuilt at each
+        step: backward Euler; ``"conformalized"``: (M + δ L₀) X' = M X: conformalized mean curvature flow. It does not
+        pinch, and is no gradient flow of the area; ``"normal-newton"``: newton's method for motions along vertex
+        normals; where the Hessian is not positive definite, blended with L; ``"newton"``: newton's method for all
+        coordinates; the negative in-plane part of the Hessian of each face is left out; ``"newton-or-gradient"``:
+        newton's method with the whole Hessian while the area falls, gradient descent where it would not.
     until : str
         When to end: stationary, stationary:TOL, time:T or steps:N.
     time_step : float, optional
@@ -114,7 +114,7 @@ def flow(
         Let the boundary slide in planes with this normal, three numbers (on the command line also x, y or z); otherwise
         it stays.
     volume : str
-        What becomes of the enclosed volume. ``"free"``: it changes; ``"keep"``: it stays: a soap bubble.
+        The treatment of the enclosed volume. ``"free"``: it changes; ``"keep"``: it stays: a soap bubble.
     remesh : float, optional
         Remesh to edges of this length on the way.
     remesh_every : int
@@ -123,7 +123,7 @@ def flow(
         Where angles decay, remesh to the mean length of edges; not by schemes that keep the metric of the first
         surface.
     intersections : str
-        What is done about faces of the result that intersect. ``"ignore"``: they are not looked for; ``"report"``: they
+        The treatment of faces of the result that intersect. ``"ignore"``: they are not looked for; ``"report"``: they
         are counted; ``"refuse"``: there is no result; ``"refuse-new"``: there is no result where the input has none
         that intersect; otherwise they are counted.
     precision : str
@@ -258,16 +258,16 @@ def simplify(
     faces : int, optional
         Number of faces to reach; the distance follows.
     effort : str
-        Where a number of faces is asked for, how much time is spent to make the distance small. ``"fast"``: quadric
-        errors alone decide; ``"best"``: every collapse is tested, as for a distance: some ten to twenty times the time
-        of fast, mostly a third to a half of its distance.
+        The effort to make the distance small at a given number of faces. ``"fast"``: quadric errors alone decide;
+        ``"best"``: every collapse is tested, as for a distance: some ten to twenty times the time of fast, mostly a
+        third to a half of its distance.
     features : float, optional
         Keep edges whose faces meet at more than this angle between their normals, in degrees, and boundaries: as curves
         with the same corners.
     repair : bool
         Repair the mesh first; the distance is measured from the mesh as it was.
     intersections : str
-        What is done about faces of the result that intersect. ``"ignore"``: they are not looked for; ``"report"``: they
+        The treatment of faces of the result that intersect. ``"ignore"``: they are not looked for; ``"report"``: they
         are counted; ``"refuse"``: there is no result; ``"refuse-new"``: there is no result where the input has none
         that intersect; otherwise they are counted.
     levels : int
@@ -408,7 +408,7 @@ def remesh(
     most_faces : int
         Most faces that the result may have.
     intersections : str
-        What is done about faces of the result that intersect. ``"ignore"``: they are not looked for; ``"report"``: they
+        The treatment of faces of the result that intersect. ``"ignore"``: they are not looked for; ``"report"``: they
         are counted; ``"refuse"``: there is no result; ``"refuse-new"``: there is no result where the input has none
         that intersect; otherwise they are counted.
     precision : str

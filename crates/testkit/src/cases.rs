@@ -8,7 +8,7 @@ use std::f64::consts::SQRT_2;
 /// Two meshes and the distances between them.
 #[derive(Clone, Debug)]
 pub struct Case {
-    /// What it is.
+    /// Its kind.
     pub name: String,
     /// The first mesh.
     pub a: TriMesh,

@@ -193,7 +193,7 @@ pub enum Rejected {
     Reversed(Box<Rejected>),
     /// No certificate, or one of another version.
     Malformed {
-        /// What was found.
+        /// The report.
         found: &'static str,
         /// Bytes from the start of the block, or of the certificate.
         byte: u64,

@@ -16,7 +16,7 @@ use std::str::FromStr;
 /// have such parts.
 const NORMAL_PART: f64 = 1e-5;
 
-/// Where a tangent field comes from. As text: a path, `rotation:AXIS`, `gradient:WHAT`, `random:SEED` or `harmonic:K`.
+/// The source of a tangent field. As text: a path, `rotation:AXIS`, `gradient:WHAT`, `random:SEED` or `harmonic:K`.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(try_from = "FieldValue", into = "FieldValue"))]

@@ -6,7 +6,7 @@ use crate::outline::signed_area;
 use crate::picture::Picture;
 use crate::{Outline, Point, Region};
 
-/// Which part of a picture is the shape.
+/// The part of a picture that is the shape.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]

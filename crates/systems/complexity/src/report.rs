@@ -22,7 +22,7 @@ pub struct ComplexityReport {
     pub clusters: Option<Clusters>,
     /// Files that cannot be used.
     pub failed: Vec<FailedShape>,
-    /// Why the computation ended.
+    /// The reason for which the computation ended.
     pub stop: StopReason,
     /// Time spent on each part.
     #[cfg_attr(feature = "serde", serde(rename = "timing_ms"))]
@@ -52,7 +52,7 @@ impl ComplexityReport {
 pub struct FailedShape {
     /// The file or folder.
     pub path: String,
-    /// What is wrong with it, in one sentence.
+    /// The defect, in one sentence.
     pub message: String,
 }
 

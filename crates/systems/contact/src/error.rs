@@ -11,7 +11,7 @@ pub enum ContactError {
     /// A number makes no sense.
     #[error("the {what} is {value}; it must be finite and {expected}")]
     Parameter {
-        /// What it is.
+        /// Its kind.
         what: &'static str,
         /// Its value.
         value: f64,

@@ -18,7 +18,7 @@ pub enum PairSet {
     Plain,
 }
 
-/// How the second derivatives of barriers are made positive semi-definite.
+/// The projection of second derivatives of barriers to positive semi-definite matrices.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -32,7 +32,7 @@ pub enum Projection {
     Exact,
 }
 
-/// How time steps are taken.
+/// The time integrator.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -83,9 +83,9 @@ pub struct ContactOptions {
     pub most_iterations: usize,
     /// The pairs whose barriers are added.
     pub pairs: PairSet,
-    /// How second derivatives are made positive semi-definite.
+    /// The projection of second derivatives to positive semi-definite matrices.
     pub projection: Projection,
-    /// How time steps are taken.
+    /// The time integrator.
     pub integrator: Integrator,
     /// When the exact test runs.
     pub check: Check,

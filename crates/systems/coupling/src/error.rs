@@ -10,7 +10,7 @@ pub enum CouplingError {
     /// A parameter is invalid.
     #[error("the {what} is {value}; it must be finite and {expected}")]
     Parameter {
-        /// What it is.
+        /// Its kind.
         what: &'static str,
         /// Its value.
         value: f64,

@@ -3,7 +3,7 @@
 use crate::CouplingError;
 use std::str::FromStr;
 
-/// How the next input is computed from the previous solves.
+/// The coupling scheme, which computes the next input from the previous solves.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(try_from = "String", into = "String"))]

@@ -35,7 +35,7 @@ pub struct RunReport {
     /// The greatest distance of the interface from that of both solvers solved at once, relative to the greatest value; for the piston
     /// (positions) and the tube (pressures).
     pub from_monolithic: Option<f64>,
-    /// Why the run ended early, if it did.
+    /// The reason for which the run ended early, if it did.
     pub failure: Option<String>,
 }
 

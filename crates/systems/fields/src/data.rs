@@ -9,7 +9,7 @@ use serde::Serialize;
 pub(crate) struct Dimensions {
     /// Dimension of the harmonic fields: 2g for each closed component, 2g + b − 1 for one with b boundary loops.
     harmonic_dimension: usize,
-    /// How the dimensions of fields add up.
+    /// The dimensions of the spaces of fields, which add up.
     degrees_of_freedom: Counted,
 }
 

@@ -22,13 +22,13 @@ pub struct DecomposeRequest {
     /// degrees of freedom are counted.
     #[cfg_attr(feature = "clap", arg(long, value_name = "FIELD", allow_hyphen_values = true))]
     pub field: Option<FieldSource>,
-    /// Which vectors of the file, if it has several.
+    /// The name of the vectors in the file, if it has several.
     #[cfg_attr(feature = "clap", arg(long, value_name = "NAME"))]
     pub name: Option<String>,
-    /// Which kind of function makes gradients.
+    /// The kind of function whose gradients are one part.
     #[cfg_attr(feature = "clap", arg(long, value_enum))]
     pub splitting: Splitting,
-    /// How the harmonic part meets the boundary.
+    /// The boundary condition of the harmonic part.
     #[cfg_attr(feature = "clap", arg(long, value_enum))]
     pub boundary: Boundary,
 }
@@ -60,7 +60,7 @@ pub struct DecomposeReport {
     pub decomposition: Option<DecompositionReport>,
 }
 
-/// What was measured of a decomposition.
+/// The measures of a decomposition.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

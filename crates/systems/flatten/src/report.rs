@@ -29,7 +29,7 @@ pub struct FlattenReport {
     pub reweightings: usize,
     /// Number of Newton steps, over all charts.
     pub steps: usize,
-    /// Why the computation ended.
+    /// The reason for which the computation ended.
     pub stop: StopReason,
     /// The distortion of the map.
     pub distortion: Distortion,

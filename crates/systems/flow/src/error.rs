@@ -25,7 +25,7 @@ pub enum FlowError {
     /// A number must be greater than zero.
     #[error("the {what} is {value}; it must be greater than 0")]
     NotPositive {
-        /// What it is.
+        /// Its kind.
         what: &'static str,
         /// Its value.
         value: f64,

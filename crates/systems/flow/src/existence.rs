@@ -10,7 +10,7 @@ use glam::DVec3;
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Cone {
-    /// Where the nappes meet.
+    /// The apex, where the nappes meet.
     pub apex: [f64; 3],
     /// Unit vector along the axis, towards the second loop.
     pub axis: [f64; 3],

@@ -11,7 +11,7 @@ use pompeiu_core::mesh::Rounding;
 use pompeiu_remesh::IntersectionCount;
 use std::time::Duration;
 
-/// Why a flow ended.
+/// The reason for which a flow ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -51,7 +51,7 @@ impl FlowStop {
     }
 }
 
-/// Why a step was what it was.
+/// The constraint that decided the size of a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -105,7 +105,7 @@ pub struct FlowRecord {
     pub area: f64,
     /// The gradient of the area.
     pub gradient: GradientNorm,
-    /// What moved the surface.
+    /// The scheme that moved the surface.
     pub scheme: Scheme,
     /// Why.
     pub reason: StepReason,
@@ -132,7 +132,7 @@ pub struct Flow {
     #[cfg_attr(feature = "serde", serde(flatten, serialize_with = "counts"))]
     #[cfg_attr(feature = "schema", schemars(with = "Counts"))]
     pub mesh: TriMesh,
-    /// Why it ended.
+    /// The reason for which it ended.
     pub stop: FlowStop,
     /// Number of steps.
     pub steps: usize,
@@ -153,15 +153,15 @@ pub struct Flow {
     pub discs: Option<Discs>,
     /// A cone that separates the two boundary loops so that no connected minimal surface spans them.
     pub cone: Option<Cone>,
-    /// Where a flow that stalled has its largest gradient, or one that became degenerate its thinnest triangle.
+    /// The place of the largest gradient of a flow that stalled, or of the thinnest triangle of one that became degenerate.
     pub place: Option<[f64; 3]>,
     /// The neck that pinches off.
     pub neck: Option<Neck>,
-    /// What rounding to the coordinates of the file did to the surface at the end; area and gradient are those before.
+    /// The effect on the last surface of rounding to the coordinates of the file; area and gradient are those before.
     pub rounding: Rounding,
-    /// How many pairs of faces of the result intersect, where that was asked for.
+    /// The number of pairs of faces of the result that intersect, where requested.
     pub intersections: Option<IntersectionCount>,
-    /// How long it took.
+    /// The time that it took.
     #[cfg_attr(feature = "serde", serde(rename = "timing_ms"))]
     pub timing: FlowTiming,
 }

@@ -22,7 +22,7 @@ use pompeiu_core::request::values::{direction, magnitude};
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct FlowRequest {
-    /// How the surface is moved; normal-newton to a stationary surface, implicit otherwise.
+    /// The scheme that moves the surface; normal-newton to a stationary surface, implicit otherwise.
     #[cfg_attr(feature = "clap", arg(long, value_enum, value_name = "NAME"))]
     pub scheme: Option<Scheme>,
     /// When to end: stationary, stationary:TOL, time:T or steps:N.
@@ -34,7 +34,7 @@ pub struct FlowRequest {
     /// Let the boundary slide in planes with this normal, three numbers (on the command line also x, y or z); otherwise it stays.
     #[cfg_attr(feature = "clap", arg(long, value_parser = direction, allow_hyphen_values = true, value_name = "NORMAL"))]
     pub planes: Option<[f64; 3]>,
-    /// What becomes of the enclosed volume.
+    /// The treatment of the enclosed volume.
     #[cfg_attr(feature = "clap", arg(long, value_enum))]
     pub volume: Volume,
     /// Remesh to edges of this length on the way.
@@ -49,7 +49,7 @@ pub struct FlowRequest {
         arg(long = "no-keep-angles", action = clap::ArgAction::SetFalse, help = "Go on with the same triangles where angles decay")
     )]
     pub keep_angles: bool,
-    /// What is done about faces of the result that intersect.
+    /// The treatment of faces of the result that intersect.
     #[cfg_attr(feature = "clap", arg(long, value_enum, value_name = "WHAT"))]
     pub intersections: Intersections,
     /// Coordinates of the result.
@@ -75,7 +75,7 @@ impl Default for FlowRequest {
     }
 }
 
-/// What becomes of the enclosed volume.
+/// The treatment of the enclosed volume.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]

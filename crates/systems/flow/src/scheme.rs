@@ -1,6 +1,6 @@
 //! The schemes of a flow.
 
-/// How a surface is moved towards less area.
+/// A scheme that moves a surface towards less area.
 ///
 /// M is the diagonal matrix of vertex areas, L the cotangent stiffness, `g = L X` the gradient of the area, δ the time step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

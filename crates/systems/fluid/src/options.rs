@@ -4,7 +4,7 @@ use crate::FluidError;
 use pompeiu_core::mesh::{FaceData, VertexData};
 use pompeiu_operators::FaceField;
 
-/// How the velocity is stored and advected.
+/// The discretisation of the velocity and its advection.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
@@ -44,7 +44,7 @@ impl Scheme {
     }
 }
 
-/// How the numerical diffusion of semi-Lagrangian interpolation is corrected.
+/// The correction of the numerical diffusion of semi-Lagrangian interpolation.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
@@ -208,7 +208,7 @@ pub enum TimeStep {
     },
 }
 
-/// How densities are transported.
+/// The scheme that transports densities.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
@@ -267,7 +267,7 @@ impl Density {
 /// Options of a [`Simulation`](crate::Simulation). Lengths are in the unit of the surface; the unit of time is the caller's.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FluidOptions {
-    /// How the velocity is stored and advected.
+    /// The discretisation of the velocity and its advection.
     pub scheme: Scheme,
     /// Time integration.
     pub integrator: Integrator,
@@ -301,7 +301,7 @@ pub struct FluidOptions {
     pub confinement: f64,
     /// The transported densities.
     pub densities: Vec<Density>,
-    /// How densities are transported.
+    /// The scheme that transports densities.
     pub transport: Transport,
 }
 

@@ -50,7 +50,7 @@ pub(crate) fn range(values: impl IntoIterator<Item = f64>) -> [f64; 2] {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct SchemeReport {
-    /// How the velocity is stored and advected: vorticity, any-step, faces, crouzeix-raviart; in the square mac, stam.
+    /// The discretisation of the velocity and its advection: vorticity, any-step, faces, crouzeix-raviart; in the square mac, stam.
     pub name: &'static str,
     /// Time integration, unless advection is semi-Lagrangian.
     pub integrator: Option<Integrator>,
@@ -73,7 +73,7 @@ pub struct SchemeReport {
     pub limited_vertices: usize,
     /// The condition for a viscous flow at the boundary.
     pub wall: Wall,
-    /// How densities are transported.
+    /// The scheme that transports densities.
     pub transport: Transport,
     /// The names of the densities, in the order of their masses.
     pub densities: Vec<String>,

@@ -4,7 +4,7 @@ use crate::observer::Observer;
 use crate::tolerance::{OptionError, Tolerance, check_threshold};
 use pompeiu_core::run::Limits;
 
-/// Which search answers.
+/// The search method.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]

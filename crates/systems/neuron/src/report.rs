@@ -68,10 +68,10 @@ pub struct NeuronReport {
     /// Whether the splines over the mesh agree with those in files; omitted unless they were compared.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub agrees: Option<bool>,
-    /// What a limit ended, in one sentence; omitted if nothing was ended.
+    /// The work that a limit ended, in one sentence; omitted if none was.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub ended: Option<String>,
-    /// Why the computation ended.
+    /// The reason for which the computation ended.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub stop: StopReason,
     /// Whether only the skeleton was to be checked: then its problems refute that it is sound.

@@ -29,7 +29,7 @@ pub struct PuzzleReport {
     /// The test with a cut of some width; absent unless requested.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub kerf: Option<Kerf>,
-    /// Where pieces lie on a sheet; absent unless requested.
+    /// The places of pieces on a sheet; absent unless requested.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub packing: Option<Packing>,
     /// The result of the lock test, for [`crate::take_apart`].
@@ -49,7 +49,7 @@ pub struct PuzzleReport {
     /// The motion that takes the puzzle apart; absent if there is none, or it was not wanted.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub motion: Option<MotionReport>,
-    /// Why the computation ended.
+    /// The reason for which the computation ended.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub stop: StopReason,
     /// Time spent on each part.

@@ -7,7 +7,7 @@ use pompeiu_core::spatial::self_intersections;
 /// Pairs that are counted at most.
 const MOST_PAIRS: usize = 1_000_000;
 
-/// What is done about faces of a result that intersect.
+/// The treatment of faces of a result that intersect.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
@@ -24,7 +24,7 @@ pub enum Intersections {
     RefuseNew,
 }
 
-/// How many pairs of faces intersect, as [`self_intersections`] finds them.
+/// The number of pairs of faces that intersect, as [`self_intersections`] finds them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

@@ -32,7 +32,7 @@ impl Range {
     }
 }
 
-/// How good the triangles of a mesh are. Lengths are in its unit, angles in degrees, shares between 0 and 1.
+/// The quality of the triangles of a mesh. Lengths are in its unit, angles in degrees, shares between 0 and 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

@@ -31,7 +31,7 @@ pub struct RemeshOptions<'o> {
     pub most_faces: usize,
     /// The coordinates of the file that the result is for: rounded to before anything is said of the result.
     pub coordinates: Coordinates,
-    /// What is done about faces of the result that intersect.
+    /// The treatment of faces of the result that intersect.
     pub intersections: Intersections,
     /// Time and threads. When the time is over, the mesh reached so far is returned.
     pub limits: Limits,
@@ -108,7 +108,7 @@ pub struct Remeshed {
     pub iterations: usize,
     /// Why it ended: [`StopReason::Tolerance`] after all iterations.
     pub stop: StopReason,
-    /// How long it took.
+    /// The time that it took.
     pub timing: RemeshTiming,
 }
 

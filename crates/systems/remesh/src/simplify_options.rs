@@ -20,7 +20,7 @@ pub enum SimplifyTarget {
     Faces(usize),
 }
 
-/// How much time is spent to make the distance small at a given number of faces.
+/// The effort to make the distance small at a given number of faces.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
@@ -47,7 +47,7 @@ pub struct SimplifyOptions<'o> {
     /// The coordinates of the file that the result is for: every vertex is where the file can hold it, so that what is proven is true
     /// of the file.
     pub coordinates: Coordinates,
-    /// What is done about faces of the result that intersect.
+    /// The treatment of faces of the result that intersect.
     pub intersections: Intersections,
     /// Time and threads. When the time is over, the mesh reached so far is returned; it keeps the distance.
     pub limits: Limits,
@@ -115,7 +115,7 @@ pub struct Simplified {
     pub collapses: usize,
     /// Why it ended: [`StopReason::Tolerance`] if no further edge can be collapsed or the number of faces is reached.
     pub stop: StopReason,
-    /// How long it took.
+    /// The time that it took.
     pub timing: SimplifyTiming,
 }
 

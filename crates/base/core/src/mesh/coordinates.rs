@@ -144,16 +144,16 @@ impl Grid {
     }
 }
 
-/// What rounding to the numbers of a file does to a mesh.
+/// The effect on a mesh of rounding to the numbers of a file.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Rounding {
     /// The numbers of the file.
     pub precision: Precision,
-    /// What is taken from all coordinates in the file.
+    /// The vector that is subtracted from all coordinates in the file.
     pub shift: [f64; 3],
-    /// How far the vertex of the input moves that moves farthest when it is rounded.
+    /// The largest distance by which rounding moves a vertex of the input.
     pub moved: f64,
 }
 

@@ -31,7 +31,7 @@ impl Conclusion {
 
 /// What a computation found.
 pub trait Report {
-    /// Why the computation ended.
+    /// The reason for which the computation ended.
     fn stop(&self) -> StopReason;
 
     /// What follows; where nothing is asserted, that depends on the reason to stop alone.
@@ -86,13 +86,13 @@ pub struct Answer<Q, R> {
     pub version: String,
     /// The name of the command.
     pub command: String,
-    /// What was read, in the order of the arguments.
+    /// The inputs, in the order of the arguments.
     pub inputs: Vec<Input>,
     /// The options as they were used, defaults included.
     pub request: Q,
-    /// What was found.
+    /// The report.
     pub report: R,
-    /// Why the computation ended.
+    /// The reason for which the computation ended.
     pub stop: StopReason,
     /// Time spent.
     #[cfg_attr(feature = "serde", serde(rename = "timing_ms"))]

@@ -30,12 +30,12 @@ impl Request for InfoRequest {
     type Report = InfoReport;
 }
 
-/// What is said of a mesh. Lengths are in its unit.
+/// The report on a mesh. Lengths are in its unit.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct InfoReport {
-    /// How the file was read; null for a mesh that is in no file.
+    /// The format and the steps of reading the file; null for a mesh that is in no file.
     pub file: Option<FileFacts>,
     /// Counts, measures and connectivity.
     #[cfg_attr(feature = "serde", serde(flatten))]
@@ -44,7 +44,7 @@ pub struct InfoReport {
     pub self_intersections: Option<IntersectingFaces>,
 }
 
-/// How a file was read.
+/// The format and the steps of reading a file.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

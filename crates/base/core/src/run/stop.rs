@@ -1,6 +1,6 @@
 //! Why a computation ended.
 
-/// Why a computation ended. What it returns is valid in every case.
+/// The reason for which a computation ended. The result is valid in every case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 #[repr(u8)]

@@ -135,7 +135,7 @@ fn printed<S: System>(invocation: &Invocation<S>, answer: &AnswerOf<S>) -> anyho
     Ok(if invocation.json { serde_json::to_string(answer)? + "\n" } else { invocation.system.text(answer) })
 }
 
-/// What was found.
+/// The report.
 fn found<'s, S: System, F>(
     invocation: &'s Invocation<S>,
     printer: &'s Printer,

@@ -33,7 +33,7 @@ pub struct ComplexityRequest {
     /// Divide the shapes into so many clusters around shapes of their own.
     #[cfg_attr(feature = "clap", arg(long, value_name = "K"))]
     pub clusters: Option<usize>,
-    /// What clusters are made by: measures, or log:MEASURE for ln(1 + value).
+    /// The features that clusters are made by: measures, or log:MEASURE for ln(1 + value).
     #[cfg_attr(feature = "clap", arg(long, value_delimiter = ',', value_name = "LIST"))]
     pub features: Vec<String>,
     /// Standard deviation of the Gaussian that smooths outlines for curvature, as a share of their length.
@@ -42,7 +42,7 @@ pub struct ComplexityRequest {
     /// The level between shape and background of a picture, from 0 (black) to 1 (white); Otsu's by default.
     #[cfg_attr(feature = "clap", arg(long, value_name = "LEVEL"))]
     pub level: Option<f64>,
-    /// Which part of a picture is the shape.
+    /// The part of a picture that is the shape.
     #[cfg_attr(feature = "clap", arg(long, value_enum))]
     pub foreground: Foreground,
     /// Follow the sides of pixels instead of the smoothest curve within half a pixel of them.
@@ -105,7 +105,7 @@ impl NamedShape {
 pub struct ComplexityAnswer {
     /// The shapes that were read.
     pub shapes: Vec<Shape>,
-    /// What was found.
+    /// The report.
     pub report: ComplexityReport,
 }
 

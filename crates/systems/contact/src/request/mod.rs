@@ -50,10 +50,10 @@ pub struct ContactRequest {
     /// The sum of barriers for a contact: exclusive pushes a point once however a flat surface is divided, plain adds all pairs.
     #[cfg_attr(feature = "clap", arg(long, value_enum, value_name = "PAIRS"))]
     pub pairs: Option<PairSet>,
-    /// How second derivatives of barriers are made positive semi-definite.
+    /// The projection of second derivatives of barriers to positive semi-definite matrices.
     #[cfg_attr(feature = "clap", arg(long, value_enum, value_name = "NAME"))]
     pub projection: Option<Projection>,
-    /// How time steps are taken: implicit Euler damps, bdf2 is of second order.
+    /// The time integrator: implicit Euler damps, bdf2 is of second order.
     #[cfg_attr(feature = "clap", arg(long, value_enum, value_name = "NAME"))]
     pub integrator: Option<Integrator>,
     /// When the exact test looks for intersections.

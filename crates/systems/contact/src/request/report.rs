@@ -20,27 +20,27 @@ pub struct ContactReport {
     pub tetrahedra: usize,
     /// Steps that were asked for.
     pub asked: usize,
-    /// How steps are computed.
+    /// The scheme that computes steps.
     pub scheme: ContactScheme,
     /// The weight of what moves.
     pub weight: [f64; 3],
     /// The start; its forces are not measured.
     pub start: ContactStep,
-    /// What the exact test found.
+    /// The result of the exact test.
     pub certificate: Certificate,
     /// Each step.
     pub steps: Vec<ContactStep>,
-    /// Why a step could not be computed; null where all could.
+    /// The reason for which a step could not be computed; null where all could.
     pub failure: Option<String>,
     /// Time spent on parts of the steps.
     #[serde(rename = "timing_ms")]
     pub timing: ContactTiming,
-    /// Why the computation ended.
+    /// The reason for which the computation ended.
     #[serde(skip)]
     pub stop: StopReason,
 }
 
-/// What the exact test found, which shares no arithmetic with the simulation.
+/// The result of the exact test, which shares no arithmetic with the simulation.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Certificate {
@@ -52,7 +52,7 @@ pub struct Certificate {
     pub intersecting: usize,
 }
 
-/// How steps are computed.
+/// The scheme that computes steps.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ContactScheme {
@@ -72,9 +72,9 @@ pub struct ContactScheme {
     pub tolerance: f64,
     /// The pairs whose barriers are added.
     pub pairs: PairSet,
-    /// How second derivatives are made positive semi-definite.
+    /// The projection of second derivatives to positive semi-definite matrices.
     pub projection: Projection,
-    /// How time steps are taken.
+    /// The time integrator.
     pub integrator: Integrator,
     /// When the exact test runs.
     pub check: Check,

@@ -17,7 +17,7 @@ use pompeiu_core::run::{Control, Progress, RunContext, StopReason};
 #[serde(default, deny_unknown_fields)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct CoupleRequest {
-    /// How the next input is found: fixed, constant:W, aitken, aitken:W, iqn-ils, iqn-imvj, two-models.
+    /// The coupling scheme: fixed, constant:W, aitken, aitken:W, iqn-ils, iqn-imvj, two-models.
     #[cfg_attr(feature = "clap", arg(long, value_name = "SCHEME"))]
     pub scheme: Option<Scheme>,
     /// Number of windows in time.
@@ -38,7 +38,7 @@ pub struct CoupleRequest {
     /// Order of the extrapolation of first guesses: 0, 1, 2.
     #[cfg_attr(feature = "clap", arg(long, value_name = "ORDER"))]
     pub extrapolate: Option<usize>,
-    /// What to do about an enclosed fluid.
+    /// The treatment of an enclosed fluid.
     #[cfg_attr(feature = "clap", arg(long, value_enum, value_name = "WHAT"))]
     pub closed: Option<Closed>,
     /// Run the scene with all schemes, for a table.
@@ -52,18 +52,18 @@ impl Request for CoupleRequest {
     type Report = CoupleReport;
 }
 
-/// What was found.
+/// The report.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct CoupleReport {
-    /// What is coupled: piston, tube, channel, box, or solvers that were given.
+    /// The problem: piston, tube, channel, box, or solvers that were given.
     pub kind: String,
     /// Windows that were asked for.
     pub windows: usize,
     /// The run, or one for each scheme that is compared.
     pub runs: Vec<RunReport>,
-    /// Why the computation ended.
+    /// The reason for which the computation ended.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub stop: StopReason,
 }

@@ -24,7 +24,7 @@ impl Default for VirtualBoundary {
     }
 }
 
-/// How the edge lengths of a virtual boundary are determined.
+/// The source of the edge lengths of a virtual boundary.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]

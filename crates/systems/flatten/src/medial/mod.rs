@@ -71,7 +71,7 @@ pub struct Medial {
     pub shrunk: usize,
     /// The deviation between balls and surface.
     pub deviation: Deviation,
-    /// Why the computation ended.
+    /// The reason for which the computation ended.
     pub stop: StopReason,
     /// Wall-clock time.
     pub time: Duration,

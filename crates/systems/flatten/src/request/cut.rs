@@ -19,7 +19,7 @@ const MOST_CUTS: usize = 100;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct CutRequest {
-    /// How the edges to cut are chosen.
+    /// The method that chooses the edges to cut.
     #[cfg_attr(feature = "clap", arg(long, value_enum))]
     pub strategy: Strategy,
     /// Number of cuts of the strategies euclidean and geodesic; with spread the most, 1 and 100 unless given.
@@ -88,7 +88,7 @@ impl Default for CutRequest {
     }
 }
 
-/// How the edges to cut are chosen.
+/// The method that chooses the edges to cut.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
@@ -151,13 +151,13 @@ pub struct CutAnswer {
 pub struct OpenedReport {
     /// Number of vertices.
     pub vertices: usize,
-    /// How many of them are copies.
+    /// The number of copies among them.
     pub copies: usize,
     /// Number of faces.
     pub faces: usize,
     /// Number of connected parts, each of them a disk.
     pub components: usize,
-    /// What was cut.
+    /// The cut.
     pub cut: CutEdges,
     /// Vertices minus edges plus faces: 1 for each disk.
     pub euler_characteristic: isize,
@@ -168,7 +168,7 @@ pub struct OpenedReport {
     pub vertex_map: Vec<u32>,
 }
 
-/// What was cut.
+/// The cut.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -177,7 +177,7 @@ pub struct CutEdges {
     pub edges: usize,
     /// Their length.
     pub length: f64,
-    /// How they were chosen.
+    /// The method that chose them.
     pub strategy: &'static str,
 }
 

@@ -25,22 +25,23 @@ pub struct FlattenRequest {
     #[cfg_attr(feature = "clap", command(flatten))]
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub cut: CutRequest,
-    /// Where the boundary goes: free, circle, square, own or polygon:X,Y;… with the corners of a convex polygon, counter-clockwise.
+    /// The shape of the boundary in the plane: free, circle, square, own or polygon:X,Y;… with the corners of a convex polygon,
+    /// counter-clockwise.
     #[cfg_attr(feature = "clap", arg(long, value_name = "BOUNDARY"))]
     pub boundary: Boundary,
     /// Weights of edges where the boundary goes to a convex curve.
     #[cfg_attr(feature = "clap", arg(long, value_enum))]
     pub weights: Weights,
-    /// What is least where the boundary is free.
+    /// The distortion that is minimised where the boundary is free.
     #[cfg_attr(feature = "clap", arg(long, value_enum))]
     pub energy: Energy,
     /// Layers of faces that are mapped around a convex boundary's disk and then dropped, so that its own boundary is freer.
     #[cfg_attr(feature = "clap", arg(long, value_name = "N"))]
     pub virtual_layers: usize,
-    /// How much wider each of these layers is than the one before.
+    /// The ratio of the widths of two successive layers.
     #[cfg_attr(feature = "clap", arg(long, value_name = "FACTOR"))]
     pub virtual_scale: f64,
-    /// Where the lengths of their edges come from.
+    /// The source of the lengths of their edges.
     #[cfg_attr(feature = "clap", arg(long, value_enum))]
     pub virtual_kind: RingKind,
     /// Add cuts until the mean symmetric Dirichlet energy is at most this (isometry: 4).
@@ -89,7 +90,7 @@ impl Default for FlattenRequest {
     }
 }
 
-/// Where the boundary goes; none where it is free.
+/// The shape of the boundary in the plane; none where it is free.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(try_from = "BoundaryValue", into = "BoundaryValue"))]
@@ -225,7 +226,7 @@ impl fmt::Display for Boundary {
     }
 }
 
-/// What is least where the boundary is free.
+/// The distortion that is minimised where the boundary is free.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]

@@ -54,9 +54,9 @@ pub struct MedialReport {
     pub overlaps: Vec<[u32; 2]>,
     /// Balls that were shrunk from points of the surface, before they were replaced by fewer ones.
     pub shrunk: usize,
-    /// How far balls and surface are apart.
+    /// The distance between balls and surface.
     pub deviation: Deviation,
-    /// Why it stopped.
+    /// The reason for which it stopped.
     pub stop: StopReason,
     /// Time spent, in milliseconds.
     #[cfg_attr(feature = "serde", serde(rename = "timing_ms"))]

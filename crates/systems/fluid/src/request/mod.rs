@@ -37,10 +37,10 @@ pub struct FluidRequest {
     /// The unit square of N x N cells instead of a mesh.
     #[cfg_attr(feature = "clap", arg(long, value_name = "N"))]
     pub square: Option<usize>,
-    /// How the square stores velocities: mac, stam (solved directly) or stam:SWEEPS of Gauss and Seidel.
+    /// The discretisation of the square: mac, stam (solved directly) or stam:SWEEPS of Gauss and Seidel.
     #[cfg_attr(feature = "clap", arg(long, value_name = "GRID"))]
     pub grid: SquareScheme,
-    /// What is at the edges of the square: walls, periodic or channel:SPEED (inflow on the left).
+    /// The boundary condition of the square: walls, periodic or channel:SPEED (inflow on the left).
     #[cfg_attr(feature = "clap", arg(long, value_name = "EDGES"))]
     pub edges: Edges,
     /// The velocity of the upper wall of the square, to the right.
@@ -58,13 +58,13 @@ pub struct FluidRequest {
     /// Halve the step until no more than this part of what a dual cell holds flows out of it in a step.
     #[cfg_attr(feature = "clap", arg(long, value_parser = magnitude, value_name = "NUMBER"))]
     pub cfl: Option<f64>,
-    /// How the velocity is stored and advected.
+    /// The discretisation of the velocity and its advection.
     #[cfg_attr(feature = "clap", arg(long, value_enum, value_name = "NAME"))]
     pub scheme: Scheme,
-    /// How the vorticity is advanced in time.
+    /// The time integrator of the vorticity.
     #[cfg_attr(feature = "clap", arg(long, value_enum, value_name = "NAME"))]
     pub integrator: Integrator,
-    /// How the numerical diffusion of semi-Lagrangian interpolation is corrected.
+    /// The correction of the numerical diffusion of semi-Lagrangian interpolation.
     #[cfg_attr(feature = "clap", arg(long, value_enum, value_name = "NAME"))]
     pub correction: Correction,
     /// The edge weights by which quantities on faces diffuse; edge-length is no Laplacian and depends on the mesh.
@@ -79,7 +79,7 @@ pub struct FluidRequest {
     /// The condition for a viscous flow at the boundary.
     #[cfg_attr(feature = "clap", arg(long, value_enum, value_name = "NAME"))]
     pub wall: Wall,
-    /// How densities are transported.
+    /// The scheme that transports densities.
     #[cfg_attr(feature = "clap", arg(long, value_enum, value_name = "NAME"))]
     pub transport: Transport,
     /// Gravity, which acts on densities with a weight.

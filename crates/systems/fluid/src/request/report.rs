@@ -13,19 +13,19 @@ pub struct FluidReport {
     pub steps: Vec<FluidStep>,
     /// Steps that were asked for.
     pub asked: usize,
-    /// How the flow is computed.
+    /// The method that computes the flow.
     pub scheme: SchemeReport,
-    /// What was changed of the initial velocity; null where none was given.
+    /// The change of the initial velocity; null where none was given.
     pub start: Option<StartReport>,
     /// Time spent on each part.
     #[serde(rename = "timing_ms")]
     pub timing: TimingReport,
-    /// Why the computation ended.
+    /// The reason for which the computation ended.
     #[serde(skip)]
     pub stop: StopReason,
 }
 
-/// What was changed of an initial velocity.
+/// The change of an initial velocity.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct StartReport {

@@ -108,7 +108,7 @@ pub struct DensityScene {
     pub diffusivity: f64,
     /// The acceleration is this times the value times gravity.
     pub weight: f64,
-    /// Where something is added, and how much per time.
+    /// A source: its place and its rate.
     #[serde(deserialize_with = "one_or_many")]
     pub source: Vec<Source>,
 }
@@ -144,7 +144,7 @@ pub struct Source {
     /// The axis along which the picture is seen.
     #[serde(default)]
     pub axis: Axis,
-    /// What is added per time, below zero for a sink.
+    /// The amount that is added per time, below zero for a sink.
     pub rate: f64,
 }
 

@@ -53,7 +53,7 @@ impl Stage<'_> {
         of_both!(self, fluid => fluid.timing())
     }
 
-    /// How the flow is computed.
+    /// The method that computes the flow.
     pub fn scheme(&self) -> SchemeReport {
         of_both!(self, fluid => fluid.scheme())
     }

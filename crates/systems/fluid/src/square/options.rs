@@ -4,7 +4,7 @@ use crate::{FluidError, Wall};
 use std::fmt;
 use std::str::FromStr;
 
-/// How the velocity is stored.
+/// The discretisation of the velocity.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(try_from = "String", into = "String"))]
@@ -137,7 +137,7 @@ pub struct SquareDensity {
 pub struct SquareOptions {
     /// Cells on each side.
     pub cells: usize,
-    /// How the velocity is stored.
+    /// The discretisation of the velocity.
     pub scheme: SquareScheme,
     /// Conditions at the edges.
     pub edges: Edges,

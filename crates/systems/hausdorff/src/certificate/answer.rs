@@ -2,14 +2,14 @@
 
 use super::{Certificate, CertificateError};
 
-/// What came of a certificate that was asked for.
+/// The outcome of a certificate that was requested.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct CertificateAnswer {
-    /// What it proves; null where none was written.
+    /// The bounds that it proves; null where none was written.
     pub written: Option<Certificate>,
-    /// Why none was written; null where one was.
+    /// The reason for which none was written; null where one was.
     pub problem: Option<String>,
 }
 

@@ -82,7 +82,7 @@ impl CertificateOptions {
     }
 }
 
-/// What a certificate proves of one direction.
+/// The bound that a certificate proves of one direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -100,9 +100,9 @@ pub struct Certified {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Certificate {
-    /// What it proves of h(A, B).
+    /// The bound that it proves of h(A, B).
     pub a_to_b: Option<Certified>,
-    /// What it proves of h(B, A).
+    /// The bound that it proves of h(B, A).
     pub b_to_a: Option<Certified>,
     /// Its bytes.
     pub bytes: u64,

@@ -30,7 +30,7 @@ macro_rules! serialise_as {
     };
 }
 
-/// How far a mesh deviates from another one.
+/// The deviation of a mesh from another one.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "DirectedDeviation"))]
 struct Directed<'d> {
@@ -38,7 +38,7 @@ struct Directed<'d> {
     distance: Enclosure,
     /// The two points that prove its lower end.
     witness: PointPair,
-    /// What it took to find these.
+    /// The work to find these.
     search: Search,
     /// Over the area of the mesh; null if it has no area.
     statistics: &'d Option<Statistics>,
@@ -53,11 +53,12 @@ struct Directed<'d> {
     /// The parts of the surface that are farther than the threshold, the worst first; absent if there are none.
     #[serde(skip_serializing_if = "<[Region]>::is_empty")]
     beyond_threshold: &'d [Region],
-    /// Why the work ended: `tolerance` where enclosures are as narrow as asked, else why they may be wider. They hold in every case.
+    /// The reason for which the work ended: `tolerance` where enclosures are as narrow as requested, otherwise the reason for which they may be
+    /// wider. They hold in every case.
     stop: StopReason,
     /// Widths of lengths below this always suffice: 1e-9 of the diagonal of both meshes, and what rounding adds.
     floor: f64,
-    /// What it took.
+    /// The work that was done.
     work: DeviationWork,
     /// Time spent, in milliseconds.
     timing_ms: Times,
@@ -67,11 +68,11 @@ struct Directed<'d> {
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "DeviationSearch"))]
 struct Search {
-    /// Why it ended; the distance is enclosed in every case.
+    /// The reason for which it ended; the distance is enclosed in every case.
     stop: StopReason,
     /// The width that was asked for, as a length.
     tolerance: f64,
-    /// What it took.
+    /// The work that was done.
     work: WorkCount,
     /// Time spent, in milliseconds.
     timing_ms: Timing,

@@ -21,9 +21,9 @@ use std::time::Duration;
 pub struct Deviation {
     /// Encloses the Pompeiu–Hausdorff distance, the greater of both directed ones.
     pub distance: Enclosure,
-    /// How far A is from B: what is missing on B.
+    /// The distance of A from B: material that is missing on B.
     pub a_to_b: DirectedDeviation,
-    /// How far B is from A: what B has in excess.
+    /// The distance of B from A: material that B has in excess.
     pub b_to_a: DirectedDeviation,
     /// For each share asked for the greater of the two directions' percentiles: both surfaces are within this distance of the
     /// other one, but for at most the rest of the area of each. None if one of them has no area.
@@ -32,7 +32,7 @@ pub struct Deviation {
     pub pooled: Option<Statistics>,
 }
 
-/// How far a mesh deviates from another one.
+/// The deviation of a mesh from another one.
 ///
 /// Serialised without the values of each face and vertex, with its witness by meshes and the number of vertices inside.
 #[derive(Clone, Debug)]
@@ -65,7 +65,7 @@ pub struct DirectedDeviation {
     /// wider did not become narrower, as a percentile where the distribution has a gap, or a share above a threshold at which much
     /// of the area lies. The enclosures are valid in every case.
     pub stop: StopReason,
-    /// What it took.
+    /// The work that was done.
     pub work: DeviationWork,
 }
 
@@ -168,7 +168,7 @@ pub(super) fn unreferenced(mesh: &TriMesh) -> impl Iterator<Item = usize> {
     used.into_iter().enumerate().filter(|(_, used)| !used).map(|(v, _)| v)
 }
 
-/// How much was done, in counts that do not depend on the machine, and how long it took. Times are not serialised.
+/// The work that was done, in counts that do not depend on the machine, and its time. Times are not serialised.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

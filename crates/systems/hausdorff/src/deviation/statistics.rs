@@ -40,7 +40,7 @@ pub struct Statistics {
     )]
     #[cfg_attr(feature = "schema", schemars(with = "Option<Enclosure>"))]
     pub above: Option<ShareAbove>,
-    /// How much area lies in which range of distances.
+    /// The share of the area in each range of distances.
     pub histogram: Histogram,
 }
 

@@ -14,15 +14,15 @@ use std::time::Duration;
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Direction {
-    /// How far points of A are from B.
+    /// The distance of points of A from B.
     #[cfg_attr(feature = "serde", serde(rename = "a_to_b"))]
     AToB,
-    /// How far points of B are from A.
+    /// The distance of points of B from A.
     #[cfg_attr(feature = "serde", serde(rename = "b_to_a"))]
     BToA,
 }
 
-/// How much was done, in counts that do not depend on the machine or the number of threads.
+/// The work that was done, in counts that do not depend on the machine or the number of threads.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -77,13 +77,13 @@ pub struct DirectedReport {
     pub distance: Enclosure,
     /// A point of A at least `distance.lower()` away from all of B, and a point of B nearest to it.
     pub witness: Witness,
-    /// Why the search ended.
+    /// The reason for which the search ended.
     pub stop: StopReason,
     /// The width of the enclosure that was asked for, in the unit of the meshes.
     pub tolerance: f64,
-    /// What it took.
+    /// The work that was done.
     pub work: WorkCount,
-    /// How long it took.
+    /// The time that it took.
     #[cfg_attr(feature = "serde", serde(rename = "timing_ms"))]
     pub timing: Timing,
 }

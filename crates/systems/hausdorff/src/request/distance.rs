@@ -34,10 +34,10 @@ pub struct DistanceRequest {
         arg(long, value_parser = fraction, allow_negative_numbers = true, value_name = "X")
     )]
     pub tolerance: f64,
-    /// What the tolerance is measured in.
+    /// The unit of the tolerance.
     #[cfg_attr(feature = "clap", arg(long, value_enum))]
     pub tolerance_kind: ToleranceKind,
-    /// Which of the two directed distances to compute.
+    /// The directed distances to compute.
     #[cfg_attr(feature = "clap", arg(long, value_enum))]
     pub direction: Directions,
     /// Ask only whether the distance is at most this length, such as 0.1, 0.1mm with the unit given, or 0.5% of the diagonal of both meshes, and stop at
@@ -50,7 +50,7 @@ pub struct DistanceRequest {
     /// The unit of the coordinates, such as mm; files have none.
     #[cfg_attr(feature = "clap", arg(long, value_name = "NAME"))]
     pub unit: String,
-    /// How to search.
+    /// The search method.
     #[cfg_attr(feature = "clap", arg(long, value_enum))]
     pub method: Method,
     /// Show how the interval narrows: a row per tolerance 1e-1, 1e-2, ... of the diagonal.
@@ -79,7 +79,7 @@ impl Default for DistanceRequest {
     }
 }
 
-/// What a tolerance is measured in.
+/// The unit of a tolerance.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
@@ -127,10 +127,10 @@ pub enum Directions {
 pub struct DistanceReport {
     /// The width of the interval that was asked for.
     pub tolerance: AskedTolerance,
-    /// How far A is from B; absent if only the other direction was asked for.
+    /// The distance of A from B; absent if only the other direction was requested.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub a_to_b: Option<DirectedDistance>,
-    /// How far B is from A; absent if only the other direction was asked for.
+    /// The distance of B from A; absent if only the other direction was requested.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub b_to_a: Option<DirectedDistance>,
     /// The Pompeiu–Hausdorff distance, the greater of both directed ones; absent if only one was asked for.
@@ -139,10 +139,10 @@ pub struct DistanceReport {
     /// Whether the distance is at most a length; absent if that was not asked.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub threshold: Option<ThresholdAnswer>,
-    /// How the interval narrowed; absent if that was not asked.
+    /// The interval after each stage; absent if not requested.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub trace: Option<Vec<TraceRow>>,
-    /// What came of the certificate; absent if none was asked for.
+    /// The outcome of the certificate; absent if none was requested.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub certificate: Option<CertificateAnswer>,
     /// Time spent on both directions, in milliseconds.
@@ -157,7 +157,7 @@ pub struct DistanceReport {
 pub struct AskedTolerance {
     /// The number as given.
     pub requested: f64,
-    /// What it is measured in.
+    /// Its unit.
     pub kind: ToleranceKind,
     /// The same as a length.
     pub absolute: f64,
@@ -171,13 +171,13 @@ pub struct DirectedDistance {
     /// The interval that is proven to hold it.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub distance: Enclosure,
-    /// Why the search ended; the interval holds in every case.
+    /// The reason for which the search ended; the interval holds in every case.
     pub stop: StopReason,
     /// The width that was asked for, as a length.
     pub tolerance: f64,
     /// The points that prove the lower end.
     pub witness: PointPair,
-    /// What it took.
+    /// The work that was done.
     pub work: WorkCount,
     /// Time spent, in milliseconds.
     #[cfg_attr(feature = "serde", serde(rename = "timing_ms"))]
@@ -198,7 +198,7 @@ impl DirectedDistance {
 pub struct ThresholdAnswer {
     /// The length.
     pub value: f64,
-    /// What is proven.
+    /// The proven statement.
     pub answer: Comparison,
 }
 
@@ -215,7 +215,7 @@ pub enum Comparison {
     Undecided,
 }
 
-/// How far a search had come at one tolerance.
+/// The state of a search at one tolerance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

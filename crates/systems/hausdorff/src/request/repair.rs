@@ -80,16 +80,16 @@ pub struct ProvenRepairReport {
     /// What was done.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub repair: RepairReport,
-    /// What rounding to the coordinates of the output did first.
+    /// The effect of rounding to the coordinates of the output, which came first.
     pub rounding: Rounding,
     /// The distance asked for; null without.
     pub within: Option<f64>,
     /// The Pompeiu–Hausdorff distance of input and result; null where none was asked for.
     pub distance: Option<Enclosure>,
-    /// What came of the certificate; absent if none was asked for.
+    /// The outcome of the certificate; absent if none was requested.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub certificate: Option<CertificateAnswer>,
-    /// Why the search for the distance ended.
+    /// The reason for which the search for the distance ended.
     pub stop: StopReason,
 }
 

@@ -21,16 +21,16 @@ impl Request for VerifyRequest {
     type Report = VerifyReport;
 }
 
-/// What a certificate proves, or the first statement in it that is not shown. Lengths are in the unit of the meshes.
+/// The bounds that a certificate proves, or the first statement in it that does not hold. Lengths are in the unit of the meshes.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct VerifyReport {
     /// Whether everything that it states is shown.
     pub valid: bool,
-    /// What is proven of h(A, B); null if nothing is stated of it, or if the certificate is not valid.
+    /// The proven bound of h(A, B); null if none is stated, or if the certificate is not valid.
     pub a_to_b: Option<Certified>,
-    /// What is proven of h(B, A); null if nothing is stated of it, or if the certificate is not valid.
+    /// The proven bound of h(B, A); null if none is stated, or if the certificate is not valid.
     pub b_to_a: Option<Certified>,
     /// SHA-256 of the triangles of A and of B in hexadecimal digits; null if the certificate is not valid.
     pub sha256: Option<[String; 2]>,
@@ -43,7 +43,7 @@ pub struct VerifyReport {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct UnprovenStatement {
-    /// What it is about.
+    /// Its subject.
     pub statement: Statement,
     /// The direction that it is about; null of a mesh.
     pub direction: Option<Direction>,
@@ -57,7 +57,7 @@ pub struct UnprovenStatement {
     pub message: String,
 }
 
-/// What a statement of a certificate is about.
+/// The subject of a statement of a certificate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

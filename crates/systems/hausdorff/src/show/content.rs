@@ -119,7 +119,7 @@ pub struct SurfaceDeviation {
     pub face_bounds: Vec<Bounds>,
     /// Encloses the directed distance.
     pub distance: Bounds,
-    /// Why the search ended.
+    /// The reason for which the search ended.
     pub stop: String,
     /// The pair of points that proves the lower end.
     pub witness: PointPair,

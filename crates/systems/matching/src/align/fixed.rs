@@ -11,7 +11,7 @@ use pompeiu_core::mesh::Affine;
 use serde::Serialize;
 use std::sync::OnceLock;
 
-/// What aligning a mesh to another one would gain: estimates from sample points, in the unit of the meshes.
+/// The gain of aligning a mesh to another one: estimates from sample points, in the unit of the meshes.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Gain {

@@ -15,9 +15,9 @@ pub enum Measure {
     /// The symmetric distance, the larger of the two directed ones.
     #[default]
     Both,
-    /// How far the template is from the target: finds what the template is a part of.
+    /// The distance of the template from the target: finds shapes of which the template is a part.
     FromTemplate,
-    /// How far the target is from the template: finds parts of the template.
+    /// The distance of the target from the template: finds parts of the template.
     ToTemplate,
 }
 

@@ -35,7 +35,7 @@ pub struct Standing {
     pub target: usize,
     /// Its name.
     pub name: String,
-    /// How it was settled.
+    /// The evidence that settled it.
     pub status: Status,
     /// The first and the last possible rank given the enclosures of all targets, counted from 1. They are equal if the rank is
     /// decided; `None` if the target failed. An unread target may have any rank.
@@ -50,7 +50,7 @@ pub struct Standing {
     pub transform: Option<Matrix>,
 }
 
-/// How a target was settled.
+/// The evidence that settled the place of a target.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Status {
     /// It is among the best, or tied with the last of them.

@@ -14,7 +14,7 @@ pub struct Row {
     pub target: Option<usize>,
     /// Its name: the path if it is a file.
     pub path: String,
-    /// How it was settled.
+    /// The evidence that settled it.
     pub status: Kind,
     /// The first possible rank given the enclosures of all targets, counted from 1.
     pub rank_first: Option<usize>,
@@ -30,15 +30,15 @@ pub struct Row {
     pub faces: Option<usize>,
     /// The method that proved that it is not among the best.
     pub discarded_by: Option<BoundKind>,
-    /// Why the ranking ended before it was decided whether the target is among the best.
+    /// The reason for which the ranking ended before it was decided whether the target is among the best.
     pub stop: Option<StopReason>,
-    /// Why it cannot be used.
+    /// The reason for which it cannot be used.
     pub message: Option<String>,
     /// The map that aligned it to the template: four rows of four numbers, which act on columns `(x, y, z, 1)`.
     pub transform: Option<Matrix>,
 }
 
-/// How a target was settled.
+/// The evidence that settled the place of a target.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]

@@ -62,16 +62,16 @@ pub struct Aligned {
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct AlignReport {
-    /// What was found.
+    /// The report.
     #[serde(flatten)]
     pub registration: Registration,
     /// Whether it fits, no other place that was tried fits nearly as well, and no motion is free.
     pub unique: bool,
     /// The map as `ParaView`'s filter Transform takes it.
     pub paraview: TransformSettings,
-    /// How far the moved mesh is from the fixed one; null where that was not to be measured.
+    /// The distance of the moved mesh from the fixed one; null where it was not to be measured.
     pub moved_to_fixed: Option<DirectedReport>,
-    /// How far the fixed mesh is from the moved one; null where that was not to be measured.
+    /// The distance of the fixed mesh from the moved one; null where it was not to be measured.
     pub fixed_to_moved: Option<DirectedReport>,
     /// Time spent on each part.
     #[serde(rename = "timing_ms")]

@@ -34,10 +34,10 @@ impl Request for AlignedDeviationRequest {
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct AlignedDeviationReport {
-    /// How B was moved onto A before; absent if that was not asked.
+    /// The motion that aligned B with A before; absent if none was requested.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub alignment: Option<Registration>,
-    /// What aligning B to A would gain; absent if B was aligned, or lies well as far as a quick look tells.
+    /// The gain of aligning B to A; absent if B was aligned, or lies well by a quick estimate.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub misplaced: Option<Gain>,
     /// The deviation.

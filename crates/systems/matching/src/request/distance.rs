@@ -33,7 +33,7 @@ impl Request for AlignedDistanceRequest {
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct AlignedDistanceReport {
-    /// How B was moved onto A before; absent if that was not asked.
+    /// The motion that aligned B with A before; absent if none was requested.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub alignment: Option<Registration>,
     /// The distance.

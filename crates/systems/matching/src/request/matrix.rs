@@ -25,7 +25,7 @@ pub struct MatrixRequest {
         arg(long, value_parser = magnitude, allow_negative_numbers = true, value_name = "X")
     )]
     pub tolerance: f64,
-    /// What the tolerance is measured in.
+    /// The unit of the tolerance.
     #[cfg_attr(feature = "clap", arg(long, value_enum))]
     pub tolerance_kind: ToleranceKind,
 }
@@ -57,11 +57,11 @@ pub struct MatrixReport {
     pub lower: Vec<Vec<Option<f64>>>,
     /// Upper ends; null as above.
     pub upper: Vec<Vec<Option<f64>>>,
-    /// Why the run ended: `tolerance` unless pairs are open.
+    /// The reason for which the run ended: `tolerance` unless pairs are open.
     pub stop: StopReason,
     /// Directed distances that were not measured, or less narrowly than asked, by rows and columns.
     pub open: Vec<Task>,
-    /// What cannot be used, and why.
+    /// The inputs that cannot be used, and the reasons.
     pub failed: Vec<Unusable>,
     /// Point–triangle distances evaluated.
     pub distances: u64,

@@ -7,7 +7,7 @@ use pompeiu_core::{MeshError, TriMesh};
 use pompeiu_hausdorff::{DeviationRequestError, OptionError};
 use serde::{Deserialize, Serialize};
 
-/// What may be done to B before it is compared with A.
+/// The alignment of B before it is compared with A.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

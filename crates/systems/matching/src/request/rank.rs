@@ -18,16 +18,16 @@ use pompeiu_core::request::values::magnitude;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(default, deny_unknown_fields)]
 pub struct RankRequest {
-    /// How many of the best to find; those that tie with the last are reported, too.
+    /// The number of the best to find; those that tie with the last are reported, too.
     #[cfg_attr(feature = "clap", arg(long, value_parser = clap::value_parser!(u32).range(1..), value_name = "K"))]
     pub top: u32,
     /// Measure every target in full.
     #[cfg_attr(feature = "clap", arg(long))]
     pub all: bool,
-    /// Which distance to rank by.
+    /// The distance to rank by.
     #[cfg_attr(feature = "clap", arg(long, value_enum))]
     pub direction: Measure,
-    /// How to move targets onto the template first; distances are then those of the targets as moved.
+    /// The alignment of targets with the template before the distance; distances are then those of the targets as moved.
     #[cfg_attr(feature = "clap", arg(long, value_enum))]
     pub align: Alignment,
     /// Largest width of the proven intervals.
@@ -36,7 +36,7 @@ pub struct RankRequest {
         arg(long, value_parser = magnitude, allow_negative_numbers = true, value_name = "X")
     )]
     pub tolerance: f64,
-    /// What the tolerance is measured in.
+    /// The unit of the tolerance.
     #[cfg_attr(feature = "clap", arg(long, value_enum))]
     pub tolerance_kind: ToleranceKind,
 }
@@ -60,13 +60,13 @@ impl Request for RankRequest {
     type Report = RankReport;
 }
 
-/// Where targets stand by their distance from a template. Lengths are in the unit of the meshes.
+/// The places of targets by their distance from a template. Lengths are in the unit of the meshes.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct RankReport {
     /// The ranked ones, best first; then those left open, and the discarded ones, by their lower bounds; then what cannot be used.
     pub targets: Vec<Row>,
-    /// Why the ranking ended: `tolerance` unless targets are left open.
+    /// The reason for which the ranking ended: `tolerance` unless targets are left open.
     pub stop: StopReason,
     /// The work done.
     pub work: Work,

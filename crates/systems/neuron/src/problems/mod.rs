@@ -10,7 +10,7 @@ use crate::Skeleton;
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Problem {
-    /// What it is.
+    /// Its kind.
     pub kind: ProblemKind,
     /// The branch, from 0, for defects of a branch.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]

@@ -24,7 +24,7 @@ use pompeiu_core::request::values::magnitude;
 #[serde(default, deny_unknown_fields)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct NeuronRequest {
-    /// Where to end; the command also takes its name before the file.
+    /// The last stage; the command also takes its name before the file.
     #[cfg_attr(feature = "clap", arg(long, value_enum, value_name = "STAGE"))]
     pub stage: Stage,
     /// Repair what can be repaired: missing parents, cycles, missing radii, coincident samples, branches within the ball of their node;
@@ -72,10 +72,10 @@ pub struct NeuronRequest {
     /// The fluid and what drives it; in files the table called flow.
     #[cfg_attr(feature = "clap", arg(long = "set-flow", value_name = "NAME = VALUE, …"))]
     pub flow: Option<ParameterTable>,
-    /// Where the inlet is, and what enters there; in files the table called inlet.
+    /// The inlet and what enters there; in files the table called inlet.
     #[cfg_attr(feature = "clap", arg(long = "set-inlet", value_name = "NAME = VALUE, …"))]
     pub inlet: Option<ParameterTable>,
-    /// What is at the other flat ends; in files the table called tips.
+    /// The conditions at the other flat ends; in files the table called tips.
     #[cfg_attr(feature = "clap", arg(long = "set-tips", value_name = "NAME = VALUE, …"))]
     pub tips: Option<ParameterTable>,
     /// Concentrations in the beginning; in files the table called initial.

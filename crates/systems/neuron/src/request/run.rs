@@ -31,7 +31,7 @@ pub struct NeuronAnswer {
     pub flow: Option<Flow>,
     /// Material that was carried.
     pub transported: Option<Transported>,
-    /// What was found.
+    /// The report.
     pub report: NeuronReport,
 }
 

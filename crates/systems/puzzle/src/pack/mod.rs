@@ -8,7 +8,7 @@ use pompeiu_core::run::Control;
 use pompeiu_planar::{Outline, Point, offset};
 use rayon::prelude::*;
 
-/// Where the pieces of a puzzle lie on a sheet.
+/// The places of the pieces of a puzzle on a sheet.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -19,11 +19,11 @@ pub struct Packing {
     pub used: f64,
     /// The share that they cover of the part of the sheet up to the last one.
     pub filled: f64,
-    /// Where each piece lies.
+    /// The place of each piece.
     pub places: Vec<Place>,
 }
 
-/// Where a piece lies: turned about the origin, then moved.
+/// The place of a piece: turned about the origin, then moved.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

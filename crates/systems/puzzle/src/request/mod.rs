@@ -34,16 +34,16 @@ pub struct PuzzleRequest {
     /// Number of pieces; hexagons, and pieces within an outline, come near to it.
     #[cfg_attr(feature = "clap", arg(long, short = 'n', value_name = "N"))]
     pub pieces: usize,
-    /// What is around the puzzle: a picture (its largest part), a drawing, a list of points, or in Python corners; a rectangle by default.
+    /// The outline of the puzzle: a picture (its largest part), a drawing, a list of points, or in Python corners; a rectangle by default.
     #[cfg_attr(feature = "clap", arg(long, value_name = "FILE"))]
     pub outline: Option<ShapeSource>,
     /// Width and height, in millimetres for drawings; an outline is scaled to fit into that.
     #[cfg_attr(feature = "clap", arg(long, value_parser = size, value_name = "WIDTHxHEIGHT"))]
     pub size: [f64; 2],
-    /// What pieces are before they get tabs.
+    /// The pieces before they get tabs.
     #[cfg_attr(feature = "clap", arg(long, value_enum))]
     pub layout: Layout,
-    /// What borders between pieces get.
+    /// The shape of tabs on borders between pieces.
     #[cfg_attr(feature = "clap", arg(long, value_enum))]
     pub tab: Tab,
     /// The least width of necks that tabs leave; by default 15 % of the mean side of a piece, and 3 mm where these are at most a fifth of it.
@@ -56,7 +56,7 @@ pub struct PuzzleRequest {
     /// fish, bird, star, a file, or in Python corners; the layout is not used then.
     #[cfg_attr(feature = "clap", arg(long, value_name = "SHAPE"))]
     pub piece: Option<PieceSource>,
-    /// How copies of the shape of pieces are placed.
+    /// The arrangement of copies of the shape of pieces.
     #[cfg_attr(feature = "clap", arg(long, value_enum))]
     pub method: Placing,
     /// Lloyd's method: what counts where a ray from the site meets the shape several times.
@@ -133,7 +133,7 @@ impl Report for PuzzleReport {
     }
 }
 
-/// How copies of a shape are placed.
+/// The arrangement of copies of a shape.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
@@ -151,7 +151,7 @@ pub enum Placing {
 pub struct PuzzleAnswer {
     /// The puzzle.
     pub puzzle: Puzzle,
-    /// What was found.
+    /// The report.
     pub report: PuzzleReport,
     /// The motion that takes it apart, if it was wanted and there is one.
     pub motion: Option<Motion>,

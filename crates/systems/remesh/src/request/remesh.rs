@@ -48,7 +48,7 @@ pub struct RemeshRequest {
     /// Most faces that the result may have.
     #[cfg_attr(feature = "clap", arg(long, value_name = "N"))]
     pub most_faces: usize,
-    /// What is done about faces of the result that intersect.
+    /// The treatment of faces of the result that intersect.
     #[cfg_attr(feature = "clap", arg(long, value_enum, value_name = "WHAT"))]
     pub intersections: Intersections,
     /// Coordinates of the result.
@@ -106,16 +106,16 @@ pub struct RemeshReport {
     pub after: Quality,
     /// The Pompeiu–Hausdorff distance of input (A) and result (B), and both directed distances.
     pub distance: Option<SymmetricReport>,
-    /// What rounding to the coordinates of the output does to the input.
+    /// The effect on the input of rounding to the coordinates of the output.
     pub rounding: Rounding,
-    /// How many pairs of faces of the result intersect; null where they were not looked for.
+    /// The number of pairs of faces of the result that intersect; null where they were not sought.
     pub intersections: Option<IntersectionCount>,
-    /// What came of the certificate; absent if none was asked for.
+    /// The outcome of the certificate; absent if none was requested.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub certificate: Option<CertificateAnswer>,
     /// Number of rounds of splits, collapses, flips and moves, those that a distance asked for included.
     pub iterations: usize,
-    /// Why it ended.
+    /// The reason for which it ended.
     pub stop: StopReason,
     /// Time spent, in milliseconds.
     #[cfg_attr(feature = "serde", serde(rename = "timing_ms"))]

@@ -33,7 +33,7 @@ pub struct SimplifyRequest {
     /// Number of faces to reach; the distance follows.
     #[cfg_attr(feature = "clap", arg(long, value_name = "N"))]
     pub faces: Option<usize>,
-    /// Where a number of faces is asked for, how much time is spent to make the distance small.
+    /// The effort to make the distance small at a given number of faces.
     #[cfg_attr(feature = "clap", arg(long, value_enum))]
     pub effort: Effort,
     /// Keep edges whose faces meet at more than this angle between their normals, in degrees, and boundaries: as curves with the same
@@ -43,7 +43,7 @@ pub struct SimplifyRequest {
     /// Repair the mesh first; the distance is measured from the mesh as it was.
     #[cfg_attr(feature = "clap", arg(long))]
     pub repair: bool,
-    /// What is done about faces of the result that intersect.
+    /// The treatment of faces of the result that intersect.
     #[cfg_attr(feature = "clap", arg(long, value_enum, value_name = "WHAT"))]
     pub intersections: Intersections,
     /// Number of levels of detail: each further one has half the distance, or twice the number of faces, of the one before.
@@ -87,7 +87,7 @@ pub struct SimplifyAnswer {
     pub report: SimplifyReport,
 }
 
-/// What is said of a simplified mesh. Lengths are in the unit of the mesh.
+/// The report on a simplified mesh. Lengths are in the unit of the mesh.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -100,7 +100,7 @@ pub struct LevelReport {
     pub within: Option<f64>,
     /// The Pompeiu–Hausdorff distance of input (A) and result (B), and both directed distances.
     pub distance: SymmetricReport,
-    /// How many pairs of faces intersect; null where they were not looked for.
+    /// The number of pairs of faces that intersect; null where they were not sought.
     pub intersections: Option<IntersectionCount>,
     /// Number of edges that were collapsed.
     pub collapses: usize,
@@ -131,23 +131,23 @@ pub struct SimplifyReport {
     /// The level that was asked for.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub level: LevelReport,
-    /// What rounding to the coordinates of the output does to the input.
+    /// The effect on the input of rounding to the coordinates of the output.
     pub rounding: Rounding,
-    /// What was carried over from the input.
+    /// The attributes that were carried over from the input.
     pub kept: Kept,
-    /// What came of the certificate; absent if none was asked for.
+    /// The outcome of the certificate; absent if none was requested.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub certificate: Option<CertificateAnswer>,
     /// Other levels of detail, each finer than the one before; empty unless asked for.
     pub finer: Vec<LevelReport>,
-    /// Why it ended.
+    /// The reason for which it ended.
     pub stop: StopReason,
     /// Time spent, in milliseconds.
     #[cfg_attr(feature = "serde", serde(rename = "timing_ms"))]
     pub timing: SimplifyTiming,
 }
 
-/// What was carried over from the input with its [appearance](crate::Carrier).
+/// The attributes that were carried over from the input with its [appearance](crate::Carrier).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

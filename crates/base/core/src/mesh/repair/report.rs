@@ -1,11 +1,11 @@
 //! What a repair did.
 
-/// How often an operation was applied or a defect was found, with the first places.
+/// The number of times that an operation was applied or a defect was found, with the first places.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Change {
-    /// How often.
+    /// The number of times.
     pub count: usize,
     /// A point at each of the first occurrences, at most [`Change::MOST_PLACES`]. Places are kept because a repair renumbers
     /// vertices and faces.

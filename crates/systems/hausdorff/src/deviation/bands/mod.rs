@@ -98,7 +98,7 @@ impl Bands {
     }
 }
 
-/// How much of both surfaces lies in which class.
+/// The share of both surfaces in each class.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -111,7 +111,7 @@ pub struct BandReport {
     pub b_to_a: DirectedBands,
 }
 
-/// How much of one surface lies in which class.
+/// The share of one surface in each class.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -124,7 +124,7 @@ pub struct DirectedBands {
     pub shares: Option<Vec<Enclosure>>,
     /// Whether the other surface is closed. Beside the boundary of an open one, which side is inside is a choice.
     pub closed: bool,
-    /// Why cutting ended: [`StopReason::Tolerance`] if all shares are as narrow as asked; they hold in every case.
+    /// The reason for which cutting ended: [`StopReason::Tolerance`] if all shares are as narrow as requested; they hold in every case.
     pub stop: StopReason,
 }
 

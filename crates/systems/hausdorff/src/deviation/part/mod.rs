@@ -34,7 +34,7 @@ pub struct Part {
     pub farthest: Option<f64>,
 }
 
-/// What of a mesh is left out.
+/// The part of a mesh that is left out.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

@@ -51,7 +51,7 @@ pub struct DeviationMeasures {
     /// Bins of the histogram.
     #[cfg_attr(feature = "clap", arg(long, value_name = "N"))]
     pub bins: usize,
-    /// How many of the worst regions to list.
+    /// The number of worst regions to list.
     #[cfg_attr(feature = "clap", arg(long, value_name = "K"))]
     pub regions: usize,
     /// Pieces that the faces of a mesh may be cut into before intervals stay wider than asked; by default 4,000,000, or twelve for each face of

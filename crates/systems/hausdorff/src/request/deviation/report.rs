@@ -17,15 +17,15 @@ pub struct DeviationReport {
     /// Whether both surfaces are within the threshold or the bands; absent without either.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub verdict: Option<Verdict>,
-    /// How much lies in which tolerance band; absent if there is none.
+    /// The share of the area in each tolerance band; absent if there is none.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub bands: Option<BandReport>,
-    /// What was left out of both; absent if nothing was to be.
+    /// The parts that were left out of both; absent if none were to be.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub left_out: Option<BothLeftOut>,
     /// Small parts of which alone the largest distance is, of A and of B.
     pub outliers: Vec<Outlier>,
-    /// What came of the certificate; absent if none was asked for.
+    /// The outcome of the certificate; absent if none was requested.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub certificate: Option<CertificateAnswer>,
     /// The deviation.
@@ -33,7 +33,7 @@ pub struct DeviationReport {
     pub deviation: Deviation,
 }
 
-/// What was left out of each mesh.
+/// The parts that were left out of each mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

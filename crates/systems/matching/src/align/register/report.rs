@@ -37,7 +37,7 @@ pub struct Registration {
     pub alternatives: Vec<Alternative>,
     /// Motions that leave the fit unchanged.
     pub free_motions: Vec<FreeMotion>,
-    /// Why it ended.
+    /// The reason for which it ended.
     pub stop: StopReason,
 }
 
