@@ -2,6 +2,7 @@
 
 use crate::error::MAX_SIDE;
 use crate::image::Image;
+use crate::labels;
 use crate::legend::{Histogram, Legend, LegendSide};
 use crate::raster::{Camera, render};
 use crate::text::{Run, Style, Weight};
@@ -45,6 +46,8 @@ pub struct Figure<'a> {
     view: View,
     scale: Option<(Scale, String)>,
     legend: LegendSide,
+    has_legend: bool,
+    text: Option<f64>,
     histograms: Vec<Histogram>,
     panels: Vec<Panel<'a>>,
 }
@@ -60,6 +63,8 @@ impl<'a> Figure<'a> {
             view: View::default(),
             scale: None,
             legend: LegendSide::default(),
+            has_legend: true,
+            text: None,
             histograms: Vec::new(),
             panels: Vec::new(),
         }
@@ -100,6 +105,20 @@ impl<'a> Figure<'a> {
         self
     }
 
+    /// Leaves out the colour bar, where another picture beside this one has it.
+    #[must_use]
+    pub fn without_legend(mut self) -> Self {
+        self.has_legend = false;
+        self
+    }
+
+    /// Sets the size of text in pixels per em; by default it follows from the size of the picture.
+    #[must_use]
+    pub fn with_text_size(mut self, pixels: f64) -> Self {
+        self.text = Some(pixels);
+        self
+    }
+
     /// Adds a histogram beside the colour bar, after earlier ones: shares in equal parts of the bar, from its lower end. The length
     /// of a column is proportional to the square root of its share, so that small shares remain visible.
     ///
@@ -135,7 +154,7 @@ impl<'a> Figure<'a> {
         let camera = Camera::new(&self.view, &self.panels)?;
         let colors = self.theme.colors();
         let mut image = Image::filled(width, height, colors.background);
-        let sizes = Sizes::new(width, height);
+        let sizes = Sizes::new(width, height, self.text);
         let mut area = Area {
             left: sizes.margin,
             top: sizes.margin,
@@ -151,7 +170,7 @@ impl<'a> Figure<'a> {
             area.top += 2.1 * style.size;
         }
         let style = Style { weight: Weight::Regular, size: sizes.text, color: colors.text };
-        if let Some((scale, label)) = &self.scale {
+        if let (Some((scale, label)), true) = (&self.scale, self.has_legend) {
             let room = match self.legend {
                 LegendSide::Right => area.height(),
                 LegendSide::Bottom => area.width(),
@@ -198,7 +217,10 @@ impl<'a> Figure<'a> {
             let indent = 0.5 * (cell_width - style.width(&title));
             style.draw(image, &title, [left + indent, top + style.size], Run::Across);
             let scale = self.scale.as_ref().map(|(scale, _)| scale);
-            image.paste(&render(panel, &camera, scale, &colors, pixels), [left, top + line]);
+            let mut drawn = render(panel, &camera, scale, &colors, pixels);
+            let style = Style { weight: Weight::Regular, ..style };
+            labels::draw(&mut drawn, panel, &camera, &colors, style);
+            image.paste(&drawn, [left, top + line]);
         }
     }
 }
@@ -219,9 +241,9 @@ const EMS: f64 = 62.0;
 const SMALLEST_EM: f64 = 10.0;
 
 impl Sizes {
-    fn new(width: u32, height: u32) -> Self {
+    fn new(width: u32, height: u32, text: Option<f64>) -> Self {
         let side = (f64::from(width) * f64::from(height)).sqrt();
-        let text = side / EMS;
+        let text = text.unwrap_or(side / EMS);
         let text = if text > SMALLEST_EM { text } else { SMALLEST_EM };
         Self { text, margin: 0.9 * text }
     }

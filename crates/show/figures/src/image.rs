@@ -105,6 +105,20 @@ impl Image {
         }
     }
 
+    /// Pictures beside and below one another, in rows from left to right, on this background.
+    pub fn tiled(pictures: &[Self], columns: usize, background: Rgb) -> Self {
+        let most = |side: fn(&Self) -> u32| pictures.iter().map(side).max().unwrap_or(0);
+        let [width, height] = [most(Self::width), most(Self::height)];
+        let columns = columns.clamp(1, pictures.len().max(1));
+        let rows = pictures.len().div_ceil(columns);
+        let mut whole = Self::filled(width * columns as u32, height * rows as u32, background);
+        for (i, picture) in pictures.iter().enumerate() {
+            let at = [(i % columns) as u32 * width, (i / columns) as u32 * height];
+            whole.paste(picture, at.map(f64::from));
+        }
+        whole
+    }
+
     /// Copies another picture to a place; the part outside this one is cut off.
     pub(crate) fn paste(&mut self, other: &Self, at: [f64; 2]) {
         let [left, top] = at.map(|c| (c + 0.5).floor() as i64);

@@ -21,6 +21,7 @@ mod error;
 mod figure;
 mod film;
 mod image;
+mod labels;
 mod legend;
 pub mod names;
 mod normals;

@@ -30,6 +30,8 @@ pub struct Panel<'a> {
     pub(crate) title: String,
     pub(crate) edges: bool,
     pub(crate) marks: Vec<Mark>,
+    /// Points with texts beside them.
+    pub(crate) labels: Vec<([f64; 3], String)>,
 }
 
 impl<'a> Panel<'a> {
@@ -43,6 +45,7 @@ impl<'a> Panel<'a> {
             title: String::new(),
             edges: false,
             marks: Vec::new(),
+            labels: Vec::new(),
         }
     }
 
@@ -91,6 +94,14 @@ impl<'a> Panel<'a> {
     #[must_use]
     pub fn with_mark(mut self, mark: Mark) -> Self {
         self.marks.push(mark);
+        self
+    }
+
+    /// Draws a point with a text beside it, unless the mesh hides the point.
+    #[must_use]
+    pub fn with_label(mut self, at: [f64; 3], text: impl Into<String>) -> Self {
+        self.marks.push(Mark::point(at).with_opacity_behind(0.0));
+        self.labels.push((at, text.into()));
         self
     }
 

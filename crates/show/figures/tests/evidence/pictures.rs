@@ -3,8 +3,8 @@
 use pompeiu_core::TriMesh;
 use pompeiu_core::mesh::shapes::{icosphere, torus};
 use pompeiu_figures::{
-    ColorMap, Figure, FigureError, Image, LegendSide, Mark, Panel, Projection, Scale, Theme, Values, View,
-    vertex_normals,
+    ColorMap, Figure, FigureError, Image, LegendSide, Mark, Panel, Projection, Rgb, Scale, Theme, Values,
+    View, vertex_normals,
 };
 use std::fs;
 use std::path::Path;
@@ -211,4 +211,31 @@ fn what_does_not_fit_together_is_an_error_with_its_numbers() {
     let view = View::default().with_up([0.0, f64::NAN, 0.0]);
     let message = Figure::new(8, 8).with_view(view).draw().unwrap_err().to_string();
     assert_eq!(message, "the direction up is (0, NaN, 0), which is no direction");
+}
+
+/// A label stands beside its point where the mesh does not hide the point, and nowhere else.
+#[test]
+fn labels_of_hidden_points_are_not_drawn() {
+    let mesh = icosphere(1.0, 3).unwrap();
+    let drawn = |panel: Panel<'_>| Figure::new(200, 200).with_panel(panel).draw().unwrap();
+    let view = View::default().frame().unwrap();
+    let towards_eye = view[2];
+    let plain = drawn(Panel::new(&mesh));
+    let behind = drawn(Panel::new(&mesh).with_label(towards_eye.map(|x| -x), "1: 0.5"));
+    assert_eq!(behind, plain);
+    let before = drawn(Panel::new(&mesh).with_label(towards_eye, "1: 0.5"));
+    let changed = before.pixels().iter().zip(plain.pixels()).filter(|(x, y)| x != y).count();
+    let of_point = drawn(Panel::new(&mesh).with_mark(Mark::point(towards_eye)));
+    let by_point = of_point.pixels().iter().zip(plain.pixels()).filter(|(x, y)| x != y).count();
+    assert!(changed > by_point + 200, "{changed} {by_point}");
+}
+
+#[test]
+fn pictures_are_tiled_in_rows() {
+    let picture = |color: Rgb, width: u32| Image::new(width, 2, vec![color; 2 * width as usize]).unwrap();
+    let tiled = Image::tiled(&[picture([1; 3], 3), picture([2; 3], 2), picture([3; 3], 3)], 2, [9; 3]);
+    assert_eq!((tiled.width(), tiled.height()), (6, 4));
+    assert_eq!(tiled.pixel(0, 0), Some([1; 3]));
+    assert_eq!((tiled.pixel(4, 1), tiled.pixel(5, 1)), (Some([2; 3]), Some([9; 3])));
+    assert_eq!((tiled.pixel(2, 3), tiled.pixel(3, 3)), (Some([3; 3]), Some([9; 3])));
 }

@@ -95,17 +95,17 @@ const COVERED_TOLERANCE: f64 = 1.0 / 32.0;
 const COLUMNS: usize = 48;
 
 /// One direction: the surface that is measured, and what was found on it.
-struct Side<'r> {
+pub(super) struct Side<'r> {
     path: &'r str,
     mesh: &'r TriMesh,
     found: &'r DirectedDeviation,
-    drawing: Drawing,
+    pub(super) drawing: Drawing,
 }
 
 /// A deviation analysis with what is drawn of it: a page, pictures and documents of the same triangles.
 pub struct DeviationFigures<'r> {
     pub(super) of: DeviationPage<'r>,
-    sides: [Side<'r>; 2],
+    pub(super) sides: [Side<'r>; 2],
 }
 
 impl fmt::Debug for DeviationFigures<'_> {
@@ -272,7 +272,7 @@ impl<'r> DeviationPage<'r> {
     }
 
     /// What colours of a picture mean.
-    fn scale(&self) -> Result<(Scale, String), FigureError> {
+    pub(super) fn scale(&self) -> Result<(Scale, String), FigureError> {
         let extent = self.extent();
         let scale = if self.is_signed() {
             Scale::symmetric(ColorMap::Vik, extent)?
@@ -391,7 +391,7 @@ impl DeviationFigures<'_> {
 }
 
 /// The triangles as a mesh of its own, unwelded.
-fn soup(triangles: &[DisplayTriangle]) -> Result<TriMesh, MeshError> {
+pub(super) fn soup(triangles: &[DisplayTriangle]) -> Result<TriMesh, MeshError> {
     let positions = triangles.iter().flat_map(|triangle| triangle.corners).collect();
     let faces = (0..triangles.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
     TriMesh::new(positions, faces)

@@ -1,16 +1,20 @@
 //! A deviation on paper.
 
-use super::page::{DeviationFigures, DeviationPage, four_digits, percent};
+use super::page::{DeviationFigures, DeviationPage, four_digits, percent, soup};
 use crate::deviation::{DirectedDeviation, Region};
 use crate::digits::{self, percentage};
 use crate::report::{Direction, Enclosure};
 use pompeiu_figures::names::name;
 use pompeiu_figures::page::Bounds;
 use pompeiu_figures::paper::{Block, Document, Paper};
-use pompeiu_figures::{FigureError, Theme, View};
+use pompeiu_figures::{Figure, FigureError, Image, Panel, Projection, Theme, Values, View};
 
 /// Pixels of the picture: about 200 to an inch of an A4 page.
 const PICTURE: [u32; 2] = [1400, 600];
+/// Pixels of each of the standard views, which are in two rows of three.
+const VIEW: [u32; 2] = [467, 380];
+/// Pixels of an em in them: seven points on A4.
+const TEXT: f64 = 19.0;
 /// Regions listed of each direction.
 const REGIONS: usize = 5;
 
@@ -55,7 +59,16 @@ impl DeviationFigures<'_> {
             blocks.push(of.classes(&bands.edges, names));
         }
         blocks.push(Block::Heading("Where".to_owned()));
-        blocks.push(of.places(names));
+        let places = of.worst_places(names);
+        blocks.push(listed(&places));
+        if let Some(image) = self.views(&places, of.up)? {
+            let caption = format!(
+                "{b} from six sides in parallel projection, in the colours of the picture above, with the places of the table that are \
+                 seen from there.",
+                b = names[1]
+            );
+            blocks.push(Block::Picture { image, caption });
+        }
         blocks.push(Block::Paragraph(
             "Each number is an interval that is proven to hold the value for all points of all faces of the meshes as stored, rounding \
              included; where both ends agree in the digits shown, one number is shown."
@@ -74,6 +87,60 @@ impl DeviationFigures<'_> {
             paper,
         })
     }
+}
+
+impl DeviationFigures<'_> {
+    /// The second mesh from six sides, with the worst places; none where there is nothing to draw.
+    fn views(&self, places: &[Place<'_>], up: [f64; 3]) -> Result<Option<Image>, FigureError> {
+        let side = &self.sides[1];
+        let Ok(mesh) = soup(&side.drawing.triangles) else { return Ok(None) };
+        let values: Vec<_> = side.drawing.triangles.iter().map(|triangle| triangle.distances).collect();
+        let (scale, label) = self.of.scale()?;
+        let drawn = standard_views(up).map(|(name, view)| {
+            let mut panel = Panel::new(&mesh).with_values(Values::Corners(&values)).with_title(name);
+            for ((region, direction, _), number) in places.iter().zip(1..) {
+                // The end that lies on the second mesh.
+                let at = match direction {
+                    Direction::AToB => region.witness.to.position,
+                    Direction::BToA => region.witness.from.position,
+                };
+                panel = panel.with_label(at, format!("{number}: {}", brief(region.peak)));
+            }
+            let [width, height] = VIEW;
+            let figure = Figure::new(width, height)
+                .with_scale(scale, label.clone())
+                .without_legend()
+                .with_text_size(TEXT);
+            figure.with_view(view).with_panel(panel).draw()
+        });
+        let drawn = drawn.into_iter().collect::<Result<Vec<_>, _>>()?;
+        Ok(Some(Image::tiled(&drawn, 3, [255; 3])))
+    }
+}
+
+/// Front, right and top, and the sides opposite of them, in parallel projection. The front is that of the pictures: towards smaller y if z
+/// is up, else towards greater z.
+fn standard_views(up: [f64; 3]) -> [(&'static str, View); 6] {
+    let front = if up[2].abs() > 0.5 { [0.0, -1.0, 0.0] } else { [0.0, 0.0, 1.0] };
+    let right = [
+        up[1] * front[2] - up[2] * front[1],
+        up[2] * front[0] - up[0] * front[2],
+        up[0] * front[1] - up[1] * front[0],
+    ];
+    let opposite = |v: [f64; 3]| v.map(|x| -x);
+    // Above and below, the front is at the bottom and at the top of the picture.
+    [
+        ("front", front, up),
+        ("right", right, up),
+        ("top", up, opposite(front)),
+        ("back", opposite(front), up),
+        ("left", opposite(right), up),
+        ("bottom", opposite(up), front),
+    ]
+    .map(|(name, eye, up)| {
+        let view = View::default().with_up(up).with_direction_to_eye(eye);
+        (name, view.with_projection(Projection::Orthographic))
+    })
 }
 
 impl DeviationPage<'_> {
@@ -131,16 +198,18 @@ impl DeviationPage<'_> {
         Block::Table { columns, rows: class_names(&ends).into_iter().enumerate().map(row).collect() }
     }
 
-    fn places(&self, [_, b]: [&str; 2]) -> Block {
-        let mut rows = Vec::new();
+    /// The worst places of both directions, the worst first.
+    fn worst_places(&self, [_, b]: [&str; 2]) -> Vec<Place<'_>> {
+        let mut places = Vec::new();
         for (directed, name) in [
             (&self.deviation.a_to_b, format!("missing on {b}")),
             (&self.deviation.b_to_a, format!("excess on {b}")),
         ] {
-            rows.extend(directed.regions.iter().take(REGIONS).map(|region| place(region, &name)));
+            let regions = directed.regions.iter().take(REGIONS);
+            places.extend(regions.map(|region| (region, directed.direction, name.clone())));
         }
-        let columns = [("", 1.2), ("largest", 1.0), ("at (x, y, z)", 2.0), ("area", 0.8), ("faces", 0.6)];
-        Block::Table { columns: columns.map(|(name, share)| (name.to_owned(), share)).to_vec(), rows }
+        places.sort_by(|x, y| y.0.peak.upper().total_cmp(&x.0.peak.upper()));
+        places
     }
 }
 
@@ -160,9 +229,21 @@ fn class_names(ends: &[String]) -> Vec<String> {
         .collect()
 }
 
-fn place(region: &Region, name: &str) -> Vec<String> {
+/// A region, the direction in which it was found, and what it is.
+type Place<'p> = (&'p Region, Direction, String);
+
+fn listed(places: &[Place<'_>]) -> Block {
+    let columns =
+        [("", 0.3), ("", 1.2), ("largest", 1.0), ("at (x, y, z)", 2.0), ("area", 0.8), ("faces", 0.6)];
+    let rows =
+        places.iter().zip(1..).map(|((region, _, name), number)| place(region, number, name)).collect();
+    Block::Table { columns: columns.map(|(name, share)| (name.to_owned(), share)).to_vec(), rows }
+}
+
+fn place(region: &Region, number: usize, name: &str) -> Vec<String> {
     let [x, y, z] = region.witness.from.position.map(four_digits);
     vec![
+        number.to_string(),
         name.to_owned(),
         brief(region.peak),
         format!("({x}, {y}, {z})"),
