@@ -34,6 +34,7 @@
 
 mod atlas;
 mod chart;
+mod charts;
 mod check;
 mod chords;
 mod components;
@@ -56,13 +57,14 @@ mod straight;
 mod symmetry;
 mod watch;
 
+pub use charts::Charts;
 pub use cut::{CutError, CutOptions, CutStrategy, Opened, choose_cut, farthest_pair, open};
 pub use distortion::{Distortion, MeanMax, Spread};
 pub use error::FlattenError;
 pub use flatten::{Flattening, flatten};
 pub use map::{Conformal, ConvexBoundary, RingKind, VirtualBoundary, Weights};
 pub use medial::{Ball, Deviation, Medial, MedialError, MedialOptions, medial_balls};
-pub use options::{Charts, FlattenOptions, Method};
+pub use options::{FlattenOptions, Method};
 pub use report::{CutReport, FlattenReport, PartReport, Timing};
 pub use request::{
     Boundary, CutAnswer, CutEdges, CutRequest, Energy, FlatSurface, FlattenRequest, MedialReport,

@@ -1,14 +1,11 @@
 //! Options of flattening.
 
-#[cfg(feature = "serde")]
-use crate::request::ChartsValue;
 use crate::{
-    Conformal, ConvexBoundary, CutError, CutOptions, CutStrategy, FlattenError, SymmetryError,
+    Charts, Conformal, ConvexBoundary, CutError, CutOptions, CutStrategy, FlattenError, SymmetryError,
     VirtualBoundary, Weights,
 };
 use pompeiu_core::mesh::Precision;
 use pompeiu_core::run::{Limits, ProgressObserver};
-use std::num::NonZeroUsize;
 
 /// The kind of map.
 #[derive(Clone, Debug, PartialEq)]
@@ -54,21 +51,6 @@ impl Default for Method {
     fn default() -> Self {
         Self::Free { steps: 100 }
     }
-}
-
-/// How many charts a surface is divided into.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(try_from = "ChartsValue", into = "ChartsValue"))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(with = "ChartsValue"))]
-pub enum Charts {
-    /// One for each connected component.
-    #[default]
-    Components,
-    /// So many: more where there are more components, fewer where the distortion asked for is reached before or faces are too few.
-    Count(NonZeroUsize),
-    /// As many as the distortion asked for needs.
-    Auto,
 }
 
 /// Options of flattening.

@@ -5,7 +5,5 @@ mod flatten;
 mod medial;
 
 pub use cut::{CutAnswer, CutEdges, CutRequest, OpenedReport, Strategy};
-#[cfg(feature = "serde")]
-pub(crate) use flatten::ChartsValue;
 pub use flatten::{Boundary, Energy, FlatSurface, FlattenRequest};
 pub use medial::{MedialReport, MedialRequest, MedialTiming};
