@@ -107,6 +107,19 @@ proptest! {
 }
 
 #[test]
+fn vertices_at_one_place_stay_apart() {
+    let mesh =
+        TriMesh::new(vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0; 3]], vec![[0, 1, 2], [3, 2, 1]])
+            .unwrap();
+    let bytes = encoded(OutputFormat::Glb, &mesh, &Attributes::for_mesh(&mesh));
+    let gltf::Gltf { document, .. } = gltf::Gltf::from_slice(&bytes).unwrap();
+    let primitive = document.meshes().next().unwrap().primitives().next().unwrap();
+    assert!(primitive.get(&gltf::Semantic::Extras("VERTEX".to_owned())).is_some());
+    // Each face has its own vertices along the sharp edge; those of the mesh come first.
+    assert_eq!(read(&bytes).positions.len(), 6);
+}
+
+#[test]
 fn overflow_is_an_error_before_the_first_byte() {
     let mesh = TriMesh::new(vec![[0.0; 3], [0.0, 0.0, -1e39]], vec![[0, 1, 0]]).unwrap();
     let mut bytes = Vec::new();
