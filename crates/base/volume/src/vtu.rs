@@ -2,6 +2,7 @@
 
 use crate::{BezierMesh, HexMesh};
 use glam::DVec3;
+use pompeiu_core::vtk::{DataSet, VtkFile};
 use std::io::{self, Write};
 
 /// A named array with one number or vector of three per cell.
@@ -107,7 +108,7 @@ fn vtk_place([i, j, k]: [usize; 3]) -> usize {
 }
 
 fn write(
-    mut out: impl Write,
+    out: impl Write,
     grid: &mut Grid<'_>,
     points: &[PointData<'_>],
     cells: &[CellData<'_>],
@@ -127,57 +128,30 @@ fn write(
             }
         }
     }
-    let mut offset = 0_u64;
-    let mut array = |kind: &str, name: &str, components: usize, bytes: usize| {
-        let line = format!(
-            "<DataArray type=\"{kind}\" Name=\"{name}\" NumberOfComponents=\"{components}\" format=\"appended\" offset=\"{offset}\"/>\n"
-        );
-        offset += 8 + bytes as u64;
-        line
-    };
-    let mut header = format!(
-        "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"{}\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<UnstructuredGrid>\n",
-        grid.version
-    );
-    header.extend([
-        "<Piece NumberOfPoints=\"",
-        &n.to_string(),
-        "\" NumberOfCells=\"",
-        &m.to_string(),
-        "\">\n<Points>\n",
-    ]);
-    header += &array("Float64", "Points", 3, 24 * n);
-    header += "</Points>\n<Cells>\n";
-    header += &array("Int64", "connectivity", 1, 8 * per_cell * m);
-    header += &array("Int64", "offsets", 1, 8 * m);
-    header += &array("UInt8", "types", 1, m);
-    header += "</Cells>\n";
+    let counts = format!("NumberOfPoints=\"{n}\" NumberOfCells=\"{m}\"");
+    let mut file = VtkFile::new(grid.version, DataSet::UnstructuredGrid, &counts);
+    file.open("Points");
+    file.array("Points", "Float64", 3, 24 * n as u64);
+    file.close("Points");
+    file.open("Cells");
+    file.array("connectivity", "Int64", 1, 8 * (per_cell * m) as u64);
+    file.array("offsets", "Int64", 1, 8 * m as u64);
+    file.array("types", "UInt8", 1, m as u64);
+    file.close("Cells");
     for (tag, list) in [("PointData", points), ("CellData", cells)] {
-        header.extend(["<", tag, ">\n"]);
+        file.open(tag);
         for data in list {
-            header += &array("Float64", data.name, data.components, 8 * data.values.len());
+            file.array(data.name, "Float64", data.components, 8 * data.values.len() as u64);
         }
-        header.extend(["</", tag, ">\n"]);
+        file.close(tag);
     }
-    header += "</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_";
-    out.write_all(header.as_bytes())?;
-    let mut block = |length: usize, bytes: &mut dyn Iterator<Item = [u8; 8]>| -> io::Result<()> {
-        let mut buffer = Vec::with_capacity(length + 8);
-        buffer.extend_from_slice(&(length as u64).to_le_bytes());
-        bytes.for_each(|word| buffer.extend_from_slice(&word));
-        out.write_all(&buffer)
-    };
-    block(24 * n, &mut grid.positions.iter().flat_map(glam::DVec3::to_array).map(f64::to_le_bytes))?;
-    block(8 * per_cell * m, &mut (&mut *grid.corners).map(|v| u64::from(v).to_le_bytes()))?;
-    block(8 * m, &mut (1..=m as u64).map(|k| (per_cell as u64 * k).to_le_bytes()))?;
-    out.write_all(&(m as u64).to_le_bytes())?;
-    out.write_all(&vec![grid.kind; m])?;
-    let mut block = |values: &[f64]| -> io::Result<()> {
-        out.write_all(&(8 * values.len() as u64).to_le_bytes())?;
-        out.write_all(&values.iter().flat_map(|x| x.to_le_bytes()).collect::<Vec<u8>>())
-    };
+    let mut arrays = file.arrays(out)?;
+    arrays.append(grid.positions.iter().flat_map(DVec3::to_array).map(f64::to_le_bytes))?;
+    arrays.append((&mut *grid.corners).map(|v| u64::from(v).to_le_bytes()))?;
+    arrays.append((1..=m as u64).map(|k| (per_cell as u64 * k).to_le_bytes()))?;
+    arrays.append(std::iter::repeat_n([grid.kind], m))?;
     for data in points.iter().chain(cells) {
-        block(data.values)?;
+        arrays.append(data.values.iter().map(|x| x.to_le_bytes()))?;
     }
-    out.write_all(b"\n</AppendedData>\n</VTKFile>\n")
+    arrays.finish()
 }

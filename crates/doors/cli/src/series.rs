@@ -4,7 +4,7 @@ use crate::files;
 use crate::numbers::grouped;
 use crate::printer::Printer;
 use anyhow::{Context, bail};
-use std::fmt::Write;
+use pompeiu::core::vtk;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
@@ -79,18 +79,9 @@ impl Series {
             return error.map_or(Ok(()), Err);
         }
         let folder = steps.file_name().unwrap_or_default().to_string_lossy();
-        let escaped = folder.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;");
-        let mut list = String::from(
-            "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n",
+        let list = vtk::series(
+            written.iter().map(|&(step, time)| (time, format!("{folder}/{}", name(step, suffix)))),
         );
-        for &(step, time) in &written {
-            let _ = writeln!(
-                list,
-                "    <DataSet timestep=\"{time}\" file=\"{escaped}/{}\"/>",
-                name(step, suffix)
-            );
-        }
-        list.push_str("  </Collection>\n</VTKFile>\n");
         let listed = files::write_whole(&place, list.as_bytes(), printer);
         // What failed first is told first.
         error.map_or(Ok(()), Err)?;

@@ -16,9 +16,9 @@ mod vtk_xml;
 
 use flate2::{Compression, write::GzEncoder};
 use pompeiu_core::TriMesh;
+use pompeiu_core::vtk::DataSet;
 use std::io::{self, Write};
 use std::path::Path;
-use vtk_xml::DataSet;
 
 pub use attributes::{AttributeError, Attributes};
 pub use error::{EncodeError, WriteError};
