@@ -36,6 +36,8 @@ pub use pompeiu_hausdorff as hausdorff;
 pub use pompeiu_io as io;
 #[cfg(feature = "matching")]
 pub use pompeiu_matching as matching;
+#[cfg(feature = "medial")]
+pub use pompeiu_medial as medial;
 #[cfg(feature = "neuron")]
 pub use pompeiu_neuron as neuron;
 #[cfg(feature = "operators")]

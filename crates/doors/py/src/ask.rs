@@ -18,7 +18,7 @@ use pompeiu::core::run::{Limits, RunContext};
 use pompeiu::coupling::show::{CoupleFrames, CouplePage};
 use pompeiu::coupling::{CoupleRequest, Scene};
 use pompeiu::fields::DecomposeRequest;
-use pompeiu::flatten::{CutRequest, FlattenError, FlattenRequest, MedialReport, MedialRequest};
+use pompeiu::flatten::{CutRequest, FlattenError, FlattenRequest};
 use pompeiu::flow::FlowRequest;
 use pompeiu::fluid::request::FluidRequest;
 use pompeiu::hausdorff::{DeviationMeasures, Progress, RepairRequest};
@@ -26,6 +26,7 @@ use pompeiu::io::read_face_vectors;
 use pompeiu::matching::request::{
     AlignRequest, AlignedDeviationRequest, AlignedDistanceRequest, MatrixRequest, RankRequest,
 };
+use pompeiu::medial::{MedialReport, MedialRequest};
 use pompeiu::neuron::{NeuronAnswer, NeuronRequest, NeuronSource};
 use pompeiu::operators::FaceField;
 use pompeiu::options::request_from;

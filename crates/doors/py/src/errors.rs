@@ -10,7 +10,7 @@ use pompeiu::coupling::{CouplingError, SceneError};
 use pompeiu::fields::DecomposeError;
 use pompeiu::figures::FigureError;
 use pompeiu::figures::page::PageError;
-use pompeiu::flatten::{CutError, FlattenError, MedialError};
+use pompeiu::flatten::{CutError, FlattenError};
 use pompeiu::flow::FlowError;
 use pompeiu::fluid::FluidError;
 use pompeiu::fluid::request::{CheckpointError as FluidCheckpointError, FluidRequestError};
@@ -20,6 +20,7 @@ use pompeiu::io::{AttributeError, ReadError, WriteError};
 use pompeiu::matching::align::AlignError;
 use pompeiu::matching::rank::RankError;
 use pompeiu::matching::request::{MatrixRequestError, RequestError};
+use pompeiu::medial::MedialError;
 use pompeiu::neuron::{
     CheckpointError, FlowError as NeuronFlowError, MeshError as NeuronMeshError, NeuronRequestError,
     SwcError, TransportError,

@@ -114,8 +114,8 @@ fn symmetry_in_whole(error: SymmetryError, component: &Component) -> SymmetryErr
 
 /// Converts an error of a component to the numbering of the whole surface.
 pub(crate) fn in_whole(error: CutError, component: &Component) -> CutError {
-    use crate::MedialError::Open;
     use CutError::{Forbidden, Medial, NoDisk, SingleEdge, Symmetry};
+    use pompeiu_medial::MedialError::Open;
     match error {
         NoDisk { face, euler_characteristic, boundary_loops } => {
             NoDisk { face: component.faces[face.index()], euler_characteristic, boundary_loops }

@@ -8,13 +8,12 @@
 //!
 //! | item | what it is |
 //! |---|---|
-//! | [`FlattenRequest`], [`CutRequest`], [`MedialRequest`] | all that can be asked, as the command and Python offer it |
+//! | [`FlattenRequest`], [`CutRequest`] | all that can be asked, as the command and Python offer it |
 //! | [`flatten`], [`FlattenOptions`], [`Flattening`] | the flat map, with a free boundary or a convex one |
 //! | [`FlattenReport`], [`Distortion`] | whether the map is one-to-one, and its distortion |
 //! | [`choose_cut`], [`CutOptions`], [`CutStrategy`] | choosing the edges to cut |
 //! | [`open`], [`Opened`] | the surface after the cut, and the original vertex of each copy |
 //! | [`straighten`], [`Straightened`] | a cut that runs straight across faces, inserted into the mesh |
-//! | [`medial_balls`], [`MedialOptions`], [`Medial`] | balls that fill a closed surface |
 //! | [`farthest_pair`] | the two points of a set that are farthest apart |
 //!
 //! ```
@@ -45,7 +44,6 @@ mod error;
 mod flatten;
 mod lengthen;
 mod map;
-mod medial;
 mod opened;
 mod options;
 mod pack;
@@ -63,12 +61,10 @@ pub use distortion::{Distortion, MeanMax, Spread};
 pub use error::FlattenError;
 pub use flatten::{Flattening, flatten};
 pub use map::{Conformal, ConvexBoundary, RingKind, VirtualBoundary, Weights};
-pub use medial::{Ball, Deviation, Medial, MedialError, MedialOptions, medial_balls};
 pub use options::{FlattenOptions, Method};
 pub use report::{CutReport, FlattenReport, PartReport, Timing};
 pub use request::{
-    Boundary, CutAnswer, CutEdges, CutRequest, Energy, FlatSurface, FlattenRequest, MedialReport,
-    MedialRequest, MedialTiming, OpenedReport, Strategy,
+    Boundary, CutAnswer, CutEdges, CutRequest, Energy, FlatSurface, FlattenRequest, OpenedReport, Strategy,
 };
 pub use straight::{Straightened, straighten};
 pub use symmetry::{SymmetryError, SymmetryPlane};

@@ -9,8 +9,8 @@ use crate::numbers::{grouped, time};
 use crate::page::Page;
 use anyhow::{Context, bail};
 use clap::Args;
-use pompeiu::flatten::show::MedialPage;
-use pompeiu::flatten::{MedialReport, MedialRequest};
+use pompeiu::medial::show::MedialPage;
+use pompeiu::medial::{MedialReport, MedialRequest};
 use std::path::{Path, PathBuf};
 
 pub(crate) use crate::door::run;

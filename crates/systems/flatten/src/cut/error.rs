@@ -1,7 +1,8 @@
 //! Errors of cutting.
 
-use crate::{MedialError, SymmetryError};
+use crate::SymmetryError;
 use pompeiu_core::{FaceId, MeshError, VertexId};
+use pompeiu_medial::MedialError;
 use pompeiu_surface::{GeometryError, SurfaceError};
 
 /// Why a surface cannot be cut.

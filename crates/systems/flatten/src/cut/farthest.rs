@@ -62,6 +62,10 @@ pub fn farthest_pair(points: &[[f64; 3]]) -> Option<[usize; 2]> {
     (best.0 >= 0.0).then_some(best.1)
 }
 
+pub(super) fn distance(p: [f64; 3], q: [f64; 3]) -> f64 {
+    distance_sq(p, q).sqrt()
+}
+
 fn distance_sq(p: [f64; 3], q: [f64; 3]) -> f64 {
     let d = [p[0] - q[0], p[1] - q[1], p[2] - q[2]];
     d[0] * d[0] + d[1] * d[1] + d[2] * d[2]

@@ -1,10 +1,10 @@
 //! Successive cuts, each to the vertex farthest from the existing cut.
 
 use super::costs::Costs;
+use super::farthest::distance;
 use super::farthest::farthest_pair;
 use super::largest;
 use super::tree::GrowingCut;
-use crate::medial::distance;
 use pompeiu_core::VertexId;
 use pompeiu_surface::{EdgeDistances, EmbeddedSurface, Surface};
 

@@ -3,9 +3,10 @@
 use super::costs::Costs;
 use super::disk::prune;
 use super::edges::joined_edges;
+use super::farthest::distance;
 use super::{CutError, GrowingCut, farthest_pair};
-use crate::medial::{Ball, Medial, MedialOptions, distance, longest_path, medial_balls, spanning_tree};
 use pompeiu_core::VertexId;
+use pompeiu_medial::{Ball, Medial, MedialOptions, medial_balls};
 use pompeiu_surface::{EdgeData, EdgeDistances, EmbeddedSurface};
 use std::num::NonZeroUsize;
 
@@ -38,7 +39,7 @@ impl<'s> Skeleton<'s> {
 
     /// Two vertices farthest apart, each touched by one of the two balls at the ends of the longest path between balls.
     pub(super) fn ends(&self) -> Vec<VertexId> {
-        let ends = longest_path(&self.medial.balls, &self.medial.edges);
+        let ends = self.medial.longest_path();
         let [first, second] = ends.map(|i| self.touched(&self.medial.balls[i]));
         let place = |v: VertexId| self.surface.positions()[v];
         if ends[0] == ends[1] {
@@ -86,7 +87,7 @@ impl<'s> Skeleton<'s> {
         let (surface, mesh) = (self.surface.surface(), self.surface.mesh());
         let joints = self.joints();
         let mut edges = Vec::new();
-        for bone in spanning_tree(&self.medial.balls, &self.medial.edges) {
+        for bone in self.medial.spanning_tree() {
             let [Some(from), Some(to)] = bone.map(|i| joints[i as usize]) else { continue };
             let paths = EdgeDistances::along(surface, &[from], |edge| self.costs.of(edge));
             edges.extend(paths.path_to(surface, to));
@@ -116,9 +117,7 @@ impl<'s> Skeleton<'s> {
         let balls = &self.medial.balls;
         let joints = self.joints();
         let mut cut = cut;
-        for [i, j] in
-            spanning_tree(balls, &self.medial.edges).into_iter().map(|bone| bone.map(|i| i as usize))
-        {
+        for [i, j] in self.medial.spanning_tree().into_iter().map(|bone| bone.map(|i| i as usize)) {
             let Some(joint) = joints[i] else { continue };
             let (centre, radius) = (glam::DVec3::from_array(balls[i].centre), balls[i].radius);
             let Some(along) = (glam::DVec3::from_array(balls[j].centre) - centre).try_normalize() else {

@@ -1,10 +1,8 @@
-//! A flat map as a page, a picture, a drawing and a texture; medial balls as a page and a picture.
+//! A flat map as a page, a picture, a drawing and a texture.
 
-mod medial;
 mod page;
 mod svg;
 
-pub use medial::MedialPage;
 pub use page::FlattenPage;
 pub use svg::layout_svg;
 

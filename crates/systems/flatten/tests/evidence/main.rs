@@ -6,7 +6,6 @@ mod charts;
 mod cuts;
 mod far;
 mod maps;
-mod medial;
 mod straight;
 mod symmetry;
 

@@ -1,6 +1,6 @@
 //! The squared distance of a ball from tangent planes.
 
-use super::Ball;
+use crate::ball::Ball;
 use std::ops::AddAssign;
 
 /// The weighted sum of the squared distances of a ball from planes that it should touch from inside, as a function of its centre
@@ -108,7 +108,7 @@ mod tests {
         assert!((sum.at(&other) - expected).abs() < 1e-12 * expected);
         let found = sum.least().unwrap();
         assert!(
-            super::super::distance(found.centre, ball.centre) + (found.radius - ball.radius).abs() < 1e-12
+            crate::ball::distance(found.centre, ball.centre) + (found.radius - ball.radius).abs() < 1e-12
         );
         // Parallel planes do not determine a ball.
         assert!(Quadric::of_plane([0.0; 3], [1.0, 0.0, 0.0], 1.0).least().is_none());

@@ -1,6 +1,6 @@
 //! The deviation between balls and a surface.
 
-use super::Ball;
+use crate::ball::{Ball, distance};
 use pompeiu_core::run::Control;
 use pompeiu_core::spatial::{Bvh, Workspace};
 use std::collections::BinaryHeap;
@@ -63,7 +63,7 @@ pub(super) fn deviation(
     tolerance: f64,
     control: &Control,
 ) -> Deviation {
-    let depth = |p: [f64; 3], ball: &Ball| super::distance(p, ball.centre) - ball.radius;
+    let depth = |p: [f64; 3], ball: &Ball| distance(p, ball.centre) - ball.radius;
     let over = |value: f64| if value > 0.0 { value } else { 0.0 };
     let mut lower = 0.0_f64;
     let mut heap = BinaryHeap::new();
@@ -110,7 +110,7 @@ pub(super) fn deviation(
 
 /// Bisects a triangle across its longest side.
 fn halves(corners: [[f64; 3]; 3]) -> [[[f64; 3]; 3]; 2] {
-    let length = |i: usize| super::distance(corners[i], corners[(i + 1) % 3]);
+    let length = |i: usize| distance(corners[i], corners[(i + 1) % 3]);
     let longest = (0..3).fold(0, |best, i| if length(i) > length(best) { i } else { best });
     let [a, b, c] = [0, 1, 2].map(|k| corners[(longest + k) % 3]);
     let middle = [0, 1, 2].map(|k| 0.5 * (a[k] + b[k]));

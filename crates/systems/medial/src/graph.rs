@@ -1,13 +1,26 @@
 //! Paths and trees along the edges between balls.
 
-use super::{Ball, distance};
+use crate::ball::{Ball, distance};
+use crate::balls::Medial;
 use pompeiu_core::mesh::UnionFind;
 
-/// The ends of the longest of all shortest paths along edges; of several, the first. The same ball twice if there is only one.
-///
-/// # Cost
-/// O(n³).
-pub(crate) fn longest_path(balls: &[Ball], edges: &[[u32; 2]]) -> [usize; 2] {
+impl Medial {
+    /// The balls at the ends of the longest of all shortest paths along edges; of several paths, the first. The same ball twice if there
+    /// is only one.
+    ///
+    /// # Cost
+    /// O(n³).
+    pub fn longest_path(&self) -> [usize; 2] {
+        longest_path(&self.balls, &self.edges)
+    }
+
+    /// The edges of the minimum spanning tree of all balls, shortest first.
+    pub fn spanning_tree(&self) -> Vec<[u32; 2]> {
+        spanning_tree(&self.balls, &self.edges)
+    }
+}
+
+fn longest_path(balls: &[Ball], edges: &[[u32; 2]]) -> [usize; 2] {
     let n = balls.len();
     let mut lengths = vec![f64::INFINITY; n * n];
     for i in 0..n {
@@ -41,8 +54,7 @@ pub(crate) fn longest_path(balls: &[Ball], edges: &[[u32; 2]]) -> [usize; 2] {
     best.1
 }
 
-/// The minimum spanning tree of all balls, shortest edges first.
-pub(crate) fn spanning_tree(balls: &[Ball], edges: &[[u32; 2]]) -> Vec<[u32; 2]> {
+fn spanning_tree(balls: &[Ball], edges: &[[u32; 2]]) -> Vec<[u32; 2]> {
     let length = |edge: &[u32; 2]| distance(balls[edge[0] as usize].centre, balls[edge[1] as usize].centre);
     let mut order = edges.to_vec();
     order.sort_by(|a, b| length(a).total_cmp(&length(b)).then(a.cmp(b)));

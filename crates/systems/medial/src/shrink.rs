@@ -1,7 +1,7 @@
 //! Shrinking balls until they touch a surface at two points.
 
-use super::Ball;
-use super::sample::Sample;
+use crate::ball::Ball;
+use crate::sample::Sample;
 use glam::DVec3;
 use pompeiu_core::geom::point_triangle::closest_barycentric;
 use pompeiu_core::spatial::{Bvh, Workspace};

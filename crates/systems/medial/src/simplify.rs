@@ -1,9 +1,9 @@
 //! Simplifying many balls to few.
 
-use super::quadric::Quadric;
-use super::sample::Sample;
-use super::shrink::Shrunk;
-use super::{Ball, distance};
+use crate::ball::{Ball, distance};
+use crate::quadric::Quadric;
+use crate::sample::Sample;
+use crate::shrink::Shrunk;
 use glam::DVec3;
 use pompeiu_core::run::Control;
 use rayon::prelude::*;

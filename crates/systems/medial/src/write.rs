@@ -1,6 +1,6 @@
 //! Medial balls as text and as triangles.
 
-use super::Medial;
+use crate::balls::Medial;
 use pompeiu_core::mesh::shapes::icosphere;
 use pompeiu_core::{MeshError, TriMesh};
 use std::fmt::Write as _;

@@ -3,7 +3,7 @@
 use super::{real_mesh, surface};
 use pompeiu_core::TriMesh;
 use pompeiu_core::mesh::shapes;
-use pompeiu_flatten::{Ball, Medial, MedialError, MedialOptions, medial_balls};
+use pompeiu_medial::{Ball, Medial, MedialError, MedialOptions, medial_balls};
 use std::num::NonZeroUsize;
 
 fn options(balls: usize) -> MedialOptions {

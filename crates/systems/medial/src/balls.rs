@@ -1,38 +1,18 @@
-//! Medial balls: few balls that fill a closed surface and show its limbs and joints.
+//! Medial balls from balls shrunk to touch the surface.
 
-mod cover;
-mod error;
-mod graph;
-mod quadric;
-mod sample;
-mod shrink;
-mod simplify;
-mod write;
-
-pub use cover::Deviation;
-pub use error::MedialError;
-pub(crate) use graph::{longest_path, spanning_tree};
-
+use crate::ball::{Ball, distance};
+use crate::cover::{self, Deviation};
+use crate::error::MedialError;
+use crate::sample::{self, Sample};
+use crate::{shrink, simplify};
 use pompeiu_core::TriMesh;
 use pompeiu_core::geom::{Aabb, Frame};
 use pompeiu_core::run::Instant;
 use pompeiu_core::run::{Control, Limits, StopReason, on_threads};
 use pompeiu_core::spatial::{Bvh, Winding};
 use pompeiu_surface::EmbeddedSurface;
-use sample::Sample;
 use std::num::NonZeroUsize;
 use std::time::Duration;
-
-/// A ball.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub struct Ball {
-    /// Its centre.
-    pub centre: [f64; 3],
-    /// Its radius.
-    pub radius: f64,
-}
 
 /// Options of medial balls.
 #[derive(Clone, Debug)]
@@ -91,10 +71,6 @@ impl Medial {
 
 fn overlap([a, b]: [&Ball; 2]) -> bool {
     distance(a.centre, b.centre) < a.radius + b.radius
-}
-
-pub(crate) fn distance(p: [f64; 3], q: [f64; 3]) -> f64 {
-    (0..3).map(|k| (p[k] - q[k]) * (p[k] - q[k])).sum::<f64>().sqrt()
 }
 
 /// Computes a few medial balls that fill a closed surface.
