@@ -31,7 +31,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     }
     let started = Instant::now();
     let found = remesh(&mesh, &options)?;
-    println!("{} faces, angles from {:.4}", found.after.faces, found.after.least_angle.least);
+    let least = found.after.least_angle;
+    println!("{} faces, angles from {:.4}, mean {:.2}", found.after.faces, least.least, least.mean);
     println!("{:?}, {:?}", found.intersections, found.stop);
     let distance = found.distance.map_or(0.0, |report| report.distance.upper());
     println!("distance {:.5} % of the diagonal", 100.0 * distance / diagonal);

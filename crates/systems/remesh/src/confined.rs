@@ -1,19 +1,23 @@
 //! Remeshing whose every operation keeps the surface within a distance of the input.
 
+use super::batch::{is_alive, move_all};
 use super::candidates::Triangle;
-use super::connectivity::{DynamicMesh, NONE};
+use super::connectivity::NONE;
 use super::cover::{Affected, Cover, Covering};
 use super::flips::{hinge, lowers_cotangents};
-use super::isotropic::{SHORTEST, is_harmless};
-use super::marked::{Collapse, Freedom, Hold, Marked};
+use super::isotropic::{SHORTEST, STEPS, is_harmless};
+use super::marked::{Collapse, Freedom, Marked};
 use super::places::Places;
 use super::reference::Reference;
-use super::smooth::{Move, Rings, keeps_normal, projected, relaxed};
+use super::smooth::{Move, smooth};
 use super::trial::Star;
 use super::within::Input;
 use glam::DVec3;
+use pompeiu_core::MeshError;
+use pompeiu_core::geom::point_triangle::distance_sq;
 use pompeiu_core::run::Control;
 use pompeiu_core::spatial::bvh::{Slot, Workspace};
+use rayon::prelude::*;
 
 /// Pieces of a new face that are looked at before it counts as too far away.
 const MOST_PIECES: usize = 128;
@@ -27,6 +31,10 @@ const STOP_EVERY: u32 = 256;
 /// A surface that lies within a distance of the input, and the input within that distance of it, at any time.
 pub(super) struct Confined<'r> {
     pub(super) surface: Marked,
+    /// The vertices that may be changed.
+    open: Vec<bool>,
+    /// The vertices whose faces have changed.
+    changed: Vec<bool>,
     reference: &'r Reference<'r>,
     input: Input<'r>,
     places: Places,
@@ -36,20 +44,34 @@ pub(super) struct Confined<'r> {
 }
 
 impl<'r> Confined<'r> {
-    /// Begins with the surface that the reference was made of.
-    pub(super) fn new(surface: Marked, reference: &'r Reference<'r>, places: Places, limit: f64) -> Self {
-        let cover = Cover::new(&surface.mesh, &reference.bvh);
+    /// Begins with a surface within a limit of the input that the reference was made of, and with what covers the input; changes what is at
+    /// vertices that are open.
+    pub(super) fn new(
+        surface: Marked,
+        open: Vec<bool>,
+        cover: Cover,
+        reference: &'r Reference<'r>,
+        places: Places,
+        limit: f64,
+    ) -> Self {
         let input = Input { bvh: &reference.bvh, limit_sq: limit * limit };
         let (affected, workspace) = (Affected::default(), Workspace::default());
-        Self { surface, reference, input, places, cover, affected, workspace }
+        let changed = vec![false; open.len()];
+        Self { surface, open, changed, reference, input, places, cover, affected, workspace }
     }
 
     /// Collapses short edges, flips edges towards Delaunay triangles and moves vertices towards the middle of their neighbours, where
     /// the surface stays within the distance.
-    pub(super) fn iterate(&mut self, control: &Control) {
+    /// What was tried in vain is tried again only where something has changed since. Whether anything has.
+    pub(super) fn iterate(&mut self, control: &Control) -> Result<bool, MeshError> {
         self.collapse_short(control);
         self.flip(control);
-        self.smooth(control);
+        if !control.is_stopped() {
+            self.smooth()?;
+        }
+        let none = vec![false; self.changed.len()];
+        self.open = std::mem::replace(&mut self.changed, none);
+        Ok(self.open.contains(&true))
     }
 
     fn collapse_short(&mut self, control: &Control) {
@@ -57,7 +79,11 @@ impl<'r> Confined<'r> {
             if h % STOP_EVERY == 0 && control.is_stopped() {
                 return;
             }
-            if self.surface.mesh.names_edge(h) && self.surface.share_sq(h) < SHORTEST * SHORTEST {
+            let mesh = &self.surface.mesh;
+            if mesh.names_edge(h)
+                && [mesh.from(h), mesh.to(h)].into_iter().any(|v| self.open[v as usize])
+                && self.surface.share_sq(h) < SHORTEST * SHORTEST
+            {
                 self.collapse(h);
             }
         }
@@ -79,6 +105,7 @@ impl<'r> Confined<'r> {
             if let Some(v) = self.surface.collapse(&collapse) {
                 self.cover.replace(&star.gone, &covering);
                 self.surface.near[v as usize] = near;
+                self.note(v);
             }
             return;
         }
@@ -114,7 +141,9 @@ impl<'r> Confined<'r> {
             };
             let corners = hinge(mesh, h, t);
             let [u, v, a, b] = corners.map(|x| mesh.positions[x as usize]);
-            let may_flip = self.surface.curve[h as usize] == NONE && mesh.check_flip(h).is_ok();
+            let may_flip = corners.into_iter().any(|v| self.open[v as usize])
+                && self.surface.curve[h as usize] == NONE
+                && mesh.check_flip(h).is_ok();
             if !may_flip || !lowers_cotangents([u, v, a, b]) {
                 continue;
             }
@@ -125,53 +154,59 @@ impl<'r> Confined<'r> {
                 && self.surface.flip(h)
             {
                 self.cover.replace(&faces, &covering);
+                for v in corners {
+                    self.changed[v as usize] = true;
+                }
             }
         }
     }
 
-    fn smooth(&mut self, control: &Control) {
-        let rings = Rings::of(&self.surface);
-        for v in 0..self.surface.mesh.positions.len() as u32 {
-            if v % STOP_EVERY == 0 && control.is_stopped() {
-                return;
-            }
-            if self.surface.mesh.outgoing[v as usize] != NONE && self.surface.hold[v as usize] != Hold::Corner
-            {
-                let to = relaxed(&self.surface, &rings, v).position;
-                self.move_to(v, to);
-            }
+    /// Moves vertices towards the middle of their neighbours, all at once.
+    fn smooth(&mut self) -> Result<(), MeshError> {
+        let moves = self.moves();
+        let moved = move_all(&mut self.surface, &self.input, &mut self.cover, &moves)?;
+        for v in (0..moved.len() as u32).filter(|&v| moved[v as usize]) {
+            self.note(v);
         }
+        Ok(())
     }
 
-    /// Moves a vertex towards a point and onto the input, as far as it may.
-    fn move_to(&mut self, v: u32, to: DVec3) {
+    /// Where vertices go that are to be moved far enough.
+    fn moves(&self) -> Vec<Option<Move>> {
+        let mut there = self.surface.clone();
+        smooth(&mut there, Some(self.reference), STEPS);
+        there.mesh.positions.iter_mut().for_each(|p| *p = self.places.near(*p));
+        let of_vertex = |workspace: &mut Workspace, v: u32| {
+            let i = v as usize;
+            let (from, position) = (self.surface.mesh.positions[i], there.mesh.positions[i]);
+            let least = SHORT_WAY * self.surface.length[i];
+            let is_far = || from.distance_squared(position) > least * least;
+            (self.open[i]
+                && is_alive(&self.surface.mesh, v)
+                && is_far()
+                && self.may_leave(&there, v, workspace))
+            .then(|| Move { position, near: there.near[i], length: there.length[i] })
+        };
+        let vertices: Vec<u32> = (0..there.hold.len() as u32).collect();
+        vertices.par_iter().map_init(Workspace::default, |workspace, &v| of_vertex(workspace, v)).collect()
+    }
+
+    /// Whether the faces at a vertex come near the point of the input where it is now, wherever all vertices go: most vertices that may not
+    /// move are found out here.
+    fn may_leave(&self, there: &Marked, v: u32, workspace: &mut Workspace) -> bool {
         let from = self.surface.mesh.positions[v as usize];
-        let least = SHORT_WAY * self.surface.length[v as usize];
-        if from.distance_squared(to) < least * least {
-            return;
-        }
-        self.surface.mesh.positions[v as usize] = to;
-        let Move { position, near, length } =
-            projected(&self.surface, self.reference, v, &mut self.workspace);
-        self.surface.mesh.positions[v as usize] = from;
-        let position = self.places.near(position);
-        let (faces, corners) = faces_at(&self.surface.mesh, v);
-        let old = faces.iter().map(|&f| self.surface.triangle(f));
-        let new: Vec<Triangle> = old
-            .zip(&corners)
-            .map(|(mut triangle, &corner)| {
-                triangle[corner] = position;
-                triangle
-            })
-            .collect();
-        let keeps = |(f, new): (&u32, &Triangle)| keeps_normal(self.surface.triangle(*f), *new);
-        if !faces.iter().zip(&new).all(keeps) {
-            return;
-        }
-        if let Some(covering) = self.try_change(&faces, &faces, &new, near) {
-            self.cover.replace(&faces, &covering);
-            self.surface.mesh.positions[v as usize] = position;
-            (self.surface.near[v as usize], self.surface.length[v as usize]) = (near, length);
+        let left = self.reference.project(from, self.surface.near[v as usize], workspace).position.to_array();
+        there.mesh.halfedges_from(v).any(|h| {
+            let [a, b, c] = there.triangle(h / 3).map(|p| p.to_array());
+            distance_sq(left, a, b, c) <= self.input.limit_sq
+        })
+    }
+
+    /// Notes that the faces around a vertex have changed.
+    fn note(&mut self, v: u32) {
+        self.changed[v as usize] = true;
+        for w in self.surface.mesh.neighbours(v) {
+            self.changed[w as usize] = true;
         }
     }
 
@@ -179,6 +214,7 @@ impl<'r> Confined<'r> {
     /// too far away, as far as is found.
     fn try_change(&mut self, gone: &[u32], kept: &[u32], new: &[Triangle], near: Slot) -> Option<Covering> {
         let Self { surface, input, cover, affected, workspace, .. } = self;
+        cover.may_cover(affected, gone, new, input.limit_sq).ok()?;
         let mut start = near;
         for [a, b, c] in new {
             // Most changes that are too far away are so in the middle of a face or of an edge.
@@ -186,15 +222,9 @@ impl<'r> Confined<'r> {
                 input.find_near(p, &mut start, workspace).ok()?;
             }
         }
-        cover.may_cover(affected, gone, new, input.limit_sq).ok()?;
         cover.find_affected(gone, affected);
         let covering = cover.cover_anew(&surface.mesh, affected, gone, kept, new, input.limit_sq).ok()?;
         let is_near = |triangle: &Triangle| input.is_near(*triangle, MOST_PIECES, &mut start, workspace);
         new.iter().all(is_near).then_some(covering)
     }
-}
-
-/// The faces at a vertex, and which corner of each it is.
-fn faces_at(mesh: &DynamicMesh, v: u32) -> (Vec<u32>, Vec<usize>) {
-    mesh.halfedges_from(v).map(|h| (h / 3, (h % 3) as usize)).unzip()
 }

@@ -85,6 +85,18 @@ impl Covering {
     }
 }
 
+/// Faces of the input, each with the faces of the result that cover it.
+pub(crate) struct WitnessLists {
+    pub(crate) faces: Vec<u32>,
+    pub(crate) witnesses: Vec<Vec<u32>>,
+}
+
+impl WitnessLists {
+    pub(crate) fn each(&self) -> impl Iterator<Item = (u32, &[u32])> {
+        self.faces.iter().copied().zip(self.witnesses.iter().map(Vec::as_slice))
+    }
+}
+
 impl Cover {
     /// Each face covers itself.
     pub(crate) fn new(mesh: &DynamicMesh, bvh: &Bvh) -> Self {
@@ -122,28 +134,9 @@ impl Cover {
     ) -> Result<Option<Self>, MeshError> {
         let mut cover = Self::new(input, bvh);
         cover.covers = vec![Vec::new(); mesh.origin.len() / 3];
-        let alive: Vec<u32> = (0..mesh.origin.len() as u32 / 3).filter(|&f| mesh.exists(3 * f)).collect();
-        let now = Bvh::build(&mesh.to_mesh()?, &identity());
-        let near = Input { bvh: &now, limit_sq: limit * limit };
-        let of_task = |faces: &[[u32; 3]]| -> Vec<Vec<u32>> {
-            let (mut workspace, mut start) = (Workspace::default(), now.any_slot());
-            let witnesses = |face: &[u32; 3]| {
-                let triangle = face.map(|v| DVec3::from_array(cover.positions[v as usize]));
-                let mut used = Vec::new();
-                let covered =
-                    near.is_covered(triangle, MOST_COVERING_PIECES, &mut start, &mut workspace, &mut used);
-                used.sort_unstable();
-                used.dedup();
-                if covered {
-                    used.iter().map(|slot| alive[now.face(*slot).index()]).collect()
-                } else {
-                    Vec::new()
-                }
-            };
-            faces.iter().map(witnesses).collect()
-        };
-        let found: Vec<Vec<Vec<u32>>> = cover.faces.par_chunks(COVERING_TASK).map(of_task).collect();
-        for (f, by) in (0..).zip(found.into_iter().flatten()) {
+        let faces: Vec<u32> = (0..cover.faces.len() as u32).collect();
+        let found = cover.found_on(mesh, &faces, limit * limit)?;
+        for (f, by) in (0..).zip(found) {
             match by[..] {
                 [] => return Ok(None),
                 [one] => cover.witness[f as usize] = one,
@@ -159,8 +152,70 @@ impl Cover {
         Ok(Some(cover))
     }
 
+    /// Faces of a surface that together cover each of some faces of the input, as far as they are found; none where they are not.
+    pub(crate) fn found_on(
+        &self,
+        mesh: &DynamicMesh,
+        faces: &[u32],
+        limit_sq: f64,
+    ) -> Result<Vec<Vec<u32>>, MeshError> {
+        let alive: Vec<u32> = (0..mesh.origin.len() as u32 / 3).filter(|&f| mesh.exists(3 * f)).collect();
+        let now = Bvh::build(&mesh.to_mesh()?, &identity());
+        let near = Input { bvh: &now, limit_sq };
+        let of_task = |faces: &[u32]| -> Vec<Vec<u32>> {
+            let (mut workspace, mut start) = (Workspace::default(), now.any_slot());
+            let witnesses = |&f: &u32| {
+                let mut used = Vec::new();
+                let triangle = self.triangle(f);
+                if !near.is_covered(triangle, MOST_COVERING_PIECES, &mut start, &mut workspace, &mut used) {
+                    return Vec::new();
+                }
+                used.sort_unstable();
+                used.dedup();
+                used.iter().map(|slot| alive[now.face(*slot).index()]).collect()
+            };
+            faces.iter().map(witnesses).collect()
+        };
+        Ok(faces.par_chunks(COVERING_TASK).flat_map_iter(of_task).collect())
+    }
+
+    /// The corners of a face of the input.
+    pub(crate) fn triangle(&self, f: u32) -> Triangle {
+        self.faces[f as usize].map(|v| DVec3::from_array(self.positions[v as usize]))
+    }
+
+    /// The faces of the input that some faces of the result cover, alone or with others.
+    pub(crate) fn affected_by(&self, faces: &[u32]) -> Vec<u32> {
+        let mut affected: Vec<u32> = faces.iter().flat_map(|&f| &self.covers[f as usize]).copied().collect();
+        affected.sort_unstable();
+        affected.dedup();
+        affected
+    }
+
+    /// Covers faces of the input by others than before.
+    pub(crate) fn take_over(&mut self, found: WitnessLists) {
+        let mut is_new = vec![false; self.faces.len()];
+        found.faces.iter().for_each(|&f| is_new[f as usize] = true);
+        let mut old: Vec<u32> = found.faces.iter().flat_map(|&f| self.witnesses(f)).copied().collect();
+        old.sort_unstable();
+        old.dedup();
+        for g in old {
+            self.covers[g as usize].retain(|&f| !is_new[f as usize]);
+        }
+        for (f, by) in found.faces.into_iter().zip(found.witnesses) {
+            self.several.remove(&f);
+            for &g in &by {
+                self.covers[g as usize].push(f);
+            }
+            self.witness[f as usize] = if let [one] = by[..] { one } else { SEVERAL };
+            if by.len() > 1 {
+                self.several.insert(f, by);
+            }
+        }
+    }
+
     /// The faces of the result that cover a face of the input.
-    fn witnesses(&self, f: u32) -> &[u32] {
+    pub(crate) fn witnesses(&self, f: u32) -> &[u32] {
         match self.witness[f as usize] {
             SEVERAL => self.several.get(&f).map_or(&[], Vec::as_slice),
             _ => &self.witness[f as usize..=f as usize],

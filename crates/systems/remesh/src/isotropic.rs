@@ -14,7 +14,7 @@ pub(super) const LONGEST: f64 = 4.0 / 3.0;
 pub(super) const SHORTEST: f64 = 4.0 / 5.0;
 
 /// Steps within the surface between two projections.
-const STEPS: usize = 3;
+pub(super) const STEPS: usize = 3;
 
 /// Rounds of flips and moves after the last split and collapse.
 const LAST_ROUNDS: usize = 3;

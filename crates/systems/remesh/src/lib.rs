@@ -7,6 +7,7 @@
 //! | [`DynamicMesh`] | halfedge connectivity that can be edited |
 //! | [`Carrier`] | texture coordinates and colours on the result |
 
+mod batch;
 mod candidates;
 mod carried;
 mod collapses;
@@ -18,6 +19,7 @@ mod edit;
 mod features;
 mod flips;
 mod guard;
+mod held;
 mod improve;
 mod isotropic;
 mod lengths;

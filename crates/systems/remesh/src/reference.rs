@@ -40,6 +40,12 @@ impl<'f> Reference<'f> {
         Ok(Self { bvh, frame, faces, curves: trees_of_curves(surface, &positions), lengths })
     }
 
+    /// Changes which curves there are, to those of a surface with the vertices and faces that it was made of.
+    pub(super) fn keep(&mut self, surface: &Marked) {
+        let positions: Vec<[f64; 3]> = surface.mesh.positions.iter().map(DVec3::to_array).collect();
+        self.curves = trees_of_curves(surface, &positions);
+    }
+
     /// A slot with a face at each vertex.
     pub(super) fn slots_at_vertices(&self, vertices: usize) -> Vec<Slot> {
         let mut slots = vec![self.bvh.any_slot(); vertices];

@@ -21,7 +21,7 @@ pub struct RemeshOptions<'o> {
     pub features: Features<'o>,
     /// Rounds of splits, collapses, flips and moves.
     pub iterations: usize,
-    /// The largest distance from the input, to be proven; edges are shortened where they must be.
+    /// The largest distance from the input, to be proven; edges are shorter where they must be.
     pub within: Option<f64>,
     /// Whether vertices are put back onto the input; where not, they move in the tangent plane only, and the surface shrinks a little.
     pub project: bool,

@@ -1,18 +1,19 @@
 //! Remeshing from the input to the report.
 
-use super::confined::Confined;
+mod staying;
+
 use super::connectivity::DynamicMesh;
-use super::features::{Curves, Features, creases_to};
+use super::features::Curves;
 use super::guard::{IntersectionCount, Intersections};
-use super::isotropic::{LONGEST, finish, iterate, split_longer_than};
+use super::held::{RISKY, is_rough, keep_creases};
+use super::isotropic::{finish, iterate};
 use super::lengths::NotWithin;
 use super::marked::Marked;
-use super::near::far_places;
 use super::places::Places;
 use super::quality::Quality;
 use super::reference::Reference;
 use super::remesh_options::{RemeshError, RemeshOptions, RemeshTiming, Remeshed};
-use super::sizing::{self, Lengths, limit_growth};
+use super::sizing::{self, Lengths};
 use super::smooth::area_vector;
 use pompeiu_core::TriMesh;
 use pompeiu_core::geom::{Aabb, Frame};
@@ -24,12 +25,6 @@ use pompeiu_hausdorff::HausdorffOptions;
 /// Share of the distance that tests of single faces may use; the rest covers their rounding.
 const LOCAL_SHARE: f64 = 0.9999;
 
-/// Times that creases are kept or edges shortened, and the input is remeshed anew, where the result is too far from the input.
-const MOST_ROUNDS: usize = 2;
-
-/// Iterations of the operations that keep the distance, where that was in vain.
-const CONFINED: usize = 3;
-
 /// A distance that asks for more than this many times the faces of the input and of the result without it is smaller than what the
 /// input's own creases and folds stand out: shorter edges would only follow these.
 const MOST_GROWTH: f64 = 2.0;
@@ -38,21 +33,8 @@ const MOST_GROWTH: f64 = 2.0;
 /// length, and of the distance asked for, with which they do not.
 const NEAR: [f64; 3] = [0.05, 0.005, 0.0005];
 
-/// By how much edges are shortened each time.
-const SHORTENED: f64 = 0.6;
-
-/// Iterations of each of these rounds at most.
-const ITERATIONS: usize = 5;
-
 /// Creases at which a distance asks for edges shorter than this many times their target are kept from the start.
 const MUCH_SHORTER: f64 = 0.5;
-
-/// Edges whose faces meet at more than this angle between their normals, in degrees, are kept where the result is too far from the input:
-/// without them it cuts off what lies beside them, however short its edges are.
-const CREASE: f64 = 30.0;
-
-/// The input carries lengths at its vertices, so its edges are split where they are longer than this many target lengths.
-const INPUT_SPLIT: f64 = 2.0;
 
 /// Gives a surface new triangles: nearly equilateral, with edges of a wanted length.
 ///
@@ -66,8 +48,7 @@ const INPUT_SPLIT: f64 = 2.0;
 /// # Accuracy
 /// What the report says of the distance was measured by [`symmetric_hausdorff`](pompeiu_hausdorff::symmetric_hausdorff), rounding included. With
 /// [`within`](RemeshOptions::within) its upper end is at most that length, or there is no result: where faces are farther away,
-/// creases are kept or target lengths shortened; where that is in vain, or would take many faces, the input is remeshed by operations that each
-/// keep the distance, with less regular faces.
+/// edges of the input are held, and then given up by operations that each keep the distance, with less regular faces.
 /// # Limits
 /// Lengths are targets. No least angle is promised: at corners of features there may be none. Where two sheets are nearer to each
 /// other than edges are long they may intersect; see [`self_intersections`](pompeiu_core::spatial::self_intersections).
@@ -160,7 +141,10 @@ impl<'w> Work<'w> {
             return Err(RemeshError::TooManyFaces { faces, most: options.most_faces });
         }
         let enough = MOST_GROWTH * (faces + mesh.faces().len() as f64);
-        let is_rough = first.is_some() && expected_faces(&copy.mesh, &at_vertices) > enough;
+        let is_rough = first.as_ref().is_some_and(|first| {
+            let within = options.within.map_or(f64::INFINITY, |within| frame.length_in(within));
+            expected_faces(&copy.mesh, &at_vertices) > enough || is_rough(first, RISKY * within)
+        });
         copy.length = at_vertices;
         let reference = Reference::new(&copy, frame, lengths)?;
         copy.near = reference.slots_at_vertices(copy.mesh.positions.len());
@@ -246,7 +230,7 @@ impl<'w> Work<'w> {
             if found.is_ok() {
                 break;
             }
-            self.stay_within(share * if within < shortest { within } else { shortest })?;
+            self.stay_within(share * if within < shortest { within } else { shortest }, None)?;
             let mesh = brought_out(&self.surface)?;
             let guard = self.options.intersections.after(self.control.reason());
             found = guard.of(&mesh, self.input).map(|count| (mesh, count));
@@ -287,98 +271,6 @@ impl<'w> Work<'w> {
             self.control.stop(StopReason::Cancelled);
         }
     }
-
-    /// Remeshes, and keeps creases, or else shortens lengths, where the surface is farther from the input than a limit. Where it then
-    /// still is, or would have many faces, the input is remeshed by operations that each keep the distance.
-    fn come_within(&mut self, limit: f64) -> Result<(), RemeshError> {
-        let came = if self.is_rough { Ok(false) } else { self.follow(limit) };
-        match came {
-            Ok(true) => Ok(()),
-            Ok(false) | Err(RemeshError::TooManyFacesWithin { .. }) => self.stay_within(limit),
-            Err(error) => Err(error),
-        }
-    }
-
-    /// Remeshes, and does so again with more creases and shorter edges; whether the surface came within the limit.
-    fn follow(&mut self, limit: f64) -> Result<bool, RemeshError> {
-        self.iterate(self.options.iterations)?;
-        for round in 0..=MOST_ROUNDS {
-            if self.control.is_stopped() {
-                break;
-            }
-            let far = far_places(&self.copy, &self.reference, &self.surface, limit)?;
-            if !far.contains(&true) {
-                return Ok(true);
-            }
-            if round == MOST_ROUNDS {
-                break;
-            }
-            let copy = &mut self.copy;
-            copy.length = self.reference.lengths.at_vertices(&copy.mesh.positions, &self.frame);
-            if !keep_creases(copy, &self.options.features, &far) {
-                for (length, _) in copy.length.iter_mut().zip(far).filter(|(_, far)| *far) {
-                    *length *= SHORTENED;
-                }
-                limit_growth(&copy.mesh, &mut copy.length);
-            }
-            self.split_input(INPUT_SPLIT)?;
-            // From the input again: a surface that was too coarse may have closed where the input is thin.
-            self.surface = self.copy.clone();
-            self.iterate(self.options.iterations.min(ITERATIONS))?;
-        }
-        Ok(false)
-    }
-
-    /// Splits edges of the input that are longer than some target lengths.
-    fn split_input(&mut self, longest: f64) -> Result<(), RemeshError> {
-        split_longer_than(&mut self.copy, longest, self.options.most_faces, &self.control)
-            .map_err(|_| self.too_many())?;
-        let lengths = Lengths::AtVertices(self.copy.length.clone());
-        self.reference = Reference::new(&self.copy, self.frame, lengths)?;
-        self.copy.near = self.reference.slots_at_vertices(self.copy.mesh.positions.len());
-        Ok(())
-    }
-
-    /// Splits the edges of the input, and changes it by operations that each keep it within a limit, as long as time allows.
-    fn stay_within(&mut self, limit: f64) -> Result<(), RemeshError> {
-        if let Some(first) = self.first.take() {
-            self.copy = first;
-            self.copy.near = vec![self.reference.bvh.any_slot(); self.copy.mesh.positions.len()];
-        }
-        self.split_input(LONGEST)?;
-        let mut surface = self.copy.clone();
-        self.places.settle(&mut surface.mesh);
-        if self.control.is_stopped() {
-            self.surface = surface;
-            return Ok(());
-        }
-        let mut confined = Confined::new(surface, &self.reference, self.places, limit);
-        let count = self.options.iterations.min(CONFINED);
-        for i in 0..count {
-            self.report("remeshing within the distance", i as f64 / count as f64);
-            if self.control.is_stopped() {
-                break;
-            }
-            confined.iterate(&self.control);
-            self.iterations += 1;
-        }
-        self.surface = confined.surface;
-        Ok(())
-    }
-}
-
-/// Makes curves of the creases of the input that lead to marked vertices; whether there are any that were none before. Vertices and edges that
-/// were selected must not have been split yet.
-fn keep_creases(copy: &mut Marked, features: &Features<'_>, marked: &[bool]) -> bool {
-    let mut edges = creases_to(&copy.mesh, CREASE, marked);
-    edges.retain(|ends| !copy.is_on_curve(ends.map(|v| v.0)));
-    if edges.is_empty() {
-        return false;
-    }
-    edges.extend(copy.on_curves());
-    let curves = Curves::find(&copy.mesh, &Features { edges: &edges, ..*features });
-    (copy.curve, copy.hold) = (curves.of_halfedge, curves.hold);
-    true
 }
 
 /// Number of equilateral faces with edges of the target length that have the area of the surface.
