@@ -2,6 +2,8 @@
 
 use crate::Jacobian;
 use crate::bernstein::{bernstein, bernstein_slopes};
+use crate::jacobian::least;
+use crate::scaled_bound::ParameterBox;
 use glam::DVec3;
 
 /// Largest depth of halvings along each axis; dividing a cell into eight halves it along all three.
@@ -14,7 +16,7 @@ const DEPTH: usize = 4;
 /// Differences of control points are exact to u in each component, the factors to 3 u. A triple product has six terms of at most
 /// `|a| |b| |c|` with five operations each. The weights are quotients of products of small binomial coefficients, exact but for the
 /// 6 operations with them. Two sums of at most 48 terms each follow one another. Together: less than 6 (3·3 + 5 + 6 + 96) u = 696
-/// u. Each of at most 12 halvings takes eight means in sequence, u each: 96 u. The sum is less than 800 u, and is doubled.
+/// u. Each of at most 24 halvings takes eight means in sequence, u each: 192 u. The sum is less than 900 u, and is nearly doubled.
 const ROUNDING: f64 = 1600.0 * 1.110_223_024_625_156_5e-16;
 
 /// Degree of the determinant along each axis, and the number of its coefficients.
@@ -44,6 +46,28 @@ impl<T: Copy> Tensor<T> {
         (0..3).map(|axis| binomial(size[axis] - 1, at[axis])).product()
     }
 
+    /// Keeps one half along an axis, by de Casteljau's algorithm.
+    fn halve(&mut self, axis: usize, side: usize)
+    where
+        T: std::ops::Add<Output = T> + std::ops::Mul<f64, Output = T>,
+    {
+        let (count, stride) = (self.size[axis], self.size[..axis].iter().product::<usize>());
+        for start in (0..self.values.len()).filter(|n| n / stride % count == 0) {
+            for round in 1..count {
+                let places = if side == 0 { round..count } else { 0..count - round };
+                let mut mean = |k: usize, other: usize| {
+                    let [a, b] = [k, other].map(|k| self.values[start + k * stride]);
+                    self.values[start + k * stride] = (a + b) * 0.5;
+                };
+                if side == 0 {
+                    places.rev().for_each(|k| mean(k, k - 1));
+                } else {
+                    places.for_each(|k| mean(k, k + 1));
+                }
+            }
+        }
+    }
+
     fn places(&self) -> impl Iterator<Item = ([usize; 3], T)> + '_ {
         let [a, b, _] = self.size;
         self.values.iter().enumerate().map(move |(n, v)| ([n % a, n / a % b, n / a / b], *v))
@@ -68,17 +92,15 @@ fn product<A: Copy, B: Copy, C: Copy>(
 
 /// The Bernstein coefficients of the determinant, and the product of the greatest control vectors.
 fn coefficients(points: &[DVec3; 64]) -> (Vec<f64>, f64) {
-    let steps = [1, 4, 16];
     let mut scale = 1.0;
     let [a, b, c] = [0, 1, 2].map(|axis| {
-        let size = std::array::from_fn(|k| if k == axis { 3 } else { 4 });
-        let slope = |[i, j, k]: [usize; 3]| {
-            let at = i + 4 * (j + 4 * k);
-            (points[at + steps[axis]] - points[at]) * 3.0
-        };
-        let greatest = Tensor::new(size, slope).values.iter().map(|v| v.length()).fold(0.0, f64::max);
-        scale *= greatest;
-        Tensor::new(size, |at| slope(at) * Tensor::<f64>::weight(size, at))
+        let slope = slope(points, axis);
+        scale *= greatest(&slope.values);
+        Tensor::new(slope.size, |at| {
+            let [i, j, k] = at;
+            let value = slope.values[i + slope.size[0] * (j + slope.size[1] * k)];
+            value * Tensor::<f64>::weight(slope.size, at)
+        })
     });
     let cross = product(&b, &c, DVec3::ZERO, |sum, x: DVec3, y: DVec3| *sum += x.cross(y));
     let Tensor { size, values } = product(&a, &cross, 0.0, |sum, x: DVec3, y: DVec3| *sum += x.dot(y));
@@ -157,6 +179,100 @@ fn halve(values: &mut [f64], axis: usize, side: usize) {
     }
 }
 
+/// Rounding of a control vector of a derivative, relative to the greatest one along its axis: 3 u for each component, and at most 24 halvings with
+/// three means in sequence, u each. Less than 128 u for vectors of three components, doubled.
+const LENGTH_ROUNDING: f64 = 256.0 * 1.110_223_024_625_156_5e-16;
+
+/// A box of parameters of a tricubic cell.
+pub(crate) struct CubicBox {
+    coefficients: Vec<f64>,
+    doubt: f64,
+    /// The control vectors of the derivatives.
+    slopes: [Tensor<DVec3>; 3],
+    /// Rounding of the length of a derivative.
+    off: [f64; 3],
+}
+
+impl CubicBox {
+    pub(crate) fn new(points: &[DVec3; 64]) -> Self {
+        let (coefficients, scale) = coefficients(points);
+        let slopes = [0, 1, 2].map(|axis| slope(points, axis));
+        let off = slopes.each_ref().map(|slope| LENGTH_ROUNDING * greatest(&slope.values));
+        Self { coefficients, doubt: ROUNDING * scale, slopes, off }
+    }
+
+    fn part(&self, sides: [usize; 3]) -> Self {
+        let mut coefficients = self.coefficients.clone();
+        let mut slopes =
+            self.slopes.each_ref().map(|slope| Tensor { size: slope.size, values: slope.values.clone() });
+        for (axis, side) in sides.into_iter().enumerate() {
+            halve(&mut coefficients, axis, side);
+            for slope in &mut slopes {
+                slope.halve(axis, side);
+            }
+        }
+        Self { coefficients, slopes, ..*self }
+    }
+}
+
+impl ParameterBox for CubicBox {
+    fn coefficients(&self, mut act: impl FnMut(f64, f64)) {
+        let lengths = |axis: usize| {
+            let slope = &self.slopes[axis];
+            let values = slope
+                .places()
+                .map(|(at, v)| (v.length() + self.off[axis]) * Tensor::<f64>::weight(slope.size, at));
+            Tensor { size: slope.size, values: values.collect() }
+        };
+        let [a, b, c] = [0, 1, 2].map(lengths);
+        let add = |sum: &mut f64, x: f64, y: f64| *sum += x * y;
+        let sizes = product(&a, &product(&b, &c, 0.0, add), 0.0, add);
+        for (determinant, (at, size)) in self.coefficients.iter().zip(sizes.places()) {
+            act(determinant - self.doubt, size / Tensor::<f64>::weight(sizes.size, at));
+        }
+    }
+
+    fn attained(&self) -> f64 {
+        let at = |k: usize| {
+            let corner = |size: [usize; 3]| {
+                let [i, j, l] = std::array::from_fn(|axis| (k >> axis & 1) * (size[axis] - 1));
+                i + size[0] * (j + size[1] * l)
+            };
+            let size: f64 =
+                self.slopes.iter().map(|slope| slope.values[corner(slope.size)].length()).product();
+            if size > 0.0 { self.coefficients[corner([N; 3])] / size } else { 0.0 }
+        };
+        least(&std::array::from_fn::<f64, 8, _>(at))
+    }
+
+    fn divided(&self) -> [Self; 8] {
+        std::array::from_fn(|k| self.part([k & 1, k >> 1 & 1, k >> 2]))
+    }
+}
+
+/// The greatest length; infinite if one is no number.
+fn greatest(vectors: &[DVec3]) -> f64 {
+    let lengths = vectors.iter().map(|v| v.length());
+    lengths.fold(0.0, |most, length| {
+        if length <= most {
+            most
+        } else if length.is_nan() {
+            f64::INFINITY
+        } else {
+            length
+        }
+    })
+}
+
+/// The control vectors of the derivative along an axis.
+fn slope(points: &[DVec3; 64], axis: usize) -> Tensor<DVec3> {
+    let step = [1, 4, 16][axis];
+    Tensor::new(std::array::from_fn(|k| if k == axis { 3 } else { 4 }), |[i, j, k]| {
+        let at = i + 4 * (j + 4 * k);
+        (points[at + step] - points[at]) * 3.0
+    })
+}
+
 /// Parameters along each axis at which quality is measured.
 pub const QUALITY_PLACES: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 
@@ -164,7 +280,8 @@ pub const QUALITY_PLACES: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 /// of the lengths of the three derivatives. 1 for a box, 0 or less where the cell is folded.
 ///
 /// # Accuracy
-/// The least over these points, not over the cell; [`certify_bezier`] proves the sign over the whole cell.
+/// The least over these points, not over the cell: [`scaled_jacobian_bound_bezier`](crate::scaled_jacobian_bound_bezier) is proven over the
+/// whole cell.
 pub fn scaled_jacobian_bezier(points: &[DVec3; 64]) -> f64 {
     let mut least = f64::INFINITY;
     for [a, b, c] in slopes_at(points, &QUALITY_PLACES.map(|t| (bernstein(t), bernstein_slopes(t)))) {

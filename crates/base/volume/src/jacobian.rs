@@ -1,5 +1,6 @@
 //! The Jacobian determinant of a trilinear cell: certificates over the whole cell, and quality.
 
+use crate::scaled_bound::ParameterBox;
 use glam::DVec3;
 
 /// What is known about the Jacobian determinant of a cell.
@@ -24,8 +25,8 @@ const DEPTH: usize = 6;
 /// # Accuracy
 /// With u = 2⁻⁵³: each edge is a difference of two vertices, relatively exact to u in each component. A determinant of three edges
 /// has six terms of at most `|a| |b| |c|` with four operations each: its error is at most 48 u `|a| |b| |c|`, that of the edges
-/// included. A coefficient is a mean of at most eight such determinants, which adds at most 8 u. Each of at most 18 halvings takes
-/// two means in sequence, 4 u each: 72 u. The sum, 128 u, is doubled.
+/// included. A coefficient is a mean of at most eight such determinants, which adds at most 8 u. Each of at most 24 halvings, three times
+/// the depth of [`scaled_jacobian_bound`](crate::scaled_jacobian_bound), takes two means in sequence, 4 u each: 96 u. The sum is 152 u.
 const ROUNDING: f64 = 256.0 * 1.110_223_024_625_156_5e-16;
 
 /// Three layers of nine coefficients.
@@ -112,19 +113,26 @@ fn edges(corners: &[DVec3; 8]) -> [[[DVec3; 2]; 2]; 3] {
 
 /// The Bernstein coefficients, and the product of the greatest edge lengths.
 fn coefficients(corners: &[DVec3; 8]) -> (Coefficients, f64) {
+    let edges = edges(corners);
+    let [along_u, along_v, along_w] = &edges;
+    let sum =
+        means(|[b1, c1], [a1, c2], [a2, b2]| along_u[b1][c1].dot(along_v[a1][c2].cross(along_w[a2][b2])));
+    (sum, edges.iter().map(greatest).product())
+}
+
+/// The Bernstein coefficients of a product of three functions that are linear along two axes each, from its values for each choice of their
+/// coefficients.
+fn means(of: impl Fn([usize; 2], [usize; 2], [usize; 2]) -> f64) -> Coefficients {
     /// 1 / C(2, i).
     const WEIGHT: [f64; 3] = [1.0, 0.5, 1.0];
-    let [along_u, along_v, along_w] = edges(corners);
     let mut sum = [[[0.0; 3]; 3]; 3];
     for bits in 0..64_usize {
         let bit = |k: usize| bits >> k & 1;
         let (b1, c1, a1, c2, a2, b2) = (bit(0), bit(1), bit(2), bit(3), bit(4), bit(5));
-        let determinant = along_u[b1][c1].dot(along_v[a1][c2].cross(along_w[a2][b2]));
         let (i, j, k) = (a1 + a2, b1 + b2, c1 + c2);
-        sum[i][j][k] += WEIGHT[i] * WEIGHT[j] * WEIGHT[k] * determinant;
+        sum[i][j][k] += WEIGHT[i] * WEIGHT[j] * WEIGHT[k] * of([b1, c1], [a1, c2], [a2, b2]);
     }
-    let greatest = |edges: [[DVec3; 2]; 2]| edges.iter().flatten().map(|e| e.length()).fold(0.0, f64::max);
-    (sum, [along_u, along_v, along_w].map(greatest).iter().product())
+    sum
 }
 
 /// The derivatives along the three axes at a point of the unit cube.
@@ -133,11 +141,97 @@ fn derivatives(edges: &[[[DVec3; 2]; 2]; 3], [u, v, w]: [f64; 3]) -> [DVec3; 3] 
     [at(&edges[0], v, w), at(&edges[1], u, w), at(&edges[2], u, v)]
 }
 
+/// Rounding of an edge, or of a mean of edges, relative to the greatest one along its axis: u for each component, and at most 16 means with u
+/// each for vectors of three components. Less than 32 u, doubled.
+const LENGTH_ROUNDING: f64 = 64.0 * 1.110_223_024_625_156_5e-16;
+
+/// A box of parameters of a trilinear cell.
+#[derive(Clone)]
+pub(crate) struct LinearBox {
+    coefficients: Coefficients,
+    doubt: f64,
+    /// The derivatives along each axis at the corners of the box, by their position along the other two.
+    slopes: [[[DVec3; 2]; 2]; 3],
+    /// Rounding of the length of a derivative.
+    off: [f64; 3],
+}
+
+impl LinearBox {
+    pub(crate) fn new(corners: &[DVec3; 8]) -> Self {
+        let (coefficients, scale) = coefficients(corners);
+        let slopes = edges(corners);
+        let off = slopes.map(|edges| LENGTH_ROUNDING * greatest(&edges));
+        Self { coefficients, doubt: ROUNDING * scale, slopes, off }
+    }
+
+    fn part(&self, sides: [usize; 3]) -> Self {
+        let mut part = self.clone();
+        for (axis, side) in sides.into_iter().enumerate() {
+            part.coefficients = halve(&part.coefficients, axis, side);
+        }
+        for (axis, slopes) in part.slopes.iter_mut().enumerate() {
+            let [first, second] = [[1, 2], [0, 2], [0, 1]][axis].map(|other| sides[other]);
+            for row in slopes.iter_mut() {
+                row[1 - second] = 0.5 * (row[0] + row[1]);
+            }
+            slopes[1 - first] = [0, 1].map(|k| 0.5 * (slopes[0][k] + slopes[1][k]));
+        }
+        part
+    }
+}
+
+impl ParameterBox for LinearBox {
+    fn coefficients(&self, mut act: impl FnMut(f64, f64)) {
+        let lengths: [[[f64; 2]; 2]; 3] =
+            std::array::from_fn(|axis| self.slopes[axis].map(|row| row.map(|v| v.length() + self.off[axis])));
+        let sizes = means(|[b1, c1], [a1, c2], [a2, b2]| {
+            lengths[0][b1][c1] * lengths[1][a1][c2] * lengths[2][a2][b2]
+        });
+        let determinants = self.coefficients.as_flattened().as_flattened();
+        for (determinant, size) in determinants.iter().zip(sizes.as_flattened().as_flattened()) {
+            act(determinant - self.doubt, *size);
+        }
+    }
+
+    fn attained(&self) -> f64 {
+        let [along_u, along_v, along_w] = &self.slopes;
+        let at = |k: usize| {
+            let [u, v, w] = [k & 1, k >> 1 & 1, k >> 2];
+            let size = along_u[v][w].length() * along_v[u][w].length() * along_w[u][v].length();
+            if size > 0.0 { self.coefficients[2 * u][2 * v][2 * w] / size } else { 0.0 }
+        };
+        least(&std::array::from_fn::<f64, 8, _>(at))
+    }
+
+    fn divided(&self) -> [Self; 8] {
+        std::array::from_fn(|k| self.part([k & 1, k >> 1 & 1, k >> 2]))
+    }
+}
+
+/// The greatest length; infinite if one is no number.
+fn greatest(vectors: &[[DVec3; 2]; 2]) -> f64 {
+    let lengths = vectors.as_flattened().iter().map(|v| v.length());
+    lengths.fold(0.0, |most, length| {
+        if length <= most {
+            most
+        } else if length.is_nan() {
+            f64::INFINITY
+        } else {
+            length
+        }
+    })
+}
+
+/// The least value; NaN if one is no number.
+pub(crate) fn least(values: &[f64]) -> f64 {
+    values.iter().fold(f64::INFINITY, |least, &x| if x >= least { least } else { x })
+}
+
 /// The least scaled Jacobian at the 27 points of a cell whose coordinates are 0, ½ and 1: the determinant over the product of the
 /// lengths of the three derivatives. 1 for a box, 0 or less where the cell is folded.
 ///
 /// # Accuracy
-/// The least over these points, not over the cell; [`certify`] proves the sign over the whole cell.
+/// The least over these points, not over the cell: [`scaled_jacobian_bound`](crate::scaled_jacobian_bound) is proven over the whole cell.
 pub fn scaled_jacobian(corners: &[DVec3; 8]) -> f64 {
     const PLACES: [f64; 3] = [0.0, 0.5, 1.0];
     let edges = edges(corners);

@@ -7,7 +7,8 @@
 //! |---|---|
 //! | [`HexMesh`] | vertices and cells |
 //! | [`certify`], [`Jacobian`] | whether the Jacobian determinant is positive over a whole cell, proven by its Bernstein coefficients |
-//! | [`scaled_jacobian`] | shape quality of a cell: 1 for a box |
+//! | [`scaled_jacobian`] | shape quality of a cell at points: 1 for a box |
+//! | [`scaled_jacobian_bound`] | a proven lower bound on it over the whole cell |
 //! | [`Faces`] | conformity, boundary, components |
 //! | [`BezierMesh`], [`certify_bezier`] | tricubic cells, and the same certificate for them |
 //! | [`SplineSpace`] | cubic splines on patches, continuous across them |
@@ -40,6 +41,7 @@ mod knots;
 mod mesh;
 mod partition;
 mod refinement;
+mod scaled_bound;
 mod spline;
 mod unstructured;
 mod vtu;
@@ -55,6 +57,7 @@ pub use knots::Line;
 pub use mesh::HexMesh;
 pub use partition::{PartitionQuality, epart, partition, partition_quality};
 pub use refinement::{CORNER_PLACES, Refinement, RefinementKey, key_weights};
+pub use scaled_bound::{SCALED_JACOBIAN_GAP, scaled_jacobian_bound, scaled_jacobian_bound_bezier};
 pub use spline::SplineSpace;
 pub use unstructured::{CellKind, CellSplines, UnstructuredSplines};
 pub use vtu::{CellData, PointData, write_bezier_vtu, write_vtu};
